@@ -1,0 +1,58 @@
+# gw_library, gw_command, gw_test: a folder's sources as one target. They do not find packages: each folder's CMakeLists.txt does.
+
+# Warnings are chosen so that correct code needs no casts beyond those that change a number's kind.
+add_library(gw_warnings INTERFACE)
+target_compile_options(gw_warnings INTERFACE
+    -Wall -Wextra -Wshadow -Wvla -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion
+    -Wno-missing-field-initializers  # pass tuples name only what differs from GL's initial value
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # g++ 12 reports std::string's own operator+
+
+function(gw_compile target)
+    target_compile_features(${target} PUBLIC cxx_std_20)
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:gw_warnings>)
+endfunction()
+
+# gw_library(FOLDER [TARGET name] [EXCLUDE file...] [LINK library...])
+# Compiles all *.cpp below the calling folder into library gw_FOLDER, alias gw::FOLDER (name instead of FOLDER where given).
+function(gw_library folder)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "TARGET" "EXCLUDE;LINK")
+    set(name ${folder})
+    if(arg_TARGET)
+        set(name ${arg_TARGET})
+    endif()
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)
+    list(REMOVE_ITEM sources ${arg_EXCLUDE} "")
+    if(NOT sources)
+        return()
+    endif()
+    add_library(gw_${name} ${sources})
+    add_library(gw::${name} ALIAS gw_${name})
+    gw_compile(gw_${name})
+    target_include_directories(gw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+    target_link_libraries(gw_${name} PUBLIC ${arg_LINK})
+endfunction()
+
+# gw_command(NAME SOURCE [LINK library...]): an executable in bin/.
+function(gw_command name source)
+    cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "LINK")
+    add_executable(${name} ${source})
+    gw_compile(${name})
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(${name} PRIVATE ${arg_LINK})
+endfunction()
+
+# gw_test(FOLDER SUFFIX [LABEL label] [TIMEOUT seconds] [LINK library...])
+# tests/FOLDER/SUFFIX/*.cpp becomes bin/test_FOLDER_SUFFIX (SUFFIX may be ""), every TEST of it a test of ctest.
+function(gw_test folder suffix)
+    cmake_parse_arguments(PARSE_ARGV 2 arg "" "LABEL;TIMEOUT" "LINK")
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${suffix}/*.cpp)
+    if(NOT sources)
+        return()
+    endif()
+    string(REGEX REPLACE "_$" "" name test_${folder}_${suffix})
+    gw_command(${name} "${sources}" LINK ${arg_LINK} GTest::gtest_main)
+    target_compile_definitions(${name} PRIVATE GW_SOURCE_DIR="${PROJECT_SOURCE_DIR}" GW_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+        PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABEL}")
+endfunction()
