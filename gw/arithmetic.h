@@ -1,0 +1,42 @@
+// The manual's scalar arithmetic: rounding, clamping, products of fractions. docs/manual.md, "Numbers".
+// Does not hold anything that depends on a stage.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace gw {
+
+/// The largest value of n bits, which stands for 1.0; n <= 32.
+constexpr std::uint32_t max_of_bits(int n) { return static_cast<std::uint32_t>((std::uint64_t{1} << n) - 1); }
+
+/// Nearest integer, ties to even: the IEEE mode that every thread of a machine runs in.
+inline double round_even(double v) { return std::nearbyint(v); }
+
+/// v in [0, 1]; NaN becomes 0.
+constexpr double clamp01(double v) { return v > 0 ? (v < 1 ? v : 1) : 0; }
+
+/// A fraction as an n-bit integer: nearest to v * (2^n - 1), v clamped to [0, 1].
+inline std::uint32_t quantize(double v, int n) {
+    return static_cast<std::uint32_t>(round_even(clamp01(v) * max_of_bits(n)));
+}
+
+/// Nearest integer to a * b / (2^n - 1), for n <= 16 and a, b <= 2^n - 1. No ties exist.
+constexpr std::uint32_t mul(std::uint32_t a, std::uint32_t b, int n) {
+    const std::uint64_t t = std::uint64_t{a} * b + (std::uint64_t{1} << (n - 1));
+    return static_cast<std::uint32_t>((t + (t >> n)) >> n);
+}
+
+/// An n-bit fraction in m bits: nearest to v * (2^m - 1) / (2^n - 1), ties up.
+constexpr std::uint32_t rescale(std::uint32_t v, int n, int m) {
+    const std::uint64_t from = max_of_bits(n), to = max_of_bits(m);
+    return static_cast<std::uint32_t>((v * to * 2 + from) / (from * 2));
+}
+
+/// Any double as an integer in [low, high]; NaN becomes low. Floats are clamped before they become integers.
+inline std::int64_t to_integer(double v, double low, double high) {
+    return static_cast<std::int64_t>(v > low ? (v < high ? v : high) : low);
+}
+
+}  // namespace gw

@@ -1,0 +1,146 @@
+// A command list: everything a machine can be told, as a value that is built, printed, stored, replayed,
+// compared. Does not execute anything and holds no pixels of a machine.
+#pragma once
+
+#include "gw/material.h"
+#include "gw/mesh.h"
+#include "gw/state.h"
+#include "gw/texture.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gw {
+
+/// The planes of a machine, and their bits in a PlaneMask.
+enum class Plane : std::uint8_t { Color, Depth, Stencil, Accum };
+using PlaneMask = std::uint8_t;
+constexpr PlaneMask mask_of(Plane plane) {
+    return static_cast<PlaneMask>(1u << static_cast<unsigned>(plane));
+}
+inline constexpr PlaneMask all_planes = 15;
+
+/// Opens a pass: commands up to the next one are counted under this name. `digests`: digests of these planes
+/// are taken when the pass ends.
+struct BeginPass {
+    std::string name;
+    PlaneMask digests = 0;
+    bool operator==(const BeginPass&) const = default;
+};
+
+/// Clears planes inside the scissor box, through the colour mask, depth mask and stencil write mask, as
+/// glClear. Accumulation is cleared to 0.
+struct Clear {
+    PlaneMask planes = 0;
+    vec4 color{0, 0, 0, 0};  ///< clamped to [0,1], times 2^color_bits - 1, to nearest
+    double depth = 1;        ///< clamped to [0,1], times 2^depth_bits - 1, to nearest
+    int stencil = 0;         ///< low stencil_bits are used
+    bool operator==(const Clear&) const = default;
+};
+
+/// Replaces the whole state for the following commands; it persists over lists.
+struct SetState {
+    State state;
+    bool operator==(const SetState&) const = default;
+};
+
+/// A texture that is a value, or the machine's texture slot that CopyTexture filled; neither: texturing is
+/// off.
+struct TextureBinding {
+    TextureRef texture;
+    std::optional<std::uint32_t> slot;
+    bool enabled() const { return texture != nullptr || slot.has_value(); }
+    bool operator==(const TextureBinding&) const = default;
+};
+
+/// Draws a mesh with the current state.
+struct Draw {
+    MeshRef mesh;
+    dmat4 eye_from_object{1};  ///< affine; normals are transformed by its inverse transpose
+    Material material;
+    LightsRef lights;
+    TextureBinding map;
+    std::uint32_t id_base = 0;  ///< ColorSource::PolygonId: id = id_base + mesh polygon id (modulo 2^32) ...
+    int id_shift = 0;           ///< ... shifted right by this: 0 .. 31
+    bool operator==(const Draw&) const = default;
+};
+
+/// Runs of pixels on one row; window coordinates; fragments go through scissor, alpha, stencil, depth, blend,
+/// masks.
+struct Span {
+    int x = 0, y = 0, length = 0;
+    std::uint32_t first = 0;  ///< index of its first colour
+    bool flat = true;         ///< all pixels have colour `first`; else pixel i has colour `first + i`
+    bool operator==(const Span&) const = default;
+};
+struct WriteSpans {
+    std::vector<Span> spans;
+    std::vector<Rgba> colors;  ///< each channel <= 2^color_bits - 1
+    std::uint32_t depth = 0;   ///< of every fragment, in units of the depth plane
+    bool operator==(const WriteSpans&) const = default;
+};
+
+/// A rectangle of pixels from the host, bottom row first. Colour makes fragments of depth `depth` that go
+/// through scissor, alpha, stencil, depth, blend and masks; depth and stencil values are written through
+/// scissor and masks only.
+struct WritePixels {
+    Rect rect;
+    Plane plane = Plane::Color;         ///< Color, Depth or Stencil
+    std::vector<Rgba> colors;           ///< Plane::Color: rect.width * rect.height
+    std::vector<std::uint32_t> values;  ///< Depth, Stencil: as many
+    std::uint32_t depth = 0;
+    bool operator==(const WritePixels&) const = default;
+};
+
+/// Accumulation buffer, inside the scissor box. GL's glAccum words.
+enum class AccumOp : std::uint8_t { Accum, Load, Add, Mult, Return };
+struct Accumulate {
+    AccumOp op = AccumOp::Accum;
+    float value = 1;
+    bool operator==(const Accumulate&) const = default;
+};
+
+/// Copies a rectangle of one plane to another place of the same plane (glCopyPixels), through scissor and
+/// masks. Source pixels outside the window are skipped. Overlapping rectangles copy as if the source were
+/// read first.
+struct Copy {
+    Plane plane = Plane::Color;  ///< Color, Depth or Stencil
+    Rect source;
+    int x = 0, y = 0;  ///< lower left corner of the destination
+    bool operator==(const Copy&) const = default;
+};
+
+/// Makes a texture slot from a rectangle of the colour or depth plane (glCopyTexImage2D); sides powers of
+/// two, inside the window. A depth slot serves shadow_compare, or is read as grey.
+struct CopyTexture {
+    std::uint32_t slot = 0;  ///< 0 .. 255
+    Plane plane = Plane::Color;
+    Rect rect;
+    bool operator==(const CopyTexture&) const = default;
+};
+
+/// Reads a rectangle of a plane back (glReadPixels); Machine::readback(key) returns it.
+struct Read {
+    std::uint32_t key = 0;
+    Plane plane = Plane::Color;
+    Rect rect;
+    bool operator==(const Read&) const = default;
+};
+
+using Command = std::variant<BeginPass, Clear, SetState, Draw, WriteSpans, WritePixels, Accumulate, Copy,
+                             CopyTexture, Read>;
+
+/// Commands in order. A value: meshes, maps and lights are shared, immutable, compared by content in
+/// `same_list`.
+struct CommandList {
+    std::vector<Command> commands;
+
+    void add(Command command) { commands.push_back(std::move(command)); }
+    void append(const CommandList& other) {
+        commands.insert(commands.end(), other.commands.begin(), other.commands.end());
+    }
+};
+
+}  // namespace gw

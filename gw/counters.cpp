@@ -1,0 +1,27 @@
+// Adding counters.
+#include "gw/counters.h"
+
+namespace gw {
+
+Counters& Counters::operator+=(const Counters& other) {
+    draws += other.draws;
+    vertices += other.vertices;
+    primitives += other.primitives;
+    rejected += other.rejected;
+    clipped += other.clipped;
+    degenerate += other.degenerate;
+    culled += other.culled;
+    drawn += other.drawn;
+    fragments += other.fragments;
+    alpha_killed += other.alpha_killed;
+    stencil_killed += other.stencil_killed;
+    depth_killed += other.depth_killed;
+    written += other.written;
+    texels += other.texels;
+    pixels += other.pixels;
+    accum_overflows += other.accum_overflows;
+    bytes += other.bytes;
+    return *this;
+}
+
+}  // namespace gw

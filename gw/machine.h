@@ -1,0 +1,59 @@
+// The machine: command lists in, planes and counters out. Two of them, one contract: docs/manual.md.
+// Does not read files and does not know scenes.
+#pragma once
+
+#include "gw/command_list.h"
+#include "gw/counters.h"
+#include "gw/planes.h"
+#include "gw/profile.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace gw {
+
+/// The largest window: 4096 x 4096 pixels (the guard band is laid out around it).
+inline constexpr int max_window_size = 4096;
+
+/// A rectangle read back by `Read`: the vector of its plane is filled, bottom row first.
+struct Readback {
+    Plane plane = Plane::Color;
+    Rect rect;
+    std::vector<Rgba> color;
+    std::vector<std::uint32_t> values;  ///< depth or stencil
+    std::vector<std::array<std::int32_t, 4>> accum;
+    bool operator==(const Readback&) const = default;
+};
+
+class Machine {
+public:
+    virtual ~Machine() = default;
+
+    /// Executes a list. State, planes and texture slots persist from list to list.
+    /// Throws Error, before anything is drawn, where `validate` does.
+    virtual void execute(const CommandList& list) = 0;
+
+    virtual const Planes& planes() = 0;
+    /// One entry per pass since construction (or the last reset).
+    virtual const std::vector<PassReport>& passes() = 0;
+    virtual void reset_passes() = 0;
+    virtual const std::map<std::uint32_t, Readback>& readbacks() = 0;
+    virtual const Profile& profile() const = 0;
+};
+
+/// Checks a list against a profile and window: extensions by name, values in range, sizes that fit.
+/// Throws Error "command N (Draw): what; what was expected".
+void validate(const CommandList& list, const Profile& profile, int width, int height);
+
+/// The manual in code: one fragment at a time. Throws Error for a window outside 1 .. max_window_size.
+std::unique_ptr<Machine> make_reference(const Profile& profile, int width, int height);
+
+struct FastOptions {
+    int threads = 0;  ///< 0: all
+};
+/// Tiles, SIMD, threads; the same bits.
+std::unique_ptr<Machine> make_fast(const Profile& profile, int width, int height,
+                                   const FastOptions& options = {});
+
+}  // namespace gw

@@ -1,0 +1,59 @@
+// The built-in profiles and their limits.
+#include "gw/profile.h"
+
+#include "gw/error.h"
+
+#include <fmt/format.h>
+
+namespace gw {
+
+Profile vgx() { return {}; }
+
+Profile reality() {
+    Profile p{.name = "reality", .color_bits = 12, .depth_bits = 32, .accum_bits = 24, .lit_bits = 12};
+    p.fragment_fog = true;
+    p.extensions = {.polygon_offset = true, .shadow_texture = true};
+    return p;
+}
+
+Profile ideal() {
+    Profile p{.name = "ideal",
+              .color_bits = 16,
+              .depth_bits = 32,
+              .accum_bits = 32,
+              .subpixel_bits = 8,
+              .lit_bits = 16,
+              .max_lights = 64};
+    p.fragment_fog = true;
+    p.perspective_color = true;
+    p.extensions = {true, true, true, true};
+    return p;
+}
+
+const std::vector<Profile>& profiles() {
+    static const std::vector<Profile> all{vgx(), reality(), ideal()};
+    return all;
+}
+
+const Profile& profile_named(std::string_view name) {
+    for (const Profile& p : profiles())
+        if (p.name == name) return p;
+    throw Error(fmt::format("unknown profile '{}'; expected vgx, reality or ideal", name));
+}
+
+void validate(const Profile& p) {
+    const auto check = [&](const char* field, int value, int low, int high) {
+        if (value < low || value > high)
+            throw Error(
+                fmt::format("profile '{}': {} = {}; expected {} to {}", p.name, field, value, low, high));
+    };
+    check("color_bits", p.color_bits, 8, 16);
+    check("depth_bits", p.depth_bits, 16, 32);
+    check("stencil_bits", p.stencil_bits, 1, 8);
+    check("accum_bits", p.accum_bits, 16, 32);
+    check("subpixel_bits", p.subpixel_bits, 1, 8);
+    check("lit_bits", p.lit_bits, 4, p.color_bits);
+    check("max_lights", p.max_lights, 1, 1024);
+}
+
+}  // namespace gw

@@ -1,0 +1,52 @@
+// A machine's profile: how many bits each of its values has, and which extensions it knows. Pure data.
+// Does not say how anything is computed: docs/manual.md does, in terms of these numbers.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gw {
+
+/// What OpenGL 1.1 (and the VGX) lacked; a list that uses one on a profile without it is refused by name.
+struct Extensions {
+    bool polygon_offset = false;
+    bool shadow_texture = false;     ///< depth textures compared with r (the RealityEngine's shadow maps)
+    bool stencil_wrap = false;       ///< StencilOp::IncrWrap, DecrWrap
+    bool two_sided_stencil = false;  ///< other stencil state for back faces
+    bool operator==(const Extensions&) const = default;
+};
+
+/// Bits are per value; allowed ranges are checked by `validate`.
+struct Profile {
+    std::string name = "vgx";
+    int color_bits = 8;         ///< per channel R, G, B, A: 8 .. 16
+    int depth_bits = 24;        ///< 16 .. 32
+    int stencil_bits = 8;       ///< 1 .. 8
+    int accum_bits = 16;        ///< per channel, signed, in units of the frame buffer: 16 .. 32
+    int subpixel_bits = 3;      ///< 1 .. 8; 3 is the VGX's 8x8 grid
+    int lit_bits = 8;           ///< of a lit vertex colour: 4 .. color_bits
+    int max_lights = 8;         ///< in one pass: 1 .. 1024
+    bool fragment_fog = false;  ///< fog factor per fragment by default (else at the vertex, as [K] Fig. 2)
+    bool perspective_color = false;  ///< Gouraud in perspective (else screen-linear, as the hardware did)
+    Extensions extensions;
+    bool operator==(const Profile&) const = default;
+};
+
+/// IRIS 4D/340 VGX class: the machine of the Hitachi paper.
+Profile vgx();
+/// RealityEngine class.
+Profile reality();
+/// What precision buys.
+Profile ideal();
+
+/// The built-in profiles, in the order above.
+const std::vector<Profile>& profiles();
+
+/// The built-in profile of this name. Throws Error naming the known ones.
+const Profile& profile_named(std::string_view name);
+
+/// Throws Error naming the first field that is out of its range.
+void validate(const Profile& profile);
+
+}  // namespace gw

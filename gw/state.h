@@ -1,0 +1,215 @@
+// The pipeline's state: OpenGL 1.1's words and initial values. One struct per group, plain data.
+// docs/vocabulary.md gives IRIS GL's words beside them. Does not compute anything.
+#pragma once
+
+#include "gw/types.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace gw {
+
+enum class CompareFunc : std::uint8_t { Never, Less, Equal, LEqual, Greater, NotEqual, GEqual, Always };
+enum class StencilOp : std::uint8_t { Keep, Zero, Replace, Incr, Decr, Invert, IncrWrap, DecrWrap };
+enum class BlendFactor : std::uint8_t {
+    Zero,
+    One,
+    SrcColor,          ///< destination factor only
+    OneMinusSrcColor,  ///< destination factor only
+    DstColor,          ///< source factor only
+    OneMinusDstColor,  ///< source factor only
+    SrcAlpha,
+    OneMinusSrcAlpha,
+    DstAlpha,
+    OneMinusDstAlpha,
+    SrcAlphaSaturate,  ///< source factor only
+};
+using DepthFunc = CompareFunc;
+using StencilFunc = CompareFunc;
+using AlphaFunc = CompareFunc;
+
+/// Lower left corner and size in pixels. The width and height 0 stand for the whole window.
+struct ViewportState {
+    int x = 0, y = 0, width = 0, height = 0;
+    bool operator==(const ViewportState&) const = default;
+};
+
+struct DepthRangeState {
+    double near_value = 0, far_value = 1;  ///< clamped to [0, 1]
+    bool operator==(const DepthRangeState&) const = default;
+};
+
+/// A user clip plane in eye space: points with dot(plane, p_eye) >= 0 are kept.
+struct ClipPlane {
+    bool enable = false;
+    dvec4 plane{0, 0, 0, 0};
+    bool operator==(const ClipPlane&) const = default;
+};
+inline constexpr int max_clip_planes = 6;
+
+enum class Face : std::uint8_t { Front, Back, FrontAndBack };
+enum class Winding : std::uint8_t { CW, CCW };
+struct CullState {
+    bool enable = false;
+    Face face = Face::Back;
+    Winding front = Winding::CCW;
+    bool operator==(const CullState&) const = default;
+};
+
+enum class PolygonMode : std::uint8_t { Point, Line, Fill };
+
+/// Extension polygon_offset. o = factor * m + units, added to the depth of filled polygons.
+struct PolygonOffsetState {
+    bool enable = false;
+    float factor = 0, units = 0;
+    bool operator==(const PolygonOffsetState&) const = default;
+};
+
+/// Moves everything drawn by whole sub-pixel units after the snap; |x|, |y| < 2^subpixel_bits. [K4a]
+struct JitterState {
+    int x = 0, y = 0;
+    bool operator==(const JitterState&) const = default;
+};
+
+enum class ShadeModel : std::uint8_t { Flat, Smooth };
+
+/// Where a primitive's colour comes from: lighting, the mesh's colours, or the polygon's identifier.
+enum class ColorSource : std::uint8_t {
+    Vertex,     ///< mesh colours (lighting off)
+    Lighting,   ///< the lighting equation at the vertices
+    PolygonId,  ///< R, G, B = 8 bits each of (id_base + polygon id) >> id_shift; exact, no stage before fog
+                ///< touches it
+};
+
+struct LightingState {
+    bool local_viewer = false;
+    bool two_side = false;           ///< back faces are lit with the reversed normal
+    vec4 model_ambient{0, 0, 0, 1};  ///< GL's initial value is 0.2; the papers have no such term
+    bool operator==(const LightingState&) const = default;
+};
+
+enum class FogMode : std::uint8_t { Linear, Exp, Exp2 };
+enum class FogCoordinate : std::uint8_t { Profile, Vertex, Fragment };
+struct FogState {
+    bool enable = false;
+    FogMode mode = FogMode::Exp;
+    float density = 1, start = 0, end = 1;  ///< in eye units
+    vec4 color{0, 0, 0, 0};
+    FogCoordinate coordinate = FogCoordinate::Profile;
+    bool operator==(const FogState&) const = default;
+};
+
+enum class MinFilter : std::uint8_t {
+    Nearest,
+    Linear,
+    NearestMipmapNearest,
+    LinearMipmapNearest,
+    NearestMipmapLinear,
+    LinearMipmapLinear
+};
+enum class MagFilter : std::uint8_t { Nearest, Linear };
+enum class Wrap : std::uint8_t { Repeat, Clamp };
+enum class TexEnv : std::uint8_t { Modulate, Decal, Blend, Replace };
+enum class TexGen : std::uint8_t {
+    None,
+    SphereMap,      ///< reflection map [K3.1]
+    RefractionMap,  ///< sphere map looked up by the refracted ray, ratio `eta` [K1]
+    EyeLinear,      ///< (s, t, r, q) = plane matrix * p_eye: projected textures and shadow maps
+};
+struct TextureState {
+    MinFilter min_filter = MinFilter::Linear;
+    MagFilter mag_filter = MagFilter::Linear;
+    Wrap wrap_s = Wrap::Repeat, wrap_t = Wrap::Repeat;
+    TexEnv env = TexEnv::Modulate;
+    vec4 env_color{0, 0, 0, 0};
+    TexGen gen = TexGen::None;
+    double eta = 1;       ///< RefractionMap: n1 / n2
+    dmat4 eye_linear{1};  ///< EyeLinear: rows give s, t, r, q
+    bool shadow_compare =
+        false;  ///< extension shadow_texture: 1 where r <= texel, else 0, as colour and alpha
+    bool operator==(const TextureState&) const = default;
+};
+
+struct ScissorState {
+    bool test = false;
+    Rect box;
+    bool operator==(const ScissorState&) const = default;
+};
+
+struct AlphaState {
+    bool test = false;
+    AlphaFunc func = AlphaFunc::Always;
+    float ref = 0;  ///< clamped to [0, 1], compared as round to nearest of ref * (2^color_bits - 1)
+    bool operator==(const AlphaState&) const = default;
+};
+
+struct StencilFace {
+    StencilFunc func = StencilFunc::Always;
+    int ref = 0;
+    std::uint32_t mask = ~0u;  ///< for the comparison
+    StencilOp fail = StencilOp::Keep, zfail = StencilOp::Keep, zpass = StencilOp::Keep;
+    std::uint32_t write_mask = ~0u;
+    bool operator==(const StencilFace&) const = default;
+};
+/// `func` .. `write_mask` serve all fragments, or front faces only where `two_side` (extension
+/// two_sided_stencil).
+struct StencilState {
+    bool test = false;
+    StencilFunc func = StencilFunc::Always;
+    int ref = 0;
+    std::uint32_t mask = ~0u;
+    StencilOp fail = StencilOp::Keep, zfail = StencilOp::Keep, zpass = StencilOp::Keep;
+    std::uint32_t write_mask = ~0u;
+    bool two_side = false;
+    StencilFace back{};
+    bool operator==(const StencilState&) const = default;
+};
+
+/// Compare and update switch separately [K2]: `func = Always` compares nothing, `mask = false` updates
+/// nothing; `test = false` does neither, as in GL, and the depth plane is not even read.
+struct DepthState {
+    bool test = false;
+    DepthFunc func = DepthFunc::Less;
+    bool mask = true;
+    bool operator==(const DepthState&) const = default;
+};
+
+struct BlendState {
+    bool enable = false;
+    BlendFactor src = BlendFactor::One, dst = BlendFactor::Zero;
+    bool operator==(const BlendState&) const = default;
+};
+
+struct ColorMask {
+    bool r = true, g = true, b = true, a = true;
+    bool operator==(const ColorMask&) const = default;
+};
+
+/// The whole state. A machine starts with State{}; SetState replaces all of it.
+struct State {
+    dmat4 projection{1};  ///< clip_from_eye
+    ViewportState viewport;
+    DepthRangeState depth_range;
+    std::array<ClipPlane, max_clip_planes> clip_planes{};
+    CullState cull;
+    PolygonMode polygon_mode = PolygonMode::Fill;
+    PolygonOffsetState polygon_offset;
+    JitterState jitter;
+    int point_size = 1;  ///< pixels, 1 .. 128
+    int line_width = 1;  ///< pixels, 1 .. 128
+    ShadeModel shade_model = ShadeModel::Smooth;
+    ColorSource color_source = ColorSource::Vertex;
+    LightingState lighting;
+    FogState fog;
+    TextureState texture;  ///< how; which texture is the draw's
+    ScissorState scissor;
+    AlphaState alpha;
+    StencilState stencil;
+    DepthState depth;
+    BlendState blend;
+    ColorMask color_mask;
+    bool operator==(const State&) const = default;
+};
+
+}  // namespace gw

@@ -1,0 +1,114 @@
+// A scene as plain data: objects, materials, lights, camera, fog. World space: right-handed, any unit, y up.
+// Knows texture files by name and line only (image::load_textures fills the texels in). Does not draw.
+#pragma once
+
+#include "gw/mesh.h"
+#include "gw/state.h"
+#include "gw/texture.h"
+#include "gw/types.h"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gw::scene {
+
+/// Where something was asked for, so that an error can name it.
+struct Origin {
+    std::string file;
+    int line = 0;
+};
+
+/// A map: file, who asked for it, how it is looked up, and (after image::load_textures) its texels.
+struct Map {
+    std::filesystem::path file;  ///< absolute or relative to the working directory; separators are '/'
+    Origin origin;
+    Wrap wrap = Wrap::Repeat;  ///< MTL -clamp on: Clamp
+    vec2 offset{0, 0};         ///< MTL -o: added to s, t after scale
+    vec2 scale{1, 1};          ///< MTL -s
+    TextureRef texture;        ///< null until loaded
+};
+
+/// MTL's material in MTL's words [K2, K3]. A component may have several maps: its pass is repeated for each
+/// [K3.1].
+struct Material {
+    std::string name;
+    vec3 Ka{0.2f, 0.2f, 0.2f}, Kd{0.8f, 0.8f, 0.8f}, Ks{0, 0, 0}, Ke{0, 0, 0};
+    float Ns = 0;
+    float Ni = 1;      ///< index of refraction
+    float d = 1;       ///< opacity (1 - Tr)
+    vec3 Tf{1, 1, 1};  ///< transmission filter
+    int illum = 2;     ///< 3 and up: ray-traced reflection
+    std::vector<Map> map_Ka, map_Kd, map_Ks, map_Ke;
+    std::vector<Map> refl;        ///< sphere maps for the reflection component
+    std::vector<Map> refraction;  ///< sphere maps looked up by the refracted ray [K1]
+};
+
+/// One mesh with one material, placed in the world. Several may share a name (a group with several
+/// materials).
+struct Object {
+    std::string name;  ///< what `only = [...]` and per-object overrides call it
+    MeshRef mesh;
+    std::size_t material = 0;  ///< index into Scene::materials
+    dmat4 world_from_object{1};
+};
+
+enum class LightKind { Directional, Point, Spot };
+enum class Shadow { None, Volume, Map };
+
+/// The shape a light's positions (or an emitter's displacements) range over, for soft shadows and glare
+/// [K3.3].
+struct AreaLight {
+    enum class Shape { None, Disc, Rectangle, Line } shape = Shape::None;
+    vec3 u{0, 0, 0}, v{0, 0, 0};  ///< half axes in world units (Line uses u only)
+    int samples = 16;
+};
+
+struct Light {
+    std::string name;
+    LightKind kind = LightKind::Directional;
+    vec3 position{0, 0, 0};    ///< Point, Spot
+    vec3 direction{0, -1, 0};  ///< Directional, Spot: the way the light travels
+    vec3 Ia{0, 0, 0}, Id{1, 1, 1};
+    std::optional<vec3> Is;  ///< absent: Id (the reading of [K] eq. 1 and 3)
+    double cone_angle = 45;  ///< Spot: half angle, degrees
+    float spot_exponent = 0;
+    float constant_attenuation = 1, linear_attenuation = 0, quadratic_attenuation = 0;
+    Shadow shadow = Shadow::None;
+    AreaLight area;
+    std::vector<std::string> only;  ///< names of the objects it lights; empty: all [K3.3]
+};
+
+struct Camera {
+    dvec3 eye{0, 0, 5}, at{0, 0, 0}, up{0, 1, 0};
+    double fov = 40;                       ///< vertical, degrees
+    double near_plane = 0, far_plane = 0;  ///< distances; 0: fitted to the scene
+    double ortho_height = 0;               ///< > 0: orthographic, this many world units high
+};
+
+struct Fog {
+    FogMode mode = FogMode::Linear;
+    vec3 color{0.5f, 0.5f, 0.5f};
+    float density = 1, start = 0, end = 1;
+};
+
+struct Scene {
+    std::string name;
+    std::vector<Object> objects;
+    std::vector<Material> materials;
+    std::vector<Light> lights;
+    std::optional<Camera> camera;  ///< absent: fit_camera
+    std::optional<Fog> fog;
+    vec3 background{0, 0, 0};
+};
+
+/// Axis-aligned bounds in world space; `empty` where there is no vertex.
+struct Bounds {
+    dvec3 low{0}, high{0};
+    bool empty = true;
+};
+Bounds bounds(const Scene& scene);
+
+}  // namespace gw::scene
