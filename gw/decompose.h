@@ -1,0 +1,14 @@
+// Strips, fans, quads and polygons as separate lines and triangles. docs/manual.md, "Primitives".
+// Does not check: make_mesh does, before.
+#pragma once
+
+#include "gw/mesh.h"
+
+namespace gw {
+
+/// `corners`: indices into the vertices, in the order given.
+std::vector<std::array<std::uint32_t, 2>> decompose_lines(Primitive primitive,
+                                                          std::span<const std::uint32_t> corners);
+std::vector<Triangle> decompose_triangles(const MeshData& data, std::span<const std::uint32_t> corners);
+
+}  // namespace gw
