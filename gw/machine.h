@@ -42,9 +42,19 @@ public:
     virtual const Profile& profile() const = 0;
 };
 
+/// What persists from earlier lists and decides whether a list is valid.
+struct ListContext {
+    State state;
+    std::map<std::uint32_t, Plane> slots;  ///< filled texture slots and the plane each came from
+};
+
 /// Checks a list against a profile and window: extensions by name, values in range, sizes that fit.
 /// Throws Error "command N (Draw): what; what was expected".
-void validate(const CommandList& list, const Profile& profile, int width, int height);
+void validate(const CommandList& list, const Profile& profile, int width, int height,
+              ListContext context = {});
+
+/// Throws Error for a window outside 1 .. max_window_size.
+void check_window(int width, int height);
 
 /// The manual in code: one fragment at a time. Throws Error for a window outside 1 .. max_window_size.
 std::unique_ptr<Machine> make_reference(const Profile& profile, int width, int height);

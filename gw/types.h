@@ -23,6 +23,20 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
+/// Products in one fixed order of operations: (x + y) + z, (x + y) + (z + w). GLM's own order is not
+/// promised.
+constexpr double dot3(const dvec3& a, const dvec3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+constexpr double dot4(const dvec4& a, const dvec4& b) {
+    return (a.x * b.x + a.y * b.y) + (a.z * b.z + a.w * b.w);
+}
+constexpr dvec3 cross3(const dvec3& a, const dvec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+constexpr dvec3 transform3(const dmat3& m, const dvec3& v) {
+    return {(m[0].x * v.x + m[1].x * v.y) + m[2].x * v.z, (m[0].y * v.x + m[1].y * v.y) + m[2].y * v.z,
+            (m[0].z * v.x + m[1].z * v.y) + m[2].z * v.z};
+}
+
 /// One pixel's R, G, B, A as the frame buffer holds them: integers in 0 .. 2^color_bits - 1.
 using Rgba = std::array<std::uint16_t, 4>;
 

@@ -1,0 +1,84 @@
+// [GL11] 4.1: one fragment's way to the planes.
+#include "gw/reference/fragment.h"
+
+#include "gw/tables.h"
+
+namespace gw::reference {
+namespace {
+
+/// [GL11] 4.1.4: bits outside the write mask keep their value.
+void update_stencil(const StencilFace& face, StencilOp op, std::uint32_t max, std::uint8_t& stored) {
+    const std::uint32_t result = stencil_result(op, stored, static_cast<std::uint32_t>(face.ref), max);
+    stored = static_cast<std::uint8_t>((stored & ~face.write_mask) | (result & face.write_mask));
+}
+
+bool stencil_passes(const StencilFace& face, std::uint8_t stored) {
+    return compare(face.func, static_cast<std::uint32_t>(face.ref) & face.mask, stored & face.mask);
+}
+
+/// Tests in order; what each one kills is not seen by the next.
+Fate fragment_fate(const Resolved& r, Planes& planes, std::size_t i, const Fragment& f) {
+    const StencilFace& face = f.front ? r.front : r.back;
+    std::uint8_t& stencil = planes.stencil[i];
+    if (!compare(r.state.alpha.func, f.color[3], r.alpha_ref)) return Fate::AlphaTest;
+    if (!stencil_passes(face, stencil)) {
+        update_stencil(face, face.fail, r.stencil_max, stencil);
+        return Fate::StencilTest;
+    }
+    if (!compare(r.state.depth.func, f.depth, planes.depth[i])) {
+        update_stencil(face, face.zfail, r.stencil_max, stencil);
+        return Fate::DepthTest;
+    }
+    update_stencil(face, face.zpass, r.stencil_max, stencil);
+    return Fate::Written;
+}
+
+void write(const Resolved& r, Planes& planes, std::size_t i, const Fragment& f) {
+    if (r.state.depth.mask) planes.depth[i] = f.depth;
+    const BlendState& b = r.state.blend;
+    write_color(r.state.color_mask, b.enable ? blend(b, f.color, planes.color[i], r.bits) : f.color,
+                planes.color[i]);
+}
+
+void count(const FragmentTarget& target, Fate fate) {
+    Counters& c = *target.counters;
+    c.fragments += 1;
+    switch (fate) {
+        case Fate::AlphaTest: c.alpha_killed += 1; return;
+        case Fate::StencilTest: c.stencil_killed += 1; break;
+        case Fate::DepthTest:
+            c.depth_killed += 1;
+            c.bytes += target.bytes.after_stencil;
+            break;
+        case Fate::Written:
+            c.written += 1;
+            c.bytes += target.bytes.after_stencil + target.bytes.written;
+            break;
+    }
+    c.bytes += target.bytes.after_alpha;
+}
+
+PixelValues values_at(const Planes& planes, std::size_t i) {
+    return {planes.color[i], planes.depth[i], planes.stencil[i], planes.accum[i]};
+}
+
+}  // namespace
+
+void write_color(const ColorMask& mask, const Rgba& color, Rgba& stored) {
+    if (mask.r) stored[0] = color[0];
+    if (mask.g) stored[1] = color[1];
+    if (mask.b) stored[2] = color[2];
+    if (mask.a) stored[3] = color[3];
+}
+
+void process_fragment(const Resolved& state, const FragmentTarget& target, const Fragment& fragment) {
+    Planes& planes = *target.planes;
+    const std::size_t i = planes.index(fragment.x, fragment.y);
+    const PixelValues before = target.observer ? values_at(planes, i) : PixelValues{};
+    const Fate fate = fragment_fate(state, planes, i, fragment);
+    if (fate == Fate::Written) write(state, planes, i, fragment);
+    count(target, fate);
+    if (target.observer) target.observer->fragment(fragment, fate, before, values_at(planes, i));
+}
+
+}  // namespace gw::reference

@@ -1,0 +1,26 @@
+// The fragment stages after shading: alpha, stencil, depth, blend, masks. docs/manual.md, "Fragment
+// operations". Does not make fragments and does not shade them.
+#pragma once
+
+#include "gw/counters.h"
+#include "gw/planes.h"
+#include "gw/reference/observer.h"
+#include "gw/resolve.h"
+
+namespace gw::reference {
+
+/// What a fragment may change, and what is told about it.
+struct FragmentTarget {
+    Planes* planes = nullptr;
+    Counters* counters = nullptr;
+    Observer* observer = nullptr;
+    FragmentBytes bytes;
+};
+
+/// `fragment` lies inside the pixel box.
+void process_fragment(const Resolved& state, const FragmentTarget& target, const Fragment& fragment);
+
+/// Writes a colour through the colour mask.
+void write_color(const ColorMask& mask, const Rgba& color, Rgba& stored);
+
+}  // namespace gw::reference

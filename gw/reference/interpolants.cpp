@@ -1,0 +1,124 @@
+// Setting up a primitive's planes.
+#include "gw/reference/interpolants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::reference {
+namespace {
+
+std::array<std::int64_t, 3> gather(std::span<const Corner> corners, const auto& value) {
+    std::array<std::int64_t, 3> a{};
+    for (std::size_t i = 0; i < corners.size(); ++i) a[i] = value(corners[i]);
+    return a;
+}
+
+std::vector<double> gather_doubles(std::span<const Corner> corners, const auto& value) {
+    std::vector<double> a;
+    for (const Corner& c : corners) a.push_back(value(c));
+    return a;
+}
+
+PerspectiveValue perspective_value(const Numerators& n, const PlaneMaker& plane) {
+    return {plane(n.at), n.offset, n.exponent, {}};
+}
+
+PlaneSlope slope_of(const PlaneEquation& p, int x, int y) {
+    return {static_cast<double>(p.gx), static_cast<double>(p.gy), static_cast<double>(p.at(x, y))};
+}
+
+void set_color(Interpolants& v, std::span<const Corner> corners, const PlaneMaker& plane, bool in_perspective,
+               int bits) {
+    v.perspective_color = in_perspective;
+    const auto w = gather_doubles(corners, [](const Corner& c) { return c.window.w; });
+    const double max = max_of_bits(bits);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto a = gather(corners, [i](const Corner& c) { return c.color[i]; });
+        const auto [low, high] = std::minmax_element(a.begin(), a.begin() + std::ptrdiff_t(corners.size()));
+        v.color_range[i] = {*low, *high};
+        if (!in_perspective) {
+            v.color[i] = plane(a);
+            continue;
+        }
+        const auto fractions =
+            gather_doubles(corners, [&](const Corner& c) { return double(c.color[i]) / max; });
+        v.color_numerator[i] = plane(numerators(fractions, w, 0).at);
+    }
+}
+
+/// k: the least integer of the coordinate. Repeat needs it nowhere else; Clamp adds it back, so there it is
+/// bounded.
+double integer_part(const std::vector<double>& s, Wrap wrap) {
+    const double k = std::floor(*std::min_element(s.begin(), s.end()));
+    return wrap == Wrap::Repeat ? k : std::clamp(k, -1024.0, 1023.0);
+}
+
+void set_texture(Interpolants& v, std::span<const Corner> corners, const PlaneMaker& plane,
+                 const TextureState& state) {
+    const auto w = gather_doubles(corners, [](const Corner& c) { return c.window.w; });
+    v.projective = state.gen == TexGen::EyeLinear;
+    if (v.projective) {
+        std::vector<dvec4> strq;
+        for (const Corner& c : corners) strq.push_back(c.texcoord);
+        const Projective p = projective(strq, w);
+        v.texture_q = plane(p.denominator);
+        v.s = perspective_value(p.numerator[0], plane);
+        v.t = perspective_value(p.numerator[1], plane);
+        v.r = perspective_value(p.numerator[2], plane);
+    } else {
+        const auto s = gather_doubles(corners, [](const Corner& c) { return c.texcoord.x; });
+        const auto t = gather_doubles(corners, [](const Corner& c) { return c.texcoord.y; });
+        v.texture_q = v.q;
+        v.s = perspective_value(numerators(s, w, integer_part(s, state.wrap_s)), plane);
+        v.t = perspective_value(numerators(t, w, integer_part(t, state.wrap_t)), plane);
+    }
+    const PlaneSlope q = slope_of(v.texture_q, v.slope_x, v.slope_y);
+    v.s.slope = coordinate_slope(slope_of(v.s.plane, v.slope_x, v.slope_y), q);
+    v.t.slope = coordinate_slope(slope_of(v.t.plane, v.slope_x, v.slope_y), q);
+}
+
+}  // namespace
+
+float reciprocal(const PlaneEquation& q, int x, int y) { return 1.0f / static_cast<float>(q.at(x, y)); }
+
+float PerspectiveValue::at(int x, int y, float w) const { return static_cast<float>(plane.at(x, y)) * w; }
+
+Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& plane, const Resolved& r,
+                          const Profile& profile, bool textured) {
+    Interpolants v;
+    v.depth = plane(gather(corners, [](const Corner& c) { return std::int64_t{c.window.z}; }));
+    const auto w = gather_doubles(corners, [](const Corner& c) { return c.window.w; });
+    v.q = plane(denominators(w));
+    v.slope_x = static_cast<int>(v.depth.x0 >> profile.subpixel_bits);
+    v.slope_y = static_cast<int>(v.depth.y0 >> profile.subpixel_bits);
+    set_color(v, corners, plane, profile.perspective_color && r.state.shade_model == ShadeModel::Smooth,
+              r.bits);
+    if (r.state.fog.enable && r.fragment_fog) {
+        const auto f = gather_doubles(corners, [](const Corner& c) { return c.fog; });
+        v.fog_coordinate = perspective_value(numerators(f, w, 0), plane);
+    } else if (r.state.fog.enable) {
+        v.fog = plane(gather(corners, [](const Corner& c) { return std::int64_t(round_even(c.fog)); }));
+    }
+    if (textured) set_texture(v, corners, plane, r.state.texture);
+    return v;
+}
+
+Rgba color_at(const Interpolants& v, int x, int y, int bits) {
+    Rgba out;
+    const float w = v.perspective_color ? reciprocal(v.q, x, y) : 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        std::int64_t c = 0;
+        if (v.perspective_color) {
+            const float f =
+                (static_cast<float>(v.color_numerator[i].at(x, y)) * w) * float(max_of_bits(bits));
+            c = std::clamp(static_cast<std::int64_t>(std::nearbyint(f)), v.color_range[i][0],
+                           v.color_range[i][1]);
+        } else {
+            c = v.color[i].at(x, y);
+        }
+        out[i] = static_cast<std::uint16_t>(c);
+    }
+    return out;
+}
+
+}  // namespace gw::reference

@@ -1,0 +1,60 @@
+// The values of one primitive at each of its pixels: depth, colour, fog, texture coordinates, as planes.
+// docs/manual.md, "Planes", "Perspective". Does not look up texels or test fragments.
+#pragma once
+
+#include "gw/perspective.h"
+#include "gw/reference/plane_equation.h"
+#include "gw/resolve.h"
+
+#include <functional>
+#include <span>
+
+namespace gw::reference {
+
+/// A primitive's corners after projection: 1, 2 or 3, in the order given.
+struct Corner {
+    WindowVertex window;
+    dvec4 texcoord{0, 0, 0, 1};
+    std::array<std::int64_t, 4> color{};
+    double fog = 0;
+};
+
+/// Makes the plane through values at the corners (in the corners' order): of a triangle, along a line,
+/// constant.
+using PlaneMaker = std::function<PlaneEquation(const std::array<std::int64_t, 3>&)>;
+
+/// numerator / denominator at a pixel, times 2^exponent, plus the offset k.
+struct PerspectiveValue {
+    PlaneEquation plane;
+    double offset = 0;
+    int exponent = 0;
+    CoordinateSlope slope;  ///< for rho
+
+    float at(int x, int y, float w) const;  ///< U W: without exponent and offset
+};
+
+struct Interpolants {
+    PlaneEquation depth;
+    std::array<PlaneEquation, 4> color;                        ///< screen-linear
+    std::array<PlaneEquation, 4> color_numerator;              ///< perspective_color
+    std::array<std::array<std::int64_t, 2>, 4> color_range{};  ///< least and largest corner value
+    bool perspective_color = false;
+    PlaneEquation fog;                ///< factor (fog at the vertex)
+    PerspectiveValue fog_coordinate;  ///< fragment fog
+    PlaneEquation q;                  ///< denominator of everything in perspective
+    PlaneEquation texture_q;          ///< the texture's own: differs from q where projective
+    bool projective = false;
+    PerspectiveValue s, t, r;
+    int slope_x = 0, slope_y = 0;  ///< the pixel that the slopes are given at
+};
+
+Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& plane, const Resolved& state,
+                          const Profile& profile, bool textured);
+
+/// 1 / Q: the one division of a pixel.
+float reciprocal(const PlaneEquation& q, int x, int y);
+
+/// The interpolated colour, before texture and fog.
+Rgba color_at(const Interpolants& values, int x, int y, int bits);
+
+}  // namespace gw::reference

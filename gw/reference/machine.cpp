@@ -1,0 +1,122 @@
+// The reference machine: the manual in code, one command, one primitive, one fragment at a time.
+#include "gw/machine.h"
+
+#include "gw/fog.h"
+#include "gw/reference/draw.h"
+#include "gw/reference/make.h"
+#include "gw/reference/pixels.h"
+#include "gw/tables.h"
+
+#include <map>
+
+namespace gw {
+namespace reference {
+namespace {
+
+class ReferenceMachine final : public Machine {
+public:
+    ReferenceMachine(const Profile& profile, int width, int height, Observer* observer)
+        : profile_(profile), observer_(observer), planes_(width, height) {}
+
+    void execute(const CommandList& list) override {
+        validate(list, profile_, planes_.width, planes_.height, {state_, slot_planes_});
+        for (std::size_t i = 0; i < list.commands.size(); ++i) {
+            if (observer_) observer_->begin_command(i);
+            std::visit([this](const auto& command) { run_command(command); }, list.commands[i]);
+        }
+        take_digests();
+    }
+
+    const Planes& planes() override { return planes_; }
+    const std::vector<PassReport>& passes() override { return passes_; }
+    void reset_passes() override { passes_.clear(); }
+    const std::map<std::uint32_t, Readback>& readbacks() override { return readbacks_; }
+    const Profile& profile() const override { return profile_; }
+
+private:
+    PassReport& pass() {
+        if (passes_.empty()) passes_.emplace_back();
+        return passes_.back();
+    }
+
+    FragmentTarget target(const Resolved& r) {
+        return {&planes_, &pass().counters, observer_, fragment_bytes(r, profile_)};
+    }
+
+    Resolved resolved() const { return resolve(state_, profile_, planes_.width, planes_.height); }
+
+    /// Digests that the pass in progress asked for, of the planes as they are now.
+    void take_digests() {
+        if (passes_.empty()) return;
+        for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
+            if (passes_.back().digested & mask_of(plane))
+                passes_.back().digests[std::size_t(plane)] = digest(planes_, plane);
+    }
+
+    const Texels* texels(const TextureBinding& binding) {
+        if (binding.slot) return &slots_.at(*binding.slot);
+        if (!binding.texture) return nullptr;
+        auto& entry = texels_[binding.texture];
+        if (entry.levels.empty()) entry = make_texels(*binding.texture, profile_.color_bits);
+        return &entry;
+    }
+
+    void run_command(const BeginPass& command) {
+        take_digests();
+        passes_.push_back({command.name, {}, command.digests, {}});
+    }
+    void run_command(const SetState& command) { state_ = command.state; }
+    void run_command(const Draw& command) {
+        DrawContext context{&command, &profile_, resolved(), {}, nullptr, {}};
+        context.target = target(context.state);
+        if (state_.color_source != ColorSource::PolygonId) context.texels = texels(command.map);
+        if (context.state.fragment_fog && state_.fog.enable)
+            context.fog_table = fog_table(state_.fog, profile_.color_bits);
+        const std::uint64_t before = pass().counters.fragments;
+        draw_mesh(context);
+        if (context.texels)
+            pass().counters.texels +=
+                (pass().counters.fragments - before) * texel_count(state_.texture.min_filter);
+    }
+    void run_command(const WriteSpans& command) {
+        const Resolved r = resolved();
+        run(command, r, target(r));
+    }
+    void run_command(const CopyTexture& command) {
+        slots_[command.slot] = copied_texels(command, target(resolved()), profile_);
+        slot_planes_[command.slot] = command.plane;
+    }
+    void run_command(const Read& command) {
+        readbacks_[command.key] = run(command, target(resolved()), profile_);
+    }
+    void run_command(const auto& command) {
+        const Resolved r = resolved();
+        run(command, r, target(r), profile_);
+    }
+
+    Profile profile_;
+    Observer* observer_;
+    Planes planes_;
+    State state_;
+    std::vector<PassReport> passes_;
+    std::map<std::uint32_t, Texels> slots_;
+    std::map<std::uint32_t, Plane> slot_planes_;
+    std::map<TextureRef, Texels> texels_;
+    std::map<std::uint32_t, Readback> readbacks_;
+};
+
+}  // namespace
+
+std::unique_ptr<Machine> make(const Profile& profile, int width, int height, Observer* observer) {
+    check_window(width, height);
+    validate(profile);
+    return std::make_unique<ReferenceMachine>(profile, width, height, observer);
+}
+
+}  // namespace reference
+
+std::unique_ptr<Machine> make_reference(const Profile& profile, int width, int height) {
+    return reference::make(profile, width, height, nullptr);
+}
+
+}  // namespace gw

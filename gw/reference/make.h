@@ -1,0 +1,12 @@
+// Making a reference machine that is observed. gw/machine.h makes one that is not.
+#pragma once
+
+#include "gw/machine.h"
+#include "gw/reference/observer.h"
+
+namespace gw::reference {
+
+/// `observer` may be null and must outlive the machine.
+std::unique_ptr<Machine> make(const Profile& profile, int width, int height, Observer* observer);
+
+}  // namespace gw::reference

@@ -1,0 +1,43 @@
+// What the reference machine tells an observer: each fragment, why it died, what it changed.
+// Does not keep anything: inspect/ does.
+#pragma once
+
+#include "gw/types.h"
+
+#include <cstdint>
+
+namespace gw {
+
+/// A fragment on its way to the planes.
+struct Fragment {
+    int x = 0, y = 0;
+    Rgba color{};
+    std::uint32_t depth = 0;
+    bool front = true;            ///< of a front face (lines, points, pixels: front)
+    std::uint32_t primitive = 0;  ///< ordinal in the draw; span or pixel ordinal in a write
+};
+
+/// The stage that ended a fragment's life; Written where none did.
+enum class Fate : std::uint8_t { AlphaTest, StencilTest, DepthTest, Written };
+
+/// One pixel's values in all planes.
+struct PixelValues {
+    Rgba color{};
+    std::uint32_t depth = 0;
+    std::uint8_t stencil = 0;
+    std::array<std::int32_t, 4> accum{};
+    bool operator==(const PixelValues&) const = default;
+};
+
+/// Called by the reference machine. `command` is the ordinal of the command in its list.
+class Observer {
+public:
+    virtual ~Observer() = default;
+    virtual void begin_command(std::size_t command) = 0;
+    virtual void fragment(const Fragment& fragment, Fate fate, const PixelValues& before,
+                          const PixelValues& after) = 0;
+    /// A pixel touched by clear, pixel rectangles of depth or stencil, accumulate, copy.
+    virtual void pixel(int x, int y, const PixelValues& before, const PixelValues& after) = 0;
+};
+
+}  // namespace gw

@@ -1,0 +1,34 @@
+// The plane of an interpolated value: one integer gradient, exactly rounded; closed form and increments
+// agree. docs/manual.md, "Planes". [L8]: dz/dx = -n_x / n_z. Does not know what the value means.
+#pragma once
+
+#include "gw/reference/triangle.h"
+
+#include <cstdint>
+
+namespace gw::reference {
+
+__extension__ using int128 = __int128;
+
+/// V(x, y) = (a0 * 2^16 + 2^15 + floor((gx (PX - x0) + gy (PY - y0)) / 2^s)) >> 16 at the centre (PX, PY) of
+/// pixel x, y.
+struct PlaneEquation {
+    int128 gx = 0, gy = 0;  ///< per pixel, 16 fraction bits
+    std::int64_t a0 = 0;    ///< value at (x0, y0)
+    std::int64_t x0 = 0, y0 = 0;
+    int subpixel_bits = 3;
+
+    std::int64_t at(int x, int y) const;
+};
+
+/// Nearest integer to num / den, ties to even; den > 0.
+int128 divide_round_even(int128 num, int128 den);
+
+/// Through the values a of the triangle's canonical vertices.
+PlaneEquation plane_through(const SnappedTriangle& triangle, const std::array<std::int64_t, 3>& a);
+/// Along a line's major axis, from the end with the smaller major coordinate.
+PlaneEquation plane_along(const SnappedLine& line, std::int64_t a_first, std::int64_t a_second);
+/// The same value everywhere.
+PlaneEquation plane_constant(std::int64_t a, int subpixel_bits);
+
+}  // namespace gw::reference

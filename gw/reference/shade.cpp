@@ -1,0 +1,62 @@
+// [GL11] 3.8 to 3.10: texture, then fog.
+#include "gw/reference/shade.h"
+
+#include "gw/fog.h"
+#include "gw/reference/texture_unit.h"
+#include "gw/tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::reference {
+namespace {
+
+std::uint32_t fog_factor_at(const Shader& s, int x, int y) {
+    const Interpolants& v = s.values;
+    if (!s.context.state.fragment_fog) return static_cast<std::uint32_t>(v.fog.at(x, y));
+    // Table position in 1/256 steps.
+    const std::vector<std::uint32_t>& table = s.context.fog_table;
+    const int log2_steps = fog_table_log2(s.context.state.bits), steps = 1 << log2_steps;
+    const float t = std::ldexp(v.fog_coordinate.at(x, y, reciprocal(v.q, x, y)),
+                               v.fog_coordinate.exponent + log2_steps + 8);
+    const int position = static_cast<int>(std::min(t, float(steps * 256)));
+    const std::size_t i = static_cast<std::size_t>(position >> 8);
+    if (int(i) >= steps) return table.back();
+    const std::int32_t a = std::int32_t(table[i]), b = std::int32_t(table[i + 1]);
+    return static_cast<std::uint32_t>(a + (((b - a) * (position & 255) + 128) >> 8));
+}
+
+Rgba shaded_color(const Shader& s, int x, int y) {
+    const Resolved& r = s.context.state;
+    Rgba color = color_at(s.values, x, y, r.bits);
+    if (r.state.color_source == ColorSource::PolygonId) return color;  // identifiers are exact
+    if (s.context.texels) {
+        const Rgba texel =
+            texel_at(s.values, *s.context.texels, r.state.texture, s.context.profile->depth_bits, x, y);
+        color = texture_environment(r.state.texture.env, color, texel, r.env_color, r.bits);
+    }
+    if (r.state.fog.enable) color = apply_fog(color, fog_factor_at(s, x, y), r.fog_color, r.bits);
+    return color;
+}
+
+}  // namespace
+
+void Shader::set_depth_offset(const PolygonOffsetState& offset) {
+    if (!offset.enable) return;
+    const double limit = double(max_of_bits(context.profile->depth_bits)) + 1;
+    const int128 gx = values.depth.gx < 0 ? -values.depth.gx : values.depth.gx;
+    const int128 gy = values.depth.gy < 0 ? -values.depth.gy : values.depth.gy;
+    const double m = static_cast<double>(std::min(std::max(gx, gy), int128{1} << 62));
+    depth_offset =
+        to_integer(round_even(double(offset.factor) * m / 65536) + round_even(offset.units), -limit, limit);
+}
+
+void Shader::pixel(int x, int y) const {
+    const std::int64_t z = values.depth.at(x, y) + depth_offset;
+    const auto depth =
+        static_cast<std::uint32_t>(std::clamp<std::int64_t>(z, 0, max_of_bits(context.profile->depth_bits)));
+    process_fragment(context.state, context.target,
+                     {x, y, shaded_color(*this, x, y), depth, front, primitive});
+}
+
+}  // namespace gw::reference

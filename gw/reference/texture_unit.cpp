@@ -1,0 +1,76 @@
+// From interpolated coordinates to a filtered texel.
+#include "gw/reference/texture_unit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::reference {
+namespace {
+
+constexpr float largest_coordinate = 1073741824.0f;  // 2^30 units of 1/256 texel
+
+/// U W 2^e in units of 1/256 texel of a level whose side is 2^log2_size. Scaling by powers of two is exact.
+int level_coordinate(const PerspectiveValue& value, float uw, int log2_size, Wrap wrap) {
+    const float scaled = std::ldexp(uw, value.exponent + log2_size + 8);
+    const float u = std::floor(std::clamp(scaled, -largest_coordinate, largest_coordinate));
+    const int k = wrap == Wrap::Repeat ? 0 : static_cast<int>(value.offset) << (log2_size + 8);
+    return static_cast<int>(u) + k;
+}
+
+/// GL's rho = max(m_u, m_v) in texels of level 0 per pixel.
+float rho_at(const Interpolants& v, const TexelLevel& base, float w, int x, int y) {
+    const int dx = x - v.slope_x, dy = y - v.slope_y;
+    const double s = std::ldexp(v.s.slope.at(dx, dy), v.s.exponent + base.log2_width);
+    const double t = std::ldexp(v.t.slope.at(dx, dy), v.t.exponent + base.log2_height);
+    return (static_cast<float>(std::max(s, t)) * (w * w)) * (1.0f / 65536);
+}
+
+bool is_linear(const TextureState& s, bool magnify) {
+    if (magnify) return s.mag_filter == MagFilter::Linear;
+    return s.min_filter == MinFilter::Linear || s.min_filter == MinFilter::LinearMipmapNearest ||
+           s.min_filter == MinFilter::LinearMipmapLinear;
+}
+
+Rgba grey(std::uint32_t v) {
+    const auto c = static_cast<std::uint16_t>(v);
+    return {c, c, c, c};
+}
+
+/// 1 where r <= the stored depth, 0 in shadow; the nearest texel. What lies behind the projector is lit.
+bool is_lit(const Interpolants& v, const Texels& texels, const TextureState& s, int depth_bits, int x, int y,
+            float w) {
+    const TexelLevel& level = texels.levels[0];
+    const int i = level_coordinate(v.s, v.s.at(x, y, w), level.log2_width, s.wrap_s) >> 8;
+    const int j = level_coordinate(v.t, v.t.at(x, y, w), level.log2_height, s.wrap_t) >> 8;
+    const double r = std::ldexp(double(v.r.at(x, y, w)), v.r.exponent + depth_bits);
+    const auto incoming = to_integer(std::floor(r), 0, max_of_bits(depth_bits));
+    const auto index =
+        wrap_index(s.wrap_t, j, level.height) * level.width + wrap_index(s.wrap_s, i, level.width);
+    return incoming <= texels.depths[std::size_t(index)];
+}
+
+}  // namespace
+
+Rgba texel_at(const Interpolants& v, const Texels& texels, const TextureState& s, int depth_bits, int x,
+              int y) {
+    const std::uint32_t one = max_of_bits(texels.bits);
+    if (v.projective && v.texture_q.at(x, y) < 1) return grey(one);
+    const float w = reciprocal(v.texture_q, x, y);
+    if (s.shadow_compare) return grey(is_lit(v, texels, s, depth_bits, x, y, w) ? one : 0);
+
+    const float uw = v.s.at(x, y, w), vw = v.t.at(x, y, w);
+    LevelChoice choice{.magnify = true};
+    if (needs_rho(s))
+        choice = choose_level(s, rho_at(v, texels.levels[0], w, x, y), int(texels.levels.size()));
+
+    const auto sample = [&](int index) {
+        const TexelLevel& level = texels.levels[std::size_t(index)];
+        return lookup(level, is_linear(s, choice.magnify), s.wrap_s, s.wrap_t,
+                      level_coordinate(v.s, uw, level.log2_width, s.wrap_s),
+                      level_coordinate(v.t, vw, level.log2_height, s.wrap_t), texels.bits);
+    };
+    if (choice.weight == 0) return sample(choice.level);
+    return between_levels(sample(choice.level), sample(choice.next), choice.weight);
+}
+
+}  // namespace gw::reference

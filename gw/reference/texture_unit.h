@@ -1,0 +1,14 @@
+// The texture unit at one pixel: coordinates, level, filter. docs/manual.md, "Textures".
+// Does not combine with the fragment's colour: texture_environment in gw/tables.h does.
+#pragma once
+
+#include "gw/reference/interpolants.h"
+#include "gw/texels.h"
+
+namespace gw::reference {
+
+/// The texture's value at a pixel that the primitive covers.
+Rgba texel_at(const Interpolants& values, const Texels& texels, const TextureState& state, int depth_bits,
+              int x, int y);
+
+}  // namespace gw::reference

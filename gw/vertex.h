@@ -1,0 +1,47 @@
+// The vertex stages: transform, lighting, texture coordinates and fog at one vertex. docs/manual.md,
+// "Vertices". Does not clip, divide or snap. All in double, in the order of operations written here; no libm.
+#pragma once
+
+#include "gw/command_list.h"
+#include "gw/profile.h"
+#include "gw/types.h"
+
+#include <array>
+
+namespace gw {
+
+/// A vertex after the vertex stages, before clipping.
+struct Vertex {
+    dvec4 clip{0};                                   ///< clip coordinates
+    std::array<double, max_clip_planes> distance{};  ///< to the user clip planes that are enabled
+    dvec4 texcoord{0, 0, 0, 1};                      ///< s, t, r, q
+    std::array<double, 4> color{};                   ///< integers 0 .. 2^color_bits - 1
+    std::array<double, 4> back_color{};              ///< of a back face, where lighting.two_side
+    double fog =
+        0;  ///< factor 0 .. 2^color_bits - 1 (fog at the vertex) or coordinate >= 0 in units of the fog table
+};
+
+/// What the vertex stages need of a draw, worked out once.
+struct VertexProgram {
+    const State* state = nullptr;
+    const Draw* draw = nullptr;
+    const Profile* profile = nullptr;
+    dmat4 clip_from_object{1};
+    dmat3 normal_eye_from_object{1};  ///< inverse transpose up to a positive factor
+    bool fragment_fog = false;
+    double fog_depth = 1;  ///< eye distance at the end of the fog table
+};
+
+VertexProgram vertex_program(const State& state, const Draw& draw, const Profile& profile);
+
+/// Runs the vertex stages on vertex `index` of the draw's mesh.
+Vertex run_vertex(const VertexProgram& program, std::uint32_t index);
+
+/// m * v, each component ((m0 x + m1 y) + (m2 z + m3 w)).
+dvec4 transform(const dmat4& m, const dvec4& v);
+/// The product whose columns are transform(a, column of b).
+dmat4 product(const dmat4& a, const dmat4& b);
+/// v / |v|; the zero vector stays.
+dvec3 normalized(const dvec3& v);
+
+}  // namespace gw
