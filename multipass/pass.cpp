@@ -1,0 +1,61 @@
+// Passes as text, in the paper's notation and GL's words.
+#include "multipass/pass.h"
+
+#include "multipass/words.h"
+
+#include <fmt/format.h>
+
+namespace gw::multipass {
+namespace {
+
+std::string to_string(const Parameter& p) {
+    switch (p.kind) {
+        case Parameter::Kind::Value: break;
+        case Parameter::Kind::Object: return "object";
+        case Parameter::Kind::ObjectKs: return "object Ks";
+        case Parameter::Kind::ObjectTf: return "object Tf";
+    }
+    const auto& v = p.value;
+    if (v[0] == v[1] && v[1] == v[2]) return fmt::format("{}", v[0]);
+    return fmt::format("({}, {}, {})", v[0], v[1], v[2]);
+}
+
+std::string depth_text(const DepthState& depth) {
+    if (!depth.test) return "";
+    return fmt::format("; depth {}{}", word(depth.func), depth.mask ? ", update" : ", no update");
+}
+
+std::string stencil_text(const StencilState& s) {
+    if (!s.test) return "";
+    std::string text = fmt::format("; stencil {} {}", word(s.func), s.ref);
+    const bool keeps = s.fail == StencilOp::Keep && s.zfail == StencilOp::Keep && s.zpass == StencilOp::Keep;
+    if (!keeps) text += fmt::format(" ({} {} {})", word(s.fail), word(s.zfail), word(s.zpass));
+    return text;
+}
+
+std::string objects_text(const Pass& pass) {
+    if (pass.objects == PassObjects::All) return "";
+    if (pass.objects != PassObjects::Named) return fmt::format("; objects {}", word(pass.objects));
+    return fmt::format("; objects {}", fmt::join(pass.names, ", "));
+}
+
+}  // namespace
+
+std::string to_string(const PassMaterial& m) {
+    return fmt::format("(Ka={}, Kd={}, Ks={}, Ke={}, Map={})", to_string(m.Ka), to_string(m.Kd),
+                       to_string(m.Ks), to_string(m.Ke), word(m.Map));
+}
+
+std::string to_string(const Pass& pass) {
+    std::string text = fmt::format("{:<12}", pass.name.view());
+    text += pass.action == PassAction::Draw ? to_string(pass.material) : "stencil := in the light's shadow";
+    if (pass.lights != PassLights::None) text += fmt::format("; lights {}", word(pass.lights));
+    text += objects_text(pass) + depth_text(pass.depth) + stencil_text(pass.stencil);
+    if (pass.blend.enable) text += fmt::format("; blend {} {}", word(pass.blend.src), word(pass.blend.dst));
+    if (pass.fog != PassFog::None) text += fmt::format("; fog {}", word(pass.fog));
+    if (pass.clear) text += "; clear";
+    if (!pass.color) text += "; no colour";
+    return text;
+}
+
+}  // namespace gw::multipass

@@ -1,0 +1,26 @@
+// A model before an eye: objects placed, lights in eye space, the state that all passes of the view share.
+// Does not choose passes and makes no commands.
+#pragma once
+
+#include "multipass/model.h"
+#include "scene/view.h"
+
+#include <vector>
+
+namespace gw::multipass {
+
+/// Refers to the model, which must outlive it.
+struct Stage {
+    const Model* model = nullptr;
+    scene::View view;
+    State state;                         ///< of every pass, but for what the pass says itself
+    std::vector<dmat4> eye_from_object;  ///< by part
+    std::vector<LightsRef> lights;       ///< by light: a list of this one
+};
+
+Stage make_stage(const Model& model, const scene::View& view);
+
+/// The lights of a light-list pass that light this part, in one list; null where there are none.
+LightsRef lights_of(const Stage& stage, const Part& part);
+
+}  // namespace gw::multipass
