@@ -1,0 +1,151 @@
+#include "scene/normals.h"
+
+#include "gw/elementary.h"
+#include "scene/weld.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace gw::scene {
+
+namespace {
+
+double dot(const dvec3& a, const dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+dvec3 cross(const dvec3& a, const dvec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// Square root and division are exactly rounded everywhere. Zero stays zero.
+dvec3 unit(const dvec3& v) {
+    const double length = std::sqrt(dot(v, v));
+    return length > 0 ? v / length : dvec3(0);
+}
+bool is_zero(const dvec3& v) { return v == dvec3(0); }
+
+// Twice the area times the normal of the polygon's mean plane, concave ones included (Newell's sum about its
+// first corner).
+dvec3 area_vector(const ObjData& obj, const Element& face) {
+    const auto position = [&](std::uint32_t i) {
+        return dvec3(obj.positions[obj.corners[face.first + i].v]);
+    };
+    const dvec3 origin = position(0);
+    dvec3 sum(0);
+    for (std::uint32_t i = 1; i + 1 < face.count; ++i)
+        sum += cross(position(i) - origin, position(i + 1) - origin);
+    return sum;
+}
+
+struct Face {
+    dvec3 area, normal;  ///< normal: unit, or 0 for a face without area
+    std::int32_t smoothing;
+};
+
+// A corner that meets others at one point.
+struct Meeting {
+    std::uint32_t corner, face;
+};
+
+class Normals {
+public:
+    Normals(ObjData& obj, double crease) : obj_(obj), cos_crease_(cos_degrees(crease)) {}
+
+    void add() {
+        if (!find_corners()) return;
+        find_faces();
+        meet();
+        for (std::size_t i = 0; i + 1 < begin_.size(); ++i)
+            if (begin_[i] < begin_[i + 1])
+                smooth(std::span(meetings_).subspan(begin_[i], begin_[i + 1] - begin_[i]));
+    }
+
+private:
+    static bool is_face(const Element& element) { return element.count >= 3; }
+
+    // Forgets normals of length 0; says whether any corner of a face is without one.
+    bool find_corners() {
+        bool any = false;
+        for (const Element& element : obj_.elements)
+            for (Corner& corner : std::span(obj_.corners).subspan(element.first, element.count)) {
+                if (corner.vn != absent && obj_.normals[corner.vn] == vec3(0)) corner.vn = absent;
+                any |= is_face(element) && corner.vn == absent;
+            }
+        return any;
+    }
+
+    void find_faces() {
+        faces_.reserve(obj_.elements.size());
+        for (const Element& element : obj_.elements) {
+            const dvec3 area = is_face(element) ? area_vector(obj_, element) : dvec3(0);
+            faces_.push_back({area, unit(area), element.smoothing});
+        }
+    }
+
+    // Lists the corners of faces by the point they are at: [begin_[p], begin_[p + 1]) of meetings_, in file
+    // order.
+    void meet() {
+        const std::vector<std::uint32_t> point = weld(obj_.positions);
+        begin_.assign(point.size() + 1, 0);
+        for_each_corner(
+            [&](std::uint32_t, std::uint32_t corner) { ++begin_[point[obj_.corners[corner].v] + 1]; });
+        for (std::size_t p = 0; p < point.size(); ++p) begin_[p + 1] += begin_[p];
+        std::vector<std::uint32_t> at = begin_;
+        meetings_.resize(begin_.back());
+        for_each_corner([&](std::uint32_t face, std::uint32_t corner) {
+            meetings_[at[point[obj_.corners[corner].v]]++] = {corner, face};
+        });
+    }
+    template <typename Visit>
+    void for_each_corner(const Visit& visit) const {
+        for (std::uint32_t e = 0; e < obj_.elements.size(); ++e)
+            for (std::uint32_t i = 0; is_face(obj_.elements[e]) && i < obj_.elements[e].count; ++i)
+                visit(e, obj_.elements[e].first + i);
+    }
+
+    bool smooth_together(const Face& a, const Face& b) const {
+        if (a.smoothing != b.smoothing || a.smoothing == smooth_off) return false;
+        return a.smoothing != smooth_by_angle || dot(a.normal, b.normal) >= cos_crease_;
+    }
+
+    dvec3 sum_at(std::span<const Meeting> meetings, std::uint32_t own) const {
+        dvec3 sum(0);
+        const bool takes_all = is_zero(faces_[own].normal);
+        for (const Meeting& other : meetings)
+            if (takes_all || other.face == own || smooth_together(faces_[own], faces_[other.face]))
+                sum += faces_[other.face].area;
+        return sum;
+    }
+
+    vec3 normal_at(std::span<const Meeting> meetings, std::uint32_t own) const {
+        dvec3 normal = unit(sum_at(meetings, own));
+        if (is_zero(normal)) normal = faces_[own].normal;
+        if (is_zero(normal)) normal = {0, 0, 1};
+        return vec3(normal);
+    }
+
+    // Equal normals at one point are one vn, so that the corners stay one vertex.
+    void smooth(std::span<const Meeting> meetings) {
+        const std::size_t first = obj_.normals.size();
+        for (const Meeting& meeting : meetings) {
+            Corner& corner = obj_.corners[meeting.corner];
+            if (corner.vn != absent) continue;
+            const vec3 normal = normal_at(meetings, meeting.face);
+            const auto found = std::find(obj_.normals.begin() + static_cast<std::ptrdiff_t>(first),
+                                         obj_.normals.end(), normal);
+            corner.vn = static_cast<std::uint32_t>(found - obj_.normals.begin());
+            if (found == obj_.normals.end()) obj_.normals.push_back(normal);
+        }
+    }
+
+    ObjData& obj_;
+    double cos_crease_;
+    std::vector<Face> faces_;
+    std::vector<std::uint32_t> begin_;
+    std::vector<Meeting> meetings_;
+};
+
+}  // namespace
+
+void add_normals(ObjData& obj, double crease) { Normals(obj, crease).add(); }
+
+}  // namespace gw::scene

@@ -1,0 +1,41 @@
+#include "scene/read_scene.h"
+
+#include "scene/read_obj.h"
+#include "scene/read_toml.h"
+#include "scene/scene_builder.h"
+#include "scene/suggest.h"
+#include "scene/text_file.h"
+
+namespace gw::scene {
+
+namespace {
+
+SceneFile read_bare_obj(const std::filesystem::path& path) {
+    Warnings warnings;
+    ObjFile file = read_obj(path, {}, warnings);
+    SceneBuilder builder;
+    builder.scene.name = path.stem().string();
+    for (ObjPart& part : file.parts) {
+        const Material& material = material_in(file, part);
+        builder.add(part.name, std::move(part.mesh), material, dmat4(1), {file.file, 0});
+    }
+    return {std::move(builder.scene), warnings.lines()};
+}
+
+std::string lower(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+}  // namespace
+
+SceneFile read_scene(const std::filesystem::path& path) {
+    const std::string extension = lower(path.extension().string());
+    if (extension == ".toml") return read_toml(path);
+    if (extension == ".obj") return read_bare_obj(path);
+    read_text(path);
+    throw Error(path.string(), 0, "has the extension '" + printable(extension) + "'; expected .toml or .obj");
+}
+
+}  // namespace gw::scene

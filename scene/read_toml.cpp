@@ -1,0 +1,96 @@
+#include "scene/read_toml.h"
+
+#include "scene/read_mtl.h"
+#include "scene/suggest.h"
+#include "scene/text_file.h"
+#include "scene/toml_objects.h"
+
+#include <algorithm>
+
+namespace gw::scene {
+
+namespace {
+
+/// The tables of [[light]] or [[object]]; also one, [light].
+std::vector<const TomlValue*> tables(const TomlValue& value) {
+    if (value.kind == TomlKind::Table) return {&value};
+    if (value.kind != TomlKind::Array) value.fail_expected("[[" + value.name + "]]");
+    std::vector<const TomlValue*> list;
+    for (const TomlValue& element : value.elements) list.push_back(&element);
+    return list;
+}
+
+// Those of [material.NAME], then those of the mtllib files.
+class Library {
+public:
+    explicit Library(Warnings& warnings) : warnings_(warnings) {}
+    std::vector<Material> materials;
+
+    void add_table(const TomlValue& table) {
+        if (table.kind != TomlKind::Table) table.fail_expected("[material.NAME]");
+        for (const TomlValue& value : table.elements) {
+            Material material{.name = value.key};
+            read_material(value, material);
+            materials.push_back(std::move(material));
+        }
+    }
+    void add_files(const TomlValue& value) {
+        for (const std::string& name : to_strings(value)) {
+            const std::filesystem::path path =
+                find_file(std::filesystem::path(*value.file).parent_path(), name);
+            if (!file_exists(path))
+                value.fail("mtllib '" + printable(name) + "' does not exist; expected an MTL file");
+            for (Material& material : read_mtl(path, warnings_)) materials.push_back(std::move(material));
+        }
+    }
+
+private:
+    Warnings& warnings_;
+};
+
+// A light that lights chosen parts only [K3.3] must name parts there are.
+void check_only(const TomlValue& light, const std::set<std::string>& names) {
+    const TomlValue* only = light.find("only");
+    if (!only) return;
+    for (const std::string& name : to_strings(*only))
+        if (!names.contains(name)) only->fail(unknown("object", name, {names.begin(), names.end()}));
+}
+
+}  // namespace
+
+SceneFile read_toml(const std::filesystem::path& path) {
+    const TomlValue file = read_toml_file(path);
+    SceneBuilder builder;
+    Scene& scene = builder.scene;
+    scene.name = path.stem().string();
+    Warnings warnings;
+    std::vector<const TomlValue*> lights, objects;
+    const TomlValue *materials = nullptr, *mtllib = nullptr;
+
+    // Sections may come in any order, so what refers to others is read after them.
+    read_table(file, {
+                         key("name", scene.name),
+                         color_key("background", scene.background),
+                         {"camera", [&](const TomlValue& value) { scene.camera = to_camera(value); }},
+                         {"fog", [&](const TomlValue& value) { scene.fog = to_fog(value); }},
+                         {"mtllib", [&](const TomlValue& value) { mtllib = &value; }},
+                         {"material", [&](const TomlValue& value) { materials = &value; }},
+                         {"light", [&](const TomlValue& value) { lights = tables(value); }},
+                         {"object", [&](const TomlValue& value) { objects = tables(value); }},
+                     });
+    Library library(warnings);
+    if (materials) library.add_table(*materials);
+    if (mtllib) library.add_files(*mtllib);
+
+    TomlObjects reader(builder, library.materials, warnings);
+    for (const TomlValue* object : objects) reader.add(*object);
+    if (scene.objects.empty())
+        throw Error(path.string(), 0, "has nothing to draw; expected an [[object]] that is visible");
+    for (const TomlValue* light : lights) {
+        scene.lights.push_back(to_light(*light));
+        check_only(*light, reader.names());
+    }
+    return {std::move(scene), warnings.lines()};
+}
+
+}  // namespace gw::scene

@@ -1,0 +1,45 @@
+#include "scene/scene_builder.h"
+
+#include "gw/error.h"
+#include "scene/polygon_ids.h"
+#include "scene/suggest.h"
+
+#include <algorithm>
+
+namespace gw::scene {
+
+void SceneBuilder::add(const std::string& name, MeshData mesh, const Material& material,
+                       const dmat4& world_from_object, const Origin& origin) {
+    try {
+        const MeshRef numbered = make_numbered_mesh(std::move(mesh), next_polygon_);
+        scene.objects.push_back({name, numbered, index_of(material), world_from_object});
+    } catch (const Error& error) {
+        throw Error(origin.file, origin.line, error.what());
+    }
+}
+
+std::size_t SceneBuilder::index_of(const Material& material) {
+    const auto [found, is_new] = indices_.try_emplace(&material, scene.materials.size());
+    if (is_new) scene.materials.push_back(material);
+    return found->second;
+}
+
+const Material& default_material() {
+    static const Material material{.name = "default"};
+    return material;
+}
+
+const Material* find_material(const std::vector<Material>& materials, std::string_view name) {
+    const auto found = std::ranges::find(materials, name, &Material::name);
+    return found == materials.end() ? nullptr : &*found;
+}
+
+const Material& material_in(const ObjFile& file, const ObjPart& part) {
+    if (part.material.empty()) return default_material();
+    if (const Material* material = find_material(file.materials, part.material)) return *material;
+    std::vector<std::string> known;
+    for (const Material& material : file.materials) known.push_back(material.name);
+    throw Error(file.file, part.material_line, unknown("material", part.material, known));
+}
+
+}  // namespace gw::scene

@@ -1,0 +1,43 @@
+// Statements of OBJ and MTL files: one per line, a keyword and the rest. Knows blanks, comments, line ends
+// and lines continued with '\'. Does not know any keyword.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace gw::scene {
+
+class Statements {
+public:
+    /// `text` must outlive the object; `file` is what errors call it.
+    Statements(std::string file, std::string_view text);
+
+    /// Goes to the next statement; false where there is none.
+    bool next();
+
+    std::string_view keyword() const { return keyword_; }
+    /// What follows the keyword, without blanks at its ends; comments are still in it (names may hold '#').
+    std::string_view rest() const { return rest_; }
+    /// The line the statement begins on, from 1.
+    int line() const { return line_; }
+    const std::string& file() const { return file_; }
+    [[noreturn]] void fail(std::string_view what) const;
+
+private:
+    std::string_view logical_line();
+
+    std::string file_, joined_;
+    const char *at_, *end_;
+    int next_line_ = 1, line_ = 0;
+    std::string_view keyword_, rest_;
+};
+
+inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+/// The text without blanks at its ends.
+std::string_view trim(std::string_view text);
+
+/// Takes the next word off the text; empty at its end, and at a '#' that begins a comment.
+std::string_view take_word(std::string_view& text);
+
+}  // namespace gw::scene

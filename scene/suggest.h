@@ -1,0 +1,24 @@
+// Suggestions for misspelt names: "unknown material 'rde'; the nearest known is 'red'".
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gw::scene {
+
+/// Fewest insertions, deletions, replacements and swaps of neighbours that make `b` of `a`; case counts as
+/// well.
+int edit_distance(std::string_view a, std::string_view b);
+
+/// The known name nearest to `name`, the first of several; empty if there is none.
+std::string nearest(std::string_view name, const std::vector<std::string>& known);
+
+/// "unknown WHAT 'NAME'; the nearest known is 'NEAREST'", or "...; none is known".
+std::string unknown(std::string_view what, std::string_view name, const std::vector<std::string>& known);
+
+/// A piece of a file as it can be printed in one line: at most 40 characters, none of them a control
+/// character.
+std::string printable(std::string_view text);
+
+}  // namespace gw::scene

@@ -1,0 +1,103 @@
+#include "scene/text_file.h"
+
+#include "gw/error.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <system_error>
+
+namespace gw::scene {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string lower(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+// The entry of `folder` that has this name but for case; the first in byte order, since folders have none.
+fs::path entry_without_case(const fs::path& folder, const std::string& name) {
+    std::error_code error;
+    fs::path found;
+    for (fs::directory_iterator i(folder.empty() ? "." : folder, error), end; !error && i != end;
+         i.increment(error)) {
+        const fs::path entry = i->path().filename();
+        if (lower(entry.string()) == lower(name) && (found.empty() || entry < found)) found = entry;
+    }
+    return found.empty() ? fs::path() : folder / found;
+}
+
+fs::path path_without_case(const fs::path& folder, const fs::path& name) {
+    fs::path found = folder;
+    for (const fs::path& part : name) {
+        const bool as_written =
+            part == "." || part == ".." || part.is_absolute() || file_exists(found / part);
+        found = as_written ? found / part : entry_without_case(found, part.string());
+        if (found.empty()) return found;
+    }
+    return found;
+}
+
+std::string contents(std::FILE* in) {
+    std::string text;
+    std::size_t size = 0;
+    for (std::size_t got = 1; got > 0; size += got) {
+        if (size == text.size()) text.resize(std::max<std::size_t>(1 << 16, 2 * size));
+        got = std::fread(text.data() + size, 1, text.size() - size, in);
+    }
+    text.resize(size);
+    return text;
+}
+
+}  // namespace
+
+bool file_exists(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
+
+std::string read_text(const fs::path& path) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) throw Error(path.string(), 0, "is a directory; expected a file");
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (!in)
+        throw Error(path.string(), 0,
+                    std::string("cannot be opened: ") + std::strerror(errno) + "; expected a readable file");
+    std::string text = contents(in.get());
+    if (std::ferror(in.get()))
+        throw Error(path.string(), 0, "cannot be read to its end; expected a readable file");
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        throw Error(path.string(), 1, "is UTF-16; expected UTF-8 text");
+    if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+    if (text.find('\n') == text.npos) std::ranges::replace(text, '\r', '\n');
+    return text;
+}
+
+fs::path named_path(const fs::path& folder, std::string_view name) {
+    if (name.size() >= 2 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
+    std::string slashed(name);
+    std::ranges::replace(slashed, '\\', '/');
+    return (folder / slashed).lexically_normal();
+}
+
+std::optional<fs::path> existing_file(const fs::path& folder, std::string_view name) {
+    const fs::path as_written = named_path(folder, name);
+    if (file_exists(as_written)) return as_written;
+    const fs::path found = path_without_case(folder, named_path({}, name));
+    if (found.empty() || !file_exists(found)) return std::nullopt;
+    return found.lexically_normal();
+}
+
+fs::path find_file(const fs::path& folder, std::string_view name) {
+    if (const auto found = existing_file(folder, name)) return *found;
+    const fs::path as_written = named_path(folder, name);
+    return existing_file(folder, as_written.filename().string()).value_or(as_written);
+}
+
+}  // namespace gw::scene

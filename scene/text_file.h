@@ -1,0 +1,29 @@
+// Text files, and the files that they name. Does not interpret what is in them.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gw::scene {
+
+/// The whole file without its UTF-8 byte order mark; where lines end in carriage returns alone, those become
+/// newlines. Throws Error where it is missing, a directory, cannot be read, or is UTF-16.
+std::string read_text(const std::filesystem::path& path);
+
+/// False also for names that no file can have. Never throws.
+bool file_exists(const std::filesystem::path& path);
+
+/// The path that a file in `folder` means by a name: quotes taken off, '\' read as '/'.
+std::filesystem::path named_path(const std::filesystem::path& folder, std::string_view name);
+
+/// The same if it exists, or exists when case is disregarded.
+std::optional<std::filesystem::path> existing_file(const std::filesystem::path& folder,
+                                                   std::string_view name);
+
+/// existing_file, else a file in `folder` with the last part of the name (names from another machine,
+/// "C:\maps\wood.png"), else named_path, which does not exist.
+std::filesystem::path find_file(const std::filesystem::path& folder, std::string_view name);
+
+}  // namespace gw::scene

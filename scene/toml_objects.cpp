@@ -1,0 +1,126 @@
+#include "scene/toml_objects.h"
+
+#include "scene/suggest.h"
+#include "scene/text_file.h"
+#include "scene/toml_shape.h"
+
+#include <algorithm>
+
+namespace gw::scene {
+
+/// The keys of one table.
+struct TomlObjects::ObjectTable {
+    const TomlValue& table;
+    std::string name, file;
+    const TomlValue *material = nullptr, *crease = nullptr, *parts = nullptr;
+    TomlShape shape;
+    bool visible = true;
+    dmat4 world_from_object{1};
+};
+
+namespace {
+
+std::vector<std::string> names_of(const auto& named) {
+    std::vector<std::string> names;
+    for (const auto& n : named) names.push_back(n.name);
+    return names;
+}
+
+}  // namespace
+
+void TomlObjects::add(const TomlValue& table) {
+    ObjectTable object{table};
+    Placement placement;
+    const auto keep = [](std::string name, const TomlValue*& field) {
+        return Key{std::move(name), [&field](const TomlValue& value) { field = &value; }};
+    };
+    std::vector<Key> keys{
+        key("name", object.name),       key("file", object.file),          {"shape", [](const TomlValue&) {}},
+        key("visible", object.visible), keep("material", object.material), keep("crease", object.crease),
+        keep("parts", object.parts),
+    };
+    add_placement_keys(keys, placement);
+    add_shape_keys(table, keys, object.shape);
+    read_table(table, keys);
+    object.world_from_object = world_from_object(placement);
+    if (object.file.empty() && !object.shape.make)
+        table.fail("object has neither file nor shape; expected one of them");
+    if (!object.file.empty() && object.shape.make)
+        table.fail("object has both file and shape; expected one of them");
+    object.shape.make ? add_shape(object) : add_file(object);
+}
+
+void TomlObjects::add_mesh(const ObjectTable& object, const std::string& name, MeshData mesh,
+                           const Material& material) {
+    names_.insert(name);
+    if (!object.visible) return;
+    builder_.add(name, std::move(mesh), material, object.world_from_object,
+                 {*object.table.file, object.table.line});
+}
+
+MeshData TomlObjects::make_shape(const ObjectTable& object) const {
+    try {
+        return object.shape.make(object.shape.parameters);
+    } catch (const Error& error) {
+        object.table.fail(error.what());
+    }
+}
+
+void TomlObjects::add_shape(const ObjectTable& object) {
+    if (object.crease) object.crease->fail("crease beside shape; expected it beside file");
+    if (object.parts) object.parts->fail("parts beside shape; expected it beside file");
+    const Material* material = &default_material();
+    if (object.material && object.material->kind == TomlKind::String)
+        material = &named_material(*object.material);
+    else if (object.material)
+        material = &changed_material(*object.material, *material);
+    const std::string& name = object.name.empty() ? object.shape.name : object.name;
+    add_mesh(object, name, make_shape(object), *material);
+}
+
+void TomlObjects::add_file(const ObjectTable& object) {
+    const ObjFile& file = file_of(object);
+    const std::vector<std::string> wanted =
+        object.parts ? to_strings(*object.parts) : std::vector<std::string>();
+    for (const std::string& part : wanted)
+        if (std::ranges::find(file.parts, part, &ObjPart::name) == file.parts.end())
+            object.parts->fail(unknown("part", part, names_of(file.parts)) + " in " + file.file);
+    for (const ObjPart& part : file.parts)
+        if (wanted.empty() || std::ranges::find(wanted, part.name) != wanted.end())
+            add_mesh(object, object.name.empty() ? part.name : object.name, part.mesh,
+                     material_of(object, file, part));
+}
+
+const ObjFile& TomlObjects::file_of(const ObjectTable& object) {
+    const TomlValue& value = *object.table.find("file");
+    const std::filesystem::path path =
+        find_file(std::filesystem::path(*value.file).parent_path(), object.file);
+    if (!file_exists(path))
+        value.fail("file '" + printable(object.file) + "' does not exist; expected an OBJ file");
+    ObjOptions options;
+    if (object.crease) options.crease = to_double(*object.crease, {0, 180});
+    const auto found = files_.find({path.string(), options.crease.value_or(-1)});
+    if (found != files_.end()) return found->second;
+    return files_[{path.string(), options.crease.value_or(-1)}] = read_obj(path, options, warnings_);
+}
+
+const Material& TomlObjects::material_of(const ObjectTable& object, const ObjFile& file,
+                                         const ObjPart& part) {
+    if (object.material && object.material->kind == TomlKind::String) return named_material(*object.material);
+    const Material* material = part.material.empty() ? nullptr : find_material(library_, part.material);
+    if (!material) material = &material_in(file, part);
+    return object.material ? changed_material(*object.material, *material) : *material;
+}
+
+const Material& TomlObjects::named_material(const TomlValue& value) const {
+    if (const Material* material = find_material(library_, value.text)) return *material;
+    value.fail(unknown("material", value.text, names_of(library_)));
+}
+
+const Material& TomlObjects::changed_material(const TomlValue& changes, const Material& base) {
+    const auto [found, is_new] = changed_.try_emplace({&changes, &base}, base);
+    if (is_new) read_material(changes, found->second);
+    return found->second;
+}
+
+}  // namespace gw::scene

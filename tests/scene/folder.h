@@ -1,0 +1,83 @@
+// A temporary folder with small files, and what reading them says. Removed with its files at the end of the
+// test.
+#pragma once
+
+#include "gw/error.h"
+#include "scene/read_obj.h"
+#include "scene/read_scene.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace gw::scene {
+
+class Folder {
+public:
+    Folder() {
+        std::string name = (std::filesystem::temp_directory_path() / "gw_scene_XXXXXX").string();
+        path_ = ::mkdtemp(name.data());
+    }
+    ~Folder() { std::filesystem::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    std::filesystem::path write(const std::string& name, const std::string& text) const {
+        std::filesystem::create_directories((path_ / name).parent_path());
+        std::ofstream(path_ / name, std::ios::binary) << text;
+        return path_ / name;
+    }
+    const std::filesystem::path& path() const { return path_; }
+
+    /// A text without this folder's name, so that tests can state messages in full.
+    std::string relative(std::string text) const {
+        const std::string prefix = path_.string() + "/";
+        for (auto at = text.find(prefix); at != text.npos; at = text.find(prefix))
+            text.erase(at, prefix.size());
+        return text;
+    }
+
+    /// The message of the Error that `action` throws; "no error" where it throws none.
+    template <typename Action>
+    std::string error(const Action& action) const {
+        try {
+            action();
+        } catch (const Error& caught) {
+            return relative(caught.what());
+        }
+        return "no error";
+    }
+    std::string scene_error(const std::string& name, const std::string& text) const {
+        const auto file = write(name, text);
+        return error([&] { read_scene(file); });
+    }
+
+    ObjFile obj(const std::string& text, const ObjOptions& options = {}) {
+        const auto file = write("m.obj", text);
+        warnings_ = Warnings();
+        return read_obj(file, options, warnings_);
+    }
+    std::string obj_error(const std::string& text) {
+        return error([&] { obj(text); });
+    }
+    std::vector<std::string> warnings() const {
+        std::vector<std::string> lines;
+        for (const std::string& line : warnings_.lines()) lines.push_back(relative(line));
+        return lines;
+    }
+    Warnings& warnings_list() { return warnings_; }
+
+private:
+    std::filesystem::path path_;
+    Warnings warnings_;
+};
+
+/// Three positions on lines 1 to 3.
+inline const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+using Strings = std::vector<std::string>;
+
+}  // namespace gw::scene

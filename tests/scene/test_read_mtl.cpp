@@ -1,0 +1,159 @@
+// Claims: MTL statements become materials in the papers' words; what is not honoured is said once; what is
+// wrong is an error with its line.
+#include "scene/read_mtl.h"
+
+#include <gtest/gtest.h>
+
+#include "folder.h"
+
+namespace gw::scene {
+
+namespace {
+
+struct Mtl : testing::Test {
+    Folder folder;
+    Warnings list;
+
+    std::vector<Material> read(const std::string& text) {
+        list = Warnings();
+        return read_mtl(folder.write("m.mtl", text), list);
+    }
+    Material one(const std::string& statements) { return read("newmtl m\n" + statements + "\n").at(0); }
+    std::string fault(const std::string& text) {
+        return folder.error([&] { read(text); });
+    }
+    std::string fault_of(const std::string& statement) { return fault("newmtl m\n" + statement + "\n"); }
+    Strings warned() const {
+        Strings lines;
+        for (const std::string& line : list.lines()) lines.push_back(folder.relative(line));
+        return lines;
+    }
+};
+
+}  // namespace
+
+TEST_F(Mtl, ReadsEveryParameter) {
+    const Material m =
+        one("Ka 0.1 0.2 0.3\nKd 0.4 0.5 0.6\nKs .7 .8 .9\nKe 1 2 3\nNs 96.078431\nNi 1.5\nd 0.25\nTf 0 1 "
+            "0\nillum 7");
+    EXPECT_EQ(m.name, "m");
+    EXPECT_EQ(m.Ka, vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(m.Kd, vec3(0.4f, 0.5f, 0.6f));
+    EXPECT_EQ(m.Ks, vec3(0.7f, 0.8f, 0.9f));
+    EXPECT_EQ(m.Ke, vec3(1, 2, 3));
+    EXPECT_EQ(m.Ns, 96.078431f);
+    EXPECT_EQ(m.Ni, 1.5f);
+    EXPECT_EQ(m.d, 0.25f);
+    EXPECT_EQ(m.Tf, vec3(0, 1, 0));
+    EXPECT_EQ(m.illum, 7);
+    EXPECT_EQ(warned(), Strings());
+}
+
+TEST_F(Mtl, StartsWithTheInitialValues) {
+    const Material m = one("");
+    EXPECT_EQ(m.Ka, vec3(0.2f));
+    EXPECT_EQ(m.Kd, vec3(0.8f));
+    EXPECT_EQ(m.Ks, vec3(0));
+    EXPECT_EQ(m.d, 1);
+}
+
+TEST_F(Mtl, TakesOneNumberForAGrey) { EXPECT_EQ(one("Kd 0.5").Kd, vec3(0.5f)); }
+
+TEST_F(Mtl, TakesKeywordsInAnyCase) {
+    folder.write("a.png", "");
+    const Material m = one("KD 1 0 0\nmap_kd a.png\nMap_Ks a.png\nNEWMTL second");
+    EXPECT_EQ(m.Kd, vec3(1, 0, 0));
+    EXPECT_EQ(m.map_Kd.size(), 1u);
+    EXPECT_EQ(m.map_Ks.size(), 1u);
+}
+
+TEST_F(Mtl, KeepsNamesWithBlanks) {
+    const std::vector<Material> materials = read("newmtl  dark red #2 \r\nnewmtl b\r\n");
+    EXPECT_EQ(materials[0].name, "dark red #2");
+    EXPECT_EQ(materials[1].name, "b");
+}
+
+TEST_F(Mtl, ReadsTrAsOneMinusDAndPrefersD) {
+    EXPECT_EQ(one("Tr 0.25").d, 0.75f);
+    EXPECT_EQ(one("d 0.25\nTr 0.75").d, 0.25f);
+    EXPECT_EQ(warned(), Strings());
+    EXPECT_EQ(one("d 1\nTr 1").d, 1);
+    EXPECT_EQ(warned(), (Strings{"m.mtl:3: d and Tr disagree (Tr should be 1 - d); d counts"}));
+    EXPECT_EQ(one("Tr 1\nd 1").d, 1);
+    EXPECT_EQ(warned(), (Strings{"m.mtl:3: d and Tr disagree (Tr should be 1 - d); d counts"}));
+    EXPECT_EQ(one("d -halo 0.5").d, 0.5f);
+    EXPECT_EQ(warned(), (Strings{"m.mtl:2: d -halo is read as d"}));
+}
+
+TEST_F(Mtl, LimitsWhatIsOutOfRange) {
+    EXPECT_EQ(one("Ns 20000").Ns, 10000);
+    EXPECT_EQ(warned(), (Strings{"m.mtl:2: Ns is out of range and limited to Ns 0 .. 10000"}));
+    EXPECT_EQ(one("Ns -1.96").Ns, 0);
+    EXPECT_EQ(one("Kd -1 0.5 0").Kd, vec3(0, 0.5f, 0));
+    EXPECT_EQ(warned(), (Strings{"m.mtl:2: Kd is out of range and limited to Kd r g b from 0"}));
+    EXPECT_EQ(one("Ni 0").Ni, 1);
+}
+
+TEST_F(Mtl, ReadsMapsWithTheirOrigin) {
+    const auto file = folder.write("maps/red wood.png", "");
+    const Material m =
+        one("map_Ka -s 2 3 maps\\red wood.png\nmap_Kd maps/red wood.png\nmap_Ks maps/red wood.png\n"
+            "map_Ke maps/red wood.png\nrefl -type sphere -clamp on maps/red wood.png");
+    EXPECT_EQ(m.map_Ka.at(0).file, file);
+    EXPECT_EQ(m.map_Ka[0].scale, vec2(2, 3));
+    EXPECT_EQ(m.map_Ka[0].origin.line, 2);
+    EXPECT_EQ(folder.relative(m.map_Ka[0].origin.file), "m.mtl");
+    EXPECT_EQ(m.map_Kd.at(0).wrap, Wrap::Repeat);
+    EXPECT_EQ(m.map_Ks.size() + m.map_Ke.size(), 2u);
+    EXPECT_EQ(m.refl.at(0).wrap, Wrap::Clamp);
+    EXPECT_EQ(m.refl[0].origin.line, 6);
+    EXPECT_EQ(m.refl[0].texture, nullptr);
+}
+
+TEST_F(Mtl, KeepsSeveralMapsOfOneComponentButNoneTwice) {
+    EXPECT_EQ(one("map_Kd a.png\nmap_Kd b.png\nmap_Kd -s 2 2 a.png").map_Kd.size(), 3u);
+    EXPECT_EQ(one("map_Kd a.png\nmap_Kd a.png").map_Kd.size(), 1u);
+    EXPECT_EQ(warned(), (Strings{"m.mtl:3: map_Kd again with the same map; it counts once"}));
+}
+
+TEST_F(Mtl, CountsTheFirstOfEqualNames) {
+    const std::vector<Material> materials = read("newmtl a\nKd 1 0 0\nnewmtl b\nnewmtl a\nKd 0 0 1\n");
+    ASSERT_EQ(materials.size(), 2u);
+    EXPECT_EQ(materials[0].Kd, vec3(1, 0, 0));
+    EXPECT_EQ(warned(), (Strings{"m.mtl:4: material 'a' again; the first one counts"}));
+}
+
+TEST_F(Mtl, WarnsOfWhatItDoesNotHonour) {
+    one("map_Bump -bm 0.5 b.png\nmap_d m.png\nPr 0.5\nmap_Bump c.png");
+    EXPECT_EQ(warned(), (Strings{"m.mtl:2: map_Bump is not honoured", "m.mtl:3: map_d is not honoured",
+                                 "m.mtl:4: Pr is not honoured"}));
+}
+
+TEST_F(Mtl, RefusesWhatIsWrong) {
+    EXPECT_EQ(fault("Kd 1 1 1\n"), "m.mtl:1: 'Kd' before any material; expected newmtl NAME");
+    EXPECT_EQ(fault("newmtl\n"), "m.mtl:1: newmtl has no name; expected newmtl NAME");
+    EXPECT_EQ(fault_of("Kd 1 0"), "m.mtl:2: Kd has 2 numbers; expected Kd r g b");
+    EXPECT_EQ(fault_of("Kd"), "m.mtl:2: Kd has 0 numbers; expected Kd r g b");
+    EXPECT_EQ(fault_of("Kd red"), "m.mtl:2: 'red' is not a number; expected Kd r g b");
+    EXPECT_EQ(fault_of("Ks 1 nan 1"), "m.mtl:2: 'nan' is not finite; expected Ks r g b");
+    EXPECT_EQ(fault_of("Ns"), "m.mtl:2: Ns has 0 numbers; expected Ns 0 .. 10000");
+    EXPECT_EQ(fault_of("Ns 1 2"), "m.mtl:2: Ns has 2 numbers; expected Ns 0 .. 10000");
+    EXPECT_EQ(fault_of("illum 1.5"), "m.mtl:2: illum is '1.5'; expected a whole number 0 .. 10");
+    EXPECT_EQ(fault_of("d -halo"), "m.mtl:2: d has 0 numbers; expected d 0 .. 1");
+    EXPECT_EQ(fault_of("Kx 1 1 1"), "m.mtl:2: unknown statement 'Kx'; the nearest known is 'Ka'");
+    EXPECT_EQ(fault_of("map_Kd"), "m.mtl:2: map_Kd names no file; expected options and a file name");
+}
+
+TEST_F(Mtl, RefusesOtherColourSystemsAndCubeMaps) {
+    EXPECT_EQ(fault_of("Kd spectral a.rfl 1"), "m.mtl:2: Kd spectral is not supported; expected Kd r g b");
+    EXPECT_EQ(fault_of("Ka xyz 1 1 1"), "m.mtl:2: Ka xyz is not supported; expected Ka r g b");
+    EXPECT_EQ(fault_of("refl -type cube_top a.png"),
+              "m.mtl:2: refl -type cube_top is not supported; expected refl -type sphere");
+}
+
+TEST_F(Mtl, NamesItsOwnFileInErrorsOfAnObj) {
+    folder.write("m.mtl", "newmtl a\nKd 1 0\n");
+    EXPECT_EQ(folder.obj_error("mtllib m.mtl\n"), "m.mtl:2: Kd has 2 numbers; expected Kd r g b");
+}
+
+}  // namespace gw::scene

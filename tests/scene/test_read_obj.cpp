@@ -1,0 +1,135 @@
+// Claims: what OBJ files found in the wild hold becomes the parts, vertices and indices that they mean.
+#include "scene/read_obj.h"
+
+#include <gtest/gtest.h>
+
+#include "folder.h"
+
+namespace gw::scene {
+
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+}  // namespace
+
+TEST(ReadObj, ReadsPositionsToTheBit) {
+    Folder folder;
+    const MeshData mesh = folder.obj("v 0.1 -2.5 1e-7\nv 1e6 +3 .5\nv 0 0 0 1\nf 1 2 3\n").parts[0].mesh;
+    EXPECT_EQ(mesh.positions, (std::vector<vec3>{{0.1f, -2.5f, 1e-7f}, {1e6f, 3, 0.5f}, {0, 0, 0}}));
+    EXPECT_EQ(mesh.primitive, Primitive::Polygons);
+    EXPECT_EQ(mesh.indices, (Indices{0, 1, 2}));
+    EXPECT_EQ(mesh.polygon_sizes, (Indices{3}));
+    EXPECT_TRUE(mesh.texcoords.empty());
+    EXPECT_TRUE(mesh.colors.empty());
+}
+
+TEST(ReadObj, KeepsPolygonsWhole) {
+    Folder folder;
+    const MeshData mesh =
+        folder.obj("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\nf 1 2 4\n").parts[0].mesh;
+    EXPECT_EQ(mesh.polygon_sizes, (Indices{5, 3}));
+    EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 3, 4, 0, 1, 3}));
+}
+
+TEST(ReadObj, CountsNegativeIndicesFromTheLatest) {
+    Folder folder;
+    const MeshData mesh = folder.obj(triangle + "f -3 -2 -1\nv 9 9 9\nf -4 -3 -1\n").parts[0].mesh;
+    EXPECT_EQ(mesh.positions.back(), vec3(9, 9, 9));
+    EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 0, 1, 3}));
+}
+
+TEST(ReadObj, TakesVerticesThatComeLater) {
+    Folder folder;
+    EXPECT_EQ(folder.obj("f 1 2 3\n" + triangle).parts[0].mesh.indices, (Indices{0, 1, 2}));
+}
+
+TEST(ReadObj, UnifiesTriplesAndSplitsVerticesWhereTheyDiffer) {
+    Folder folder;
+    const std::string text = triangle + "v 1 1 0\nvt 0 0\nvt 1 0\nvn 0 0 1\nvn 0 1 0\n";
+    const MeshData mesh =
+        folder.obj(text + "f 1/1/1 2/2/1 3/1/1\nf 3/1/1 2/2/1 4/1/1\nf 1/1/2 2/2/1 3/2/1\n").parts[0].mesh;
+    EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 2, 1, 3, 4, 1, 5}));
+    EXPECT_EQ(mesh.normals[4], vec3(0, 1, 0));
+    EXPECT_EQ(mesh.texcoords[5], vec2(1, 0));
+    EXPECT_EQ(mesh.positions[5], vec3(0, 1, 0));
+}
+
+TEST(ReadObj, TakesEveryFormOfACorner) {
+    Folder folder;
+    const std::string text = triangle + "vt 0.5\nvt 0.25 0.75 9\nvn 0 0 2\n";
+    const MeshData mesh =
+        folder.obj(text + "f 1/1 2/2 3\nf 1//1 2//1 3//1\nf 1/1/1 2/-1/-1 3/2/1\n").parts[0].mesh;
+    EXPECT_EQ(mesh.texcoords[0], vec2(0.5f, 0));
+    EXPECT_EQ(mesh.texcoords[1], vec2(0.25f, 0.75f));
+    EXPECT_EQ(mesh.texcoords[2], vec2(0, 0));
+    EXPECT_EQ(mesh.normals[3], vec3(0, 0, 2));  // as given: the machine normalises
+    EXPECT_EQ(folder.obj(text + "f 1// 2// 3//\n").parts[0].mesh.indices, (Indices{0, 1, 2}));
+}
+
+TEST(ReadObj, ReadsVertexColours) {
+    Folder folder;
+    const MeshData mesh =
+        folder.obj("v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0 0 0 1 0.25\nv 5 5 5\nf 1 2 3 4\n").parts[0].mesh;
+    EXPECT_EQ(mesh.colors,
+              (std::vector<vec4>{{1, 1, 1, 1}, {1, 0.5f, 0, 1}, {0, 0, 1, 0.25f}, {1, 1, 1, 1}}));
+    EXPECT_EQ(mesh.positions[2], vec3(0, 1, 0));
+}
+
+TEST(ReadObj, MakesAPartForEachNameAndMaterial) {
+    Folder folder;
+    folder.write("m.mtl", "newmtl red\nnewmtl deep blue\n");
+    const std::string faces = "f 1 2 3\n";
+    const ObjFile file = folder.obj("mtllib m.mtl\n" + triangle + faces + "o car\n" + faces +
+                                    "g wheel left\nusemtl red\n" + faces + "usemtl deep blue\n" + faces +
+                                    "g\n" + faces + "g wheel left\nusemtl red\n" + faces + "o bus\n" + faces);
+    Strings parts;
+    for (const ObjPart& part : file.parts)
+        parts.push_back(part.name + "|" + part.material + "|" +
+                        std::to_string(part.mesh.polygon_sizes.size()));
+    EXPECT_EQ(parts, (Strings{"m||1", "car||1", "wheel left|red|2", "wheel left|deep blue|1",
+                              "car|deep blue|1", "bus|red|1"}));
+    EXPECT_EQ(file.parts[2].material_line, 9);
+}
+
+TEST(ReadObj, MakesPartsOfLinesAndPoints) {
+    Folder folder;
+    const ObjFile file = folder.obj(triangle + "l 1 2 3\nf 1 2 3\np 3 1\nl 3/ 1\n");
+    ASSERT_EQ(file.parts.size(), 3u);
+    EXPECT_EQ(file.parts[0].mesh.primitive, Primitive::Lines);
+    EXPECT_EQ(file.parts[0].mesh.indices, (Indices{0, 1, 1, 2, 2, 0}));
+    EXPECT_TRUE(file.parts[0].mesh.normals.empty());
+    EXPECT_EQ(file.parts[2].mesh.primitive, Primitive::Points);
+    EXPECT_EQ(file.parts[2].mesh.indices, (Indices{0, 1}));
+    EXPECT_EQ(file.parts[2].mesh.positions, (std::vector<vec3>{{0, 1, 0}, {0, 0, 0}}));
+}
+
+TEST(ReadObj, ReadsBytesOfAnyEditor) {
+    Folder folder;
+    const ObjFile file = folder.obj(
+        "\xef\xbb\xbf# caf\xc3\xa9\r\nv 0 0 0 # origin\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 \\\r\n 2 \\\r\n 3\r\n");
+    EXPECT_EQ(file.parts[0].mesh.indices, (Indices{0, 1, 2}));
+}
+
+TEST(ReadObj, FindsLibrariesWithBlanksAndSeveralOnALine) {
+    Folder folder;
+    folder.write("my first.mtl", "newmtl a\n");
+    folder.write("sub/b.mtl", "newmtl b\n");
+    folder.write("C.mtl", "newmtl c\n");
+    const ObjFile file = folder.obj("mtllib my first.mtl sub\\b.mtl\nmtllib c.mtl\nmtllib sub/b.mtl\n" +
+                                    triangle + "f 1 2 3\n");
+    Strings names;
+    for (const Material& material : file.materials) names.push_back(material.name);
+    EXPECT_EQ(names, (Strings{"a", "b", "c"}));
+    EXPECT_EQ(folder.warnings(), Strings());
+}
+
+TEST(ReadObj, WarnsOncePerKindOfWhatItDoesNotDraw) {
+    Folder folder;
+    folder.obj(triangle + "vp 0 1\nvp 1 1\ncstype bezier\nv 0 0 0 0.5\nf 1 2 3\n");
+    EXPECT_EQ(folder.warnings(),
+              (Strings{"m.obj:4: vp statements are not drawn", "m.obj:6: cstype statements are not drawn",
+                       "m.obj:7: the weight w of v is not used"}));
+}
+
+}  // namespace gw::scene
