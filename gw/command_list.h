@@ -70,9 +70,9 @@ struct Draw {
 /// Runs of pixels on one row; window coordinates; fragments go through scissor, alpha, stencil, depth, blend,
 /// masks.
 struct Span {
-    int x = 0, y = 0, length = 0;
-    std::uint32_t first = 0;  ///< index of its first colour
-    bool flat = true;         ///< all pixels have colour `first`; else pixel i has colour `first + i`
+    int x = 0, y = 0, length = 0;  ///< x, y -4096 .. 4096
+    std::uint32_t first = 0;       ///< index of its first colour
+    bool flat = true;              ///< all pixels have colour `first`; else pixel i has colour `first + i`
     bool operator==(const Span&) const = default;
 };
 struct WriteSpans {

@@ -22,6 +22,12 @@ int exponent_above(double v, int low, int high) {
 
 float to_float(double v) { return static_cast<float>(v); }
 
+/// float32 of a gradient or value. Only slivers have gradients beyond 2^62: kept there, nothing overflows.
+double bounded(double v) {
+    constexpr double limit = 4611686018427387904.0;  // 2^62
+    return to_float(std::clamp(v, -limit, limit));
+}
+
 }  // namespace
 
 std::array<std::int64_t, 3> denominators(std::span<const double> w) {
@@ -31,11 +37,11 @@ std::array<std::int64_t, 3> denominators(std::span<const double> w) {
     return q;
 }
 
-Numerators numerators(std::span<const double> s, std::span<const double> w, double k) {
+Numerators numerators(std::span<const double> s, std::span<const double> w, double k, int largest_exponent) {
     const double w_min = *std::min_element(w.begin(), w.end());
     Numerators n;
     n.offset = k;
-    n.exponent = exponent_above(*std::max_element(s.begin(), s.end()) - k, 0, 10);
+    n.exponent = exponent_above(*std::max_element(s.begin(), s.end()) - k, 0, largest_exponent);
     for (std::size_t i = 0; i < s.size(); ++i) {
         const double f = clamp01((s[i] - k) / power_of_two(n.exponent));
         n.at[i] = to_integer(round_even((unit * f) * (w_min / w[i])), 0, unit);
@@ -65,8 +71,8 @@ Projective projective(std::span<const dvec4> strq, std::span<const double> w) {
 
 CoordinateSlope coordinate_slope(const PlaneSlope& u, const PlaneSlope& q) {
     // float32 factors: their products are exact in double, so each line below rounds once.
-    const double ux = to_float(u.gx), uy = to_float(u.gy), u0 = to_float(u.value);
-    const double qx = to_float(q.gx), qy = to_float(q.gy), q0 = to_float(q.value);
+    const double ux = bounded(u.gx), uy = bounded(u.gy), u0 = bounded(u.value);
+    const double qx = bounded(q.gx), qy = bounded(q.gy), q0 = bounded(q.value);
     return {ux * q0 - u0 * qx, uy * q0 - u0 * qy, to_float((ux * qy - uy * qx) / 65536)};
 }
 

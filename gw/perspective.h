@@ -20,8 +20,12 @@ struct Numerators {
 /// Q_i = max(1, rne(2^30 wmin / w_i)).
 std::array<std::int64_t, 3> denominators(std::span<const double> w);
 
-/// U_i = rne(2^30 clamp((s_i - k) / 2^e, 0, 1) wmin / w_i), e the least of 0 .. 10 with 2^e >= max(s_i - k).
-Numerators numerators(std::span<const double> s, std::span<const double> w, double k);
+/// U_i = rne(2^30 clamp((s_i - k) / 2^e, 0, 1) wmin / w_i), e the least of 0 .. largest_exponent with 2^e >=
+/// max(s_i - k).
+Numerators numerators(std::span<const double> s, std::span<const double> w, double k,
+                      int largest_exponent = 10);
+/// Of the fog coordinate: what lies farther than 2^40 fog tables is as far.
+inline constexpr int largest_fog_exponent = 40;
 
 /// Projective (EyeLinear): values s_i / q_i may have any sign. Q_i = rne(2^30 (q_i / w_i) / H), H = max |q_i
 /// / w_i|.

@@ -78,8 +78,8 @@ enum class ShadeModel : std::uint8_t { Flat, Smooth };
 enum class ColorSource : std::uint8_t {
     Vertex,     ///< mesh colours (lighting off)
     Lighting,   ///< the lighting equation at the vertices
-    PolygonId,  ///< R, G, B = 8 bits each of (id_base + polygon id) >> id_shift; exact, no stage before fog
-                ///< touches it
+    PolygonId,  ///< R, G, B = 8 bits each of (id_base + polygon id) >> id_shift; exact: neither texture nor
+                ///< fog touches it
 };
 
 struct LightingState {

@@ -29,6 +29,9 @@ struct Checker {
     void extension(bool used, bool present, const char* extension) const {
         if (used && !present) fail(fmt::format("extension {} is not in profile {}", extension, profile.name));
     }
+    void position(const char* what, int v) const {
+        require(v >= -max_window_size && v <= max_window_size, what, v, "-4096 to 4096");
+    }
     void finite(const char* what, double v) const { require(std::isfinite(v), what, v, "a finite number"); }
     void finite(const char* what, const vec4& v) const {
         for (int i = 0; i < 4; ++i) finite(what, double(v[i]));
@@ -68,8 +71,8 @@ void check_fog(const Checker& c, const FogState& fog) {
 
 void check_rasterization(const Checker& c, const State& s) {
     const int units = 1 << c.profile.subpixel_bits;
-    c.require(std::abs(s.jitter.x) < units, "jitter.x", s.jitter.x, "less than a pixel");
-    c.require(std::abs(s.jitter.y) < units, "jitter.y", s.jitter.y, "less than a pixel");
+    c.require(s.jitter.x > -units && s.jitter.x < units, "jitter.x", s.jitter.x, "less than a pixel");
+    c.require(s.jitter.y > -units && s.jitter.y < units, "jitter.y", s.jitter.y, "less than a pixel");
     c.require(s.point_size >= 1 && s.point_size <= 128, "point_size", s.point_size, "1 to 128");
     c.require(s.line_width >= 1 && s.line_width <= 128, "line_width", s.line_width, "1 to 128");
     c.finite("polygon_offset.factor", s.polygon_offset.factor);
@@ -85,8 +88,8 @@ void check(const Checker& c, const SetState& command) {
     c.require(whole || (v.width >= 1 && v.width <= max_window_size), "viewport.width", v.width, "1 to 4096");
     c.require(whole || (v.height >= 1 && v.height <= max_window_size), "viewport.height", v.height,
               "1 to 4096");
-    c.require(std::abs(std::int64_t{v.x}) <= max_window_size, "viewport.x", v.x, "-4096 to 4096");
-    c.require(std::abs(std::int64_t{v.y}) <= max_window_size, "viewport.y", v.y, "-4096 to 4096");
+    c.position("viewport.x", v.x);
+    c.position("viewport.y", v.y);
     c.finite("depth_range.near_value", s.depth_range.near_value);
     c.finite("depth_range.far_value", s.depth_range.far_value);
     for (const ClipPlane& plane : s.clip_planes)
@@ -96,6 +99,7 @@ void check(const Checker& c, const SetState& command) {
     c.require(s.scissor.box.width >= 0 && s.scissor.box.height >= 0, "scissor.box.width", s.scissor.box.width,
               "0 or more");
     c.require(std::isfinite(s.alpha.ref), "alpha.ref", s.alpha.ref, "a finite number");
+    c.finite("lighting.model_ambient", s.lighting.model_ambient);
     c.finite("texture.eta", s.texture.eta);
     c.finite("texture.eye_linear", s.texture.eye_linear);
     c.finite("texture.env_color", s.texture.env_color);
@@ -146,6 +150,8 @@ void check(const Checker& c, const WriteSpans& w) {
     check_colors(c, w.colors);
     c.require(w.depth <= max_of_bits(c.profile.depth_bits), "depth", w.depth, "a value of the depth plane");
     for (const Span& s : w.spans) {
+        c.position("span x", s.x);
+        c.position("span y", s.y);
         c.require(s.length >= 0, "span length", s.length, "0 or more");
         const std::uint64_t last =
             std::uint64_t{s.first} + (s.flat || s.length == 0 ? 1 : std::uint64_t(s.length));
@@ -162,6 +168,8 @@ void check_size(const Checker& c, const Rect& r) {
 
 void check(const Checker& c, const WritePixels& w) {
     check_size(c, w.rect);
+    c.position("rect.x", w.rect.x);
+    c.position("rect.y", w.rect.y);
     check_colors(c, w.colors);
     c.require(w.plane != Plane::Accum, "plane", "Accum", "Color, Depth or Stencil");
     const std::size_t given = w.plane == Plane::Color ? w.colors.size() : w.values.size();
@@ -176,15 +184,14 @@ void check(const Checker& c, const WritePixels& w) {
 
 void check_inside(const Checker& c, const Rect& r) {
     check_size(c, r);
-    c.require(r.x >= 0 && r.y >= 0 && r.x + r.width <= c.width && r.y + r.height <= c.height, "rect",
+    c.require(r.x >= 0 && r.y >= 0 && r.x <= c.width - r.width && r.y <= c.height - r.height, "rect",
               fmt::format("{} {} {} {}", r.x, r.y, r.width, r.height), "one inside the window");
 }
 
 void check(const Checker& c, const Copy& copy) {
     check_size(c, copy.source);
     c.require(copy.plane != Plane::Accum, "plane", "Accum", "Color, Depth or Stencil");
-    for (const int v : {copy.source.x, copy.source.y, copy.x, copy.y})
-        c.require(std::abs(std::int64_t{v}) <= max_window_size, "copy position", v, "-4096 to 4096");
+    for (const int v : {copy.source.x, copy.source.y, copy.x, copy.y}) c.position("copy position", v);
 }
 
 void check(const Checker& c, const CopyTexture& copy) {

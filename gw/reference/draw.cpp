@@ -27,6 +27,7 @@ struct Source {
     std::uint32_t polygon = 0;
     std::uint32_t provoking = 0;
     bool front = true;
+    bool counter_clockwise = true;  ///< the whole polygon, after the snap
 };
 
 std::array<std::int64_t, 4> integers(const std::array<double, 4>& c) {
@@ -57,7 +58,9 @@ Shader shader(const Drawing& d, std::span<const Corner> corners, const PlaneMake
 
 void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const Source& s) {
     const std::array<WindowVertex, 3> window{corners[0].window, corners[1].window, corners[2].window};
-    if (area2(window[0], window[1], window[2]) == 0) return;
+    // A piece that the snap has turned over lies inside its neighbours: it makes no fragments.
+    const std::int64_t area = area2(window[0], window[1], window[2]);
+    if (area == 0 || (area > 0) != s.counter_clockwise) return;
     const SnappedTriangle t = snapped_triangle(window, d.state().jitter, d.subpixel_bits());
     const auto plane = [&](const std::array<std::int64_t, 3>& a) {
         return plane_through(t, {a[t.source[0]], a[t.source[1]], a[t.source[2]]});
@@ -153,7 +156,7 @@ void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal) {
         return;
     }
     count.drawn += 1;
-    const Source source{ordinal, t.polygon, t.provoking, front};
+    const Source source{ordinal, t.polygon, t.provoking, front, area > 0};
     d.state().polygon_mode == PolygonMode::Fill ? fill(d, clipped.vertices, source) : outline(d, t, source);
 }
 
@@ -172,12 +175,12 @@ void draw_mesh(const DrawContext& context) {
     std::uint32_t ordinal = 0;
     for (const Triangle& t : mesh.triangles()) draw_triangle(d, t, ordinal++);
     for (const auto& line : mesh.lines()) {
-        const Source s{ordinal, ordinal, line[1], true};
+        const Source s{ordinal, ordinal, line[1]};
         draw_line(d, d.vertices[line[0]], d.vertices[line[1]], s, true);
         ++ordinal;
     }
     for (const std::uint32_t v : mesh.points()) {
-        draw_point(d, d.vertices[v], {ordinal, ordinal, v, true}, true);
+        draw_point(d, d.vertices[v], {ordinal, ordinal, v}, true);
         ++ordinal;
     }
 }

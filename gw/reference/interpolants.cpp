@@ -95,7 +95,7 @@ Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& pla
               r.bits);
     if (r.state.fog.enable && r.fragment_fog) {
         const auto f = gather_doubles(corners, [](const Corner& c) { return c.fog; });
-        v.fog_coordinate = perspective_value(numerators(f, w, 0), plane);
+        v.fog_coordinate = perspective_value(numerators(f, w, 0, largest_fog_exponent), plane);
     } else if (r.state.fog.enable) {
         v.fog = plane(gather(corners, [](const Corner& c) { return std::int64_t(round_even(c.fog)); }));
     }

@@ -1,0 +1,91 @@
+// A small machine for tests: window coordinates in, planes out. Lists run on the reference machine.
+// Does not know expected values: each test has its own.
+#pragma once
+
+#include "gw/error.h"
+#include "gw/machine.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace gw::test {
+
+/// Object coordinates are window pixels and units of the depth plane: exact for dyadic coordinates of few
+/// bits in a window whose sides are powers of two.
+inline dmat4 window_projection(const Profile& profile, int width, int height) {
+    dmat4 m{1};
+    m[0][0] = 2.0 / width;
+    m[1][1] = 2.0 / height;
+    m[2][2] = 2.0 / double((std::uint64_t{1} << profile.depth_bits) - 1);
+    m[3] = {-1, -1, -1, 1};
+    return m;
+}
+
+inline MeshData mesh_data(Primitive primitive, std::vector<vec3> positions, std::vector<vec4> colors = {}) {
+    MeshData data{.primitive = primitive, .positions = std::move(positions)};
+    data.colors = std::move(colors);
+    return data;
+}
+
+/// A machine, the state its next draw has, and what it has done.
+class Workbench {
+public:
+    explicit Workbench(const Profile& profile = vgx(), int width = 64, int height = 64)
+        : machine_(make_reference(profile, width, height)) {
+        state.projection = window_projection(profile, width, height);
+    }
+
+    State state;
+
+    void run(Command command) {
+        CommandList list;
+        list.add(SetState{state});
+        list.add(std::move(command));
+        machine_->execute(list);
+    }
+    void draw(Draw command) { run(std::move(command)); }
+    void draw(MeshData data) { draw(Draw{.mesh = make_mesh(std::move(data))}); }
+    void draw(Primitive primitive, std::vector<vec3> positions, std::vector<vec4> colors = {}) {
+        draw(mesh_data(primitive, std::move(positions), std::move(colors)));
+    }
+    void clear(PlaneMask planes = all_planes, vec4 color = vec4(0), double depth = 1, int stencil = 0) {
+        run(Clear{planes, color, depth, stencil});
+    }
+    /// Pixels of one colour, as a fragment each.
+    void write(const Rect& rect, const Rgba& color, std::uint32_t depth = 0) {
+        const auto size = std::size_t(rect.width) * std::size_t(rect.height);
+        run(WritePixels{rect, Plane::Color, std::vector<Rgba>(size, color), {}, depth});
+    }
+
+    const Planes& planes() { return machine_->planes(); }
+    Rgba color(int x, int y) { return planes().color[planes().index(x, y)]; }
+    std::uint32_t depth(int x, int y) { return planes().depth[planes().index(x, y)]; }
+    int stencil(int x, int y) { return planes().stencil[planes().index(x, y)]; }
+    std::array<std::int32_t, 4> accum(int x, int y) { return planes().accum[planes().index(x, y)]; }
+    /// Of everything since construction or the last call.
+    Counters take_counters() {
+        Counters sum;
+        for (const PassReport& pass : machine_->passes()) sum += pass.counters;
+        machine_->reset_passes();
+        return sum;
+    }
+    Machine& machine() { return *machine_; }
+    const Profile& profile() const { return machine_->profile(); }
+
+private:
+    std::unique_ptr<Machine> machine_;
+};
+
+/// The message of the Error that `action` throws; empty where it throws none.
+template <typename Action>
+std::string error_of(const Action& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace gw::test
