@@ -1,0 +1,33 @@
+// The shapes a scene can ask for by name: `shape = "torus"` with its parameters as keys. docs/scenes.md.
+// Does not place them or give them materials.
+#pragma once
+
+#include "gw/mesh.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gw::scene {
+
+struct ShapeParameter {
+    std::string name;
+    double value;      ///< where none is given
+    double low, high;  ///< allowed, ends included
+    bool integer;
+};
+
+/// Object space: y up; counter-clockwise from outside; positions, normals of length 1, texcoords. Borders
+/// that meet have bit-equal positions. Shapes that stand (vases, the teapot, the pedestal) stand on y = 0,
+/// others have the origin in their middle. Curved ones are Triangles, the flat ones Quads.
+struct Shape {
+    std::string name;
+    std::vector<ShapeParameter> parameters;
+    std::function<MeshData(const std::vector<double>& values)>
+        make;  ///< one value for each parameter, in order
+};
+
+/// All of them, by name in alphabetical order.
+const std::vector<Shape>& shapes();
+
+}  // namespace gw::scene
