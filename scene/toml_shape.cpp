@@ -1,25 +1,6 @@
 #include "scene/toml_shape.h"
 
-#if __has_include("scene/shape_table.h")
 #include "scene/shape_table.h"
-#else
-namespace gw::scene {
-struct ShapeParameter {
-    std::string name;
-    double value, low, high;
-    bool integer;
-};
-struct Shape {
-    std::string name;
-    std::vector<ShapeParameter> parameters;
-    std::function<MeshData(const std::vector<double>&)> make;
-};
-static const std::vector<Shape>& shapes() {
-    static const std::vector<Shape> none;
-    return none;
-}
-}  // namespace gw::scene
-#endif
 #include "scene/suggest.h"
 
 #include <algorithm>
