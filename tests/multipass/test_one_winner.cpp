@@ -1,0 +1,77 @@
+// Coincident faces are added once.
+#include "multipass/one_winner.h"
+
+#include "multipass/driver.h"
+#include "scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace gw::multipass {
+namespace {
+
+constexpr int size = 16;
+
+std::vector<Rgba> draw(const scene::Scene& s, OneWinner one_winner = OneWinner::Auto,
+                       const Profile& profile = vgx()) {
+    const auto machine = make_reference(profile, size, size);
+    render(*machine, s, scene::make_view(s, size, size), {.one_winner = one_winner});
+    return machine->planes().color;
+}
+
+TEST(OneWinner, AddsADoubledObjectOnce) {
+    scene::Scene s = two_squares();
+    const auto once = draw(s);
+    s.objects.push_back(s.objects[0]);
+    s.objects.push_back(s.objects[1]);
+    EXPECT_EQ(draw(s), once);
+    EXPECT_NE(draw(s, OneWinner::Never), once) << "else the scheme was not needed";
+}
+
+TEST(OneWinner, IsTheFirstObjectInEveryPass) {
+    scene::Scene s = two_squares();
+    const auto alone = draw(s);
+    // A second material on the left square, with components and lights that the first has not: nothing of it
+    // may show.
+    scene::Material loud{.Ka = vec3(1), .Kd = vec3(1), .Ks = vec3(1), .Ke = vec3(1)};
+    loud.refl = {plain_map(255, 255, 255)};
+    loud.map_Ka = {plain_map(9, 9, 9), plain_map(9, 9, 9)};
+    add_square(s, "loud", loud, {-1.25, 0, 0});
+    s.lights.push_back({.direction = {0, 0, -1}, .Ia = vec3(1), .only = {"loud"}});
+    EXPECT_EQ(draw(s), alone);
+}
+
+TEST(OneWinner, ChangesNothingWhereNothingCoincides) {
+    const scene::Scene s = two_squares();
+    EXPECT_EQ(draw(s, OneWinner::Always), draw(s, OneWinner::Never));
+    EXPECT_EQ(draw(s, OneWinner::Auto), draw(s, OneWinner::Never));
+}
+
+TEST(OneWinner, NeedsOneStencilBit) {
+    Profile profile = vgx();
+    profile.stencil_bits = 1;
+    scene::Scene s = two_squares();
+    const auto once = draw(s, OneWinner::Auto, profile);
+    s.objects.push_back(s.objects[0]);
+    EXPECT_EQ(draw(s, OneWinner::Auto, profile), once);
+}
+
+TEST(OneWinner, CountsTheSurplusFragments) {
+    scene::Scene s = two_squares();
+    const auto machine = make_reference(vgx(), size, size);
+    const auto surplus = [&](const scene::Scene& counted) {
+        machine->reset_passes();
+        render(*machine, counted, scene::make_view(counted, size, size), {});
+        const auto& passes = machine->passes();
+        const auto at = std::find_if(passes.begin(), passes.end(),
+                                     [](const PassReport& p) { return p.name == "count winners"; });
+        return surplus_winners(std::span(passes).subspan(std::size_t(at - passes.begin()), 2));
+    };
+    EXPECT_EQ(surplus(s), 0u);
+    s.objects.push_back(s.objects[0]);
+    EXPECT_EQ(surplus(s), 7u * 8u) << "a square of 8x8 pixels, a column of it outside the window";
+}
+
+}  // namespace
+}  // namespace gw::multipass
