@@ -1,0 +1,33 @@
+// What the files of the subcommands and main have in common. One file per subcommand: info.cpp, render.cpp,
+// ... Does not know what any of them does.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace gw::apps {
+
+enum ExitCode { done = 0, failed = 1, usage = 2, differs = 3 };
+
+/// The command line is wrong, whatever the files hold: exit code 2. Readers and writers throw gw::Error: 1.
+class UsageError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A subcommand: what was parsed (owned by `run`) and what to do then; `run` returns an ExitCode.
+struct Command {
+    CLI::App* app = nullptr;
+    std::function<int()> run;
+};
+
+Command add_info(CLI::App& app);
+
+/// The whole program: parses, runs, prints every error as one line "gw: ..." on stderr.
+int run(const std::vector<std::string>& arguments);
+
+}  // namespace gw::apps

@@ -1,0 +1,80 @@
+// From arguments to an exit code. The only place that catches.
+#include "apps/command.h"
+#include "apps/mistyped.h"
+#include "apps/terminal.h"
+#include "apps/versions.h"
+#include "gw/error.h"
+
+#include <new>
+
+namespace gw::apps {
+
+namespace {
+
+constexpr const char* about =
+    "A graphics workstation of 1991 in software, and the rendering that was invented for it.";
+
+int report(ExitCode code, std::string what) {
+    while (!what.empty() && what.back() == '\n') what.pop_back();
+    for (char& c : what) {
+        if (c == '\n') c = ' ';
+    }
+    print_error("gw: " + what + "\n");
+    return code;
+}
+
+void add_commands(CLI::App& app, std::vector<Command>& commands) {
+    for (auto add : {add_info}) {
+        commands.push_back(add(app));
+        commands.back().app->allow_extras();  // so that `mistyped` sees the word
+    }
+}
+
+int parse_and_run(CLI::App& app, const std::vector<Command>& commands,
+                  const std::vector<std::string>& arguments) {
+    try {
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::CallForVersion& asked) {
+        print(asked.what() + std::string("\n"));
+        return done;
+    } catch (const CLI::Success&) {
+        print(app.help());
+        return done;
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(mistyped(app).value_or(error.what()));
+    }
+    if (const auto word = mistyped(app)) throw UsageError(*word);
+    for (const Command& command : commands) {
+        if (*command.app) return command.run();
+    }
+    throw UsageError("no command; expected one of those that gw --help lists");
+}
+
+}  // namespace
+
+int run(const std::vector<std::string>& arguments) {
+    try {
+        CLI::App app{about, "gw"};
+        app.footer(
+            "Exit codes: 0 done, 1 wrong input or output that cannot be written, 2 usage, 3 a difference "
+            "found.\n"
+            "Example:\n  build/release/bin/gw render scenes/rings.toml -o rings.png");
+        app.set_version_flag("--version", "gw " + version());
+        app.allow_extras();
+        std::vector<Command> commands;
+        add_commands(app, commands);
+        const int code = parse_and_run(app, commands, arguments);
+        flush_output();
+        return code;
+    } catch (const UsageError& error) {
+        return report(usage, error.what());
+    } catch (const Error& error) {
+        return report(failed, error.what());
+    } catch (const std::bad_alloc&) {
+        return report(failed, "out of memory");
+    } catch (const std::exception& error) {
+        return report(failed, error.what());
+    }
+}
+
+}  // namespace gw::apps

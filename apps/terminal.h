@@ -1,0 +1,15 @@
+// Text to stdout and stderr. A full disk behind stdout is an error like any other.
+#pragma once
+
+#include <string_view>
+
+namespace gw::apps {
+
+void print(std::string_view text);
+/// Throws Error when something printed did not arrive.
+void flush_output();
+
+void print_error(std::string_view text);
+bool error_is_terminal();
+
+}  // namespace gw::apps

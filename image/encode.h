@@ -1,0 +1,31 @@
+// The one place that calls OpenImageIO's writers. Internal to image/.
+// Does not choose bits or names: write.cpp does.
+#pragma once
+
+#include "image/output_file.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <functional>
+#include <memory>
+
+namespace gw::image {
+
+/// A writer for the extension of `file`; null where there is none.
+std::unique_ptr<OIIO::ImageOutput> writer_for(const std::filesystem::path& file);
+
+/// Bottom row first, as `type` says.
+struct Samples {
+    OIIO::TypeDesc type;
+    const void* first = nullptr;
+};
+
+/// Encodes into `file`. `convert` is called with the type the format will store and gives the samples; they
+/// must live until encode returns. Throws Error naming the target.
+void encode(OutputFile& file, const OIIO::ImageSpec& spec,
+            const std::function<Samples(OIIO::TypeDesc stored)>& convert);
+
+/// OpenImageIO's last error as one line.
+std::string one_line(std::string text);
+
+}  // namespace gw::image

@@ -1,0 +1,38 @@
+#include "image/output_set.h"
+
+#include "gw/error.h"
+
+namespace gw::image {
+
+namespace fs = std::filesystem;
+
+OutputSet::~OutputSet() {
+    files_.clear();
+    std::error_code ignored;
+    for (const fs::path& folder : made_) fs::remove(folder, ignored);
+}
+
+void OutputSet::make_folder(const fs::path& folder) {
+    std::error_code error;
+    if (fs::is_directory(folder, error)) return;
+    if (fs::exists(folder, error)) {
+        throw Error(folder.string(), 0, "is not a folder; expected one, or a name for a new one");
+    }
+    if (!fs::create_directory(folder, error)) {
+        throw Error(folder.string(), 0, "folder cannot be made: " + error.message());
+    }
+    made_.push_back(folder);
+}
+
+OutputFile& OutputSet::add(const fs::path& target) {
+    files_.push_back(std::make_unique<OutputFile>(target));
+    return *files_.back();
+}
+
+void OutputSet::commit() {
+    for (const auto& file : files_) file->commit();
+    files_.clear();
+    made_.clear();
+}
+
+}  // namespace gw::image

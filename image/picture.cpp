@@ -1,0 +1,30 @@
+#include "image/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::image {
+
+Picture picture_of(const std::vector<Rgba>& color, int width, int height, int bits) {
+    Picture picture{.width = width, .height = height, .channels = 3, .bits = bits, .values = {}};
+    picture.values.reserve(color.size() * 3);
+    for (const Rgba& pixel : color) {
+        picture.values.insert(picture.values.end(), pixel.begin(), pixel.begin() + 3);
+    }
+    return picture;
+}
+
+Picture toned(Picture picture, const Tone& tone) {
+    if (tone == Tone{}) return picture;
+    const int max = (1 << picture.bits) - 1;
+    std::vector<std::uint16_t> table(static_cast<std::size_t>(max) + 1);
+    for (int v = 0; v <= max; ++v) {
+        const double light = std::min(1.0, v * std::exp2(tone.exposure) / max);
+        const double shown = std::pow(light, 1 / tone.gamma);
+        table[static_cast<std::size_t>(v)] = static_cast<std::uint16_t>(std::lround(shown * max));
+    }
+    for (std::uint16_t& value : picture.values) value = table[value];
+    return picture;
+}
+
+}  // namespace gw::image

@@ -1,0 +1,45 @@
+#include "image/planes.h"
+
+#include "image/false_color.h"
+#include "image/write.h"
+
+namespace gw::image {
+
+namespace {
+
+std::vector<std::uint32_t> widened(const std::vector<std::uint8_t>& values) {
+    return {values.begin(), values.end()};
+}
+
+std::vector<float> as_floats(const std::vector<std::array<std::int32_t, 4>>& accum) {
+    std::vector<float> floats;
+    floats.reserve(accum.size() * 4);
+    for (const auto& sum : accum) {
+        for (std::int32_t v : sum) floats.push_back(static_cast<float>(v));
+    }
+    return floats;
+}
+
+}  // namespace
+
+void put_planes(OutputSet& files, const std::filesystem::path& folder, const Planes& planes,
+                const Profile& profile) {
+    const int w = planes.width, h = planes.height;
+    const Picture color = picture_of(planes.color, w, h, profile.color_bits);
+    put_picture(files.add(folder / "color.exr"), color);
+    put_picture(files.add(folder / "color.png"), color);
+    put_values(files.add(folder / "depth.exr"), {w, h, {"Z"}, planes.depth});
+    put_picture(files.add(folder / "depth.png"), depth_colors(planes.depth, w, h, profile.depth_bits));
+    put_values(files.add(folder / "stencil.exr"), {w, h, {"S"}, widened(planes.stencil)});
+    put_picture(files.add(folder / "stencil.png"), stencil_colors(planes.stencil, w, h));
+    put_values(files.add(folder / "accum.exr"), {w, h, {"R", "G", "B", "A"}, as_floats(planes.accum)});
+    put_picture(files.add(folder / "accum.png"), accum_colors(planes.accum, w, h));
+}
+
+void put_ids(OutputSet& files, const std::filesystem::path& folder, const std::vector<std::uint32_t>& ids,
+             int width, int height, std::uint32_t none) {
+    put_values(files.add(folder / "ids.exr"), {width, height, {"id"}, ids});
+    put_picture(files.add(folder / "ids.png"), id_colors(ids, width, height, none));
+}
+
+}  // namespace gw::image
