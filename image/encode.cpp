@@ -1,6 +1,7 @@
 #include "image/encode.h"
 
 #include "gw/error.h"
+#include "image/hush.h"
 
 #include <OpenImageIO/filesystem.h>
 
@@ -65,6 +66,7 @@ std::unique_ptr<OIIO::ImageOutput> writer_for(const std::filesystem::path& file)
 
 void encode(OutputFile& file, const OIIO::ImageSpec& spec,
             const std::function<Samples(OIIO::TypeDesc stored)>& convert) {
+    const Hush hush;
     auto output = writer_for(file.target());
     if (!output) refuse(file, "no format of this extension");
     if (output->supports("ioproxy")) {

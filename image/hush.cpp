@@ -1,0 +1,25 @@
+#include "image/hush.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+#include <cstdio>
+
+namespace gw::image {
+
+Hush::Hush() {
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nowhere < 0) return;
+    std::fflush(stderr);
+    kept_ = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
+    if (kept_ >= 0) ::dup2(nowhere, STDERR_FILENO);
+    ::close(nowhere);
+}
+
+Hush::~Hush() {
+    if (kept_ < 0) return;
+    std::fflush(stderr);
+    ::dup2(kept_, STDERR_FILENO);
+    ::close(kept_);
+}
+
+}  // namespace gw::image

@@ -1,0 +1,51 @@
+// Files that belong together appear together.
+#include "gw/error.h"
+#include "image/output_set.h"
+
+#include "files.h"
+
+namespace gw::image {
+
+TEST(OutputSet, ShowsNothingBeforeCommitAndAllAfter) {
+    const Folder folder;
+    OutputSet files;
+    files.make_folder(folder / "sub");
+    files.add(folder / "a.txt");
+    files.add(folder / "sub/b.txt");
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.txt"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "sub/b.txt"));
+    files.commit();
+    EXPECT_TRUE(std::filesystem::exists(folder / "a.txt"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "sub/b.txt"));
+}
+
+TEST(OutputSet, LeavesNeitherFilesNorFoldersWithoutCommit) {
+    const Folder folder;
+    {
+        OutputSet files;
+        files.make_folder(folder / "sub");
+        files.add(folder / "sub/b.txt");
+        EXPECT_THROW(files.add(folder / "missing/a.txt"), Error);
+    }
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(OutputSet, KeepsAFolderThatWasThere) {
+    const Folder folder;
+    std::filesystem::create_directory(folder / "sub");
+    {
+        OutputSet files;
+        files.make_folder(folder / "sub");
+    }
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"sub"});
+}
+
+TEST(OutputSet, RefusesAFileAsFolderAndAFolderWithoutParent) {
+    const Folder folder;
+    write_file(folder / "file", "");
+    OutputSet files;
+    EXPECT_THROW(files.make_folder(folder / "file"), Error);
+    EXPECT_THROW(files.make_folder(folder / "missing/sub"), Error);
+}
+
+}  // namespace gw::image
