@@ -25,6 +25,8 @@ struct Command {
     std::function<int()> run;
 };
 
+Command add_render(CLI::App& app);
+Command add_passes(CLI::App& app);
 Command add_info(CLI::App& app);
 
 /// The whole program: parses, runs, prints every error as one line "gw: ..." on stderr.

@@ -1,12 +1,11 @@
 // gw info: what this build of the machine is and what it was made with.
 #include "apps/command.h"
+#include "apps/profile_json.h"
 #include "apps/terminal.h"
 #include "apps/versions.h"
 #include "gw/machine.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <memory>
 #include <thread>
 
@@ -27,17 +26,16 @@ std::string extensions_of(const Profile& profile) {
 
 struct Row {
     const char* title;
-    const char* key;
     int Profile::*bits;
 };
 constexpr Row rows[] = {
-    {"colour, bits per channel", "color_bits", &Profile::color_bits},
-    {"Z, bits", "depth_bits", &Profile::depth_bits},
-    {"stencil, bits", "stencil_bits", &Profile::stencil_bits},
-    {"accumulation, bits per channel, signed", "accum_bits", &Profile::accum_bits},
-    {"sub-pixel bits", "subpixel_bits", &Profile::subpixel_bits},
-    {"lit vertex colour, bits", "lit_bits", &Profile::lit_bits},
-    {"lights in one pass", "max_lights", &Profile::max_lights},
+    {"colour, bits per channel", &Profile::color_bits},
+    {"Z, bits", &Profile::depth_bits},
+    {"stencil, bits", &Profile::stencil_bits},
+    {"accumulation, bits per channel, signed", &Profile::accum_bits},
+    {"sub-pixel bits", &Profile::subpixel_bits},
+    {"lit vertex colour, bits", &Profile::lit_bits},
+    {"lights in one pass", &Profile::max_lights},
 };
 
 std::string line(const std::string& title, const std::function<std::string(const Profile&)>& cell) {
@@ -61,18 +59,6 @@ std::string text() {
                        std::thread::hardware_concurrency());
     for (const auto& [name, number] : versions()) out += fmt::format("  {:<16}{}\n", name, number);
     return out;
-}
-
-nlohmann::ordered_json json_of(const Profile& profile) {
-    nlohmann::ordered_json json{{"name", profile.name}};
-    for (const Row& row : rows) json[row.key] = profile.*row.bits;
-    json["fragment_fog"] = profile.fragment_fog;
-    json["perspective_color"] = profile.perspective_color;
-    json["extensions"] = {{"polygon_offset", profile.extensions.polygon_offset},
-                          {"shadow_texture", profile.extensions.shadow_texture},
-                          {"stencil_wrap", profile.extensions.stencil_wrap},
-                          {"two_sided_stencil", profile.extensions.two_sided_stencil}};
-    return json;
 }
 
 std::string json() {

@@ -105,6 +105,10 @@ void OutputFile::write(std::span<const std::uint8_t> bytes) {
     }
 }
 
+void OutputFile::write_text(std::string_view text) {
+    write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
 // Some file systems report a full disk only here.
 void OutputFile::close() {
     const int descriptor = std::exchange(descriptor_, -1);
@@ -121,7 +125,7 @@ void OutputFile::commit() {
 
 void write_file(const fs::path& target, std::string_view bytes) {
     OutputFile file(target);
-    file.write({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    file.write_text(bytes);
     file.commit();
 }
 

@@ -29,6 +29,7 @@ public:
     /// Empty where the target is written to directly.
     const std::filesystem::path& temporary() const { return temporary_; }
     void write(std::span<const std::uint8_t> bytes);
+    void write_text(std::string_view text);
     void commit();
 
 private:

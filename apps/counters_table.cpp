@@ -1,0 +1,44 @@
+#include "apps/counters_table.h"
+
+namespace gw::apps {
+
+std::span<const CounterName> counter_names() {
+    static constexpr CounterName names[] = {
+        {"draws", &Counters::draws},
+        {"vertices", &Counters::vertices},
+        {"primitives", &Counters::primitives},
+        {"rejected", &Counters::rejected},
+        {"clipped", &Counters::clipped},
+        {"degenerate", &Counters::degenerate},
+        {"culled", &Counters::culled},
+        {"drawn", &Counters::drawn},
+        {"fragments", &Counters::fragments},
+        {"alpha_killed", &Counters::alpha_killed},
+        {"stencil_killed", &Counters::stencil_killed},
+        {"depth_killed", &Counters::depth_killed},
+        {"written", &Counters::written},
+        {"texels", &Counters::texels},
+        {"pixels", &Counters::pixels},
+        {"accum_overflows", &Counters::accum_overflows},
+        {"bytes", &Counters::bytes},
+    };
+    static_assert(sizeof(names) / sizeof(CounterName) * sizeof(std::uint64_t) == sizeof(Counters));
+    return names;
+}
+
+nlohmann::ordered_json json_of(const Counters& counters) {
+    nlohmann::ordered_json json;
+    for (const auto& [name, count] : counter_names()) json[name] = counters.*count;
+    return json;
+}
+
+std::string text_of(const Counters& counters) {
+    std::string text;
+    for (const auto& [name, count] : counter_names()) {
+        if (counters.*count == 0) continue;
+        text += (text.empty() ? "" : ", ") + std::string(name) + " " + std::to_string(counters.*count);
+    }
+    return text;
+}
+
+}  // namespace gw::apps

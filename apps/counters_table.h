@@ -1,0 +1,24 @@
+// The names of the counters, for tables, CSV and JSON. docs/manual.md, "Counters", says what they count.
+#pragma once
+
+#include "gw/counters.h"
+
+#include <nlohmann/json.hpp>
+
+#include <span>
+
+namespace gw::apps {
+
+struct CounterName {
+    const char* name;
+    std::uint64_t Counters::*count;
+};
+
+/// All of them, in the manual's order.
+std::span<const CounterName> counter_names();
+
+nlohmann::ordered_json json_of(const Counters& counters);
+/// "draws 3, vertices 4512, ...", those that are not 0.
+std::string text_of(const Counters& counters);
+
+}  // namespace gw::apps

@@ -1,0 +1,29 @@
+// One frame of a drawing, and the files that are asked for: picture, components, planes, manifest. All or
+// none appear. Does not parse options.
+#pragma once
+
+#include "apps/picture_options.h"
+#include "apps/renderers.h"
+#include "image/picture.h"
+
+#include <filesystem>
+
+namespace gw::apps {
+
+/// Names of files and folders; an empty one is not wanted.
+struct FrameFiles {
+    std::filesystem::path picture, components, planes, manifest;
+    image::Tone tone;  ///< of the picture and the components
+};
+
+struct Drawing {
+    const PictureOptions& options;
+    const Renderer& renderer;
+    Profile profile;
+    scene::Scene scene;  ///< with a camera
+};
+
+/// Throws Error; then none of the files is there that was not before.
+void draw_frame(const Drawing& drawing, const FrameFiles& files);
+
+}  // namespace gw::apps

@@ -1,0 +1,104 @@
+#include "apps/picture_options.h"
+
+#include "apps/command.h"
+#include "apps/renderers.h"
+#include "apps/terminal.h"
+#include "image/textures.h"
+#include "scene/read_profile.h"
+#include "scene/read_scene.h"
+
+#include <algorithm>
+
+namespace gw::apps {
+
+namespace {
+
+// The options' values that only one place reads.
+void add_camera_options(CLI::App& command, scene::CameraOverrides& camera) {
+    const auto point = [&command](const char* name, std::optional<dvec3>& to, const char* help) {
+        command
+            .add_option_function<std::string>(
+                name, [name, &to](const std::string& word) { to = point_from(name, word); }, help)
+            ->type_name("X,Y,Z");
+    };
+    point("--eye", camera.eye, "Where the eye is (default: the scene's camera, or fitted)");
+    point("--at", camera.at, "What it looks at");
+    point("--up", camera.up, "Which way is up");
+    command
+        .add_option_function<std::string>(
+            "--fov",
+            [&camera](const std::string& word) { camera.fov = number_from("--fov", word, 0.1, 179); },
+            "Vertical angle of view")
+        ->type_name("DEGREES");
+}
+
+void add_machine_options(CLI::App& command, PictureOptions& options) {
+    command
+        .add_option_function<std::string>(
+            "--machine",
+            [&](const std::string& word) { options.machine = one_of("--machine", word, machines()); },
+            "Which machine draws: the same bits (default " + machines().front() + ")")
+        ->type_name("NAME");
+    command
+        .add_option_function<std::string>(
+            "--threads",
+            [&](const std::string& word) { options.threads = whole_number_from("--threads", word, 1, 1024); },
+            "Threads of the fast machine (default: all)")
+        ->type_name("N");
+    command.add_option("--profile", options.profile, "vgx, reality, ideal or a TOML file (default vgx)")
+        ->type_name("NAME|FILE.toml");
+}
+
+std::vector<std::string> profile_names() {
+    std::vector<std::string> names;
+    for (const Profile& profile : profiles()) names.push_back(profile.name);
+    return names;
+}
+
+}  // namespace
+
+void add_picture_options(CLI::App& command, PictureOptions& options) {
+    command.add_option("SCENE", options.scene, "A TOML scene or a Wavefront OBJ file")
+        ->required()
+        ->type_name("FILE");
+    command
+        .add_option_function<std::string>(
+            "--renderer",
+            [&](const std::string& word) { options.renderer = one_of("--renderer", word, renderer_names()); },
+            renderers_help())
+        ->type_name("NAME");
+    command
+        .add_option_function<std::string>(
+            "--size", [&](const std::string& word) { options.size = size_from("--size", word); },
+            "Pixels, both sides 1..4096 (default 640x480)")
+        ->type_name("WxH");
+    add_machine_options(command, options);
+    add_camera_options(command, options.camera);
+    command.add_flag("--quiet", options.quiet, "No progress, no warnings");
+}
+
+scene::Scene load_scene(const PictureOptions& options) {
+    scene::SceneFile file = scene::read_scene(options.scene);
+    if (!options.quiet) {
+        for (const std::string& warning : file.warnings) print_error("gw: warning: " + warning + "\n");
+    }
+    scene::Scene& scene = file.scene;
+    image::load_textures(scene);
+    scene::add_defaults(scene, options.size.width, options.size.height);
+    scene.camera = scene::override_camera(*scene.camera, options.camera);
+    return std::move(scene);
+}
+
+Profile load_profile(const PictureOptions& options) {
+    if (std::filesystem::path(options.profile).extension() == ".toml")
+        return scene::read_profile(options.profile);
+    return profile_named(one_of("--profile", options.profile, profile_names()));
+}
+
+std::vector<std::string> machines() { return {"reference"}; }
+
+std::unique_ptr<Machine> make_machine(const PictureOptions& options, const Profile& profile) {
+    return make_reference(profile, options.size.width, options.size.height);
+}
+
+}  // namespace gw::apps

@@ -1,0 +1,45 @@
+// The options that gw render and gw passes share: which scene, seen how, drawn by what; and the scene they
+// give. Does not draw.
+#pragma once
+
+#include "apps/words.h"
+#include "gw/machine.h"
+#include "scene/fit.h"
+#include "scene/scene.h"
+#include "scene/view.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace gw::apps {
+
+struct PictureOptions {
+    std::filesystem::path scene;
+    std::string renderer = "multipass";
+    Size size;
+    std::string profile = "vgx";
+    std::string machine;  ///< empty: the first of machines()
+    int threads = 0;      ///< 0: all
+    scene::CameraOverrides camera;
+    bool quiet = false;
+};
+
+/// Adds SCENE and the options. The wording is checked while parsing, files are not looked at.
+void add_picture_options(CLI::App& command, PictureOptions& options);
+
+/// Reads the scene and its textures, fits what it leaves open, applies the camera options. Warnings of the
+/// readers go to stderr unless quiet. Throws Error.
+scene::Scene load_scene(const PictureOptions& options);
+
+/// A built-in profile by name, or one from a TOML file.
+Profile load_profile(const PictureOptions& options);
+
+/// "fast", "reference": those that this build has, the default first.
+std::vector<std::string> machines();
+std::unique_ptr<Machine> make_machine(const PictureOptions& options, const Profile& profile);
+
+}  // namespace gw::apps

@@ -1,0 +1,131 @@
+// gw render: a picture of a scene, and what else of the drawing is asked for.
+#include "apps/command.h"
+#include "apps/frame_files.h"
+#include "apps/picture_options.h"
+#include "apps/progress.h"
+#include "apps/renderers.h"
+#include "image/write.h"
+
+#include <fmt/format.h>
+
+namespace gw::apps {
+
+namespace {
+
+struct RenderOptions {
+    PictureOptions picture;
+    FrameFiles files;
+    int turntable = 0;  ///< pictures; 0: none
+};
+
+void add_tone_options(CLI::App& command, image::Tone& tone) {
+    command
+        .add_option_function<std::string>(
+            "--gamma",
+            [&tone](const std::string& word) { tone.gamma = number_from("--gamma", word, 0.1, 10); },
+            "The picture as v^(1/G) (default 1: as the frame buffer holds it)")
+        ->type_name("G");
+    command
+        .add_option_function<std::string>(
+            "--exposure",
+            [&tone](const std::string& word) { tone.exposure = number_from("--exposure", word, -32, 32); },
+            "The picture times 2^STOPS (default 0)")
+        ->type_name("STOPS");
+}
+
+void add_options(CLI::App& command, RenderOptions& options) {
+    add_picture_options(command, options.picture);
+    command
+        .add_option("-o,--output", options.files.picture,
+                    "The picture: .png, .exr, .tif or what else OpenImageIO writes")
+        ->required()
+        ->type_name("IMAGE");
+    command
+        .add_option_function<std::string>(
+            "--turntable",
+            [&](const std::string& word) {
+                options.turntable = whole_number_from("--turntable", word, 1, 9999);
+            },
+            "N pictures IMAGE_001 ... around the scene")
+        ->type_name("N");
+    command
+        .add_option("--components", options.files.components,
+                    "Also a picture of each component, and their sum")
+        ->type_name("DIR");
+    command
+        .add_option("--planes", options.files.planes,
+                    "Also Z, stencil, identifiers, accumulation: values as EXR, false colours as PNG")
+        ->type_name("DIR");
+    command
+        .add_option("--manifest", options.files.manifest, "Also counters and digests of every pass, as JSON")
+        ->type_name("FILE");
+    add_tone_options(command, options.files.tone);
+}
+
+// What is wrong with the words alone is usage; then files that cannot be written are found before long work.
+void check(const RenderOptions& options) {
+    const FrameFiles& files = options.files;
+    try {
+        image::check_extension(files.picture);
+    } catch (const Error& error) {
+        throw UsageError(error.what());
+    }
+    const bool more_files = !files.components.empty() || !files.planes.empty() || !files.manifest.empty();
+    if (options.turntable > 0 && more_files) {
+        throw UsageError(
+            "--turntable cannot go with --components, --planes or --manifest; expected one picture for "
+            "these");
+    }
+    if (!files.components.empty() && !renderer_named(options.picture.renderer).passes) {
+        throw UsageError("--components: renderer " + options.picture.renderer +
+                         " has none; expected hardware or multipass");
+    }
+    image::check_target(files.picture);
+    if (!files.manifest.empty()) image::check_target(files.manifest);
+}
+
+// "rings.png" becomes "rings_007.png".
+std::filesystem::path numbered(const std::filesystem::path& file, int number) {
+    std::filesystem::path name = file.stem();
+    name += fmt::format("_{:03}", number);
+    name += file.extension();
+    return file.parent_path() / name;
+}
+
+void render_turntable(const RenderOptions& options, Drawing& drawing, Progress& progress) {
+    const scene::Camera camera = *drawing.scene.camera;
+    for (int i = 0; i < options.turntable; ++i) {
+        progress.at(fmt::format("drawing picture {} of {}", i + 1, options.turntable));
+        drawing.scene.camera = scene::turntable(camera, 360.0 * i / options.turntable);
+        FrameFiles files = options.files;
+        files.picture = numbered(files.picture, i + 1);
+        draw_frame(drawing, files);
+    }
+}
+
+int render(const RenderOptions& options) {
+    check(options);
+    Progress progress("reading", options.picture.quiet);
+    const Profile profile = load_profile(options.picture);
+    Drawing drawing{options.picture, renderer_named(options.picture.renderer), profile,
+                    load_scene(options.picture)};
+    progress.at("drawing");
+    if (options.turntable > 0) {
+        render_turntable(options, drawing, progress);
+    } else {
+        draw_frame(drawing, options.files);
+    }
+    return done;
+}
+
+}  // namespace
+
+Command add_render(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("render", "A picture of a scene");
+    const auto options = std::make_shared<RenderOptions>();
+    add_options(*command, *options);
+    command->footer("Example:\n  build/release/bin/gw render scenes/rings.toml -o rings.png --size 640x480");
+    return {command, [options] { return render(*options); }};
+}
+
+}  // namespace gw::apps

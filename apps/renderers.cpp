@@ -1,0 +1,47 @@
+#include "apps/renderers.h"
+
+#include "multipass/driver.h"
+
+#include <algorithm>
+
+namespace gw::apps {
+
+namespace {
+
+Renderer in_passes(std::string name, std::string about, multipass::Renderer which) {
+    return {std::move(name), std::move(about),
+            [which](Machine& machine, const scene::Scene& scene, const scene::View& view) {
+                multipass::render(machine, scene, view, {.renderer = which});
+            },
+            which};
+}
+
+}  // namespace
+
+const std::vector<Renderer>& renderers() {
+    static const std::vector<Renderer> all{
+        in_passes("hardware", "equation 1, everything in one pass", multipass::Renderer::Hardware),
+        in_passes("multipass", "equations 2 and 4, a pass for each component (default)",
+                  multipass::Renderer::Multipass),
+    };
+    return all;
+}
+
+const Renderer& renderer_named(const std::string& name) {
+    return *std::find_if(renderers().begin(), renderers().end(),
+                         [&](const Renderer& r) { return r.name == name; });
+}
+
+std::vector<std::string> renderer_names() {
+    std::vector<std::string> names;
+    for (const Renderer& renderer : renderers()) names.push_back(renderer.name);
+    return names;
+}
+
+std::string renderers_help() {
+    std::string help;
+    for (const Renderer& r : renderers()) help += (help.empty() ? "" : "; ") + r.name + ": " + r.about;
+    return help;
+}
+
+}  // namespace gw::apps
