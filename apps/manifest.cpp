@@ -13,9 +13,9 @@ using Json = nlohmann::ordered_json;
 constexpr std::pair<Plane, const char*> plane_names[] = {
     {Plane::Color, "color"}, {Plane::Depth, "depth"}, {Plane::Stencil, "stencil"}, {Plane::Accum, "accum"}};
 
-Json json_of(const dvec3& v) { return {v.x, v.y, v.z}; }
+Json point(const dvec3& v) { return {v.x, v.y, v.z}; }
 
-Json json_of(const PassReport& pass) {
+Json pass_json(const PassReport& pass) {
     Json json{{"name", pass.name}, {"counters", json_of(pass.counters)}};
     for (const auto& [plane, name] : plane_names) {
         if (pass.digested & mask_of(plane)) {
@@ -25,11 +25,9 @@ Json json_of(const PassReport& pass) {
     return json;
 }
 
-Json json_of(const scene::Camera& camera) {
-    return {{"eye", json_of(camera.eye)},
-            {"at", json_of(camera.at)},
-            {"up", json_of(camera.up)},
-            {"fov", camera.fov}};
+Json camera_json(const scene::Camera& camera) {
+    return {
+        {"eye", point(camera.eye)}, {"at", point(camera.at)}, {"up", point(camera.up)}, {"fov", camera.fov}};
 }
 
 }  // namespace
@@ -42,10 +40,10 @@ std::string manifest(const Drawing& drawing, const scene::View& view, Machine& m
         {"profile", json_of(drawing.profile)},
         {"width", view.width},
         {"height", view.height},
-        {"camera", json_of(view.camera)},
+        {"camera", camera_json(view.camera)},
         {"passes", Json::array()},
     };
-    for (const PassReport& pass : machine.passes()) json["passes"].push_back(json_of(pass));
+    for (const PassReport& pass : machine.passes()) json["passes"].push_back(pass_json(pass));
     for (const auto& [plane, name] : plane_names)
         json["planes"][name] = to_string(digest(machine.planes(), plane));
     return json.dump(2) + "\n";

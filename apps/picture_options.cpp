@@ -13,8 +13,8 @@ namespace gw::apps {
 
 namespace {
 
-// The options' values that only one place reads.
-void add_camera_options(CLI::App& command, scene::CameraOverrides& camera) {
+void add_camera_options(CLI::App& command, PictureOptions& options) {
+    scene::CameraOverrides& camera = options.camera;
     const auto point = [&command](const char* name, std::optional<dvec3>& to, const char* help) {
         command
             .add_option_function<std::string>(
@@ -23,7 +23,7 @@ void add_camera_options(CLI::App& command, scene::CameraOverrides& camera) {
     };
     point("--eye", camera.eye, "Where the eye is (default: the scene's camera, or fitted)");
     point("--at", camera.at, "What it looks at");
-    point("--up", camera.up, "Which way is up");
+    point("--up", options.up, "Which way is up");
     command
         .add_option_function<std::string>(
             "--fov",
@@ -73,7 +73,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
             "Pixels, both sides 1..4096 (default 640x480)")
         ->type_name("WxH");
     add_machine_options(command, options);
-    add_camera_options(command, options.camera);
+    add_camera_options(command, options);
     command.add_flag("--quiet", options.quiet, "No progress, no warnings");
 }
 
@@ -86,6 +86,7 @@ scene::Scene load_scene(const PictureOptions& options) {
     image::load_textures(scene);
     scene::add_defaults(scene, options.size.width, options.size.height);
     scene.camera = scene::override_camera(*scene.camera, options.camera);
+    if (options.up) scene.camera->up = *options.up;
     return std::move(scene);
 }
 

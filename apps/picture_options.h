@@ -25,6 +25,7 @@ struct PictureOptions {
     std::string machine;  ///< empty: the first of machines()
     int threads = 0;      ///< 0: all
     scene::CameraOverrides camera;
+    std::optional<dvec3> up;
     bool quiet = false;
 };
 

@@ -4,6 +4,7 @@
 #include "apps/picture_options.h"
 #include "apps/progress.h"
 #include "apps/renderers.h"
+#include "gw/error.h"
 #include "image/write.h"
 
 #include <fmt/format.h>

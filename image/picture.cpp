@@ -1,5 +1,7 @@
 #include "image/picture.h"
 
+#include "gw/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,10 +19,11 @@ Picture picture_of(const std::vector<Rgba>& color, int width, int height, int bi
 Picture toned(Picture picture, const Tone& tone) {
     if (tone == Tone{}) return picture;
     const int max = (1 << picture.bits) - 1;
+    const double brighter = gw::pow(2, tone.exposure);
     std::vector<std::uint16_t> table(static_cast<std::size_t>(max) + 1);
     for (int v = 0; v <= max; ++v) {
-        const double light = std::min(1.0, v * std::exp2(tone.exposure) / max);
-        const double shown = std::pow(light, 1 / tone.gamma);
+        const double light = std::min(1.0, v * brighter / max);
+        const double shown = gw::pow(light, 1 / tone.gamma);
         table[static_cast<std::size_t>(v)] = static_cast<std::uint16_t>(std::lround(shown * max));
     }
     for (std::uint16_t& value : picture.values) value = table[value];
