@@ -21,12 +21,13 @@ static_assert(std::numeric_limits<long double>::digits >= 64,
 
 inline constexpr long double pi_long = 3.14159265358979323846264338327950288L;
 
-// |got - exact| in units of the last place of a double in exact's binade. Infinite where only one of them is
-// a finite number.
+// |got - exact| in units of the last place of a double in exact's binade, where got is not the correctly
+// rounded value; else 0.5, or 0 where exact is a double. Infinite where only one of them is a finite number.
 inline double ulp_error(double got, long double exact) {
-    if (!std::isfinite(got) || !std::isfinite(static_cast<double>(exact))) {
-        return got == static_cast<double>(exact) ? 0 : std::numeric_limits<double>::infinity();
-    }
+    if (got == exact) return 0;
+    if (got == static_cast<double>(exact)) return 0.5;
+    if (!std::isfinite(got) || !std::isfinite(static_cast<double>(exact)))
+        return std::numeric_limits<double>::infinity();
     const int exponent = exact == 0 ? -1074 : std::max(std::ilogb(exact) - 52, -1074);
     return static_cast<double>(std::fabs(std::ldexp(static_cast<long double>(got) - exact, -exponent)));
 }

@@ -229,7 +229,8 @@ TEST(Elementary, GivesTheSameBitsEverywhereInBulk) {
     for (int i = 0; i < 100'000; ++i) {
         add(exp(next(-200, 1)));
         add(log(next(0, 2)));
-        add(pow(next(0, 1), next(0, 200)));
+        const double base = next(0, 1);
+        add(pow(base, next(0, 200)));
         const double angle = next(-100, 100);
         add(sin(angle));
         add(cos(angle));
@@ -238,7 +239,7 @@ TEST(Elementary, GivesTheSameBitsEverywhereInBulk) {
         add(atan2(angle, next(-100, 100)));
         add(acos(next(-1, 1)));
     }
-    EXPECT_EQ(digest, 7515382226931886717u);
+    EXPECT_EQ(digest, 2683455531783972859u);
 }
 
 }  // namespace gw::oracle
