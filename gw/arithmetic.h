@@ -17,6 +17,9 @@ inline double round_even(double v) { return std::nearbyint(v); }
 /// v in [0, 1]; NaN becomes 0.
 constexpr double clamp01(double v) { return v > 0 ? (v < 1 ? v : 1) : 0; }
 
+/// v in [-limit, limit]; NaN becomes -limit.
+constexpr double bounded(double v, double limit) { return v > -limit ? (v < limit ? v : limit) : -limit; }
+
 /// A fraction as an n-bit integer: nearest to v * (2^n - 1), v clamped to [0, 1].
 inline std::uint32_t quantize(double v, int n) {
     return static_cast<std::uint32_t>(round_even(clamp01(v) * max_of_bits(n)));

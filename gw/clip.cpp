@@ -37,15 +37,9 @@ Vertex interpolate(const Vertex& in, const Vertex& out, double t) {
 
 namespace {
 
-bool is_finite(const dvec4& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
-}
-
-/// Colours are: they come from integers.
 bool is_finite(const Vertex& v) {
-    for (const double d : v.distance)
-        if (!std::isfinite(d)) return false;
-    return is_finite(v.clip) && is_finite(v.texcoord) && std::isfinite(v.fog);
+    return std::isfinite(v.clip.x) && std::isfinite(v.clip.y) && std::isfinite(v.clip.z) &&
+           std::isfinite(v.clip.w);
 }
 
 std::vector<double> distances(const std::vector<Vertex>& vertices, int plane,

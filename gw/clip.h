@@ -29,8 +29,8 @@ struct Clipped {
     bool cut = false;
 };
 
-/// Clips a polygon (3 or more vertices), a line (2) or a point (1). A vertex that is not finite rejects it
-/// whole.
+/// Clips a polygon (3 or more vertices), a line (2) or a point (1). A vertex whose clip coordinates are not
+/// finite, given or new, rejects it whole.
 Clipped clip(std::vector<Vertex> vertices, const ViewportTransform& viewport);
 
 /// I + t (O - I), t = dI / (dI - dO), I inside, O outside: both neighbours of an edge get the same bits.

@@ -23,10 +23,7 @@ int exponent_above(double v, int low, int high) {
 float to_float(double v) { return static_cast<float>(v); }
 
 /// float32 of a gradient or value. Only slivers have gradients beyond 2^62: kept there, nothing overflows.
-double bounded(double v) {
-    constexpr double limit = 4611686018427387904.0;  // 2^62
-    return to_float(std::clamp(v, -limit, limit));
-}
+double slope_factor(double v) { return to_float(bounded(v, 4611686018427387904.0)); }
 
 }  // namespace
 
@@ -71,8 +68,8 @@ Projective projective(std::span<const dvec4> strq, std::span<const double> w) {
 
 CoordinateSlope coordinate_slope(const PlaneSlope& u, const PlaneSlope& q) {
     // float32 factors: their products are exact in double, so each line below rounds once.
-    const double ux = bounded(u.gx), uy = bounded(u.gy), u0 = bounded(u.value);
-    const double qx = bounded(q.gx), qy = bounded(q.gy), q0 = bounded(q.value);
+    const double ux = slope_factor(u.gx), uy = slope_factor(u.gy), u0 = slope_factor(u.value);
+    const double qx = slope_factor(q.gx), qy = slope_factor(q.gy), q0 = slope_factor(q.value);
     return {ux * q0 - u0 * qx, uy * q0 - u0 * qy, to_float((ux * qy - uy * qx) / 65536)};
 }
 

@@ -79,9 +79,12 @@ Vertex run_vertex(const VertexProgram& p, std::uint32_t index) {
     if (!(state.color_source == ColorSource::Lighting && state.lighting.two_side)) out.back_color = out.color;
 
     const vec2 st = mesh.texcoords.empty() ? vec2(0) : mesh.texcoords[index];
-    if (p.draw->map.enabled()) out.texcoord = texture_coordinates(state.texture, st, p_eye4, n_eye);
+    if (p.draw->map.enabled()) {
+        out.texcoord = texture_coordinates(state.texture, st, p_eye4, n_eye);
+        for (int i = 0; i < 4; ++i) out.texcoord[i] = bounded(out.texcoord[i], largest_coordinate);
+    }
     if (state.fog.enable) {
-        const double distance = p_eye.z < 0 ? -p_eye.z : 0;
+        const double distance = bounded(p_eye.z < 0 ? -p_eye.z : 0, largest_coordinate);
         out.fog = p.fragment_fog ? distance / p.fog_depth
                                  : double(fog_factor(state.fog, distance, p.profile->color_bits));
     }

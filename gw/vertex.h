@@ -21,6 +21,9 @@ struct Vertex {
         0;  ///< factor 0 .. 2^color_bits - 1 (fog at the vertex) or coordinate >= 0 in units of the fog table
 };
 
+/// Texture coordinates and the fog distance are kept within this (2^200): no later sum or product overflows.
+inline constexpr double largest_coordinate = 0x1p200;
+
 /// What the vertex stages need of a draw, worked out once.
 struct VertexProgram {
     const State* state = nullptr;

@@ -1,6 +1,7 @@
 // Primitive by primitive, in the mesh's order.
 #include "gw/reference/draw.h"
 
+#include "gw/fan.h"
 #include "gw/reference/shade.h"
 
 #include <algorithm>
@@ -111,10 +112,10 @@ bool is_culled(const CullState& cull, bool front) {
     return cull.enable && (cull.face == Face::FrontAndBack || (cull.face == Face::Front) == front);
 }
 
-/// The clipped polygon as a fan from its first vertex.
-void fill(const Drawing& d, const std::vector<Vertex>& polygon, const Source& s) {
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-        fill_piece(d, {corner(d, polygon[0], s), corner(d, polygon[i], s), corner(d, polygon[i + 1], s)}, s);
+/// The clipped polygon's pieces.
+void fill(const Drawing& d, const std::vector<Vertex>& polygon, const Fan& fan, const Source& s) {
+    const auto at = [&](std::size_t k) { return corner(d, polygon[(fan.first + k) % polygon.size()], s); };
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) fill_piece(d, {at(0), at(k), at(k + 1)}, s);
 }
 
 /// PolygonMode Line and Point: the sides that are edges of the mesh's polygon, unclipped.
@@ -127,13 +128,14 @@ void outline(const Drawing& d, const Triangle& t, const Source& s) {
     }
 }
 
-/// Twice the snapped polygon's signed area: its facing, however it was cut.
-std::int64_t polygon_area2(const Drawing& d, const std::vector<Vertex>& polygon) {
-    std::int64_t sum = 0;
-    const WindowVertex first = d.window(polygon[0]);
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-        sum += area2(first, d.window(polygon[i]), d.window(polygon[i + 1]));
-    return sum;
+/// The polygon's facing, however it was cut, and its pieces.
+Fan fan(const Drawing& d, const std::vector<Vertex>& polygon) {
+    std::vector<SnappedPoint> points;
+    for (const Vertex& v : polygon) {
+        const WindowVertex w = d.window(v);
+        points.push_back({w.x, w.y});
+    }
+    return fan_of(points);
 }
 
 void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal) {
@@ -145,9 +147,9 @@ void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal) {
         return;
     }
     count.clipped += clipped.cut ? 1 : 0;
-    const std::int64_t area = polygon_area2(d, clipped.vertices);
-    const bool front = (area > 0) == (d.state().cull.front == Winding::CCW);
-    if (area == 0) {
+    const Fan pieces = fan(d, clipped.vertices);
+    const bool front = (pieces.area2 > 0) == (d.state().cull.front == Winding::CCW);
+    if (pieces.area2 == 0) {
         count.degenerate += 1;
         return;
     }
@@ -156,8 +158,9 @@ void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal) {
         return;
     }
     count.drawn += 1;
-    const Source source{ordinal, t.polygon, t.provoking, front, area > 0};
-    d.state().polygon_mode == PolygonMode::Fill ? fill(d, clipped.vertices, source) : outline(d, t, source);
+    const Source source{ordinal, t.polygon, t.provoking, front, pieces.area2 > 0};
+    d.state().polygon_mode == PolygonMode::Fill ? fill(d, clipped.vertices, pieces, source)
+                                                : outline(d, t, source);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Coverage by edge functions: the top-left rule, lines and points.
 #include "gw/reference/triangle.h"
 
+#include "gw/fan.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
@@ -8,7 +10,7 @@
 namespace gw::reference {
 
 std::int64_t area2(const WindowVertex& a, const WindowVertex& b, const WindowVertex& c) {
-    return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+    return gw::area2({a.x, a.y}, {b.x, b.y}, {c.x, c.y});
 }
 
 SnappedTriangle snapped_triangle(const std::array<WindowVertex, 3>& v, const JitterState& jitter,
