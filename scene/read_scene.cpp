@@ -16,7 +16,8 @@ SceneFile read_bare_obj(const std::filesystem::path& path) {
     SceneBuilder builder;
     builder.scene.name = path.stem().string();
     for (ObjPart& part : file.parts) {
-        const Material& material = material_in(file, part);
+        const Material& material =
+            find_material({&file.materials}, part.material, {file.file, part.material_line});
         builder.add(part.name, std::move(part.mesh), material, dmat4(1), {file.file, 0});
     }
     return {std::move(builder.scene), warnings.lines()};

@@ -4,8 +4,6 @@
 #include "scene/polygon_ids.h"
 #include "scene/suggest.h"
 
-#include <algorithm>
-
 namespace gw::scene {
 
 void SceneBuilder::add(const std::string& name, MeshData mesh, const Material& material,
@@ -29,17 +27,16 @@ const Material& default_material() {
     return material;
 }
 
-const Material* find_material(const std::vector<Material>& materials, std::string_view name) {
-    const auto found = std::ranges::find(materials, name, &Material::name);
-    return found == materials.end() ? nullptr : &*found;
-}
-
-const Material& material_in(const ObjFile& file, const ObjPart& part) {
-    if (part.material.empty()) return default_material();
-    if (const Material* material = find_material(file.materials, part.material)) return *material;
+const Material& find_material(std::initializer_list<const std::vector<Material>*> lists,
+                              std::string_view name, const Origin& origin) {
+    if (name.empty()) return default_material();
     std::vector<std::string> known;
-    for (const Material& material : file.materials) known.push_back(material.name);
-    throw Error(file.file, part.material_line, unknown("material", part.material, known));
+    for (const std::vector<Material>* list : lists)
+        for (const Material& material : *list) {
+            if (material.name == name) return material;
+            known.push_back(material.name);
+        }
+    throw Error(origin.file, origin.line, unknown("material", name, known));
 }
 
 }  // namespace gw::scene

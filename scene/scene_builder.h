@@ -2,10 +2,11 @@
 // Does not read files.
 #pragma once
 
-#include "scene/read_obj.h"
 #include "scene/scene.h"
 
+#include <initializer_list>
 #include <map>
+#include <string_view>
 
 namespace gw::scene {
 
@@ -27,11 +28,9 @@ private:
 /// What a surface is made of where nobody says: gw::Material's initial values, by the name "default".
 const Material& default_material();
 
-/// The first material of this name, or null.
-const Material* find_material(const std::vector<Material>& materials, std::string_view name);
-
-/// The material that a part of an OBJ file asks for: the default one where it asks for none.
-/// Throws Error with the line of its usemtl where no MTL file has it.
-const Material& material_in(const ObjFile& file, const ObjPart& part);
+/// The first material of this name in the lists, in their order; the default one where the name is empty.
+/// Throws Error from `origin`, naming the nearest material, where there is none.
+const Material& find_material(std::initializer_list<const std::vector<Material>*> lists,
+                              std::string_view name, const Origin& origin);
 
 }  // namespace gw::scene

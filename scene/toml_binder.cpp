@@ -19,8 +19,7 @@ void read_table(const TomlValue& table, const std::vector<Key>& keys) {
         }
         std::vector<std::string> known;
         for (const Key& key : keys) known.push_back(key.name);
-        const std::string in = table.name.empty() ? "" : " in " + table.name;
-        value.fail(unknown("key" + in, value.key, known));
+        value.fail(unknown("key", value.key, known, table.name));
     }
 }
 

@@ -69,13 +69,8 @@ MeshData TomlObjects::make_shape(const ObjectTable& object) const {
 void TomlObjects::add_shape(const ObjectTable& object) {
     if (object.crease) object.crease->fail("crease beside shape; expected it beside file");
     if (object.parts) object.parts->fail("parts beside shape; expected it beside file");
-    const Material* material = &default_material();
-    if (object.material && object.material->kind == TomlKind::String)
-        material = &named_material(*object.material);
-    else if (object.material)
-        material = &changed_material(*object.material, *material);
     const std::string& name = object.name.empty() ? object.shape.name : object.name;
-    add_mesh(object, name, make_shape(object), *material);
+    add_mesh(object, name, make_shape(object), material_of(object, {}, {}));
 }
 
 void TomlObjects::add_file(const ObjectTable& object) {
@@ -84,11 +79,12 @@ void TomlObjects::add_file(const ObjectTable& object) {
         object.parts ? to_strings(*object.parts) : std::vector<std::string>();
     for (const std::string& part : wanted)
         if (std::ranges::find(file.parts, part, &ObjPart::name) == file.parts.end())
-            object.parts->fail(unknown("part", part, names_of(file.parts)) + " in " + file.file);
-    for (const ObjPart& part : file.parts)
-        if (wanted.empty() || std::ranges::find(wanted, part.name) != wanted.end())
-            add_mesh(object, object.name.empty() ? part.name : object.name, part.mesh,
-                     material_of(object, file, part));
+            object.parts->fail(unknown("part", part, names_of(file.parts)));
+    for (const ObjPart& part : file.parts) {
+        if (!wanted.empty() && std::ranges::find(wanted, part.name) == wanted.end()) continue;
+        const std::string& name = object.name.empty() ? part.name : object.name;
+        add_mesh(object, name, part.mesh, material_of(object, file, part));
+    }
 }
 
 const ObjFile& TomlObjects::file_of(const ObjectTable& object) {
@@ -106,15 +102,14 @@ const ObjFile& TomlObjects::file_of(const ObjectTable& object) {
 
 const Material& TomlObjects::material_of(const ObjectTable& object, const ObjFile& file,
                                          const ObjPart& part) {
-    if (object.material && object.material->kind == TomlKind::String) return named_material(*object.material);
-    const Material* material = part.material.empty() ? nullptr : find_material(library_, part.material);
-    if (!material) material = &material_in(file, part);
-    return object.material ? changed_material(*object.material, *material) : *material;
-}
-
-const Material& TomlObjects::named_material(const TomlValue& value) const {
-    if (const Material* material = find_material(library_, value.text)) return *material;
-    value.fail(unknown("material", value.text, names_of(library_)));
+    const TomlValue* const value = object.material;
+    if (!value)
+        return find_material({&library_, &file.materials}, part.material, {file.file, part.material_line});
+    if (value->kind == TomlKind::String)
+        return find_material({&library_, &file.materials}, value->text, {*value->file, value->line});
+    if (value->kind != TomlKind::Table) value->fail_expected("a name or a table");
+    return changed_material(
+        *value, find_material({&library_, &file.materials}, part.material, {file.file, part.material_line}));
 }
 
 const Material& TomlObjects::changed_material(const TomlValue& changes, const Material& base) {

@@ -31,7 +31,6 @@ private:
                   const Material& material);
     const ObjFile& file_of(const ObjectTable& object);
     const Material& material_of(const ObjectTable& object, const ObjFile& file, const ObjPart& part);
-    const Material& named_material(const TomlValue& value) const;
     const Material& changed_material(const TomlValue& changes, const Material& base);
 
     SceneBuilder& builder_;

@@ -8,9 +8,18 @@ namespace gw::scene {
 
 namespace {
 
+// Far beyond any scene, and products of three still fit a double.
+constexpr Range placeable{-1e18, 1e18};
+
+dvec3 to_placeable(const TomlValue& value) {
+    const dvec3 v = to_dvec3(value);
+    for (const TomlValue& element : value.elements) to_double(element, placeable);
+    return v;
+}
+
 dmat4 to_scaling(const TomlValue& value) {
-    const dvec3 by = value.is_number() ? dvec3(value.number) : to_dvec3(value);
-    if (by.x * by.y * by.z == 0) value.fail(value.name + " is 0; expected numbers other than 0");
+    const dvec3 by = value.is_number() ? dvec3(to_double(value, placeable)) : to_placeable(value);
+    if (by.x == 0 || by.y == 0 || by.z == 0) value.fail(value.name + " is 0; expected numbers other than 0");
     return scaling(by);
 }
 
@@ -37,7 +46,8 @@ dmat4 to_rotation(const TomlValue& value) {
 dmat4 to_matrix(const TomlValue& value) {
     expect_numbers(value, 16);
     dmat4 m;
-    for (int i = 0; i < 16; ++i) m[i % 4][i / 4] = value.elements[static_cast<std::size_t>(i)].number;
+    for (int i = 0; i < 16; ++i)
+        m[i % 4][i / 4] = to_double(value.elements[static_cast<std::size_t>(i)], placeable);
     if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1)
         value.fail(value.name + " is not affine; expected 0, 0, 0, 1 as its last row");
     if (glm::determinant(dmat3(m)) == 0)
@@ -68,7 +78,7 @@ dmat4 world_from_object(const Placement& placement) {
     dmat4 world(1);
     if (scale) world = to_scaling(*scale);
     if (rotate) world = to_rotation(*rotate) * world;
-    if (translate) world = translation(to_dvec3(*translate)) * world;
+    if (translate) world = translation(to_placeable(*translate)) * world;
     return world;
 }
 

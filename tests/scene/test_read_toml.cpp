@@ -25,6 +25,141 @@ using Ids = std::vector<std::uint32_t>;
 
 }  // namespace
 
+TEST_F(Toml, CameraKeys) {
+    const Camera c = *scene(
+                          "[camera]\neye = [1, 2, 3]\nat = [0, 0.5, 0]\nup = [0, 0, 1]\nfov = 30\nnear = "
+                          "0.5\nfar = 100\northo = 2")
+                          .camera;
+    EXPECT_EQ(c.eye, dvec3(1, 2, 3));
+    EXPECT_EQ(c.at, dvec3(0, 0.5, 0));
+    EXPECT_EQ(c.up, dvec3(0, 0, 1));
+    EXPECT_EQ(c.fov, 30);
+    EXPECT_EQ(c.near_plane, 0.5);
+    EXPECT_EQ(c.far_plane, 100);
+    EXPECT_EQ(c.ortho_height, 2);
+    EXPECT_EQ(scene("camera = {}").camera->eye, dvec3(0, 0, 5));
+}
+
+TEST_F(Toml, LightKeys) {
+    const Light l =
+        scene(
+            "[[light]]\nname = 'key'\nkind = 'spot'\nposition = [1, 2, 3]\ndirection = [0, -1, 0]\nIa = 0.1\n"
+            "Id = [1, 0.5, 0]\nIs = 0.25\ncone = 20\nexponent = 8\nattenuation = [1, 0.5, 0.25]\nshadow = "
+            "'volume'\n"
+            "only = ['a', 'b']\narea = {shape = 'rectangle', u = [1, 0, 0], v = [0, 0, 2], samples = 25}")
+            .lights.at(0);
+    EXPECT_EQ(l.name, "key");
+    EXPECT_EQ(l.kind, LightKind::Spot);
+    EXPECT_EQ(l.position, vec3(1, 2, 3));
+    EXPECT_EQ(l.direction, vec3(0, -1, 0));
+    EXPECT_EQ(l.Ia, vec3(0.1f));
+    EXPECT_EQ(l.Id, vec3(1, 0.5f, 0));
+    EXPECT_EQ(l.Is, vec3(0.25f));
+    EXPECT_EQ(l.cone_angle, 20);
+    EXPECT_EQ(l.spot_exponent, 8);
+    EXPECT_EQ(l.linear_attenuation, 0.5f);
+    EXPECT_EQ(l.quadratic_attenuation, 0.25f);
+    EXPECT_EQ(l.shadow, Shadow::Volume);
+    EXPECT_EQ(l.only, (Strings{"a", "b"}));
+    EXPECT_EQ(l.area.shape, AreaLight::Shape::Rectangle);
+    EXPECT_EQ(l.area.v, vec3(0, 0, 2));
+    EXPECT_EQ(l.area.samples, 25);
+}
+
+TEST_F(Toml, LightsAreWhatTheirKeysSay) {
+    const Scene s = scene(
+        "[[light]]\nposition = [0, 1, 0]\n[[light]]\ndirection = [0, -1, 0]\n"
+        "[[light]]\nposition = [0, 1, 0]\ndirection = [0, -1, 0]");
+    EXPECT_EQ(s.lights[0].kind, LightKind::Point);
+    EXPECT_EQ(s.lights[1].kind, LightKind::Directional);
+    EXPECT_EQ(s.lights[2].kind, LightKind::Spot);
+    EXPECT_FALSE(s.lights[0].Is);
+    EXPECT_EQ(s.lights[0].area.shape, AreaLight::Shape::None);
+}
+
+TEST_F(Toml, FogAndBackground) {
+    const Scene s = scene(
+        "name = 'foggy'\nbackground = [0.1, 0.2, 0.3]\nfog = {mode = 'exp2', color = 0.5, density = 0.1, "
+        "start = 1, end = 9}");
+    EXPECT_EQ(s.name, "foggy");
+    EXPECT_EQ(s.background, vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(s.fog->mode, FogMode::Exp2);
+    EXPECT_EQ(s.fog->color, vec3(0.5f));
+    EXPECT_EQ(s.fog->density, 0.1f);
+    EXPECT_EQ(s.fog->start, 1);
+    EXPECT_EQ(s.fog->end, 9);
+}
+
+TEST_F(Toml, FloatsAreTheNearestToTheirText) {
+    // 1 + 2^-24 + 2^-60 is a tie once it went through a double.
+    EXPECT_EQ(scene("background = [1.00000005960464477626, 1_0.5, +1e-1]").background,
+              vec3(1.00000012f, 10.5f, 0.1f));
+    EXPECT_EQ(scene("# \xc3\xa4\nname = '\xc3\xa4'\nfog = {color = 0x10, start = 0.1, end = 1}").fog->color,
+              vec3(16));
+    EXPECT_EQ(scene("fog = {end = 0.3}").fog->end, 0.3f);
+}
+
+TEST_F(Toml, MaterialKeys) {
+    const auto map = folder.write("maps/my wood.png", "");
+    const Scene s =
+        file(
+            "[material.shiny]\nKa = 0.1\nKd = [1, 0, 0]\nKs = 0.5\nKe = 0.25\nNs = 40\nNi = 1.5\nTr = "
+            "0.25\nTf = [0, 1, 0]\n"
+            "illum = 5\nmap_Ka = 'maps\\my wood.png'\n"
+            "map_Kd = ['maps/my wood.png', {file = 'no.png', clamp = true, scale = 2, offset = [0.5, 0]}]\n"
+            "map_Ks = {file = 'no.png', scale = [2, 3]}\nmap_Ke = 'e.png'\nrefl = 'sky.png'\nrefraction = "
+            "'sky.png'\n"
+            "[[object]]\nfile = 't.obj'\nmaterial = 'shiny'\n")
+            .scene;
+    ASSERT_EQ(s.materials.size(), 1u);
+    const Material& m = s.materials[0];
+    EXPECT_EQ(m.name, "shiny");
+    EXPECT_EQ(m.Ka, vec3(0.1f));
+    EXPECT_EQ(m.Kd, vec3(1, 0, 0));
+    EXPECT_EQ(m.Ks, vec3(0.5f));
+    EXPECT_EQ(m.Ke, vec3(0.25f));
+    EXPECT_EQ(m.Ns, 40);
+    EXPECT_EQ(m.Ni, 1.5f);
+    EXPECT_EQ(m.d, 0.75f);
+    EXPECT_EQ(m.Tf, vec3(0, 1, 0));
+    EXPECT_EQ(m.illum, 5);
+    EXPECT_EQ(m.map_Ka.at(0).file, map);
+    EXPECT_EQ(m.map_Kd.at(1).wrap, Wrap::Clamp);
+    EXPECT_EQ(m.map_Kd[1].scale, vec2(2));
+    EXPECT_EQ(m.map_Kd[1].offset, vec2(0.5f, 0));
+    EXPECT_EQ(m.map_Kd[1].origin.line, 12);
+    EXPECT_EQ(folder.relative(m.map_Kd[1].origin.file), "s.toml");
+    EXPECT_EQ(m.map_Ks.at(0).scale, vec2(2, 3));
+    EXPECT_EQ(m.map_Ke.size() + m.refl.size() + m.refraction.size(), 3u);
+}
+
+TEST_F(Toml, MaterialsOfTheSceneComeBeforeThoseOfFiles) {
+    const Scene s = scene("[material.red]\nKd = [0, 1, 0]");
+    EXPECT_EQ(s.materials[0].Kd, vec3(0, 1, 0));
+    EXPECT_EQ(s.materials[1].Kd, vec3(0, 0, 1));
+    folder.write("more.mtl", "newmtl green\nKd 0 0.5 0\nnewmtl red\nKd 9 9 9\n");
+    const Scene more =
+        file(
+            "mtllib = 'more.mtl'\n[material.red]\nKd = 0.5\n[[object]]\nfile = 't.obj'\nparts = ['a']\n"
+            "[[object]]\nfile = 't.obj'\nmaterial = 'green'\n")
+            .scene;
+    EXPECT_EQ(more.materials[0].Kd, vec3(0.5f));
+    EXPECT_EQ(more.materials[1].Kd, vec3(0, 0.5f, 0));
+    EXPECT_EQ(more.materials.size(), 2u);
+}
+
+TEST_F(Toml, InlineMaterialsChangeThoseOfTheFile) {
+    const Scene s = object("material = {Kd = [0, 1, 0], Ks = 1}\n[[object]]\nfile = 't.obj'\nparts = 'b'\n");
+    ASSERT_EQ(s.materials.size(), 3u);
+    EXPECT_EQ(s.materials[0].name, "red");
+    EXPECT_EQ(s.materials[0].Kd, vec3(0, 1, 0));
+    EXPECT_EQ(s.materials[1].name, "blue");
+    EXPECT_EQ(s.materials[1].Ns, 5);
+    EXPECT_EQ(s.materials[1].Ks, vec3(1));
+    EXPECT_EQ(s.materials[2].Kd, vec3(0, 0, 1));  // another object's is as it was
+    EXPECT_EQ(s.objects[3].material, 2u);
+}
+
 TEST_F(Toml, ObjectsBringPartsAndTheMaterialsTheyUse) {
     const Scene s = object("");
     EXPECT_EQ(s.name, "s");
@@ -39,6 +174,64 @@ TEST_F(Toml, ObjectsBringPartsAndTheMaterialsTheyUse) {
     EXPECT_TRUE(s.lights.empty());
 }
 
+TEST_F(Toml, ObjectsMayBeRenamedChosenAndHidden) {
+    const Scene s = file(
+                        "[[light]]\nposition = [0, 9, 0]\nonly = 'hidden'\n[[object]]\nfile = 't.obj'\nname "
+                        "= 'all'\nparts = ['a', 'c']\n"
+                        "[[object]]\nfile = 't.obj'\nname = 'hidden'\nvisible = false\n")
+                        .scene;
+    ASSERT_EQ(s.objects.size(), 2u);
+    EXPECT_EQ(s.objects[0].name, "all");
+    EXPECT_EQ(s.objects[1].name, "all");
+    EXPECT_EQ(s.lights[0].only, (Strings{"hidden"}));
+}
+
+TEST_F(Toml, CreaseIsTheObjects) {
+    folder.write("roof.obj",
+                 "s 1\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 -1\nv 2 1 -1\nf 1 2 3 4\nf 2 5 6 3\n");
+    const Scene s = file(
+                        "[[object]]\nfile = 'roof.obj'\ncrease = 10\n[[object]]\nfile = 'roof.obj'\n"
+                        "[[object]]\nfile = 'roof.obj'\ncrease = 50\n")
+                        .scene;
+    EXPECT_EQ(s.objects[0].mesh->vertex_count(), 8u);
+    EXPECT_EQ(s.objects[1].mesh->vertex_count(), 6u);
+    EXPECT_EQ(s.objects[2].mesh->vertex_count(), 6u);
+}
+
+TEST_F(Toml, PlacementsScaleRotateThenTranslate) {
+    const Scene s =
+        object("scale = [2, 3, 4]\nrotate = {axis = [0, 0, 5], degrees = 90}\ntranslate = [10, 20, 30]\n");
+    const dmat4& m = s.objects[0].world_from_object;
+    EXPECT_EQ(m * dvec4(1, 0, 0, 1), dvec4(10, 22, 30, 1));
+    EXPECT_EQ(m * dvec4(0, 1, 0, 1), dvec4(7, 20, 30, 1));
+    EXPECT_EQ(m * dvec4(0, 0, 1, 1), dvec4(10, 20, 34, 1));
+}
+
+TEST_F(Toml, RotationsComeInThreeForms) {
+    const dvec4 p(1, 2, 3, 1);
+    EXPECT_EQ(object("rotate = [90, 0, 90]\n").objects[0].world_from_object * p, dvec4(3, 1, 2, 1));
+    EXPECT_EQ(object("rotate = [{axis = [1, 0, 0], degrees = 90}, {axis = [0, 0, 1], degrees = 90}]\n")
+                      .objects[0]
+                      .world_from_object *
+                  p,
+              dvec4(3, 1, 2, 1));
+    EXPECT_EQ(object("rotate = {axis = [0, 1, 0], degrees = -90}\n").objects[0].world_from_object * p,
+              dvec4(-3, 2, 1, 1));
+}
+
+TEST_F(Toml, MatricesAreWrittenRowByRow) {
+    const Scene s = object("matrix = [1, 0, 0, 5,  0, 2, 0, 6,  0, 0, 3, 7,  0, 0, 0, 1]\n");
+    EXPECT_EQ(s.objects[0].world_from_object * dvec4(1, 1, 1, 1), dvec4(6, 8, 10, 1));
+}
+
+TEST_F(Toml, BoundsAreInTheWorld) {
+    const Bounds box = bounds(object("scale = 2\ntranslate = [1, 0, -1]\n"));
+    EXPECT_FALSE(box.empty);
+    EXPECT_EQ(box.low, dvec3(1, 0, -1));
+    EXPECT_EQ(box.high, dvec3(3, 2, -1));
+    EXPECT_TRUE(bounds(Scene{}).empty);
+}
+
 TEST_F(Toml, PolygonIdsRunThroughTheScene) {
     const Scene s = object("[[object]]\nfile = 't.obj'\nparts = 'b'\n");
     ASSERT_EQ(s.objects.size(), 4u);
@@ -46,6 +239,13 @@ TEST_F(Toml, PolygonIdsRunThroughTheScene) {
     EXPECT_EQ(s.objects[1].mesh->data().polygon_ids, (Ids{1, 2}));
     EXPECT_EQ(s.objects[2].mesh->data().polygon_ids, (Ids{3}));
     EXPECT_EQ(s.objects[3].mesh->data().polygon_ids, (Ids{4, 5}));
+}
+
+TEST_F(Toml, WarningsOfItsFilesAreItsOwn) {
+    folder.write("w.obj", triangle + "vp 0\nf 1 2 3\n");
+    const SceneFile f = file("[[object]]\nfile = 'w.obj'\n[[object]]\nfile = 'w.obj'\n");
+    ASSERT_EQ(f.warnings.size(), 1u);
+    EXPECT_EQ(folder.relative(f.warnings[0]), "w.obj:4: vp statements are not drawn");
 }
 
 }  // namespace gw::scene

@@ -23,6 +23,8 @@ TEST(Nearest, IsTheFirstOfThoseEquallyNear) {
 TEST(Unknown, NamesTheNearest) {
     EXPECT_EQ(unknown("material", "rde", {"blue", "red"}),
               "unknown material 'rde'; the nearest known is 'red'");
+    EXPECT_EQ(unknown("key", "fvo", {"fov"}, "camera"),
+              "unknown key 'fvo' in camera; the nearest known is 'fov'");
     EXPECT_EQ(unknown("material", "rde", {}), "unknown material 'rde'; none is known");
 }
 
