@@ -60,7 +60,8 @@ void check_window(int width, int height);
 std::unique_ptr<Machine> make_reference(const Profile& profile, int width, int height);
 
 struct FastOptions {
-    int threads = 0;  ///< 0: all
+    int threads = 0;    ///< 0: all
+    int log2_tile = 6;  ///< tiles of 16, 32 or 64 pixels a side: 4 .. 6
 };
 /// Tiles, SIMD, threads; the same bits.
 std::unique_ptr<Machine> make_fast(const Profile& profile, int width, int height,

@@ -1,0 +1,37 @@
+// A rectangle of the window as seen from one tile: which lanes of which blocks lie inside.
+// Does not know what is drawn there.
+#pragma once
+
+#include "gw/fast/frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace gw::fast {
+
+struct BlockBox {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;             ///< pixels of the tile, [x0, x1) x [y0, y1)
+    std::array<std::uint16_t, 16> column{}, row{};  ///< lanes inside, by block column and row
+
+    bool empty() const { return x0 >= x1 || y0 >= y1; }
+    std::uint32_t mask(int bx, int by) const {
+        return std::uint32_t(column[std::size_t(bx)] & row[std::size_t(by)]);
+    }
+};
+
+inline BlockBox block_box(const Rect& rect, const Tile& tile) {
+    BlockBox b;
+    b.x0 = std::clamp(rect.x - tile.x, 0, tile.side),
+    b.x1 = std::clamp(rect.x + rect.width - tile.x, 0, tile.side);
+    b.y0 = std::clamp(rect.y - tile.y, 0, tile.side),
+    b.y1 = std::clamp(rect.y + rect.height - tile.y, 0, tile.side);
+    for (int i = 0; i < tile.side; ++i) {
+        const auto block = std::size_t(i / block_side), k = std::size_t(i % block_side);
+        if (i >= b.x0 && i < b.x1) b.column[block] = std::uint16_t(b.column[block] | (0x1111u << k));
+        if (i >= b.y0 && i < b.y1) b.row[block] = std::uint16_t(b.row[block] | (0xFu << (4 * k)));
+    }
+    return b;
+}
+
+}  // namespace gw::fast

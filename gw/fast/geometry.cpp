@@ -1,0 +1,239 @@
+// Geometry sets: vertices, then primitives.
+#include "gw/fast/geometry.h"
+
+#include "gw/fan.h"
+#include "gw/window.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace gw::fast {
+
+GeometryKey geometry_key(const State& s, const Draw& draw) {
+    return {draw.mesh, draw.eye_from_object, s.projection, s.viewport,  s.depth_range, s.clip_planes,
+            s.cull,    s.polygon_mode,       s.point_size, s.line_width};
+}
+
+namespace {
+
+/// Bit per clip plane that a vertex is outside of; the high bits reject it whatever the planes say.
+using Outcode = std::uint32_t;
+constexpr Outcode not_finite = 1u << 30, not_in_front = 1u << 31;
+
+struct Builder {
+    const Profile& profile;
+    VertexProgram program;
+    GeometrySet set;
+    std::vector<Outcode> outcode;
+
+    const Mesh& mesh() const { return *program.draw->mesh; }
+    const State& state() const { return *program.state; }
+
+    /// The position part of run_vertex.
+    Vertex position(std::uint32_t i) const {
+        const dvec4 p_object(dvec3(mesh().data().positions[i]), 1);
+        Vertex v;
+        v.clip = transform(program.clip_from_object, p_object);
+        if (any_user_plane) {
+            const dvec4 p_eye = transform(program.draw->eye_from_object, p_object);
+            for (std::size_t k = 0; k < max_clip_planes; ++k)
+                if (state().clip_planes[k].enable) v.distance[k] = dot4(state().clip_planes[k].plane, p_eye);
+        }
+        return v;
+    }
+
+    Outcode classify(const Vertex& v) const {
+        const dvec4& c = v.clip;
+        if (!(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && std::isfinite(c.w)))
+            return not_finite;
+        Outcode code = v.clip.w > 0 ? 0 : not_in_front;
+        for (int plane = 0; plane < clip_plane_count; ++plane)
+            if (!(clip_distance(v, plane, set.state.viewport) >= 0)) code |= 1u << plane;
+        return code;
+    }
+
+    void push_window(const Vertex& v) {
+        const WindowVertex p = to_window(v, set.state.viewport, state().depth_range, profile);
+        set.x.push_back(static_cast<std::int32_t>(p.x));
+        set.y.push_back(static_cast<std::int32_t>(p.y));
+        set.z.push_back(p.z);
+        set.w.push_back(p.w);
+    }
+
+    void push_vertices() {
+        const std::uint32_t count = mesh().vertex_count();
+        set.x.reserve(count), set.y.reserve(count), set.z.reserve(count), set.w.reserve(count),
+            outcode.reserve(count);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const Vertex v = position(i);
+            outcode.push_back(classify(v));
+            if (outcode.back() != 0) {
+                set.x.push_back(0), set.y.push_back(0), set.z.push_back(0), set.w.push_back(1);
+            } else {
+                push_window(v);
+            }
+        }
+    }
+
+    SnappedPoint point(std::uint32_t v) const { return {set.x[v], set.y[v]}; }
+    std::int64_t area_of(const std::array<std::uint32_t, 3>& v) const {
+        return area2(point(v[0]), point(v[1]), point(v[2]));
+    }
+
+    /// Whether all corners lie outside the first plane that cuts any: clipping would leave exactly nothing.
+    static bool all_outside(Outcode all, Outcode any) {
+        const Outcode planes = any & ((1u << clip_plane_count) - 1);
+        return planes != 0 && (all >> std::countr_zero(planes) & 1) != 0;
+    }
+
+    /// Clips for good; false where nothing is left. New vertices go to the end of the arrays.
+    bool cut(std::array<std::uint32_t, 3> corners, std::uint32_t sides, Cut& out) {
+        std::vector<Vertex> vertices;
+        for (std::uint32_t k = 0; k < sides; ++k) vertices.push_back(position(corners[k]));
+        const Clipped clipped = clip(std::move(vertices), set.state.viewport);
+        if (clipped.vertices.empty()) return false;
+        out = {corners, sides, std::uint32_t(set.x.size()), std::uint32_t(clipped.vertices.size())};
+        for (const Vertex& v : clipped.vertices) push_window(v);
+        set.counters.clipped += clipped.cut ? 1 : 0;
+        set.cuts.push_back(out);
+        return true;
+    }
+
+    /// Takes back a cut whose primitive is not drawn.
+    void drop(const Cut& c) {
+        set.cuts.pop_back();
+        set.x.resize(c.first), set.y.resize(c.first), set.z.resize(c.first), set.w.resize(c.first);
+    }
+
+    void push_piece(std::array<std::uint32_t, 3> v, SetupPrimitive p, bool counter_clockwise) {
+        const std::int64_t area = area_of(v);
+        if (area == 0 || (area > 0) != counter_clockwise) return;
+        if (area < 0) std::swap(v[1], v[2]);
+        const auto before = [&](std::uint32_t a, std::uint32_t b) {
+            return std::pair(set.y[a], set.x[a]) < std::pair(set.y[b], set.x[b]);
+        };
+        std::rotate(v.begin(), std::min_element(v.begin(), v.end(), before), v.end());
+        p.vertex = v;
+        set.primitives.push_back(p);
+    }
+
+    /// The pieces of a polygon: of a whole triangle, or of what clipping left.
+    Fan fan(const Triangle& t, const Cut& piece) const {
+        if (piece.count == 0) return {area_of(t.vertex), 0};
+        std::vector<SnappedPoint> points;
+        for (std::uint32_t k = 0; k < piece.count; ++k) points.push_back(point(piece.first + k));
+        return fan_of(points);
+    }
+
+    void push_pieces(const Triangle& t, const Cut& piece, const Fan& pieces, const SetupPrimitive& p) {
+        if (piece.count == 0) return push_piece(t.vertex, p, pieces.area2 > 0);
+        const auto at = [&](std::size_t k) {
+            return piece.first + std::uint32_t((pieces.first + k) % piece.count);
+        };
+        for (std::uint32_t k = 1; k + 1 < piece.count; ++k)
+            push_piece({at(0), at(k), at(k + 1)}, p, pieces.area2 > 0);
+    }
+
+    bool is_culled(bool front) const {
+        const CullState& cull = state().cull;
+        return cull.enable && (cull.face == Face::FrontAndBack || (cull.face == Face::Front) == front);
+    }
+
+    void push_triangle(const Triangle& t, std::uint32_t ordinal) {
+        const Outcode a = outcode[t.vertex[0]], b = outcode[t.vertex[1]], c = outcode[t.vertex[2]];
+        const Outcode any = a | b | c;
+        Cut piece{t.vertex, 3, 0, 0};
+        if (any != 0 &&
+            ((any & not_finite) != 0 || all_outside(a & b & c, any) || !cut(t.vertex, 3, piece))) {
+            set.counters.rejected += 1;
+            return;
+        }
+        const Fan pieces = fan(t, piece);
+        const bool front = (pieces.area2 > 0) == (state().cull.front == Winding::CCW);
+        const bool drawn = pieces.area2 != 0 && !is_culled(front);
+        (pieces.area2 == 0 ? set.counters.degenerate : drawn ? set.counters.drawn : set.counters.culled) += 1;
+        const bool outlined = state().polygon_mode != PolygonMode::Fill;
+        if (piece.count != 0 && (!drawn || outlined)) drop(piece);
+        if (!drawn) return;
+        const SetupPrimitive p{{}, ordinal, t.polygon, t.provoking, std::uint8_t(front), MeshKind::Triangles};
+        outlined ? push_outline(t, p) : push_pieces(t, piece, pieces, p);
+    }
+
+    void push_outline(const Triangle& t, const SetupPrimitive& p) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!(t.edges >> k & 1)) continue;
+            if (state().polygon_mode == PolygonMode::Line)
+                push_line(t.vertex[k], t.vertex[(k + 1) % 3], p, false);
+            else
+                push_point(t.vertex[k], p, false);
+        }
+    }
+
+    void push_line(std::uint32_t a, std::uint32_t b, SetupPrimitive p, bool counted) {
+        const Counters before = set.counters;
+        Cut piece{};
+        p.kind = MeshKind::Lines;
+        p.vertex = {a, b, b};
+        const Outcode any = outcode[a] | outcode[b];
+        bool left = (any & not_finite) == 0;
+        if (left && any != 0) {
+            left = cut({a, b, b}, 2, piece);
+            if (left) p.vertex = {piece.first, piece.first + 1, piece.first + 1};
+        }
+        const bool degenerate =
+            left && set.x[p.vertex[0]] == set.x[p.vertex[1]] && set.y[p.vertex[0]] == set.y[p.vertex[1]];
+        if (degenerate && piece.count != 0) drop(piece);
+        if (left && !degenerate) set.primitives.push_back(p);
+        if (!counted) {
+            set.counters = before;
+            return;
+        }
+        (!left ? set.counters.rejected : degenerate ? set.counters.degenerate : set.counters.drawn) += 1;
+    }
+
+    void push_point(std::uint32_t v, SetupPrimitive p, bool counted) {
+        const bool left = outcode[v] == 0;
+        if (counted) (left ? set.counters.drawn : set.counters.rejected) += 1;
+        p.kind = MeshKind::Points;
+        p.vertex = {v, v, v};
+        if (left) set.primitives.push_back(p);
+    }
+
+    bool any_user_plane = false;
+};
+
+void push_primitives(Builder& b) {
+    const Mesh& mesh = b.mesh();
+    b.set.primitives.reserve(mesh.triangles().size() + mesh.lines().size() + mesh.points().size());
+    std::uint32_t ordinal = 0;
+    for (const Triangle& t : mesh.triangles()) b.push_triangle(t, ordinal++);
+    for (const auto& line : mesh.lines()) {
+        b.push_line(line[0], line[1], {{}, ordinal, ordinal, line[1]}, true);
+        ++ordinal;
+    }
+    for (const std::uint32_t v : mesh.points()) {
+        b.push_point(v, {{}, ordinal, ordinal, v}, true);
+        ++ordinal;
+    }
+}
+
+}  // namespace
+
+GeometrySet make_geometry(const State& state, const Draw& draw, const Profile& profile, int width,
+                          int height) {
+    Builder b{profile, vertex_program(state, draw, profile), {}, {}};
+    b.set.key = geometry_key(state, draw);
+    b.set.state = resolve(state, profile, width, height);
+    for (const ClipPlane& plane : state.clip_planes) b.any_user_plane = b.any_user_plane || plane.enable;
+    b.push_vertices();
+    push_primitives(b);
+    Counters& c = b.set.counters;
+    c.draws = 1;
+    c.vertices = b.mesh().vertex_count();
+    c.primitives = b.mesh().triangles().size() + b.mesh().lines().size() + b.mesh().points().size();
+    return std::move(b.set);
+}
+
+}  // namespace gw::fast

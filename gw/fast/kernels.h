@@ -1,0 +1,45 @@
+// The vector kernels, behind run-time dispatch: one entry for drawing, one for fragments that the host made.
+// Does not plan. Every target computes the same bits: docs/manual.md is the scalar twin of each line.
+#pragma once
+
+#include "gw/fast/box.h"
+#include "gw/fast/plan.h"
+#include "gw/fast/tile_run.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gw::fast {
+
+/// One draw in one tile.
+struct TileDraw {
+    const DrawOp* op = nullptr;
+    const Profile* profile = nullptr;
+    Tile tile;
+    BlockBox box;
+    OpCounts* counts = nullptr;
+};
+
+/// Draws the primitives of `bin` in order.
+void draw_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin);
+
+/// Sends fragments of one block (mask: bit per lane) through the tests to the planes.
+struct BlockFragments {
+    const Resolved* state = nullptr;
+    std::size_t block = 0;
+    std::uint32_t mask = 0;
+    bool front = true;
+};
+void process_fragments(const BlockFragments& fragments, const ColorBlock& color, const DepthBlock& depth,
+                       const Tile& tile, OpCounts& counts);
+
+/// The vector instruction set in use, in Highway's words, and all that this processor has.
+std::string simd_target();
+std::vector<std::string> simd_targets();
+/// Uses only the named target from now on (tests); "" goes back to the best. False where there is no such
+/// target.
+bool use_simd_target(const std::string& name);
+
+}  // namespace gw::fast

@@ -1,0 +1,111 @@
+// The fast machine: segments between barriers, each run tile by tile on all threads.
+#include "gw/machine.h"
+
+#include "gw/fast/plan.h"
+#include "gw/fast/tile_run.h"
+#include "gw/parallel.h"
+#include "gw/tables.h"
+
+#include <bit>
+
+namespace gw {
+namespace fast {
+namespace {
+
+class FastMachine final : public Machine {
+public:
+    FastMachine(const Profile& profile, int width, int height, const FastOptions& options)
+        : profile_(profile),
+          threads_(options.threads > 0 ? options.threads : hardware_threads()),
+          frame_(width, height, options.log2_tile),
+          planes_(width, height) {}
+
+    void execute(const CommandList& list) override {
+        const FloatEnvironment environment;
+        validate(list, profile_, grid().width, grid().height, {machine_.state, machine_.slot_planes});
+        std::span<const Command> rest(list.commands);
+        while (!rest.empty()) {
+            std::size_t done = 0;
+            run_segment(plan_segment(rest, machine_, profile_, grid(), done));
+            rest = rest.subspan(done);
+            if (!rest.empty() && is_barrier(rest[0], machine_.passes)) {
+                std::visit([this](const auto& command) { run_barrier(command); }, rest[0]);
+                rest = rest.subspan(1);
+            }
+        }
+        take_digests();
+    }
+
+    const Planes& planes() override {
+        if (!planes_are_current_) frame_.read(planes_);
+        planes_are_current_ = true;
+        return planes_;
+    }
+    const std::vector<PassReport>& passes() override { return machine_.passes; }
+    void reset_passes() override { machine_.passes.clear(); }
+    const std::map<std::uint32_t, Readback>& readbacks() override { return machine_.readbacks; }
+    const Profile& profile() const override { return profile_; }
+
+private:
+    const TileGrid& grid() const { return frame_.grid(); }
+
+    void run_segment(const Segment& segment) {
+        if (segment.ops.empty()) return;
+        if (segment.uses_accum) frame_.need_accum();
+        planes_are_current_ = false;
+        std::vector<OpCounts> totals = run_tiles(segment, frame_, profile_, threads_);
+        for (std::size_t i = 0; i < totals.size(); ++i)
+            machine_.passes[segment.ops[i].pass].counters += counters_of(segment.ops[i], totals[i], profile_);
+    }
+
+    void take_digests() {
+        if (machine_.passes.empty() || machine_.passes.back().digested == 0) return;
+        PassReport& pass = machine_.passes.back();
+        for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
+            if (pass.digested & mask_of(plane)) pass.digests[std::size_t(plane)] = digest(planes(), plane);
+    }
+
+    void run_barrier(const BeginPass& command) {
+        take_digests();
+        machine_.passes.push_back({command.name, {}, command.digests, {}});
+    }
+    void run_barrier(const Copy& command) {
+        const Resolved r = resolve(machine_.state, profile_, grid().width, grid().height);
+        planes();
+        count(copy_pixels(command, r, planes_), 2 * plane_bytes(int(command.plane), profile_));
+        frame_.write(planes_);
+    }
+    void run_barrier(const CopyTexture& command) {
+        planes();
+        machine_.slots[command.slot] = make_fast_texels(copied_texels(command, planes_, profile_));
+        machine_.slot_planes[command.slot] = command.plane;
+        count(std::uint64_t(command.rect.width) * std::uint64_t(command.rect.height),
+              plane_bytes(int(command.plane), profile_));
+    }
+    void run_barrier(const auto&) {}
+
+    void count(std::uint64_t pixels, std::uint64_t bytes) {
+        if (machine_.passes.empty()) machine_.passes.emplace_back();
+        machine_.passes.back().counters.pixels += pixels;
+        machine_.passes.back().counters.bytes += pixels * bytes;
+    }
+
+    Profile profile_;
+    int threads_;
+    Frame frame_;
+    Planes planes_;
+    bool planes_are_current_ = true;
+    MachineState machine_;
+};
+
+}  // namespace
+}  // namespace fast
+
+std::unique_ptr<Machine> make_fast(const Profile& profile, int width, int height,
+                                   const FastOptions& options) {
+    check_window(width, height);
+    validate(profile);
+    return std::make_unique<fast::FastMachine>(profile, width, height, options);
+}
+
+}  // namespace gw

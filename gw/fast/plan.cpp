@@ -1,0 +1,151 @@
+// Planning a segment.
+#include "gw/fast/plan.h"
+
+#include "gw/fog.h"
+
+#include <algorithm>
+
+namespace gw::fast {
+
+FastTexels make_fast_texels(Texels texels) {
+    FastTexels f{std::move(texels), {}};
+    if (f.texels.bits == 8)
+        for (const Rgba& t : f.texels.levels[0].texels)
+            f.packed.push_back(std::uint32_t(t[0]) | std::uint32_t(t[1]) << 8 | std::uint32_t(t[2]) << 16 |
+                               std::uint32_t(t[3]) << 24);
+    return f;
+}
+
+bool is_barrier(const Command& command, const std::vector<PassReport>& passes) {
+    if (std::holds_alternative<Copy>(command) || std::holds_alternative<CopyTexture>(command)) return true;
+    return std::holds_alternative<BeginPass>(command) && !passes.empty() && passes.back().digested != 0;
+}
+
+namespace {
+
+/// Adds a command at a time to a segment.
+struct Planner {
+    MachineState& machine;
+    const Profile& profile;
+    const TileGrid& grid;
+    Segment segment;
+
+    Resolved resolved() const { return resolve(machine.state, profile, grid.width, grid.height); }
+    PassReport& pass() {
+        if (machine.passes.empty()) machine.passes.emplace_back();
+        return machine.passes.back();
+    }
+    void push(auto op) {
+        pass();
+        segment.ops.push_back({std::move(op), machine.passes.size() - 1});
+    }
+
+    GeometrySet& geometry(const Draw& draw) {
+        const GeometryKey key = geometry_key(machine.state, draw);
+        const auto found = std::find_if(segment.sets.begin(), segment.sets.end(),
+                                        [&](const GeometrySet& s) { return s.key == key; });
+        if (found != segment.sets.end()) return *found;
+        segment.sets.push_back(make_geometry(machine.state, draw, profile, grid.width, grid.height));
+        return segment.sets.back();
+    }
+
+    const ShadedVertices* shaded(const GeometrySet& set, const Draw& draw) {
+        const ShadeKey key = shade_key(set, machine.state, draw);
+        for (const auto& s : segment.shaded)
+            if (s->key == key) return s.get();
+        segment.shaded.push_back(shade_vertices(set, machine.state, draw, profile));
+        return segment.shaded.back().get();
+    }
+
+    const FastTexels* texels(const TextureBinding& binding) {
+        if (binding.slot) return &machine.slots.at(*binding.slot);
+        auto& entry = machine.texels[binding.texture];
+        if (!entry)
+            entry = std::make_unique<FastTexels>(
+                make_fast_texels(make_texels(*binding.texture, profile.color_bits)));
+        return entry.get();
+    }
+
+    void add(const Draw& draw) {
+        GeometrySet& set = geometry(draw);
+        const JitterState& jitter = machine.state.jitter;
+        set.jitter_low = {std::min(set.jitter_low.x, jitter.x), std::min(set.jitter_low.y, jitter.y)};
+        set.jitter_high = {std::max(set.jitter_high.x, jitter.x), std::max(set.jitter_high.y, jitter.y)};
+        pass().counters += set.counters;
+
+        DrawOp op{&draw, resolved(), &set};
+        op.bytes = fragment_bytes(op.state, profile);
+        op.needs_color = op.state.writes_color || op.state.state.alpha.func != AlphaFunc::Always;
+        op.perspective_color = profile.perspective_color && machine.state.shade_model == ShadeModel::Smooth;
+        const bool exact_id = machine.state.color_source == ColorSource::PolygonId;
+        op.texels_counted = draw.map.enabled() && !exact_id;
+        if (op.texels_counted && op.needs_color) op.texels = texels(draw.map);
+        if (op.needs_color && !exact_id) op.shaded = shaded(set, draw);
+        if (machine.state.fog.enable && op.state.fragment_fog) {
+            segment.fog_tables.push_back(fog_table(machine.state.fog, profile.color_bits));
+            op.fog_table = &segment.fog_tables.back();
+        }
+        push(std::move(op));
+    }
+    void add(const Clear& clear) {
+        segment.uses_accum = segment.uses_accum || (clear.planes & mask_of(Plane::Accum)) != 0;
+        push(ClearOp{&clear, resolved()});
+    }
+    void add(const WriteSpans& write) {
+        SpansOp op{&write, resolved(), {}};
+        op.bytes = fragment_bytes(op.state, profile);
+        push(std::move(op));
+    }
+    void add(const WritePixels& write) {
+        PixelsOp op{&write, resolved(), {}};
+        op.bytes = fragment_bytes(op.state, profile);
+        push(std::move(op));
+    }
+    void add(const Accumulate& accumulate) {
+        segment.uses_accum = true;
+        push(AccumulateOp{&accumulate, resolved()});
+    }
+    void add(const Read& read) {
+        Readback& out = machine.readbacks[read.key];
+        out = {read.plane, read.rect, {}, {}, {}};
+        const std::size_t size = std::size_t(read.rect.width) * std::size_t(read.rect.height);
+        if (read.plane == Plane::Color)
+            out.color.resize(size);
+        else if (read.plane == Plane::Accum)
+            out.accum.resize(size);
+        else
+            out.values.resize(size);
+        segment.uses_accum = segment.uses_accum || read.plane == Plane::Accum;
+        push(ReadOp{&read, &out});
+    }
+    void add(const SetState& set) { machine.state = set.state; }
+    void add(const BeginPass& begin) { machine.passes.push_back({begin.name, {}, begin.digests, {}}); }
+    void add(const Copy&) {}
+    void add(const CopyTexture&) {}
+};
+
+/// Whether planning this read now would let two reads of one segment write the same readback.
+bool reads_again(const Command& command, const Segment& segment) {
+    const Read* read = std::get_if<Read>(&command);
+    if (!read) return false;
+    return std::any_of(segment.ops.begin(), segment.ops.end(), [&](const TileOp& op) {
+        const ReadOp* other = std::get_if<ReadOp>(&op.op);
+        return other && other->read->key == read->key;
+    });
+}
+
+}  // namespace
+
+Segment plan_segment(std::span<const Command> commands, MachineState& machine, const Profile& profile,
+                     const TileGrid& grid, std::size_t& done) {
+    Planner planner{machine, profile, grid, {}};
+    for (done = 0; done < commands.size(); ++done) {
+        const Command& command = commands[done];
+        if (is_barrier(command, machine.passes) || reads_again(command, planner.segment)) break;
+        std::visit([&](const auto& c) { planner.add(c); }, command);
+    }
+    for (GeometrySet& set : planner.segment.sets) make_bins(set, profile, grid);
+    return std::move(planner.segment);
+}
+
+}  // namespace gw::fast

@@ -1,0 +1,94 @@
+// A list made ready to run tile by tile: what is shared is made once, every command becomes an operation on a
+// tile. docs/manual.md promises nothing about it: only that the bits are the reference machine's. Does not
+// touch pixels.
+#pragma once
+
+#include "gw/fast/shaded.h"
+#include "gw/machine.h"
+#include "gw/texels.h"
+
+#include <deque>
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace gw::fast {
+
+/// Texels with the packing that the kernels gather from.
+struct FastTexels {
+    Texels texels;
+    std::vector<std::uint32_t> packed;  ///< level 0, 8 bits a channel, R lowest; only where bits == 8
+};
+
+struct DrawOp {
+    const Draw* draw = nullptr;
+    Resolved state;
+    const GeometrySet* set = nullptr;
+    const ShadedVertices* shaded = nullptr;  ///< null where no colour is needed
+    const FastTexels* texels = nullptr;      ///< null: untextured
+    bool texels_counted = false;             ///< textured, whether or not anyone sees the colour
+    const std::vector<std::uint32_t>* fog_table = nullptr;
+    bool needs_color = true;  ///< some plane or the alpha test sees it
+    bool perspective_color = false;
+    FragmentBytes bytes;
+};
+struct ClearOp {
+    const Clear* clear = nullptr;
+    Resolved state;
+};
+struct SpansOp {
+    const WriteSpans* write = nullptr;
+    Resolved state;
+    FragmentBytes bytes;
+};
+struct PixelsOp {
+    const WritePixels* write = nullptr;
+    Resolved state;
+    FragmentBytes bytes;
+};
+struct AccumulateOp {
+    const Accumulate* accumulate = nullptr;
+    Resolved state;
+};
+struct ReadOp {
+    const Read* read = nullptr;
+    Readback* out = nullptr;
+};
+
+/// An operation and the pass it is counted in.
+struct TileOp {
+    std::variant<DrawOp, ClearOp, SpansOp, PixelsOp, AccumulateOp, ReadOp> op;
+    std::size_t pass = 0;
+};
+
+/// What persists in a machine from list to list, as far as planning needs it.
+struct MachineState {
+    State state;
+    std::vector<PassReport> passes;
+    std::map<std::uint32_t, FastTexels> slots;
+    std::map<std::uint32_t, Plane> slot_planes;
+    std::map<TextureRef, std::unique_ptr<FastTexels>> texels;
+    std::map<std::uint32_t, Readback> readbacks;
+};
+
+/// A run of commands without a barrier.
+struct Segment {
+    std::deque<TileOp> ops;
+    std::deque<GeometrySet> sets;
+    std::deque<std::unique_ptr<ShadedVertices>> shaded;
+    std::deque<std::vector<std::uint32_t>> fog_tables;
+    bool uses_accum = false;
+};
+
+/// Plans the commands up to the next barrier (which is not included) and counts their geometry. `done` is how
+/// many commands were taken.
+Segment plan_segment(std::span<const Command> commands, MachineState& machine, const Profile& profile,
+                     const TileGrid& grid, std::size_t& done);
+
+/// Whether a command reads pixels across tiles, or takes digests: it runs between segments.
+bool is_barrier(const Command& command, const std::vector<PassReport>& passes);
+
+FastTexels make_fast_texels(Texels texels);
+
+}  // namespace gw::fast

@@ -1,0 +1,212 @@
+// One tile's way through all operations.
+#include "gw/fast/tile_run.h"
+
+#include "gw/accumulation.h"
+#include "gw/fast/kernels.h"
+#include "gw/parallel.h"
+#include "gw/tables.h"
+
+#include <bit>
+
+namespace gw::fast {
+
+OpCounts& OpCounts::operator+=(const OpCounts& o) {
+    fragments += o.fragments;
+    alpha_killed += o.alpha_killed;
+    stencil_killed += o.stencil_killed;
+    depth_killed += o.depth_killed;
+    written += o.written;
+    pixels += o.pixels;
+    accum_overflows += o.accum_overflows;
+    return *this;
+}
+
+namespace {
+
+/// Calls visit(block, bx, by, mask) for each block of a box that has lanes inside.
+template <typename Visit>
+void for_each_block(const Tile& tile, const BlockBox& box, const Visit& visit) {
+    if (box.empty()) return;
+    for (int by = box.y0 / block_side; by <= (box.y1 - 1) / block_side; ++by)
+        for (int bx = box.x0 / block_side; bx <= (box.x1 - 1) / block_side; ++bx)
+            visit(tile.block(bx, by), bx, by, box.mask(bx, by));
+}
+
+/// Calls visit(lane, x, y) for the lanes of a mask; x, y in the window.
+template <typename Visit>
+void for_each_lane(const Tile& tile, int bx, int by, std::uint32_t mask, const Visit& visit) {
+    for (; mask != 0; mask &= mask - 1) {
+        const auto lane = std::size_t(std::countr_zero(mask));
+        visit(lane, tile.x + bx * block_side + int(lane % block_side),
+              tile.y + by * block_side + int(lane / block_side));
+    }
+}
+
+struct TileRun {
+    const Profile& profile;
+    Tile tile;
+    std::size_t index;
+    OpCounts* counts = nullptr;
+
+    BlockBox box(const Rect& rect) const { return block_box(rect, tile); }
+
+    void run(const DrawOp& op) {
+        const TileDraw draw{&op, &profile, tile, box(op.state.draw_box), counts};
+        if (!draw.box.empty()) draw_primitives(draw, op.set->tile_bin(index));
+    }
+
+    void run(const ClearOp& op) {
+        const Resolved& r = op.state;
+        const Rgba color = quantize_color(op.clear->color, r.bits);
+        const std::uint32_t depth = quantize(op.clear->depth, profile.depth_bits);
+        const std::uint32_t stencil = std::uint32_t(op.clear->stencil) & r.stencil_max;
+        const auto wants = [&](Plane plane) { return (op.clear->planes & mask_of(plane)) != 0; };
+        for_each_block(tile, box(r.pixel_box), [&](std::size_t b, int, int, std::uint32_t mask) {
+            counts->pixels +=
+                std::uint64_t(std::popcount(mask)) * std::uint64_t(std::popcount(op.clear->planes));
+            if (wants(Plane::Color)) clear_color(r.state.color_mask, color, tile.color[b], mask);
+            if (wants(Plane::Depth) && r.depth_mask) fill_lanes(tile.depth[b].value, depth, mask);
+            if (wants(Plane::Stencil))
+                write_stencil(r, tile.stencil[b], mask, [&](std::size_t) { return stencil; });
+            if (wants(Plane::Accum))
+                for (auto& channel : tile.accum[b].channel) fill_lanes(channel, 0, mask);
+        });
+    }
+
+    template <typename T>
+    static void fill_lanes(T (&values)[block_pixels], std::uint32_t value, std::uint32_t mask) {
+        for (std::size_t i = 0; i < block_pixels; ++i)
+            values[i] = mask >> i & 1 ? static_cast<T>(value) : values[i];
+    }
+    static void clear_color(const ColorMask& m, const Rgba& color, ColorBlock& block, std::uint32_t mask) {
+        const bool channel[4] = {m.r, m.g, m.b, m.a};
+        for (std::size_t c = 0; c < 4; ++c)
+            if (channel[c]) fill_lanes(block.channel[c], color[c], mask);
+    }
+    static void write_stencil(const Resolved& r, StencilBlock& block, std::uint32_t mask, const auto& value) {
+        const std::uint32_t write = r.state.stencil.write_mask & r.stencil_max;
+        for (std::size_t i = 0; i < block_pixels; ++i)
+            if (mask >> i & 1) block.value[i] = std::uint8_t((block.value[i] & ~write) | (value(i) & write));
+    }
+
+    void run(const SpansOp& op) {
+        DepthBlock depth;
+        ColorBlock color;
+        std::fill(std::begin(depth.value), std::end(depth.value), op.write->depth);
+        for (const Span& span : op.write->spans) {
+            const Rect rect =
+                intersect({span.x, span.y, span.length, 1}, {tile.x, tile.y, tile.side, tile.side});
+            if (rect.width == 0) continue;
+            for_each_block(
+                tile, box(intersect(rect, op.state.pixel_box)),
+                [&](std::size_t b, int bx, int by, std::uint32_t mask) {
+                    for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int) {
+                        set_lane(color, lane,
+                                 op.write->colors[span.first + (span.flat ? 0 : std::uint32_t(x - span.x))]);
+                    });
+                    process_fragments({&op.state, b, mask, true}, color, depth, tile, *counts);
+                });
+        }
+    }
+
+    static void set_lane(ColorBlock& block, std::size_t lane, const Rgba& color) {
+        for (std::size_t c = 0; c < 4; ++c) block.channel[c][lane] = color[c];
+    }
+
+    void run(const PixelsOp& op) {
+        const WritePixels& w = *op.write;
+        const Resolved& r = op.state;
+        DepthBlock depth;
+        ColorBlock color;
+        std::fill(std::begin(depth.value), std::end(depth.value), w.depth);
+        const auto source = [&](int x, int y) {
+            return std::size_t(y - w.rect.y) * std::size_t(w.rect.width) + std::size_t(x - w.rect.x);
+        };
+        for_each_block(tile, box(intersect(r.pixel_box, w.rect)),
+                       [&](std::size_t b, int bx, int by, std::uint32_t mask) {
+                           if (w.plane == Plane::Color) {
+                               for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
+                                   set_lane(color, lane, w.colors[source(x, y)]);
+                               });
+                               process_fragments({&r, b, mask, true}, color, depth, tile, *counts);
+                               return;
+                           }
+                           counts->pixels += std::uint64_t(std::popcount(mask));
+                           for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
+                               const std::uint32_t value = w.values[source(x, y)];
+                               if (w.plane == Plane::Depth && r.depth_mask) tile.depth[b].value[lane] = value;
+                               if (w.plane == Plane::Stencil)
+                                   write_stencil(r, tile.stencil[b], 1u << lane,
+                                                 [&](std::size_t) { return value; });
+                           });
+                       });
+    }
+
+    void run(const AccumulateOp& op) {
+        const Accumulate& a = *op.accumulate;
+        const Resolved& r = op.state;
+        const ColorMask& m = r.state.color_mask;
+        const bool channel[4] = {m.r, m.g, m.b, m.a};
+        for_each_block(tile, box(r.pixel_box), [&](std::size_t b, int, int, std::uint32_t mask) {
+            counts->pixels += std::uint64_t(std::popcount(mask));
+            for (std::size_t c = 0; c < 4; ++c)
+                for (std::size_t i = 0; i < block_pixels; ++i) {
+                    if (!(mask >> i & 1)) continue;
+                    std::int32_t& stored = tile.accum[b].channel[c][i];
+                    std::uint16_t& color = tile.color[b].channel[c][i];
+                    if (a.op == AccumOp::Return) {
+                        if (channel[c]) color = returned(stored, a.value, r.bits);
+                        continue;
+                    }
+                    bool overflow = false;
+                    stored = wrap_accum(accumulated(a.op, stored, color, a.value, r.bits), profile.accum_bits,
+                                        overflow);
+                    counts->accum_overflows += overflow ? 1 : 0;
+                }
+        });
+    }
+
+    void run(const ReadOp& op) {
+        const Rect& rect = op.read->rect;
+        for_each_block(tile, box(rect), [&](std::size_t b, int bx, int by, std::uint32_t mask) {
+            counts->pixels += std::uint64_t(std::popcount(mask));
+            for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
+                const std::size_t i =
+                    std::size_t(y - rect.y) * std::size_t(rect.width) + std::size_t(x - rect.x);
+                switch (op.read->plane) {
+                    case Plane::Color:
+                        for (std::size_t c = 0; c < 4; ++c)
+                            op.out->color[i][c] = tile.color[b].channel[c][lane];
+                        break;
+                    case Plane::Depth: op.out->values[i] = tile.depth[b].value[lane]; break;
+                    case Plane::Stencil: op.out->values[i] = tile.stencil[b].value[lane]; break;
+                    case Plane::Accum:
+                        for (std::size_t c = 0; c < 4; ++c)
+                            op.out->accum[i][c] = tile.accum[b].channel[c][lane];
+                        break;
+                }
+            });
+        });
+    }
+};
+
+}  // namespace
+
+std::vector<OpCounts> run_tiles(const Segment& segment, Frame& frame, const Profile& profile, int threads) {
+    const std::size_t tiles = frame.grid().count();
+    std::vector<std::vector<OpCounts>> by_worker(std::size_t(threads),
+                                                 std::vector<OpCounts>(segment.ops.size()));
+    parallel_for(tiles, threads, [&](std::size_t i, int worker) {
+        TileRun run{profile, frame.tile(i), i};
+        for (std::size_t k = 0; k < segment.ops.size(); ++k) {
+            run.counts = &by_worker[std::size_t(worker)][k];
+            std::visit([&](const auto& op) { run.run(op); }, segment.ops[k].op);
+        }
+    });
+    std::vector<OpCounts> totals(segment.ops.size());
+    for (const auto& counts : by_worker)
+        for (std::size_t k = 0; k < totals.size(); ++k) totals[k] += counts[k];
+    return totals;
+}
+
+}  // namespace gw::fast

@@ -1,0 +1,96 @@
+// Both ways to run in parallel.
+#include "gw/parallel.h"
+
+#include <cfenv>
+#include <new>
+
+#ifdef GW_THREADS_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#else
+#include <atomic>
+#include <exception>
+#include <mutex>
+#endif
+#include <thread>
+#include <vector>
+
+namespace gw {
+
+int hardware_threads() {
+    const unsigned n = std::thread::hardware_concurrency();
+    return n > 0 ? static_cast<int>(n) : 1;
+}
+
+FloatEnvironment::FloatEnvironment() {
+    static_assert(sizeof(std::fenv_t) <= sizeof saved_);
+    std::fegetenv(new (saved_) std::fenv_t);
+    std::fesetenv(FE_DFL_ENV);
+}
+
+FloatEnvironment::~FloatEnvironment() { std::fesetenv(std::launder(reinterpret_cast<std::fenv_t*>(saved_))); }
+
+namespace {
+
+void serial_for(std::size_t count, const std::function<void(std::size_t, int)>& body) {
+    const FloatEnvironment environment;
+    for (std::size_t i = 0; i < count; ++i) body(i, 0);
+}
+
+#ifdef GW_THREADS_TBB
+
+void threaded_for(std::size_t count, int threads, const std::function<void(std::size_t, int)>& body) {
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, count, 1),
+            [&](const tbb::blocked_range<std::size_t>& range) {
+                const FloatEnvironment environment;
+                const int worker = tbb::this_task_arena::current_thread_index();
+                for (std::size_t i = range.begin(); i < range.end(); ++i) body(i, worker);
+            },
+            tbb::simple_partitioner());
+    });
+}
+
+#else
+
+/// Workers take the next index until none is left.
+struct Work {
+    std::size_t count;
+    const std::function<void(std::size_t, int)>& body;
+    std::atomic<std::size_t> next{0};
+    std::mutex mutex{};
+    std::exception_ptr failure{};
+
+    void run(int worker) {
+        const FloatEnvironment environment;
+        try {
+            for (std::size_t i = next++; i < count; i = next++) body(i, worker);
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (!failure) failure = std::current_exception();
+        }
+    }
+};
+
+void threaded_for(std::size_t count, int threads, const std::function<void(std::size_t, int)>& body) {
+    Work work{count, body};
+    std::vector<std::thread> pool;
+    for (int worker = 1; worker < threads; ++worker) pool.emplace_back([&work, worker] { work.run(worker); });
+    work.run(0);
+    for (std::thread& thread : pool) thread.join();
+    if (work.failure) std::rethrow_exception(work.failure);
+}
+
+#endif
+
+}  // namespace
+
+void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t, int)>& body) {
+    if (threads <= 0) threads = hardware_threads();
+    if (threads == 1 || count <= 1) return serial_for(count, body);
+    threaded_for(count, threads, body);
+}
+
+}  // namespace gw
