@@ -96,10 +96,12 @@ Profile load_profile(const PictureOptions& options) {
     return profile_named(one_of("--profile", options.profile, profile_names()));
 }
 
-std::vector<std::string> machines() { return {"reference"}; }
+std::vector<std::string> machines() { return {"fast", "reference"}; }
 
 std::unique_ptr<Machine> make_machine(const PictureOptions& options, const Profile& profile) {
-    return make_reference(profile, options.size.width, options.size.height);
+    const auto [width, height] = options.size;
+    if (options.machine == "reference") return make_reference(profile, width, height);
+    return make_fast(profile, width, height, {.threads = options.threads});
 }
 
 }  // namespace gw::apps
