@@ -4,10 +4,11 @@
 #include "apps/manifest.h"
 #include "image/planes.h"
 #include "image/write.h"
+#include "multipass/antialias.h"
 #include "multipass/driver.h"
 #include "scene/draw_commands.h"
 
-#include <algorithm>
+#include <cctype>
 #include <set>
 
 namespace gw::apps {
@@ -29,15 +30,25 @@ std::string file_name(std::string name, std::set<std::string>& taken) {
     return unique;
 }
 
+// The component's passes as the picture's, on black where the background is a component of its own.
+std::vector<Rgba> component(const Drawing& drawing, const multipass::ComponentList& list,
+                            const scene::View& view, Machine& machine) {
+    scene::Scene scene = drawing.scene;
+    if (!list.background) scene.background = vec3(0);
+    multipass::render_samples(machine, drawing.options.samples, [&](Machine& m) {
+        multipass::render(m, scene, view, {.passes = list.passes});
+    });
+    return machine.planes().color;
+}
+
 void put_components(const Drawing& drawing, Machine& machine, const scene::View& view,
                     const image::Picture& sum, const FrameFiles& files, image::OutputSet& output) {
     const std::string extension = files.picture.extension().string();
     std::set<std::string> taken{"sum"};
-    const auto images =
-        multipass::render_components(machine, drawing.scene, view, {.renderer = *drawing.renderer.passes});
-    for (const multipass::ComponentImage& image : images) {
-        image::put_picture(output.add(files.components / (file_name(image.name, taken) + extension)),
-                           picture_of(drawing, image.color, files.tone));
+    const multipass::PassList passes = multipass::passes_for(drawing.scene, *drawing.renderer.passes);
+    for (const multipass::ComponentList& list : multipass::component_lists(drawing.scene, passes)) {
+        image::put_picture(output.add(files.components / (file_name(list.name, taken) + extension)),
+                           picture_of(drawing, component(drawing, list, view, machine), files.tone));
     }
     image::put_picture(output.add(files.components / ("sum" + extension)), sum);
 }
@@ -53,6 +64,11 @@ void put_planes(const Drawing& drawing, Machine& machine, const scene::View& vie
 
 }  // namespace
 
+void draw(const Drawing& drawing, const scene::View& view, Machine& machine) {
+    multipass::render_samples(machine, drawing.options.samples,
+                              [&](Machine& m) { drawing.renderer.draw(m, drawing.scene, view); });
+}
+
 void draw_frame(const Drawing& drawing, const FrameFiles& files) {
     image::OutputSet output;
     for (const auto& folder : {files.components, files.planes}) {
@@ -62,10 +78,10 @@ void draw_frame(const Drawing& drawing, const FrameFiles& files) {
         scene::make_view(drawing.scene, drawing.options.size.width, drawing.options.size.height);
     const auto machine = make_machine(drawing.options, drawing.profile);
     if (files.manifest.empty()) {
-        drawing.renderer.draw(*machine, drawing.scene, view);
+        draw(drawing, view, *machine);
     } else {
         DigestingMachine digesting(*machine);
-        drawing.renderer.draw(digesting, drawing.scene, view);
+        draw(drawing, view, digesting);
         output.add(files.manifest).write_text(manifest(drawing, view, *machine));
     }
     const image::Picture picture = picture_of(drawing, machine->planes().color, files.tone);

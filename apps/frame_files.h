@@ -23,6 +23,9 @@ struct Drawing {
     scene::Scene scene;  ///< with a camera
 };
 
+/// Draws the picture, as often as `samples` says.
+void draw(const Drawing& drawing, const scene::View& view, Machine& machine);
+
 /// Throws Error; then none of the files is there that was not before.
 void draw_frame(const Drawing& drawing, const FrameFiles& files);
 

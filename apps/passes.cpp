@@ -1,9 +1,8 @@
 // gw passes: the parameter sets of a scene as the paper writes them, with what the machine counted.
 #include "apps/command.h"
 #include "apps/counters_table.h"
-#include "apps/picture_options.h"
+#include "apps/frame_files.h"
 #include "apps/progress.h"
-#include "apps/renderers.h"
 #include "apps/terminal.h"
 #include "multipass/schedule.h"
 
@@ -39,12 +38,11 @@ std::map<std::string, std::string> sets_by_name(const scene::Scene& scene, multi
 
 std::vector<RunPass> run_passes(const PictureOptions& options) {
     const Progress progress("drawing", options.quiet);
-    const Profile profile = load_profile(options);
-    const scene::Scene scene = load_scene(options);
-    const Renderer& renderer = renderer_named(options.renderer);
-    const auto sets = sets_by_name(scene, *renderer.passes);
-    const auto machine = make_machine(options, profile);
-    renderer.draw(*machine, scene, scene::make_view(scene, options.size.width, options.size.height));
+    const Drawing drawing{options, renderer_named(options.renderer), load_profile(options),
+                          load_scene(options)};
+    const auto sets = sets_by_name(drawing.scene, *drawing.renderer.passes);
+    const auto machine = make_machine(options, drawing.profile);
+    draw(drawing, scene::make_view(drawing.scene, options.size.width, options.size.height), *machine);
     std::vector<RunPass> passes;
     for (const PassReport& report : machine->passes()) {
         const auto set = sets.find(report.name);

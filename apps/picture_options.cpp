@@ -4,10 +4,11 @@
 #include "apps/renderers.h"
 #include "apps/terminal.h"
 #include "image/textures.h"
+#include "multipass/antialias.h"
 #include "scene/read_profile.h"
 #include "scene/read_scene.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 namespace gw::apps {
 
@@ -45,6 +46,14 @@ void add_machine_options(CLI::App& command, PictureOptions& options) {
             [&](const std::string& word) { options.threads = whole_number_from("--threads", word, 1, 1024); },
             "Threads of the fast machine (default: all)")
         ->type_name("N");
+    command
+        .add_option_function<std::string>(
+            "--samples",
+            [&](const std::string& word) {
+                options.samples = whole_number_from("--samples", word, 1, 32768);
+            },
+            "Pictures superposed against jagged edges (default 1; vgx: up to 128)")
+        ->type_name("N");
     command.add_option("--profile", options.profile, "vgx, reality, ideal or a TOML file (default vgx)")
         ->type_name("NAME|FILE.toml");
 }
@@ -78,6 +87,10 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
 }
 
 scene::Scene load_scene(const PictureOptions& options) {
+    if (options.scene.empty()) throw UsageError("SCENE is empty; expected the name of a file");
+    if (options.camera.eye && options.camera.eye == options.camera.at) {
+        throw UsageError("--eye and --at are the same point; expected two");
+    }
     scene::SceneFile file = scene::read_scene(options.scene);
     if (!options.quiet) {
         for (const std::string& warning : file.warnings) print_error("gw: warning: " + warning + "\n");
@@ -91,9 +104,16 @@ scene::Scene load_scene(const PictureOptions& options) {
 }
 
 Profile load_profile(const PictureOptions& options) {
-    if (std::filesystem::path(options.profile).extension() == ".toml")
-        return scene::read_profile(options.profile);
-    return profile_named(one_of("--profile", options.profile, profile_names()));
+    const bool from_file = std::filesystem::path(options.profile).extension() == ".toml";
+    const Profile profile = from_file ? scene::read_profile(options.profile)
+                                      : profile_named(one_of("--profile", options.profile, profile_names()));
+    const int most = multipass::most_samples(profile);
+    if (options.samples > most) {
+        throw UsageError(fmt::format(
+            "--samples '{}': more than the accumulation buffer of profile {} holds; expected 1..{}",
+            options.samples, profile.name, most));
+    }
+    return profile;
 }
 
 std::vector<std::string> machines() { return {"fast", "reference"}; }

@@ -24,6 +24,7 @@ struct PictureOptions {
     std::string profile = "vgx";
     std::string machine;  ///< empty: the first of machines()
     int threads = 0;      ///< 0: all
+    int samples = 1;
     scene::CameraOverrides camera;
     std::optional<dvec3> up;
     bool quiet = false;
@@ -36,7 +37,8 @@ void add_picture_options(CLI::App& command, PictureOptions& options);
 /// readers go to stderr unless quiet. Throws Error.
 scene::Scene load_scene(const PictureOptions& options);
 
-/// A built-in profile by name, or one from a TOML file.
+/// A built-in profile by name, or one from a TOML file. Throws UsageError where it cannot hold so many
+/// samples.
 Profile load_profile(const PictureOptions& options);
 
 /// "fast", "reference": those that this build has, the default first.

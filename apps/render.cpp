@@ -63,9 +63,11 @@ void add_options(CLI::App& command, RenderOptions& options) {
     add_tone_options(command, options.files.tone);
 }
 
-// What is wrong with the words alone is usage; then files that cannot be written are found before long work.
+// What is wrong with the words alone is usage. Files that cannot be written are found before long work.
 void check(const RenderOptions& options) {
     const FrameFiles& files = options.files;
+    if (files.picture.empty()) throw UsageError("--output is empty; expected the name of a picture");
+    image::check_target(files.picture);
     try {
         image::check_extension(files.picture);
     } catch (const Error& error) {
@@ -81,7 +83,6 @@ void check(const RenderOptions& options) {
         throw UsageError("--components: renderer " + options.picture.renderer +
                          " has none; expected hardware or multipass");
     }
-    image::check_target(files.picture);
     if (!files.manifest.empty()) image::check_target(files.manifest);
 }
 
