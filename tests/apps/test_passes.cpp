@@ -1,0 +1,57 @@
+// gw passes: the parameter sets as the paper writes them.
+#include "scene_files.h"
+
+#include <nlohmann/json.hpp>
+
+namespace gw::apps {
+
+using Passes = SceneTest;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_F(Passes, AreWrittenAsThePaperWritesThem) {
+    const Outcome outcome = gw({"passes", "lamps.toml", "--size", "16x16"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.out, "ambient lamp 1      (Ka=object, Kd=0, Ks=0, Ke=0, Map=ambient map)"));
+    EXPECT_TRUE(contains(outcome.out, "diffuse lamp 2      (Ka=0, Kd=object, Ks=0, Ke=0, Map=diffuse map)"));
+    EXPECT_TRUE(contains(outcome.out, "specular lamp 2     (Ka=0, Kd=0, Ks=object, Ke=0, Map=specular map)"));
+}
+
+TEST_F(Passes, OfTheHardwareRendererAreOne) {
+    const Outcome outcome =
+        gw({"passes", "lamps.toml", "--renderer", "hardware", "--json", "--size", "16x16"});
+    const auto json = nlohmann::json::parse(outcome.out);
+    ASSERT_EQ(json["passes"].size(), 1u);
+    EXPECT_EQ(json["passes"][0]["set"], "(Ka=object, Kd=object, Ks=object, Ke=object, Map=object map)");
+    EXPECT_EQ(json["passes"][0]["counters"]["written"], 64);
+}
+
+TEST_F(Passes, AsJsonAddUp) {
+    const auto json = nlohmann::json::parse(gw({"passes", "lamps.toml", "--json", "--size", "16x16"}).out);
+    std::uint64_t written = 0;
+    for (const auto& pass : json["passes"]) written += pass["counters"]["written"].get<std::uint64_t>();
+    EXPECT_EQ(json["sum"]["written"], written);
+    EXPECT_GT(written, 6 * 64u);
+}
+
+TEST_F(Passes, AsCsvHaveOneLineEach) {
+    const Outcome csv = gw({"passes", "lamps.toml", "--csv", "--size", "16x16"});
+    const auto json = nlohmann::json::parse(gw({"passes", "lamps.toml", "--json", "--size", "16x16"}).out);
+    EXPECT_EQ(csv.out.substr(0, 27), "name,set,draws,vertices,pri");
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.out.begin(), csv.out.end(), '\n')),
+              json["passes"].size() + 1);
+    EXPECT_TRUE(
+        contains(csv.out, "\"ambient lamp 1\",\"(Ka=object, Kd=0, Ks=0, Ke=0, Map=ambient map)\",1,4,"));
+}
+
+TEST_F(Passes, InTwoFormsAtOnceAreRefused) {
+    expect_refused(2, {"passes", "lamps.toml", "--csv", "--json"}, {"--csv", "--json"});
+}
+
+}  // namespace gw::apps

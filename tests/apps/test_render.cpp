@@ -1,0 +1,168 @@
+// gw render: what it writes.
+#include "pictures.h"
+#include "scene_files.h"
+
+#include <nlohmann/json.hpp>
+
+namespace gw::apps {
+
+using Render = SceneTest;
+
+TEST_F(Render, WritesThePictureInEachUsualFormatAndNothingElse) {
+    for (const std::string name : {"a.png", "a.exr", "a.tif"}) {
+        const auto before = names();
+        const Outcome outcome = render({"lamps.toml", "-o", name});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.out + outcome.err, "");
+        EXPECT_EQ(names().size(), before.size() + 1);
+        const Pixels pixels = read_pixels(in(name));
+        EXPECT_EQ(pixels.width, 16);
+        EXPECT_EQ(pixels.height, 16);
+        ASSERT_EQ(pixels.channels, 3);
+        EXPECT_EQ(pixels.at(0, 0), (std::vector<float>{0, 0, 0}));
+        EXPECT_GT(pixels.at(8, 8)[0], pixels.at(8, 8)[1]);  // lamp 2 is reddish
+        EXPECT_GT(pixels.at(8, 8)[1], pixels.at(8, 8)[2]);
+        EXPECT_GT(pixels.at(8, 8)[2], 0);
+    }
+}
+
+TEST_F(Render, DrawsABareObjWithCameraAndLightFitted) {
+    EXPECT_EQ(render({"quad.obj", "-o", "a.png"}).code, 0);
+    const Pixels pixels = read_pixels(in("a.png"));
+    EXPECT_GT(pixels.at(8, 8)[0], 0.1f);
+}
+
+TEST_F(Render, WritesTheProfilesBits) {
+    EXPECT_EQ(render({"lamps.toml", "-o", "vgx.tif"}).code, 0);
+    EXPECT_EQ(render({"lamps.toml", "-o", "reality.tif", "--profile", "reality"}).code, 0);
+    EXPECT_EQ(OIIO::ImageInput::open(in("vgx.tif").string())->spec().format, OIIO::TypeDesc::UINT8);
+    EXPECT_EQ(OIIO::ImageInput::open(in("reality.tif").string())->spec().format, OIIO::TypeDesc::UINT16);
+}
+
+TEST_F(Render, TakesAProfileFromAFile) {
+    write("mine.toml", "base = \"ideal\"\ncolor_bits = 12\nlit_bits = 12\n");
+    EXPECT_EQ(render({"lamps.toml", "-o", "a.png", "--profile", "mine.toml", "--manifest", "m.json"}).code,
+              0);
+    const auto profile = nlohmann::json::parse(bytes_of(in("m.json")))["profile"];
+    EXPECT_EQ(profile["name"], "mine");
+    EXPECT_EQ(profile["color_bits"], 12);
+    EXPECT_EQ(profile["subpixel_bits"], 8);
+}
+
+TEST_F(Render, GivesTheSameFilesForAnyNumberOfThreads) {
+    EXPECT_EQ(render({"lamps.toml", "-o", "a.png", "--threads", "1", "--manifest", "a.json"}).code, 0);
+    EXPECT_EQ(render({"lamps.toml", "-o", "b.png", "--threads", "2", "--manifest", "b.json"}).code, 0);
+    EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("b.png")));
+    EXPECT_EQ(bytes_of(in("a.json")), bytes_of(in("b.json")));
+}
+
+TEST_F(Render, CameraOptionsReplaceTheScenes) {
+    EXPECT_EQ(render({"lamps.toml", "-o", "a.png"}).code, 0);
+    EXPECT_EQ(render({"lamps.toml", "-o", "same.png", "--eye", "0,0,5", "--at", "0,0,0"}).code, 0);
+    EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("same.png")));
+    EXPECT_EQ(render({"lamps.toml", "-o", "aside.png", "--eye", "100,0,5", "--at", "100,0,0"}).code, 0);
+    EXPECT_EQ(read_pixels(in("aside.png")).at(8, 8), (std::vector<float>{0, 0, 0}));
+}
+
+TEST_F(Render, TurntableNumbersItsPicturesAndStartsAtTheCamera) {
+    EXPECT_EQ(render({"lamps.toml", "-o", "a.png"}).code, 0);
+    EXPECT_EQ(render({"lamps.toml", "-o", "t.png", "--turntable", "3"}).code, 0);
+    EXPECT_EQ(names(), (std::vector<std::string>{"a.png", "lamps.toml", "quad.obj", "t_001.png", "t_002.png",
+                                                 "t_003.png"}));
+    EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("t_001.png")));
+    EXPECT_FALSE(bytes_of(in("a.png")) == bytes_of(in("t_002.png")));
+}
+
+TEST_F(Render, ComponentsAddUpToTheirSumWhichIsThePicture) {
+    EXPECT_EQ(render({"lamps.toml", "-o", "a.png", "--components", "parts"}).code, 0);
+    EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("parts/sum.png")));
+    const Pixels picture = read_pixels(in("a.png"));
+    std::vector<int> sum(picture.values.size());
+    EXPECT_EQ(names("parts"),
+              (std::vector<std::string>{"ambient.png", "diffuse.png", "emission.png", "reflection.png",
+                                        "refraction.png", "specular.png", "sum.png"}));
+    for (const std::string& name : names("parts")) {
+        const Pixels part = read_pixels(in("parts/" + name));
+        for (std::size_t i = 0; i < sum.size() && name != "sum.png"; ++i) {
+            sum[i] += static_cast<int>(std::lround(part.values[i] * 255));
+        }
+    }
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+        ASSERT_EQ(std::min(sum[i], 255), std::lround(picture.values[i] * 255)) << i;
+    }
+}
+
+TEST_F(Render, SamplesSoftenTheEdgesOnly) {
+    EXPECT_EQ(render({"quad.obj", "-o", "one.png", "--eye", "0.3,0.2,4"}).code, 0);
+    EXPECT_EQ(render({"quad.obj", "-o", "many.png", "--eye", "0.3,0.2,4", "--samples", "16"}).code, 0);
+    const Pixels one = read_pixels(in("one.png")), many = read_pixels(in("many.png"));
+    EXPECT_EQ(one.at(8, 8), many.at(8, 8));
+    EXPECT_EQ(one.at(0, 0), many.at(0, 0));
+    EXPECT_FALSE(one.values == many.values);
+}
+
+TEST_F(Render, PlanesHoldTheMachinesValues) {
+    EXPECT_EQ(render({"lamps.toml", "-o", "a.png", "--planes", "planes"}).code, 0);
+    EXPECT_EQ(names("planes"),
+              (std::vector<std::string>{"accum.exr", "accum.png", "color.exr", "color.png", "depth.exr",
+                                        "depth.png", "ids.exr", "ids.png", "stencil.exr", "stencil.png"}));
+    EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("planes/color.png")));
+    auto input = OIIO::ImageInput::open(in("planes/depth.exr").string());
+    std::vector<std::uint32_t> depth(16 * 16);
+    ASSERT_TRUE(input->read_image(0, 0, 0, 1, OIIO::TypeUInt32, depth.data()));
+    EXPECT_EQ(depth[0], (1u << 24) - 1);
+    EXPECT_LT(depth[8 * 16 + 8], (1u << 24) - 1);
+    input = OIIO::ImageInput::open(in("planes/ids.exr").string());
+    std::vector<std::uint32_t> ids(16 * 16);
+    ASSERT_TRUE(input->read_image(0, 0, 0, 1, OIIO::TypeUInt32, ids.data()));
+    EXPECT_EQ(ids[0], 0u);
+    EXPECT_EQ(ids[8 * 16 + 8], 1u);
+}
+
+TEST_F(Render, ManifestHasCountersAndDigestsOfEveryPass) {
+    EXPECT_EQ(render({"lamps.toml", "-o", "a.png", "--manifest", "m.json"}).code, 0);
+    const auto json = nlohmann::json::parse(bytes_of(in("m.json")));
+    EXPECT_EQ(json["renderer"], "multipass");
+    EXPECT_EQ(json["profile"]["name"], "vgx");
+    EXPECT_EQ(json["passes"][0]["name"], "depth");
+    EXPECT_EQ(json["passes"][0]["counters"]["written"], 64);
+    for (const auto& pass : json["passes"]) {
+        for (const char* plane : {"color", "depth", "stencil", "accum"}) {
+            EXPECT_EQ(pass["digests"][plane].get<std::string>().size(), 32u);
+        }
+    }
+    EXPECT_EQ(json["passes"].back()["digests"], json["planes"]);
+    EXPECT_NE(json["passes"][0]["digests"]["color"], json["planes"]["color"]);
+}
+
+TEST_F(Render, GammaAndExposureChangeThePictureOnlyWhereAsked) {
+    EXPECT_EQ(render({"lamps.toml", "-o", "a.png"}).code, 0);
+    EXPECT_EQ(render({"lamps.toml", "-o", "plain.png", "--gamma", "1", "--exposure", "0"}).code, 0);
+    EXPECT_EQ(render({"lamps.toml", "-o", "dark.png", "--exposure", "-1"}).code, 0);
+    EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("plain.png")));
+    const float value = read_pixels(in("a.png")).at(8, 8)[2];
+    EXPECT_EQ(std::lround(read_pixels(in("dark.png")).at(8, 8)[2] * 255), std::lround(value * 255 / 2.0));
+}
+
+TEST_F(Render, ReplacesAPictureThatIsThere) {
+    write("a.png", "old");
+    EXPECT_EQ(render({"lamps.toml", "-o", "a.png"}).code, 0);
+    EXPECT_EQ(read_pixels(in("a.png")).width, 16);
+}
+
+TEST_F(Render, ReadsNamesWithBlanksAndOfOtherAlphabets) {
+    std::filesystem::create_directory(in("my ünits"));
+    std::filesystem::copy_file(in("quad.obj"), in("my ünits/the quad.obj"));
+    EXPECT_EQ(render({"my ünits/the quad.obj", "-o", "my ünits/the picture.png"}).code, 0);
+    EXPECT_EQ(read_pixels(in("my ünits/the picture.png")).width, 16);
+}
+
+TEST_F(Render, WarnsOnStandardErrorUnlessQuiet) {
+    write("odd.obj", "bevel on\n" + bytes_of(in("quad.obj")));
+    const Outcome outcome = render({"odd.obj", "-o", "a.png"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err.substr(0, 23), "gw: warning: odd.obj:1:");
+    EXPECT_EQ(render({"odd.obj", "-o", "a.png", "--quiet"}).err, "");
+}
+
+}  // namespace gw::apps
