@@ -1,4 +1,4 @@
-// A machine's profile from a TOML file. docs/scenes.md, "Profiles".
+// A machine's profile from a TOML file. docs/commands.md, "Profiles".
 // Does not know the built-in profiles but for `base`.
 #pragma once
 
