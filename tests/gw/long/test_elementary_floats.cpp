@@ -1,4 +1,4 @@
-// The elementary functions over every float32 of the ranges in use: some minutes each. The quick test takes
+// The elementary functions over every float32 of the ranges in use: about two minutes each. The quick test takes
 // the same walk in strides.
 #include "tests/gw/elementary_oracle.h"
 
@@ -8,9 +8,6 @@ TEST(ElementaryOverAllFloats, Exp) { expect_below(exp_over_floats(1), exp_bound)
 TEST(ElementaryOverAllFloats, Sin) { expect_below(sin_over_floats(1), sin_bound); }
 TEST(ElementaryOverAllFloats, Cos) { expect_below(cos_over_floats(1), cos_bound); }
 TEST(ElementaryOverAllFloats, Tan) { expect_below(tan_over_floats(1), tan_bound); }
-TEST(ElementaryOverAllFloats, Acos) { expect_below(acos_over_floats(1), acos_bound); }
-TEST(ElementaryOverAllFloats, Asin) { expect_below(asin_over_floats(1), asin_bound); }
-TEST(ElementaryOverAllFloats, Log) { expect_below(log_over_floats(1), log_bound); }
 
 // 1 is exact: x^1 = x.
 TEST(ElementaryOverAllFloats, PowOfOne) { EXPECT_EQ(pow_over_floats(1, 0, 1, 1).error, 0); }
