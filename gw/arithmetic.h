@@ -12,7 +12,10 @@ namespace gw {
 constexpr std::uint32_t max_of_bits(int n) { return static_cast<std::uint32_t>((std::uint64_t{1} << n) - 1); }
 
 /// Nearest integer, ties to even: the IEEE mode that every thread of a machine runs in.
-inline double round_even(double v) { return std::nearbyint(v); }
+inline double round_even(double v) {
+    constexpr double magic = 6755399441055744.0;  // 1.5 * 2^52: adding it leaves no fraction bits
+    return v > -magic / 4 && v < magic / 4 ? (v + magic) - magic : std::nearbyint(v);
+}
 
 /// v in [0, 1]; NaN becomes 0.
 constexpr double clamp01(double v) { return v > 0 ? (v < 1 ? v : 1) : 0; }

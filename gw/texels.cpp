@@ -23,7 +23,12 @@ TexelLevel make_level(const TextureLevel& from, int bits) {
     return level;
 }
 
-/// round(256 log2(1 + i / 256)), at most 255.
+constexpr std::uint32_t one_bits = 0x3F800000;        // of 1.0f
+constexpr std::uint32_t root_two_bits = 0x3FB504F3;   // of sqrt(2), rounded down
+constexpr std::uint32_t root_half_bits = 0x3F3504F4;  // of sqrt(1/2), rounded up
+
+}  // namespace
+
 const std::array<std::uint32_t, 256>& mantissa_levels() {
     static const std::array<std::uint32_t, 256> table = [] {
         constexpr double ln2 = 0.693147180559945309417;
@@ -35,12 +40,6 @@ const std::array<std::uint32_t, 256>& mantissa_levels() {
     }();
     return table;
 }
-
-constexpr std::uint32_t one_bits = 0x3F800000;        // of 1.0f
-constexpr std::uint32_t root_two_bits = 0x3FB504F3;   // of sqrt(2), rounded down
-constexpr std::uint32_t root_half_bits = 0x3F3504F4;  // of sqrt(1/2), rounded up
-
-}  // namespace
 
 Texels make_texels(const Texture& texture, int bits) {
     Texels t{bits, {}, {}};

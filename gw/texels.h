@@ -6,6 +6,7 @@
 #include "gw/texture.h"
 #include "gw/types.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -45,6 +46,9 @@ Rgba lookup(const TexelLevel& level, bool linear, Wrap wrap_s, Wrap wrap_t, int 
 
 /// The mean of two levels, weight f in 0 .. 255 of 256 for `b`.
 Rgba between_levels(const Rgba& a, const Rgba& b, std::uint32_t f);
+
+/// By the high 8 bits of rho's mantissa: 256ths of a level, round(256 log2(1 + i / 256)), at most 255.
+const std::array<std::uint32_t, 256>& mantissa_levels();
 
 /// Which levels a minification by the factor rho (texels per pixel, >= 0) looks at. [GL11] 3.8.1
 struct LevelChoice {

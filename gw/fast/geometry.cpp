@@ -219,6 +219,18 @@ void push_primitives(Builder& b) {
     }
 }
 
+std::vector<std::uint8_t> used_vertices(const GeometrySet& set, std::size_t mesh_vertices) {
+    std::vector<std::uint8_t> used(mesh_vertices);
+    const auto use = [&](std::uint32_t v) {
+        if (v < mesh_vertices) used[v] = 1;
+    };
+    for (const SetupPrimitive& p : set.primitives) {
+        for (const std::uint32_t v : p.vertex) use(v);
+        use(p.provoking);
+    }
+    return used;
+}
+
 }  // namespace
 
 GeometrySet make_geometry(const State& state, const Draw& draw, const Profile& profile, int width,
@@ -229,6 +241,7 @@ GeometrySet make_geometry(const State& state, const Draw& draw, const Profile& p
     for (const ClipPlane& plane : state.clip_planes) b.any_user_plane = b.any_user_plane || plane.enable;
     b.push_vertices();
     push_primitives(b);
+    b.set.used = used_vertices(b.set, b.mesh().vertex_count());
     Counters& c = b.set.counters;
     c.draws = 1;
     c.vertices = b.mesh().vertex_count();

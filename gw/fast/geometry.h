@@ -54,7 +54,8 @@ struct GeometrySet {
     std::vector<double> w;
     std::vector<SetupPrimitive> primitives;
     std::vector<Cut> cuts;
-    Counters counters;  ///< of one draw: vertices to drawn
+    std::vector<std::uint8_t> used;  ///< by mesh vertex: some primitive looks at it
+    Counters counters;               ///< of one draw: vertices to drawn
 
     JitterState jitter_low, jitter_high;   ///< what the list's draws use: bins are made for all of them
     std::vector<std::uint32_t> bin_start;  ///< per tile, and one past the last

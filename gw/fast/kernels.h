@@ -22,8 +22,10 @@ struct TileDraw {
     OpCounts* counts = nullptr;
 };
 
-/// Draws the primitives of `bin` in order.
-void draw_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin);
+struct Coverage;
+
+/// Draws the primitives of `bin` in order; where there is a record, makes it or draws from it.
+void draw_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage* record);
 
 /// Sends fragments of one block (mask: bit per lane) through the tests to the planes.
 struct BlockFragments {

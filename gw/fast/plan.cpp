@@ -1,18 +1,34 @@
 // Planning a segment.
 #include "gw/fast/plan.h"
 
+#include "gw/fast/coverage.h"
 #include "gw/fog.h"
 
 #include <algorithm>
 
 namespace gw::fast {
 
+namespace {
+
+std::uint32_t pack(const Rgba& t) {
+    return std::uint32_t(t[0]) | std::uint32_t(t[1]) << 8 | std::uint32_t(t[2]) << 16 |
+           std::uint32_t(t[3]) << 24;
+}
+
+}  // namespace
+
 FastTexels make_fast_texels(Texels texels) {
-    FastTexels f{std::move(texels), {}};
-    if (f.texels.bits == 8)
-        for (const Rgba& t : f.texels.levels[0].texels)
-            f.packed.push_back(std::uint32_t(t[0]) | std::uint32_t(t[1]) << 8 | std::uint32_t(t[2]) << 16 |
-                               std::uint32_t(t[3]) << 24);
+    FastTexels f;
+    for (std::size_t i = 0; i < texels.levels.size(); ++i) {
+        f.first[i] = std::int32_t(std::max(f.packed.size(), f.wide.size()));
+        for (const Rgba& t : texels.levels[i].texels) {
+            if (texels.bits == 8)
+                f.packed.push_back(pack(t));
+            else
+                f.wide.push_back(t);
+        }
+    }
+    f.texels = std::move(texels);
     return f;
 }
 
@@ -49,12 +65,19 @@ struct Planner {
         return segment.sets.back();
     }
 
-    const ShadedVertices* shaded(const GeometrySet& set, const Draw& draw) {
-        const ShadeKey key = shade_key(set, machine.state, draw);
-        for (const auto& s : segment.shaded)
-            if (s->key == key) return s.get();
-        segment.shaded.push_back(shade_vertices(set, machine.state, draw, profile));
-        return segment.shaded.back().get();
+    const VertexColors* colors(const GeometrySet& set, const Draw& draw) {
+        const ColorKey key = color_key(set, machine.state, draw);
+        for (const auto& c : segment.colors)
+            if (c->key == key) return c.get();
+        segment.colors.push_back(shade_vertices(set, machine.state, draw, profile));
+        return segment.colors.back().get();
+    }
+    const VertexTexcoords* texcoords(const GeometrySet& set, const Draw& draw) {
+        const TexcoordKey key = texcoord_key(set, machine.state);
+        for (const auto& t : segment.texcoords)
+            if (t->key == key) return t.get();
+        segment.texcoords.push_back(texture_vertices(set, machine.state, draw, profile));
+        return segment.texcoords.back().get();
     }
 
     const FastTexels* texels(const TextureBinding& binding) {
@@ -79,8 +102,11 @@ struct Planner {
         op.perspective_color = profile.perspective_color && machine.state.shade_model == ShadeModel::Smooth;
         const bool exact_id = machine.state.color_source == ColorSource::PolygonId;
         op.texels_counted = draw.map.enabled() && !exact_id;
-        if (op.texels_counted && op.needs_color) op.texels = texels(draw.map);
-        if (op.needs_color && !exact_id) op.shaded = shaded(set, draw);
+        if (op.texels_counted && op.needs_color) {
+            op.texels = texels(draw.map);
+            op.texcoords = texcoords(set, draw);
+        }
+        if (op.needs_color && !exact_id) op.colors = colors(set, draw);
         if (machine.state.fog.enable && op.state.fragment_fog) {
             segment.fog_tables.push_back(fog_table(machine.state.fog, profile.color_bits));
             op.fog_table = &segment.fog_tables.back();
@@ -145,6 +171,7 @@ Segment plan_segment(std::span<const Command> commands, MachineState& machine, c
         std::visit([&](const auto& c) { planner.add(c); }, command);
     }
     for (GeometrySet& set : planner.segment.sets) make_bins(set, profile, grid);
+    plan_coverages(planner.segment);
     return std::move(planner.segment);
 }
 

@@ -7,6 +7,7 @@
 #include "gw/machine.h"
 #include "gw/texels.h"
 
+#include <array>
 #include <deque>
 #include <memory>
 #include <span>
@@ -15,22 +16,26 @@
 
 namespace gw::fast {
 
-/// Texels with the packing that the kernels gather from.
+/// Texels with all levels in one array, as the kernels gather from it.
 struct FastTexels {
     Texels texels;
-    std::vector<std::uint32_t> packed;  ///< level 0, 8 bits a channel, R lowest; only where bits == 8
+    std::array<std::int32_t, 16> first{};  ///< of each level, in texels
+    std::vector<std::uint32_t> packed;     ///< 8 bits a channel, R lowest; where bits == 8
+    std::vector<Rgba> wide;                ///< else
 };
 
 struct DrawOp {
     const Draw* draw = nullptr;
     Resolved state;
     const GeometrySet* set = nullptr;
-    const ShadedVertices* shaded = nullptr;  ///< null where no colour is needed
-    const FastTexels* texels = nullptr;      ///< null: untextured
-    bool texels_counted = false;             ///< textured, whether or not anyone sees the colour
+    const VertexColors* colors = nullptr;        ///< null where no colour is needed
+    const VertexTexcoords* texcoords = nullptr;  ///< null: untextured
+    const FastTexels* texels = nullptr;          ///< null: untextured
+    bool texels_counted = false;                 ///< textured, whether or not anyone sees the colour
     const std::vector<std::uint32_t>* fog_table = nullptr;
     bool needs_color = true;  ///< some plane or the alpha test sees it
     bool perspective_color = false;
+    int coverage = -1;  ///< which record of visible fragments it makes or uses; -1: none
     FragmentBytes bytes;
 };
 struct ClearOp {
@@ -76,9 +81,11 @@ struct MachineState {
 struct Segment {
     std::deque<TileOp> ops;
     std::deque<GeometrySet> sets;
-    std::deque<std::unique_ptr<ShadedVertices>> shaded;
+    std::deque<std::unique_ptr<VertexColors>> colors;
+    std::deque<std::unique_ptr<VertexTexcoords>> texcoords;
     std::deque<std::vector<std::uint32_t>> fog_tables;
     bool uses_accum = false;
+    int coverages = 0;  ///< records of visible fragments
 };
 
 /// Plans the commands up to the next barrier (which is not included) and counts their geometry. `done` is how

@@ -8,39 +8,48 @@
 
 namespace gw::fast {
 
-/// A texture coordinate: numerator plane, the factor to 1/256 texels of level 0, and what Clamp adds back.
+/// Colour and fog.
+struct ColorPlanes {
+    TilePlane color[4];  ///< numerators where `perspective`
+    bool perspective = false;
+    std::uint32_t low[4] = {}, high[4] = {};
+    TilePlane q;    ///< denominator, where colour or fog needs one
+    TilePlane fog;  ///< factor, or numerator of the coordinate
+    float fog_scale = 1;
+};
+
+/// A texture coordinate: numerator / q * 2^exponent + k.
 struct TexturePlane {
     TilePlane plane;
-    float scale = 1;
-    std::int32_t offset = 0;
     int exponent = 0;
-    double k = 0;
+    std::int32_t k = 0;  ///< 0 under Repeat
     CoordinateSlope slope;
 };
 
-struct PrimitivePlanes {
-    bool front = true;
-    TilePlane depth;
-    std::int64_t depth_offset = 0;
-    TilePlane color[4];  ///< numerators where perspective_color
-    bool perspective_color = false;
-    std::uint32_t color_low[4] = {}, color_high[4] = {};
-    TilePlane q;    ///< denominator
-    TilePlane fog;  ///< factor, or numerator of the coordinate
-    float fog_scale = 1;
-    TilePlane texture_q;  ///< where it differs from q
-    bool projective = false;
-    bool texture_by_pixel = false;  ///< a level of detail, a projection or a comparison: pixel by pixel
+struct TexturePlanes {
+    TilePlane q;
     TexturePlane s, t, r;
     int slope_x = 0, slope_y = 0;  ///< window pixel that the slopes are given at
 };
 
-/// Fills what the draw needs.
-void make_planes(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame,
-                 PrimitivePlanes& out);
+struct DepthPlane {
+    TilePlane plane;
+    std::int64_t offset = 0;
+};
 
-/// Lanes of `mask` in block (bx, by), one by one: every filter, projective coordinates, shadow comparison.
-void sample_by_pixel(const PrimitivePlanes& planes, const TileDraw& draw, int bx, int by, std::uint32_t mask,
+DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame);
+void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame,
+                       ColorPlanes& out);
+void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame,
+                         TexturePlanes& out);
+
+/// Whether a draw's texture is looked up pixel by pixel: projective coordinates and the shadow comparison.
+inline bool textures_by_pixel(const TextureState& s) {
+    return s.gen == TexGen::EyeLinear || s.shadow_compare;
+}
+
+/// Lanes of `mask` in block (bx, by), one by one.
+void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by, std::uint32_t mask,
                      ColorBlock& out);
 
 }  // namespace gw::fast

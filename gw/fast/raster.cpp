@@ -4,6 +4,7 @@
 #define HWY_TARGET_INCLUDE "gw/fast/raster.cpp"
 #include <hwy/foreach_target.h>
 
+#include "gw/fast/coverage.h"
 #include "gw/fast/kernels.h"
 #include "gw/fast/shade-inl.h"
 
@@ -51,21 +52,65 @@ HWY_INLINE std::uint32_t covered(const EdgeLanes& e, int bx, int by) {
     return ~mask & all_lanes;
 }
 
+/// A primitive in a tile, its planes made when the first of its fragments needs them.
+struct Primitive {
+    const TileDraw& draw;
+    const SetupPrimitive& setup;
+    const PrimitiveFrame& frame;
+    DepthPlane depth;
+    ColorPlanes color;
+    TexturePlanes texture;
+    bool has_depth = false, has_color = false;
+
+    HWY_INLINE const DepthBlock& depth_of(int bx, int by, DepthBlock& out) {
+        if (!has_depth) depth = depth_plane(draw, setup, frame);
+        has_depth = true;
+        shade_depth(depth, max_of_bits(draw.profile->depth_bits), bx, by, out);
+        return out;
+    }
+    HWY_INLINE const ColorBlock& color_of(int bx, int by, std::uint32_t mask, ColorBlock& out) {
+        if (!has_color) {
+            make_color_planes(draw, setup, frame, color);
+            if (draw.op->texels) make_texture_planes(draw, setup, frame, texture);
+        }
+        has_color = true;
+        shade_color(color, texture, draw, bx, by, mask, out);
+        return out;
+    }
+};
+
 /// A covered block: depth, then the stages, which ask for the colour when they need it.
-HWY_INLINE void block_of_primitive(const TileDraw& draw, const PrimitivePlanes& planes, int bx, int by,
-                                   std::uint32_t mask) {
-    const DrawOp& op = *draw.op;
-    DepthBlock depth;
-    ColorBlock color;
-    if (op.state.state.depth.func != DepthFunc::Always || op.state.state.depth.mask)
-        shade_depth(planes, max_of_bits(draw.profile->depth_bits), bx, by, depth);
-    const auto shade = [&]() -> const ColorBlock& {
-        shade_color(planes, draw, bx, by, mask, color);
-        return color;
-    };
-    run_fragments(op.state, planes.front, depth, draw.tile, draw.tile.block(bx, by), mask, *draw.counts,
-                  shade);
-}
+struct Painter {
+    HWY_INLINE void operator()(Primitive& p, int bx, int by, std::uint32_t mask) const {
+        const DrawOp& op = *p.draw.op;
+        DepthBlock depth;
+        ColorBlock color;
+        if (op.state.state.depth.func != DepthFunc::Always || op.state.state.depth.mask)
+            p.depth_of(bx, by, depth);
+        run_fragments(op.state, p.setup.front != 0, depth, p.draw.tile, p.draw.tile.block(bx, by), mask,
+                      *p.draw.counts, [&]() -> const ColorBlock& { return p.color_of(bx, by, mask, color); });
+    }
+};
+
+/// A covered block of a record in the making: counted, and kept where its depth is the stored one.
+struct Recorder {
+    Coverage& record;
+
+    HWY_INLINE void operator()(Primitive& p, int bx, int by, std::uint32_t mask) const {
+        const D32 d;
+        const std::size_t block = p.draw.tile.block(bx, by);
+        for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+            std::uint32_t* count = record.fragments[block].value + i;
+            const auto one = hn::IfThenElseZero(lanes_of(d, mask, i), hn::Set(d, 1u));
+            hn::Store(hn::Add(hn::Load(d, count), one), d, count);
+        }
+        record.total += std::uint64_t(std::popcount(mask));
+        DepthBlock depth;
+        const std::uint32_t visible =
+            depth_test(DepthFunc::Equal, p.depth_of(bx, by, depth), p.draw.tile.depth[block], mask);
+        if (visible != 0) record.blocks.push_back({std::uint16_t(block), std::uint16_t(visible)});
+    }
+};
 
 /// Pixels of the tile that may be touched: [x0, x1) x [y0, y1).
 struct PixelBounds {
@@ -87,21 +132,18 @@ HWY_INLINE PixelBounds bounds_in_tile(const TileDraw& draw, const PrimitiveFrame
             clamp(((y_high - half) >> f.s) + 1 - draw.tile.y, box.y0, box.y1)};
 }
 
-HWY_INLINE void draw_triangle(const TileDraw& draw, const SetupPrimitive& p, const PrimitiveFrame& frame) {
-    const PixelBounds b = bounds_in_tile(draw, frame);
+template <class Visit>
+HWY_INLINE void visit_triangle(Primitive& p, const Visit& visit) {
+    const TileDraw& draw = p.draw;
+    const PixelBounds b = bounds_in_tile(draw, p.frame);
     if (b.empty()) return;
     EdgeLanes edges;
-    edges.edges = tile_edges(frame, draw.tile);
+    edges.edges = tile_edges(p.frame, draw.tile);
     make_edge_lanes(edges);
-    PrimitivePlanes planes;
-    bool made = false;
     for (int by = b.y0 / block_side; by <= (b.y1 - 1) / block_side; ++by)
         for (int bx = b.x0 / block_side; bx <= (b.x1 - 1) / block_side; ++bx) {
             const std::uint32_t mask = covered(edges, bx, by) & draw.box.mask(bx, by);
-            if (mask == 0) continue;
-            if (!made) make_planes(draw, p, frame, planes);
-            made = true;
-            block_of_primitive(draw, planes, bx, by, mask);
+            if (mask != 0) visit(p, bx, by, mask);
         }
 }
 
@@ -147,33 +189,126 @@ inline void point_pixels(const TileDraw& draw, const PrimitiveFrame& f, int size
             out.add(int(i), int(j));
 }
 
-inline void draw_line_or_point(const TileDraw& draw, const SetupPrimitive& p, const PrimitiveFrame& frame) {
+template <class Visit>
+inline void visit_line_or_point(Primitive& p, const Visit& visit) {
     PixelSet pixels;
-    pixels.blocks_per_row = draw.tile.side / block_side;
-    const State& s = draw.op->state.state;
-    if (p.kind == MeshKind::Lines)
-        line_pixels(draw, frame, s.line_width, pixels);
+    pixels.blocks_per_row = p.draw.tile.side / block_side;
+    const State& s = p.draw.op->state.state;
+    if (p.setup.kind == MeshKind::Lines)
+        line_pixels(p.draw, p.frame, s.line_width, pixels);
     else
-        point_pixels(draw, frame, s.point_size, pixels);
-    PrimitivePlanes planes;
-    make_planes(draw, p, frame, planes);
+        point_pixels(p.draw, p.frame, s.point_size, pixels);
     for (int block = 0; block < pixels.blocks_per_row * pixels.blocks_per_row; ++block)
         if (pixels.mask[block] != 0)
-            block_of_primitive(draw, planes, block % pixels.blocks_per_row, block / pixels.blocks_per_row,
-                               pixels.mask[block]);
+            visit(p, block % pixels.blocks_per_row, block / pixels.blocks_per_row, pixels.mask[block]);
+}
+
+/// Calls visit(primitive, bx, by, mask) for every covered block of a primitive.
+template <class Visit>
+HWY_INLINE void visit_primitive(Primitive& p, const Visit& visit) {
+    if (p.setup.kind == MeshKind::Triangles)
+        visit_triangle(p, visit);
+    else
+        visit_line_or_point(p, visit);
+}
+
+HWY_INLINE PrimitiveFrame frame_of(const TileDraw& draw, std::uint32_t ordinal) {
+    const GeometrySet& set = *draw.op->set;
+    return primitive_frame(set, set.primitives[ordinal], draw.op->state.state.jitter,
+                           draw.profile->subpixel_bits, draw.tile);
 }
 
 void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
-    const GeometrySet& set = *draw.op->set;
     for (const std::uint32_t ordinal : bin) {
-        const SetupPrimitive& p = set.primitives[ordinal];
-        const PrimitiveFrame frame =
-            primitive_frame(set, p, draw.op->state.state.jitter, draw.profile->subpixel_bits, draw.tile);
-        if (p.kind == MeshKind::Triangles)
-            draw_triangle(draw, p, frame);
-        else
-            draw_line_or_point(draw, p, frame);
+        const PrimitiveFrame frame = frame_of(draw, ordinal);
+        Primitive p{draw, draw.op->set->primitives[ordinal], frame, {}, {}, {}};
+        visit_primitive(p, Painter{});
     }
+}
+
+/// Makes the record of a draw under Equal: its visible blocks, and how many fragments each pixel gets.
+void record_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
+    record.fragments.assign(std::size_t(draw.tile.side) * std::size_t(draw.tile.side) / block_pixels,
+                            DepthBlock{});
+    for (const std::uint32_t ordinal : bin) {
+        const PrimitiveFrame frame = frame_of(draw, ordinal);
+        Primitive p{draw, draw.op->set->primitives[ordinal], frame, {}, {}, {}};
+        const auto first = std::uint32_t(record.blocks.size());
+        visit_primitive(p, Recorder{record});
+        const auto count = std::uint32_t(record.blocks.size()) - first;
+        if (count != 0) record.primitives.push_back({ordinal, first, count, frame});
+    }
+    record.made = true;
+}
+
+/// Fragments of all blocks that the stencil test kills, from the counts; the others die by depth or are
+/// visible.
+HWY_INLINE std::uint64_t killed_by_stencil(const TileDraw& draw, const Coverage& record) {
+    const D32 d;
+    const StencilFace& face = draw.op->state.front;
+    if (face.func == StencilFunc::Always) return 0;
+    std::uint64_t killed = 0;
+    for (std::size_t block = 0; block < record.fragments.size(); ++block) {
+        const std::uint32_t fails = all_lanes & ~stencil_test(face, draw.tile.stencil[block], all_lanes);
+        if (fails == 0) continue;
+        alignas(64) std::uint32_t kept[block_pixels];
+        for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+            const auto n = hn::Load(d, record.fragments[block].value + i);
+            hn::Store(hn::IfThenElseZero(lanes_of(d, fails, i), n), d, kept + i);
+        }
+        for (const std::uint32_t n : kept) killed += n;
+    }
+    return killed;
+}
+
+/// Makes or finds the texture planes of the record's primitives.
+HWY_INLINE const TexturePlanes* texture_planes(const TileDraw& draw, Coverage& record) {
+    const DrawOp& op = *draw.op;
+    if (!op.texels) return nullptr;
+    TextureState state = op.state.state.texture;
+    state.env = TexEnv::Modulate, state.env_color = vec4(0);
+    if (record.texcoords != op.texcoords || !(record.texture_state == state)) {
+        record.texture.resize(record.primitives.size());
+        for (std::size_t i = 0; i < record.primitives.size(); ++i) {
+            const VisiblePrimitive& v = record.primitives[i];
+            make_texture_planes(draw, op.set->primitives[v.ordinal], v.frame, record.texture[i]);
+        }
+        record.texcoords = op.texcoords;
+        record.texture_state = state;
+    }
+    return record.texture.data();
+}
+
+/// Draws from a record: visible blocks only.
+void replay_all(const TileDraw& draw, Coverage& record) {
+    const DrawOp& op = *draw.op;
+    OpCounts& counts = *draw.counts;
+    const std::uint64_t killed = killed_by_stencil(draw, record);
+    std::uint64_t written = 0;
+    const TexturePlanes* texture = op.needs_color ? texture_planes(draw, record) : nullptr;
+    for (std::size_t k = 0; k < record.primitives.size(); ++k) {
+        const VisiblePrimitive& v = record.primitives[k];
+        ColorPlanes planes;
+        bool has_planes = false;
+        for (std::uint32_t b = v.first; b < v.first + v.count; ++b) {
+            const VisibleBlock& visible = record.blocks[b];
+            const std::uint32_t mask =
+                stencil_test(op.state.front, draw.tile.stencil[visible.block], visible.mask);
+            written += std::uint64_t(std::popcount(mask));
+            if (mask == 0 || !op.state.writes_color) continue;
+            if (!has_planes) make_color_planes(draw, op.set->primitives[v.ordinal], v.frame, planes);
+            has_planes = true;
+            const int row = draw.tile.side / block_side;
+            ColorBlock color;
+            shade_color(planes, texture ? texture[k] : TexturePlanes{}, draw, visible.block % row,
+                        visible.block / row, mask, color);
+            write_color(op.state, color, draw.tile.color[visible.block], mask);
+        }
+    }
+    counts.fragments += record.total;
+    counts.stencil_killed += killed;
+    counts.written += written;
+    counts.depth_killed += record.total - killed - written;
 }
 
 void process_block(const BlockFragments& f, const ColorBlock& color, const DepthBlock& depth,
@@ -189,10 +324,14 @@ HWY_AFTER_NAMESPACE();
 namespace gw::fast {
 
 HWY_EXPORT(draw_all);
+HWY_EXPORT(record_all);
+HWY_EXPORT(replay_all);
 HWY_EXPORT(process_block);
 
-void draw_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin) {
-    HWY_DYNAMIC_DISPATCH(draw_all)(draw, bin);
+void draw_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage* record) {
+    if (!record) return HWY_DYNAMIC_DISPATCH(draw_all)(draw, bin);
+    if (!record->made) HWY_DYNAMIC_DISPATCH(record_all)(draw, bin, *record);
+    HWY_DYNAMIC_DISPATCH(replay_all)(draw, *record);
 }
 
 void process_fragments(const BlockFragments& f, const ColorBlock& color, const DepthBlock& depth,

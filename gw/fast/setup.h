@@ -2,6 +2,7 @@
 // Does not evaluate them: the kernels do, a block at a time.
 #pragma once
 
+#include "gw/arithmetic.h"
 #include "gw/fast/geometry.h"
 
 #include <array>
@@ -16,20 +17,23 @@ __extension__ using int128 = __int128;
 /// V at pixel (i, j) of the tile is ((c + gx i + gy j) mod 2^64) >> 16, in as many bits as the value has.
 struct TilePlane {
     std::uint64_t c = 0;
-    std::int64_t gx = 0, gy = 0;  ///< wrapped: slivers have steeper ones
+    std::int64_t gx = 0, gy = 0;
+    bool sliver = false;  ///< the gradients are wrapped: the exact ones need more than 62 bits
 };
 
 /// Nearest integer to num * 2^shift / den, ties to even. Double only guesses, integers decide.
 int128 exact_gradient(std::int64_t num, int shift, std::int64_t den);
 
-inline std::int64_t gradient(std::int64_t num, int shift, std::int64_t den) {
+inline std::int64_t gradient(std::int64_t num, int shift, std::int64_t den, bool& sliver) {
     if (num == 0) return 0;
     const double scaled = double(num) * double(std::int64_t{1} << shift);
     const double q = scaled / double(den);
-    if (std::abs(scaled) < 4503599627370496.0) return static_cast<std::int64_t>(std::nearbyint(q));  // < 2^52
-    if (!(std::abs(q) < 2251799813685248.0))
-        return static_cast<std::int64_t>(exact_gradient(num, shift, den));  // 2^51
-    std::int64_t g = static_cast<std::int64_t>(std::nearbyint(q));
+    if (!(std::abs(q) < 1125899906842624.0)) {                      // 2^50
+        sliver = sliver || !(std::abs(q) < 2305843009213693952.0);  // 2^61
+        return static_cast<std::int64_t>(exact_gradient(num, shift, den));
+    }
+    std::int64_t g = static_cast<std::int64_t>(round_even(q));
+    if (std::abs(scaled) < 4503599627370496.0) return g;  // 2^52: a rational is no closer to a half than 1/2D
     const std::int64_t r =
         static_cast<std::int64_t>((std::uint64_t(num) << shift) - std::uint64_t(g) * std::uint64_t(den));
     if (2 * r > den || (2 * r == den && (g & 1)))
@@ -60,7 +64,7 @@ struct PrimitiveFrame {
         }
         return constant(a[0]);
     }
-    static TilePlane constant(std::int64_t a) { return {(std::uint64_t(a) << 16) + (1u << 15), 0, 0}; }
+    static TilePlane constant(std::int64_t a) { return {(std::uint64_t(a) << 16) + (1u << 15)}; }
 
     /// The gradients before they wrap, for the level of detail and the polygon offset.
     std::array<int128, 2> exact_gradients(const std::array<std::int64_t, 3>& a) const;
@@ -69,17 +73,21 @@ private:
     TilePlane triangle_plane(const std::array<std::int64_t, 3>& a) const {
         const std::int64_t da1 = a[1] - a[0], da2 = a[2] - a[0];
         if ((da1 | da2) == 0) return constant(a[0]);
-        return at_tile(a[0], gradient(da1 * dy2 - da2 * dy1, 16 + s, area2),
-                       gradient(da2 * dx1 - da1 * dx2, 16 + s, area2));
+        bool sliver = false;
+        const std::int64_t gx = gradient(da1 * dy2 - da2 * dy1, 16 + s, area2, sliver);
+        const std::int64_t gy = gradient(da2 * dx1 - da1 * dx2, 16 + s, area2, sliver);
+        return at_tile(a[0], gx, gy, sliver);
     }
     TilePlane line_plane(const std::array<std::int64_t, 3>& a) const {
-        const std::int64_t g = gradient(a[1 - base] - a[base], 16 + s, length);
-        return at_tile(a[base], x_major ? g : 0, x_major ? 0 : g);
+        bool sliver = false;
+        const std::int64_t g = gradient(a[1 - base] - a[base], 16 + s, length, sliver);
+        return at_tile(a[base], x_major ? g : 0, x_major ? 0 : g, sliver);
     }
-    TilePlane at_tile(std::int64_t a0, std::int64_t gx, std::int64_t gy) const {
+    TilePlane at_tile(std::int64_t a0, std::int64_t gx, std::int64_t gy, bool sliver) const {
         const auto u = [](std::int64_t v) { return static_cast<std::uint64_t>(v); };
         const std::int64_t to_center = static_cast<std::int64_t>(u(gx) * u(ax) + u(gy) * u(ay)) >> s;
-        return {(u(a0) << 16) + (1u << 15) + u(to_center) + u(gx) * u(to_x) + u(gy) * u(to_y), gx, gy};
+        return {(u(a0) << 16) + (1u << 15) + u(to_center) + u(gx) * u(to_x) + u(gy) * u(to_y), gx, gy,
+                sliver};
     }
 };
 

@@ -1,5 +1,5 @@
-// What a draw puts at the vertices of its geometry set: colours, texture coordinates, fog. Shared by draws
-// that agree. Does not interpolate.
+// What a draw puts at the vertices of its geometry set: colours and fog, texture coordinates. Each is shared
+// by the draws that agree in what it depends on. Does not interpolate.
 #pragma once
 
 #include "gw/fast/geometry.h"
@@ -9,31 +9,43 @@
 
 namespace gw::fast {
 
-/// What shaded vertices depend on beyond their geometry set.
-struct ShadeKey {
+/// What lit colours depend on beyond their geometry set.
+struct ColorKey {
     const GeometrySet* set = nullptr;
     Material material;
     LightsRef lights;
     ColorSource color_source = ColorSource::Vertex;
     LightingState lighting;
     FogState fog;
-    bool textured = false;
-    TexGen gen = TexGen::None;
-    double eta = 1;
-    dmat4 eye_linear{1};
-    bool operator==(const ShadeKey&) const = default;
+    bool operator==(const ColorKey&) const = default;
 };
-ShadeKey shade_key(const GeometrySet& set, const State& state, const Draw& draw);
+ColorKey color_key(const GeometrySet& set, const State& state, const Draw& draw);
 
 /// By vertex of the set; what a draw has no use for is empty.
-struct ShadedVertices {
-    ShadeKey key;
+struct VertexColors {
+    ColorKey key;
     std::vector<Rgba> front, back;
-    std::vector<dvec4> texcoord;
     std::vector<double> fog;
 };
 
-std::unique_ptr<ShadedVertices> shade_vertices(const GeometrySet& set, const State& state, const Draw& draw,
-                                               const Profile& profile);
+/// What texture coordinates depend on.
+struct TexcoordKey {
+    const GeometrySet* set = nullptr;
+    TexGen gen = TexGen::None;
+    double eta = 1;
+    dmat4 eye_linear{1};
+    bool operator==(const TexcoordKey&) const = default;
+};
+TexcoordKey texcoord_key(const GeometrySet& set, const State& state);
+
+struct VertexTexcoords {
+    TexcoordKey key;
+    std::vector<dvec4> strq;
+};
+
+std::unique_ptr<VertexColors> shade_vertices(const GeometrySet& set, const State& state, const Draw& draw,
+                                             const Profile& profile);
+std::unique_ptr<VertexTexcoords> texture_vertices(const GeometrySet& set, const State& state,
+                                                  const Draw& draw, const Profile& profile);
 
 }  // namespace gw::fast

@@ -16,15 +16,15 @@ std::int32_t value_at(const TilePlane& p, int i, int j) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> 16));
 }
 
-int level_coordinate(const TexturePlane& t, float uw, int log2_size, Wrap wrap) {
+int level_coordinate(const TexturePlane& t, float uw, int log2_size) {
     constexpr float limit = 1073741824.0f;
     const float u = std::floor(std::clamp(std::ldexp(uw, t.exponent + log2_size + 8), -limit, limit));
-    return static_cast<int>(u) + (wrap == Wrap::Repeat ? 0 : static_cast<int>(t.k) * (1 << (log2_size + 8)));
+    return static_cast<int>(u) + t.k * (1 << (log2_size + 8));
 }
 
 /// One pixel of the tile.
 struct PixelSampler {
-    const PrimitivePlanes& p;
+    const TexturePlanes& p;
     const TileDraw& draw;
     const TextureState& state;
     const Texels& texels;
@@ -41,8 +41,8 @@ struct PixelSampler {
     bool is_lit() const {
         const TexelLevel& level = texels.levels[0];
         const int bits = draw.profile->depth_bits;
-        const int u = level_coordinate(p.s, over_q(p.s), level.log2_width, state.wrap_s) >> 8;
-        const int v = level_coordinate(p.t, over_q(p.t), level.log2_height, state.wrap_t) >> 8;
+        const int u = level_coordinate(p.s, over_q(p.s), level.log2_width) >> 8;
+        const int v = level_coordinate(p.t, over_q(p.t), level.log2_height) >> 8;
         const double r = std::ldexp(double(over_q(p.r)), p.r.exponent + bits);
         const auto incoming = to_integer(std::floor(r), 0, max_of_bits(bits));
         const int index = wrap_index(state.wrap_t, v, level.height) * level.width +
@@ -67,13 +67,13 @@ struct PixelSampler {
     Rgba sample(int index, bool linear) const {
         const TexelLevel& level = texels.levels[std::size_t(index)];
         return lookup(level, linear, state.wrap_s, state.wrap_t,
-                      level_coordinate(p.s, over_q(p.s), level.log2_width, state.wrap_s),
-                      level_coordinate(p.t, over_q(p.t), level.log2_height, state.wrap_t), texels.bits);
+                      level_coordinate(p.s, over_q(p.s), level.log2_width),
+                      level_coordinate(p.t, over_q(p.t), level.log2_height), texels.bits);
     }
 
     Rgba texel() {
-        const std::int32_t q = value_at(p.texture_q, i, j);
-        if (p.projective && q < 1) return grey(true);
+        const std::int32_t q = value_at(p.q, i, j);
+        if (state.gen == TexGen::EyeLinear && q < 1) return grey(true);
         w = 1.0f / static_cast<float>(q);
         if (state.shadow_compare) return grey(is_lit());
         LevelChoice choice{.magnify = true};
@@ -86,7 +86,7 @@ struct PixelSampler {
 
 }  // namespace
 
-void sample_by_pixel(const PrimitivePlanes& p, const TileDraw& draw, int bx, int by, std::uint32_t mask,
+void sample_by_pixel(const TexturePlanes& p, const TileDraw& draw, int bx, int by, std::uint32_t mask,
                      ColorBlock& out) {
     for (std::uint32_t lane = 0; lane < block_pixels; ++lane) {
         Rgba texel{};

@@ -2,6 +2,7 @@
 #include "gw/fast/tile_run.h"
 
 #include "gw/accumulation.h"
+#include "gw/fast/coverage.h"
 #include "gw/fast/kernels.h"
 #include "gw/parallel.h"
 #include "gw/tables.h"
@@ -47,12 +48,15 @@ struct TileRun {
     Tile tile;
     std::size_t index;
     OpCounts* counts = nullptr;
+    std::vector<Coverage>* coverages = nullptr;
 
     BlockBox box(const Rect& rect) const { return block_box(rect, tile); }
 
     void run(const DrawOp& op) {
         const TileDraw draw{&op, &profile, tile, box(op.state.draw_box), counts};
-        if (!draw.box.empty()) draw_primitives(draw, op.set->tile_bin(index));
+        if (!draw.box.empty())
+            draw_primitives(draw, op.set->tile_bin(index),
+                            op.coverage < 0 ? nullptr : &(*coverages)[std::size_t(op.coverage)]);
     }
 
     void run(const ClearOp& op) {
@@ -196,8 +200,11 @@ std::vector<OpCounts> run_tiles(const Segment& segment, Frame& frame, const Prof
     const std::size_t tiles = frame.grid().count();
     std::vector<std::vector<OpCounts>> by_worker(std::size_t(threads),
                                                  std::vector<OpCounts>(segment.ops.size()));
+    std::vector<std::vector<Coverage>> coverages(std::size_t(threads),
+                                                 std::vector<Coverage>(std::size_t(segment.coverages)));
     parallel_for(tiles, threads, [&](std::size_t i, int worker) {
-        TileRun run{profile, frame.tile(i), i};
+        TileRun run{profile, frame.tile(i), i, nullptr, &coverages[std::size_t(worker)]};
+        for (Coverage& record : *run.coverages) record.clear();
         for (std::size_t k = 0; k < segment.ops.size(); ++k) {
             run.counts = &by_worker[std::size_t(worker)][k];
             std::visit([&](const auto& op) { run.run(op); }, segment.ops[k].op);

@@ -1,0 +1,48 @@
+// Visible fragments found once: after a depth prepass, passes under Equal touch only the pixels whose depth a
+// primitive has, and those are the same for every pass of the same geometry. Every primitive that ties is
+// kept, never one a pixel. Does not draw; raster.cpp makes and replays a record.
+#pragma once
+
+#include "gw/fast/primitive.h"
+#include "gw/fast/setup.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace gw::fast {
+
+struct Segment;
+
+/// Pixels of one block where a primitive's depth equals the stored one.
+struct VisibleBlock {
+    std::uint16_t block = 0, mask = 0;
+};
+struct VisiblePrimitive {
+    std::uint32_t ordinal = 0;           ///< in GeometrySet::primitives
+    std::uint32_t first = 0, count = 0;  ///< in Coverage::blocks
+    PrimitiveFrame frame;
+};
+
+/// One draw's record in one tile.
+struct Coverage {
+    bool made = false;
+    std::vector<VisiblePrimitive> primitives;
+    std::vector<VisibleBlock> blocks;
+    std::vector<DepthBlock> fragments;  ///< how many fragments each pixel gets (visible or not)
+    std::uint64_t total = 0;            ///< their sum
+
+    /// Texture planes of `primitives`, kept while draws ask for the same ones.
+    std::vector<TexturePlanes> texture;
+    const VertexTexcoords* texcoords = nullptr;
+    TextureState texture_state;
+    std::pair<int, int> texture_size;
+
+    void clear();
+};
+
+/// Gives draws that may share a record its number. A draw may where it compares Equal without changing depth
+/// or stencil, has no alpha test, and where nothing but such draws has touched depth since the record was
+/// made.
+void plan_coverages(Segment& segment);
+
+}  // namespace gw::fast

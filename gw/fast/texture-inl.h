@@ -1,0 +1,250 @@
+// Textures on a block of 16 pixels: coordinates, level of detail, filters. docs/manual.md, "Textures";
+// scalar twins: gw/texels.cpp, gw/reference/texture_unit.cpp. Does not combine with the fragment's colour.
+// Included once per Highway target.
+#if defined(GW_FAST_TEXTURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_TEXTURE_INL_H_
+#undef GW_FAST_TEXTURE_INL_H_
+#else
+#define GW_FAST_TEXTURE_INL_H_
+#endif
+
+#include "gw/fast/planes-inl.h"
+#include "gw/fast/primitive.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+using VI = hn::Vec<I32>;
+using VF = hn::Vec<F32>;
+
+/// Four channels of one texel per lane.
+struct TexelLanes {
+    V32 channel[4];
+};
+
+HWY_INLINE TexelLanes fetch(const FastTexels& t, VI index) {
+    const D32 d;
+    TexelLanes out;
+    if (!t.packed.empty()) {
+        const auto v = hn::GatherIndex(d, t.packed.data(), index);
+        const auto byte = hn::Set(d, 255u);
+        out.channel[0] = hn::And(v, byte);
+        out.channel[1] = hn::And(hn::ShiftRight<8>(v), byte);
+        out.channel[2] = hn::And(hn::ShiftRight<16>(v), byte);
+        out.channel[3] = hn::ShiftRight<24>(v);
+        return out;
+    }
+    const auto* base = reinterpret_cast<const std::uint32_t*>(t.wide.data());
+    const auto two = hn::Add(index, index);
+    const auto rg = hn::GatherIndex(d, base, two),
+               ba = hn::GatherIndex(d, base, hn::Add(two, hn::Set(I32(), 1)));
+    const auto low = hn::Set(d, 0xFFFFu);
+    out.channel[0] = hn::And(rg, low);
+    out.channel[1] = hn::ShiftRight<16>(rg);
+    out.channel[2] = hn::And(ba, low);
+    out.channel[3] = hn::ShiftRight<16>(ba);
+    return out;
+}
+
+/// bilinear() of gw/texels.h.
+HWY_INLINE V32 bilinear_lanes(V32 a, V32 b, V32 c, V32 e, V32 wx, V32 wy, int bits) {
+    const D32 d;
+    if (bits == 8) {
+        const I32 i;
+        const auto s = [&](V32 v) { return hn::BitCast(i, v); };
+        const auto half = hn::Set(i, 128), x = hn::ShiftLeft<6>(s(wx));
+        const auto row = [&](V32 p, V32 q) {
+            return hn::Add(hn::ShiftLeft<6>(s(p)),
+                           hn::ShiftRight<8>(hn::Add(hn::Mul(hn::Sub(s(q), s(p)), x), half)));
+        };
+        const auto t0 = row(a, b), t1 = row(c, e);
+        const auto t = hn::Add(t0, hn::ShiftRight<8>(hn::Add(hn::Mul(hn::Sub(t1, t0), s(wy)), half)));
+        return hn::BitCast(d, hn::ShiftRight<6>(hn::Add(t, hn::Set(i, 32))));
+    }
+    const auto whole = hn::Set(d, 256u);
+    const auto mix = [&](V32 p, V32 q, V32 w) {
+        return hn::Add(hn::Mul(p, hn::Sub(whole, w)), hn::Mul(q, w));
+    };
+    return hn::ShiftRight<16>(hn::Add(mix(mix(a, b, wx), mix(c, e, wx), wy), hn::Set(d, 1u << 15)));
+}
+
+/// One draw's texture as the lanes see it.
+struct Sampler {
+    const FastTexels& texels;
+    const TextureState& state;
+    const TexturePlanes& planes;
+    int bits;
+
+    const TexelLevel& base() const { return texels.texels.levels[0]; }
+
+    /// U W 2^e in 1/256 texels of the lanes' own levels, whose sides are 2^log2_size; at most 2^30.
+    HWY_INLINE VI coordinate(const TexturePlane& t, VF uw, VI log2_size) const {
+        const I32 i;
+        const F32 f;
+        const auto shift = hn::Add(log2_size, hn::Set(i, 8));
+        const auto scale = hn::BitCast(f, hn::ShiftLeft<23>(hn::Add(shift, hn::Set(i, 127 + t.exponent))));
+        const auto scaled = hn::Max(hn::Zero(f), hn::Min(hn::Mul(uw, scale), hn::Set(f, 1073741824.0f)));
+        const auto u = hn::ConvertTo(i, scaled);
+        return t.k == 0 ? u : hn::Add(u, hn::Shl(hn::Set(i, t.k), shift));
+    }
+
+    /// Wraps texel indices of levels with `last` + 1 texels a side.
+    HWY_INLINE static VI wrapped(Wrap wrap, VI index, VI last) {
+        return wrap == Wrap::Repeat ? hn::And(index, last) : hn::Min(hn::Max(index, hn::Zero(I32())), last);
+    }
+
+    /// lookup() of gw/texels.h in the lanes' own levels.
+    HWY_INLINE TexelLanes lookup(VF uw, VF vw, VI level, bool linear) const {
+        const I32 i;
+        const D32 d;
+        const auto zero = hn::Zero(i), one = hn::Set(i, 1);
+        const auto log2_w = hn::Max(hn::Sub(hn::Set(i, base().log2_width), level), zero);
+        const auto log2_h = hn::Max(hn::Sub(hn::Set(i, base().log2_height), level), zero);
+        const auto last_x = hn::Sub(hn::Shl(one, log2_w), one), last_y = hn::Sub(hn::Shl(one, log2_h), one);
+        const auto first = hn::GatherIndex(i, texels.first.data(), level);
+        auto u = coordinate(planes.s, uw, log2_w), v = coordinate(planes.t, vw, log2_h);
+        const auto row = [&](VI y) {
+            return hn::Add(first, hn::Shl(wrapped(state.wrap_t, y, last_y), log2_w));
+        };
+        const auto column = [&](VI x) { return wrapped(state.wrap_s, x, last_x); };
+        if (!linear) return fetch(texels, hn::Add(row(hn::ShiftRight<8>(v)), column(hn::ShiftRight<8>(u))));
+
+        const auto half = hn::Set(i, 128), fraction = hn::Set(i, 255);
+        u = hn::Sub(u, half), v = hn::Sub(v, half);
+        const auto x0 = hn::ShiftRight<8>(u), y0 = hn::ShiftRight<8>(v);
+        const auto c0 = column(x0), c1 = column(hn::Add(x0, one)), r0 = row(y0), r1 = row(hn::Add(y0, one));
+        const TexelLanes a = fetch(texels, hn::Add(r0, c0)), b = fetch(texels, hn::Add(r0, c1));
+        const TexelLanes c = fetch(texels, hn::Add(r1, c0)), e = fetch(texels, hn::Add(r1, c1));
+        const auto wx = hn::BitCast(d, hn::And(u, fraction)), wy = hn::BitCast(d, hn::And(v, fraction));
+        TexelLanes out;
+        for (std::size_t k = 0; k < 4; ++k)
+            out.channel[k] =
+                bilinear_lanes(a.channel[k], b.channel[k], c.channel[k], e.channel[k], wx, wy, bits);
+        return out;
+    }
+};
+
+/// What rho is made of in one block: the larger slope of each row and column. docs/manual.md, "Level of
+/// detail".
+struct BlockSlopes {
+    float row[block_side], column[block_side];
+};
+
+HWY_INLINE BlockSlopes block_slopes(const Sampler& s, const Tile& tile, int bx, int by) {
+    const double scale_s = std::ldexp(1.0, s.planes.s.exponent + s.base().log2_width);
+    const double scale_t = std::ldexp(1.0, s.planes.t.exponent + s.base().log2_height);
+    const CoordinateSlope &u = s.planes.s.slope, &v = s.planes.t.slope;
+    BlockSlopes out;
+    for (int i = 0; i < block_side; ++i) {
+        const int dx = tile.x + bx * block_side + i - s.planes.slope_x,
+                  dy = tile.y + by * block_side + i - s.planes.slope_y;
+        const double row_u = std::abs(u.a + double(u.k) * dy), row_v = std::abs(v.a + double(v.k) * dy);
+        const double column_u = std::abs(u.b - double(u.k) * dx), column_v = std::abs(v.b - double(v.k) * dx);
+        out.row[i] = static_cast<float>(std::max(row_u * scale_s, row_v * scale_t));
+        out.column[i] = static_cast<float>(std::max(column_u * scale_s, column_v * scale_t));
+    }
+    return out;
+}
+
+/// choose_level() of gw/texels.h, lane by lane.
+struct LevelLanes {
+    hn::Mask<I32> magnify;
+    VI level, next;
+    V32 weight;
+};
+
+HWY_INLINE LevelLanes choose_levels(const Sampler& s, const BlockSlopes& slopes, VF w, std::size_t first) {
+    const I32 i;
+    const F32 f;
+    alignas(64) float slope[block_pixels];
+    for (std::size_t lane = 0; lane < block_pixels; ++lane)
+        slope[lane] = std::max(slopes.row[lane / block_side], slopes.column[lane % block_side]);
+    const auto rho = hn::Mul(hn::Mul(hn::Load(f, slope + first), hn::Mul(w, w)), hn::Set(f, 1.0f / 65536));
+    const auto bits = hn::BitCast(i, rho);
+    const bool later =
+        s.state.mag_filter == MagFilter::Linear && (s.state.min_filter == MinFilter::NearestMipmapNearest ||
+                                                    s.state.min_filter == MinFilter::NearestMipmapLinear);
+    LevelLanes out{hn::Not(hn::Gt(bits, hn::Set(i, later ? 0x3FB504F3 : 0x3F800000))), hn::Zero(i),
+                   hn::Zero(i), hn::Zero(D32())};
+    const auto last = hn::Set(i, int(s.texels.texels.levels.size()) - 1);
+    const auto level_from = [&](int origin) { return hn::ShiftRight<23>(hn::Sub(bits, hn::Set(i, origin))); };
+    switch (s.state.min_filter) {
+        case MinFilter::Nearest:
+        case MinFilter::Linear: break;
+        case MinFilter::NearestMipmapNearest:
+        case MinFilter::LinearMipmapNearest:
+            out.level = hn::Min(hn::Max(level_from(0x3F3504F4), hn::Zero(i)), last);
+            break;
+        case MinFilter::NearestMipmapLinear:
+        case MinFilter::LinearMipmapLinear: {
+            const auto level = level_from(0x3F800000);
+            const auto inside = hn::Lt(level, last);
+            const auto mantissa = hn::And(hn::ShiftRight<15>(bits), hn::Set(i, 255));
+            const auto weight = hn::GatherIndex(D32(), mantissa_levels().data(), mantissa);
+            out.level = hn::Min(hn::Max(level, hn::Zero(i)), last);
+            out.weight = hn::IfThenElseZero(hn::RebindMask(D32(), inside), weight);
+            break;
+        }
+    }
+    out.level = hn::IfThenZeroElse(out.magnify, out.level);
+    out.weight = hn::IfThenZeroElse(hn::RebindMask(D32(), out.magnify), out.weight);
+    out.next = hn::Min(hn::Add(out.level, hn::Set(i, 1)), last);
+    return out;
+}
+
+HWY_INLINE bool is_linear(MinFilter filter) {
+    return filter == MinFilter::Linear || filter == MinFilter::LinearMipmapNearest ||
+           filter == MinFilter::LinearMipmapLinear;
+}
+
+/// The lanes' texels at one level each, magnified and minified lanes by their own filters.
+HWY_INLINE TexelLanes sample_level(const Sampler& s, VF uw, VF vw, VI level, hn::Mask<I32> magnify) {
+    const bool small = is_linear(s.state.min_filter), large = s.state.mag_filter == MagFilter::Linear;
+    TexelLanes out = s.lookup(uw, vw, level, small);
+    if (small == large) return out;
+    const TexelLanes other = s.lookup(uw, vw, level, large);
+    const auto chosen = hn::RebindMask(D32(), magnify);
+    for (std::size_t k = 0; k < 4; ++k)
+        out.channel[k] = hn::IfThenElse(chosen, other.channel[k], out.channel[k]);
+    return out;
+}
+
+/// between_levels() of gw/texels.h.
+HWY_INLINE void mix_levels(TexelLanes& a, const TexelLanes& b, V32 weight) {
+    const I32 i;
+    const auto f = hn::BitCast(i, weight), half = hn::Set(i, 128);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto from = hn::BitCast(i, a.channel[k]), to = hn::BitCast(i, b.channel[k]);
+        const auto step = hn::ShiftRight<8>(hn::Add(hn::Mul(hn::Sub(to, from), f), half));
+        a.channel[k] = hn::BitCast(D32(), hn::Add(from, step));
+    }
+}
+
+HWY_INLINE void sample_block(const Sampler& s, const Tile& tile, int bx, int by, ColorBlock& out) {
+    const I32 d;
+    const bool levels = needs_rho(s.state);
+    BlockSlopes slopes{};
+    if (levels) slopes = block_slopes(s, tile, bx, by);
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        const Pixels at = pixels_of(bx, by, i);
+        const auto w = reciprocal_lanes(s.planes.q, at);
+        const auto uw = hn::Mul(to_floats(wide_plane(s.planes.s.plane, at)), w),
+                   vw = hn::Mul(to_floats(wide_plane(s.planes.t.plane, at)), w);
+        TexelLanes texel;
+        if (!levels) {
+            texel = s.lookup(uw, vw, hn::Zero(d), s.state.mag_filter == MagFilter::Linear);
+        } else {
+            const LevelLanes l = choose_levels(s, slopes, w, i);
+            texel = sample_level(s, uw, vw, l.level, l.magnify);
+            const auto mixed = hn::Gt(hn::BitCast(d, l.weight), hn::Zero(d));
+            if (!hn::AllFalse(d, mixed))
+                mix_levels(texel, sample_level(s, uw, vw, l.next, l.magnify), l.weight);
+        }
+        for (std::size_t k = 0; k < 4; ++k) store16(texel.channel[k], out.channel[k] + i);
+    }
+}
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target
