@@ -48,7 +48,8 @@ struct Meeting {
 
 class Normals {
 public:
-    Normals(ObjData& obj, double crease) : obj_(obj), cos_crease_(cos_degrees(crease)) {}
+    Normals(ObjData& obj, double crease)
+        : obj_(obj), cos_crease_(cos_degrees(crease)), cos_half_crease_(cos_degrees(crease / 2)) {}
 
     void add() {
         if (!find_corners()) return;
@@ -107,38 +108,63 @@ private:
         return a.smoothing != smooth_by_angle || dot(a.normal, b.normal) >= cos_crease_;
     }
 
-    dvec3 sum_at(std::span<const Meeting> meetings, std::uint32_t own) const {
+    // Where the faces at a point are one smooth surface, the one sum of all corners; else 0. Spares the
+    // pairs: faces within half the crease angle of their mean are within the angle of each other.
+    dvec3 common_sum(std::span<const Meeting> meetings) const {
+        const std::int32_t smoothing = faces_[meetings[0].face].smoothing;
         dvec3 sum(0);
+        for (const Meeting& m : meetings) {
+            if (faces_[m.face].smoothing != smoothing || smoothing == smooth_off) return dvec3(0);
+            sum += faces_[m.face].area;
+        }
+        const dvec3 mean = unit(sum);
+        for (const Meeting& m : meetings)
+            if (smoothing == smooth_by_angle && !(dot(faces_[m.face].normal, mean) >= cos_half_crease_))
+                return dvec3(0);
+        return sum;
+    }
+
+    dvec3 sum_at(std::span<const Meeting> meetings, std::uint32_t own) const {
         const bool takes_all = is_zero(faces_[own].normal);
+        if (faces_[own].smoothing == smooth_off && !takes_all) return faces_[own].area;
+        dvec3 sum(0);
         for (const Meeting& other : meetings)
             if (takes_all || other.face == own || smooth_together(faces_[own], faces_[other.face]))
                 sum += faces_[other.face].area;
         return sum;
     }
 
-    vec3 normal_at(std::span<const Meeting> meetings, std::uint32_t own) const {
-        dvec3 normal = unit(sum_at(meetings, own));
+    // Where the sum is 0, opposite faces cancelled out: each has its own.
+    vec3 normal_of(const dvec3& sum, std::uint32_t own) const {
+        dvec3 normal = unit(sum);
         if (is_zero(normal)) normal = faces_[own].normal;
         if (is_zero(normal)) normal = {0, 0, 1};
         return vec3(normal);
     }
 
-    // Equal normals at one point are one vn, so that the corners stay one vertex.
     void smooth(std::span<const Meeting> meetings) {
         const std::size_t first = obj_.normals.size();
+        const dvec3 common = common_sum(meetings);
         for (const Meeting& meeting : meetings) {
             Corner& corner = obj_.corners[meeting.corner];
             if (corner.vn != absent) continue;
-            const vec3 normal = normal_at(meetings, meeting.face);
-            const auto found = std::find(obj_.normals.begin() + static_cast<std::ptrdiff_t>(first),
-                                         obj_.normals.end(), normal);
-            corner.vn = static_cast<std::uint32_t>(found - obj_.normals.begin());
-            if (found == obj_.normals.end()) obj_.normals.push_back(normal);
+            const dvec3 sum = is_zero(common) ? sum_at(meetings, meeting.face) : common;
+            corner.vn = index_of(normal_of(sum, meeting.face), first);
         }
     }
 
+    // Equal normals at one point (which begin at `first`) are one vn, so that the corners stay one vertex.
+    // Where there are very many, the latest are looked through only.
+    std::uint32_t index_of(const vec3& normal, std::size_t first) {
+        const std::size_t size = obj_.normals.size();
+        for (std::size_t i = std::max(first, size - std::min<std::size_t>(size, 64)); i < size; ++i)
+            if (obj_.normals[i] == normal) return static_cast<std::uint32_t>(i);
+        obj_.normals.push_back(normal);
+        return static_cast<std::uint32_t>(size);
+    }
+
     ObjData& obj_;
-    double cos_crease_;
+    double cos_crease_, cos_half_crease_;
     std::vector<Face> faces_;
     std::vector<std::uint32_t> begin_;
     std::vector<Meeting> meetings_;

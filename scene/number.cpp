@@ -34,6 +34,14 @@ FloatText read_float(const char* begin, const char* end) {
     return text;
 }
 
+std::optional<double> read_double(std::string_view text) {
+    double value = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (result.ec != std::errc{} || result.ptr != text.data() + text.size() || !std::isfinite(value))
+        return {};
+    return value;
+}
+
 std::string_view fault_text(NumberFault fault) {
     switch (fault) {
         case NumberFault::None: return "";

@@ -1,6 +1,7 @@
 // Numbers in text: the float32 nearest to the decimal, whatever the locale. Does not skip blanks.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,9 @@ struct FloatText {
 
 /// Reads the number at `begin`: "1", "-.5", "+1e-3". Numbers too small for a float become 0 with their sign.
 FloatText read_float(const char* begin, const char* end);
+
+/// The double nearest to a text that is nothing but a finite decimal number.
+std::optional<double> read_double(std::string_view text);
 
 /// " is not a number", " is not finite", " is too large".
 std::string_view fault_text(NumberFault fault);

@@ -36,11 +36,11 @@ std::string unknown(std::string_view what, std::string_view name, const std::vec
     return text + "; the nearest known is '" + nearest(name, known) + "'";
 }
 
-std::string printable(std::string_view text) {
-    std::string result(text.substr(0, 40));
+std::string printable(std::string_view text, std::size_t most) {
+    std::string result(text.substr(0, most));
     for (char& c : result)
         if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
-    if (text.size() > 40) result += "...";
+    if (text.size() > most) result += "...";
     return result;
 }
 

@@ -19,8 +19,7 @@ std::string nearest(std::string_view name, const std::vector<std::string>& known
 std::string unknown(std::string_view what, std::string_view name, const std::vector<std::string>& known,
                     std::string_view where = {});
 
-/// A piece of a file as it can be printed in one line: at most 40 characters, none of them a control
-/// character.
-std::string printable(std::string_view text);
+/// A piece of a file as it can be printed in one line: at most `most` bytes, no control characters.
+std::string printable(std::string_view text, std::size_t most = 40);
 
 }  // namespace gw::scene

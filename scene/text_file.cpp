@@ -44,11 +44,12 @@ fs::path path_without_case(const fs::path& folder, const fs::path& name) {
     return found;
 }
 
-std::string contents(std::FILE* in) {
-    std::string text;
+// `expected` is the size where it is known; pipes and devices have none.
+std::string contents(std::FILE* in, std::size_t expected) {
+    std::string text(expected + 1, '\0');
     std::size_t size = 0;
     for (std::size_t got = 1; got > 0; size += got) {
-        if (size == text.size()) text.resize(std::max<std::size_t>(1 << 16, 2 * size));
+        if (size == text.size()) text.resize(2 * size);
         got = std::fread(text.data() + size, 1, text.size() - size, in);
     }
     text.resize(size);
@@ -69,7 +70,8 @@ std::string read_text(const fs::path& path) {
     if (!in)
         throw Error(path.string(), 0,
                     std::string("cannot be opened: ") + std::strerror(errno) + "; expected a readable file");
-    std::string text = contents(in.get());
+    const std::uintmax_t size = fs::file_size(path, error);
+    std::string text = contents(in.get(), error ? 0xffff : static_cast<std::size_t>(size));
     if (std::ferror(in.get()))
         throw Error(path.string(), 0, "cannot be read to its end; expected a readable file");
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))

@@ -17,11 +17,16 @@ const Shape& to_shape(const TomlValue& value) {
     value.fail(unknown("shape", value.text, known));
 }
 
-Key parameter_key(const ShapeParameter& parameter, double& field) {
+// A whole number that is 0 or 1 is a switch: true and false are taken too.
+double to_parameter(const TomlValue& value, const ShapeParameter& parameter) {
     const Range range{parameter.low, parameter.high};
-    return {parameter.name, [&field, range, integer = parameter.integer](const TomlValue& value) {
-                field = integer ? to_int(value, range) : to_double(value, range);
-            }};
+    if (!parameter.integer) return to_double(value, range);
+    if (value.kind == TomlKind::Boolean && range.low == 0 && range.high == 1) return value.boolean;
+    return to_int(value, range);
+}
+
+Key parameter_key(const ShapeParameter& parameter, double& field) {
+    return {parameter.name, [&](const TomlValue& value) { field = to_parameter(value, parameter); }};
 }
 
 }  // namespace

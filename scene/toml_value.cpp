@@ -1,6 +1,7 @@
 #include "scene/toml_value.h"
 
 #include "gw/error.h"
+#include "scene/number.h"
 #include "scene/suggest.h"
 #include "scene/text_file.h"
 
@@ -74,8 +75,8 @@ private:
     }
     void fill(TomlValue& value, const toml::value<double>& node) const {
         value.kind = TomlKind::Float;
-        value.number = *node;
         value.text = number_at(node.source().begin);
+        value.number = read_double(value.text).value_or(*node);
     }
     void fill(TomlValue& value, const toml::value<std::string>& node) const {
         value.kind = TomlKind::String;
@@ -125,7 +126,8 @@ TomlValue read_toml_file(const std::filesystem::path& path) {
     try {
         return Converter(path.string(), text).convert(toml::parse(text, path.string()), "", "");
     } catch (const toml::parse_error& error) {
-        throw Error(path.string(), static_cast<int>(error.source().begin.line), error.description());
+        throw Error(path.string(), static_cast<int>(error.source().begin.line),
+                    printable(error.description(), 200));
     }
 }
 

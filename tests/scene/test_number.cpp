@@ -56,6 +56,13 @@ TEST(ReadFloat, StopsAfterTheNumber) {
     EXPECT_EQ(read_float(text.data(), text.data() + text.size()).end - text.data(), 2);
 }
 
+TEST(ReadDouble, TakesFiniteDecimalsOnly) {
+    EXPECT_EQ(read_double("0.1"), 0.1);
+    EXPECT_EQ(read_double("-1e300"), -1e300);
+    for (const char* text : {"", "x", "1x", "0x10", "nan", "inf", "1e400"})
+        EXPECT_EQ(read_double(text), std::nullopt) << text;
+}
+
 TEST(NumberText, IsTheShortest) {
     EXPECT_EQ(number_text(0.1), "0.1");
     EXPECT_EQ(number_text(179), "179");
