@@ -25,7 +25,7 @@ constexpr Outcode not_finite = 1u << 30, not_in_front = 1u << 31;
 struct Builder {
     const Profile& profile;
     VertexProgram program;
-    GeometrySet set;
+    GeometrySet& set;
     std::vector<Outcode> outcode;
 
     const Mesh& mesh() const { return *program.draw->mesh; }
@@ -219,7 +219,7 @@ void push_primitives(Builder& b) {
     }
 }
 
-std::vector<std::uint8_t> used_vertices(const GeometrySet& set, std::size_t mesh_vertices) {
+std::vector<std::uint32_t> used_vertices(const GeometrySet& set, std::uint32_t mesh_vertices) {
     std::vector<std::uint8_t> used(mesh_vertices);
     const auto use = [&](std::uint32_t v) {
         if (v < mesh_vertices) used[v] = 1;
@@ -228,25 +228,26 @@ std::vector<std::uint8_t> used_vertices(const GeometrySet& set, std::size_t mesh
         for (const std::uint32_t v : p.vertex) use(v);
         use(p.provoking);
     }
-    return used;
+    std::vector<std::uint32_t> list;
+    for (std::uint32_t v = 0; v < mesh_vertices; ++v)
+        if (used[v]) list.push_back(v);
+    return list;
 }
 
 }  // namespace
 
-GeometrySet make_geometry(const State& state, const Draw& draw, const Profile& profile, int width,
-                          int height) {
-    Builder b{profile, vertex_program(state, draw, profile), {}, {}};
-    b.set.key = geometry_key(state, draw);
-    b.set.state = resolve(state, profile, width, height);
+void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile, int width,
+                   int height) {
+    Builder b{profile, vertex_program(state, draw, profile), set, {}};
+    set.state = resolve(state, profile, width, height);
     for (const ClipPlane& plane : state.clip_planes) b.any_user_plane = b.any_user_plane || plane.enable;
     b.push_vertices();
     push_primitives(b);
-    b.set.used = used_vertices(b.set, b.mesh().vertex_count());
-    Counters& c = b.set.counters;
+    set.used = used_vertices(set, b.mesh().vertex_count());
+    Counters& c = set.counters;
     c.draws = 1;
     c.vertices = b.mesh().vertex_count();
     c.primitives = b.mesh().triangles().size() + b.mesh().lines().size() + b.mesh().points().size();
-    return std::move(b.set);
 }
 
 }  // namespace gw::fast

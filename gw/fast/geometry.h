@@ -54,7 +54,7 @@ struct GeometrySet {
     std::vector<double> w;
     std::vector<SetupPrimitive> primitives;
     std::vector<Cut> cuts;
-    std::vector<std::uint8_t> used;  ///< by mesh vertex: some primitive looks at it
+    std::vector<std::uint32_t> used;  ///< mesh vertices that some primitive looks at, in order
     Counters counters;               ///< of one draw: vertices to drawn
 
     JitterState jitter_low, jitter_high;   ///< what the list's draws use: bins are made for all of them
@@ -67,9 +67,9 @@ struct GeometrySet {
     }
 };
 
-/// Runs transform, clipping, culling, snap.
-GeometrySet make_geometry(const State& state, const Draw& draw, const Profile& profile, int width,
-                          int height);
+/// Fills a set that has its key: runs transform, clipping, culling, snap.
+void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile, int width,
+                   int height);
 
 /// Sorts the primitives into tiles, in order. Call after the jitter range is known.
 void make_bins(GeometrySet& set, const Profile& profile, const TileGrid& grid);

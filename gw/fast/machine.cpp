@@ -26,7 +26,7 @@ public:
         std::span<const Command> rest(list.commands);
         while (!rest.empty()) {
             std::size_t done = 0;
-            run_segment(plan_segment(rest, machine_, profile_, grid(), done));
+            run_segment(plan_segment(rest, machine_, profile_, grid(), threads_, done));
             rest = rest.subspan(done);
             if (!rest.empty() && is_barrier(rest[0], machine_.passes)) {
                 std::visit([this](const auto& command) { run_barrier(command); }, rest[0]);

@@ -3,8 +3,10 @@
 
 #include "gw/fast/coverage.h"
 #include "gw/fog.h"
+#include "gw/parallel.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace gw::fast {
 
@@ -45,6 +47,7 @@ struct Planner {
     const Profile& profile;
     const TileGrid& grid;
     Segment segment;
+    std::vector<std::function<void()>> geometry_jobs{}, vertex_jobs{};
 
     Resolved resolved() const { return resolve(machine.state, profile, grid.width, grid.height); }
     PassReport& pass() {
@@ -56,28 +59,53 @@ struct Planner {
         segment.ops.push_back({std::move(op), machine.passes.size() - 1});
     }
 
+    /// What is made later, with the state as it is now.
+    auto job(const Draw& draw, auto run) {
+        return [state = machine.state, &draw, run] { run(state, draw); };
+    }
+
     GeometrySet& geometry(const Draw& draw) {
         const GeometryKey key = geometry_key(machine.state, draw);
         const auto found = std::find_if(segment.sets.begin(), segment.sets.end(),
                                         [&](const GeometrySet& s) { return s.key == key; });
         if (found != segment.sets.end()) return *found;
-        segment.sets.push_back(make_geometry(machine.state, draw, profile, grid.width, grid.height));
-        return segment.sets.back();
+        GeometrySet& set = segment.sets.emplace_back();
+        set.key = key;
+        geometry_jobs.push_back(job(draw, [this, &set](const State& s, const Draw& d) {
+            make_geometry(set, s, d, profile, grid.width, grid.height);
+            make_bins(set, profile, grid);
+        }));
+        return set;
     }
 
     const VertexColors* colors(const GeometrySet& set, const Draw& draw) {
         const ColorKey key = color_key(set, machine.state, draw);
         for (const auto& c : segment.colors)
-            if (c->key == key) return c.get();
-        segment.colors.push_back(shade_vertices(set, machine.state, draw, profile));
-        return segment.colors.back().get();
+            if (c.key == key) return &c;
+        VertexColors& out = segment.colors.emplace_back();
+        out.key = key;
+        vertex_jobs.push_back(
+            job(draw, [this, &out](const State& s, const Draw& d) { shade_vertices(out, s, d, profile); }));
+        return &out;
     }
     const VertexTexcoords* texcoords(const GeometrySet& set, const Draw& draw) {
         const TexcoordKey key = texcoord_key(set, machine.state);
         for (const auto& t : segment.texcoords)
-            if (t->key == key) return t.get();
-        segment.texcoords.push_back(texture_vertices(set, machine.state, draw, profile));
-        return segment.texcoords.back().get();
+            if (t.key == key) return &t;
+        VertexTexcoords& out = segment.texcoords.emplace_back();
+        out.key = key;
+        vertex_jobs.push_back(
+            job(draw, [this, &out](const State& s, const Draw& d) { texture_vertices(out, s, d, profile); }));
+        return &out;
+    }
+
+    /// Makes what is shared: geometry first, then what stands at its vertices.
+    void run_jobs(int threads) {
+        for (const auto* jobs : {&geometry_jobs, &vertex_jobs})
+            parallel_for(jobs->size(), threads, [&](std::size_t i, int) { (*jobs)[i](); });
+        for (const TileOp& op : segment.ops)
+            if (const DrawOp* draw = std::get_if<DrawOp>(&op.op))
+                machine.passes[op.pass].counters += draw->set->counters;
     }
 
     const FastTexels* texels(const TextureBinding& binding) {
@@ -94,7 +122,6 @@ struct Planner {
         const JitterState& jitter = machine.state.jitter;
         set.jitter_low = {std::min(set.jitter_low.x, jitter.x), std::min(set.jitter_low.y, jitter.y)};
         set.jitter_high = {std::max(set.jitter_high.x, jitter.x), std::max(set.jitter_high.y, jitter.y)};
-        pass().counters += set.counters;
 
         DrawOp op{&draw, resolved(), &set};
         op.bytes = fragment_bytes(op.state, profile);
@@ -163,14 +190,14 @@ bool reads_again(const Command& command, const Segment& segment) {
 }  // namespace
 
 Segment plan_segment(std::span<const Command> commands, MachineState& machine, const Profile& profile,
-                     const TileGrid& grid, std::size_t& done) {
+                     const TileGrid& grid, int threads, std::size_t& done) {
     Planner planner{machine, profile, grid, {}};
     for (done = 0; done < commands.size(); ++done) {
         const Command& command = commands[done];
         if (is_barrier(command, machine.passes) || reads_again(command, planner.segment)) break;
         std::visit([&](const auto& c) { planner.add(c); }, command);
     }
-    for (GeometrySet& set : planner.segment.sets) make_bins(set, profile, grid);
+    planner.run_jobs(threads);
     plan_coverages(planner.segment);
     return std::move(planner.segment);
 }

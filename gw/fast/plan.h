@@ -81,8 +81,8 @@ struct MachineState {
 struct Segment {
     std::deque<TileOp> ops;
     std::deque<GeometrySet> sets;
-    std::deque<std::unique_ptr<VertexColors>> colors;
-    std::deque<std::unique_ptr<VertexTexcoords>> texcoords;
+    std::deque<VertexColors> colors;
+    std::deque<VertexTexcoords> texcoords;
     std::deque<std::vector<std::uint32_t>> fog_tables;
     bool uses_accum = false;
     int coverages = 0;  ///< records of visible fragments
@@ -91,7 +91,7 @@ struct Segment {
 /// Plans the commands up to the next barrier (which is not included) and counts their geometry. `done` is how
 /// many commands were taken.
 Segment plan_segment(std::span<const Command> commands, MachineState& machine, const Profile& profile,
-                     const TileGrid& grid, std::size_t& done);
+                     const TileGrid& grid, int threads, std::size_t& done);
 
 /// Whether a command reads pixels across tiles, or takes digests: it runs between segments.
 bool is_barrier(const Command& command, const std::vector<PassReport>& passes);

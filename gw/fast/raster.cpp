@@ -285,6 +285,7 @@ void replay_all(const TileDraw& draw, Coverage& record) {
     OpCounts& counts = *draw.counts;
     const std::uint64_t killed = killed_by_stencil(draw, record);
     std::uint64_t written = 0;
+    static const TexturePlanes no_texture{};
     const TexturePlanes* texture = op.needs_color ? texture_planes(draw, record) : nullptr;
     for (std::size_t k = 0; k < record.primitives.size(); ++k) {
         const VisiblePrimitive& v = record.primitives[k];
@@ -300,7 +301,7 @@ void replay_all(const TileDraw& draw, Coverage& record) {
             has_planes = true;
             const int row = draw.tile.side / block_side;
             ColorBlock color;
-            shade_color(planes, texture ? texture[k] : TexturePlanes{}, draw, visible.block % row,
+            shade_color(planes, texture ? texture[k] : no_texture, draw, visible.block % row,
                         visible.block / row, mask, color);
             write_color(op.state, color, draw.tile.color[visible.block], mask);
         }

@@ -43,9 +43,8 @@ struct VertexTexcoords {
     std::vector<dvec4> strq;
 };
 
-std::unique_ptr<VertexColors> shade_vertices(const GeometrySet& set, const State& state, const Draw& draw,
-                                             const Profile& profile);
-std::unique_ptr<VertexTexcoords> texture_vertices(const GeometrySet& set, const State& state,
-                                                  const Draw& draw, const Profile& profile);
+/// Both fill what has its key.
+void shade_vertices(VertexColors& colors, const State& state, const Draw& draw, const Profile& profile);
+void texture_vertices(VertexTexcoords& texcoords, const State& state, const Draw& draw, const Profile& profile);
 
 }  // namespace gw::fast

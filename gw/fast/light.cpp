@@ -1,0 +1,200 @@
+// The lighting equation, a vector of vertices at a time.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "gw/fast/light.cpp"
+#include <hwy/foreach_target.h>
+
+#include "gw/arithmetic.h"
+#include "gw/elementary.h"
+#include "gw/fast/light.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+#if HWY_HAVE_FLOAT64
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D64 = hn::CappedTag<double, 8>;
+using V64 = hn::Vec<D64>;
+
+inline V64 all(double v) { return hn::Set(D64(), v); }
+
+struct Vec3 {
+    V64 x, y, z;
+};
+inline Vec3 all3(const dvec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
+
+/// dot3, normalized, transform of gw/types.h and gw/vertex.h.
+inline V64 dot(const Vec3& a, const Vec3& b) {
+    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+inline Vec3 unit(const Vec3& v) {
+    const auto length = hn::Sqrt(dot(v, v));
+    const auto some = hn::Gt(length, hn::Zero(D64()));
+    const auto over = [&](V64 c) { return hn::IfThenElseZero(some, hn::Div(c, length)); };
+    return {over(v.x), over(v.y), over(v.z)};
+}
+inline Vec3 minus(const Vec3& v) { return {hn::Neg(v.x), hn::Neg(v.y), hn::Neg(v.z)}; }
+inline V64 row(const dmat4& m, int i, const Vec3& p) {
+    const auto xy = hn::Add(hn::Mul(all(m[0][i]), p.x), hn::Mul(all(m[1][i]), p.y));
+    return hn::Add(xy, hn::Add(hn::Mul(all(m[2][i]), p.z), all(m[3][i])));
+}
+inline V64 row(const dmat3& m, int i, const Vec3& n) {
+    return hn::Add(hn::Add(hn::Mul(all(m[0][i]), n.x), hn::Mul(all(m[1][i]), n.y)), hn::Mul(all(m[2][i]), n.z));
+}
+
+/// v where v > 0, else 0 (NaN too).
+inline V64 positive(V64 v) { return hn::IfThenElseZero(hn::Gt(v, hn::Zero(D64())), v); }
+inline V64 at_most_one(V64 v) { return hn::IfThenElse(hn::Lt(v, all(1)), v, all(1)); }
+
+/// base^exponent lane by lane, where `wanted`; else 0.
+inline V64 power(V64 base, double exponent, hn::Mask<D64> wanted) {
+    alignas(64) double b[8], w[8];
+    const D64 d;
+    hn::Store(base, d, b);
+    hn::Store(hn::IfThenElseZero(wanted, all(1)), d, w);
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i) b[i] = w[i] != 0 ? gw::pow(b[i], exponent) : 0;
+    return hn::Load(d, b);
+}
+
+/// What of a light and the material does not depend on the vertex.
+struct LightTerms {
+    const Light& light;
+    dvec3 position, spot_direction;
+    dvec3 ambient, lambert, gloss;
+    bool directional = true, spot = false, glossy = false;
+};
+
+inline LightTerms light_terms(const Light& light, const Material& m) {
+    LightTerms t{light, dvec3(light.position), normalized(dvec3(light.spot_direction)), {}, {}, {}};
+    t.directional = light.position.w == 0;
+    if (t.directional) t.position = normalized(t.position);
+    else t.position = {t.position.x / double(light.position.w), t.position.y / double(light.position.w), t.position.z / double(light.position.w)};
+    t.spot = !t.directional && light.spot_cos_cutoff > -1;
+    t.glossy = m.Ks.x != 0 || m.Ks.y != 0 || m.Ks.z != 0;
+    for (int c = 0; c < 3; ++c) {
+        t.ambient[c] = double(light.Ia[c]) * m.Ka[c];
+        t.lambert[c] = double(light.Id[c]) * m.Kd[c];
+        t.gloss[c] = double(light.Is[c]) * m.Ks[c];
+    }
+    return t;
+}
+
+struct IncidentLanes {
+    Vec3 direction;
+    V64 strength;
+};
+
+inline V64 spot_factor(const LightTerms& t, const Vec3& to_light) {
+    const auto c = dot(minus(to_light), all3(t.spot_direction));
+    const auto outside = hn::Or(hn::Lt(c, all(t.light.spot_cos_cutoff)), hn::Le(c, hn::Zero(D64())));
+    return power(at_most_one(c), t.light.spot_exponent, hn::Not(outside));
+}
+
+inline IncidentLanes incident(const LightTerms& t, const Vec3& p_eye) {
+    if (t.directional) return {all3(t.position), all(1)};
+    const Vec3 v{hn::Sub(all(t.position.x), p_eye.x), hn::Sub(all(t.position.y), p_eye.y), hn::Sub(all(t.position.z), p_eye.z)};
+    const auto d = hn::Sqrt(dot(v, v));
+    const Vec3 direction = unit(v);
+    const auto linear = hn::Add(all(t.light.constant_attenuation), hn::Mul(all(t.light.linear_attenuation), d));
+    const auto fall = hn::Add(linear, hn::Mul(all(t.light.quadratic_attenuation), hn::Mul(d, d)));
+    const auto least = all(1e-30);
+    const auto strength = t.spot ? spot_factor(t, direction) : all(1);
+    return {direction, hn::Div(strength, hn::IfThenElse(hn::Gt(fall, least), fall, least))};
+}
+
+inline void add_light(const LightTerms& t, const Material& m, const Vec3& p_eye, const Vec3& n_eye, const Vec3& to_eye, V64* sum) {
+    const IncidentLanes in = incident(t, p_eye);
+    const auto cosine = dot(n_eye, in.direction);
+    const auto diffuse = positive(cosine);
+    auto specular = hn::Zero(D64());
+    if (t.glossy) {
+        const Vec3 half = unit({hn::Add(in.direction.x, to_eye.x), hn::Add(in.direction.y, to_eye.y), hn::Add(in.direction.z, to_eye.z)});
+        specular = power(at_most_one(positive(dot(n_eye, half))), m.Ns, hn::Gt(cosine, hn::Zero(D64())));
+    }
+    for (int c = 0; c < 3; ++c) {
+        const auto body = hn::Add(all(t.ambient[c]), hn::Mul(all(t.lambert[c]), diffuse));
+        sum[c] = hn::Add(sum[c], hn::Mul(in.strength, hn::Add(body, hn::Mul(all(t.gloss[c]), specular))));
+    }
+}
+
+/// quantize() of gw/arithmetic.h, before the conversion: clamped, scaled, rounded to even.
+inline V64 quantized(V64 v, int bits) {
+    const auto magic = all(6755399441055744.0);
+    return hn::Sub(hn::Add(hn::Mul(at_most_one(positive(v)), all(max_of_bits(bits))), magic), magic);
+}
+
+struct VertexLanes {
+    alignas(64) double position[3][8], normal[3][8];
+};
+
+inline void gather(const MeshData& mesh, std::span<const std::uint32_t> indices, VertexLanes& out) {
+    for (std::size_t i = 0; i < 8; ++i) {
+        const std::uint32_t v = indices[i < indices.size() ? i : 0];
+        const vec3 n = mesh.normals.empty() ? vec3(0, 0, 1) : mesh.normals[v];
+        for (int c = 0; c < 3; ++c) {
+            out.position[c][i] = mesh.positions[v][c];
+            out.normal[c][i] = n[c];
+        }
+    }
+}
+
+void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, std::vector<Rgba>& colors) {
+    const D64 d;
+    const std::size_t lanes = hn::Lanes(d);
+    const Material& m = p.draw->material;
+    const LightingState& state = p.state->lighting;
+    const Profile& profile = *p.profile;
+    const auto store = [&](double v) { return std::uint16_t(rescale(std::uint32_t(v), profile.lit_bits, profile.color_bits)); };
+    const std::uint16_t alpha = store(quantize(m.alpha, profile.lit_bits));
+    std::vector<LightTerms> lights;
+    if (p.draw->lights)
+        for (const Light& light : *p.draw->lights) lights.push_back(light_terms(light, m));
+
+    VertexLanes in;
+    for (std::size_t first = 0; first < indices.size(); first += lanes) {
+        const auto some = indices.subspan(first, std::min(lanes, indices.size() - first));
+        gather(p.draw->mesh->data(), some, in);
+        const Vec3 p_object{hn::Load(d, in.position[0]), hn::Load(d, in.position[1]), hn::Load(d, in.position[2])};
+        const Vec3 n_object{hn::Load(d, in.normal[0]), hn::Load(d, in.normal[1]), hn::Load(d, in.normal[2])};
+        const dmat4& eye = p.draw->eye_from_object;
+        const Vec3 p_eye{row(eye, 0, p_object), row(eye, 1, p_object), row(eye, 2, p_object)};
+        const dmat3& normal = p.normal_eye_from_object;
+        const Vec3 n_eye = unit({row(normal, 0, n_object), row(normal, 1, n_object), row(normal, 2, n_object)});
+        const Vec3 to_eye = state.local_viewer ? unit(minus(p_eye)) : all3({0, 0, 1});
+        V64 sum[3];
+        for (int c = 0; c < 3; ++c) sum[c] = all(m.Ke[c] + double(state.model_ambient[c]) * m.Ka[c]);
+        for (const LightTerms& light : lights) add_light(light, m, p_eye, n_eye, to_eye, sum);
+
+        alignas(64) double out[3][8];
+        for (int c = 0; c < 3; ++c) hn::Store(quantized(sum[c], profile.lit_bits), d, out[c]);
+        for (std::size_t i = 0; i < some.size(); ++i) colors[some[i]] = {store(out[0][i]), store(out[1][i]), store(out[2][i]), alpha};
+    }
+}
+
+#else  // no vectors of doubles here
+
+void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, std::vector<Rgba>& colors) {
+    for (const std::uint32_t i : indices) {
+        const Vertex v = run_vertex(p, i);
+        colors[i] = {std::uint16_t(v.color[0]), std::uint16_t(v.color[1]), std::uint16_t(v.color[2]), std::uint16_t(v.color[3])};
+    }
+}
+
+#endif
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gw::fast {
+
+HWY_EXPORT(light_all);
+
+void light_vertices(const VertexProgram& program, std::span<const std::uint32_t> indices, std::vector<Rgba>& colors) {
+    HWY_DYNAMIC_DISPATCH(light_all)(program, indices, colors);
+}
+
+}  // namespace gw::fast
+#endif  // HWY_ONCE
