@@ -16,10 +16,10 @@ struct Segment;
 /// Pixels of one block where a primitive's depth equals the stored one.
 struct VisibleBlock {
     std::uint16_t block = 0, mask = 0;
+    std::uint32_t primitive = 0;  ///< in Coverage::primitives
 };
 struct VisiblePrimitive {
-    std::uint32_t ordinal = 0;           ///< in GeometrySet::primitives
-    std::uint32_t first = 0, count = 0;  ///< in Coverage::blocks
+    std::uint32_t ordinal = 0;  ///< in GeometrySet::primitives
     PrimitiveFrame frame;
 };
 
@@ -27,10 +27,11 @@ struct VisiblePrimitive {
 struct Coverage {
     bool made = false;
     std::vector<VisiblePrimitive> primitives;
-    std::vector<VisibleBlock> blocks;
+    std::vector<VisibleBlock> blocks;   ///< by block; within one in the order of the primitives
     std::vector<DepthBlock> fragments;  ///< how many fragments each pixel gets (visible or not)
     std::uint64_t total = 0;            ///< their sum
 
+    std::vector<ColorPlanes> colors;  ///< of `primitives`, for the draw in progress
     /// Texture planes of `primitives`, kept while draws ask for the same ones.
     std::vector<TexturePlanes> texture;
     const VertexTexcoords* texcoords = nullptr;

@@ -219,19 +219,17 @@ void push_primitives(Builder& b) {
     }
 }
 
-std::vector<std::uint32_t> used_vertices(const GeometrySet& set, std::uint32_t mesh_vertices) {
-    std::vector<std::uint8_t> used(mesh_vertices);
-    const auto use = [&](std::uint32_t v) {
-        if (v < mesh_vertices) used[v] = 1;
-    };
-    for (const SetupPrimitive& p : set.primitives) {
-        for (const std::uint32_t v : p.vertex) use(v);
-        use(p.provoking);
+/// Lists the mesh vertices that primitives look at, by the side that they show.
+void list_used_vertices(GeometrySet& set, std::uint32_t mesh_vertices) {
+    std::vector<std::uint8_t> sides(mesh_vertices);
+    for (const SetupPrimitive& p : set.primitives)
+        for (const std::uint32_t v : {p.vertex[0], p.vertex[1], p.vertex[2], p.provoking})
+            if (v < mesh_vertices) sides[v] = std::uint8_t(sides[v] | (p.front ? 1 : 2));
+    for (std::uint32_t v = 0; v < mesh_vertices; ++v) {
+        if (sides[v] != 0) set.used.push_back(v);
+        if (sides[v] & 1) set.used_front.push_back(v);
+        if (sides[v] & 2) set.used_back.push_back(v);
     }
-    std::vector<std::uint32_t> list;
-    for (std::uint32_t v = 0; v < mesh_vertices; ++v)
-        if (used[v]) list.push_back(v);
-    return list;
 }
 
 }  // namespace
@@ -243,7 +241,7 @@ void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const
     for (const ClipPlane& plane : state.clip_planes) b.any_user_plane = b.any_user_plane || plane.enable;
     b.push_vertices();
     push_primitives(b);
-    set.used = used_vertices(set, b.mesh().vertex_count());
+    list_used_vertices(set, b.mesh().vertex_count());
     Counters& c = set.counters;
     c.draws = 1;
     c.vertices = b.mesh().vertex_count();

@@ -54,8 +54,9 @@ struct GeometrySet {
     std::vector<double> w;
     std::vector<SetupPrimitive> primitives;
     std::vector<Cut> cuts;
-    std::vector<std::uint32_t> used;  ///< mesh vertices that some primitive looks at, in order
-    Counters counters;               ///< of one draw: vertices to drawn
+    /// Mesh vertices that some primitive looks at, that some front face does, some back face; in order.
+    std::vector<std::uint32_t> used, used_front, used_back;
+    Counters counters;  ///< of one draw: vertices to drawn
 
     JitterState jitter_low, jitter_high;   ///< what the list's draws use: bins are made for all of them
     std::vector<std::uint32_t> bin_start;  ///< per tile, and one past the last

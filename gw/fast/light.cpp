@@ -41,7 +41,8 @@ inline V64 row(const dmat4& m, int i, const Vec3& p) {
     return hn::Add(xy, hn::Add(hn::Mul(all(m[2][i]), p.z), all(m[3][i])));
 }
 inline V64 row(const dmat3& m, int i, const Vec3& n) {
-    return hn::Add(hn::Add(hn::Mul(all(m[0][i]), n.x), hn::Mul(all(m[1][i]), n.y)), hn::Mul(all(m[2][i]), n.z));
+    return hn::Add(hn::Add(hn::Mul(all(m[0][i]), n.x), hn::Mul(all(m[1][i]), n.y)),
+                   hn::Mul(all(m[2][i]), n.z));
 }
 
 /// v where v > 0, else 0 (NaN too).
@@ -69,8 +70,11 @@ struct LightTerms {
 inline LightTerms light_terms(const Light& light, const Material& m) {
     LightTerms t{light, dvec3(light.position), normalized(dvec3(light.spot_direction)), {}, {}, {}};
     t.directional = light.position.w == 0;
-    if (t.directional) t.position = normalized(t.position);
-    else t.position = {t.position.x / double(light.position.w), t.position.y / double(light.position.w), t.position.z / double(light.position.w)};
+    if (t.directional)
+        t.position = normalized(t.position);
+    else
+        t.position = {t.position.x / double(light.position.w), t.position.y / double(light.position.w),
+                      t.position.z / double(light.position.w)};
     t.spot = !t.directional && light.spot_cos_cutoff > -1;
     t.glossy = m.Ks.x != 0 || m.Ks.y != 0 || m.Ks.z != 0;
     for (int c = 0; c < 3; ++c) {
@@ -94,23 +98,27 @@ inline V64 spot_factor(const LightTerms& t, const Vec3& to_light) {
 
 inline IncidentLanes incident(const LightTerms& t, const Vec3& p_eye) {
     if (t.directional) return {all3(t.position), all(1)};
-    const Vec3 v{hn::Sub(all(t.position.x), p_eye.x), hn::Sub(all(t.position.y), p_eye.y), hn::Sub(all(t.position.z), p_eye.z)};
+    const Vec3 v{hn::Sub(all(t.position.x), p_eye.x), hn::Sub(all(t.position.y), p_eye.y),
+                 hn::Sub(all(t.position.z), p_eye.z)};
     const auto d = hn::Sqrt(dot(v, v));
     const Vec3 direction = unit(v);
-    const auto linear = hn::Add(all(t.light.constant_attenuation), hn::Mul(all(t.light.linear_attenuation), d));
+    const auto linear =
+        hn::Add(all(t.light.constant_attenuation), hn::Mul(all(t.light.linear_attenuation), d));
     const auto fall = hn::Add(linear, hn::Mul(all(t.light.quadratic_attenuation), hn::Mul(d, d)));
     const auto least = all(1e-30);
     const auto strength = t.spot ? spot_factor(t, direction) : all(1);
     return {direction, hn::Div(strength, hn::IfThenElse(hn::Gt(fall, least), fall, least))};
 }
 
-inline void add_light(const LightTerms& t, const Material& m, const Vec3& p_eye, const Vec3& n_eye, const Vec3& to_eye, V64* sum) {
+inline void add_light(const LightTerms& t, const Material& m, const Vec3& p_eye, const Vec3& n_eye,
+                      const Vec3& to_eye, V64* sum) {
     const IncidentLanes in = incident(t, p_eye);
     const auto cosine = dot(n_eye, in.direction);
     const auto diffuse = positive(cosine);
     auto specular = hn::Zero(D64());
     if (t.glossy) {
-        const Vec3 half = unit({hn::Add(in.direction.x, to_eye.x), hn::Add(in.direction.y, to_eye.y), hn::Add(in.direction.z, to_eye.z)});
+        const Vec3 half = unit({hn::Add(in.direction.x, to_eye.x), hn::Add(in.direction.y, to_eye.y),
+                                hn::Add(in.direction.z, to_eye.z)});
         specular = power(at_most_one(positive(dot(n_eye, half))), m.Ns, hn::Gt(cosine, hn::Zero(D64())));
     }
     for (int c = 0; c < 3; ++c) {
@@ -140,13 +148,16 @@ inline void gather(const MeshData& mesh, std::span<const std::uint32_t> indices,
     }
 }
 
-void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, std::vector<Rgba>& colors) {
+void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, bool back,
+               std::vector<Rgba>& colors) {
     const D64 d;
     const std::size_t lanes = hn::Lanes(d);
     const Material& m = p.draw->material;
     const LightingState& state = p.state->lighting;
     const Profile& profile = *p.profile;
-    const auto store = [&](double v) { return std::uint16_t(rescale(std::uint32_t(v), profile.lit_bits, profile.color_bits)); };
+    const auto store = [&](double v) {
+        return std::uint16_t(rescale(std::uint32_t(v), profile.lit_bits, profile.color_bits));
+    };
     const std::uint16_t alpha = store(quantize(m.alpha, profile.lit_bits));
     std::vector<LightTerms> lights;
     if (p.draw->lights)
@@ -156,12 +167,15 @@ void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, s
     for (std::size_t first = 0; first < indices.size(); first += lanes) {
         const auto some = indices.subspan(first, std::min(lanes, indices.size() - first));
         gather(p.draw->mesh->data(), some, in);
-        const Vec3 p_object{hn::Load(d, in.position[0]), hn::Load(d, in.position[1]), hn::Load(d, in.position[2])};
+        const Vec3 p_object{hn::Load(d, in.position[0]), hn::Load(d, in.position[1]),
+                            hn::Load(d, in.position[2])};
         const Vec3 n_object{hn::Load(d, in.normal[0]), hn::Load(d, in.normal[1]), hn::Load(d, in.normal[2])};
         const dmat4& eye = p.draw->eye_from_object;
         const Vec3 p_eye{row(eye, 0, p_object), row(eye, 1, p_object), row(eye, 2, p_object)};
         const dmat3& normal = p.normal_eye_from_object;
-        const Vec3 n_eye = unit({row(normal, 0, n_object), row(normal, 1, n_object), row(normal, 2, n_object)});
+        const Vec3 n_front =
+            unit({row(normal, 0, n_object), row(normal, 1, n_object), row(normal, 2, n_object)});
+        const Vec3 n_eye = back ? minus(n_front) : n_front;
         const Vec3 to_eye = state.local_viewer ? unit(minus(p_eye)) : all3({0, 0, 1});
         V64 sum[3];
         for (int c = 0; c < 3; ++c) sum[c] = all(m.Ke[c] + double(state.model_ambient[c]) * m.Ka[c]);
@@ -169,16 +183,19 @@ void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, s
 
         alignas(64) double out[3][8];
         for (int c = 0; c < 3; ++c) hn::Store(quantized(sum[c], profile.lit_bits), d, out[c]);
-        for (std::size_t i = 0; i < some.size(); ++i) colors[some[i]] = {store(out[0][i]), store(out[1][i]), store(out[2][i]), alpha};
+        for (std::size_t i = 0; i < some.size(); ++i)
+            colors[some[i]] = {store(out[0][i]), store(out[1][i]), store(out[2][i]), alpha};
     }
 }
 
 #else  // no vectors of doubles here
 
-void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, std::vector<Rgba>& colors) {
+void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, bool back,
+               std::vector<Rgba>& colors) {
     for (const std::uint32_t i : indices) {
-        const Vertex v = run_vertex(p, i);
-        colors[i] = {std::uint16_t(v.color[0]), std::uint16_t(v.color[1]), std::uint16_t(v.color[2]), std::uint16_t(v.color[3])};
+        const Vertex vertex = run_vertex(p, i);
+        const auto& v = back ? vertex.back_color : vertex.color;
+        colors[i] = {std::uint16_t(v[0]), std::uint16_t(v[1]), std::uint16_t(v[2]), std::uint16_t(v[3])};
     }
 }
 
@@ -192,8 +209,9 @@ namespace gw::fast {
 
 HWY_EXPORT(light_all);
 
-void light_vertices(const VertexProgram& program, std::span<const std::uint32_t> indices, std::vector<Rgba>& colors) {
-    HWY_DYNAMIC_DISPATCH(light_all)(program, indices, colors);
+void light_vertices(const VertexProgram& program, std::span<const std::uint32_t> indices, bool back,
+                    std::vector<Rgba>& colors) {
+    HWY_DYNAMIC_DISPATCH(light_all)(program, indices, back, colors);
 }
 
 }  // namespace gw::fast

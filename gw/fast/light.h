@@ -1,5 +1,6 @@
-// Lit colours of many vertices at once: the lighting equation in vectors of doubles. docs/manual.md, "Lighting";
-// scalar twin: gw/lighting.cpp, operation by operation. Does not transform positions to the window.
+// Lit colours of many vertices at once: the lighting equation in vectors of doubles. docs/manual.md,
+// "Lighting"; scalar twin: gw/lighting.cpp, operation by operation. Does not transform positions to the
+// window.
 #pragma once
 
 #include "gw/vertex.h"
@@ -10,8 +11,9 @@
 
 namespace gw::fast {
 
-/// colors[index] = the front colour that run_vertex gives vertex `index`, for each of `indices`.
-/// Precondition: lighting is on, one-sided.
-void light_vertices(const VertexProgram& program, std::span<const std::uint32_t> indices, std::vector<Rgba>& colors);
+/// colors[index] = the colour that run_vertex gives the front (or back) of vertex `index`, for each of
+/// `indices`. Precondition: lighting is on.
+void light_vertices(const VertexProgram& program, std::span<const std::uint32_t> indices, bool back,
+                    std::vector<Rgba>& colors);
 
 }  // namespace gw::fast

@@ -68,14 +68,14 @@ struct Primitive {
         shade_depth(depth, max_of_bits(draw.profile->depth_bits), bx, by, out);
         return out;
     }
-    HWY_INLINE const ColorBlock& color_of(int bx, int by, std::uint32_t mask, ColorBlock& out) {
+    HWY_INLINE const ColorBlock& color_of(int bx, int by, ShadeInputs& in) {
         if (!has_color) {
             make_color_planes(draw, setup, frame, color);
             if (draw.op->texels) make_texture_planes(draw, setup, frame, texture);
         }
         has_color = true;
-        shade_color(color, texture, draw, bx, by, mask, out);
-        return out;
+        shade_inputs(color, texture, draw, bx, by, all_lanes, in);
+        return shaded(draw, in);
     }
 };
 
@@ -84,11 +84,11 @@ struct Painter {
     HWY_INLINE void operator()(Primitive& p, int bx, int by, std::uint32_t mask) const {
         const DrawOp& op = *p.draw.op;
         DepthBlock depth;
-        ColorBlock color;
+        ShadeInputs inputs;
         if (op.state.state.depth.func != DepthFunc::Always || op.state.state.depth.mask)
             p.depth_of(bx, by, depth);
         run_fragments(op.state, p.setup.front != 0, depth, p.draw.tile, p.draw.tile.block(bx, by), mask,
-                      *p.draw.counts, [&]() -> const ColorBlock& { return p.color_of(bx, by, mask, color); });
+                      *p.draw.counts, [&]() -> const ColorBlock& { return p.color_of(bx, by, inputs); });
     }
 };
 
@@ -108,7 +108,9 @@ struct Recorder {
         DepthBlock depth;
         const std::uint32_t visible =
             depth_test(DepthFunc::Equal, p.depth_of(bx, by, depth), p.draw.tile.depth[block], mask);
-        if (visible != 0) record.blocks.push_back({std::uint16_t(block), std::uint16_t(visible)});
+        if (visible != 0)
+            record.blocks.push_back(
+                {std::uint16_t(block), std::uint16_t(visible), std::uint32_t(record.primitives.size())});
     }
 };
 
@@ -233,11 +235,13 @@ void record_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Covera
     for (const std::uint32_t ordinal : bin) {
         const PrimitiveFrame frame = frame_of(draw, ordinal);
         Primitive p{draw, draw.op->set->primitives[ordinal], frame, {}, {}, {}};
-        const auto first = std::uint32_t(record.blocks.size());
+        const std::size_t before = record.blocks.size();
         visit_primitive(p, Recorder{record});
-        const auto count = std::uint32_t(record.blocks.size()) - first;
-        if (count != 0) record.primitives.push_back({ordinal, first, count, frame});
+        if (record.blocks.size() != before) record.primitives.push_back({ordinal, frame});
     }
+    // By block, in each block in the primitives' order.
+    std::stable_sort(record.blocks.begin(), record.blocks.end(),
+                     [](const VisibleBlock& a, const VisibleBlock& b) { return a.block < b.block; });
     record.made = true;
 }
 
@@ -261,6 +265,15 @@ HWY_INLINE std::uint64_t killed_by_stencil(const TileDraw& draw, const Coverage&
     return killed;
 }
 
+/// Makes the colour planes of the record's primitives, as this draw has them.
+HWY_INLINE void color_planes(const TileDraw& draw, Coverage& record) {
+    record.colors.resize(record.primitives.size());
+    for (std::size_t i = 0; i < record.primitives.size(); ++i) {
+        const VisiblePrimitive& v = record.primitives[i];
+        make_color_planes(draw, draw.op->set->primitives[v.ordinal], v.frame, record.colors[i]);
+    }
+}
+
 /// Makes or finds the texture planes of the record's primitives.
 HWY_INLINE const TexturePlanes* texture_planes(const TileDraw& draw, Coverage& record) {
     const DrawOp& op = *draw.op;
@@ -279,33 +292,48 @@ HWY_INLINE const TexturePlanes* texture_planes(const TileDraw& draw, Coverage& r
     return record.texture.data();
 }
 
-/// Draws from a record: visible blocks only.
+/// Colours of one block, gathered from its primitives and written together; a pixel where two tie is written
+/// twice.
+struct BlockColors {
+    const TileDraw& draw;
+    std::size_t block = 0;
+    std::uint32_t mask = 0;
+    ShadeInputs inputs;
+
+    HWY_INLINE void flush() {
+        if (mask != 0) write_color(draw.op->state, shaded(draw, inputs), draw.tile.color[block], mask);
+        mask = 0;
+    }
+    HWY_INLINE void add(std::size_t to_block, std::uint32_t lanes, const ColorPlanes& planes,
+                        const TexturePlanes& texture) {
+        if (to_block != block || (mask & lanes) != 0) flush();
+        block = to_block;
+        mask |= lanes;
+        const int row = draw.tile.side / block_side;
+        shade_inputs(planes, texture, draw, int(block) % row, int(block) / row, lanes, inputs);
+    }
+};
+
+/// Draws from a record: visible blocks only, block by block.
 void replay_all(const TileDraw& draw, Coverage& record) {
     const DrawOp& op = *draw.op;
     OpCounts& counts = *draw.counts;
     const std::uint64_t killed = killed_by_stencil(draw, record);
-    std::uint64_t written = 0;
+    const bool colors = op.state.writes_color;
+    const TexturePlanes* texture = colors ? texture_planes(draw, record) : nullptr;
+    if (colors) color_planes(draw, record);
     static const TexturePlanes no_texture{};
-    const TexturePlanes* texture = op.needs_color ? texture_planes(draw, record) : nullptr;
-    for (std::size_t k = 0; k < record.primitives.size(); ++k) {
-        const VisiblePrimitive& v = record.primitives[k];
-        ColorPlanes planes;
-        bool has_planes = false;
-        for (std::uint32_t b = v.first; b < v.first + v.count; ++b) {
-            const VisibleBlock& visible = record.blocks[b];
-            const std::uint32_t mask =
-                stencil_test(op.state.front, draw.tile.stencil[visible.block], visible.mask);
-            written += std::uint64_t(std::popcount(mask));
-            if (mask == 0 || !op.state.writes_color) continue;
-            if (!has_planes) make_color_planes(draw, op.set->primitives[v.ordinal], v.frame, planes);
-            has_planes = true;
-            const int row = draw.tile.side / block_side;
-            ColorBlock color;
-            shade_color(planes, texture ? texture[k] : no_texture, draw, visible.block % row,
-                        visible.block / row, mask, color);
-            write_color(op.state, color, draw.tile.color[visible.block], mask);
-        }
+    std::uint64_t written = 0;
+    BlockColors out{draw, 0, 0, {}};
+    for (const VisibleBlock& visible : record.blocks) {
+        const std::uint32_t mask =
+            stencil_test(op.state.front, draw.tile.stencil[visible.block], visible.mask);
+        written += std::uint64_t(std::popcount(mask));
+        if (mask == 0 || !colors) continue;
+        const std::size_t k = visible.primitive;
+        out.add(visible.block, mask, record.colors[k], texture ? texture[k] : no_texture);
     }
+    out.flush();
     counts.fragments += record.total;
     counts.stencil_killed += killed;
     counts.written += written;

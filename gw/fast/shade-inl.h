@@ -23,12 +23,29 @@ HWY_INLINE void shade_depth(const DepthPlane& p, std::uint32_t max_depth, int bx
             z = std::uint32_t(std::clamp<std::int64_t>(z + p.offset, 0, max_depth));
 }
 
-HWY_INLINE void interpolated_color(const ColorPlanes& p, int bits, int bx, int by, ColorBlock& out) {
+/// What shading needs of 16 pixels, each of its own primitive: one lane is filled by the primitive that it
+/// shows.
+struct ShadeInputs {
+    ColorBlock color;
+    ColorBlock texel;  ///< where textures are looked up pixel by pixel
+    TextureInputs texture;
+    alignas(64) std::uint32_t fog[block_pixels];
+};
+
+/// Stores the lanes of `mask`.
+HWY_INLINE void blend16(V32 v, std::uint32_t mask, std::size_t first, std::uint16_t* p) {
+    const Half16 d;
+    hn::BlendedStore(narrow(v), lanes_of(d, mask, first), d, p + first);
+}
+
+HWY_INLINE void interpolated_color(const ColorPlanes& p, int bits, int bx, int by, std::uint32_t mask,
+                                   ColorBlock& out) {
     const D32 d;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
         const Pixels at = pixels_of(bx, by, i);
         if (!p.perspective) {
-            for (std::size_t c = 0; c < 4; ++c) store16(narrow_plane(p.color[c], at), out.channel[c] + i);
+            for (std::size_t c = 0; c < 4; ++c)
+                blend16(narrow_plane(p.color[c], at), mask, i, out.channel[c]);
             continue;
         }
         const auto w = reciprocal_lanes(p.q, at);
@@ -37,7 +54,7 @@ HWY_INLINE void interpolated_color(const ColorPlanes& p, int bits, int bx, int b
             const auto f = hn::Mul(hn::Mul(to_floats(wide_plane(p.color[c], at)), w), scale);
             const auto v = hn::BitCast(d, hn::NearestInt(f));
             const auto low = hn::Set(d, p.low[c]), high = hn::Set(d, p.high[c]);
-            store16(hn::Min(hn::Max(v, low), high), out.channel[c] + i);
+            blend16(hn::Min(hn::Max(v, low), high), mask, i, out.channel[c]);
         }
     }
 }
@@ -82,12 +99,12 @@ HWY_INLINE V32 fog_factor_lanes(const ColorPlanes& p, const DrawOp& op, Pixels a
     return hn::BitCast(d, hn::Add(a, hn::ShiftRight<8>(step)));
 }
 
-HWY_INLINE void apply_fog_block(const ColorPlanes& p, const DrawOp& op, int bx, int by, ColorBlock& color) {
+HWY_INLINE void apply_fog_block(const DrawOp& op, const std::uint32_t* factor, ColorBlock& color) {
     const D32 d;
     const int bits = op.state.bits;
     const auto max = hn::Set(d, max_of_bits(bits));
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-        const auto f = fog_factor_lanes(p, op, pixels_of(bx, by, i));
+        const auto f = hn::Load(d, factor + i);
         for (std::size_t c = 0; c < 3; ++c) {
             const auto own = mul_lanes(f, load_channel(color.channel[c] + i), bits);
             const auto fog = mul_lanes(hn::Sub(max, f), hn::Set(d, op.state.fog_color[c]), bits);
@@ -96,22 +113,38 @@ HWY_INLINE void apply_fog_block(const ColorPlanes& p, const DrawOp& op, int bx, 
     }
 }
 
-/// Colour, texture, fog, in that order.
-HWY_INLINE void shade_color(const ColorPlanes& p, const TexturePlanes& texture, const TileDraw& draw, int bx,
-                            int by, std::uint32_t mask, ColorBlock& out) {
+/// Puts the lanes of `mask`, which one primitive covers, into the inputs.
+HWY_INLINE void shade_inputs(const ColorPlanes& p, const TexturePlanes& texture, const TileDraw& draw, int bx,
+                             int by, std::uint32_t mask, ShadeInputs& in) {
     const DrawOp& op = *draw.op;
-    interpolated_color(p, op.state.bits, bx, by, out);
-    if (op.state.state.color_source == ColorSource::PolygonId) return;
+    interpolated_color(p, op.state.bits, bx, by, mask, in.color);
+    const State& s = op.state.state;
+    if (s.color_source == ColorSource::PolygonId) return;
     if (op.texels) {
-        ColorBlock texel;
-        const TextureState& s = op.state.state.texture;
-        if (textures_by_pixel(s))
-            sample_by_pixel(texture, draw, bx, by, mask, texel);
+        if (textures_by_pixel(s.texture))
+            sample_by_pixel(texture, draw, bx, by, mask, in.texel);
         else
-            sample_block({*op.texels, s, texture, op.state.bits}, draw.tile, bx, by, texel);
-        apply_environment(s.env, op.state.env_color, op.state.bits, texel, out);
+            texture_inputs({*op.texels, s.texture, op.state.bits}, texture, draw.tile, bx, by, mask,
+                           in.texture);
     }
-    if (op.state.state.fog.enable) apply_fog_block(p, op, bx, by, out);
+    if (!s.fog.enable) return;
+    const D32 d;
+    for (std::size_t i = 0; i < block_pixels; i += lanes32)
+        hn::BlendedStore(fog_factor_lanes(p, op, pixels_of(bx, by, i)), lanes_of(d, mask, i), d, in.fog + i);
+}
+
+/// Colour, texture, fog, in that order, of all 16 pixels.
+HWY_INLINE const ColorBlock& shaded(const TileDraw& draw, ShadeInputs& in) {
+    const DrawOp& op = *draw.op;
+    const State& s = op.state.state;
+    if (s.color_source == ColorSource::PolygonId) return in.color;
+    if (op.texels) {
+        if (!textures_by_pixel(s.texture))
+            sample_block({*op.texels, s.texture, op.state.bits}, in.texture, in.texel);
+        apply_environment(s.texture.env, op.state.env_color, op.state.bits, in.texel, in.color);
+    }
+    if (s.fog.enable) apply_fog_block(op, in.fog, in.color);
+    return in.color;
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -55,8 +55,9 @@ void shade_vertices(VertexColors& out, const State& s, const Draw& draw, const P
         if (two_side) out.back[i] = to_rgba(v.back_color);
         if (s.fog.enable) out.fog[i] = v.fog;
     };
-    const bool in_vectors = lit && !two_side && !s.fog.enable;
-    if (in_vectors) light_vertices(program, set.used, out.front);
+    const bool in_vectors = lit && !s.fog.enable;
+    if (in_vectors) light_vertices(program, two_side ? set.used_front : set.used, false, out.front);
+    if (in_vectors && two_side) light_vertices(program, set.used_back, true, out.back);
     for (const std::uint32_t i : set.used)
         if (!in_vectors) store(i, run_vertex(program, i));
     for_each_new_vertex(set, program, store);
@@ -70,7 +71,14 @@ void texture_vertices(VertexTexcoords& out, const State& s, const Draw& draw, co
     unlit.fog.enable = false;
     const VertexProgram program = vertex_program(unlit, draw, profile);
     const auto store = [&](std::size_t i, const Vertex& v) { out.strq[i] = v.texcoord; };
-    for (const std::uint32_t i : set.used) store(i, run_vertex(program, i));
+    const std::vector<vec2>& given = draw.mesh->data().texcoords;
+    const bool as_given = s.texture.gen == TexGen::None && !given.empty();
+    for (const std::uint32_t i : set.used) {
+        if (as_given)
+            out.strq[i] = {given[i].x, given[i].y, 0, 1};
+        else
+            store(i, run_vertex(program, i));
+    }
     for_each_new_vertex(set, program, store);
 }
 

@@ -45,6 +45,7 @@ struct VertexTexcoords {
 
 /// Both fill what has its key.
 void shade_vertices(VertexColors& colors, const State& state, const Draw& draw, const Profile& profile);
-void texture_vertices(VertexTexcoords& texcoords, const State& state, const Draw& draw, const Profile& profile);
+void texture_vertices(VertexTexcoords& texcoords, const State& state, const Draw& draw,
+                      const Profile& profile);
 
 }  // namespace gw::fast

@@ -14,6 +14,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
+/// 2^e, a normal number.
+inline double power_of_two(int e) { return std::bit_cast<double>(std::uint64_t(e + 1023) << 52); }
+
 using VI = hn::Vec<I32>;
 using VF = hn::Vec<F32>;
 
@@ -68,24 +71,38 @@ HWY_INLINE V32 bilinear_lanes(V32 a, V32 b, V32 c, V32 e, V32 wx, V32 wy, int bi
     return hn::ShiftRight<16>(hn::Add(mix(mix(a, b, wx), mix(c, e, wx), wy), hn::Set(d, 1u << 15)));
 }
 
+/// What the texture unit needs of 16 pixels, each of its own primitive: planes' values and how to scale them.
+struct TextureInputs {
+    alignas(64) std::uint32_t q[block_pixels], u[block_pixels], v[block_pixels];
+    alignas(64) std::int32_t u_exponent[block_pixels],
+        v_exponent[block_pixels], u_k[block_pixels], v_k[block_pixels];
+    alignas(64) float slope[block_pixels];  ///< rho Q^2 2^16
+};
+
+/// The same in vectors, divided.
+struct Coordinates {
+    VF uw, vw;
+    VI u_exponent, v_exponent, u_k, v_k;
+};
+
 /// One draw's texture as the lanes see it.
 struct Sampler {
     const FastTexels& texels;
     const TextureState& state;
-    const TexturePlanes& planes;
     int bits;
 
     const TexelLevel& base() const { return texels.texels.levels[0]; }
 
-    /// U W 2^e in 1/256 texels of the lanes' own levels, whose sides are 2^log2_size; at most 2^30.
-    HWY_INLINE VI coordinate(const TexturePlane& t, VF uw, VI log2_size) const {
+    /// U W 2^e + k in 1/256 texels of the lanes' own levels, whose sides are 2^log2_size; U W 2^e at most
+    /// 2^30.
+    HWY_INLINE static VI coordinate(VF uw, VI exponent, VI k, VI log2_size) {
         const I32 i;
         const F32 f;
         const auto shift = hn::Add(log2_size, hn::Set(i, 8));
-        const auto scale = hn::BitCast(f, hn::ShiftLeft<23>(hn::Add(shift, hn::Set(i, 127 + t.exponent))));
+        const auto scale =
+            hn::BitCast(f, hn::ShiftLeft<23>(hn::Add(shift, hn::Add(exponent, hn::Set(i, 127)))));
         const auto scaled = hn::Max(hn::Zero(f), hn::Min(hn::Mul(uw, scale), hn::Set(f, 1073741824.0f)));
-        const auto u = hn::ConvertTo(i, scaled);
-        return t.k == 0 ? u : hn::Add(u, hn::Shl(hn::Set(i, t.k), shift));
+        return hn::Add(hn::ConvertTo(i, scaled), hn::Shl(k, shift));
     }
 
     /// Wraps texel indices of levels with `last` + 1 texels a side.
@@ -94,7 +111,7 @@ struct Sampler {
     }
 
     /// lookup() of gw/texels.h in the lanes' own levels.
-    HWY_INLINE TexelLanes lookup(VF uw, VF vw, VI level, bool linear) const {
+    HWY_INLINE TexelLanes lookup(const Coordinates& at, VI level, bool linear) const {
         const I32 i;
         const D32 d;
         const auto zero = hn::Zero(i), one = hn::Set(i, 1);
@@ -102,7 +119,8 @@ struct Sampler {
         const auto log2_h = hn::Max(hn::Sub(hn::Set(i, base().log2_height), level), zero);
         const auto last_x = hn::Sub(hn::Shl(one, log2_w), one), last_y = hn::Sub(hn::Shl(one, log2_h), one);
         const auto first = hn::GatherIndex(i, texels.first.data(), level);
-        auto u = coordinate(planes.s, uw, log2_w), v = coordinate(planes.t, vw, log2_h);
+        auto u = coordinate(at.uw, at.u_exponent, at.u_k, log2_w),
+             v = coordinate(at.vw, at.v_exponent, at.v_k, log2_h);
         const auto row = [&](VI y) {
             return hn::Add(first, hn::Shl(wrapped(state.wrap_t, y, last_y), log2_w));
         };
@@ -124,26 +142,45 @@ struct Sampler {
     }
 };
 
-/// What rho is made of in one block: the larger slope of each row and column. docs/manual.md, "Level of
-/// detail".
-struct BlockSlopes {
+/// What rho is made of: the larger slope of each row and column. docs/manual.md, "Level of detail".
+HWY_INLINE void store_slopes(const Sampler& s, const TexturePlanes& p, const Tile& tile, int bx, int by,
+                             std::uint32_t mask, float* slope) {
+    const double scale_s = power_of_two(p.s.exponent + s.base().log2_width);
+    const double scale_t = power_of_two(p.t.exponent + s.base().log2_height);
+    const CoordinateSlope &u = p.s.slope, &v = p.t.slope;
     float row[block_side], column[block_side];
-};
-
-HWY_INLINE BlockSlopes block_slopes(const Sampler& s, const Tile& tile, int bx, int by) {
-    const double scale_s = std::ldexp(1.0, s.planes.s.exponent + s.base().log2_width);
-    const double scale_t = std::ldexp(1.0, s.planes.t.exponent + s.base().log2_height);
-    const CoordinateSlope &u = s.planes.s.slope, &v = s.planes.t.slope;
-    BlockSlopes out;
     for (int i = 0; i < block_side; ++i) {
-        const int dx = tile.x + bx * block_side + i - s.planes.slope_x,
-                  dy = tile.y + by * block_side + i - s.planes.slope_y;
+        const int dx = tile.x + bx * block_side + i - p.slope_x,
+                  dy = tile.y + by * block_side + i - p.slope_y;
         const double row_u = std::abs(u.a + double(u.k) * dy), row_v = std::abs(v.a + double(v.k) * dy);
         const double column_u = std::abs(u.b - double(u.k) * dx), column_v = std::abs(v.b - double(v.k) * dx);
-        out.row[i] = static_cast<float>(std::max(row_u * scale_s, row_v * scale_t));
-        out.column[i] = static_cast<float>(std::max(column_u * scale_s, column_v * scale_t));
+        row[i] = static_cast<float>(std::max(row_u * scale_s, row_v * scale_t));
+        column[i] = static_cast<float>(std::max(column_u * scale_s, column_v * scale_t));
     }
-    return out;
+    for (; mask != 0; mask &= mask - 1) {
+        const auto lane = std::size_t(std::countr_zero(mask));
+        slope[lane] = std::max(row[lane / block_side], column[lane % block_side]);
+    }
+}
+
+/// Puts the lanes of `mask`, which one primitive covers, into the inputs.
+HWY_INLINE void texture_inputs(const Sampler& s, const TexturePlanes& p, const Tile& tile, int bx, int by,
+                               std::uint32_t mask, TextureInputs& out) {
+    const D32 d;
+    const I32 i32;
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        const Pixels at = pixels_of(bx, by, i);
+        const auto lanes = lanes_of(d, mask, i);
+        const auto signed_lanes = hn::RebindMask(i32, lanes);
+        hn::BlendedStore(wide_plane(p.q, at), lanes, d, out.q + i);
+        hn::BlendedStore(wide_plane(p.s.plane, at), lanes, d, out.u + i);
+        hn::BlendedStore(wide_plane(p.t.plane, at), lanes, d, out.v + i);
+        hn::BlendedStore(hn::Set(i32, p.s.exponent), signed_lanes, i32, out.u_exponent + i);
+        hn::BlendedStore(hn::Set(i32, p.t.exponent), signed_lanes, i32, out.v_exponent + i);
+        hn::BlendedStore(hn::Set(i32, p.s.k), signed_lanes, i32, out.u_k + i);
+        hn::BlendedStore(hn::Set(i32, p.t.k), signed_lanes, i32, out.v_k + i);
+    }
+    if (needs_rho(s.state)) store_slopes(s, p, tile, bx, by, mask, out.slope);
 }
 
 /// choose_level() of gw/texels.h, lane by lane.
@@ -153,13 +190,10 @@ struct LevelLanes {
     V32 weight;
 };
 
-HWY_INLINE LevelLanes choose_levels(const Sampler& s, const BlockSlopes& slopes, VF w, std::size_t first) {
+HWY_INLINE LevelLanes choose_levels(const Sampler& s, VF slope, VF w) {
     const I32 i;
     const F32 f;
-    alignas(64) float slope[block_pixels];
-    for (std::size_t lane = 0; lane < block_pixels; ++lane)
-        slope[lane] = std::max(slopes.row[lane / block_side], slopes.column[lane % block_side]);
-    const auto rho = hn::Mul(hn::Mul(hn::Load(f, slope + first), hn::Mul(w, w)), hn::Set(f, 1.0f / 65536));
+    const auto rho = hn::Mul(hn::Mul(slope, hn::Mul(w, w)), hn::Set(f, 1.0f / 65536));
     const auto bits = hn::BitCast(i, rho);
     const bool later =
         s.state.mag_filter == MagFilter::Linear && (s.state.min_filter == MinFilter::NearestMipmapNearest ||
@@ -198,11 +232,11 @@ HWY_INLINE bool is_linear(MinFilter filter) {
 }
 
 /// The lanes' texels at one level each, magnified and minified lanes by their own filters.
-HWY_INLINE TexelLanes sample_level(const Sampler& s, VF uw, VF vw, VI level, hn::Mask<I32> magnify) {
+HWY_INLINE TexelLanes sample_level(const Sampler& s, const Coordinates& at, VI level, hn::Mask<I32> magnify) {
     const bool small = is_linear(s.state.min_filter), large = s.state.mag_filter == MagFilter::Linear;
-    TexelLanes out = s.lookup(uw, vw, level, small);
+    TexelLanes out = s.lookup(at, level, small);
     if (small == large) return out;
-    const TexelLanes other = s.lookup(uw, vw, level, large);
+    const TexelLanes other = s.lookup(at, level, large);
     const auto chosen = hn::RebindMask(D32(), magnify);
     for (std::size_t k = 0; k < 4; ++k)
         out.channel[k] = hn::IfThenElse(chosen, other.channel[k], out.channel[k]);
@@ -220,25 +254,27 @@ HWY_INLINE void mix_levels(TexelLanes& a, const TexelLanes& b, V32 weight) {
     }
 }
 
-HWY_INLINE void sample_block(const Sampler& s, const Tile& tile, int bx, int by, ColorBlock& out) {
+HWY_INLINE void sample_block(const Sampler& s, const TextureInputs& in, ColorBlock& out) {
+    const D32 u;
     const I32 d;
-    const bool levels = needs_rho(s.state);
-    BlockSlopes slopes{};
-    if (levels) slopes = block_slopes(s, tile, bx, by);
+    const F32 f;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-        const Pixels at = pixels_of(bx, by, i);
-        const auto w = reciprocal_lanes(s.planes.q, at);
-        const auto uw = hn::Mul(to_floats(wide_plane(s.planes.s.plane, at)), w),
-                   vw = hn::Mul(to_floats(wide_plane(s.planes.t.plane, at)), w);
+        const auto w = hn::Div(hn::Set(f, 1.0f), to_floats(hn::Load(u, in.q + i)));
+        const auto over = [&](const std::uint32_t* p) { return hn::Mul(to_floats(hn::Load(u, p + i)), w); };
+        const Coordinates at{over(in.u),
+                             over(in.v),
+                             hn::Load(d, in.u_exponent + i),
+                             hn::Load(d, in.v_exponent + i),
+                             hn::Load(d, in.u_k + i),
+                             hn::Load(d, in.v_k + i)};
         TexelLanes texel;
-        if (!levels) {
-            texel = s.lookup(uw, vw, hn::Zero(d), s.state.mag_filter == MagFilter::Linear);
+        if (!needs_rho(s.state)) {
+            texel = s.lookup(at, hn::Zero(d), s.state.mag_filter == MagFilter::Linear);
         } else {
-            const LevelLanes l = choose_levels(s, slopes, w, i);
-            texel = sample_level(s, uw, vw, l.level, l.magnify);
+            const LevelLanes l = choose_levels(s, hn::Load(f, in.slope + i), w);
+            texel = sample_level(s, at, l.level, l.magnify);
             const auto mixed = hn::Gt(hn::BitCast(d, l.weight), hn::Zero(d));
-            if (!hn::AllFalse(d, mixed))
-                mix_levels(texel, sample_level(s, uw, vw, l.next, l.magnify), l.weight);
+            if (!hn::AllFalse(d, mixed)) mix_levels(texel, sample_level(s, at, l.next, l.magnify), l.weight);
         }
         for (std::size_t k = 0; k < 4; ++k) store16(texel.channel[k], out.channel[k] + i);
     }

@@ -5,6 +5,7 @@
 #include "gw/arithmetic.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace gw::fast {
@@ -86,19 +87,17 @@ struct PixelSampler {
 
 }  // namespace
 
-void sample_by_pixel(const TexturePlanes& p, const TileDraw& draw, int bx, int by, std::uint32_t mask,
+void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by, std::uint32_t mask,
                      ColorBlock& out) {
-    for (std::uint32_t lane = 0; lane < block_pixels; ++lane) {
-        Rgba texel{};
-        if (mask >> lane & 1) {
-            PixelSampler pixel{p,
-                               draw,
-                               draw.op->state.state.texture,
-                               draw.op->texels->texels,
-                               bx * block_side + int(lane % block_side),
-                               by * block_side + int(lane / block_side)};
-            texel = pixel.texel();
-        }
+    for (; mask != 0; mask &= mask - 1) {
+        const int lane = std::countr_zero(mask);
+        PixelSampler pixel{planes,
+                           draw,
+                           draw.op->state.state.texture,
+                           draw.op->texels->texels,
+                           bx * block_side + lane % block_side,
+                           by * block_side + lane / block_side};
+        const Rgba texel = pixel.texel();
         for (std::size_t c = 0; c < 4; ++c) out.channel[c][lane] = texel[c];
     }
 }
