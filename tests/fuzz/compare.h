@@ -1,0 +1,32 @@
+// Comparing two machines: planes, passes with counters and digests, read-backs. Does not execute anything.
+#pragma once
+
+#include "gw/machine.h"
+
+#include <optional>
+#include <string>
+
+namespace gw::fuzz {
+
+/// The first value that differs.
+struct Difference {
+    std::string what;  ///< "plane Depth", "pass 2 'shadow', counter written", "read-back 3"
+    std::optional<Plane> plane;
+    ivec2 pixel{0};  ///< where `plane`
+    std::string a, b;
+};
+
+/// Planes in the order depth, stencil, colour, accumulation: what goes wrong first.
+std::optional<Difference> first_difference(Machine& a, Machine& b);
+
+const char* name_of(Plane plane);
+/// A pixel's value in a plane, as numbers.
+std::string value_at(const Planes& planes, Plane plane, int x, int y);
+/// Each counter with its name, in the order of the stages.
+struct NamedCounter {
+    const char* name;
+    std::uint64_t Counters::*field;
+};
+const std::vector<NamedCounter>& named_counters();
+
+}  // namespace gw::fuzz

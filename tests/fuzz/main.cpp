@@ -1,0 +1,156 @@
+// gw-fuzz: seeded random lists on two machines, compared after every command.
+// Exit 0 no difference; 1 a suite's lists are too uniform to prove anything, or an error; 2 usage; 3 a
+// difference, with the command that repeats it.
+#include "gw/error.h"
+#include "tests/fuzz/describe.h"
+#include "tests/fuzz/diversity.h"
+#include "tests/fuzz/explain.h"
+#include "tests/fuzz/shrink.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+namespace gw::fuzz {
+namespace {
+
+struct Arguments {
+    std::vector<std::string> suites;
+    std::vector<std::uint64_t> range{0, 100};
+    std::string machine_a = "reference", machine_b = "reference";
+    bool list = false, shrink = false, print = false, digest = false;
+};
+
+void print_failure(const Arguments& arguments, const Suite& suite, std::uint64_t index, const Case& c,
+                   const Failure& f) {
+    const Difference& d = f.difference;
+    fmt::print("DIFFERENCE in list {} of suite {}, executed {}, after command {}\n", index, suite.name,
+               name_of(f.split), f.command);
+    fmt::print("  {}\n", describe(c.list.commands[f.command]));
+    fmt::print("{}{}: {} {}, {} {}\n", d.what,
+               d.plane ? fmt::format(", pixel {} {}", d.pixel.x, d.pixel.y) : "", arguments.machine_a, d.a,
+               arguments.machine_b, d.b);
+    if (d.plane) fmt::print("{}", explain_pixel(c, f.command, d));
+    fmt::print("repeat: build/release/bin/gw-fuzz --suite {} --range {} {} --machine-a {} --machine-b {}\n",
+               suite.name, index, index + 1, arguments.machine_a, arguments.machine_b);
+}
+
+/// A list that throws is a failure of the generator: lists are valid.
+std::optional<Failure> run_list(const Arguments& arguments, const Suite& suite, std::uint64_t index,
+                                const Case& c, Diversity& reached) {
+    try {
+        return run_case(c, machine_named(arguments.machine_a), machine_named(arguments.machine_b),
+                        [&](Machine& machine) { reached.add(c, machine); });
+    } catch (const std::exception& e) {
+        throw Error(
+            fmt::format("list {} of suite {}: {}\nrepeat: build/release/bin/gw-fuzz --suite {} --range {} {}",
+                        index, suite.name, e.what(), suite.name, index, index + 1));
+    }
+}
+
+/// One line: a digest over every plane at the end of every list. The same on every compiler and processor.
+void print_digest(const Arguments& arguments, const Suite& suite) {
+    std::string all;
+    for (std::uint64_t i = arguments.range[0]; i < arguments.range[1]; ++i) {
+        const Case c = make_case(suite, i);
+        const auto machine = machine_named(arguments.machine_b)(c, 0);
+        machine->execute(c.list);
+        for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
+            all += to_string(digest(machine->planes(), plane));
+        for (const PassReport& pass : machine->passes())
+            for (const NamedCounter& counter : named_counters())
+                all += fmt::format(" {}", pass.counters.*counter.field);
+    }
+    std::uint64_t h = 0xcbf29ce484222325u;  // FNV-1a of the text
+    for (const char byte : all) h = (h ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+    fmt::print("fuzz-{} lists-{}-{} all {:016x}\n", suite.name, arguments.range[0], arguments.range[1], h);
+}
+
+int run_suite(const Arguments& arguments, const Suite& suite) {
+    Diversity reached;
+    for (std::uint64_t i = arguments.range[0]; i < arguments.range[1]; ++i) {
+        Case c = make_case(suite, i);
+        if (arguments.print) fmt::print("{}", describe(c));
+        auto failure = run_list(arguments, suite, i, c, reached);
+        if (!failure) continue;
+        if (arguments.shrink) {
+            const MachineMaker a = machine_named(arguments.machine_a), b = machine_named(arguments.machine_b);
+            c = shrink(c, a, b);
+            failure = run_case(c, a, b);
+            fmt::print("left after leaving out:\n{}", describe(c));
+        }
+        print_failure(arguments, suite, i, c, *failure);
+        return 3;
+    }
+    fmt::print("{:18} {}\n", suite.name, summary(reached));
+    const std::string gaps = missing(reached, suite);
+    if (gaps.empty()) return 0;
+    fmt::print("{}: too uniform:{}\n", suite.name, gaps);
+    return 1;
+}
+
+std::vector<const Suite*> chosen(const std::vector<std::string>& names) {
+    std::vector<const Suite*> out;
+    for (const Suite& suite : suites())
+        if (names.empty() || std::find(names.begin(), names.end(), suite.name) != names.end())
+            out.push_back(&suite);
+    return out;
+}
+
+int run(const Arguments& arguments) {
+    if (arguments.list) {
+        for (const Suite& suite : suites()) fmt::print("{:18} {}\n", suite.name, suite.about);
+        return 0;
+    }
+    int result = 0;
+    for (const Suite* suite : chosen(arguments.suites)) {
+        if (arguments.digest)
+            print_digest(arguments, *suite);
+        else
+            result = std::max(result, run_suite(arguments, *suite));
+        std::fflush(stdout);
+    }
+    return result;
+}
+
+std::vector<std::string> suite_names() {
+    std::vector<std::string> names;
+    for (const Suite& suite : suites()) names.push_back(suite.name);
+    return names;
+}
+
+void add_options(CLI::App& app, Arguments& a) {
+    app.add_option("--suite", a.suites, "suites, by name; default all")->check(CLI::IsMember(suite_names()));
+    app.add_option("--range", a.range, "lists LO to HI - 1 of each suite; default 0 100")->expected(2);
+    app.add_option("--machine-a", a.machine_a, "default reference")->check(CLI::IsMember(machine_names()));
+    app.add_option("--machine-b", a.machine_b, "default fast")->check(CLI::IsMember(machine_names()));
+    app.add_flag("--list", a.list, "print the suites");
+    app.add_flag("--shrink", a.shrink,
+                 "leave out of a failing list what can be left out, and print the rest");
+    app.add_flag("--print", a.print, "print every list");
+    app.add_flag("--digest", a.digest, "only machine b; print one digest for each suite");
+}
+
+}  // namespace
+}  // namespace gw::fuzz
+
+int main(int argc, char** argv) {
+    CLI::App app(
+        "Seeded random command lists on two machines: every plane, counter, read-back and digest after "
+        "every command.\nExample: gw-fuzz --suite blend stencil --range 0 1000");
+    gw::fuzz::Arguments arguments;
+    for (const std::string& name : gw::fuzz::machine_names())
+        if (name == "fast") arguments.machine_b = name;
+    gw::fuzz::add_options(app, arguments);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? 0 : 2;
+    }
+    try {
+        return gw::fuzz::run(arguments);
+    } catch (const gw::Error& e) {
+        fmt::print(stderr, "gw-fuzz: {}\n", e.what());
+        return 1;
+    }
+}
