@@ -36,7 +36,7 @@ std::string missing(const Diversity& reached, const Suite& suite) {
                                reached.varied[std::size_t(plane)], reached.lists);
     for (const NamedCounter& c : named_counters())
         if (std::count(suite.counters.begin(), suite.counters.end(), c.field) &&
-            reached.counters.*c.field < reached.lists)
+            reached.counters.*c.field * 4 < reached.lists)
             out += fmt::format(" counter {} is {} after {} lists;", c.name, reached.counters.*c.field,
                                reached.lists);
     return out;

@@ -63,7 +63,7 @@ WriteSpans any_spans(Random& r, const Case& w) {
         s.length = s.flat ? r.between(0, w.width + 3) : r.between(0, colors - int(s.first));
         out.spans.push_back(s);
     }
-    if (r.chance(5)) out.spans.push_back({-2147483647 - 1, 0, 2147483647, 0, true});
+    if (r.chance(5)) out.spans.push_back({-4096, 0, 2147483647, 0, true});
     out.depth = any_value(r, w.profile.depth_bits);
     return out;
 }

@@ -36,6 +36,8 @@ const std::map<std::string, MachineMaker, std::less<>>& machines() {
 
 }  // namespace
 
+std::string default_machine() { return machines().contains("fast") ? "fast" : "reference"; }
+
 const std::vector<std::string>& machine_names() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> out;

@@ -17,7 +17,7 @@ namespace {
 struct Arguments {
     std::vector<std::string> suites;
     std::vector<std::uint64_t> range{0, 100};
-    std::string machine_a = "reference", machine_b = "reference";
+    std::string machine_a = "reference", machine_b = default_machine();
     bool list = false, shrink = false, print = false, digest = false;
 };
 
@@ -139,8 +139,6 @@ int main(int argc, char** argv) {
         "Seeded random command lists on two machines: every plane, counter, read-back and digest after "
         "every command.\nExample: gw-fuzz --suite blend stencil --range 0 1000");
     gw::fuzz::Arguments arguments;
-    for (const std::string& name : gw::fuzz::machine_names())
-        if (name == "fast") arguments.machine_b = name;
     gw::fuzz::add_options(app, arguments);
     try {
         app.parse(argc, argv);
