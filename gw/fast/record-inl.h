@@ -1,0 +1,163 @@
+// Records of visible fragments: made by the first pass under Equal, drawn from by it and all later ones.
+// gw/fast/coverage.h says when. Does not decide which draws share a record.
+// Included once per Highway target.
+#if defined(GW_FAST_RECORD_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_RECORD_INL_H_
+#undef GW_FAST_RECORD_INL_H_
+#else
+#define GW_FAST_RECORD_INL_H_
+#endif
+
+#include "gw/fast/cover-inl.h"
+#include "gw/fast/coverage.h"
+#include "gw/fast/shade-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+HWY_INLINE PrimitiveFrame frame_of(const TileDraw& draw, std::uint32_t ordinal) {
+    const GeometrySet& set = *draw.op->set;
+    return primitive_frame(set, set.primitives[ordinal], draw.op->state.state.jitter,
+                           draw.profile->subpixel_bits, draw.tile);
+}
+
+/// A covered block of a record in the making: counted, and kept where its depth is the stored one.
+HWY_INLINE void record_block(const TileDraw& draw, const DepthPlane& plane, int bx, int by,
+                             std::uint32_t mask, Coverage& record) {
+    const D32 d;
+    const std::size_t block = draw.tile.block(bx, by);
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        std::uint32_t* count = record.fragments[block].value + i;
+        const auto one = hn::IfThenElseZero(lanes_of(d, mask, i), hn::Set(d, 1u));
+        hn::Store(hn::Add(hn::Load(d, count), one), d, count);
+    }
+    record.total += std::uint64_t(std::popcount(mask));
+    DepthBlock depth;
+    shade_depth(plane, max_of_bits(draw.profile->depth_bits), bx, by, depth);
+    const std::uint32_t visible = depth_test(DepthFunc::Equal, depth, draw.tile.depth[block], mask);
+    if (visible != 0)
+        record.blocks.push_back(
+            {std::uint16_t(block), std::uint16_t(visible), std::uint32_t(record.primitives.size())});
+}
+
+/// Makes the record of a draw under Equal: its visible blocks, and how many fragments each pixel gets.
+void record_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
+    record.fragments.assign(std::size_t(draw.tile.side) * std::size_t(draw.tile.side) / block_pixels,
+                            DepthBlock{});
+    for (const std::uint32_t ordinal : bin) {
+        const PrimitiveFrame frame = frame_of(draw, ordinal);
+        DepthPlane plane;
+        bool made = false;
+        const std::size_t before = record.blocks.size();
+        visit_primitive(draw, frame, [&](int bx, int by, std::uint32_t mask) {
+            if (!made) plane = depth_plane(draw, draw.op->set->primitives[ordinal], frame);
+            made = true;
+            record_block(draw, plane, bx, by, mask, record);
+        });
+        if (record.blocks.size() != before) record.primitives.push_back({ordinal, frame});
+    }
+    // By block, in each block in the primitives' order.
+    std::stable_sort(record.blocks.begin(), record.blocks.end(),
+                     [](const VisibleBlock& a, const VisibleBlock& b) { return a.block < b.block; });
+    record.made = true;
+}
+
+/// Fragments of all blocks that the stencil test kills, from the counts; the others die by depth or are
+/// visible.
+HWY_INLINE std::uint64_t killed_by_stencil(const TileDraw& draw, const Coverage& record) {
+    const D32 d;
+    const StencilFace& face = draw.op->state.front;
+    if (face.func == StencilFunc::Always) return 0;
+    std::uint64_t killed = 0;
+    for (std::size_t block = 0; block < record.fragments.size(); ++block) {
+        const std::uint32_t fails = all_lanes & ~stencil_test(face, draw.tile.stencil[block], all_lanes);
+        if (fails == 0) continue;
+        alignas(64) std::uint32_t kept[block_pixels];
+        for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+            const auto n = hn::Load(d, record.fragments[block].value + i);
+            hn::Store(hn::IfThenElseZero(lanes_of(d, fails, i), n), d, kept + i);
+        }
+        for (const std::uint32_t n : kept) killed += n;
+    }
+    return killed;
+}
+
+/// Makes the colour planes of the record's primitives, as this draw has them.
+HWY_INLINE void color_planes(const TileDraw& draw, Coverage& record) {
+    record.colors.resize(record.primitives.size());
+    for (std::size_t i = 0; i < record.primitives.size(); ++i) {
+        const VisiblePrimitive& v = record.primitives[i];
+        make_color_planes(draw, draw.op->set->primitives[v.ordinal], v.frame, record.colors[i]);
+    }
+}
+
+/// Makes or finds the texture planes of the record's primitives.
+HWY_INLINE const TexturePlanes* texture_planes(const TileDraw& draw, Coverage& record) {
+    const DrawOp& op = *draw.op;
+    if (!op.texels) return nullptr;
+    TextureState state = op.state.state.texture;
+    state.env = TexEnv::Modulate, state.env_color = vec4(0);
+    if (record.texcoords != op.texcoords || !(record.texture_state == state)) {
+        record.texture.resize(record.primitives.size());
+        for (std::size_t i = 0; i < record.primitives.size(); ++i) {
+            const VisiblePrimitive& v = record.primitives[i];
+            make_texture_planes(draw, op.set->primitives[v.ordinal], v.frame, record.texture[i]);
+        }
+        record.texcoords = op.texcoords;
+        record.texture_state = state;
+    }
+    return record.texture.data();
+}
+
+/// Colours of one block, gathered from its primitives and written together; a pixel where two tie is written
+/// twice.
+struct BlockColors {
+    const TileDraw& draw;
+    std::size_t block = 0;
+    std::uint32_t mask = 0;
+    ShadeInputs inputs;
+
+    HWY_INLINE void flush() {
+        if (mask != 0) write_color(draw.op->state, shaded(draw, inputs), draw.tile.color[block], mask);
+        mask = 0;
+    }
+    HWY_INLINE void add(std::size_t to_block, std::uint32_t lanes, const ColorPlanes& planes,
+                        const TexturePlanes& texture) {
+        if (to_block != block || (mask & lanes) != 0) flush();
+        block = to_block;
+        mask |= lanes;
+        const int row = draw.tile.side / block_side;
+        shade_inputs(planes, texture, draw, int(block) % row, int(block) / row, lanes, inputs);
+    }
+};
+
+/// Draws from a record: visible blocks only, block by block.
+void replay_all(const TileDraw& draw, Coverage& record) {
+    const DrawOp& op = *draw.op;
+    OpCounts& counts = *draw.counts;
+    const std::uint64_t killed = killed_by_stencil(draw, record);
+    const bool colors = op.state.writes_color;
+    const TexturePlanes* texture = colors ? texture_planes(draw, record) : nullptr;
+    if (colors) color_planes(draw, record);
+    static const TexturePlanes no_texture{};
+    std::uint64_t written = 0;
+    BlockColors out{draw, 0, 0, {}};
+    for (const VisibleBlock& visible : record.blocks) {
+        const std::uint32_t mask =
+            stencil_test(op.state.front, draw.tile.stencil[visible.block], visible.mask);
+        written += std::uint64_t(std::popcount(mask));
+        if (mask == 0 || !colors) continue;
+        const std::size_t k = visible.primitive;
+        out.add(visible.block, mask, record.colors[k], texture ? texture[k] : no_texture);
+    }
+    out.flush();
+    counts.fragments += record.total;
+    counts.stencil_killed += killed;
+    counts.written += written;
+    counts.depth_killed += record.total - killed - written;
+}
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target
