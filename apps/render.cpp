@@ -126,7 +126,7 @@ Command add_render(CLI::App& app) {
     CLI::App* command = app.add_subcommand("render", "A picture of a scene");
     const auto options = std::make_shared<RenderOptions>();
     add_options(*command, *options);
-    command->footer("Example:\n  build/release/bin/gw render scenes/rings.toml -o rings.png --size 640x480");
+    command->footer("Example:\n  build/release/bin/gw render scenes/rings.toml -o rings.png");
     return {command, [options] { return render(*options); }};
 }
 
