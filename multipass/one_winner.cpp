@@ -3,6 +3,7 @@
 
 #include "multipass/catalogue.h"
 #include "multipass/commands.h"
+#include "multipass/whole_window.h"
 
 namespace gw::multipass {
 namespace {
@@ -15,13 +16,6 @@ const Pass winners_pass{
     .color = false,
     .objects = PassObjects::Opaque,
 };
-
-/// Fragments on every pixel of the window, in one flat colour.
-WriteSpans whole_window(int width, int height) {
-    WriteSpans spans{.colors = {Rgba{}}};
-    for (int y = 0; y < height; ++y) spans.spans.push_back({.x = 0, .y = y, .length = width});
-    return spans;
-}
 
 /// An opaque part that the pass does not concern takes its pixels all the same.
 Draw black_draw(const Stage& stage, std::size_t part) {
@@ -50,7 +44,7 @@ CommandList count_winners(const Stage& stage) {
     state.stencil = {.test = true, .func = StencilFunc::NotEqual, .ref = 0};
     list.add(BeginPass{.name = "count pixels"});
     list.add(SetState{state});
-    list.add(whole_window(stage.view.width, stage.view.height));
+    list.add(whole_window(stage.view));
     list.add(Clear{.planes = mask_of(Plane::Stencil)});
     return list;
 }

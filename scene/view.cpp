@@ -26,19 +26,6 @@ dvec3 any_up(const dvec3& forward) {
     return std::abs(forward.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(0, 0, forward.y > 0 ? 1 : -1);
 }
 
-/// Nearest and farthest distance of the bounds along the line of sight.
-std::pair<double, double> depth_interval(const Bounds& bounds, const dmat4& eye_from_world) {
-    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-    for (int corner = 0; corner < 8; ++corner) {
-        const dvec3 p(corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
-                      corner & 4 ? bounds.high.z : bounds.low.z);
-        const double distance = -(transform3(dmat3(eye_from_world), p).z + eye_from_world[3].z);
-        nearest = std::min(nearest, distance);
-        farthest = std::max(farthest, distance);
-    }
-    return {nearest, farthest};
-}
-
 /// Fills in the planes that are 0.
 void fit_planes(Camera& camera, const Bounds& bounds, const dmat4& eye_from_world) {
     const bool fit_near = camera.near_plane <= 0, fit_far = camera.far_plane <= 0;
@@ -46,7 +33,7 @@ void fit_planes(Camera& camera, const Bounds& bounds, const dmat4& eye_from_worl
     const dvec3 line = camera.at - camera.eye;
     const double reach = std::sqrt(dot3(line, line));
     auto [nearest, farthest] =
-        bounds.empty ? std::pair(reach, reach) : depth_interval(bounds, eye_from_world);
+        bounds.empty ? DepthInterval{reach, reach} : depth_interval(bounds, eye_from_world);
     if (farthest <= 0) nearest = farthest = reach;  // all behind the eye: any planes do
     const double margin = std::max((farthest - nearest) * depth_margin, farthest * 1e-3);
     if (fit_far) camera.far_plane = std::max(farthest + margin, camera.near_plane * 2);
@@ -65,6 +52,18 @@ dmat4 projection(const Camera& camera, double aspect) {
 }
 
 }  // namespace
+
+DepthInterval depth_interval(const Bounds& bounds, const dmat4& eye_from_world) {
+    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+    for (int corner = 0; corner < 8; ++corner) {
+        const dvec3 p(corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
+                      corner & 4 ? bounds.high.z : bounds.low.z);
+        const double distance = -(transform3(dmat3(eye_from_world), p).z + eye_from_world[3].z);
+        nearest = std::min(nearest, distance);
+        farthest = std::max(farthest, distance);
+    }
+    return {nearest, farthest};
+}
 
 dmat4 look_at(const dvec3& eye, const dvec3& at, const dvec3& up) {
     const dvec3 forward = normalized(at - eye);
@@ -112,6 +111,17 @@ View make_view(const Camera& camera, const Bounds& bounds, int width, int height
 View make_view(const Scene& scene, int width, int height) {
     if (!scene.camera) throw Error("scene '" + scene.name + "' has no camera");
     return make_view(*scene.camera, bounds(scene), width, height);
+}
+
+View with_planes(View view, double near_plane, double far_plane) {
+    view.camera.near_plane = near_plane;
+    view.camera.far_plane = far_plane;
+    const bool perspective = view.clip_from_eye[2].w != 0;
+    const dmat4 depth = perspective ? frustum(-1, 1, -1, 1, near_plane, far_plane)
+                                    : ortho(-1, 1, -1, 1, near_plane, far_plane);
+    view.clip_from_eye[2].z = depth[2].z;
+    view.clip_from_eye[3].z = depth[3].z;
+    return view;
 }
 
 std::array<View, 6> cube_views(const dvec3& center, double near_plane, double far_plane, int size) {

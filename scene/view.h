@@ -32,6 +32,15 @@ View make_view(const Scene& scene, int width, int height);
 /// Hemicubes, shadows of point lights and reflection maps share it.
 std::array<View, 6> cube_views(const dvec3& center, double near_plane, double far_plane, int size);
 
+/// The view with other near and far planes; what it shows of the world sideways stays.
+View with_planes(View view, double near_plane, double far_plane);
+
+/// Smallest and largest distance of a box from the eye, along the line of sight.
+struct DepthInterval {
+    double nearest = 0, farthest = 0;
+};
+DepthInterval depth_interval(const Bounds& bounds, const dmat4& eye_from_world);
+
 /// World to eye: `eye` at 0, `at` on -z, `up` in the upper half of the yz plane (any up parallel to the line
 /// of sight is replaced by an axis that is not).
 dmat4 look_at(const dvec3& eye, const dvec3& at, const dvec3& up);

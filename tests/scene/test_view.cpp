@@ -72,6 +72,20 @@ TEST(View, KeepsPlanesThatAreGiven) {
     EXPECT_EQ(view.camera.far_plane, 77);
 }
 
+TEST(View, WithPlanesIsTheViewMadeWithThem) {
+    for (const double height : {0.0, 6.0}) {
+        const Camera camera{.eye = {1, 2, 4}, .near_plane = 1, .far_plane = 9, .ortho_height = height};
+        Camera deeper = camera;
+        deeper.near_plane = 0.5;
+        deeper.far_plane = 50;
+        const View moved = with_planes(make_view(camera, box(-1, 1), 200, 100), 0.5, 50);
+        const View made = make_view(deeper, box(-1, 1), 200, 100);
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 4; ++row)
+                EXPECT_NEAR(moved.clip_from_eye[column][row], made.clip_from_eye[column][row], exactly);
+    }
+}
+
 TEST(View, TakesAnyUpParallelToTheLineOfSight) {
     for (const dvec3& axis : {dvec3(0, 1, 0), dvec3(0, -1, 0), dvec3(1, 0, 0), dvec3(0, 0, 1)}) {
         const dmat4 m = look_at(axis * 3.0, dvec3(0), axis);

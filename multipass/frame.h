@@ -1,0 +1,28 @@
+// A frame: one view of one scene, all of its passes as commands. Does not execute them: driver.h does.
+#pragma once
+
+#include "gw/command_list.h"
+#include "multipass/commands.h"
+#include "multipass/schedule.h"
+#include "multipass/shadows.h"
+#include "multipass/stage.h"
+
+#include <vector>
+
+namespace gw::multipass {
+
+/// Refers to the stage and the shadows, which must outlive it.
+struct Frame {
+    const Stage& stage;
+    const Shadows& shadows;
+    std::vector<Step> steps;
+    FrameRules rules;
+};
+
+/// The commands of steps first .. last - 1.
+CommandList commands(const Frame& frame, std::size_t first, std::size_t last);
+
+/// The number of steps up to and with the last that updates Z.
+std::size_t end_of_depth(const std::vector<Step>& steps);
+
+}  // namespace gw::multipass

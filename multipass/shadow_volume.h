@@ -1,0 +1,42 @@
+// Shadow volumes [K3.2 b]: the space that an object keeps from a light, as a closed surface to be counted in
+// the stencil buffer. Crow 1977; silhouettes of any mesh after Bergeron 1986. Geometry only: shadow_passes.h
+// draws and counts.
+//
+// A set of triangles of the object, turned to face the light, is the front cap; the same, moved away from the
+// light beyond the whole scene, the far cap; where the set has a border, sides join them. For a mesh without
+// border the set is the triangles that face the light; for any other (open, not manifold) it is all
+// triangles, each casting its own shadow, with sides only where neighbours do not cancel.
+#pragma once
+
+#include "multipass/model.h"
+#include "multipass/topology.h"
+#include "scene/view.h"
+
+#include <vector>
+
+namespace gw::multipass {
+
+/// A light as an object's own coordinates see it.
+struct LightInObject {
+    bool directional = false;
+    dvec3 position{0};  ///< or, where directional, the way the light travels (length 1)
+    /// Everything that may be in shadow is nearer than this: to the light, or along its way from the origin.
+    double reach = 0;
+};
+
+LightInObject light_in_object(const scene::Light& light, const dmat4& world_from_object,
+                              const scene::Bounds& bounds);
+
+/// The volume's surface, counter-clockwise from outside; null where nothing faces the light. Its front cap
+/// has the very positions of the mesh, so that it has the same Z.
+MeshRef shadow_volume(const Topology& topology, const LightInObject& light, bool mirrored);
+
+/// The volumes of all opaque parts in one light; null for those that cast none. Translucent parts cast no
+/// shadow.
+std::vector<MeshRef> shadow_volumes(const Model& model, const std::vector<Topology>& topologies,
+                                    std::size_t light);
+
+/// The view with its far plane moved behind these volumes: they must not be cut there.
+scene::View enclosing(scene::View view, const Model& model, const std::vector<MeshRef>& volumes);
+
+}  // namespace gw::multipass

@@ -1,0 +1,34 @@
+// A mesh as a surface: vertices that lie on one point are one, edges know the triangles at them. For shadow
+// volumes. Does not know lights.
+#pragma once
+
+#include "gw/mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace gw::multipass {
+
+/// The triangles of a mesh (those of no area left out) over welded points.
+struct Topology {
+    struct Edge {
+        std::uint32_t from = 0, to = 0;  ///< from < to
+    };
+    struct Side {
+        std::uint32_t edge = 0;
+        bool forward = true;  ///< the triangle runs along it from `from` to `to`
+    };
+    std::vector<vec3> points;
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< into points, orientation as in the mesh
+    std::vector<std::array<Side, 3>> sides;               ///< by triangle: 0 to 1, 1 to 2, 2 to 0
+    std::vector<Edge> edges;
+    /// At every edge as many triangles run one way as the other: the surface has no border, and has two
+    /// sides.
+    bool closed = true;
+};
+
+/// Meshes of lines or points have no triangles.
+Topology topology(const Mesh& mesh);
+
+}  // namespace gw::multipass

@@ -1,0 +1,258 @@
+// Shadow volumes against rays: every pixel more than one away from an edge of the true shadow.
+#include "multipass/shadow_volume.h"
+
+#include "gw/error.h"
+#include "multipass/catalogue.h"
+#include "multipass/driver.h"
+#include "multipass/shadow_passes.h"
+#include "multipass/shadows.h"
+#include "scene/shape_table.h"
+#include "scenes.h"
+#include "truth.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace gw::multipass {
+namespace {
+
+constexpr int width = 96, height = 72;
+
+MeshRef mesh_of(std::vector<vec3> positions, std::vector<std::uint32_t> indices) {
+    return make_mesh({.positions = std::move(positions), .indices = std::move(indices)});
+}
+
+MeshRef floor_mesh() { return mesh_of({{-6, 0, -6}, {6, 0, -6}, {6, 0, 6}, {-6, 0, 6}}, {0, 2, 1, 0, 3, 2}); }
+
+/// A box about the origin, closed, counter-clockwise from outside.
+MeshRef box_mesh(float h = 0.5f) {
+    return mesh_of(
+        {{-h, -h, -h}, {h, -h, -h}, {h, h, -h}, {-h, h, -h}, {-h, -h, h}, {h, -h, h}, {h, h, h}, {-h, h, h}},
+        {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+         3, 6, 2, 3, 7, 6, 1, 2, 6, 1, 6, 5, 0, 4, 7, 0, 7, 3});
+}
+
+/// Without its lid: open.
+MeshRef open_box_mesh() {
+    MeshData data = box_mesh()->data();
+    data.indices.resize(30);
+    return make_mesh(data);
+}
+
+/// Three wings at one edge: not a manifold.
+MeshRef wings_mesh() {
+    return mesh_of({{-1, 0, 0}, {1, 0, 0}, {0, 0.2f, 1.5f}, {0.3f, 0.7f, -1.5f}, {0.2f, -0.7f, 1.3f}},
+                   {0, 1, 2, 0, 1, 3, 1, 0, 4});
+}
+
+struct Case {
+    scene::Scene s;
+    explicit Case(MeshRef caster = box_mesh(), const dvec3& at = {0, 1.2, 0}) {
+        s.materials.push_back({.Ka = vec3(0), .Kd = vec3(1)});
+        s.objects.push_back({.name = "floor", .mesh = floor_mesh()});
+        s.objects.push_back({.name = "caster", .mesh = std::move(caster)});
+        s.objects.back().world_from_object[3] = dvec4(at, 1);
+        s.lights.push_back(
+            {.name = "sun", .direction = {-0.5f, -1, -0.25f}, .shadow = scene::Shadow::Volume});
+        s.camera = scene::Camera{.eye = {1, 5, 6}, .at = {0, 0.3, 0}, .fov = 40};
+    }
+    Case& lamp(const vec3& position) {
+        s.lights[0].kind = scene::LightKind::Point;
+        s.lights[0].position = position;
+        return *this;
+    }
+};
+
+/// Compares the stencil plane with the truth. `least`: of dark pixels that were compared, so that the test
+/// can fail.
+void expect_true(const scene::Scene& s, const Profile& profile = vgx(), std::size_t least = 50) {
+    const scene::View view = scene::make_view(s, width, height);
+    const auto machine = make_reference(profile, width, height);
+    render(*machine, s, view, {.one_winner = OneWinner::Never});
+    const auto truth = true_shadows(s, view);
+    std::size_t dark = 0, wrong = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const Truth expected = truth_at(truth, width, height, x, y);
+            if (expected == Truth::Edge || expected == Truth::Background) continue;
+            dark += expected == Truth::Dark;
+            wrong +=
+                (machine->planes().stencil[std::size_t(y * width + x)] != 0) != (expected == Truth::Dark);
+        }
+    EXPECT_EQ(wrong, 0u);
+    EXPECT_GE(dark, least);
+}
+
+TEST(ShadowVolume, OfAClosedBodyInTheSun) { expect_true(Case().s); }
+TEST(ShadowVolume, OfAClosedBodyByALamp) { expect_true(Case().lamp({1.5f, 3, 1}).s); }
+TEST(ShadowVolume, OfAnOpenMesh) {
+    expect_true(Case(open_box_mesh()).s);
+    expect_true(Case(open_box_mesh()).lamp({1.5f, 3, 1}).s);
+}
+TEST(ShadowVolume, OfANonManifoldMesh) {
+    expect_true(Case(wings_mesh()).s);
+    expect_true(Case(wings_mesh()).lamp({1.5f, 3, 1}).s);
+}
+TEST(ShadowVolume, OfABodyTurnedInsideOutByItsTransform) {
+    Case c;
+    c.s.objects[1].world_from_object[0].x = -2;
+    expect_true(c.s);
+    c.lamp({1.5f, 3, 1});
+    expect_true(c.s);
+}
+TEST(ShadowVolume, OnEveryProfile) {
+    for (const Profile& profile : profiles()) expect_true(Case().lamp({1.5f, 3, 1}).s, profile);
+}
+
+TEST(ShadowVolume, WithTheEyeInsideIt) {
+    Case c(box_mesh(), {0, 3, 0});
+    c.s.objects[1].world_from_object[0].x = c.s.objects[1].world_from_object[2].z = 4;
+    c.s.lights[0].direction = {0, -1, 0};
+    c.s.camera = scene::Camera{.eye = {0.5, 1.5, 1.5}, .at = {0, 0, -1}, .fov = 70};
+    expect_true(c.s, vgx(), 1000);
+    c.lamp({0, 6, 0});
+    expect_true(c.s, vgx(), 1000);
+}
+TEST(ShadowVolume, CutByTheNearPlane) {
+    Case c(box_mesh(), {0, 3, 0});
+    c.s.lights[0].direction = {0, -1, 0};
+    // The near plane lies across the volume: the eye is outside, part of the near rectangle inside.
+    c.s.camera = scene::Camera{.eye = {0, 2, 2.5}, .at = {0, 0, 0}, .fov = 60, .near_plane = 2.2};
+    expect_true(c.s);
+    c.s.camera->near_plane = 2.6;
+    expect_true(c.s);
+}
+TEST(ShadowVolume, CutByTheFarPlane) {
+    Case c;
+    // Seen along the light's way, so that the volume leaves through the far plane, which is close behind the
+    // floor's edge.
+    c.s.lights[0].direction = {-1, -0.4f, 0};
+    c.s.camera = scene::Camera{.eye = {4, 7, 0.5}, .at = {-2, 0, 0}, .fov = 50};
+    expect_true(c.s);
+    c.s.camera->far_plane = 10.5;
+    expect_true(c.s, vgx(), 30);
+}
+TEST(ShadowVolume, LeavesThePicturesOwnFarPlane) {
+    Case c;
+    c.s.background = vec3(0, 0, 1);
+    c.s.camera->far_plane = 7;
+    const scene::View view = scene::make_view(c.s, width, height);
+    const auto is_background = [&](scene::Shadow shadow) {
+        c.s.lights[0].shadow = shadow;
+        const auto machine = make_reference(vgx(), width, height);
+        render(*machine, c.s, view, {});
+        std::vector<bool> result;
+        for (const Rgba& color : machine->planes().color) result.push_back(color == Rgba{0, 0, 255, 255});
+        return result;
+    };
+    const auto without = is_background(scene::Shadow::None);
+    EXPECT_GT(std::count(without.begin(), without.end(), true), 1000);
+    EXPECT_GT(std::count(without.begin(), without.end(), false), 1000);
+    EXPECT_EQ(is_background(scene::Shadow::Volume), without);
+}
+
+TEST(ShadowVolume, OfALargeTriangleCloseToTheLamp) {
+    // The lamp is close over a large square, near its border: it sees the square under nearly 180 degrees.
+    Case c(mesh_of({{-2, 0, -2}, {2, 0, -2}, {2, 0, 2}, {-2, 0, 2}}, {0, 2, 1, 0, 3, 2}), {-1, 1, 0});
+    c.lamp({0.99f, 1.01f, 0.1f});
+    c.s.camera = scene::Camera{.eye = {5, 2.5, 5}, .at = {0, 0.3, 0}, .fov = 50};
+    expect_true(c.s);
+}
+TEST(ShadowVolume, OfALampInsideTheBody) {
+    Case c(box_mesh(2), {0, 2.5, 0});
+    c.lamp({0.2f, 2.5f, 0.1f});
+    expect_true(c.s);
+}
+/// A scene shape with some of its parameters changed.
+MeshRef shape(const std::string& name, std::initializer_list<std::pair<std::string, double>> changes) {
+    for (const scene::Shape& candidate : scene::shapes()) {
+        if (candidate.name != name) continue;
+        std::vector<double> values;
+        for (const scene::ShapeParameter& p : candidate.parameters) {
+            values.push_back(p.value);
+            for (const auto& [key, value] : changes)
+                if (key == p.name) values.back() = value;
+        }
+        return make_mesh(candidate.make(values));
+    }
+    return nullptr;
+}
+
+TEST(ShadowVolume, OfCurvedBodies) {
+    for (const char* name : {"sphere", "torus"}) {
+        const MeshRef mesh = shape(name, {{"slices", 12}, {"stacks", 8}, {"segments", 12}, {"sides", 8}});
+        EXPECT_TRUE(topology(*mesh).closed) << name;
+        expect_true(Case(mesh).s);
+        expect_true(Case(mesh).lamp({1.5f, 3, 1}).s);
+    }
+}
+
+TEST(ShadowVolume, CountedOneByOneGivesTheSameShadow) {
+    const Case c;
+    const scene::View view = scene::make_view(c.s, width, height);
+    const Model model = make_model(c.s);
+    Shadows shadows = find_volumes(model, topologies(model));
+    const Stage stage = make_stage(model, enclosing(view, model, shadows));
+    const auto stencil = [&](const CountRules& rules) {
+        const auto machine = make_reference(vgx(), width, height);
+        CommandList list = frame_list(c.s, view, {depth_pass}, vec3(0));
+        add_shadow_volumes(list, stage, "shadow", shadows.volumes[0], rules);
+        machine->execute(list);
+        EXPECT_FALSE(any_overflow(machine->passes()));
+        return machine->planes().stencil;
+    };
+    auto counts = stencil({8, false, false});
+    EXPECT_GT(*std::max_element(counts.begin(), counts.end()), 0);
+    for (auto& count : counts) count = std::min<std::uint8_t>(count, 1);
+    EXPECT_EQ(stencil({8, true, false}), counts);
+    EXPECT_EQ(stencil({8, false, true}), counts);
+}
+
+TEST(ShadowVolume, TooDeepForTheStencilIsCountedOneByOne) {
+    // Six plates over one another, on a machine that counts to three.
+    Case c(mesh_of({{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}, {0, 2, 1, 0, 3, 2}));
+    for (int i = 1; i < 6; ++i) {
+        c.s.objects.push_back(c.s.objects[1]);
+        c.s.objects.back().world_from_object[3].y += 0.1 * i;
+    }
+    Profile profile = vgx();
+    profile.stencil_bits = 2;
+    expect_true(c.s, profile);
+    profile.stencil_bits = 1;
+    EXPECT_THROW(expect_true(Case(wings_mesh()).s, profile), Error)
+        << "wings over wings: one volume is too deep";
+}
+
+TEST(ShadowVolume, FrontCapHasThePositionsOfTheMesh) {
+    const MeshRef mesh = box_mesh();
+    const MeshRef volume =
+        shadow_volume(topology(*mesh), {.directional = true, .position = {0, -1, 0}, .reach = 10}, false);
+    // Two triangles of the lid, as many below, four sides of two.
+    EXPECT_EQ(volume->triangles().size(), 2u + 2u + 8u);
+    int on_lid = 0, far = 0;
+    for (const vec3& p : volume->data().positions) {
+        on_lid += p.y == 0.5f;
+        far += p.y == -10;
+    }
+    EXPECT_EQ(on_lid, 2 * 3 + 4 * 3);
+    EXPECT_EQ(far, 2 * 3 + 4 * 3);
+}
+
+TEST(Topology, ClosedMeansBalanced) {
+    EXPECT_TRUE(topology(*box_mesh()).closed);
+    EXPECT_FALSE(topology(*open_box_mesh()).closed);
+    EXPECT_FALSE(topology(*wings_mesh()).closed);
+    EXPECT_EQ(topology(*box_mesh()).edges.size(), 18u);
+}
+
+TEST(Topology, WeldsVerticesThatDifferInNormalsOnly) {
+    MeshData data = box_mesh()->data(), split{};
+    for (const std::uint32_t i : data.indices) split.positions.push_back(data.positions[i]);
+    const Topology t = topology(*make_mesh(split));
+    EXPECT_EQ(t.points.size(), 8u);
+    EXPECT_TRUE(t.closed);
+}
+
+}  // namespace
+}  // namespace gw::multipass
