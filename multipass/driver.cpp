@@ -73,6 +73,7 @@ void draw_frame(Machine& machine, Prepared& prepared, const PassList& passes, co
             prepared.stage, prepared.shadows, schedule(passes, prepared.model), {.background = background}};
         return execute(machine, frame, choice);
     };
+    find_masks(prepared.shadows, machine, prepared.model, prepared.stage.view, prepared.stage.state.jitter);
     prepared.shadows.one_by_one = false;
     if (attempt()) return;
     prepared.shadows.one_by_one = true;

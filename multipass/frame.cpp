@@ -11,7 +11,7 @@ namespace {
 void add_shadow(CommandList& list, const Frame& frame, const Step& step) {
     const std::string name = name_of(step, *frame.stage.model);
     const std::size_t light = *step.light;
-    if (!frame.shadows.masks[light].empty())
+    if (frame.stage.model->scene->lights[light].shadow == scene::Shadow::Map)
         add_shadow_mask(list, frame.stage, name, frame.shadows.masks[light]);
     else
         add_shadow_volumes(list, frame.stage, name, frame.shadows.volumes[light],

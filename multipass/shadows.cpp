@@ -26,11 +26,29 @@ Shadows find_volumes(const Model& model, const std::vector<Topology>& topologies
     const auto& lights = model.scene->lights;
     Shadows shadows;
     shadows.volumes.resize(lights.size());
+    shadows.maps.resize(lights.size());
     shadows.masks.resize(lights.size());
     for (std::size_t i = 0; i < lights.size(); ++i)
         if (lights[i].shadow == scene::Shadow::Volume)
             shadows.volumes[i] = shadow_volumes(model, topologies, i);
     return shadows;
+}
+
+void find_masks(Shadows& shadows, Machine& machine, const Model& model, const scene::View& view,
+                const JitterState& jitter) {
+    const auto& lights = model.scene->lights;
+    std::vector<std::uint32_t> ids;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (lights[i].shadow != scene::Shadow::Map) continue;
+        const int size = shadow_map_size(view.width, view.height);
+        if (shadows.maps[i].empty())
+            shadows.maps[i] =
+                draw_shadow_maps(machine, model, light_views(lights[i], scene::bounds(*model.scene), size),
+                                 view.width, view.height);
+        if (ids.empty()) ids = draw_ids(machine, model, view, jitter);
+        shadows.masks[i] =
+            shadow_mask(model, lights[i], shadows.maps[i], ids, view, jitter, machine.profile());
+    }
 }
 
 scene::View enclosing(scene::View view, const Model& model, const Shadows& shadows) {

@@ -2,8 +2,10 @@
 // Does not draw: shadow_volume.h, shadow_passes.h and shadow_map.h do.
 #pragma once
 
+#include "gw/machine.h"
 #include "gw/mesh.h"
 #include "multipass/model.h"
+#include "multipass/shadow_map.h"
 #include "multipass/topology.h"
 #include "scene/view.h"
 
@@ -15,7 +17,8 @@ namespace gw::multipass {
 /// By light; empty for a light without that kind of shadow.
 struct Shadows {
     std::vector<std::vector<MeshRef>> volumes;      ///< by part
-    std::vector<std::vector<std::uint32_t>> masks;  ///< by pixel, from shadow maps: 0 where the light arrives
+    std::vector<std::vector<ShadowMap>> maps;       ///< drawn once, serve every view
+    std::vector<std::vector<std::uint32_t>> masks;  ///< by pixel of the view: 0 where the light arrives
     bool one_by_one = false;                        ///< volumes are counted one by one
 };
 
@@ -24,6 +27,11 @@ std::vector<Topology> topologies(const Model& model);
 
 /// Volumes of the lights that cast them; masks stay empty.
 Shadows find_volumes(const Model& model, const std::vector<Topology>& topologies);
+
+/// Finds the masks of the lights with shadow maps for a view. The machine's planes are used, and left as they
+/// come.
+void find_masks(Shadows& shadows, Machine& machine, const Model& model, const scene::View& view,
+                const JitterState& jitter);
 
 /// The view with a far plane that cuts no volume.
 scene::View enclosing(scene::View view, const Model& model, const Shadows& shadows);

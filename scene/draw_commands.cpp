@@ -99,12 +99,11 @@ MeshRef mapped_mesh(const MeshRef& mesh, const Map& map) {
 
 PolygonIds polygon_ids(const Scene& scene) {
     PolygonIds ids;
-    std::uint32_t next = 1;
     for (const Object& object : scene.objects) {
         const auto [low, high] = id_range(*object.mesh);
-        ids.first.push_back(next);
+        ids.first.push_back(ids.end);
         ids.lowest.push_back(low);
-        next += high - low + 1;
+        ids.end += high - low + 1;
     }
     return ids;
 }
@@ -116,19 +115,21 @@ std::optional<PolygonRef> polygon_of(const PolygonIds& ids, std::uint32_t id) {
     return PolygonRef{object, id - ids.first[object]};
 }
 
-CommandList id_pass(const Scene& scene, const View& view, int shift) {
+CommandList id_pass(const Scene& scene, const View& view, const IdPass& options) {
     State state = view_state(view);
     state.color_source = ColorSource::PolygonId;
     state.shade_model = ShadeModel::Flat;
+    state.jitter = options.jitter;
     CommandList list;
     list.add(BeginPass{.name = "item buffer"});
     list.add(SetState{state});
     list.add(Clear{.planes = PlaneMask(mask_of(Plane::Color) | mask_of(Plane::Depth))});
     const PolygonIds ids = polygon_ids(scene);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        if (options.opaque_only && scene.materials[scene.objects[i].material].d < 1) continue;
         Draw draw = placed(scene.objects[i], view);
         draw.id_base = ids.first[i] - ids.lowest[i];  // modulo 2^32
-        draw.id_shift = shift;
+        draw.id_shift = options.shift;
         list.add(std::move(draw));
     }
     return list;

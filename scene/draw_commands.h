@@ -40,6 +40,7 @@ MeshRef mapped_mesh(const MeshRef& mesh, const Map& map);
 /// background.
 struct PolygonIds {
     std::vector<std::uint32_t> first, lowest;
+    std::uint32_t end = 1;  ///< one more than the last identifier
 };
 PolygonIds polygon_ids(const Scene& scene);
 
@@ -53,9 +54,14 @@ struct PolygonRef {
 /// Whose identifier `id` is; none: the background's.
 std::optional<PolygonRef> polygon_of(const PolygonIds& ids, std::uint32_t id);
 
-/// The item buffer [K4i]: clears colour and depth and draws the identifier of every polygon of every object
-/// instead of its colour. The low 24 bits of (id >> shift) come out as R, G, B: eight bits each.
-CommandList id_pass(const Scene& scene, const View& view, int shift = 0);
+struct IdPass {
+    int shift = 0;             ///< identifiers are shifted right by this many bits
+    bool opaque_only = false;  ///< objects with d < 1 are left out
+    JitterState jitter;        ///< [K4a]
+};
+/// The item buffer [K4i]: clears colour and depth and draws the identifier of every polygon instead of its
+/// colour. The low 24 bits of (id >> shift) come out as R, G, B: eight bits each.
+CommandList id_pass(const Scene& scene, const View& view, const IdPass& options = {});
 
 /// What id_pass wrote to a pixel.
 std::uint32_t id_of(const Rgba& color);

@@ -6,9 +6,7 @@
 #include "multipass/driver.h"
 #include "multipass/shadow_passes.h"
 #include "multipass/shadows.h"
-#include "scene/shape_table.h"
-#include "scenes.h"
-#include "truth.h"
+#include "shadow_cases.h"
 
 #include <gtest/gtest.h>
 
@@ -16,73 +14,6 @@
 
 namespace gw::multipass {
 namespace {
-
-constexpr int width = 96, height = 72;
-
-MeshRef mesh_of(std::vector<vec3> positions, std::vector<std::uint32_t> indices) {
-    return make_mesh({.positions = std::move(positions), .indices = std::move(indices)});
-}
-
-MeshRef floor_mesh() { return mesh_of({{-6, 0, -6}, {6, 0, -6}, {6, 0, 6}, {-6, 0, 6}}, {0, 2, 1, 0, 3, 2}); }
-
-/// A box about the origin, closed, counter-clockwise from outside.
-MeshRef box_mesh(float h = 0.5f) {
-    return mesh_of(
-        {{-h, -h, -h}, {h, -h, -h}, {h, h, -h}, {-h, h, -h}, {-h, -h, h}, {h, -h, h}, {h, h, h}, {-h, h, h}},
-        {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
-         3, 6, 2, 3, 7, 6, 1, 2, 6, 1, 6, 5, 0, 4, 7, 0, 7, 3});
-}
-
-/// Without its lid: open.
-MeshRef open_box_mesh() {
-    MeshData data = box_mesh()->data();
-    data.indices.resize(30);
-    return make_mesh(data);
-}
-
-/// Three wings at one edge: not a manifold.
-MeshRef wings_mesh() {
-    return mesh_of({{-1, 0, 0}, {1, 0, 0}, {0, 0.2f, 1.5f}, {0.3f, 0.7f, -1.5f}, {0.2f, -0.7f, 1.3f}},
-                   {0, 1, 2, 0, 1, 3, 1, 0, 4});
-}
-
-struct Case {
-    scene::Scene s;
-    explicit Case(MeshRef caster = box_mesh(), const dvec3& at = {0, 1.2, 0}) {
-        s.materials.push_back({.Ka = vec3(0), .Kd = vec3(1)});
-        s.objects.push_back({.name = "floor", .mesh = floor_mesh()});
-        s.objects.push_back({.name = "caster", .mesh = std::move(caster)});
-        s.objects.back().world_from_object[3] = dvec4(at, 1);
-        s.lights.push_back(
-            {.name = "sun", .direction = {-0.5f, -1, -0.25f}, .shadow = scene::Shadow::Volume});
-        s.camera = scene::Camera{.eye = {1, 5, 6}, .at = {0, 0.3, 0}, .fov = 40};
-    }
-    Case& lamp(const vec3& position) {
-        s.lights[0].kind = scene::LightKind::Point;
-        s.lights[0].position = position;
-        return *this;
-    }
-};
-
-/// Compares the stencil plane with the truth. `least`: of dark pixels that were compared, so that the test
-/// can fail.
-void expect_true(const scene::Scene& s, const Profile& profile = vgx(), std::size_t least = 50) {
-    const scene::View view = scene::make_view(s, width, height);
-    const auto machine = make_reference(profile, width, height);
-    render(*machine, s, view, {.one_winner = OneWinner::Never});
-    const auto truth = true_shadows(s, view);
-    std::size_t dark = 0, wrong = 0;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const Truth expected = truth_at(truth, width, height, x, y);
-            if (expected == Truth::Edge || expected == Truth::Background) continue;
-            dark += expected == Truth::Dark;
-            wrong +=
-                (machine->planes().stencil[std::size_t(y * width + x)] != 0) != (expected == Truth::Dark);
-        }
-    EXPECT_EQ(wrong, 0u);
-    EXPECT_GE(dark, least);
-}
 
 TEST(ShadowVolume, OfAClosedBodyInTheSun) { expect_true(Case().s); }
 TEST(ShadowVolume, OfAClosedBodyByALamp) { expect_true(Case().lamp({1.5f, 3, 1}).s); }
@@ -137,10 +68,10 @@ TEST(ShadowVolume, LeavesThePicturesOwnFarPlane) {
     Case c;
     c.s.background = vec3(0, 0, 1);
     c.s.camera->far_plane = 7;
-    const scene::View view = scene::make_view(c.s, width, height);
+    const scene::View view = scene::make_view(c.s, window_width, window_height);
     const auto is_background = [&](scene::Shadow shadow) {
         c.s.lights[0].shadow = shadow;
-        const auto machine = make_reference(vgx(), width, height);
+        const auto machine = make_reference(vgx(), window_width, window_height);
         render(*machine, c.s, view, {});
         std::vector<bool> result;
         for (const Rgba& color : machine->planes().color) result.push_back(color == Rgba{0, 0, 255, 255});
@@ -164,21 +95,6 @@ TEST(ShadowVolume, OfALampInsideTheBody) {
     c.lamp({0.2f, 2.5f, 0.1f});
     expect_true(c.s);
 }
-/// A scene shape with some of its parameters changed.
-MeshRef shape(const std::string& name, std::initializer_list<std::pair<std::string, double>> changes) {
-    for (const scene::Shape& candidate : scene::shapes()) {
-        if (candidate.name != name) continue;
-        std::vector<double> values;
-        for (const scene::ShapeParameter& p : candidate.parameters) {
-            values.push_back(p.value);
-            for (const auto& [key, value] : changes)
-                if (key == p.name) values.back() = value;
-        }
-        return make_mesh(candidate.make(values));
-    }
-    return nullptr;
-}
-
 TEST(ShadowVolume, OfCurvedBodies) {
     for (const char* name : {"sphere", "torus"}) {
         const MeshRef mesh = shape(name, {{"slices", 12}, {"stacks", 8}, {"segments", 12}, {"sides", 8}});
@@ -190,12 +106,12 @@ TEST(ShadowVolume, OfCurvedBodies) {
 
 TEST(ShadowVolume, CountedOneByOneGivesTheSameShadow) {
     const Case c;
-    const scene::View view = scene::make_view(c.s, width, height);
+    const scene::View view = scene::make_view(c.s, window_width, window_height);
     const Model model = make_model(c.s);
     Shadows shadows = find_volumes(model, topologies(model));
     const Stage stage = make_stage(model, enclosing(view, model, shadows));
     const auto stencil = [&](const CountRules& rules) {
-        const auto machine = make_reference(vgx(), width, height);
+        const auto machine = make_reference(vgx(), window_width, window_height);
         CommandList list = frame_list(c.s, view, {depth_pass}, vec3(0));
         add_shadow_volumes(list, stage, "shadow", shadows.volumes[0], rules);
         machine->execute(list);
