@@ -72,6 +72,24 @@ HWY_INLINE PixelBounds bounds_in_tile(const TileDraw& draw, const PrimitiveFrame
             clamp(((y_high - half) >> f.s) + 1 - draw.tile.y, box.y0, box.y1)};
 }
 
+/// How a triangle covers a rectangle of pixels, as far as its edges tell.
+enum class Extent { Outside, Partial, Inside };
+
+/// Of the pixels [x0, x1] x [y0, y1] of the tile.
+HWY_INLINE Extent extent_of(const TileEdges& e, int x0, int y0, int x1, int y1) {
+    bool inside = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int32_t least = e.c[k] + e.a[k] * (e.a[k] > 0 ? x0 : x1) + e.b[k] * (e.b[k] > 0 ? y0 : y1);
+        const std::int32_t most = e.c[k] + e.a[k] * (e.a[k] > 0 ? x1 : x0) + e.b[k] * (e.b[k] > 0 ? y1 : y0);
+        if (most < 0) return Extent::Outside;
+        inside = inside && least >= 0;
+    }
+    return inside ? Extent::Inside : Extent::Partial;
+}
+
+/// Blocks are visited in groups of 4x4, so that a large triangle's empty and full parts cost next to nothing.
+inline constexpr int group_blocks = 4;
+
 template <class Visit>
 HWY_INLINE void visit_triangle(const TileDraw& draw, const PrimitiveFrame& frame, const Visit& visit) {
     const PixelBounds b = bounds_in_tile(draw, frame);
@@ -79,10 +97,24 @@ HWY_INLINE void visit_triangle(const TileDraw& draw, const PrimitiveFrame& frame
     EdgeLanes edges;
     edges.edges = tile_edges(frame, draw.tile);
     make_edge_lanes(edges);
-    for (int by = b.y0 / block_side; by <= (b.y1 - 1) / block_side; ++by)
-        for (int bx = b.x0 / block_side; bx <= (b.x1 - 1) / block_side; ++bx) {
-            const std::uint32_t mask = covered(edges, bx, by) & draw.box.mask(bx, by);
-            if (mask != 0) visit(bx, by, mask);
+    const int bx0 = b.x0 / block_side, bx1 = (b.x1 - 1) / block_side, by0 = b.y0 / block_side,
+              by1 = (b.y1 - 1) / block_side;
+    const bool small = bx1 - bx0 < 2 && by1 - by0 < 2;
+    for (int gy = by0; gy <= by1; gy += group_blocks)
+        for (int gx = bx0; gx <= bx1; gx += group_blocks) {
+            const int ex = std::min(gx + group_blocks - 1, bx1), ey = std::min(gy + group_blocks - 1, by1);
+            const Extent extent =
+                small ? Extent::Partial
+                      : extent_of(edges.edges, gx * block_side, gy * block_side,
+                                  ex * block_side + block_side - 1, ey * block_side + block_side - 1);
+            if (extent == Extent::Outside) continue;
+            for (int by = gy; by <= ey; ++by)
+                for (int bx = gx; bx <= ex; ++bx) {
+                    const std::uint32_t inside =
+                        extent == Extent::Inside ? all_lanes : covered(edges, bx, by);
+                    const std::uint32_t mask = inside & draw.box.mask(bx, by);
+                    if (mask != 0) visit(bx, by, mask);
+                }
         }
 }
 
