@@ -2,6 +2,7 @@
 #include "gw/fast/geometry.h"
 
 #include "gw/fan.h"
+#include "gw/fast/project.h"
 #include "gw/window.h"
 
 #include <algorithm>
@@ -63,18 +64,34 @@ struct Builder {
     }
 
     void push_vertices() {
-        const std::uint32_t count = mesh().vertex_count();
-        set.x.reserve(count), set.y.reserve(count), set.z.reserve(count), set.w.reserve(count),
-            outcode.reserve(count);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const Vertex v = position(i);
-            outcode.push_back(classify(v));
-            if (outcode.back() != 0) {
-                set.x.push_back(0), set.y.push_back(0), set.z.push_back(0), set.w.push_back(1);
-            } else {
-                push_window(v);
+        const std::span<const vec3> positions(mesh().data().positions);
+        for (auto* v : {&set.x, &set.y}) v->resize(positions.size());
+        set.z.resize(positions.size()), set.w.resize(positions.size(), 1), outcode.resize(positions.size());
+        const Projection projection{program.clip_from_object, set.state.viewport, state().depth_range,
+                                    profile};
+        for (std::size_t first = 0; first < positions.size(); first += project_batch) {
+            const auto batch = positions.subspan(first, std::min(project_batch, positions.size() - first));
+            const Projected projected = any_user_plane ? Projected{} : project(projection, batch);
+            for (std::size_t i = 0; i < batch.size(); ++i) {
+                if (projected.inside >> i & 1)
+                    store_window(first + i, projected.x[i], projected.y[i], projected.z[i], projected.w[i]);
+                else
+                    classify_vertex(std::uint32_t(first + i));
             }
         }
+    }
+
+    /// The scalar way: for what clipping may touch.
+    void classify_vertex(std::uint32_t i) {
+        const Vertex v = position(i);
+        outcode[i] = classify(v);
+        if (outcode[i] != 0) return;
+        const WindowVertex p = to_window(v, set.state.viewport, state().depth_range, profile);
+        store_window(i, std::int32_t(p.x), std::int32_t(p.y), p.z, p.w);
+    }
+
+    void store_window(std::size_t i, std::int32_t x, std::int32_t y, std::uint32_t z, double w) {
+        set.x[i] = x, set.y[i] = y, set.z[i] = z, set.w[i] = w;
     }
 
     SnappedPoint point(std::uint32_t v) const { return {set.x[v], set.y[v]}; }

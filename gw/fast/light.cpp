@@ -5,6 +5,7 @@
 
 #include "gw/arithmetic.h"
 #include "gw/elementary.h"
+#include "gw/fast/doubles-inl.h"
 #include "gw/fast/light.h"
 
 #include <hwy/highway.h>
@@ -14,18 +15,7 @@ namespace gw::fast::HWY_NAMESPACE {
 
 #if HWY_HAVE_FLOAT64
 
-namespace hn = hwy::HWY_NAMESPACE;
-using D64 = hn::CappedTag<double, 8>;
-using V64 = hn::Vec<D64>;
-
-inline V64 all(double v) { return hn::Set(D64(), v); }
-
-struct Vec3 {
-    V64 x, y, z;
-};
-inline Vec3 all3(const dvec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
-
-/// dot3, normalized, transform of gw/types.h and gw/vertex.h.
+/// dot3 and normalized of gw/types.h and gw/vertex.h.
 inline V64 dot(const Vec3& a, const Vec3& b) {
     return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
@@ -36,15 +26,6 @@ inline Vec3 unit(const Vec3& v) {
     return {over(v.x), over(v.y), over(v.z)};
 }
 inline Vec3 minus(const Vec3& v) { return {hn::Neg(v.x), hn::Neg(v.y), hn::Neg(v.z)}; }
-inline V64 row(const dmat4& m, int i, const Vec3& p) {
-    const auto xy = hn::Add(hn::Mul(all(m[0][i]), p.x), hn::Mul(all(m[1][i]), p.y));
-    return hn::Add(xy, hn::Add(hn::Mul(all(m[2][i]), p.z), all(m[3][i])));
-}
-inline V64 row(const dmat3& m, int i, const Vec3& n) {
-    return hn::Add(hn::Add(hn::Mul(all(m[0][i]), n.x), hn::Mul(all(m[1][i]), n.y)),
-                   hn::Mul(all(m[2][i]), n.z));
-}
-
 /// v where v > 0, else 0 (NaN too).
 inline V64 positive(V64 v) { return hn::IfThenElseZero(hn::Gt(v, hn::Zero(D64())), v); }
 inline V64 at_most_one(V64 v) { return hn::IfThenElse(hn::Lt(v, all(1)), v, all(1)); }

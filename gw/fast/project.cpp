@@ -1,0 +1,111 @@
+// Projection, a vector of vertices at a time.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "gw/fast/project.cpp"
+#include <hwy/foreach_target.h>
+
+#include "gw/arithmetic.h"
+#include "gw/fast/doubles-inl.h"
+#include "gw/fast/project.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+#if HWY_HAVE_FLOAT64
+
+/// floor(v 2^s + 1/2) kept inside the guard band; to_integer() of gw/arithmetic.h puts NaN at the low end.
+inline V64 snapped(V64 v, int s) {
+    const double scale = double(1 << s);
+    const auto low = all(guard_low * scale), high = all(guard_high * scale - 1);
+    const auto f = hn::Floor(hn::Add(hn::Mul(v, all(scale)), all(0.5)));
+    return hn::IfThenElse(hn::Gt(f, low), hn::IfThenElse(hn::Lt(f, high), f, high), low);
+}
+
+/// quantize() of gw/arithmetic.h before the conversion.
+inline V64 quantized_depth(V64 v, int bits) {
+    const auto magic = all(6755399441055744.0), zero = hn::Zero(D64());
+    const auto clamped = hn::IfThenElseZero(hn::Gt(v, zero), hn::IfThenElse(hn::Lt(v, all(1)), v, all(1)));
+    return hn::Sub(hn::Add(hn::Mul(clamped, all(max_of_bits(bits))), magic), magic);
+}
+
+struct ClipLanes {
+    V64 x, y, z, w;
+};
+
+/// Finite, in front, and inside near, far and guard band: clip_distance() of gw/clip.h, plane by plane.
+inline hn::Mask<D64> inside_lanes(const ClipLanes& c, const ViewportTransform& v) {
+    const auto zero = hn::Zero(D64());
+    const auto ge = [&](V64 d) { return hn::Ge(d, zero); };
+    auto in = hn::And(ge(hn::Add(c.z, c.w)), ge(hn::Sub(c.w, c.z)));
+    in = hn::And(in, ge(hn::Add(hn::Mul(all(v.half_width), c.x), hn::Mul(all(v.center_x - guard_low), c.w))));
+    in =
+        hn::And(in, ge(hn::Sub(hn::Mul(all(guard_high - v.center_x), c.w), hn::Mul(all(v.half_width), c.x))));
+    in =
+        hn::And(in, ge(hn::Add(hn::Mul(all(v.half_height), c.y), hn::Mul(all(v.center_y - guard_low), c.w))));
+    in = hn::And(in,
+                 ge(hn::Sub(hn::Mul(all(guard_high - v.center_y), c.w), hn::Mul(all(v.half_height), c.y))));
+    in = hn::And(in, hn::Gt(c.w, zero));
+    for (const V64 component : {c.x, c.y, c.z, c.w})
+        in = hn::And(in, hn::Eq(hn::Sub(component, component), zero));
+    return in;
+}
+
+Projected project_all(const Projection& p, std::span<const vec3> positions) {
+    const D64 d;
+    const double n = clamp01(p.depth_range.near_value), f = clamp01(p.depth_range.far_value);
+    alignas(64) double in[3][project_batch], x[project_batch], y[project_batch], z[project_batch],
+        w[project_batch];
+    for (std::size_t i = 0; i < project_batch; ++i)
+        for (int c = 0; c < 3; ++c) in[c][i] = positions[i < positions.size() ? i : 0][c];
+
+    Projected out;
+    for (std::size_t first = 0; first < project_batch; first += hn::Lanes(d)) {
+        const Vec3 at{hn::Load(d, in[0] + first), hn::Load(d, in[1] + first), hn::Load(d, in[2] + first)};
+        const dmat4& m = p.clip_from_object;
+        const ClipLanes c{row(m, 0, at), row(m, 1, at), row(m, 2, at), row(m, 3, at)};
+        std::uint64_t bits = 0;
+        hn::StoreMaskBits(d, inside_lanes(c, p.viewport), reinterpret_cast<std::uint8_t*>(&bits));
+        out.inside |= static_cast<std::uint32_t>(bits & ((1u << hn::Lanes(d)) - 1)) << first;
+
+        const auto window = [](V64 v, V64 by, double half, double center) {
+            return hn::Add(hn::Mul(hn::Div(v, by), all(half)), all(center));
+        };
+        hn::Store(
+            snapped(window(c.x, c.w, p.viewport.half_width, p.viewport.center_x), p.profile.subpixel_bits), d,
+            x + first);
+        hn::Store(
+            snapped(window(c.y, c.w, p.viewport.half_height, p.viewport.center_y), p.profile.subpixel_bits),
+            d, y + first);
+        hn::Store(quantized_depth(window(c.z, c.w, (f - n) / 2, (f + n) / 2), p.profile.depth_bits), d,
+                  z + first);
+        hn::Store(c.w, d, w + first);
+    }
+    for (std::size_t i = 0; i < project_batch; ++i) {
+        out.x[i] = static_cast<std::int32_t>(x[i]), out.y[i] = static_cast<std::int32_t>(y[i]);
+        out.z[i] = static_cast<std::uint32_t>(static_cast<std::int64_t>(z[i]));
+        out.w[i] = w[i];
+    }
+    return out;
+}
+
+#else  // no vectors of doubles here: every vertex goes the scalar way
+
+Projected project_all(const Projection&, std::span<const vec3>) { return {}; }
+
+#endif
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gw::fast {
+
+HWY_EXPORT(project_all);
+
+Projected project(const Projection& projection, std::span<const vec3> positions) {
+    return HWY_DYNAMIC_DISPATCH(project_all)(projection, positions);
+}
+
+}  // namespace gw::fast
+#endif  // HWY_ONCE

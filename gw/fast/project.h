@@ -1,0 +1,34 @@
+// Many vertices to the window at once: transform, classify, divide, snap, in vectors of doubles.
+// docs/manual.md, "Vertices", "Window coordinates"; scalar twins: gw/vertex.cpp, gw/window.h. Does not clip.
+#pragma once
+
+#include "gw/clip.h"
+#include "gw/window.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace gw::fast {
+
+/// What takes positions to the window.
+struct Projection {
+    dmat4 clip_from_object{1};
+    ViewportTransform viewport;
+    DepthRangeState depth_range;
+    Profile profile;
+};
+
+inline constexpr std::size_t project_batch = 8;
+
+/// Up to project_batch vertices. `inside`: bit per vertex that no clip plane, near to guard band, is in the
+/// way of (user planes are not looked at); x, y, z, w are right for those only.
+struct Projected {
+    std::array<std::int32_t, project_batch> x{}, y{};
+    std::array<std::uint32_t, project_batch> z{};
+    std::array<double, project_batch> w{};
+    std::uint32_t inside = 0;
+};
+Projected project(const Projection& projection, std::span<const vec3> positions);
+
+}  // namespace gw::fast
