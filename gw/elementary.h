@@ -3,10 +3,15 @@
 // not: set errno, raise errors (outside its range a function returns NaN or infinity, as stated), know float
 // or vectors.
 //
-// Errors are below, in ulp (the last place of the exact value; 0.5 is correctly rounded, 1 is at most 2.3e-16
-// of the value):
-//   exp 0.52   log 0.51   pow 0.52 (0.76 where the result is denormal)   sin, cos, tan 0.60, in degrees too
-//   atan2 1.5   acos, asin 2.2
+// Worst errors in ulp (the last place of the exact value: 0.5 is correctly rounded, 1 at most 2.3e-16 of the
+// value), over every float32 of the range; over samples of doubles in their whole range they stay below the
+// same bound in brackets.
+//   exp   [-104, 0]                                     0.516 [0.52]
+//   pow   [0, 1]^y, y = 0.5, 1, 10, 27.3, 128, 1000     0.517 [0.52], 1 exact; 0.752 [0.76] if denormal
+//   sin   [-2 pi, 2 pi]                                 0.587 [0.60], in degrees too
+//   cos                                                 0.570 [0.60]
+//   tan                                                 0.572 [0.60]
+// Samples only: log [0.51], atan2 [1.5], acos and asin [2.2].
 #pragma once
 
 namespace gw {
