@@ -1,5 +1,6 @@
 #include "scene/toml_objects.h"
 
+#include "scene/divide.h"
 #include "scene/suggest.h"
 #include "scene/text_file.h"
 #include "scene/toml_shape.h"
@@ -14,6 +15,7 @@ struct TomlObjects::ObjectTable {
     std::string name, file;
     const TomlValue *material = nullptr, *crease = nullptr, *parts = nullptr;
     TomlShape shape;
+    int divide = 1;
     bool visible = true;
     dmat4 world_from_object{1};
 };
@@ -35,9 +37,10 @@ void TomlObjects::add(const TomlValue& table) {
         return Key{std::move(name), [&field](const TomlValue& value) { field = &value; }};
     };
     std::vector<Key> keys{
-        key("name", object.name),       key("file", object.file),          {"shape", [](const TomlValue&) {}},
-        key("visible", object.visible), keep("material", object.material), keep("crease", object.crease),
-        keep("parts", object.parts),
+        key("name", object.name),           key("file", object.file),
+        {"shape", [](const TomlValue&) {}}, key("visible", object.visible),
+        keep("material", object.material),  keep("crease", object.crease),
+        keep("parts", object.parts),        key("divide", object.divide, {1, 256}),
     };
     add_placement_keys(keys, placement);
     add_shape_keys(table, keys, object.shape);
@@ -54,7 +57,7 @@ void TomlObjects::add_mesh(const ObjectTable& object, const std::string& name, M
                            const Material& material) {
     names_.insert(name);
     if (!object.visible) return;
-    builder_.add(name, std::move(mesh), material, object.world_from_object,
+    builder_.add(name, divide(std::move(mesh), object.divide), material, object.world_from_object,
                  {*object.table.file, object.table.line});
 }
 
