@@ -5,10 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace gw::scene {
 namespace {
@@ -136,21 +134,6 @@ std::vector<std::string> all_names() {
 }
 INSTANTIATE_TEST_SUITE_P(Shapes, EveryShape, testing::ValuesIn(all_names()),
                          [](const auto& test) { return test.param; });
-
-// "| `torus` | radius = 1, tube = 0.25, segments = 96, sides = 48 |", as docs/shapes.md must have it.
-std::string row_of(const Shape& s) {
-    std::ostringstream row;
-    row << "| `" << s.name << "` | ";
-    for (const ShapeParameter& p : s.parameters)
-        row << (&p == &s.parameters[0] ? "" : ", ") << p.name << " = " << p.value;
-    return row.str() + " |";
-}
-
-TEST(Shapes, AreDocumentedWithTheirDefaults) {
-    std::ifstream file(std::string(GW_SOURCE_DIR) + "/docs/shapes.md");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    for (const Shape& s : shapes()) EXPECT_NE(text.find(row_of(s)), std::string::npos) << row_of(s);
-}
 
 TEST(Shapes, AreInAlphabeticalOrder) {
     const auto names = all_names();
