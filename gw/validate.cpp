@@ -79,6 +79,20 @@ void check_rasterization(const Checker& c, const State& s) {
     c.finite("polygon_offset.units", s.polygon_offset.units);
 }
 
+/// [GL11] tables 4.1 and 4.2: a colour is a factor for the other side only.
+void check_blend(const Checker& c, const BlendState& b) {
+    const auto refuse = [&](const char* field, BlendFactor given, BlendFactor factor, const char* word) {
+        if (given == factor)
+            c.fail(fmt::format("blend.{} = {}; expected a {} factor", field, word,
+                               field[0] == 's' ? "source" : "destination"));
+    };
+    refuse("src", b.src, BlendFactor::SrcColor, "SrcColor");
+    refuse("src", b.src, BlendFactor::OneMinusSrcColor, "OneMinusSrcColor");
+    refuse("dst", b.dst, BlendFactor::DstColor, "DstColor");
+    refuse("dst", b.dst, BlendFactor::OneMinusDstColor, "OneMinusDstColor");
+    refuse("dst", b.dst, BlendFactor::SrcAlphaSaturate, "SrcAlphaSaturate");
+}
+
 void check(const Checker& c, const SetState& command) {
     const State& s = command.state;
     check_extensions(c, s);
@@ -95,6 +109,7 @@ void check(const Checker& c, const SetState& command) {
     for (const ClipPlane& plane : s.clip_planes)
         for (int i = 0; i < 4; ++i) c.finite("clip_planes", plane.plane[i]);
     check_rasterization(c, s);
+    check_blend(c, s.blend);
     check_fog(c, s.fog);
     c.require(s.scissor.box.width >= 0 && s.scissor.box.height >= 0, "scissor.box.width", s.scissor.box.width,
               "0 or more");
