@@ -1,4 +1,5 @@
-// A small machine for tests: window coordinates in, planes out. Lists run on the reference machine.
+// A small machine for tests: window coordinates in, planes out. Each list runs on both machines, which must
+// agree wherever a test looks.
 // Does not know expected values: each test has its own.
 #pragma once
 
@@ -32,7 +33,8 @@ inline MeshData mesh_data(Primitive primitive, std::vector<vec3> positions, std:
 class Workbench {
 public:
     explicit Workbench(const Profile& profile = vgx(), int width = 64, int height = 64)
-        : machine_(make_reference(profile, width, height)) {
+        : machine_(make_reference(profile, width, height)),
+          fast_(make_fast(profile, width, height, {.threads = 1})) {
         state.projection = window_projection(profile, width, height);
     }
 
@@ -42,7 +44,12 @@ public:
         CommandList list;
         list.add(SetState{state});
         list.add(std::move(command));
+        run(list);
+    }
+    void run(const CommandList& list) {
         machine_->execute(list);
+        fast_->execute(list);
+        compared_ = false;
     }
     void draw(Draw command) { run(std::move(command)); }
     void draw(MeshData data) { draw(Draw{.mesh = make_mesh(std::move(data))}); }
@@ -58,23 +65,42 @@ public:
         run(WritePixels{rect, Plane::Color, std::vector<Rgba>(size, color), {}, depth});
     }
 
-    const Planes& planes() { return machine_->planes(); }
+    const Planes& planes() {
+        compare();
+        return machine_->planes();
+    }
     Rgba color(int x, int y) { return planes().color[planes().index(x, y)]; }
     std::uint32_t depth(int x, int y) { return planes().depth[planes().index(x, y)]; }
     int stencil(int x, int y) { return planes().stencil[planes().index(x, y)]; }
     std::array<std::int32_t, 4> accum(int x, int y) { return planes().accum[planes().index(x, y)]; }
     /// Of everything since construction or the last call.
     Counters take_counters() {
+        compare();
         Counters sum;
         for (const PassReport& pass : machine_->passes()) sum += pass.counters;
         machine_->reset_passes();
+        fast_->reset_passes();
         return sum;
+    }
+    const std::map<std::uint32_t, Readback>& readbacks() {
+        compare();
+        return machine_->readbacks();
     }
     Machine& machine() { return *machine_; }
     const Profile& profile() const { return machine_->profile(); }
 
 private:
-    std::unique_ptr<Machine> machine_;
+    /// After the last run, once.
+    void compare() {
+        if (compared_) return;
+        compared_ = true;
+        EXPECT_TRUE(fast_->planes() == machine_->planes()) << "the machines' planes differ";
+        EXPECT_TRUE(fast_->passes() == machine_->passes()) << "the machines' counters differ";
+        EXPECT_TRUE(fast_->readbacks() == machine_->readbacks()) << "the machines' readbacks differ";
+    }
+
+    std::unique_ptr<Machine> machine_, fast_;
+    bool compared_ = true;
 };
 
 /// The message of the Error that `action` throws; empty where it throws none.
