@@ -1,0 +1,72 @@
+// docs/manual/pixels.md: the worked examples.
+#include "tests/gw/workbench.h"
+
+namespace gw {
+namespace {
+
+using test::Workbench;
+
+TEST(ManualPixels, OverlappingCopies) {
+    Workbench bench(vgx(), 16, 4);
+    bench.run(WritePixels{{4, 0, 4, 1}, Plane::Depth, {}, {1, 2, 3, 4}, 0});
+    bench.run(Copy{Plane::Depth, {4, 0, 4, 1}, 5, 0});
+    for (const auto& [x, depth] : {std::pair(4, 1u), {5, 1u}, {6, 2u}, {7, 3u}, {8, 4u}, {9, 0u}})
+        EXPECT_EQ(bench.depth(x, 0), depth) << x;
+    // Upwards and to the left, beyond the window: what has no source stays.
+    bench.run(Copy{Plane::Depth, {-2, -1, 12, 3}, -1, 0});
+    for (const auto& [x, depth] : {std::pair(4, 0u), {5, 1u}, {6, 1u}, {7, 2u}, {8, 3u}, {9, 4u}})
+        EXPECT_EQ(bench.depth(x, 1), depth) << x;
+    EXPECT_EQ(bench.depth(4, 0), 1u);
+}
+
+TEST(ManualPixels, MasksAndScissorGuardEveryPlane) {
+    Workbench bench(vgx(), 8, 8);
+    bench.state.scissor = {true, {2, 2, 3, 3}};
+    bench.state.color_mask = {false, true, true, true};
+    bench.state.stencil.write_mask = 0x0F;
+    bench.clear(all_planes, vec4(1), 1, 255);
+    EXPECT_EQ(bench.take_counters().pixels, 4u * 9);
+    EXPECT_EQ(bench.color(2, 2), (Rgba{0, 255, 255, 255}));
+    EXPECT_EQ(bench.color(1, 2), (Rgba{}));
+    EXPECT_EQ(bench.stencil(4, 4), 15);
+    EXPECT_EQ(bench.stencil(5, 4), 0);
+    EXPECT_EQ(bench.depth(3, 3), 16777215u);
+}
+
+TEST(ManualPixels, AccumulationByHand) {
+    Workbench bench(vgx(), 1, 1);
+    const auto acc = [&] { return bench.accum(0, 0)[0]; };
+    bench.write({0, 0, 1, 1}, {100, 0, 0, 0});
+    bench.run(Accumulate{AccumOp::Load, 1});
+    bench.write({0, 0, 1, 1}, {255, 0, 0, 0});
+    bench.run(Accumulate{AccumOp::Accum, 0.5f});
+    EXPECT_EQ(acc(), 228);
+    bench.run(Accumulate{AccumOp::Mult, -1});
+    EXPECT_EQ(acc(), -228);
+    bench.run(Accumulate{AccumOp::Return, 1});
+    EXPECT_EQ(bench.color(0, 0)[0], 0);
+    bench.write({0, 0, 1, 1}, {253, 0, 0, 0});
+    bench.run(Accumulate{AccumOp::Load, 0.5f});
+    EXPECT_EQ(acc(), 126);
+    bench.run(Accumulate{AccumOp::Add, 1});
+    EXPECT_EQ(acc(), 381);
+    EXPECT_EQ(bench.take_counters().accum_overflows, 0u);
+}
+
+TEST(ManualPixels, SpansAndRectanglesAreFragments) {
+    Workbench bench(vgx(), 8, 8);
+    bench.clear();
+    bench.state.depth.test = true;
+    bench.write({0, 0, 8, 8}, {1, 1, 1, 1}, 100);
+    bench.run(WriteSpans{{{-2, 3, 6, 0, false}},
+                         {{2, 0, 0, 0}, {3, 0, 0, 0}, {4, 0, 0, 0}, {5, 0, 0, 0}, {6, 0, 0, 0}, {7, 0, 0, 0}},
+                         99});
+    EXPECT_EQ(bench.color(0, 3)[0], 4);  // the first two lie outside
+    EXPECT_EQ(bench.color(3, 3)[0], 7);
+    EXPECT_EQ(bench.depth(3, 3), 99u);
+    bench.write({0, 0, 8, 8}, {9, 9, 9, 9}, 100);  // Less: nowhere
+    EXPECT_EQ(bench.color(5, 5)[0], 1);
+}
+
+}  // namespace
+}  // namespace gw
