@@ -15,18 +15,17 @@ std::unique_ptr<Machine> reference(const Case& c, int) {
     return make_reference(c.profile, c.width, c.height);
 }
 
-#ifdef GW_HAS_FAST
+/// Variants 0 to 8 have 1 to 9 threads and tiles of 16, 64 and 32 pixels.
 std::unique_ptr<Machine> fast(const Case& c, int variant) {
-    return make_fast(c.profile, c.width, c.height, {.threads = 1 + variant});
+    constexpr int log2_tiles[] = {4, 6, 5};
+    return make_fast(c.profile, c.width, c.height,
+                     {.threads = 1 + variant, .log2_tile = log2_tiles[variant % 3]});
 }
-#endif
 
 const std::map<std::string, MachineMaker, std::less<>>& machines() {
     static const std::map<std::string, MachineMaker, std::less<>> all{
         {"reference", reference},
-#ifdef GW_HAS_FAST
         {"fast", fast},
-#endif
         {"faulty-pixel", [](const Case& c, int) { return make_faulty(reference(c, 0), Fault::Pixel); }},
         {"faulty-counter", [](const Case& c, int) { return make_faulty(reference(c, 0), Fault::Counter); }},
         {"faulty-split", [](const Case& c, int) { return make_faulty(reference(c, 0), Fault::Split); }},
@@ -35,8 +34,6 @@ const std::map<std::string, MachineMaker, std::less<>>& machines() {
 }
 
 }  // namespace
-
-std::string default_machine() { return machines().contains("fast") ? "fast" : "reference"; }
 
 const std::vector<std::string>& machine_names() {
     static const std::vector<std::string> names = [] {

@@ -6,6 +6,7 @@
 #include "tests/fuzz/diversity.h"
 #include "tests/fuzz/explain.h"
 #include "tests/fuzz/shrink.h"
+#include "tests/fuzz/suite_digest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,7 +18,7 @@ namespace {
 struct Arguments {
     std::vector<std::string> suites;
     std::vector<std::uint64_t> range{0, 100};
-    std::string machine_a = "reference", machine_b = default_machine();
+    std::string machine_a = "reference", machine_b = "fast";
     bool list = false, shrink = false, print = false, digest = false;
 };
 
@@ -46,24 +47,6 @@ std::optional<Failure> run_list(const Arguments& arguments, const Suite& suite, 
             fmt::format("list {} of suite {}: {}\nrepeat: build/release/bin/gw-fuzz --suite {} --range {} {}",
                         index, suite.name, e.what(), suite.name, index, index + 1));
     }
-}
-
-/// One line: a digest over every plane at the end of every list. The same on every compiler and processor.
-void print_digest(const Arguments& arguments, const Suite& suite) {
-    std::string all;
-    for (std::uint64_t i = arguments.range[0]; i < arguments.range[1]; ++i) {
-        const Case c = make_case(suite, i);
-        const auto machine = machine_named(arguments.machine_b)(c, 0);
-        machine->execute(c.list);
-        for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
-            all += to_string(digest(machine->planes(), plane));
-        for (const PassReport& pass : machine->passes())
-            for (const NamedCounter& counter : named_counters())
-                all += fmt::format(" {}", pass.counters.*counter.field);
-    }
-    std::uint64_t h = 0xcbf29ce484222325u;  // FNV-1a of the text
-    for (const char byte : all) h = (h ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-    fmt::print("fuzz-{} lists-{}-{} all {:016x}\n", suite.name, arguments.range[0], arguments.range[1], h);
 }
 
 int run_suite(const Arguments& arguments, const Suite& suite) {
@@ -105,7 +88,9 @@ int run(const Arguments& arguments) {
     int result = 0;
     for (const Suite* suite : chosen(arguments.suites)) {
         if (arguments.digest)
-            print_digest(arguments, *suite);
+            fmt::print("{:18} {}\n", suite->name,
+                       suite_digest(*suite, arguments.range[0], arguments.range[1],
+                                    machine_named(arguments.machine_b)));
         else
             result = std::max(result, run_suite(arguments, *suite));
         std::fflush(stdout);

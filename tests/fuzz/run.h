@@ -16,8 +16,6 @@ using MachineMaker = std::function<std::unique_ptr<Machine>(const Case&, int var
 
 /// "reference", "fast", or one of the faulty machines that test this harness. Throws Error for other names.
 MachineMaker machine_named(std::string_view name);
-/// The machine that is put to the test: fast.
-std::string default_machine();
 /// The names that machine_named knows.
 const std::vector<std::string>& machine_names();
 

@@ -146,7 +146,7 @@ Counters second_pass(const Scene& scene, const Change& first, const Change& seco
             list.add(std::move(draw));
         }
     }
-    const auto machine = machine_named(default_machine())(scene.where, 1);
+    const auto machine = machine_named("fast")(scene.where, 1);
     machine->execute(list);
     return machine->passes().back().counters;
 }

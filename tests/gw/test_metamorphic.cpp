@@ -12,7 +12,7 @@ namespace gw::fuzz {
 namespace {
 
 std::unique_ptr<Machine> run(const Case& c, const CommandList& list, int variant = 0) {
-    auto machine = machine_named(default_machine())(c, variant);
+    auto machine = machine_named("fast")(c, variant);
     machine->execute(list);
     return machine;
 }

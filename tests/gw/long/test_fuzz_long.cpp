@@ -19,7 +19,7 @@ std::string repeat(const Suite& suite, std::uint64_t i) {
 class Fuzz : public testing::TestWithParam<Suite> {};
 
 TEST_P(Fuzz, BothMachinesAgreeOn5000Lists) {
-    const MachineMaker a = machine_named("reference"), b = machine_named(default_machine());
+    const MachineMaker a = machine_named("reference"), b = machine_named("fast");
     Diversity reached;
     for (std::uint64_t i = 100; i < 5100; ++i) {
         const Case c = make_case(GetParam(), i);

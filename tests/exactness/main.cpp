@@ -1,0 +1,71 @@
+// gw-exactness: runs the fixed lists and random ones, and prints a line `scene pass plane digest` for each
+// plane. The lines are the same whatever compiled and runs them: digests.txt holds them.
+// Does not compare them: scripts/exactness does, with diff.
+#include "gw/error.h"
+#include "gw/fast/kernels.h"
+#include "tests/exactness/pictures.h"
+#include "tests/fuzz/run.h"
+#include "tests/fuzz/suite_digest.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <cstring>
+
+namespace gw::exactness {
+namespace {
+
+void print_pass(const Picture& picture, const PassReport& pass) {
+    std::string name = pass.name;
+    for (char& c : name) c = c == ' ' ? '-' : c;
+    for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
+        if (pass.digested & mask_of(plane))
+            fmt::print("{} {} {} {}\n", picture.name, name, fuzz::name_of(plane),
+                       to_string(pass.digests[std::size_t(plane)]));
+    fmt::print("{} {} counters {}\n", picture.name, name, fuzz::counters_digest(pass.counters));
+}
+
+void print_pictures(const fuzz::MachineMaker& make) {
+    for (const Picture& picture : pictures()) {
+        const auto machine = make({picture.profile, picture.width, picture.height, {}}, 0);
+        machine->execute(picture.list);
+        for (const PassReport& pass : machine->passes()) print_pass(picture, pass);
+    }
+}
+
+void print_lists(const fuzz::MachineMaker& make, std::uint64_t count) {
+    for (const fuzz::Suite& suite : fuzz::suites())
+        fmt::print("lists-{} 0-{} all {}\n", suite.name, count, fuzz::suite_digest(suite, 0, count, make));
+}
+
+int run(int argc, char** argv) {
+    std::string machine = "fast";
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i], value = i + 1 < argc ? argv[i + 1] : "";
+        if (word == "--targets") {
+            for (const std::string& target : fast::simd_targets()) fmt::print("{}\n", target);
+            return 0;
+        }
+        if (word == "--machine") {
+            machine = value;
+        } else if (word != "--simd" || !fast::use_simd_target(value)) {
+            throw Error("usage: gw-exactness [--machine reference|fast] [--simd TARGET] [--targets]");
+        }
+        ++i;
+    }
+    print_pictures(fuzz::machine_named(machine));
+    print_lists(fuzz::machine_named(machine), 60);
+    return 0;
+}
+
+}  // namespace
+}  // namespace gw::exactness
+
+int main(int argc, char** argv) {
+    try {
+        return gw::exactness::run(argc, argv);
+    } catch (const gw::Error& e) {
+        fmt::print(stderr, "gw-exactness: {}\n", e.what());
+        return 1;
+    }
+}
