@@ -46,22 +46,38 @@ double highlight(const dvec3& n_eye, const dvec3& to_light, const dvec3& to_eye,
 
 bool is_black(const vec3& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
-void add_light(const Light& light, const Material& m, const dvec3& p_eye, const dvec3& n_eye,
-               const dvec3& to_eye, dvec3& sum) {
+/// Strength, and what the cosines leave of it.
+struct Factors {
+    double strength = 1, diffuse = 0, specular = 0;
+};
+
+Factors factors(const Light& light, const dvec3& p_eye, const dvec3& n_eye, const dvec3& to_eye,
+                double exponent, bool gloss) {
     const Incident in = incident(light, p_eye);
     const double cosine = dot3(n_eye, in.direction);
-    const double diffuse = cosine > 0 ? cosine : 0;
+    return {in.strength, cosine > 0 ? cosine : 0,
+            cosine > 0 && gloss ? highlight(n_eye, in.direction, to_eye, exponent) : 0};
+}
+
+void add_light(const Light& light, const Material& m, const dvec3& p_eye, const dvec3& n_eye,
+               const dvec3& to_eye, dvec3& sum) {
     // A black Ks adds exactly 0: its power is not worked out.
-    const double specular = cosine > 0 && !is_black(m.Ks) ? highlight(n_eye, in.direction, to_eye, m.Ns) : 0;
+    const Factors f = factors(light, p_eye, n_eye, to_eye, m.Ns, !is_black(m.Ks));
     for (int c = 0; c < 3; ++c) {
         const double ambient = double(light.Ia[c]) * m.Ka[c];
-        const double lambert = (double(light.Id[c]) * m.Kd[c]) * diffuse;
-        const double gloss = (double(light.Is[c]) * m.Ks[c]) * specular;
-        sum[c] += in.strength * ((ambient + lambert) + gloss);
+        const double lambert = (double(light.Id[c]) * m.Kd[c]) * f.diffuse;
+        const double gloss = (double(light.Is[c]) * m.Ks[c]) * f.specular;
+        sum[c] += f.strength * ((ambient + lambert) + gloss);
     }
 }
 
 }  // namespace
+
+LightTerms light_terms(const Light& light, const dvec3& p_eye, const dvec3& n_eye, const dvec3& to_eye,
+                       double exponent, bool gloss) {
+    const Factors f = factors(light, p_eye, n_eye, to_eye, exponent, gloss);
+    return {f.strength, f.strength * f.diffuse, f.strength * f.specular};
+}
 
 std::array<double, 4> lit_color(const Draw& draw, const LightingState& state, const Profile& profile,
                                 const dvec3& p_eye, const dvec3& n_eye) {

@@ -1,0 +1,35 @@
+// Back-face culling alone [L3]: draws every polygon that faces the eye, in the scene's order. Right for one
+// convex object; of several, or a concave one, it shows what is drawn last, not what is nearest.
+#include "hiddensurface/algorithm.h"
+#include "hiddensurface/normal.h"
+
+namespace gw::hiddensurface {
+
+namespace {
+
+/// (P_E, 1), or the direction towards the eye where all lines of sight are parallel.
+dvec4 eye_of(const scene::Camera& camera) {
+    return camera.ortho_height > 0 ? dvec4(camera.eye - camera.at, 0) : dvec4(camera.eye, 1);
+}
+
+Output run(const Input& input, StepLog& log) {
+    Output output{.list = begin_picture(input, "back faces culled")};
+    const dvec4 eye = eye_of(input.view.camera);
+    for (std::size_t i = 0; i < input.polygons.size(); ++i) {
+        const Polygon& polygon = input.polygons[i];
+        if (!polygon.visible()) continue;
+        const double d_f = facing(eye, polygon.world[0], polygon_normal(polygon.world));
+        output.counts.facings += 1;
+        log.compare({polygon.id}, "D_f", d_f > 0 ? "front" : d_f < 0 ? "back" : "edge-on");
+        if (d_f > 0) draw_piece(input, whole(i, polygon), output, log);
+    }
+    return output;
+}
+
+}  // namespace
+
+Algorithm back_face() {
+    return {.place = 10, .name = "back-face", .title = "Back-face culling alone [L3]", .run = run};
+}
+
+}  // namespace gw::hiddensurface

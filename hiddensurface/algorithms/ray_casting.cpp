@@ -1,0 +1,79 @@
+// Ray casting [L9]: the nearest intersection of the ray through every pixel, brute force. Perspective is done
+// already: on the window grid all lines of sight are parallel to z. No reflection: raytrace/ follows rays
+// further.
+#include "hiddensurface/algorithm.h"
+#include "raytrace/brute_force.h"
+
+namespace gw::hiddensurface {
+
+namespace {
+
+struct Targets {
+    std::vector<raytrace::PlanePolygon> triangles;
+    std::vector<std::uint32_t> ids;
+};
+
+Targets targets_of(const Input& input) {
+    Targets targets;
+    for (const Polygon& polygon : input.polygons)
+        for (const WindowTriangle& t : polygon.triangles) {
+            // One unit behind the origins, so that t = 1 is the near plane.
+            std::vector<dvec3> corners;
+            for (const GridPoint& p : t.corners) corners.push_back(to_dvec3(p) + dvec3(0, 0, 1));
+            targets.triangles.push_back(raytrace::plane_polygon(std::move(corners), 2));
+            targets.ids.push_back(polygon.id);
+        }
+    return targets;
+}
+
+void log_ray(int x, int y, const std::vector<Painted>& painted, StepLog& log) {
+    const bool hit = !painted.empty() && painted.back().run.x1 == x + 1;
+    Step step{Level::Pixel, Action::Compare, {}, "ray against every polygon", hit ? "hit" : "background", y};
+    if (hit) step.polygons = {painted.back().id};
+    step.before = {{dvec3(x, y, 0), dvec3(x + 1, y, 0)}};
+    log.add(std::move(step));
+}
+
+std::vector<Painted> cast_line(const Input& input, const Targets& targets, int y, StepLog& log) {
+    const int s = input.subpixel_bits();
+    std::vector<Painted> painted;
+    for (int x = 0; x < input.view.width; ++x) {
+        const raytrace::Ray ray{{double(center(x, s)), double(center(y, s)), 0}, {0, 0, 1}};
+        if (const auto hit = raytrace::nearest_hit(ray, targets.triangles)) {
+            const std::uint32_t id = targets.ids[hit->polygon];
+            if (!painted.empty() && painted.back().run.x1 == x && painted.back().id == id)
+                painted.back().run.x1 = x + 1;
+            else
+                painted.push_back({{y, x, x + 1}, id});
+        }
+        if (log.wants(Level::Pixel)) log_ray(x, y, painted, log);
+    }
+    return painted;
+}
+
+Output run(const Input& input, StepLog& log) {
+    Output output{.list = begin_picture(input, "ray casting")};
+    const Targets targets = targets_of(input);
+    for (int y = input.view.height - 1; y >= 0; --y) {
+        std::vector<Painted> painted = cast_line(input, targets, y, log);
+        output.counts.rays += targets.triangles.size() * std::uint64_t(input.view.width);
+        output.counts.spans += painted.size();
+        add_painted(output.list, painted);
+        if (log.on() && !painted.empty())
+            log.add({Level::Line, Action::Draw, {}, "", "", y, std::move(painted)});
+    }
+    output.counts.peak_bytes = targets.triangles.size() * sizeof(raytrace::PlanePolygon);
+    return output;
+}
+
+}  // namespace
+
+Algorithm ray_casting() {
+    return {.place = 70,
+            .name = "ray-casting",
+            .title = "Ray casting, every ray against every polygon [L9]",
+            .claim = Claim::Always,
+            .run = run};
+}
+
+}  // namespace gw::hiddensurface

@@ -1,0 +1,32 @@
+// The scan-line algorithm [L6] as one of many: its visible spans, drawn. Beside the edge table it remembers
+// one line.
+#include "hiddensurface/visible_spans.h"
+
+namespace gw::hiddensurface {
+
+namespace {
+
+Output run(const Input& input, StepLog& log) {
+    Output output{.list = begin_picture(input, "scan-line")};
+    for_visible_spans(input, output.counts, log, [&](const std::vector<VisibleSpan>& line) {
+        std::vector<Painted> painted;
+        for (const VisibleSpan& span : line) painted.push_back({span.run, input.polygons[span.polygon].id});
+        add_painted(output.list, painted);
+        if (!log.on() || painted.empty()) return;
+        Step step{Level::Line, Action::Draw, {}, "", "", painted.front().run.y, std::move(painted)};
+        log.add(std::move(step));
+    });
+    return output;
+}
+
+}  // namespace
+
+Algorithm scan_line() {
+    return {.place = 50,
+            .name = "scan-line",
+            .title = "Scan-line: edges, segments sorted in x, sample spans [L6]",
+            .claim = Claim::Always,
+            .run = run};
+}
+
+}  // namespace gw::hiddensurface

@@ -1,0 +1,46 @@
+// A binary space partition of a scene's polygons [L5]: built in the world before any eye is known, walked far
+// to near for any eye after. Does not project or draw.
+#pragma once
+
+#include "hiddensurface/polygon.h"
+
+#include <functional>
+#include <memory>
+
+namespace gw::hiddensurface {
+
+/// What is left of a polygon after the planes above its node: convex parts in the world, and which planes cut
+/// it (index of the polygon whose plane it is; whether this piece is on the side its normal points to).
+struct TreePiece {
+    std::size_t polygon = 0;
+    std::vector<Loop> parts;
+    std::vector<std::pair<std::size_t, bool>> cuts;
+};
+
+struct TreeNode {
+    dvec4 plane{0, 0, 0, 0};        ///< of the first piece's polygon; the normal's length is 1
+    std::vector<TreePiece> pieces;  ///< in the plane
+    std::unique_ptr<TreeNode> front, back;
+};
+
+struct Tree {
+    std::unique_ptr<TreeNode> root;
+    std::uint64_t nodes = 0, pieces = 0, splits = 0;
+    std::uint64_t plane_tests = 0;  ///< polygons compared with planes
+};
+
+/// Called for each split: the piece, the polygon whose plane cuts it, its parts on the back and front side.
+using SplitSink =
+    std::function<void(const TreePiece&, std::size_t by, const std::vector<Loop>&, const std::vector<Loop>&)>;
+
+/// `order`: indices of polygons. At every node the plane is that of the piece which cuts fewest others among
+/// the first `candidates` of those left (1: always the first).
+Tree build_tree(const std::vector<Polygon>& polygons, const std::vector<std::size_t>& order,
+                std::size_t candidates = 1, const SplitSink& on_split = {});
+
+/// Every piece once, none before one that it may hide. `eye`: (P_E, 1), or (direction towards it, 0).
+/// Returns the number of planes compared with the eye.
+std::uint64_t far_to_near(const Tree& tree, const dvec4& eye,
+                          const std::function<void(const TreePiece&)>& visit);
+
+}  // namespace gw::hiddensurface

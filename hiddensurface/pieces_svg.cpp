@@ -1,0 +1,52 @@
+#include "hiddensurface/pieces_svg.h"
+
+#include <fmt/format.h>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+/// Grid units to pixels, y down.
+struct Paper {
+    double unit;
+    int height;
+    std::string at(const dvec3& p) const {
+        return fmt::format("{:.3f},{:.3f}", p.x / unit, height - p.y / unit);
+    }
+};
+
+std::string outline(const Loop& loop, const Paper& paper, const std::string& color) {
+    std::string points;
+    for (const dvec3& p : loop) points += (points.empty() ? "" : " ") + paper.at(p);
+    return fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"black\" stroke-width=\"0.5\"/>\n", points,
+                       color);
+}
+
+std::string number(const Loop& loop, const Paper& paper, std::size_t n) {
+    dvec3 middle(0);
+    for (const dvec3& p : loop) middle += p / double(loop.size());
+    return fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"8\" text-anchor=\"middle\">{}</text>\n",
+                       middle.x / paper.unit, paper.height - middle.y / paper.unit, n);
+}
+
+}  // namespace
+
+std::string pieces_svg(const Input& input, const std::vector<Piece>& pieces,
+                       const std::vector<std::string>& colors) {
+    const Paper paper{double(1 << input.subpixel_bits()), input.view.height};
+    std::string svg = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{2}\" height=\"{3}\" "
+        "font-family=\"sans-serif\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
+        input.view.width, input.view.height, 2 * input.view.width, 2 * input.view.height);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const std::string id =
+            fmt::format("piece {} of polygon {}", i + 1, input.polygons[pieces[i].polygon].id);
+        svg += "<g fill-opacity=\"0.8\"><title>" + id + "</title>\n";
+        for (const Loop& part : pieces[i].parts) svg += outline(part, paper, colors[pieces[i].polygon]);
+        if (!pieces[i].parts.empty()) svg += number(pieces[i].parts.front(), paper, i + 1);
+        svg += "</g>\n";
+    }
+    return svg + "</svg>\n";
+}
+
+}  // namespace gw::hiddensurface

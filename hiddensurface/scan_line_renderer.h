@@ -1,0 +1,16 @@
+// The scan-line renderer of eq. 3 [K3s]: visible spans line by line, every pixel of them shaded. The quality
+// that multi-pass aims at. No shadows, fog or translucency: eq. 3 has none.
+#pragma once
+
+#include "gw/command_list.h"
+#include "gw/profile.h"
+#include "scene/scene.h"
+#include "scene/view.h"
+
+namespace gw::hiddensurface {
+
+/// The picture as spans of colours on the scene's background, depth test off. Colours are clamped once, to
+/// nearest.
+CommandList scan_line_picture(const scene::Scene& scene, const scene::View& view, const Profile& profile);
+
+}  // namespace gw::hiddensurface

@@ -1,0 +1,147 @@
+// Claims: the lecture's building blocks are exact: normal, view test, edges, depth. [L3, L4, L7, L8]
+#include "cases.h"
+#include "hiddensurface/normal.h"
+#include "hiddensurface/scan_conversion.h"
+
+#include <gtest/gtest.h>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+GridPoint random_point(Random& random, int s) {
+    const double size = 24 << s;
+    return {std::int64_t(random(-size, 3 * size)), std::int64_t(random(-size, 3 * size)),
+            std::int64_t(random(0, 16777215))};
+}
+
+/// Pixels of a triangle, each counted.
+std::vector<int> coverage(const std::vector<std::array<GridPoint, 3>>& triangles, int s, int width,
+                          int height) {
+    std::vector<int> count(std::size_t(width * height));
+    for (const auto& t : triangles)
+        for (const auto& run : scan_convert(t, s, {0, 0, width, height}))
+            for (int x = run.x0; x < run.x1; ++x) count[std::size_t(run.y * width + x)] += 1;
+    return count;
+}
+
+}  // namespace
+
+TEST(Normal, PointsToTheSideThatRunsCounterClockwise) {
+    EXPECT_EQ(face_normal({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), dvec3(0, 0, 1));
+    const Loop square{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+    EXPECT_EQ(polygon_normal(square), dvec3(0, 0, 8));  // twice the area
+    const Loop u{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {3, 4, 0}, {3, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}};
+    EXPECT_EQ(polygon_normal(u), dvec3(0, 0, 20));  // reflex corners do not turn it over
+}
+
+// Case BACK FACE of the shared data: the normal's z alone says front.
+TEST(Facing, IsDecidedByTheLineOfSightNotByTheNormalAlone) {
+    const dvec3 n(4.0 / 5, 0, 3.0 / 5);
+    EXPECT_GT(n.z, 0);
+    EXPECT_NEAR(facing(dvec3(0, 0, 0), dvec3(10, 0, -10), n), -2, 1e-12);
+    EXPECT_EQ(facing(dvec3(0, 0, 5), dvec3(3, 0, 5), dvec3(0, 1, 0)), 0);  // edge-on
+    EXPECT_GT(facing(dvec4(0, 0, 1, 0), dvec3(10, 0, -10), n), 0);         // all lines of sight parallel
+}
+
+TEST(EdgeWalk, StandsWhereTheClosedFormDoesAfterEveryStep) {
+    Random random(1);
+    for (const int s : {1, 3, 8})
+        for (int i = 0; i < 500; ++i) {
+            const GridPoint a = random_point(random, s), b = random_point(random, s);
+            if (a.y == b.y) continue;
+            for (EdgeWalk walk(a, b, s, 1000); !walk.done(); walk.down()) {
+                // A walk that begins here is worked out by the closed form alone.
+                EXPECT_EQ(walk.x(), EdgeWalk(a, b, s, walk.row()).x());
+                EXPECT_EQ(walk.x(), EdgeWalk(b, a, s, walk.row()).x());
+            }
+        }
+}
+
+TEST(EdgeWalk, IsTheFirstPixelNotLeftOfTheEdge) {
+    Random random(2);
+    const int s = 3;
+    for (int i = 0; i < 500; ++i) {
+        const GridPoint a = random_point(random, s), b = random_point(random, s);
+        if (a.y == b.y) continue;
+        const GridPoint &top = a.y > b.y ? a : b, &low = a.y > b.y ? b : a;
+        for (EdgeWalk walk(a, b, s, 1000); !walk.done(); walk.down()) {
+            const auto right_of = [&](int x) {  // >= 0: the centre is on the edge or right of it
+                return (center(x, s) - low.x) * (top.y - low.y) -
+                       (top.x - low.x) * (center(walk.row(), s) - low.y);
+            };
+            EXPECT_GE(right_of(walk.x()), 0);
+            EXPECT_LT(right_of(walk.x() - 1), 0);
+        }
+    }
+}
+
+TEST(ScanConvert, CoversNeighboursExactlyOnce) {
+    Random random(3);
+    const int s = 3;
+    for (int i = 0; i < 100; ++i) {
+        // A point inside a square, joined to its corners: a partition.
+        const GridPoint c{std::int64_t(random(1, 255)), std::int64_t(random(1, 255)), 0};
+        const std::array<GridPoint, 4> q{{{0, 0, 0}, {256, 0, 0}, {256, 256, 0}, {0, 256, 0}}};
+        EXPECT_EQ(coverage({{q[0], q[1], c}, {q[1], q[2], c}, {q[2], q[3], c}, {q[3], q[0], c}}, s, 32, 32),
+                  std::vector<int>(1024, 1));
+    }
+}
+
+TEST(ScanConvert, FillsConcavePolygonsBetweenPairsOfCrossings) {
+    std::vector<GridPoint> u;
+    for (const auto& [x, y] : {std::pair(0, 0), {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}})
+        u.push_back({x * 8, y * 8, 0});
+    const std::vector<hiddensurface::Run> expected{{3, 0, 1}, {3, 3, 4}, {2, 0, 1}, {2, 3, 4},
+                                                   {1, 0, 1}, {1, 3, 4}, {0, 0, 4}};
+    EXPECT_EQ(scan_convert(u, 3, {0, 0, 10, 10}), expected);
+}
+
+// Case T-JUNCTION of the shared data.
+TEST(ScanConvert, LeavesHolesAtATJunctionOnlyWhereTheVertexIsOffTheGrid) {
+    for (int s = 1; s <= 8; ++s) {
+        const auto at = [s](double x, double y) {  // y down in the case
+            const double unit = 1 << s;
+            return GridPoint{std::int64_t(std::floor(x * unit + 0.5)),
+                             std::int64_t(std::floor((10 - y) * unit + 0.5)), 0};
+        };
+        const GridPoint a = at(0, 0), b = at(30, 10), t = at(10, 10.0 / 3), apex = at(30, 0);
+        const auto count = coverage({{a, b, at(0, 10)}, {a, apex, t}, {t, apex, b}}, s, 30, 10);
+        const auto holes = std::count(count.begin(), count.end(), 0);
+        EXPECT_EQ(holes, s % 2 == 0 ? 10 : 0) << "sub-pixel bits " << s;
+        EXPECT_EQ(coverage({{a, b, at(0, 10)}, {a, apex, b}}, s, 30, 10), std::vector<int>(300, 1));
+    }
+}
+
+TEST(DepthPlane, IncrementsAndClosedFormAgree) {
+    Random random(4);
+    for (int i = 0; i < 300; ++i) {
+        const std::array<GridPoint, 3> t{random_point(random, 3), random_point(random, 3),
+                                         random_point(random, 3)};
+        if ((t[1].x - t[0].x) * (t[2].y - t[0].y) == (t[2].x - t[0].x) * (t[1].y - t[0].y)) continue;
+        const DepthPlane plane = depth_plane(t, 3, 24);
+        DepthWalk walk(plane, -20, i % 50);
+        for (int x = -20; x < 60; ++x, walk.right()) EXPECT_EQ(walk.z(), plane.at(x, i % 50));
+    }
+}
+
+// The algorithms' pixels and depths are the machine's.
+TEST(Project, HasTheMachinesPixelsAndDepths) {
+    for (const Profile& profile : profiles()) {
+        Stage stage(random_triangles(7, 40), profile);
+        Planes mine(160, 120);
+        const auto far_value = std::uint32_t((std::uint64_t{1} << profile.depth_bits) - 1);
+        for (auto& z : mine.depth) z = far_value;
+        for (const Polygon& polygon : stage.input.polygons)
+            for (const WindowTriangle& t : polygon.triangles)
+                for (const auto& run : scan_convert(t.corners, profile.subpixel_bits, stage.input.window()))
+                    for (int x = run.x0; x < run.x1; ++x) {
+                        std::uint32_t& z = mine.depth[mine.index(x, run.y)];
+                        z = std::min(z, std::uint32_t(t.depth.at(x, run.y)));
+                    }
+        stage.machine->execute(scene::id_pass(stage.scene, stage.view));
+        EXPECT_EQ(mine.depth, stage.machine->planes().depth) << profile.name;
+    }
+}
+
+}  // namespace gw::hiddensurface

@@ -1,0 +1,110 @@
+// Claims: without a Z plane means without one; the picture comes from the machine; counts and logs are true.
+#include "cases.h"
+#include "gw/error.h"
+#include "hiddensurface/replay.h"
+
+#include <gtest/gtest.h>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+/// Depths that nobody would draw.
+void fill_depth(Machine& machine) {
+    const Planes& planes = machine.planes();
+    WritePixels pixels{.rect = {0, 0, planes.width, planes.height}, .plane = Plane::Depth};
+    for (std::size_t i = 0; i < planes.depth.size(); ++i)
+        pixels.values.push_back(static_cast<std::uint32_t>(i * 7919 % 16777216));
+    CommandList list;
+    list.add(SetState{State{}});
+    list.add(pixels);
+    machine.execute(list);
+}
+
+}  // namespace
+
+TEST(DepthPlaneOfTheMachine, IsNeitherReadNorWrittenWhereNotUsed) {
+    Stage stage(random_triangles(5, 20));
+    for (const Algorithm& algorithm : algorithms()) {
+        StepLog none;
+        const Output output = algorithm.run(stage.input, none);
+        for (const auto& make : {+[] { return make_reference(vgx(), 160, 120); },
+                                 +[] { return make_fast(vgx(), 160, 120, {.threads = 1}); }}) {
+            const auto machine = make();
+            fill_depth(*machine);
+            const std::vector<std::uint32_t> before = machine->planes().depth;
+            machine->reset_passes();
+            machine->execute(output.list);
+            EXPECT_EQ(machine->planes().depth == before, !algorithm.uses_depth_plane) << algorithm.name;
+            if (algorithm.uses_depth_plane) continue;
+            const Counters& counted = machine->passes().back().counters;
+            // Clear writes 4 bytes of colour a pixel, a fragment 4; nothing is left for Z's 3.
+            EXPECT_EQ(counted.bytes, 4 * (counted.pixels + counted.written)) << algorithm.name;
+            EXPECT_EQ(counted.depth_killed, 0u);
+        }
+    }
+}
+
+TEST(Counts, AddUp) {
+    Stage stage(random_triangles(6, 25));
+    std::uint64_t complexity = 0;
+    for (const std::uint8_t n : depth_complexity(stage.input)) complexity += n;
+    for (const Algorithm& algorithm : algorithms()) {
+        const Result result = stage.run(algorithm.name);
+        const Counts& c = result.counts;
+        EXPECT_EQ(c.polygons, stage.z_buffer.counts.polygons);
+        EXPECT_EQ(c.overdraw, c.passed - c.pixels);
+        std::uint64_t writes = 0;
+        for (const std::uint8_t n : result.writes) writes += n;
+        EXPECT_EQ(writes, c.passed) << algorithm.name;
+        // Pieces have every pixel of their polygon once.
+        if (algorithm.name != "back-face" && !result.pieces.empty()) {
+            EXPECT_EQ(c.passed, complexity) << algorithm.name;
+        }
+    }
+    EXPECT_EQ(stage.run("scan-line").counts.overdraw, 0u);
+    EXPECT_EQ(stage.run("ray-casting").counts.overdraw, 0u);
+    EXPECT_EQ(stage.z_buffer.counts.fragments, complexity);
+    EXPECT_EQ(stage.z_buffer.counts.depths, complexity);
+}
+
+TEST(StepLog, RebuildsThePictureForwardsAndEveryStateBackwards) {
+    Stage stage(random_triangles(8, 8), vgx(), 160, 120);
+    for (const Level level : {Level::Polygon, Level::Pixel})
+        for (const Algorithm& algorithm : algorithms()) {
+            StepLog log(level);
+            const Result result = stage.run(algorithm.name, log);
+            std::vector<Step> steps;
+            for (const Step& step : log.steps()) {
+                steps.push_back(step_from_json(to_json(step)));
+                EXPECT_EQ(steps.back(), step);
+            }
+            Replay replay(std::move(steps), 160, 120);
+            const std::size_t middle = replay.size() / 2;
+            replay.go_to(middle);
+            const auto ids = replay.ids();
+            const auto order = replay.order();
+            replay.go_to(replay.size());
+            EXPECT_EQ(replay.ids(), result.ids) << algorithm.name;
+            replay.go_to(middle);
+            EXPECT_EQ(replay.ids(), ids) << algorithm.name;
+            EXPECT_EQ(replay.order(), order) << algorithm.name;
+            replay.go_to(0);
+            EXPECT_EQ(replay.ids(), std::vector<std::uint32_t>(160 * 120)) << algorithm.name;
+        }
+}
+
+TEST(StepLog, RefusesLinesThatItDidNotWrite) {
+    EXPECT_THROW(step_from_json("{"), Error);
+    EXPECT_THROW(step_from_json("{}"), Error);
+    EXPECT_THROW(step_from_json(R"({"level":"polygon","action":"juggle"})"), Error);
+    EXPECT_THROW(Replay({Step{.action = Action::Draw, .painted = {{{0, 5, 9}, 1}}}}, 8, 8), Error);
+}
+
+TEST(Algorithms, AreFoundByName) {
+    EXPECT_EQ(algorithms().front().name, "back-face");
+    EXPECT_EQ(algorithm_named("bsp").name, "bsp");
+    EXPECT_THROW(algorithm_named("no such"), Error);
+}
+
+}  // namespace gw::hiddensurface

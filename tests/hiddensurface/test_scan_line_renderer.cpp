@@ -1,0 +1,88 @@
+// Claims: eq. 3 at every pixel is eq. 1 where nothing varies over a polygon, and better where it does. [K3s]
+#include "cases.h"
+#include "hiddensurface/scan_line_renderer.h"
+#include "scene/shading.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+std::vector<Rgba> scan_line_colors(const scene::Scene& scene, int size) {
+    const auto machine = make_reference(vgx(), size, size);
+    machine->execute(scan_line_picture(scene, scene::make_view(scene, size, size), vgx()));
+    return machine->planes().color;
+}
+
+scene::Scene square(const scene::Material& material, const scene::Light& light) {
+    scene::Scene scene = polygon_scene({.primitive = Primitive::Quads,
+                                        .positions = {{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}},
+                                        .texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+    scene.materials[0] = material;
+    scene.lights.push_back(light);
+    return scene;
+}
+
+scene::Map half_map() {
+    const std::array<std::uint8_t, 8> texels{255, 0, 0, 255, 0, 255, 0, 255};
+    return {.file = "half", .texture = make_texture8("half", 2, 1, texels)};
+}
+
+}  // namespace
+
+TEST(ScanLineRenderer, IsLambertsLawUnderADirectionalLight) {
+    const auto colors =
+        scan_line_colors(square({.Ka = vec3(0.5f), .Kd = vec3(1), .Ks = vec3(0)},
+                                {.direction = {0, 0, -1}, .Ia = vec3(0.2f), .Id = vec3(0.5f)}),
+                         8);
+    for (const Rgba& color : colors) EXPECT_EQ(color, (Rgba{153, 153, 153, 255}));  // 0.1 + 0.5 of 255
+}
+
+// A highlight in the middle of one large polygon: lighting at the corners cannot see it.
+TEST(ScanLineRenderer, ShowsAHighlightInsideAPolygon) {
+    const auto colors = scan_line_colors(square({.Ka = vec3(0), .Kd = vec3(0), .Ks = vec3(1), .Ns = 200},
+                                                {.direction = {0, 0, -1}, .Id = vec3(1)}),
+                                         33);
+    EXPECT_GT(colors[16 * 33 + 16][0], 250);
+    EXPECT_LT(colors[0][0], 20);
+}
+
+TEST(ScanLineRenderer, ClearsToTheBackgroundAndLeavesZAlone) {
+    scene::Scene scene;
+    scene.background = vec3(1, 0, 0.2f);
+    scene.camera = scene::Camera{};
+    const auto machine = make_reference(vgx(), 4, 4);
+    const auto before = machine->planes().depth;
+    machine->execute(scan_line_picture(scene, scene::make_view(scene, 4, 4), vgx()));
+    EXPECT_EQ(machine->planes().color, std::vector<Rgba>(16, Rgba{255, 0, 51, 255}));
+    EXPECT_EQ(machine->planes().depth, before);
+}
+
+TEST(Shade, MultipliesEachComponentByItsOwnMap) {
+    scene::Material material{.Ka = vec3(1), .Kd = vec3(1), .Ks = vec3(1), .Ke = vec3(0.125f), .Ns = 1};
+    material.map_Kd = {half_map()};
+    const gw::Light light{.position = {0, 0, 1, 0}, .Ia = vec3(0.25f), .Id = vec3(0.5f), .Is = vec3(0.25f)};
+    const scene::SurfacePoint left{.st = {0.25, 0.5}}, right{.st = {0.75, 0.5}};
+    const auto shaded = [&](const scene::SurfacePoint& p) { return scene::shade(material, {&light, 1}, p); };
+    // The gloss and the emission are not reddened; the ambient map is the diffuse map.
+    EXPECT_EQ(shaded(left), dvec3(0.25 + 0.5 + 0.25 + 0.125, 0.375, 0.375));
+    EXPECT_EQ(shaded(right), dvec3(0.375, 0.25 + 0.5 + 0.25 + 0.125, 0.375));
+    // In shadow only the light's diffuse and specular parts go. [K3.2]
+    EXPECT_EQ(scene::light_color(material, light, left, 0), dvec3(0.25, 0, 0));
+}
+
+TEST(Sample, FiltersBetweenTexelsAndBetweenLevels) {
+    const scene::Map map = half_map();
+    EXPECT_EQ(scene::sample(map, {0.25, 0.5}), dvec3(1, 0, 0));
+    EXPECT_EQ(scene::sample(map, {0.5, 0.5}), dvec3(0.5, 0.5, 0));
+    EXPECT_EQ(scene::sample(map, {1.25, 7.5}), dvec3(1, 0, 0));  // repeats
+    const dvec3 whole = scene::sample(map, {0.25, 0.5}, {1, 0}, {0, 0});
+    EXPECT_NEAR(whole.x, 0.5, 1.0 / 255);  // one texel: their mean
+    EXPECT_NEAR(whole.y, 0.5, 1.0 / 255);
+    EXPECT_EQ(scene::sample(scene::Map{}, {0, 0}), dvec3(1));
+}
+
+}  // namespace gw::hiddensurface
