@@ -27,6 +27,8 @@ struct Command {
 
 Command add_render(CLI::App& app);
 Command add_passes(CLI::App& app);
+Command add_hidden(CLI::App& app);
+Command add_styles(CLI::App& app);
 Command add_info(CLI::App& app);
 
 /// The whole program: parses, runs, prints every error as one line "gw: ..." on stderr.

@@ -67,6 +67,10 @@ void add_options(CLI::App& command, RenderOptions& options) {
 void check(const RenderOptions& options) {
     const FrameFiles& files = options.files;
     if (files.picture.empty()) throw UsageError("--output is empty; expected the name of a picture");
+    if (options.picture.samples > 1 && !renderer_named(options.picture.renderer).passes) {
+        throw UsageError("--samples: renderer " + options.picture.renderer +
+                         " takes one sample a pixel; expected hardware or multipass");
+    }
     image::check_target(files.picture);
     try {
         image::check_extension(files.picture);

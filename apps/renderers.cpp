@@ -1,5 +1,6 @@
 #include "apps/renderers.h"
 
+#include "hiddensurface/scan_line_renderer.h"
 #include "multipass/driver.h"
 
 #include <algorithm>
@@ -16,6 +17,10 @@ Renderer in_passes(std::string name, std::string about, multipass::Renderer whic
             which};
 }
 
+void draw_scan_lines(Machine& machine, const scene::Scene& scene, const scene::View& view) {
+    machine.execute(hiddensurface::scan_line_picture(scene, view, machine.profile()));
+}
+
 }  // namespace
 
 const std::vector<Renderer>& renderers() {
@@ -23,6 +28,7 @@ const std::vector<Renderer>& renderers() {
         in_passes("hardware", "equation 1, everything in one pass", multipass::Renderer::Hardware),
         in_passes("multipass", "equations 2 and 4, a pass for each component (default)",
                   multipass::Renderer::Multipass),
+        {"scanline", "equation 3 at every pixel of a scan line's spans; no shadows", draw_scan_lines, {}},
     };
     return all;
 }

@@ -1,0 +1,145 @@
+// gw hidden: the lecture's hidden-surface algorithms, one or all, with counts, steps and comparisons.
+#include "apps/command.h"
+#include "apps/hidden_files.h"
+#include "apps/picture_options.h"
+#include "apps/progress.h"
+#include "apps/terminal.h"
+#include "gw/error.h"
+
+#include <memory>
+
+namespace gw::apps {
+
+namespace hs = hiddensurface;
+
+namespace {
+
+enum class Form { Text, Json, Csv };
+
+struct HiddenOptions {
+    PictureOptions picture{.size = {320, 240}};
+    std::string algorithm;  ///< empty: all
+    std::filesystem::path steps, compare;
+    hs::Level level = hs::Level::Polygon;
+    int pictures = 48;
+    Form form = Form::Text;
+};
+
+std::vector<std::string> algorithm_names() {
+    std::vector<std::string> names;
+    for (const hs::Algorithm& algorithm : hs::algorithms()) names.push_back(algorithm.name);
+    return names;
+}
+
+std::string algorithms_help() {
+    std::string help = "One algorithm (default: all of them):";
+    for (const hs::Algorithm& algorithm : hs::algorithms())
+        help += "\n" + algorithm.name + ": " + algorithm.title;
+    return help;
+}
+
+hs::Level level_from(const std::string& word) {
+    const std::vector<std::string> names{"polygon", "line", "span", "pixel"};
+    one_of("--level", word, names);
+    return static_cast<hs::Level>(std::find(names.begin(), names.end(), word) - names.begin());
+}
+
+void add_output_options(CLI::App& command, HiddenOptions& options) {
+    command
+        .add_option("--steps", options.steps,
+                    "Of one algorithm: step log, numbered pictures, animated GIF, SVG of the pieces")
+        ->type_name("DIR");
+    command
+        .add_option_function<std::string>(
+            "--level", [&](const std::string& word) { options.level = level_from(word); },
+            "How fine the steps are: polygon (default), line, span, pixel")
+        ->type_name("NAME");
+    command
+        .add_option_function<std::string>(
+            "--pictures",
+            [&](const std::string& word) {
+                options.pictures = whole_number_from("--pictures", word, 1, 9999);
+            },
+            "At most so many pictures of steps (default 48), evenly over all")
+        ->type_name("N");
+    command
+        .add_option(
+            "--compare", options.compare,
+            "A sheet of all algorithms with difference pictures, and the counts as CSV, JSON and HTML")
+        ->type_name("DIR");
+    CLI::Option* json = command.add_flag_callback(
+        "--json", [&] { options.form = Form::Json; }, "The counts as JSON");
+    command
+        .add_flag_callback(
+            "--csv", [&] { options.form = Form::Csv; }, "The counts as comma-separated values")
+        ->excludes(json);
+}
+
+void add_options(CLI::App& command, HiddenOptions& options) {
+    add_picture_options(command, options.picture);
+    for (const char* option : {"--renderer", "--samples"}) command.remove_option(command.get_option(option));
+    command.get_option("--size")->description("Pixels, both sides 1..4096 (default 320x240)");
+    command
+        .add_option_function<std::string>(
+            "--algorithm",
+            [&](const std::string& word) {
+                options.algorithm = one_of("--algorithm", word, algorithm_names());
+            },
+            algorithms_help())
+        ->type_name("NAME");
+    add_output_options(command, options);
+}
+
+void check(const HiddenOptions& options) {
+    if (!options.steps.empty() && options.algorithm.empty())
+        throw UsageError("--steps needs one algorithm; expected --algorithm NAME");
+    if (!options.compare.empty() && !options.algorithm.empty())
+        throw UsageError("--compare is of all algorithms; expected no --algorithm");
+}
+
+std::vector<const hs::Algorithm*> wanted(const HiddenOptions& options) {
+    if (!options.algorithm.empty()) return {&hs::algorithm_named(options.algorithm)};
+    std::vector<const hs::Algorithm*> all;
+    for (const hs::Algorithm& algorithm : hs::algorithms()) all.push_back(&algorithm);
+    return all;
+}
+
+int hidden(const HiddenOptions& options) {
+    check(options);
+    Progress progress("reading", options.picture.quiet);
+    const Profile profile = load_profile(options.picture);
+    const scene::Scene scene = load_scene(options.picture);
+    const scene::View view = scene::make_view(scene, options.picture.size.width, options.picture.size.height);
+    const auto machine = make_machine(options.picture, profile);
+    const hs::Input input = hs::make_input(scene, view, profile);
+    hs::StepLog none;
+    progress.at("z-buffer");
+    const hs::Result expected = hs::run_on(*machine, hs::algorithm_named("z-buffer"), input, none);
+    hs::StepLog log = options.steps.empty() ? hs::StepLog() : hs::StepLog(options.level);
+    std::vector<Compared> all;
+    for (const hs::Algorithm* algorithm : wanted(options)) {
+        progress.at(algorithm->name);
+        all.push_back({algorithm, hs::run_on(*machine, *algorithm, input, log)});
+        hs::compare(all.back().result, expected.ids, input);
+    }
+    progress.at("writing");
+    if (!options.steps.empty()) write_steps(options.steps, input, all.front(), log.steps(), options.pictures);
+    if (!options.compare.empty()) write_comparison(options.compare, input, all);
+    print(options.form == Form::Json  ? counts_json(all)
+          : options.form == Form::Csv ? counts_csv(all)
+                                      : counts_text(all));
+    return done;
+}
+
+}  // namespace
+
+Command add_hidden(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("hidden", "Hidden-surface algorithms, step by step and compared");
+    const auto options = std::make_shared<HiddenOptions>();
+    add_options(*command, *options);
+    command->footer(
+        "Example:\n  build/release/bin/gw hidden scenes/hidden/cycle.toml --algorithm newell --steps newell");
+    return {command, [options] { return hidden(*options); }};
+}
+
+}  // namespace gw::apps
