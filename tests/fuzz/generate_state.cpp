@@ -41,8 +41,14 @@ AlphaState any_alpha(Random& r) {
 }
 
 BlendState any_blend(Random& r) {
-    if (r.chance(25)) return {true, BlendFactor::One, BlendFactor::One};
-    return {r.chance(90), r.any(BlendFactor::SrcAlphaSaturate), r.any(BlendFactor::SrcAlphaSaturate)};
+    using enum BlendFactor;
+    if (r.chance(25)) return {true, One, One};
+    const bool enable = r.chance(90);
+    const BlendFactor src = r.pick({Zero, One, DstColor, OneMinusDstColor, SrcAlpha, OneMinusSrcAlpha,
+                                    DstAlpha, OneMinusDstAlpha, SrcAlphaSaturate});
+    const BlendFactor dst = r.pick(
+        {Zero, One, SrcColor, OneMinusSrcColor, SrcAlpha, OneMinusSrcAlpha, DstAlpha, OneMinusDstAlpha});
+    return {enable, src, dst};
 }
 
 ColorMask any_color_mask(Random& r) {
