@@ -32,13 +32,4 @@ nlohmann::ordered_json json_of(const Counters& counters) {
     return json;
 }
 
-std::string text_of(const Counters& counters) {
-    std::string text;
-    for (const auto& [name, count] : counter_names()) {
-        if (counters.*count == 0) continue;
-        text += (text.empty() ? "" : ", ") + std::string(name) + " " + std::to_string(counters.*count);
-    }
-    return text;
-}
-
 }  // namespace gw::apps

@@ -18,7 +18,5 @@ struct CounterName {
 std::span<const CounterName> counter_names();
 
 nlohmann::ordered_json json_of(const Counters& counters);
-/// "draws 3, vertices 4512, ...", those that are not 0.
-std::string text_of(const Counters& counters);
 
 }  // namespace gw::apps

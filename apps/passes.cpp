@@ -3,7 +3,9 @@
 #include "apps/counters_table.h"
 #include "apps/frame_files.h"
 #include "apps/progress.h"
+#include "apps/table.h"
 #include "apps/terminal.h"
+#include "multipass/driver.h"
 #include "multipass/schedule.h"
 
 #include <fmt/format.h>
@@ -27,50 +29,65 @@ struct RunPass {
     std::string set;
 };
 
-std::map<std::string, std::string> sets_by_name(const scene::Scene& scene, multipass::Renderer renderer) {
+/// The list as the paper writes it, and what ran.
+struct Printout {
+    multipass::PassList list;
+    std::vector<RunPass> runs;
+    Counters sum;
+};
+
+std::map<std::string, std::string> sets_by_name(const scene::Scene& scene, const multipass::PassList& list) {
     const multipass::Model model = multipass::make_model(scene);
     std::map<std::string, std::string> sets;
-    for (const multipass::Step& step : multipass::schedule(multipass::passes_for(scene, renderer), model)) {
+    for (const multipass::Step& step : multipass::schedule(list, model)) {
         sets[multipass::name_of(step, model)] = multipass::to_string(step.pass.material);
     }
     return sets;
 }
 
-std::vector<RunPass> run_passes(const PictureOptions& options) {
+Printout run_passes(const PictureOptions& options) {
     const Progress progress("drawing", options.quiet);
     const Drawing drawing{options, renderer_named(options.renderer), load_profile(options),
                           load_scene(options)};
-    const auto sets = sets_by_name(drawing.scene, *drawing.renderer.passes);
+    Printout printout{multipass::passes_for(drawing.scene, *drawing.renderer.passes), {}, {}};
+    const auto sets = sets_by_name(drawing.scene, printout.list);
     const auto machine = make_machine(options, drawing.profile);
     draw(drawing, scene::make_view(drawing.scene, options.size.width, options.size.height), *machine);
-    std::vector<RunPass> passes;
     for (const PassReport& report : machine->passes()) {
         const auto set = sets.find(report.name);
-        passes.push_back({report, set == sets.end() ? "" : set->second});
+        printout.runs.push_back({report, set == sets.end() ? "" : set->second});
+        printout.sum += report.counters;
     }
-    return passes;
+    return printout;
 }
 
-Counters sum_of(const std::vector<RunPass>& passes) {
-    Counters sum;
-    for (const RunPass& pass : passes) sum += pass.report.counters;
-    return sum;
+std::string text(const Printout& printout) {
+    std::vector<std::string> header{"ran"};
+    std::vector<CounterName> shown;
+    for (const CounterName& counter : counter_names()) {
+        if (printout.sum.*counter.count == 0) continue;
+        shown.push_back(counter);
+        header.push_back(counter.name);
+    }
+    std::vector<std::vector<std::string>> rows{header};
+    const auto add_row = [&](const std::string& name, const Counters& counters) {
+        rows.push_back({name});
+        for (const CounterName& counter : shown)
+            rows.back().push_back(std::to_string(counters.*counter.count));
+    };
+    for (const RunPass& run : printout.runs) add_row(run.report.name, run.report.counters);
+    add_row(fmt::format("{} passes", printout.runs.size()), printout.sum);
+    return multipass::print_passes(printout.list) + "\n" + table(rows);
 }
 
-std::string text(const std::vector<RunPass>& passes) {
-    std::string out;
-    for (const auto& [report, set] : passes) {
-        out += fmt::format("{:<20}{}\n    {}\n", report.name, set, text_of(report.counters));
+std::string json(const Printout& printout) {
+    auto list = nlohmann::ordered_json::array(), runs = list;
+    for (const multipass::Pass& pass : printout.list) list.push_back(multipass::to_string(pass));
+    for (const auto& [report, set] : printout.runs) {
+        runs.push_back({{"name", report.name}, {"set", set}, {"counters", json_of(report.counters)}});
     }
-    return out + fmt::format("{} passes\n    {}\n", passes.size(), text_of(sum_of(passes)));
-}
-
-std::string json(const std::vector<RunPass>& passes) {
-    auto list = nlohmann::ordered_json::array();
-    for (const auto& [report, set] : passes) {
-        list.push_back({{"name", report.name}, {"set", set}, {"counters", json_of(report.counters)}});
-    }
-    return nlohmann::ordered_json{{"passes", list}, {"sum", json_of(sum_of(passes))}}.dump(2) + "\n";
+    return nlohmann::ordered_json{{"list", list}, {"passes", runs}, {"sum", json_of(printout.sum)}}.dump(2) +
+           "\n";
 }
 
 // Names may hold anything but are one field.
@@ -80,11 +97,11 @@ std::string quoted(const std::string& text) {
     return field + "\"";
 }
 
-std::string csv(const std::vector<RunPass>& passes) {
+std::string csv(const Printout& printout) {
     std::string out = "name,set";
     for (const auto& [name, count] : counter_names()) out += std::string(",") + name;
     out += "\n";
-    for (const auto& [report, set] : passes) {
+    for (const auto& [report, set] : printout.runs) {
         out += quoted(report.name) + "," + quoted(set);
         for (const auto& [name, count] : counter_names()) out += fmt::format(",{}", report.counters.*count);
         out += "\n";
@@ -97,8 +114,10 @@ int print_passes(const PassesOptions& options) {
         throw UsageError("renderer " + options.picture.renderer +
                          " has no passes; expected hardware or multipass");
     }
-    const std::vector<RunPass> passes = run_passes(options.picture);
-    print(options.form == Form::Json ? json(passes) : options.form == Form::Csv ? csv(passes) : text(passes));
+    const Printout printout = run_passes(options.picture);
+    print(options.form == Form::Json  ? json(printout)
+          : options.form == Form::Csv ? csv(printout)
+                                      : text(printout));
     return done;
 }
 

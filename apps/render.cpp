@@ -83,6 +83,8 @@ void check(const RenderOptions& options) {
             "--turntable cannot go with --components, --planes or --manifest; expected one picture for "
             "these");
     }
+    if (files.manifest == files.picture)
+        throw UsageError("--manifest and --output are the same file; expected two");
     if (!files.components.empty() && !renderer_named(options.picture.renderer).passes) {
         throw UsageError("--components: renderer " + options.picture.renderer +
                          " has none; expected hardware or multipass");

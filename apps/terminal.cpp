@@ -2,6 +2,7 @@
 
 #include "gw/error.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 #include <cerrno>
 #include <cstdio>
@@ -24,6 +25,14 @@ void print(std::string_view text) {
 
 void flush_output() {
     if (std::fflush(stdout) != 0) fail();
+}
+
+// Opened the wrong way round, so that using them still fails.
+void hold_standard_streams() {
+    for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) >= 0) continue;
+        if (::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+    }
 }
 
 void print_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }

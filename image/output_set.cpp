@@ -1,6 +1,7 @@
 #include "image/output_set.h"
 
 #include "gw/error.h"
+#include "image/temporaries.h"
 
 namespace gw::image {
 
@@ -9,7 +10,10 @@ namespace fs = std::filesystem;
 OutputSet::~OutputSet() {
     files_.clear();
     std::error_code ignored;
-    for (const fs::path& folder : made_) fs::remove(folder, ignored);
+    for (const fs::path& folder : made_) {
+        fs::remove(folder, ignored);
+        forget_temporary(folder);
+    }
 }
 
 void OutputSet::make_folder(const fs::path& folder) {
@@ -18,7 +22,9 @@ void OutputSet::make_folder(const fs::path& folder) {
     if (fs::exists(folder, error)) {
         throw Error(folder.string(), 0, "is not a folder; expected one, or a name for a new one");
     }
+    register_temporary(folder);
     if (!fs::create_directory(folder, error)) {
+        forget_temporary(folder);
         throw Error(folder.string(), 0, "folder cannot be made: " + error.message());
     }
     made_.push_back(folder);
@@ -31,6 +37,7 @@ OutputFile& OutputSet::add(const fs::path& target) {
 
 void OutputSet::commit() {
     for (const auto& file : files_) file->commit();
+    for (const fs::path& folder : made_) forget_temporary(folder);
     files_.clear();
     made_.clear();
 }

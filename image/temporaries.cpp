@@ -17,8 +17,10 @@ namespace {
 std::array<std::atomic<char*>, 256> names{};
 
 extern "C" void remove_and_die(int signal) {
-    for (const std::atomic<char*>& name : names) {
-        if (const char* file = name.load()) ::unlink(file);
+    for (auto remove : {::unlink, ::rmdir}) {  // each leaves what the other is for
+        for (const std::atomic<char*>& name : names) {
+            if (const char* path = name.load()) remove(path);
+        }
     }
     // The handler was installed for one call: this one is delivered to the default action on return.
     ::raise(signal);

@@ -52,7 +52,8 @@ void put_picture(OutputFile& file, const Picture& picture) {
     check_extension(file.target());
     const std::string format = writer_for(file.target())->format_name();
     OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, wanted_type(format, picture.bits));
-    spec.attribute("DateTime", "");  // the same picture is the same file tomorrow
+    spec.attribute("png:compressionLevel", 2);  // a quarter of the time of 6, an eighth larger
+    spec.attribute("DateTime", "");             // the same picture is the same file tomorrow
     Converted converted;
     encode(file, spec, [&](OIIO::TypeDesc stored) { return convert(picture, stored, converted); });
 }

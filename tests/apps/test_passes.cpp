@@ -18,9 +18,23 @@ bool contains(const std::string& text, const std::string& part) {
 TEST_F(Passes, AreWrittenAsThePaperWritesThem) {
     const Outcome outcome = gw({"passes", "lamps.toml", "--size", "16x16"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_TRUE(contains(outcome.out, "ambient lamp 1      (Ka=object, Kd=0, Ks=0, Ke=0, Map=ambient map)"));
-    EXPECT_TRUE(contains(outcome.out, "diffuse lamp 2      (Ka=0, Kd=object, Ks=0, Ke=0, Map=diffuse map)"));
-    EXPECT_TRUE(contains(outcome.out, "specular lamp 2     (Ka=0, Kd=0, Ks=object, Ke=0, Map=specular map)"));
+    EXPECT_TRUE(
+        contains(outcome.out, "\nambient     (Ka=object, Kd=0, Ks=0, Ke=0, Map=ambient map); lights each; "));
+    EXPECT_TRUE(
+        contains(outcome.out, "\ndiffuse     (Ka=0, Kd=object, Ks=0, Ke=0, Map=diffuse map); lights each; "));
+    EXPECT_TRUE(contains(outcome.out,
+                         "\nspecular    (Ka=0, Kd=0, Ks=object, Ke=0, Map=specular map); lights each; "));
+}
+
+TEST_F(Passes, ThatRanAreCountedLightByLight) {
+    const std::string out = gw({"passes", "lamps.toml", "--size", "16x16"}).out;
+    std::size_t at = 0;
+    for (const char* name : {"\nran ", "\ndepth ", "\nambient lamp 1 ", "\ndiffuse lamp 1 ",
+                             "\nspecular lamp 1 ", "\ndiffuse lamp 2 ", "\nspecular lamp 2 "}) {
+        at = out.find(name, at);
+        ASSERT_NE(at, std::string::npos) << name << out;
+    }
+    EXPECT_FALSE(contains(out, "ambient lamp 2"));  // its Ia is 0
 }
 
 TEST_F(Passes, OfTheHardwareRendererAreOne) {
@@ -38,6 +52,7 @@ TEST_F(Passes, AsJsonAddUp) {
     for (const auto& pass : json["passes"]) written += pass["counters"]["written"].get<std::uint64_t>();
     EXPECT_EQ(json["sum"]["written"], written);
     EXPECT_GT(written, 6 * 64u);
+    EXPECT_EQ(json["list"].size(), 8u);
 }
 
 TEST_F(Passes, AsCsvHaveOneLineEach) {

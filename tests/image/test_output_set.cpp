@@ -1,8 +1,11 @@
 // Files that belong together appear together.
 #include "gw/error.h"
 #include "image/output_set.h"
+#include "image/temporaries.h"
 
 #include "files.h"
+
+#include <csignal>
 
 namespace gw::image {
 
@@ -46,6 +49,20 @@ TEST(OutputSet, RefusesAFileAsFolderAndAFolderWithoutParent) {
     OutputSet files;
     EXPECT_THROW(files.make_folder(folder / "file"), Error);
     EXPECT_THROW(files.make_folder(folder / "missing/sub"), Error);
+}
+
+TEST(OutputSet, IsRemovedByASignal) {
+    const Folder folder;
+    const auto die = [&] {
+        remove_temporaries_on_signals();
+        OutputSet files;
+        files.make_folder(folder / "sub");
+        files.add(folder / "sub/b.txt").write_text("half");
+        files.add(folder / "a.txt").write_text("half");
+        ::raise(SIGINT);
+    };
+    EXPECT_EXIT(die(), testing::KilledBySignal(SIGINT), "");
+    EXPECT_TRUE(folder.names().empty());
 }
 
 }  // namespace gw::image
