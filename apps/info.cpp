@@ -55,8 +55,8 @@ std::string text() {
                 [](const Profile& p) { return p.perspective_color ? "space" : "screen"; });
     for (const Profile& p : profiles())
         out += fmt::format("  extensions of {:<26}{}\n", p.name, extensions_of(p));
-    out += fmt::format("\nwindow {0} x {0} at most\nthreads {1}\n\nmade with\n", max_window_size,
-                       std::thread::hardware_concurrency());
+    out += fmt::format("\nwindow {0} x {0} at most\nthreads {1}\nvectors {2}\n\nmade with\n", max_window_size,
+                       std::thread::hardware_concurrency(), simd_target());
     for (const auto& [name, number] : versions()) out += fmt::format("  {:<16}{}\n", name, number);
     return out;
 }
@@ -66,6 +66,7 @@ std::string json() {
     for (const Profile& profile : profiles()) json["profiles"].push_back(json_of(profile));
     json["max_window_size"] = max_window_size;
     json["threads"] = std::thread::hardware_concurrency();
+    json["vectors"] = simd_target();
     for (const auto& [name, number] : versions()) json["made_with"][name] = number;
     return json.dump(2) + "\n";
 }

@@ -32,3 +32,5 @@ bool use_simd_target(const std::string& name) {
 }
 
 }  // namespace gw::fast
+
+std::string gw::simd_target() { return fast::simd_target(); }
