@@ -6,6 +6,7 @@
 #include "apps/terminal.h"
 #include "gw/error.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace gw::apps {
