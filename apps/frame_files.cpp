@@ -4,7 +4,6 @@
 #include "apps/manifest.h"
 #include "image/planes.h"
 #include "image/write.h"
-#include "multipass/antialias.h"
 #include "multipass/driver.h"
 #include "scene/draw_commands.h"
 
@@ -35,9 +34,7 @@ std::vector<Rgba> component(const Drawing& drawing, const multipass::ComponentLi
                             const scene::View& view, Machine& machine) {
     scene::Scene scene = drawing.scene;
     if (!list.background) scene.background = vec3(0);
-    multipass::render_samples(machine, drawing.options.samples, [&](Machine& m) {
-        multipass::render(m, scene, view, {.passes = list.passes});
-    });
+    multipass::render(machine, scene, view, {.passes = list.passes, .samples = drawing.options.samples});
     return machine.planes().color;
 }
 
@@ -65,8 +62,7 @@ void put_planes(const Drawing& drawing, Machine& machine, const scene::View& vie
 }  // namespace
 
 void draw(const Drawing& drawing, const scene::View& view, Machine& machine) {
-    multipass::render_samples(machine, drawing.options.samples,
-                              [&](Machine& m) { drawing.renderer.draw(m, drawing.scene, view); });
+    drawing.renderer.draw(machine, drawing.scene, view, drawing.options.samples);
 }
 
 void draw_frame(const Drawing& drawing, const FrameFiles& files) {

@@ -4,7 +4,7 @@
 #include "apps/renderers.h"
 #include "apps/terminal.h"
 #include "image/textures.h"
-#include "multipass/antialias.h"
+#include "multipass/superpose.h"
 #include "scene/read_profile.h"
 #include "scene/read_scene.h"
 
@@ -52,7 +52,8 @@ void add_machine_options(CLI::App& command, PictureOptions& options) {
             [&](const std::string& word) {
                 options.samples = whole_number_from("--samples", word, 1, 32768);
             },
-            "Pictures superposed against jagged edges (default 1; vgx: up to 128)")
+            "Pictures superposed against jagged edges (default 1; beyond what the accumulation buffer holds, "
+            "in groups)")
         ->type_name("N");
     command.add_option("--profile", options.profile, "vgx, reality, ideal or a TOML file (default vgx)")
         ->type_name("NAME|FILE.toml");
@@ -107,11 +108,11 @@ Profile load_profile(const PictureOptions& options) {
     const bool from_file = std::filesystem::path(options.profile).extension() == ".toml";
     const Profile profile = from_file ? scene::read_profile(options.profile)
                                       : profile_named(one_of("--profile", options.profile, profile_names()));
-    const int most = multipass::most_samples(profile);
+    // Groups that fit, and as many groups.
+    const int most = multipass::most_pictures(profile) * multipass::most_pictures(profile);
     if (options.samples > most) {
-        throw UsageError(fmt::format(
-            "--samples '{}': more than the accumulation buffer of profile {} holds; expected 1..{}",
-            options.samples, profile.name, most));
+        throw UsageError(fmt::format("--samples '{}': more than profile {} superposes; expected 1..{}",
+                                     options.samples, profile.name, most));
     }
     return profile;
 }

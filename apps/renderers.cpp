@@ -11,8 +11,8 @@ namespace {
 
 Renderer in_passes(std::string name, std::string about, multipass::Renderer which) {
     return {std::move(name), std::move(about),
-            [which](Machine& machine, const scene::Scene& scene, const scene::View& view) {
-                multipass::render(machine, scene, view, {.renderer = which});
+            [which](Machine& machine, const scene::Scene& scene, const scene::View& view, int samples) {
+                multipass::render(machine, scene, view, {.renderer = which, .samples = samples});
             },
             which};
 }

@@ -41,14 +41,27 @@ private:
     std::optional<State> last_;
 };
 
-std::vector<std::size_t> parts_concerned(const Stage& stage, const Step& step) {
-    std::vector<std::size_t> parts;
-    for (std::size_t i = 0; i < stage.model->parts.size(); ++i)
-        if (concerns(step, stage.model->parts[i], *stage.model)) parts.push_back(i);
-    return parts;
+/// Whole parts, or far to near in pieces where a translucent pass wants an order.
+std::vector<Portion> portions(const Stage& stage, const Step& step) {
+    const bool sorted =
+        step.pass.objects == PassObjects::Translucent && step.pass.depth.func != DepthFunc::Equal;
+    std::vector<Portion> result;
+    if (sorted && !stage.far_to_near.empty()) {
+        result = stage.far_to_near;
+    } else {
+        for (std::size_t i = 0; i < stage.model->parts.size(); ++i) result.push_back({.part = i});
+    }
+    std::erase_if(
+        result, [&](const Portion& p) { return !concerns(step, stage.model->parts[p.part], *stage.model); });
+    return result;
 }
 
 }  // namespace
+
+void begin_pass(CommandList& list, const std::string& name, const State& state) {
+    list.add(BeginPass{.name = name});
+    list.add(SetState{state});
+}
 
 State state_of(const Stage& stage, const Step& step) {
     State state = stage.state;
@@ -56,30 +69,45 @@ State state_of(const Stage& stage, const Step& step) {
     state.depth = pass.depth;
     state.stencil = pass.stencil;
     state.blend = pass.blend;
-    state.color_mask = {pass.color, pass.color, pass.color, pass.color};
+    // What dims what is behind it leaves the picture as opaque as it is.
+    const bool dims = pass.blend.enable && pass.blend.dst == BlendFactor::OneMinusSrcAlpha;
+    state.color_mask = {pass.color, pass.color, pass.color, pass.color && !dims};
     set_fog(state, pass.fog, *stage.model->scene);
     return state;
 }
 
-TextureState lookup_of(const Stage& stage, const Step& step, std::size_t part) {
-    const MappedMesh* map = map_of(step, stage.model->parts[part]);
+TextureState lookup_of(const Stage& stage, const Step& step, std::size_t index) {
+    const Part& part = stage.model->parts[index];
+    const MappedMesh* map = adds(step, part, *stage.model) ? map_of(step, part) : nullptr;
     return map ? map->lookup : TextureState{};
 }
 
-Draw draw_of(const Stage& stage, const Step& step, std::size_t index) {
-    const Part& part = stage.model->parts[index];
+Draw draw_of(const Stage& stage, const Step& step, const Portion& portion) {
+    const Part& part = stage.model->parts[portion.part];
+    if (!adds(step, part, *stage.model)) return black_draw(stage, portion);
     const MappedMesh* map = map_of(step, part);
-    Draw draw{.mesh = map ? map->mesh : part.mesh, .eye_from_object = stage.eye_from_object[index]};
+    Draw draw{.mesh = portion.of(map ? map->mesh : part.mesh),
+              .eye_from_object = stage.eye_from_object[portion.part]};
     draw.material = material_for(step.pass.material, *part.material);
     if (step.light) draw.lights = stage.lights[*step.light];
     if (step.pass.lights == PassLights::All) draw.lights = lights_of(stage, part);
     if (map) draw.map.texture = map->texture;
+    if (step.pass.objects == PassObjects::Glaring) {
+        draw.eye_from_object[3] += dvec4(stage.glare[portion.part], 0);
+        draw.material.Ke *= part.object->glare->strength;
+    }
+    return draw;
+}
+
+Draw black_draw(const Stage& stage, const Portion& portion) {
+    const Part& part = stage.model->parts[portion.part];
+    Draw draw{.mesh = portion.of(part.mesh), .eye_from_object = stage.eye_from_object[portion.part]};
+    draw.material = material_for({}, *part.material);
     return draw;
 }
 
 void add_step(CommandList& list, const Stage& stage, const Step& step, const FrameRules& rules) {
-    const std::vector<std::size_t> parts = parts_concerned(stage, step);
-    if (parts.empty() && !step.pass.clear) return;
+    if (!is_needed(step, *stage.model)) return;
     list.add(BeginPass{.name = name_of(step, *stage.model)});
     StateWriter states(list);
     State state = state_of(stage, step);
@@ -89,18 +117,16 @@ void add_step(CommandList& list, const Stage& stage, const Step& step, const Fra
         all.depth.mask = true;
         all.stencil.write_mask = ~0u;
         states.set(all);
-        list.add(Clear{
-            .planes = PlaneMask(mask_of(Plane::Color) | mask_of(Plane::Depth) | mask_of(Plane::Stencil)),
-            .color = vec4(rules.background, 1)});
+        list.add(Clear{.planes = step.pass.clear, .color = vec4(rules.background, 1)});
     }
-    if (rules.one_winner && is_additive(step.pass)) {
+    if (rules.one_winner && is_additive(step.pass) && step.pass.objects != PassObjects::Translucent) {
         add_one_winner_step(list, stage, step, rules.stencil_bits);
         return;
     }
-    for (const std::size_t i : parts) {
-        state.texture = lookup_of(stage, step, i);
+    for (const Portion& portion : portions(stage, step)) {
+        state.texture = lookup_of(stage, step, portion.part);
         states.set(state);
-        list.add(draw_of(stage, step, i));
+        list.add(draw_of(stage, step, portion));
     }
 }
 

@@ -15,7 +15,12 @@ struct FrameRules {
     /// One winner per pixel where faces coincide, by a bit of the stencil: see one_winner.h.
     bool one_winner = false;
     int stencil_bits = 8;
+    /// White images that the accumulation buffer holds.
+    int most_images = 128;
 };
+
+/// BeginPass and SetState.
+void begin_pass(CommandList& list, const std::string& name, const State& state = {});
 
 /// The commands of one step: BeginPass, SetState, Clear, Draw. None where no part is concerned and nothing is
 /// cleared.
@@ -27,7 +32,10 @@ State state_of(const Stage& stage, const Step& step);
 /// How the part's map is looked up in a pass; the initial state where it has none.
 TextureState lookup_of(const Stage& stage, const Step& step, std::size_t part);
 
-/// The draw of one part in a pass, with its material, lights and map.
-Draw draw_of(const Stage& stage, const Step& step, std::size_t part);
+/// The draw of a part, or of a portion of it, in a pass: with its material, lights and map; black where
+/// nothing is added.
+Draw draw_of(const Stage& stage, const Step& step, const Portion& portion);
+/// Black, with the object's own alpha.
+Draw black_draw(const Stage& stage, const Portion& portion);
 
 }  // namespace gw::multipass

@@ -1,32 +1,30 @@
-// The driver: a scene, a view and a pass list become command lists, executed on a machine.
+// The driver: a scene, a view and options become a picture on a machine.
 // Does not read or write files, and touches no pixel itself: what it needs from the planes it reads with
 // Read.
 #pragma once
 
 #include "gw/machine.h"
-#include "multipass/passes.h"
+#include "multipass/options.h"
+#include "multipass/superpose.h"
 #include "scene/scene.h"
 #include "scene/view.h"
 
-#include <optional>
+#include <string>
 #include <vector>
 
 namespace gw::multipass {
 
-/// Coincident faces added once. Auto counts winners first; Never and Always spare the count.
-enum class OneWinner { Auto, Never, Always };
-
-struct Options {
-    Renderer renderer = Renderer::Multipass;
-    std::optional<PassList> passes;  ///< in place of the renderer's
-    OneWinner one_winner = OneWinner::Auto;
-};
-
 /// Draws the scene; the picture is in the machine's colour plane afterwards. The view is as large as the
-/// machine's window. Throws Error where the profile cannot do what the scene asks for.
-void render(Machine& machine, const scene::Scene& scene, const scene::View& view, const Options& options);
+/// machine's window. Says how many pictures were superposed, in how many groups. Throws Error where the
+/// profile cannot do what is asked for.
+Superposition render(Machine& machine, const scene::Scene& scene, const scene::View& view,
+                     const Options& options);
 
-/// The list of one frame without effects that read pixels back: what `render` executes, in one piece.
+/// The passes that `render` draws the scene with.
+PassList pass_list(const scene::Scene& scene, const Options& options);
+
+/// The list of one frame without effects that read pixels back (shadow maps, layers, counted winners): what
+/// `render` executes, in one piece.
 CommandList frame_list(const scene::Scene& scene, const scene::View& view, const PassList& passes,
                        const vec3& background, bool one_winner = false, int stencil_bits = 8);
 

@@ -18,16 +18,47 @@ void add_shadow(CommandList& list, const Frame& frame, const Step& step) {
                            {frame.rules.stencil_bits, frame.rules.one_winner, frame.shadows.one_by_one});
 }
 
+/// The frame buffer into the accumulation buffer. After every `most` images, as many as it holds, the sum so
+/// far goes through the frame buffer, which saturates it: more light than white stays white.
+void add_image(CommandList& list, const std::string& name, int image, int most) {
+    begin_pass(list, name);
+    list.add(Accumulate{AccumOp::Accum, 1});
+    if (image % (most - 1) == most - 2) {
+        list.add(Accumulate{AccumOp::Return, 1});
+        list.add(Accumulate{AccumOp::Load, 1});
+    }
+    list.add(Clear{.planes = mask_of(Plane::Color), .color = vec4(0, 0, 0, 1)});
+}
+
+bool draws(const Step& step, const Model& model) {
+    return step.pass.action == PassAction::Draw && step.pass.color && is_needed(step, model);
+}
+
+bool is_layer_step(const Step& s) {
+    return s.pass.action == PassAction::Draw && s.pass.objects == PassObjects::Translucent &&
+           s.pass.depth.test && s.pass.depth.func == DepthFunc::Equal;
+}
+
 }  // namespace
 
 CommandList commands(const Frame& frame, std::size_t first, std::size_t last) {
     CommandList list;
+    const Model& model = *frame.stage.model;
+    bool drawn = true;  // since the image before was added
+    int image = 0;
     for (std::size_t i = first; i < last; ++i) {
         const Step& step = frame.steps[i];
-        if (step.pass.action == PassAction::Shadow)
-            add_shadow(list, frame, step);
-        else
-            add_step(list, frame.stage, step, frame.rules);
+        switch (step.pass.action) {
+            case PassAction::Draw:
+                drawn = drawn || draws(step, model);
+                add_step(list, frame.stage, step, frame.rules);
+                break;
+            case PassAction::Shadow: add_shadow(list, frame, step); break;
+            case PassAction::Add:
+                if (drawn) add_image(list, name_of(step, model), image++, frame.rules.most_images);
+                drawn = false;
+                break;
+        }
     }
     return list;
 }
@@ -36,6 +67,17 @@ std::size_t end_of_depth(const std::vector<Step>& steps) {
     const auto last = std::find_if(steps.rbegin(), steps.rend(),
                                    [](const Step& s) { return s.pass.depth.test && s.pass.depth.mask; });
     return static_cast<std::size_t>(steps.rend() - last);
+}
+
+int images_of(const std::vector<Step>& steps) {
+    return int(std::count_if(steps.begin(), steps.end(),
+                             [](const Step& s) { return s.pass.action == PassAction::Add; }));
+}
+
+LayerSteps layer_steps(const std::vector<Step>& steps) {
+    const auto first = std::find_if(steps.begin(), steps.end(), is_layer_step);
+    const auto last = std::find_if_not(first, steps.end(), is_layer_step);
+    return {std::size_t(first - steps.begin()), std::size_t(last - steps.begin())};
 }
 
 }  // namespace gw::multipass

@@ -1,4 +1,5 @@
-// A frame: one view of one scene, all of its passes as commands. Does not execute them: driver.h does.
+// A frame: one view of one scene at one moment, all of its passes as commands. Does not execute them:
+// picture.h does.
 #pragma once
 
 #include "gw/command_list.h"
@@ -24,5 +25,14 @@ CommandList commands(const Frame& frame, std::size_t first, std::size_t last);
 
 /// The number of steps up to and with the last that updates Z.
 std::size_t end_of_depth(const std::vector<Step>& steps);
+
+/// Images that the steps add in the accumulation buffer.
+int images_of(const std::vector<Step>& steps);
+
+/// Steps first .. last - 1 are those that are drawn layer by layer (layers.h); none: first = last.
+struct LayerSteps {
+    std::size_t first = 0, last = 0;
+};
+LayerSteps layer_steps(const std::vector<Step>& steps);
 
 }  // namespace gw::multipass

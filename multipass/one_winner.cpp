@@ -17,13 +17,6 @@ const Pass winners_pass{
     .objects = PassObjects::Opaque,
 };
 
-/// An opaque part that the pass does not concern takes its pixels all the same.
-Draw black_draw(const Stage& stage, std::size_t part) {
-    Draw draw{.mesh = stage.model->parts[part].mesh, .eye_from_object = stage.eye_from_object[part]};
-    draw.material = {.Ka = vec3(0), .Kd = vec3(0), .Ks = vec3(0), .Ke = vec3(0), .Ns = 0, .alpha = 1};
-    return draw;
-}
-
 /// Only where the pixel is not taken yet; takes it.
 StencilState taking(StencilState stencil, std::uint32_t taken) {
     if (!stencil.test) stencil = {.test = true, .func = StencilFunc::Equal, .ref = 0, .mask = 0};
@@ -42,8 +35,7 @@ CommandList count_winners(const Stage& stage) {
     state.depth = {};
     state.color_mask = {false, false, false, false};
     state.stencil = {.test = true, .func = StencilFunc::NotEqual, .ref = 0};
-    list.add(BeginPass{.name = "count pixels"});
-    list.add(SetState{state});
+    begin_pass(list, "count pixels", state);
     list.add(whole_window(stage.view));
     list.add(Clear{.planes = mask_of(Plane::Stencil)});
     return list;
@@ -70,7 +62,7 @@ void add_one_winner_step(CommandList& list, const Stage& stage, const Step& step
         if (!concerned && parts[i].translucent) continue;
         state.texture = lookup_of(stage, step, i);
         list.add(SetState{state});
-        list.add(concerned ? draw_of(stage, step, i) : black_draw(stage, i));
+        list.add(draw_of(stage, step, {.part = i}));
     }
 }
 

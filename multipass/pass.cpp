@@ -39,6 +39,22 @@ std::string objects_text(const Pass& pass) {
     return fmt::format("; objects {}", fmt::join(pass.names, ", "));
 }
 
+std::string clear_text(PlaneMask planes) {
+    std::string text;
+    for (const auto& [plane, name] : words(Plane{}))
+        if (planes & mask_of(plane)) text += (text.empty() ? "; clear " : ", ") + std::string(name);
+    return text;
+}
+
+std::string action_text(const Pass& pass) {
+    switch (pass.action) {
+        case PassAction::Draw: return to_string(pass.material);
+        case PassAction::Shadow: return "stencil := in the light's shadow";
+        case PassAction::Add: return "accumulation += frame buffer, colour := 0";
+    }
+    return "";
+}
+
 }  // namespace
 
 std::string to_string(const PassMaterial& m) {
@@ -48,12 +64,12 @@ std::string to_string(const PassMaterial& m) {
 
 std::string to_string(const Pass& pass) {
     std::string text = fmt::format("{:<12}", pass.name.view());
-    text += pass.action == PassAction::Draw ? to_string(pass.material) : "stencil := in the light's shadow";
+    text += action_text(pass);
     if (pass.lights != PassLights::None) text += fmt::format("; lights {}", word(pass.lights));
     text += objects_text(pass) + depth_text(pass.depth) + stencil_text(pass.stencil);
     if (pass.blend.enable) text += fmt::format("; blend {} {}", word(pass.blend.src), word(pass.blend.dst));
     if (pass.fog != PassFog::None) text += fmt::format("; fog {}", word(pass.fog));
-    if (pass.clear) text += "; clear";
+    text += clear_text(pass.clear);
     if (!pass.color) text += "; no colour";
     return text;
 }

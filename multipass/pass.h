@@ -3,6 +3,7 @@
 // (catalogue.h) nor draw.
 #pragma once
 
+#include "gw/command_list.h"
 #include "gw/state.h"
 
 #include <array>
@@ -72,19 +73,21 @@ struct PassMaterial {
 };
 
 /// How often a pass runs, and by which light. Neighbouring passes of `Each` are repeated together, light by
-/// light.
-enum class PassLights : std::uint8_t { None, Each, All };
-/// The objects that take part. Opaque: d = 1.
-enum class PassObjects : std::uint8_t { All, Opaque, Translucent, Named };
+/// light. First: once, by the first light that casts a shadow, if there is one.
+enum class PassLights : std::uint8_t { None, Each, First, All };
+/// The objects that take part. Opaque: d = 1. Glaring: emitters with glare, moved [K3.3].
+enum class PassObjects : std::uint8_t { All, Opaque, Translucent, Glaring, Named };
 /// The fog that a pass goes through [K3.5].
 enum class PassFog : std::uint8_t { None, Black, Scene };
 /// What a pass does. Draw: the objects. Shadow: stencil := not 0 in the light's shadow, 0 elsewhere [K3.2].
-enum class PassAction : std::uint8_t { Draw, Shadow };
+/// Add: the frame buffer is added to the accumulation buffer, which gives the picture in the end, and its
+/// colour cleared to black.
+enum class PassAction : std::uint8_t { Draw, Shadow, Add };
 
 struct Pass {
     Name name;
     PassAction action = PassAction::Draw;
-    bool clear = false;  ///< colour (to the background), Z and stencil, before
+    PlaneMask clear = 0;  ///< before: colour to the background, Z to the farthest, stencil to 0
     PassMaterial material;
     DepthState depth;
     StencilState stencil;

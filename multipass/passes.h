@@ -13,10 +13,18 @@ namespace gw::multipass {
 
 enum class Renderer { Hardware, Multipass };
 
-/// Eq. 1 in one pass [K2], or eq. 2 and 4 component by component [K3, K3.2].
-/// Where the scene's background is not black, the depth pass also draws all shapes black: components are
-/// added to it.
-PassList passes_for(const scene::Scene& scene, Renderer renderer);
+/// How translucent objects (d < 1) are ordered [K3.4]. Sorted: their polygons, far to near, by their
+/// centroids. Unsorted: as the scene has them; wrong where they overlap. Layers: pixel by pixel, exactly
+/// (layers.h).
+enum class Translucency { Sorted, Unsorted, Layers };
+
+/// Eq. 1 in one pass [K2], or eq. 2 and 4 component by component [K3, K3.2]; with what the scene needs of
+/// translucent passes [K3.4] and fog [K3.5]. Where the scene's background is not black, the depth pass also
+/// draws all shapes black: components are added to it.
+PassList passes_for(const scene::Scene& scene, Renderer renderer,
+                    Translucency translucency = Translucency::Sorted);
+
+bool has_translucent(const scene::Scene& scene);
 
 /// A component's image (Fig. 4): its name and the passes that draw it alone.
 struct ComponentList {

@@ -1,6 +1,7 @@
 // Repetition of passes, and who takes part in each.
 #include "multipass/schedule.h"
 
+#include "multipass/catalogue.h"
 #include "scene/draw_commands.h"
 
 #include <algorithm>
@@ -31,6 +32,7 @@ bool selected(const Pass& pass, const Part& part) {
         case PassObjects::All: return true;
         case PassObjects::Opaque: return !part.translucent;
         case PassObjects::Translucent: return part.translucent;
+        case PassObjects::Glaring: return part.object->glare.has_value();
         case PassObjects::Named: break;
     }
     return std::find(pass.names.begin(), pass.names.end(), part.object->name) != pass.names.end();
@@ -49,8 +51,19 @@ void add_runs(std::vector<Step>& steps, const Pass& pass, std::optional<std::siz
     const bool casts = light && model.scene->lights[*light].shadow != scene::Shadow::None;
     if (pass.action == PassAction::Shadow && !casts) return;
     Step step{.pass = pass, .light = light};
-    if (light && !casts && pass.stencil.test) step.pass.stencil = {};
+    if (light && !casts && pass.stencil == outside_shadow) step.pass.stencil = {};
     for (step.map = 0; step.map < repetitions(model, pass.material.Map); ++step.map) steps.push_back(step);
+}
+
+/// Of a pass that runs once: its light, if it has one; none: it does not run at all.
+std::optional<std::optional<std::size_t>> light_of(const Pass& pass, const Model& model) {
+    if (pass.lights != PassLights::First) return std::optional<std::size_t>{};
+    const auto& lights = model.scene->lights;
+    const auto casts = [](const scene::Light& light) { return light.shadow != scene::Shadow::None; };
+    const auto first = std::find_if(lights.begin(), lights.end(), casts);
+    if (first != lights.end()) return static_cast<std::size_t>(first - lights.begin());
+    if (pass.action == PassAction::Shadow) return std::nullopt;
+    return std::optional<std::size_t>{};
 }
 
 }  // namespace
@@ -59,7 +72,8 @@ std::vector<Step> schedule(const PassList& passes, const Model& model) {
     std::vector<Step> steps;
     for (auto pass = passes.begin(); pass != passes.end();) {
         if (pass->lights != PassLights::Each) {
-            add_runs(steps, *pass++, std::nullopt, model);
+            if (const auto light = light_of(*pass, model)) add_runs(steps, *pass, *light, model);
+            ++pass;
             continue;
         }
         const auto last =
@@ -81,14 +95,26 @@ std::string name_of(const Step& step, const Model& model) {
     return name;
 }
 
-bool concerns(const Step& step, const Part& part, const Model& model) {
-    if (!selected(step.pass, part)) return false;
-    if (is_black(step.pass.material)) return true;
+bool adds(const Step& step, const Part& part, const Model& model) {
+    if (!selected(step.pass, part) || !has_map(step, part)) return false;
     const Material material = material_for(step.pass.material, *part.material);
-    if (!has_map(step, part)) return false;
     if (!step.light) return !is_black(material);
     const scene::Light& light = model.scene->lights[*step.light];
     return scene::lights_object(light, *part.object) && !is_black(lit(material, light));
+}
+
+bool concerns(const Step& step, const Part& part, const Model& model) {
+    const bool dims = step.pass.blend.enable && step.pass.blend.dst == BlendFactor::OneMinusSrcAlpha;
+    if (dims || is_black(step.pass.material)) return selected(step.pass, part);
+    return adds(step, part, model);
+}
+
+bool is_needed(const Step& step, const Model& model) {
+    const bool black = is_black(step.pass.material);
+    return step.pass.clear || step.pass.action != PassAction::Draw ||
+           std::any_of(model.parts.begin(), model.parts.end(), [&](const Part& part) {
+               return black ? selected(step.pass, part) : adds(step, part, model);
+           });
 }
 
 }  // namespace gw::multipass

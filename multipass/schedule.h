@@ -29,9 +29,16 @@ std::vector<Step> schedule(const PassList& passes, const Model& model);
 /// "diffuse lamp", with the light's name, and " map 2" for a repetition.
 std::string name_of(const Step& step, const Model& model);
 
-/// Whether the step can add anything to this part: it is among the pass's objects, lit by the light, has the
-/// map that is asked for, and the parameters that the pass sets, times what the light sends, are not all 0.
-/// (A pass of 0 only draws its objects for Z, or for fog.)
+/// Whether the step adds anything to this part: it is among the pass's objects, lit by the light, has the map
+/// that is asked for, and the parameters that the pass sets, times what the light sends, are not all 0.
+bool adds(const Step& step, const Part& part, const Model& model);
+
+/// Whether the step draws this part: what it adds to; in a pass whose parameters are all 0 (for Z, for fog,
+/// to dim) all of its objects; in a translucent pass too, since each dims what is behind it, black where
+/// nothing is added.
 bool concerns(const Step& step, const Part& part, const Model& model);
+
+/// Whether the step has anything to do at all.
+bool is_needed(const Step& step, const Model& model);
 
 }  // namespace gw::multipass

@@ -1,6 +1,7 @@
 // Increments, overflow, decrements.
 #include "multipass/shadow_passes.h"
 
+#include "multipass/commands.h"
 #include "multipass/whole_window.h"
 
 #include <algorithm>
@@ -47,8 +48,8 @@ struct VolumeWriter {
         for (std::size_t i = first; i < last; ++i)
             triangles += volumes[i] ? volumes[i]->triangles().size() : 0;
         if (triangles < static_cast<std::size_t>(stencil_max)) return;
-        list.add(BeginPass{.name = name + std::string(overflow_suffix)});
-        list.add(SetState{window_state(stage, StencilFunc::Equal, stencil_max, StencilOp::Keep)});
+        begin_pass(list, name + std::string(overflow_suffix),
+                   window_state(stage, StencilFunc::Equal, stencil_max, StencilOp::Keep));
         list.add(whole_window(stage.view));
         list.add(BeginPass{.name = name});
     }
@@ -72,8 +73,7 @@ struct VolumeWriter {
 void add_shadow_volumes(CommandList& list, const Stage& stage, const std::string& name,
                         const std::vector<MeshRef>& volumes, const CountRules& rules) {
     VolumeWriter writer{list, stage, volumes, (1 << rules.stencil_bits) - 1};
-    list.add(BeginPass{.name = name});
-    list.add(SetState{stage.state});
+    begin_pass(list, name, stage.state);
     list.add(Clear{.planes = mask_of(Plane::Stencil)});
     const std::size_t group = rules.one_by_one ? 1 : volumes.size();
     for (std::size_t i = 0; i < volumes.size(); i += group) {
@@ -90,8 +90,7 @@ bool any_overflow(std::span<const PassReport> passes) {
 
 void add_shadow_mask(CommandList& list, const Stage& stage, const std::string& name,
                      const std::vector<std::uint32_t>& mask) {
-    list.add(BeginPass{.name = name});
-    list.add(SetState{stage.state});
+    begin_pass(list, name, stage.state);
     list.add(WritePixels{
         .rect = {0, 0, stage.view.width, stage.view.height}, .plane = Plane::Stencil, .values = mask});
 }

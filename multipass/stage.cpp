@@ -11,6 +11,7 @@ Stage make_stage(const Model& model, const scene::View& view) {
         stage.eye_from_object.push_back(scene::placed(*part.object, view).eye_from_object);
     for (const scene::Light& light : model.scene->lights)
         stage.lights.push_back(std::make_shared<const std::vector<Light>>(1, scene::eye_light(light, view)));
+    stage.glare.resize(model.parts.size());
     return stage;
 }
 

@@ -29,6 +29,8 @@ constexpr Word<BlendFactor> blend_words[] = {
     {BlendFactor::OneMinusDstAlpha, "OneMinusDstAlpha"},
     {BlendFactor::SrcAlphaSaturate, "SrcAlphaSaturate"},
 };
+constexpr Word<Plane> plane_words[] = {
+    {Plane::Color, "color"}, {Plane::Depth, "depth"}, {Plane::Stencil, "stencil"}};
 constexpr Word<PassMap> map_words[] = {
     {PassMap::None, "none"},
     {PassMap::Ambient, "ambient map"},
@@ -39,21 +41,26 @@ constexpr Word<PassMap> map_words[] = {
     {PassMap::Refraction, "refraction map"},
     {PassMap::Object, "object map"},
 };
-constexpr Word<PassLights> light_words[] = {
-    {PassLights::None, "none"}, {PassLights::Each, "each"}, {PassLights::All, "all"}};
+constexpr Word<PassLights> light_words[] = {{PassLights::None, "none"},
+                                            {PassLights::Each, "each"},
+                                            {PassLights::First, "first"},
+                                            {PassLights::All, "all"}};
 constexpr Word<PassObjects> object_words[] = {{PassObjects::All, "all"},
                                               {PassObjects::Opaque, "opaque"},
                                               {PassObjects::Translucent, "translucent"},
+                                              {PassObjects::Glaring, "glaring"},
                                               {PassObjects::Named, "named"}};
 constexpr Word<PassFog> fog_words[] = {
     {PassFog::None, "none"}, {PassFog::Black, "black"}, {PassFog::Scene, "scene"}};
-constexpr Word<PassAction> action_words[] = {{PassAction::Draw, "draw"}, {PassAction::Shadow, "shadow"}};
+constexpr Word<PassAction> action_words[] = {
+    {PassAction::Draw, "draw"}, {PassAction::Shadow, "shadow"}, {PassAction::Add, "add"}};
 
 }  // namespace
 
 std::span<const Word<CompareFunc>> words(CompareFunc) { return compare_words; }
 std::span<const Word<StencilOp>> words(StencilOp) { return stencil_words; }
 std::span<const Word<BlendFactor>> words(BlendFactor) { return blend_words; }
+std::span<const Word<Plane>> words(Plane) { return plane_words; }
 std::span<const Word<PassMap>> words(PassMap) { return map_words; }
 std::span<const Word<PassLights>> words(PassLights) { return light_words; }
 std::span<const Word<PassObjects>> words(PassObjects) { return object_words; }

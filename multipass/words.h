@@ -17,6 +17,7 @@ using Word = std::pair<Enum, std::string_view>;
 std::span<const Word<CompareFunc>> words(CompareFunc);
 std::span<const Word<StencilOp>> words(StencilOp);
 std::span<const Word<BlendFactor>> words(BlendFactor);
+std::span<const Word<Plane>> words(Plane);  ///< those that a pass clears
 std::span<const Word<PassMap>> words(PassMap);
 std::span<const Word<PassLights>> words(PassLights);
 std::span<const Word<PassObjects>> words(PassObjects);

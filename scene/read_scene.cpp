@@ -18,7 +18,7 @@ SceneFile read_bare_obj(const std::filesystem::path& path) {
     for (ObjPart& part : file.parts) {
         const Material& material =
             find_material({&file.materials}, part.material, {file.file, part.material_line});
-        builder.add(part.name, std::move(part.mesh), material, dmat4(1), {file.file, 0});
+        builder.add({.name = part.name}, std::move(part.mesh), material, {file.file, 0});
     }
     return {std::move(builder.scene), warnings.lines()};
 }

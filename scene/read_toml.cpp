@@ -71,6 +71,7 @@ SceneFile read_toml(const std::filesystem::path& path) {
     read_table(file, {
                          key("name", scene.name),
                          color_key("background", scene.background),
+                         key("reflection_in_shadow", scene.reflection_in_shadow),
                          {"camera", [&](const TomlValue& value) { scene.camera = to_camera(value); }},
                          {"fog", [&](const TomlValue& value) { scene.fog = to_fog(value); }},
                          {"mtllib", [&](const TomlValue& value) { mtllib = &value; }},

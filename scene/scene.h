@@ -46,13 +46,24 @@ struct Material {
     std::vector<Map> refraction;  ///< sphere maps looked up by the refracted ray [K1]
 };
 
+/// Light around a self-luminous object: its picture, superposed moved over a range in the picture's plane
+/// [K3.3].
+struct Glare {
+    double radius = 0.5;    ///< of the range, world units
+    float strength = 0.5f;  ///< of the moved emission, in parts of the object's own
+    int rays = 0;           ///< 0: the range is a disc; else a star of so many rays
+    int samples = 32;       ///< superposed pictures, at least
+};
+
 /// One mesh with one material, placed in the world. Several may share a name (a group with several
 /// materials).
 struct Object {
     std::string name;  ///< what `only = [...]` and per-object overrides call it
     MeshRef mesh;
-    std::size_t material = 0;  ///< index into Scene::materials
-    dmat4 world_from_object{1};
+    std::size_t material = 0;    ///< index into Scene::materials
+    dmat4 world_from_object{1};  ///< in the middle of the exposure
+    dvec3 move{0};               ///< how far it moves while the shutter is open, world units [K1]
+    std::optional<Glare> glare;  ///< of an object that emits
 };
 
 enum class LightKind { Directional, Point, Spot };
@@ -86,6 +97,8 @@ struct Camera {
     double fov = 40;                       ///< vertical, degrees
     double near_plane = 0, far_plane = 0;  ///< distances; 0: fitted to the scene
     double ortho_height = 0;               ///< > 0: orthographic, this many world units high
+    double aperture = 0;                   ///< radius of the lens, world units; 0: all is sharp [K1]
+    double focus = 0;                      ///< distance that is sharp; 0: that of `at`
 };
 
 struct Fog {
@@ -102,6 +115,7 @@ struct Scene {
     std::optional<Camera> camera;  ///< absent: fit_camera
     std::optional<Fog> fog;
     vec3 background{0, 0, 0};
+    bool reflection_in_shadow = true;  ///< reflection maps are drawn in shadow too [K3.2]
 };
 
 /// Axis-aligned bounds in world space; `empty` where there is no vertex.

@@ -6,14 +6,14 @@
 
 namespace gw::scene {
 
-void SceneBuilder::add(const std::string& name, MeshData mesh, const Material& material,
-                       const dmat4& world_from_object, const Origin& origin) {
+void SceneBuilder::add(Object object, MeshData mesh, const Material& material, const Origin& origin) {
     try {
-        const MeshRef numbered = make_numbered_mesh(std::move(mesh), next_polygon_);
-        scene.objects.push_back({name, numbered, index_of(material), world_from_object});
+        object.mesh = make_numbered_mesh(std::move(mesh), next_polygon_);
     } catch (const Error& error) {
         throw Error(origin.file, origin.line, error.what());
     }
+    object.material = index_of(material);
+    scene.objects.push_back(std::move(object));
 }
 
 std::size_t SceneBuilder::index_of(const Material& material) {

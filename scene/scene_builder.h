@@ -14,9 +14,9 @@ class SceneBuilder {
 public:
     Scene scene;
 
-    /// `material` must stay where it is; `origin` is what an error of make_mesh is said to come from.
-    void add(const std::string& name, MeshData mesh, const Material& material, const dmat4& world_from_object,
-             const Origin& origin);
+    /// Fills in the object's mesh and material. `material` must stay where it is; `origin` is what an error
+    /// of make_mesh is said to come from.
+    void add(Object object, MeshData mesh, const Material& material, const Origin& origin);
 
 private:
     std::size_t index_of(const Material& material);

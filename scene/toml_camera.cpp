@@ -13,10 +13,14 @@ Camera to_camera(const TomlValue& table) {
                           key("near", camera.near_plane, not_negative),
                           key("far", camera.far_plane, not_negative),
                           key("ortho", camera.ortho_height, not_negative),
+                          key("aperture", camera.aperture, not_negative),
+                          key("focus", camera.focus, not_negative),
                       });
     const dvec3 view = camera.at - camera.eye, side = glm::cross(view, camera.up);
     if (view == dvec3(0)) table.fail("camera.at is camera.eye; expected another point");
     if (side == dvec3(0)) table.fail("camera.up is along the view; expected another direction");
+    if (camera.aperture > 0 && camera.ortho_height > 0)
+        table.fail("camera.aperture beside ortho; expected a perspective camera");
     if (camera.far_plane > 0 && camera.far_plane <= camera.near_plane)
         table.fail("camera.far is not beyond camera.near; expected near < far");
     return camera;

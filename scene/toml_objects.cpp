@@ -17,7 +17,7 @@ struct TomlObjects::ObjectTable {
     TomlShape shape;
     int divide = 1;
     bool visible = true;
-    dmat4 world_from_object{1};
+    Object placed;  ///< without name, mesh and material
 };
 
 namespace {
@@ -26,6 +26,17 @@ std::vector<std::string> names_of(const auto& named) {
     std::vector<std::string> names;
     for (const auto& n : named) names.push_back(n.name);
     return names;
+}
+
+Glare to_glare(const TomlValue& table) {
+    Glare glare;
+    read_table(table, {
+                          key("radius", glare.radius, {1e-9, 1e9}),
+                          key("strength", glare.strength, not_negative),
+                          key("rays", glare.rays, {0, 64}),
+                          key("samples", glare.samples, {1, 4096}),
+                      });
+    return glare;
 }
 
 }  // namespace
@@ -37,15 +48,21 @@ void TomlObjects::add(const TomlValue& table) {
         return Key{std::move(name), [&field](const TomlValue& value) { field = &value; }};
     };
     std::vector<Key> keys{
-        key("name", object.name),           key("file", object.file),
-        {"shape", [](const TomlValue&) {}}, key("visible", object.visible),
-        keep("material", object.material),  keep("crease", object.crease),
-        keep("parts", object.parts),        key("divide", object.divide, {1, 256}),
+        key("name", object.name),
+        key("file", object.file),
+        {"shape", [](const TomlValue&) {}},
+        key("visible", object.visible),
+        keep("material", object.material),
+        keep("crease", object.crease),
+        keep("parts", object.parts),
+        key("move", object.placed.move),
+        {"glare", [&](const TomlValue& value) { object.placed.glare = to_glare(value); }},
+        key("divide", object.divide, {1, 256}),
     };
     add_placement_keys(keys, placement);
     add_shape_keys(table, keys, object.shape);
     read_table(table, keys);
-    object.world_from_object = world_from_object(placement);
+    object.placed.world_from_object = world_from_object(placement);
     if (object.file.empty() && !object.shape.make)
         table.fail("object has neither file nor shape; expected one of them");
     if (!object.file.empty() && object.shape.make)
@@ -57,7 +74,9 @@ void TomlObjects::add_mesh(const ObjectTable& object, const std::string& name, M
                            const Material& material) {
     names_.insert(name);
     if (!object.visible) return;
-    builder_.add(name, divide(std::move(mesh), object.divide), material, object.world_from_object,
+    Object placed = object.placed;
+    placed.name = name;
+    builder_.add(std::move(placed), divide(std::move(mesh), object.divide), material,
                  {*object.table.file, object.table.line});
 }
 

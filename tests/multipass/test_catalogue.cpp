@@ -32,8 +32,10 @@ TEST(Catalogue, PrintsTestsBlendingAndLights) {
         to_string(diffuse_pass),
         "diffuse     (Ka=0, Kd=object, Ks=0, Ke=0, Map=diffuse map); lights each; depth Equal, no update; "
         "stencil Equal 0; blend One One");
-    EXPECT_EQ(to_string(depth_pass),
-              "depth       (Ka=0, Kd=0, Ks=0, Ke=0, Map=none); depth Less, update; clear; no colour");
+    EXPECT_EQ(
+        to_string(depth_pass),
+        "depth       (Ka=0, Kd=0, Ks=0, Ke=0, Map=none); depth Less, update; clear color, depth, stencil; no "
+        "colour");
 }
 
 TEST(Words, AreAllDifferent) {

@@ -1,0 +1,155 @@
+// Superposed pictures: where the samples lie, and what their mean is.
+#include "multipass/superpose.h"
+
+#include "gw/error.h"
+#include "multipass/driver.h"
+#include "scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace gw::multipass {
+namespace {
+
+constexpr int size = 16;
+
+/// A white square on black; its left edge is at x = 4.25 pixels, its right one at 12.25.
+scene::Scene shifted_square() {
+    scene::Scene s;
+    add_square(s, "white", {.Ka = vec3(0), .Kd = vec3(0), .Ke = vec3(1)}, {0.0625, 0, 0});
+    s.camera = scene::Camera{.eye = {0, 0, 5}, .near_plane = 1, .far_plane = 9, .ortho_height = 4};
+    return s;
+}
+
+Planes drawn(const scene::Scene& s, const Profile& profile, int samples) {
+    const auto machine = make_reference(profile, size, size);
+    render(*machine, s, scene::make_view(s, size, size), {.samples = samples});
+    return machine->planes();
+}
+
+std::vector<JitterState> positions(std::size_t count, int bits) {
+    std::vector<JitterState> result;
+    for (std::size_t i = 0; i < count; ++i) result.push_back(jitter_of({i, count}, bits));
+    return result;
+}
+
+TEST(Jitter, FillsTheGridOnce) {
+    for (const int bits : {1, 2, 3}) {
+        const int grid = 1 << bits;
+        std::set<std::pair<int, int>> found;
+        for (const JitterState& p : positions(std::size_t(grid) * std::size_t(grid), bits)) {
+            EXPECT_GE(std::min(p.x, p.y), -grid / 2);
+            EXPECT_LT(std::max(p.x, p.y), grid / 2);
+            found.insert({p.x, p.y});
+        }
+        EXPECT_EQ(found.size(), static_cast<std::size_t>(grid * grid));
+    }
+}
+
+TEST(Jitter, HasEveryColumnAndRowAsOftenAsAnyOther) {
+    for (const int count : {8, 16, 32}) {
+        std::map<int, int> columns, rows;
+        for (const JitterState& p : positions(std::size_t(count), 3)) {
+            ++columns[p.x];
+            ++rows[p.y];
+        }
+        for (int i = -4; i < 4; ++i) {
+            EXPECT_EQ(columns[i], count / 8);
+            EXPECT_EQ(rows[i], count / 8);
+        }
+    }
+}
+
+TEST(Spread, HasOnePointInEachStripeForEveryKind) {
+    for (const std::size_t count : {1u, 2u, 7u, 16u, 100u})
+        for (unsigned kind = 0; kind < 12; ++kind) {
+            std::set<int> columns, rows;
+            for (std::size_t i = 0; i < count; ++i) {
+                const dvec2 p = spread({i, count}, kind);
+                EXPECT_TRUE(p.x > 0 && p.x < 1 && p.y > 0 && p.y < 1);
+                columns.insert(int(p.x * double(count)));
+                rows.insert(int(p.y * double(count)));
+            }
+            EXPECT_EQ(columns.size(), count);
+            const bool power_of_two = (count & (count - 1)) == 0;
+            EXPECT_TRUE(!power_of_two || rows.size() == count);
+        }
+}
+
+TEST(Spread, OrdersItsKindsDifferently) {
+    int same = 0;
+    for (std::size_t i = 0; i < 64; ++i) same += spread({i, 64}, 1) == spread({i, 64}, 2);
+    EXPECT_LT(same, 8);
+}
+
+TEST(OnDisc, KeepsAreas) {
+    // Of points evenly spread over the square, a quarter falls into half the radius.
+    int inner = 0;
+    for (int i = 0; i < 100; ++i)
+        for (int j = 0; j < 100; ++j) {
+            const dvec2 p = on_disc({(i + 0.5) / 100, (j + 0.5) / 100});
+            const double r2 = p.x * p.x + p.y * p.y;
+            EXPECT_LT(r2, 1);
+            inner += r2 < 0.25;
+        }
+    EXPECT_EQ(inner, 2500);
+}
+
+TEST(Superpose, OneIsThePictureAsItIs) {
+    const auto machine = make_reference(vgx(), size, size);
+    const scene::Scene s = shifted_square();
+    Superposition said = render(*machine, s, scene::make_view(s, size, size), {});
+    EXPECT_EQ(said.samples, 1);
+    for (const PassReport& pass : machine->passes()) EXPECT_NE(pass.name, "return");
+}
+
+TEST(Superpose, CountsThePositionsThatCoverThePixel) {
+    const auto row = drawn(shifted_square(), vgx(), 64).color;
+    const auto red = [&](int x) { return row[static_cast<std::size_t>(8 * size + x)][0]; };
+    // Pixel 4 (centre 4.5) is covered where 4.25 + j/8 <= 4.5, j = -4 .. 2; pixel 12 where 12.25 + j/8
+    // > 12.5, j = 3.
+    EXPECT_EQ(red(3), 0);
+    EXPECT_EQ(red(4), 223);  // 255 7/8
+    EXPECT_EQ(red(5), 255);
+    EXPECT_EQ(red(11), 255);
+    EXPECT_EQ(red(12), 32);  // 255 1/8
+    EXPECT_EQ(red(13), 0);
+}
+
+TEST(Superpose, KeepsAnEvenColourForEveryCount) {
+    EXPECT_EQ(most_pictures(vgx()), 128);
+    EXPECT_EQ(most_pictures(reality()), 2048);
+    EXPECT_EQ(most_pictures(ideal()), 32768);
+    for (const int count : {2, 3, 7, 100, 128, 129, 256})
+        EXPECT_EQ(drawn(shifted_square(), vgx(), count).color[8 * size + 8], (Rgba{255, 255, 255, 255}))
+            << count;
+}
+
+TEST(Superpose, MoreThanTheAccumulationBufferHoldsAreMeansOfGroups) {
+    EXPECT_EQ(superposition(vgx(), 128, 0).groups, 1);
+    const Superposition two = superposition(vgx(), 129, 0);
+    EXPECT_EQ(two.groups, 2);
+    EXPECT_EQ(two.samples, 130) << "groups of one size";
+    EXPECT_EQ(superposition(vgx(), 256, 0).samples, 256);
+    EXPECT_EQ(superposition(reality(), 256, 0).groups, 1);
+    EXPECT_EQ(superposition(vgx(), 100, 4).groups, 4) << "32 pictures of 4 images";
+    // On the whole grid the means of two groups of 128 are those of one of 64.
+    EXPECT_EQ(drawn(shifted_square(), vgx(), 256).color, drawn(shifted_square(), vgx(), 64).color);
+    EXPECT_THROW(superposition(vgx(), 128 * 128 + 1, 0), Error);
+    EXPECT_THROW(superposition(vgx(), 0, 0), Error);
+}
+
+TEST(Superpose, NeverOverflows) {
+    for (const int count : {128, 129, 256}) {
+        const auto machine = make_reference(vgx(), size, size);
+        const scene::Scene s = shifted_square();
+        render(*machine, s, scene::make_view(s, size, size), {.samples = count});
+        for (const PassReport& pass : machine->passes())
+            EXPECT_EQ(pass.counters.accum_overflows, 0u) << pass.name;
+    }
+}
+
+}  // namespace
+}  // namespace gw::multipass
