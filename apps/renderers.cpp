@@ -1,5 +1,6 @@
 #include "apps/renderers.h"
 
+#include "gw/error.h"
 #include "hiddensurface/scan_line_renderer.h"
 #include "multipass/driver.h"
 
@@ -17,7 +18,8 @@ Renderer in_passes(std::string name, std::string about, multipass::Renderer whic
             which};
 }
 
-void draw_scan_lines(Machine& machine, const scene::Scene& scene, const scene::View& view) {
+void draw_scan_lines(Machine& machine, const scene::Scene& scene, const scene::View& view, int samples) {
+    if (samples > 1) throw Error("the scan-line renderer takes one sample a pixel; expected --samples 1");
     machine.execute(hiddensurface::scan_line_picture(scene, view, machine.profile()));
 }
 
