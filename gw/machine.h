@@ -60,7 +60,8 @@ void check_window(int width, int height);
 /// The manual in code: one fragment at a time. Throws Error for a window outside 1 .. max_window_size.
 std::unique_ptr<Machine> make_reference(const Profile& profile, int width, int height);
 
-/// The vector instruction set that the fast machine uses on this processor, in Highway's words ("AVX3", "SCALAR").
+/// The vector instruction set that the fast machine uses on this processor, in Highway's words ("AVX3",
+/// "SCALAR").
 std::string simd_target();
 
 struct FastOptions {
