@@ -1,5 +1,6 @@
 #include "apps/frame_files.h"
 
+#include "apps/counters_table.h"
 #include "apps/digesting_machine.h"
 #include "apps/manifest.h"
 #include "image/planes.h"
@@ -34,7 +35,9 @@ std::vector<Rgba> component(const Drawing& drawing, const multipass::ComponentLi
                             const scene::View& view, Machine& machine) {
     scene::Scene scene = drawing.scene;
     if (!list.background) scene.background = vec3(0);
-    multipass::render(machine, scene, view, {.passes = list.passes, .samples = drawing.options.samples});
+    multipass::Options options = driver_options(drawing.options);
+    options.passes = list.passes;
+    multipass::render(machine, scene, view, options);
     return machine.planes().color;
 }
 
@@ -42,7 +45,8 @@ void put_components(const Drawing& drawing, Machine& machine, const scene::View&
                     const image::Picture& sum, const FrameFiles& files, image::OutputSet& output) {
     const std::string extension = files.picture.extension().string();
     std::set<std::string> taken{"sum"};
-    const multipass::PassList passes = multipass::passes_for(drawing.scene, *drawing.renderer.passes);
+    const multipass::PassList passes =
+        multipass::passes_for(drawing.scene, *drawing.renderer.passes, drawing.options.translucency);
     for (const multipass::ComponentList& list : multipass::component_lists(drawing.scene, passes)) {
         image::put_picture(output.add(files.components / (file_name(list.name, taken) + extension)),
                            picture_of(drawing, component(drawing, list, view, machine), files.tone));
@@ -62,7 +66,7 @@ void put_planes(const Drawing& drawing, Machine& machine, const scene::View& vie
 }  // namespace
 
 void draw(const Drawing& drawing, const scene::View& view, Machine& machine) {
-    drawing.renderer.draw(machine, drawing.scene, view, drawing.options.samples);
+    drawing.renderer.draw(machine, drawing.scene, view, driver_options(drawing.options));
 }
 
 void draw_frame(const Drawing& drawing, const FrameFiles& files) {
@@ -80,6 +84,8 @@ void draw_frame(const Drawing& drawing, const FrameFiles& files) {
         draw(drawing, view, digesting);
         output.add(files.manifest).write_text(manifest(drawing, view, *machine));
     }
+    if (!files.counters.empty())
+        output.add(files.counters).write_text(totals_json(machine->passes()).dump(2) + "\n");
     const image::Picture picture = picture_of(drawing, machine->planes().color, files.tone);
     image::put_picture(output.add(files.picture), picture);
     if (!files.planes.empty()) put_planes(drawing, *machine, view, files, output);

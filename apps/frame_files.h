@@ -1,5 +1,5 @@
-// One frame of a drawing, and the files that are asked for: picture, components, planes, manifest. All or
-// none appear. Does not parse options.
+// One frame of a drawing, and the files that are asked for: picture, components, planes, manifest, counters.
+// All or none appear. Does not parse options.
 #pragma once
 
 #include "apps/picture_options.h"
@@ -12,7 +12,7 @@ namespace gw::apps {
 
 /// Names of files and folders; an empty one is not wanted.
 struct FrameFiles {
-    std::filesystem::path picture, components, planes, manifest;
+    std::filesystem::path picture, components, planes, manifest, counters;
     image::Tone tone;  ///< of the picture and the components
 };
 

@@ -78,7 +78,7 @@ void add_output_options(CLI::App& command, HiddenOptions& options) {
 
 void add_options(CLI::App& command, HiddenOptions& options) {
     add_picture_options(command, options.picture);
-    for (const char* option : {"--renderer", "--samples"}) command.remove_option(command.get_option(option));
+    remove_pass_options(command);
     command.get_option("--size")->description("Pixels, both sides 1..4096 (default 320x240)");
     command
         .add_option_function<std::string>(

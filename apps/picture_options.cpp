@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 namespace gw::apps {
 
 namespace {
@@ -59,6 +61,34 @@ void add_machine_options(CLI::App& command, PictureOptions& options) {
         ->type_name("NAME|FILE.toml");
 }
 
+// An option whose words stand for values.
+template <class Value, class Target>
+void add_choice(CLI::App& command, const std::string& name, std::map<std::string, Value> words,
+                Target& target, const std::string& help) {
+    std::vector<std::string> known;
+    for (const auto& [word, value] : words) known.push_back(word);
+    command
+        .add_option_function<std::string>(
+            name, [=, &target](const std::string& word) { target = words.at(one_of(name, word, known)); },
+            help)
+        ->type_name("NAME");
+}
+
+void add_effect_options(CLI::App& command, PictureOptions& options) {
+    using enum multipass::Translucency;
+    add_choice(
+        command, "--translucency",
+        std::map<std::string, multipass::Translucency>{
+            {"sorted", Sorted}, {"unsorted", Unsorted}, {"layers", Layers}},
+        options.translucency,
+        "Translucent faces: sorted by distance (default), unsorted, or in exact layers pixel by pixel");
+    add_choice(
+        command, "--shadow",
+        std::map<std::string, scene::Shadow>{
+            {"none", scene::Shadow::None}, {"volume", scene::Shadow::Volume}, {"map", scene::Shadow::Map}},
+        options.shadow, "none, volume or map, for all lights that cast shadows (default: the scene's)");
+}
+
 std::vector<std::string> profile_names() {
     std::vector<std::string> names;
     for (const Profile& profile : profiles()) names.push_back(profile.name);
@@ -84,7 +114,13 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         ->type_name("WxH");
     add_machine_options(command, options);
     add_camera_options(command, options);
+    add_effect_options(command, options);
     command.add_flag("--quiet", options.quiet, "No progress, no warnings");
+}
+
+void remove_pass_options(CLI::App& command) {
+    for (const char* option : {"--renderer", "--samples", "--translucency", "--shadow"})
+        command.remove_option(command.get_option(option));
 }
 
 scene::Scene load_scene(const PictureOptions& options) {
@@ -101,7 +137,13 @@ scene::Scene load_scene(const PictureOptions& options) {
     scene::add_defaults(scene, options.size.width, options.size.height);
     scene.camera = scene::override_camera(*scene.camera, options.camera);
     if (options.up) scene.camera->up = *options.up;
+    for (scene::Light& light : scene.lights)
+        if (options.shadow && light.shadow != scene::Shadow::None) light.shadow = *options.shadow;
     return std::move(scene);
+}
+
+multipass::Options driver_options(const PictureOptions& options) {
+    return {.translucency = options.translucency, .samples = options.samples};
 }
 
 Profile load_profile(const PictureOptions& options) {

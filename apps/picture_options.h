@@ -4,6 +4,7 @@
 
 #include "apps/words.h"
 #include "gw/machine.h"
+#include "multipass/options.h"
 #include "scene/fit.h"
 #include "scene/scene.h"
 #include "scene/view.h"
@@ -25,6 +26,8 @@ struct PictureOptions {
     std::string machine;  ///< empty: the first of machines()
     int threads = 0;      ///< 0: all
     int samples = 1;
+    multipass::Translucency translucency = multipass::Translucency::Sorted;
+    std::optional<scene::Shadow> shadow;  ///< of all lights that cast one
     scene::CameraOverrides camera;
     std::optional<dvec3> up;
     bool quiet = false;
@@ -32,10 +35,15 @@ struct PictureOptions {
 
 /// Adds SCENE and the options. The wording is checked while parsing, files are not looked at.
 void add_picture_options(CLI::App& command, PictureOptions& options);
+/// For a command that chooses renderer and passes itself: takes their options away again.
+void remove_pass_options(CLI::App& command);
 
 /// Reads the scene and its textures, fits what it leaves open, applies the camera options. Warnings of the
 /// readers go to stderr unless quiet. Throws Error.
 scene::Scene load_scene(const PictureOptions& options);
+
+/// What of the options the driver of the passes asks for.
+multipass::Options driver_options(const PictureOptions& options);
 
 /// A built-in profile by name, or one from a TOML file. Throws UsageError where it cannot hold so many
 /// samples.

@@ -60,7 +60,21 @@ void add_options(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--manifest", options.files.manifest, "Also counters and digests of every pass, as JSON")
         ->type_name("FILE");
+    command
+        .add_option("--counters", options.files.counters,
+                    "Also how often each pass ran and what it counted, as JSON")
+        ->type_name("FILE");
     add_tone_options(command, options.files.tone);
+}
+
+void check_different(const FrameFiles& files) {
+    const std::pair<const char*, const std::filesystem::path&> all[] = {
+        {"--output", files.picture}, {"--manifest", files.manifest}, {"--counters", files.counters}};
+    for (auto a = std::begin(all); a != std::end(all); ++a)
+        for (auto b = std::begin(all); b != a; ++b)
+            if (!a->second.empty() && a->second == b->second)
+                throw UsageError(
+                    fmt::format("{} and {} are the same file; expected two", a->first, b->first));
 }
 
 // What is wrong with the words alone is usage. Files that cannot be written are found before long work.
@@ -77,19 +91,20 @@ void check(const RenderOptions& options) {
     } catch (const Error& error) {
         throw UsageError(error.what());
     }
-    const bool more_files = !files.components.empty() || !files.planes.empty() || !files.manifest.empty();
+    const bool more_files = !files.components.empty() || !files.planes.empty() || !files.manifest.empty() ||
+                            !files.counters.empty();
     if (options.turntable > 0 && more_files) {
         throw UsageError(
-            "--turntable cannot go with --components, --planes or --manifest; expected one picture for "
-            "these");
+            "--turntable cannot go with --components, --planes, --manifest or --counters; expected one "
+            "picture for these");
     }
-    if (files.manifest == files.picture)
-        throw UsageError("--manifest and --output are the same file; expected two");
+    check_different(files);
     if (!files.components.empty() && !renderer_named(options.picture.renderer).passes) {
         throw UsageError("--components: renderer " + options.picture.renderer +
                          " has none; expected hardware or multipass");
     }
-    if (!files.manifest.empty()) image::check_target(files.manifest);
+    for (const auto& file : {files.manifest, files.counters})
+        if (!file.empty()) image::check_target(file);
 }
 
 // "rings.png" becomes "rings_007.png".

@@ -12,14 +12,18 @@ namespace {
 
 Renderer in_passes(std::string name, std::string about, multipass::Renderer which) {
     return {std::move(name), std::move(about),
-            [which](Machine& machine, const scene::Scene& scene, const scene::View& view, int samples) {
-                multipass::render(machine, scene, view, {.renderer = which, .samples = samples});
+            [which](Machine& machine, const scene::Scene& scene, const scene::View& view,
+                    multipass::Options options) {
+                options.renderer = which;
+                multipass::render(machine, scene, view, options);
             },
             which};
 }
 
-void draw_scan_lines(Machine& machine, const scene::Scene& scene, const scene::View& view, int samples) {
-    if (samples > 1) throw Error("the scan-line renderer takes one sample a pixel; expected --samples 1");
+void draw_scan_lines(Machine& machine, const scene::Scene& scene, const scene::View& view,
+                     const multipass::Options& options) {
+    if (options.samples > 1)
+        throw Error("the scan-line renderer takes one sample a pixel; expected --samples 1");
     machine.execute(hiddensurface::scan_line_picture(scene, view, machine.profile()));
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gw/machine.h"
-#include "multipass/passes.h"
+#include "multipass/options.h"
 #include "scene/scene.h"
 #include "scene/view.h"
 
@@ -17,9 +17,9 @@ namespace gw::apps {
 struct Renderer {
     std::string name;
     std::string about;  ///< a few words for --help
-    /// The picture, the mean of at least `samples`, is in the machine's colour plane afterwards; the view is
-    /// as large as its window.
-    std::function<void(Machine&, const scene::Scene&, const scene::View&, int samples)> draw;
+    /// The picture is in the machine's colour plane afterwards; the view is as large as its window. Of the
+    /// options, `renderer` and `passes` are its own.
+    std::function<void(Machine&, const scene::Scene&, const scene::View&, const multipass::Options&)> draw;
     /// Whose pass list it draws, where it draws one: only then there are passes and components to show.
     std::optional<multipass::Renderer> passes;
 };

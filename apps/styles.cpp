@@ -90,8 +90,7 @@ Command add_styles(CLI::App& app) {
                                            "removed; shaded, with shadows, with texture");
     const auto options = std::make_shared<StylesOptions>();
     add_picture_options(*command, options->picture);
-    for (const char* option : {"--renderer", "--samples"})
-        command->remove_option(command->get_option(option));
+    remove_pass_options(*command);
     command->get_option("--size")->description(
         "Pixels of each of the six, both sides 1..4096 (default 320x240)");
     command->add_option("-o,--output", options->output, "The figure")->required()->type_name("IMAGE");
