@@ -1,0 +1,229 @@
+// A ray against eight boxes, or eight triangles, at a time. No fused or approximate operation: every target
+// gives the same bits.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raytrace/search.cpp"
+#include <hwy/foreach_target.h>
+
+#include "raytrace/search.h"
+
+#include <hwy/highway.h>
+
+#include <bit>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::raytrace::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::CappedTag<float, width_of_tree>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+
+inline V load(const float* p) { return hn::Load(D(), p); }
+inline V all(float v) { return hn::Set(D(), v); }
+
+/// Bit i of the result: lane i.
+inline unsigned bits_of(M mask) {
+    alignas(8) std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(D(), mask, bytes);
+    return bytes[0];
+}
+
+/// What is computed once a ray.
+struct Prepared {
+    float low, high;           ///< high shrinks to the nearest hit
+    float origin[3], over[3];  ///< over: 1 / direction, finite
+    int near_side[3];          ///< of a box: 0 low, 1 high
+    int kx, ky, kz;            ///< z: the direction's longest axis
+    float sx, sy, sz;          ///< shear that turns the direction into +z
+    std::uint32_t skip;
+};
+
+/// The margin of the boxes: more than three roundings here and those of a triangle's t.
+constexpr float margin = 1.0f + 0x1p-18f;
+
+inline Prepared prepare(const HierarchyRay& ray) {
+    Prepared r;
+    r.low = ray.low;
+    r.high = ray.high;
+    r.skip = ray.skip;
+    r.kz = 0;
+    for (int k = 0; k < 3; ++k) {
+        const float d = ray.direction[k];
+        r.origin[k] = ray.origin[k];
+        r.near_side[k] = std::signbit(d) ? 1 : 0;
+        r.over[k] = 1.0f / (std::abs(d) < 1e-18f ? std::copysign(1e-18f, d) : d);
+        if (std::abs(d) > std::abs(ray.direction[r.kz])) r.kz = k;
+    }
+    r.kx = (r.kz + 1) % 3;
+    r.ky = (r.kz + 2) % 3;
+    const float dz = ray.direction[r.kz];
+    r.sx = ray.direction[r.kx] / dz;
+    r.sy = ray.direction[r.ky] / dz;
+    r.sz = 1.0f / dz;
+    return r;
+}
+
+/// The boxes met: a bit for each, and where the ray enters them.
+inline unsigned meet_boxes(const WideNode& node, const Prepared& r, float* enter) {
+    const D d;
+    unsigned met = 0;
+    for (int i = 0; i < width_of_tree; i += int(hn::Lanes(d))) {
+        V from = all(r.low), to = all(r.high);
+        for (int k = 0; k < 3; ++k) {
+            const V origin = all(r.origin[k]), over = all(r.over[k]);
+            const int side = r.near_side[k];
+            from = hn::Max(from, hn::Mul(hn::Sub(load(node.bound[k][side] + i), origin), over));
+            to = hn::Min(to, hn::Mul(hn::Sub(load(node.bound[k][1 - side] + i), origin), over));
+        }
+        hn::Store(from, d, enter + i);
+        met |= bits_of(hn::Le(from, hn::Mul(to, all(margin)))) << i;
+    }
+    return met;
+}
+
+/// Edge functions of one triangle whose float values were 0: products of float32 are exact in double, so that
+/// the difference has the right sign.
+inline void edges_in_double(const float* x, const float* y, float* edge) {
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        edge[i] = float(double(x[k]) * double(y[j]) - double(y[k]) * double(x[j]));
+    }
+}
+
+/// One triangle again, in double where an edge function is 0. Returns whether it is met, and t.
+inline bool meet_again(const V* x, const V* y, const V* z, const V* edge, int lane, float& t) {
+    alignas(32) float lanes[width_of_tree];
+    float fx[3], fy[3], fz[3], e[3];
+    const auto take = [&](V v) {
+        hn::Store(v, D(), lanes);
+        return lanes[lane];
+    };
+    for (int c = 0; c < 3; ++c)
+        fx[c] = take(x[c]), fy[c] = take(y[c]), fz[c] = take(z[c]), e[c] = take(edge[c]);
+    if (e[0] == 0 || e[1] == 0 || e[2] == 0) edges_in_double(fx, fy, e);
+    if ((e[0] < 0 || e[1] < 0 || e[2] < 0) && (e[0] > 0 || e[1] > 0 || e[2] > 0)) return false;
+    const float sum = (e[0] + e[1]) + e[2];
+    if (sum == 0) return false;
+    t = ((e[0] * fz[0] + e[1] * fz[1]) + e[2] * fz[2]) / sum;
+    return true;
+}
+
+/// Woop, Benthin, Wald 2013. Shrinks r.high and sets `found` to the nearest so far; any: the first will do.
+template <bool any>
+inline bool meet_triangles(const TrianglePacket& packet, int count, Prepared& r, HierarchyHit& found) {
+    const D d;
+    const V zero = hn::Zero(d);
+    for (int i = 0; i < count; i += int(hn::Lanes(d))) {
+        V x[3], y[3], z[3];
+        for (int c = 0; c < 3; ++c) {
+            const V along = hn::Sub(load(packet.corner[c][r.kz] + i), all(r.origin[r.kz]));
+            x[c] = hn::Sub(hn::Sub(load(packet.corner[c][r.kx] + i), all(r.origin[r.kx])),
+                           hn::Mul(all(r.sx), along));
+            y[c] = hn::Sub(hn::Sub(load(packet.corner[c][r.ky] + i), all(r.origin[r.ky])),
+                           hn::Mul(all(r.sy), along));
+            z[c] = hn::Mul(all(r.sz), along);
+        }
+        const auto edge_of = [&](int a, int b) { return hn::Sub(hn::Mul(x[b], y[a]), hn::Mul(y[b], x[a])); };
+        const V edge[3] = {edge_of(1, 2), edge_of(2, 0), edge_of(0, 1)};
+        const V least = hn::Min(edge[0], hn::Min(edge[1], edge[2]));
+        const V most = hn::Max(edge[0], hn::Max(edge[1], edge[2]));
+        unsigned met = bits_of(hn::Or(hn::Ge(least, zero), hn::Le(most, zero)));
+        met &= (1u << (count - i)) - 1;
+        if (met == 0) continue;
+        const V sum = hn::Add(hn::Add(edge[0], edge[1]), edge[2]);
+        const V scaled =
+            hn::Add(hn::Add(hn::Mul(edge[0], z[0]), hn::Mul(edge[1], z[1])), hn::Mul(edge[2], z[2]));
+        alignas(32) float t_of[width_of_tree];
+        hn::Store(hn::Div(scaled, sum), d, t_of);
+        const auto is_zero = [&](const V& e) { return hn::Eq(e, zero); };
+        const unsigned on_edge =
+            met & bits_of(hn::Or(is_zero(edge[0]), hn::Or(is_zero(edge[1]), is_zero(edge[2]))));
+        for (; met != 0; met &= met - 1) {
+            const int lane = std::countr_zero(met);
+            float t = t_of[lane];
+            if ((on_edge >> lane & 1) && !meet_again(x, y, z, edge, lane, t)) continue;
+            const std::size_t at = std::size_t(i + lane);
+            if (!(t > r.low) || packet.polygon[at] == r.skip) continue;
+            if constexpr (any) {
+                if (t < r.high) return true;
+            } else if (t < r.high || (t == r.high && packet.triangle[at] < found.triangle &&
+                                      found.triangle != no_polygon)) {
+                r.high = t;
+                found = {t, packet.triangle[at]};
+            }
+        }
+    }
+    return false;
+}
+
+/// A child to visit, and where the ray enters it.
+struct Visit {
+    std::uint32_t child;
+    float enter;
+};
+
+/// Every level leaves at most seven children behind.
+constexpr int stack_size = deepest * (width_of_tree - 1) + 1;
+
+template <bool any>
+inline HierarchyHit search(const WideTree& tree, const HierarchyRay& ray) {
+    HierarchyHit found{0, no_polygon};
+    if (tree.nodes.empty()) return found;
+    Prepared r = prepare(ray);
+    alignas(32) float enter[width_of_tree];
+    Visit stack[stack_size];
+    int top = 0;
+    std::uint32_t child = 0;
+    for (;;) {
+        if (child & leaf_bit) {
+            if (meet_triangles<any>(tree.packets[packet_of_leaf(child)], count_of_leaf(child), r, found))
+                return {0, 0};
+        } else {
+            const WideNode& node = tree.nodes[child];
+            unsigned met = meet_boxes(node, r, enter);
+            const int bottom = top;
+            for (; met != 0; met &= met - 1) {
+                const int i = std::countr_zero(met);
+                Visit visit{node.child[i], enter[i]};
+                int at = top++;
+                // Farthest first, so that the nearest is visited next.
+                if constexpr (!any)
+                    for (; at > bottom && stack[at - 1].enter < visit.enter; --at) stack[at] = stack[at - 1];
+                stack[at] = visit;
+            }
+        }
+        do {
+            if (top == 0) return found;
+            --top;
+        } while (stack[top].enter > r.high * margin);
+        child = stack[top].child;
+    }
+}
+
+HierarchyHit nearest(const WideTree& tree, const HierarchyRay& ray) { return search<false>(tree, ray); }
+bool any(const WideTree& tree, const HierarchyRay& ray) {
+    return search<true>(tree, ray).triangle != no_polygon;
+}
+
+}  // namespace gw::raytrace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace gw::raytrace {
+
+HWY_EXPORT(nearest);
+HWY_EXPORT(any);
+
+HierarchyHit search_nearest(const WideTree& tree, const HierarchyRay& ray) noexcept {
+    return HWY_DYNAMIC_DISPATCH(nearest)(tree, ray);
+}
+
+bool search_any(const WideTree& tree, const HierarchyRay& ray) noexcept {
+    return HWY_DYNAMIC_DISPATCH(any)(tree, ray);
+}
+
+}  // namespace gw::raytrace
+
+#endif  // HWY_ONCE
