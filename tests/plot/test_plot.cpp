@@ -73,6 +73,7 @@ TEST(Svg, BreaksALongCaptionAtBlanks) {
     Plot plot = small;
     plot.caption = "";
     for (int i = 0; i < 30; ++i) plot.caption += "fifteen-letters ";
+    plot.caption.pop_back();
     EXPECT_EQ(count(svg(plot), "fifteen-letters</text>"), 5u);
 }
 
