@@ -25,6 +25,12 @@ struct Resolved {
 
 Resolved resolve(const State& state, const Profile& profile, int width, int height);
 
+/// Whether a face's operations leave every stencil value as it is.
+inline bool keeps(const StencilFace& f) {
+    return f.write_mask == 0 ||
+           (f.fail == StencilOp::Keep && f.zfail == StencilOp::Keep && f.zpass == StencilOp::Keep);
+}
+
 /// An empty intersection has width or height 0.
 Rect intersect(const Rect& a, const Rect& b);
 

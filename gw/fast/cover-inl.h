@@ -8,69 +8,39 @@
 #define GW_FAST_COVER_INL_H_
 #endif
 
-#include "gw/fast/planes-inl.h"
+#include "gw/fast/triangles-inl.h"
+#include "gw/fast/walk-inl.h"
 
 #include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Edge functions as vectors: c + a i + b j of a block's 16 lanes.
-struct EdgeLanes {
-    TileEdges edges;
-    alignas(64) std::int32_t lane[3][16];
-};
+/// A triangle's edge functions, moving with the blocks.
+struct EdgeWalk {
+    Linear edge[3];
 
-HWY_INLINE void make_edge_lanes(EdgeLanes& e) {
-    const I32 d;
-    const D32 u;
-    for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-            const auto x = hn::BitCast(d, hn::Load(u, lane_x + i)),
-                       y = hn::BitCast(d, hn::Load(u, lane_y + i));
-            const auto v =
-                hn::Add(hn::Mul(hn::Set(d, e.edges.a[k]), x), hn::Mul(hn::Set(d, e.edges.b[k]), y));
-            hn::Store(v, d, e.lane[k] + i);
-        }
-}
-
-/// Lanes of block (bx, by) whose centres are inside all three edges.
-HWY_INLINE std::uint32_t covered(const EdgeLanes& e, int bx, int by) {
-    const I32 d;
-    const TileEdges& t = e.edges;
-    std::int32_t base[3];
-    for (std::size_t k = 0; k < 3; ++k)
-        base[k] = t.c[k] + t.a[k] * (bx * block_side) + t.b[k] * (by * block_side);
-    std::uint32_t mask = 0;
-    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-        const auto e0 = hn::Add(hn::Set(d, base[0]), hn::Load(d, e.lane[0] + i));
-        const auto e1 = hn::Add(hn::Set(d, base[1]), hn::Load(d, e.lane[1] + i));
-        const auto e2 = hn::Add(hn::Set(d, base[2]), hn::Load(d, e.lane[2] + i));
-        const auto outside = hn::Lt(hn::Or(hn::Or(e0, e1), e2), hn::Zero(d));  // any sign bit
-        mask |= bits_of(D32(), hn::RebindMask(D32(), outside), lanes32) << i;
+    HWY_INLINE void start(const TileEdges& e, int bx, int by) {
+        for (std::size_t k = 0; k < 3; ++k)
+            edge[k].start(std::uint32_t(e.c[k]), std::uint32_t(e.a[k]), std::uint32_t(e.b[k]), bx, by);
     }
-    return ~mask & all_lanes;
-}
-
-/// Pixels of the tile that may be touched: [x0, x1) x [y0, y1).
-struct PixelBounds {
-    int x0, y0, x1, y1;
-    bool empty() const { return x0 >= x1 || y0 >= y1; }
+    HWY_INLINE void next_block() {
+        for (Linear& e : edge) e.next_block();
+    }
+    HWY_INLINE void next_row() {
+        for (Linear& e : edge) e.next_row();
+    }
+    /// Lanes whose centres are inside all three edges: no sign bit is set.
+    HWY_INLINE LaneSet covered() const {
+        const I32 d;
+        LaneSet s;
+        for (std::size_t i = 0; i < parts; ++i) {
+            const auto any = hn::Or(hn::Or(edge[0].at[i], edge[1].at[i]), edge[2].at[i]);
+            s.part[i] = hn::RebindMask(D32(), hn::Not(hn::Lt(hn::BitCast(d, any), hn::Zero(d))));
+        }
+        return s;
+    }
 };
-
-HWY_INLINE PixelBounds bounds_in_tile(const TileDraw& draw, const PrimitiveFrame& f) {
-    const auto [x_low, x_high] = std::minmax({f.x[0], f.x[1], f.x[2]});
-    const auto [y_low, y_high] = std::minmax({f.y[0], f.y[1], f.y[2]});
-    const std::int64_t half = std::int64_t{1} << (f.s - 1);
-    const BlockBox& box = draw.box;
-    const auto clamp = [](std::int64_t v, int low, int high) {
-        return int(std::clamp<std::int64_t>(v, low, high));
-    };
-    return {clamp(((x_low + half - 1) >> f.s) - draw.tile.x, box.x0, box.x1),
-            clamp(((y_low + half - 1) >> f.s) - draw.tile.y, box.y0, box.y1),
-            clamp(((x_high - half) >> f.s) + 1 - draw.tile.x, box.x0, box.x1),
-            clamp(((y_high - half) >> f.s) + 1 - draw.tile.y, box.y0, box.y1)};
-}
 
 /// How a triangle covers a rectangle of pixels, as far as its edges tell.
 enum class Extent { Outside, Partial, Inside };
@@ -90,31 +60,71 @@ HWY_INLINE Extent extent_of(const TileEdges& e, int x0, int y0, int x1, int y1) 
 /// Blocks are visited in groups of 4x4, so that a large triangle's empty and full parts cost next to nothing.
 inline constexpr int group_blocks = 4;
 
-template <class Visit>
-HWY_INLINE void visit_triangle(const TileDraw& draw, const PrimitiveFrame& frame, const Visit& visit) {
-    const PixelBounds b = bounds_in_tile(draw, frame);
-    if (b.empty()) return;
-    EdgeLanes edges;
-    edges.edges = tile_edges(frame, draw.tile);
-    make_edge_lanes(edges);
-    const int bx0 = b.x0 / block_side, bx1 = (b.x1 - 1) / block_side, by0 = b.y0 / block_side,
-              by1 = (b.y1 - 1) / block_side;
-    const bool small = bx1 - bx0 < 2 && by1 - by0 < 2;
-    for (int gy = by0; gy <= by1; gy += group_blocks)
-        for (int gx = bx0; gx <= bx1; gx += group_blocks) {
-            const int ex = std::min(gx + group_blocks - 1, bx1), ey = std::min(gy + group_blocks - 1, by1);
+/// Blocks [x0, x1] x [y0, y1] of a tile.
+struct BlockRange {
+    int x0, y0, x1, y1;
+};
+
+/// Lanes of the box in one block; all, where the box is the whole tile.
+struct BoxLanes {
+    const BlockBox& box;
+    bool whole;
+
+    HWY_INLINE explicit BoxLanes(const TileDraw& draw)
+        : box(draw.box),
+          whole(box.x0 == 0 && box.y0 == 0 && box.x1 == draw.tile.side && box.y1 == draw.tile.side) {}
+    HWY_INLINE void cut(int bx, int by, LaneSet& s) const {
+        if (whole) return;
+        const LaneSet inside = lane_set(box.mask(bx, by));
+        for (std::size_t i = 0; i < parts; ++i) s.part[i] = hn::And(s.part[i], inside.part[i]);
+    }
+};
+
+template <class Walk, class Visit>
+HWY_INLINE void visit_full_blocks(const BoxLanes& box, const BlockRange& r, Walk& walk, const Visit& visit) {
+    for (int by = r.y0; by <= r.y1; ++by, walk.next_row())
+        for (int bx = r.x0; bx <= r.x1; ++bx, walk.next_block()) {
+            LaneSet lanes = lane_set(all_lanes);
+            box.cut(bx, by, lanes);
+            if (!lanes.none()) visit(bx, by, lanes);
+        }
+}
+
+template <class Walk, class Visit>
+HWY_INLINE void visit_covered_blocks(const BoxLanes& box, const TileEdges& edges, const BlockRange& r,
+                                     Walk& walk, const Visit& visit) {
+    EdgeWalk edge;
+    edge.start(edges, r.x0, r.y0);
+    for (int by = r.y0; by <= r.y1; ++by, edge.next_row(), walk.next_row())
+        for (int bx = r.x0; bx <= r.x1; ++bx, edge.next_block(), walk.next_block()) {
+            LaneSet lanes = edge.covered();
+            box.cut(bx, by, lanes);
+            if (!lanes.none()) visit(bx, by, lanes);
+        }
+}
+
+/// Calls visit(bx, by, lanes) for every covered block of one of the triangles; `walk` stands at that block.
+template <class Walk, class Visit>
+HWY_INLINE void visit_triangle(const BoxLanes& box, const Triangles& t, std::size_t i, Walk& walk,
+                               const Visit& visit) {
+    const TileEdges edges = t.edges(i);
+    const BlockRange all{t.x0[i] / block_side, t.y0[i] / block_side, (t.x1[i] - 1) / block_side,
+                         (t.y1[i] - 1) / block_side};
+    if (all.x1 - all.x0 < group_blocks && all.y1 - all.y0 < group_blocks) {
+        walk.start(all.x0, all.y0);
+        return visit_covered_blocks(box, edges, all, walk, visit);
+    }
+    for (int y = all.y0; y <= all.y1; y += group_blocks)
+        for (int x = all.x0; x <= all.x1; x += group_blocks) {
+            const BlockRange group{x, y, std::min(x + group_blocks - 1, all.x1),
+                                   std::min(y + group_blocks - 1, all.y1)};
             const Extent extent =
-                small ? Extent::Partial
-                      : extent_of(edges.edges, gx * block_side, gy * block_side,
-                                  ex * block_side + block_side - 1, ey * block_side + block_side - 1);
+                extent_of(edges, group.x0 * block_side, group.y0 * block_side,
+                          group.x1 * block_side + block_side - 1, group.y1 * block_side + block_side - 1);
             if (extent == Extent::Outside) continue;
-            for (int by = gy; by <= ey; ++by)
-                for (int bx = gx; bx <= ex; ++bx) {
-                    const std::uint32_t inside =
-                        extent == Extent::Inside ? all_lanes : covered(edges, bx, by);
-                    const std::uint32_t mask = inside & draw.box.mask(bx, by);
-                    if (mask != 0) visit(bx, by, mask);
-                }
+            walk.start(x, y);
+            extent == Extent::Inside ? visit_full_blocks(box, group, walk, visit)
+                                     : visit_covered_blocks(box, edges, group, walk, visit);
         }
 }
 
@@ -171,16 +181,23 @@ inline void visit_line_or_point(const TileDraw& draw, const PrimitiveFrame& fram
         point_pixels(draw, frame, s.point_size, pixels);
     for (int block = 0; block < pixels.blocks_per_row * pixels.blocks_per_row; ++block)
         if (pixels.mask[block] != 0)
-            visit(block % pixels.blocks_per_row, block / pixels.blocks_per_row, pixels.mask[block]);
+            visit(block % pixels.blocks_per_row, block / pixels.blocks_per_row, lane_set(pixels.mask[block]));
 }
 
-/// Calls visit(bx, by, mask) for every covered block of a primitive.
-template <class Visit>
-HWY_INLINE void visit_primitive(const TileDraw& draw, const PrimitiveFrame& frame, const Visit& visit) {
-    if (frame.kind == MeshKind::Triangles)
-        visit_triangle(draw, frame, visit);
-    else
-        visit_line_or_point(draw, frame, visit);
+/// Hands on a bin in its order: triangles in batches, lines and points one by one.
+template <class Batch, class Single>
+HWY_INLINE void walk_bin(const TileDraw& draw, std::span<const std::uint32_t> bin, const Batch& triangles,
+                         const Single& other) {
+    const auto& primitives = draw.op->set->primitives;
+    const auto is_triangle = [&](std::uint32_t ordinal) {
+        return primitives[ordinal].kind == MeshKind::Triangles;
+    };
+    while (!bin.empty()) {
+        std::size_t n = 0;
+        while (n < std::min(bin.size(), Triangles::room) && is_triangle(bin[n])) ++n;
+        n == 0 ? other(bin[0]) : triangles(bin.first(n));
+        bin = bin.subspan(std::max<std::size_t>(n, 1));
+    }
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

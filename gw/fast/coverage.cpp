@@ -19,11 +19,6 @@ void Coverage::clear() {
 
 namespace {
 
-bool keeps(const StencilFace& f) {
-    return f.write_mask == 0 ||
-           (f.fail == StencilOp::Keep && f.zfail == StencilOp::Keep && f.zpass == StencilOp::Keep);
-}
-
 bool may_share(const DrawOp& op) {
     const State& s = op.state.state;
     return s.depth.func == DepthFunc::Equal && s.alpha.func == AlphaFunc::Always && keeps(op.state.front) &&

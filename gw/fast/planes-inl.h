@@ -9,7 +9,7 @@
 #endif
 
 #include "gw/fast/fragments-inl.h"
-#include "gw/fast/setup.h"
+#include "gw/fast/primitive.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -50,6 +50,12 @@ HWY_INLINE hn::Vec<F32> to_floats(V32 v) { return hn::ConvertTo(F32(), hn::BitCa
 
 HWY_INLINE hn::Vec<F32> reciprocal_lanes(const TilePlane& q, Pixels at) {
     return hn::Div(hn::Set(F32(), 1.0f), to_floats(wide_plane(q, at)));
+}
+
+/// Polygon offset: depths stay in [0, max_depth].
+HWY_INLINE void offset_depths(std::int64_t offset, std::uint32_t max_depth, DepthBlock& depth) {
+    for (std::uint32_t& z : depth.value)
+        z = std::uint32_t(std::clamp<std::int64_t>(z + offset, 0, max_depth));
 }
 
 HWY_INLINE void store16(V32 v, std::uint16_t* p) { hn::Store(narrow(v), Half16(), p); }

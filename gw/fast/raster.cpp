@@ -12,54 +12,124 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// A primitive in a tile, its planes made when the first of its fragments needs them.
+/// Room for the planes of one primitive at a time.
+struct PlanesRoom {
+    ColorPlanes color;
+    TexturePlanes texture;
+};
+
+/// A primitive in a tile; the planes of its colour are made when the first of its fragments needs them.
 struct Primitive {
     const TileDraw& draw;
-    const SetupPrimitive& setup;
-    const PrimitiveFrame& frame;
-    ColorPlanes& color;  ///< room that one draw's primitives share
-    TexturePlanes& texture;
+    std::uint32_t ordinal;
+    PlanesRoom& planes;
+    OpCounts& counts;
     DepthPlane depth{};
-    bool has_depth = false, has_color = false;
+    bool has_color = false;
 
-    HWY_INLINE const DepthBlock& depth_of(int bx, int by, DepthBlock& out) {
-        if (!has_depth) depth = depth_plane(draw, setup, frame);
-        has_depth = true;
-        shade_depth(depth, max_of_bits(draw.profile->depth_bits), bx, by, out);
-        return out;
-    }
+    const SetupPrimitive& setup() const { return draw.op->set->primitives[ordinal]; }
+
     HWY_INLINE const ColorBlock& color_of(int bx, int by, ShadeInputs& in) {
         if (!has_color) {
-            make_color_planes(draw, setup, frame, color);
-            if (draw.op->texels) make_texture_planes(draw, setup, frame, texture);
+            const PrimitiveFrame frame = frame_of(draw, ordinal);
+            make_color_planes(draw, setup(), frame, planes.color);
+            if (draw.op->texels) make_texture_planes(draw, setup(), frame, planes.texture);
         }
         has_color = true;
-        shade_inputs(color, texture, draw, bx, by, all_lanes, in);
+        shade_inputs(planes.color, planes.texture, draw, bx, by, all_lanes, in);
         return shaded(draw, in);
     }
 };
 
-/// A covered block: depth, then the stages, which ask for the colour when they need it.
-HWY_INLINE void paint_block(Primitive& p, int bx, int by, std::uint32_t mask) {
-    const DrawOp& op = *p.draw.op;
-    DepthBlock depth;
+HWY_INLINE bool needs_depth(const DrawOp& op) {
+    return op.state.state.depth.func != DepthFunc::Always || op.state.state.depth.mask;
+}
+
+/// A covered block on its way through the stages, which ask for the colour when they need it.
+HWY_INLINE void paint_block(Primitive& p, const DepthBlock& depth, int bx, int by, const LaneSet& lanes) {
     ShadeInputs inputs;
-    if (op.state.state.depth.func != DepthFunc::Always || op.state.state.depth.mask)
-        p.depth_of(bx, by, depth);
-    run_fragments(op.state, p.setup.front != 0, depth, p.draw.tile, p.draw.tile.block(bx, by), mask,
-                  *p.draw.counts, [&]() -> const ColorBlock& { return p.color_of(bx, by, inputs); });
+    run_fragments(p.draw.op->state, p.setup().front != 0, depth, p.draw.tile, p.draw.tile.block(bx, by),
+                  lanes.bits(), p.counts, [&]() -> const ColorBlock& { return p.color_of(bx, by, inputs); });
+}
+
+void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, PlanesRoom& planes,
+                    OpCounts& counts) {
+    Triangles t;
+    const BoxLanes box(draw);
+    set_up_triangles(draw, bin, needs_depth(*draw.op), t);
+    for (std::size_t i = 0; i < t.count; ++i) {
+        if (t.empty(i)) continue;
+        Primitive p{draw, bin[i], planes, counts};
+        const DepthPlane plane = depth_of(draw, t, i);
+        DepthWalk walk{plane, max_of_bits(draw.profile->depth_bits), {}};
+        visit_triangle(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
+            DepthBlock depth;
+            walk.store(depth);
+            paint_block(p, depth, bx, by, lanes);
+        });
+    }
+}
+
+void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, PlanesRoom& planes, OpCounts& counts) {
+    const PrimitiveFrame frame = frame_of(draw, ordinal);
+    Primitive p{draw, ordinal, planes, counts};
+    const DepthPlane plane = depth_plane(draw, p.setup(), frame);
+    visit_line_or_point(draw, frame, [&](int bx, int by, const LaneSet& lanes) {
+        DepthBlock depth;
+        shade_depth(plane, max_of_bits(draw.profile->depth_bits), bx, by, depth);
+        paint_block(p, depth, bx, by, lanes);
+    });
+}
+
+/// Depths of 16 triangles' blocks against the stored ones: all that a depth pass or a shadow map does.
+void draw_depth(const TileDraw& draw, std::span<const std::uint32_t> bin, OpCounts& counts) {
+    const D32 d;
+    const DepthState& state = draw.op->state.state.depth;
+    Triangles t;
+    LaneCounter made, written;
+    const BoxLanes box(draw);
+    set_up_triangles(draw, bin, true, t);
+    for (std::size_t i = 0; i < t.count; ++i) {
+        if (t.empty(i)) continue;
+        const DepthPlane plane = depth_of(draw, t, i);
+        DepthWalk walk{plane, 0, {}};
+        visit_triangle(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
+            DepthBlock& stored = draw.tile.depth[draw.tile.block(bx, by)];
+            LaneSet alive;
+            for (std::size_t k = 0; k < parts; ++k) {
+                std::uint32_t* to = stored.value + k * lanes32;
+                const auto z = walk.walk.at(k);
+                alive.part[k] = hn::And(lanes.part[k], compare_lanes(d, state.func, z, hn::Load(d, to)));
+                if (state.mask) hn::BlendedStore(z, alive.part[k], d, to);
+            }
+            made.add(lanes);
+            written.add(alive);
+        });
+    }
+    counts.fragments += made.total();
+    counts.written += written.total();
+    counts.depth_killed += made.total() - written.total();
+}
+
+/// Whether a draw only tests and writes depth.
+HWY_INLINE bool is_depth_only(const Resolved& r) {
+    const auto idle = [](const StencilFace& f) { return f.func == StencilFunc::Always && keeps(f); };
+    return !r.writes_color && r.state.alpha.func == AlphaFunc::Always && idle(r.front) && idle(r.back) &&
+           !r.state.polygon_offset.enable;
 }
 
 /// Draws the primitives of a bin in order.
 void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
-    ColorPlanes color;
-    TexturePlanes texture;
-    for (const std::uint32_t ordinal : bin) {
-        const PrimitiveFrame frame = frame_of(draw, ordinal);
-        Primitive p{draw, draw.op->set->primitives[ordinal], frame, color, texture};
-        visit_primitive(draw, frame,
-                        [&](int bx, int by, std::uint32_t mask) { paint_block(p, bx, by, mask); });
-    }
+    PlanesRoom planes;
+    OpCounts counts;
+    const bool depth_only = is_depth_only(draw.op->state);
+    walk_bin(
+        draw, bin,
+        [&](std::span<const std::uint32_t> batch) {
+            depth_only ? draw_depth(draw, batch, counts) : draw_triangles(draw, batch, planes, counts);
+        },
+        [&](std::uint32_t ordinal) { draw_line_or_point(draw, ordinal, planes, counts); });
+    *draw.counts += counts;
 }
 
 void process_block(const BlockFragments& f, const ColorBlock& color, const DepthBlock& depth,

@@ -15,50 +15,70 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-HWY_INLINE PrimitiveFrame frame_of(const TileDraw& draw, std::uint32_t ordinal) {
-    const GeometrySet& set = *draw.op->set;
-    return primitive_frame(set, set.primitives[ordinal], draw.op->state.state.jitter,
-                           draw.profile->subpixel_bits, draw.tile);
-}
-
 /// A covered block of a record in the making: counted, and kept where its depth is the stored one.
-HWY_INLINE void record_block(const TileDraw& draw, const DepthPlane& plane, int bx, int by,
-                             std::uint32_t mask, Coverage& record) {
+HWY_INLINE void record_block(const TileDraw& draw, const DepthBlock& depth, std::size_t block,
+                             const LaneSet& lanes, Coverage& record) {
     const D32 d;
-    const std::size_t block = draw.tile.block(bx, by);
-    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-        std::uint32_t* count = record.fragments[block].value + i;
-        const auto one = hn::IfThenElseZero(lanes_of(d, mask, i), hn::Set(d, 1u));
+    for (std::size_t i = 0; i < parts; ++i) {
+        std::uint32_t* count = record.fragments[block].value + i * lanes32;
+        const auto one = hn::IfThenElseZero(lanes.part[i], hn::Set(d, 1u));
         hn::Store(hn::Add(hn::Load(d, count), one), d, count);
     }
-    record.total += std::uint64_t(std::popcount(mask));
-    DepthBlock depth;
-    shade_depth(plane, max_of_bits(draw.profile->depth_bits), bx, by, depth);
-    const std::uint32_t visible = depth_test(DepthFunc::Equal, depth, draw.tile.depth[block], mask);
+    const std::uint32_t visible = depth_test(DepthFunc::Equal, depth, draw.tile.depth[block], lanes.bits());
     if (visible != 0)
         record.blocks.push_back(
             {std::uint16_t(block), std::uint16_t(visible), std::uint32_t(record.primitives.size())});
+}
+
+/// Where a primitive of a record in the making is done: kept when some block shows it.
+HWY_INLINE void keep_if_visible(const TileDraw& draw, std::uint32_t ordinal, std::size_t blocks_before,
+                                Coverage& record) {
+    if (record.blocks.size() != blocks_before)
+        record.primitives.push_back({ordinal, frame_of(draw, ordinal)});
+}
+
+void record_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
+    Triangles t;
+    set_up_triangles(draw, bin, true, t);
+    const BoxLanes box(draw);
+    for (std::size_t i = 0; i < t.count; ++i) {
+        if (t.empty(i)) continue;
+        const DepthPlane plane = depth_of(draw, t, i);
+        DepthWalk walk{plane, max_of_bits(draw.profile->depth_bits), {}};
+        const std::size_t before = record.blocks.size();
+        visit_triangle(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
+            DepthBlock depth;
+            walk.store(depth);
+            record_block(draw, depth, draw.tile.block(bx, by), lanes, record);
+        });
+        keep_if_visible(draw, bin[i], before, record);
+    }
+}
+
+void record_line_or_point(const TileDraw& draw, std::uint32_t ordinal, Coverage& record) {
+    const PrimitiveFrame frame = frame_of(draw, ordinal);
+    const DepthPlane plane = depth_plane(draw, draw.op->set->primitives[ordinal], frame);
+    const std::size_t before = record.blocks.size();
+    visit_line_or_point(draw, frame, [&](int bx, int by, const LaneSet& lanes) {
+        DepthBlock depth;
+        shade_depth(plane, max_of_bits(draw.profile->depth_bits), bx, by, depth);
+        record_block(draw, depth, draw.tile.block(bx, by), lanes, record);
+    });
+    keep_if_visible(draw, ordinal, before, record);
 }
 
 /// Makes the record of a draw under Equal: its visible blocks, and how many fragments each pixel gets.
 void record_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
     record.fragments.assign(std::size_t(draw.tile.side) * std::size_t(draw.tile.side) / block_pixels,
                             DepthBlock{});
-    for (const std::uint32_t ordinal : bin) {
-        const PrimitiveFrame frame = frame_of(draw, ordinal);
-        DepthPlane plane;
-        bool made = false;
-        const std::size_t before = record.blocks.size();
-        visit_primitive(draw, frame, [&](int bx, int by, std::uint32_t mask) {
-            if (!made) plane = depth_plane(draw, draw.op->set->primitives[ordinal], frame);
-            made = true;
-            record_block(draw, plane, bx, by, mask, record);
-        });
-        if (record.blocks.size() != before) record.primitives.push_back({ordinal, frame});
-    }
+    walk_bin(
+        draw, bin, [&](std::span<const std::uint32_t> batch) { record_triangles(draw, batch, record); },
+        [&](std::uint32_t ordinal) { record_line_or_point(draw, ordinal, record); });
     // By block, in each block in the primitives' order.
     std::stable_sort(record.blocks.begin(), record.blocks.end(),
                      [](const VisibleBlock& a, const VisibleBlock& b) { return a.block < b.block; });
+    for (const DepthBlock& block : record.fragments)
+        for (const std::uint32_t n : block.value) record.total += n;
     record.made = true;
 }
 

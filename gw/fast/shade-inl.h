@@ -18,9 +18,7 @@ HWY_INLINE void shade_depth(const DepthPlane& p, std::uint32_t max_depth, int bx
     const D32 d;
     for (std::size_t i = 0; i < block_pixels; i += lanes32)
         hn::Store(wide_plane(p.plane, pixels_of(bx, by, i)), d, out.value + i);
-    if (p.offset != 0)
-        for (std::uint32_t& z : out.value)
-            z = std::uint32_t(std::clamp<std::int64_t>(z + p.offset, 0, max_depth));
+    if (p.offset != 0) offset_depths(p.offset, max_depth, out);
 }
 
 /// What shading needs of 16 pixels, each of its own primitive: one lane is filled by the primitive that it

@@ -1,0 +1,127 @@
+// Linear functions over the blocks of a tile: evaluated at one block, then stepped from block to block and
+// row to row by additions modulo 2^32. Increments equal the closed form; docs/manual.md, "Planes". Does not
+// know what is walked over. Included once per Highway target.
+#if defined(GW_FAST_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_WALK_INL_H_
+#undef GW_FAST_WALK_INL_H_
+#else
+#define GW_FAST_WALK_INL_H_
+#endif
+
+#include "gw/fast/planes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+/// Vectors that a block's 16 lanes fill.
+inline constexpr std::size_t parts = block_pixels / lanes32;
+
+/// Some of a block's lanes.
+struct LaneSet {
+    M32 part[parts];
+
+    HWY_INLINE bool none() const {
+        bool empty = true;
+        for (std::size_t i = 0; i < parts; ++i) empty = empty && hn::AllFalse(D32(), part[i]);
+        return empty;
+    }
+    HWY_INLINE std::uint32_t bits() const {
+        std::uint32_t mask = 0;
+        for (std::size_t i = 0; i < parts; ++i) mask |= bits_of(D32(), part[i], lanes32) << (i * lanes32);
+        return mask;
+    }
+};
+
+HWY_INLINE LaneSet lane_set(std::uint32_t mask) {
+    LaneSet s;
+    for (std::size_t i = 0; i < parts; ++i) s.part[i] = lanes_of(D32(), mask, i * lanes32);
+    return s;
+}
+
+/// How often each lane was in a set.
+struct LaneCounter {
+    V32 count[parts];
+
+    HWY_INLINE LaneCounter() {
+        for (auto& part : count) part = hn::Zero(D32());
+    }
+    HWY_INLINE void add(const LaneSet& s) {
+        for (std::size_t i = 0; i < parts; ++i)
+            count[i] = hn::Add(count[i], hn::IfThenElseZero(s.part[i], hn::Set(D32(), 1u)));
+    }
+    HWY_INLINE std::uint64_t total() const {
+        alignas(64) std::uint32_t lane[block_pixels];
+        for (std::size_t i = 0; i < parts; ++i) hn::Store(count[i], D32(), lane + i * lanes32);
+        std::uint64_t sum = 0;
+        for (const std::uint32_t n : lane) sum += n;
+        return sum;
+    }
+};
+
+/// c + gx i + gy j, modulo 2^32, at a block that moves.
+struct Linear {
+    V32 at[parts], row[parts], right, up;
+
+    HWY_INLINE void start(std::uint32_t c, std::uint32_t gx, std::uint32_t gy, int bx, int by) {
+        const D32 d;
+        const auto x = hn::Set(d, gx), y = hn::Set(d, gy),
+                   corner = hn::Set(
+                       d, c + gx * std::uint32_t(bx * block_side) + gy * std::uint32_t(by * block_side));
+        for (std::size_t i = 0; i < parts; ++i) {
+            const auto dx = hn::Mul(x, hn::Load(d, lane_x + i * lanes32)),
+                       dy = hn::Mul(y, hn::Load(d, lane_y + i * lanes32));
+            at[i] = row[i] = hn::Add(corner, hn::Add(dx, dy));
+        }
+        right = hn::Set(d, gx * std::uint32_t(block_side)), up = hn::Set(d, gy * std::uint32_t(block_side));
+    }
+    HWY_INLINE void next_block() {
+        for (auto& part : at) part = hn::Add(part, right);
+    }
+    HWY_INLINE void next_row() {
+        for (std::size_t i = 0; i < parts; ++i) at[i] = row[i] = hn::Add(row[i], up);
+    }
+};
+
+/// A value of up to 32 bits, as wide_plane() has it.
+struct WidePlaneWalk {
+    Linear high, low;
+
+    HWY_INLINE void start(const TilePlane& p, int bx, int by) {
+        const auto upper = [](std::int64_t v) { return std::uint32_t(v >> 16); };
+        const auto lower = [](std::int64_t v) { return std::uint32_t(v & 0xFFFF); };
+        high.start(upper(std::int64_t(p.c)), upper(p.gx), upper(p.gy), bx, by);
+        low.start(lower(std::int64_t(p.c)), lower(p.gx), lower(p.gy), bx, by);
+    }
+    HWY_INLINE void next_block() { high.next_block(), low.next_block(); }
+    HWY_INLINE void next_row() { high.next_row(), low.next_row(); }
+    HWY_INLINE V32 at(std::size_t part) const {
+        return hn::Add(high.at[part], hn::ShiftRight<16>(low.at[part]));
+    }
+};
+
+/// Nothing to carry along.
+struct NoWalk {
+    HWY_INLINE void start(int, int) {}
+    HWY_INLINE void next_block() {}
+    HWY_INLINE void next_row() {}
+};
+
+/// A triangle's depth, moving with the blocks that it covers.
+struct DepthWalk {
+    const DepthPlane& plane;
+    std::uint32_t max_depth;
+    WidePlaneWalk walk;
+
+    HWY_INLINE void start(int bx, int by) { walk.start(plane.plane, bx, by); }
+    HWY_INLINE void next_block() { walk.next_block(); }
+    HWY_INLINE void next_row() { walk.next_row(); }
+    HWY_INLINE void store(DepthBlock& out) const {
+        for (std::size_t i = 0; i < parts; ++i) hn::Store(walk.at(i), D32(), out.value + i * lanes32);
+        if (plane.offset != 0) offset_depths(plane.offset, max_depth, out);
+    }
+};
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target
