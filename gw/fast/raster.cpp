@@ -6,6 +6,7 @@
 
 #include "gw/fast/kernels.h"
 #include "gw/fast/record-inl.h"
+#include "gw/fast/uncolored-inl.h"
 
 #include <hwy/highway.h>
 
@@ -81,52 +82,15 @@ void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, PlanesRoom&
     });
 }
 
-/// Depths of 16 triangles' blocks against the stored ones: all that a depth pass or a shadow map does.
-void draw_depth(const TileDraw& draw, std::span<const std::uint32_t> bin, OpCounts& counts) {
-    const D32 d;
-    const DepthState& state = draw.op->state.state.depth;
-    Triangles t;
-    LaneCounter made, written;
-    const BoxLanes box(draw);
-    set_up_triangles(draw, bin, true, t);
-    for (std::size_t i = 0; i < t.count; ++i) {
-        if (t.empty(i)) continue;
-        const DepthPlane plane = depth_of(draw, t, i);
-        DepthWalk walk{plane, 0, {}};
-        visit_triangle(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
-            DepthBlock& stored = draw.tile.depth[draw.tile.block(bx, by)];
-            LaneSet alive;
-            for (std::size_t k = 0; k < parts; ++k) {
-                std::uint32_t* to = stored.value + k * lanes32;
-                const auto z = walk.walk.at(k);
-                alive.part[k] = hn::And(lanes.part[k], compare_lanes(d, state.func, z, hn::Load(d, to)));
-                if (state.mask) hn::BlendedStore(z, alive.part[k], d, to);
-            }
-            made.add(lanes);
-            written.add(alive);
-        });
-    }
-    counts.fragments += made.total();
-    counts.written += written.total();
-    counts.depth_killed += made.total() - written.total();
-}
-
-/// Whether a draw only tests and writes depth.
-HWY_INLINE bool is_depth_only(const Resolved& r) {
-    const auto idle = [](const StencilFace& f) { return f.func == StencilFunc::Always && keeps(f); };
-    return !r.writes_color && r.state.alpha.func == AlphaFunc::Always && idle(r.front) && idle(r.back) &&
-           !r.state.polygon_offset.enable;
-}
-
 /// Draws the primitives of a bin in order.
 void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
     PlanesRoom planes;
     OpCounts counts;
-    const bool depth_only = is_depth_only(draw.op->state);
+    const bool uncolored = is_uncolored(draw.op->state);
     walk_bin(
         draw, bin,
         [&](std::span<const std::uint32_t> batch) {
-            depth_only ? draw_depth(draw, batch, counts) : draw_triangles(draw, batch, planes, counts);
+            uncolored ? draw_uncolored(draw, batch, counts) : draw_triangles(draw, batch, planes, counts);
         },
         [&](std::uint32_t ordinal) { draw_line_or_point(draw, ordinal, planes, counts); });
     *draw.counts += counts;

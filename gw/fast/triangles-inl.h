@@ -191,8 +191,8 @@ HWY_INLINE void set_up_lanes(const TileDraw& draw, bool depth, Triangles& t, std
 #endif  // HWY_HAVE_FLOAT64
 
 /// Sets up the first triangles of a bin, as many as there is room for; their depth planes where asked.
-HWY_INLINE void set_up_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, bool depth,
-                                 Triangles& t) {
+inline void set_up_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, bool depth,
+                             Triangles& t) {
     const int s = draw.profile->subpixel_bits;
     t.count = std::min(bin.size(), Triangles::room);
     t.ordinal = bin.data();

@@ -42,7 +42,7 @@ HWY_INLINE LaneSet lane_set(std::uint32_t mask) {
 struct LaneCounter {
     V32 count[parts];
 
-    HWY_INLINE LaneCounter() {
+    HWY_INLINE void clear() {
         for (auto& part : count) part = hn::Zero(D32());
     }
     HWY_INLINE void add(const LaneSet& s) {
