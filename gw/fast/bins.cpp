@@ -2,66 +2,74 @@
 #include "gw/fast/geometry.h"
 
 #include <algorithm>
+#include <array>
 
 namespace gw::fast {
 namespace {
 
 /// Tiles [x0, x1) x [y0, y1) that a primitive may touch.
 struct TileRange {
-    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+/// Along one axis: pixels whose centres lie in [low, high] (in sub-pixels), widened by `margin` pixels, as
+/// tiles.
+struct Axis {
+    int s, log2_tile, size, jitter_low, jitter_high;
+
+    std::array<std::uint16_t, 2> tiles(std::int32_t a, std::int32_t b, std::int32_t c, int margin) const {
+        const std::int32_t half = 1 << (s - 1), mask = (1 << log2_tile) - 1;
+        const std::int32_t low = std::min(std::min(a, b), c) + jitter_low,
+                           high = std::max(std::max(a, b), c) + jitter_high;
+        const std::int32_t first = std::max(((low + half - 1) >> s) - margin, 0),
+                           end = std::min(((high - half) >> s) + 1 + margin, size);
+        if (first >= end) return {0, 0};
+        return {std::uint16_t(first >> log2_tile), std::uint16_t((end + mask) >> log2_tile)};
+    }
 };
 
 struct Binner {
     const GeometrySet& set;
-    int s;
-    const TileGrid& grid;
-
-    /// Pixels whose centre lies in [low, high] (in sub-pixels), widened by `margin` pixels: first and one
-    /// past the last.
-    std::pair<int, int> pixels(std::int64_t low, std::int64_t high, int margin) const {
-        const std::int64_t half = std::int64_t{1} << (s - 1);
-        return {int((low + half - 1) >> s) - margin, int((high - half) >> s) + 1 + margin};
-    }
+    Axis x, y;
+    std::size_t columns;
 
     TileRange tiles(const SetupPrimitive& p) const {
         const auto [a, b, c] = p.vertex;
-        const auto [x_low, x_high] = std::minmax({set.x[a], set.x[b], set.x[c]});
-        const auto [y_low, y_high] = std::minmax({set.y[a], set.y[b], set.y[c]});
         const int margin = p.kind == MeshKind::Lines    ? set.key.line_width
                            : p.kind == MeshKind::Points ? set.key.point_size
                                                         : 0;
-        const auto [px0, px1] =
-            pixels(std::int64_t{x_low} + set.jitter_low.x, std::int64_t{x_high} + set.jitter_high.x, margin);
-        const auto [py0, py1] =
-            pixels(std::int64_t{y_low} + set.jitter_low.y, std::int64_t{y_high} + set.jitter_high.y, margin);
-        const int x0 = std::max(px0, 0), y0 = std::max(py0, 0);
-        const int x1 = std::min(px1, grid.width), y1 = std::min(py1, grid.height);
-        if (x0 >= x1 || y0 >= y1) return {};
-        const int mask = grid.side() - 1, log2 = grid.log2_tile;
-        return {x0 >> log2, y0 >> log2, (x1 + mask) >> log2, (y1 + mask) >> log2};
+        const auto [x0, x1] = x.tiles(set.x[a], set.x[b], set.x[c], margin);
+        const auto [y0, y1] = y.tiles(set.y[a], set.y[b], set.y[c], margin);
+        return {x0, y0, x1, y1};
     }
-
-    template <typename Visit>
-    void for_each_pair(const Visit& visit) const {
-        for (std::uint32_t i = 0; i < set.primitives.size(); ++i) {
-            const TileRange r = tiles(set.primitives[i]);
-            for (int y = r.y0; y < r.y1; ++y)
-                for (int x = r.x0; x < r.x1; ++x)
-                    visit(std::size_t(y) * std::size_t(grid.columns()) + std::size_t(x), i);
-        }
+    std::vector<TileRange> ranges() const {
+        std::vector<TileRange> out(set.primitives.size());
+        for (std::size_t i = 0; i < out.size(); ++i) out[i] = tiles(set.primitives[i]);
+        return out;
+    }
+    void for_each_tile(const TileRange& r, const auto& visit) const {
+        for (std::size_t row = r.y0; row < r.y1; ++row)
+            for (std::size_t column = r.x0; column < r.x1; ++column) visit(row * columns + column);
     }
 };
 
 }  // namespace
 
 void make_bins(GeometrySet& set, const Profile& profile, const TileGrid& grid) {
-    const Binner binner{set, profile.subpixel_bits, grid};
+    const auto axis = [&](int size, int low, int high) {
+        return Axis{profile.subpixel_bits, grid.log2_tile, size, low, high};
+    };
+    const Binner binner{set, axis(grid.width, set.jitter_low.x, set.jitter_high.x),
+                        axis(grid.height, set.jitter_low.y, set.jitter_high.y), std::size_t(grid.columns())};
+    const std::vector<TileRange> ranges = binner.ranges();
     std::vector<std::uint32_t> start(grid.count() + 1);
-    binner.for_each_pair([&](std::size_t tile, std::uint32_t) { start[tile + 1] += 1; });
+    for (const TileRange& r : ranges)
+        binner.for_each_tile(r, [&](std::size_t tile) { start[tile + 1] += 1; });
     for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
     std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
     std::vector<std::uint32_t> bin(start.back());
-    binner.for_each_pair([&](std::size_t tile, std::uint32_t i) { bin[next[tile]++] = i; });
+    for (std::uint32_t i = 0; i < ranges.size(); ++i)
+        binner.for_each_tile(ranges[i], [&](std::size_t tile) { bin[next[tile]++] = i; });
     set.bin_start = std::move(start);
     set.bin = std::move(bin);
 }

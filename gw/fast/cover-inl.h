@@ -188,13 +188,10 @@ inline void visit_line_or_point(const TileDraw& draw, const PrimitiveFrame& fram
 template <class Batch, class Single>
 HWY_INLINE void walk_bin(const TileDraw& draw, std::span<const std::uint32_t> bin, const Batch& triangles,
                          const Single& other) {
-    const auto& primitives = draw.op->set->primitives;
-    const auto is_triangle = [&](std::uint32_t ordinal) {
-        return primitives[ordinal].kind == MeshKind::Triangles;
-    };
+    const std::uint32_t triangles_end = draw.op->set->triangle_count;
     while (!bin.empty()) {
         std::size_t n = 0;
-        while (n < std::min(bin.size(), Triangles::room) && is_triangle(bin[n])) ++n;
+        while (n < std::min(bin.size(), Triangles::room) && bin[n] < triangles_end) ++n;
         n == 0 ? other(bin[0]) : triangles(bin.first(n));
         bin = bin.subspan(std::max<std::size_t>(n, 1));
     }

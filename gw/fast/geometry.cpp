@@ -124,15 +124,23 @@ struct Builder {
         set.x.resize(c.first), set.y.resize(c.first), set.z.resize(c.first), set.w.resize(c.first);
     }
 
-    void push_piece(std::array<std::uint32_t, 3> v, SetupPrimitive p, bool counter_clockwise) {
+    /// Counter-clockwise, from the lowest vertex (of those, the leftmost); without branches, which would be
+    /// taken at random. No two vertices stand at one point.
+    std::array<std::uint32_t, 3> canonical(const std::array<std::uint32_t, 3>& v, bool clockwise) const {
+        const std::array<std::uint32_t, 5> turned{v[0], v[clockwise ? 2 : 1], v[clockwise ? 1 : 2], v[0],
+                                                  v[clockwise ? 2 : 1]};
+        std::array<std::int64_t, 3> key;
+        for (std::size_t k = 0; k < 3; ++k)
+            key[k] = std::int64_t{set.y[turned[k]]} * (std::int64_t{1} << 32) + set.x[turned[k]];
+        const auto first = std::size_t((key[1] < key[0]) & (key[1] < key[2])) +
+                           2 * std::size_t((key[2] < key[0]) & (key[2] < key[1]));
+        return {turned[first], turned[first + 1], turned[first + 2]};
+    }
+
+    void push_piece(const std::array<std::uint32_t, 3>& v, SetupPrimitive p, bool counter_clockwise) {
         const std::int64_t area = area_of(v);
         if (area == 0 || (area > 0) != counter_clockwise) return;
-        if (area < 0) std::swap(v[1], v[2]);
-        const auto before = [&](std::uint32_t a, std::uint32_t b) {
-            return std::pair(set.y[a], set.x[a]) < std::pair(set.y[b], set.x[b]);
-        };
-        std::rotate(v.begin(), std::min_element(v.begin(), v.end(), before), v.end());
-        p.vertex = v;
+        p.vertex = canonical(v, area < 0);
         set.primitives.push_back(p);
     }
 
@@ -153,14 +161,27 @@ struct Builder {
             push_piece({at(0), at(k), at(k + 1)}, p, pieces.area2 > 0);
     }
 
-    bool is_culled(bool front) const {
-        const CullState& cull = state().cull;
+    static bool is_culled(const CullState& cull, bool front) {
         return cull.enable && (cull.face == Face::FrontAndBack || (cull.face == Face::Front) == front);
+    }
+
+    /// A triangle that no plane touches.
+    void push_whole(const Triangle& t, std::uint32_t ordinal) {
+        const std::int64_t area = area_of(t.vertex);
+        const bool front = (area > 0) == (state().cull.front == Winding::CCW);
+        if (area == 0 || culled[front]) {
+            (area == 0 ? set.counters.degenerate : set.counters.culled) += 1;
+            return;
+        }
+        set.counters.drawn += 1;
+        set.primitives.push_back({canonical(t.vertex, area < 0), ordinal, t.polygon, t.provoking,
+                                  std::uint8_t(front), MeshKind::Triangles});
     }
 
     void push_triangle(const Triangle& t, std::uint32_t ordinal) {
         const Outcode a = outcode[t.vertex[0]], b = outcode[t.vertex[1]], c = outcode[t.vertex[2]];
         const Outcode any = a | b | c;
+        if (any == 0 && filled) return push_whole(t, ordinal);
         Cut piece{t.vertex, 3, 0, 0};
         if (any != 0 &&
             ((any & not_finite) != 0 || all_outside(a & b & c, any) || !cut(t.vertex, 3, piece))) {
@@ -169,13 +190,12 @@ struct Builder {
         }
         const Fan pieces = fan(t, piece);
         const bool front = (pieces.area2 > 0) == (state().cull.front == Winding::CCW);
-        const bool drawn = pieces.area2 != 0 && !is_culled(front);
+        const bool drawn = pieces.area2 != 0 && !culled[front];
         (pieces.area2 == 0 ? set.counters.degenerate : drawn ? set.counters.drawn : set.counters.culled) += 1;
-        const bool outlined = state().polygon_mode != PolygonMode::Fill;
-        if (piece.count != 0 && (!drawn || outlined)) drop(piece);
+        if (piece.count != 0 && (!drawn || !filled)) drop(piece);
         if (!drawn) return;
         const SetupPrimitive p{{}, ordinal, t.polygon, t.provoking, std::uint8_t(front), MeshKind::Triangles};
-        outlined ? push_outline(t, p) : push_pieces(t, piece, pieces, p);
+        filled ? push_pieces(t, piece, pieces, p) : push_outline(t, p);
     }
 
     void push_outline(const Triangle& t, const SetupPrimitive& p) {
@@ -219,6 +239,8 @@ struct Builder {
     }
 
     bool any_user_plane = false;
+    bool filled = true;
+    std::array<bool, 2> culled{};  ///< back faces, front faces
 };
 
 void push_primitives(Builder& b) {
@@ -226,6 +248,7 @@ void push_primitives(Builder& b) {
     b.set.primitives.reserve(mesh.triangles().size() + mesh.lines().size() + mesh.points().size());
     std::uint32_t ordinal = 0;
     for (const Triangle& t : mesh.triangles()) b.push_triangle(t, ordinal++);
+    if (b.filled) b.set.triangle_count = std::uint32_t(b.set.primitives.size());
     for (const auto& line : mesh.lines()) {
         b.push_line(line[0], line[1], {{}, ordinal, ordinal, line[1]}, true);
         ++ordinal;
@@ -256,9 +279,11 @@ void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const
     Builder b{profile, vertex_program(state, draw, profile), set, {}};
     set.state = resolve(state, profile, width, height);
     for (const ClipPlane& plane : state.clip_planes) b.any_user_plane = b.any_user_plane || plane.enable;
+    b.filled = state.polygon_mode == PolygonMode::Fill;
+    b.culled = {Builder::is_culled(state.cull, false), Builder::is_culled(state.cull, true)};
     b.push_vertices();
     push_primitives(b);
-    list_used_vertices(set, b.mesh().vertex_count());
+    if (set.lists_used) list_used_vertices(set, b.mesh().vertex_count());
     Counters& c = set.counters;
     c.draws = 1;
     c.vertices = b.mesh().vertex_count();

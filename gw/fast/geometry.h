@@ -53,8 +53,11 @@ struct GeometrySet {
     std::vector<std::uint32_t> z;
     std::vector<double> w;
     std::vector<SetupPrimitive> primitives;
+    std::uint32_t triangle_count = 0;  ///< how many of them are triangles: the first ones
     std::vector<Cut> cuts;
-    /// Mesh vertices that some primitive looks at, that some front face does, some back face; in order.
+    /// Mesh vertices that some primitive looks at, that some front face does, some back face; in order. Only
+    /// where a draw puts something at its vertices.
+    bool lists_used = false;
     std::vector<std::uint32_t> used, used_front, used_back;
     Counters counters;  ///< of one draw: vertices to drawn
 

@@ -78,7 +78,8 @@ struct Planner {
         return set;
     }
 
-    const VertexColors* colors(const GeometrySet& set, const Draw& draw) {
+    const VertexColors* colors(GeometrySet& set, const Draw& draw) {
+        set.lists_used = true;
         const ColorKey key = color_key(set, machine.state, draw);
         for (const auto& c : segment.colors)
             if (c.key == key) return &c;
@@ -88,7 +89,8 @@ struct Planner {
             job(draw, [this, &out](const State& s, const Draw& d) { shade_vertices(out, s, d, profile); }));
         return &out;
     }
-    const VertexTexcoords* texcoords(const GeometrySet& set, const Draw& draw) {
+    const VertexTexcoords* texcoords(GeometrySet& set, const Draw& draw) {
+        set.lists_used = true;
         const TexcoordKey key = texcoord_key(set, machine.state);
         for (const auto& t : segment.texcoords)
             if (t.key == key) return &t;

@@ -24,6 +24,8 @@ OpCounts& OpCounts::operator+=(const OpCounts& o) {
 
 namespace {
 
+constexpr std::uint32_t every_lane = 0xFFFF;
+
 /// Calls visit(block, bx, by, mask) for each block of a box that has lanes inside.
 template <typename Visit>
 void for_each_block(const Tile& tile, const BlockBox& box, const Visit& visit) {
@@ -70,15 +72,22 @@ struct TileRun {
                 std::uint64_t(std::popcount(mask)) * std::uint64_t(std::popcount(op.clear->planes));
             if (wants(Plane::Color)) clear_color(r.state.color_mask, color, tile.color[b], mask);
             if (wants(Plane::Depth) && r.depth_mask) fill_lanes(tile.depth[b].value, depth, mask);
-            if (wants(Plane::Stencil))
-                write_stencil(r, tile.stencil[b], mask, [&](std::size_t) { return stencil; });
+            if (wants(Plane::Stencil)) clear_stencil(r, stencil, tile.stencil[b], mask);
             if (wants(Plane::Accum))
                 for (auto& channel : tile.accum[b].channel) fill_lanes(channel, 0, mask);
         });
     }
 
+    static void clear_stencil(const Resolved& r, std::uint32_t value, StencilBlock& block,
+                              std::uint32_t mask) {
+        if ((r.state.stencil.write_mask & r.stencil_max) == r.stencil_max)
+            fill_lanes(block.value, value, mask);
+        else
+            write_stencil(r, block, mask, [&](std::size_t) { return value; });
+    }
     template <typename T>
     static void fill_lanes(T (&values)[block_pixels], std::uint32_t value, std::uint32_t mask) {
+        if (mask == every_lane) return void(std::fill_n(values, block_pixels, static_cast<T>(value)));
         for (std::size_t i = 0; i < block_pixels; ++i)
             values[i] = mask >> i & 1 ? static_cast<T>(value) : values[i];
     }
@@ -89,6 +98,7 @@ struct TileRun {
     }
     static void write_stencil(const Resolved& r, StencilBlock& block, std::uint32_t mask, const auto& value) {
         const std::uint32_t write = r.state.stencil.write_mask & r.stencil_max;
+        if (write == 0) return;
         for (std::size_t i = 0; i < block_pixels; ++i)
             if (mask >> i & 1) block.value[i] = std::uint8_t((block.value[i] & ~write) | (value(i) & write));
     }
