@@ -26,10 +26,17 @@ inline BlockBox block_box(const Rect& rect, const Tile& tile) {
     b.x1 = std::clamp(rect.x + rect.width - tile.x, 0, tile.side);
     b.y0 = std::clamp(rect.y - tile.y, 0, tile.side),
     b.y1 = std::clamp(rect.y + rect.height - tile.y, 0, tile.side);
-    for (int i = 0; i < tile.side; ++i) {
-        const auto block = std::size_t(i / block_side), k = std::size_t(i % block_side);
-        if (i >= b.x0 && i < b.x1) b.column[block] = std::uint16_t(b.column[block] | (0x1111u << k));
-        if (i >= b.y0 && i < b.y1) b.row[block] = std::uint16_t(b.row[block] | (0xFu << (4 * k)));
+    const auto lanes = [&](int block, int low, int high, std::uint32_t line, int step) {
+        std::uint32_t mask = 0;
+        for (int k = 0; k < block_side; ++k) {
+            const int i = block * block_side + k;
+            if (i >= low && i < high) mask |= line << (step * k);
+        }
+        return std::uint16_t(mask);
+    };
+    for (int block = 0; block < tile.side / block_side; ++block) {
+        b.column[std::size_t(block)] = lanes(block, b.x0, b.x1, 0x1111u, 1);
+        b.row[std::size_t(block)] = lanes(block, b.y0, b.y1, 0xFu, block_side);
     }
     return b;
 }

@@ -191,7 +191,7 @@ HWY_INLINE void walk_bin(const TileDraw& draw, std::span<const std::uint32_t> bi
     const std::uint32_t triangles_end = draw.op->set->triangle_count;
     while (!bin.empty()) {
         std::size_t n = 0;
-        while (n < std::min(bin.size(), Triangles::room) && bin[n] < triangles_end) ++n;
+        while (n < std::min(bin.size(), batch_room) && bin[n] < triangles_end) ++n;
         n == 0 ? other(bin[0]) : triangles(bin.first(n));
         bin = bin.subspan(std::max<std::size_t>(n, 1));
     }

@@ -18,25 +18,19 @@ struct VisibleBlock {
     std::uint16_t block = 0, mask = 0;
     std::uint32_t primitive = 0;  ///< in Coverage::primitives
 };
-struct VisiblePrimitive {
-    std::uint32_t ordinal = 0;  ///< in GeometrySet::primitives
-    PrimitiveFrame frame;
-};
-
 /// One draw's record in one tile.
 struct Coverage {
     bool made = false;
-    std::vector<VisiblePrimitive> primitives;
-    std::vector<VisibleBlock> blocks;   ///< by block; within one in the order of the primitives
-    std::vector<DepthBlock> fragments;  ///< how many fragments each pixel gets (visible or not)
-    std::uint64_t total = 0;            ///< their sum
+    std::vector<std::uint32_t> primitives;  ///< ordinals in GeometrySet::primitives
+    std::vector<VisibleBlock> blocks;       ///< by block; within one in the order of the primitives
+    std::vector<DepthBlock> fragments;      ///< how many fragments each pixel gets (visible or not)
+    std::uint64_t total = 0;                ///< their sum
 
     std::vector<ColorPlanes> colors;  ///< of `primitives`, for the draw in progress
     /// Texture planes of `primitives`, kept while draws ask for the same ones.
     std::vector<TexturePlanes> texture;
     const VertexTexcoords* texcoords = nullptr;
     TextureState texture_state;
-    std::pair<int, int> texture_size;
 
     void clear();
 };

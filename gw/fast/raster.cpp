@@ -13,31 +13,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Room for the planes of one primitive at a time.
-struct PlanesRoom {
-    ColorPlanes color;
-    TexturePlanes texture;
-};
-
-/// A primitive in a tile; the planes of its colour are made when the first of its fragments needs them.
-struct Primitive {
+/// Planes of a batch's colours, made when the first of its fragments needs them.
+struct BatchPlanes {
     const TileDraw& draw;
-    std::uint32_t ordinal;
-    PlanesRoom& planes;
-    OpCounts& counts;
-    DepthPlane depth{};
-    bool has_color = false;
+    const Corners& corners;
+    ColorPlanes color[batch_room];
+    TexturePlanes texture[batch_room];
+    bool made = false;
 
-    const SetupPrimitive& setup() const { return draw.op->set->primitives[ordinal]; }
-
-    HWY_INLINE const ColorBlock& color_of(int bx, int by, ShadeInputs& in) {
-        if (!has_color) {
-            const PrimitiveFrame frame = frame_of(draw, ordinal);
-            make_color_planes(draw, setup(), frame, planes.color);
-            if (draw.op->texels) make_texture_planes(draw, setup(), frame, planes.texture);
+    HWY_INLINE const ColorBlock& color_of(std::size_t i, int bx, int by, ShadeInputs& in) {
+        if (!made) {
+            set_up_colors(draw, corners, color);
+            if (draw.op->texels) set_up_textures(draw, corners, texture);
         }
-        has_color = true;
-        shade_inputs(planes.color, planes.texture, draw, bx, by, all_lanes, in);
+        made = true;
+        shade_inputs(color[i], texture[i], draw, bx, by, all_lanes, in);
         return shaded(draw, in);
     }
 };
@@ -46,53 +36,56 @@ HWY_INLINE bool needs_depth(const DrawOp& op) {
     return op.state.state.depth.func != DepthFunc::Always || op.state.state.depth.mask;
 }
 
-/// A covered block on its way through the stages, which ask for the colour when they need it.
-HWY_INLINE void paint_block(Primitive& p, const DepthBlock& depth, int bx, int by, const LaneSet& lanes) {
+/// A covered block of primitive i on its way through the stages, which ask for the colour when they need it.
+HWY_INLINE void paint_block(BatchPlanes& planes, std::size_t i, const DepthBlock& depth, int bx, int by,
+                            const LaneSet& lanes, OpCounts& counts) {
+    const TileDraw& draw = planes.draw;
     ShadeInputs inputs;
-    run_fragments(p.draw.op->state, p.setup().front != 0, depth, p.draw.tile, p.draw.tile.block(bx, by),
-                  lanes.bits(), p.counts, [&]() -> const ColorBlock& { return p.color_of(bx, by, inputs); });
+    run_fragments(draw.op->state, planes.corners.primitive[i]->front != 0, depth, draw.tile,
+                  draw.tile.block(bx, by), lanes.bits(), counts,
+                  [&]() -> const ColorBlock& { return planes.color_of(i, bx, by, inputs); });
 }
 
-void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, PlanesRoom& planes,
-                    OpCounts& counts) {
+void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, OpCounts& counts) {
     Triangles t;
     const BoxLanes box(draw);
     set_up_triangles(draw, bin, needs_depth(*draw.op), t);
-    for (std::size_t i = 0; i < t.count; ++i) {
+    BatchPlanes planes{draw, t.corners, {}, {}};
+    for (std::size_t i = 0; i < t.count(); ++i) {
         if (t.empty(i)) continue;
-        Primitive p{draw, bin[i], planes, counts};
         const DepthPlane plane = depth_of(draw, t, i);
         DepthWalk walk{plane, max_of_bits(draw.profile->depth_bits), {}};
         visit_triangle(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
             DepthBlock depth;
             walk.store(depth);
-            paint_block(p, depth, bx, by, lanes);
+            paint_block(planes, i, depth, bx, by, lanes, counts);
         });
     }
 }
 
-void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, PlanesRoom& planes, OpCounts& counts) {
+void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& counts) {
+    Corners corners;
+    gather_corners(draw, {&ordinal, 1}, corners);
+    BatchPlanes planes{draw, corners, {}, {}};
     const PrimitiveFrame frame = frame_of(draw, ordinal);
-    Primitive p{draw, ordinal, planes, counts};
-    const DepthPlane plane = depth_plane(draw, p.setup(), frame);
+    const DepthPlane plane = depth_plane(draw, *corners.primitive[0], frame);
     visit_line_or_point(draw, frame, [&](int bx, int by, const LaneSet& lanes) {
         DepthBlock depth;
         shade_depth(plane, max_of_bits(draw.profile->depth_bits), bx, by, depth);
-        paint_block(p, depth, bx, by, lanes);
+        paint_block(planes, 0, depth, bx, by, lanes, counts);
     });
 }
 
 /// Draws the primitives of a bin in order.
 void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
-    PlanesRoom planes;
     OpCounts counts;
     const bool uncolored = is_uncolored(draw.op->state);
     walk_bin(
         draw, bin,
         [&](std::span<const std::uint32_t> batch) {
-            uncolored ? draw_uncolored(draw, batch, counts) : draw_triangles(draw, batch, planes, counts);
+            uncolored ? draw_uncolored(draw, batch, counts) : draw_triangles(draw, batch, counts);
         },
-        [&](std::uint32_t ordinal) { draw_line_or_point(draw, ordinal, planes, counts); });
+        [&](std::uint32_t ordinal) { draw_line_or_point(draw, ordinal, counts); });
     *draw.counts += counts;
 }
 

@@ -8,6 +8,7 @@
 #define GW_FAST_RECORD_INL_H_
 #endif
 
+#include "gw/fast/attributes-inl.h"
 #include "gw/fast/cover-inl.h"
 #include "gw/fast/coverage.h"
 #include "gw/fast/shade-inl.h"
@@ -31,17 +32,15 @@ HWY_INLINE void record_block(const TileDraw& draw, const DepthBlock& depth, std:
 }
 
 /// Where a primitive of a record in the making is done: kept when some block shows it.
-HWY_INLINE void keep_if_visible(const TileDraw& draw, std::uint32_t ordinal, std::size_t blocks_before,
-                                Coverage& record) {
-    if (record.blocks.size() != blocks_before)
-        record.primitives.push_back({ordinal, frame_of(draw, ordinal)});
+HWY_INLINE void keep_if_visible(std::uint32_t ordinal, std::size_t blocks_before, Coverage& record) {
+    if (record.blocks.size() != blocks_before) record.primitives.push_back(ordinal);
 }
 
 void record_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
     Triangles t;
     set_up_triangles(draw, bin, true, t);
     const BoxLanes box(draw);
-    for (std::size_t i = 0; i < t.count; ++i) {
+    for (std::size_t i = 0; i < t.count(); ++i) {
         if (t.empty(i)) continue;
         const DepthPlane plane = depth_of(draw, t, i);
         DepthWalk walk{plane, max_of_bits(draw.profile->depth_bits), {}};
@@ -51,7 +50,7 @@ void record_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, 
             walk.store(depth);
             record_block(draw, depth, draw.tile.block(bx, by), lanes, record);
         });
-        keep_if_visible(draw, bin[i], before, record);
+        keep_if_visible(bin[i], before, record);
     }
 }
 
@@ -64,7 +63,7 @@ void record_line_or_point(const TileDraw& draw, std::uint32_t ordinal, Coverage&
         shade_depth(plane, max_of_bits(draw.profile->depth_bits), bx, by, depth);
         record_block(draw, depth, draw.tile.block(bx, by), lanes, record);
     });
-    keep_if_visible(draw, ordinal, before, record);
+    keep_if_visible(ordinal, before, record);
 }
 
 /// Makes the record of a draw under Equal: its visible blocks, and how many fragments each pixel gets.
@@ -102,13 +101,23 @@ HWY_INLINE std::uint64_t killed_by_stencil(const TileDraw& draw, const Coverage&
     return killed;
 }
 
+/// Calls make(corners, first) for the record's primitives, a batch at a time.
+template <class Make>
+HWY_INLINE void for_each_batch(const TileDraw& draw, const Coverage& record, const Make& make) {
+    const std::span<const std::uint32_t> ordinals(record.primitives);
+    for (std::size_t first = 0; first < ordinals.size(); first += batch_room) {
+        Corners corners;
+        gather_corners(draw, ordinals.subspan(first), corners);
+        make(corners, first);
+    }
+}
+
 /// Makes the colour planes of the record's primitives, as this draw has them.
 HWY_INLINE void color_planes(const TileDraw& draw, Coverage& record) {
     record.colors.resize(record.primitives.size());
-    for (std::size_t i = 0; i < record.primitives.size(); ++i) {
-        const VisiblePrimitive& v = record.primitives[i];
-        make_color_planes(draw, draw.op->set->primitives[v.ordinal], v.frame, record.colors[i]);
-    }
+    for_each_batch(draw, record, [&](const Corners& corners, std::size_t first) {
+        set_up_colors(draw, corners, record.colors.data() + first);
+    });
 }
 
 /// Makes or finds the texture planes of the record's primitives.
@@ -119,10 +128,9 @@ HWY_INLINE const TexturePlanes* texture_planes(const TileDraw& draw, Coverage& r
     state.env = TexEnv::Modulate, state.env_color = vec4(0);
     if (record.texcoords != op.texcoords || !(record.texture_state == state)) {
         record.texture.resize(record.primitives.size());
-        for (std::size_t i = 0; i < record.primitives.size(); ++i) {
-            const VisiblePrimitive& v = record.primitives[i];
-            make_texture_planes(draw, op.set->primitives[v.ordinal], v.frame, record.texture[i]);
-        }
+        for_each_batch(draw, record, [&](const Corners& corners, std::size_t first) {
+            set_up_textures(draw, corners, record.texture.data() + first);
+        });
         record.texcoords = op.texcoords;
         record.texture_state = state;
     }

@@ -55,6 +55,7 @@ struct TileRun {
     BlockBox box(const Rect& rect) const { return block_box(rect, tile); }
 
     void run(const DrawOp& op) {
+        if (op.set->tile_bin(index).empty()) return;
         const TileDraw draw{&op, &profile, tile, box(op.state.draw_box), counts};
         if (!draw.box.empty())
             draw_primitives(draw, op.set->tile_bin(index),

@@ -130,7 +130,7 @@ HWY_INLINE void draw_uncolored(const TileDraw& draw, const Triangles& t, std::si
     const Resolved& r = draw.op->state;
     const DepthPlane plane = depth_of(draw, t, i);
     DepthWalk walk{plane, 0, {}};
-    const StencilFace& face = draw.op->set->primitives[t.ordinal[i]].front ? r.front : r.back;
+    const StencilFace& face = t.corners.primitive[i]->front ? r.front : r.back;
     const bool update = r.state.depth.mask;
     if (is_idle(face)) {
         visit_triangle(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
@@ -156,7 +156,7 @@ HWY_INLINE void draw_uncolored(const TileDraw& draw, std::span<const std::uint32
     UncoloredCounts lanes;
     lanes.clear();
     set_up_triangles(draw, bin, true, t);
-    for (std::size_t i = 0; i < t.count; ++i) {
+    for (std::size_t i = 0; i < t.count(); ++i) {
         if (t.empty(i)) continue;
         if (func == DepthFunc::Less)
             draw_uncolored(draw, t, i, box, LessThan{}, lanes);

@@ -1,0 +1,234 @@
+// Colour and texture planes of up to 16 triangles at once, as gw/fast/primitive.cpp makes them one by one:
+// that is the twin, and the way for what is rare. docs/manual.md, "Planes", "Perspective". Does not evaluate
+// them. Included once per Highway target.
+#if defined(GW_FAST_ATTRIBUTES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_ATTRIBUTES_INL_H_
+#undef GW_FAST_ATTRIBUTES_INL_H_
+#else
+#define GW_FAST_ATTRIBUTES_INL_H_
+#endif
+
+#include "gw/fast/corners-inl.h"
+
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+/// Whether a draw's colours are the same at all pixels of a primitive.
+HWY_INLINE bool is_flat(const DrawOp& op) {
+    const State& s = op.state.state;
+    return s.color_source == ColorSource::PolygonId || (s.shade_model == ShadeModel::Flat && !s.fog.enable);
+}
+
+HWY_INLINE void color_one(const TileDraw& draw, const Corners& t, std::size_t i, ColorPlanes& out) {
+    make_color_planes(draw, *t.primitive[i], frame_of(draw, t.ordinal[i]), out);
+}
+
+HWY_INLINE void texture_one(const TileDraw& draw, const Corners& t, std::size_t i, TexturePlanes& out) {
+    make_texture_planes(draw, *t.primitive[i], frame_of(draw, t.ordinal[i]), out);
+}
+
+#if HWY_HAVE_FLOAT64
+
+/// Whether colours are planes of their own, without a denominator.
+HWY_INLINE bool is_screen_linear(const DrawOp& op) {
+    return op.state.state.shade_model == ShadeModel::Smooth && !op.perspective_color && !op.fog_table;
+}
+
+/// One channel of the vertex colours: planes for all lanes.
+HWY_INLINE void channel_planes(const TileDraw& draw, const Corners& t, std::size_t c, PlaneBatch& out) {
+    const VertexColors& colors = *draw.op->colors;
+    alignas(64) std::int32_t value[3][batch_room];
+    for (std::size_t i = 0; i < batch_room; ++i) {
+        const bool front = t.primitive[i]->front || colors.back.empty();
+        const Rgba* from = (front ? colors.front : colors.back).data();
+        for (std::size_t k = 0; k < 3; ++k) value[k][i] = from[t.primitive[i]->vertex[k]][c];
+    }
+    set_up_planes(
+        t, [&](std::size_t k, std::size_t i) { return load_integers(value[k] + i); }, out);
+}
+
+HWY_INLINE void fog_planes(const TileDraw& draw, const Corners& t, PlaneBatch& out) {
+    alignas(64) double factor[3][batch_room];
+    gather(t, factor, [&](std::uint32_t v) { return draw.op->colors->fog[v]; });
+    set_up_planes(
+        t, [&](std::size_t k, std::size_t i) { return nearest(hn::Load(D64(), factor[k] + i)); }, out);
+}
+
+/// Colours (and fog factors) of a batch.
+HWY_INLINE void set_up_smooth(const TileDraw& draw, const Corners& t, ColorPlanes* out) {
+    PlaneBatch plane[4], fog;
+    const bool fogged = draw.op->state.state.fog.enable;
+    std::uint32_t sure = ~0u;
+    for (std::size_t c = 0; c < 4; ++c) {
+        channel_planes(draw, t, c, plane[c]);
+        sure &= plane[c].sure;
+    }
+    if (fogged) {
+        fog_planes(draw, t, fog);
+        sure &= fog.sure;
+    }
+    for (std::size_t i = 0; i < t.count; ++i) {
+        if (!(sure >> i & 1)) {
+            color_one(draw, t, i, out[i]);
+            continue;
+        }
+        out[i].perspective = false;
+        for (std::size_t c = 0; c < 4; ++c) out[i].color[c] = plane[c].at(t, i);
+        if (fogged) out[i].fog = fog.at(t, i);
+    }
+}
+
+/// One texture coordinate of a batch: numerators() of gw/perspective.h in vectors.
+struct CoordinateBatch {
+    PlaneBatch plane;
+    alignas(64) double exponent[batch_room], k[batch_room];
+    std::uint32_t finite = 0;
+};
+
+struct Vertices3 {
+    V64 at[3];
+};
+HWY_INLINE Vertices3 load3(const double (&p)[3][batch_room], std::size_t i) {
+    const D64 d;
+    return {{hn::Load(d, p[0] + i), hn::Load(d, p[1] + i), hn::Load(d, p[2] + i)}};
+}
+HWY_INLINE V64 least(const Vertices3& v) { return hn::Min(hn::Min(v.at[0], v.at[1]), v.at[2]); }
+HWY_INLINE V64 most(const Vertices3& v) { return hn::Max(hn::Max(v.at[0], v.at[1]), v.at[2]); }
+
+inline constexpr double coordinate_unit = 1073741824.0;  // 2^30
+
+/// wmin / w_i.
+HWY_INLINE Vertices3 ratios(const Vertices3& w) {
+    const auto low = least(w);
+    return {{hn::Div(low, w.at[0]), hn::Div(low, w.at[1]), hn::Div(low, w.at[2])}};
+}
+
+/// Numerators of lanes i ..: values to `out`, exponent and k to the batch.
+HWY_INLINE void numerator_lanes(const Vertices3& s, const Vertices3& ratio, Wrap wrap, std::size_t i,
+                                CoordinateBatch& batch, double (&out)[3][batch_room]) {
+    const D64 d;
+    const auto zero = hn::Zero(d), one = all(1), unit = all(coordinate_unit);
+    auto k = hn::Floor(least(s));
+    if (wrap == Wrap::Clamp) k = hn::Max(all(-1024), hn::Min(k, all(1023)));
+    const auto range = hn::Sub(most(s), k);
+    auto power = one, exponent = zero;
+    for (int e = 0; e < 10; ++e) {
+        const auto grows = hn::Lt(power, range);
+        if (hn::AllFalse(d, grows)) break;
+        power = hn::IfThenElse(grows, hn::Add(power, power), power);
+        exponent = hn::Add(exponent, hn::IfThenElseZero(grows, one));
+    }
+    for (std::size_t v = 0; v < 3; ++v) {
+        const auto fraction = hn::Max(zero, hn::Min(hn::Div(hn::Sub(s.at[v], k), power), one));
+        const auto u = nearest(hn::Mul(hn::Mul(unit, fraction), ratio.at[v]));
+        hn::Store(hn::Max(zero, hn::Min(u, unit)), d, out[v] + i);
+    }
+    hn::Store(exponent, d, batch.exponent + i);
+    hn::Store(wrap == Wrap::Clamp ? k : zero, d, batch.k + i);
+}
+
+HWY_INLINE std::uint32_t finite_lanes(const Vertices3& v) {
+    const D64 d;
+    const auto zero = hn::Zero(d);
+    auto finite = hn::Eq(hn::Sub(v.at[0], v.at[0]), zero);
+    for (std::size_t k = 1; k < 3; ++k) finite = hn::And(finite, hn::Eq(hn::Sub(v.at[k], v.at[k]), zero));
+    std::uint64_t bits = 0;
+    hn::StoreMaskBits(d, finite, reinterpret_cast<std::uint8_t*>(&bits));
+    return std::uint32_t(bits) & ((1u << hn::Lanes(d)) - 1);
+}
+
+HWY_INLINE void planes_through(const Corners& t, const double (&value)[3][batch_room], PlaneBatch& out) {
+    set_up_planes(
+        t, [&](std::size_t k, std::size_t i) { return hn::Load(D64(), value[k] + i); }, out);
+}
+
+HWY_INLINE void coordinate_planes(const TileDraw& draw, const Corners& t, int c, Wrap wrap,
+                                  const double (&w)[3][batch_room], CoordinateBatch& out) {
+    alignas(64) double s[3][batch_room], numerator[3][batch_room];
+    gather(t, s, [&](std::uint32_t v) { return draw.op->texcoords->strq[v][c]; });
+    out.finite = 0;
+    for (std::size_t i = 0; i < t.count; i += hn::Lanes(D64())) {
+        const Vertices3 at = load3(s, i), ratio = ratios(load3(w, i));
+        out.finite |= (finite_lanes(at) & finite_lanes(ratio)) << i;
+        numerator_lanes(at, ratio, wrap, i, out, numerator);
+    }
+    planes_through(t, numerator, out.plane);
+}
+
+HWY_INLINE void denominator_planes(const Corners& t, const double (&w)[3][batch_room], PlaneBatch& out) {
+    const D64 d;
+    alignas(64) double q[3][batch_room];
+    const auto unit = all(coordinate_unit);
+    for (std::size_t i = 0; i < t.count; i += hn::Lanes(d)) {
+        const Vertices3 ratio = ratios(load3(w, i));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto v = nearest(hn::Mul(unit, ratio.at[k]));
+            hn::Store(hn::Max(all(1), hn::Min(v, unit)), d, q[k] + i);
+        }
+    }
+    planes_through(t, q, out);
+}
+
+HWY_INLINE PlaneSlope slope_of(const PlaneBatch& p, std::size_t i) {
+    return {double(p.gx[i]), double(p.gy[i]), double(p.base[i] >> 16)};
+}
+
+HWY_INLINE TexturePlane texture_plane(const Corners& t, const CoordinateBatch& c, std::size_t i,
+                                      const PlaneBatch& q, bool slopes) {
+    TexturePlane out{c.plane.at(t, i), int(c.exponent[i]), std::int32_t(c.k[i]), {}};
+    if (slopes) out.slope = coordinate_slope(slope_of(c.plane, i), slope_of(q, i));
+    return out;
+}
+
+/// Texture coordinates of a batch.
+HWY_INLINE void set_up_perspective(const TileDraw& draw, const Corners& t, TexturePlanes* out) {
+    const TextureState& state = draw.op->state.state.texture;
+    alignas(64) double w[3][batch_room];
+    PlaneBatch q;
+    CoordinateBatch u, v;
+    gather(t, w, [&](std::uint32_t vertex) { return draw.op->set->w[vertex]; });
+    denominator_planes(t, w, q);
+    coordinate_planes(draw, t, 0, state.wrap_s, w, u);
+    coordinate_planes(draw, t, 1, state.wrap_t, w, v);
+    const std::uint32_t sure = q.sure & u.plane.sure & v.plane.sure & u.finite & v.finite;
+    const bool slopes = needs_rho(state);
+    for (std::size_t i = 0; i < t.count; ++i) {
+        if (!(sure >> i & 1)) {
+            texture_one(draw, t, i, out[i]);
+            continue;
+        }
+        out[i].q = q.at(t, i);
+        out[i].s = texture_plane(t, u, i, q, slopes), out[i].t = texture_plane(t, v, i, q, slopes);
+        out[i].slope_x = draw.tile.x - t.to_x[i], out[i].slope_y = draw.tile.y - t.to_y[i];
+    }
+}
+
+#endif  // HWY_HAVE_FLOAT64
+
+/// Colour planes of a batch, out[0 .. count - 1].
+inline void set_up_colors(const TileDraw& draw, const Corners& t, ColorPlanes* out) {
+    static const PrimitiveFrame no_frame{};
+    if (is_flat(*draw.op)) {
+        for (std::size_t i = 0; i < t.count; ++i) make_color_planes(draw, *t.primitive[i], no_frame, out[i]);
+        return;
+    }
+#if HWY_HAVE_FLOAT64
+    if (is_screen_linear(*draw.op)) return set_up_smooth(draw, t, out);
+#endif
+    for (std::size_t i = 0; i < t.count; ++i) color_one(draw, t, i, out[i]);
+}
+
+/// Texture planes of a batch, out[0 .. count - 1].
+inline void set_up_textures(const TileDraw& draw, const Corners& t, TexturePlanes* out) {
+#if HWY_HAVE_FLOAT64
+    if (draw.op->state.state.texture.gen != TexGen::EyeLinear) return set_up_perspective(draw, t, out);
+#endif
+    for (std::size_t i = 0; i < t.count; ++i) texture_one(draw, t, i, out[i]);
+}
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target
