@@ -29,7 +29,11 @@ Command add_render(CLI::App& app);
 Command add_passes(CLI::App& app);
 Command add_hidden(CLI::App& app);
 Command add_styles(CLI::App& app);
+Command add_figures(CLI::App& app);
 Command add_info(CLI::App& app);
+
+/// Parses and runs, and returns an ExitCode. Throws UsageError, Error and what else goes wrong.
+int run_command(const std::vector<std::string>& arguments);
 
 /// The whole program: parses, runs, prints every error as one line "gw: ..." on stderr.
 int run(const std::vector<std::string>& arguments);

@@ -24,7 +24,7 @@ int report(ExitCode code, std::string what) {
 }
 
 void add_commands(CLI::App& app, std::vector<Command>& commands) {
-    for (auto add : {add_render, add_passes, add_hidden, add_styles, add_info}) {
+    for (auto add : {add_render, add_passes, add_hidden, add_styles, add_figures, add_info}) {
         commands.push_back(add(app));
         commands.back().app->allow_extras();  // so that `mistyped` sees the word
     }
@@ -52,18 +52,22 @@ int parse_and_run(CLI::App& app, const std::vector<Command>& commands,
 
 }  // namespace
 
+int run_command(const std::vector<std::string>& arguments) {
+    CLI::App app{about, "gw"};
+    app.footer(
+        "Exit codes: 0 done, 1 wrong input or output that cannot be written, 2 usage, 3 a difference "
+        "found.\n"
+        "Example:\n  build/release/bin/gw render scenes/rings.toml -o rings.png");
+    app.set_version_flag("--version", "gw " + version());
+    app.allow_extras();
+    std::vector<Command> commands;
+    add_commands(app, commands);
+    return parse_and_run(app, commands, arguments);
+}
+
 int run(const std::vector<std::string>& arguments) {
     try {
-        CLI::App app{about, "gw"};
-        app.footer(
-            "Exit codes: 0 done, 1 wrong input or output that cannot be written, 2 usage, 3 a difference "
-            "found.\n"
-            "Example:\n  build/release/bin/gw render scenes/rings.toml -o rings.png");
-        app.set_version_flag("--version", "gw " + version());
-        app.allow_extras();
-        std::vector<Command> commands;
-        add_commands(app, commands);
-        const int code = parse_and_run(app, commands, arguments);
+        const int code = run_command(arguments);
         flush_output();
         return code;
     } catch (const UsageError& error) {

@@ -13,13 +13,19 @@ namespace gw::apps {
 
 namespace {
 
+int muted = 0;
+
 [[noreturn]] void fail() {
     throw Error("standard output: cannot be written: " + std::string(std::strerror(errno)));
 }
 
 }  // namespace
 
+Muted::Muted() { ++muted; }
+Muted::~Muted() { --muted; }
+
 void print(std::string_view text) {
+    if (muted > 0) return;
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail();
 }
 

@@ -6,6 +6,14 @@
 namespace gw::apps {
 
 void print(std::string_view text);
+/// While one lives, print prints nothing: a command runs for the files that it makes.
+class Muted {
+public:
+    Muted();
+    ~Muted();
+    Muted(const Muted&) = delete;
+    Muted& operator=(const Muted&) = delete;
+};
 /// Throws Error when something printed did not arrive.
 void flush_output();
 

@@ -1,0 +1,149 @@
+// gw figures: the papers' figures into a folder, with a page that shows them.
+#include "apps/command.h"
+#include "apps/figure_page.h"
+#include "apps/progress.h"
+#include "apps/terminal.h"
+#include "gw/error.h"
+#include "image/output_set.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <sstream>
+
+namespace gw::apps {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct FiguresOptions {
+    fs::path folder;
+    std::vector<std::string> only;
+    std::optional<Size> size;
+    bool list = false, quiet = false;
+};
+
+std::vector<std::string> figure_names() {
+    std::vector<std::string> names;
+    for (const Figure& figure : figures()) names.push_back(figure.name);
+    return names;
+}
+
+/// Those asked for, in the table's order.
+std::vector<const Figure*> wanted(const FiguresOptions& options) {
+    std::vector<const Figure*> found;
+    for (const Figure& figure : figures())
+        if (options.only.empty() || std::count(options.only.begin(), options.only.end(), figure.name) > 0)
+            found.push_back(&figure);
+    return found;
+}
+
+std::vector<std::string> words_of(const std::string& command, const fs::path& folder) {
+    std::vector<std::string> words;
+    std::istringstream stream(command);
+    for (std::string word; stream >> word;)
+        words.push_back(word[0] == '@' ? (folder / word.substr(1)).string() : word);
+    return words;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text = "build/release/bin/gw";
+    for (const std::string& word : words)
+        text += " " + (word.find_first_of(" '\"\\$&;()") == word.npos ? word : "'" + word + "'");
+    return text;
+}
+
+void print_list() {
+    for (const Figure& figure : figures())
+        print(fmt::format("{:<14} {:<10} {}\n", figure.name, figure.row, figure.title));
+}
+
+/// Stays, whatever comes after.
+void make_folder(const fs::path& folder) {
+    image::OutputSet output;
+    output.make_folder(folder);
+    output.commit();
+}
+
+RanPanel run_panel(const Panel& panel, const FiguresOptions& options, const Figure& figure,
+                   std::size_t index) {
+    const fs::path folder = options.folder / figure.name;
+    std::vector<std::string> words = words_of(panel.command, folder);
+    const Size size = options.size.value_or(figure.size.value_or(Size{}));
+    if (figure.size) words.insert(words.end(), {"--size", fmt::format("{}x{}", size.width, size.height)});
+    RanPanel ran{&panel, joined(words), {}};
+    if (words[0] == "render") {
+        ran.counters = fmt::format("counters_{}.json", index + 1);
+        words.insert(words.end(), {"--counters", (folder / ran.counters).string()});
+    }
+    words.push_back("--quiet");
+    const Muted muted;
+    run_command(words);
+    return ran;
+}
+
+void make_figure(const Figure& figure, const FiguresOptions& options, Progress& progress,
+                 const std::string& which) {
+    const fs::path folder = options.folder / figure.name;
+    make_folder(folder);
+    std::vector<RanPanel> panels;
+    for (const Panel& panel : figure.panels) {
+        progress.at(
+            fmt::format("{}, {}, {} of {}", which, figure.name, panels.size() + 1, figure.panels.size()));
+        panels.push_back(run_panel(panel, options, figure, panels.size()));
+    }
+    image::write_file(folder / "figure.html", figure_part(figure, folder, panels));
+    image::write_file(options.folder / "index.html", figures_page(options.folder));
+}
+
+int make_figures(const FiguresOptions& options) {
+    if (options.list) {
+        print_list();
+        return done;
+    }
+    if (options.folder.empty()) throw UsageError("DIR is missing; expected the name of a folder");
+    if (!fs::exists("scenes"))
+        throw Error("scenes: does not exist; expected to be run from the repository's root");
+    make_folder(options.folder);
+    image::check_target(options.folder / "index.html");
+    Progress progress("figures", options.quiet);
+    const auto all = wanted(options);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        make_figure(*all[i], options, progress, fmt::format("figure {} of {}", i + 1, all.size()));
+    print((options.folder / "index.html").string() + "\n");
+    return done;
+}
+
+}  // namespace
+
+Command add_figures(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("figures", "The figures of the papers, with a page that shows them");
+    const auto options = std::make_shared<FiguresOptions>();
+    command->add_option("DIR", options->folder, "Where to; made where it is missing")->type_name("DIR");
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--only",
+            [options](const std::vector<std::string>& names) {
+                for (const std::string& name : names)
+                    options->only.push_back(one_of("--only", name, figure_names()));
+            },
+            "This figure only; may be repeated")
+        ->type_name("NAME")
+        ->take_all()
+        ->expected(1)
+        ->allow_extra_args(false);
+    command
+        ->add_option_function<std::string>(
+            "--size", [options](const std::string& word) { options->size = size_from("--size", word); },
+            "Pixels of each picture (default: what suits the figure)")
+        ->type_name("WxH");
+    command->add_flag("--list", options->list, "Print names, rows and titles, and draw nothing");
+    command->add_flag("--quiet", options->quiet, "No progress");
+    command->footer("Example:\n  build/release/bin/gw figures figures --only fig1");
+    return {command, [options] { return make_figures(*options); }};
+}
+
+}  // namespace gw::apps

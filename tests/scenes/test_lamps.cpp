@@ -1,0 +1,34 @@
+#include "scene/read_scene.h"
+#include "scenes/make_lamps/lamps.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace gw::lamps {
+namespace {
+
+const std::filesystem::path file = std::filesystem::path(GW_SOURCE_DIR) / "scenes" / "lamps.toml";
+
+// If this fails after a change of lamps.cpp: run make-lamps scenes/lamps.toml.
+TEST(Lamps, CommittedSceneIsTheOneMadeAgain) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    EXPECT_EQ(text.str(), building());
+}
+
+TEST(Lamps, AreAHundredOfThemTwelveWithShadows) {
+    const scene::Scene scene = scene::read_scene(file).scene;
+    EXPECT_EQ(scene.lights.size(), 100u);
+    const auto casts = [](const scene::Light& l) { return l.shadow != scene::Shadow::None; };
+    EXPECT_EQ(std::ranges::count_if(scene.lights, casts), 12);
+    for (const scene::Light& l : scene.lights) {
+        EXPECT_EQ(l.kind, scene::LightKind::Point) << l.name;
+        EXPECT_GT(l.quadratic_attenuation, 0) << l.name;
+    }
+}
+
+}  // namespace
+}  // namespace gw::lamps
