@@ -3,6 +3,7 @@
 #include "gw/machine.h"
 
 #include "gw/arithmetic.h"
+#include "gw/command_name.h"
 #include "gw/error.h"
 
 #include <fmt/format.h>
@@ -228,14 +229,6 @@ void check(const Checker& c, const Clear& clear) {
     c.finite("depth", clear.depth);
 }
 
-const char* name_of(const Command& command) {
-    static constexpr const char* names[] = {"BeginPass",   "Clear",       "SetState",   "Draw",
-                                            "WriteSpans",  "WritePixels", "Accumulate", "Copy",
-                                            "CopyTexture", "Read"};
-    static_assert(std::size(names) == std::variant_size_v<Command>);
-    return names[command.index()];
-}
-
 /// What only the order of commands can get wrong: textures from slots that hold the wrong plane, or nothing.
 void check_slot(const Checker& c, const Draw& draw, const ListContext& context) {
     if (!draw.map.enabled()) return;
@@ -273,7 +266,7 @@ void check_window(int width, int height) {
 void validate(const CommandList& list, const Profile& profile, int width, int height, ListContext context) {
     Checker checker{profile, width, height};
     for (const Command& command : list.commands) {
-        checker.name = name_of(command);
+        checker.name = command_name(command);
         std::visit([&](const auto& c) { check(checker, c); }, command);
         std::visit([&](const auto& c) { follow(checker, c, context); }, command);
         checker.command += 1;
