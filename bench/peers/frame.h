@@ -1,0 +1,33 @@
+// What every workload draws: the Fig. 9 class scene [K4f] (444 quads and 77,184 triangles), a texture, a
+// sphere map, lights and shadow volumes, the same for all peers. Does not say in which passes: workload.h.
+#pragma once
+
+#include "gw/command_list.h"
+
+#include <vector>
+
+namespace gw::peers {
+
+/// One mesh where it stands.
+struct Part {
+    MeshRef mesh;
+    dmat4 eye_from_object{1};
+    Material material;
+};
+
+struct Frame {
+    int width = 640, height = 480;
+    State view;  ///< projection and viewport; back faces culled
+    std::vector<Part> scene;
+    Part volumes;  ///< closed boxes of about 2,000 triangles, in eye space
+    Part quad;     ///< the whole window, at depth 0.5; texture coordinates 0 .. 8
+    TextureRef texture, sphere_map;
+    std::vector<Light> lights;  ///< four, in eye space
+};
+
+/// The scene file's geometry in a 640x480 window.
+Frame scene_frame(const char* path);
+/// No scene, only the quad, in a 1024x1024 window.
+Frame fill_frame();
+
+}  // namespace gw::peers

@@ -1,0 +1,24 @@
+// A mesh in OpenGL's hands: vertex and index buffers, or display lists made from them.
+#pragma once
+
+#include "bench/peers/opengl.h"
+
+namespace gw::peers {
+
+/// What a draw reads of a vertex.
+enum class Attributes { Positions, Normals, NormalsAndTexture, Colors, Ids };
+
+class GlMesh {
+public:
+    /// Identifiers id_base, id_base + 1, ... are the colours of Attributes::Ids.
+    GlMesh(const Mesh& mesh, Store store, unsigned id_base);
+    void draw(Attributes attributes) const;
+
+private:
+    void draw_buffers(Attributes attributes) const;
+    Store store_;
+    unsigned vertices_ = 0, indices_ = 0, ids_ = 0, lists_ = 0;
+    int index_count_ = 0;
+};
+
+}  // namespace gw::peers

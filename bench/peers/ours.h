@@ -1,0 +1,11 @@
+// A workload as a command list of the machine. Does not run it.
+#pragma once
+
+#include "bench/peers/frame.h"
+#include "bench/peers/workload.h"
+
+namespace gw::peers {
+
+CommandList command_list(const Workload& workload, const Frame& frame);
+
+}  // namespace gw::peers
