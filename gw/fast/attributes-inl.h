@@ -15,14 +15,26 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Whether a draw's colours are the same at all pixels of a primitive.
-HWY_INLINE bool is_flat(const DrawOp& op) {
-    const State& s = op.state.state;
-    return s.color_source == ColorSource::PolygonId || (s.shade_model == ShadeModel::Flat && !s.fog.enable);
+/// Whether colours (and fog) are planes of their own, without a denominator.
+HWY_INLINE bool is_narrow(const DrawOp& op) { return !op.perspective_color && !op.fog_table; }
+
+/// Whether a primitive has one colour.
+HWY_INLINE bool is_flat(const State& s) {
+    return s.color_source == ColorSource::PolygonId || s.shade_model == ShadeModel::Flat;
 }
+HWY_INLINE bool has_fog(const State& s) { return s.fog.enable && s.color_source != ColorSource::PolygonId; }
 
 HWY_INLINE void color_one(const TileDraw& draw, const Corners& t, std::size_t i, ColorPlanes& out) {
     make_color_planes(draw, *t.primitive[i], frame_of(draw, t.ordinal[i]), out);
+}
+
+HWY_INLINE void narrow_one(const TileDraw& draw, const Corners& t, std::size_t i, NarrowPlanes& out) {
+    ColorPlanes wide;
+    color_one(draw, t, i, wide);
+    for (std::size_t c = 0; c < 5; ++c) {
+        const TilePlane& p = c < 4 ? wide.color[c] : wide.fog;
+        out.c[c] = std::uint32_t(p.c), out.gx[c] = std::uint32_t(p.gx), out.gy[c] = std::uint32_t(p.gy);
+    }
 }
 
 HWY_INLINE void texture_one(const TileDraw& draw, const Corners& t, std::size_t i, TexturePlanes& out) {
@@ -30,11 +42,6 @@ HWY_INLINE void texture_one(const TileDraw& draw, const Corners& t, std::size_t 
 }
 
 #if HWY_HAVE_FLOAT64
-
-/// Whether colours are planes of their own, without a denominator.
-HWY_INLINE bool is_screen_linear(const DrawOp& op) {
-    return op.state.state.shade_model == ShadeModel::Smooth && !op.perspective_color && !op.fog_table;
-}
 
 /// One channel of the vertex colours: planes for all lanes.
 HWY_INLINE void channel_planes(const TileDraw& draw, const Corners& t, std::size_t c, PlaneBatch& out) {
@@ -56,28 +63,32 @@ HWY_INLINE void fog_planes(const TileDraw& draw, const Corners& t, PlaneBatch& o
         t, [&](std::size_t k, std::size_t i) { return nearest(hn::Load(D64(), factor[k] + i)); }, out);
 }
 
-/// Colours (and fog factors) of a batch.
-HWY_INLINE void set_up_smooth(const TileDraw& draw, const Corners& t, ColorPlanes* out) {
-    PlaneBatch plane[4], fog;
-    const bool fogged = draw.op->state.state.fog.enable;
+/// Puts a batch's plane of one channel where it belongs.
+HWY_INLINE void put_channel(const Corners& t, const PlaneBatch& plane, std::size_t c, NarrowPlanes* out) {
+    for (std::size_t i = 0; i < t.count; ++i) {
+        const TilePlane p = plane.at(t, i);
+        out[i].c[c] = std::uint32_t(p.c), out[i].gx[c] = std::uint32_t(p.gx),
+        out[i].gy[c] = std::uint32_t(p.gy);
+    }
+}
+
+/// Smooth colours of a batch; the lanes that are sure.
+HWY_INLINE std::uint32_t smooth_colors(const TileDraw& draw, const Corners& t, NarrowPlanes* out) {
+    PlaneBatch plane;
     std::uint32_t sure = ~0u;
     for (std::size_t c = 0; c < 4; ++c) {
-        channel_planes(draw, t, c, plane[c]);
-        sure &= plane[c].sure;
+        channel_planes(draw, t, c, plane);
+        put_channel(t, plane, c, out);
+        sure &= plane.sure;
     }
-    if (fogged) {
-        fog_planes(draw, t, fog);
-        sure &= fog.sure;
-    }
-    for (std::size_t i = 0; i < t.count; ++i) {
-        if (!(sure >> i & 1)) {
-            color_one(draw, t, i, out[i]);
-            continue;
-        }
-        out[i].perspective = false;
-        for (std::size_t c = 0; c < 4; ++c) out[i].color[c] = plane[c].at(t, i);
-        if (fogged) out[i].fog = fog.at(t, i);
-    }
+    return sure;
+}
+
+HWY_INLINE std::uint32_t fog_factors(const TileDraw& draw, const Corners& t, NarrowPlanes* out) {
+    PlaneBatch plane;
+    fog_planes(draw, t, plane);
+    put_channel(t, plane, 4, out);
+    return plane.sure;
 }
 
 /// One texture coordinate of a batch: numerators() of gw/perspective.h in vectors.
@@ -207,16 +218,33 @@ HWY_INLINE void set_up_perspective(const TileDraw& draw, const Corners& t, Textu
 
 #endif  // HWY_HAVE_FLOAT64
 
-/// Colour planes of a batch, out[0 .. count - 1].
-inline void set_up_colors(const TileDraw& draw, const Corners& t, ColorPlanes* out) {
-    static const PrimitiveFrame no_frame{};
-    if (is_flat(*draw.op)) {
-        for (std::size_t i = 0; i < t.count; ++i) make_color_planes(draw, *t.primitive[i], no_frame, out[i]);
-        return;
+/// Flat colours of a batch, without its fog.
+HWY_INLINE void flat_colors(const TileDraw& draw, const Corners& t, NarrowPlanes* out) {
+    for (std::size_t i = 0; i < t.count; ++i) {
+        const Rgba color = flat_color(draw, *t.primitive[i]);
+        for (std::size_t c = 0; c < 4; ++c)
+            out[i].c[c] = (std::uint32_t{color[c]} << 16) + (1u << 15), out[i].gx[c] = out[i].gy[c] = 0;
     }
+}
+
+/// Narrow planes of a batch, out[0 .. count - 1].
+inline void set_up_narrow(const TileDraw& draw, const Corners& t, NarrowPlanes* out) {
+    const State& s = draw.op->state.state;
+    std::uint32_t sure = ~0u;
+    if (is_flat(s)) flat_colors(draw, t, out);
+    if (is_flat(s) && !has_fog(s)) return;
 #if HWY_HAVE_FLOAT64
-    if (is_screen_linear(*draw.op)) return set_up_smooth(draw, t, out);
+    if (!is_flat(s)) sure = smooth_colors(draw, t, out);
+    if (has_fog(s)) sure &= fog_factors(draw, t, out);
+#else
+    sure = 0;
 #endif
+    for (std::size_t i = 0; i < t.count; ++i)
+        if (!(sure >> i & 1)) narrow_one(draw, t, i, out[i]);
+}
+
+/// Colour planes of a batch where narrow ones do not serve, out[0 .. count - 1].
+inline void set_up_colors(const TileDraw& draw, const Corners& t, ColorPlanes* out) {
     for (std::size_t i = 0; i < t.count; ++i) color_one(draw, t, i, out[i]);
 }
 

@@ -13,8 +13,8 @@ void Coverage::clear() {
     blocks.clear();
     fragments.clear();
     total = 0;
-    texture.clear();
-    texcoords = nullptr;
+    runs.clear();
+    texture.texcoords = nullptr;
 }
 
 namespace {

@@ -18,6 +18,23 @@ struct VisibleBlock {
     std::uint16_t block = 0, mask = 0;
     std::uint32_t primitive = 0;  ///< in Coverage::primitives
 };
+/// The entries of one block: blocks[first .. first + count - 1].
+struct BlockRun {
+    std::uint16_t block = 0, mask = 0;  ///< lanes of all entries
+    bool tied = false;                  ///< some lane has two
+    std::uint32_t first = 0, count = 0;
+};
+
+/// Texture coordinates of a record's blocks, kept while draws ask for the same ones.
+struct TextureCache {
+    const VertexTexcoords* texcoords = nullptr;
+    TextureState state;  ///< without the environment
+    int log2_width = 0, log2_height = 0;
+    std::vector<TexturePlanes> planes;  ///< of the record's primitives
+    std::vector<TextureLanes> lanes;    ///< of its runs
+    std::vector<std::uint8_t> divided;  ///< which of them are made
+};
+
 /// One draw's record in one tile.
 struct Coverage {
     bool made = false;
@@ -26,11 +43,11 @@ struct Coverage {
     std::vector<DepthBlock> fragments;      ///< how many fragments each pixel gets (visible or not)
     std::uint64_t total = 0;                ///< their sum
 
-    std::vector<ColorPlanes> colors;  ///< of `primitives`, for the draw in progress
-    /// Texture planes of `primitives`, kept while draws ask for the same ones.
-    std::vector<TexturePlanes> texture;
-    const VertexTexcoords* texcoords = nullptr;
-    TextureState texture_state;
+    std::vector<BlockRun> runs;  ///< of `blocks`
+
+    std::vector<NarrowPlanes> narrow;  ///< of `primitives`, for the draw in progress
+    std::vector<ColorPlanes> colors;   ///< the same where narrow ones do not serve
+    TextureCache texture;
 
     void clear();
 };

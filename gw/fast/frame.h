@@ -12,6 +12,7 @@
 namespace gw::fast {
 
 inline constexpr int block_side = 4, block_pixels = 16;
+inline constexpr std::size_t max_tile_blocks = 256;  ///< of a tile of 64 x 64 pixels, the largest
 
 /// Pixels of one block: the colours by channel, everything else by pixel. Lane = 4 (y mod 4) + x mod 4.
 struct alignas(64) ColorBlock {

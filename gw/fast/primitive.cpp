@@ -52,12 +52,20 @@ struct Maker {
                 std::uint16_t(max_of_bits(op().state.bits))};
     }
 
+    const std::vector<Rgba>& vertex_colors() const {
+        const VertexColors& colors = *op().colors;
+        return primitive.front || colors.back.empty() ? colors.front : colors.back;
+    }
+    Rgba flat() const {
+        return state().color_source == ColorSource::PolygonId ? id_color()
+                                                              : vertex_colors()[primitive.provoking];
+    }
+
     void color(ColorPlanes& out) const {
         out.perspective = false;
-        if (state().color_source == ColorSource::PolygonId) return constant(out, id_color());
-        const VertexColors& colors = *op().colors;
-        const std::vector<Rgba>& from = primitive.front || colors.back.empty() ? colors.front : colors.back;
-        if (state().shade_model == ShadeModel::Flat) return constant(out, from[primitive.provoking]);
+        if (state().color_source == ColorSource::PolygonId || state().shade_model == ShadeModel::Flat)
+            return constant(out, flat());
+        const std::vector<Rgba>& from = vertex_colors();
         out.perspective = op().perspective_color;
         for (std::size_t c = 0; c < 4; ++c) {
             const Values a = gather<std::int64_t>([&](std::uint32_t v) { return std::int64_t{from[v][c]}; });
@@ -160,6 +168,11 @@ void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive, co
     if (make.state().color_source == ColorSource::PolygonId) return;
     if (out.perspective || draw.op->fog_table) out.q = make.denominator();
     if (make.state().fog.enable) make.fog(out);
+}
+
+Rgba flat_color(const TileDraw& draw, const SetupPrimitive& primitive) {
+    static const PrimitiveFrame none{};
+    return Maker{draw, primitive, none}.flat();
 }
 
 void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame,

@@ -18,6 +18,18 @@ struct ColorPlanes {
     float fog_scale = 1;
 };
 
+/// Planes of at most 16 bits, modulo 2^32: R, G, B, A and the fog factor at the vertices.
+struct NarrowPlanes {
+    std::uint32_t c[5] = {}, gx[5] = {}, gy[5] = {};
+};
+
+/// A block's texture coordinates after the division, each lane of its own primitive.
+struct TextureLanes {
+    alignas(64) float u[block_pixels], v[block_pixels];  ///< U / Q 2^e
+    alignas(64) float rho[block_pixels];
+    alignas(64) std::int32_t u_k[block_pixels], v_k[block_pixels];
+};
+
 /// A texture coordinate: numerator / q * 2^exponent + k.
 struct TexturePlane {
     TilePlane plane;
@@ -40,6 +52,8 @@ struct DepthPlane {
 DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame);
 void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame,
                        ColorPlanes& out);
+/// The one colour of a primitive: its identifier's, or its provoking vertex's.
+Rgba flat_color(const TileDraw& draw, const SetupPrimitive& primitive);
 void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame,
                          TexturePlanes& out);
 

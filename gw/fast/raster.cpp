@@ -6,6 +6,7 @@
 
 #include "gw/fast/kernels.h"
 #include "gw/fast/record-inl.h"
+#include "gw/fast/replay-inl.h"
 #include "gw/fast/uncolored-inl.h"
 
 #include <hwy/highway.h>
@@ -17,17 +18,27 @@ namespace gw::fast::HWY_NAMESPACE {
 struct BatchPlanes {
     const TileDraw& draw;
     const Corners& corners;
+    bool narrow = is_narrow(*draw.op), made = false;
+    NarrowPlanes narrow_color[batch_room];
     ColorPlanes color[batch_room];
     TexturePlanes texture[batch_room];
-    bool made = false;
 
-    HWY_INLINE const ColorBlock& color_of(std::size_t i, int bx, int by, ShadeInputs& in) {
-        if (!made) {
-            set_up_colors(draw, corners, color);
-            if (draw.op->texels) set_up_textures(draw, corners, texture);
-        }
+    HWY_INLINE void make() {
+        if (made) return;
         made = true;
-        shade_inputs(color[i], texture[i], draw, bx, by, all_lanes, in);
+        if (narrow)
+            set_up_narrow(draw, corners, narrow_color);
+        else
+            set_up_colors(draw, corners, color);
+        if (draw.op->texels) set_up_textures(draw, corners, texture);
+    }
+    HWY_INLINE const ColorBlock& color_of(std::size_t i, int bx, int by, ShadeInputs& in) {
+        make();
+        if (narrow)
+            narrow_colors(narrow_color[i], has_fog(draw.op->state.state) ? 5 : 4, bx, by, in);
+        else
+            wide_colors(color[i], *draw.op, bx, by, all_lanes, in);
+        if (draw.op->texels) put_texture(texture[i], draw, bx, by, all_lanes, in);
         return shaded(draw, in);
     }
 };
@@ -50,7 +61,7 @@ void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, Op
     Triangles t;
     const BoxLanes box(draw);
     set_up_triangles(draw, bin, needs_depth(*draw.op), t);
-    BatchPlanes planes{draw, t.corners, {}, {}};
+    BatchPlanes planes{draw, t.corners};
     for (std::size_t i = 0; i < t.count(); ++i) {
         if (t.empty(i)) continue;
         const DepthPlane plane = depth_of(draw, t, i);
@@ -66,7 +77,7 @@ void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, Op
 void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& counts) {
     Corners corners;
     gather_corners(draw, {&ordinal, 1}, corners);
-    BatchPlanes planes{draw, corners, {}, {}};
+    BatchPlanes planes{draw, corners};
     const PrimitiveFrame frame = frame_of(draw, ordinal);
     const DepthPlane plane = depth_plane(draw, *corners.primitive[0], frame);
     visit_line_or_point(draw, frame, [&](int bx, int by, const LaneSet& lanes) {

@@ -1,4 +1,4 @@
-// Records of visible fragments: made by the first pass under Equal, drawn from by it and all later ones.
+// Records of visible fragments, made by the first pass under Equal; gw/fast/replay-inl.h draws from them.
 // gw/fast/coverage.h says when. Does not decide which draws share a record.
 // Included once per Highway target.
 #if defined(GW_FAST_RECORD_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -8,10 +8,11 @@
 #define GW_FAST_RECORD_INL_H_
 #endif
 
-#include "gw/fast/attributes-inl.h"
 #include "gw/fast/cover-inl.h"
 #include "gw/fast/coverage.h"
 #include "gw/fast/shade-inl.h"
+
+#include <array>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -66,6 +67,26 @@ void record_line_or_point(const TileDraw& draw, std::uint32_t ordinal, Coverage&
     keep_if_visible(ordinal, before, record);
 }
 
+/// Sorts the entries by block, in each block in the primitives' order, and finds the blocks' runs.
+inline void sort_blocks(Coverage& record) {
+    std::array<std::uint32_t, max_tile_blocks + 1> start{};
+    for (const VisibleBlock& v : record.blocks) start[v.block + 1u] += 1;
+    for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+    std::vector<VisibleBlock> sorted(record.blocks.size());
+    std::array<std::uint32_t, max_tile_blocks + 1> next = start;
+    for (const VisibleBlock& v : record.blocks) sorted[next[v.block]++] = v;
+    record.blocks.swap(sorted);
+    for (std::size_t block = 0; block < max_tile_blocks; ++block) {
+        BlockRun run{std::uint16_t(block), 0, false, start[block], start[block + 1] - start[block]};
+        for (std::uint32_t i = 0; i < run.count; ++i) {
+            const std::uint16_t mask = record.blocks[run.first + i].mask;
+            run.tied = run.tied || (run.mask & mask) != 0;
+            run.mask = std::uint16_t(run.mask | mask);
+        }
+        if (run.count != 0) record.runs.push_back(run);
+    }
+}
+
 /// Makes the record of a draw under Equal: its visible blocks, and how many fragments each pixel gets.
 void record_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
     record.fragments.assign(std::size_t(draw.tile.side) * std::size_t(draw.tile.side) / block_pixels,
@@ -73,116 +94,10 @@ void record_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Covera
     walk_bin(
         draw, bin, [&](std::span<const std::uint32_t> batch) { record_triangles(draw, batch, record); },
         [&](std::uint32_t ordinal) { record_line_or_point(draw, ordinal, record); });
-    // By block, in each block in the primitives' order.
-    std::stable_sort(record.blocks.begin(), record.blocks.end(),
-                     [](const VisibleBlock& a, const VisibleBlock& b) { return a.block < b.block; });
+    sort_blocks(record);
     for (const DepthBlock& block : record.fragments)
         for (const std::uint32_t n : block.value) record.total += n;
     record.made = true;
-}
-
-/// Fragments of all blocks that the stencil test kills, from the counts; the others die by depth or are
-/// visible.
-HWY_INLINE std::uint64_t killed_by_stencil(const TileDraw& draw, const Coverage& record) {
-    const D32 d;
-    const StencilFace& face = draw.op->state.front;
-    if (face.func == StencilFunc::Always) return 0;
-    std::uint64_t killed = 0;
-    for (std::size_t block = 0; block < record.fragments.size(); ++block) {
-        const std::uint32_t fails = all_lanes & ~stencil_test(face, draw.tile.stencil[block], all_lanes);
-        if (fails == 0) continue;
-        alignas(64) std::uint32_t kept[block_pixels];
-        for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-            const auto n = hn::Load(d, record.fragments[block].value + i);
-            hn::Store(hn::IfThenElseZero(lanes_of(d, fails, i), n), d, kept + i);
-        }
-        for (const std::uint32_t n : kept) killed += n;
-    }
-    return killed;
-}
-
-/// Calls make(corners, first) for the record's primitives, a batch at a time.
-template <class Make>
-HWY_INLINE void for_each_batch(const TileDraw& draw, const Coverage& record, const Make& make) {
-    const std::span<const std::uint32_t> ordinals(record.primitives);
-    for (std::size_t first = 0; first < ordinals.size(); first += batch_room) {
-        Corners corners;
-        gather_corners(draw, ordinals.subspan(first), corners);
-        make(corners, first);
-    }
-}
-
-/// Makes the colour planes of the record's primitives, as this draw has them.
-HWY_INLINE void color_planes(const TileDraw& draw, Coverage& record) {
-    record.colors.resize(record.primitives.size());
-    for_each_batch(draw, record, [&](const Corners& corners, std::size_t first) {
-        set_up_colors(draw, corners, record.colors.data() + first);
-    });
-}
-
-/// Makes or finds the texture planes of the record's primitives.
-HWY_INLINE const TexturePlanes* texture_planes(const TileDraw& draw, Coverage& record) {
-    const DrawOp& op = *draw.op;
-    if (!op.texels) return nullptr;
-    TextureState state = op.state.state.texture;
-    state.env = TexEnv::Modulate, state.env_color = vec4(0);
-    if (record.texcoords != op.texcoords || !(record.texture_state == state)) {
-        record.texture.resize(record.primitives.size());
-        for_each_batch(draw, record, [&](const Corners& corners, std::size_t first) {
-            set_up_textures(draw, corners, record.texture.data() + first);
-        });
-        record.texcoords = op.texcoords;
-        record.texture_state = state;
-    }
-    return record.texture.data();
-}
-
-/// Colours of one block, gathered from its primitives and written together; a pixel where two tie is written
-/// twice.
-struct BlockColors {
-    const TileDraw& draw;
-    std::size_t block = 0;
-    std::uint32_t mask = 0;
-    ShadeInputs inputs;
-
-    HWY_INLINE void flush() {
-        if (mask != 0) write_color(draw.op->state, shaded(draw, inputs), draw.tile.color[block], mask);
-        mask = 0;
-    }
-    HWY_INLINE void add(std::size_t to_block, std::uint32_t lanes, const ColorPlanes& planes,
-                        const TexturePlanes& texture) {
-        if (to_block != block || (mask & lanes) != 0) flush();
-        block = to_block;
-        mask |= lanes;
-        const int row = draw.tile.side / block_side;
-        shade_inputs(planes, texture, draw, int(block) % row, int(block) / row, lanes, inputs);
-    }
-};
-
-/// Draws from a record: visible blocks only, block by block.
-void replay_all(const TileDraw& draw, Coverage& record) {
-    const DrawOp& op = *draw.op;
-    OpCounts& counts = *draw.counts;
-    const std::uint64_t killed = killed_by_stencil(draw, record);
-    const bool colors = op.state.writes_color;
-    const TexturePlanes* texture = colors ? texture_planes(draw, record) : nullptr;
-    if (colors) color_planes(draw, record);
-    static const TexturePlanes no_texture{};
-    std::uint64_t written = 0;
-    BlockColors out{draw, 0, 0, {}};
-    for (const VisibleBlock& visible : record.blocks) {
-        const std::uint32_t mask =
-            stencil_test(op.state.front, draw.tile.stencil[visible.block], visible.mask);
-        written += std::uint64_t(std::popcount(mask));
-        if (mask == 0 || !colors) continue;
-        const std::size_t k = visible.primitive;
-        out.add(visible.block, mask, record.colors[k], texture ? texture[k] : no_texture);
-    }
-    out.flush();
-    counts.fragments += record.total;
-    counts.stencil_killed += killed;
-    counts.written += written;
-    counts.depth_killed += record.total - killed - written;
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -8,7 +8,9 @@
 #define GW_FAST_SHADE_INL_H_
 #endif
 
+#include "gw/fast/attributes-inl.h"
 #include "gw/fast/texture-inl.h"
+#include "gw/fast/walk-inl.h"
 #include "gw/fog.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -27,8 +29,56 @@ struct ShadeInputs {
     ColorBlock color;
     ColorBlock texel;  ///< where textures are looked up pixel by pixel
     TextureInputs texture;
+    TextureLanes divided;
     alignas(64) std::uint32_t fog[block_pixels];
 };
+
+/// Coefficients of narrow planes, each lane of its own primitive.
+struct NarrowLanes {
+    alignas(64) std::uint32_t c[5][block_pixels], gx[5][block_pixels], gy[5][block_pixels];
+
+    HWY_INLINE void put(const NarrowPlanes& p, const LaneSet& lanes, std::size_t channels) {
+        const D32 d;
+        for (std::size_t k = 0; k < channels; ++k)
+            for (std::size_t i = 0; i < parts; ++i) {
+                const std::size_t at = i * lanes32;
+                hn::BlendedStore(hn::Set(d, p.c[k]), lanes.part[i], d, c[k] + at);
+                hn::BlendedStore(hn::Set(d, p.gx[k]), lanes.part[i], d, gx[k] + at);
+                hn::BlendedStore(hn::Set(d, p.gy[k]), lanes.part[i], d, gy[k] + at);
+            }
+    }
+};
+
+HWY_INLINE V32 narrow_value(V32 c, V32 gx, V32 gy, Pixels at) {
+    return hn::ShiftRight<16>(hn::Add(hn::Add(c, hn::Mul(gx, at.x)), hn::Mul(gy, at.y)));
+}
+
+/// Colour, and the fog factor where there are five channels, of lanes with a primitive each.
+HWY_INLINE void narrow_colors(const NarrowLanes& p, std::size_t channels, int bx, int by, ShadeInputs& in) {
+    const D32 d;
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        const Pixels at = pixels_of(bx, by, i);
+        const auto value = [&](std::size_t k) {
+            return narrow_value(hn::Load(d, p.c[k] + i), hn::Load(d, p.gx[k] + i), hn::Load(d, p.gy[k] + i),
+                                at);
+        };
+        for (std::size_t k = 0; k < 4; ++k) store16(value(k), in.color.channel[k] + i);
+        if (channels == 5) hn::Store(value(4), d, in.fog + i);
+    }
+}
+
+/// The same of one primitive.
+HWY_INLINE void narrow_colors(const NarrowPlanes& p, std::size_t channels, int bx, int by, ShadeInputs& in) {
+    const D32 d;
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        const Pixels at = pixels_of(bx, by, i);
+        const auto value = [&](std::size_t k) {
+            return narrow_value(hn::Set(d, p.c[k]), hn::Set(d, p.gx[k]), hn::Set(d, p.gy[k]), at);
+        };
+        for (std::size_t k = 0; k < 4; ++k) store16(value(k), in.color.channel[k] + i);
+        if (channels == 5) hn::Store(value(4), d, in.fog + i);
+    }
+}
 
 /// Stores the lanes of `mask`.
 HWY_INLINE void blend16(V32 v, std::uint32_t mask, std::size_t first, std::uint16_t* p) {
@@ -111,38 +161,47 @@ HWY_INLINE void apply_fog_block(const DrawOp& op, const std::uint32_t* factor, C
     }
 }
 
-/// Puts the lanes of `mask`, which one primitive covers, into the inputs.
-HWY_INLINE void shade_inputs(const ColorPlanes& p, const TexturePlanes& texture, const TileDraw& draw, int bx,
-                             int by, std::uint32_t mask, ShadeInputs& in) {
-    const DrawOp& op = *draw.op;
+/// Puts colour and fog of the lanes of `mask`, which one primitive covers, into the inputs.
+HWY_INLINE void wide_colors(const ColorPlanes& p, const DrawOp& op, int bx, int by, std::uint32_t mask,
+                            ShadeInputs& in) {
     interpolated_color(p, op.state.bits, bx, by, mask, in.color);
-    const State& s = op.state.state;
-    if (s.color_source == ColorSource::PolygonId) return;
-    if (op.texels) {
-        if (textures_by_pixel(s.texture))
-            sample_by_pixel(texture, draw, bx, by, mask, in.texel);
-        else
-            texture_inputs({*op.texels, s.texture, op.state.bits}, texture, draw.tile, bx, by, mask,
-                           in.texture);
-    }
-    if (!s.fog.enable) return;
+    if (!has_fog(op.state.state)) return;
     const D32 d;
     for (std::size_t i = 0; i < block_pixels; i += lanes32)
         hn::BlendedStore(fog_factor_lanes(p, op, pixels_of(bx, by, i)), lanes_of(d, mask, i), d, in.fog + i);
 }
 
-/// Colour, texture, fog, in that order, of all 16 pixels.
-HWY_INLINE const ColorBlock& shaded(const TileDraw& draw, ShadeInputs& in) {
+HWY_INLINE Sampler sampler_of(const DrawOp& op) {
+    return {*op.texels, op.state.state.texture, op.state.bits};
+}
+
+/// The same of a textured draw's texture.
+HWY_INLINE void put_texture(const TexturePlanes& p, const TileDraw& draw, int bx, int by, std::uint32_t mask,
+                            ShadeInputs& in) {
+    if (textures_by_pixel(draw.op->state.state.texture))
+        sample_by_pixel(p, draw, bx, by, mask, in.texel);
+    else
+        texture_inputs(sampler_of(*draw.op), p, draw.tile, bx, by, mask, in.texture);
+}
+
+/// Colour, texture, fog, in that order, of all 16 pixels. `divided`: their texture coordinates.
+HWY_INLINE const ColorBlock& shaded(const TileDraw& draw, const TextureLanes& divided, ShadeInputs& in) {
     const DrawOp& op = *draw.op;
     const State& s = op.state.state;
     if (s.color_source == ColorSource::PolygonId) return in.color;
     if (op.texels) {
-        if (!textures_by_pixel(s.texture))
-            sample_block({*op.texels, s.texture, op.state.bits}, in.texture, in.texel);
+        if (!textures_by_pixel(s.texture)) sample_block(sampler_of(op), divided, in.texel);
         apply_environment(s.texture.env, op.state.env_color, op.state.bits, in.texel, in.color);
     }
     if (s.fog.enable) apply_fog_block(op, in.fog, in.color);
     return in.color;
+}
+
+HWY_INLINE const ColorBlock& shaded(const TileDraw& draw, ShadeInputs& in) {
+    const DrawOp& op = *draw.op;
+    if (op.texels && !textures_by_pixel(op.state.state.texture))
+        divide_block(sampler_of(op), in.texture, in.divided);
+    return shaded(draw, in.divided, in);
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -79,10 +79,10 @@ struct TextureInputs {
     alignas(64) float slope[block_pixels];  ///< rho Q^2 2^16
 };
 
-/// The same in vectors, divided.
+/// A part of a block's coordinates, in vectors.
 struct Coordinates {
-    VF uw, vw;
-    VI u_exponent, v_exponent, u_k, v_k;
+    VF u, v;  ///< U W 2^e: at most 1024
+    VI u_k, v_k;
 };
 
 /// One draw's texture as the lanes see it.
@@ -93,15 +93,13 @@ struct Sampler {
 
     const TexelLevel& base() const { return texels.texels.levels[0]; }
 
-    /// U W 2^e + k in 1/256 texels of the lanes' own levels, whose sides are 2^log2_size; U W 2^e at most
-    /// 2^30.
-    HWY_INLINE static VI coordinate(VF uw, VI exponent, VI k, VI log2_size) {
+    /// u + k in 1/256 texels of the lanes' own levels, whose sides are 2^log2_size; u 2^.. at most 2^30.
+    HWY_INLINE static VI coordinate(VF u, VI k, VI log2_size) {
         const I32 i;
         const F32 f;
         const auto shift = hn::Add(log2_size, hn::Set(i, 8));
-        const auto scale =
-            hn::BitCast(f, hn::ShiftLeft<23>(hn::Add(shift, hn::Add(exponent, hn::Set(i, 127)))));
-        const auto scaled = hn::Max(hn::Zero(f), hn::Min(hn::Mul(uw, scale), hn::Set(f, 1073741824.0f)));
+        const auto scale = hn::BitCast(f, hn::ShiftLeft<23>(hn::Add(shift, hn::Set(i, 127))));
+        const auto scaled = hn::Max(hn::Zero(f), hn::Min(hn::Mul(u, scale), hn::Set(f, 1073741824.0f)));
         return hn::Add(hn::ConvertTo(i, scaled), hn::Shl(k, shift));
     }
 
@@ -119,8 +117,7 @@ struct Sampler {
         const auto log2_h = hn::Max(hn::Sub(hn::Set(i, base().log2_height), level), zero);
         const auto last_x = hn::Sub(hn::Shl(one, log2_w), one), last_y = hn::Sub(hn::Shl(one, log2_h), one);
         const auto first = hn::GatherIndex(i, texels.first.data(), level);
-        auto u = coordinate(at.uw, at.u_exponent, at.u_k, log2_w),
-             v = coordinate(at.vw, at.v_exponent, at.v_k, log2_h);
+        auto u = coordinate(at.u, at.u_k, log2_w), v = coordinate(at.v, at.v_k, log2_h);
         const auto row = [&](VI y) {
             return hn::Add(first, hn::Shl(wrapped(state.wrap_t, y, last_y), log2_w));
         };
@@ -190,10 +187,8 @@ struct LevelLanes {
     V32 weight;
 };
 
-HWY_INLINE LevelLanes choose_levels(const Sampler& s, VF slope, VF w) {
+HWY_INLINE LevelLanes choose_levels(const Sampler& s, VF rho) {
     const I32 i;
-    const F32 f;
-    const auto rho = hn::Mul(hn::Mul(slope, hn::Mul(w, w)), hn::Set(f, 1.0f / 65536));
     const auto bits = hn::BitCast(i, rho);
     const bool later =
         s.state.mag_filter == MagFilter::Linear && (s.state.min_filter == MinFilter::NearestMipmapNearest ||
@@ -254,24 +249,39 @@ HWY_INLINE void mix_levels(TexelLanes& a, const TexelLanes& b, V32 weight) {
     }
 }
 
-HWY_INLINE void sample_block(const Sampler& s, const TextureInputs& in, ColorBlock& out) {
+/// Divides: what depends on the pixels and the texture's size, but not on its texels.
+HWY_INLINE void divide_block(const Sampler& s, const TextureInputs& in, TextureLanes& out) {
     const D32 u;
     const I32 d;
     const F32 f;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
         const auto w = hn::Div(hn::Set(f, 1.0f), to_floats(hn::Load(u, in.q + i)));
-        const auto over = [&](const std::uint32_t* p) { return hn::Mul(to_floats(hn::Load(u, p + i)), w); };
-        const Coordinates at{over(in.u),
-                             over(in.v),
-                             hn::Load(d, in.u_exponent + i),
-                             hn::Load(d, in.v_exponent + i),
-                             hn::Load(d, in.u_k + i),
+        const auto over = [&](const std::uint32_t* p, const std::int32_t* exponent) {
+            const auto biased = hn::Add(hn::Load(d, exponent + i), hn::Set(d, 127));
+            return hn::Mul(hn::Mul(to_floats(hn::Load(u, p + i)), w),
+                           hn::BitCast(f, hn::ShiftLeft<23>(biased)));
+        };
+        hn::Store(over(in.u, in.u_exponent), f, out.u + i);
+        hn::Store(over(in.v, in.v_exponent), f, out.v + i);
+        hn::Store(hn::Load(d, in.u_k + i), d, out.u_k + i);
+        hn::Store(hn::Load(d, in.v_k + i), d, out.v_k + i);
+        if (!needs_rho(s.state)) continue;
+        const auto rho = hn::Mul(hn::Mul(hn::Load(f, in.slope + i), hn::Mul(w, w)), hn::Set(f, 1.0f / 65536));
+        hn::Store(rho, f, out.rho + i);
+    }
+}
+
+HWY_INLINE void sample_block(const Sampler& s, const TextureLanes& in, ColorBlock& out) {
+    const I32 d;
+    const F32 f;
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        const Coordinates at{hn::Load(f, in.u + i), hn::Load(f, in.v + i), hn::Load(d, in.u_k + i),
                              hn::Load(d, in.v_k + i)};
         TexelLanes texel;
         if (!needs_rho(s.state)) {
             texel = s.lookup(at, hn::Zero(d), s.state.mag_filter == MagFilter::Linear);
         } else {
-            const LevelLanes l = choose_levels(s, hn::Load(f, in.slope + i), w);
+            const LevelLanes l = choose_levels(s, hn::Load(f, in.rho + i));
             texel = sample_level(s, at, l.level, l.magnify);
             const auto mixed = hn::Gt(hn::BitCast(d, l.weight), hn::Zero(d));
             if (!hn::AllFalse(d, mixed)) mix_levels(texel, sample_level(s, at, l.next, l.magnify), l.weight);

@@ -1,0 +1,186 @@
+// Drawing from a record of visible fragments: block by block, each block's primitives at once.
+// gw/fast/coverage.h says when. Does not find visibility. Included once per Highway target.
+#if defined(GW_FAST_REPLAY_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_REPLAY_INL_H_
+#undef GW_FAST_REPLAY_INL_H_
+#else
+#define GW_FAST_REPLAY_INL_H_
+#endif
+
+#include "gw/fast/coverage.h"
+#include "gw/fast/shade-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+/// Fragments of all blocks that the stencil test kills, from the counts; the others die by depth or are
+/// visible.
+HWY_INLINE std::uint64_t killed_by_stencil(const TileDraw& draw, const Coverage& record) {
+    const D32 d;
+    const StencilFace& face = draw.op->state.front;
+    if (face.func == StencilFunc::Always) return 0;
+    std::uint64_t killed = 0;
+    for (std::size_t block = 0; block < record.fragments.size(); ++block) {
+        const std::uint32_t fails = all_lanes & ~stencil_test(face, draw.tile.stencil[block], all_lanes);
+        if (fails == 0) continue;
+        alignas(64) std::uint32_t kept[block_pixels];
+        for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+            const auto n = hn::Load(d, record.fragments[block].value + i);
+            hn::Store(hn::IfThenElseZero(lanes_of(d, fails, i), n), d, kept + i);
+        }
+        for (const std::uint32_t n : kept) killed += n;
+    }
+    return killed;
+}
+
+/// Calls make(corners, first) for the record's primitives, a batch at a time.
+template <class Make>
+HWY_INLINE void for_each_batch(const TileDraw& draw, const Coverage& record, const Make& make) {
+    const std::span<const std::uint32_t> ordinals(record.primitives);
+    for (std::size_t first = 0; first < ordinals.size(); first += batch_room) {
+        Corners corners;
+        gather_corners(draw, ordinals.subspan(first), corners);
+        make(corners, first);
+    }
+}
+
+/// Makes the colour planes of the record's primitives, as this draw has them.
+HWY_INLINE void make_colors(const TileDraw& draw, bool narrow, Coverage& record) {
+    if (narrow)
+        record.narrow.resize(record.primitives.size());
+    else
+        record.colors.resize(record.primitives.size());
+    for_each_batch(draw, record, [&](const Corners& corners, std::size_t first) {
+        if (narrow)
+            set_up_narrow(draw, corners, record.narrow.data() + first);
+        else
+            set_up_colors(draw, corners, record.colors.data() + first);
+    });
+}
+
+/// Makes or keeps the texture planes of the record's primitives; what was divided for others is gone.
+HWY_INLINE void make_textures(const TileDraw& draw, Coverage& record) {
+    const DrawOp& op = *draw.op;
+    TextureCache& cache = record.texture;
+    TextureState state = op.state.state.texture;
+    state.env = TexEnv::Modulate, state.env_color = vec4(0);
+    const TexelLevel& base = op.texels->texels.levels[0];
+    if (cache.texcoords == op.texcoords && cache.state == state && cache.log2_width == base.log2_width &&
+        cache.log2_height == base.log2_height)
+        return;
+    cache.texcoords = op.texcoords, cache.state = state;
+    cache.log2_width = base.log2_width, cache.log2_height = base.log2_height;
+    cache.planes.resize(record.primitives.size());
+    cache.lanes.resize(record.runs.size());
+    cache.divided.assign(record.runs.size(), 0);
+    for_each_batch(draw, record, [&](const Corners& corners, std::size_t first) {
+        set_up_textures(draw, corners, cache.planes.data() + first);
+    });
+}
+
+/// One draw from a record.
+struct Replay {
+    const TileDraw& draw;
+    Coverage& record;
+    bool narrow, textured, by_pixel;
+    std::size_t channels;
+    NarrowLanes lanes{};
+    ShadeInputs inputs;
+
+    HWY_INLINE int bx(const BlockRun& run) const { return run.block % (draw.tile.side / block_side); }
+    HWY_INLINE int by(const BlockRun& run) const { return run.block / (draw.tile.side / block_side); }
+
+    HWY_INLINE void put_color(const BlockRun& run, const VisibleBlock& entry, std::uint32_t mask) {
+        if (narrow)
+            lanes.put(record.narrow[entry.primitive], lane_set(mask), channels);
+        else
+            wide_colors(record.colors[entry.primitive], *draw.op, bx(run), by(run), mask, inputs);
+    }
+    HWY_INLINE void put_texels(const BlockRun& run, const VisibleBlock& entry, std::uint32_t mask) {
+        put_texture(record.texture.planes[entry.primitive], draw, bx(run), by(run), mask, inputs);
+    }
+    HWY_INLINE void write(const BlockRun& run, const TextureLanes& divided, std::uint32_t mask) {
+        if (narrow) narrow_colors(lanes, channels, bx(run), by(run), inputs);
+        write_color(draw.op->state, shaded(draw, divided, inputs), draw.tile.color[run.block], mask);
+    }
+
+    /// The run's texture coordinates, kept for the draws that follow.
+    HWY_INLINE const TextureLanes& divided(const BlockRun& run) {
+        const auto i = std::size_t(&run - record.runs.data());
+        TextureCache& cache = record.texture;
+        if (!cache.divided[i]) {
+            for (std::uint32_t k = 0; k < run.count; ++k) {
+                const VisibleBlock& entry = record.blocks[run.first + k];
+                put_texels(run, entry, entry.mask);
+            }
+            divide_block(sampler_of(*draw.op), inputs.texture, cache.lanes[i]);
+            cache.divided[i] = 1;
+        }
+        return cache.lanes[i];
+    }
+
+    /// A run without ties: every pixel has one primitive.
+    HWY_INLINE void paint(const BlockRun& run, std::uint32_t mask) {
+        for (std::uint32_t k = 0; k < run.count; ++k) {
+            const VisibleBlock& entry = record.blocks[run.first + k];
+            const std::uint32_t own = entry.mask & mask;
+            if (own == 0) continue;
+            put_color(run, entry, own);
+            if (by_pixel) put_texels(run, entry, own);
+        }
+        write(run, textured && !by_pixel ? divided(run) : inputs.divided, mask);
+    }
+    /// One primitive after the other: a pixel where two tie is written twice.
+    HWY_INLINE void paint_tied(const BlockRun& run, std::uint32_t mask) {
+        for (std::uint32_t k = 0; k < run.count; ++k) {
+            const VisibleBlock& entry = record.blocks[run.first + k];
+            const std::uint32_t own = entry.mask & mask;
+            if (own == 0) continue;
+            put_color(run, entry, own);
+            if (textured) put_texels(run, entry, own);
+            if (textured && !by_pixel) divide_block(sampler_of(*draw.op), inputs.texture, inputs.divided);
+            write(run, inputs.divided, own);
+        }
+    }
+    HWY_INLINE std::uint64_t fragments(const BlockRun& run, std::uint32_t mask) const {
+        if (!run.tied) return std::uint64_t(std::popcount(mask));
+        std::uint64_t sum = 0;
+        for (std::uint32_t k = 0; k < run.count; ++k)
+            sum += std::uint64_t(std::popcount(record.blocks[run.first + k].mask & mask));
+        return sum;
+    }
+};
+
+/// Draws from a record: visible blocks only, block by block.
+void replay_all(const TileDraw& draw, Coverage& record) {
+    const DrawOp& op = *draw.op;
+    OpCounts& counts = *draw.counts;
+    const std::uint64_t killed = killed_by_stencil(draw, record);
+    const bool colors = op.state.writes_color, textured = colors && op.texels != nullptr,
+               narrow = is_narrow(op);
+    if (colors) make_colors(draw, narrow, record);
+    if (textured) make_textures(draw, record);
+    Replay replay{draw,
+                  record,
+                  narrow,
+                  textured,
+                  textured && textures_by_pixel(op.state.state.texture),
+                  has_fog(op.state.state) ? std::size_t{5} : std::size_t{4}};
+    std::uint64_t written = 0;
+    for (const BlockRun& run : record.runs) {
+        const std::uint32_t mask = stencil_test(op.state.front, draw.tile.stencil[run.block], run.mask);
+        if (mask == 0) continue;
+        written += replay.fragments(run, mask);
+        if (!colors) continue;
+        run.tied ? replay.paint_tied(run, mask) : replay.paint(run, mask);
+    }
+    counts.fragments += record.total;
+    counts.stencil_killed += killed;
+    counts.written += written;
+    counts.depth_killed += record.total - killed - written;
+}
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target
