@@ -22,6 +22,7 @@ namespace {
 struct Options {
     std::string scene = GW_SOURCE_DIR "/scenes/fig9.toml", json, only;
     int repeats = 7, threads = 1;
+    bool alone = false;
 };
 
 /// Wall and processor time of one call, in milliseconds.
@@ -83,12 +84,12 @@ Row measure(const Workload& w, Window& window, const Options& options) {
     std::vector<Time> ours, buffers, lists;
     for (int i = 0; i <= options.repeats; ++i) {  // the first time round warms up
         const Time a = time_of([&] { window.machine->execute(list), window.machine->reset_passes(); });
-        const Time b = time_of([&] { window.buffers.run(w); });
-        const Time c = time_of([&] { window.lists.run(w); });
+        const Time b = options.alone ? Time{} : time_of([&] { window.buffers.run(w); });
+        const Time c = options.alone ? Time{} : time_of([&] { window.lists.run(w); });
         if (i == 0) continue;
         ours.push_back(a), buffers.push_back(b), lists.push_back(c);
     }
-    const double differs = w.passes.front().shade == Shade::None && w.passes.size() == 1
+    const double differs = options.alone || (w.passes.front().shade == Shade::None && w.passes.size() == 1)
                                ? 0
                                : differing(window.machine->planes(), window.lists.picture(), 8);
     return {&w, median(ours), median(buffers), median(lists), differs};
@@ -145,6 +146,7 @@ int main(int argc, char** argv) {
     app.add_option("--only", options.only, "letters of the workloads to run");
     app.add_option("--repeats", options.repeats, "timed repeats")->check(CLI::Range(1, 1000));
     app.add_option("--threads", options.threads, "of the machine")->check(CLI::Range(1, 256));
+    app.add_flag("--alone", options.alone, "only the machine, for a profiler");
     app.add_option("--json", options.json, "write the table to this file too");
     CLI11_PARSE(app, argc, argv);
     return gw::peers::run(options);

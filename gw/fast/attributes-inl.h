@@ -11,6 +11,7 @@
 #include "gw/fast/corners-inl.h"
 
 #include <cmath>
+#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -28,12 +29,13 @@ HWY_INLINE void color_one(const TileDraw& draw, const Corners& t, std::size_t i,
     make_color_planes(draw, *t.primitive[i], frame_of(draw, t.ordinal[i]), out);
 }
 
-HWY_INLINE void narrow_one(const TileDraw& draw, const Corners& t, std::size_t i, NarrowPlanes& out) {
+HWY_INLINE void narrow_one(const TileDraw& draw, const Corners& t, std::size_t i, NarrowBatch& out) {
     ColorPlanes wide;
     color_one(draw, t, i, wide);
-    for (std::size_t c = 0; c < 5; ++c) {
-        const TilePlane& p = c < 4 ? wide.color[c] : wide.fog;
-        out.c[c] = std::uint32_t(p.c), out.gx[c] = std::uint32_t(p.gx), out.gy[c] = std::uint32_t(p.gy);
+    for (std::size_t k = 0; k < 5; ++k) {
+        const TilePlane& p = k < 4 ? wide.color[k] : wide.fog;
+        out.c[k][i] = std::uint32_t(p.c), out.gx[k][i] = std::uint32_t(p.gx),
+        out.gy[k][i] = std::uint32_t(p.gy);
     }
 }
 
@@ -43,17 +45,37 @@ HWY_INLINE void texture_one(const TileDraw& draw, const Corners& t, std::size_t 
 
 #if HWY_HAVE_FLOAT64
 
-/// One channel of the vertex colours: planes for all lanes.
-HWY_INLINE void channel_planes(const TileDraw& draw, const Corners& t, std::size_t c, PlaneBatch& out) {
+/// The vertices' colours, four channels of 16 bits in a word.
+struct ColorWords {
+    alignas(64) std::uint64_t at[3][batch_room];
+};
+HWY_INLINE void gather_colors(const TileDraw& draw, const Corners& t, ColorWords& out) {
     const VertexColors& colors = *draw.op->colors;
-    alignas(64) std::int32_t value[3][batch_room];
     for (std::size_t i = 0; i < batch_room; ++i) {
         const bool front = t.primitive[i]->front || colors.back.empty();
         const Rgba* from = (front ? colors.front : colors.back).data();
-        for (std::size_t k = 0; k < 3; ++k) value[k][i] = from[t.primitive[i]->vertex[k]][c];
+        for (std::size_t k = 0; k < 3; ++k)
+            std::memcpy(&out.at[k][i], from + t.primitive[i]->vertex[k], sizeof(Rgba));
     }
+}
+
+/// Integers below 2^52 as doubles.
+HWY_INLINE V64 to_double(hn::Vec<U64ForD64> v) {
+    const D64 d;
+    const auto magic = hn::Set(d, 4503599627370496.0);  // 2^52: its lowest bits are what is ored in
+    return hn::Sub(hn::BitCast(d, hn::Or(v, hn::BitCast(U64ForD64(), magic))), magic);
+}
+
+/// One channel of the vertex colours: planes for all lanes.
+HWY_INLINE void channel_planes(const Corners& t, const ColorWords& colors, std::size_t c, PlaneBatch& out) {
+    const U64ForD64 u;
     set_up_planes(
-        t, [&](std::size_t k, std::size_t i) { return load_integers(value[k] + i); }, out);
+        t,
+        [&](std::size_t k, std::size_t i) {
+            const auto word = hn::ShiftRightSame(hn::Load(u, colors.at[k] + i), int(16 * c));
+            return to_double(hn::And(word, hn::Set(u, 0xFFFFu)));
+        },
+        out);
 }
 
 HWY_INLINE void fog_planes(const TileDraw& draw, const Corners& t, PlaneBatch& out) {
@@ -63,28 +85,31 @@ HWY_INLINE void fog_planes(const TileDraw& draw, const Corners& t, PlaneBatch& o
         t, [&](std::size_t k, std::size_t i) { return nearest(hn::Load(D64(), factor[k] + i)); }, out);
 }
 
-/// Puts a batch's plane of one channel where it belongs.
-HWY_INLINE void put_channel(const Corners& t, const PlaneBatch& plane, std::size_t c, NarrowPlanes* out) {
-    for (std::size_t i = 0; i < t.count; ++i) {
-        const TilePlane p = plane.at(t, i);
-        out[i].c[c] = std::uint32_t(p.c), out[i].gx[c] = std::uint32_t(p.gx),
-        out[i].gy[c] = std::uint32_t(p.gy);
+/// Puts a batch's plane of one channel where it belongs: at the tile, modulo 2^32.
+HWY_INLINE void put_channel(const Corners& t, const PlaneBatch& plane, std::size_t k, NarrowBatch& out) {
+    for (std::size_t i = 0; i < batch_room; ++i) {
+        const auto gx = std::uint32_t(plane.gx[i]), gy = std::uint32_t(plane.gy[i]);
+        out.gx[k][i] = gx, out.gy[k][i] = gy;
+        out.c[k][i] =
+            std::uint32_t(plane.base[i]) + gx * std::uint32_t(t.to_x[i]) + gy * std::uint32_t(t.to_y[i]);
     }
 }
 
 /// Smooth colours of a batch; the lanes that are sure.
-HWY_INLINE std::uint32_t smooth_colors(const TileDraw& draw, const Corners& t, NarrowPlanes* out) {
+HWY_INLINE std::uint32_t smooth_colors(const TileDraw& draw, const Corners& t, NarrowBatch& out) {
+    ColorWords colors;
     PlaneBatch plane;
+    gather_colors(draw, t, colors);
     std::uint32_t sure = ~0u;
-    for (std::size_t c = 0; c < 4; ++c) {
-        channel_planes(draw, t, c, plane);
-        put_channel(t, plane, c, out);
+    for (std::size_t k = 0; k < 4; ++k) {
+        channel_planes(t, colors, k, plane);
+        put_channel(t, plane, k, out);
         sure &= plane.sure;
     }
     return sure;
 }
 
-HWY_INLINE std::uint32_t fog_factors(const TileDraw& draw, const Corners& t, NarrowPlanes* out) {
+HWY_INLINE std::uint32_t fog_factors(const TileDraw& draw, const Corners& t, NarrowBatch& out) {
     PlaneBatch plane;
     fog_planes(draw, t, plane);
     put_channel(t, plane, 4, out);
@@ -160,7 +185,7 @@ HWY_INLINE void coordinate_planes(const TileDraw& draw, const Corners& t, int c,
     alignas(64) double s[3][batch_room], numerator[3][batch_room];
     gather(t, s, [&](std::uint32_t v) { return draw.op->texcoords->strq[v][c]; });
     out.finite = 0;
-    for (std::size_t i = 0; i < t.count; i += hn::Lanes(D64())) {
+    for (std::size_t i = 0; i < batch_room; i += hn::Lanes(D64())) {
         const Vertices3 at = load3(s, i), ratio = ratios(load3(w, i));
         out.finite |= (finite_lanes(at) & finite_lanes(ratio)) << i;
         numerator_lanes(at, ratio, wrap, i, out, numerator);
@@ -172,7 +197,7 @@ HWY_INLINE void denominator_planes(const Corners& t, const double (&w)[3][batch_
     const D64 d;
     alignas(64) double q[3][batch_room];
     const auto unit = all(coordinate_unit);
-    for (std::size_t i = 0; i < t.count; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < batch_room; i += hn::Lanes(d)) {
         const Vertices3 ratio = ratios(load3(w, i));
         for (std::size_t k = 0; k < 3; ++k) {
             const auto v = nearest(hn::Mul(unit, ratio.at[k]));
@@ -219,16 +244,16 @@ HWY_INLINE void set_up_perspective(const TileDraw& draw, const Corners& t, Textu
 #endif  // HWY_HAVE_FLOAT64
 
 /// Flat colours of a batch, without its fog.
-HWY_INLINE void flat_colors(const TileDraw& draw, const Corners& t, NarrowPlanes* out) {
+HWY_INLINE void flat_colors(const TileDraw& draw, const Corners& t, NarrowBatch& out) {
     for (std::size_t i = 0; i < t.count; ++i) {
         const Rgba color = flat_color(draw, *t.primitive[i]);
-        for (std::size_t c = 0; c < 4; ++c)
-            out[i].c[c] = (std::uint32_t{color[c]} << 16) + (1u << 15), out[i].gx[c] = out[i].gy[c] = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+            out.c[k][i] = (std::uint32_t{color[k]} << 16) + (1u << 15), out.gx[k][i] = out.gy[k][i] = 0;
     }
 }
 
-/// Narrow planes of a batch, out[0 .. count - 1].
-inline void set_up_narrow(const TileDraw& draw, const Corners& t, NarrowPlanes* out) {
+/// Narrow planes of a batch.
+inline void set_up_narrow(const TileDraw& draw, const Corners& t, NarrowBatch& out) {
     const State& s = draw.op->state.state;
     std::uint32_t sure = ~0u;
     if (is_flat(s)) flat_colors(draw, t, out);
@@ -240,7 +265,7 @@ inline void set_up_narrow(const TileDraw& draw, const Corners& t, NarrowPlanes* 
     sure = 0;
 #endif
     for (std::size_t i = 0; i < t.count; ++i)
-        if (!(sure >> i & 1)) narrow_one(draw, t, i, out[i]);
+        if (!(sure >> i & 1)) narrow_one(draw, t, i, out);
 }
 
 /// Colour planes of a batch where narrow ones do not serve, out[0 .. count - 1].

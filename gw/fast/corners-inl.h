@@ -20,8 +20,6 @@ namespace gw::fast::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-inline constexpr std::size_t batch_room = 16;
-
 /// Triangles of a set by ordinal, a lane each; lanes beyond `count` repeat the first.
 struct Corners {
     std::size_t count = 0;
@@ -65,6 +63,7 @@ HWY_INLINE void gather_positions(const TileDraw& draw, std::span<const std::uint
 using I32ForD64 = hn::Rebind<std::int32_t, D64>;
 using U32ForD64 = hn::Rebind<std::uint32_t, D64>;
 using I64ForD64 = hn::Rebind<std::int64_t, D64>;
+using U64ForD64 = hn::Rebind<std::uint64_t, D64>;
 
 HWY_INLINE V64 load_integers(const std::int32_t* p) { return hn::PromoteTo(D64(), hn::Load(I32ForD64(), p)); }
 
@@ -154,7 +153,7 @@ HWY_INLINE void set_up_planes(const Corners& t, const Value& value, PlaneBatch& 
     const D64 d;
     const I64ForD64 i64;
     out.sure = 0;
-    for (std::size_t i = 0; i < t.count; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < batch_room; i += hn::Lanes(d)) {
         const auto dx1 = hn::Load(d, t.dx1 + i), dy1 = hn::Load(d, t.dy1 + i);
         const auto dx2 = hn::Load(d, t.dx2 + i), dy2 = hn::Load(d, t.dy2 + i);
         const auto area2 = hn::Load(d, t.area2 + i);

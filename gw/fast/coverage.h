@@ -45,8 +45,8 @@ struct Coverage {
 
     std::vector<BlockRun> runs;  ///< of `blocks`
 
-    std::vector<NarrowPlanes> narrow;  ///< of `primitives`, for the draw in progress
-    std::vector<ColorPlanes> colors;   ///< the same where narrow ones do not serve
+    std::vector<NarrowBatch> narrow;  ///< of `primitives`, for the draw in progress
+    std::vector<ColorPlanes> colors;  ///< the same where narrow ones do not serve
     TextureCache texture;
 
     void clear();

@@ -18,9 +18,12 @@ struct ColorPlanes {
     float fog_scale = 1;
 };
 
-/// Planes of at most 16 bits, modulo 2^32: R, G, B, A and the fog factor at the vertices.
-struct NarrowPlanes {
-    std::uint32_t c[5] = {}, gx[5] = {}, gy[5] = {};
+/// Primitives that are set up together.
+inline constexpr std::size_t batch_room = 16;
+
+/// Planes of at most 16 bits, modulo 2^32, of a batch: R, G, B, A and the fog factor at the vertices.
+struct NarrowBatch {
+    alignas(64) std::uint32_t c[5][batch_room], gx[5][batch_room], gy[5][batch_room];
 };
 
 /// A block's texture coordinates after the division, each lane of its own primitive.

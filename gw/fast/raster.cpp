@@ -19,7 +19,7 @@ struct BatchPlanes {
     const TileDraw& draw;
     const Corners& corners;
     bool narrow = is_narrow(*draw.op), made = false;
-    NarrowPlanes narrow_color[batch_room];
+    NarrowBatch narrow_color;
     ColorPlanes color[batch_room];
     TexturePlanes texture[batch_room];
 
@@ -35,7 +35,7 @@ struct BatchPlanes {
     HWY_INLINE const ColorBlock& color_of(std::size_t i, int bx, int by, ShadeInputs& in) {
         make();
         if (narrow)
-            narrow_colors(narrow_color[i], has_fog(draw.op->state.state) ? 5 : 4, bx, by, in);
+            narrow_colors(narrow_color, i, has_fog(draw.op->state.state) ? 5 : 4, bx, by, in);
         else
             wide_colors(color[i], *draw.op, bx, by, all_lanes, in);
         if (draw.op->texels) put_texture(texture[i], draw, bx, by, all_lanes, in);

@@ -47,12 +47,12 @@ HWY_INLINE void for_each_batch(const TileDraw& draw, const Coverage& record, con
 /// Makes the colour planes of the record's primitives, as this draw has them.
 HWY_INLINE void make_colors(const TileDraw& draw, bool narrow, Coverage& record) {
     if (narrow)
-        record.narrow.resize(record.primitives.size());
+        record.narrow.resize((record.primitives.size() + batch_room - 1) / batch_room);
     else
         record.colors.resize(record.primitives.size());
     for_each_batch(draw, record, [&](const Corners& corners, std::size_t first) {
         if (narrow)
-            set_up_narrow(draw, corners, record.narrow.data() + first);
+            set_up_narrow(draw, corners, record.narrow[first / batch_room]);
         else
             set_up_colors(draw, corners, record.colors.data() + first);
     });
@@ -92,7 +92,8 @@ struct Replay {
 
     HWY_INLINE void put_color(const BlockRun& run, const VisibleBlock& entry, std::uint32_t mask) {
         if (narrow)
-            lanes.put(record.narrow[entry.primitive], lane_set(mask), channels);
+            lanes.put(record.narrow[entry.primitive / batch_room], entry.primitive % batch_room,
+                      lane_set(mask), channels);
         else
             wide_colors(record.colors[entry.primitive], *draw.op, bx(run), by(run), mask, inputs);
     }

@@ -37,14 +37,15 @@ struct ShadeInputs {
 struct NarrowLanes {
     alignas(64) std::uint32_t c[5][block_pixels], gx[5][block_pixels], gy[5][block_pixels];
 
-    HWY_INLINE void put(const NarrowPlanes& p, const LaneSet& lanes, std::size_t channels) {
+    /// Triangle i of a batch in these lanes.
+    HWY_INLINE void put(const NarrowBatch& p, std::size_t i, const LaneSet& lanes, std::size_t channels) {
         const D32 d;
         for (std::size_t k = 0; k < channels; ++k)
-            for (std::size_t i = 0; i < parts; ++i) {
-                const std::size_t at = i * lanes32;
-                hn::BlendedStore(hn::Set(d, p.c[k]), lanes.part[i], d, c[k] + at);
-                hn::BlendedStore(hn::Set(d, p.gx[k]), lanes.part[i], d, gx[k] + at);
-                hn::BlendedStore(hn::Set(d, p.gy[k]), lanes.part[i], d, gy[k] + at);
+            for (std::size_t part = 0; part < parts; ++part) {
+                const std::size_t at = part * lanes32;
+                hn::BlendedStore(hn::Set(d, p.c[k][i]), lanes.part[part], d, c[k] + at);
+                hn::BlendedStore(hn::Set(d, p.gx[k][i]), lanes.part[part], d, gx[k] + at);
+                hn::BlendedStore(hn::Set(d, p.gy[k][i]), lanes.part[part], d, gy[k] + at);
             }
     }
 };
@@ -67,13 +68,14 @@ HWY_INLINE void narrow_colors(const NarrowLanes& p, std::size_t channels, int bx
     }
 }
 
-/// The same of one primitive.
-HWY_INLINE void narrow_colors(const NarrowPlanes& p, std::size_t channels, int bx, int by, ShadeInputs& in) {
+/// The same of triangle j of a batch.
+HWY_INLINE void narrow_colors(const NarrowBatch& p, std::size_t j, std::size_t channels, int bx, int by,
+                              ShadeInputs& in) {
     const D32 d;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
         const Pixels at = pixels_of(bx, by, i);
         const auto value = [&](std::size_t k) {
-            return narrow_value(hn::Set(d, p.c[k]), hn::Set(d, p.gx[k]), hn::Set(d, p.gy[k]), at);
+            return narrow_value(hn::Set(d, p.c[k][j]), hn::Set(d, p.gx[k][j]), hn::Set(d, p.gy[k][j]), at);
         };
         for (std::size_t k = 0; k < 4; ++k) store16(value(k), in.color.channel[k] + i);
         if (channels == 5) hn::Store(value(4), d, in.fog + i);
@@ -107,9 +109,19 @@ HWY_INLINE void interpolated_color(const ColorPlanes& p, int bits, int bx, int b
     }
 }
 
+/// What multi-pass rendering does all the time: modulate in 8 bits.
+HWY_INLINE void modulate_bytes(const ColorBlock& texel, ColorBlock& color) {
+    const D16 d;
+    for (std::size_t c = 0; c < 4; ++c)
+        for (std::size_t i = 0; i < block_pixels; i += lanes16)
+            hn::Store(mul_bytes(hn::Load(d, color.channel[c] + i), hn::Load(d, texel.channel[c] + i)), d,
+                      color.channel[c] + i);
+}
+
 /// texture_environment() of gw/tables.h.
 HWY_INLINE void apply_environment(TexEnv mode, const Rgba& env, int bits, const ColorBlock& texel,
                                   ColorBlock& color) {
+    if (mode == TexEnv::Modulate && bits == 8) return modulate_bytes(texel, color);
     const D32 d;
     const auto max = hn::Set(d, max_of_bits(bits));
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {

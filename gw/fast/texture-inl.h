@@ -11,6 +11,8 @@
 #include "gw/fast/planes-inl.h"
 #include "gw/fast/primitive.h"
 
+#include <cstring>
+
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
@@ -49,26 +51,84 @@ HWY_INLINE TexelLanes fetch(const FastTexels& t, VI index) {
     return out;
 }
 
-/// bilinear() of gw/texels.h.
-HWY_INLINE V32 bilinear_lanes(V32 a, V32 b, V32 c, V32 e, V32 wx, V32 wy, int bits) {
+/// bilinear() of gw/texels.h, more than 8 bits.
+HWY_INLINE V32 bilinear_wide(V32 a, V32 b, V32 c, V32 e, V32 wx, V32 wy) {
     const D32 d;
-    if (bits == 8) {
-        const I32 i;
-        const auto s = [&](V32 v) { return hn::BitCast(i, v); };
-        const auto half = hn::Set(i, 128), x = hn::ShiftLeft<6>(s(wx));
-        const auto row = [&](V32 p, V32 q) {
-            return hn::Add(hn::ShiftLeft<6>(s(p)),
-                           hn::ShiftRight<8>(hn::Add(hn::Mul(hn::Sub(s(q), s(p)), x), half)));
-        };
-        const auto t0 = row(a, b), t1 = row(c, e);
-        const auto t = hn::Add(t0, hn::ShiftRight<8>(hn::Add(hn::Mul(hn::Sub(t1, t0), s(wy)), half)));
-        return hn::BitCast(d, hn::ShiftRight<6>(hn::Add(t, hn::Set(i, 32))));
-    }
     const auto whole = hn::Set(d, 256u);
     const auto mix = [&](V32 p, V32 q, V32 w) {
         return hn::Add(hn::Mul(p, hn::Sub(whole, w)), hn::Mul(q, w));
     };
     return hn::ShiftRight<16>(hn::Add(mix(mix(a, b, wx), mix(c, e, wx), wy), hn::Set(d, 1u << 15)));
+}
+
+/// Four packed texels of each lane: a b above c e.
+struct PackedCorners {
+    V32 a, b, c, e;
+};
+
+#if HWY_TARGET == HWY_SCALAR
+
+/// bilinear() of gw/texels.h, 8 bits, one channel.
+HWY_INLINE V32 bilinear_byte(V32 a, V32 b, V32 c, V32 e, V32 wx, V32 wy) {
+    const I32 i;
+    const auto s = [&](V32 v) { return hn::BitCast(i, v); };
+    const auto half = hn::Set(i, 128), x = hn::ShiftLeft<6>(s(wx));
+    const auto row = [&](V32 p, V32 q) {
+        return hn::Add(hn::ShiftLeft<6>(s(p)),
+                       hn::ShiftRight<8>(hn::Add(hn::Mul(hn::Sub(s(q), s(p)), x), half)));
+    };
+    const auto t0 = row(a, b), t1 = row(c, e);
+    const auto t = hn::Add(t0, hn::ShiftRight<8>(hn::Add(hn::Mul(hn::Sub(t1, t0), s(wy)), half)));
+    return hn::BitCast(D32(), hn::ShiftRight<6>(hn::Add(t, hn::Set(i, 32))));
+}
+
+HWY_INLINE TexelLanes bilinear_bytes(const PackedCorners& t, V32 wx, V32 wy) {
+    const auto byte = hn::Set(D32(), 255u);
+    TexelLanes out;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto of = [&](V32 v) { return hn::And(hn::ShiftRightSame(v, int(8 * k)), byte); };
+        out.channel[k] = bilinear_byte(of(t.a), of(t.b), of(t.c), of(t.e), wx, wy);
+    }
+    return out;
+}
+
+#else
+
+/// bilinear() of gw/texels.h, 8 bits: two channels in the halves of each lane, every product a rounding
+/// 15-bit one.
+HWY_INLINE V32 bilinear_halves(V32 a, V32 b, V32 c, V32 e, V32 wx, V32 wy) {
+    const hn::Repartition<std::int16_t, D32> h;
+    const auto s = [&](V32 v) { return hn::BitCast(h, v); };
+    const auto x = hn::ShiftLeft<6>(s(wx)), y = hn::ShiftLeft<6>(s(wy));
+    const auto row = [&](V32 p, V32 q) {
+        return hn::Add(hn::ShiftLeft<6>(s(p)), hn::MulFixedPoint15(hn::ShiftLeft<7>(hn::Sub(s(q), s(p))), x));
+    };
+    const auto t0 = row(a, b), t1 = row(c, e);
+    const auto t = hn::Add(t0, hn::MulFixedPoint15(hn::ShiftLeft<1>(hn::Sub(t1, t0)), y));
+    return hn::BitCast(D32(), hn::ShiftRight<6>(hn::Add(t, hn::Set(h, std::int16_t{32}))));
+}
+
+HWY_INLINE TexelLanes bilinear_bytes(const PackedCorners& t, V32 wx, V32 wy) {
+    const D32 d;
+    const auto bytes = hn::Set(d, 0x00FF00FFu), low = hn::Set(d, 0xFFFFu);
+    const auto even = [&](V32 v) { return hn::And(v, bytes); };
+    const auto odd = [&](V32 v) { return hn::And(hn::ShiftRight<8>(v), bytes); };
+    const auto both = [&](V32 w) { return hn::Or(w, hn::ShiftLeft<16>(w)); };
+    const auto x = both(wx), y = both(wy);
+    const auto rb = bilinear_halves(even(t.a), even(t.b), even(t.c), even(t.e), x, y),
+               ga = bilinear_halves(odd(t.a), odd(t.b), odd(t.c), odd(t.e), x, y);
+    return {{hn::And(rb, low), hn::And(ga, low), hn::ShiftRight<16>(rb), hn::ShiftRight<16>(ga)}};
+}
+
+#endif  // HWY_TARGET == HWY_SCALAR
+
+/// The texels at `index` and right of it, which are neighbours in memory: one load for both.
+HWY_INLINE void load_pairs(const std::uint32_t* texels, VI index, V32& left, V32& right) {
+    alignas(64) std::int32_t at[lanes32];
+    alignas(64) std::uint32_t pair[2 * lanes32];
+    hn::Store(index, I32(), at);
+    for (std::size_t i = 0; i < lanes32; ++i) std::memcpy(pair + 2 * i, texels + at[i], 8);
+    hn::LoadInterleaved2(D32(), pair, left, right);
 }
 
 /// What the texture unit needs of 16 pixels, each of its own primitive: planes' values and how to scale them.
@@ -128,13 +188,25 @@ struct Sampler {
         u = hn::Sub(u, half), v = hn::Sub(v, half);
         const auto x0 = hn::ShiftRight<8>(u), y0 = hn::ShiftRight<8>(v);
         const auto c0 = column(x0), c1 = column(hn::Add(x0, one)), r0 = row(y0), r1 = row(hn::Add(y0, one));
+        const auto wx = hn::BitCast(d, hn::And(u, fraction)), wy = hn::BitCast(d, hn::And(v, fraction));
+        if (!texels.packed.empty()) {
+            PackedCorners t;
+            if (hn::AllTrue(i, hn::Eq(c1, hn::Add(c0, one)))) {
+                load_pairs(texels.packed.data(), hn::Add(r0, c0), t.a, t.b);
+                load_pairs(texels.packed.data(), hn::Add(r1, c0), t.c, t.e);
+            } else {
+                const auto at_index = [&](VI row_start, VI x) {
+                    return hn::GatherIndex(d, texels.packed.data(), hn::Add(row_start, x));
+                };
+                t = {at_index(r0, c0), at_index(r0, c1), at_index(r1, c0), at_index(r1, c1)};
+            }
+            return bilinear_bytes(t, wx, wy);
+        }
         const TexelLanes a = fetch(texels, hn::Add(r0, c0)), b = fetch(texels, hn::Add(r0, c1));
         const TexelLanes c = fetch(texels, hn::Add(r1, c0)), e = fetch(texels, hn::Add(r1, c1));
-        const auto wx = hn::BitCast(d, hn::And(u, fraction)), wy = hn::BitCast(d, hn::And(v, fraction));
         TexelLanes out;
         for (std::size_t k = 0; k < 4; ++k)
-            out.channel[k] =
-                bilinear_lanes(a.channel[k], b.channel[k], c.channel[k], e.channel[k], wx, wy, bits);
+            out.channel[k] = bilinear_wide(a.channel[k], b.channel[k], c.channel[k], e.channel[k], wx, wy);
         return out;
     }
 };
