@@ -16,7 +16,7 @@ namespace hs = hiddensurface;
 namespace {
 
 constexpr Color white{255, 255, 255}, yellow{255, 230, 0}, grey{150, 150, 150}, red{230, 20, 20},
-    cyan{0, 210, 230};
+    cyan{0, 210, 230}, blue{70, 90, 255};
 
 image::Picture blank(int width, int height) {
     return {width, height, 3, 8, std::vector<std::uint16_t>(std::size_t(width) * std::size_t(height) * 3)};
@@ -113,6 +113,7 @@ image::Picture picture_of_difference(image::Picture picture, const std::vector<h
             case hs::Difference::None: break;
             case hs::Difference::Tie: put(picture, i, yellow); break;
             case hs::Difference::Edge: put(picture, i, cyan); break;
+            case hs::Difference::Snap: put(picture, i, blue); break;
             case hs::Difference::Wrong: put(picture, i, red); break;
         }
     }

@@ -24,7 +24,7 @@ image::Picture picture_of_ids(const hiddensurface::Input& input, const std::vect
 image::Picture picture_of_step(const hiddensurface::Input& input, const hiddensurface::Replay& replay,
                                const std::map<std::uint32_t, Color>& colors);
 
-/// Dark where equal; ties yellow, edges cyan, wrong pixels red.
+/// Dark where equal; ties yellow, edges cyan, snapped blue, wrong pixels red.
 image::Picture picture_of_difference(image::Picture picture,
                                      const std::vector<hiddensurface::Difference>& difference);
 

@@ -10,47 +10,35 @@ namespace gw::hiddensurface {
 
 namespace {
 
-/// Positions are float32: corners of a plane polygon lie this near to its plane, as a part of the scene's
-/// size.
-constexpr double relative_tolerance = 1e-6;
-
 enum class Place { On, Front, Back, Both };
 
 class Builder {
 public:
     Builder(const std::vector<Polygon>& polygons, std::size_t candidates, const SplitSink& on_split)
         : polygons_(polygons), candidates_(candidates), on_split_(on_split) {
-        double reach = 0;
-        for (const Polygon& polygon : polygons)
-            for (const dvec3& p : polygon.world)
-                reach = std::max({reach, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-        tolerance_ = reach * relative_tolerance;
+        tolerance_ = world_tolerance(polygons);
     }
 
     Tree build(const std::vector<std::size_t>& order) {
         std::vector<TreePiece> pieces;
         for (const std::size_t i : order)
-            if (unit_plane(i) != dvec4(0)) pieces.push_back({i, polygons_[i].world_parts, {}});
+            for (std::size_t k = 0; k < polygons_[i].world_facets.size(); ++k)
+                if (plane({i, k}) != dvec4(0)) pieces.push_back({{i, k}, facet({i, k}).parts, {}});
         tree_.root = node(std::move(pieces));
         return std::move(tree_);
     }
 
 private:
-    /// 0 where the polygon has no area.
-    dvec4 unit_plane(std::size_t i) const {
-        const Loop& corners = polygons_[i].world;
-        const dvec3 n = polygon_normal(corners);
-        const double length = std::sqrt(dot3(n, n));
-        return length > 0 ? plane_of(n / length, corners[0]) : dvec4(0);
-    }
+    const WorldFacet& facet(FacetIndex i) const { return polygons_[i.polygon].world_facets[i.facet]; }
+    dvec4 plane(FacetIndex i) const { return unit_plane(facet(i)); }
 
-    Place place(const TreePiece& piece, const dvec4& plane) {
+    Place place(const TreePiece& piece, const dvec4& cut) {
         tree_.plane_tests += 1;
         bool front = false, back = false;
         for (const Loop& part : piece.parts)
             for (const dvec3& p : part) {
-                front = front || side(plane, p) > tolerance_;
-                back = back || side(plane, p) < -tolerance_;
+                front = front || side(cut, p) > tolerance_;
+                back = back || side(cut, p) < -tolerance_;
             }
         return front && back ? Place::Both : front ? Place::Front : back ? Place::Back : Place::On;
     }
@@ -60,11 +48,11 @@ private:
         const std::size_t tried = std::min(candidates_, pieces.size());
         for (std::size_t c = 0; c < tried && tried > 1; ++c) {
             const std::size_t i = c * pieces.size() / tried;
-            const dvec4 plane = unit_plane(pieces[i].polygon);
-            std::size_t cut = 0;
-            for (const TreePiece& piece : pieces) cut += place(piece, plane) == Place::Both ? 1 : 0;
-            if (cut < fewest) {
-                fewest = cut;
+            const dvec4 candidate = plane(pieces[i].of);
+            std::size_t splits = 0;
+            for (const TreePiece& piece : pieces) splits += place(piece, candidate) == Place::Both ? 1 : 0;
+            if (splits < fewest) {
+                fewest = splits;
                 best = i;
             }
         }
@@ -76,8 +64,8 @@ private:
         auto out = std::make_unique<TreeNode>();
         tree_.nodes += 1;
         const std::size_t first = best(pieces);
-        const std::size_t by = pieces[first].polygon;
-        out->plane = unit_plane(by);
+        const FacetIndex by = pieces[first].of;
+        out->plane = plane(by);
         out->pieces.push_back(std::move(pieces[first]));
         pieces.erase(pieces.begin() + std::ptrdiff_t(first));
         std::vector<TreePiece> front, back;
@@ -89,7 +77,7 @@ private:
         return out;
     }
 
-    void sort_in(TreePiece piece, std::size_t by, TreeNode& at, std::vector<TreePiece>& front,
+    void sort_in(TreePiece piece, FacetIndex by, TreeNode& at, std::vector<TreePiece>& front,
                  std::vector<TreePiece>& back) {
         switch (place(piece, at.plane)) {
             case Place::On: at.pieces.push_back(std::move(piece)); return;
@@ -100,7 +88,7 @@ private:
         auto [behind, before] = divide(piece.parts, at.plane);
         tree_.splits += 1;
         if (on_split_) on_split_(piece, by, behind, before);
-        TreePiece other{piece.polygon, std::move(behind), piece.cuts};
+        TreePiece other{piece.of, std::move(behind), piece.cuts};
         other.cuts.emplace_back(by, false);
         piece.parts = std::move(before);
         piece.cuts.emplace_back(by, true);
@@ -120,12 +108,28 @@ std::uint64_t walk(const TreeNode* node, const dvec4& eye,
     if (!node) return 0;
     const bool in_front = dot4(node->plane, eye) >= 0;
     std::uint64_t compared = 1 + walk((in_front ? node->back : node->front).get(), eye, visit);
-    for (const TreePiece& piece : node->pieces) visit(piece);
+    // Of pieces in one plane the first is drawn last and stays, as in a Z-buffer that keeps z < Z.
+    for (auto piece = node->pieces.rbegin(); piece != node->pieces.rend(); ++piece) visit(*piece);
     compared += walk((in_front ? node->front : node->back).get(), eye, visit);
     return compared;
 }
 
 }  // namespace
+
+dvec4 unit_plane(const WorldFacet& facet) {
+    dvec3 n(0);
+    for (const Loop& part : facet.parts) n += polygon_normal(part);
+    const double length = std::sqrt(dot3(n, n));
+    return length > 0 ? plane_of(n / length, facet.parts[0][0]) : dvec4(0);
+}
+
+double world_tolerance(const std::vector<Polygon>& polygons) {
+    double reach = 0;
+    for (const Polygon& polygon : polygons)
+        for (const dvec3& p : polygon.world)
+            reach = std::max({reach, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return reach * 1e-6;
+}
 
 Tree build_tree(const std::vector<Polygon>& polygons, const std::vector<std::size_t>& order,
                 std::size_t candidates, const SplitSink& on_split) {

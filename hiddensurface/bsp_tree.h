@@ -9,16 +9,27 @@
 
 namespace gw::hiddensurface {
 
-/// What is left of a polygon after the planes above its node: convex parts in the world, and which planes cut
-/// it (index of the polygon whose plane it is; whether this piece is on the side its normal points to).
-struct TreePiece {
-    std::size_t polygon = 0;
-    std::vector<Loop> parts;
-    std::vector<std::pair<std::size_t, bool>> cuts;
+/// A facet of a polygon in the world, by index.
+struct FacetIndex {
+    std::size_t polygon = 0, facet = 0;
 };
 
+/// What is left of a facet after the planes above its node: convex parts in the world, and which planes cut
+/// it (the facet whose plane it is; whether this piece is on the side its normal points to).
+struct TreePiece {
+    FacetIndex of;
+    std::vector<Loop> parts;
+    std::vector<std::pair<FacetIndex, bool>> cuts;
+};
+
+/// The plane of a facet in the world, its normal of length 1; 0 where the facet has no area.
+dvec4 unit_plane(const WorldFacet& facet);
+/// Points nearer than this to a plane are on it: positions are float32, so corners of one plane lie this near
+/// to it, by the size of the scene.
+double world_tolerance(const std::vector<Polygon>& polygons);
+
 struct TreeNode {
-    dvec4 plane{0, 0, 0, 0};        ///< of the first piece's polygon; the normal's length is 1
+    dvec4 plane{0, 0, 0, 0};        ///< of the first piece; the normal's length is 1
     std::vector<TreePiece> pieces;  ///< in the plane
     std::unique_ptr<TreeNode> front, back;
 };
@@ -29,9 +40,9 @@ struct Tree {
     std::uint64_t plane_tests = 0;  ///< polygons compared with planes
 };
 
-/// Called for each split: the piece, the polygon whose plane cuts it, its parts on the back and front side.
+/// Called for each split: the piece, the facet whose plane cuts it, its parts on the back and front side.
 using SplitSink =
-    std::function<void(const TreePiece&, std::size_t by, const std::vector<Loop>&, const std::vector<Loop>&)>;
+    std::function<void(const TreePiece&, FacetIndex by, const std::vector<Loop>&, const std::vector<Loop>&)>;
 
 /// `order`: indices of polygons. At every node the plane is that of the piece which cuts fewest others among
 /// the first `candidates` of those left (1: always the first).

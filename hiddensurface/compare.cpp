@@ -4,7 +4,6 @@
 #include "scene/draw_commands.h"
 
 #include <algorithm>
-#include <map>
 
 namespace gw::hiddensurface {
 
@@ -28,45 +27,6 @@ void add_machine_counts(const std::vector<PassReport>& passes, Counts& counts) {
     }
 }
 
-__extension__ using int128 = __int128;
-
-int128 magnitude(int128 v) { return v < 0 ? -v : v; }
-
-/// The depths of two triangles at a pixel, and how near it is to their line of intersection.
-Difference difference_at(const DepthPlane& a, const DepthPlane& b, int x, int y) {
-    if (magnitude(a.at(x, y) - b.at(x, y)) <= 1) return Difference::Tie;
-    const int128 apart = magnitude(a.value(x, y) - b.value(x, y));
-    // One sub-pixel unit in x and in y, and the last place of the depth.
-    const int128 unit = magnitude(a.gx - b.gx) + magnitude(a.gy - b.gy);
-    return (apart - 65536) << a.subpixel_bits <= unit ? Difference::Edge : Difference::Wrong;
-}
-
-class Comparison {
-public:
-    explicit Comparison(const Input& input) : input_(input) {
-        for (const Polygon& polygon : input.polygons) by_id_[polygon.id] = &polygon;
-    }
-
-    /// Which of the id's triangles covers the pixel.
-    const WindowTriangle* covering(std::uint32_t id, int x, int y) const {
-        const auto found = by_id_.find(id);
-        if (found == by_id_.end()) return nullptr;
-        for (const WindowTriangle& t : found->second->triangles)
-            if (!scan_convert(t.corners, input_.subpixel_bits(), {x, y, 1, 1}).empty()) return &t;
-        return nullptr;
-    }
-
-    Difference at(std::uint32_t id, std::uint32_t expected, int x, int y) const {
-        if (id == expected) return Difference::None;
-        const WindowTriangle *a = covering(id, x, y), *b = covering(expected, x, y);
-        return a && b ? difference_at(a->depth, b->depth, x, y) : Difference::Wrong;
-    }
-
-private:
-    const Input& input_;
-    std::map<std::uint32_t, const Polygon*> by_id_;
-};
-
 }  // namespace
 
 Result run_on(Machine& machine, const Algorithm& algorithm, const Input& input, StepLog& log) {
@@ -85,15 +45,16 @@ Result run_on(Machine& machine, const Algorithm& algorithm, const Input& input, 
 }
 
 void compare(Result& result, const std::vector<std::uint32_t>& z_buffer, const Input& input) {
-    const Comparison comparison(input);
+    const Differences differences(input, result.pieces);
     result.difference.assign(result.ids.size(), Difference::None);
     for (std::size_t i = 0; i < result.ids.size(); ++i) {
         const int x = int(i) % input.view.width, y = int(i) / input.view.width;
-        result.difference[i] = comparison.at(result.ids[i], z_buffer[i], x, y);
+        result.difference[i] = differences.at(result.ids[i], z_buffer[i], x, y);
         switch (result.difference[i]) {
             case Difference::None: break;
             case Difference::Tie: result.counts.ties += 1; break;
             case Difference::Edge: result.counts.edges += 1; break;
+            case Difference::Snap: result.counts.snapped += 1; break;
             case Difference::Wrong: result.counts.wrong += 1; break;
         }
     }

@@ -2,17 +2,9 @@
 #pragma once
 
 #include "gw/machine.h"
-#include "hiddensurface/algorithm.h"
+#include "hiddensurface/difference.h"
 
 namespace gw::hiddensurface {
-
-/// Why a pixel differs from the Z-buffer's.
-enum class Difference : std::uint8_t {
-    None,
-    Tie,   ///< both polygons' depths there are within one unit of the depth plane
-    Edge,  ///< the centre is within one sub-pixel unit of the line where both surfaces meet: of the cut
-    Wrong
-};
 
 struct Result {
     Counts counts;                       ///< of the algorithm, the machine and the comparison
@@ -26,7 +18,8 @@ struct Result {
 /// second run of the list with the stencil counting gives `writes`.
 Result run_on(Machine& machine, const Algorithm& algorithm, const Input& input, StepLog& log);
 
-/// Compares with the Z-buffer's identifiers and counts ties, edges, wrong pixels in result.counts.
+/// Compares with the Z-buffer's identifiers and counts ties, edges, snapped and wrong pixels in
+/// result.counts.
 void compare(Result& result, const std::vector<std::uint32_t>& z_buffer, const Input& input);
 
 /// The number of polygons over each pixel, whatever is drawn: what a depth-complexity map shows, at most 255.

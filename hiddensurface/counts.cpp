@@ -15,7 +15,7 @@ std::span<const CountName> count_names() {
         {"fragments", &Counts::fragments}, {"passed", &Counts::passed},
         {"pixels", &Counts::pixels},       {"overdraw", &Counts::overdraw},
         {"ties", &Counts::ties},           {"edges", &Counts::edges},
-        {"wrong", &Counts::wrong},
+        {"snapped", &Counts::snapped},     {"wrong", &Counts::wrong},
     };
     static_assert(sizeof(names) / sizeof(CountName) * sizeof(std::uint64_t) == sizeof(Counts));
     return names;

@@ -31,10 +31,10 @@ struct Counts {
     std::uint64_t pixels = 0;     ///< that show a polygon in the end
     std::uint64_t overdraw = 0;   ///< passed - pixels
     // Pixels that differ from the Z-buffer's.
-    std::uint64_t ties = 0;  ///< both depths are within one unit of the depth plane
-    std::uint64_t edges =
-        0;  ///< the centre is within one sub-pixel unit of the line where both polygons meet
-    std::uint64_t wrong = 0;  ///< the others
+    std::uint64_t ties = 0;     ///< the depth plane cannot tell which is nearer
+    std::uint64_t edges = 0;    ///< the centre is within one sub-pixel unit of an edge made by splitting
+    std::uint64_t snapped = 0;  ///< right in the scene; the snap to the sub-pixel grid turned the two over
+    std::uint64_t wrong = 0;    ///< the others
     bool operator==(const Counts&) const = default;
 };
 

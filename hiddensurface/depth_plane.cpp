@@ -29,16 +29,45 @@ std::array<GridPoint, 3> canonical(std::array<GridPoint, 3> p) {
     return p;
 }
 
+/// A triangle's normal on the grid; n.z > 0 where it runs counter-clockwise.
+struct Normal {
+    int128 x, y, z;
+};
+Normal normal_of(const std::array<GridPoint, 3>& p) {
+    const auto& [p0, p1, p2] = p;
+    const int128 ux = p1.x - p0.x, uy = p1.y - p0.y, uz = p1.z - p0.z;
+    const int128 vx = p2.x - p0.x, vy = p2.y - p0.y, vz = p2.z - p0.z;
+    return {uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
+}
+
+/// z n.z on the plane at (px, py).
+int128 scaled_depth(const GridPoint& p0, const Normal& n, std::int64_t px, std::int64_t py) {
+    return n.z * p0.z - n.x * (px - p0.x) - n.y * (py - p0.y);
+}
+
 }  // namespace
 
 DepthPlane depth_plane(const std::array<GridPoint, 3>& triangle, int s, int depth_bits) {
-    const auto [p0, p1, p2] = canonical(triangle);
-    const int128 ux = p1.x - p0.x, uy = p1.y - p0.y, uz = p1.z - p0.z;
-    const int128 vx = p2.x - p0.x, vy = p2.y - p0.y, vz = p2.z - p0.z;
-    const int128 nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    const std::array<GridPoint, 3> p = canonical(triangle);
+    const Normal n = normal_of(p);
     const int128 one = int128{1} << (16 + s);
-    return {divide_round_even(-nx * one, nz),   divide_round_even(-ny * one, nz), p0.z, p0.x, p0.y, s,
+    return {divide_round_even(-n.x * one, n.z), divide_round_even(-n.y * one, n.z), p[0].z, p[0].x, p[0].y, s,
             (std::int64_t{1} << depth_bits) - 1};
+}
+
+int exact_order(const std::array<GridPoint, 3>& a, const std::array<GridPoint, 3>& b, int x, int y, int s) {
+    const std::array<GridPoint, 3> pa = canonical(a), pb = canonical(b);
+    const Normal na = normal_of(pa), nb = normal_of(pb);
+    const std::int64_t px = center(x, s), py = center(y, s);
+    // Below 2^120 on windows of 4096 pixels with 8 sub-pixel bits and 32 of depth.
+    const int128 za = scaled_depth(pa[0], na, px, py) * nb.z, zb = scaled_depth(pb[0], nb, px, py) * na.z;
+    return za < zb ? -1 : za > zb ? 1 : 0;
+}
+
+bool is_on_plane(const std::array<GridPoint, 3>& triangle, const GridPoint& p) {
+    const GridPoint& p0 = triangle[0];
+    const Normal n = normal_of(triangle);
+    return n.x * (p.x - p0.x) + n.y * (p.y - p0.y) + n.z * (p.z - p0.z) == 0;
 }
 
 int128 DepthPlane::value(int x, int y) const {

@@ -29,6 +29,14 @@ struct DepthPlane {
 /// Corners in any order, not on one line.
 DepthPlane depth_plane(const std::array<GridPoint, 3>& triangle, int subpixel_bits, int depth_bits);
 
+/// Sign of z_a - z_b at the centre of pixel x, y, on the exact planes through the corners: no rounding at
+/// all.
+int exact_order(const std::array<GridPoint, 3>& a, const std::array<GridPoint, 3>& b, int x, int y,
+                int subpixel_bits);
+
+/// Whether a point is in the triangle's plane, exactly.
+bool is_on_plane(const std::array<GridPoint, 3>& triangle, const GridPoint& p);
+
 /// Along a row, pixel by pixel: one addition each. [L8]
 class DepthWalk {
 public:

@@ -2,6 +2,7 @@
 #include "hiddensurface/overlap.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace gw::hiddensurface {
@@ -22,7 +23,7 @@ bool side_separates(const Loop& a, const Loop& b) {
     for (std::size_t i = 0; i < a.size(); ++i) {
         const dvec3 side = a[(i + 1) % a.size()] - a[i];
         if (side.x == 0 && side.y == 0) continue;
-        const dvec2 across(side.y, -side.x);
+        const dvec2 across = dvec2(side.y, -side.x) / std::sqrt(side.x * side.x + side.y * side.y);
         if (!overlap(along(a, across), along(b, across))) return true;
     }
     return false;

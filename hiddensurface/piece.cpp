@@ -4,7 +4,9 @@
 #include "hiddensurface/scan_conversion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <span>
 
 namespace gw::hiddensurface {
 
@@ -28,6 +30,12 @@ bool is_inside(const Cut& cut, double x, double y) {
     return ((cut.line.x * x + cut.line.y * y) + cut.line.z < 0) == cut.negative;
 }
 
+/// But for the rounding of a corner that a cut made.
+bool is_on(const dvec3& line, const dvec2& p) {
+    const double off = line.x * p.x + line.y * p.y + line.z;
+    return std::abs(off) <= 1e-3 * std::sqrt(line.x * line.x + line.y * line.y);
+}
+
 /// The run's pixels inside all cuts.
 void add_cut(const Run& run, const std::vector<Cut>& cuts, int s, std::vector<Run>& out) {
     const double y = double(center(run.y, s));
@@ -46,7 +54,16 @@ void add_cut(const Run& run, const std::vector<Cut>& cuts, int s, std::vector<Ru
 
 }  // namespace
 
-Piece whole(std::size_t index, const Polygon& polygon) { return {index, polygon.parts, {}}; }
+Piece whole(std::size_t index, const Polygon& polygon) {
+    Piece piece{.polygon = index, .count = polygon.triangles.size()};
+    for (const Facet& facet : polygon.facets)
+        piece.parts.insert(piece.parts.end(), facet.parts.begin(), facet.parts.end());
+    return piece;
+}
+
+Piece whole(std::size_t index, const Facet& facet) {
+    return {index, facet.first, facet.count, facet.parts, {}};
+}
 
 dvec3 cut_line(const dvec4& p, const dvec4& by) {
     if (p.z == 0) return {by.x, by.y, by.w};  // never drawn: edge-on
@@ -74,22 +91,35 @@ std::pair<std::vector<Loop>, std::vector<Loop>> divide(const std::vector<Loop>& 
     return halves;
 }
 
-std::optional<std::pair<Piece, Piece>> split(const Piece& piece, const Polygon& polygon, const Polygon& by) {
+std::optional<std::pair<Piece, Piece>> split(const Piece& piece, const Facet& of, const Facet& by) {
     const auto [low, high] = sides(piece, by.plane);
     if (low >= -by.tolerance || high <= by.tolerance) return std::nullopt;
     auto [before, behind] = divide(piece.parts, by.plane);
     if (before.empty() || behind.empty()) return std::nullopt;
-    const dvec3 line = cut_line(polygon.plane, by.plane);
-    std::pair<Piece, Piece> pieces{{piece.polygon, std::move(before), piece.cuts},
-                                   {piece.polygon, std::move(behind), piece.cuts}};
+    const dvec3 line = cut_line(of.plane, by.plane);
+    std::pair<Piece, Piece> pieces{piece, piece};
+    pieces.first.parts = std::move(before);
+    pieces.second.parts = std::move(behind);
     pieces.first.cuts.push_back({line, true});
     pieces.second.cuts.push_back({line, false});
     return pieces;
 }
 
+std::vector<CutEdge> edges_made(const Piece& piece) {
+    std::vector<CutEdge> made;
+    for (const Loop& part : piece.parts)
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            const dvec2 a(part[i]), b(part[(i + 1) % part.size()]);
+            if (std::any_of(piece.cuts.begin(), piece.cuts.end(),
+                            [&](const Cut& cut) { return is_on(cut.line, a) && is_on(cut.line, b); }))
+                made.emplace_back(a, b);
+        }
+    return made;
+}
+
 std::vector<Run> runs_of(const Piece& piece, const Polygon& polygon, int s, const Rect& window) {
     std::vector<Run> out;
-    for (const WindowTriangle& t : polygon.triangles)
+    for (const WindowTriangle& t : std::span(polygon.triangles).subspan(piece.first, piece.count))
         for (const Run& run : scan_convert(t.corners, s, window)) {
             if (piece.cuts.empty())
                 out.push_back(run);

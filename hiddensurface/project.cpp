@@ -117,44 +117,70 @@ void set_distances(Polygon& polygon, const dmat4& eye_from_world) {
     polygon.centroid = sum / double(polygon.world.size());
 }
 
-/// The window plane of all parts together: the normal is the sum of theirs, the point their mean corner.
-void set_plane(Polygon& polygon) {
-    dvec3 n(0), sum(0);
-    double corners = 0;
-    for (const Loop& part : polygon.parts) {
-        n += polygon_normal(part);
-        for (const dvec3& p : part) sum += p;
-        corners += double(part.size());
-    }
-    polygon.plane = plane_of(n.z < 0 ? -n : n, sum / corners);
-    polygon.tolerance = 1e-3 * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
-    double bent = 0;
-    for (const Loop& part : polygon.parts)
-        for (const dvec3& p : part) bent = std::max(bent, std::abs(side(polygon.plane, p)));
-    polygon.tolerance += bent;
-}
-
-Loop to_loop(const std::vector<GridPoint>& corners) {
+Loop to_loop(std::span<const GridPoint> corners) {
     Loop loop;
     for (const GridPoint& c : corners) loop.push_back(to_dvec3(c));
     return loop;
 }
 
-/// Corners, and of a concave polygon the triangles, in the world and in the window.
-void set_outline(Polygon& polygon, const Placed& p, const std::vector<std::uint32_t>& corners,
-                 std::span<const Triangle> triangles) {
-    for (const std::uint32_t i : corners) polygon.world.push_back(world_point(p.object, i));
-    const bool convex = is_convex(polygon.world);
-    if (convex) polygon.world_parts = {polygon.world};
-    if (convex && polygon.visible()) polygon.parts = {to_loop(window_corners(p, corners))};
-    if (convex) return;
-    for (const Triangle& t : triangles) {
-        Loop part;
-        for (const std::uint32_t i : t.vertex) part.push_back(world_point(p.object, i));
-        polygon.world_parts.push_back(part);
+bool in_one_plane(const std::vector<WindowTriangle>& triangles) {
+    return std::all_of(triangles.begin(), triangles.end(), [&](const WindowTriangle& t) {
+        return std::all_of(t.corners.begin(), t.corners.end(),
+                           [&](const GridPoint& p) { return is_on_plane(triangles[0].corners, p); });
+    });
+}
+
+/// Of the plane through the facet's first triangle.
+void set_plane(Facet& facet, const WindowTriangle& t) {
+    const Loop p = to_loop(t.corners);
+    const dvec3 n = face_normal(p[0], p[1], p[2]);
+    facet.plane = plane_of(dvec3(n.x / n.z, n.y / n.z, 1), p[0]);
+    double reach = std::abs(facet.plane.w);
+    for (const Loop& part : facet.parts)
+        for (const dvec3& q : part)
+            reach = std::max({reach, std::abs(facet.plane.x * q.x), std::abs(facet.plane.y * q.y), q.z});
+    facet.tolerance = reach * 0x1p-46;
+}
+
+/// `outline`: the polygon's own corners on the grid where it is convex, else none.
+void set_facets(Polygon& polygon, const Loop& outline) {
+    const auto& t = polygon.triangles;
+    const bool one = in_one_plane(t);
+    for (std::size_t i = 0; i < t.size(); ++i) {
+        if (i == 0 || !one) polygon.facets.push_back({.first = i});
+        Facet& facet = polygon.facets.back();
+        facet.parts.push_back(to_loop(t[i].corners));
+        facet.count += 1;
     }
-    for (const WindowTriangle& t : polygon.triangles)
-        polygon.parts.push_back(to_loop({t.corners.begin(), t.corners.end()}));
+    if (one && polygon.visible() && !outline.empty()) polygon.facets[0].parts = {outline};
+    for (Facet& facet : polygon.facets) set_plane(facet, t[facet.first]);
+}
+
+/// Positions are float32: the corners of a plane polygon lie this near to its plane, as a part of its size.
+bool is_plane(const Loop& p) {
+    const dvec3 n = polygon_normal(p);
+    double off = 0, size = 0;
+    for (const dvec3& q : p)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            off = std::max(off, std::abs(dot3(n, q - p[0])));
+            size = std::max(size, std::abs(q[int(axis)]));
+        }
+    return off <= 1e-6 * size * std::sqrt(dot3(n, n));
+}
+
+/// The polygon's plane pieces in the world. `t`: the triangles that the machine draws, the first of them
+/// number `first`.
+void set_world_facets(Polygon& polygon, const scene::Object& object, std::span<const Triangle> t,
+                      std::uint32_t first) {
+    const bool plane = is_plane(polygon.world), convex = is_convex(polygon.world);
+    for (std::uint32_t i = 0; i < t.size(); ++i) {
+        if (i == 0 || !plane) polygon.world_facets.push_back({.first = first + i});
+        WorldFacet& facet = polygon.world_facets.back();
+        facet.parts.emplace_back();
+        for (const std::uint32_t k : t[i].vertex) facet.parts.back().push_back(world_point(object, k));
+        facet.count += 1;
+    }
+    if (plane && convex && !t.empty()) polygon.world_facets[0].parts = {polygon.world};
 }
 
 }  // namespace
@@ -173,13 +199,25 @@ std::vector<Polygon> project(const scene::Scene& scene, const scene::View& view,
             const std::size_t first = t;
             for (; t < mesh.triangles().size() && mesh.triangles()[t].polygon == k; ++t)
                 add_triangles(placed, mesh.triangles()[t], static_cast<std::uint32_t>(t), polygon);
-            set_outline(polygon, placed, corners[k], mesh.triangles().subspan(first, t - first));
+            for (const std::uint32_t i : corners[k]) polygon.world.push_back(world_point(placed.object, i));
+            set_world_facets(polygon, placed.object, mesh.triangles().subspan(first, t - first),
+                             static_cast<std::uint32_t>(first));
+            const bool convex = is_convex(polygon.world);
+            set_facets(polygon, convex ? to_loop(window_corners(placed, corners[k])) : Loop());
             set_distances(polygon, view.eye_from_world);
-            if (polygon.visible()) set_plane(polygon);
             all.push_back(std::move(polygon));
         }
     }
     return all;
+}
+
+dvec4 eye_of(const scene::View& view) {
+    const scene::Camera& camera = view.camera;
+    return camera.ortho_height > 0 ? dvec4(camera.eye - camera.at, 0) : dvec4(camera.eye, 1);
+}
+
+bool is_before(const dvec4& world_plane, const scene::View& view) {
+    return dot4(world_plane, eye_of(view)) > 0;
 }
 
 dvec4 to_window(const dvec4& world_plane, const scene::View& view, const Profile& profile) {

@@ -7,14 +7,9 @@ namespace gw::hiddensurface {
 
 namespace {
 
-/// (P_E, 1), or the direction towards the eye where all lines of sight are parallel.
-dvec4 eye_of(const scene::Camera& camera) {
-    return camera.ortho_height > 0 ? dvec4(camera.eye - camera.at, 0) : dvec4(camera.eye, 1);
-}
-
 Output run(const Input& input, StepLog& log) {
     Output output{.list = begin_picture(input, "back faces culled")};
-    const dvec4 eye = eye_of(input.view.camera);
+    const dvec4 eye = eye_of(input.view);
     for (std::size_t i = 0; i < input.polygons.size(); ++i) {
         const Polygon& polygon = input.polygons[i];
         if (!polygon.visible()) continue;

@@ -12,33 +12,43 @@ namespace {
 
 constexpr std::size_t candidates = 8;
 
-dvec4 eye_of(const scene::Camera& camera) {
-    return camera.ortho_height > 0 ? dvec4(camera.eye - camera.at, 0) : dvec4(camera.eye, 1);
+const WorldFacet& facet(const Input& input, FacetIndex i) {
+    return input.polygons[i.polygon].world_facets[i.facet];
 }
 
-/// The plane of polygon i on the grid, negative on the side its world normal points to or not.
-struct WindowPlane {
-    dvec4 plane;
-    bool normal_is_negative;
-};
+/// The polygon's triangles that are of the facet: the first and how many.
+std::pair<std::size_t, std::size_t> triangles_of(const Polygon& polygon, const WorldFacet& facet) {
+    std::size_t first = 0, count = 0;
+    for (std::size_t i = 0; i < polygon.triangles.size(); ++i) {
+        const std::uint32_t source = polygon.triangles[i].source;
+        if (source < facet.first || source - facet.first >= facet.count) continue;
+        if (count++ == 0) first = i;
+    }
+    return {first, count};
+}
 
-WindowPlane window_plane(const Input& input, std::size_t i) {
-    const Polygon& polygon = input.polygons[i];
-    const dvec4 world = plane_of(polygon_normal(polygon.world), polygon.world[0]);
-    if (!polygon.visible()) return {to_window(world, input.view, input.profile), false};
-    // Plane has n.z >= 0 and is negative before it: where the eye is.
-    return {polygon.plane, dot4(world, eye_of(input.view.camera)) > 0};
+/// A facet's plane on the grid, negative before it, where the eye is. Without the snap: that tilts the plane
+/// of a narrow facet, and its cuts reach far beyond it.
+dvec4 window_plane(const Input& input, FacetIndex i) {
+    const dvec4 world = unit_plane(facet(input, i));
+    const dvec4 plane = to_window(world, input.view, input.profile);
+    return is_before(world, input.view) ? -plane : plane;
 }
 
 Piece window_piece(const Input& input, const TreePiece& piece) {
-    const Polygon& polygon = input.polygons[piece.polygon];
-    Piece out{piece.polygon, polygon.parts, {}};
+    const Polygon& polygon = input.polygons[piece.of.polygon];
+    const auto [first, count] = triangles_of(polygon, facet(input, piece.of));
+    Piece out{.polygon = piece.of.polygon, .first = first, .count = count};
+    for (const Facet& f : polygon.facets)
+        if (f.first >= first && f.first < first + count)
+            out.parts.insert(out.parts.end(), f.parts.begin(), f.parts.end());
+    const dvec4 plane = window_plane(input, piece.of);
     for (const auto& [by, front] : piece.cuts) {
-        const WindowPlane cut = window_plane(input, by);
-        const bool negative = front == cut.normal_is_negative;
-        auto [before, behind] = divide(out.parts, cut.plane);
+        const dvec3 line = cut_line(plane, window_plane(input, by));
+        const bool negative = front == is_before(unit_plane(facet(input, by)), input.view);
+        auto [before, behind] = divide(out.parts, dvec4(line.x, line.y, 0, line.z));
         out.parts = negative ? std::move(before) : std::move(behind);
-        out.cuts.push_back({cut_line(polygon.plane, cut.plane), negative});
+        out.cuts.push_back({line, negative});
     }
     return out;
 }
@@ -47,11 +57,11 @@ Output run(const Input& input, StepLog& log) {
     Output output{.list = begin_picture(input, "BSP tree")};
     std::vector<std::size_t> order(input.polygons.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto on_split = [&](const TreePiece& piece, std::size_t by, const std::vector<Loop>& back,
+    const auto on_split = [&](const TreePiece& piece, FacetIndex by, const std::vector<Loop>& back,
                               const std::vector<Loop>& front) {
         log.add({Level::Polygon,
                  Action::Split,
-                 {input.polygons[piece.polygon].id, input.polygons[by].id},
+                 {input.polygons[piece.of.polygon].id, input.polygons[by.polygon].id},
                  "by the plane of the second, in the world",
                  "",
                  -1,
@@ -64,9 +74,9 @@ Output run(const Input& input, StepLog& log) {
     output.counts.nodes = tree.nodes;
     output.counts.splits = tree.splits;
     output.counts.peak_bytes = tree.nodes * sizeof(TreeNode) + tree.pieces * sizeof(TreePiece);
-    output.counts.facings = far_to_near(tree, eye_of(input.view.camera), [&](const TreePiece& piece) {
-        if (input.polygons[piece.polygon].visible())
-            draw_piece(input, window_piece(input, piece), output, log);
+    output.counts.facings = far_to_near(tree, eye_of(input.view), [&](const TreePiece& piece) {
+        const Piece drawn = window_piece(input, piece);
+        if (drawn.count > 0) draw_piece(input, drawn, output, log);
     });
     return output;
 }

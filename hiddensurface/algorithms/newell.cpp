@@ -1,6 +1,7 @@
 // Newell, Newell and Sancha's algorithm [L5]: sorted by the farthest corner; five tests whether the farthest
 // polygon may be drawn before those it overlaps in depth; an exchange where they say the other must be first;
-// and a split by the other's plane where neither may. Decides in the window, after perspective.
+// and a split by the other's plane where neither may. Decides in the window, after perspective, on facets: a
+// quadrilateral that the snap has bent is the two triangles that the machine draws.
 #include "hiddensurface/algorithm.h"
 #include "hiddensurface/overlap.h"
 
@@ -12,12 +13,13 @@ namespace {
 
 struct Item {
     Piece piece;
+    const Facet* facet = nullptr;
     std::array<std::pair<double, double>, 3> extents;  ///< x, y, z
     bool moved = false;
 };
 
-Item make_item(Piece piece) {
-    Item item{std::move(piece), {}, false};
+Item make_item(Piece piece, const Facet& facet) {
+    Item item{std::move(piece), &facet, {}, false};
     for (int axis = 0; axis < 3; ++axis) item.extents[std::size_t(axis)] = extent(item.piece, axis);
     return item;
 }
@@ -29,7 +31,8 @@ public:
     Newell(const Input& input, StepLog& log)
         : input_(input), log_(log), output_{.list = begin_picture(input, "Newell, Newell, Sancha")} {
         for (std::size_t i = 0; i < input.polygons.size(); ++i)
-            if (input.polygons[i].visible()) list_.push_back(make_item(whole(i, input.polygons[i])));
+            for (const Facet& facet : input.polygons[i].facets)
+                list_.push_back(make_item(whole(i, facet), facet));
         sort();
     }
 
@@ -40,15 +43,15 @@ public:
             if (!farthest_may_be_drawn()) continue;
             draw_piece(input_, list_.back().piece, output_, log_);
             list_.pop_back();
-            settle();
+            if (std::any_of(list_.begin(), list_.end(), [](const Item& item) { return item.moved; }))
+                settle();
         }
         return std::move(output_);
     }
 
 private:
-    /// Something was drawn: polygons that were moved go back to their places.
+    /// Something was drawn or cut: a chain of moved polygons is broken, all go back to their places.
     void settle() {
-        if (std::none_of(list_.begin(), list_.end(), [](const Item& item) { return item.moved; })) return;
         for (Item& item : list_) item.moved = false;
         sort();
     }
@@ -106,7 +109,7 @@ private:
     /// All of a lies behind b's plane.
     bool behind(const Item& a, const Item& b, const char* number) {
         output_.counts.planes += 1;
-        const bool yes = sides(a.piece, polygon(b).plane).first >= -polygon(b).tolerance;
+        const bool yes = sides(a.piece, b.facet->plane).first >= -b.facet->tolerance;
         if (log_.on()) log({a, b}, std::string(number) + "behind the plane", yes ? "yes" : "no");
         return yes;
     }
@@ -114,7 +117,7 @@ private:
     /// All of a lies before b's plane.
     bool before(const Item& a, const Item& b, const char* number) {
         output_.counts.planes += 1;
-        const bool yes = sides(a.piece, polygon(b).plane).second <= polygon(b).tolerance;
+        const bool yes = sides(a.piece, b.facet->plane).second <= b.facet->tolerance;
         if (log_.on()) log({a, b}, std::string(number) + "before the plane", yes ? "yes" : "no");
         return yes;
     }
@@ -135,8 +138,10 @@ private:
         return false;
     }
 
-    /// p and the polygons moved before it form a cycle, though each pair may have an order: in a cycle some
-    /// polygon crosses the plane of another, or a tree without a split would order them.
+    /// p and the facets moved before it form a cycle, though each pair may have an order. Some facet of it
+    /// crosses the plane of another: were there none, a BSP tree of the cycle would cut nothing and its order
+    /// would satisfy every pair; no cycle then. So a cut is always found, but for rounding, whose limits are
+    /// Facet::tolerance and `border`.
     bool cut_in_cycle(std::size_t p) {
         std::vector<std::size_t> cycle{p};
         for (std::size_t i = p; i-- > 0;)
@@ -149,7 +154,7 @@ private:
 
     /// Cuts item i by item j's plane; the pieces take their places in the list.
     bool cut(std::size_t i, std::size_t j) {
-        const auto pieces = split(list_[i].piece, polygon(list_[i]), polygon(list_[j]));
+        const auto pieces = split(list_[i].piece, *list_[i].facet, *list_[j].facet);
         if (!pieces) return false;
         output_.counts.splits += 1;
         if (log_.on())
@@ -162,19 +167,12 @@ private:
                       {},
                       pieces->first.parts,
                       pieces->second.parts});
+        const Facet& facet = *list_[i].facet;
         list_.erase(list_.begin() + std::ptrdiff_t(i));
-        insert(make_item(pieces->first));
-        insert(make_item(pieces->second));
-        log_order();
+        list_.push_back(make_item(pieces->first, facet));
+        list_.push_back(make_item(pieces->second, facet));
+        settle();
         return true;
-    }
-
-    void insert(Item item) {
-        const auto later = std::find_if(list_.begin(), list_.end(), [&](const Item& other) {
-            output_.counts.keys += 1;
-            return other.moved || nearer(item, other);
-        });
-        list_.insert(later, std::move(item));
     }
 
     const Polygon& polygon(const Item& item) const { return input_.polygons[item.piece.polygon]; }

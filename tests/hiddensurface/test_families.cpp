@@ -1,0 +1,72 @@
+// Claims: on 300 random scenes, ten families of thirty, the algorithms that claim to be right agree with the
+// Z-buffer polygon by polygon, but for ties and edges made by splitting; Newell, Newell and Sancha's
+// algorithm leaves no pair undecided; and the painters fail. [L5, L6, L8, L9]
+#include "families.h"
+
+#include <gtest/gtest.h>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+constexpr std::uint32_t scenes = 30;
+
+void add(Counts& sum, const Counts& counts) {
+    for (const auto& [name, count] : count_names()) sum.*count += counts.*count;
+}
+
+class Families : public testing::TestWithParam<std::size_t> {
+protected:
+    /// So many scenes of the family; the sum of the counts.
+    Counts run(const std::string& algorithm, std::uint32_t count = scenes) const {
+        Counts sum;
+        for (std::uint32_t seed = 1; seed <= count; ++seed) {
+            Stage stage(family().scene(seed));
+            const Counts counts = stage.run(algorithm).counts;
+            if (algorithm_named(algorithm).claim == Claim::Always) {
+                EXPECT_EQ(counts.wrong, 0u) << algorithm << ", " << family().name << ", seed " << seed;
+                EXPECT_EQ(counts.undecided, 0u) << algorithm << ", " << family().name << ", seed " << seed;
+            }
+            add(sum, counts);
+        }
+        EXPECT_GT(sum.pixels, 300 * count) << family().name;
+        return sum;
+    }
+    const Family& family() const { return families()[GetParam()]; }
+};
+
+}  // namespace
+
+// On the snapped scene: nothing but ties, one pixel in a thousand.
+TEST_P(Families, AreTheZBuffersByAlgorithmsThatDecideInTheWindow) {
+    for (const char* name : {"newell", "scan-line", "ray-casting"}) {
+        const Counts sum =
+            run(name, name == std::string("ray-casting") ? 3 : scenes);  // every ray, every polygon
+        EXPECT_EQ(sum.edges, 0u) << name;
+        EXPECT_EQ(sum.snapped, 0u) << name;
+        EXPECT_LE(sum.ties * 1000, sum.pixels) << name;
+    }
+}
+
+// In the world, before the snap: where surfaces are one in the scene, the snap alone makes one the nearer.
+TEST_P(Families, AreTheScenesByATreeBuiltInTheWorld) {
+    const Counts sum = run("bsp");
+    EXPECT_LE((sum.ties + sum.edges) * 1000, sum.pixels);
+    const bool surfaces_meet = family().meets;
+    EXPECT_LE(sum.snapped * (surfaces_meet ? 4 : 1000), sum.pixels);
+}
+
+TEST_P(Families, DefeatThePainters) {
+    if (family().sortable) return;
+    for (const char* name : {"painter-farthest", "painter-nearest", "painter-centroid"})
+        EXPECT_GT(run(name, 5).wrong, 0u) << name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Families, testing::Range<std::size_t>(0, families().size()),
+                         [](const auto& tested) {
+                             std::string name = families()[tested.param].name;
+                             std::erase(name, ' ');
+                             return name;
+                         });
+
+}  // namespace gw::hiddensurface
