@@ -69,8 +69,18 @@ std::string html_row(const Compared& run) {
     for (const char* kind : kinds)
         row += fmt::format("<td><img src=\"{}{}.png\" alt=\"{}{}\"></td>", run.algorithm->name, kind,
                            run.algorithm->name, kind);
-    return row + fmt::format("<td>{} ties<br>{} edges<br>{} wrong<br>{} splits<br>{} overdraw</td></tr>\n",
-                             c.ties, c.edges, c.wrong, c.splits, c.overdraw);
+    return row +
+           fmt::format(
+               "<td>{} ties<br>{} edges<br>{} snapped<br>{} wrong<br>{} splits<br>{} overdraw</td></tr>\n",
+               c.ties, c.edges, c.snapped, c.wrong, c.splits, c.overdraw);
+}
+
+/// A scene's name is whatever its file says.
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text)
+        out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+    return out;
 }
 
 std::string html(const hs::Input& input, const std::vector<Compared>& all) {
@@ -78,11 +88,11 @@ std::string html(const hs::Input& input, const std::vector<Compared>& all) {
         "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Hidden surfaces: {0}</title>\n"
         "<style>body{{font-family:sans-serif}}th{{text-align:left;max-width:16em}}td{{vertical-align:top}}</"
         "style>\n"
-        "<h1>Hidden surfaces: {0}</h1>\n<p>Differences from the Z-buffer: ties yellow, edges cyan, wrong "
-        "red. Writes: "
+        "<h1>Hidden surfaces: {0}</h1>\n<p>Differences from the Z-buffer: ties yellow, edges cyan, snapped "
+        "blue, wrong red. Writes: "
         "black 0, blue 1, green 2, yellow 3, orange 4, red 5 and more.</p>\n<table>\n"
         "<tr><th></th><th>picture</th><th>difference</th><th>writes</th><th>counts</th></tr>\n",
-        input.scene.name);
+        escaped(input.scene.name));
     for (const Compared& run : all) text += html_row(run);
     return text +
            "</table>\n<p>Polygons over each pixel:</p>\n<img src=\"complexity.png\" alt=\"depth "
