@@ -2,15 +2,17 @@
 #include "gw/parallel.h"
 
 #include <cfenv>
+#include <memory>
+#include <mutex>
 #include <new>
 
 #ifdef GW_THREADS_TBB
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #else
 #include <atomic>
 #include <exception>
-#include <mutex>
 #endif
 #include <thread>
 #include <vector>
@@ -39,7 +41,20 @@ void serial_for(std::size_t count, const std::function<void(std::size_t, int)>& 
 
 #ifdef GW_THREADS_TBB
 
+/// oneTBB starts no more threads than processors unless it is told that there may be more.
+void allow_threads(int threads) {
+    using Control = tbb::global_control;
+    static std::mutex mutex;
+    static std::unique_ptr<Control> allowed;
+    const std::lock_guard lock(mutex);
+    const auto most = static_cast<std::size_t>(threads);
+    if (Control::active_value(Control::max_allowed_parallelism) >= most) return;
+    allowed.reset();
+    allowed = std::make_unique<Control>(Control::max_allowed_parallelism, most);
+}
+
 void threaded_for(std::size_t count, int threads, const std::function<void(std::size_t, int)>& body) {
+    allow_threads(threads);
     tbb::task_arena arena(threads);
     arena.execute([&] {
         tbb::parallel_for(
