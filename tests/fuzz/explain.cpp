@@ -2,6 +2,8 @@
 #include "tests/fuzz/explain.h"
 
 #include "gw/reference/make.h"
+#include "tests/fuzz/describe.h"
+#include "tests/fuzz/diversity.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -78,6 +80,32 @@ std::string explain_pixel(const Case& c, std::size_t command, const Difference& 
     const auto machine = reference::make(c.profile, c.width, c.height, &observer);
     for (std::size_t i = 0; i <= command; ++i) machine->execute(part_of(c.list, i, 1));
     return fmt::format("stage: {}\n{}", stage_of(observer, c.list.commands[command], d), observer.lines);
+}
+
+std::string report(const Suite& suite, std::uint64_t index, const Case& c, const Failure& f,
+                   std::string_view a, std::string_view b) {
+    const Difference& d = f.difference;
+    std::string out = fmt::format("DIFFERENCE in list {} of suite {}, executed {}, after command {}\n", index,
+                                  suite.name, name_of(f.split), f.command);
+    out += fmt::format("  {}\n", describe(c.list.commands[f.command]));
+    out += fmt::format("{}{}: {} {}, {} {}\n", d.what,
+                       d.plane ? fmt::format(", pixel {} {}", d.pixel.x, d.pixel.y) : "", a, d.a, b, d.b);
+    if (d.plane) out += explain_pixel(c, f.command, d);
+    out += fmt::format(
+        "repeat: build/release/bin/gw-fuzz --suite {} --range {} {} --machine-a {} --machine-b {}\n",
+        suite.name, index, index + 1, a, b);
+    return out;
+}
+
+std::string disagreement(const Suite& suite, std::uint64_t low, std::uint64_t high) {
+    const MachineMaker a = machine_named("reference"), b = machine_named("fast");
+    Diversity reached;
+    for (std::uint64_t i = low; i < high; ++i) {
+        const Case c = make_case(suite, i);
+        const auto failure = run_case(c, a, b, [&](Machine& machine) { reached.add(c, machine); });
+        if (failure) return report(suite, i, c, *failure, "reference", "fast");
+    }
+    return missing(reached, suite);
 }
 
 }  // namespace gw::fuzz

@@ -9,7 +9,6 @@
 #include "tests/fuzz/suite_digest.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 namespace gw::fuzz {
@@ -21,20 +20,6 @@ struct Arguments {
     std::string machine_a = "reference", machine_b = "fast";
     bool list = false, shrink = false, print = false, digest = false;
 };
-
-void print_failure(const Arguments& arguments, const Suite& suite, std::uint64_t index, const Case& c,
-                   const Failure& f) {
-    const Difference& d = f.difference;
-    fmt::print("DIFFERENCE in list {} of suite {}, executed {}, after command {}\n", index, suite.name,
-               name_of(f.split), f.command);
-    fmt::print("  {}\n", describe(c.list.commands[f.command]));
-    fmt::print("{}{}: {} {}, {} {}\n", d.what,
-               d.plane ? fmt::format(", pixel {} {}", d.pixel.x, d.pixel.y) : "", arguments.machine_a, d.a,
-               arguments.machine_b, d.b);
-    if (d.plane) fmt::print("{}", explain_pixel(c, f.command, d));
-    fmt::print("repeat: build/release/bin/gw-fuzz --suite {} --range {} {} --machine-a {} --machine-b {}\n",
-               suite.name, index, index + 1, arguments.machine_a, arguments.machine_b);
-}
 
 /// A list that throws is a failure of the generator: lists are valid.
 std::optional<Failure> run_list(const Arguments& arguments, const Suite& suite, std::uint64_t index,
@@ -62,7 +47,7 @@ int run_suite(const Arguments& arguments, const Suite& suite) {
             failure = run_case(c, a, b);
             fmt::print("left after leaving out:\n{}", describe(c));
         }
-        print_failure(arguments, suite, i, c, *failure);
+        fmt::print("{}", report(suite, i, c, *failure, arguments.machine_a, arguments.machine_b));
         return 3;
     }
     fmt::print("{:18} {}\n", suite.name, summary(reached));

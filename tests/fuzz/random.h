@@ -12,17 +12,20 @@
 
 namespace gw::fuzz {
 
-/// splitmix64 [Steele, Lea, Flood 2014].
+/// The finalizer of splitmix64 [Steele, Lea, Flood 2014]: a bijection whose every output bit depends on every
+/// input bit.
+constexpr std::uint64_t mixed(std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+/// splitmix64.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
 
-    std::uint64_t next() {
-        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return z ^ (z >> 31);
-    }
+    std::uint64_t next() { return mixed(state_ += 0x9e3779b97f4a7c15u); }
     /// 0 .. n - 1.
     int below(int n) { return static_cast<int>((next() >> 32) * static_cast<std::uint64_t>(n) >> 32); }
     /// low .. high, both included.
@@ -59,11 +62,12 @@ private:
     std::uint64_t state_;
 };
 
-/// The seed of list `index` of a suite: FNV-1a over the name, then the index.
+/// The seed of list `index` of a suite: FNV-1a over the name, then the index, mixed: seeds that were a step
+/// of next() apart would share their numbers.
 constexpr std::uint64_t seed_of(std::string_view suite, std::uint64_t index) {
     std::uint64_t h = 0xcbf29ce484222325u;
     for (const char c : suite) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    return (h ^ index) * 0x9e3779b97f4a7c15u;
+    return mixed(h ^ index);
 }
 
 }  // namespace gw::fuzz

@@ -46,7 +46,7 @@ void any_command(Script& s, std::vector<MeshRef>& meshes) {
     if (kind < 14) return add(s, any_pixels(r, s.out));
     if (kind < 18) return add(s, any_copy(r, s.out));
     if (kind < 22) return copy_texture(s, r.pick({Plane::Color, Plane::Depth}));
-    if (kind < 32) return add(s, any_accumulate(r, s.out.profile));
+    if (kind < 42) return add(s, any_accumulate(r, s.out.profile));
     if (meshes.empty() || r.chance(50))
         meshes.push_back(any_mesh(r, s.frame, {.normals = true, .texcoords = true, .most = 6}));
     draw(s, r.pick(meshes), 50);
