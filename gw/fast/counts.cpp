@@ -2,6 +2,8 @@
 #include "gw/fast/tile_run.h"
 #include "gw/tables.h"
 
+#include <bit>
+
 namespace gw::fast {
 namespace {
 

@@ -13,6 +13,7 @@
 #include "gw/fast/shade-inl.h"
 
 #include <array>
+#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {

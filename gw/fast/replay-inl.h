@@ -10,6 +10,8 @@
 #include "gw/fast/coverage.h"
 #include "gw/fast/shade-inl.h"
 
+#include <bit>
+
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 

@@ -11,6 +11,7 @@
 #include "gw/fast/planes-inl.h"
 #include "gw/fast/primitive.h"
 
+#include <bit>
 #include <cstring>
 
 HWY_BEFORE_NAMESPACE();

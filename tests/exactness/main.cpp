@@ -1,6 +1,6 @@
 // gw-exactness: runs the fixed lists and random ones, and prints a line `scene pass plane digest` for each
 // plane. The lines are the same whatever compiled and runs them: digests.txt holds them.
-// Does not compare them: scripts/exactness does, with diff.
+// Does not compare them: tests/exactness/compare does. Exit 1 for an error, 2 for usage.
 #include "gw/error.h"
 #include "gw/fast/kernels.h"
 #include "tests/exactness/pictures.h"
@@ -49,7 +49,9 @@ int run(int argc, char** argv) {
         if (word == "--machine") {
             machine = value;
         } else if (word != "--simd" || !fast::use_simd_target(value)) {
-            throw Error("usage: gw-exactness [--machine reference|fast] [--simd TARGET] [--targets]");
+            fmt::print(stderr,
+                       "usage: gw-exactness [--machine reference|fast] [--simd TARGET] [--targets]\n");
+            return 2;
         }
         ++i;
     }
