@@ -56,6 +56,31 @@ TEST_P(Shading, BilinearTexelsAreWithinAFewUnits) {
     EXPECT_LE(tally.worst, 3);
 }
 
+/// Random pixels as a texture, drawn over all.
+CommandList slotted(Random& random) {
+    CommandList list;
+    WritePixels pixels{.rect = {0, 0, size, size}};
+    for (int i = 0; i < size * size; ++i)
+        pixels.colors.push_back({std::uint16_t(random.between(0, 255)), std::uint16_t(i & 255), 7, 255});
+    add(list, window_state(), pixels);
+    list.add(CopyTexture{5, Plane::Color, {16, 8, 32, 32}});
+    State state = window_state();
+    state.texture = {
+        .min_filter = MinFilter::Nearest, .mag_filter = MagFilter::Nearest, .env = TexEnv::Replace};
+    Draw draw = textured_square(random);
+    draw.map = {.slot = 5};
+    add(list, state, std::move(draw));
+    return list;
+}
+
+TEST_P(Shading, SlotsAgree) {
+    Random random(10);
+    const std::vector<CommandList> lists{slotted(random), slotted(random)};
+    const Tally tally = compare_colors(execute(lists, size, size), play(lists).planes);
+    report(GetParam(), "a slot of the colour plane, nearest texels", tally);
+    EXPECT_EQ(tally.different, 0);
+}
+
 /// A square that recedes from 2 to 20 units, white in fog of another colour.
 CommandList fogged(FogMode mode, FogCoordinate coordinate) {
     MeshData data{.primitive = Primitive::Quads};

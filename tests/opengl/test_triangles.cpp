@@ -60,6 +60,33 @@ TEST_P(Triangles, CoverageAndFlatColoursAgreeAwayFromSides) {
     EXPECT_EQ(away.different, 0);
 }
 
+/// Jitter moves the triangle by units of the grid, and a viewport by pixels.
+TEST_P(Triangles, JitterAndViewportMoveTheSameFragments) {
+    Random random(11);
+    std::vector<Scene> scenes;
+    for (int i = 0; i < 60; ++i) {
+        Scene s{random_triangle(random), {}, {}};
+        State state = window_state();
+        state.jitter = {int(random.between(-7, 7)), int(random.between(-7, 7))};
+        state.viewport = {int(random.between(-9, 9)), 3, size, size};
+        s.list.add(Clear{all_planes});
+        add(s.list, state, Draw{.mesh = make_mesh(mesh_of(s.triangle, {}, {}))});
+        for (GridPoint& p : s.triangle)
+            p = {p.x + state.jitter.x + state.viewport.x * grid, p.y + state.jitter.y + 3 * grid};
+        scenes.push_back(std::move(s));
+    }
+    const std::vector<Planes> ours = execute(lists_of(scenes), size, size);
+    const Answers theirs = play(lists_of(scenes));
+    Tally away;
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        for_pixels([&](int x, int y, std::size_t p) {
+            if (!near_side(scenes[i].triangle, x, y))
+                away.add(difference(ours[i].color[p], theirs.planes[i].color[p]));
+        });
+    report(GetParam(), "coverage under jitter and a moved viewport", away);
+    EXPECT_EQ(away.different, 0);
+}
+
 /// Units of 24 bits a pixel: the larger of the two slopes.
 double slope(const Scene& s) {
     const auto gradient = [&](auto difference_of) {
