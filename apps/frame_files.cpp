@@ -35,9 +35,10 @@ std::vector<Rgba> component(const Drawing& drawing, const multipass::ComponentLi
                             const scene::View& view, Machine& machine) {
     scene::Scene scene = drawing.scene;
     if (!list.background) scene.background = vec3(0);
-    multipass::Options options = driver_options(drawing.options);
-    options.passes = list.passes;
-    multipass::render(machine, scene, view, options);
+    DrawOptions options = draw_options(drawing.options);
+    options.passes.passes = list.passes;
+    options.rays.background = drawing.scene.background;
+    drawing.renderer.draw(machine, scene, view, options);
     return machine.planes().color;
 }
 
@@ -46,7 +47,7 @@ void put_components(const Drawing& drawing, Machine& machine, const scene::View&
     const std::string extension = files.picture.extension().string();
     std::set<std::string> taken{"sum"};
     const multipass::PassList passes =
-        multipass::passes_for(drawing.scene, *drawing.renderer.passes, drawing.options.translucency);
+        pass_list(drawing.renderer, drawing.scene, draw_options(drawing.options));
     for (const multipass::ComponentList& list : multipass::component_lists(drawing.scene, passes)) {
         image::put_picture(output.add(files.components / (file_name(list.name, taken) + extension)),
                            picture_of(drawing, component(drawing, list, view, machine), files.tone));
@@ -66,7 +67,7 @@ void put_planes(const Drawing& drawing, Machine& machine, const scene::View& vie
 }  // namespace
 
 void draw(const Drawing& drawing, const scene::View& view, Machine& machine) {
-    drawing.renderer.draw(machine, drawing.scene, view, driver_options(drawing.options));
+    drawing.renderer.draw(machine, drawing.scene, view, draw_options(drawing.options));
 }
 
 void draw_frame(const Drawing& drawing, const FrameFiles& files) {

@@ -49,8 +49,7 @@ Printout run_passes(const PictureOptions& options) {
     const Progress progress("drawing", options.quiet);
     const Drawing drawing{options, renderer_named(options.renderer), load_profile(options),
                           load_scene(options)};
-    Printout printout{
-        multipass::passes_for(drawing.scene, *drawing.renderer.passes, options.translucency), {}, {}};
+    Printout printout{pass_list(drawing.renderer, drawing.scene, draw_options(options)), {}, {}};
     const auto sets = sets_by_name(drawing.scene, printout.list);
     const auto machine = make_machine(options, drawing.profile);
     draw(drawing, scene::make_view(drawing.scene, options.size.width, options.size.height), *machine);

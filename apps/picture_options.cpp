@@ -89,6 +89,31 @@ void add_effect_options(CLI::App& command, PictureOptions& options) {
         options.shadow, "none, volume or map, for all lights that cast shadows (default: the scene's)");
 }
 
+void add_ray_options(CLI::App& command, PictureOptions& options) {
+    command
+        .add_option_function<std::string>(
+            "--reflections",
+            [&](const std::string& word) {
+                options.traced = one_of("--reflections", word, {"rays", "maps"}) == "rays";
+            },
+            "Of materials with illum 3 to 7: by rays from an item buffer (default), or by maps only")
+        ->type_name("rays|maps");
+    command
+        .add_option_function<std::string>(
+            "--depth",
+            [&](const std::string& word) { options.rays.depth = whole_number_from("--depth", word, 1, 64); },
+            "Rays in a path, the one from the eye counted (default 2; glass wants 6 or so)")
+        ->type_name("N");
+    command
+        .add_option_function<std::string>(
+            "--reflected-shadows",
+            [&](const std::string& word) {
+                options.rays.shadow_maps = one_of("--reflected-shadows", word, {"rays", "maps"}) == "maps";
+            },
+            "What finds shadows in reflections: shadow rays (default), or the lights' shadow maps")
+        ->type_name("rays|maps");
+}
+
 std::vector<std::string> profile_names() {
     std::vector<std::string> names;
     for (const Profile& profile : profiles()) names.push_back(profile.name);
@@ -115,11 +140,13 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     add_machine_options(command, options);
     add_camera_options(command, options);
     add_effect_options(command, options);
+    add_ray_options(command, options);
     command.add_flag("--quiet", options.quiet, "No progress, no warnings");
 }
 
 void remove_pass_options(CLI::App& command) {
-    for (const char* option : {"--renderer", "--samples", "--translucency", "--shadow"})
+    for (const char* option : {"--renderer", "--samples", "--translucency", "--shadow", "--reflections",
+                               "--depth", "--reflected-shadows"})
         command.remove_option(command.get_option(option));
 }
 
@@ -142,8 +169,12 @@ scene::Scene load_scene(const PictureOptions& options) {
     return std::move(scene);
 }
 
-multipass::Options driver_options(const PictureOptions& options) {
-    return {.translucency = options.translucency, .samples = options.samples};
+DrawOptions draw_options(const PictureOptions& options) {
+    DrawOptions draw{.passes = {.translucency = options.translucency, .samples = options.samples},
+                     .rays = options.rays,
+                     .traced = options.traced};
+    draw.rays.threads = options.threads;
+    return draw;
 }
 
 Profile load_profile(const PictureOptions& options) {

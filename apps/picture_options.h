@@ -2,6 +2,7 @@
 // give. Does not draw.
 #pragma once
 
+#include "apps/renderers.h"
 #include "apps/words.h"
 #include "gw/machine.h"
 #include "multipass/options.h"
@@ -27,6 +28,8 @@ struct PictureOptions {
     int threads = 0;      ///< 0: all
     int samples = 1;
     multipass::Translucency translucency = multipass::Translucency::Sorted;
+    bool traced = true;  ///< illum 3 and up by rays
+    itembuffer::Options rays;
     std::optional<scene::Shadow> shadow;  ///< of all lights that cast one
     scene::CameraOverrides camera;
     std::optional<dvec3> up;
@@ -42,8 +45,8 @@ void remove_pass_options(CLI::App& command);
 /// readers go to stderr unless quiet. Throws Error.
 scene::Scene load_scene(const PictureOptions& options);
 
-/// What of the options the driver of the passes asks for.
-multipass::Options driver_options(const PictureOptions& options);
+/// What of the options a renderer asks for.
+DrawOptions draw_options(const PictureOptions& options);
 
 /// A built-in profile by name, or one from a TOML file. Throws UsageError where it cannot hold so many
 /// samples.

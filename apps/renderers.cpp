@@ -2,6 +2,7 @@
 
 #include "gw/error.h"
 #include "hiddensurface/scan_line_renderer.h"
+#include "itembuffer/ordinary.h"
 #include "multipass/driver.h"
 
 #include <algorithm>
@@ -10,31 +11,46 @@ namespace gw::apps {
 
 namespace {
 
-Renderer in_passes(std::string name, std::string about, multipass::Renderer which) {
-    return {std::move(name), std::move(about),
-            [which](Machine& machine, const scene::Scene& scene, const scene::View& view,
-                    multipass::Options options) {
-                options.renderer = which;
-                multipass::render(machine, scene, view, options);
-            },
-            which};
+void draw_hardware(Machine& machine, const scene::Scene& scene, const scene::View& view,
+                   const DrawOptions& options) {
+    multipass::Options passes = options.passes;
+    passes.renderer = multipass::Renderer::Hardware;
+    multipass::render(machine, scene, view, passes);
+}
+
+void draw_multipass(Machine& machine, const scene::Scene& scene, const scene::View& view,
+                    const DrawOptions& options) {
+    if (options.traced)
+        itembuffer::render(machine, scene, view, options.passes, options.rays);
+    else
+        multipass::render(machine, scene, view, options.passes);
 }
 
 void draw_scan_lines(Machine& machine, const scene::Scene& scene, const scene::View& view,
-                     const multipass::Options& options) {
-    if (options.samples > 1)
+                     const DrawOptions& options) {
+    if (options.passes.samples > 1)
         throw Error("the scan-line renderer takes one sample a pixel; expected --samples 1");
     machine.execute(hiddensurface::scan_line_picture(scene, view, machine.profile()));
+}
+
+void draw_rays(Machine& machine, const scene::Scene& scene, const scene::View& view,
+               const DrawOptions& options) {
+    itembuffer::render_by_rays(machine, scene, view, options.passes.samples, options.rays);
 }
 
 }  // namespace
 
 const std::vector<Renderer>& renderers() {
     static const std::vector<Renderer> all{
-        in_passes("hardware", "equation 1, everything in one pass", multipass::Renderer::Hardware),
-        in_passes("multipass", "equations 2 and 4, a pass for each component (default)",
-                  multipass::Renderer::Multipass),
-        {"scanline", "equation 3 at every pixel of a scan line's spans; no shadows", draw_scan_lines, {}},
+        {"hardware", "equation 1, everything in one pass", draw_hardware, multipass::Renderer::Hardware},
+        {"multipass", "equations 2, 4 and 5, a pass for each component, reflections by rays (default)",
+         draw_multipass, multipass::Renderer::Multipass},
+        {"scanline",
+         "equation 3 at every pixel of a scan line's spans; no shadows",
+         draw_scan_lines,
+         {},
+         false},
+        {"raytrace", "the ordinary ray tracer", draw_rays, {}},
     };
     return all;
 }
@@ -48,6 +64,13 @@ std::vector<std::string> renderer_names() {
     std::vector<std::string> names;
     for (const Renderer& renderer : renderers()) names.push_back(renderer.name);
     return names;
+}
+
+multipass::PassList pass_list(const Renderer& renderer, const scene::Scene& scene,
+                              const DrawOptions& options) {
+    if (*renderer.passes == multipass::Renderer::Multipass && options.traced)
+        return itembuffer::passes_with_tracing(scene, options.passes.translucency);
+    return multipass::passes_for(scene, *renderer.passes, options.passes.translucency);
 }
 
 std::string renderers_help() {

@@ -86,6 +86,13 @@ inline constexpr Pass emission_pass{
     .blend = add,
 };
 
+/// I_raytracing(x, y) of eq. 5 [K4], once: what rays found, through the first hit's black fog.
+inline constexpr Pass trace_pass{
+    .name = "raytracing",
+    .action = PassAction::Trace,
+    .blend = add,
+};
+
 /// Fog, step 2 [K3.5]: black objects in fog of its colour, shadow or not. All passes before went through
 /// black fog.
 inline constexpr Pass fog_pass{

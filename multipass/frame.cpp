@@ -30,6 +30,17 @@ void add_image(CommandList& list, const std::string& name, int image, int most) 
     list.add(Clear{.planes = mask_of(Plane::Color), .color = vec4(0, 0, 0, 1)});
 }
 
+/// Eq. 5 [K4]: depth and stencil tests off, blended as the pass says.
+void add_traced(CommandList& list, const Frame& frame, const Step& step) {
+    if (frame.traced.empty()) return;
+    State state;
+    state.blend = step.pass.blend;
+    begin_pass(list, name_of(step, *frame.stage.model), state);
+    const scene::View& view = frame.stage.view;
+    list.add(
+        WritePixels{.rect = {0, 0, view.width, view.height}, .plane = Plane::Color, .colors = frame.traced});
+}
+
 bool draws(const Step& step, const Model& model) {
     return step.pass.action == PassAction::Draw && step.pass.color && is_needed(step, model);
 }
@@ -58,6 +69,7 @@ CommandList commands(const Frame& frame, std::size_t first, std::size_t last) {
                 if (drawn) add_image(list, name_of(step, model), image++, frame.rules.most_images);
                 drawn = false;
                 break;
+            case PassAction::Trace: add_traced(list, frame, step); break;
         }
     }
     return list;

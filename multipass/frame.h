@@ -18,6 +18,7 @@ struct Frame {
     const Shadows& shadows;
     std::vector<Step> steps;
     FrameRules rules;
+    std::vector<Rgba> traced;  ///< of the view's pixels; empty: nothing [K4]
 };
 
 /// The commands of steps first .. last - 1.

@@ -51,6 +51,7 @@ std::string action_text(const Pass& pass) {
         case PassAction::Draw: return to_string(pass.material);
         case PassAction::Shadow: return "stencil := in the light's shadow";
         case PassAction::Add: return "accumulation += frame buffer, colour := 0";
+        case PassAction::Trace: return "pixels := reflection and transmission by rays";
     }
     return "";
 }

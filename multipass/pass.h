@@ -75,14 +75,15 @@ struct PassMaterial {
 /// How often a pass runs, and by which light. Neighbouring passes of `Each` are repeated together, light by
 /// light. First: once, by the first light that casts a shadow, if there is one.
 enum class PassLights : std::uint8_t { None, Each, First, All };
-/// The objects that take part. Opaque: d = 1. Glaring: emitters with glare, moved [K3.3].
-enum class PassObjects : std::uint8_t { All, Opaque, Translucent, Glaring, Named };
+/// The objects that take part. Opaque: d = 1. Glaring: emitters with glare, moved [K3.3]. Casting: opaque
+/// ones that cast shadows.
+enum class PassObjects : std::uint8_t { All, Opaque, Translucent, Glaring, Casting, Named };
 /// The fog that a pass goes through [K3.5].
 enum class PassFog : std::uint8_t { None, Black, Scene };
 /// What a pass does. Draw: the objects. Shadow: stencil := not 0 in the light's shadow, 0 elsewhere [K3.2].
 /// Add: the frame buffer is added to the accumulation buffer, which gives the picture in the end, and its
-/// colour cleared to black.
-enum class PassAction : std::uint8_t { Draw, Shadow, Add };
+/// colour cleared to black. Trace: the traced component, a pixel rectangle from the host (eq. 5) [K4].
+enum class PassAction : std::uint8_t { Draw, Shadow, Add, Trace };
 
 struct Pass {
     Name name;

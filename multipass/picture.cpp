@@ -26,6 +26,11 @@ Stage staged(const Model& model, const scene::View& view, const Shadows& shadows
     return stage;
 }
 
+bool traces(const std::vector<Step>& steps) {
+    return std::any_of(steps.begin(), steps.end(),
+                       [](const Step& s) { return s.pass.action == PassAction::Trace; });
+}
+
 bool has_coincident_faces(Machine& machine, const Stage& stage) {
     machine.execute(count_winners(stage));
     return surplus_winners(std::span(machine.passes()).last(2)) > 0;
@@ -55,6 +60,8 @@ void Picture::move(const Sample& sample) {
         if (const auto& glare = now_.objects[i].glare) stage_.glare[i] = glare_displacement(*glare, sample);
     if (options_.translucency == Translucency::Sorted) stage_.far_to_near = far_to_near(stage_);
     find_masks(shadows_, machine_, model_, stage_.view, stage_.state.jitter);
+    if (options_.trace && traces(steps_))
+        traced_ = options_.trace(machine_, now_, stage_.view, stage_.state.jitter);
 }
 
 void Picture::draw(const Sample& sample) {
@@ -78,7 +85,7 @@ bool Picture::wants_count() const {
 /// False: a shadow count may have overflowed.
 bool Picture::attempt() {
     const std::size_t before = machine_.passes().size();
-    Frame frame{stage_, shadows_, steps_, {.background = background_}};
+    Frame frame{stage_, shadows_, steps_, {.background = background_}, traced_};
     frame.rules.one_winner = options_.one_winner == OneWinner::Always;
     frame.rules.stencil_bits = machine_.profile().stencil_bits;
     frame.rules.most_images = most_pictures(machine_.profile());

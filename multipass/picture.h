@@ -45,6 +45,7 @@ private:
     std::vector<Topology> topologies_;
     Shadows shadows_;
     Stage stage_;
+    std::vector<Rgba> traced_;
 };
 
 }  // namespace gw::multipass

@@ -33,6 +33,7 @@ bool selected(const Pass& pass, const Part& part) {
         case PassObjects::Opaque: return !part.translucent;
         case PassObjects::Translucent: return part.translucent;
         case PassObjects::Glaring: return part.object->glare.has_value();
+        case PassObjects::Casting: return !part.translucent && part.object->casts_shadow;
         case PassObjects::Named: break;
     }
     return std::find(pass.names.begin(), pass.names.end(), part.object->name) != pass.names.end();

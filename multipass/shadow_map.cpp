@@ -60,13 +60,13 @@ scene::View spot_view(const scene::Light& light, double near_plane, double far_p
     return view;
 }
 
-/// Z of the opaque parts through a window whose lower left corner is at (x, y) of the map.
+/// Z of the parts that cast shadows through a window whose lower left corner is at (x, y) of the map.
 void add_tile(CommandList& list, const Stage& whole, int x, int y) {
     Stage stage = whole;
     stage.state.viewport = {-x, -y, whole.view.width, whole.view.height};
     Step step{.pass = depth_pass};
     step.pass.name = "light Z";
-    step.pass.objects = PassObjects::Opaque;
+    step.pass.objects = PassObjects::Casting;
     add_step(list, stage, step, {});
 }
 

@@ -13,6 +13,7 @@
 #include "gw/machine.h"
 #include "multipass/model.h"
 #include "scene/view.h"
+#include "scene/world_triangles.h"
 
 #include <cstdint>
 #include <vector>
@@ -43,7 +44,7 @@ std::vector<std::uint32_t> draw_ids(Machine& machine, const Model& model, const 
                                     const JitterState& jitter);
 
 /// 1 where the point that a pixel shows is in shadow or on the dark side of its face, 0 elsewhere.
-std::vector<std::uint32_t> shadow_mask(const Model& model, const scene::Light& light,
+std::vector<std::uint32_t> shadow_mask(const scene::WorldTriangles& polygons, const scene::Light& light,
                                        const std::vector<ShadowMap>& maps,
                                        const std::vector<std::uint32_t>& ids, const scene::View& view,
                                        const JitterState& jitter, const Profile& profile);

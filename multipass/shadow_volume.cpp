@@ -176,7 +176,7 @@ std::vector<MeshRef> shadow_volumes(const Model& model, const std::vector<Topolo
     const scene::Bounds bounds = scene::bounds(*model.scene);
     std::vector<MeshRef> volumes(model.parts.size());
     for (std::size_t i = 0; i < volumes.size(); ++i) {
-        if (model.parts[i].translucent) continue;
+        if (model.parts[i].translucent || !model.parts[i].object->casts_shadow) continue;
         const dmat4& placement = model.parts[i].object->world_from_object;
         volumes[i] =
             shadow_volume(topologies[i], light_in_object(model.scene->lights[light], placement, bounds),

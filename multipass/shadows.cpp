@@ -4,6 +4,7 @@
 #include "multipass/shadow_volume.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace gw::multipass {
 
@@ -38,6 +39,7 @@ void find_masks(Shadows& shadows, Machine& machine, const Model& model, const sc
                 const JitterState& jitter) {
     const auto& lights = model.scene->lights;
     std::vector<std::uint32_t> ids;
+    std::optional<scene::WorldTriangles> polygons;
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (lights[i].shadow != scene::Shadow::Map) continue;
         const int size = shadow_map_size(view.width, view.height);
@@ -46,8 +48,9 @@ void find_masks(Shadows& shadows, Machine& machine, const Model& model, const sc
                 draw_shadow_maps(machine, model, light_views(lights[i], scene::bounds(*model.scene), size),
                                  view.width, view.height);
         if (ids.empty()) ids = draw_ids(machine, model, view, jitter);
+        if (!polygons) polygons.emplace(*model.scene);
         shadows.masks[i] =
-            shadow_mask(model, lights[i], shadows.maps[i], ids, view, jitter, machine.profile());
+            shadow_mask(*polygons, lights[i], shadows.maps[i], ids, view, jitter, machine.profile());
     }
 }
 

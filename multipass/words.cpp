@@ -49,11 +49,14 @@ constexpr Word<PassObjects> object_words[] = {{PassObjects::All, "all"},
                                               {PassObjects::Opaque, "opaque"},
                                               {PassObjects::Translucent, "translucent"},
                                               {PassObjects::Glaring, "glaring"},
+                                              {PassObjects::Casting, "casting"},
                                               {PassObjects::Named, "named"}};
 constexpr Word<PassFog> fog_words[] = {
     {PassFog::None, "none"}, {PassFog::Black, "black"}, {PassFog::Scene, "scene"}};
-constexpr Word<PassAction> action_words[] = {
-    {PassAction::Draw, "draw"}, {PassAction::Shadow, "shadow"}, {PassAction::Add, "add"}};
+constexpr Word<PassAction> action_words[] = {{PassAction::Draw, "draw"},
+                                             {PassAction::Shadow, "shadow"},
+                                             {PassAction::Add, "add"},
+                                             {PassAction::Trace, "trace"}};
 
 }  // namespace
 

@@ -64,6 +64,7 @@ struct Object {
     dmat4 world_from_object{1};  ///< in the middle of the exposure
     dvec3 move{0};               ///< how far it moves while the shutter is open, world units [K1]
     std::optional<Glare> glare;  ///< of an object that emits
+    bool casts_shadow = true;    ///< false: light goes through it, as through translucent ones
 };
 
 enum class LightKind { Directional, Point, Spot };

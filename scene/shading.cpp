@@ -41,38 +41,36 @@ double level_of_detail(const Texture& texture, const dvec2& dx, const dvec2& dy)
     return rho > 1 ? std::min(log(rho) / log(2), double(texture.levels.size() - 1)) : 0;
 }
 
-Map clamped(Map map) {
-    map.wrap = Wrap::Clamp;
-    return map;
-}
-
-double eta(const Material& material) { return material.Ni > 0 ? 1.0 / double(material.Ni) : 1.0; }
-
-/// The sphere map shows what is seen in direction d.
-dvec3 sphere_color(std::span<const Map> maps, const dvec3& d) {
-    dvec3 sum(0);
-    for (const Map& map : maps) sum += sample(clamped(map), sphere_map(d));
-    return sum;
-}
-
-}  // namespace
-
-dvec3 sample(const Map& map, const dvec2& st, const dvec2& st_dx, const dvec2& st_dy) {
+dvec3 sample(const Map& map, Wrap wrap, const dvec2& st, const dvec2& st_dx, const dvec2& st_dy) {
     if (!map.texture) return dvec3(1);
     const dvec2 scale(map.scale), at = st * scale + dvec2(map.offset);
     const double lod = level_of_detail(*map.texture, st_dx * scale, st_dy * scale);
     const auto level = static_cast<std::size_t>(lod);
     const double f = lod - double(level);
-    const dvec3 fine = in_level(map.texture->levels[level], at, map.wrap);
+    const dvec3 fine = in_level(map.texture->levels[level], at, wrap);
     if (f == 0) return fine;
-    return (1 - f) * fine + f * in_level(map.texture->levels[level + 1], at, map.wrap);
+    return (1 - f) * fine + f * in_level(map.texture->levels[level + 1], at, wrap);
+}
+
+double eta(const Material& material) { return material.Ni > 0 ? 1.0 / double(material.Ni) : 1.0; }
+
+}  // namespace
+
+dvec3 sample(const Map& map, const dvec2& st, const dvec2& st_dx, const dvec2& st_dy) {
+    return sample(map, map.wrap, st, st_dx, st_dy);
+}
+
+dvec3 far_color(std::span<const Map> maps, const dvec3& d) {
+    dvec3 sum(0);
+    for (const Map& map : maps) sum += sample(map, Wrap::Clamp, sphere_map(d), dvec2(0), dvec2(0));
+    return sum;
 }
 
 dvec3 map_color(const Material& material, Component component, const SurfacePoint& point) {
     const auto list = maps(material, component);
-    if (component == Component::Reflection) return sphere_color(list, reflected(-point.to_eye, point.n));
+    if (component == Component::Reflection) return far_color(list, reflected(-point.to_eye, point.n));
     if (component == Component::Refraction)
-        return sphere_color(list, refracted(-point.to_eye, point.n, eta(material)));
+        return far_color(list, refracted(-point.to_eye, point.n, eta(material)));
     if (list.empty()) return dvec3(1);
     dvec3 sum(0);
     for (const Map& map : list) sum += sample(map, point.st, point.st_dx, point.st_dy);

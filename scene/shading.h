@@ -29,6 +29,9 @@ dvec3 sample(const Map& map, const dvec2& st, const dvec2& st_dx = dvec2(0), con
 /// looked up as sphere maps in eye space, and black without one.
 dvec3 map_color(const Material& material, Component component, const SurfacePoint& point);
 
+/// What sphere maps show in direction `d` (eye space, length 1), summed: what is far away.
+dvec3 far_color(std::span<const Map> maps, const dvec3& d);
+
 /// One light's part: Ia Ka Mapa + arrives (Id Kd cos(theta) Mapd + Is Ks cos(alpha)^n Maps). [K3, K3.2]
 dvec3 light_color(const Material& material, const gw::Light& light, const SurfacePoint& point,
                   double arrives = 1);

@@ -41,7 +41,7 @@ int largest_difference(const std::vector<Rgba>& a, const std::vector<Rgba>& b) {
     return largest;
 }
 
-constexpr Options in_one_pass{.renderer = Renderer::Hardware};
+const Options in_one_pass{.renderer = Renderer::Hardware};
 
 TEST(Fog, InTwoStepsIsFogInOneForOneComponent) {
     // docs/manual.md: mul(f, C) + mul(1 - f, fog), the two products rounded one by one either way.

@@ -1,7 +1,7 @@
 // Shadow maps against rays, and against shadow volumes.
 #include "multipass/shadow_map.h"
+#include "scene/pixel_rays.h"
 
-#include "multipass/polygon_planes.h"
 #include "shadow_cases.h"
 
 #include <gtest/gtest.h>
@@ -66,8 +66,8 @@ TEST(ShadowMap, FollowsTheJitter) {
     const auto maps = draw_shadow_maps(*machine, model, light_views(s.lights[0], scene::bounds(s), 256),
                                        window_width, window_height);
     const auto mask = [&](const JitterState& jitter) {
-        return shadow_mask(model, s.lights[0], maps, draw_ids(*machine, model, view, jitter), view, jitter,
-                           vgx());
+        return shadow_mask(scene::WorldTriangles(s), s.lights[0], maps,
+                           draw_ids(*machine, model, view, jitter), view, jitter, vgx());
     };
     const auto still = mask({}), moved = mask({.x = 7, .y = 0}), back = mask({.x = -7, .y = 0});
     int differ = 0, common = 0;
@@ -95,17 +95,17 @@ TEST(ShadowMapSize, IsThePowerOfTwoTwiceTheWindow) {
     EXPECT_EQ(shadow_map_size(4096, 4096), 4096);
 }
 
-TEST(PolygonTable, MeetsThePolygonOfTheItemBuffer) {
+TEST(WorldTriangles, MeetsThePolygonOfTheItemBuffer) {
     const Case c;
     const scene::View view = scene::make_view(c.s, window_width, window_height);
     const Model model = make_model(c.s);
     const auto machine = make_reference(vgx(), window_width, window_height);
     const auto ids = draw_ids(*machine, model, view, {});
-    const PolygonTable table(model);
-    const PixelRays rays_of(view);
+    const scene::WorldTriangles table(c.s);
+    const scene::PixelRays rays_of(view);
     const std::size_t middle = std::size_t(window_height / 2 * window_width + window_width / 4);
     ASSERT_NE(ids[middle], 0u);
-    const PixelRay ray = rays_of.through(window_width / 4 + 0.5, window_height / 2 + 0.5);
+    const scene::PixelRay ray = rays_of.through(window_width / 4 + 0.5, window_height / 2 + 0.5);
     const auto at = table.meet(ids[middle], ray.o, ray.d);
     ASSERT_TRUE(at.has_value());
     EXPECT_NEAR(at->p.y, 0, 1e-12) << "a point of the floor";

@@ -1,0 +1,59 @@
+// All triangles of a scene in world space, numbered through: object by object, polygon by polygon. What rays
+// are met with, and what an item buffer's identifiers mean [K4i]. Does not search (raytrace/ does).
+#pragma once
+
+#include "scene/draw_commands.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace gw::scene {
+
+/// Where a ray o + t d meets the plane of a triangle.
+struct TrianglePoint {
+    std::uint32_t triangle = 0;
+    dvec3 p{0};
+    dvec3 normal{0};  ///< of the plane, counter-clockwise from outside; of any length
+    bool operator==(const TrianglePoint&) const = default;
+};
+
+/// Refers to the scene's meshes, which must outlive it.
+class WorldTriangles {
+public:
+    explicit WorldTriangles(const Scene& scene);
+
+    std::uint32_t size() const { return static_cast<std::uint32_t>(places_.size()); }
+    std::uint32_t object_of(std::uint32_t triangle) const { return places_[triangle].object; }
+    /// The identifier of its polygon: polygon_ids of scene/draw_commands.h, of meshes numbered without gaps.
+    std::uint32_t id_of(std::uint32_t triangle) const { return places_[triangle].id; }
+    const Triangle& in_mesh(std::uint32_t triangle) const;
+
+    std::array<dvec3, 3> corners(std::uint32_t triangle) const;
+    /// Of length 1, or 0; the plane's where the mesh has none.
+    std::array<dvec3, 3> normals(std::uint32_t triangle) const;
+    /// 0 where the mesh has none.
+    std::array<dvec2, 3> texcoords(std::uint32_t triangle) const;
+
+    /// The point of polygon `id` that the ray sees: on the plane of that of its triangles which the ray goes
+    /// through, or least misses (a fragment's centre lies in the snapped triangle, which may be a sixteenth
+    /// of a pixel beside the true one). None: no polygon has this identifier, or the ray runs along it.
+    std::optional<TrianglePoint> meet(std::uint32_t id, const dvec3& o, const dvec3& d) const;
+
+private:
+    struct Place {
+        std::uint32_t object = 0, id = 0;
+    };
+    struct Placed {
+        MeshRef mesh;
+        std::uint32_t first = 0;  ///< triangle
+        std::vector<dvec3> positions, normals;
+    };
+    std::vector<Placed> objects_;
+    std::vector<Place> places_;         ///< by triangle
+    std::vector<std::uint32_t> first_;  ///< triangle of each identifier; one more at the end
+};
+
+}  // namespace gw::scene

@@ -1,0 +1,189 @@
+// [K4, K4i] The item buffer and what is traced from it, against the ordinary ray tracer.
+#include "itembuffer/item_buffer.h"
+
+#include "../raytrace/walls.h"
+#include "gw/fast/kernels.h"
+#include "itembuffer/ordinary.h"
+#include "itembuffer/traced_component.h"
+#include "raytrace/picture.h"
+#include "scene/read_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace gw::itembuffer {
+namespace {
+
+constexpr int width = 160, height = 120;
+
+scene::Scene fig9() {
+    scene::Scene scene =
+        scene::read_scene(std::filesystem::path(GW_SOURCE_DIR) / "scenes" / "fig9.toml").scene;
+    for (scene::Material& m : scene.materials) m.refl.clear(), m.map_Kd.clear();
+    return scene;
+}
+
+std::unique_ptr<Machine> machine() { return make_fast(vgx(), width, height); }
+
+/// Whether all neighbours of a pixel show the same polygon.
+bool away_from_edges(const std::vector<std::uint32_t>& ids, std::size_t i) {
+    const auto x = int(i % width), y = int(i / width);
+    if (x == 0 || y == 0 || x == width - 1 || y == height - 1) return false;
+    for (const int step : {-1, 1, -width, width})
+        if (ids[std::size_t(int(i) + step)] != ids[i]) return false;
+    return true;
+}
+
+TEST(ItemBuffer, IsTheSameInSeveralPasses) {
+    const scene::Scene scene = fig9();
+    const scene::View view = scene::make_view(scene, width, height);
+    const auto m = machine();
+    const auto whole = draw_item_buffer(*m, scene, view, {});
+    EXPECT_GT(*std::max_element(whole.begin(), whole.end()), 70000u);
+    for (const int bits : {1, 5, 8, 17}) {
+        const std::size_t before = m->passes().size();
+        EXPECT_EQ(draw_item_buffer(*m, scene, view, {}, bits), whole) << bits;
+        EXPECT_EQ(m->passes().size() - before, std::size_t((17 + bits - 1) / bits)) << bits;
+    }
+}
+
+TEST(ItemBuffer, ShowsThePolygonThatRaysFindAwayFromEdges) {
+    const scene::Scene scene = fig9();
+    const scene::View view = scene::make_view(scene, width, height);
+    const auto m = machine();
+    const raytrace::World world(scene);
+    const raytrace::Tracer tracer(scene, world, view, {.depth = 1});
+    for (const JitterState& jitter : {JitterState{}, JitterState{3, -2}}) {
+        const auto ids = draw_item_buffer(*m, scene, view, jitter);
+        const auto rays = raytrace::raytraced_picture(tracer, scene, view, jitter, vgx());
+        int compared = 0, different = 0;
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            if (!away_from_edges(ids, i)) continue;
+            ++compared;
+            different += ids[i] != rays.ids[i];
+        }
+        EXPECT_GT(compared, width * height / 4);
+        EXPECT_EQ(different, 0);
+    }
+}
+
+/// Snapping may leave a pixel's centre outside its polygon; the plane is met all the same.
+TEST(TracedComponent, TracesEveryPixelOfAPolygonThatReflectsAndNoOther) {
+    const scene::Scene scene = fig9();
+    const scene::View view = scene::make_view(scene, width, height);
+    const auto m = machine();
+    const raytrace::World world(scene);
+    const raytrace::Tracer tracer(scene, world, view, {});
+    const auto ids = draw_item_buffer(*m, scene, view, {});
+    const TracedComponent traced = traced_component(tracer, scene, view, ids, {}, vgx());
+    const scene::PolygonIds numbers = scene::polygon_ids(scene);
+    std::uint64_t glossy = 0;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const auto polygon = scene::polygon_of(numbers, ids[i]);
+        if (polygon && raytrace::is_traced(scene.materials[scene.objects[polygon->object].material]))
+            ++glossy;
+        else
+            EXPECT_EQ(traced.color[i], (Rgba{0, 0, 0, 0}));
+    }
+    EXPECT_GT(glossy, std::uint64_t(width * height / 4));
+    EXPECT_EQ(traced.counts.primary, glossy);
+    EXPECT_EQ(traced.counts.reflected, glossy);
+    EXPECT_LE(traced.counts.shadow, 2 * glossy) << "only reflected hits ask for shadows";
+}
+
+TEST(TracedComponent, HasTheSameBitsForAllThreadsAndTargets) {
+    const scene::Scene scene = fig9();
+    const scene::View view = scene::make_view(scene, width, height);
+    const auto m = machine();
+    const auto ids = draw_item_buffer(*m, scene, view, {});
+    const auto trace = [&](int threads) {
+        const raytrace::World world(scene, threads);
+        const raytrace::Tracer tracer(scene, world, view, {.depth = 3, .threads = threads});
+        return traced_component(tracer, scene, view, ids, {}, vgx());
+    };
+    const TracedComponent one = trace(1);
+    for (const std::string& name : fast::simd_targets()) {
+        ASSERT_TRUE(fast::use_simd_target(name));
+        const TracedComponent other = trace(3);
+        EXPECT_EQ(other.color, one.color) << name;
+        EXPECT_EQ(other.counts, one.counts) << name;
+    }
+    fast::use_simd_target("");
+}
+
+/// Without lights that vary over a polygon both renderers have the same colours, but for one rounding a pass:
+/// two ambient ones and the traced one.
+TEST(Eq5, AgreesWithTheOrdinaryRayTracerWhereVertexLightingIsExact) {
+    scene::Scene scene = fig9();
+    for (scene::Light& light : scene.lights) light.Id = vec3(0), light.Is = vec3(0);
+    const scene::View view = scene::make_view(scene, width, height);
+    const auto passes = machine(), rays = machine();
+    render(*passes, scene, view, {}, {.depth = 3});
+    render_by_rays(*rays, scene, view, 1, {.depth = 3});
+    const auto ids = draw_item_buffer(*machine(), scene, view, {});
+    int compared = 0;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        if (!away_from_edges(ids, i)) continue;
+        ++compared;
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(passes->planes().color[i][c], rays->planes().color[i][c], 2) << i;
+    }
+    EXPECT_GT(compared, width * height / 4);
+}
+
+TEST(Eq5, EntersAsAPassOfItsOwn) {
+    const scene::Scene scene = fig9();
+    const auto m = machine();
+    render(*m, scene, scene::make_view(scene, width, height), {});
+    const auto& passes = m->passes();
+    const auto pass = std::find_if(passes.begin(), passes.end(),
+                                   [](const PassReport& p) { return p.name == "raytracing"; });
+    ASSERT_NE(pass, passes.end());
+    EXPECT_EQ(pass->counters.written, std::uint64_t(width * height));
+}
+
+TEST(Eq5, IsEq2WhereNothingAsksForRays) {
+    scene::Scene scene = fig9();
+    for (scene::Material& m : scene.materials) m.illum = 2;
+    const scene::View view = scene::make_view(scene, width, height);
+    const auto with = machine(), without = machine();
+    render(*with, scene, view, {});
+    multipass::render(*without, scene, view, {});
+    EXPECT_EQ(with->planes(), without->planes());
+}
+
+/// The traced light of a mirror in linear fog is what is left of it at the mirror [K3.5].
+TEST(Eq5, ShinesThroughTheFirstHitsBlackFog) {
+    raytrace::Walls walls;
+    walls.add_shining({0, 0, 10}, {-9, 0, 0}, {0, 9, 0}, vec3(1));
+    scene::Material& mirror = walls.add({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+    mirror.Ks = vec3(1);
+    mirror.illum = 3;
+    walls.scene.fog = scene::Fog{.color = vec3(0), .start = 0, .end = 20};
+    const auto m = machine();
+    const scene::View view = scene::make_view(walls.scene, width, height);
+    render(*m, walls.scene, view, {});
+    const std::size_t middle = std::size_t(height / 2 * width + width / 2);
+    EXPECT_NEAR(m->planes().color[middle][0], 255 * 0.75, 1);  // 5 of 20 away
+}
+
+TEST(Eq5, ReadsThePassesShadowMapsWhereAsked) {
+    const scene::Scene scene = fig9();
+    const scene::View view = scene::make_view(scene, width, height);
+    raytrace::RayCounts by_rays, by_maps;
+    const auto a = machine(), b = machine();
+    render(*a, scene, view, {}, {.counts = &by_rays});
+    render(*b, scene, view, {}, {.shadow_maps = true, .counts = &by_maps});
+    EXPECT_GT(by_rays.shadow, 1000u);
+    EXPECT_EQ(by_maps.shadow, 0u);
+    int differ = 0;
+    for (std::size_t i = 0; i < a->planes().color.size(); ++i)
+        differ += a->planes().color[i] != b->planes().color[i];
+    EXPECT_LT(differ, width * height / 20) << "shadow borders only";
+}
+
+}  // namespace
+}  // namespace gw::itembuffer
