@@ -159,7 +159,7 @@ const std::vector<Figure>& figures() {
          "K4f",
          "The scene of Figure 9, with maps",
          "444 matte and 77,184 glossy polygons; the studio is a map.",
-         {{"render scenes/fig9.toml -o @fig9.png", {{"fig9.png", "reflection maps"}}}}},
+         {{"render scenes/fig9.toml --reflections maps -o @fig9.png", {{"fig9.png", "reflection maps"}}}}},
     };
     return all;
 }

@@ -1,0 +1,154 @@
+#include "ray_set.h"
+
+#include "gw/texgen.h"
+#include "gw/vertex.h"
+#include "scene/pixel_rays.h"
+
+#include <embree3/rtcore.h>
+
+#include <ctime>
+
+namespace gw::bench {
+namespace {
+
+using raytrace::HierarchyRay;
+
+constexpr float far = 3e38f;
+constexpr float skin = 1e-5f;
+
+class Recorder {
+public:
+    Recorder(const scene::Scene& scene, const raytrace::World& world, const scene::View& view)
+        : scene_(scene), world_(world), view_(view) {}
+
+    void follow(const raytrace::Ray& ray, double high, std::uint32_t from, int rays_left) {
+        set.nearest.push_back({vec3(ray.origin), from == raytrace::no_polygon ? 0 : skin, vec3(ray.direction),
+                               float(high), from});
+        const auto at = world_.nearest(ray, high, from);
+        if (!at) return;
+        const auto s = raytrace::surface(world_.triangles(), *at, normalized(ray.direction), view_);
+        const std::uint32_t id = world_.triangles().id_of(at->triangle);
+        for (const scene::Light& light : scene_.lights) {
+            const dvec3 way = dvec3(light.position) - at->p;
+            const bool faces = dot3(way, s.normal) > 0 && dot3(way, s.plane_normal) > 0;
+            if (light.shadow != scene::Shadow::None && faces)
+                set.shadow.push_back({vec3(at->p), skin, vec3(way), 1, id});
+        }
+        const scene::Object& object = scene_.objects[world_.triangles().object_of(at->triangle)];
+        if (rays_left > 0 && raytrace::is_traced(scene_.materials[object.material]))
+            follow({at->p, reflected(s.direction, s.normal)}, far, id, rays_left - 1);
+    }
+
+    RaySet set;
+
+private:
+    const scene::Scene& scene_;
+    const raytrace::World& world_;
+    const scene::View& view_;
+};
+
+/// Embree's scene of the same triangles.
+class Embree {
+public:
+    explicit Embree(const std::vector<raytrace::HierarchyTriangle>& triangles)
+        : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
+        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+        RTCGeometry mesh = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                              RTC_FORMAT_FLOAT3, 12, triangles.size() * 3));
+        auto* index = static_cast<unsigned*>(
+            rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, triangles.size()));
+        for (const auto& t : triangles)
+            for (const vec3& c : t.corner)
+                for (int k = 0; k < 3; ++k) *v++ = c[k];
+        for (unsigned i = 0; i < triangles.size() * 3; ++i) index[i] = i;
+        rtcCommitGeometry(mesh);
+        rtcAttachGeometry(scene_, mesh);
+        rtcReleaseGeometry(mesh);
+        rtcCommitScene(scene_);
+    }
+    Embree(const Embree&) = delete;
+    ~Embree() {
+        rtcReleaseScene(scene_);
+        rtcReleaseDevice(device_);
+    }
+
+    bool nearest(const HierarchyRay& ray) const {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        RTCRayHit r;
+        r.ray = embree_ray(ray);
+        r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(scene_, &context, &r);
+        return r.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    }
+    bool occluded(const HierarchyRay& ray) const {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        RTCRay r = embree_ray(ray);
+        rtcOccluded1(scene_, &context, &r);
+        return r.tfar < 0;
+    }
+
+private:
+    static RTCRay embree_ray(const HierarchyRay& r) {
+        return {r.origin.x, r.origin.y, r.origin.z, r.low, r.direction.x, r.direction.y, r.direction.z, 0,
+                r.high,     ~0u,        0,          0};
+    }
+    RTCDevice device_;
+    RTCScene scene_;
+};
+
+template <class Trace>
+double seconds_of(const Trace& trace, std::vector<bool>& hits) {
+    hits.clear();
+    const double start = processor_seconds();
+    trace();
+    return processor_seconds() - start;
+}
+
+}  // namespace
+
+double processor_seconds() {
+    timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+
+RaySet rays_of_picture(const scene::Scene& scene, const raytrace::World& world, const scene::View& view) {
+    Recorder recorder(scene, world, view);
+    const scene::PixelRays rays(view);
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x) {
+            const scene::PixelRay ray = rays.through(x + 0.5, y + 0.5);
+            recorder.follow({ray.o, ray.d}, 1, raytrace::no_polygon, 1);
+        }
+    return std::move(recorder.set);
+}
+
+TraceTimes trace_times(const RaySet& rays, const raytrace::World& world) {
+    const Embree embree(raytrace::hierarchy_triangles(world.triangles()));
+    std::vector<bool> ours, theirs;
+    TraceTimes best{1e30, 1e30, 0};
+    for (int run = 0; run < 3; ++run) {
+        const double a = seconds_of(
+            [&] {
+                for (const HierarchyRay& r : rays.nearest)
+                    ours.push_back(world.hierarchy().nearest(r).has_value());
+                for (const HierarchyRay& r : rays.shadow) ours.push_back(world.hierarchy().occluded(r));
+            },
+            ours);
+        const double b = seconds_of(
+            [&] {
+                for (const HierarchyRay& r : rays.nearest) theirs.push_back(embree.nearest(r));
+                for (const HierarchyRay& r : rays.shadow) theirs.push_back(embree.occluded(r));
+            },
+            theirs);
+        best.ours = std::min(best.ours, a);
+        best.embree = std::min(best.embree, b);
+    }
+    for (std::size_t i = 0; i < ours.size(); ++i) best.differ += ours[i] != theirs[i];
+    return best;
+}
+
+}  // namespace gw::bench
