@@ -50,6 +50,30 @@ TEST(Metamorphic, ThreadsAndTilesDoNotMatter) {
         }
 }
 
+/// The lists above are over before a second thread wakes up; here are thousands of tiles for each.
+TEST(Metamorphic, ThreadsShareALargePicture) {
+    Random r(1);
+    Case c{.width = 1500, .height = 1100};
+    State state;
+    state.depth.test = true;
+    state.stencil = {.test = true, .zfail = StencilOp::Incr, .zpass = StencilOp::Invert};
+    c.list.add(Clear{.planes = all_planes, .depth = 1});
+    for (int i = 0; i < 12; ++i) {
+        MeshData data;
+        for (int k = 0; k < 30; ++k) {
+            const auto x = static_cast<float>(r.real(-1.2, 1.2)), y = static_cast<float>(r.real(-1.2, 1.2));
+            data.positions.push_back({x, y, static_cast<float>(r.real(-1, 1))});
+            data.colors.push_back(any_color(r));
+        }
+        state.blend = any_blend(r);
+        c.list.add(SetState{state});
+        c.list.add(Draw{.mesh = make_mesh(std::move(data))});
+    }
+    const auto one = run(c, c.list);
+    for (int variant = 1; variant < 8; ++variant)
+        EXPECT_EQ(difference(*one, *run(c, c.list, variant)), "") << "variant " << variant;
+}
+
 /// Triangles inside a cell of 8 x 8 pixels, whatever the other cells hold.
 MeshRef cell_mesh(Random& r, int column, int row, int cells) {
     MeshData data;
