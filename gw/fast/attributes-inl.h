@@ -235,7 +235,7 @@ HWY_INLINE void set_up_perspective(const TileDraw& draw, const Corners& t, Textu
             texture_one(draw, t, i, out[i]);
             continue;
         }
-        out[i].q = q.at(t, i);
+        out[i].q = q.at(t, i), out[i].r = {};
         out[i].s = texture_plane(t, u, i, q, slopes), out[i].t = texture_plane(t, v, i, q, slopes);
         out[i].slope_x = draw.tile.x - t.to_x[i], out[i].slope_y = draw.tile.y - t.to_y[i];
     }

@@ -13,6 +13,8 @@
 
 namespace gw::fast {
 
+struct BatchRoom;
+
 /// One draw in one tile.
 struct TileDraw {
     const DrawOp* op = nullptr;
@@ -20,6 +22,7 @@ struct TileDraw {
     Tile tile;
     BlockBox box;
     OpCounts* counts = nullptr;
+    BatchRoom* room = nullptr;
 };
 
 struct Coverage;

@@ -53,7 +53,7 @@ private:
         if (segment.ops.empty()) return;
         if (segment.uses_accum) frame_.need_accum();
         planes_are_current_ = false;
-        std::vector<OpCounts> totals = run_tiles(segment, frame_, profile_, threads_);
+        std::vector<OpCounts> totals = run_tiles(segment, frame_, profile_, threads_, rooms_);
         for (std::size_t i = 0; i < totals.size(); ++i)
             machine_.passes[segment.ops[i].pass].counters += counters_of(segment.ops[i], totals[i], profile_);
     }
@@ -93,6 +93,7 @@ private:
     Profile profile_;
     int threads_;
     Frame frame_;
+    WorkerRooms rooms_;
     Planes planes_;
     bool planes_are_current_ = true;
     MachineState machine_;

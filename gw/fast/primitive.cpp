@@ -121,6 +121,7 @@ struct Maker {
         } else {
             q = denominators(used(w()));
             s = coordinate(0, ts.wrap_s), t = coordinate(1, ts.wrap_t);
+            out.r = {};
         }
         out.q = frame.plane(q);
         out.s = texture_plane(s, ts.wrap_s);

@@ -47,6 +47,12 @@ struct TexturePlanes {
     int slope_x = 0, slope_y = 0;  ///< window pixel that the slopes are given at
 };
 
+/// Where a batch's planes stand while it is drawn: one a worker.
+struct BatchRoom {
+    ColorPlanes color[batch_room];
+    TexturePlanes texture[batch_room];
+};
+
 struct DepthPlane {
     TilePlane plane;
     std::int64_t offset = 0;

@@ -5,47 +5,14 @@
 #include <hwy/foreach_target.h>
 
 #include "gw/fast/kernels.h"
+#include "gw/fast/plain-inl.h"
 #include "gw/fast/record-inl.h"
 #include "gw/fast/replay-inl.h"
-#include "gw/fast/uncolored-inl.h"
 
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
-
-/// Planes of a batch's colours, made when the first of its fragments needs them.
-struct BatchPlanes {
-    const TileDraw& draw;
-    const Corners& corners;
-    bool narrow = is_narrow(*draw.op), made = false;
-    NarrowBatch narrow_color;
-    ColorPlanes color[batch_room];
-    TexturePlanes texture[batch_room];
-
-    HWY_INLINE void make() {
-        if (made) return;
-        made = true;
-        if (narrow)
-            set_up_narrow(draw, corners, narrow_color);
-        else
-            set_up_colors(draw, corners, color);
-        if (draw.op->texels) set_up_textures(draw, corners, texture);
-    }
-    HWY_INLINE const ColorBlock& color_of(std::size_t i, int bx, int by, ShadeInputs& in) {
-        make();
-        if (narrow)
-            narrow_colors(narrow_color, i, has_fog(draw.op->state.state) ? 5 : 4, bx, by, in);
-        else
-            wide_colors(color[i], *draw.op, bx, by, all_lanes, in);
-        if (draw.op->texels) put_texture(texture[i], draw, bx, by, all_lanes, in);
-        return shaded(draw, in);
-    }
-};
-
-HWY_INLINE bool needs_depth(const DrawOp& op) {
-    return op.state.state.depth.func != DepthFunc::Always || op.state.state.depth.mask;
-}
 
 /// A covered block of primitive i on its way through the stages, which ask for the colour when they need it.
 HWY_INLINE void paint_block(BatchPlanes& planes, std::size_t i, const DepthBlock& depth, int bx, int by,
@@ -61,7 +28,7 @@ void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, Op
     Triangles t;
     const BoxLanes box(draw);
     set_up_triangles(draw, bin, needs_depth(*draw.op), t);
-    BatchPlanes planes{draw, t.corners};
+    BatchPlanes planes(draw, t.corners);
     for (std::size_t i = 0; i < t.count(); ++i) {
         if (t.empty(i)) continue;
         const DepthPlane plane = depth_of(draw, t, i);
@@ -77,7 +44,7 @@ void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, Op
 void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& counts) {
     Corners corners;
     gather_corners(draw, {&ordinal, 1}, corners);
-    BatchPlanes planes{draw, corners};
+    BatchPlanes planes(draw, corners);
     const PrimitiveFrame frame = frame_of(draw, ordinal);
     const DepthPlane plane = depth_plane(draw, *corners.primitive[0], frame);
     visit_line_or_point(draw, frame, [&](int bx, int by, const LaneSet& lanes) {
@@ -90,11 +57,11 @@ void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& c
 /// Draws the primitives of a bin in order.
 void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
     OpCounts counts;
-    const bool uncolored = is_uncolored(draw.op->state);
+    const bool plain = is_plain(draw.op->state);
     walk_bin(
         draw, bin,
         [&](std::span<const std::uint32_t> batch) {
-            uncolored ? draw_uncolored(draw, batch, counts) : draw_triangles(draw, batch, counts);
+            plain ? draw_plain(draw, batch, counts) : draw_triangles(draw, batch, counts);
         },
         [&](std::uint32_t ordinal) { draw_line_or_point(draw, ordinal, counts); });
     *draw.counts += counts;

@@ -22,6 +22,12 @@ OpCounts& OpCounts::operator+=(const OpCounts& o) {
     return *this;
 }
 
+struct WorkerRoom {
+    std::vector<Coverage> coverages;
+    BatchRoom batch;
+};
+void DeleteRoom::operator()(WorkerRoom* room) const { delete room; }
+
 namespace {
 
 constexpr std::uint32_t every_lane = 0xFFFF;
@@ -50,16 +56,16 @@ struct TileRun {
     Tile tile;
     std::size_t index;
     OpCounts* counts = nullptr;
-    std::vector<Coverage>* coverages = nullptr;
+    WorkerRoom& room;
 
     BlockBox box(const Rect& rect) const { return block_box(rect, tile); }
 
     void run(const DrawOp& op) {
         if (op.set->tile_bin(index).empty()) return;
-        const TileDraw draw{&op, &profile, tile, box(op.state.draw_box), counts};
+        const TileDraw draw{&op, &profile, tile, box(op.state.draw_box), counts, &room.batch};
         if (!draw.box.empty())
             draw_primitives(draw, op.set->tile_bin(index),
-                            op.coverage < 0 ? nullptr : &(*coverages)[std::size_t(op.coverage)]);
+                            op.coverage < 0 ? nullptr : &room.coverages[std::size_t(op.coverage)]);
     }
 
     void run(const ClearOp& op) {
@@ -207,15 +213,20 @@ struct TileRun {
 
 }  // namespace
 
-std::vector<OpCounts> run_tiles(const Segment& segment, Frame& frame, const Profile& profile, int threads) {
+std::vector<OpCounts> run_tiles(const Segment& segment, Frame& frame, const Profile& profile, int threads,
+                                WorkerRooms& rooms) {
     const std::size_t tiles = frame.grid().count();
     std::vector<std::vector<OpCounts>> by_worker(std::size_t(threads),
                                                  std::vector<OpCounts>(segment.ops.size()));
-    std::vector<std::vector<Coverage>> coverages(std::size_t(threads),
-                                                 std::vector<Coverage>(std::size_t(segment.coverages)));
+    if (rooms.size() < std::size_t(threads)) rooms.resize(std::size_t(threads));
+    for (auto& room : rooms) {
+        if (!room) room.reset(new WorkerRoom);
+        if (room->coverages.size() < std::size_t(segment.coverages))
+            room->coverages.resize(std::size_t(segment.coverages));
+    }
     parallel_for(tiles, threads, [&](std::size_t i, int worker) {
-        TileRun run{profile, frame.tile(i), i, nullptr, &coverages[std::size_t(worker)]};
-        for (Coverage& record : *run.coverages) record.clear();
+        TileRun run{profile, frame.tile(i), i, nullptr, *rooms[std::size_t(worker)]};
+        for (Coverage& record : run.room.coverages) record.clear();
         for (std::size_t k = 0; k < segment.ops.size(); ++k) {
             run.counts = &by_worker[std::size_t(worker)][k];
             std::visit([&](const auto& op) { run.run(op); }, segment.ops[k].op);

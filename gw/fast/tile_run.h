@@ -4,6 +4,8 @@
 
 #include "gw/fast/plan.h"
 
+#include <memory>
+
 namespace gw::fast {
 
 /// Fragments of one operation by fate, or its pixels; summed over tiles.
@@ -13,8 +15,16 @@ struct OpCounts {
     OpCounts& operator+=(const OpCounts& other);
 };
 
+/// What a worker keeps from tile to tile and from list to list, so that it need not be made anew.
+struct WorkerRoom;
+struct DeleteRoom {
+    void operator()(WorkerRoom* room) const;
+};
+using WorkerRooms = std::vector<std::unique_ptr<WorkerRoom, DeleteRoom>>;
+
 /// Runs all operations on all tiles; the counts by operation.
-std::vector<OpCounts> run_tiles(const Segment& segment, Frame& frame, const Profile& profile, int threads);
+std::vector<OpCounts> run_tiles(const Segment& segment, Frame& frame, const Profile& profile, int threads,
+                                WorkerRooms& rooms);
 
 /// What an operation's counts add to its pass.
 Counters counters_of(const TileOp& op, const OpCounts& counts, const Profile& profile);

@@ -49,6 +49,9 @@ struct LaneCounter {
         for (std::size_t i = 0; i < parts; ++i)
             count[i] = hn::Add(count[i], hn::IfThenElseZero(s.part[i], hn::Set(D32(), 1u)));
     }
+    HWY_INLINE void add(const LaneCounter& other) {
+        for (std::size_t i = 0; i < parts; ++i) count[i] = hn::Add(count[i], other.count[i]);
+    }
     HWY_INLINE std::uint64_t total() const {
         alignas(64) std::uint32_t lane[block_pixels];
         for (std::size_t i = 0; i < parts; ++i) hn::Store(count[i], D32(), lane + i * lanes32);

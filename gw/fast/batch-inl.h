@@ -1,0 +1,58 @@
+// A batch's colours, made when the first of its fragments needs them. Does not test or write.
+// Included once per Highway target.
+#if defined(GW_FAST_BATCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_BATCH_INL_H_
+#undef GW_FAST_BATCH_INL_H_
+#else
+#define GW_FAST_BATCH_INL_H_
+#endif
+
+#include "gw/fast/shade-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+HWY_INLINE bool needs_depth(const DrawOp& op) {
+    return op.state.state.depth.func != DepthFunc::Always || op.state.state.depth.mask;
+}
+
+struct BatchPlanes {
+    const TileDraw& draw;
+    const Corners& corners;
+    BatchRoom& room;
+    bool narrow, made = false;
+    std::size_t channels;
+    NarrowBatch narrow_color;
+
+    HWY_INLINE BatchPlanes(const TileDraw& d, const Corners& c)
+        : draw(d),
+          corners(c),
+          room(*d.room),
+          narrow(is_narrow(*d.op)),
+          channels(has_fog(d.op->state.state) ? 5 : 4) {}
+
+    HWY_INLINE void make() {
+        if (made) return;
+        made = true;
+        if (narrow)
+            set_up_narrow(draw, corners, narrow_color);
+        else
+            set_up_colors(draw, corners, room.color);
+        if (draw.op->texels) set_up_textures(draw, corners, room.texture);
+    }
+    /// The colours of triangle i in a block, of all lanes.
+    HWY_NOINLINE const ColorBlock& color_of(std::size_t i, int bx, int by, ShadeInputs& in) {
+        make();
+        if (narrow)
+            narrow_colors(narrow_color, i, channels, bx, by, in);
+        else
+            wide_colors(room.color[i], *draw.op, bx, by, all_lanes, in);
+        if (draw.op->texels) put_texture(room.texture[i], draw, bx, by, all_lanes, in);
+        return shaded(draw, in);
+    }
+};
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target
