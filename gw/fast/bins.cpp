@@ -38,8 +38,9 @@ struct Binner {
         const int margin = p.kind == MeshKind::Lines    ? set.key.line_width
                            : p.kind == MeshKind::Points ? set.key.point_size
                                                         : 0;
-        const auto [x0, x1] = x.tiles(set.x[a], set.x[b], set.x[c], margin);
-        const auto [y0, y1] = y.tiles(set.y[a], set.y[b], set.y[c], margin);
+        const SnappedVertex &va = set.at[a], &vb = set.at[b], &vc = set.at[c];
+        const auto [x0, x1] = x.tiles(va.x, vb.x, vc.x, margin);
+        const auto [y0, y1] = y.tiles(va.y, vb.y, vc.y, margin);
         return {x0, y0, x1, y1};
     }
     std::vector<TileRange> ranges() const {

@@ -27,7 +27,8 @@ struct Corners {
     std::uint32_t ordinal[batch_room];
     const SetupPrimitive* primitive[batch_room];
     alignas(64) std::int32_t x[3][batch_room], y[3][batch_room];  ///< jittered
-    std::int32_t to_x[batch_room], to_y[batch_room];              ///< pixels from corner 0's to the tile
+    alignas(64) std::uint32_t z[3][batch_room];
+    std::int32_t to_x[batch_room], to_y[batch_room];  ///< pixels from corner 0's to the tile
     alignas(64) double dx1[batch_room], dy1[batch_room], dx2[batch_room], dy2[batch_room], area2[batch_room];
     alignas(64) double ax[batch_room], ay[batch_room];  ///< from corner 0 to the centre of its pixel
 };
@@ -54,8 +55,11 @@ HWY_INLINE void gather_positions(const TileDraw& draw, std::span<const std::uint
         t.ordinal[i] = ordinals[i < t.count ? i : 0];
         t.primitive[i] = &set.primitives[t.ordinal[i]];
     }
-    gather(t, t.x, [&](std::uint32_t v) { return set.x[v] + jitter.x; });
-    gather(t, t.y, [&](std::uint32_t v) { return set.y[v] + jitter.y; });
+    for (std::size_t i = 0; i < batch_room; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const SnappedVertex& v = set.at[t.primitive[i]->vertex[k]];
+            t.x[k][i] = v.x + jitter.x, t.y[k][i] = v.y + jitter.y, t.z[k][i] = v.z;
+        }
 }
 
 #if HWY_HAVE_FLOAT64

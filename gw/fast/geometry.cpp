@@ -57,16 +57,13 @@ struct Builder {
 
     void push_window(const Vertex& v) {
         const WindowVertex p = to_window(v, set.state.viewport, state().depth_range, profile);
-        set.x.push_back(static_cast<std::int32_t>(p.x));
-        set.y.push_back(static_cast<std::int32_t>(p.y));
-        set.z.push_back(p.z);
+        set.at.push_back({static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y), p.z});
         set.w.push_back(p.w);
     }
 
     void push_vertices() {
         const std::span<const vec3> positions(mesh().data().positions);
-        for (auto* v : {&set.x, &set.y}) v->resize(positions.size());
-        set.z.resize(positions.size()), set.w.resize(positions.size(), 1), outcode.resize(positions.size());
+        set.at.resize(positions.size()), set.w.resize(positions.size(), 1), outcode.resize(positions.size());
         const Projection projection{program.clip_from_object, set.state.viewport, state().depth_range,
                                     profile};
         for (std::size_t first = 0; first < positions.size(); first += project_batch) {
@@ -91,10 +88,10 @@ struct Builder {
     }
 
     void store_window(std::size_t i, std::int32_t x, std::int32_t y, std::uint32_t z, double w) {
-        set.x[i] = x, set.y[i] = y, set.z[i] = z, set.w[i] = w;
+        set.at[i] = {x, y, z}, set.w[i] = w;
     }
 
-    SnappedPoint point(std::uint32_t v) const { return {set.x[v], set.y[v]}; }
+    SnappedPoint point(std::uint32_t v) const { return {set.at[v].x, set.at[v].y}; }
     std::int64_t area_of(const std::array<std::uint32_t, 3>& v) const {
         return area2(point(v[0]), point(v[1]), point(v[2]));
     }
@@ -111,7 +108,7 @@ struct Builder {
         for (std::uint32_t k = 0; k < sides; ++k) vertices.push_back(position(corners[k]));
         const Clipped clipped = clip(std::move(vertices), set.state.viewport);
         if (clipped.vertices.empty()) return false;
-        out = {corners, sides, std::uint32_t(set.x.size()), std::uint32_t(clipped.vertices.size())};
+        out = {corners, sides, std::uint32_t(set.at.size()), std::uint32_t(clipped.vertices.size())};
         for (const Vertex& v : clipped.vertices) push_window(v);
         set.counters.clipped += clipped.cut ? 1 : 0;
         set.cuts.push_back(out);
@@ -121,7 +118,7 @@ struct Builder {
     /// Takes back a cut whose primitive is not drawn.
     void drop(const Cut& c) {
         set.cuts.pop_back();
-        set.x.resize(c.first), set.y.resize(c.first), set.z.resize(c.first), set.w.resize(c.first);
+        set.at.resize(c.first), set.w.resize(c.first);
     }
 
     /// Counter-clockwise, from the lowest vertex (of those, the leftmost); without branches, which would be
@@ -131,7 +128,7 @@ struct Builder {
                                                   v[clockwise ? 2 : 1]};
         std::array<std::int64_t, 3> key;
         for (std::size_t k = 0; k < 3; ++k)
-            key[k] = std::int64_t{set.y[turned[k]]} * (std::int64_t{1} << 32) + set.x[turned[k]];
+            key[k] = std::int64_t{set.at[turned[k]].y} * (std::int64_t{1} << 32) + set.at[turned[k]].x;
         const auto first = std::size_t((key[1] < key[0]) & (key[1] < key[2])) +
                            2 * std::size_t((key[2] < key[0]) & (key[2] < key[1]));
         return {turned[first], turned[first + 1], turned[first + 2]};
@@ -219,8 +216,8 @@ struct Builder {
             left = cut({a, b, b}, 2, piece);
             if (left) p.vertex = {piece.first, piece.first + 1, piece.first + 1};
         }
-        const bool degenerate =
-            left && set.x[p.vertex[0]] == set.x[p.vertex[1]] && set.y[p.vertex[0]] == set.y[p.vertex[1]];
+        const bool degenerate = left && set.at[p.vertex[0]].x == set.at[p.vertex[1]].x &&
+                                set.at[p.vertex[0]].y == set.at[p.vertex[1]].y;
         if (degenerate && piece.count != 0) drop(piece);
         if (left && !degenerate) set.primitives.push_back(p);
         if (!counted) {

@@ -46,11 +46,16 @@ struct Cut {
     std::uint32_t first = 0, count = 0;     ///< in the set's arrays
 };
 
+/// A vertex in the window: sub-pixels and depth units, together in memory.
+struct alignas(16) SnappedVertex {
+    std::int32_t x = 0, y = 0;
+    std::uint32_t z = 0;
+};
+
 struct GeometrySet {
     GeometryKey key;
-    Resolved state;                  ///< viewport transform
-    std::vector<std::int32_t> x, y;  ///< snapped
-    std::vector<std::uint32_t> z;
+    Resolved state;  ///< viewport transform
+    std::vector<SnappedVertex> at;
     std::vector<double> w;
     std::vector<SetupPrimitive> primitives;
     std::uint32_t triangle_count = 0;  ///< how many of them are triangles: the first ones
@@ -65,7 +70,7 @@ struct GeometrySet {
     std::vector<std::uint32_t> bin_start;  ///< per tile, and one past the last
     std::vector<std::uint32_t> bin;        ///< ordinals of `primitives`, in order
 
-    std::size_t vertex_count() const { return x.size(); }
+    std::size_t vertex_count() const { return at.size(); }
     std::span<const std::uint32_t> tile_bin(std::size_t tile) const {
         return std::span(bin).subspan(bin_start[tile], bin_start[tile + 1] - bin_start[tile]);
     }

@@ -149,7 +149,7 @@ struct Maker {
 DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame) {
     const Maker make{draw, primitive, frame};
     const Values z =
-        make.gather<std::int64_t>([&](std::uint32_t v) { return std::int64_t{draw.op->set->z[v]}; });
+        make.gather<std::int64_t>([&](std::uint32_t v) { return std::int64_t{draw.op->set->at[v].z}; });
     DepthPlane out{frame.plane(z), 0};
     const PolygonOffsetState& offset = make.state().polygon_offset;
     if (!offset.enable || primitive.kind != MeshKind::Triangles) return out;

@@ -34,8 +34,8 @@ PrimitiveFrame primitive_frame(const GeometrySet& set, const SetupPrimitive& p, 
     f.kind = p.kind;
     f.s = s;
     for (std::size_t i = 0; i < 3; ++i) {
-        f.x[i] = std::int64_t{set.x[p.vertex[i]]} + jitter.x;
-        f.y[i] = std::int64_t{set.y[p.vertex[i]]} + jitter.y;
+        f.x[i] = std::int64_t{set.at[p.vertex[i]].x} + jitter.x;
+        f.y[i] = std::int64_t{set.at[p.vertex[i]].y} + jitter.y;
     }
     f.dx1 = f.x[1] - f.x[0], f.dy1 = f.y[1] - f.y[0];
     f.dx2 = f.x[2] - f.x[0], f.dy2 = f.y[2] - f.y[0];

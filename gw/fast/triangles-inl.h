@@ -77,12 +77,9 @@ HWY_INLINE void set_up_edges(const TileDraw& draw, Triangles& t) {
     for (std::size_t i = 0; i < t.count(); i += hn::Lanes(D64())) set_up_edges(draw, t, i);
 }
 
-HWY_INLINE void set_up_depths(const TileDraw& draw, Triangles& t) {
-    alignas(64) std::uint32_t z[3][batch_room];
-    const GeometrySet& set = *draw.op->set;
-    gather(t.corners, z, [&](std::uint32_t v) { return set.z[v]; });
+HWY_INLINE void set_up_depths(Triangles& t) {
     set_up_planes(
-        t.corners, [&](std::size_t k, std::size_t i) { return load_unsigned(z[k] + i); }, t.depth);
+        t.corners, [&](std::size_t k, std::size_t i) { return load_unsigned(t.corners.z[k] + i); }, t.depth);
 }
 
 #else
@@ -94,7 +91,7 @@ HWY_INLINE void set_up_edges(const TileDraw& draw, Triangles& t) {
     }
 }
 
-HWY_INLINE void set_up_depths(const TileDraw&, Triangles& t) { t.depth.sure = 0; }
+HWY_INLINE void set_up_depths(Triangles& t) { t.depth.sure = 0; }
 
 #endif  // HWY_HAVE_FLOAT64
 
@@ -107,7 +104,7 @@ inline void set_up_triangles(const TileDraw& draw, std::span<const std::uint32_t
     pixel_extents(t.corners.y, s, draw.tile.y, draw.box.y0, draw.box.y1, t.y0, t.y1);
     set_up_edges(draw, t);
     t.depth.sure = 0;
-    if (depth && !draw.op->state.state.polygon_offset.enable) set_up_depths(draw, t);
+    if (depth && !draw.op->state.state.polygon_offset.enable) set_up_depths(t);
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE
