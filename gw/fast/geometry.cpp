@@ -129,8 +129,8 @@ struct Builder {
         std::array<std::int64_t, 3> key;
         for (std::size_t k = 0; k < 3; ++k)
             key[k] = std::int64_t{set.at[turned[k]].y} * (std::int64_t{1} << 32) + set.at[turned[k]].x;
-        const auto first = std::size_t((key[1] < key[0]) & (key[1] < key[2])) +
-                           2 * std::size_t((key[2] < key[0]) & (key[2] < key[1]));
+        const auto less = [&](std::size_t a, std::size_t b) { return std::size_t{key[a] < key[b]}; };
+        const std::size_t first = (less(1, 0) & less(1, 2)) + 2 * (less(2, 0) & less(2, 1));
         return {turned[first], turned[first + 1], turned[first + 2]};
     }
 
