@@ -1,0 +1,168 @@
+// gw study: measurements of pictures, as plots with their numbers.
+#include "apps/command.h"
+#include "apps/picture_options.h"
+#include "apps/progress.h"
+#include "apps/table.h"
+#include "apps/terminal.h"
+#include "gw/error.h"
+#include "image/output_set.h"
+#include "study/adding.h"
+#include "study/convergence.h"
+#include "study/distance.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace gw::apps {
+
+namespace {
+
+struct StudyOptions {
+    std::filesystem::path output;
+    int threads = 0, samples = 256;
+    bool quiet = false;
+};
+
+constexpr Size size{160, 120}, large{320, 240};
+
+/// The studies' scenes are the repository's.
+scene::Scene study_scene(const char* file) {
+    return load_scene({.scene = file, .size = size, .quiet = true});
+}
+
+study::MachineMaker maker(const StudyOptions& options, Size window) {
+    return [=](const Profile& profile) {
+        return make_fast(profile, window.width, window.height, {.threads = options.threads});
+    };
+}
+
+/// The folder, before long work: what cannot be written is found now.
+void check(const StudyOptions& options) {
+    if (options.output.empty()) throw UsageError("-o is empty; expected the name of a folder");
+    image::OutputSet output;
+    output.make_folder(options.output);
+    image::check_target(options.output / "plot.svg");
+}
+
+void put_plot(image::OutputSet& output, const StudyOptions& options, const std::string& name,
+              const std::string& study, plot::Plot plot) {
+    plot.command = fmt::format("build/release/bin/gw study {} -o {}", study, options.output.string());
+    if (options.samples != StudyOptions{}.samples)
+        plot.command += fmt::format(" --samples {}", options.samples);
+    output.add(options.output / (name + ".svg")).write_text(plot::svg(plot));
+    output.add(options.output / (name + ".csv")).write_text(plot::csv(plot));
+}
+
+int study_convergence(const StudyOptions& options) {
+    check(options);
+    Progress progress("drawing", options.quiet);
+    const auto say = [&](const std::string& what) { progress.at(what); };
+    image::OutputSet output;
+    output.make_folder(options.output);
+    struct Case {
+        const char *name, *scene, *title;
+        int dimensions;
+    };
+    std::vector<std::vector<std::string>> rows{{"error falls as", "vgx", "reality", "ideal"}};
+    for (const Case& c :
+         {Case{"antialiasing", "scenes/edges.toml", "Anti-aliasing: error against samples", 2},
+          Case{"soft_shadow", "scenes/penumbra.toml", "Soft shadow: error against samples", 4}}) {
+        const auto errors = study::convergence(study_scene(c.scene), profiles(), maker(options, size),
+                                               {.largest = options.samples,
+                                                .reference = 8 * options.samples,
+                                                .width = size.width,
+                                                .height = size.height},
+                                               say);
+        put_plot(output, options, c.name, "convergence",
+                 study::convergence_plot(errors, c.title, c.dimensions));
+        rows.push_back({c.name});
+        for (const auto& e : errors) rows.back().push_back(fmt::format("N^{:.3f}", e.law.exponent));
+    }
+    output.commit();
+    print(table(rows));
+    return done;
+}
+
+std::string text_of(const study::Difference& d) {
+    return fmt::format("{:.3f} {:+.3f} {:.2f}", d.rms, d.mean, d.largest);
+}
+
+std::string adding_table(const std::vector<study::Adding>& rows) {
+    std::vector<std::vector<std::string>> lines{
+        {"profile", "lights", "frame buffer", "accumulation", "full strength", "saturated"}};
+    for (const study::Adding& row : rows)
+        lines.push_back({row.profile, std::to_string(row.lights), text_of(row.frame_buffer),
+                         text_of(row.accumulation), text_of(row.full_strength),
+                         fmt::format("{:.1f} %", 100 * row.saturated)});
+    return "Adding the passes of lights: rms, mean and largest error in 255ths of white\n" + table(lines);
+}
+
+std::string distance_table(const std::vector<study::Distance>& rows) {
+    std::vector<std::vector<std::string>> lines{{"profile", "sides", "hardware", "multi-pass"}};
+    for (const study::Distance& row : rows)
+        lines.push_back({row.profile, std::to_string(row.sides), fmt::format("{:.3f}", row.hardware),
+                         fmt::format("{:.3f}", row.multipass)});
+    return "Distance from the scan-line picture: rms in 255ths of white\n" + table(lines);
+}
+
+int study_precision(const StudyOptions& options) {
+    check(options);
+    Progress progress("drawing", options.quiet);
+    const auto say = [&](const std::string& what) { progress.at(what); };
+    const auto added = study::adding(study_scene("scenes/columns.toml"), {1, 4, 16, 64}, profiles(),
+                                     maker(options, large), large.width, large.height, say);
+    const auto apart = study::distances({study_scene("scenes/rings.toml")}, {8, 16, 32, 64, 128}, profiles(),
+                                        maker(options, large), large.width, large.height, say);
+    image::OutputSet output;
+    output.make_folder(options.output);
+    put_plot(output, options, "adding", "precision", study::adding_plot(added));
+    put_plot(output, options, "distance", "precision", study::distance_plot(apart));
+    output.commit();
+    print(adding_table(added) + "\n" + distance_table(apart));
+    return done;
+}
+
+}  // namespace
+
+Command add_study(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("study", "Measurements of pictures, as plots (SVG) with their numbers (CSV)");
+    const auto options = std::make_shared<StudyOptions>();
+    const auto which = std::make_shared<std::string>();
+    const std::vector<std::string> known{"convergence", "precision"};
+    command
+        ->add_option_function<std::string>(
+            "STUDY", [=](const std::string& word) { *which = one_of("STUDY", word, known); },
+            "convergence: error against the number of samples; precision: rounding of added passes, distance "
+            "of "
+            "renderers")
+        ->required()
+        ->type_name("NAME");
+    command->add_option("-o,--output", options->output, "Folder of the plots; made where it is missing")
+        ->required()
+        ->type_name("DIR");
+    command
+        ->add_option_function<std::string>(
+            "--threads",
+            [=](const std::string& word) {
+                options->threads = whole_number_from("--threads", word, 1, 1024);
+            },
+            "Threads of the fast machine (default: all)")
+        ->type_name("N");
+    command
+        ->add_option_function<std::string>(
+            "--samples",
+            [=](const std::string& word) {
+                options->samples = whole_number_from("--samples", word, 4, 4096);
+            },
+            "convergence: up to N samples (default 256) against a picture of 8 N")
+        ->type_name("N");
+    command->add_flag("--quiet", options->quiet, "No progress");
+    command->footer("Example:\n  build/release/bin/gw study convergence --samples 16 -o convergence");
+    return {command, [=] {
+                return *which == "convergence" ? study_convergence(*options) : study_precision(*options);
+            }};
+}
+
+}  // namespace gw::apps

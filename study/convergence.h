@@ -1,0 +1,39 @@
+// The error of N superposed pictures [K1, K3.3, K4a] against many more, for N = 2, 4, 8, ... Theory: N random
+// samples of an edge err like N^(-1/2); N well spread ones like N^(-1/2 - 1/(2d)), d the number of dimensions
+// that they are spread in (Mitchell 1996): N^(-3/4) for the place in the pixel, N^(-5/8) where the place on
+// the lamp varies too.
+#pragma once
+
+#include "plot/plot.h"
+#include "scene/scene.h"
+#include "study/difference.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gw::study {
+
+struct ConvergenceOptions {
+    int largest = 256;     ///< N up to here, doubling from 2
+    int reference = 2048;  ///< samples of the truth: 16 bits, the profile's sub-pixel grid
+    int width = 160, height = 120;
+};
+
+struct ProfileError {
+    std::string profile;
+    std::vector<dvec2> rms;  ///< (N, rms in 255ths of white)
+    plot::PowerLaw law;      ///< nearest to those of fewer samples than the sub-pixel grid has places
+};
+
+/// One for each profile. `say` is told what is being drawn. Lights' and emitters' own numbers of samples do
+/// not count.
+std::vector<ProfileError> convergence(scene::Scene scene, const std::vector<Profile>& profiles,
+                                      const MachineMaker& make, const ConvergenceOptions& options,
+                                      const std::function<void(const std::string&)>& say);
+
+/// With the lines of random and of well spread samples; `dimensions` is d.
+plot::Plot convergence_plot(const std::vector<ProfileError>& errors, const std::string& title,
+                            int dimensions);
+
+}  // namespace gw::study
