@@ -22,7 +22,7 @@ body { font-family: sans-serif; max-width: 84em; margin: 1em auto; padding: 0 1e
 nav a { margin-right: 1em; white-space: nowrap }
 section { margin-top: 2.5em; border-top: 1px solid #ccc }
 h2 small { font-weight: normal; color: #666 }
-.panels { display: flex; flex-wrap: wrap; gap: 1em; align-items: flex-end }
+.panels { display: flex; flex-wrap: wrap; gap: 1em; align-items: flex-start }
 figure { margin: 0; flex: 1 1 18em; max-width: 40em }
 img { width: 100%; image-rendering: pixelated; background: #fff }
 code { display: block; font-size: 80%; color: #444; overflow-wrap: anywhere; margin: .4em 0 }
@@ -64,12 +64,13 @@ std::string grouped(std::uint64_t number) {
 
 std::string counts_of(const Figure& figure, const std::filesystem::path& folder, const std::string& file) {
     const auto json = nlohmann::json::parse(read_text(folder / file));
+    const auto passes = json["passes"].get<std::uint64_t>();
     const auto sum = [&](const char* name) { return grouped(json["sum"][name].get<std::uint64_t>()); };
     return fmt::format(
-        "<span class=\"counts\">{} passes; {} triangles and lines drawn, {} fragments, {} written, {} "
+        "<span class=\"counts\">{} {}; {} triangles and lines drawn, {} fragments, {} written, {} "
         "texels, {} bytes "
         "(<a href=\"{}/{}\">pass by pass</a>)</span>\n",
-        grouped(json["passes"].get<std::uint64_t>()), sum("drawn"), sum("fragments"), sum("written"),
+        grouped(passes), passes == 1 ? "pass" : "passes", sum("drawn"), sum("fragments"), sum("written"),
         sum("texels"), sum("bytes"), figure.name, file);
 }
 

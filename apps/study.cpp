@@ -77,7 +77,12 @@ int study_convergence(const StudyOptions& options) {
         put_plot(output, options, c.name, "convergence",
                  study::convergence_plot(errors, c.title, c.dimensions));
         rows.push_back({c.name});
-        for (const auto& e : errors) rows.back().push_back(fmt::format("N^{:.3f}", e.law.exponent));
+        std::vector<std::string> grid{std::string(c.name) + ", distance from a 256x256 grid"};
+        for (const auto& e : errors) {
+            rows.back().push_back(fmt::format("N^{:.3f}", e.law.exponent));
+            grid.push_back(fmt::format("{:.2f}", e.grid));
+        }
+        rows.push_back(std::move(grid));
     }
     output.commit();
     print(table(rows));

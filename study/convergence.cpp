@@ -69,6 +69,7 @@ std::vector<ProfileError> convergence(scene::Scene scene, const std::vector<Prof
         ProfileError error{.profile = profile.name};
         say(fmt::format("{}, {} samples", profile.name, options.reference));
         const Fractions& truth = truths.of(profile.subpixel_bits);
+        error.grid = difference(truth, truths.of(ideal().subpixel_bits)).rms;
         for (int n = 2; n <= options.largest; n *= 2) {
             say(fmt::format("{}, {} samples", profile.name, n));
             error.rms.push_back(

@@ -23,6 +23,7 @@ struct ConvergenceOptions {
 struct ProfileError {
     std::string profile;
     std::vector<dvec2> rms;  ///< (N, rms in 255ths of white)
+    double grid = 0;         ///< distance of its converged picture from that of a 256x256 sub-pixel grid
     plot::PowerLaw law;      ///< nearest to those of fewer samples than the sub-pixel grid has places
 };
 
