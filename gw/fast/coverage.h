@@ -1,6 +1,6 @@
 // Visible fragments found once: after a depth prepass, passes under Equal touch only the pixels whose depth a
 // primitive has, and those are the same for every pass of the same geometry. Every primitive that ties is
-// kept, never one a pixel. Does not draw; raster.cpp makes and replays a record.
+// kept, never one a pixel. Does not draw; record.cpp makes a record, replay.cpp draws from it.
 #pragma once
 
 #include "gw/fast/primitive.h"

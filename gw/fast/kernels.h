@@ -27,8 +27,13 @@ struct TileDraw {
 
 struct Coverage;
 
-/// Draws the primitives of `bin` in order; where there is a record, makes it or draws from it.
-void draw_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage* record);
+/// Draws the primitives of `bin` in order.
+void draw_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin);
+
+/// Makes the record of a draw under Equal.
+void record_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record);
+/// Draws from a record that is made.
+void replay_primitives(const TileDraw& draw, Coverage& record);
 
 /// Sends fragments of one block (mask: bit per lane) through the tests to the planes.
 struct BlockFragments {

@@ -1,4 +1,4 @@
-// Drawing a bin of primitives in a tile: block by block through the fragment stages, or from a record.
+// Drawing a bin of primitives in a tile: block by block through the fragment stages.
 // docs/manual.md, "Stages"; scalar twin: gw/reference/draw.cpp. Does not plan or bin.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/raster.cpp"
@@ -6,8 +6,6 @@
 
 #include "gw/fast/kernels.h"
 #include "gw/fast/plain-inl.h"
-#include "gw/fast/record-inl.h"
-#include "gw/fast/replay-inl.h"
 
 #include <hwy/highway.h>
 
@@ -80,14 +78,10 @@ HWY_AFTER_NAMESPACE();
 namespace gw::fast {
 
 HWY_EXPORT(draw_all);
-HWY_EXPORT(record_all);
-HWY_EXPORT(replay_all);
 HWY_EXPORT(process_block);
 
-void draw_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage* record) {
-    if (!record) return HWY_DYNAMIC_DISPATCH(draw_all)(draw, bin);
-    if (!record->made) HWY_DYNAMIC_DISPATCH(record_all)(draw, bin, *record);
-    HWY_DYNAMIC_DISPATCH(replay_all)(draw, *record);
+void draw_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin) {
+    HWY_DYNAMIC_DISPATCH(draw_all)(draw, bin);
 }
 
 void process_fragments(const BlockFragments& f, const ColorBlock& color, const DepthBlock& depth,

@@ -63,9 +63,11 @@ struct TileRun {
     void run(const DrawOp& op) {
         if (op.set->tile_bin(index).empty()) return;
         const TileDraw draw{&op, &profile, tile, box(op.state.draw_box), counts, &room.batch};
-        if (!draw.box.empty())
-            draw_primitives(draw, op.set->tile_bin(index),
-                            op.coverage < 0 ? nullptr : &room.coverages[std::size_t(op.coverage)]);
+        if (draw.box.empty()) return;
+        if (op.coverage < 0) return draw_primitives(draw, op.set->tile_bin(index));
+        Coverage& record = room.coverages[std::size_t(op.coverage)];
+        if (!record.made) record_primitives(draw, op.set->tile_bin(index), record);
+        replay_primitives(draw, record);
     }
 
     void run(const ClearOp& op) {

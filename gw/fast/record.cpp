@@ -1,19 +1,15 @@
-// Records of visible fragments, made by the first pass under Equal; gw/fast/replay-inl.h draws from them.
-// gw/fast/coverage.h says when. Does not decide which draws share a record.
-// Included once per Highway target.
-#if defined(GW_FAST_RECORD_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GW_FAST_RECORD_INL_H_
-#undef GW_FAST_RECORD_INL_H_
-#else
-#define GW_FAST_RECORD_INL_H_
-#endif
+// Records of visible fragments, made by the first pass under Equal; gw/fast/coverage.h says when,
+// gw/fast/replay.cpp draws from them. Does not decide which draws share a record.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "gw/fast/record.cpp"
+#include <hwy/foreach_target.h>
 
 #include "gw/fast/cover-inl.h"
 #include "gw/fast/coverage.h"
+#include "gw/fast/kernels.h"
 #include "gw/fast/shade-inl.h"
 
-#include <array>
-#include <bit>
+#include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -104,4 +100,14 @@ void record_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Covera
 }  // namespace gw::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#endif  // include guard per target
+#if HWY_ONCE
+namespace gw::fast {
+
+HWY_EXPORT(record_all);
+
+void record_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
+    HWY_DYNAMIC_DISPATCH(record_all)(draw, bin, record);
+}
+
+}  // namespace gw::fast
+#endif  // HWY_ONCE

@@ -1,16 +1,14 @@
 // Drawing from a record of visible fragments: block by block, each block's primitives at once.
-// gw/fast/coverage.h says when. Does not find visibility. Included once per Highway target.
-#if defined(GW_FAST_REPLAY_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GW_FAST_REPLAY_INL_H_
-#undef GW_FAST_REPLAY_INL_H_
-#else
-#define GW_FAST_REPLAY_INL_H_
-#endif
+// gw/fast/coverage.h says when. Does not find visibility.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "gw/fast/replay.cpp"
+#include <hwy/foreach_target.h>
 
 #include "gw/fast/coverage.h"
+#include "gw/fast/kernels.h"
 #include "gw/fast/shade-inl.h"
 
-#include <bit>
+#include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -186,4 +184,14 @@ void replay_all(const TileDraw& draw, Coverage& record) {
 }  // namespace gw::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#endif  // include guard per target
+#if HWY_ONCE
+namespace gw::fast {
+
+HWY_EXPORT(replay_all);
+
+void replay_primitives(const TileDraw& draw, Coverage& record) {
+    HWY_DYNAMIC_DISPATCH(replay_all)(draw, record);
+}
+
+}  // namespace gw::fast
+#endif  // HWY_ONCE
