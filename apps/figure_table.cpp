@@ -134,7 +134,7 @@ const std::vector<Figure>& figures() {
          "The error falls with samples",
          "Against a converged picture: faster than random samples would, as theory says of well spread ones. "
          "docs/precision.md has the plots up to 256 samples, and what rounding does.",
-         {{"study convergence --samples 32 -o @plots",
+         {{"study convergence --samples 16 -o @plots",
            {{"plots/antialiasing.svg", "edges"}, {"plots/soft_shadow.svg", "a soft shadow"}}}},
          {}},
         {"styles",
