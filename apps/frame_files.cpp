@@ -6,6 +6,7 @@
 #include "image/planes.h"
 #include "image/write.h"
 #include "multipass/driver.h"
+#include "multipass/scene_maps.h"
 #include "scene/draw_commands.h"
 
 #include <cctype>
@@ -30,12 +31,26 @@ std::string file_name(std::string name, std::set<std::string>& taken) {
     return unique;
 }
 
-// The component's passes as the picture's, on black where the background is a component of its own.
-std::vector<Rgba> component(const Drawing& drawing, const multipass::ComponentList& list,
-                            const scene::View& view, Machine& machine) {
-    scene::Scene scene = drawing.scene;
-    if (!list.background) scene.background = vec3(0);
+// The scene's own passes are in place of multipass's.
+DrawOptions options_of(const Drawing& drawing) {
     DrawOptions options = draw_options(drawing.options);
+    if (drawing.renderer.passes == multipass::Renderer::Multipass) options.passes.passes = drawing.own_passes;
+    return options;
+}
+
+// The scene with the maps that are generated from it.
+scene::Scene with_maps(const Drawing& drawing, const scene::View& view, Machine& machine) {
+    multipass::Options options = options_of(drawing).passes;
+    if (drawing.renderer.passes) options.passes = passes_of(drawing);
+    return multipass::with_scene_maps(machine, drawing.scene, view, options);
+}
+
+// The component's passes as the picture's, on black where the background is a component of its own. The
+// scene's maps are there already: they show everything.
+std::vector<Rgba> component(const Drawing& drawing, scene::Scene scene, const multipass::ComponentList& list,
+                            const scene::View& view, Machine& machine) {
+    if (!list.background) scene.background = vec3(0);
+    DrawOptions options = options_of(drawing);
     options.passes.passes = list.passes;
     options.rays.background = drawing.scene.background;
     drawing.renderer.draw(machine, scene, view, options);
@@ -46,11 +61,10 @@ void put_components(const Drawing& drawing, Machine& machine, const scene::View&
                     const image::Picture& sum, const FrameFiles& files, image::OutputSet& output) {
     const std::string extension = files.picture.extension().string();
     std::set<std::string> taken{"sum"};
-    const multipass::PassList passes =
-        pass_list(drawing.renderer, drawing.scene, draw_options(drawing.options));
-    for (const multipass::ComponentList& list : multipass::component_lists(drawing.scene, passes)) {
+    const scene::Scene ready = with_maps(drawing, view, machine);
+    for (const auto& list : multipass::component_lists(drawing.scene, passes_of(drawing))) {
         image::put_picture(output.add(files.components / (file_name(list.name, taken) + extension)),
-                           picture_of(drawing, component(drawing, list, view, machine), files.tone));
+                           picture_of(drawing, component(drawing, ready, list, view, machine), files.tone));
     }
     image::put_picture(output.add(files.components / ("sum" + extension)), sum);
 }
@@ -66,8 +80,19 @@ void put_planes(const Drawing& drawing, Machine& machine, const scene::View& vie
 
 }  // namespace
 
+Drawing make_drawing(const PictureOptions& options) {
+    const Profile profile = load_profile(options);
+    SceneWithPasses loaded = load_scene_with_passes(options);
+    return {options, renderer_named(options.renderer), profile, std::move(loaded.scene),
+            std::move(loaded.passes)};
+}
+
+multipass::PassList passes_of(const Drawing& drawing) {
+    return pass_list(drawing.renderer, drawing.scene, options_of(drawing));
+}
+
 void draw(const Drawing& drawing, const scene::View& view, Machine& machine) {
-    drawing.renderer.draw(machine, drawing.scene, view, draw_options(drawing.options));
+    drawing.renderer.draw(machine, with_maps(drawing, view, machine), view, options_of(drawing));
 }
 
 void draw_frame(const Drawing& drawing, const FrameFiles& files) {

@@ -20,8 +20,15 @@ struct Drawing {
     const PictureOptions& options;
     const Renderer& renderer;
     Profile profile;
-    scene::Scene scene;  ///< with a camera
+    scene::Scene scene;                             ///< with a camera
+    std::optional<multipass::PassList> own_passes;  ///< the scene's
 };
+
+/// Reads scene and profile.
+Drawing make_drawing(const PictureOptions& options);
+
+/// The passes that draw it: the scene's own in place of multipass's.
+multipass::PassList passes_of(const Drawing& drawing);
 
 /// Draws the picture, as often as `samples` says.
 void draw(const Drawing& drawing, const scene::View& view, Machine& machine);

@@ -6,6 +6,7 @@
 #include "apps/table.h"
 #include "apps/terminal.h"
 #include "multipass/driver.h"
+#include "multipass/pass_toml.h"
 #include "multipass/schedule.h"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace gw::apps {
 
 namespace {
 
-enum class Form { Text, Json, Csv };
+enum class Form { Text, Json, Csv, Toml };
 
 struct PassesOptions {
     PictureOptions picture;
@@ -47,9 +48,8 @@ std::map<std::string, std::string> sets_by_name(const scene::Scene& scene, const
 
 Printout run_passes(const PictureOptions& options) {
     const Progress progress("drawing", options.quiet);
-    const Drawing drawing{options, renderer_named(options.renderer), load_profile(options),
-                          load_scene(options)};
-    Printout printout{pass_list(drawing.renderer, drawing.scene, draw_options(options)), {}, {}};
+    const Drawing drawing = make_drawing(options);
+    Printout printout{passes_of(drawing), {}, {}};
     const auto sets = sets_by_name(drawing.scene, printout.list);
     const auto machine = make_machine(options, drawing.profile);
     draw(drawing, scene::make_view(drawing.scene, options.size.width, options.size.height), *machine);
@@ -114,6 +114,10 @@ int print_passes(const PassesOptions& options) {
         throw UsageError("renderer " + options.picture.renderer +
                          " has no passes; expected hardware or multipass");
     }
+    if (options.form == Form::Toml) {
+        print(multipass::to_toml(passes_of(make_drawing(options.picture))));
+        return done;
+    }
     const Printout printout = run_passes(options.picture);
     print(options.form == Form::Json  ? json(printout)
           : options.form == Form::Csv ? csv(printout)
@@ -127,12 +131,15 @@ Command add_passes(CLI::App& app) {
     CLI::App* command = app.add_subcommand("passes", "The parameter sets that make a picture, with counters");
     const auto options = std::make_shared<PassesOptions>();
     add_picture_options(*command, options->picture);
-    CLI::Option* json_flag = command->add_flag_callback(
-        "--json", [options] { options->form = Form::Json; }, "As JSON");
-    command
-        ->add_flag_callback(
-            "--csv", [options] { options->form = Form::Csv; }, "As comma-separated values")
-        ->excludes(json_flag);
+    const auto add_form = [&](const char* name, Form form, const char* help) {
+        return command->add_flag_callback(
+            name, [options, form] { options->form = form; }, help);
+    };
+    CLI::Option* json_flag = add_form("--json", Form::Json, "As JSON");
+    CLI::Option* csv_flag = add_form("--csv", Form::Csv, "As comma-separated values")->excludes(json_flag);
+    add_form("--toml", Form::Toml, "The list alone, as a scene file holds it; nothing is drawn")
+        ->excludes(json_flag)
+        ->excludes(csv_flag);
     command->footer("Example:\n  build/release/bin/gw passes scenes/rings.toml");
     return {command, [options] { return print_passes(*options); }};
 }

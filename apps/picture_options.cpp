@@ -4,6 +4,7 @@
 #include "apps/renderers.h"
 #include "apps/terminal.h"
 #include "image/textures.h"
+#include "multipass/pass_toml.h"
 #include "multipass/superpose.h"
 #include "scene/read_profile.h"
 #include "scene/read_scene.h"
@@ -150,7 +151,7 @@ void remove_pass_options(CLI::App& command) {
         command.remove_option(command.get_option(option));
 }
 
-scene::Scene load_scene(const PictureOptions& options) {
+SceneWithPasses load_scene_with_passes(const PictureOptions& options) {
     if (options.scene.empty()) throw UsageError("SCENE is empty; expected the name of a file");
     if (options.camera.eye && options.camera.eye == options.camera.at) {
         throw UsageError("--eye and --at are the same point; expected two");
@@ -160,14 +161,18 @@ scene::Scene load_scene(const PictureOptions& options) {
         for (const std::string& warning : file.warnings) print_error("gw: warning: " + warning + "\n");
     }
     scene::Scene& scene = file.scene;
+    std::optional<multipass::PassList> passes;
+    if (!file.passes.empty()) passes = multipass::read_passes(file.passes);
     image::load_textures(scene);
     scene::add_defaults(scene, options.size.width, options.size.height);
     scene.camera = scene::override_camera(*scene.camera, options.camera);
     if (options.up) scene.camera->up = *options.up;
     for (scene::Light& light : scene.lights)
         if (options.shadow && light.shadow != scene::Shadow::None) light.shadow = *options.shadow;
-    return std::move(scene);
+    return {std::move(scene), std::move(passes)};
 }
+
+scene::Scene load_scene(const PictureOptions& options) { return load_scene_with_passes(options).scene; }
 
 DrawOptions draw_options(const PictureOptions& options) {
     DrawOptions draw{.passes = {.translucency = options.translucency, .samples = options.samples},

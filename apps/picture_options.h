@@ -45,6 +45,13 @@ void remove_pass_options(CLI::App& command);
 /// readers go to stderr unless quiet. Throws Error.
 scene::Scene load_scene(const PictureOptions& options);
 
+/// The same, with the pass list that the scene brings, if it does.
+struct SceneWithPasses {
+    scene::Scene scene;
+    std::optional<multipass::PassList> passes;
+};
+SceneWithPasses load_scene_with_passes(const PictureOptions& options);
+
 /// What of the options a renderer asks for.
 DrawOptions draw_options(const PictureOptions& options);
 

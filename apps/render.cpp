@@ -129,9 +129,7 @@ void render_turntable(const RenderOptions& options, Drawing& drawing, Progress& 
 int render(const RenderOptions& options) {
     check(options);
     Progress progress("reading", options.picture.quiet);
-    const Profile profile = load_profile(options.picture);
-    Drawing drawing{options.picture, renderer_named(options.picture.renderer), profile,
-                    load_scene(options.picture)};
+    Drawing drawing = make_drawing(options.picture);
     progress.at("drawing");
     if (options.turntable > 0) {
         render_turntable(options, drawing, progress);

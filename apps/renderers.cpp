@@ -68,6 +68,7 @@ std::vector<std::string> renderer_names() {
 
 multipass::PassList pass_list(const Renderer& renderer, const scene::Scene& scene,
                               const DrawOptions& options) {
+    if (options.passes.passes) return *options.passes.passes;
     if (*renderer.passes == multipass::Renderer::Multipass && options.traced)
         return itembuffer::passes_with_tracing(scene, options.passes.translucency);
     return multipass::passes_for(scene, *renderer.passes, options.passes.translucency);

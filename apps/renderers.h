@@ -17,7 +17,7 @@ namespace gw::apps {
 
 /// What the renderers are asked for besides the scene.
 struct DrawOptions {
-    multipass::Options passes;  ///< `renderer` and `passes` are the renderer's own
+    multipass::Options passes;  ///< `renderer` is the renderer's own; `passes`: in place of its list
     itembuffer::Options rays;
     bool traced = true;  ///< eq. 5: reflections of illum 3 and up by rays; false: reflection maps only
 };
@@ -36,7 +36,7 @@ const std::vector<Renderer>& renderers();
 /// By a name of renderer_names().
 const Renderer& renderer_named(const std::string& name);
 std::vector<std::string> renderer_names();
-/// The passes of a renderer that has them, for a scene.
+/// The passes of a renderer that has them, for a scene: those of the options where they have any.
 multipass::PassList pass_list(const Renderer& renderer, const scene::Scene& scene,
                               const DrawOptions& options);
 /// "hardware: eq. 1 ...; multipass: ... (default)"

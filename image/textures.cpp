@@ -17,7 +17,7 @@ std::filesystem::path key_of(const std::filesystem::path& file) {
 }
 
 void load(scene::Map& map, std::string_view statement, Cache& cache) {
-    if (map.texture) return;
+    if (map.texture || map.from_scene > 0) return;
     TextureRef& texture = cache[key_of(map.file)];
     try {
         if (!texture) texture = read_texture(map.file);

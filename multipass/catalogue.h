@@ -29,7 +29,6 @@ inline constexpr Pass depth_pass{
 inline constexpr Pass shadow_pass{
     .name = "shadow",
     .action = PassAction::Shadow,
-    .color = false,
     .lights = PassLights::Each,
 };
 

@@ -2,6 +2,7 @@
 #include "multipass/driver.h"
 
 #include "multipass/picture.h"
+#include "multipass/scene_maps.h"
 
 #include <algorithm>
 
@@ -24,7 +25,8 @@ PassList pass_list(const scene::Scene& scene, const Options& options) {
 
 Superposition render(Machine& machine, const scene::Scene& scene, const scene::View& view,
                      const Options& options) {
-    return draw(machine, scene, view, pass_list(scene, options), options, scene.background);
+    return draw(machine, with_scene_maps(machine, scene, view, options), view, pass_list(scene, options),
+                options, scene.background);
 }
 
 CommandList frame_list(const scene::Scene& scene, const scene::View& view, const PassList& passes,
@@ -39,8 +41,9 @@ CommandList frame_list(const scene::Scene& scene, const scene::View& view, const
 std::vector<ComponentImage> render_components(Machine& machine, const scene::Scene& scene,
                                               const scene::View& view, const Options& options) {
     std::vector<ComponentImage> images;
+    const scene::Scene ready = with_scene_maps(machine, scene, view, options);
     for (const ComponentList& component : component_lists(scene, pass_list(scene, options))) {
-        draw(machine, scene, view, component.passes, options,
+        draw(machine, ready, view, component.passes, options,
              component.background ? scene.background : vec3(0));
         images.push_back({component.name, machine.planes().color});
     }

@@ -45,10 +45,13 @@ std::uint64_t surplus_winners(std::span<const PassReport> reports) {
     return reports[0].counters.written - reports[1].counters.written;
 }
 
+bool keeps_stencil(const StencilState& s) {
+    return s.fail == StencilOp::Keep && s.zfail == StencilOp::Keep && s.zpass == StencilOp::Keep;
+}
+
 bool is_additive(const Pass& pass) {
-    const StencilState& s = pass.stencil;
-    const bool keeps = s.fail == StencilOp::Keep && s.zfail == StencilOp::Keep && s.zpass == StencilOp::Keep;
-    return pass.depth.test && pass.depth.func == DepthFunc::Equal && pass.blend.enable && keeps;
+    return pass.depth.test && pass.depth.func == DepthFunc::Equal && pass.blend.enable &&
+           keeps_stencil(pass.stencil);
 }
 
 void add_one_winner_step(CommandList& list, const Stage& stage, const Step& step, int stencil_bits) {

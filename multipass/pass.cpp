@@ -9,12 +9,7 @@ namespace gw::multipass {
 namespace {
 
 std::string to_string(const Parameter& p) {
-    switch (p.kind) {
-        case Parameter::Kind::Value: break;
-        case Parameter::Kind::Object: return "object";
-        case Parameter::Kind::ObjectKs: return "object Ks";
-        case Parameter::Kind::ObjectTf: return "object Tf";
-    }
+    if (p.kind != Parameter::Kind::Value) return std::string(word(p.kind));
     const auto& v = p.value;
     if (v[0] == v[1] && v[1] == v[2]) return fmt::format("{}", v[0]);
     return fmt::format("({}, {}, {})", v[0], v[1], v[2]);
@@ -64,7 +59,7 @@ std::string to_string(const PassMaterial& m) {
 }
 
 std::string to_string(const Pass& pass) {
-    std::string text = fmt::format("{:<12}", pass.name.view());
+    std::string text = fmt::format("{:<11} ", pass.name.view());
     text += action_text(pass);
     if (pass.lights != PassLights::None) text += fmt::format("; lights {}", word(pass.lights));
     text += objects_text(pass) + depth_text(pass.depth) + stencil_text(pass.stencil);

@@ -13,9 +13,10 @@
 
 namespace gw::multipass {
 
-/// A pass's name, at most 31 characters, kept inside the value so that passes can be constants.
+/// A pass's name, at most 31 bytes, kept inside the value so that passes can be constants.
 struct Name {
-    std::array<char, 32> text{};
+    static constexpr std::size_t most = 31;
+    std::array<char, most + 1> text{};
 
     constexpr Name() = default;
     constexpr Name(std::string_view name) {

@@ -42,7 +42,8 @@ PassList opaque_passes(const scene::Scene& scene) {
     if (!scene.reflection_in_shadow) keep_reflection_out_of_shadow(list);
     list[0].color = scene.background != vec3(0);
     for (Pass& pass : list) {
-        if (has_translucent(scene) && pass.objects == PassObjects::All) pass.objects = PassObjects::Opaque;
+        const bool draws_all = pass.action == PassAction::Draw && pass.objects == PassObjects::All;
+        if (has_translucent(scene) && draws_all) pass.objects = PassObjects::Opaque;
         if (scene.fog && is_component(pass)) pass.fog = PassFog::Black;
     }
     return list;
@@ -117,12 +118,12 @@ PassList hardware_list(const scene::Scene& scene) {
     return list;
 }
 
-/// The list that draws one component alone: what is no component, and this pass.
-PassList alone(const PassList& passes, const Pass& component) {
+/// The list that draws one component alone: what is no component, and this pass, if there is one.
+PassList alone(const PassList& passes, const Pass* component) {
     PassList list;
-    std::copy_if(passes.begin(), passes.end(), std::back_inserter(list), [&](const Pass& p) {
-        return p.action != PassAction::Add && (!is_component(p) || p.name == component.name);
-    });
+    for (const Pass& pass : passes)
+        if (pass.action != PassAction::Add && (!is_component(pass) || &pass == component))
+            list.push_back(pass);
     return list;
 }
 
@@ -145,9 +146,9 @@ PassList passes_for(const scene::Scene& scene, Renderer renderer, Translucency t
 
 std::vector<ComponentList> component_lists(const scene::Scene& scene, const PassList& passes) {
     std::vector<ComponentList> lists;
-    if (scene.background != vec3(0)) lists.push_back({"background", alone(passes, {}), true});
+    if (scene.background != vec3(0)) lists.push_back({"background", alone(passes, nullptr), true});
     for (const Pass& pass : passes)
-        if (is_component(pass)) lists.push_back({pass.name.str(), alone(passes, pass), false});
+        if (is_component(pass)) lists.push_back({pass.name.str(), alone(passes, &pass), false});
     return lists;
 }
 

@@ -31,6 +31,12 @@ bool traces(const std::vector<Step>& steps) {
                        [](const Step& s) { return s.pass.action == PassAction::Trace; });
 }
 
+/// Whether a step before `end` leaves something of its own in the stencil, which counting would clear.
+bool uses_stencil(const std::vector<Step>& steps, std::size_t end) {
+    return std::any_of(steps.begin(), steps.begin() + std::ptrdiff_t(end),
+                       [](const Step& s) { return s.pass.stencil.test && !keeps_stencil(s.pass.stencil); });
+}
+
 bool has_coincident_faces(Machine& machine, const Stage& stage) {
     machine.execute(count_winners(stage));
     return surplus_winners(std::span(machine.passes()).last(2)) > 0;
@@ -79,7 +85,8 @@ bool Picture::wants_count() const {
     const bool opaque =
         std::any_of(model_.parts.begin(), model_.parts.end(), [](const Part& p) { return !p.translucent; });
     return options_.one_winner == OneWinner::Auto && opaque &&
-           std::any_of(steps_.begin(), steps_.end(), [](const Step& s) { return is_additive(s.pass); });
+           std::any_of(steps_.begin(), steps_.end(), [](const Step& s) { return is_additive(s.pass); }) &&
+           !uses_stencil(steps_, end_of_depth(steps_));
 }
 
 /// False: a shadow count may have overflowed.

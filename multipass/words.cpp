@@ -6,6 +6,11 @@
 namespace gw::multipass {
 namespace {
 
+constexpr Word<Parameter::Kind> parameter_words[] = {
+    {Parameter::Kind::Object, "object"},
+    {Parameter::Kind::ObjectKs, "object Ks"},
+    {Parameter::Kind::ObjectTf, "object Tf"},
+};
 constexpr Word<CompareFunc> compare_words[] = {
     {CompareFunc::Never, "Never"},   {CompareFunc::Less, "Less"},       {CompareFunc::Equal, "Equal"},
     {CompareFunc::LEqual, "LEqual"}, {CompareFunc::Greater, "Greater"}, {CompareFunc::NotEqual, "NotEqual"},
@@ -60,6 +65,7 @@ constexpr Word<PassAction> action_words[] = {{PassAction::Draw, "draw"},
 
 }  // namespace
 
+std::span<const Word<Parameter::Kind>> words(Parameter::Kind) { return parameter_words; }
 std::span<const Word<CompareFunc>> words(CompareFunc) { return compare_words; }
 std::span<const Word<StencilOp>> words(StencilOp) { return stencil_words; }
 std::span<const Word<BlendFactor>> words(BlendFactor) { return blend_words; }

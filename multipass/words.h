@@ -14,6 +14,7 @@ namespace gw::multipass {
 template <typename Enum>
 using Word = std::pair<Enum, std::string_view>;
 
+std::span<const Word<Parameter::Kind>> words(Parameter::Kind);  ///< those that are no numbers
 std::span<const Word<CompareFunc>> words(CompareFunc);
 std::span<const Word<StencilOp>> words(StencilOp);
 std::span<const Word<BlendFactor>> words(BlendFactor);

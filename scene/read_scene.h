@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/scene.h"
+#include "scene/toml_value.h"
 
 #include <filesystem>
 #include <string>
@@ -10,10 +11,13 @@
 
 namespace gw::scene {
 
-/// A scene and what was read but is not honoured: "file:line: text", one line per kind of statement and file.
 struct SceneFile {
     Scene scene;
+    /// What was read but is not honoured: "file:line: text", one line per kind of statement and file.
     std::vector<std::string> warnings;
+    /// The tables of [[pass]] as they stand; multipass/pass_toml.h makes passes of them. Objects that they
+    /// name do exist.
+    std::vector<TomlValue> passes;
 };
 
 /// Reads a TOML scene (.toml) or a bare Wavefront OBJ (.obj; no lights, no camera), by the file's extension.

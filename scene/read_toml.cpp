@@ -11,7 +11,7 @@ namespace gw::scene {
 
 namespace {
 
-/// The tables of [[light]] or [[object]]; also one, [light].
+/// The tables of [[light]], [[object]] or [[pass]]; also one, [light].
 std::vector<const TomlValue*> tables(const TomlValue& value) {
     if (value.kind == TomlKind::Table) return {&value};
     if (value.kind != TomlKind::Array) value.fail_expected("[[" + value.name + "]]");
@@ -48,12 +48,17 @@ private:
     Warnings& warnings_;
 };
 
-// A light that lights chosen parts only [K3.3] must name parts there are.
-void check_only(const TomlValue& light, const std::set<std::string>& names) {
-    const TomlValue* only = light.find("only");
-    if (!only) return;
-    for (const std::string& name : to_strings(*only))
-        if (!names.contains(name)) only->fail(unknown("object", name, {names.begin(), names.end()}));
+// A light that lights chosen parts only, a pass that draws chosen parts only [K3.3], must name parts there
+// are.
+void check_names(const TomlValue& list, const std::set<std::string>& names) {
+    for (const std::string& name : to_strings(list))
+        if (!names.contains(name)) list.fail(unknown("object", name, {names.begin(), names.end()}));
+}
+
+void check_passes(const std::vector<TomlValue>& passes, const std::set<std::string>& names) {
+    for (const TomlValue& pass : passes)
+        if (const TomlValue* objects = pass.find("objects"))
+            if (objects->kind == TomlKind::Array) check_names(*objects, names);
 }
 
 }  // namespace
@@ -64,7 +69,7 @@ SceneFile read_toml(const std::filesystem::path& path) {
     Scene& scene = builder.scene;
     scene.name = path.stem().string();
     Warnings warnings;
-    std::vector<const TomlValue*> lights, objects;
+    std::vector<const TomlValue*> lights, objects, passes;
     const TomlValue *materials = nullptr, *mtllib = nullptr;
 
     // Sections may come in any order, so what refers to others is read after them.
@@ -78,6 +83,7 @@ SceneFile read_toml(const std::filesystem::path& path) {
                          {"material", [&](const TomlValue& value) { materials = &value; }},
                          {"light", [&](const TomlValue& value) { lights = tables(value); }},
                          {"object", [&](const TomlValue& value) { objects = tables(value); }},
+                         {"pass", [&](const TomlValue& value) { passes = tables(value); }},
                      });
     Library library(warnings);
     if (materials) library.add_table(*materials);
@@ -89,9 +95,12 @@ SceneFile read_toml(const std::filesystem::path& path) {
         throw Error(path.string(), 0, "has nothing to draw; expected an [[object]] that is visible");
     for (const TomlValue* light : lights) {
         scene.lights.push_back(to_light(*light));
-        check_only(*light, reader.names());
+        if (const TomlValue* only = light->find("only")) check_names(*only, reader.names());
     }
-    return {std::move(scene), warnings.lines()};
+    SceneFile result{std::move(scene), warnings.lines(), {}};
+    for (const TomlValue* pass : passes) result.passes.push_back(*pass);
+    check_passes(result.passes, reader.names());
+    return result;
 }
 
 }  // namespace gw::scene

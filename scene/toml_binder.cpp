@@ -116,11 +116,16 @@ vec3 to_color(const TomlValue& value) {
     return to_vec3(value);
 }
 
+// Of so many words everybody sees which one was meant.
+constexpr std::size_t few_words = 4;
+
 std::size_t to_word(const TomlValue& value, const std::vector<std::string>& words) {
     std::string expected;
     for (const std::string& word : words)
         expected += (expected.empty() ? "'" : word == words.back() ? " or '" : ", '") + word + "'";
     const auto found = std::ranges::find(words, value.text);
+    if (value.kind == TomlKind::String && found == words.end() && words.size() > few_words)
+        expected += "; the nearest is '" + nearest(value.text, words) + "'";
     if (value.kind != TomlKind::String || found == words.end()) value.fail_expected(expected);
     return static_cast<std::size_t>(found - words.begin());
 }

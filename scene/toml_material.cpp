@@ -10,8 +10,17 @@ void read_scale(const TomlValue& value, vec2& scale) {
     scale = value.is_number() ? vec2(to_float(value)) : to_vec2(value);
 }
 
+// {scene = true, size = 256}: generated from the scene [K3.1].
+Map to_scene_map(const TomlValue& value) {
+    Map map{.origin = {*value.file, value.line}, .wrap = Wrap::Clamp, .from_scene = 128};
+    bool scene = true;
+    read_table(value, {key("scene", scene), key("size", map.from_scene, {8, 1024})});
+    if (!scene) value.fail(value.name + ".scene is false; expected true, or file instead");
+    return map;
+}
+
 // "wood.png" or {file = "wood.png", clamp = true, scale = [2, 2], offset = [0, 0]}
-Map to_map(const TomlValue& value) {
+Map to_file_map(const TomlValue& value) {
     Map map;
     std::string file = value.text;
     bool clamp = false;
@@ -31,15 +40,23 @@ Map to_map(const TomlValue& value) {
     return map;
 }
 
-std::vector<Map> to_maps(const TomlValue& value) {
-    if (value.kind != TomlKind::Array) return {to_map(value)};
+// What of a map: Surface by texture coordinates; Sphere by a ray, which can be generated.
+enum class MapKind { Surface, Sphere };
+
+Map to_map(const TomlValue& value, MapKind kind) {
+    const bool from_scene = kind == MapKind::Sphere && value.find("scene");
+    return from_scene ? to_scene_map(value) : to_file_map(value);
+}
+
+std::vector<Map> to_maps(const TomlValue& value, MapKind kind) {
+    if (value.kind != TomlKind::Array) return {to_map(value, kind)};
     std::vector<Map> maps;
-    for (const TomlValue& element : value.elements) maps.push_back(to_map(element));
+    for (const TomlValue& element : value.elements) maps.push_back(to_map(element, kind));
     return maps;
 }
 
-Key map_key(std::string name, std::vector<Map>& field) {
-    return {std::move(name), [&field](const TomlValue& value) { field = to_maps(value); }};
+Key map_key(std::string name, std::vector<Map>& field, MapKind kind = MapKind::Surface) {
+    return {std::move(name), [&field, kind](const TomlValue& value) { field = to_maps(value, kind); }};
 }
 
 }  // namespace
@@ -61,8 +78,8 @@ void read_material(const TomlValue& table, Material& material) {
                           map_key("map_Kd", material.map_Kd),
                           map_key("map_Ks", material.map_Ks),
                           map_key("map_Ke", material.map_Ke),
-                          map_key("refl", material.refl),
-                          map_key("refraction", material.refraction),
+                          map_key("refl", material.refl, MapKind::Sphere),
+                          map_key("refraction", material.refraction, MapKind::Sphere),
                       });
     if (!table.find("Tr")) return;
     if (table.find("d")) table.find("Tr")->fail("Tr beside d; expected one of them (Tr = 1 - d)");

@@ -1,4 +1,5 @@
 // gw passes: the parameter sets as the paper writes them.
+#include "pictures.h"
 #include "scene_files.h"
 
 #include <nlohmann/json.hpp>
@@ -65,8 +66,36 @@ TEST_F(Passes, AsCsvHaveOneLineEach) {
         contains(csv.out, "\"ambient lamp 1\",\"(Ka=object, Kd=0, Ks=0, Ke=0, Map=ambient map)\",1,4,"));
 }
 
+TEST_F(Passes, AsTomlAreAListThatDrawsTheSamePicture) {
+    const Outcome toml = gw({"passes", "lamps.toml", "--toml"});
+    EXPECT_EQ(toml.code, 0) << toml.err;
+    write("own.toml", bytes_of(in("lamps.toml")) + toml.out);
+    EXPECT_EQ(render({"lamps.toml", "-o", "a.png"}).code, 0);
+    EXPECT_EQ(render({"own.toml", "-o", "b.png"}).err, "");
+    EXPECT_EQ(bytes_of(in("a.png")), bytes_of(in("b.png")));
+    EXPECT_EQ(gw({"passes", "own.toml", "--toml"}).out, toml.out);
+}
+
+TEST_F(Passes, OfTheSceneReplaceThoseOfMultipassOnly) {
+    const std::string own =
+        "[[pass]]\nname = 'flat'\nclear = ['color', 'depth', 'stencil']\nKe = [0, 1, 0]\n";
+    write("own.toml", bytes_of(in("lamps.toml")) + own);
+    EXPECT_TRUE(contains(gw({"passes", "own.toml", "--size", "16x16"}).out, "\nflat "));
+    EXPECT_FALSE(
+        contains(gw({"passes", "own.toml", "--size", "16x16", "--renderer", "hardware"}).out, "flat"));
+    EXPECT_EQ(render({"own.toml", "-o", "own.png"}).code, 0);
+    EXPECT_EQ(read_pixels(in("own.png")).at(8, 8), (std::vector<float>{0, 1, 0}));
+}
+
+TEST_F(Passes, ThatAreWrongAreOneLine) {
+    write("bad.toml", bytes_of(in("lamps.toml")) + "[[pass]]\nname = 'a'\nlihgts = 'each'\n");
+    expect_refused(1, {"render", "bad.toml", "-o", "bad.png"},
+                   {"bad.toml:18: unknown key 'lihgts' in pass; the nearest known is 'lights'"});
+}
+
 TEST_F(Passes, InTwoFormsAtOnceAreRefused) {
     expect_refused(2, {"passes", "lamps.toml", "--csv", "--json"}, {"--csv", "--json"});
+    expect_refused(2, {"passes", "lamps.toml", "--csv", "--toml"}, {"--csv", "--toml"});
 }
 
 }  // namespace gw::apps

@@ -65,6 +65,23 @@ TEST(Fog, InTwoStepsIsFogInOneWithinARoundingPerComponent) {
     }
 }
 
+TEST(Fog, InTwoStepsIsWithinTheRoundingThatTheManualPredicts) {
+    // docs/manual/fog.md: k components within (k + 1) / 2 units. Ambient light of whole units, so that
+    // lighting itself rounds nothing.
+    for (const std::size_t k : {1u, 2u, 3u, 6u}) {
+        scene::Scene s = road({.Ka = vec3(1), .Kd = vec3(0)});
+        int largest = 0;
+        for (const float units : {17.0f, 30.0f, 41.0f}) {
+            s.lights.assign(k, {.direction = {0, -1, 0}, .Ia = vec3(units / 255), .Id = vec3(0)});
+            largest = std::max(largest, largest_difference(draw(s), draw(s, in_one_pass)));
+        }
+        EXPECT_LE(2 * largest, int(k) + 1) << k;
+        if (k == 6) {
+            EXPECT_GT(largest, 0) << "else nothing was rounded";
+        }
+    }
+}
+
 TEST(Fog, CoversShadowsToo) {
     // Where the road is in shadow and Ia = 0, nothing is drawn but fog: the fog of a black road.
     scene::Scene s = road({.Ka = vec3(0), .Kd = vec3(0.8f)});

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace gw::multipass {
 namespace {
@@ -40,6 +41,34 @@ TEST(OneWinner, IsTheFirstObjectInEveryPass) {
     add_square(s, "loud", loud, {-1.25, 0, 0});
     s.lights.push_back({.direction = {0, 0, -1}, .Ia = vec3(1), .only = {"loud"}});
     EXPECT_EQ(draw(s), alone);
+}
+
+TEST(OneWinner, OnEveryProfileWithEveryEffect) {
+    // A model whose faces are all there twice, as found models have them: the second set turned over, and in
+    // a mesh of its own. Shadows both ways, fog, maps, emission, a selective light, glare, superposition.
+    scene::Scene s = two_squares();
+    s.materials[0].map_Kd = {plain_map(200, 100, 50), plain_map(20, 30, 40)};
+    s.materials[0].Ke = vec3(0.0625f);
+    s.materials[1].refl = {plain_map(10, 60, 30)};
+    s.fog = scene::Fog{.mode = FogMode::Linear, .color = {0.1f, 0.2f, 0.4f}, .start = 2, .end = 12};
+    add_square(s, "roof", {.Kd = vec3(0.5f)}, {-1, 0.5, 1});
+    s.objects.back().world_from_object[0].x = 0.5;
+    s.lights[0].direction = {0.3f, -0.3f, -1};
+    s.lights[0].shadow = scene::Shadow::Volume;
+    s.lights[1].shadow = scene::Shadow::Map;
+    s.lights.push_back({.direction = {0, 0, -1}, .Id = {0.2f, 0, 0}, .only = {"right"}});
+    scene::Scene doubled = s;
+    for (const scene::Object& object : s.objects) {
+        MeshData data = object.mesh->data();
+        std::reverse(data.indices.begin(), data.indices.end());
+        doubled.objects.push_back(object);
+        doubled.objects.back().mesh = make_mesh(std::move(data));
+    }
+    for (const Profile& profile : profiles()) {
+        EXPECT_EQ(draw(doubled, OneWinner::Auto, profile), draw(s, OneWinner::Auto, profile)) << profile.name;
+        EXPECT_NE(draw(doubled, OneWinner::Never, profile), draw(s, OneWinner::Auto, profile))
+            << profile.name;
+    }
 }
 
 TEST(OneWinner, ChangesNothingWhereNothingCoincides) {
