@@ -31,6 +31,7 @@ Command add_hidden(CLI::App& app);
 Command add_styles(CLI::App& app);
 Command add_figures(CLI::App& app);
 Command add_study(CLI::App& app);
+Command add_radiosity(CLI::App& app);
 Command add_info(CLI::App& app);
 
 /// Parses and runs, and returns an ExitCode. Throws UsageError, Error and what else goes wrong.

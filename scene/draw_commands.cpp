@@ -120,6 +120,8 @@ CommandList id_pass(const Scene& scene, const View& view, const IdPass& options)
     state.color_source = ColorSource::PolygonId;
     state.shade_model = ShadeModel::Flat;
     state.jitter = options.jitter;
+    state.scissor = options.scissor;
+    state.clip_planes[0] = options.clip;
     CommandList list;
     list.add(BeginPass{.name = "item buffer"});
     list.add(SetState{state});

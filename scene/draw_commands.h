@@ -58,6 +58,8 @@ struct IdPass {
     int shift = 0;             ///< identifiers are shifted right by this many bits
     bool opaque_only = false;  ///< objects with d < 1 are left out
     JitterState jitter;        ///< [K4a]
+    ScissorState scissor;      ///< also of the clear
+    ClipPlane clip;            ///< in eye space: a hemicube's horizon [F2.2]
 };
 /// The item buffer [K4i]: clears colour and depth and draws the identifier of every polygon instead of its
 /// colour. The low 24 bits of (id >> shift) come out as R, G, B: eight bits each.

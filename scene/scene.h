@@ -56,6 +56,17 @@ struct Glare {
     int samples = 32;       ///< superposed pictures, at least
 };
 
+/// The pixmap that holds an object's radiosity [F2.1]. Where nothing is said, planar parts get a pixmap each
+/// by projection, curved ones a pixmap for each chart.
+struct PixmapChoice {
+    std::string name;              ///< objects of one name share a pixmap; empty: the object's own
+    int width = 0, height = 0;     ///< texels; 0: by texels_per_unit
+    double texels_per_unit = 0;    ///< 0: the scene's
+    bool given_st = false;         ///< ST are the mesh's texcoords; else they are made
+    std::optional<vec3> emission;  ///< instead of the material's Ke
+    Origin origin;
+};
+
 /// One mesh with one material, placed in the world. Several may share a name (a group with several
 /// materials).
 struct Object {
@@ -66,6 +77,7 @@ struct Object {
     dvec3 move{0};               ///< how far it moves while the shutter is open, world units [K1]
     std::optional<Glare> glare;  ///< of an object that emits
     bool casts_shadow = true;    ///< false: light goes through it, as through translucent ones
+    PixmapChoice pixmap;         ///< [F2.1]
 };
 
 enum class LightKind { Directional, Point, Spot };
@@ -117,6 +129,7 @@ struct Scene {
     std::optional<Camera> camera;  ///< absent: fit_camera
     std::optional<Fog> fog;
     vec3 background{0, 0, 0};
+    double texels_per_unit = 0;        ///< of pixmaps that do not say; 0: fitted to the scene [F2.1]
     bool reflection_in_shadow = true;  ///< reflection maps are drawn in shadow too [K3.2]
 };
 

@@ -39,6 +39,35 @@ Glare to_glare(const TomlValue& table) {
     return glare;
 }
 
+// Sides of 1 to 4096 texels.
+void read_sides(const TomlValue& value, PixmapChoice& pixmap) {
+    expect_numbers(value, 2);
+    pixmap.width = to_int(value.elements[0], {1, 4096});
+    pixmap.height = to_int(value.elements[1], {1, 4096});
+}
+
+PixmapChoice to_pixmap(const TomlValue& table) {
+    PixmapChoice pixmap;
+    pixmap.origin = {*table.file, table.line};
+    vec3 emission(0);
+    read_table(table, {
+                          key("name", pixmap.name),
+                          {"size", [&](const TomlValue& value) { read_sides(value, pixmap); }},
+                          key("texels", pixmap.texels_per_unit, {1e-9, 1e9}),
+                          key("st", pixmap.given_st, {{"automatic", false}, {"texcoords", true}}),
+                          color_key("emission", emission),
+                      });
+    if (table.find("emission")) pixmap.emission = emission;
+    if (!pixmap.name.empty() && !pixmap.given_st)
+        table.fail("pixmap '" + printable(pixmap.name) +
+                   "' has automatic ST; expected st = \"texcoords\" where a pixmap has a name");
+    if (pixmap.width == 0 && pixmap.given_st)
+        table.fail("pixmap has no size; expected size = [width, height] beside st = \"texcoords\"");
+    if (pixmap.width != 0 && pixmap.texels_per_unit != 0)
+        table.fail("pixmap has both size and texels; expected one of them");
+    return pixmap;
+}
+
 }  // namespace
 
 void TomlObjects::add(const TomlValue& table) {
@@ -56,6 +85,7 @@ void TomlObjects::add(const TomlValue& table) {
         keep("crease", object.crease),
         keep("parts", object.parts),
         key("move", object.placed.move),
+        {"pixmap", [&](const TomlValue& value) { object.placed.pixmap = to_pixmap(value); }},
         {"glare", [&](const TomlValue& value) { object.placed.glare = to_glare(value); }},
         key("divide", object.divide, {1, 256}),
     };

@@ -1,0 +1,31 @@
+// Pictures of solved pixmaps: of every view, as textures and strips [F2.3]. Does not solve.
+#pragma once
+
+#include "apps/radiosity_options.h"
+#include "image/output_set.h"
+
+namespace gw::apps {
+
+class RadiosityPictures {
+public:
+    RadiosityPictures(const RadiosityOptions& options, const scene::Scene& scene);
+
+    /// DIR/NAME.png, or NAME_1.png ... for several views; --display both: NAME_texture.png, NAME_strips.png
+    /// and NAME_difference.png. Returns what is to be printed: how the two differ.
+    std::string put(const radiosity::Solver& solver, const std::string& name, image::OutputSet& files);
+
+private:
+    std::vector<Rgba> draw(const radiosity::Solver& solver, const std::vector<dvec3>& colors,
+                           const scene::View& view, bool strips);
+    void add_components(const scene::View& view, std::vector<Rgba>& color);
+    std::string put_view(const radiosity::Solver& solver, const scene::View& view,
+                         const std::filesystem::path& stem, image::OutputSet& files);
+
+    const RadiosityOptions& options_;
+    scene::Scene scene_;
+    Profile profile_;
+    std::unique_ptr<Machine> machine_;
+    std::vector<scene::View> views_;
+};
+
+}  // namespace gw::apps

@@ -1,0 +1,82 @@
+#include "radiosity/hemicube.h"
+
+#include "gw/elementary.h"
+#include "scene/draw_commands.h"
+
+#include <cmath>
+
+namespace gw::radiosity {
+
+namespace {
+
+/// Of cube_views: +y is the top, the others are the sides.
+constexpr std::array<std::size_t, hemicube_faces> cube_face{2, 0, 1, 4, 5};
+
+/// What lies lower over the horizon, in parts of the scene's extent, is not seen: the rest of the own plane.
+constexpr double horizon = 1e-7;
+
+/// cube_from_world: +y becomes the normal.
+dmat4 turned(const dvec3& position, const dvec3& normal, double turn) {
+    const dvec3 any = std::abs(normal.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
+    dvec3 a = cross3(any, normal);
+    a /= std::sqrt(dot3(a, a));
+    const dvec3 b = cross3(normal, a);
+    const dvec3 x = cos_degrees(turn) * a + sin_degrees(turn) * b, z = cross3(x, normal);
+    dmat4 m(1);
+    for (int k = 0; k < 3; ++k) m[k] = dvec4(x[k], normal[k], z[k], 0);
+    m[3] = dvec4(-transform3(dmat3(m), position), 1);
+    return m;
+}
+
+dmat4 after(const dmat4& eye_from_cube, const dmat4& cube_from_world) {
+    dmat4 m(1);
+    for (int k = 0; k < 4; ++k)
+        m[k] = dvec4(transform3(dmat3(eye_from_cube), dvec3(cube_from_world[k])), cube_from_world[k].w);
+    return m;
+}
+
+}  // namespace
+
+Hemicube hemicube_at(const dvec3& position, const dvec3& normal, double turn, double near_plane,
+                     double far_plane, int size) {
+    const std::array<scene::View, 6> cube = scene::cube_views(dvec3(0), near_plane, far_plane, size);
+    const dmat4 cube_from_world = turned(position, normal, turn);
+    Hemicube hemicube{.position = position, .normal = normal, .views = {}};
+    for (std::size_t face = 0; face < hemicube_faces; ++face) {
+        scene::View& view = hemicube.views[face] = cube[cube_face[face]];
+        view.eye_from_world = after(view.eye_from_world, cube_from_world);
+    }
+    return hemicube;
+}
+
+Profile id_profile() {
+    Profile profile = ideal();
+    profile.name = "identifiers";
+    profile.color_bits = profile.lit_bits = 8;
+    return profile;
+}
+
+HemicubePainter::HemicubePainter(int size) : machine_(make_fast(id_profile(), size, size, {.threads = 1})) {}
+
+void HemicubePainter::draw(const Model& model, const Hemicube& hemicube, IdBuffers& buffers) {
+    for (std::size_t face = 0; face < hemicube_faces; ++face) {
+        const scene::View& view = hemicube.views[face];
+        const int size = view.width, first_row = face == 0 ? 0 : size / 2;
+        scene::IdPass options;
+        options.scissor = {.test = true, .box = {0, first_row, size, size - first_row}};
+        const dvec4 above = face == 0 ? dvec4(0, 0, -1, 0) : dvec4(0, 1, 0, 0);
+        options.clip = {.enable = true, .plane = above - dvec4(0, 0, 0, horizon * model.extent)};
+        machine_->execute(scene::id_pass(model.drawn, view, options));
+        machine_->reset_passes();
+        IdBuffer& buffer = buffers[face];
+        buffer.size = size;
+        buffer.rows = size - first_row;
+        buffer.ids.clear();
+        const std::vector<Rgba>& color = machine_->planes().color;
+        for (std::size_t i = static_cast<std::size_t>(first_row) * static_cast<std::size_t>(size);
+             i < color.size(); ++i)
+            buffer.ids.push_back(scene::id_of(color[i]));
+    }
+}
+
+}  // namespace gw::radiosity

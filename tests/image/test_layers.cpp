@@ -1,0 +1,50 @@
+// Layers come back from a file bit for bit, or not at all.
+#include "files.h"
+#include "gw/error.h"
+#include "image/layers.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+
+namespace gw::image {
+namespace {
+
+Layers example() {
+    const float tiny = std::numeric_limits<float>::denorm_min();
+    return {
+        .facts = {{"kind", "example"}, {"shots", "12"}},
+        .layers = {{"floor", 2, 3, {"R", "R.rest"}, {1, tiny, -2.5f, 3e38f, 0, -0.0f, 7, 8, 9, 10, 11, 12}},
+                   {"a wall", 1, 1, {"R", "R.rest"}, {0.1f, 1e-9f}}}};
+}
+
+class LayersTest : public testing::Test {
+protected:
+    std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "layers_test.exr";
+    void SetUp() override {
+        OutputFile output(file);
+        put_layers(output, example());
+        output.commit();
+    }
+    void TearDown() override { std::filesystem::remove(file); }
+};
+
+TEST_F(LayersTest, ComeBackBitForBit) { EXPECT_EQ(read_layers(file), example()); }
+
+TEST_F(LayersTest, CutShortAreRefusedWhereverTheCutIs) {
+    const auto size = std::filesystem::file_size(file);
+    for (auto cut = size - 1; cut > 0; cut -= std::min<std::uintmax_t>(cut, 97)) {
+        std::filesystem::resize_file(file, cut);
+        EXPECT_THROW(read_layers(file), Error) << cut << " of " << size;
+    }
+}
+
+TEST_F(LayersTest, AreRefusedWhereThereIsNoFileOrAnother) {
+    EXPECT_THROW(read_layers(file.string() + ".none"), Error);
+    std::ofstream(file) << "not an EXR file";
+    EXPECT_THROW(read_layers(file), Error);
+}
+
+}  // namespace
+}  // namespace gw::image

@@ -1,0 +1,65 @@
+// Saved pixmaps [F4]: going on later gives the same bits; what does not fit is refused with a reason.
+#include "gw/error.h"
+#include "radiosity/saved.h"
+#include "radiosity/solver.h"
+#include "scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace gw::radiosity {
+namespace {
+
+const FormFactorOptions coarse{.hemicube = 32};
+
+Model box(float rho = 0.5f) { return make_model(closed_box({1, 1, 1}, rho, 1), {.texels_per_unit = 4}); }
+
+Solution shots(Solver& solver, int count) {
+    for (int i = 0; i < count; ++i) solver.shoot();
+    return solver.solution();
+}
+
+TEST(Saved, NShotsAreKShotsSavedLoadedAndTheRest) {
+    Solver whole(box(), {.form_factors = coarse}), first(box(), {.form_factors = coarse}),
+        rest(box(), {.form_factors = coarse});
+    const Solution expected = shots(whole, 30);
+    const Saved saved = save(first.model(), coarse, shots(first, 11));
+    rest.resume(load(saved, rest.model(), coarse, "file"));
+    EXPECT_EQ(shots(rest, 19), expected);
+}
+
+std::string refusal(const Saved& saved, const Model& model, const FormFactorOptions& options = coarse) {
+    try {
+        load(saved, model, options, "file");
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Saved, WhatDoesNotFitIsRefusedWithAReason) {
+    Solver solver(box(), {.form_factors = coarse});
+    const Saved saved = save(solver.model(), coarse, shots(solver, 3));
+    EXPECT_EQ(refusal(saved, box()), "");
+    EXPECT_NE(refusal(saved, box(0.25f)).find("same figures, materials"), std::string::npos);
+    EXPECT_NE(refusal(saved, box(), {.hemicube = 64}).find("hemicube 32"), std::string::npos);
+    Saved other = saved;
+    other.facts["version"] = "0";
+    EXPECT_NE(refusal(other, box()).find("version '0'"), std::string::npos);
+    other = saved;
+    other.pixmaps[2].values[17] += 1;
+    EXPECT_NE(refusal(other, box()).find("checksum"), std::string::npos);
+    other = saved;
+    other.facts.clear();
+    EXPECT_NE(refusal(other, box()).find("expected radiosity pixmaps"), std::string::npos);
+}
+
+TEST(Storable, IsAHeadAndARest) {
+    for (double v : {0.1, -1e-30, 12345.678, 1.0 / 3}) {
+        const double s = storable(v);
+        EXPECT_EQ(storable(s), s);
+        EXPECT_NEAR(s / v, 1, 1e-14);
+    }
+}
+
+}  // namespace
+}  // namespace gw::radiosity

@@ -1,0 +1,97 @@
+// From pixels to texels [F2.2]: nothing lost, nothing missed, the same bits for any number of threads.
+#include "radiosity/form_factors.h"
+#include "scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace gw::radiosity {
+namespace {
+
+constexpr double texels_on_wall = 40.0 * 40;
+
+/// A small lamp before a wall of many texels.
+scene::Scene lamp_and_wall() {
+    scene::Scene scene;
+    add_quad(scene, "lamp", {-0.05f, 0, -0.05f}, {0, 0, 0.1f}, {0.1f, 0, 0}, 0, 1);
+    add_quad(scene, "wall", {-2, 0.5f, -2}, {4, 0, 0}, {0, 0, 4}, 0.5f);
+    return scene;
+}
+
+Row row_with(const Model& model, int hemicube, int parts, int threads = 0) {
+    FormFactors factors(model, {.hemicube = hemicube, .scan = {.most_parts = parts}, .threads = threads});
+    return factors.from_patch(0);
+}
+
+double texels_lit(const Model& model, const Row& row) {
+    const Pixmap& wall = model.pixmaps[1];
+    return static_cast<double>(std::count_if(row.texels.begin(), row.texels.end(),
+                                             [&](std::uint32_t t) { return t >= wall.first; }));
+}
+
+// [F2.2o] Fig. 3: a coarse buffer misses texels; divided virtually, it reaches all of them.
+TEST(Oversampling, NoVisibleTexelIsLeftWithoutEnergy) {
+    const Model model = make_model(lamp_and_wall(), {.texels_per_unit = 10});
+    EXPECT_EQ(texels_lit(model, row_with(model, 32, 64)), texels_on_wall);
+    EXPECT_LT(texels_lit(model, row_with(model, 32, 1)), texels_on_wall);
+}
+
+// The energy is the same: oversampling only spreads it.
+TEST(Oversampling, ChangesNoSum) {
+    const Model model = make_model(lamp_and_wall(), {.texels_per_unit = 10});
+    const Row with = row_with(model, 64, 64), without = row_with(model, 64, 1);
+    EXPECT_NEAR(std::accumulate(with.factors.begin(), with.factors.end(), 0.0),
+                std::accumulate(without.factors.begin(), without.factors.end(), 0.0), 1e-12);
+    EXPECT_EQ(with.escaped, without.escaped);
+}
+
+// A sphere of many facets in a closed box: every pixel is some facet's, none is lost between regions.
+TEST(Scan, NoPixelIsLost) {
+    scene::Scene scene = closed_box({1, 1, 1}, 0.5f, 1);
+    MeshData octahedron{.positions = {{0.7f, 0.5f, 0.5f},
+                                      {0.3f, 0.5f, 0.5f},
+                                      {0.5f, 0.7f, 0.5f},
+                                      {0.5f, 0.3f, 0.5f},
+                                      {0.5f, 0.5f, 0.7f},
+                                      {0.5f, 0.5f, 0.3f}},
+                        .indices = {2, 4, 0, 2, 0, 5, 2, 5, 1, 2, 1, 4, 3, 0, 4, 3, 5, 0, 3, 1, 5, 3, 4, 1}};
+    scene.materials.push_back({.name = "solid", .Kd = vec3(0.5f)});
+    scene.objects.push_back(
+        {.name = "solid", .mesh = make_mesh(octahedron), .material = scene.materials.size() - 1});
+    const Model model = make_model(scene, {.texels_per_unit = 6});
+    FormFactors factors(model, {.hemicube = 64});
+    for (std::size_t p = 0; p < model.patches.size(); p += 5) {
+        const Row row = factors.from_patch(p);
+        EXPECT_NEAR(std::accumulate(row.factors.begin(), row.factors.end(), 0.0) + row.backs + row.escaped, 1,
+                    1e-9)
+            << p;
+        EXPECT_EQ(row.escaped, 0) << p;
+        EXPECT_EQ(row.backs, 0) << p;
+    }
+}
+
+TEST(Scan, AnyNumberOfThreadsGivesTheSameBits) {
+    const Model model = make_model(lamp_and_wall(), {.texels_per_unit = 10});
+    const Row one = row_with(model, 64, 64, 1);
+    for (int threads : {2, 5}) {
+        const Row more = row_with(model, 64, 64, threads);
+        EXPECT_EQ(one.texels, more.texels);
+        EXPECT_EQ(one.factors, more.factors);
+        EXPECT_EQ(one.escaped, more.escaped);
+    }
+}
+
+TEST(Scan, BacksAreSeenAndAreNoSurface) {
+    scene::Scene scene;
+    add_quad(scene, "wall", {-2, 0.5f, -2}, {0, 0, 4}, {4, 0, 0}, 0.5f, 1);  // faces up, seen from below
+    const Model model = make_model(scene, {.texels_per_unit = 4});
+    FormFactors factors(model, {.hemicube = 32});
+    const Row row = factors.from_points({{{0, 0, 0}, {0, 1, 0}, 1, 0.1}}, 0);
+    EXPECT_GT(row.backs, 0.5);
+    EXPECT_TRUE(row.texels.empty());
+}
+
+}  // namespace
+}  // namespace gw::radiosity

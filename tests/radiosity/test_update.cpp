@@ -1,0 +1,76 @@
+// Changes of a solved scene [F4]: shooting the difference leads to what solving anew does.
+#include "gw/error.h"
+#include "radiosity/solver.h"
+#include "scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gw::radiosity {
+namespace {
+
+const SolverOptions coarse{.form_factors = {.hemicube = 32}};
+constexpr double enough = 1e-3;
+
+/// A room with a hanging lamp at height y.
+scene::Scene room(float y, float emission = 4, float rho = 0.5f) {
+    scene::Scene scene = closed_box({2, 2, 2}, rho, 0);
+    add_quad(scene, "lamp", {0.75f, y, 0.75f}, {0.5f, 0, 0}, {0, 0, 0.5f}, 0, emission);
+    return scene;
+}
+
+Model model_of(const scene::Scene& scene) { return make_model(scene, {.texels_per_unit = 3}); }
+
+int solve(Solver& solver) {
+    int hemicubes = 0;
+    while (books(solver.model(), solver.solution()).unshot_share() > enough)
+        hemicubes += solver.shoot()->hemicubes;
+    return hemicubes;
+}
+
+/// The mean difference by the mean radiosity.
+double difference(const Solver& a, const Solver& b) {
+    double off = 0, sum = 0;
+    for (std::size_t t = 0; t < a.model().texel_count(); ++t) {
+        off += a.model().area[t] * std::abs(radiosity_at(a.model(), a.solution(), t).x -
+                                            radiosity_at(b.model(), b.solution(), t).x);
+        sum += b.model().area[t] * radiosity_at(b.model(), b.solution(), t).x;
+    }
+    return off / sum;
+}
+
+class UpdateTest : public testing::Test {
+protected:
+    Solver solver{model_of(room(1.75f)), coarse};
+    void SetUp() override { solve(solver); }
+
+    /// Updates to `scene`, solves on, and compares with solving anew. Returns hemicubes: updated, anew.
+    std::pair<int, int> compare(const scene::Scene& scene, double allowed) {
+        const Update update = solver.update(model_of(scene), 0);
+        EXPECT_LT(books(solver.model(), solver.solution()).imbalance(), 1e-5);
+        const int more = update.hemicubes + solve(solver);
+        Solver anew(model_of(scene), coarse);
+        const int all = solve(anew);
+        EXPECT_LT(difference(solver, anew), allowed);
+        return {more, all};
+    }
+};
+
+TEST_F(UpdateTest, ADimmedLampDrawsNothingAnew) { EXPECT_EQ(compare(room(1.75f, 1), 3 * enough).first, 0); }
+
+TEST_F(UpdateTest, OtherReflectancesDrawNextToNothing) {
+    const auto [more, anew] = compare(room(1.75f, 4, 0.4f), 5 * enough);
+    EXPECT_LT(more, anew / 4);
+}
+
+TEST_F(UpdateTest, AMovedLampIsSentAnew) { compare(room(1.5f), 5 * enough); }
+
+TEST_F(UpdateTest, AnotherSceneIsRefused) {
+    scene::Scene more = room(1.75f);
+    add_quad(more, "more", {0, 1, 0}, {0.1f, 0, 0}, {0, 0, 0.1f});
+    EXPECT_THROW(solver.update(model_of(more)), Error);
+}
+
+}  // namespace
+}  // namespace gw::radiosity
