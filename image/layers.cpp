@@ -4,16 +4,18 @@
 #include "image/encode.h"
 #include "image/hush.h"
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 
 namespace gw::image {
 
 namespace {
 
 constexpr const char* prefix = "gw:";
+constexpr const char* order_of_channels = "gwChannels";  ///< OpenEXR sorts them
 constexpr int largest_side = 4096;
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
@@ -30,7 +32,11 @@ OIIO::ImageSpec spec_of(const Layers& all, std::size_t index) {
         spec.full_height = std::max(spec.full_height, other.height);
     }
     spec.attribute("compression", "zip");
+    spec.attribute("DateTime", "");  // the same values are the same file tomorrow
     spec.attribute("oiio:subimagename", layer.name);
+    std::string order;
+    for (const std::string& channel : layer.channels) order += channel + ' ';
+    spec.attribute(order_of_channels, order);
     if (index == 0)
         for (const auto& [key, value] : all.facts) spec.attribute(prefix + key, value);
     return spec;
@@ -54,6 +60,25 @@ bool write_parts(OIIO::ImageOutput& output, const std::string& name, const Layer
     return output.close();
 }
 
+/// From the order of the file to the one it was saved in.
+void restore_order(Layer& layer, const std::string& order) {
+    std::istringstream words(order);
+    const std::vector<std::string> saved{std::istream_iterator<std::string>(words), {}};
+    std::vector<std::size_t> from;
+    for (const std::string& channel : saved) {
+        const auto found = std::find(layer.channels.begin(), layer.channels.end(), channel);
+        if (found == layer.channels.end()) return;  // another program's file: as it is
+        from.push_back(static_cast<std::size_t>(found - layer.channels.begin()));
+    }
+    if (from.size() != layer.channels.size()) return;
+    std::vector<float> values;
+    values.reserve(layer.values.size());
+    for (std::size_t pixel = 0; pixel < layer.values.size(); pixel += from.size())
+        for (std::size_t channel : from) values.push_back(layer.values[pixel + channel]);
+    layer.values = std::move(values);
+    layer.channels = saved;
+}
+
 Layer read_part(OIIO::ImageInput& input, const std::filesystem::path& file, int index, bool with_values) {
     const OIIO::ImageSpec spec = input.spec();
     if (spec.width < 1 || spec.width > largest_side || spec.height < 1 || spec.height > largest_side ||
@@ -72,6 +97,7 @@ Layer read_part(OIIO::ImageInput& input, const std::filesystem::path& file, int 
     if (!input.read_image(index, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, top_row, OIIO::AutoStride,
                           -row))
         refuse(file, "it cannot be read to its end: " + one_line(input.geterror()));
+    restore_order(layer, spec.get_string_attribute(order_of_channels));
     return layer;
 }
 
@@ -98,16 +124,23 @@ Layers read(const std::filesystem::path& file, bool with_values) {
 
 }  // namespace
 
+// OpenImageIO writes files of several parts by name only, and may not notice a full disk.
 void put_layers(OutputFile& file, const Layers& layers) {
-    const Hush hush;
-    const auto output = OIIO::ImageOutput::create("openexr");
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    if (output) output->set_ioproxy(&memory);
-    if (!output || !write_parts(*output, "saved.exr", layers))
-        throw Error(file.target().string(), 0,
-                    "cannot be written: " + one_line(output ? output->geterror() : OIIO::geterror()));
-    file.write(bytes);
+    const auto refuse_target = [&](const std::string& why) {
+        throw Error(file.target().string(), 0, "cannot be written: " + why);
+    };
+    if (file.temporary().empty()) refuse_target("it is not a regular file; expected one for this format");
+    {
+        const Hush hush;
+        const auto output = OIIO::ImageOutput::create("openexr");
+        if (!output || !write_parts(*output, file.temporary().string(), layers))
+            refuse_target(one_line(output ? output->geterror() : OIIO::geterror()));
+    }
+    try {
+        if (read_layers(file.temporary()) == layers) return;
+    } catch (const Error&) {
+    }
+    refuse_target("the disk may be full; what was written cannot be read back");
 }
 
 Layers read_layer_facts(const std::filesystem::path& file) { return read(file, false); }
