@@ -248,9 +248,8 @@ Command add_radiosity(CLI::App& app) {
     const auto options = std::make_shared<RadiosityOptions>();
     add_radiosity_options(*command, *options);
     command->footer(
-        "Examples:\n  build/release/bin/gw radiosity scenes/radiosity/cornell.toml -o box --shots 100 "
-        "--gamma 2.2\n"
-        "  build/release/bin/gw radiosity scenes/radiosity/cornell.toml --form-factor lamp floor");
+        "Example:\n  build/release/bin/gw radiosity scenes/radiosity/cornell.toml -o box --shots 60 --gamma "
+        "2.2");
     return {command, [options] { return compute(*options); }};
 }
 
