@@ -168,6 +168,38 @@ const std::vector<Figure>& figures() {
          "The scene of Figure 9, with maps",
          "444 matte and 77,184 glossy polygons; the studio is a map.",
          {{"render scenes/fig9.toml --reflections maps -o @fig9.png", {{"fig9.png", "reflection maps"}}}}},
+        {"fig9",
+         "K4 K4i K4f",
+         "Figure 9: reflections traced from an item buffer",
+         "The same scene by equation 5: what the glossy polygons reflect is traced, to the second ray, from "
+         "the polygons that the item buffer names; everything else is passes. Beside it the ordinary ray "
+         "tracer, which traces all.",
+         {{"render scenes/fig9.toml -o @fig9.png", {{"fig9.png", "item buffer: equation 5"}}},
+          {"render scenes/fig9.toml --renderer raytrace -o @rays.png",
+           {{"rays.png", "ordinary ray tracing"}}}}},
+        {"fig7_fig8",
+         "K4a",
+         "Figures 7 and 8: polygons smaller than a pixel",
+         "Needles of a sixth of a pixel reflect a bright wall. One item buffer finds them where a pixel's "
+         "centre happens to lie in one; 64, moved by less than a pixel, find them everywhere, in proportion "
+         "to their area.",
+         {{"render scenes/needles.toml -o @one.png", {{"one.png", "one item buffer"}}},
+          {"render scenes/needles.toml --samples 64 -o @many.png", {{"many.png", "64, averaged"}}}},
+         Size{320, 240}},
+        {"water",
+         "K4 L9",
+         "A glass of water",
+         "Drawn as opaque, its transmission traced: bent at every surface, totally reflected below the "
+         "water's. Up to ten rays in a path.",
+         {{"render scenes/water.toml --depth 10 -o @water.png", {{"water.png", "ten rays"}}},
+          {"render scenes/water.toml --depth 3 -o @three.png",
+           {{"three.png", "three: paths end in the glass"}}}}},
+        {"facing_mirrors",
+         "K4 L9",
+         "Mirror in mirror",
+         "Two mirrors face to face; every further ray shows one more of the other.",
+         {{"render scenes/facing_mirrors.toml --depth 16 -o @mirrors.png", {{"mirrors.png", "sixteen rays"}}},
+          {"render scenes/facing_mirrors.toml -o @second.png", {{"second.png", "to the second ray"}}}}},
     };
     return all;
 }

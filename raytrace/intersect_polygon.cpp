@@ -37,25 +37,12 @@ std::optional<double> plane_parameter(const Ray& ray, const dvec3& point, const 
     return dot3(point - ray.origin, normal) / slope;
 }
 
-bool inside_by_crossings(const dvec2& p, std::span<const dvec2> corners) {
-    bool inside = false;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const dvec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
-        if ((a.y >= p.y) == (b.y >= p.y)) continue;
-        const dvec2 &low = a.y < b.y ? a : b, &high = a.y < b.y ? b : a;
-        // Right of p: x(p.y) > p.x, multiplied by the side's height.
-        const double height = high.y - low.y;
-        if ((high.x - low.x) * (p.y - low.y) > (p.x - low.x) * height) inside = !inside;
-    }
-    return inside;
-}
-
-std::optional<double> intersect(const Ray& ray, const PlanePolygon& polygon) {
+std::optional<double> intersect(const Ray& ray, const PlanePolygon& polygon, InsideTest test) {
     const auto t = plane_parameter(ray, polygon.corners.front(), polygon.normal);
     if (!t || !(*t > 0)) return std::nullopt;
     std::vector<dvec2> corners;
     for (const dvec3& corner : polygon.corners) corners.push_back(without(corner, polygon.axis));
-    if (!inside_by_crossings(without(point_at(ray, *t), polygon.axis), corners)) return std::nullopt;
+    if (!inside(test, without(point_at(ray, *t), polygon.axis), corners)) return std::nullopt;
     return t;
 }
 

@@ -1,10 +1,10 @@
 // A ray and a polygon. [L11] Does not know holes; concave polygons are taken as they are.
 #pragma once
 
+#include "raytrace/inside_test.h"
 #include "raytrace/ray.h"
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace gw::raytrace {
@@ -24,13 +24,8 @@ PlanePolygon plane_polygon(std::vector<dvec3> corners, int axis);
 /// t = (P_i - P_E).N / E.N; none where the ray is parallel to the plane. [L11]
 std::optional<double> plane_parameter(const Ray& ray, const dvec3& point, const dvec3& normal);
 
-/// Whether the half-line from `p` to growing x crosses the sides an odd number of times. A side owns its
-/// lower end and not its upper one's row, so that a corner on the half-line counts once or twice, as it
-/// must; points on left and top sides are inside, on right and bottom sides outside: the machine's fill
-/// rule. Exact where coordinates are integers of at most 25 bits.
-bool inside_by_crossings(const dvec2& p, std::span<const dvec2> corners);
-
 /// Where the ray meets the polygon, t > 0.
-std::optional<double> intersect(const Ray& ray, const PlanePolygon& polygon);
+std::optional<double> intersect(const Ray& ray, const PlanePolygon& polygon,
+                                InsideTest test = InsideTest::Crossings);
 
 }  // namespace gw::raytrace
