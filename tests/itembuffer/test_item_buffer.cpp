@@ -5,12 +5,14 @@
 #include "gw/fast/kernels.h"
 #include "itembuffer/ordinary.h"
 #include "itembuffer/traced_component.h"
+#include "multipass/samples.h"
 #include "raytrace/picture.h"
 #include "scene/read_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -48,6 +50,36 @@ TEST(ItemBuffer, IsTheSameInSeveralPasses) {
         EXPECT_EQ(draw_item_buffer(*m, scene, view, {}, bits), whole) << bits;
         EXPECT_EQ(m->passes().size() - before, std::size_t((17 + bits - 1) / bits)) << bits;
     }
+}
+
+/// A needle and a crumb, both a small part of a pixel wide: [K4a] 64 item buffers, moved by less than a
+/// pixel, find them in proportion to their area; one finds of them what chance gives, and adaptive sampling,
+/// which divides pixels whose neighbours differ, has nothing to go by where one item buffer sees none of
+/// them.
+TEST(ItemBuffer, ManyFindWhatIsSmallerThanAPixelInProportionToItsArea) {
+    const double pixel = 0.1;  // world units
+    raytrace::Walls walls;
+    walls.scene.camera =
+        scene::Camera{.eye = {0, 0, 5}, .near_plane = 0.5, .far_plane = 50, .ortho_height = height * pixel};
+    const double needle_width = 0.25 * pixel, needle_height = 40 * pixel, crumb = 0.5 * pixel;
+    walls.add({-2.13f, 0.07f, 0}, {float(needle_width / 2), 0, 0}, {0, float(needle_height / 2), 0});
+    walls.add({2.33f, 1.38f, 0}, {float(crumb / 2), 0, 0}, {0, float(crumb / 2), 0});
+    const scene::View view = scene::make_view(walls.scene, width, height);
+    const auto m = machine();
+    std::array<double, 3> found{};
+    constexpr std::size_t count = 64;
+    int empty_for_adaptive = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto ids =
+            draw_item_buffer(*m, walls.scene, view, multipass::jitter_of({k, count}, vgx().subpixel_bits));
+        for (const std::uint32_t id : ids) found[id] += 1.0 / count;
+        empty_for_adaptive += std::count(ids.begin(), ids.end(), 2u) == 0;
+    }
+    const double needle_area = needle_width * needle_height / (pixel * pixel),
+                 crumb_area = crumb * crumb / (pixel * pixel);
+    EXPECT_NEAR(found[1], needle_area, needle_area * 0.02);
+    EXPECT_NEAR(found[2], crumb_area, crumb_area * 0.02);
+    EXPECT_EQ(empty_for_adaptive, 48) << "of 64: where the crumb is in no pixel, no neighbours differ";
 }
 
 TEST(ItemBuffer, ShowsThePolygonThatRaysFindAwayFromEdges) {
