@@ -163,6 +163,41 @@ const std::vector<Figure>& figures() {
          "will compute it.",
          {{"render scenes/cornell.toml -o @cornell.png", {{"cornell.png", "direct light and a constant"}}}},
          Size{480, 480}},
+        {"radiosity",
+         "F2.2",
+         "The Cornell box, by radiosity",
+         "Hemicubes drawn by the machine, light kept in pixmaps. After 120 shots, and from another view "
+         "without solving again.",
+         {{"radiosity scenes/radiosity/cornell.toml -o @box --shots 120 --gamma 2.2 --size 480x480 "
+           "--view 278,273,-800/278,273,0 --view 100,450,-300/330,150,300",
+           {{"box/picture_1.png", "the published camera"},
+            {"box/picture_2.png", "from the upper right"},
+            {"box/convergence.svg", "what is still unshot"}}}},
+         {}},
+        {"oversampling",
+         "F2.2o",
+         "Texels that a coarse ID buffer misses",
+         "Figure 3 of the paper: hemicubes of 32 pixels. Where a pixel covers several texels, most of them "
+         "get "
+         "no energy; divided virtually, all of them do.",
+         {{"radiosity scenes/radiosity/cornell.toml -o @missed --shots 4 --hemicube 32 --parts 1 --gamma 2.2 "
+           "--size 480x480",
+           {{"missed/picture.png", "(a) a pixel is one texel"}}},
+          {"radiosity scenes/radiosity/cornell.toml -o @oversampled --shots 4 --hemicube 32 --gamma 2.2 "
+           "--size 480x480",
+           {{"oversampled/picture.png", "(b) with oversampling"}}}},
+         {}},
+        {"strips",
+         "F2.3",
+         "Textures and triangle strips",
+         "Figure 4 of the paper: the same pixmaps as textures, and as Gouraud-shaded strips at their "
+         "resolution.",
+         {{"radiosity scenes/radiosity/room.toml -o @room --shots 12 --texels 4 --hemicube 32 --exposure -1 "
+           "--gamma 2.2 --display both --size 480x480",
+           {{"room/picture_texture.png", "as textures"},
+            {"room/picture_strips.png", "as strips"},
+            {"room/picture_difference.png", "sixteen times their difference"}}}},
+         {}},
         {"fig9_maps",
          "K4f",
          "The scene of Figure 9, with maps",

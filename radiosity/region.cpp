@@ -42,10 +42,18 @@ Polygon3 clipped(const Facet& facet, const scene::View& view, bool top) {
     return polygon;
 }
 
+/// Whether the facet's sphere lies wholly beside the frustum.
+bool beside(const Facet& facet, const scene::View& view, bool top) {
+    const dvec3 eye = transform3(dmat3(view.eye_from_world), facet.center) + dvec3(view.eye_from_world[3]);
+    const double reach = facet.radius * 1.4142136, along = -eye.z + reach;  // the sides have slope 1
+    return std::abs(eye.x) > along || eye.y > along || -eye.y > (top ? along : facet.radius);
+}
+
 }  // namespace
 
 void find_region(const Facet& facet, const scene::View& view, bool top, Region& region) {
     region.spans.clear();
+    if (beside(facet, view, top)) return;
     const Polygon3 polygon = clipped(facet, view, top);
     if (polygon.n < 3) return;
     const double half = view.width / 2.0;
