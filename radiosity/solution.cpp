@@ -32,7 +32,7 @@ double Books::imbalance() const {
 
 double Books::unshot_share() const {
     const double all = emitted.x + emitted.y + emitted.z;
-    return all > 0 ? (std::abs(unshot.x) + std::abs(unshot.y) + std::abs(unshot.z)) / all : 0;
+    return all > 0 ? (unshot_size.x + unshot_size.y + unshot_size.z) / all : 0;
 }
 
 Books books(const Model& model, const Solution& solution) {
@@ -40,7 +40,9 @@ Books books(const Model& model, const Solution& solution) {
     for (std::size_t t = 0; t < model.texel_count(); ++t) {
         b.emitted += model.area[t] * model.E[t];
         b.absorbed += model.area[t] * (dvec3(1) - model.rho[t]) * solution.H[t];
-        b.unshot += model.area[t] * solution.unshot[t];
+        const dvec3 unshot = model.area[t] * solution.unshot[t];
+        b.unshot += unshot;
+        b.unshot_size += dvec3(std::abs(unshot.x), std::abs(unshot.y), std::abs(unshot.z));
     }
     b.absorbed += solution.backs;
     b.escaped = solution.escaped;

@@ -31,9 +31,10 @@ double storable(double v);
 /// Energy by channel [F1c]. absorbed + unshot + escaped = emitted, but for rounding.
 struct Books {
     dvec3 emitted{0}, absorbed{0}, unshot{0}, escaped{0};
+    dvec3 unshot_size{0};  ///< unshot without its signs: after an update some of it is negative
     /// The largest |absorbed + unshot + escaped - emitted| / emitted.
     double imbalance() const;
-    /// What is unshot of what is emitted, all channels together; a negative difference counts as much.
+    /// unshot_size by what is emitted, all channels together.
     double unshot_share() const;
 };
 Books books(const Model& model, const Solution& solution);
