@@ -1,5 +1,6 @@
 #include "apps/figure_page.h"
 
+#include "apps/html.h"
 #include "gw/error.h"
 
 #include <fmt/format.h>
@@ -32,21 +33,6 @@ code { display: block; font-size: 80%; color: #444; overflow-wrap: anywhere; mar
 <h1>The figures</h1>
 <p>Each command works from the root of the repository. Rows in brackets are those of docs/papers.md.</p>
 )";
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (char c : text) {
-        if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '&')
-            out += "&amp;";
-        else
-            out += c;
-    }
-    return out;
-}
 
 std::string read_text(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);

@@ -107,6 +107,9 @@ std::vector<const hs::Algorithm*> wanted(const HiddenOptions& options) {
 
 int hidden(const HiddenOptions& options) {
     check(options);
+    image::OutputSet output;
+    for (const auto& folder : {options.steps, options.compare})
+        if (!folder.empty()) output.make_folder(folder);
     Progress progress("reading", options.picture.quiet);
     const Profile profile = load_profile(options.picture);
     const scene::Scene scene = load_scene(options.picture);
@@ -124,8 +127,10 @@ int hidden(const HiddenOptions& options) {
         hs::compare(all.back().result, expected.ids, input);
     }
     progress.at("writing");
-    if (!options.steps.empty()) write_steps(options.steps, input, all.front(), log.steps(), options.pictures);
-    if (!options.compare.empty()) write_comparison(options.compare, input, all);
+    if (!options.steps.empty())
+        put_steps(output, options.steps, input, all.front(), log.steps(), options.pictures);
+    if (!options.compare.empty()) put_comparison(output, options.compare, input, all);
+    output.commit();
     print(options.form == Form::Json  ? counts_json(all)
           : options.form == Form::Csv ? counts_csv(all)
                                       : counts_text(all));

@@ -1,9 +1,10 @@
 #include "apps/hidden_files.h"
 
+#include "apps/hidden_captions.h"
 #include "apps/hidden_pictures.h"
+#include "apps/html.h"
 #include "hiddensurface/pieces_svg.h"
 #include "image/animation.h"
-#include "image/output_set.h"
 #include "image/write.h"
 
 #include <fmt/format.h>
@@ -34,13 +35,15 @@ std::string lines_of(const std::vector<hs::Step>& steps) {
     return text;
 }
 
-void put_steps(image::OutputSet& output, const std::filesystem::path& folder, const hs::Input& input,
-               const std::vector<hs::Step>& steps, const Colors& colors, int pictures) {
+void put_frames(image::OutputSet& output, const std::filesystem::path& folder, const hs::Input& input,
+                const std::string& algorithm, const std::vector<hs::Step>& steps, const Colors& colors,
+                int pictures) {
     hs::Replay replay(steps, input.view.width, input.view.height);
     std::vector<image::Picture> frames;
     for (const std::size_t place : places(steps.size(), pictures)) {
         replay.go_to(place);
-        frames.push_back(picture_of_step(input, replay, colors));
+        frames.push_back(
+            captioned(enlarged(picture_of_step(input, replay, colors)), caption_of_step(algorithm, replay)));
         image::put_picture(output.add(folder / fmt::format("step_{:04}.png", frames.size())), frames.back());
     }
     image::put_animation(output.add(folder / "steps.gif"), frames, frames_per_second);
@@ -61,6 +64,13 @@ std::vector<image::Picture> pictures_of(const hs::Input& input, const hs::Result
             picture_of_counts(result.writes, input.view.width, input.view.height)};
 }
 
+std::vector<image::Picture> sheet_row(std::vector<image::Picture> pictures, const Compared& run) {
+    const auto captions = captions_of(run.algorithm->name, run.result.counts);
+    for (std::size_t k = 0; k < pictures.size(); ++k)
+        pictures[k] = captioned(enlarged(pictures[k]), captions[k]);
+    return pictures;
+}
+
 constexpr const char* kinds[] = {"", "_difference", "_writes"};
 
 std::string html_row(const Compared& run) {
@@ -73,14 +83,6 @@ std::string html_row(const Compared& run) {
            fmt::format(
                "<td>{} ties<br>{} edges<br>{} snapped<br>{} wrong<br>{} splits<br>{} overdraw</td></tr>\n",
                c.ties, c.edges, c.snapped, c.wrong, c.splits, c.overdraw);
-}
-
-/// A scene's name is whatever its file says.
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text)
-        out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    return out;
 }
 
 std::string html(const hs::Input& input, const std::vector<Compared>& all) {
@@ -140,32 +142,27 @@ std::string counts_json(const std::vector<Compared>& all) {
     return list.dump(2) + "\n";
 }
 
-void write_steps(const std::filesystem::path& folder, const hs::Input& input, const Compared& run,
-                 const std::vector<hs::Step>& steps, int pictures) {
-    image::OutputSet output;
-    output.make_folder(folder);
+void put_steps(image::OutputSet& output, const std::filesystem::path& folder, const hs::Input& input,
+               const Compared& run, const std::vector<hs::Step>& steps, int pictures) {
     const Colors colors = flat_colors(input);
     output.add(folder / "steps.jsonl").write_text(lines_of(steps));
-    put_steps(output, folder, input, steps, colors, pictures);
+    put_frames(output, folder, input, run.algorithm->name, steps, colors, pictures);
     if (run.result.counts.splits > 0) put_pieces(output, folder, input, run.result.pieces, colors);
     const auto last = pictures_of(input, run.result, colors);
     image::put_picture(output.add(folder / "picture.png"), last[0]);
     image::put_picture(output.add(folder / "difference.png"), last[1]);
     image::put_picture(output.add(folder / "writes.png"), last[2]);
-    output.commit();
 }
 
-void write_comparison(const std::filesystem::path& folder, const hs::Input& input,
-                      const std::vector<Compared>& all) {
-    image::OutputSet output;
-    output.make_folder(folder);
+void put_comparison(image::OutputSet& output, const std::filesystem::path& folder, const hs::Input& input,
+                    const std::vector<Compared>& all) {
     const Colors colors = flat_colors(input);
     std::vector<std::vector<image::Picture>> rows;
     for (const Compared& run : all) {
-        rows.push_back(pictures_of(input, run.result, colors));
-        for (std::size_t k = 0; k < rows.back().size(); ++k)
-            image::put_picture(output.add(folder / (run.algorithm->name + kinds[k] + ".png")),
-                               rows.back()[k]);
+        const auto pictures = pictures_of(input, run.result, colors);
+        for (std::size_t k = 0; k < pictures.size(); ++k)
+            image::put_picture(output.add(folder / (run.algorithm->name + kinds[k] + ".png")), pictures[k]);
+        rows.push_back(sheet_row(pictures, run));
     }
     image::put_picture(output.add(folder / "sheet.png"), sheet_of(rows));
     image::put_picture(output.add(folder / "complexity.png"),
@@ -173,7 +170,6 @@ void write_comparison(const std::filesystem::path& folder, const hs::Input& inpu
     output.add(folder / "counts.csv").write_text(counts_csv(all));
     output.add(folder / "counts.json").write_text(counts_json(all));
     output.add(folder / "index.html").write_text(html(input, all));
-    output.commit();
 }
 
 }  // namespace gw::apps

@@ -1,7 +1,9 @@
-// What gw hidden writes: the folder of steps, the folder of a comparison, tables. All files appear or none.
+// What gw hidden writes: the folder of steps, the folder of a comparison, tables. The caller makes the
+// folders (before the work: they may be impossible) and commits.
 #pragma once
 
 #include "hiddensurface/compare.h"
+#include "image/output_set.h"
 
 #include <filesystem>
 #include <string>
@@ -22,12 +24,13 @@ std::string counts_json(const std::vector<Compared>& all);
 
 /// steps.jsonl, step_0001.png ... (at most `pictures`, evenly over the log), steps.gif, pieces.svg where
 /// something was split, writes.png, picture.png, difference.png.
-void write_steps(const std::filesystem::path& folder, const hiddensurface::Input& input, const Compared& run,
-                 const std::vector<hiddensurface::Step>& steps, int pictures);
+void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
+               const hiddensurface::Input& input, const Compared& run,
+               const std::vector<hiddensurface::Step>& steps, int pictures);
 
-/// sheet.png (a row for each algorithm: picture, difference, writes), the same pictures one by one,
-/// complexity.png, counts.csv, counts.json, index.html.
-void write_comparison(const std::filesystem::path& folder, const hiddensurface::Input& input,
-                      const std::vector<Compared>& all);
+/// sheet.png (a row for each algorithm: picture, difference, writes, each with a caption), the same pictures
+/// one by one, complexity.png, counts.csv, counts.json, index.html.
+void put_comparison(image::OutputSet& output, const std::filesystem::path& folder,
+                    const hiddensurface::Input& input, const std::vector<Compared>& all);
 
 }  // namespace gw::apps

@@ -15,9 +15,6 @@ namespace hs = hiddensurface;
 
 namespace {
 
-constexpr Color white{255, 255, 255}, yellow{255, 230, 0}, grey{150, 150, 150}, red{230, 20, 20},
-    cyan{0, 210, 230}, blue{70, 90, 255};
-
 image::Picture blank(int width, int height) {
     return {width, height, 3, 8, std::vector<std::uint16_t>(std::size_t(width) * std::size_t(height) * 3)};
 }
@@ -121,16 +118,26 @@ image::Picture picture_of_difference(image::Picture picture, const std::vector<h
 }
 
 image::Picture picture_of_counts(const std::vector<std::uint8_t>& counts, int width, int height) {
-    static constexpr Color colors[] = {{0, 0, 0},      {20, 40, 160},  {20, 150, 60},
-                                       {240, 210, 40}, {240, 130, 20}, red};
     image::Picture picture = blank(width, height);
     for (std::size_t i = 0; i < counts.size(); ++i) {
         const int more = std::min(std::max(counts[i] - 5, 0) * 20, 225);
-        Color color = colors[std::min<std::size_t>(counts[i], 5)];
+        Color color = colors_of_counts[std::min<std::size_t>(counts[i], 5)];
         for (std::uint16_t& v : color) v = static_cast<std::uint16_t>(std::min(v + more, 255));
         put(picture, i, color);
     }
     return picture;
+}
+
+image::Picture enlarged(const image::Picture& picture) {
+    const int times = std::max(320 / picture.width, 1);
+    image::Picture out = blank(picture.width * times, picture.height * times);
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) {
+            const std::size_t from = std::size_t(y / times * picture.width + x / times);
+            std::copy_n(picture.values.begin() + std::ptrdiff_t(3 * from), 3,
+                        out.values.begin() + std::ptrdiff_t(3 * (y * out.width + x)));
+        }
+    return out;
 }
 
 image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows) {

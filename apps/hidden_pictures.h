@@ -2,15 +2,20 @@
 // differences, counts. 3 channels of 8 bits. Does not run algorithms or write files.
 #pragma once
 
+#include "apps/lettering.h"
 #include "hiddensurface/compare.h"
 #include "hiddensurface/replay.h"
-#include "image/picture.h"
 
 #include <map>
 
 namespace gw::apps {
 
-using Color = std::array<std::uint16_t, 3>;
+inline constexpr Color white{255, 255, 255}, yellow{255, 230, 0}, grey{150, 150, 150}, red{230, 20, 20},
+    cyan{0, 210, 230}, blue{70, 90, 255};
+
+/// 0, 1, 2, 3, 4, 5 times; more times is this red towards white.
+inline constexpr std::array<Color, 6> colors_of_counts{
+    {{0, 0, 0}, {50, 90, 230}, {20, 150, 60}, {240, 210, 40}, {240, 130, 20}, red}};
 
 /// A colour for each identifier: Kd of its material, darker the more it is turned from the eye; 0 is the
 /// background.
@@ -28,8 +33,11 @@ image::Picture picture_of_step(const hiddensurface::Input& input, const hiddensu
 image::Picture picture_of_difference(image::Picture picture,
                                      const std::vector<hiddensurface::Difference>& difference);
 
-/// 0 black, 1 blue, 2 green, 3 yellow, 4 orange, 5 red, more towards white.
+/// In colors_of_counts.
 image::Picture picture_of_counts(const std::vector<std::uint8_t>& counts, int width, int height);
+
+/// A small picture so many times as large, dots for pixels, that it is about 320 pixels wide.
+image::Picture enlarged(const image::Picture& picture);
 
 /// Rows of pictures of one size, 4 pixels apart, the first row on top.
 image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows);

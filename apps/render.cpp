@@ -81,10 +81,6 @@ void check_different(const FrameFiles& files) {
 void check(const RenderOptions& options) {
     const FrameFiles& files = options.files;
     if (files.picture.empty()) throw UsageError("--output is empty; expected the name of a picture");
-    if (options.picture.samples > 1 && !renderer_named(options.picture.renderer).superposes) {
-        throw UsageError("--samples: renderer " + options.picture.renderer +
-                         " takes one sample a pixel; expected hardware, multipass or raytrace");
-    }
     image::check_target(files.picture);
     try {
         image::check_extension(files.picture);

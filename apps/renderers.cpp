@@ -1,9 +1,9 @@
 #include "apps/renderers.h"
 
-#include "gw/error.h"
 #include "hiddensurface/scan_line_renderer.h"
 #include "itembuffer/ordinary.h"
 #include "multipass/driver.h"
+#include "multipass/superpose.h"
 
 #include <algorithm>
 
@@ -28,9 +28,13 @@ void draw_multipass(Machine& machine, const scene::Scene& scene, const scene::Vi
 
 void draw_scan_lines(Machine& machine, const scene::Scene& scene, const scene::View& view,
                      const DrawOptions& options) {
-    if (options.passes.samples > 1)
-        throw Error("the scan-line renderer takes one sample a pixel; expected --samples 1");
-    machine.execute(hiddensurface::scan_line_picture(scene, view, machine.profile()));
+    scene::Scene now = scene;
+    multipass::superpose(machine, options.passes.samples, 0, [&](const multipass::Sample& sample) {
+        multipass::move_to(now, scene, sample);
+        machine.execute(
+            hiddensurface::scan_line_picture(now, multipass::view_at(view, sample), machine.profile(),
+                                             multipass::jitter_of(sample, machine.profile().subpixel_bits)));
+    });
 }
 
 void draw_rays(Machine& machine, const scene::Scene& scene, const scene::View& view,
@@ -45,11 +49,7 @@ const std::vector<Renderer>& renderers() {
         {"hardware", "equation 1, everything in one pass", draw_hardware, multipass::Renderer::Hardware},
         {"multipass", "equations 2, 4 and 5, a pass for each component, reflections by rays (default)",
          draw_multipass, multipass::Renderer::Multipass},
-        {"scanline",
-         "equation 3 at every pixel of a scan line's spans; no shadows",
-         draw_scan_lines,
-         {},
-         false},
+        {"scanline", "equation 3 at every pixel of a scan line's spans; no shadows", draw_scan_lines, {}},
         {"raytrace", "the ordinary ray tracer", draw_rays, {}},
     };
     return all;

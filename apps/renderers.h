@@ -29,7 +29,6 @@ struct Renderer {
     std::function<void(Machine&, const scene::Scene&, const scene::View&, const DrawOptions&)> draw;
     /// Whose pass list it draws, where it draws one: only then there are passes and components to show.
     std::optional<multipass::Renderer> passes;
-    bool superposes = true;  ///< draws several samples
 };
 
 const std::vector<Renderer>& renderers();

@@ -94,7 +94,7 @@ Command add_styles(CLI::App& app) {
     command->get_option("--size")->description(
         "Pixels of each of the six, both sides 1..4096 (default 320x240)");
     command->add_option("-o,--output", options->output, "The figure")->required()->type_name("IMAGE");
-    command->footer("Example:\n  build/release/bin/gw styles scenes/teapot.toml -o styles.png");
+    command->footer("Example:\n  build/release/bin/gw styles scenes/styles.toml -o styles.png");
     return {command, [options] { return styles(*options); }};
 }
 

@@ -22,11 +22,14 @@ std::string outline(const Loop& loop, const Paper& paper, const std::string& col
                        color);
 }
 
+/// Even ones to the right of the middle: two middles may be one point.
 std::string number(const Loop& loop, const Paper& paper, std::size_t n) {
     dvec3 middle(0);
     for (const dvec3& p : loop) middle += p / double(loop.size());
-    return fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"8\" text-anchor=\"middle\">{}</text>\n",
-                       middle.x / paper.unit, paper.height - middle.y / paper.unit, n);
+    return fmt::format(
+        "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"8\" text-anchor=\"middle\" "
+        "stroke=\"white\" stroke-width=\"2\" paint-order=\"stroke\">{}</text>\n",
+        middle.x / paper.unit + (n % 2 == 0 ? 4 : -4), paper.height - middle.y / paper.unit, n);
 }
 
 }  // namespace
@@ -43,9 +46,11 @@ std::string pieces_svg(const Input& input, const std::vector<Piece>& pieces,
             fmt::format("piece {} of polygon {}", i + 1, input.polygons[pieces[i].polygon].id);
         svg += "<g fill-opacity=\"0.8\"><title>" + id + "</title>\n";
         for (const Loop& part : pieces[i].parts) svg += outline(part, paper, colors[pieces[i].polygon]);
-        if (!pieces[i].parts.empty()) svg += number(pieces[i].parts.front(), paper, i + 1);
         svg += "</g>\n";
     }
+    // Above all pieces, or later ones hide them.
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (!pieces[i].parts.empty()) svg += number(pieces[i].parts.front(), paper, i + 1);
     return svg + "</svg>\n";
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gw/profile.h"
+#include "gw/state.h"
 #include "hiddensurface/depth_plane.h"
 #include "scene/scene.h"
 #include "scene/view.h"
@@ -49,8 +50,10 @@ struct Polygon {
     bool visible() const { return !triangles.empty(); }
 };
 
-/// All polygons of a scene in the order in which the machine draws them; those outside the window too.
-std::vector<Polygon> project(const scene::Scene& scene, const scene::View& view, const Profile& profile);
+/// All polygons of a scene in the order in which the machine draws them; those outside the window too. The
+/// jitter moves the snapped corners, as on the machine.
+std::vector<Polygon> project(const scene::Scene& scene, const scene::View& view, const Profile& profile,
+                             const JitterState& jitter = {});
 
 /// (P_E, 1), or (the direction towards the eye, 0) where all lines of sight are parallel.
 dvec4 eye_of(const scene::View& view);

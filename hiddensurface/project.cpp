@@ -22,16 +22,18 @@ namespace {
 struct Placed {
     const scene::Object& object;
     const Profile& profile;
+    JitterState jitter;
     Resolved resolved;
     std::vector<Vertex> vertices;
 };
 
-Placed place(const scene::Object& object, const scene::View& view, const Profile& profile) {
+Placed place(const scene::Object& object, const scene::View& view, const Profile& profile,
+             const JitterState& jitter) {
     State state = scene::view_state(view);
     state.color_source = ColorSource::PolygonId;
     const Draw draw = scene::placed(object, view);
     const VertexProgram program = vertex_program(state, draw, profile);
-    Placed placed{object, profile, resolve(state, profile, view.width, view.height), {}};
+    Placed placed{object, profile, jitter, resolve(state, profile, view.width, view.height), {}};
     for (std::uint32_t i = 0; i < object.mesh->vertex_count(); ++i)
         placed.vertices.push_back(run_vertex(program, i));
     return placed;
@@ -44,7 +46,7 @@ std::vector<GridPoint> window_corners(const Placed& p, std::span<const std::uint
     std::vector<GridPoint> out;
     for (const Vertex& v : clip(std::move(vertices), p.resolved.viewport).vertices) {
         const WindowVertex w = to_window(v, p.resolved.viewport, p.resolved.state.depth_range, p.profile);
-        out.push_back({w.x, w.y, std::int64_t{w.z}});
+        out.push_back({w.x + p.jitter.x, w.y + p.jitter.y, std::int64_t{w.z}});
     }
     return out;
 }
@@ -185,13 +187,14 @@ void set_world_facets(Polygon& polygon, const scene::Object& object, std::span<c
 
 }  // namespace
 
-std::vector<Polygon> project(const scene::Scene& scene, const scene::View& view, const Profile& profile) {
+std::vector<Polygon> project(const scene::Scene& scene, const scene::View& view, const Profile& profile,
+                             const JitterState& jitter) {
     std::vector<Polygon> all;
     const scene::PolygonIds ids = scene::polygon_ids(scene);
     for (std::size_t o = 0; o < scene.objects.size(); ++o) {
         const Mesh& mesh = *scene.objects[o].mesh;
         if (mesh.kind() != MeshKind::Triangles) continue;
-        const Placed placed = place(scene.objects[o], view, profile);
+        const Placed placed = place(scene.objects[o], view, profile, jitter);
         const auto corners = polygon_corners(mesh);
         std::size_t t = 0;
         for (std::uint32_t k = 0; k < mesh.polygon_count(); ++k) {

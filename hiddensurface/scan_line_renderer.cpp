@@ -11,7 +11,10 @@ namespace {
 
 class Shader {
 public:
-    explicit Shader(const Input& input) : input_(input), surfaces_(input.scene, input.view) {
+    Shader(const Input& input, const JitterState& jitter)
+        : input_(input), surfaces_(input.scene, input.view) {
+        const double unit = 1.0 / double(1 << input.subpixel_bits());
+        center_ = dvec2(0.5) - dvec2(jitter.x, jitter.y) * unit;
         for (const scene::Object& object : input.scene.objects) {
             lights_.emplace_back();
             for (const scene::Light& light : input.scene.lights)
@@ -25,7 +28,7 @@ public:
         const WindowTriangle& triangle = polygon.triangles[span.triangle];
         const scene::Object& object = input_.scene.objects[polygon.object];
         const scene::SurfacePoint point =
-            surfaces_.at(polygon.object, triangle.source, x, span.run.y, is_front(triangle));
+            surfaces_.at(polygon.object, triangle.source, dvec2(x, span.run.y) + center_, is_front(triangle));
         const dvec3 sum =
             scene::shade(input_.scene.materials.at(object.material), lights_[polygon.object], point);
         const auto store = [this](double v) {
@@ -37,6 +40,7 @@ public:
 private:
     const Input& input_;
     Surfaces surfaces_;
+    dvec2 center_;                                ///< of pixel 0, 0 in the unjittered window
     std::vector<std::vector<gw::Light>> lights_;  ///< of each object
 };
 
@@ -55,11 +59,12 @@ void add_line(CommandList& list, const Shader& shader, const std::vector<Visible
 
 }  // namespace
 
-CommandList scan_line_picture(const scene::Scene& scene, const scene::View& view, const Profile& profile) {
-    const Input input = make_input(scene, view, profile);
+CommandList scan_line_picture(const scene::Scene& scene, const scene::View& view, const Profile& profile,
+                              const JitterState& jitter) {
+    const Input input{scene, view, profile, project(scene, view, profile, jitter)};
     CommandList list = begin_picture(input, "scan-line, eq. 3");
     std::get<Clear>(list.commands.back()).color = vec4(scene.background, 1);
-    const Shader shader(input);
+    const Shader shader(input, jitter);
     Counts counts;
     StepLog none;
     for_visible_spans(input, counts, none,

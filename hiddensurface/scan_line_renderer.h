@@ -10,7 +10,9 @@
 namespace gw::hiddensurface {
 
 /// The picture as spans of colours on the scene's background, depth test off. Colours are clamped once, to
-/// nearest.
-CommandList scan_line_picture(const scene::Scene& scene, const scene::View& view, const Profile& profile);
+/// nearest. The jitter moves the scene by less than a pixel, as the machine's own does: pictures to be
+/// averaged.
+CommandList scan_line_picture(const scene::Scene& scene, const scene::View& view, const Profile& profile,
+                              const JitterState& jitter = {});
 
 }  // namespace gw::hiddensurface

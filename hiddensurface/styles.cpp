@@ -8,7 +8,7 @@ namespace gw::hiddensurface {
 
 namespace {
 
-constexpr double depth_shift = 1.0 / 4096;
+constexpr double depth_shift = 1.0 / 1024;
 
 CommandList begin(const std::string& name, const State& state) {
     CommandList list;

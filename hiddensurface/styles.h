@@ -16,7 +16,7 @@ CommandList wireframe(const scene::Scene& scene, const scene::View& view);
 CommandList depth_cueing(const scene::Scene& scene, const scene::View& view);
 
 /// [L1 c] Z of the faces first, then the sides under LEqual. Faces must lie a little behind their own sides:
-/// by polygon offset where the profile has it; else by the depth range, faces in the upper 4095/4096 of it,
+/// by polygon offset where the profile has it; else by the depth range, faces in the upper 1023/1024 of it,
 /// sides in the lower. That shifts by the same amount everywhere: on steep faces parts of sides may break,
 /// and sides nearer than the shift behind a face show through.
 CommandList hidden_lines(const scene::Scene& scene, const scene::View& view, const Profile& profile);

@@ -44,7 +44,8 @@ Surfaces::Sight Surfaces::sight(double x, double y) const {
     return {dvec3((nx - m[3].x) / m[0].x, (ny - m[3].y) / m[1].y, 0), dvec3(0, 0, -1)};
 }
 
-scene::SurfacePoint Surfaces::at(std::size_t object, std::uint32_t triangle, int x, int y, bool front) const {
+scene::SurfacePoint Surfaces::at(std::size_t object, std::uint32_t triangle, const dvec2& at,
+                                 bool front) const {
     const Placed& placed = placed_[object];
     const auto& vertex = placed.mesh->triangles()[triangle].vertex;
     std::array<dvec3, 3> p, n;
@@ -58,12 +59,12 @@ scene::SurfacePoint Surfaces::at(std::size_t object, std::uint32_t triangle, int
         const Sight s = sight(i, j);
         return weights_at(p, s.origin, s.direction);
     };
-    const Weights here = weights(x + 0.5, y + 0.5), w = inside(here);
+    const Weights here = weights(at.x, at.y), w = inside(here);
     scene::SurfacePoint out{.p = mix(w, p), .n = normalized(mix(w, n)), .st = mix(w, st)};
     if (!front) out.n = -out.n;
     out.to_eye = normalized(-out.p);  // a local viewer, as the machine's
-    out.st_dx = mix(weights(x + 1.5, y + 0.5), st) - mix(here, st);
-    out.st_dy = mix(weights(x + 0.5, y + 1.5), st) - mix(here, st);
+    out.st_dx = mix(weights(at.x + 1, at.y), st) - mix(here, st);
+    out.st_dy = mix(weights(at.x, at.y + 1), st) - mix(here, st);
     return out;
 }
 

@@ -12,9 +12,9 @@ class Surfaces {
 public:
     Surfaces(const scene::Scene& scene, const scene::View& view);
 
-    /// The point of the triangle that the ray through (x + 1/2, y + 1/2) meets; beyond its border by
-    /// rounding, the nearest point. `front`: which side is seen, by the triangle's winding in the window.
-    scene::SurfacePoint at(std::size_t object, std::uint32_t triangle, int x, int y, bool front) const;
+    /// The point of the triangle that the ray through `p`, in pixels, meets; beyond its border by rounding,
+    /// the nearest point. `front`: which side is seen, by the triangle's winding in the window.
+    scene::SurfacePoint at(std::size_t object, std::uint32_t triangle, const dvec2& p, bool front) const;
 
 private:
     struct Placed {

@@ -109,23 +109,29 @@ private:
     }
 
     /// One segment nearest at both ends by more than rounding, or tied with later ones only, is nearest in
-    /// between: depths are linear. Otherwise segments cross here, and every pixel is asked.
+    /// between: depths are linear. Otherwise segments cross here, and every pixel is asked, z by increments.
     void resolve(const Run& run, const std::vector<const Segment*>& over, std::vector<VisibleSpan>& line) {
         counts_.spans += 1;
-        const Segment* first = nearest(run.y, run.x0, over);
+        std::vector<DepthWalk> walks;
+        for (const Segment* s : over) walks.emplace_back(*s->of->depth, run.x0, run.y);
+        const Segment* first = nearest(over, walks);
         const bool whole = std::all_of(over.begin(), over.end(), [&](const Segment* other) {
             return other == first || stays_before(run, *first, *other);
         });
-        if (log_.wants(Level::Span)) log_span(run, over, whole ? "one is nearest" : "they cross");
+        if (log_.wants(Level::Span)) log_span(run, over, whole ? "one nearest" : "they cross");
         if (whole) return add(run, *first, line);
-        for (int x = run.x0; x < run.x1; ++x) add({run.y, x, x + 1}, *nearest(run.y, x, over), line);
+        for (int x = run.x0; x < run.x1; ++x) {
+            add({run.y, x, x + 1}, *nearest(over, walks), line);
+            for (DepthWalk& walk : walks) walk.right();
+        }
     }
 
-    const Segment* nearest(int y, int x, const std::vector<const Segment*>& over) {
+    /// `walks`: the depths of the segments at one pixel.
+    const Segment* nearest(const std::vector<const Segment*>& over, const std::vector<DepthWalk>& walks) {
         const Segment* best = over.front();
-        std::int64_t z_best = best->of->depth->at(x, y);
+        std::int64_t z_best = walks.front().z();
         for (std::size_t i = 1; i < over.size(); ++i) {
-            const std::int64_t z = over[i]->of->depth->at(x, y);
+            const std::int64_t z = walks[i].z();
             counts_.depths += 1;
             if (z < z_best || (z == z_best && in_order(over[i], best))) {
                 best = over[i];
@@ -157,7 +163,7 @@ private:
     }
 
     void log_span(const Run& run, const std::vector<const Segment*>& over, const char* result) {
-        Step step{Level::Span, Action::Compare, {}, "depths at both ends of a span", result, run.y};
+        Step step{Level::Span, Action::Compare, {}, "at both ends", result, run.y};
         for (const Segment* s : over) step.polygons.push_back(input_.polygons[s->of->polygon].id);
         step.before = {{dvec3(run.x0, run.y, 0), dvec3(run.x1, run.y, 0)}};
         log_.add(std::move(step));

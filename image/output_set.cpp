@@ -3,6 +3,11 @@
 #include "gw/error.h"
 #include "image/temporaries.h"
 
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
 namespace gw::image {
 
 namespace fs = std::filesystem;
@@ -18,7 +23,12 @@ OutputSet::~OutputSet() {
 
 void OutputSet::make_folder(const fs::path& folder) {
     std::error_code error;
-    if (fs::is_directory(folder, error)) return;
+    if (fs::is_directory(folder, error)) {
+        if (::access(folder.c_str(), W_OK) != 0)
+            throw Error(folder.string(), 0,
+                        std::string("folder cannot be written into: ") + std::strerror(errno));
+        return;
+    }
     if (fs::exists(folder, error)) {
         throw Error(folder.string(), 0, "is not a folder; expected one, or a name for a new one");
     }

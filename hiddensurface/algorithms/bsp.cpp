@@ -62,7 +62,7 @@ Output run(const Input& input, StepLog& log) {
         log.add({Level::Polygon,
                  Action::Split,
                  {input.polygons[piece.of.polygon].id, input.polygons[by.polygon].id},
-                 "by the plane of the second, in the world",
+                 "by the second's plane",
                  "",
                  -1,
                  {},

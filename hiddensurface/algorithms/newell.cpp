@@ -131,7 +131,7 @@ private:
 
     bool move_to_end(std::size_t q) {
         output_.counts.swaps += 1;
-        if (log_.on()) decide({list_[q]}, "order", "moved to the far end");
+        if (log_.on()) decide({list_[q]}, "order", "to the far end");
         list_[q].moved = true;
         std::rotate(list_.begin() + std::ptrdiff_t(q), list_.begin() + std::ptrdiff_t(q) + 1, list_.end());
         log_order();
@@ -161,7 +161,7 @@ private:
             log_.add({Level::Polygon,
                       Action::Split,
                       {polygon(list_[i]).id, polygon(list_[j]).id},
-                      "by the plane of the second",
+                      "by the second's plane",
                       "",
                       -1,
                       {},

@@ -28,7 +28,7 @@ Targets targets_of(const Input& input) {
 
 void log_ray(int x, int y, const std::vector<Painted>& painted, StepLog& log) {
     const bool hit = !painted.empty() && painted.back().run.x1 == x + 1;
-    Step step{Level::Pixel, Action::Compare, {}, "ray against every polygon", hit ? "hit" : "background", y};
+    Step step{Level::Pixel, Action::Compare, {}, "every polygon", hit ? "hit" : "background", y};
     if (hit) step.polygons = {painted.back().id};
     step.before = {{dvec3(x, y, 0), dvec3(x + 1, y, 0)}};
     log.add(std::move(step));

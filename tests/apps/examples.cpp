@@ -4,12 +4,12 @@
 
 namespace gw::apps {
 
-std::vector<std::string> ExampleTest::examples(const std::string& text) {
+std::vector<std::string> ExampleTest::examples(const std::string& text, const std::string& command) {
     std::vector<std::string> found;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         const std::size_t first = line.find_first_not_of(' ');
-        if (first != line.npos && first > 0 && line.substr(first, 20) == "build/release/bin/gw") {
+        if (first != line.npos && first > 0 && line.substr(first, command.size()) == command) {
             found.push_back(line.substr(first));
         }
     }

@@ -16,8 +16,9 @@ protected:
         fs::create_directory_symlink(GW_BIN_DIR, in("build/release/bin"));
     }
 
-    /// The lines of `text` that are commands of gw.
-    static std::vector<std::string> examples(const std::string& text);
+    /// The lines of `text` that are commands of gw: indented, beginning with `command`.
+    static std::vector<std::string> examples(const std::string& text,
+                                             const std::string& command = "build/release/bin/gw");
     /// Each by a shell; expects exit code 0 and an empty stderr.
     void expect_to_work(const std::vector<std::string>& commands) const;
 };

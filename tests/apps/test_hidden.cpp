@@ -1,4 +1,5 @@
 // gw hidden and gw styles: what they write, print and refuse.
+#include "apps/hidden_captions.h"
 #include "command_test.h"
 #include "pictures.h"
 
@@ -63,7 +64,44 @@ TEST_F(Hidden, WritesAComparisonOfAll) {
                              "bsp.png", "bsp_difference.png", "bsp_writes.png"})
         EXPECT_EQ(std::count(found.begin(), found.end(), name), 1) << name;
     const Pixels sheet = read_pixels(in("c/sheet.png"));
-    EXPECT_EQ(sheet.width, 3 * 52 - 4);
+    EXPECT_EQ(sheet.width, 3 * (6 * 48 + 4) - 4);  // enlarged, so that captions can be read
+}
+
+TEST_F(Hidden, WritesOverEachPictureWhatItShows) {
+    hiddensurface::Replay replay(
+        {{.action = hiddensurface::Action::Compare, .polygons = {7, 8}, .test = "x", .result = "yes"}}, 4, 4);
+    replay.go_to(1);
+    const auto lines = caption_of_step("newell", replay);
+    ASSERT_EQ(lines.size(), 3u);
+    EXPECT_EQ(lines[0][0].text, "newell");
+    EXPECT_EQ(lines[0][1].text, "1 of 1");
+    EXPECT_EQ(lines[1][1].text, "7");
+    EXPECT_EQ(lines[1][2].text, "8");
+    EXPECT_EQ(lines[2][1].text, "yes");
+    const auto cells = captions_of("bsp", {.snapped = 5, .wrong = 3});
+    EXPECT_EQ(cells[0][0][0].text, "bsp");
+    EXPECT_EQ(cells[1][0][0].text, "3 wrong");
+    EXPECT_EQ(cells[1][1][2].text, "5 snapped");
+}
+
+// The scene's name is the scene's file's.
+TEST_F(Hidden, EscapesTheScenesName) {
+    const std::string hostile = "<script>alert(1)</script> & 'a' \"b\"";
+    write("quad.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
+    write("scene.toml", "name = '''" + hostile + "'''\n[[object]]\nfile = \"quad.obj\"\n");
+    const Outcome outcome = gw({"hidden", "scene.toml", "--size", "16x12", "--compare", "c"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const std::string page = bytes_of(in("c/index.html"));
+    EXPECT_EQ(page.find("<script>"), page.npos);
+    EXPECT_NE(page.find("&lt;script&gt;alert(1)&lt;/script&gt; &amp; &#39;a&#39; &quot;b&quot;"), page.npos);
+}
+
+// A scene that takes long is not even read.
+TEST_F(Hidden, FindsOutFirstThatItCannotWrite) {
+    write("file", "");
+    expect_refused(1, {"hidden", "none.toml", "--compare", "no/such"}, {"no/such"});
+    expect_refused(1, {"hidden", "none.toml", "--algorithm", "bsp", "--steps", "file"},
+                   {"file", "not a folder"});
 }
 
 TEST_F(Hidden, RefusesWhatMakesNoSense) {

@@ -1,6 +1,8 @@
-// Claims: on 300 random scenes, ten families of thirty, the algorithms that claim to be right agree with the
-// Z-buffer polygon by polygon, but for ties and edges made by splitting; Newell, Newell and Sancha's
-// algorithm leaves no pair undecided; and the painters fail. [L5, L6, L8, L9]
+// Claims: on random scenes of ten families the algorithms that claim to be right agree with the Z-buffer
+// pixel by pixel, but for ties, edges made by splitting and, by the tree only, what the snap turns over; and
+// no pair is left undecided: Newell, Newell and Sancha's algorithm, the tree and the scan line on thirty
+// scenes of each (300), ray casting on three (30). The painters fail, on five scenes of each of seven
+// families. [L5, L6, L8, L9]
 #include "families.h"
 
 #include <gtest/gtest.h>
@@ -52,14 +54,16 @@ TEST_P(Families, AreTheZBuffersByAlgorithmsThatDecideInTheWindow) {
 TEST_P(Families, AreTheScenesByATreeBuiltInTheWorld) {
     const Counts sum = run("bsp");
     EXPECT_LE((sum.ties + sum.edges) * 1000, sum.pixels);
-    const bool surfaces_meet = family().meets;
-    EXPECT_LE(sum.snapped * (surfaces_meet ? 4 : 1000), sum.pixels);
+    EXPECT_LE(sum.snapped * family().snapped_one_in, sum.pixels);
 }
 
+// Plainly: more than one pixel in a hundred.
 TEST_P(Families, DefeatThePainters) {
-    if (family().sortable) return;
-    for (const char* name : {"painter-farthest", "painter-nearest", "painter-centroid"})
-        EXPECT_GT(run(name, 5).wrong, 0u) << name;
+    if (!family().defeats_sorting) return;
+    for (const char* name : {"painter-farthest", "painter-nearest", "painter-centroid"}) {
+        const Counts sum = run(name, 5);
+        EXPECT_GT(sum.wrong * 100, sum.pixels) << name;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Families, testing::Range<std::size_t>(0, families().size()),

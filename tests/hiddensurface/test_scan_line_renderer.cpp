@@ -61,6 +61,40 @@ TEST(ScanLineRenderer, ClearsToTheBackgroundAndLeavesZAlone) {
     EXPECT_EQ(machine->planes().depth, before);
 }
 
+// The same pixels as the machine's own jittered picture; and the light of the point that lies there then.
+TEST(ScanLineRenderer, MovesWithTheJitterAsTheMachineDoes) {
+    scene::Scene scene = random_triangles(3, 12);
+    scene.materials[0] = {.Ka = vec3(0), .Kd = vec3(0), .Ks = vec3(0), .Ke = vec3(1)};
+    const scene::View view = scene::make_view(scene, 40, 30);
+    std::vector<std::vector<Rgba>> pictures;
+    for (const JitterState& jitter : {JitterState{}, JitterState{3, -2}, JitterState{-4, 4}}) {
+        const auto machine = make_reference(vgx(), 40, 30);
+        machine->execute(scan_line_picture(scene, view, vgx(), jitter));
+        pictures.push_back(machine->planes().color);
+        machine->execute(scene::id_pass(scene, view, {.jitter = jitter}));
+        for (std::size_t i = 0; i < pictures.back().size(); ++i)
+            EXPECT_EQ(pictures.back()[i][0] != 0, scene::id_of(machine->planes().color[i]) != 0) << i;
+    }
+    EXPECT_NE(pictures[1], pictures[0]);
+    EXPECT_NE(pictures[2], pictures[0]);
+}
+
+// A texture of a step at every pixel's middle: half a pixel of jitter moves the picture onto the other texel.
+TEST(ScanLineRenderer, ShadesThePointThatTheJitterMovesUnderThePixel) {
+    scene::Scene scene = square({.Ka = vec3(0), .Kd = vec3(0), .Ks = vec3(0), .Ke = vec3(1)}, {});
+    scene.camera->ortho_height = 18;           // the square fills the window of 18 x 18
+    scene.materials[0].map_Ke = {half_map()};  // red left of the middle, green right of it
+    const scene::View view = scene::make_view(scene, 18, 18);
+    const auto green_at = [&](int jitter, int x) {
+        const auto machine = make_reference(vgx(), 18, 18);
+        machine->execute(scan_line_picture(scene, view, vgx(), {jitter, 0}));
+        return machine->planes().color[std::size_t(9 * 18 + x)][1];
+    };
+    // Green grows from left to right here; the picture moved right has at x what was left of it.
+    EXPECT_LT(green_at(4, 9), green_at(0, 9));
+    EXPECT_GT(green_at(-4, 9), green_at(0, 9));
+}
+
 TEST(Shade, MultipliesEachComponentByItsOwnMap) {
     scene::Material material{.Ka = vec3(1), .Kd = vec3(1), .Ks = vec3(1), .Ke = vec3(0.125f), .Ns = 1};
     material.map_Kd = {half_map()};

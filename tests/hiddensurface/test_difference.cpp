@@ -1,0 +1,63 @@
+// Claims: a differing pixel is the snap's only where the scene has the order that is shown, the snapped
+// corners have the other, and both are as near to each other as the snap can move them. [L5]
+#include "cases.h"
+
+#include <gtest/gtest.h>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+/// In this view the grid has 120 units to one of the world, and (0, 0) is on it.
+constexpr double unit = 1.0 / 120;
+
+/// z = x + `nearer`, from -1 to 1 but for `off` units in x.
+void add_slope(MeshData& data, double nearer, double off) {
+    for (const auto& [x, y] :
+         {std::pair(-1.0, -1.0), std::pair(1.0, -1.0), std::pair(1.0, 1.0), std::pair(-1.0, 1.0)})
+        data.positions.push_back(vec3(float(x + off * unit), float(y), float(x + off * unit + nearer)));
+}
+
+/// Polygon 1 before polygon 2, `apart` units of the world; corners this far right of the grid's points.
+scene::Scene two_slopes(double apart, double off_1, double off_2) {
+    MeshData data{.primitive = Primitive::Quads};
+    add_slope(data, apart, off_1);
+    add_slope(data, 0, off_2);
+    scene::Scene scene = polygon_scene(std::move(data));
+    scene.camera->ortho_height = 8;
+    return scene;
+}
+
+constexpr int x = 80, y = 60;
+
+}  // namespace
+
+// The first one's corners move 0.45 units to the right and its surface back, the second one's the other way.
+TEST(Snap, IsWhatTurnsTwoSurfacesOver) {
+    Stage stage(two_slopes(0.4 * unit, 0.55, 0.45));
+    const Differences differences(stage.input, {});
+    EXPECT_EQ(stage.z_buffer.ids[160 * y + x], 2u);
+    EXPECT_EQ(differences.at(1, 2, x, y), Difference::Snap);
+    EXPECT_EQ(differences.at(2, 2, x, y), Difference::None);
+    EXPECT_EQ(differences.at(0, 2, x, y), Difference::Wrong);
+    const Counts tree = stage.run("bsp").counts;
+    EXPECT_GT(tree.snapped, 500u);
+    EXPECT_EQ(tree.wrong, 0u);
+    EXPECT_EQ(stage.run("newell").ids, stage.z_buffer.ids);
+}
+
+TEST(Snap, ExcusesNothingThatIsBehindInTheScene) {
+    Stage stage(two_slopes(0.4 * unit, 0, 0));  // as near to each other, and on the grid
+    EXPECT_EQ(stage.z_buffer.ids[160 * y + x], 1u);
+    EXPECT_EQ(Differences(stage.input, {}).at(2, 1, x, y), Difference::Wrong);
+    EXPECT_EQ(stage.run("bsp").ids, stage.z_buffer.ids);
+}
+
+// The depths as drawn are farther apart than half a unit at every corner makes them, whatever the scene says.
+TEST(Snap, ReachesHalfAUnitAtEveryCorner) {
+    Stage stage(two_slopes(-3 * unit, 0, 0));
+    EXPECT_EQ(stage.z_buffer.ids[160 * y + x], 2u);
+    EXPECT_EQ(Differences(stage.input, {}).at(1, 2, x, y), Difference::Wrong);
+}
+
+}  // namespace gw::hiddensurface
