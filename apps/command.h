@@ -27,6 +27,12 @@ struct Command {
 
 Command add_render(CLI::App& app);
 Command add_passes(CLI::App& app);
+Command add_record(CLI::App& app);
+Command add_replay(CLI::App& app);
+Command add_verify(CLI::App& app);
+Command add_diff(CLI::App& app);
+Command add_pixel(CLI::App& app);
+Command add_maps(CLI::App& app);
 Command add_hidden(CLI::App& app);
 Command add_styles(CLI::App& app);
 Command add_cast(CLI::App& app);

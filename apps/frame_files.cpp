@@ -1,10 +1,12 @@
 #include "apps/frame_files.h"
 
-#include "apps/counters_table.h"
-#include "apps/digesting_machine.h"
-#include "apps/manifest.h"
+#include "apps/recording_files.h"
 #include "image/planes.h"
 #include "image/write.h"
+#include "inspect/counter_names.h"
+#include "inspect/digesting_machine.h"
+#include "inspect/manifest.h"
+#include "inspect/recorder.h"
 #include "multipass/driver.h"
 #include "multipass/scene_maps.h"
 #include "scene/draw_commands.h"
@@ -106,12 +108,14 @@ void draw_frame(const Drawing& drawing, const FrameFiles& files) {
     if (files.manifest.empty()) {
         draw(drawing, view, *machine);
     } else {
-        DigestingMachine digesting(*machine);
-        draw(drawing, view, digesting);
-        output.add(files.manifest).write_text(manifest(drawing, view, *machine));
+        inspect::DigestingMachine digesting(*machine);
+        inspect::Recorder recorder(digesting);
+        draw(drawing, view, recorder);
+        const inspect::Recording recording = recording_of(drawing, recorder.lists());
+        output.add(files.manifest).write_text(to_json(manifest_of(recording, machine->passes())));
     }
     if (!files.counters.empty())
-        output.add(files.counters).write_text(totals_json(machine->passes()).dump(2) + "\n");
+        output.add(files.counters).write_text(inspect::totals_json(machine->passes()).dump(2) + "\n");
     const image::Picture picture = picture_of(drawing, machine->planes().color, files.tone);
     image::put_picture(output.add(files.picture), picture);
     if (!files.planes.empty()) put_planes(drawing, *machine, view, files, output);

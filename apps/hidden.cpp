@@ -26,12 +26,6 @@ struct HiddenOptions {
     Form form = Form::Text;
 };
 
-std::vector<std::string> algorithm_names() {
-    std::vector<std::string> names;
-    for (const hs::Algorithm& algorithm : hs::algorithms()) names.push_back(algorithm.name);
-    return names;
-}
-
 std::string algorithms_help() {
     std::string help = "One algorithm (default: all of them):";
     for (const hs::Algorithm& algorithm : hs::algorithms())
@@ -84,7 +78,7 @@ void add_options(CLI::App& command, HiddenOptions& options) {
         .add_option_function<std::string>(
             "--algorithm",
             [&](const std::string& word) {
-                options.algorithm = one_of("--algorithm", word, algorithm_names());
+                options.algorithm = one_of("--algorithm", word, hs::algorithm_names());
             },
             algorithms_help())
         ->type_name("NAME");

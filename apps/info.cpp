@@ -1,9 +1,9 @@
 // gw info: what this build of the machine is and what it was made with.
 #include "apps/command.h"
-#include "apps/profile_json.h"
 #include "apps/terminal.h"
 #include "apps/versions.h"
 #include "gw/machine.h"
+#include "inspect/profile_json.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -63,7 +63,7 @@ std::string text() {
 
 std::string json() {
     nlohmann::ordered_json json{{"version", version()}, {"profiles", nlohmann::ordered_json::array()}};
-    for (const Profile& profile : profiles()) json["profiles"].push_back(json_of(profile));
+    for (const Profile& profile : profiles()) json["profiles"].push_back(inspect::json_of(profile));
     json["max_window_size"] = max_window_size;
     json["threads"] = std::thread::hardware_concurrency();
     json["vectors"] = simd_target();

@@ -1,17 +1,15 @@
 // gw passes: the parameter sets of a scene as the paper writes them, with what the machine counted.
 #include "apps/command.h"
-#include "apps/counters_table.h"
 #include "apps/frame_files.h"
+#include "apps/parameter_sets.h"
 #include "apps/progress.h"
 #include "apps/table.h"
 #include "apps/terminal.h"
+#include "inspect/counter_names.h"
 #include "multipass/driver.h"
 #include "multipass/pass_toml.h"
-#include "multipass/schedule.h"
 
 #include <fmt/format.h>
-
-#include <map>
 
 namespace gw::apps {
 
@@ -37,20 +35,11 @@ struct Printout {
     Counters sum;
 };
 
-std::map<std::string, std::string> sets_by_name(const scene::Scene& scene, const multipass::PassList& list) {
-    const multipass::Model model = multipass::make_model(scene);
-    std::map<std::string, std::string> sets;
-    for (const multipass::Step& step : multipass::schedule(list, model)) {
-        sets[multipass::name_of(step, model)] = multipass::to_string(step.pass.material);
-    }
-    return sets;
-}
-
 Printout run_passes(const PictureOptions& options) {
     const Progress progress("drawing", options.quiet);
     const Drawing drawing = make_drawing(options);
     Printout printout{passes_of(drawing), {}, {}};
-    const auto sets = sets_by_name(drawing.scene, printout.list);
+    const auto sets = parameter_sets(drawing);
     const auto machine = make_machine(options, drawing.profile);
     draw(drawing, scene::make_view(drawing.scene, options.size.width, options.size.height), *machine);
     for (const PassReport& report : machine->passes()) {
@@ -63,8 +52,8 @@ Printout run_passes(const PictureOptions& options) {
 
 std::string text(const Printout& printout) {
     std::vector<std::string> header{"ran"};
-    std::vector<CounterName> shown;
-    for (const CounterName& counter : counter_names()) {
+    std::vector<inspect::CounterName> shown;
+    for (const inspect::CounterName& counter : inspect::counter_names()) {
         if (printout.sum.*counter.count == 0) continue;
         shown.push_back(counter);
         header.push_back(counter.name);
@@ -72,7 +61,7 @@ std::string text(const Printout& printout) {
     std::vector<std::vector<std::string>> rows{header};
     const auto add_row = [&](const std::string& name, const Counters& counters) {
         rows.push_back({name});
-        for (const CounterName& counter : shown)
+        for (const inspect::CounterName& counter : shown)
             rows.back().push_back(std::to_string(counters.*counter.count));
     };
     for (const RunPass& run : printout.runs) add_row(run.report.name, run.report.counters);
@@ -84,9 +73,11 @@ std::string json(const Printout& printout) {
     auto list = nlohmann::ordered_json::array(), runs = list;
     for (const multipass::Pass& pass : printout.list) list.push_back(multipass::to_string(pass));
     for (const auto& [report, set] : printout.runs) {
-        runs.push_back({{"name", report.name}, {"set", set}, {"counters", json_of(report.counters)}});
+        runs.push_back(
+            {{"name", report.name}, {"set", set}, {"counters", inspect::json_of(report.counters)}});
     }
-    return nlohmann::ordered_json{{"list", list}, {"passes", runs}, {"sum", json_of(printout.sum)}}.dump(2) +
+    return nlohmann::ordered_json{{"list", list}, {"passes", runs}, {"sum", inspect::json_of(printout.sum)}}
+               .dump(2) +
            "\n";
 }
 
@@ -99,11 +90,12 @@ std::string quoted(const std::string& text) {
 
 std::string csv(const Printout& printout) {
     std::string out = "name,set";
-    for (const auto& [name, count] : counter_names()) out += std::string(",") + name;
+    for (const auto& [name, count] : inspect::counter_names()) out += std::string(",") + name;
     out += "\n";
     for (const auto& [report, set] : printout.runs) {
         out += quoted(report.name) + "," + quoted(set);
-        for (const auto& [name, count] : counter_names()) out += fmt::format(",{}", report.counters.*count);
+        for (const auto& [name, count] : inspect::counter_names())
+            out += fmt::format(",{}", report.counters.*count);
         out += "\n";
     }
     return out;

@@ -19,6 +19,12 @@ Input make_input(const scene::Scene& scene, const scene::View& view, const Profi
     return {scene, view, profile, project(scene, view, profile)};
 }
 
+std::vector<std::string> algorithm_names() {
+    std::vector<std::string> names;
+    for (const Algorithm& algorithm : algorithms()) names.push_back(algorithm.name);
+    return names;
+}
+
 const Algorithm& algorithm_named(const std::string& name) {
     std::string known;
     for (const Algorithm& a : algorithms()) {

@@ -46,6 +46,7 @@ struct Algorithm {
 
 /// All of them, in the lecture's order.
 const std::vector<Algorithm>& algorithms();
+std::vector<std::string> algorithm_names();
 /// Throws Error naming the known ones.
 const Algorithm& algorithm_named(const std::string& name);
 

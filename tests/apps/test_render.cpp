@@ -131,8 +131,7 @@ TEST_F(Render, ManifestHasCountersAndDigestsOfEveryPass) {
             EXPECT_EQ(pass["digests"][plane].get<std::string>().size(), 32u);
         }
     }
-    EXPECT_EQ(json["passes"].back()["digests"], json["planes"]);
-    EXPECT_NE(json["passes"][0]["digests"]["color"], json["planes"]["color"]);
+    EXPECT_NE(json["passes"][0]["digests"]["color"], json["passes"].back()["digests"]["color"]);
 }
 
 TEST_F(Render, GammaAndExposureChangeThePictureOnlyWhereAsked) {

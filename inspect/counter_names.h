@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace gw::apps {
+namespace gw::inspect {
 
 struct CounterName {
     const char* name;
@@ -24,4 +24,4 @@ nlohmann::ordered_json json_of(const Counters& counters);
 /// "sum"}.
 nlohmann::ordered_json totals_json(const std::vector<PassReport>& passes);
 
-}  // namespace gw::apps
+}  // namespace gw::inspect

@@ -1,6 +1,6 @@
-#include "apps/profile_json.h"
+#include "inspect/profile_json.h"
 
-namespace gw::apps {
+namespace gw::inspect {
 
 nlohmann::ordered_json json_of(const Profile& p) {
     return {
@@ -22,4 +22,4 @@ nlohmann::ordered_json json_of(const Profile& p) {
     };
 }
 
-}  // namespace gw::apps
+}  // namespace gw::inspect

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-namespace gw::apps {
+namespace gw::inspect {
 
 nlohmann::ordered_json json_of(const Profile& profile);
 
-}  // namespace gw::apps
+}  // namespace gw::inspect

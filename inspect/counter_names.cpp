@@ -1,8 +1,8 @@
-#include "apps/counters_table.h"
+#include "inspect/counter_names.h"
 
 #include <map>
 
-namespace gw::apps {
+namespace gw::inspect {
 
 std::span<const CounterName> counter_names() {
     static constexpr CounterName names[] = {
@@ -58,4 +58,4 @@ nlohmann::ordered_json totals_json(const std::vector<PassReport>& passes) {
     return {{"passes", passes.size()}, {"by_name", by_name}, {"sum", json_of(sum)}};
 }
 
-}  // namespace gw::apps
+}  // namespace gw::inspect

@@ -1,0 +1,29 @@
+// The options of commands that replay recordings: which machine, how many threads. Does not replay.
+#pragma once
+
+#include "inspect/compare_machines.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace gw::apps {
+
+struct MachineOptions {
+    std::string machine = "fast";  ///< or "reference", or "both"
+    int threads = 0;               ///< of the fast machine; 0: all
+    bool quiet = false;
+
+    bool both() const { return machine == "both"; }
+    /// The machine that is asked for; the fast one where it is both.
+    inspect::MachineMaker make() const { return inspect::maker_of(both() ? "fast" : machine, threads); }
+    /// The other one.
+    inspect::MachineMaker make_other() const {
+        return inspect::maker_of(machine == "reference" ? "fast" : "reference", threads);
+    }
+};
+
+/// Adds --machine, --threads, --quiet.
+void add_machine_options(CLI::App& command, MachineOptions& options);
+
+}  // namespace gw::apps

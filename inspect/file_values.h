@@ -1,0 +1,50 @@
+// Small values to and from the recording's schema: vectors, rectangles, enumerations. Every value of an
+// enumeration that comes from a file is checked; numbers are not: gw's `validate` does.
+#pragma once
+
+#include "gw/command_list.h"
+#include "gw/error.h"
+#include "recording_generated.h"
+
+#include <fmt/format.h>
+
+namespace gw::inspect {
+
+inline gwt::Vec2 to_file(const vec2& v) { return {v.x, v.y}; }
+inline gwt::Vec3 to_file(const vec3& v) { return {v.x, v.y, v.z}; }
+inline gwt::Vec4 to_file(const vec4& v) { return {v.x, v.y, v.z, v.w}; }
+inline gwt::DVec4 to_file(const dvec4& v) { return {v.x, v.y, v.z, v.w}; }
+inline gwt::Rect to_file(const Rect& r) { return {r.x, r.y, r.width, r.height}; }
+inline gwt::Rgba to_file(const Rgba& c) { return {c[0], c[1], c[2], c[3]}; }
+inline gwt::Matrix to_file(const dmat4& m) {
+    const std::array<gwt::DVec4, 4> columns{to_file(m[0]), to_file(m[1]), to_file(m[2]), to_file(m[3])};
+    return gwt::Matrix(flatbuffers::make_span(columns));
+}
+
+inline vec2 from_file(const gwt::Vec2& v) { return {v.x(), v.y()}; }
+inline vec3 from_file(const gwt::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+inline vec4 from_file(const gwt::Vec4& v) { return {v.x(), v.y(), v.z(), v.w()}; }
+inline dvec4 from_file(const gwt::DVec4& v) { return {v.x(), v.y(), v.z(), v.w()}; }
+inline Rect from_file(const gwt::Rect& r) { return {r.x(), r.y(), r.width(), r.height()}; }
+inline Rgba from_file(const gwt::Rgba& c) { return {c.r(), c.g(), c.b(), c.a()}; }
+inline dmat4 from_file(const gwt::Matrix& m) {
+    dmat4 result;
+    for (unsigned i = 0; i < 4; ++i) result[int(i)] = from_file(*m.columns()->Get(i));
+    return result;
+}
+
+/// The enumerations of the schema are gw's, value by value.
+template <typename File, typename Ours>
+constexpr File file_enum(Ours value) {
+    return static_cast<File>(value);
+}
+
+template <typename Ours, typename File>
+Ours our_enum(File value) {
+    if (value < File::MIN || value > File::MAX)
+        throw Error(fmt::format("the value {} of an enumeration; expected {} to {}", int(value),
+                                int(File::MIN), int(File::MAX)));
+    return static_cast<Ours>(value);
+}
+
+}  // namespace gw::inspect

@@ -1,0 +1,79 @@
+#include "inspect/plane_values.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace gw::inspect {
+namespace {
+
+/// Calls `f` with the plane of both.
+auto with_plane(const Planes& a, const Planes& b, Plane plane, const auto& f) {
+    switch (plane) {
+        case Plane::Color: return f(a.color, b.color);
+        case Plane::Depth: return f(a.depth, b.depth);
+        case Plane::Stencil: return f(a.stencil, b.stencil);
+        case Plane::Accum: break;
+    }
+    return f(a.accum, b.accum);
+}
+
+std::uint64_t apart(std::int64_t a, std::int64_t b) { return std::uint64_t(a < b ? b - a : a - b); }
+template <typename T>
+std::uint64_t apart(const std::array<T, 4>& a, const std::array<T, 4>& b) {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < 4; ++i) sum += apart(std::int64_t{a[i]}, std::int64_t{b[i]});
+    return sum;
+}
+
+}  // namespace
+
+const char* name_of(Plane plane) {
+    switch (plane) {
+        case Plane::Color: return "color";
+        case Plane::Depth: return "depth";
+        case Plane::Stencil: return "stencil";
+        case Plane::Accum: return "accum";
+    }
+    return "";
+}
+
+std::string value_at(const Planes& p, Plane plane, int x, int y) {
+    const std::size_t i = p.index(x, y);
+    switch (plane) {
+        case Plane::Color: return fmt::format("{}", fmt::join(p.color[i], " "));
+        case Plane::Depth: return std::to_string(p.depth[i]);
+        case Plane::Stencil: return std::to_string(p.stencil[i]);
+        case Plane::Accum: return fmt::format("{}", fmt::join(p.accum[i], " "));
+    }
+    return "";
+}
+
+std::uint64_t distance(const Planes& a, const Planes& b, Plane plane, int x, int y) {
+    const std::size_t i = a.index(x, y);
+    return with_plane(a, b, plane, [i](const auto& p, const auto& q) { return apart(p[i], q[i]); });
+}
+
+bool same(const Planes& a, const Planes& b, Plane plane) {
+    return with_plane(a, b, plane, [](const auto& p, const auto& q) { return p == q; });
+}
+
+std::optional<ivec2> first_difference(const Planes& a, const Planes& b, Plane plane) {
+    for (int y = a.height - 1; y >= 0; --y)
+        for (int x = 0; x < a.width; ++x)
+            if (distance(a, b, plane, x, y) != 0) return ivec2(x, y);
+    return {};
+}
+
+std::vector<WrongPixel> wrong_pixels(const Planes& a, const Planes& b, Plane plane) {
+    std::vector<WrongPixel> wrong;
+    for (int y = a.height - 1; y >= 0; --y)
+        for (int x = 0; x < a.width; ++x)
+            if (const std::uint64_t d = distance(a, b, plane, x, y)) wrong.push_back({x, y, d});
+    std::stable_sort(wrong.begin(), wrong.end(),
+                     [](const WrongPixel& p, const WrongPixel& q) { return p.distance > q.distance; });
+    return wrong;
+}
+
+}  // namespace gw::inspect

@@ -1,0 +1,37 @@
+// Planes by name and value, and where two sets of them differ. Pixels are in window coordinates here; `text`
+// functions of findings turn them into picture coordinates.
+#pragma once
+
+#include "gw/planes.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gw::inspect {
+
+/// In the order in which a fragment reaches them.
+inline constexpr std::array<Plane, 4> planes_in_order{Plane::Stencil, Plane::Depth, Plane::Color,
+                                                      Plane::Accum};
+
+/// "color", "depth", "stencil", "accum"
+const char* name_of(Plane plane);
+/// Of one pixel: "12 34 56 255" or "16777215".
+std::string value_at(const Planes& planes, Plane plane, int x, int y);
+
+/// The sum of the channels' absolute differences at a pixel.
+std::uint64_t distance(const Planes& a, const Planes& b, Plane plane, int x, int y);
+
+/// Planes of the same size.
+bool same(const Planes& a, const Planes& b, Plane plane);
+/// The pixel that comes first in a picture: from the top row, from the left.
+std::optional<ivec2> first_difference(const Planes& a, const Planes& b, Plane plane);
+
+struct WrongPixel {
+    int x = 0, y = 0;
+    std::uint64_t distance = 0;
+};
+/// Every pixel that differs, worst first; among equals in the picture's order.
+std::vector<WrongPixel> wrong_pixels(const Planes& a, const Planes& b, Plane plane);
+
+}  // namespace gw::inspect

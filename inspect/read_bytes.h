@@ -1,0 +1,13 @@
+// A whole file as bytes. Does not interpret them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace gw::inspect {
+
+/// Throws Error naming the file where it is missing, a folder, larger than 2 GB or cannot be read.
+std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file);
+
+}  // namespace gw::inspect

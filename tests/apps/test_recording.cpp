@@ -1,0 +1,130 @@
+// gw record, replay, verify, diff, pixel, maps: a picture's recording gives that picture in another process,
+// and what is not as it should be is named.
+#include "pictures.h"
+#include "scene_files.h"
+
+#include <nlohmann/json.hpp>
+
+namespace gw::apps {
+
+class Recordings : public SceneTest {
+protected:
+    Outcome record(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), "record");
+        arguments.insert(arguments.end(), {"--size", "16x16"});
+        return gw(std::move(arguments));
+    }
+};
+
+TEST_F(Recordings, ReplayToThePictureThatRenderDraws) {
+    for (const std::string profile : {"vgx", "reality", "ideal"})
+        for (const std::string samples : {"1", "3"}) {
+            const std::vector<std::string> how{"--profile", profile, "--samples", samples};
+            std::vector<std::string> r{"lamps.toml", "-o", "a.png"}, t{"lamps.toml", "-o", "t.gwt"};
+            r.insert(r.end(), how.begin(), how.end());
+            t.insert(t.end(), how.begin(), how.end());
+            ASSERT_EQ(render(r).code, 0);
+            ASSERT_EQ(record(t).code, 0);
+            for (const std::string machine : {"fast", "reference", "both"}) {
+                const Outcome outcome = gw({"replay", "t.gwt", "--machine", machine, "-o", "b.png"});
+                EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+                EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("b.png"))) << profile << " " << machine;
+            }
+        }
+}
+
+TEST_F(Recordings, NeedNothingOfTheirScene) {
+    ASSERT_EQ(record({"lamps.toml", "-o", "t.gwt"}).code, 0);
+    std::filesystem::remove(in("lamps.toml"));
+    std::filesystem::remove(in("quad.obj"));
+    EXPECT_EQ(gw({"replay", "t.gwt", "-o", "a.png", "--planes", "planes"}).code, 0);
+    EXPECT_EQ(read_pixels(in("a.png")).width, 16);
+    EXPECT_TRUE(std::filesystem::exists(in("planes/depth.exr")));
+}
+
+TEST_F(Recordings, HoldHiddenSurfaceAlgorithms) {
+    for (const std::string name : {"newell", "z-buffer", "scan-line"}) {
+        ASSERT_EQ(record({"lamps.toml", "-o", "t.gwt", "--algorithm", name}).code, 0);
+        EXPECT_EQ(gw({"replay", "t.gwt", "--machine", "both"}).code, 0);
+    }
+    EXPECT_EQ(record({"lamps.toml", "-o", "t.gwt", "--algorithm", "sorting"}).code, 2);
+}
+
+TEST_F(Recordings, VerifyAgainstTheirManifestsAndNoOther) {
+    ASSERT_EQ(record({"lamps.toml", "-o", "t.gwt", "--manifest", "m.json"}).code, 0);
+    for (const std::string machine : {"fast", "reference", "both"})
+        EXPECT_EQ(gw({"verify", "t.gwt", "m.json", "--machine", machine}).code, 0);
+    ASSERT_EQ(render({"lamps.toml", "-o", "a.png", "--manifest", "r.json"}).code, 0);
+    EXPECT_EQ(gw({"verify", "t.gwt", "r.json"}).code, 0);
+    ASSERT_EQ(record({"lamps.toml", "-o", "other.gwt", "--eye", "1,0,5"}).code, 0);
+    const Outcome outcome = gw({"verify", "other.gwt", "m.json"});
+    EXPECT_EQ(outcome.code, 3);
+    for (const char* part : {"pass 0 'depth', plane ", ", pixel ", ": expected ", ", got ", "; stage: "})
+        EXPECT_NE(outcome.out.find(part), std::string::npos) << part << " in " << outcome.out;
+    EXPECT_EQ(gw({"verify", "other.gwt", "m.json", "--update"}).code, 0);
+    EXPECT_EQ(gw({"verify", "other.gwt", "m.json"}).code, 0);
+}
+
+TEST_F(Recordings, DiffNamesCommandPixelAndFragment) {
+    ASSERT_EQ(record({"lamps.toml", "-o", "a.gwt", "--manifest", "a.json"}).code, 0);
+    write("lamps.toml", bytes_of(in("lamps.toml")) + "[[light]]\ndirection = [0, 0, -1]\nId = 0.1\n");
+    ASSERT_EQ(record({"lamps.toml", "-o", "b.gwt", "--manifest", "b.json"}).code, 0);
+    EXPECT_EQ(gw({"diff", "a.gwt", "a.gwt"}).code, 0);
+    EXPECT_EQ(gw({"diff", "a.json", "a.json"}).code, 0);
+    EXPECT_EQ(gw({"diff", "a.json", "b.json"}).code, 3);
+    const Outcome outcome = gw({"diff", "a.gwt", "b.gwt", "-o", "d.png"});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_NE(outcome.out.find("commands: "), std::string::npos) << outcome.out;
+    expect_refused(1, {"diff", "a.gwt", "a.json"}, {"a.gwt", "two of a kind"});
+}
+
+TEST_F(Recordings, APixelsHistoryIsInPictureCoordinates) {
+    ASSERT_EQ(record({"lamps.toml", "-o", "t.gwt"}).code, 0);
+    const Outcome outside = gw({"pixel", "t.gwt", "0", "0", "--json"}),
+                  inside = gw({"pixel", "t.gwt", "4", "11", "--json"});
+    ASSERT_EQ(outside.code, 0) << outside.err;
+    const auto fragments = [](const Outcome& outcome) {
+        const auto json = nlohmann::json::parse(outcome.out);
+        int count = 0;
+        for (const auto& event : json["events"]) count += event["command_name"] == "Draw";
+        return count;
+    };
+    EXPECT_EQ(fragments(outside), 0);
+    EXPECT_GT(fragments(inside), 3);
+    EXPECT_NE(gw({"pixel", "t.gwt", "4", "11"}).out.find("written"), std::string::npos);
+    expect_refused(2, {"pixel", "t.gwt", "16", "0"}, {"pixel 16 0", "0..15"});
+    expect_refused(2, {"pixel", "t.gwt", "x", "0"}, {"X 'x'"});
+}
+
+TEST_F(Recordings, MapsShowWhereFragmentsWereMade) {
+    ASSERT_EQ(record({"lamps.toml", "-o", "t.gwt"}).code, 0);
+    ASSERT_EQ(gw({"maps", "t.gwt", "-o", "maps"}).code, 0);
+    EXPECT_EQ(names("maps"), (std::vector<std::string>{"depth_complexity.png", "fragments.exr",
+                                                       "overdraw.png", "why_killed.png"}));
+    ASSERT_EQ(gw({"maps", "t.gwt", "-o", "depth", "--pass", "depth"}).code, 0);
+    const Pixels why = read_pixels(in("depth/why_killed.png"));
+    EXPECT_EQ(why.at(0, 0), (std::vector<float>{0, 0, 0}));
+    EXPECT_EQ(why.at(8, 8), (std::vector<float>{1, 1, 1}));
+    expect_refused(2, {"maps", "t.gwt", "-o", "x", "--pass", "none"}, {"--pass 'none'"});
+}
+
+TEST_F(Recordings, BadFilesAreRefusedWithAReason) {
+    ASSERT_EQ(record({"lamps.toml", "-o", "t.gwt", "--manifest", "m.json"}).code, 0);
+    const std::string bytes = bytes_of(in("t.gwt"));
+    write("short.gwt", bytes.substr(0, bytes.size() / 2));
+    write("empty.gwt", "");
+    write("text.gwt", "hello, hello, hello");
+    expect_refused(1, {"replay", "missing.gwt"}, {"missing.gwt", "cannot be opened"});
+    expect_refused(1, {"replay", "."}, {".", "is a folder"});
+    expect_refused(1, {"replay", "short.gwt"}, {"short.gwt", "cut short or damaged"});
+    expect_refused(1, {"replay", "empty.gwt"}, {"empty.gwt", "not a recording"});
+    expect_refused(1, {"verify", "text.gwt", "m.json"}, {"text.gwt", "not a recording"});
+    expect_refused(1, {"verify", "t.gwt", "t.gwt"}, {"t.gwt", "is not JSON"});
+    expect_refused(1, {"replay", "t.gwt", "-o", "missing/a.png"}, {"missing"});
+    expect_refused(2, {"replay", "t.gwt", "-o", "a.xyz"}, {"a.xyz"});
+    expect_refused(2, {"replay", "t.gwt", "--machine", "both?"}, {"both?"});
+    expect_refused(2, {"record", "lamps.toml", "-o", "x.gwt", "--manifest", "x.gwt"}, {"the same file"});
+    expect_refused(1, {"record", "lamps.toml", "-o", "missing/x.gwt"}, {"missing"});
+}
+
+}  // namespace gw::apps

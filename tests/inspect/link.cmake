@@ -1,0 +1,2 @@
+# Random lists of every kind.
+set(link gw::fuzzing)

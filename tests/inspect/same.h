@@ -1,0 +1,56 @@
+// Equality of recordings by content: meshes, maps and lights are compared by value.
+#pragma once
+
+#include "inspect/content.h"
+#include "inspect/recording.h"
+#include "tests/fuzz/case.h"
+
+namespace gw::inspect {
+
+inline bool same(const MeshRef& a, const MeshRef& b) { return a->data() == b->data(); }
+inline bool same(const TextureRef& a, const TextureRef& b) {
+    return a == b || (a && b && a->name == b->name && a->levels == b->levels);
+}
+inline bool same(const LightsRef& a, const LightsRef& b) { return a == b || (a && b && *a == *b); }
+
+inline bool same(const Command& a, const Command& b) {
+    if (a.index() != b.index()) return false;
+    const auto* x = std::get_if<Draw>(&a);
+    if (!x) return a == b;
+    Draw y = std::get<Draw>(b);
+    if (!same(x->mesh, y.mesh) || !same(x->map.texture, y.map.texture) || !same(x->lights, y.lights))
+        return false;
+    y.mesh = x->mesh;
+    y.map.texture = x->map.texture;
+    y.lights = x->lights;
+    return *x == y;
+}
+
+inline bool same(const CommandList& a, const CommandList& b) {
+    return std::equal(a.commands.begin(), a.commands.end(), b.commands.begin(), b.commands.end(),
+                      [](const Command& x, const Command& y) { return same(x, y); });
+}
+
+/// One list on a machine of 1 x 1 pixels.
+inline Recording recording_of(const Command& command) {
+    Recording recording;
+    recording.width = recording.height = 1;
+    recording.lists.push_back({{command}});
+    return recording;
+}
+
+/// A random case as a recording of one list.
+inline Recording recording_of(const fuzz::Case& c) {
+    Recording recording;
+    recording.producer = "test";
+    recording.scene = "case";
+    recording.renderer = "fuzz";
+    recording.profile = c.profile;
+    recording.width = c.width;
+    recording.height = c.height;
+    recording.sets = {{"a", "(Ka=1)"}};
+    recording.lists = {c.list};
+    return recording;
+}
+
+}  // namespace gw::inspect

@@ -1,0 +1,144 @@
+// Claims: a pixel's history has every fragment that reached it, in order, with the stage that killed it, and
+// every command that touched it; maps count the same fragments.
+#include <gtest/gtest.h>
+
+#include "inspect/compare_machines.h"
+#include "inspect/pixel_report.h"
+#include "inspect/player.h"
+#include "same.h"
+#include "three_passes.h"
+
+#include <numeric>
+
+namespace gw::inspect {
+
+namespace {
+
+/// A pixel of depth 5; then fragments that each test kills, and one that passes.
+Recording killers() {
+    Recording r;
+    r.width = r.height = 2;
+    CommandList list;
+    const auto write = [&](const State& state, Rgba color, std::uint32_t depth) {
+        list.add(SetState{state});
+        list.add(WritePixels{.rect = {0, 0, 1, 1}, .colors = {color}, .depth = depth});
+    };
+    list.add(BeginPass{.name = "all"});
+    list.add(Clear{.planes = all_planes, .stencil = 3});
+    write({.alpha = {.test = true, .func = AlphaFunc::Greater, .ref = 0.5f}}, {1, 1, 1, 100}, 1);
+    write({.stencil = {.test = true, .func = StencilFunc::Equal, .ref = 9, .fail = StencilOp::Incr}},
+          {2, 2, 2, 2}, 2);
+    write({.depth = {.test = true, .func = DepthFunc::Greater}}, {3, 3, 3, 3}, 3);
+    write({.blend = {.enable = true, .src = BlendFactor::One, .dst = BlendFactor::One}}, {4, 4, 4, 4}, 4);
+    list.add(Accumulate{AccumOp::Accum, 2});
+    list.add(Copy{.plane = Plane::Color, .source = {0, 0, 1, 1}, .x = 1, .y = 1});
+    r.lists.push_back(list);
+    return r;
+}
+
+}  // namespace
+
+TEST(PixelHistory, NamesTheStageThatKilledEachFragment) {
+    const auto events = pixel_history(killers(), 0, 0);
+    ASSERT_EQ(events.size(), 6u);
+    EXPECT_STREQ(events[0].command_name, "Clear");
+    EXPECT_EQ(events[0].after.stencil, 3);
+    EXPECT_EQ(events[0].after.depth, 0xffffffu);
+    EXPECT_EQ(events[1].fate, Fate::AlphaTest);
+    EXPECT_EQ(events[2].fate, Fate::StencilTest);
+    EXPECT_EQ(events[2].before.stencil, 3);
+    EXPECT_EQ(events[2].after.stencil, 4);
+    EXPECT_EQ(events[3].fate, Fate::DepthTest);
+    EXPECT_EQ(events[4].fate, Fate::Written);
+    EXPECT_EQ(events[4].fragment->color, (Rgba{4, 4, 4, 4}));
+    EXPECT_EQ(events[4].after.color, (Rgba{4, 4, 4, 4}));
+    EXPECT_STREQ(events[5].command_name, "Accumulate");
+    EXPECT_EQ(events[5].after.accum, (std::array<std::int32_t, 4>{8, 8, 8, 8}));
+}
+
+TEST(PixelHistory, HasCopies) {
+    const auto events = pixel_history(killers(), 1, 1);
+    ASSERT_EQ(events.size(), 3u);  // cleared, accumulated, copied to
+    EXPECT_STREQ(events[2].command_name, "Copy");
+    EXPECT_EQ(events[2].after.color, (Rgba{4, 4, 4, 4}));
+}
+
+TEST(PixelHistory, EndsWithThePlanesOfTheMachineForEveryPixel) {
+    for (const fuzz::Suite& suite : fuzz::suites()) {
+        const Recording recording = recording_of(fuzz::make_case(suite, 5));
+        const auto machine = maker_of("fast", 1)(recording);
+        Player(recording, *machine).play();
+        const Planes& planes = machine->planes();
+        for (int y = 0; y < recording.height; y += 7)
+            for (int x = 0; x < recording.width; x += 7) {
+                const auto events = pixel_history(recording, x, y);
+                PixelValues last;
+                for (const PixelEvent& e : events) {
+                    ASSERT_EQ(e.before, last) << suite.name << " " << x << " " << y;
+                    last = e.after;
+                }
+                const std::size_t i = planes.index(x, y);
+                ASSERT_EQ(last,
+                          (PixelValues{planes.color[i], planes.depth[i], planes.stencil[i], planes.accum[i]}))
+                    << suite.name;
+            }
+    }
+}
+
+TEST(PixelHistory, NumbersDrawsWithinThePassAndPolygonsByTheirIdentifiers) {
+    Recording r;
+    r.width = r.height = 4;
+    CommandList list;
+    MeshData square{.primitive = Primitive::Quads,
+                    .positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
+    square.polygon_ids = {77};
+    for (const char* name : {"a", "b"}) {
+        list.add(BeginPass{.name = name});
+        list.add(Draw{.mesh = make_mesh(square)});
+        list.add(Draw{.mesh = make_mesh(square)});
+    }
+    r.lists.push_back(list);
+    const auto events = pixel_history(r, 1, 2);
+    ASSERT_EQ(events.size(), 4u);
+    EXPECT_EQ(events[3].pass, 1u);
+    EXPECT_EQ(events[3].pass_name, "b");
+    EXPECT_EQ(events[3].draw, 1u);
+    EXPECT_EQ(events[3].command, 5u);
+    EXPECT_EQ(events[3].polygon, 77u);
+}
+
+TEST(PixelReport, TableAndJsonAreInPictureCoordinates) {
+    const Recording recording = three_passes();
+    const auto events = pixel_history(recording, 3, 2);
+    const auto rows = history_rows(events);
+    ASSERT_EQ(rows.size(), 5u);
+    EXPECT_EQ(rows[2][0], "first");
+    EXPECT_EQ(rows[2][5], "written");
+    EXPECT_EQ(rows[2][8], "0 0 0 0 > 100 100 100 255");
+    EXPECT_EQ(rows[3][11], "0 0 0 0 > 100 100 100 255");
+    const auto json = history_json(recording, 3, 2, events);
+    EXPECT_EQ(json["y"], 3);
+    EXPECT_EQ(json["events"][1]["fate"], "written");
+    EXPECT_EQ(json["events"][3]["after"]["stencil"], 1);
+}
+
+TEST(FragmentMaps, CountWhatTheMachineCounts) {
+    for (const fuzz::Suite& suite : fuzz::suites()) {
+        const Recording recording = recording_of(fuzz::make_case(suite, 6));
+        const auto reports = reports_of(recording, maker_of("fast", 1));
+        const auto sum = [](const std::vector<std::uint32_t>& map) {
+            return std::accumulate(map.begin(), map.end(), std::uint64_t{0});
+        };
+        for (std::size_t pass = 0; pass < reports.size(); ++pass) {
+            const FragmentMaps maps = fragment_maps(recording, pass);
+            const Counters& counters = reports[pass].counters;
+            EXPECT_EQ(sum(maps.made), counters.fragments) << suite.name;
+            EXPECT_EQ(sum(maps.written), counters.written);
+            EXPECT_EQ(sum(maps.alpha_killed), counters.alpha_killed);
+            EXPECT_EQ(sum(maps.stencil_killed), counters.stencil_killed);
+            EXPECT_EQ(sum(maps.depth_killed), counters.depth_killed);
+        }
+    }
+}
+
+}  // namespace gw::inspect

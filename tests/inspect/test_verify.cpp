@@ -1,0 +1,181 @@
+// Claims: a manifest is as its recording is, comes back from its JSON, and any other machine or recording is
+// found out by pass, plane, pixel, both values and stage.
+#include <gtest/gtest.h>
+
+#include "gw/error.h"
+#include "inspect/verify.h"
+#include "same.h"
+#include "three_passes.h"
+#include "wrong_machine.h"
+
+namespace gw::inspect {
+
+namespace {
+
+const MachineMaker fast = maker_of("fast", 1), reference = maker_of("reference");
+
+std::string refusal(const std::string& json) {
+    try {
+        manifest_from_json(json);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "none";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    return at == text.npos ? "nothing to replace" : text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST(Manifest, SaysWhatEachPassIs) {
+    Recording recording = three_passes();
+    State state;
+    state.depth.func = DepthFunc::Equal;
+    auto& first = recording.lists[0].commands;
+    first.insert(first.begin() + 3, SetState{state});
+    const Manifest manifest = replayed_manifest(recording, fast, nullptr);
+    ASSERT_EQ(manifest.passes.size(), 3u);
+    EXPECT_EQ(manifest.passes[1].set, "(Ka=0, Kd=object)");
+    EXPECT_EQ(manifest.passes[1].state, (std::vector<Field>{{"depth.func", "Equal"}}));
+    EXPECT_TRUE(manifest.passes[2].state.empty());
+    EXPECT_EQ(manifest.passes[1].report.counters.written, 4u);
+    EXPECT_NE(manifest.passes[0].report.digests[0], manifest.passes[1].report.digests[0]);
+}
+
+TEST(Manifest, IsTheSameFromEachMachineAndInAnyPieces) {
+    for (const fuzz::Suite& suite : fuzz::suites()) {
+        const Recording recording = recording_of(fuzz::make_case(suite, 1));
+        EXPECT_EQ(replayed_manifest(recording, fast, nullptr),
+                  replayed_manifest(recording, reference, nullptr));
+        EXPECT_EQ(manifest_of(recording, reports_of(recording, fast)),
+                  replayed_manifest(recording, fast, nullptr));
+    }
+}
+
+TEST(Manifest, ComesBackFromItsJson) {
+    for (const fuzz::Suite& suite : fuzz::suites()) {
+        Manifest manifest = replayed_manifest(recording_of(fuzz::make_case(suite, 2)), fast, nullptr);
+        manifest.values = "a.values";
+        EXPECT_EQ(manifest_from_json(to_json(manifest)), manifest) << suite.name;
+    }
+}
+
+TEST(Manifest, WrongJsonIsRefusedByMember) {
+    const std::string json = to_json(replayed_manifest(three_passes(), fast, nullptr));
+    EXPECT_EQ(refusal(json), "none");
+    EXPECT_EQ(refusal("[]"), "the manifest is not an object; expected one");
+    EXPECT_NE(refusal("{").find("is not JSON"), std::string::npos);
+    EXPECT_NE(refusal(std::string(100000, '[')).find("is not JSON"), std::string::npos);
+    EXPECT_EQ(refusal(replaced(json, "gw manifest", "other")),
+              "the manifest is of another kind; expected \"format\": \"gw manifest\"");
+    EXPECT_EQ(refusal(replaced(json, "\"version\": 1", "\"version\": 2")),
+              "the manifest is of version 2; expected 1");
+    EXPECT_EQ(refusal(replaced(json, "\"width\": 8", "\"width\": 8.5")),
+              "the manifest 'width' is 8.5; expected a whole number");
+    EXPECT_NE(refusal(replaced(json, "\"name\":\"first\",", "")).find("pass 1 has no member 'name'"),
+              std::string::npos);
+    EXPECT_NE(refusal(replaced(json, "\"written\"", "\"writen\"")).find("pass 1 counters has"),
+              std::string::npos);
+}
+
+TEST(Verify, WhatAManifestSaysIsSo) {
+    const Recording recording = three_passes();
+    const Manifest manifest = replayed_manifest(recording, fast, nullptr);
+    for (const auto& machine : {fast, reference})
+        EXPECT_FALSE(verify(recording, manifest, {}, machine, fast).finding);
+}
+
+TEST(Verify, AWrongMachineIsNamedByPixelWithTheHelpOfAnother) {
+    const Recording recording = three_passes();
+    const Manifest manifest = replayed_manifest(recording, fast, nullptr);
+    const Verification v = verify(recording, manifest, {}, wrong(too_green), reference);
+    ASSERT_TRUE(v.finding);
+    EXPECT_TRUE(v.same_commands);
+    EXPECT_EQ(text(*v.finding, recording.height),
+              "pass 1 'first', plane color, pixel 3 3: expected 100 100 100 255, got 100 101 100 255; stage: "
+              "shading, texture, fog, blending or the colour mask\n"
+              "  1 pixels of this plane differ\n");
+}
+
+TEST(Verify, AnotherRecordingIsNamedByPixelWithTheHelpOfStoredValues) {
+    const Recording expected = three_passes();
+    ValuesWriter values(expected.width, expected.height);
+    const Manifest manifest = replayed_manifest(expected, fast, &values);
+    Recording other = three_passes();
+    other.lists[0].commands.insert(other.lists[0].commands.begin() + 3,
+                                   SetState{.state = {.depth = {.mask = false}}});
+    too_green(other.lists[0].commands[4]);
+    const Verification v = verify(other, manifest, values.finish(), fast, reference);
+    ASSERT_TRUE(v.finding);
+    EXPECT_FALSE(v.same_commands);
+    EXPECT_TRUE(v.same_scene);
+    EXPECT_EQ(text(*v.finding, other.height),
+              "pass 1 'first', plane color, pixel 3 3: expected 100 100 100 255, got 100 101 100 255; stage: "
+              "shading, texture, fog, blending or the colour mask\n"
+              "  state depth.mask: expected as the pass before, got off\n"
+              "  1 pixels of this plane differ\n");
+}
+
+TEST(Verify, WithoutValuesThePlaneIsNamed) {
+    const Manifest manifest = replayed_manifest(three_passes(), fast, nullptr);
+    Recording other = three_passes();
+    too_green(other.lists[0].commands[3]);
+    const Verification v = verify(other, manifest, {}, fast, reference);
+    ASSERT_TRUE(v.finding);
+    EXPECT_EQ(v.finding->what, "plane color");
+    EXPECT_FALSE(v.finding->pixel);
+}
+
+TEST(Verify, StatesNamesAndNumbersOfPassesCount) {
+    const Manifest manifest = replayed_manifest(three_passes(), fast, nullptr);
+    Recording other = three_passes();
+    std::get<BeginPass>(other.lists[1].commands[0]).name = "third";
+    EXPECT_EQ(verify(other, manifest, {}, fast, reference).finding->what, "name");
+    other = three_passes();
+    other.sets.clear();
+    EXPECT_EQ(verify(other, manifest, {}, fast, reference).finding->what, "parameter set");
+    other = three_passes();
+    other.lists.pop_back();
+    EXPECT_EQ(verify(other, manifest, {}, fast, reference).finding->what, "number of passes");
+    other = three_passes();
+    other.profile = reality();
+    EXPECT_EQ(verify(other, manifest, {}, fast, reference).finding->what, "profile");
+}
+
+TEST(Values, AreThePlanesAfterEachPass) {
+    for (const fuzz::Suite& suite : fuzz::suites()) {
+        const Recording recording = recording_of(fuzz::make_case(suite, 4));
+        ValuesWriter writer(recording.width, recording.height);
+        const Manifest manifest = replayed_manifest(recording, fast, &writer);
+        const auto bytes = writer.finish();
+        for (std::size_t i = 0; i < manifest.passes.size(); ++i) {
+            const Planes planes = planes_after(bytes, recording.width, recording.height, i);
+            for (const Plane plane : planes_in_order)
+                EXPECT_EQ(digest(planes, plane), manifest.passes[i].report.digests[std::size_t(plane)]);
+        }
+    }
+}
+
+TEST(Values, DamagedBytesNeverDoHarm) {
+    const Recording recording = three_passes();
+    ValuesWriter writer(recording.width, recording.height);
+    replayed_manifest(recording, fast, &writer);
+    const auto bytes = writer.finish();
+    int refused = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        for (const int flip : {1, 0x80, 0xff}) {
+            auto damaged = bytes;
+            damaged[i] = static_cast<std::uint8_t>(damaged[i] ^ flip);
+            try {
+                planes_after(damaged, recording.width, recording.height, 2);
+            } catch (const Error&) {
+                ++refused;
+            }
+        }
+    EXPECT_GT(refused, 100);
+}
+
+}  // namespace gw::inspect
