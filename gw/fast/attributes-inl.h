@@ -25,11 +25,11 @@ HWY_INLINE bool is_flat(const State& s) {
 }
 HWY_INLINE bool has_fog(const State& s) { return s.fog.enable && s.color_source != ColorSource::PolygonId; }
 
-HWY_INLINE void color_one(const TileDraw& draw, const Corners& t, std::size_t i, ColorPlanes& out) {
+HWY_NOINLINE inline void color_one(const TileDraw& draw, const Corners& t, std::size_t i, ColorPlanes& out) {
     make_color_planes(draw, *t.primitive[i], frame_of(draw, t.ordinal[i]), out);
 }
 
-HWY_INLINE void narrow_one(const TileDraw& draw, const Corners& t, std::size_t i, NarrowBatch& out) {
+HWY_NOINLINE inline void narrow_one(const TileDraw& draw, const Corners& t, std::size_t i, NarrowBatch& out) {
     ColorPlanes wide;
     color_one(draw, t, i, wide);
     for (std::size_t k = 0; k < 5; ++k) {
@@ -39,7 +39,8 @@ HWY_INLINE void narrow_one(const TileDraw& draw, const Corners& t, std::size_t i
     }
 }
 
-HWY_INLINE void texture_one(const TileDraw& draw, const Corners& t, std::size_t i, TexturePlanes& out) {
+HWY_NOINLINE inline void texture_one(const TileDraw& draw, const Corners& t, std::size_t i,
+                                     TexturePlanes& out) {
     make_texture_planes(draw, *t.primitive[i], frame_of(draw, t.ordinal[i]), out);
 }
 
@@ -67,7 +68,8 @@ HWY_INLINE V64 to_double(hn::Vec<U64ForD64> v) {
 }
 
 /// One channel of the vertex colours: planes for all lanes.
-HWY_INLINE void channel_planes(const Corners& t, const ColorWords& colors, std::size_t c, PlaneBatch& out) {
+HWY_NOINLINE inline void channel_planes(const Corners& t, const ColorWords& colors, std::size_t c,
+                                        PlaneBatch& out) {
     const U64ForD64 u;
     set_up_planes(
         t,
@@ -180,8 +182,8 @@ HWY_INLINE void planes_through(const Corners& t, const double (&value)[3][batch_
         t, [&](std::size_t k, std::size_t i) { return hn::Load(D64(), value[k] + i); }, out);
 }
 
-HWY_INLINE void coordinate_planes(const TileDraw& draw, const Corners& t, int c, Wrap wrap,
-                                  const double (&w)[3][batch_room], CoordinateBatch& out) {
+HWY_NOINLINE inline void coordinate_planes(const TileDraw& draw, const Corners& t, int c, Wrap wrap,
+                                           const double (&w)[3][batch_room], CoordinateBatch& out) {
     alignas(64) double s[3][batch_room], numerator[3][batch_room];
     gather(t, s, [&](std::uint32_t v) { return draw.op->texcoords->strq[v][c]; });
     out.finite = 0;
@@ -193,7 +195,8 @@ HWY_INLINE void coordinate_planes(const TileDraw& draw, const Corners& t, int c,
     planes_through(t, numerator, out.plane);
 }
 
-HWY_INLINE void denominator_planes(const Corners& t, const double (&w)[3][batch_room], PlaneBatch& out) {
+HWY_NOINLINE inline void denominator_planes(const Corners& t, const double (&w)[3][batch_room],
+                                            PlaneBatch& out) {
     const D64 d;
     alignas(64) double q[3][batch_room];
     const auto unit = all(coordinate_unit);

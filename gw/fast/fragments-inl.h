@@ -187,8 +187,8 @@ HWY_INLINE V32 blend_factor_lanes(BlendFactor factor, const BlendLanes& l, std::
     return max;
 }
 
-HWY_INLINE void blend_block(const BlendState& b, int bits, const ColorBlock& src, const ColorBlock& dst,
-                            ColorBlock& out) {
+HWY_NOINLINE inline void blend_block(const BlendState& b, int bits, const ColorBlock& src,
+                                     const ColorBlock& dst, ColorBlock& out) {
     const D32 d;
     const auto max = hn::Set(d, max_of_bits(bits));
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
@@ -217,7 +217,8 @@ HWY_INLINE void add_block(int bits, const ColorBlock& src, const ColorBlock& dst
         }
 }
 
-HWY_INLINE void write_color(const Resolved& r, const ColorBlock& src, ColorBlock& dst, std::uint32_t mask) {
+HWY_NOINLINE inline void write_color(const Resolved& r, const ColorBlock& src, ColorBlock& dst,
+                                     std::uint32_t mask) {
     const BlendState& b = r.state.blend;
     ColorBlock blended;
     const ColorBlock* out = &src;

@@ -88,8 +88,8 @@ HWY_INLINE void blend16(V32 v, std::uint32_t mask, std::size_t first, std::uint1
     hn::BlendedStore(narrow(v), lanes_of(d, mask, first), d, p + first);
 }
 
-HWY_INLINE void interpolated_color(const ColorPlanes& p, int bits, int bx, int by, std::uint32_t mask,
-                                   ColorBlock& out) {
+HWY_NOINLINE inline void interpolated_color(const ColorPlanes& p, int bits, int bx, int by,
+                                            std::uint32_t mask, ColorBlock& out) {
     const D32 d;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
         const Pixels at = pixels_of(bx, by, i);
@@ -119,8 +119,8 @@ HWY_INLINE void modulate_bytes(const ColorBlock& texel, ColorBlock& color) {
 }
 
 /// texture_environment() of gw/tables.h.
-HWY_INLINE void apply_environment(TexEnv mode, const Rgba& env, int bits, const ColorBlock& texel,
-                                  ColorBlock& color) {
+HWY_NOINLINE inline void apply_environment(TexEnv mode, const Rgba& env, int bits, const ColorBlock& texel,
+                                           ColorBlock& color) {
     if (mode == TexEnv::Modulate && bits == 8) return modulate_bytes(texel, color);
     const D32 d;
     const auto max = hn::Set(d, max_of_bits(bits));
@@ -159,7 +159,7 @@ HWY_INLINE V32 fog_factor_lanes(const ColorPlanes& p, const DrawOp& op, Pixels a
     return hn::BitCast(d, hn::Add(a, hn::ShiftRight<8>(step)));
 }
 
-HWY_INLINE void apply_fog_block(const DrawOp& op, const std::uint32_t* factor, ColorBlock& color) {
+HWY_NOINLINE inline void apply_fog_block(const DrawOp& op, const std::uint32_t* factor, ColorBlock& color) {
     const D32 d;
     const int bits = op.state.bits;
     const auto max = hn::Set(d, max_of_bits(bits));
@@ -174,8 +174,8 @@ HWY_INLINE void apply_fog_block(const DrawOp& op, const std::uint32_t* factor, C
 }
 
 /// Puts colour and fog of the lanes of `mask`, which one primitive covers, into the inputs.
-HWY_INLINE void wide_colors(const ColorPlanes& p, const DrawOp& op, int bx, int by, std::uint32_t mask,
-                            ShadeInputs& in) {
+HWY_NOINLINE inline void wide_colors(const ColorPlanes& p, const DrawOp& op, int bx, int by,
+                                     std::uint32_t mask, ShadeInputs& in) {
     interpolated_color(p, op.state.bits, bx, by, mask, in.color);
     if (!has_fog(op.state.state)) return;
     const D32 d;
@@ -197,7 +197,8 @@ HWY_INLINE void put_texture(const TexturePlanes& p, const TileDraw& draw, int bx
 }
 
 /// Colour, texture, fog, in that order, of all 16 pixels. `divided`: their texture coordinates.
-HWY_INLINE const ColorBlock& shaded(const TileDraw& draw, const TextureLanes& divided, ShadeInputs& in) {
+HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const TextureLanes& divided,
+                                             ShadeInputs& in) {
     const DrawOp& op = *draw.op;
     const State& s = op.state.state;
     if (s.color_source == ColorSource::PolygonId) return in.color;

@@ -213,8 +213,8 @@ struct Sampler {
 };
 
 /// What rho is made of: the larger slope of each row and column. docs/manual.md, "Level of detail".
-HWY_INLINE void store_slopes(const Sampler& s, const TexturePlanes& p, const Tile& tile, int bx, int by,
-                             std::uint32_t mask, float* slope) {
+HWY_NOINLINE inline void store_slopes(const Sampler& s, const TexturePlanes& p, const Tile& tile, int bx,
+                                      int by, std::uint32_t mask, float* slope) {
     const double scale_s = power_of_two(p.s.exponent + s.base().log2_width);
     const double scale_t = power_of_two(p.t.exponent + s.base().log2_height);
     const CoordinateSlope &u = p.s.slope, &v = p.t.slope;
@@ -234,8 +234,8 @@ HWY_INLINE void store_slopes(const Sampler& s, const TexturePlanes& p, const Til
 }
 
 /// Puts the lanes of `mask`, which one primitive covers, into the inputs.
-HWY_INLINE void texture_inputs(const Sampler& s, const TexturePlanes& p, const Tile& tile, int bx, int by,
-                               std::uint32_t mask, TextureInputs& out) {
+HWY_NOINLINE inline void texture_inputs(const Sampler& s, const TexturePlanes& p, const Tile& tile, int bx,
+                                        int by, std::uint32_t mask, TextureInputs& out) {
     const D32 d;
     const I32 i32;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
@@ -323,7 +323,7 @@ HWY_INLINE void mix_levels(TexelLanes& a, const TexelLanes& b, V32 weight) {
 }
 
 /// Divides: what depends on the pixels and the texture's size, but not on its texels.
-HWY_INLINE void divide_block(const Sampler& s, const TextureInputs& in, TextureLanes& out) {
+HWY_NOINLINE inline void divide_block(const Sampler& s, const TextureInputs& in, TextureLanes& out) {
     const D32 u;
     const I32 d;
     const F32 f;
@@ -344,7 +344,7 @@ HWY_INLINE void divide_block(const Sampler& s, const TextureInputs& in, TextureL
     }
 }
 
-HWY_INLINE void sample_block(const Sampler& s, const TextureLanes& in, ColorBlock& out) {
+HWY_NOINLINE inline void sample_block(const Sampler& s, const TextureLanes& in, ColorBlock& out) {
     const I32 d;
     const F32 f;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
