@@ -40,7 +40,7 @@ void print_lists(const fuzz::MachineMaker& make, std::uint64_t count) {
 
 int run(int argc, char** argv) {
     std::string machine = "fast";
-    for (int i = 1; i < argc; ++i) {
+    for (int i = 1; i < argc; i += 2) {
         const std::string word = argv[i], value = i + 1 < argc ? argv[i + 1] : "";
         if (word == "--targets") {
             for (const std::string& target : fast::simd_targets()) fmt::print("{}\n", target);
@@ -53,7 +53,6 @@ int run(int argc, char** argv) {
                        "usage: gw-exactness [--machine reference|fast] [--simd TARGET] [--targets]\n");
             return 2;
         }
-        ++i;
     }
     print_pictures(fuzz::machine_named(machine));
     print_lists(fuzz::machine_named(machine), 60);
