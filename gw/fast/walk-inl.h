@@ -102,13 +102,6 @@ struct WidePlaneWalk {
     }
 };
 
-/// Nothing to carry along.
-struct NoWalk {
-    HWY_INLINE void start(int, int) {}
-    HWY_INLINE void next_block() {}
-    HWY_INLINE void next_row() {}
-};
-
 /// A triangle's depth, moving with the blocks that it covers.
 struct DepthWalk {
     const DepthPlane& plane;
