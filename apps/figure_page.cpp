@@ -1,7 +1,7 @@
 #include "apps/figure_page.h"
 
-#include "apps/html.h"
 #include "gw/error.h"
+#include "plot/markup.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -64,7 +64,7 @@ std::string picture(const Figure& figure, const Shown& shown) {
     return fmt::format(
         "<figure><a href=\"{0}/{1}\"><img src=\"{0}/{1}\" "
         "alt=\"{2}\"></a><figcaption>{2}</figcaption></figure>\n",
-        figure.name, shown.file, escaped(shown.label));
+        figure.name, shown.file, plot::escaped(shown.label));
 }
 
 }  // namespace
@@ -73,12 +73,12 @@ std::string figure_part(const Figure& figure, const std::filesystem::path& folde
                         const std::vector<RanPanel>& panels) {
     std::string text = fmt::format(
         "<section id=\"{0}\"><h2>{1} <small>[{2}]</small></h2>\n<p>{3}</p>\n<div class=\"panels\">\n",
-        figure.name, escaped(figure.title), escaped(figure.row), escaped(figure.text));
+        figure.name, plot::escaped(figure.title), plot::escaped(figure.row), plot::escaped(figure.text));
     for (const RanPanel& ran : panels)
         for (const Shown& shown : ran.panel->pictures) text += picture(figure, shown);
     text += "</div>\n";
     for (const RanPanel& ran : panels) {
-        text += "<code>" + escaped(ran.command) + "</code>\n";
+        text += "<code>" + plot::escaped(ran.command) + "</code>\n";
         if (!ran.counters.empty()) text += counts_of(figure, folder, ran.counters);
     }
     return text + "</section>\n";
@@ -89,7 +89,7 @@ std::string figures_page(const std::filesystem::path& folder) {
     for (const Figure& figure : figures()) {
         const auto file = folder / figure.name / part_file;
         if (!std::filesystem::exists(file)) continue;
-        links += fmt::format("<a href=\"#{}\">{}</a>\n", figure.name, escaped(figure.title));
+        links += fmt::format("<a href=\"#{}\">{}</a>\n", figure.name, plot::escaped(figure.title));
         parts += read_text(file);
     }
     return std::string(head) + "<nav>" + links + "</nav>\n" + parts + "</html>\n";

@@ -3,7 +3,7 @@
 #include "apps/recording_files.h"
 #include "image/planes.h"
 #include "image/write.h"
-#include "inspect/counter_names.h"
+#include "inspect/counters_json.h"
 #include "inspect/digesting_machine.h"
 #include "inspect/manifest.h"
 #include "inspect/recorder.h"

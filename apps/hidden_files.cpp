@@ -2,10 +2,10 @@
 
 #include "apps/hidden_captions.h"
 #include "apps/hidden_pictures.h"
-#include "apps/html.h"
 #include "hiddensurface/pieces_svg.h"
 #include "image/animation.h"
 #include "image/write.h"
+#include "plot/markup.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -94,7 +94,7 @@ std::string html(const hs::Input& input, const std::vector<Compared>& all) {
         "blue, wrong red. Writes: "
         "black 0, blue 1, green 2, yellow 3, orange 4, red 5 and more.</p>\n<table>\n"
         "<tr><th></th><th>picture</th><th>difference</th><th>writes</th><th>counts</th></tr>\n",
-        escaped(input.scene.name));
+        plot::escaped(input.scene.name));
     for (const Compared& run : all) text += html_row(run);
     return text +
            "</table>\n<p>Polygons over each pixel:</p>\n<img src=\"complexity.png\" alt=\"depth "

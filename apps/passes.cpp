@@ -5,7 +5,8 @@
 #include "apps/progress.h"
 #include "apps/table.h"
 #include "apps/terminal.h"
-#include "inspect/counter_names.h"
+#include "gw/counter_names.h"
+#include "inspect/counters_json.h"
 #include "multipass/driver.h"
 #include "multipass/pass_toml.h"
 
@@ -52,8 +53,8 @@ Printout run_passes(const PictureOptions& options) {
 
 std::string text(const Printout& printout) {
     std::vector<std::string> header{"ran"};
-    std::vector<inspect::CounterName> shown;
-    for (const inspect::CounterName& counter : inspect::counter_names()) {
+    std::vector<CounterName> shown;
+    for (const CounterName& counter : counter_names()) {
         if (printout.sum.*counter.count == 0) continue;
         shown.push_back(counter);
         header.push_back(counter.name);
@@ -61,7 +62,7 @@ std::string text(const Printout& printout) {
     std::vector<std::vector<std::string>> rows{header};
     const auto add_row = [&](const std::string& name, const Counters& counters) {
         rows.push_back({name});
-        for (const inspect::CounterName& counter : shown)
+        for (const CounterName& counter : shown)
             rows.back().push_back(std::to_string(counters.*counter.count));
     };
     for (const RunPass& run : printout.runs) add_row(run.report.name, run.report.counters);
@@ -90,12 +91,11 @@ std::string quoted(const std::string& text) {
 
 std::string csv(const Printout& printout) {
     std::string out = "name,set";
-    for (const auto& [name, count] : inspect::counter_names()) out += std::string(",") + name;
+    for (const auto& [name, count] : counter_names()) out += std::string(",") + name;
     out += "\n";
     for (const auto& [report, set] : printout.runs) {
         out += quoted(report.name) + "," + quoted(set);
-        for (const auto& [name, count] : inspect::counter_names())
-            out += fmt::format(",{}", report.counters.*count);
+        for (const auto& [name, count] : counter_names()) out += fmt::format(",{}", report.counters.*count);
         out += "\n";
     }
     return out;

@@ -1,6 +1,6 @@
 #include "inspect/finding.h"
 
-#include "inspect/counter_names.h"
+#include "gw/counter_names.h"
 
 #include <fmt/format.h>
 

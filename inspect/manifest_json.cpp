@@ -2,9 +2,9 @@
 // of it.
 #include "inspect/manifest.h"
 
+#include "gw/counter_names.h"
 #include "gw/error.h"
 #include "gw/machine.h"
-#include "inspect/counter_names.h"
 #include "inspect/plane_values.h"
 #include "inspect/profile_json.h"
 

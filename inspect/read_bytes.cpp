@@ -10,8 +10,10 @@ namespace gw::inspect {
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
     constexpr std::size_t most = std::size_t{1} << 31;
     std::error_code code;
-    if (std::filesystem::is_directory(file, code))
-        throw Error(file.string(), 0, "is a folder; expected a file");
+    const auto kind = std::filesystem::status(file, code).type();
+    using enum std::filesystem::file_type;
+    if (kind == directory) throw Error(file.string(), 0, "is a folder; expected a file");
+    if (kind == character || kind == block) throw Error(file.string(), 0, "is a device; expected a file");
     std::ifstream in(file, std::ios::binary);
     if (!in) throw Error(file.string(), 0, "cannot be opened; expected a file that can be read");
     std::vector<std::uint8_t> bytes;

@@ -1,4 +1,4 @@
-// A whole file as bytes. Does not interpret them.
+// A whole file, or what comes out of a pipe, as bytes. Does not interpret them.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace gw::inspect {
 
-/// Throws Error naming the file where it is missing, a folder, larger than 2 GB or cannot be read.
+/// Throws Error naming the file where it is missing, a folder, a device, larger than 2 GB or cannot be read.
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file);
 
 }  // namespace gw::inspect

@@ -1,45 +1,14 @@
 #include "inspect/state_fields.h"
 
-#include "inspect/file_values.h"
+#include "inspect/value_text.h"
 
 #include <fmt/format.h>
 
 namespace gw::inspect {
 namespace {
 
-std::string text(bool v) { return v ? "on" : "off"; }
-std::string text(int v) { return std::to_string(v); }
-std::string text(std::uint32_t v) { return fmt::format("{:#x}", v); }
-std::string text(float v) { return fmt::format("{}", v); }
-std::string text(double v) { return fmt::format("{}", v); }
-std::string text(const vec4& v) { return fmt::format("{} {} {} {}", v.x, v.y, v.z, v.w); }
-std::string text(const dvec4& v) { return fmt::format("{} {} {} {}", v.x, v.y, v.z, v.w); }
-std::string text(const Rect& r) { return fmt::format("{} {} {} {}", r.x, r.y, r.width, r.height); }
-/// Rows, as matrices are written.
-std::string text(const dmat4& m) {
-    std::string rows;
-    for (int row = 0; row < 4; ++row)
-        rows += (row ? "; " : "") + text(dvec4(m[0][row], m[1][row], m[2][row], m[3][row]));
-    return rows;
-}
-std::string text(CompareFunc v) { return gwt::EnumNameCompareFunc(file_enum<gwt::CompareFunc>(v)); }
-std::string text(StencilOp v) { return gwt::EnumNameStencilOp(file_enum<gwt::StencilOp>(v)); }
-std::string text(BlendFactor v) { return gwt::EnumNameBlendFactor(file_enum<gwt::BlendFactor>(v)); }
-std::string text(Face v) { return gwt::EnumNameFace(file_enum<gwt::Face>(v)); }
-std::string text(Winding v) { return gwt::EnumNameWinding(file_enum<gwt::Winding>(v)); }
-std::string text(PolygonMode v) { return gwt::EnumNamePolygonMode(file_enum<gwt::PolygonMode>(v)); }
-std::string text(ShadeModel v) { return gwt::EnumNameShadeModel(file_enum<gwt::ShadeModel>(v)); }
-std::string text(ColorSource v) { return gwt::EnumNameColorSource(file_enum<gwt::ColorSource>(v)); }
-std::string text(FogMode v) { return gwt::EnumNameFogMode(file_enum<gwt::FogMode>(v)); }
-std::string text(FogCoordinate v) { return gwt::EnumNameFogCoordinate(file_enum<gwt::FogCoordinate>(v)); }
-std::string text(MinFilter v) { return gwt::EnumNameMinFilter(file_enum<gwt::MinFilter>(v)); }
-std::string text(MagFilter v) { return gwt::EnumNameMagFilter(file_enum<gwt::MagFilter>(v)); }
-std::string text(Wrap v) { return gwt::EnumNameWrap(file_enum<gwt::Wrap>(v)); }
-std::string text(TexEnv v) { return gwt::EnumNameTexEnv(file_enum<gwt::TexEnv>(v)); }
-std::string text(TexGen v) { return gwt::EnumNameTexGen(file_enum<gwt::TexGen>(v)); }
-std::string text(const ColorMask& m) {
-    return std::string(m.r ? "r" : "-") + (m.g ? "g" : "-") + (m.b ? "b" : "-") + (m.a ? "a" : "-");
-}
+/// Bits, not a number.
+std::string hex(std::uint32_t mask) { return fmt::format("{:#x}", mask); }
 
 void add_geometry(const State& s, const auto& add) {
     add("projection", s.projection);
@@ -91,11 +60,11 @@ void add_shading(const State& s, const auto& add) {
 void add_stencil_face(const std::string& name, const auto& face, const auto& add) {
     add(name + ".func", face.func);
     add(name + ".ref", face.ref);
-    add(name + ".mask", face.mask);
+    add(name + ".mask", hex(face.mask));
     add(name + ".fail", face.fail);
     add(name + ".zfail", face.zfail);
     add(name + ".zpass", face.zpass);
-    add(name + ".write_mask", face.write_mask);
+    add(name + ".write_mask", hex(face.write_mask));
 }
 
 void add_fragment_operations(const State& s, const auto& add) {
@@ -121,8 +90,11 @@ void add_fragment_operations(const State& s, const auto& add) {
 
 std::vector<Field> fields(const State& state) {
     std::vector<Field> all;
-    const auto add = [&](std::string name, const auto& value) {
-        all.push_back({std::move(name), text(value)});
+    const auto add = [&]<typename T>(std::string name, const T& value) {
+        if constexpr (std::is_same_v<T, std::string>)
+            all.push_back({std::move(name), value});
+        else
+            all.push_back({std::move(name), text(value)});
     };
     add_geometry(state, add);
     add_shading(state, add);

@@ -1,5 +1,6 @@
 // A plot drawn: frame with ticks, lines and markers, legend, title, caption.
 #include "gw/error.h"
+#include "plot/markup.h"
 #include "plot/scale.h"
 
 #include <fmt/format.h>
@@ -25,23 +26,6 @@ constexpr const char* shapes[] = {"M-3.5,0a3.5,3.5 0 1,0 7,0a3.5,3.5 0 1,0 -7,0"
                                   "M0,4L4,-3H-4z",
                                   "M-3,-3L3,3M-3,3L3,-3",
                                   "M0,-4V4M-4,0H4"};
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (char c : text) {
-        if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '&')
-            out += "&amp;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += c;
-    }
-    return out;
-}
 
 /// Broken at blanks.
 std::vector<std::string> lines_of(const std::string& text) {

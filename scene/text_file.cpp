@@ -44,11 +44,28 @@ fs::path path_without_case(const fs::path& folder, const fs::path& name) {
     return found;
 }
 
-// `expected` is the size where it is known; pipes and devices have none.
-std::string contents(std::FILE* in, std::size_t expected) {
+// A device has no end, and a pipe may have no other one: a scene must not be able to name them.
+void check_is_file(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status)) throw Error(path.string(), 0, "is a directory; expected a file");
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        throw Error(path.string(), 0, "is a device or a pipe; expected a file");
+}
+
+void check_size(const fs::path& path, std::size_t size) {
+    if (size > most_text)
+        throw Error(path.string(), 0,
+                    "has more than " + std::to_string(most_text >> 20) + " MB; expected less");
+}
+
+// `expected` is the size as far as it is known: it may grow meanwhile, and files of the system claim 0.
+std::string contents(std::FILE* in, const fs::path& path, std::size_t expected) {
+    check_size(path, expected);
     std::string text(expected + 1, '\0');
     std::size_t size = 0;
     for (std::size_t got = 1; got > 0; size += got) {
+        check_size(path, size);
         if (size == text.size()) text.resize(2 * size);
         got = std::fread(text.data() + size, 1, text.size() - size, in);
     }
@@ -64,14 +81,14 @@ bool file_exists(const fs::path& path) {
 }
 
 std::string read_text(const fs::path& path) {
-    std::error_code error;
-    if (fs::is_directory(path, error)) throw Error(path.string(), 0, "is a directory; expected a file");
+    check_is_file(path);
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!in)
         throw Error(path.string(), 0,
                     std::string("cannot be opened: ") + std::strerror(errno) + "; expected a readable file");
+    std::error_code error;
     const std::uintmax_t size = fs::file_size(path, error);
-    std::string text = contents(in.get(), error ? 0xffff : static_cast<std::size_t>(size));
+    std::string text = contents(in.get(), path, error ? 0xffff : static_cast<std::size_t>(size));
     if (std::ferror(in.get()))
         throw Error(path.string(), 0, "cannot be read to its end; expected a readable file");
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))

@@ -1,5 +1,4 @@
 // Claims: every sign of ASCII has a shape of its own; text is clipped by the picture; captions are readable.
-#include "apps/html.h"
 #include "apps/lettering.h"
 
 #include <gtest/gtest.h>
@@ -67,11 +66,6 @@ TEST(Caption, KeepsThePictureBelowItAndTheSizeWhateverItSays) {
     EXPECT_EQ(a.values.size(), std::size_t(3 * a.width * a.height));
     EXPECT_TRUE(std::equal(picture.values.begin(), picture.values.end(), a.values.begin()));
     EXPECT_NE(a, b);
-}
-
-TEST(Escaped, IsHarmlessInTextAndInAttributes) {
-    EXPECT_EQ(escaped("<a href=\"x\">'&'"), "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;");
-    EXPECT_EQ(escaped("輪 plain"), "輪 plain");
 }
 
 }  // namespace gw::apps

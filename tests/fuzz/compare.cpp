@@ -1,6 +1,8 @@
 // Finding the first difference.
 #include "tests/fuzz/compare.h"
 
+#include "gw/counter_names.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -50,13 +52,13 @@ std::optional<Difference> compare_pass(std::size_t i, const PassReport& a, const
     if (a == b) return std::nullopt;
     const std::string pass = fmt::format("pass {} '{}'", i, a.name);
     if (a.name != b.name) return Difference{pass + ", name", {}, {}, a.name, b.name};
-    for (const NamedCounter& c : named_counters())
-        if (a.counters.*c.field != b.counters.*c.field)
+    for (const CounterName& c : counter_names())
+        if (a.counters.*c.count != b.counters.*c.count)
             return Difference{fmt::format("{}, counter {}", pass, c.name),
                               {},
                               {},
-                              std::to_string(a.counters.*c.field),
-                              std::to_string(b.counters.*c.field)};
+                              std::to_string(a.counters.*c.count),
+                              std::to_string(b.counters.*c.count)};
     for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
         if (a.digests[std::size_t(plane)] != b.digests[std::size_t(plane)])
             return Difference{fmt::format("{}, digest of {}", pass, name_of(plane)),
@@ -121,31 +123,6 @@ std::string value_at(const Planes& p, Plane plane, int x, int y) {
         case Plane::Accum: return fmt::format("{}", fmt::join(p.accum[i], " "));
     }
     return "";
-}
-
-const std::vector<NamedCounter>& named_counters() {
-    using C = Counters;
-    static const std::vector<NamedCounter> all{
-        {"draws", &C::draws},
-        {"vertices", &C::vertices},
-        {"primitives", &C::primitives},
-        {"rejected", &C::rejected},
-        {"clipped", &C::clipped},
-        {"degenerate", &C::degenerate},
-        {"culled", &C::culled},
-        {"drawn", &C::drawn},
-        {"fragments", &C::fragments},
-        {"alpha_killed", &C::alpha_killed},
-        {"stencil_killed", &C::stencil_killed},
-        {"depth_killed", &C::depth_killed},
-        {"written", &C::written},
-        {"texels", &C::texels},
-        {"pixels", &C::pixels},
-        {"accum_overflows", &C::accum_overflows},
-        {"bytes", &C::bytes},
-    };
-    static_assert(sizeof(Counters) == 17 * sizeof(std::uint64_t), "a counter without a name here");
-    return all;
 }
 
 std::optional<Difference> first_difference(Machine& a, Machine& b) {

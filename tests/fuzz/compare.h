@@ -22,11 +22,5 @@ std::optional<Difference> first_difference(Machine& a, Machine& b);
 const char* name_of(Plane plane);
 /// A pixel's value in a plane, as numbers.
 std::string value_at(const Planes& planes, Plane plane, int x, int y);
-/// Each counter with its name, in the order of the stages.
-struct NamedCounter {
-    const char* name;
-    std::uint64_t Counters::*field;
-};
-const std::vector<NamedCounter>& named_counters();
 
 }  // namespace gw::fuzz

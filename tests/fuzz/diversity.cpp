@@ -1,6 +1,7 @@
 // Measuring diversity.
 #include "tests/fuzz/diversity.h"
 
+#include "gw/counter_names.h"
 #include "tests/fuzz/compare.h"
 
 #include <fmt/format.h>
@@ -34,10 +35,10 @@ std::string missing(const Diversity& reached, const Suite& suite) {
         if ((suite.planes & mask_of(plane)) && reached.varied[std::size_t(plane)] * 10 < reached.lists)
             out += fmt::format(" plane {} varies in {} of {} lists;", name_of(plane),
                                reached.varied[std::size_t(plane)], reached.lists);
-    for (const NamedCounter& c : named_counters())
-        if (std::count(suite.counters.begin(), suite.counters.end(), c.field) &&
-            reached.counters.*c.field * 4 < reached.lists)
-            out += fmt::format(" counter {} is {} after {} lists;", c.name, reached.counters.*c.field,
+    for (const CounterName& c : counter_names())
+        if (std::count(suite.counters.begin(), suite.counters.end(), c.count) &&
+            reached.counters.*c.count * 4 < reached.lists)
+            out += fmt::format(" counter {} is {} after {} lists;", c.name, reached.counters.*c.count,
                                reached.lists);
     return out;
 }

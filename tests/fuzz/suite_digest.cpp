@@ -1,6 +1,8 @@
 // FNV-1a over the text of digests and counters.
 #include "tests/fuzz/suite_digest.h"
 
+#include "gw/counter_names.h"
+
 #include <fmt/format.h>
 
 namespace gw::fuzz {
@@ -14,7 +16,7 @@ std::string fnv(const std::string& text) {
 
 std::string text_of(const Counters& counters) {
     std::string out;
-    for (const NamedCounter& c : named_counters()) out += fmt::format(" {}", counters.*c.field);
+    for (const CounterName& c : counter_names()) out += fmt::format(" {}", counters.*c.count);
     return out;
 }
 

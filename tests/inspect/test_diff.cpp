@@ -50,11 +50,11 @@ TEST(Diff, NamesWhatDiffers) {
     moved.positions[1].y = 2;
     other.mesh = make_mesh(moved);
     EXPECT_EQ(first(a, with_draw(other)),
-              "pass 0 'p', command 1 (Draw), positions 1: expected (1 0 0), got (1 2 0)\n");
+              "pass 0 'p', command 1 (Draw), positions 1: expected 1 0 0, got 1 2 0\n");
     other = draw;
     other.material.Kd.y = 0.5f;
     EXPECT_EQ(first(a, with_draw(other)),
-              "pass 0 'p', command 1 (Draw), Kd: expected (0.8 0.8 0.8), got (0.8 0.5 0.8)\n");
+              "pass 0 'p', command 1 (Draw), Kd: expected 0.8 0.8 0.8, got 0.8 0.5 0.8\n");
     other = draw;
     other.lights = std::make_shared<const std::vector<Light>>(1);
     EXPECT_EQ(first(a, with_draw(other)),

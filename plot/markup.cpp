@@ -1,6 +1,6 @@
-#include "apps/html.h"
+#include "plot/markup.h"
 
-namespace gw::apps {
+namespace gw::plot {
 
 std::string escaped(std::string_view text) {
     std::string out;
@@ -17,4 +17,4 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-}  // namespace gw::apps
+}  // namespace gw::plot

@@ -1,22 +1,13 @@
-// The names of the counters, for tables, CSV and JSON. docs/manual.md, "Counters", says what they count.
+// Counters as JSON, by the names of gw/counter_names.h.
 #pragma once
 
-#include "gw/machine.h"
+#include "gw/counters.h"
 
 #include <nlohmann/json.hpp>
 
-#include <span>
 #include <vector>
 
 namespace gw::inspect {
-
-struct CounterName {
-    const char* name;
-    std::uint64_t Counters::*count;
-};
-
-/// All of them, in the manual's order.
-std::span<const CounterName> counter_names();
 
 nlohmann::ordered_json json_of(const Counters& counters);
 
