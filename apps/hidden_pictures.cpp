@@ -69,6 +69,14 @@ void draw_span(image::Picture& picture, const hs::Step& step) {
         put(picture, std::size_t(step.row * picture.width + x), white);
 }
 
+/// The window's outermost pixels.
+void draw_window(image::Picture& picture, const Rect& w) {
+    for (int y = w.y; y < w.y + w.height; ++y)
+        for (int x = w.x; x < w.x + w.width; ++x)
+            if (x == w.x || y == w.y || x == w.x + w.width - 1 || y == w.y + w.height - 1)
+                put(picture, std::size_t(y * picture.width + x), white);
+}
+
 }  // namespace
 
 std::map<std::uint32_t, Color> flat_colors(const hs::Input& input) {
@@ -100,6 +108,7 @@ image::Picture picture_of_step(const hs::Input& input, const hs::Replay& replay,
     if (step.action == hs::Action::Sort) return picture;
     for (std::size_t i = std::min<std::size_t>(step.polygons.size(), 8); i-- > 0;)
         draw_border(picture, input, step.polygons[i], i == 0 ? white : i == 1 ? yellow : grey);
+    draw_window(picture, step.window);
     return picture;
 }
 

@@ -41,6 +41,7 @@ struct Algorithm {
     std::string title;  ///< for people, with the lecture's row
     Claim claim = Claim::Sometimes;
     bool uses_depth_plane = false;
+    bool in_world = false;  ///< decides before the snap to the grid: may differ where that turns two over
     std::function<Output(const Input&, StepLog&)> run;
 };
 

@@ -14,7 +14,7 @@ struct Counts {
     std::uint64_t keys = 0;       ///< two distances of representative points, in a sort
     std::uint64_t extents = 0;    ///< two intervals in x, y or z
     std::uint64_t planes = 0;     ///< a polygon against a plane
-    std::uint64_t overlaps = 0;   ///< two projections
+    std::uint64_t overlaps = 0;   ///< two projections, or one and a window
     std::uint64_t crossings = 0;  ///< two ends of segments in x, in a sort
     std::uint64_t depths = 0;     ///< two depths at a pixel
     std::uint64_t rays = 0;       ///< a ray against a polygon
@@ -22,7 +22,7 @@ struct Counts {
     std::uint64_t sorts = 0, swaps = 0;  ///< swaps: neighbours exchanged, or polygons moved in the list
     std::uint64_t splits = 0;            ///< polygons cut in two
     std::uint64_t undecided = 0;         ///< pairs for which no test and no cut gave an order
-    std::uint64_t nodes = 0;             ///< of a tree
+    std::uint64_t nodes = 0;             ///< of a tree, of windows too
     std::uint64_t spans = 0;             ///< runs of pixels worked out
     std::uint64_t peak_bytes = 0;        ///< memory beside the scene and the frame buffer, at most
     // Of the machine.

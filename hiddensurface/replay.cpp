@@ -12,6 +12,9 @@ void check(const Step& step, int width, int height) {
     for (const auto& [run, id] : step.painted)
         if (run.y < 0 || run.y >= height || run.x0 < 0 || run.x1 > width || run.x0 > run.x1)
             throw Error("a step paints outside the window; expected a log of this size");
+    const Rect& w = step.window;
+    if (w.x < 0 || w.y < 0 || w.width < 0 || w.height < 0 || w.width > width - w.x || w.height > height - w.y)
+        throw Error("a step is about pixels outside the window; expected a log of this size");
 }
 
 }  // namespace

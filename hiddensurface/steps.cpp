@@ -56,6 +56,8 @@ Step parse(const std::string& line) {
         step.painted.push_back({{p.at(0), p.at(1), p.at(2)}, p.at(3)});
     step.before = loops_from(json.value("before", Json::array()));
     step.behind = loops_from(json.value("behind", Json::array()));
+    if (const Json w = json.value("window", Json::array()); !w.empty())
+        step.window = {w.at(0), w.at(1), w.at(2), w.at(3)};
     return step;
 }
 
@@ -73,6 +75,7 @@ std::string to_json(const Step& step) {
     for (const auto& [run, id] : step.painted) json["painted"].push_back({run.y, run.x0, run.x1, id});
     if (!step.before.empty()) json["before"] = json_of(step.before);
     if (!step.behind.empty()) json["behind"] = json_of(step.behind);
+    if (const Rect& w = step.window; w.width > 0) json["window"] = {w.x, w.y, w.width, w.height};
     return json.dump();
 }
 

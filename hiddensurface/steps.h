@@ -30,6 +30,7 @@ struct Step {
     int row = -1;                         ///< the scan line, where there is one
     std::vector<Painted> painted;         ///< Draw only: all that changes in the picture
     std::vector<Loop> before, behind;     ///< Split only: the pieces, in grid units
+    Rect window{};                        ///< pixels that it is about; of no width: none
     bool operator==(const Step&) const = default;
 };
 

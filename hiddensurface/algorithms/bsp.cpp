@@ -88,6 +88,7 @@ Algorithm bsp() {
             .name = "bsp",
             .title = "BSP tree, built before the eye is known [L5]",
             .claim = Claim::Always,
+            .in_world = true,
             .run = run};
 }
 

@@ -99,6 +99,7 @@ TEST(StepLog, RefusesLinesThatItDidNotWrite) {
     EXPECT_THROW(step_from_json("{}"), Error);
     EXPECT_THROW(step_from_json(R"({"level":"polygon","action":"juggle"})"), Error);
     EXPECT_THROW(Replay({Step{.action = Action::Draw, .painted = {{{0, 5, 9}, 1}}}}, 8, 8), Error);
+    EXPECT_THROW(Replay({Step{.window = {4, 0, 5, 1}}}, 8, 8), Error);
 }
 
 TEST(Algorithms, AreFoundByName) {

@@ -1,0 +1,137 @@
+// Warnock's area subdivision. J. E. Warnock: A Hidden Surface Algorithm for Computer Generated Halftone
+// Pictures, University of Utah TR 4-15, 1969. A window in which the picture is simple is drawn; another is
+// cut into four, down to the pixel. Simple is: nothing in it; one face; or a face around all of the window
+// that is nearer than all others at its four corners. Windows are of pixels' centres, so the last one, the
+// pixel, is decided at its centre. Faces that pierce each other need nothing special: their windows are cut
+// to pixels. Does not claim: to find edges finer than a pixel (Warnock's line drawings went on below), or few
+// windows where coplanar faces overlap or faces pierce: along those lines all windows are pixels. Work grows
+// with the length of the visible edges, not with the square of the faces.
+#include "hiddensurface/face.h"
+
+#include <algorithm>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+using FaceList = std::vector<const Face*>;
+
+class Warnock {
+public:
+    Warnock(const Input& input, StepLog& log)
+        : input_(input),
+          log_(log),
+          output_{.list = begin_picture(input, "Warnock")},
+          faces_(faces_of(input)) {}
+
+    Output run() {
+        FaceList all;
+        for (const Face& face : faces_) all.push_back(&face);
+        look(input_.window(), {}, all);
+        output_.counts.spans = painted_.size();
+        add_painted(output_.list, painted_);
+        return std::move(output_);
+    }
+
+private:
+    /// Warnock's looker. `around`: faces that surround the window that this one was cut from, and so this
+    /// one; `others`: those that reached into it.
+    void look(const Rect& window, FaceList around, const FaceList& others) {
+        output_.counts.nodes += 1;
+        FaceList inside;
+        for (const Face* face : others) {
+            output_.counts.overlaps += 1;
+            const Cover cover = cover_of(*face, window);
+            if (cover == Cover::Surrounds) around.push_back(face);
+            if (cover == Cover::Intersects) inside.push_back(face);
+        }
+        drop_what_is_behind(window, around, inside);
+        held_ += around.size() + inside.size();
+        output_.counts.peak_bytes = std::max<std::uint64_t>(output_.counts.peak_bytes, held_ * sizeof(Face*));
+        think(window, around, inside);
+        held_ -= around.size() + inside.size();
+    }
+
+    /// The thinker: draws, or asks for four looks.
+    void think(const Rect& w, const FaceList& around, const FaceList& inside) {
+        if (around.empty() && inside.empty()) return log(w, {}, "empty");
+        if (around.size() == 1 && inside.empty()) return fill(w, *around[0], "surrounded, before all others");
+        if (around.empty() && inside.size() == 1) return fill(w, *inside[0], "one face");
+        if (w.width == 1 && w.height == 1) return one_pixel(w, around, inside);
+        log(w, inside.empty() ? around : inside, "not simple");
+        const int width = (w.width + 1) / 2, height = (w.height + 1) / 2;
+        for (const int y : {height, 0})
+            for (const int x : {0, width}) {
+                const Rect quarter{w.x + x, w.y + y, x ? w.width - width : width,
+                                   y ? w.height - height : height};
+                if (quarter.width > 0 && quarter.height > 0) look(quarter, around, inside);
+            }
+    }
+
+    /// Nothing behind a face around all of the window is seen in it.
+    void drop_what_is_behind(const Rect& window, FaceList& around, FaceList& inside) {
+        if (around.empty()) return;
+        const Face* first = around[0];
+        for (const Face* face : around) {
+            output_.counts.depths += 1;
+            if (is_nearer(*face, *first, window.x, window.y)) first = face;
+        }
+        const auto hidden = [&](const Face* face) {
+            return face != first && is_nearer(*first, *face, window, output_.counts.depths);
+        };
+        std::erase_if(around, hidden);
+        std::erase_if(inside, hidden);
+    }
+
+    void one_pixel(const Rect& w, const FaceList& around, const FaceList& inside) {
+        const Face* nearest = nullptr;
+        for (const FaceList* list : {&around, &inside})
+            for (const Face* face : *list) {
+                if (!covers(*face, w.x, w.y)) continue;
+                output_.counts.depths += 1;
+                if (!nearest || is_nearer(*face, *nearest, w.x, w.y)) nearest = face;
+            }
+        if (nearest) fill(w, *nearest, "a pixel: nearest at its centre");
+    }
+
+    void fill(const Rect& w, const Face& face, const char* why) {
+        const std::uint32_t id = input_.polygons[face.polygon].id;
+        std::vector<Painted> painted;
+        for (int y = w.y + w.height - 1; y >= w.y; --y)
+            if (const Run run = run_of(face, y, w.x, w.x + w.width); run.x0 < run.x1)
+                painted.push_back({run, id});
+        if (painted.empty()) return;
+        painted_.insert(painted_.end(), painted.begin(), painted.end());
+        if (!log_.on()) return;
+        Step step{Level::Polygon, Action::Draw, {id}, "window", why, -1, std::move(painted)};
+        step.window = w;
+        log_.add(std::move(step));
+    }
+
+    void log(const Rect& w, const FaceList& faces, const char* result) {
+        if (!log_.on()) return;
+        Step step{Level::Polygon, Action::Decide, {}, "window", result};
+        for (const Face* face : faces) step.polygons.push_back(input_.polygons[face->polygon].id);
+        step.window = w;
+        log_.add(std::move(step));
+    }
+
+    const Input& input_;
+    StepLog& log_;
+    Output output_;
+    std::vector<Face> faces_;
+    std::vector<Painted> painted_;
+    std::size_t held_ = 0;  ///< faces in the lists of the window and of those that it is cut from
+};
+
+}  // namespace
+
+Algorithm warnock() {
+    return {.place = 80,
+            .name = "warnock",
+            .title = "Warnock's area subdivision (1969)",
+            .claim = Claim::Always,
+            .run = [](const Input& input, StepLog& log) { return Warnock(input, log).run(); }};
+}
+
+}  // namespace gw::hiddensurface
