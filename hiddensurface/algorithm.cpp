@@ -58,6 +58,20 @@ void add_painted(CommandList& list, const std::vector<Painted>& painted) {
     if (!spans.spans.empty()) list.add(std::move(spans));
 }
 
+void add_run(std::vector<Painted>& painted, const Run& run, std::uint32_t id) {
+    if (!painted.empty() && painted.back().id == id && painted.back().run.y == run.y &&
+        painted.back().run.x1 == run.x0)
+        painted.back().run.x1 = run.x1;
+    else
+        painted.push_back({run, id});
+}
+
+void draw_line(int y, std::vector<Painted> painted, Output& output, StepLog& log) {
+    if (painted.empty()) return;
+    add_painted(output.list, painted);
+    if (log.on()) log.add({Level::Line, Action::Draw, {}, "", "", y, std::move(painted)});
+}
+
 void draw_piece(const Input& input, const Piece& piece, Output& output, StepLog& log) {
     const Polygon& polygon = input.polygons[piece.polygon];
     std::vector<Painted> painted;

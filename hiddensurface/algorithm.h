@@ -57,6 +57,12 @@ CommandList begin_picture(const Input& input, const std::string& name);
 /// Pixels in the colours of identifiers, through the machine's spans.
 void add_painted(CommandList& list, const std::vector<Painted>& painted);
 
+/// Appends, or joins to the last one that it continues.
+void add_run(std::vector<Painted>& painted, const Run& run, std::uint32_t id);
+
+/// Draws a scan line: spans in the list, a step in the log.
+void draw_line(int y, std::vector<Painted> painted, Output& output, StepLog& log);
+
 /// Draws a piece: spans in the list, a step in the log, counted.
 void draw_piece(const Input& input, const Piece& piece, Output& output, StepLog& log);
 

@@ -179,6 +179,16 @@ bool is_nearer(const Face& a, const Face& b, const Rect& w, std::uint64_t& compa
     return true;
 }
 
+int first_nearer(const Face& a, const Face& b, const Run& run, std::uint64_t& compared) {
+    int not_yet = run.x0, nearer = run.x1 - 1;
+    while (nearer - not_yet > 1) {
+        const int middle = not_yet + (nearer - not_yet) / 2;
+        compared += 1;
+        (is_nearer(a, b, middle, run.y) ? nearer : not_yet) = middle;
+    }
+    return nearer;
+}
+
 Run run_of(const Face& face, int y, int x0, int x1) {
     std::int64_t left = x0, right = x1;
     for (const Side& side : face.sides) {

@@ -46,6 +46,9 @@ bool is_nearer(const Face& a, const Face& b, int x, int y);
 /// At every pixel of the window: asked at the corners, one comparison each, till one says no.
 bool is_nearer(const Face& a, const Face& b, const Rect& window, std::uint64_t& compared);
 
+/// a is not nearer than b at the run's first pixel and is at its last: the first at which it is, by halving.
+int first_nearer(const Face& a, const Face& b, const Run& run, std::uint64_t& compared);
+
 /// The face's pixels of row y from x0 up to x1; empty: x0 >= x1.
 Run run_of(const Face& face, int y, int x0, int x1);
 

@@ -39,13 +39,8 @@ std::vector<Painted> cast_line(const Input& input, const Targets& targets, int y
     std::vector<Painted> painted;
     for (int x = 0; x < input.view.width; ++x) {
         const raytrace::Ray ray{{double(center(x, s)), double(center(y, s)), 0}, {0, 0, 1}};
-        if (const auto hit = raytrace::nearest_hit(ray, targets.triangles)) {
-            const std::uint32_t id = targets.ids[hit->polygon];
-            if (!painted.empty() && painted.back().run.x1 == x && painted.back().id == id)
-                painted.back().run.x1 = x + 1;
-            else
-                painted.push_back({{y, x, x + 1}, id});
-        }
+        if (const auto hit = raytrace::nearest_hit(ray, targets.triangles))
+            add_run(painted, {y, x, x + 1}, targets.ids[hit->polygon]);
         if (log.wants(Level::Pixel)) log_ray(x, y, painted, log);
     }
     return painted;
@@ -58,9 +53,7 @@ Output run(const Input& input, StepLog& log) {
         std::vector<Painted> painted = cast_line(input, targets, y, log);
         output.counts.rays += targets.triangles.size() * std::uint64_t(input.view.width);
         output.counts.spans += painted.size();
-        add_painted(output.list, painted);
-        if (log.on() && !painted.empty())
-            log.add({Level::Line, Action::Draw, {}, "", "", y, std::move(painted)});
+        draw_line(y, std::move(painted), output, log);
     }
     output.counts.peak_bytes = targets.triangles.size() * sizeof(raytrace::PlanePolygon);
     return output;

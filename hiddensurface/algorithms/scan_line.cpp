@@ -11,10 +11,7 @@ Output run(const Input& input, StepLog& log) {
     for_visible_spans(input, output.counts, log, [&](const std::vector<VisibleSpan>& line) {
         std::vector<Painted> painted;
         for (const VisibleSpan& span : line) painted.push_back({span.run, input.polygons[span.polygon].id});
-        add_painted(output.list, painted);
-        if (!log.on() || painted.empty()) return;
-        Step step{Level::Line, Action::Draw, {}, "", "", painted.front().run.y, std::move(painted)};
-        log.add(std::move(step));
+        if (!line.empty()) draw_line(line.front().run.y, std::move(painted), output, log);
     });
     return output;
 }

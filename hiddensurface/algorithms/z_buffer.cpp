@@ -36,11 +36,7 @@ private:
             compared_ += 1;
             if (passes) stored = walk.z();
             if (log_.wants(Level::Pixel)) log_pixel({run.y, x, x + 1}, id, passes);
-            if (!passes) continue;
-            if (!painted.empty() && painted.back().run.y == run.y && painted.back().run.x1 == x)
-                painted.back().run.x1 = x + 1;
-            else
-                painted.push_back({{run.y, x, x + 1}, id});
+            if (passes) add_run(painted, {run.y, x, x + 1}, id);
         }
     }
 

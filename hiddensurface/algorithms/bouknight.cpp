@@ -1,0 +1,119 @@
+// Bouknight's scan-line algorithm. W. J. Bouknight: A Procedure for Generation of Three-Dimensional
+// Half-Toned Computer Graphics Presentations, CACM 13(9), 1970. The edges that cross the line, sorted in x:
+// the order of the line above, mended by exchanges of neighbours. From left to right an edge switches its
+// face on or off. Between two edges the nearest of the faces switched on is looked for at both ends: one
+// face, and it is seen; two, and they pierce each other: the edge that they imply is found and the span
+// divided there. Does not claim: to make use of the line above for anything but the order; every edge, hidden
+// or not, ends a span, and every face switched on is compared in every span: work grows with faces times
+// depth complexity. Ours: pixels instead of points of the line; the implied edge by halving.
+#include "hiddensurface/active_faces.h"
+
+#include <algorithm>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+struct Crossing {
+    const ActiveFace* of = nullptr;
+    bool begins = false;
+    int x() const { return begins ? of->x0 : std::max(of->x0, of->x1); }
+};
+
+class Bouknight {
+public:
+    Bouknight(const Input& input, StepLog& log)
+        : input_(input),
+          log_(log),
+          output_{.list = begin_picture(input, "Bouknight")},
+          faces_(faces_of(input)),
+          active_(faces_, input) {}
+
+    Output run() {
+        for (int y = input_.view.height - 1; y >= 0; --y) {
+            active_.next_line();
+            update_crossings();
+            line(y);
+            output_.counts.peak_bytes = std::max<std::uint64_t>(
+                output_.counts.peak_bytes, active_.bytes() + crossings_.size() * sizeof(Crossing));
+            draw_line(y, std::move(painted_), output_, log_);
+            painted_ = {};
+        }
+        return std::move(output_);
+    }
+
+private:
+    void update_crossings() {
+        std::erase_if(crossings_, [](const Crossing& c) { return c.of->done; });
+        for (const ActiveFace* begun : active_.begun())
+            for (const bool begins : {true, false}) crossings_.push_back({begun, begins});
+        sort_again(crossings_, 2 * active_.begun().size(), output_.counts,
+                   [](const Crossing& a, const Crossing& b) { return a.x() < b.x(); });
+    }
+
+    void line(int y) {
+        on_.clear();
+        for (std::size_t i = 0; i < crossings_.size(); ++i) {
+            const Crossing& c = crossings_[i];
+            if (!c.begins)
+                std::erase(on_, c.of->face);
+            else if (c.of->x0 < c.of->x1)
+                on_.push_back(c.of->face);
+            const int x = c.x(), next = i + 1 < crossings_.size() ? crossings_[i + 1].x() : x;
+            if (x < next && !on_.empty()) span({y, x, next});
+        }
+    }
+
+    void span(const Run& run) {
+        output_.counts.spans += 1;
+        const Face *left = nearest(run.x0, run.y), *right = nearest(run.x1 - 1, run.y);
+        if (log_.wants(Level::Span)) log_span(run, left == right ? "one at both ends" : "two: they pierce");
+        if (left == right) return add_run(painted_, run, input_.polygons[left->polygon].id);
+        const int x = implied_edge(run, *left, *right);
+        span({run.y, run.x0, x});
+        span({run.y, x, run.x1});
+    }
+
+    const Face* nearest(int x, int y) {
+        const Face* best = on_.front();
+        for (const Face* face : on_) {
+            if (face == best) continue;
+            output_.counts.depths += 1;
+            if (is_nearer(*face, *best, x, y)) best = face;
+        }
+        return best;
+    }
+
+    /// `left` is nearer at the run's first pixel, `right` at its last: the first at which right is.
+    int implied_edge(const Run& run, const Face& left, const Face& right) {
+        return first_nearer(right, left, run, output_.counts.depths);
+    }
+
+    void log_span(const Run& run, const char* result) {
+        Step step{Level::Span, Action::Compare, {}, "faces switched on", result, run.y};
+        for (const Face* face : on_) step.polygons.push_back(input_.polygons[face->polygon].id);
+        step.before = {{dvec3(run.x0, run.y, 0), dvec3(run.x1, run.y, 0)}};
+        log_.add(std::move(step));
+    }
+
+    const Input& input_;
+    StepLog& log_;
+    Output output_;
+    std::vector<Face> faces_;
+    ActiveFaces active_;
+    std::vector<Crossing> crossings_;  ///< sorted in x, kept from line to line
+    std::vector<const Face*> on_;
+    std::vector<Painted> painted_;
+};
+
+}  // namespace
+
+Algorithm bouknight() {
+    return {.place = 81,
+            .name = "bouknight",
+            .title = "Bouknight's scan line: edges switch faces on and off (1970)",
+            .claim = Claim::Always,
+            .run = [](const Input& input, StepLog& log) { return Bouknight(input, log).run(); }};
+}
+
+}  // namespace gw::hiddensurface

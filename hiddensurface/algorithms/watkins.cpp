@@ -1,0 +1,149 @@
+// Watkins' scan-line algorithm. G. S. Watkins: A Real Time Visible Surface Algorithm, University of Utah
+// UTEC-CSc-70-101, 1970. Segments of the line, sorted by their left ends: the order of the line above, mended
+// by exchanges of neighbours. Sample spans are guessed: where the line above had the end of a visible span,
+// this one probably has too. In a span, the segment nearest at its left end is the candidate; each other one
+// is behind it by the boxes of their depths, or by depths at both ends; or it comes into view, and the span
+// ends there. So only edges that are seen end spans, and a span that is guessed well takes one look. Does not
+// claim: anything for pictures whose lines differ much from line to line; its worst case is all segments in
+// every span. Segments that pierce each other are handled, by the search for where they do. Ours: pixels; the
+// two ends of a face are one segment where Watkins joined edges; a guess too short is joined to its
+// neighbour.
+#include "hiddensurface/active_faces.h"
+
+#include <algorithm>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+class Watkins {
+public:
+    Watkins(const Input& input, StepLog& log)
+        : input_(input),
+          log_(log),
+          output_{.list = begin_picture(input, "Watkins")},
+          faces_(faces_of(input)),
+          active_(faces_, input) {}
+
+    Output run() {
+        for (int y = input_.view.height - 1; y >= 0; --y) {
+            active_.next_line();
+            update_segments();
+            line(y);
+            output_.counts.peak_bytes = std::max<std::uint64_t>(
+                output_.counts.peak_bytes,
+                active_.bytes() + segments_.size() * sizeof(ActiveFace*) + ends_.size() * sizeof(int));
+            keep_ends();
+            draw_line(y, std::move(painted_), output_, log_);
+            painted_ = {};
+        }
+        return std::move(output_);
+    }
+
+private:
+    void update_segments() {
+        std::erase_if(segments_, [](const ActiveFace* segment) { return segment->done; });
+        const auto& begun = active_.begun();
+        segments_.insert(segments_.end(), begun.begin(), begun.end());
+        sort_again(segments_, begun.size(), output_.counts,
+                   [](const ActiveFace* a, const ActiveFace* b) { return a->x0 < b->x0; });
+    }
+
+    void line(int y) {
+        over_.clear();
+        std::size_t next = 0, guess = 0;
+        for (int x = 0; x < input_.view.width;) {
+            while (guess < ends_.size() && ends_[guess] <= x) ++guess;
+            const int end = guess < ends_.size() ? ends_[guess] : input_.view.width;
+            std::erase_if(over_, [x](const ActiveFace* s) { return s->x1 <= x; });
+            for (; next < segments_.size() && segments_[next]->x0 < end; ++next)
+                if (segments_[next]->x0 < segments_[next]->x1) over_.push_back(segments_[next]);
+            if (over_.empty() && next == segments_.size()) return;
+            x = sample({y, x, end});
+        }
+    }
+
+    /// Draws what is seen at the span's left end as far as it is seen in the span; where that ends.
+    int sample(Run run) {
+        output_.counts.spans += 1;
+        const ActiveFace* candidate = nearest_at_left(run);
+        for (const ActiveFace* other : over_) {
+            if (other->x0 >= run.x1 || other == candidate) continue;
+            if (!candidate)
+                run.x1 = other->x0;
+            else
+                run.x1 = comes_into_view(run, *candidate, *other);
+        }
+        if (log_.wants(Level::Span)) log_span(run, candidate);
+        if (candidate) add_run(painted_, run, input_.polygons[candidate->face->polygon].id);
+        return run.x1;
+    }
+
+    /// Ends the span where it ends.
+    const ActiveFace* nearest_at_left(Run& run) {
+        const ActiveFace* best = nullptr;
+        for (const ActiveFace* segment : over_) {
+            if (segment->x0 > run.x0) continue;
+            if (best) output_.counts.depths += 1;
+            if (!best || is_nearer(*segment->face, *best->face, run.x0, run.y)) best = segment;
+        }
+        if (best) run.x1 = std::min(run.x1, best->x1);
+        return best;
+    }
+
+    /// The first pixel of the span where `other` is nearer; the span's end: nowhere.
+    int comes_into_view(const Run& run, const ActiveFace& candidate, const ActiveFace& other) {
+        output_.counts.extents += 1;
+        if (other.face->nearest > candidate.face->farthest) return run.x1;
+        const Run common{run.y, std::max(run.x0, other.x0), std::min(run.x1, other.x1)};
+        for (const int x : {common.x0, common.x1 - 1}) {
+            output_.counts.depths += 1;
+            if (!is_nearer(*other.face, *candidate.face, x, run.y)) continue;
+            return x == common.x0 ? x
+                                  : first_nearer(*other.face, *candidate.face, common, output_.counts.depths);
+        }
+        return run.x1;
+    }
+
+    /// The ends of this line's visible spans, for the next.
+    void keep_ends() {
+        ends_.clear();
+        for (const Painted& p : painted_) {
+            if (ends_.empty() || ends_.back() < p.run.x0) ends_.push_back(p.run.x0);
+            ends_.push_back(p.run.x1);
+        }
+    }
+
+    void log_span(const Run& run, const ActiveFace* candidate) {
+        Step step{
+            Level::Span, Action::Compare, {}, "nearest at the left end", candidate ? "seen so far" : "none",
+            run.y};
+        if (candidate) step.polygons.push_back(input_.polygons[candidate->face->polygon].id);
+        for (const ActiveFace* other : over_)
+            if (other != candidate) step.polygons.push_back(input_.polygons[other->face->polygon].id);
+        step.before = {{dvec3(run.x0, run.y, 0), dvec3(run.x1, run.y, 0)}};
+        log_.add(std::move(step));
+    }
+
+    const Input& input_;
+    StepLog& log_;
+    Output output_;
+    std::vector<Face> faces_;
+    ActiveFaces active_;
+    std::vector<const ActiveFace*> segments_;  ///< sorted by their left ends, kept from line to line
+    std::vector<const ActiveFace*> over_;      ///< those in the span
+    std::vector<int> ends_;                    ///< of the visible spans of the line above
+    std::vector<Painted> painted_;
+};
+
+}  // namespace
+
+Algorithm watkins() {
+    return {.place = 82,
+            .name = "watkins",
+            .title = "Watkins' scan line: spans guessed from the line above (1970)",
+            .claim = Claim::Always,
+            .run = [](const Input& input, StepLog& log) { return Watkins(input, log).run(); }};
+}
+
+}  // namespace gw::hiddensurface
