@@ -6,6 +6,7 @@
 #include "apps/terminal.h"
 #include "apps/words.h"
 #include "gw/error.h"
+#include "image/planes.h"
 #include "image/write.h"
 #include "inspect/command_difference.h"
 #include "inspect/read_bytes.h"
@@ -31,19 +32,12 @@ bool is_manifest(const std::filesystem::path& file) {
     return first != bytes.end() && *first == '{';
 }
 
-/// Black where both are the same, from dark grey for the least difference to white for the worst.
 image::Picture picture_of(const inspect::ResultDifference& d) {
-    image::Picture picture{d.a.width, d.a.height, 1, 16, {}};
-    const auto wrong = inspect::wrong_pixels(d.a, d.b, d.plane);
-    picture.values.resize(d.a.color.size());
-    for (const auto& [x, y, distance] : wrong)
-        picture.values[d.a.index(x, y)] =
-            static_cast<std::uint16_t>(16384.0 + 49151.0 * double(distance) / double(wrong.front().distance));
-    return picture;
+    return image::distance_picture(inspect::distances(d.a, d.b, d.plane), d.a.width, d.a.height);
 }
 
 int diff_manifests(const DiffOptions& options) {
-    const ManifestFile a = load_manifest(options.a), b = load_manifest(options.b);
+    const inspect::ManifestFile a = inspect::load_manifest(options.a), b = inspect::load_manifest(options.b);
     const auto finding = inspect::first_difference(a.manifest, b.manifest);
     if (!finding) {
         print("the same profile, window, passes, states, counters and planes\n");

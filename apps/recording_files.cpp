@@ -56,34 +56,11 @@ inspect::Recording load_recording(const std::filesystem::path& file) {
     }
 }
 
-ManifestFile load_manifest(const std::filesystem::path& file) {
-    namespace fs = std::filesystem;
-    const std::vector<std::uint8_t> bytes = inspect::read_bytes(file);
-    ManifestFile result;
-    try {
-        result.manifest =
-            inspect::manifest_from_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    } catch (const Error& error) {
-        throw Error(file.string(), 0, error.what());
-    }
-    const std::string& name = result.manifest.values;
-    if (name != fs::path(name).filename())
-        throw Error(file.string(), 0, "'values' is no name of a file beside it");
-    if (!name.empty() && fs::exists(file.parent_path() / name))
-        result.values = inspect::read_bytes(file.parent_path() / name);
-    return result;
-}
-
 void put_manifest(image::OutputSet& output, const std::filesystem::path& file,
                   const inspect::Recording& recording, const inspect::MachineMaker& make, bool with_values) {
-    inspect::ValuesWriter values(recording.width, recording.height);
-    inspect::Manifest manifest = replayed_manifest(recording, make, with_values ? &values : nullptr);
-    if (with_values) {
-        const auto values_file = std::filesystem::path(file).replace_extension(".values");
-        manifest.values = values_file.filename().string();
-        output.add(values_file).write(values.finish());
-    }
-    output.add(file).write_text(to_json(manifest));
+    const auto written = replayed_manifest_file(recording, make, file, with_values);
+    if (with_values) output.add(inspect::values_file(file)).write(written.values);
+    output.add(file).write_text(to_json(written.manifest));
 }
 
 }  // namespace gw::apps

@@ -3,7 +3,7 @@
 
 #include "apps/frame_files.h"
 #include "image/output_set.h"
-#include "inspect/verify.h"
+#include "inspect/manifest_file.h"
 
 #include <filesystem>
 #include <string>
@@ -19,13 +19,6 @@ inspect::Recording record(const Drawing& drawing, const std::string& algorithm =
 
 /// Throws Error "T.gwt: what is wrong".
 inspect::Recording load_recording(const std::filesystem::path& file);
-
-/// A manifest, and the bytes of the file of values that it names, if that is there. Throws Error.
-struct ManifestFile {
-    inspect::Manifest manifest;
-    std::vector<std::uint8_t> values;
-};
-ManifestFile load_manifest(const std::filesystem::path& file);
 
 /// Replays the recording and adds what came out to the files of `output`: the manifest and, where wanted, its
 /// values beside it, "M.values" for "M.json".

@@ -52,7 +52,7 @@ int report(const inspect::Verification& verification, const VerifyOptions& optio
 }
 
 int check(const VerifyOptions& options, const inspect::Recording& recording, Progress& progress) {
-    const ManifestFile expected = load_manifest(options.manifest);
+    const inspect::ManifestFile expected = inspect::load_manifest(options.manifest);
     if (options.machine.both()) {
         progress.at("comparing machines");
         const auto finding =

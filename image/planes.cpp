@@ -3,6 +3,8 @@
 #include "image/false_color.h"
 #include "image/write.h"
 
+#include <algorithm>
+
 namespace gw::image {
 
 namespace {
@@ -22,18 +24,40 @@ std::vector<float> as_floats(const std::vector<std::array<std::int32_t, 4>>& acc
 
 }  // namespace
 
+Picture plane_picture(const Planes& planes, Plane plane, const Profile& profile) {
+    const int w = planes.width, h = planes.height;
+    switch (plane) {
+        case Plane::Color: return picture_of(planes.color, w, h, profile.color_bits);
+        case Plane::Depth: return depth_colors(planes.depth, w, h, profile.depth_bits);
+        case Plane::Stencil: return stencil_colors(planes.stencil, w, h);
+        case Plane::Accum: return accum_colors(planes.accum, w, h);
+    }
+    return {};
+}
+
+Picture distance_picture(const std::vector<std::uint64_t>& distances, int width, int height) {
+    const double greatest = distances.empty() ? 0 : double(*std::ranges::max_element(distances));
+    Picture picture{width, height, 1, 16, {}};
+    for (const std::uint64_t distance : distances)
+        picture.values.push_back(
+            distance == 0 ? 0 : static_cast<std::uint16_t>(16384.0 + 49151.0 * double(distance) / greatest));
+    return picture;
+}
+
 void put_planes(OutputSet& files, const std::filesystem::path& folder, const Planes& planes,
                 const Profile& profile) {
     const int w = planes.width, h = planes.height;
-    const Picture color = picture_of(planes.color, w, h, profile.color_bits);
-    put_picture(files.add(folder / "color.exr"), color);
-    put_picture(files.add(folder / "color.png"), color);
+    const auto put = [&](const char* name, Plane plane) {
+        put_picture(files.add(folder / name), plane_picture(planes, plane, profile));
+    };
+    put("color.exr", Plane::Color);
+    put("color.png", Plane::Color);
     put_values(files.add(folder / "depth.exr"), {w, h, {"Z"}, planes.depth});
-    put_picture(files.add(folder / "depth.png"), depth_colors(planes.depth, w, h, profile.depth_bits));
+    put("depth.png", Plane::Depth);
     put_values(files.add(folder / "stencil.exr"), {w, h, {"S"}, widened(planes.stencil)});
-    put_picture(files.add(folder / "stencil.png"), stencil_colors(planes.stencil, w, h));
+    put("stencil.png", Plane::Stencil);
     put_values(files.add(folder / "accum.exr"), {w, h, {"R", "G", "B", "A"}, as_floats(planes.accum)});
-    put_picture(files.add(folder / "accum.png"), accum_colors(planes.accum, w, h));
+    put("accum.png", Plane::Accum);
 }
 
 void put_ids(OutputSet& files, const std::filesystem::path& folder, const std::vector<std::uint32_t>& ids,

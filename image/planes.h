@@ -1,12 +1,20 @@
-// A machine's planes as files in a folder: NAME.exr with the exact values, NAME.png to look at.
-// Does not read them back from a machine.
+// A machine's planes as pictures, and as files in a folder: NAME.exr with the exact values, NAME.png to look
+// at. Does not read them back from a machine.
 #pragma once
 
 #include "gw/planes.h"
 #include "gw/profile.h"
 #include "image/output_set.h"
+#include "image/picture.h"
 
 namespace gw::image {
+
+/// A plane to look at: the colours, or false colours (image/false_color.h).
+Picture plane_picture(const Planes& planes, Plane plane, const Profile& profile);
+
+/// How far the pixels of two planes are apart: black where not at all, from dark grey for the least distance
+/// to white for the greatest. `distances`: bottom row first.
+Picture distance_picture(const std::vector<std::uint64_t>& distances, int width, int height);
 
 /// color.exr (fractions), depth.exr, stencil.exr (32-bit integers, channel Z and S), accum.exr (floats, units
 /// of the frame buffer, exact up to 2^24), each with a .png in false colours (image/false_color.h).

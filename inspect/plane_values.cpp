@@ -55,6 +55,15 @@ std::uint64_t distance(const Planes& a, const Planes& b, Plane plane, int x, int
     return with_plane(a, b, plane, [i](const auto& p, const auto& q) { return apart(p[i], q[i]); });
 }
 
+std::vector<std::uint64_t> distances(const Planes& a, const Planes& b, Plane plane) {
+    return with_plane(a, b, plane, [](const auto& p, const auto& q) {
+        std::vector<std::uint64_t> result(p.size());
+        std::transform(p.begin(), p.end(), q.begin(), result.begin(),
+                       [](const auto& v, const auto& w) { return apart(v, w); });
+        return result;
+    });
+}
+
 bool same(const Planes& a, const Planes& b, Plane plane) {
     return with_plane(a, b, plane, [](const auto& p, const auto& q) { return p == q; });
 }

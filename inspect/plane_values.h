@@ -22,6 +22,9 @@ std::string value_at(const Planes& planes, Plane plane, int x, int y);
 /// The sum of the channels' absolute differences at a pixel.
 std::uint64_t distance(const Planes& a, const Planes& b, Plane plane, int x, int y);
 
+/// Of all pixels, bottom row first.
+std::vector<std::uint64_t> distances(const Planes& a, const Planes& b, Plane plane);
+
 /// Planes of the same size.
 bool same(const Planes& a, const Planes& b, Plane plane);
 /// The pixel that comes first in a picture: from the top row, from the left.

@@ -56,12 +56,6 @@ std::optional<Finding> pass_difference(const ManifestPass& expected, const Manif
     return finding;
 }
 
-/// Both planes after the pass, where the expected ones can be had.
-struct Sides {
-    std::optional<Planes> expected;
-    Planes actual;
-};
-
 Planes played(const Recording& recording, const MachineMaker& make, std::size_t pass) {
     const auto machine = make(recording);
     Player(recording, *machine).play_to(pass_ranges(recording).at(pass).end);
@@ -75,21 +69,21 @@ bool is_as_said(const Planes& planes, const ManifestPass& pass) {
 }
 
 /// Names the first pixel of the finding's plane, both values where they are known.
-void find_pixel(Finding& finding, const Sides& sides) {
-    if (!sides.expected) {
+void find_pixel(Finding& finding, const std::optional<Planes>& expected, const Planes& actual) {
+    if (!expected) {
         finding.notes.push_back(
             "which pixel is not known: there is no file of values beside the manifest that fits it");
         return;
     }
     for (const Plane plane : planes_in_order) {
-        const auto pixel = first_difference(*sides.expected, sides.actual, plane);
+        const auto pixel = first_difference(*expected, actual, plane);
         if (!pixel) continue;
         finding.what = std::string("plane ") + name_of(plane);
         finding.pixel = pixel;
-        finding.expected = value_at(*sides.expected, plane, pixel->x, pixel->y);
-        finding.actual = value_at(sides.actual, plane, pixel->x, pixel->y);
-        finding.notes.push_back(fmt::format("{} pixels of this plane differ",
-                                            wrong_pixels(*sides.expected, sides.actual, plane).size()));
+        finding.expected = value_at(*expected, plane, pixel->x, pixel->y);
+        finding.actual = value_at(actual, plane, pixel->x, pixel->y);
+        finding.notes.push_back(
+            fmt::format("{} pixels of this plane differ", wrong_pixels(*expected, actual, plane).size()));
         return;
     }
 }
@@ -125,13 +119,11 @@ Verification verify(const Recording& recording, const Manifest& manifest,
                    .same_scene = manifest.scene_hash == actual.scene_hash};
     if (!v.finding || !v.finding->pass || !v.finding->what.starts_with("plane ")) return v;
     const std::size_t pass = *v.finding->pass;
-    Sides sides{{}, played(recording, make, pass)};
-    if (!values.empty())
-        sides.expected = planes_after(values, recording.width, recording.height, pass);
-    else
-        sides.expected = played(recording, other, pass);
-    if (!is_as_said(*sides.expected, manifest.passes[pass])) sides.expected.reset();
-    find_pixel(*v.finding, sides);
+    v.actual_planes = played(recording, make, pass);
+    Planes expected = values.empty() ? played(recording, other, pass)
+                                     : planes_after(values, recording.width, recording.height, pass);
+    if (is_as_said(expected, manifest.passes[pass])) v.expected_planes = std::move(expected);
+    find_pixel(*v.finding, v.expected_planes, *v.actual_planes);
     return v;
 }
 

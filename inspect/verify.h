@@ -17,6 +17,8 @@ struct Verification {
     std::optional<Finding> finding;  ///< nothing: as the manifest says
     bool same_commands = true;       ///< the manifest is of this very recording
     bool same_scene = true;          ///< the same meshes and maps
+    /// Where the finding is in a plane: all planes after its pass; the expected ones where they are known.
+    std::optional<Planes> expected_planes, actual_planes;
 };
 
 /// `values`: of the file beside the manifest; empty: none. Then the expected value of a wrong pixel is taken

@@ -1,0 +1,124 @@
+// Claims: EXPECT_PASSES_EQ holds for what a golden was made of and for nothing else; a failure names pass,
+// plane, pixel and both values and leaves pictures that show them; goldens change only where asked.
+#include <gtest/gtest-spi.h>
+#include <gtest/gtest.h>
+
+#include "testing/expect_passes.h"
+#include "testing/failure_pictures.h"
+#include "testing/matchers.h"
+
+#include <cstdlib>
+#include <fstream>
+
+namespace gw::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two passes on 4 x 3 pixels: grey everywhere, then a rectangle of 2 x 1 pixels of this red.
+CommandList two_passes(std::uint16_t red) {
+    CommandList list;
+    list.add(BeginPass{"background"});
+    list.add(Clear{.planes = all_planes, .color = {0.2f, 0.2f, 0.2f, 1}});
+    list.add(BeginPass{"mark"});
+    const Rgba color{red, 0, 0, 255};
+    list.add(WritePixels{.rect = {1, 1, 2, 1}, .colors = {color, color}});
+    return list;
+}
+
+class ExpectPasses : public ::testing::Test {
+protected:
+    void SetUp() override {
+        folder =
+            fs::path(::testing::TempDir()) /
+            ("gw_testing_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+        fs::remove_all(folder);
+        fs::create_directories(folder);
+        golden = folder / "two.json";
+        setenv("GW_TESTING_OUTPUT", (folder / "failures").c_str(), 1);
+        unsetenv("GW_UPDATE_GOLDENS");
+    }
+    void TearDown() override {
+        unsetenv("GW_UPDATE_GOLDENS");
+        fs::remove_all(folder);
+    }
+    static inspect::Recording recording(std::uint16_t red) {
+        return recording_of(two_passes(red), vgx(), 4, 3);
+    }
+
+    fs::path folder, golden;
+};
+
+std::string message_of(const ::testing::AssertionResult& result) { return result ? "" : result.message(); }
+
+}  // namespace
+
+TEST_F(ExpectPasses, HoldsForWhatTheGoldenWasMadeOf) {
+    write_golden(recording(200), golden);
+    EXPECT_PASSES_EQ(recording(200), golden);
+    EXPECT_PASSES_EQ(two_passes(200), golden);
+}
+
+TEST_F(ExpectPasses, NamesPassPlanePixelAndBothValues) {
+    write_golden(recording(200), golden);
+    const std::string message = message_of(passes_eq(two_passes(201), golden));
+    EXPECT_THAT(message, ::testing::HasSubstr(
+                             "pass 1 'mark', plane color, pixel 1 1: expected 200 0 0 255, got 201 0 0 255"));
+    EXPECT_THAT(message, ::testing::HasSubstr("2 pixels of this plane differ"));
+    EXPECT_THAT(message, ::testing::HasSubstr("made of another command list"));
+}
+
+TEST_F(ExpectPasses, LeavesActualExpectedAndDifference) {
+    write_golden(recording(200), golden);
+    const std::string message = message_of(passes_eq(two_passes(201), golden));
+    for (const char* kind : {"actual", "expected", "difference"}) {
+        const fs::path file =
+            output_folder() /
+            ("ExpectPasses.LeavesActualExpectedAndDifference-two-pass1-color-" + std::string(kind) + ".png");
+        EXPECT_TRUE(fs::exists(file)) << file;
+        EXPECT_THAT(message, ::testing::HasSubstr(file.string()));
+    }
+}
+
+TEST_F(ExpectPasses, WithoutValuesTheActualPictureIsLeft) {
+    write_golden(recording(200), golden);
+    fs::remove(folder / "two.values");
+    const std::string message = message_of(passes_eq(two_passes(201), golden));
+    EXPECT_THAT(message, ::testing::HasSubstr("pass 1 'mark', plane color"));
+    EXPECT_THAT(message, ::testing::HasSubstr("-actual.png"));
+    EXPECT_THAT(message, ::testing::Not(::testing::HasSubstr("-expected.png")));
+}
+
+TEST_F(ExpectPasses, AMissingDamagedOrUnwritableFileIsAFailureThatSaysSo) {
+    EXPECT_THAT(message_of(passes_eq(two_passes(1), golden)), ::testing::HasSubstr("write_golden"));
+    EXPECT_THAT(message_of(passes_eq(recording(1), golden)), ::testing::HasSubstr("two.json"));
+    std::ofstream(golden) << "{ \"format\": 7";
+    EXPECT_THAT(message_of(passes_eq(recording(1), golden)), ::testing::HasSubstr("two.json"));
+    setenv("GW_UPDATE_GOLDENS", "1", 1);
+    EXPECT_THAT(message_of(passes_eq(recording(1), folder / "none" / "two.json")),
+                ::testing::HasSubstr("none"));
+}
+
+TEST_F(ExpectPasses, AListThatIsNotValidIsAFailure) {
+    write_golden(recording(200), golden);
+    CommandList list = two_passes(200);
+    list.add(Read{.rect = {0, 0, 100, 100}});
+    EXPECT_THAT(message_of(passes_eq(list, golden)), ::testing::HasSubstr("Read"));
+}
+
+TEST_F(ExpectPasses, GoldensChangeOnlyWhereAsked) {
+    write_golden(recording(200), golden);
+    EXPECT_FALSE(passes_eq(recording(201), golden));
+    EXPECT_TRUE(passes_eq(recording(200), golden));
+    setenv("GW_UPDATE_GOLDENS", "1", 1);
+    EXPECT_TRUE(passes_eq(recording(201), golden));
+    unsetenv("GW_UPDATE_GOLDENS");
+    EXPECT_TRUE(passes_eq(recording(201), golden));
+    EXPECT_FALSE(passes_eq(recording(200), golden));
+}
+
+TEST_F(ExpectPasses, TheMacroFailsTheTestWithThatMessage) {
+    EXPECT_NONFATAL_FAILURE(EXPECT_PASSES_EQ(two_passes(1), "no/such/golden.json"), "no/such/golden.json");
+}
+
+}  // namespace gw::testing
