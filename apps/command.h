@@ -40,6 +40,7 @@ Command add_figures(CLI::App& app);
 Command add_study(CLI::App& app);
 Command add_radiosity(CLI::App& app);
 Command add_info(CLI::App& app);
+Command add_describe(CLI::App& app);
 
 /// Parses and runs, and returns an ExitCode. Throws UsageError, Error and what else goes wrong.
 int run_command(const std::vector<std::string>& arguments);

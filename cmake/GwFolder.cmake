@@ -29,8 +29,13 @@ function(gw_library folder)
     add_library(gw_${name} ${sources})
     add_library(gw::${name} ALIAS gw_${name})
     gw_compile(gw_${name})
-    target_include_directories(gw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
     target_link_libraries(gw_${name} PUBLIC ${arg_LINK})
+
+    # Headers are included from the root of the repository, and so from the root of where they are installed.
+    file(GLOB_RECURSE headers CONFIGURE_DEPENDS *.h)
+    list(FILTER headers EXCLUDE REGEX "-inl\\.h$|/gw/(fast|reference)/")
+    target_sources(gw_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
+    set_target_properties(gw_${name} PROPERTIES EXPORT_NAME ${name})
 endfunction()
 
 # gw_command(NAME SOURCE [LINK library...]): an executable in bin/.

@@ -1,0 +1,48 @@
+# cmake --install build/release --prefix DIR: the command with its man page and completions, the scenes, and every folder as a library
+# for find_package(gw). cpack --config build/release/CPackConfig.cmake: the same as Debian packages gw and libgw-dev (docs/library.md).
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+# The command's own parts and the tests' are not for others.
+foreach(folder machine opengl scene image multipass raytrace itembuffer hiddensurface radiosity inspect plot study testing)
+    if(TARGET gw_${folder})
+        install(TARGETS gw_${folder} EXPORT gw COMPONENT development
+            ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+            FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gw-${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+    endif()
+endforeach()
+
+set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/gw)
+install(EXPORT gw FILE gwTargets.cmake NAMESPACE gw:: DESTINATION ${package_directory} COMPONENT development)
+configure_package_config_file(cmake/gwConfig.cmake.in ${PROJECT_BINARY_DIR}/gwConfig.cmake INSTALL_DESTINATION ${package_directory})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/gwConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/gwConfig.cmake ${PROJECT_BINARY_DIR}/gwConfigVersion.cmake cmake/FindOpenImageIO.cmake
+    DESTINATION ${package_directory} COMPONENT development)
+
+if(TARGET gw)
+    install(TARGETS gw RUNTIME COMPONENT command)
+    install(FILES ${PROJECT_BINARY_DIR}/share/gw.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command)
+    install(FILES ${PROJECT_BINARY_DIR}/share/gw.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gw COMPONENT command)
+    install(FILES ${PROJECT_BINARY_DIR}/share/_gw DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT command)
+    install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/gw COMPONENT command
+        FILES_MATCHING PATTERN *.toml PATTERN *.obj PATTERN *.mtl PATTERN *.png PATTERN make_* EXCLUDE)
+endif()
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME gw)
+set(CPACK_PACKAGE_CONTACT "the GW project")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "graphics workstation of 1991 in software, exact to the bit")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL command development)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME gw)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libgw-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+    "libglm-dev, libfmt-dev, libhwy-dev, libtbb-dev, nlohmann-json3-dev, libopenimageio-dev, libgtest-dev, libgmock-dev, libosmesa6-dev")
+include(CPack)

@@ -1,0 +1,40 @@
+// What a project of yours would hold its renderer to.
+#include "my_renderer.h"
+
+#include <gw/machine.h>
+#include <testing/expect_passes.h>
+#include <testing/matchers.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace gw::testing;
+using ::testing::Gt;
+
+gw::inspect::Recording recording(int turn) {
+    return recording_of(my_renderer::pyramid(turn), gw::vgx(), 64, 64);
+}
+
+}  // namespace
+
+// The whole picture, pass by pass. After a wanted change: GW_UPDATE_GOLDENS=1 ctest --test-dir build
+TEST(MyRenderer, DrawsThePyramidAsTheGoldenSays) { EXPECT_PASSES_EQ(recording(0), "goldens/pyramid.json"); }
+
+// Another claim, without a golden: the pyramid looks the same shape from all four sides, but is lit
+// otherwise.
+TEST(MyRenderer, TheDepthsAreTheSameFromEverySide) {
+    const auto front = gw::make_fast(gw::vgx(), 64, 64), side = gw::make_fast(gw::vgx(), 64, 64);
+    front->execute(my_renderer::pyramid(0));
+    side->execute(my_renderer::pyramid(90));
+    EXPECT_THAT(side->planes(), PlaneEq(gw::Plane::Depth, front->planes(), gw::vgx()));
+    EXPECT_THAT(side->planes(), ::testing::Not(PlaneEq(gw::Plane::Color, front->planes())));
+}
+
+TEST(MyRenderer, CoversTheMiddleAndNotTheCorners) {
+    const auto machine = gw::make_fast(gw::vgx(), 64, 64);
+    machine->execute(my_renderer::pyramid());
+    EXPECT_THAT(machine->planes(), HasColor(0, 0, {0, 0, 0, 0}));
+    gw::Planes background(64, 64);
+    EXPECT_THAT(machine->planes(), CoveredPixels(gw::Plane::Color, background, Gt(500u)));
+}
