@@ -8,6 +8,14 @@
 #include <functional>
 #include <sstream>
 
+namespace gw {
+
+void PrintTo(const Planes& planes, std::ostream* out) {
+    *out << "planes of " << planes.width << " x " << planes.height << " pixels";
+}
+
+}  // namespace gw
+
 namespace gw::testing {
 namespace {
 

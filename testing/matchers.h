@@ -14,6 +14,13 @@
 #include <optional>
 #include <string>
 
+namespace gw {
+
+/// How GoogleTest prints planes: "planes of 64 x 48 pixels".
+void PrintTo(const Planes& planes, std::ostream* out);
+
+}  // namespace gw
+
 namespace gw::testing {
 
 using PlanesMatcher = ::testing::Matcher<const Planes&>;

@@ -40,7 +40,7 @@ gw::dmat4 projection() {
 }  // namespace
 
 gw::CommandList pyramid(int turn) {
-    gw::Light lamp;
+    gw::Light lamp;  // goes with the eye
     lamp.position = {1, 2, 2, 0};
     lamp.Ia = {1, 1, 1};
     gw::Draw draw{.mesh = pyramid_mesh(), .eye_from_object = eye_from_object(turn)};
@@ -48,7 +48,7 @@ gw::CommandList pyramid(int turn) {
 
     gw::State state;
     state.projection = projection();
-    state.lighting = true;
+    state.color_source = gw::ColorSource::Lighting;
     state.depth.test = true;
 
     gw::CommandList list;

@@ -66,6 +66,10 @@ TEST(Matchers, LeavePicturesWhereTheyKnowTheProfile) {
     fs::remove_all(folder);
 }
 
+TEST(Matchers, PrintPlanesInAFewWords) {
+    EXPECT_EQ(::testing::PrintToString(planes()), "planes of 3 x 2 pixels");
+}
+
 TEST(Matchers, ReadDigests) {
     EXPECT_THAT(planes(), HasDigest(Plane::Depth, to_string(digest(planes(), Plane::Depth))));
     EXPECT_THAT(planes(), Not(HasDigest(Plane::Depth, to_string(digest(planes(), Plane::Color)))));
