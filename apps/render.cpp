@@ -16,7 +16,8 @@ namespace {
 struct RenderOptions {
     PictureOptions picture;
     FrameFiles files;
-    int turntable = 0;  ///< pictures; 0: none
+    int turntable = 0;     ///< pictures; 0: none
+    std::string frames{};  ///< "A-B": these of the turntable's pictures only
 };
 
 void add_tone_options(CLI::App& command, image::Tone& tone) {
@@ -50,6 +51,10 @@ void add_options(CLI::App& command, RenderOptions& options) {
             "N pictures IMAGE_001 ... around the scene")
         ->type_name("N");
     command
+        .add_option("--frames", options.frames,
+                    "Of a turntable pictures A to B only: processes share the work, and make the same files")
+        ->type_name("A-B");
+    command
         .add_option("--components", options.files.components,
                     "Also a picture of each component, and their sum")
         ->type_name("DIR");
@@ -77,8 +82,17 @@ void check_different(const FrameFiles& files) {
                     fmt::format("{} and {} are the same file; expected two", a->first, b->first));
 }
 
+/// The first and the last picture of the turntable to draw, from 1.
+std::pair<int, int> frames_of(const RenderOptions& options) {
+    if (options.frames.empty()) return {1, options.turntable};
+    return range_from("--frames", options.frames, 1, options.turntable);
+}
+
 // What is wrong with the words alone is usage. Files that cannot be written are found before long work.
 void check(const RenderOptions& options) {
+    if (!options.frames.empty() && options.turntable == 0)
+        throw UsageError("--frames without --turntable; expected both, or neither for one picture");
+    if (options.turntable > 0) frames_of(options);
     const FrameFiles& files = options.files;
     if (files.picture.empty()) throw UsageError("--output is empty; expected the name of a picture");
     image::check_target(files.picture);
@@ -113,11 +127,12 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number) {
 
 void render_turntable(const RenderOptions& options, Drawing& drawing, Progress& progress) {
     const scene::Camera camera = *drawing.scene.camera;
-    for (int i = 0; i < options.turntable; ++i) {
-        progress.at(fmt::format("drawing picture {} of {}", i + 1, options.turntable));
-        drawing.scene.camera = scene::turntable(camera, 360.0 * i / options.turntable);
+    const auto [first, last] = frames_of(options);
+    for (int number = first; number <= last; ++number) {
+        progress.at(fmt::format("drawing picture {} of {}", number, options.turntable));
+        drawing.scene.camera = scene::turntable(camera, 360.0 * (number - 1) / options.turntable);
         FrameFiles files = options.files;
-        files.picture = numbered(files.picture, i + 1);
+        files.picture = numbered(files.picture, number);
         draw_frame(drawing, files);
     }
 }

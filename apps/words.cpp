@@ -48,6 +48,15 @@ int whole_number_from(const std::string& option, const std::string& word, int lo
     return *number;
 }
 
+std::pair<int, int> range_from(const std::string& option, const std::string& word, int low, int high) {
+    const std::size_t dash = std::min(word.find('-'), word.size());
+    const auto first = parse<int>(std::string_view(word).substr(0, dash));
+    const auto last = dash < word.size() ? parse<int>(std::string_view(word).substr(dash + 1)) : first;
+    if (!first || !last || *first < low || *last < *first || *last > high)
+        refuse(option, word, fmt::format("A-B, such as {}-{}, both {}..{}", low, high, low, high));
+    return {*first, *last};
+}
+
 double number_from(const std::string& option, const std::string& word, double low, double high) {
     const auto number = parse<double>(word);
     if (!number || !(*number >= low && *number <= high)) {

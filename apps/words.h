@@ -5,6 +5,7 @@
 #include "gw/types.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gw::apps {
@@ -17,6 +18,8 @@ struct Size {
 Size size_from(const std::string& option, const std::string& word);
 
 int whole_number_from(const std::string& option, const std::string& word, int low, int high);
+/// "3-7" or "3": first and last, low <= first <= last <= high.
+std::pair<int, int> range_from(const std::string& option, const std::string& word, int low, int high);
 /// Finite, low .. high.
 double number_from(const std::string& option, const std::string& word, double low, double high);
 /// "1,2.5,-3"

@@ -113,6 +113,10 @@ TEST_F(BadOption, Numbers) {
                    {"--samples", "vgx", "1..16384"});
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--threads", "-1"}, {"--threads", "expected"});
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--turntable", "0"}, {"--turntable", "expected"});
+    for (const char* frames : {"0-2", "2-1", "1-4", "4", "-1", "1-", "a-b", "1-2-3"})
+        expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--turntable", "3", "--frames", frames},
+                       {"--frames", "A-B", "1..3"});
+    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--frames", "1-2"}, {"--frames", "--turntable"});
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--fov", "180"}, {"--fov", "expected"});
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--fov", "nan"}, {"--fov", "expected"});
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--gamma", "0"}, {"--gamma", "expected"});

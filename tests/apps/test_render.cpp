@@ -73,6 +73,15 @@ TEST_F(Render, TurntableNumbersItsPicturesAndStartsAtTheCamera) {
     EXPECT_FALSE(bytes_of(in("a.png")) == bytes_of(in("t_002.png")));
 }
 
+TEST_F(Render, TwoProcessesWithHalfTheFramesEachMakeTheFilesOfOne) {
+    EXPECT_EQ(render({"lamps.toml", "-o", "one.png", "--turntable", "3"}).code, 0);
+    EXPECT_EQ(render({"lamps.toml", "-o", "two.png", "--turntable", "3", "--frames", "1"}).code, 0);
+    EXPECT_FALSE(std::filesystem::exists(in("two_002.png")));
+    EXPECT_EQ(render({"lamps.toml", "-o", "two.png", "--turntable", "3", "--frames", "2-3"}).code, 0);
+    for (const std::string number : {"_001.png", "_002.png", "_003.png"})
+        EXPECT_TRUE(bytes_of(in("one" + number)) == bytes_of(in("two" + number))) << number;
+}
+
 TEST_F(Render, ComponentsAddUpToTheirSumWhichIsThePicture) {
     EXPECT_EQ(render({"lamps.toml", "-o", "a.png", "--components", "parts"}).code, 0);
     EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("parts/sum.png")));
