@@ -25,8 +25,9 @@ public:
         for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
             const dvec3 cross = surface.cross(t);
             const double twice_area = length(cross);
-            normals_.push_back(twice_area > 0 ? cross / twice_area : dvec3(0));
-            if (!(twice_area > 0)) continue;
+            const bool solid = surface.solid(t);
+            normals_.push_back(solid ? cross / twice_area : dvec3(0));
+            if (!solid) continue;
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto [a, b] = std::minmax(surface.triangles[t][k], surface.triangles[t][(k + 1) % 3]);
                 sides_.push_back({a, b, t});

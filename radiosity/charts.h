@@ -4,6 +4,8 @@
 
 #include "gw/types.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +20,17 @@ struct Surface {
     dvec3 cross(std::uint32_t t) const {
         const auto& [a, b, c] = triangles[t];
         return cross3(points[b] - points[a], points[c] - points[a]);
+    }
+
+    /// Whether it has an area: thinner than a millionth of its length, it is what rounding left of nothing.
+    bool solid(std::uint32_t t) const {
+        double longest = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const dvec3 side = points[triangles[t][(k + 1) % 3]] - points[triangles[t][k]];
+            longest = std::max(longest, dot3(side, side));
+        }
+        const dvec3 n = cross(t);
+        return dot3(n, n) > 1e-12 * longest * longest;
     }
 };
 

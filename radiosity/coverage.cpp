@@ -13,8 +13,7 @@ namespace gw::radiosity {
 
 namespace {
 
-constexpr double least_share = 1.0 / 64;
-constexpr std::uint32_t none = 0xffffffff;
+constexpr double least_share = 1.0 / 2;
 
 /// The first and last texel that [low, high] touches.
 std::pair<int, int> touched(double low, double high, int count) {
@@ -51,17 +50,18 @@ void for_each_share(const Triangle2& triangle, const Pixmap& pixmap, Visit visit
 }
 
 /// Breadth first from the covered texels, in the order of the texels.
-void find_nearest(Model& model, const Pixmap& pixmap, const std::vector<char>& covered) {
+void find_nearest(Model& model, Pixmap& pixmap, const std::vector<char>& covered) {
     std::deque<std::size_t> queue;
     for (std::size_t t = pixmap.first; t < pixmap.first + pixmap.count(); ++t) {
-        model.nearest[t] = covered[t] ? static_cast<std::uint32_t>(t) : none;
+        model.nearest[t] = covered[t] ? static_cast<std::uint32_t>(t) : no_texel;
         if (covered[t]) queue.push_back(t);
     }
+    pixmap.whole = queue.size() == pixmap.count();
     const auto width = static_cast<std::size_t>(pixmap.width);
     for (; !queue.empty(); queue.pop_front()) {
         const std::size_t t = queue.front(), local = t - pixmap.first;
         const auto spread = [&](bool inside, std::size_t neighbour) {
-            if (!inside || model.nearest[neighbour] != none) return;
+            if (!inside || model.nearest[neighbour] != no_texel) return;
             model.nearest[neighbour] = model.nearest[t];
             queue.push_back(neighbour);
         };
@@ -72,7 +72,7 @@ void find_nearest(Model& model, const Pixmap& pixmap, const std::vector<char>& c
     }
 }
 
-/// Which texels count: those covered enough, or the fullest one of a pixmap that has none.
+/// Which texels count: those covered enough, or the fullest one of a pixmap that has no_texel.
 std::vector<char> covered_enough(const Model& model, const std::vector<double>& share) {
     std::vector<char> covered(share.size());
     for (const Pixmap& pixmap : model.pixmaps) {
@@ -83,6 +83,20 @@ std::vector<char> covered_enough(const Model& model, const std::vector<double>& 
             covered[t] = share[t] > 0 && share[t] >= least;
     }
     return covered;
+}
+
+/// A texel with too little area and its nearest neighbours are one element.
+void join_elements(Model& model) {
+    const std::size_t count = model.texel_count();
+    model.element_area = model.area;
+    model.next_of_element.assign(count, no_texel);
+    for (std::size_t t = count; t-- > 0;) {
+        const std::size_t first = model.nearest[t];
+        if (first == t || model.area[t] == 0) continue;
+        model.element_area[first] += model.area[t];
+        model.next_of_element[t] = model.next_of_element[first];
+        model.next_of_element[first] = static_cast<std::uint32_t>(t);
+    }
 }
 
 void refuse_overlap(const Model& model, const std::vector<double>& share) {
@@ -123,15 +137,8 @@ void cover_texels(Model& model) {
     }
     refuse_overlap(model, share);
     const std::vector<char> covered = covered_enough(model, share);
-    for (const Pixmap& pixmap : model.pixmaps) find_nearest(model, pixmap, covered);
-    for (std::size_t t = 0; t < count; ++t) {
-        if (covered[t] || model.nearest[t] == none) continue;
-        const std::size_t to = model.nearest[t];
-        model.area[to] += model.area[t];
-        model.rho[to] += model.rho[t];
-        model.E[to] += model.E[t];
-        model.area[t] = 0;
-    }
+    for (Pixmap& pixmap : model.pixmaps) find_nearest(model, pixmap, covered);
+    join_elements(model);
     for (std::size_t t = 0; t < count; ++t) {
         if (model.area[t] > 0) {
             model.rho[t] /= model.area[t];

@@ -5,9 +5,9 @@
 
 namespace gw::radiosity {
 
-/// Fills in area, rho, E and nearest of a model whose figures, facets and pixmaps are known. A texel of which
-/// less than a 64th is covered gives that part to its nearest neighbour: a quotient by almost nothing is
-/// noise. Throws Error where figures cover a texel twice.
+/// Fills in what Model has for texels, figures, facets and pixmaps being known. A texel of which less than
+/// half is covered is one element with its nearest neighbour: few pixels of an ID buffer fall on it, and a
+/// quotient by almost nothing is noise. Throws Error where figures cover a texel twice.
 void cover_texels(Model& model);
 
 }  // namespace gw::radiosity

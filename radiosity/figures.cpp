@@ -92,7 +92,7 @@ private:
                             width, height, largest_pixmap));
         const std::size_t first =
             model.pixmaps.empty() ? 0 : model.pixmaps.back().first + model.pixmaps.back().count();
-        model.pixmaps.push_back({std::move(name), width, height, first, {}});
+        model.pixmaps.push_back({std::move(name), width, height, first, {}, false});
         if (first + model.pixmaps.back().count() > most_texels)
             fail(
                 fmt::format("more than {} texels in all pixmaps; expected fewer texels a unit", most_texels));
@@ -234,7 +234,7 @@ private:
                             std::uint32_t figure) {
         std::vector<std::uint32_t> solid;
         for (std::uint32_t t = first; t < end; ++t)
-            if (surface_.cross(t) != dvec3(0)) solid.push_back(t);
+            if (surface_.solid(t)) solid.push_back(t);
         if (solid.empty()) return 0;
         if (std::optional<Facet> facet = one_map(o, solid)) {
             for (std::uint32_t t : solid) {

@@ -40,7 +40,7 @@ void check(const FormFactorOptions& options) {
     if (options.scan.most_parts < 1 || options.scan.most_parts > 1024)
         throw Error(fmt::format("pixels in {} parts; expected 1..1024", options.scan.most_parts));
     if (!(options.points.nearness > 0) || !(options.points.smallest_part > 0) ||
-        !(options.points.emitter_part > 0))
+        !(options.points.smallest_of_pixmap > 0) || !(options.points.emitter_part > 0))
         throw Error("options of a patch's points that are not above 0; expected positive numbers");
 }
 

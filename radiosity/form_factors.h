@@ -27,7 +27,7 @@ void check(const FormFactorOptions& options);
 
 /// What a patch (or point) sends where. texels + backs + escaped = 1.
 struct Row {
-    std::vector<std::uint32_t> texels;  ///< that receive anything, ascending
+    std::vector<std::uint32_t> texels;  ///< elements (Model) that receive anything, ascending
     std::vector<double> factors;        ///< form factor to each
     double backs = 0;                   ///< to sides of figures that neither emit nor reflect
     double escaped = 0;                 ///< out of the scene

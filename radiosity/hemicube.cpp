@@ -3,6 +3,7 @@
 #include "gw/elementary.h"
 #include "scene/draw_commands.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gw::radiosity {
@@ -59,23 +60,28 @@ Profile id_profile() {
 HemicubePainter::HemicubePainter(int size) : machine_(make_fast(id_profile(), size, size, {.threads = 1})) {}
 
 void HemicubePainter::draw(const Model& model, const Hemicube& hemicube, IdBuffers& buffers) {
-    for (std::size_t face = 0; face < hemicube_faces; ++face) {
+    CommandList list;
+    for (std::uint32_t face = 0; face < hemicube_faces; ++face) {
         const scene::View& view = hemicube.views[face];
         const int size = view.width, first_row = face == 0 ? 0 : size / 2;
-        scene::IdPass options;
-        options.scissor = {.test = true, .box = {0, first_row, size, size - first_row}};
+        const Rect rect{0, first_row, size, size - first_row};
         const dvec4 above = face == 0 ? dvec4(0, 0, -1, 0) : dvec4(0, 1, 0, 0);
+        scene::IdPass options;
+        options.scissor = {.test = true, .box = rect};
         options.clip = {.enable = true, .plane = above - dvec4(0, 0, 0, horizon * model.extent)};
-        machine_->execute(scene::id_pass(model.drawn, view, options));
-        machine_->reset_passes();
+        for (Command& command : scene::id_pass(model.drawn, view, options).commands)
+            list.commands.push_back(std::move(command));
+        list.add(Read{.key = face, .plane = Plane::Color, .rect = rect});
+    }
+    machine_->execute(list);
+    machine_->reset_passes();
+    for (std::uint32_t face = 0; face < hemicube_faces; ++face) {
+        const Readback& read = machine_->readbacks().at(face);
         IdBuffer& buffer = buffers[face];
-        buffer.size = size;
-        buffer.rows = size - first_row;
-        buffer.ids.clear();
-        const std::vector<Rgba>& color = machine_->planes().color;
-        for (std::size_t i = static_cast<std::size_t>(first_row) * static_cast<std::size_t>(size);
-             i < color.size(); ++i)
-            buffer.ids.push_back(scene::id_of(color[i]));
+        buffer.size = read.rect.width;
+        buffer.rows = read.rect.height;
+        buffer.ids.resize(read.color.size());
+        std::transform(read.color.begin(), read.color.end(), buffer.ids.begin(), scene::id_of);
     }
 }
 

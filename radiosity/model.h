@@ -43,6 +43,7 @@ struct Pixmap {
     int width = 0, height = 0;
     std::size_t first = 0;              ///< of its texels in the arrays of Model; row 0 is t = 0
     std::vector<std::uint32_t> facets;  ///< that lie in it, ascending
+    bool whole = false;                 ///< every texel is an element
     std::size_t count() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
 
@@ -62,6 +63,8 @@ struct Patch {
     bool emits = false;
 };
 
+inline constexpr std::uint32_t no_texel = 0xffffffff;
+
 struct Model {
     std::vector<Figure> figures;
     std::vector<Facet> facets;
@@ -70,8 +73,13 @@ struct Model {
 
     /// Of all texels of all pixmaps. A texel that no figure covers has area 0.
     std::vector<double> area;
-    std::vector<dvec3> rho, E;           ///< means over what covers the texel
-    std::vector<std::uint32_t> nearest;  ///< the nearest covered texel of the same pixmap
+    std::vector<dvec3> rho, E;  ///< means over what covers the texel
+
+    /// Elements [F2]: a texel at a figure's border, of which little is covered, receives light as one with
+    /// its nearest neighbour. Light that falls on texel t goes to element nearest[t], which is named after
+    /// its first texel; the others follow by next_of_element.
+    std::vector<std::uint32_t> nearest, next_of_element;
+    std::vector<double> element_area;  ///< at the first texel
 
     scene::Scene drawn;  ///< the figures for id_pass: polygon identifier = facet, world coordinates
     double extent = 0;   ///< diagonal of the scene's bounds

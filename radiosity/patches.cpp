@@ -75,7 +75,13 @@ double distance(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c) 
 class Points {
 public:
     Points(const Model& model, const Patch& patch, const PointOptions& options)
-        : model_(model), patch_(patch), pixmap_(model.pixmaps[patch.pixmap]), options_(options) {
+        : model_(model),
+          patch_(patch),
+          pixmap_(model.pixmaps[patch.pixmap]),
+          options_(options),
+          smallest_part_((pixmap_.whole ? 1 : 0.5) *
+                         std::min(options.smallest_part,
+                                  std::min(pixmap_.width, pixmap_.height) * options.smallest_of_pixmap)) {
         const Part whole{{patch.x, patch.y}, {patch.x + patch.width, patch.y + patch.height}};
         add(whole, covered(model, pixmap_, whole));
     }
@@ -99,15 +105,18 @@ private:
                 continue;
             }
             const dvec2 uv = found.whole(part) ? middle + sign * offset : in_quarter.middle;
-            points.push_back({in_quarter.facet->at(uv), in_quarter.facet->normal,
-                              in_quarter.area / patch_.area,
-                              extent * std::sqrt(in_quarter.facet_share / q.whole())});
+            add_point(in_quarter, uv, in_quarter.area,
+                      extent * std::sqrt(in_quarter.facet_share / q.whole()));
         }
+    }
+
+    void add_point(const Covered& found, const dvec2& uv, double area, double size) {
+        points.push_back({found.facet->at(uv), found.facet->normal, area / patch_.area, size});
     }
 
     bool divided(const Part& part, const Covered& found, double extent) const {
         const double texels = std::max(part.high.x - part.low.x, part.high.y - part.low.y);
-        if (texels / 2 < options_.smallest_part) return false;
+        if (texels / 2 < smallest_part_) return false;
         if (patch_.emits && texels > options_.emitter_part) return true;
         return near_something(found.facet->at(found.middle), *found.facet, extent);
     }
@@ -123,7 +132,8 @@ private:
             if (high <= 1e-6 * model_.extent) continue;
             for (const Triangle2& t : facet.triangles) {
                 const double d = distance(p, facet.at(t[0]), facet.at(t[1]), facet.at(t[2]));
-                if (extent * std::min(1.0, high / d) > options_.nearness * d) return true;
+                const double seen = extent > d ? 1 : std::min(1.0, high / d);
+                if (extent * seen > options_.nearness * d) return true;
             }
         }
         return false;
@@ -133,6 +143,7 @@ private:
     const Patch& patch_;
     const Pixmap& pixmap_;
     const PointOptions& options_;
+    const double smallest_part_;
 };
 
 }  // namespace

@@ -17,12 +17,13 @@ struct ShootPoint {
 };
 
 struct PointOptions {
-    /// A part is divided while it is longer than `nearness` times its distance from what it can see, times
-    /// that one's elevation over its plane ...
-    double nearness = 0.5;
-    /// ... but not into parts below so many texels, and parts of a patch that emits down to `emitter_part`
-    /// texels.
-    double smallest_part = 1, emitter_part = 2;
+    /// A part is divided while it is longer than `nearness` times its distance from what it can see; what is
+    /// farther than the part is long, but low over its plane, counts by its elevation ...
+    double nearness = 1;
+    /// ... but not into parts below so many texels, or so large a part of a narrow pixmap's side; half as
+    /// much where figures cover texels in part. Parts of a patch that emits are divided down to
+    /// `emitter_part` texels.
+    double smallest_part = 1, smallest_of_pixmap = 1.0 / 8, emitter_part = 2;
 };
 
 /// Four points for each undivided part: those of Gauss' rule, exact for cubic integrands, where the part is

@@ -12,7 +12,7 @@ namespace gw::radiosity {
 namespace {
 
 constexpr const char* kind = "radiosity pixmaps";
-constexpr const char* version = "1";
+constexpr const char* version = "2";  ///< also of the form factors: going on must give the same bits
 
 /// FNV-1a over 64-bit words, twice with different beginnings.
 class Fingerprint {
@@ -117,9 +117,9 @@ std::string fingerprint(const Model& model) {
 }
 
 std::string fingerprint(const FormFactorOptions& options) {
-    return fmt::format("hemicube {} parts {} nearness {} smallest {} emitter {} seed {}", options.hemicube,
+    return fmt::format("hemicube {} parts {} nearness {} smallest {} {} emitter {} seed {}", options.hemicube,
                        options.scan.most_parts, options.points.nearness, options.points.smallest_part,
-                       options.points.emitter_part, options.seed);
+                       options.points.smallest_of_pixmap, options.points.emitter_part, options.seed);
 }
 
 Saved save(const Model& model, const FormFactorOptions& options, const Solution& solution) {

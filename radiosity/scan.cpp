@@ -36,11 +36,13 @@ Homography homography(const Facet& facet, const Hemicube& hemicube, const scene:
 /// One facet in one face.
 class FacetScan {
 public:
-    FacetScan(const Model& model, const Facet& facet, const Homography& map, int most_parts,
-              std::span<double> factors)
+    FacetScan(const Model& model, std::uint32_t number, const IdBuffer& buffer, const Homography& map,
+              int most_parts, std::span<double> factors)
         : model_(model),
-          facet_(facet),
-          pixmap_(model.pixmaps[facet.pixmap]),
+          facet_(model.facets[number]),
+          buffer_(buffer),
+          id_(number + 1),
+          pixmap_(model.pixmaps[facet_.pixmap]),
           map_(map),
           most_parts_(most_parts),
           factors_(factors) {}
@@ -53,15 +55,43 @@ public:
         const int nx = parts(across_x), ny = parts(across_y);
         if (nx * ny == 1) return to_box(uv, box_of(across_x, across_y), delta);
         const dvec2 size = box_of(across_x / double(nx), across_y / double(ny));
-        const double part = delta / (nx * ny);
-        for (int y = 0; y < ny; ++y)
-            for (int x = 0; x < nx; ++x)
-                to_box(texel(map_.at(i + (x + 0.5) / nx, j + (y + 0.5) / ny)), size, part);
+        parts_.clear();
+        const Range in_x = reach(i, j, 1, 0, nx), in_y = reach(i, j, 0, 1, ny);
+        for (int y = in_y.begin; y < in_y.end; ++y)
+            for (int x = in_x.begin; x < in_x.end; ++x) {
+                const dvec2 at = texel(map_.at(i + (x + 0.5) / nx, j + (y + 0.5) / ny));
+                if (in_bounds(at)) parts_.push_back(at);
+            }
+        if (parts_.empty()) parts_.push_back(uv);
+        for (const dvec2& at : parts_) to_box(at, size, delta / static_cast<double>(parts_.size()));
     }
 
 private:
+    struct Range {
+        int begin = 0, end = 0;
+    };
+
+    /// The parts of a pixel. Beside one that sees something else the facet may reach on, by half a pixel in
+    /// the mean: without these parts, texels there would get nothing.
+    Range reach(int i, int j, int dx, int dy, int count) const {
+        const int more = (count + 1) / 2;
+        return {ends(i - dx, j - dy) ? -more : 0, ends(i + dx, j + dy) ? count + more : count};
+    }
+
+    bool in_bounds(const dvec2& uv) const {
+        return uv.x >= facet_.low.x && uv.x <= facet_.high.x && uv.y >= facet_.low.y && uv.y <= facet_.high.y;
+    }
+
+    bool ends(int i, int j) const {
+        if (i < 0 || j < 0 || i >= buffer_.size || j >= buffer_.rows) return false;
+        return buffer_.ids[static_cast<std::size_t>(j) * static_cast<std::size_t>(buffer_.size) +
+                           static_cast<std::size_t>(i)] != id_;
+    }
+
+    /// W is below 0 where the front is seen. A part of a pixel may reach over the plane's horizon: the texel
+    /// is then far away, and moved into the facet.
     static dvec2 texel(const dvec3& h) {
-        const double w = 1 / h.z;
+        const double w = 1 / (h.z < -1e-30 ? h.z : -1e-30);
         return {h.x * w, h.y * w};
     }
 
@@ -71,68 +101,69 @@ private:
         return {(along.x - uv.x * along.z) * by, (along.y - uv.y * along.z) * by};
     }
 
+    /// So many that a part covers at most half a texel, and the box of two such footprints a whole one.
     int parts(const dvec2& texels) const {
-        const double wanted = std::max(std::abs(texels.x), std::abs(texels.y));
+        const double wanted = 2 * std::max(std::abs(texels.x), std::abs(texels.y));
         if (wanted <= 1) return 1;
         return wanted < most_parts_ ? static_cast<int>(wanted) + 1 : most_parts_;
     }
 
-    /// The size of a box with the variance of the parallelogram of two footprints.
+    /// The box around the parallelogram of two footprints.
     static dvec2 box_of(const dvec2& a, const dvec2& b) {
-        return {std::sqrt(a.x * a.x + b.x * b.x), std::sqrt(a.y * a.y + b.y * b.y)};
+        return {std::abs(a.x) + std::abs(b.x), std::abs(a.y) + std::abs(b.y)};
     }
 
     void to_one_texel(const dvec2& uv, double delta) {
-        add(static_cast<int>(inside(uv.x, 0)), static_cast<int>(inside(uv.y, 1)), delta);
-    }
-
-    /// A pixel on the border may fall beside the facet: its middle is up to a part of a pixel away.
-    double inside(double v, int axis) const {
-        return v > facet_.low[axis] ? (v < facet_.high[axis] ? v : facet_.high[axis]) : facet_.low[axis];
+        const auto at = [&](double v, int axis, int count) {
+            return std::min(static_cast<int>(std::clamp(v, facet_.low[axis], facet_.high[axis])), count - 1);
+        };
+        add(at(uv.x, 0, pixmap_.width), at(uv.y, 1, pixmap_.height), delta);
     }
 
     void add(int x, int y, double value) {
-        x = std::min(x, pixmap_.width - 1);
-        y = std::min(y, pixmap_.height - 1);
-        factors_[model_.nearest[pixmap_.first +
-                                static_cast<std::size_t>(y) * static_cast<std::size_t>(pixmap_.width) +
-                                static_cast<std::size_t>(x)]] += value;
+        const std::size_t t = pixmap_.first +
+                              static_cast<std::size_t>(y) * static_cast<std::size_t>(pixmap_.width) +
+                              static_cast<std::size_t>(x);
+        factors_[pixmap_.whole ? t : model_.nearest[t]] += value;
     }
 
-    /// A box moved, and where it is larger cut, into the facet.
-    std::pair<double, double> interval(double middle, double size, int axis) const {
-        const double low = facet_.low[axis], high = facet_.high[axis], half = size / 2;
-        if (!(size < high - low)) return {low, high};
-        const double m = middle > low + half ? (middle < high - half ? middle : high - half) : low + half;
-        return {m - half, m + half};
+    /// An interval of texels: the first one, and the parts of the interval in it and in the next.
+    struct Cells {
+        int first = 0, next = 0;
+        double in_first = 0, in_next = 0;
+    };
+
+    /// Of an interval at most a texel long, moved, and where it is larger cut, into the facet: a pixel on the
+    /// border may fall beside it.
+    Cells cells(double middle, double size, int axis, int count) const {
+        const double low = facet_.low[axis], high = facet_.high[axis], whole = high - low;
+        const double length = size < whole ? size : whole, wanted = middle - length / 2;
+        const double limited = wanted < high - length ? wanted : high - length;
+        const double begin = limited > low ? limited : low;  // not below 0
+        const int at = static_cast<int>(begin), first = at < count ? at : count - 1;
+        const double over = begin + length - (first + 1), beyond = over > 0 ? over : 0;
+        return {first, first + 1 < count ? first + 1 : first, length - beyond, beyond};
     }
 
-    /// The last texel that an interval from texel `first` to `end` touches.
-    static int last(int first, double end) {
-        const int in = static_cast<int>(end);
-        return in > first && in == end ? in - 1 : in;
-    }
-
+    // Without a branch: which texels a pixel touches cannot be foretold.
     void to_box(const dvec2& uv, const dvec2& size, double value) {
-        const auto [u0, u1] = interval(uv.x, size.x, 0);
-        const auto [v0, v1] = interval(uv.y, size.y, 1);
-        const int x0 = static_cast<int>(u0), y0 = static_cast<int>(v0);  // none is below 0
-        const int x1 = last(x0, u1), y1 = last(y0, v1);
-        if (x1 == x0 && y1 == y0) return add(x0, y0, value);
-        const double density = value / ((u1 - u0) * (v1 - v0));
-        for (int y = y0; y <= y1; ++y) {
-            const double tall = std::min(v1, y + 1.0) - std::max(v0, double(y));
-            for (int x = x0; x <= x1; ++x)
-                add(x, y, density * tall * (std::min(u1, x + 1.0) - std::max(u0, double(x))));
-        }
+        const Cells u = cells(uv.x, size.x, 0, pixmap_.width), v = cells(uv.y, size.y, 1, pixmap_.height);
+        const double density = value / ((u.in_first + u.in_next) * (v.in_first + v.in_next));
+        add(u.first, v.first, density * u.in_first * v.in_first);
+        add(u.next, v.first, density * u.in_next * v.in_first);
+        add(u.first, v.next, density * u.in_first * v.in_next);
+        add(u.next, v.next, density * u.in_next * v.in_next);
     }
 
     const Model& model_;
     const Facet& facet_;
+    const IdBuffer& buffer_;
+    const std::uint32_t id_;
     const Pixmap& pixmap_;
     const Homography map_;
     const int most_parts_;
     std::span<double> factors_;
+    std::vector<dvec2> parts_;  ///< of a pixel, that lie on the facet
 };
 
 template <class Pixel>
@@ -171,8 +202,9 @@ double scan_pixmap(const Model& model, std::uint32_t pixmap, const Hemicube& hem
                 for_each_pixel(region, buffer, number + 1, [&](int i, int j) { backs += delta_at(i, j); });
                 continue;
             }
-            FacetScan scan(model, facet, homography(facet, hemicube, view, buffer.size - buffer.rows),
-                           options.most_parts, factors);
+            FacetScan scan(model, number, buffer,
+                           homography(facet, hemicube, view, buffer.size - buffer.rows), options.most_parts,
+                           factors);
             for_each_pixel(region, buffer, number + 1,
                            [&](int i, int j) { scan.pixel(i, j, delta_at(i, j)); });
         }

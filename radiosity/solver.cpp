@@ -100,10 +100,12 @@ void Solver::forget_row(std::size_t patch) {
 
 void Solver::receive(const Row& row, const dvec3& flux) {
     for (std::size_t i = 0; i < row.texels.size(); ++i) {
-        const std::size_t t = row.texels[i];
-        const dvec3 before = solution_.H[t];
-        add(solution_.H[t], flux * (row.factors[i] / model_->area[t]));
-        add(solution_.unshot[t], model_->rho[t] * (solution_.H[t] - before));
+        const dvec3 density = flux * (row.factors[i] / model_->element_area[row.texels[i]]);
+        for (std::uint32_t t = row.texels[i]; t != no_texel; t = model_->next_of_element[t]) {
+            const dvec3 before = solution_.H[t];
+            add(solution_.H[t], density);
+            add(solution_.unshot[t], model_->rho[t] * (solution_.H[t] - before));
+        }
     }
     solution_.backs += flux * row.backs;
     solution_.escaped += flux * row.escaped;

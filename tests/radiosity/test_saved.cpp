@@ -9,7 +9,7 @@
 namespace gw::radiosity {
 namespace {
 
-const FormFactorOptions coarse{.hemicube = 32};
+const FormFactorOptions coarse{.hemicube = 32, .points = {.smallest_of_pixmap = 1.0 / 4}};
 
 Model box(float rho = 0.5f) { return make_model(closed_box({1, 1, 1}, rho, 1), {.texels_per_unit = 4}); }
 

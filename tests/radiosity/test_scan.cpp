@@ -31,11 +31,35 @@ double texels_lit(const Model& model, const Row& row) {
                                              [&](std::uint32_t t) { return t >= wall.first; }));
 }
 
-// [F2.2o] Fig. 3: a coarse buffer misses texels; divided virtually, it reaches all of them.
+// [F2.2o] Fig. 3: a coarse buffer misses texels; divided virtually, it reaches all of them. From one point,
+// so that no other one makes up for what it misses; with the hemicube turned in any way.
 TEST(Oversampling, NoVisibleTexelIsLeftWithoutEnergy) {
     const Model model = make_model(lamp_and_wall(), {.texels_per_unit = 10});
-    EXPECT_EQ(texels_lit(model, row_with(model, 32, 64)), texels_on_wall);
-    EXPECT_LT(texels_lit(model, row_with(model, 32, 1)), texels_on_wall);
+    for (std::uint64_t seed = 0; seed < 16; ++seed)
+        for (const int parts : {1, 64}) {
+            FormFactors factors(model, {.hemicube = 32, .scan = {.most_parts = parts}, .seed = seed});
+            const double lit = texels_lit(model, factors.from_points({{{0, 0, 0}, {0, 1, 0}, 1, 0.1}}, 0));
+            if (parts == 1)
+                EXPECT_LT(lit, 0.75 * texels_on_wall) << seed;
+            else
+                EXPECT_EQ(lit, texels_on_wall) << seed;
+        }
+}
+
+// The same for a wall that is seen at a slant: pixels on it are long and narrow, the farther the longer.
+TEST(Oversampling, NorIsATexelOfASlantingWall) {
+    scene::Scene scene;
+    add_quad(scene, "lamp", {-0.05f, 0, -0.05f}, {0, 0, 0.1f}, {0.1f, 0, 0}, 0, 1);
+    add_quad(scene, "wall", {0.3f, 0.2f, -1}, {0.2f, 0.1f, 2}, {1, 3, 0.5f}, 0.5f);
+    const Model model = make_model(scene, {.texels_per_unit = 10});
+    double elements = 0;
+    for (std::size_t t = model.pixmaps[1].first; t < model.texel_count(); ++t)
+        elements += model.nearest[t] == t && model.area[t] > 0 ? 1 : 0;
+    for (std::uint64_t seed = 0; seed < 16; ++seed) {
+        FormFactors factors(model, {.hemicube = 32, .seed = seed});
+        EXPECT_EQ(texels_lit(model, factors.from_points({{{0, 0, 0}, {0, 1, 0}, 1, 0.1}}, 0)), elements)
+            << seed;
+    }
 }
 
 // The energy is the same: oversampling only spreads it.

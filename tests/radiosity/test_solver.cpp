@@ -39,7 +39,7 @@ scene::Scene colored_box() {
     return scene;
 }
 
-const SolverOptions coarse{.form_factors = {.hemicube = 32}};
+const SolverOptions coarse{.form_factors = {.hemicube = 32, .points = {.smallest_of_pixmap = 1.0 / 4}}};
 const ModelOptions few_texels{.texels_per_unit = 4};
 
 TEST(Solver, TheBooksBalanceAtEveryStepInEveryChannel) {

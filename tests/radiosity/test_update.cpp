@@ -10,7 +10,7 @@
 namespace gw::radiosity {
 namespace {
 
-const SolverOptions coarse{.form_factors = {.hemicube = 32}};
+const SolverOptions coarse{.form_factors = {.hemicube = 32, .points = {.smallest_of_pixmap = 1.0 / 4}}};
 constexpr double enough = 1e-3;
 
 /// A room with a hanging lamp at height y.
