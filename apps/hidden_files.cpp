@@ -64,6 +64,13 @@ std::vector<image::Picture> pictures_of(const hs::Input& input, const hs::Result
             picture_of_counts(result.writes, input.view.width, input.view.height)};
 }
 
+/// Only of an algorithm that finds parts of pixels.
+void put_shares(image::OutputSet& output, const std::filesystem::path& file, const hs::Input& input,
+                const hs::Result& result, const Colors& colors) {
+    if (!result.shares.empty())
+        image::put_picture(output.add(file), picture_of_shares(input, result.shares, colors));
+}
+
 std::vector<image::Picture> sheet_row(std::vector<image::Picture> pictures, const Compared& run) {
     const auto captions = captions_of(run.algorithm->name, run.result.counts);
     for (std::size_t k = 0; k < pictures.size(); ++k)
@@ -152,6 +159,7 @@ void put_steps(image::OutputSet& output, const std::filesystem::path& folder, co
     image::put_picture(output.add(folder / "picture.png"), last[0]);
     image::put_picture(output.add(folder / "difference.png"), last[1]);
     image::put_picture(output.add(folder / "writes.png"), last[2]);
+    put_shares(output, folder / "smooth.png", input, run.result, colors);
 }
 
 void put_comparison(image::OutputSet& output, const std::filesystem::path& folder, const hs::Input& input,
@@ -162,6 +170,7 @@ void put_comparison(image::OutputSet& output, const std::filesystem::path& folde
         const auto pictures = pictures_of(input, run.result, colors);
         for (std::size_t k = 0; k < pictures.size(); ++k)
             image::put_picture(output.add(folder / (run.algorithm->name + kinds[k] + ".png")), pictures[k]);
+        put_shares(output, folder / (run.algorithm->name + "_smooth.png"), input, run.result, colors);
         rows.push_back(sheet_row(pictures, run));
     }
     image::put_picture(output.add(folder / "sheet.png"), sheet_of(rows));

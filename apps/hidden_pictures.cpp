@@ -98,6 +98,20 @@ image::Picture picture_of_ids(const hs::Input& input, const std::vector<std::uin
     return picture;
 }
 
+image::Picture picture_of_shares(const hs::Input& input, const std::vector<hs::Share>& shares,
+                                 const std::map<std::uint32_t, Color>& colors) {
+    image::Picture picture = blank(input.view.width, input.view.height);
+    const Color& background = colors.at(0);
+    const auto count = picture.values.size() / 3;
+    std::vector<dvec3> sums(count, dvec3(background[0], background[1], background[2]));
+    for (const hs::Share& share : shares)
+        for (std::size_t c = 0; c < 3; ++c)
+            sums[std::size_t(share.y * picture.width + share.x)][int(c)] +=
+                share.part * (double(colors.at(share.id)[c]) - double(background[c]));
+    for (std::size_t i = 0; i < count; ++i) put(picture, i, to_color(sums[i] / 255.0));
+    return picture;
+}
+
 image::Picture picture_of_step(const hs::Input& input, const hs::Replay& replay,
                                const std::map<std::uint32_t, Color>& colors) {
     image::Picture picture = picture_of_ids(input, replay.ids(), colors);

@@ -24,6 +24,11 @@ std::map<std::uint32_t, Color> flat_colors(const hiddensurface::Input& input);
 image::Picture picture_of_ids(const hiddensurface::Input& input, const std::vector<std::uint32_t>& ids,
                               const std::map<std::uint32_t, Color>& colors);
 
+/// Each pixel the sum of its polygons' colours by their parts; the background has the rest.
+image::Picture picture_of_shares(const hiddensurface::Input& input,
+                                 const std::vector<hiddensurface::Share>& shares,
+                                 const std::map<std::uint32_t, Color>& colors);
+
 /// The replay's picture, and in it the last step: the border of its first polygon white, of the second
 /// yellow, of others grey; its scan line lighter; its span white.
 image::Picture picture_of_step(const hiddensurface::Input& input, const hiddensurface::Replay& replay,

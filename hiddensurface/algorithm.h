@@ -24,10 +24,18 @@ struct Input {
 /// Projects the scene. Refers to scene and view, which must outlive it.
 Input make_input(const scene::Scene& scene, const scene::View& view, const Profile& profile);
 
+/// The part of a pixel that a polygon has, 0 .. 1.
+struct Share {
+    int x = 0, y = 0;
+    std::uint32_t id = 0;
+    double part = 0;
+};
+
 struct Output {
     CommandList list;  ///< the picture, identifiers as colours (scene::id_of), on 0
     Counts counts;
     std::vector<Piece> pieces;  ///< in the order drawn, where the algorithm draws piece by piece
+    std::vector<Share> shares;  ///< where the algorithm finds parts of pixels
 };
 
 enum class Claim {

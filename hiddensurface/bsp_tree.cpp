@@ -10,8 +10,6 @@ namespace gw::hiddensurface {
 
 namespace {
 
-enum class Place { On, Front, Back, Both };
-
 class Builder {
 public:
     Builder(const std::vector<Polygon>& polygons, std::size_t candidates, const SplitSink& on_split)
@@ -20,27 +18,16 @@ public:
     }
 
     Tree build(const std::vector<std::size_t>& order) {
-        std::vector<TreePiece> pieces;
-        for (const std::size_t i : order)
-            for (std::size_t k = 0; k < polygons_[i].world_facets.size(); ++k)
-                if (plane({i, k}) != dvec4(0)) pieces.push_back({{i, k}, facet({i, k}).parts, {}});
-        tree_.root = node(std::move(pieces));
+        tree_.root = node(pieces_of(polygons_, order));
         return std::move(tree_);
     }
 
 private:
-    const WorldFacet& facet(FacetIndex i) const { return polygons_[i.polygon].world_facets[i.facet]; }
-    dvec4 plane(FacetIndex i) const { return unit_plane(facet(i)); }
+    dvec4 plane(FacetIndex i) const { return unit_plane(polygons_[i.polygon].world_facets[i.facet]); }
 
     Place place(const TreePiece& piece, const dvec4& cut) {
         tree_.plane_tests += 1;
-        bool front = false, back = false;
-        for (const Loop& part : piece.parts)
-            for (const dvec3& p : part) {
-                front = front || side(cut, p) > tolerance_;
-                back = back || side(cut, p) < -tolerance_;
-            }
-        return front && back ? Place::Both : front ? Place::Front : back ? Place::Back : Place::On;
+        return place_of(piece, cut, tolerance_);
     }
 
     std::size_t best(const std::vector<TreePiece>& pieces) {
@@ -85,15 +72,11 @@ private:
             case Place::Back: back.push_back(std::move(piece)); return;
             case Place::Both: break;
         }
-        auto [behind, before] = divide(piece.parts, at.plane);
+        auto [behind, before] = cut_piece(piece, by, at.plane);
         tree_.splits += 1;
-        if (on_split_) on_split_(piece, by, behind, before);
-        TreePiece other{piece.of, std::move(behind), piece.cuts};
-        other.cuts.emplace_back(by, false);
-        piece.parts = std::move(before);
-        piece.cuts.emplace_back(by, true);
-        front.push_back(std::move(piece));
-        back.push_back(std::move(other));
+        if (on_split_) on_split_(piece, by, behind.parts, before.parts);
+        front.push_back(std::move(before));
+        back.push_back(std::move(behind));
     }
 
     const std::vector<Polygon>& polygons_;
@@ -115,6 +98,35 @@ std::uint64_t walk(const TreeNode* node, const dvec4& eye,
 }
 
 }  // namespace
+
+Place place_of(const TreePiece& piece, const dvec4& plane, double tolerance) {
+    bool front = false, back = false;
+    for (const Loop& part : piece.parts)
+        for (const dvec3& p : part) {
+            front = front || side(plane, p) > tolerance;
+            back = back || side(plane, p) < -tolerance;
+        }
+    return front && back ? Place::Both : front ? Place::Front : back ? Place::Back : Place::On;
+}
+
+std::pair<TreePiece, TreePiece> cut_piece(const TreePiece& piece, FacetIndex by, const dvec4& plane) {
+    auto [behind, before] = divide(piece.parts, plane);
+    std::pair<TreePiece, TreePiece> halves{{piece.of, std::move(behind), piece.cuts},
+                                           {piece.of, std::move(before), piece.cuts}};
+    halves.first.cuts.emplace_back(by, false);
+    halves.second.cuts.emplace_back(by, true);
+    return halves;
+}
+
+std::vector<TreePiece> pieces_of(const std::vector<Polygon>& polygons,
+                                 const std::vector<std::size_t>& order) {
+    std::vector<TreePiece> pieces;
+    for (const std::size_t i : order)
+        for (std::size_t k = 0; k < polygons[i].world_facets.size(); ++k)
+            if (const WorldFacet& facet = polygons[i].world_facets[k]; unit_plane(facet) != dvec4(0))
+                pieces.push_back({{i, k}, facet.parts, {}});
+    return pieces;
+}
 
 dvec4 unit_plane(const WorldFacet& facet) {
     dvec3 n(0);

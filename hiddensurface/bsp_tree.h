@@ -28,6 +28,14 @@ dvec4 unit_plane(const WorldFacet& facet);
 /// to it, by the size of the scene.
 double world_tolerance(const std::vector<Polygon>& polygons);
 
+/// Where a piece lies: in a plane, on one side of it, or across.
+enum class Place { On, Front, Back, Both };
+Place place_of(const TreePiece& piece, const dvec4& plane, double tolerance);
+/// Cuts a piece by the plane of facet `by`: what is behind it and what is in front.
+std::pair<TreePiece, TreePiece> cut_piece(const TreePiece& piece, FacetIndex by, const dvec4& plane);
+/// All facets that have an area, of the polygons in this order.
+std::vector<TreePiece> pieces_of(const std::vector<Polygon>& polygons, const std::vector<std::size_t>& order);
+
 struct TreeNode {
     dvec4 plane{0, 0, 0, 0};        ///< of the first piece; the normal's length is 1
     std::vector<TreePiece> pieces;  ///< in the plane

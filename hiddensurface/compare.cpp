@@ -31,7 +31,8 @@ void add_machine_counts(const std::vector<PassReport>& passes, Counts& counts) {
 
 Result run_on(Machine& machine, const Algorithm& algorithm, const Input& input, StepLog& log) {
     Output output = algorithm.run(input, log);
-    Result result{.counts = output.counts, .pieces = std::move(output.pieces)};
+    Result result{
+        .counts = output.counts, .pieces = std::move(output.pieces), .shares = std::move(output.shares)};
     machine.reset_passes();
     machine.execute(output.list);
     add_machine_counts(machine.passes(), result.counts);

@@ -12,6 +12,7 @@ struct Result {
     std::vector<std::uint8_t> writes;    ///< times each pixel was drawn, at most 255
     std::vector<Difference> difference;  ///< as `ids`; empty: not compared
     std::vector<Piece> pieces;
+    std::vector<Share> shares;
 };
 
 /// Runs the algorithm and executes its list on a machine of the view's size; the pixels are read from it. A

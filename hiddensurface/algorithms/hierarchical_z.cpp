@@ -1,0 +1,117 @@
+// Hierarchical Z. N. Greene, M. Kass, G. Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993. The scene's
+// polygons are in an octree, walked near to far; the depths drawn so far are in a pyramid, each cell the
+// farthest of the four below. A cube, and with it all that is inside, or a polygon, is hidden where the
+// pyramid is nearer everywhere over its bounding rectangle: mostly one comparison, with the smallest cell
+// that has all of it. What is left is drawn as in a Z-buffer. Does not claim: to gain anything where little
+// is hidden. Left out: the list of cubes seen in the picture before (temporal coherence). Ours: rectangle and
+// nearest depth of a cube instead of its faces; polygons across a cube's middle planes stay in the cube.
+#include "hiddensurface/algorithm.h"
+#include "hiddensurface/depth_pyramid.h"
+#include "hiddensurface/octree.h"
+#include "hiddensurface/scan_conversion.h"
+
+#include <algorithm>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+WindowBox box_of(const Polygon& polygon, int s, const Rect& window) {
+    const GridPoint& first = polygon.triangles[0].corners[0];
+    GridPoint low = first, high = first;
+    for (const WindowTriangle& t : polygon.triangles)
+        for (const GridPoint& p : t.corners) {
+            low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+            high = {std::max(high.x, p.x), std::max(high.y, p.y), 0};
+        }
+    const int x0 = std::max(int(low.x >> s), 0), y0 = std::max(int(low.y >> s), 0);
+    const int x1 = std::min(int(high.x >> s) + 1, window.width),
+              y1 = std::min(int(high.y >> s) + 1, window.height);
+    return {{x0, y0, x1 - x0, y1 - y0}, low.z - 1};  // depths inside may be rounded down
+}
+
+class HierarchicalZ {
+public:
+    HierarchicalZ(const Input& input, StepLog& log)
+        : input_(input),
+          log_(log),
+          output_{.list = begin_picture(input, "hierarchical Z")},
+          pyramid_(input.view.width, input.view.height, (std::int64_t{1} << input.profile.depth_bits) - 1),
+          first_(std::size_t(input.view.width) * std::size_t(input.view.height)) {}
+
+    Output run() {
+        const std::unique_ptr<Cube> root = build_octree(input_.polygons);
+        if (root) draw(*root);
+        output_.counts.peak_bytes =
+            pyramid_.bytes() + first_.size() * sizeof(std::size_t) + output_.counts.nodes * sizeof(Cube);
+        return std::move(output_);
+    }
+
+private:
+    void draw(const Cube& cube) {
+        output_.counts.nodes += 1;
+        if (hidden(window_box(cube.low, cube.high, input_.view, input_.profile), {}, "cube")) return;
+        for (const std::size_t i : cube.polygons) draw(i);
+        for (const std::size_t part : near_to_far(cube, eye_of(input_.view)))
+            if (cube.parts[part]) draw(*cube.parts[part]);
+    }
+
+    bool hidden(const WindowBox& box, const std::vector<std::uint32_t>& ids, const char* what) {
+        const bool yes = box.rect.width <= 0 || box.rect.height <= 0 ||
+                         pyramid_.hides(box.rect, box.nearest, output_.counts.depths);
+        output_.counts.rejected += yes ? 1 : 0;
+        if (log_.on()) {
+            Step step{Level::Polygon, Action::Compare, ids, what, yes ? "hidden" : "may be seen"};
+            step.window = box.rect.width > 0 && box.rect.height > 0 ? box.rect : Rect{};
+            log_.add(std::move(step));
+        }
+        return yes;
+    }
+
+    void draw(std::size_t index) {
+        const Polygon& polygon = input_.polygons[index];
+        const int s = input_.subpixel_bits();
+        if (hidden(box_of(polygon, s, input_.window()), {polygon.id}, "polygon")) return;
+        std::vector<Painted> painted;
+        for (const WindowTriangle& t : polygon.triangles)
+            for (const Run& run : scan_convert(t.corners, s, input_.window()))
+                draw(run, t.depth, index, painted);
+        if (painted.empty()) return;
+        output_.counts.spans += painted.size();
+        add_painted(output_.list, painted);
+        if (log_.on())
+            log_.add({Level::Polygon, Action::Draw, {polygon.id}, "z < Z", "", -1, std::move(painted)});
+    }
+
+    /// Of equal depths the scene's first is seen, as where polygons come in the scene's order.
+    void draw(const Run& run, const DepthPlane& depth, std::size_t index, std::vector<Painted>& painted) {
+        DepthWalk walk(depth, run.x0, run.y);
+        for (int x = run.x0; x < run.x1; ++x, walk.right()) {
+            std::size_t& first = first_[std::size_t(run.y) * std::size_t(input_.view.width) + std::size_t(x)];
+            const std::int64_t z = walk.z(), stored = pyramid_.at(x, run.y);
+            output_.counts.depths += 1;
+            if (z > stored || (z == stored && index >= first)) continue;
+            first = index;
+            if (z < stored) pyramid_.set(x, run.y, z);
+            add_run(painted, {run.y, x, x + 1}, input_.polygons[index].id);
+        }
+    }
+
+    const Input& input_;
+    StepLog& log_;
+    Output output_;
+    DepthPyramid pyramid_;
+    std::vector<std::size_t> first_;  ///< index of the polygon at each pixel; 0 also before any
+};
+
+}  // namespace
+
+Algorithm hierarchical_z() {
+    return {.place = 87,
+            .name = "hierarchical-z",
+            .title = "Hierarchical Z: octree and pyramid of depths (1993)",
+            .claim = Claim::Always,
+            .run = [](const Input& input, StepLog& log) { return HierarchicalZ(input, log).run(); }};
+}
+
+}  // namespace gw::hiddensurface
