@@ -1,0 +1,69 @@
+#include "hiddensurface/lines/line_algorithm.h"
+
+#include "hiddensurface/lines/appel.h"
+#include "hiddensurface/lines/floating_horizon.h"
+#include "hiddensurface/lines/roberts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+/// Shorter parts are the rounding of two ends that are one.
+constexpr double shortest_part = 1e-9;
+
+}  // namespace
+
+std::span<const LineCountName> line_count_names() {
+    static constexpr LineCountName names[] = {
+        {"lines", &LineCounts::lines},     {"faces", &LineCounts::faces},
+        {"facings", &LineCounts::facings}, {"extents", &LineCounts::extents},
+        {"planes", &LineCounts::planes},   {"crossings", &LineCounts::crossings},
+        {"starts", &LineCounts::starts},   {"peak_bytes", &LineCounts::peak_bytes},
+        {"parts", &LineCounts::parts},     {"pixels", &LineCounts::pixels},
+        {"missing", &LineCounts::missing}, {"extra", &LineCounts::extra},
+    };
+    static_assert(sizeof(names) / sizeof(LineCountName) * sizeof(std::uint64_t) == sizeof(LineCounts));
+    return names;
+}
+
+const std::vector<LineAlgorithm>& line_algorithms() {
+    static const std::vector<LineAlgorithm> all{roberts(), appel(), floating_horizon()};
+    return all;
+}
+
+const LineAlgorithm* line_algorithm_named(const std::string& name) {
+    for (const LineAlgorithm& algorithm : line_algorithms())
+        if (algorithm.name == name) return &algorithm;
+    return nullptr;
+}
+
+std::vector<Part> rest_of(std::vector<Part> hidden) {
+    std::sort(hidden.begin(), hidden.end());
+    std::vector<Part> rest;
+    double from = 0;
+    const auto add = [&](double to) {
+        if (to - from > shortest_part) rest.emplace_back(from, to);
+    };
+    for (const auto& [first, last] : hidden) {
+        add(first);
+        from = std::max(from, last);
+    }
+    add(1);
+    return rest;
+}
+
+void log_line(const Line& line, StepLog& log) {
+    if (!log.on()) return;
+    std::string seen;
+    for (const auto& [from, to] : line.visible)
+        seen += fmt::format("{}{:.6g}..{:.6g}", seen.empty() ? "" : ", ", from, to);
+    Step step{Level::Polygon, Action::Draw, {line.id}, "visible parts", seen.empty() ? "none" : seen};
+    step.before = {{line.a, line.b}};
+    log.add(std::move(step));
+}
+
+}  // namespace gw::hiddensurface

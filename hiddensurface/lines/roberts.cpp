@@ -1,0 +1,69 @@
+#include "hiddensurface/lines/roberts.h"
+
+#include "hiddensurface/lines/bodies.h"
+#include "hiddensurface/lines/world_lines.h"
+#include "hiddensurface/normal.h"
+
+#include <algorithm>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+/// Where p + t (q - p) is farther than the tolerance on the positive side of all planes of the body.
+std::optional<Part> hidden_by(const Body& body, const WorldSide& line, double tolerance, LineCounts& counts) {
+    Part part{0, 1};
+    for (const dvec4& plane : body.planes) {
+        counts.planes += 1;
+        const double a = side(plane, line.p) - tolerance, b = side(plane, line.q) - tolerance;
+        if (a <= 0 && b <= 0) return std::nullopt;
+        if (a < 0) part.first = std::max(part.first, a / (a - b));
+        if (b < 0) part.second = std::min(part.second, a / (a - b));
+        if (part.first >= part.second) return std::nullopt;
+    }
+    return part;
+}
+
+std::vector<Part> visible_parts(const Bodies& scene, const WorldSide& line, LineCounts& counts) {
+    if (line.back) return {};
+    counts.starts += 1;
+    std::vector<Part> hidden;
+    for (const Body& body : scene.bodies) {
+        if (body.solid != 0 && body.solid == line.solid) continue;  // a solid's front lines are before it
+        if (const auto part = hidden_by(body, line, scene.tolerance, counts)) hidden.push_back(*part);
+    }
+    return rest_of(std::move(hidden));
+}
+
+LineOutput run(const Input& input, StepLog& log) {
+    LineOutput output;
+    const Bodies scene = bodies_of(input, output.counts);
+    const WorldLines window(input);
+    output.counts.faces = scene.bodies.size();
+    for (const Body& body : scene.bodies)
+        output.counts.peak_bytes += sizeof(Body) + body.planes.size() * sizeof(dvec4);
+    output.counts.peak_bytes += scene.sides.size() * sizeof(WorldSide);
+    for (const WorldSide& side : scene.sides) {
+        const auto line =
+            window.to_window(side.id, side.p, side.q, visible_parts(scene, side, output.counts));
+        if (!line) continue;
+        output.counts.lines += 1;
+        output.counts.parts += line->visible.size();
+        log_line(*line, log);
+        output.lines.push_back(*line);
+    }
+    return output;
+}
+
+}  // namespace
+
+LineAlgorithm roberts() {
+    return {.name = "roberts",
+            .title = "Roberts 1963: every line against every convex body",
+            .claim =
+                "right for any polygons, best for convex solids; draws no lines where solids go through each "
+                "other",
+            .run = run};
+}
+
+}  // namespace gw::hiddensurface

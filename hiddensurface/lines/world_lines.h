@@ -1,0 +1,29 @@
+// Lines in the world and their places on the window grid, without the snap: for algorithms that decide in
+// the scene. Does not hide anything.
+#pragma once
+
+#include "hiddensurface/lines/line_algorithm.h"
+
+namespace gw::hiddensurface {
+
+/// The world plane (n, d) of the view's near plane: n.p + d > 0 beyond it.
+dvec4 near_plane_of(const scene::View& view);
+
+/// A line from the world to the window.
+class WorldLines {
+public:
+    explicit WorldLines(const Input& input);
+
+    /// p -> q, and the parts of it that are seen (linear in the world), cut off at the near and the far
+    /// plane. None: nothing of it is between them, or it is seen end on.
+    std::optional<Line> to_window(std::uint32_t id, const dvec3& p, const dvec3& q,
+                                  const std::vector<Part>& visible) const;
+
+private:
+    dvec3 on_grid(const dvec4& clip) const;
+
+    dmat4 clip_from_world_;
+    dvec3 scale_;
+};
+
+}  // namespace gw::hiddensurface
