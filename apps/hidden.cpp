@@ -1,10 +1,11 @@
 // gw hidden: the lecture's hidden-surface algorithms, one or all, with counts, steps and comparisons.
 #include "apps/command.h"
 #include "apps/hidden_files.h"
-#include "apps/picture_options.h"
+#include "apps/hidden_options.h"
 #include "apps/progress.h"
 #include "apps/terminal.h"
 #include "gw/error.h"
+#include "hiddensurface/lines/line_algorithm.h"
 
 #include <algorithm>
 #include <memory>
@@ -15,22 +16,19 @@ namespace hs = hiddensurface;
 
 namespace {
 
-enum class Form { Text, Json, Csv };
-
-struct HiddenOptions {
-    PictureOptions picture{.size = {320, 240}};
-    std::string algorithm;  ///< empty: all
-    std::filesystem::path steps, compare;
-    hs::Level level = hs::Level::Polygon;
-    int pictures = 48;
-    Form form = Form::Text;
-};
-
 std::string algorithms_help() {
-    std::string help = "One algorithm (default: all of them):";
+    std::string help = "One algorithm (default: all of hidden surfaces):";
     for (const hs::Algorithm& algorithm : hs::algorithms())
         help += "\n" + algorithm.name + ": " + algorithm.title;
+    for (const hs::LineAlgorithm& algorithm : hs::line_algorithms())
+        help += "\n" + algorithm.name + " (lines): " + algorithm.title;
     return help;
+}
+
+std::vector<std::string> all_names() {
+    std::vector<std::string> names = hs::algorithm_names();
+    for (const hs::LineAlgorithm& algorithm : hs::line_algorithms()) names.push_back(algorithm.name);
+    return names;
 }
 
 hs::Level level_from(const std::string& word) {
@@ -77,9 +75,7 @@ void add_options(CLI::App& command, HiddenOptions& options) {
     command
         .add_option_function<std::string>(
             "--algorithm",
-            [&](const std::string& word) {
-                options.algorithm = one_of("--algorithm", word, hs::algorithm_names());
-            },
+            [&](const std::string& word) { options.algorithm = one_of("--algorithm", word, all_names()); },
             algorithms_help())
         ->type_name("NAME");
     add_output_options(command, options);
@@ -101,6 +97,7 @@ std::vector<const hs::Algorithm*> wanted(const HiddenOptions& options) {
 
 int hidden(const HiddenOptions& options) {
     check(options);
+    if (hs::line_algorithm_named(options.algorithm)) return hidden_lines(options);
     image::OutputSet output;
     for (const auto& folder : {options.steps, options.compare})
         if (!folder.empty()) output.make_folder(folder);

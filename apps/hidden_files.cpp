@@ -21,14 +21,6 @@ namespace {
 
 constexpr float frames_per_second = 4;
 
-/// The places of the log that get a picture: 0 .. steps, evenly, the last always.
-std::vector<std::size_t> places(std::size_t steps, int pictures) {
-    const auto count = std::min(steps + 1, static_cast<std::size_t>(pictures));
-    std::vector<std::size_t> at;
-    for (std::size_t i = 1; i <= count; ++i) at.push_back(count == 1 ? steps : (i - 1) * steps / (count - 1));
-    return at;
-}
-
 std::string lines_of(const std::vector<hs::Step>& steps) {
     std::string text;
     for (const hs::Step& step : steps) text += hs::to_json(step) + "\n";
@@ -112,6 +104,13 @@ std::string html(const hs::Input& input, const std::vector<Compared>& all) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> places(std::size_t steps, int pictures) {
+    const auto count = std::min(steps + 1, static_cast<std::size_t>(pictures));
+    std::vector<std::size_t> at;
+    for (std::size_t i = 1; i <= count; ++i) at.push_back(count == 1 ? steps : (i - 1) * steps / (count - 1));
+    return at;
+}
 
 std::string counts_text(const std::vector<Compared>& all) {
     std::string text = fmt::format("{:<12}", "");

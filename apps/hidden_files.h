@@ -22,6 +22,9 @@ std::string counts_text(const std::vector<Compared>& all);
 std::string counts_csv(const std::vector<Compared>& all);
 std::string counts_json(const std::vector<Compared>& all);
 
+/// The places of a log that get a picture: of 0 .. steps at most so many, evenly, the last always.
+std::vector<std::size_t> places(std::size_t steps, int pictures);
+
 /// steps.jsonl, step_0001.png ... (at most `pictures`, evenly over the log), steps.gif, pieces.svg where
 /// something was split, writes.png, picture.png, difference.png.
 void put_steps(image::OutputSet& output, const std::filesystem::path& folder,

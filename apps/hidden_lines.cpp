@@ -21,7 +21,8 @@ namespace {
 
 std::string text_of(const hs::LineAlgorithm& algorithm, const hs::LineCounts& counts, Form form) {
     nlohmann::ordered_json json;
-    std::string text = fmt::format("{:<12} {:>16}\n", "", algorithm.name), names = "algorithm", values = algorithm.name;
+    std::string text = fmt::format("{:<12} {:>16}\n", "", algorithm.name), names = "algorithm",
+                values = algorithm.name;
     for (const auto& [name, count] : hs::line_count_names()) {
         text += fmt::format("{:<12} {:>16}\n", name, counts.*count);
         names += std::string(",") + name;
@@ -69,7 +70,8 @@ private:
         const hs::Line& line = lines_[count - 1];
         std::string seen;
         for (const auto& [from, to] : line.visible) seen += fmt::format(" {:.3g}..{:.3g}", from, to);
-        return {head, {{fmt::format("polygon {}:", line.id), grey}, {seen.empty() ? "hidden" : "visible" + seen}}};
+        return {head,
+                {{fmt::format("polygon {}:", line.id), grey}, {seen.empty() ? "hidden" : "visible" + seen}}};
     }
 
     Machine& machine_;

@@ -15,14 +15,6 @@ namespace hs = hiddensurface;
 
 namespace {
 
-image::Picture blank(int width, int height) {
-    return {width, height, 3, 8, std::vector<std::uint16_t>(std::size_t(width) * std::size_t(height) * 3)};
-}
-
-void put(image::Picture& picture, std::size_t pixel, const Color& color) {
-    for (std::size_t c = 0; c < 3; ++c) picture.values[pixel * 3 + c] = color[c];
-}
-
 Color to_color(const dvec3& v) {
     const auto byte = [](double x) { return static_cast<std::uint16_t>(quantize(x, 8)); };
     return {byte(v.x), byte(v.y), byte(v.z)};
@@ -78,6 +70,14 @@ void draw_window(image::Picture& picture, const Rect& w) {
 }
 
 }  // namespace
+
+image::Picture blank(int width, int height) {
+    return {width, height, 3, 8, std::vector<std::uint16_t>(std::size_t(width) * std::size_t(height) * 3)};
+}
+
+void put(image::Picture& picture, std::size_t pixel, const Color& color) {
+    for (std::size_t c = 0; c < 3; ++c) picture.values[pixel * 3 + c] = color[c];
+}
 
 std::map<std::uint32_t, Color> flat_colors(const hs::Input& input) {
     std::map<std::uint32_t, Color> colors;

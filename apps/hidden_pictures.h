@@ -17,6 +17,11 @@ inline constexpr Color white{255, 255, 255}, yellow{255, 230, 0}, grey{150, 150,
 inline constexpr std::array<Color, 6> colors_of_counts{
     {{0, 0, 0}, {50, 90, 230}, {20, 150, 60}, {240, 210, 40}, {240, 130, 20}, red}};
 
+/// Black, 3 channels of 8 bits.
+image::Picture blank(int width, int height);
+/// `pixel`: row by row from the bottom left one, 0.
+void put(image::Picture& picture, std::size_t pixel, const Color& color);
+
 /// A colour for each identifier: Kd of its material, darker the more it is turned from the eye; 0 is the
 /// background.
 std::map<std::uint32_t, Color> flat_colors(const hiddensurface::Input& input);

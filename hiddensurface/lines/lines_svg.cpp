@@ -12,7 +12,8 @@ std::string path_of(const Input& input, const Line& line, const std::vector<Part
     for (const auto& [from, to] : parts)
         for (const double t : {from, to}) {
             const dvec3 p = line.a + t * (line.b - line.a);
-            path += fmt::format("{}{:.3f},{:.3f}", t == from ? "M" : "L", p.x / unit, input.view.height - p.y / unit);
+            path += fmt::format("{}{:.3f},{:.3f}", t == from ? "M" : "L", p.x / unit,
+                                input.view.height - p.y / unit);
         }
     return path;
 }
@@ -30,7 +31,8 @@ std::string lines_svg(const Input& input, const std::vector<Line>& lines) {
         hidden += path_of(input, line, rest_of(line.visible));
     }
     return fmt::format(
-               "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{2}\" height=\"{3}\">\n"
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{2}\" "
+               "height=\"{3}\">\n"
                "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
                input.view.width, input.view.height, 2 * input.view.width, 2 * input.view.height) +
            layer(hidden, "stroke=\"#9aa4b5\" stroke-width=\"0.25\" stroke-dasharray=\"1.5 1.5\"") +
