@@ -2,6 +2,7 @@
 #include "apps/command.h"
 #include "apps/picture_options.h"
 #include "apps/progress.h"
+#include "apps/study_hidden.h"
 #include "apps/table.h"
 #include "apps/terminal.h"
 #include "gw/error.h"
@@ -9,6 +10,7 @@
 #include "study/adding.h"
 #include "study/convergence.h"
 #include "study/distance.h"
+#include "study/growth.h"
 
 #include <fmt/format.h>
 
@@ -21,6 +23,7 @@ namespace {
 struct StudyOptions {
     std::filesystem::path output;
     int threads = 0, samples = 256;
+    HiddenStudyOptions hidden;  ///< its own prices and limit
     bool quiet = false;
 };
 
@@ -128,6 +131,19 @@ int study_precision(const StudyOptions& options) {
     return done;
 }
 
+int study_hidden_surfaces(const StudyOptions& options) {
+    check(options);
+    HiddenStudyOptions hidden = options.hidden;
+    hidden.output = options.output;
+    hidden.threads = options.threads;
+    hidden.quiet = options.quiet;
+    hidden.command = fmt::format("build/release/bin/gw study hidden -o {}", options.output.string());
+    if (!hidden.axis.empty()) hidden.command += " --axis " + hidden.axis;
+    if (hidden.limit != HiddenStudyOptions{}.limit)
+        hidden.command += fmt::format(" --limit {}", hidden.limit);
+    return study_hidden(hidden);
+}
+
 }  // namespace
 
 Command add_study(CLI::App& app) {
@@ -135,13 +151,13 @@ Command add_study(CLI::App& app) {
         app.add_subcommand("study", "Measurements of pictures, as plots (SVG) with their numbers (CSV)");
     const auto options = std::make_shared<StudyOptions>();
     const auto which = std::make_shared<std::string>();
-    const std::vector<std::string> known{"convergence", "precision"};
+    const std::vector<std::string> known{"convergence", "precision", "hidden"};
     command
         ->add_option_function<std::string>(
             "STUDY", [=](const std::string& word) { *which = one_of("STUDY", word, known); },
             "convergence: error against the number of samples; precision: rounding of added passes, distance "
             "of "
-            "renderers")
+            "renderers; hidden: growth and cost of the hidden-surface algorithms")
         ->required()
         ->type_name("NAME");
     command->add_option("-o,--output", options->output, "Folder of the plots; made where it is missing")
@@ -163,9 +179,32 @@ Command add_study(CLI::App& app) {
             },
             "convergence: up to N samples (default 256) against a picture of 8 N")
         ->type_name("N");
+    command
+        ->add_option_function<std::string>(
+            "--limit",
+            [=](const std::string& word) {
+                options->hidden.limit = number_from("--limit", word, 0.001, 3600);
+            },
+            "hidden: an algorithm whose next size would take longer is stopped there (default 0.5)")
+        ->type_name("SECONDS");
+    command
+        ->add_option_function<std::string>(
+            "--axis",
+            [=](const std::string& word) {
+                std::vector<std::string> axes;
+                for (const study::GrowthAxis& axis : study::growth_axes()) axes.push_back(axis.name);
+                options->hidden.axis = one_of("--axis", word, axes);
+            },
+            "hidden: polygons, depth, resolution or frames only (default: all)")
+        ->type_name("NAME");
+    command
+        ->add_option("--prices", options->hidden.prices,
+                     "hidden: folder of recipes.toml and price lists (default scenes/hidden/prices)")
+        ->type_name("DIR");
     command->add_flag("--quiet", options->quiet, "No progress");
     command->footer("Example:\n  build/release/bin/gw study convergence --samples 16 -o convergence");
     return {command, [=] {
+                if (*which == "hidden") return study_hidden_surfaces(*options);
                 return *which == "convergence" ? study_convergence(*options) : study_precision(*options);
             }};
 }

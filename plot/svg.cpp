@@ -101,7 +101,8 @@ std::string stroke_of(const Series& series, std::size_t index) {
 }
 
 std::string marker(double x, double y, std::size_t index, const std::string& title) {
-    const std::size_t shape = index % std::size(shapes);
+    // Beyond as many series as colours the same colour has another shape.
+    const std::size_t shape = (index + index / color_count) % std::size(shapes);
     const char* color = colors[index % color_count];
     return fmt::format("<path transform=\"translate({:.2f},{:.2f})\" d=\"{}\" fill=\"{}\" stroke=\"{}\">", x,
                        y, shapes[shape], color, color) +
@@ -137,7 +138,7 @@ std::string legend(const std::vector<Series>& all) {
 std::string svg(const Plot& plot) {
     const Paper paper = paper_of(plot);
     std::string below;
-    double y = bottom + 64;
+    double y = std::max(bottom + 64, top + 24 + double(plot.series.size()) * (line_height + 4));
     for (const std::string& words : lines_of(plot.caption)) below += text(12, y, "", words), y += line_height;
     for (const std::string& words : lines_of(plot.command))
         below += text(12, y, "font-family=\"monospace\" font-size=\"11\"", words), y += line_height;

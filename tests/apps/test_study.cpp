@@ -21,11 +21,27 @@ TEST_F(Study, ConvergenceWritesPlotsAndTheirNumbers) {
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);  // names, N = 2, N = 4
 }
 
+TEST_F(Study, HiddenSurfacesGrowAndCost) {
+    const Outcome outcome = gw({"study", "hidden", "-o", "out", "--limit", "0.001", "--axis", "resolution"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const char* part :
+         {"Against pixels", "was stopped after", "prices of 1974", "prices of today", "z-buffer"})
+        EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
+    const auto files = names("out");
+    for (const char* name : {"growth.csv", "laws.csv", "costs.csv", "index.html", "polygons_seconds.svg",
+                             "frames_changed.svg", "cost_1974_resolution.svg", "lines_resolution_planes.svg"})
+        EXPECT_EQ(std::count(files.begin(), files.end(), name), 1) << name;
+    EXPECT_EQ(bytes_of(in("out/growth.csv")).substr(0, 27), "axis,algorithm,value,x,y\nre");
+}
+
 TEST_F(Study, RefusesWhatCannotBe) {
     expect_refused(2, {"study", "convergence", "-o", ""}, {"-o is empty"});
-    expect_refused(2, {"study", "speed", "-o", "out"}, {"STUDY 'speed'", "convergence, precision"});
+    expect_refused(2, {"study", "speed", "-o", "out"}, {"STUDY 'speed'", "convergence, precision, hidden"});
     expect_refused(2, {"study", "convergence", "-o", "out", "--samples", "1"}, {"--samples '1'", "4..4096"});
     expect_refused(1, {"study", "precision", "-o", "missing/out"}, {"missing/out"});
+    expect_refused(2, {"study", "hidden", "-o", "out", "--limit", "0"}, {"--limit '0'"});
+    expect_refused(2, {"study", "hidden", "-o", "out", "--axis", "colour"}, {"--axis 'colour'", "polygons"});
+    expect_refused(1, {"study", "hidden", "-o", "out", "--prices", "none"}, {"none", "no price lists"});
     std::filesystem::remove(in("scenes"));
     expect_refused(1, {"study", "precision", "-o", "out"}, {"scenes/columns.toml"});
 }

@@ -1,0 +1,23 @@
+// gw study hidden: how the hidden-surface algorithms grow, and what they cost. Does not parse options.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace gw::apps {
+
+struct HiddenStudyOptions {
+    std::filesystem::path output;
+    std::filesystem::path prices = "scenes/hidden/prices";  ///< a folder: recipes.toml, and price lists
+    double limit = 0.5;                                     ///< seconds of one run
+    std::string axis;                                       ///< empty: all
+    int threads = 0;
+    bool quiet = false;
+    std::string command;  ///< as it was called, for the plots
+};
+
+/// growth.csv, laws.csv, costs.csv, a plot for every counter and axis, index.html; prints exponents and
+/// rankings.
+int study_hidden(const HiddenStudyOptions& options);
+
+}  // namespace gw::apps

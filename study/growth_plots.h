@@ -1,0 +1,34 @@
+// The growth study as plots, tables and fitted power laws. Does not measure.
+#pragma once
+
+#include "plot/plot.h"
+#include "study/growth.h"
+
+namespace gw::study {
+
+struct GrowthPlot {
+    std::string name;  ///< of the file, without its end
+    std::string axis, value;
+    bool lines = false;
+    plot::Plot plot;
+};
+/// One for every axis and value in which something is counted, all algorithms together; surfaces and lines
+/// apart.
+std::vector<GrowthPlot> growth_plots(const Growth& growth);
+
+/// value = factor axis^exponent, fitted to an algorithm's points above 0.
+struct GrowthLaw {
+    std::string axis, algorithm, value;
+    bool lines = false;
+    plot::PowerLaw law;
+    std::size_t points = 0;
+};
+/// Where there are three points or more.
+std::vector<GrowthLaw> growth_laws(const Growth& growth);
+
+/// "axis,algorithm,value,x,y", a row for every number measured.
+std::string growth_csv(const Growth& growth);
+/// "axis,algorithm,value,exponent,factor,points"
+std::string laws_csv(const std::vector<GrowthLaw>& laws);
+
+}  // namespace gw::study
