@@ -6,6 +6,7 @@
 #include "apps/terminal.h"
 #include "gw/error.h"
 #include "hiddensurface/lines/line_algorithm.h"
+#include "hiddensurface/quiz/quiz.h"
 
 #include <algorithm>
 #include <memory>
@@ -68,8 +69,45 @@ void add_output_options(CLI::App& command, HiddenOptions& options) {
         ->excludes(json);
 }
 
+void add_exercise_options(CLI::App& command, HiddenOptions& options) {
+    command
+        .add_option("--quiz", options.quiz,
+                    "Instead of a scene's pictures: exercises in DIR/handout, their answers in DIR/key.json")
+        ->type_name("DIR");
+    const auto number = [&](const char* name, int& to, int low, int high, const char* help) {
+        command
+            .add_option_function<std::string>(
+                name,
+                [name, &to, low, high](const std::string& word) {
+                    to = whole_number_from(name, word, low, high);
+                },
+                help)
+            ->type_name("N");
+    };
+    number("--seed", options.seed, 0, 2147483647,
+           "Of the quiz: the same seed gives the same questions (default 1)");
+    number("--questions", options.questions, 1, 99, "Of the quiz: how many (default 7)");
+    command
+        .add_option_function<std::string>(
+            "--kind",
+            [&](const std::string& word) { options.kind = one_of("--kind", word, hs::quiz_kinds()); },
+            "Of the quiz: all questions of one kind (default: all kinds in turn)")
+        ->type_name("NAME");
+    command.add_option("--grade", options.grade, "Answers to a quiz against its key")
+        ->expected(2)
+        ->type_name("KEY.json ANSWERS.json");
+    command
+        .add_option("--fragments", options.fragments,
+                    "A list x,y,polygon of what is seen, against the Z-buffer's picture")
+        ->type_name("FILE.csv");
+    command.add_option("--truth", options.truth, "Writes the list as it should be")->type_name("FILE.csv");
+    command.add_option("--marked", options.marked, "Of --fragments: a picture of the mistakes")
+        ->type_name("IMAGE");
+}
+
 void add_options(CLI::App& command, HiddenOptions& options) {
     add_picture_options(command, options.picture);
+    command.get_option("SCENE")->required(false);  // --quiz and --grade take none
     remove_pass_options(command);
     command.get_option("--size")->description("Pixels, both sides 1..4096 (default 320x240)");
     command
@@ -79,9 +117,19 @@ void add_options(CLI::App& command, HiddenOptions& options) {
             algorithms_help())
         ->type_name("NAME");
     add_output_options(command, options);
+    add_exercise_options(command, options);
 }
 
 void check(const HiddenOptions& options) {
+    const bool exercises = !options.quiz.empty() || !options.grade.empty();
+    if (!options.quiz.empty() && !options.grade.empty())
+        throw UsageError("--quiz and --grade exclude each other; expected one of them");
+    if (exercises && !options.picture.scene.empty())
+        throw UsageError("SCENE: --quiz makes its own scenes and --grade needs none; expected no SCENE");
+    if (!exercises && options.picture.scene.empty())
+        throw UsageError("SCENE is required; expected a TOML scene or a Wavefront OBJ file");
+    if (!options.marked.empty() && options.fragments.empty())
+        throw UsageError("--marked shows mistakes; expected --fragments FILE.csv");
     if (!options.steps.empty() && options.algorithm.empty())
         throw UsageError("--steps needs one algorithm; expected --algorithm NAME");
     if (!options.compare.empty() && !options.algorithm.empty())
@@ -95,9 +143,7 @@ std::vector<const hs::Algorithm*> wanted(const HiddenOptions& options) {
     return all;
 }
 
-int hidden(const HiddenOptions& options) {
-    check(options);
-    if (hs::line_algorithm_named(options.algorithm)) return hidden_lines(options);
+int surfaces(const HiddenOptions& options) {
     image::OutputSet output;
     for (const auto& folder : {options.steps, options.compare})
         if (!folder.empty()) output.make_folder(folder);
@@ -126,6 +172,14 @@ int hidden(const HiddenOptions& options) {
           : options.form == Form::Csv ? counts_csv(all)
                                       : counts_text(all));
     return done;
+}
+
+int hidden(const HiddenOptions& options) {
+    check(options);
+    if (!options.quiz.empty()) return hidden_quiz(options);
+    if (!options.grade.empty()) return hidden_grade(options);
+    if (!options.fragments.empty() || !options.truth.empty()) return hidden_fragments(options);
+    return hs::line_algorithm_named(options.algorithm) ? hidden_lines(options) : surfaces(options);
 }
 
 }  // namespace

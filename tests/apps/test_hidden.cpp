@@ -115,6 +115,111 @@ TEST_F(Hidden, RefusesWhatMakesNoSense) {
     expect_refused(1, {"hidden", cycle, "--size", "16x12", "--compare", "no/such"}, {"no/such"});
 }
 
+TEST_F(Hidden, DrawsHiddenLinesWithStepsAndCounts) {
+    for (const std::string name : {"roberts", "appel"}) {
+        const Outcome outcome = hidden({"--algorithm", name, "--steps", name, "--pictures", "3"});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_NE(outcome.out.find(name), std::string::npos);
+        EXPECT_NE(outcome.out.find("\nlines "), std::string::npos);
+        EXPECT_EQ(names(name),
+                  (std::vector<std::string>{"difference.png", "lines.svg", "picture.png", "step_0001.png",
+                                            "step_0002.png", "step_0003.png", "steps.gif", "steps.jsonl"}));
+        std::istringstream log(bytes_of(in(name + "/steps.jsonl")));
+        int lines = 0;
+        for (std::string line; std::getline(log, line); ++lines) EXPECT_TRUE(nlohmann::json::accept(line));
+        EXPECT_EQ(lines, 9);  // three triangles
+    }
+    const Outcome json = hidden({"--algorithm", "appel", "--json"});
+    EXPECT_EQ(nlohmann::json::parse(json.out)[0]["counts"]["lines"], 9);
+    expect_refused(1, {"hidden", cycle, "--algorithm", "floating-horizon"}, {"expected a height field"});
+}
+
+TEST_F(Hidden, MakesAQuizThatGradesItself) {
+    const Outcome outcome = gw({"hidden", "--quiz", "q", "--seed", "3", "--questions", "7"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(names("q"), (std::vector<std::string>{"handout", "key.json"}));
+    const auto handout = names("q/handout");
+    EXPECT_EQ(handout.size(), 3u + 4u * 7u);
+    // Nothing in the handout tells the answers: the form is empty, the questions have none.
+    const auto form = nlohmann::json::parse(bytes_of(in("q/handout/answers.json")));
+    for (const auto& answer : form["answers"]) EXPECT_EQ(answer, "");
+    for (const auto& question : nlohmann::json::parse(bytes_of(in("q/handout/questions.json")))["questions"])
+        EXPECT_FALSE(question.contains("answer"));
+    // The key's own answers are all right; the empty form is all missing; one wrong answer is told.
+    const auto key = nlohmann::json::parse(bytes_of(in("q/key.json")));
+    nlohmann::json mine{{"seed", 3}};
+    for (const auto& a : key["answers"])
+        mine["answers"][std::to_string(a["number"].get<int>())] = a["answer"];
+    write("mine.json", mine.dump());
+    EXPECT_EQ(gw({"hidden", "--grade", "q/key.json", "mine.json"}).code, 0);
+    const Outcome empty = gw({"hidden", "--grade", "q/key.json", "q/handout/answers.json"});
+    EXPECT_EQ(empty.code, 3);
+    EXPECT_NE(empty.out.find("0 of 7 right"), std::string::npos);
+    mine["answers"]["3"] = 99;
+    write("mine.json", mine.dump());
+    const Outcome wrong = gw({"hidden", "--grade", "q/key.json", "mine.json", "--json"});
+    EXPECT_EQ(wrong.code, 3);
+    EXPECT_EQ(nlohmann::json::parse(wrong.out)["right"], 6);
+    EXPECT_EQ(nlohmann::json::parse(wrong.out)["answers"][2]["grade"], "wrong");
+    // The scene of a question is one of gw's, with the same picture.
+    const Outcome scene = gw({"hidden", "q/handout/scene_01.toml", "--algorithm", "newell", "--json"});
+    EXPECT_EQ(scene.code, 0) << scene.err;
+    EXPECT_EQ(nlohmann::json::parse(scene.out)[0]["counts"]["polygons"], 4);
+    // Again, the same bytes.
+    EXPECT_EQ(gw({"hidden", "--quiz", "again", "--seed", "3", "--questions", "7"}).code, 0);
+    for (const std::string& name : handout)
+        EXPECT_EQ(bytes_of(in("again/handout/" + name)), bytes_of(in("q/handout/" + name))) << name;
+    EXPECT_EQ(bytes_of(in("again/key.json")), bytes_of(in("q/key.json")));
+}
+
+TEST_F(Hidden, RefusesAnswersThatFitNoKey) {
+    ASSERT_EQ(gw({"hidden", "--quiz", "q", "--seed", "3", "--questions", "2"}).code, 0);
+    const auto refused = [&](const std::string& text, const std::string& part) {
+        write("mine.json", text);
+        expect_refused(1, {"hidden", "--grade", "q/key.json", "mine.json"}, {"mine.json", part, "expected"});
+    };
+    refused("{", "expected JSON");
+    refused("[]", "no answers");
+    refused(R"({"seed": 4, "answers": {}})", "seed 4");
+    refused(R"({"answers": {}})", "seed missing");
+    refused(R"({"seed": 3, "answers": {"9": "a"}})", "'9'");
+    refused(R"({"seed": 3, "answers": {"1": {"a": 1}}})", "answer 1");
+    refused(R"({"seed": 3, "answers": {"1": 1.5}})", "answer 1");
+    expect_refused(1, {"hidden", "--grade", "q/handout/answers.json", "mine.json"},
+                   {"answers.json", "expected a key"});
+    expect_refused(1, {"hidden", "--grade", "none.json", "mine.json"}, {"none.json"});
+}
+
+TEST_F(Hidden, GradesAFragmentList) {
+    EXPECT_EQ(hidden({"--truth", "truth.csv"}).code, 0);
+    const Outcome right = hidden({"--fragments", "truth.csv"});
+    EXPECT_EQ(right.code, 0) << right.err;
+    EXPECT_NE(right.out.find("missing 0\ndoubled 0\nmisplaced 0\nwrong 0\n"), std::string::npos);
+    write("mine.csv", "x,y,polygon\n0,0,1\n");
+    const Outcome mine = hidden({"--fragments", "mine.csv", "--marked", "marked.png", "--json"});
+    EXPECT_EQ(mine.code, 3);
+    const auto grade = nlohmann::json::parse(mine.out);
+    EXPECT_EQ(grade["misplaced"], 1);
+    EXPECT_EQ(grade["missing"], grade["expected"]);
+    EXPECT_EQ(read_pixels(in("marked.png")).width, 48);
+    write("bad.csv", "0,0,1\n0,0\n");
+    expect_refused(1, {"hidden", cycle, "--size", "48x36", "--fragments", "bad.csv"},
+                   {"bad.csv:2: ", "expected x,y,polygon"});
+    expect_refused(1, {"hidden", cycle, "--fragments", "none.csv"}, {"none.csv"});
+    expect_refused(1, {"hidden", "none.toml", "--truth", "no/such.csv"}, {"no/such.csv"});
+}
+
+TEST_F(Hidden, RefusesExercisesThatMakeNoSense) {
+    expect_refused(2, {"hidden"}, {"SCENE is required"});
+    expect_refused(2, {"hidden", cycle, "--quiz", "q"}, {"--quiz", "no SCENE"});
+    expect_refused(2, {"hidden", "--quiz", "q", "--grade", "a", "b"}, {"--quiz", "--grade"});
+    expect_refused(2, {"hidden", "--quiz", "q", "--kind", "riddle"}, {"--kind 'riddle'", "order"});
+    expect_refused(2, {"hidden", "--quiz", "q", "--questions", "0"}, {"--questions '0'"});
+    expect_refused(2, {"hidden", "--quiz", "q", "--seed", "-1"}, {"--seed '-1'"});
+    expect_refused(2, {"hidden", cycle, "--marked", "m.png"}, {"--marked", "--fragments"});
+    expect_refused(1, {"hidden", "--quiz", "no/such"}, {"no/such"});
+}
+
 TEST_F(Hidden, StylesAreSixPicturesInOneFigure) {
     const Outcome outcome = gw({"styles", cycle, "-o", "styles.png", "--size", "40x30"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;

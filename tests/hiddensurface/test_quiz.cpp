@@ -1,0 +1,247 @@
+// Claims: the same seed gives the same quiz, and a longer one begins as a shorter one; each answer is right
+// by a second way of finding it; a fragment list is graded as its mistakes were made; malformed lists name
+// line and expectation.
+#include "cases.h"
+#include "gw/error.h"
+#include "hiddensurface/normal.h"
+#include "hiddensurface/quiz/coverage.h"
+#include "hiddensurface/quiz/fragments.h"
+#include "hiddensurface/quiz/quiz.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+std::string text_of(const Question& q) {
+    std::string text = q.kind + q.text + q.answer + q.why;
+    for (const std::string& choice : q.choices) text += choice;
+    for (const scene::Object& object : q.scene.objects)
+        for (const vec3& p : object.mesh->data().positions)
+            text += std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + " ";
+    return text;
+}
+
+struct QuizStage : Stage {
+    explicit QuizStage(const Question& q) : Stage(q.scene, vgx(), quiz_width, quiz_height) {}
+};
+
+std::vector<Question> of_kind(const std::string& kind) { return make_quiz(5, 6, kind); }
+
+}  // namespace
+
+TEST(Quiz, IsTheSameForTheSameSeed) {
+    const auto longer = make_quiz(11, 9), shorter = make_quiz(11, 7), other = make_quiz(12, 7);
+    ASSERT_EQ(longer.size(), 9u);
+    for (std::size_t i = 0; i < shorter.size(); ++i) {
+        EXPECT_EQ(text_of(longer[i]), text_of(shorter[i])) << i;
+        EXPECT_NE(text_of(other[i]), text_of(shorter[i])) << i;
+        EXPECT_EQ(longer[i].kind, quiz_kinds()[i]);
+        EXPECT_EQ(canonical_answer(longer[i].answer), longer[i].answer);
+    }
+    EXPECT_EQ(longer[7].kind, quiz_kinds()[0]);
+    EXPECT_THROW(make_quiz(1, 1, "riddle"), Error);
+}
+
+// By drawing the four choices: the machine paints the pieces one over the other.
+TEST(Quiz, HasOneOrderThatPaintsThePicture) {
+    for (const Question& q : of_kind("order")) {
+        QuizStage stage(q);
+        ASSERT_EQ(q.choices.size(), 4u);
+        for (std::size_t c = 0; c < 4; ++c) {
+            Output output{.list = begin_picture(stage.input, "choice")};
+            StepLog none;
+            std::istringstream words(q.choices[c]);
+            for (std::uint32_t id; words >> id;)
+                draw_piece(stage.input, whole(id - 1, stage.input.polygons[id - 1]), output, none);
+            stage.machine->execute(output.list);
+            int different = 0;
+            for (std::size_t i = 0; i < stage.z_buffer.ids.size(); ++i)
+                different += scene::id_of(stage.machine->planes().color[i]) != stage.z_buffer.ids[i] ? 1 : 0;
+            if (q.answer == std::string(1, char('a' + c)))
+                EXPECT_LE(different, 2) << q.choices[c];
+            else
+                EXPECT_GE(different, 150) << q.choices[c];
+        }
+    }
+}
+
+// The order of the corners in the quiz does not come from Newell: tests 1 to 4 again, on the scene's
+// coordinates.
+TEST(Quiz, NamesTheFirstOfNewellsTestsThatSaysYes) {
+    std::set<std::string> answers;
+    for (const Question& q : make_quiz(5, 12, "test")) {
+        QuizStage stage(q);
+        const int p = q.text[8] - '1';  // "Polygon 2 reaches farthest"
+        const Facet &a = stage.input.polygons[std::size_t(p)].facets[0],
+                    &b = stage.input.polygons[std::size_t(1 - p)].facets[0];
+        const auto extent_of = [](const Facet& f, int axis) {
+            double low = 1e30, high = -1e30;
+            for (const dvec3& v : f.parts[0]) {
+                low = std::min(low, v[axis]);
+                high = std::max(high, v[axis]);
+            }
+            return std::pair(low, high);
+        };
+        const auto apart = [&](int axis) {
+            const auto x = extent_of(a, axis), y = extent_of(b, axis);
+            return x.second <= y.first || y.second <= x.first;
+        };
+        const auto all = [](const Facet& of, const Facet& plane, double sign) {
+            return std::all_of(of.parts[0].begin(), of.parts[0].end(),
+                               [&](const dvec3& v) { return sign * side(plane.plane, v) >= -1e-3; });
+        };
+        const char first = apart(0) ? 'a' : apart(1) ? 'b' : all(a, b, 1) ? 'c' : all(b, a, -1) ? 'd' : 'e';
+        if (first < 'e')
+            EXPECT_EQ(q.answer, std::string(1, first)) << q.text;
+        else
+            EXPECT_GE(q.answer, "e") << q.text;
+        answers.insert(q.answer);
+    }
+    EXPECT_GE(answers.size(), 4u);
+}
+
+TEST(Quiz, CountsPiecesThatGiveThePicture) {
+    for (const Question& q : of_kind("pieces")) {
+        QuizStage stage(q);
+        const Result newell = stage.run("newell");
+        EXPECT_EQ(q.answer, std::to_string(3 + newell.counts.splits));
+        EXPECT_EQ(newell.counts.wrong, 0u);
+    }
+}
+
+// A face looks away where the eye is on the solid's side of its plane.
+TEST(Quiz, FindsTheFacesThatLookAway) {
+    for (const Question& q : of_kind("facing")) {
+        QuizStage stage(q);
+        dvec3 middle(0);
+        for (const Polygon& polygon : stage.input.polygons)
+            middle += polygon.world[0] / double(stage.input.polygons.size());
+        std::string back;
+        for (const Polygon& polygon : stage.input.polygons) {
+            const dvec4 plane = plane_of(polygon_normal(polygon.world), polygon.world[0]);
+            EXPECT_LT(side(plane, middle), 0) << "turned inwards: " << q.text;
+            if (side(plane, stage.view.camera.eye) < 0)
+                back += (back.empty() ? "" : " ") + std::to_string(polygon.id);
+        }
+        EXPECT_EQ(q.answer, back) << q.text;
+    }
+}
+
+TEST(Quiz, CountsWritesAsTheDistancesSay) {
+    for (const Question& q : of_kind("writes")) {
+        QuizStage stage(q);
+        const auto over = polygons_over(stage.input);
+        const std::size_t at = std::size_t(q.point->y) * quiz_width + std::size_t(q.point->x);
+        double nearest = 1e30;
+        int writes = 0;
+        for (const std::uint32_t id : over[at]) {
+            const double distance = stage.input.polygons[id - 1].nearest;
+            if (distance < nearest) writes += 1;
+            nearest = std::min(nearest, distance);
+        }
+        EXPECT_EQ(q.answer, std::to_string(writes)) << q.text;
+    }
+}
+
+// Spans between the ends of what lies over each pixel of the line: where that changes, a segment ends.
+TEST(Quiz, CountsSpansOfALine) {
+    for (const Question& q : of_kind("spans")) {
+        QuizStage stage(q);
+        const auto over = polygons_over(stage.input);
+        int spans = 0;
+        const auto at = [&](int x) { return over[std::size_t(*q.row) * quiz_width + std::size_t(x)]; };
+        for (int x = 0; x < quiz_width; ++x)
+            spans += !at(x).empty() && (x == 0 || at(x) != at(x - 1)) ? 1 : 0;
+        EXPECT_EQ(q.answer, std::to_string(spans)) << q.text;
+    }
+}
+
+TEST(Quiz, CountsTrianglesBeforeAPoint) {
+    for (const Question& q : of_kind("invisibility")) {
+        QuizStage stage(q);
+        const std::size_t at = std::size_t(q.point->y) * quiz_width + std::size_t(q.point->x);
+        const auto over = polygons_over(stage.input)[at];
+        const int answer = std::stoi(q.answer);
+        EXPECT_GE(answer, 1);
+        EXPECT_LE(answer, int(over.size()) + 1);
+        EXPECT_LE(answer, 4);
+    }
+}
+
+TEST(Quiz, TakesAnswersAsTheyAreWritten) {
+    EXPECT_EQ(canonical_answer(" B\n"), "b");
+    EXPECT_EQ(canonical_answer("10, 2;4"), "2 4 10");
+    EXPECT_EQ(canonical_answer(""), "");
+}
+
+TEST(FragmentList, OfTheTruthIsRight) {
+    Stage stage(case_scene("cycle"), vgx(), 48, 36);
+    const std::string truth = fragments_text(stage.z_buffer.ids, stage.input);
+    const auto grade =
+        grade_fragments(read_fragments("truth.csv", truth, stage.input), stage.z_buffer.ids, stage.input);
+    EXPECT_TRUE(grade.all_right());
+    EXPECT_EQ(grade.expected, stage.z_buffer.counts.pixels);
+    EXPECT_EQ(grade.right, grade.expected);
+}
+
+// One mistake of each kind, put into the truth.
+TEST(FragmentList, IsGradedByTheMistakesMade) {
+    Stage stage(case_scene("cycle"), vgx(), 48, 36);
+    auto list = read_fragments("list", fragments_text(stage.z_buffer.ids, stage.input), stage.input);
+    const auto over = polygons_over(stage.input);
+    const auto at = [&](const Fragment& f) -> const std::vector<std::uint32_t>& {
+        return over[std::size_t(35 - f.y) * 48 + std::size_t(f.x)];
+    };
+    const auto two =
+        std::find_if(list.begin(), list.end(), [&](const Fragment& f) { return at(f).size() == 2; });
+    const auto one =
+        std::find_if(list.begin(), list.end(), [&](const Fragment& f) { return at(f).size() == 1; });
+    ASSERT_TRUE(two != list.end() && one != list.end());
+    const Fragment second = *one, first = list.back();
+    two->id = at(*two)[0] == two->id ? at(*two)[1] : at(*two)[0];  // the hidden one
+    one->id = one->id % 3 + 1;  // not over this pixel, so the right one is missing
+    list.push_back(first);      // a second time
+    const auto grade = grade_fragments(list, stage.z_buffer.ids, stage.input);
+    EXPECT_EQ(grade.wrong, 1u);
+    EXPECT_EQ(grade.misplaced, 1u);
+    EXPECT_EQ(grade.missing, 1u);
+    EXPECT_EQ(grade.doubled, 1u);
+    EXPECT_EQ(grade.right, grade.expected - 2);
+    ASSERT_EQ(grade.mistakes.size(), 4u);
+    EXPECT_EQ(grade.mistakes.back().mistake, Mistake::Missing);
+    EXPECT_EQ(grade.mistakes.back().x, second.x);
+    EXPECT_EQ(grade.mistakes.back().y, second.y);
+    EXPECT_EQ(grade_fragments({}, stage.z_buffer.ids, stage.input).missing, grade.expected);
+}
+
+TEST(FragmentList, RefusesWhatIsNone) {
+    Stage stage(case_scene("cycle"), vgx(), 48, 36);
+    const auto message = [&](const char* text) -> std::string {
+        try {
+            read_fragments("list.csv", text, stage.input);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(message("# mine\nx,y,polygon\n\n1, 2, 3\r\n"), "");
+    for (const char* text :
+         {"1,2\n", "1,2,3,4\n", "a,2,1\n", "1.5,2,1\n", "1 2 1\n", "99999999999999999999,1,1\n"}) {
+        EXPECT_NE(message(text).find("list.csv:1: "), std::string::npos) << text;
+        EXPECT_NE(message(text).find("expected x,y,polygon"), std::string::npos) << text;
+    }
+    EXPECT_NE(
+        message("0,0,1\n48,0,1\n").find("list.csv:2: pixel 48,0 is outside the window; expected x 0..47"),
+        std::string::npos);
+    EXPECT_NE(message("0,-1,1\n").find("outside the window"), std::string::npos);
+    EXPECT_NE(message("0,0,4\n").find("no polygon 4; expected 1..3"), std::string::npos);
+    EXPECT_NE(message("0,0,0\n").find("no polygon 0"), std::string::npos);
+}
+
+}  // namespace gw::hiddensurface
