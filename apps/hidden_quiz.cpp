@@ -19,20 +19,35 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// In the middle of the longest run of pixels of each polygon, its number.
-void write_numbers(image::Picture& picture, const std::vector<std::uint32_t>& ids) {
-    std::map<std::uint32_t, hs::Run> longest;
-    for (int y = 0; y < hs::quiz_height; ++y)
-        for (int x = 0, end = 0; x < hs::quiz_width; x = end) {
-            const auto id = [&](int i) { return ids[std::size_t(y) * hs::quiz_width + std::size_t(i)]; };
-            for (end = x; end < hs::quiz_width && id(end) == id(x);) ++end;
-            hs::Run& run = longest[id(x)];
-            if (end - x > run.x1 - run.x0) run = {y, x, end};
+/// How far each pixel is, along its row and column, from one of another polygon or the border.
+std::vector<int> room_around(const std::vector<std::uint32_t>& ids) {
+    std::vector<int> room(ids.size(), hs::quiz_width);
+    for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
+        std::vector<int> reach(ids.size());
+        for (int k = 0; k < int(ids.size()); ++k) {
+            const int i = dx + dy > 0 ? k : int(ids.size()) - 1 - k;  // what is behind comes first
+            const int x = i % hs::quiz_width - dx, y = i / hs::quiz_width - dy;
+            const bool inside = x >= 0 && y >= 0 && x < hs::quiz_width && y < hs::quiz_height;
+            const auto at = std::size_t(i), behind = std::size_t(y * hs::quiz_width + x);
+            if (inside && ids[behind] == ids[at]) reach[at] = reach[behind] + 1;
+            room[at] = std::min(room[at], reach[at]);
         }
-    longest.erase(0);
-    for (const auto& [id, run] : longest)
-        write_text(picture, (run.x0 + run.x1) / 2 - 5, hs::quiz_height - 1 - run.y - 7, 2, {0, 0, 0},
-                   std::to_string(id));
+    }
+    return room;
+}
+
+/// Where each polygon has most room, its number.
+void write_numbers(image::Picture& picture, const std::vector<std::uint32_t>& ids) {
+    const std::vector<int> room = room_around(ids);
+    std::map<std::uint32_t, std::size_t> widest;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const auto [at, is_new] = widest.try_emplace(ids[i], i);
+        if (room[i] > room[at->second]) at->second = i;
+    }
+    widest.erase(0);
+    for (const auto& [id, i] : widest)
+        write_text(picture, int(i) % hs::quiz_width - 5, hs::quiz_height - 1 - int(i) / hs::quiz_width - 7, 2,
+                   {0, 0, 0}, std::to_string(id));
 }
 
 void mark(image::Picture& picture, const hs::Question& question) {

@@ -28,8 +28,8 @@ TEST_F(Study, HiddenSurfacesGrowAndCost) {
          {"Against pixels", "was stopped after", "prices of 1974", "prices of today", "z-buffer"})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
     const auto files = names("out");
-    for (const char* name : {"growth.csv", "laws.csv", "costs.csv", "index.html", "polygons_seconds.svg",
-                             "frames_changed.svg", "cost_1974_resolution.svg", "lines_resolution_planes.svg"})
+    for (const char* name : {"growth.csv", "laws.csv", "costs.csv", "index.html", "resolution_seconds.svg",
+                             "cost_1974_resolution.svg", "lines_resolution_planes.svg"})
         EXPECT_EQ(std::count(files.begin(), files.end(), name), 1) << name;
     EXPECT_EQ(bytes_of(in("out/growth.csv")).substr(0, 27), "axis,algorithm,value,x,y\nre");
 }
