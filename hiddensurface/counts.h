@@ -23,7 +23,7 @@ struct Counts {
     std::uint64_t splits = 0;            ///< polygons cut in two
     std::uint64_t undecided = 0;         ///< pairs for which no test and no cut gave an order
     std::uint64_t rejected = 0;          ///< cubes, polygons or fragments found hidden as a whole
-    std::uint64_t nodes = 0;             ///< of a tree, of windows too; fragments of pixels
+    std::uint64_t nodes = 0;             ///< of a tree, of windows too; fragments of pixels, polygons seen
     std::uint64_t spans = 0;             ///< runs of pixels worked out
     std::uint64_t peak_bytes = 0;        ///< memory beside the scene and the frame buffer, at most
     // Of the machine.

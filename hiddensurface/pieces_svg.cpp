@@ -15,11 +15,16 @@ struct Paper {
     }
 };
 
-std::string outline(const Loop& loop, const Paper& paper, const std::string& color) {
-    std::string points;
-    for (const dvec3& p : loop) points += (points.empty() ? "" : " ") + paper.at(p);
-    return fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"black\" stroke-width=\"0.5\"/>\n", points,
-                       color);
+/// All parts in one: where one is in another, it is a hole.
+std::string outline(const std::vector<Loop>& parts, const Paper& paper, const std::string& color) {
+    std::string path;
+    for (const Loop& loop : parts) {
+        for (std::size_t i = 0; i < loop.size(); ++i) path += (i == 0 ? "M" : " L") + paper.at(loop[i]);
+        path += "Z";
+    }
+    return fmt::format(
+        "<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"black\" stroke-width=\"0.5\"/>\n", path,
+        color);
 }
 
 /// Even ones to the right of the middle: two middles may be one point.
@@ -45,11 +50,11 @@ std::string pieces_svg(const Input& input, const std::vector<Piece>& pieces,
         const std::string id =
             fmt::format("piece {} of polygon {}", i + 1, input.polygons[pieces[i].polygon].id);
         svg += "<g fill-opacity=\"0.8\"><title>" + id + "</title>\n";
-        for (const Loop& part : pieces[i].parts) svg += outline(part, paper, colors[pieces[i].polygon]);
-        svg += "</g>\n";
+        svg += outline(pieces[i].parts, paper, colors[pieces[i].polygon]) + "</g>\n";
     }
-    // Above all pieces, or later ones hide them.
-    for (std::size_t i = 0; i < pieces.size(); ++i)
+    // Above all pieces, or later ones hide them; more could not be read.
+    constexpr std::size_t most = 99;
+    for (std::size_t i = 0; i < pieces.size() && pieces.size() <= most; ++i)
         if (!pieces[i].parts.empty()) svg += number(pieces[i].parts.front(), paper, i + 1);
     return svg + "</svg>\n";
 }

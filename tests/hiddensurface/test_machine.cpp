@@ -62,8 +62,8 @@ TEST(Counts, AddUp) {
     for (const char* name :
          {"painter-farthest", "painter-nearest", "painter-centroid", "newell", "bsp", "schumacker"})
         EXPECT_EQ(stage.run(name).counts.passed, complexity) << name;
-    for (const char* name :
-         {"scan-line", "ray-casting", "warnock", "bouknight", "watkins", "a-buffer", "quake"})
+    for (const char* name : {"scan-line", "ray-casting", "warnock", "bouknight", "watkins", "a-buffer",
+                             "quake", "weiler-atherton"})
         EXPECT_EQ(stage.run(name).counts.overdraw, 0u) << name;
     EXPECT_EQ(stage.z_buffer.counts.fragments, complexity);
     EXPECT_EQ(stage.z_buffer.counts.depths, complexity);

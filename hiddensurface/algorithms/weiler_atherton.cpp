@@ -1,0 +1,223 @@
+// Weiler and Atherton's algorithm. K. Weiler, P. Atherton: Hidden Surface Removal Using Polygon Area Sorting,
+// SIGGRAPH 1977. In the window, after perspective: the polygon with the nearest corner is the clip polygon,
+// and all others are clipped by its outline, whole though parts of it may be hidden already. What falls
+// inside and lies behind it is hidden. Where some of the inside lies before it, the inside is sorted out in
+// the same way first, clipped by one of those; a polygon that was the clip polygon on the way there is not
+// taken again, so that cyclic overlap ends. Then the outside is next. The result is polygons, of any outline
+// and with holes; each pixel is drawn once. Polygons that pierce are cut where their planes meet. Does not
+// claim: to be fast. Every clip polygon looks at all that is left: inherently quadratic in what is seen. The
+// paper sorts the scene into a coarse raster first; that is left out. Clip polygons are convex here: faces.
+#include "hiddensurface/region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+struct Fragment {
+    std::size_t face = 0;
+    Region region;
+    dvec2 low{0}, high{0};             ///< of its corners
+    std::vector<std::size_t> outside;  ///< faces whose outline it was clipped by, being outside
+};
+using FragmentList = std::vector<Fragment*>;
+
+class WeilerAtherton {
+public:
+    WeilerAtherton(const Input& input, StepLog& log)
+        : input_(input),
+          log_(log),
+          output_{.list = begin_picture(input, "Weiler, Atherton")},
+          faces_(faces_of(input)),
+          on_the_way_(faces_.size()) {}
+
+    Output run() {
+        FragmentList all;
+        for (std::size_t i = 0; i < faces_.size(); ++i) {
+            outlines_.push_back(lines_.add_contour(faces_[i].corners));
+            all.push_back(make(i, {outlines_[i]}, {}));
+        }
+        output_.counts.sorts = 1;
+        std::stable_sort(all.begin(), all.end(), [this](const Fragment* a, const Fragment* b) {
+            output_.counts.keys += 1;
+            return faces_[a->face].nearest < faces_[b->face].nearest;
+        });
+        sort_out(std::move(all));
+        output_.counts.peak_bytes = fragments_.size() * sizeof(Fragment) + sides_ * sizeof(std::size_t);
+        return std::move(output_);
+    }
+
+private:
+    Fragment* make(std::size_t face, Region region, std::vector<std::size_t> outside) {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        Fragment fragment{face, std::move(region), dvec2(infinity), dvec2(-infinity), std::move(outside)};
+        for (const Contour& contour : fragment.region) {
+            sides_ += contour.size();
+            for (const dvec2& p : lines_.corners(contour))
+                for (int axis = 0; axis < 2; ++axis) {
+                    fragment.low[axis] = std::min(fragment.low[axis], p[axis]);
+                    fragment.high[axis] = std::max(fragment.high[axis], p[axis]);
+                }
+        }
+        fragments_.push_back(std::move(fragment));
+        return &fragments_.back();
+    }
+
+    /// Nearest first, and all of it inside the clip polygons on the way here.
+    void sort_out(FragmentList list) {
+        while (!list.empty()) {
+            const auto nearest = std::find_if(list.begin(), list.end(),
+                                              [this](const Fragment* f) { return !on_the_way_[f->face]; });
+            if (nearest == list.end()) break;
+            const std::size_t clip = (*nearest)->face;
+            FragmentList inside, outside;
+            for (Fragment* fragment : list) sort_in(*fragment, clip, inside, outside);
+            on_the_way_[clip] = true;
+            sort_out(std::move(inside));
+            on_the_way_[clip] = false;
+            list = std::move(outside);
+        }
+        // No two of these overlap: of two that do, one was behind and is gone.
+        for (const Fragment* fragment : list) show(*fragment);
+    }
+
+    void sort_in(Fragment& fragment, std::size_t clip, FragmentList& inside, FragmentList& outside) {
+        if (fragment.face == clip) return inside.push_back(&fragment);
+        if (misses(fragment, clip)) return outside.push_back(&fragment);
+        output_.counts.overlaps += 1;
+        auto [in, out] = lines_.clip(fragment.region, outlines_[clip]);
+        if (in.empty()) return outside.push_back(&fragment);
+        if (!out.empty()) {
+            log_cut(fragment, clip, in, out);
+            std::vector<std::size_t> known = fragment.outside;
+            known.push_back(clip);
+            outside.push_back(make(fragment.face, std::move(out), std::move(known)));
+        }
+        if (Region seen = before(fragment.face, std::move(in), clip); !seen.empty())
+            inside.push_back(make(fragment.face, std::move(seen), fragment.outside));
+    }
+
+    /// By boxes, by a side that lies between, or because it was clipped by this one before.
+    bool misses(const Fragment& f, std::size_t clip) {
+        const Rect& b = faces_[clip].bounds;
+        const double one = double(1 << input_.subpixel_bits());
+        output_.counts.extents += 1;
+        if (f.low.x >= (b.x + b.width) * one || f.high.x <= b.x * one || f.low.y >= (b.y + b.height) * one ||
+            f.high.y <= b.y * one)
+            return true;
+        return std::find(f.outside.begin(), f.outside.end(), clip) != f.outside.end() ||
+               lines_.separates(outlines_[clip], f.region);
+    }
+
+    /// What of the region, of a face, lies before the clip polygon's plane; where the two are one, the
+    /// scene's first is before.
+    Region before(std::size_t face, Region region, std::size_t clip) {
+        output_.counts.planes += 1;
+        const dvec3 apart = farther(face) - farther(clip);
+        double low = 0, high = 0;
+        for (const Contour& contour : region)
+            for (const dvec2& p : lines_.corners(contour)) {
+                const double d = apart.x * p.x + apart.y * p.y + apart.z;
+                const double rounding =
+                    0x1p-44 * (std::abs(apart.x * p.x) + std::abs(apart.y * p.y) + std::abs(apart.z) + 1);
+                if (d < -rounding) low = std::min(low, d);
+                if (d > rounding) high = std::max(high, d);
+            }
+        const bool is_before = low < 0 ? high == 0 : high == 0 && face < clip;
+        const bool pierces = low < 0 && high > 0;
+        if (log_.on())
+            log_.compare({id(face), id(clip)}, "depth inside",
+                         pierces     ? "pierces"
+                         : is_before ? "before: clip by it first"
+                                     : "behind: hidden");
+        if (!pierces) return is_before ? std::move(region) : Region();
+        output_.counts.splits += 1;
+        return lines_.clip(region, lines_.add_half_plane(where_nearer(apart))).first;
+    }
+
+    /// z = x X + y Y + z on the grid.
+    dvec3 farther(std::size_t face) const {
+        const ExactPlane& p = faces_[face].plane;
+        const double one = double(1 << input_.subpixel_bits()), n = double(p.n);
+        const double x = double(p.x) / n / one, y = double(p.y) / n / one;
+        return {x, y, double(p.c) / n - 0.5 * one * (x + y)};
+    }
+
+    /// apart < 0, in integers: off by less than 2^-10 of a grid unit in a window.
+    static Line where_nearer(const dvec3& apart) {
+        const double scale = 0x1p28 / std::max(std::abs(apart.x), std::abs(apart.y));
+        const auto integer = [scale](double v) { return -static_cast<std::int64_t>(std::round(v * scale)); };
+        return {integer(apart.x), integer(apart.y), integer(apart.z)};
+    }
+
+    void show(const Fragment& fragment) {
+        const Polygon& polygon = input_.polygons[faces_[fragment.face].polygon];
+        std::vector<Painted> painted;
+        for (const Run& run : lines_.runs(fragment.region, input_.subpixel_bits(), input_.window()))
+            painted.push_back({run, polygon.id});
+        output_.counts.spans += painted.size();
+        output_.counts.nodes += 1;
+        add_painted(output_.list, painted);
+        output_.pieces.push_back(
+            {.polygon = faces_[fragment.face].polygon, .parts = loops_of(fragment.region)});
+        if (log_.on())
+            log_.add({Level::Polygon,
+                      Action::Draw,
+                      {polygon.id},
+                      "nothing is before it",
+                      "",
+                      -1,
+                      std::move(painted)});
+    }
+
+    std::uint32_t id(std::size_t face) const { return input_.polygons[faces_[face].polygon].id; }
+
+    std::vector<Loop> loops_of(const Region& region) const {
+        std::vector<Loop> loops;
+        for (const Contour& contour : region) {
+            loops.emplace_back();
+            for (const dvec2& p : lines_.corners(contour)) loops.back().emplace_back(p.x, p.y, 0);
+        }
+        return loops;
+    }
+
+    void log_cut(const Fragment& fragment, std::size_t clip, const Region& in, const Region& out) {
+        output_.counts.splits += 1;
+        if (!log_.on()) return;
+        log_.add({Level::Polygon,
+                  Action::Split,
+                  {id(fragment.face), id(clip)},
+                  "by the second's outline",
+                  "",
+                  -1,
+                  {},
+                  loops_of(in),
+                  loops_of(out)});
+    }
+
+    const Input& input_;
+    StepLog& log_;
+    Output output_;
+    std::vector<Face> faces_;
+    Lines lines_;
+    std::vector<Contour> outlines_;  ///< of the faces
+    std::vector<bool> on_the_way_;   ///< faces that are clip polygons around the list
+    std::deque<Fragment> fragments_;
+    std::uint64_t sides_ = 0;
+};
+
+}  // namespace
+
+Algorithm weiler_atherton() {
+    return {.place = 84,
+            .name = "weiler-atherton",
+            .title = "Weiler and Atherton: polygons clipped by polygons (1977)",
+            .claim = Claim::Always,
+            .run = [](const Input& input, StepLog& log) { return WeilerAtherton(input, log).run(); }};
+}
+
+}  // namespace gw::hiddensurface
