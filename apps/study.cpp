@@ -135,7 +135,7 @@ int study_hidden_surfaces(const StudyOptions& options) {
     check(options);
     HiddenStudyOptions hidden = options.hidden;
     hidden.output = options.output;
-    hidden.threads = options.threads;
+    if (options.threads > 0) hidden.threads = options.threads;
     hidden.quiet = options.quiet;
     hidden.command = fmt::format("build/release/bin/gw study hidden -o {}", options.output.string());
     if (!hidden.axis.empty()) hidden.command += " --axis " + hidden.axis;
@@ -169,7 +169,7 @@ Command add_study(CLI::App& app) {
             [=](const std::string& word) {
                 options->threads = whole_number_from("--threads", word, 1, 1024);
             },
-            "Threads of the fast machine (default: all)")
+            "Threads of the fast machine (default: all; hidden: 1)")
         ->type_name("N");
     command
         ->add_option_function<std::string>(

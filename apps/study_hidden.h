@@ -11,7 +11,7 @@ struct HiddenStudyOptions {
     std::filesystem::path prices = "scenes/hidden/prices";  ///< a folder: recipes.toml, and price lists
     double limit = 0.5;                                     ///< seconds of one run
     std::string axis;                                       ///< empty: all
-    int threads = 0;
+    int threads = 1;
     bool quiet = false;
     std::string command;  ///< as it was called, for the plots
 };

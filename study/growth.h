@@ -13,8 +13,8 @@
 
 namespace gw::study {
 
-/// What one algorithm counted at one place of an axis; "seconds" is the time of algorithm and machine, the
-/// least of up to three runs. Only counters that the algorithm has.
+/// What one algorithm counted at one place of an axis; "seconds" is the processor time of algorithm and
+/// machine, the least of up to three runs. Only counters that the algorithm has.
 struct GrowthPoint {
     std::string axis;  ///< growth_axes()
     bool lines = false;
@@ -49,7 +49,7 @@ std::vector<std::string> right_algorithms();
 
 struct GrowthOptions {
     double limit = 0.5;  ///< seconds: where a run takes longer, or the next one would, an axis ends
-    int threads = 0;     ///< of the machine
+    int threads = 1;     ///< of the machine; times are sums over all
     std::string axis;    ///< of growth_axes(); empty: all
     std::vector<std::string> only;  ///< algorithms; empty: all
 };
