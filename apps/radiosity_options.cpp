@@ -64,6 +64,16 @@ void add_computation(CLI::App& command, RadiosityOptions& o) {
                      "Save the pixmaps in DIR/pixmaps.exr, every few seconds and at the end");
     command.add_flag("--resume", o.resume, "Go on from DIR/pixmaps.exr");
     command
+        .add_option_function<std::vector<std::string>>(
+            "--change",
+            [&o](const std::vector<std::string>& words) {
+                for (const std::string& word : words) o.changes.push_back(change_from(word));
+            },
+            "Then change an object and shoot the difference: emission=R,G,B, dim=FACTOR, Kd=R,G,B or "
+            "move=X,Y,Z. May be repeated; the picture is DIR/changed.png")
+        ->type_name("NAME:WHAT=VALUE");
+    command.add_flag("--anew", o.anew, "With --change: also solve the changed scene anew, to compare");
+    command
         .add_option("--form-factor", o.form_factor,
                     "Print the form factors between two figures, and do no more")
         ->expected(2)
@@ -90,7 +100,8 @@ void add_display(CLI::App& command, RadiosityOptions& o) {
         ->type_name("EYE/AT");
     add_whole(command, "--every", o.every, 1, 1000000000, "Also a picture after each N shots");
     command.add_flag("--no-ambient", o.no_ambient, "Do not show the estimate of light that is yet to come");
-    command.add_flag("--specular", o.specular, "Add the multi-pass specular and reflection components");
+    command.add_flag("--specular", o.specular,
+                     "Add the specular and reflection passes, and rays where a material asks for them");
     add_number(command, "--exposure", o.exposure, -32, 32, "STOPS", "Radiosity times 2^STOPS (default 0)");
     add_number(command, "--gamma", o.gamma, 0.1, 10, "G", "The picture as v^(1/G) (default 1)");
 }
@@ -115,6 +126,14 @@ void check(const RadiosityOptions& options) {
     if (!options.form_factor.empty() && (options.save || options.resume || !options.output.empty()))
         throw UsageError(
             "--form-factor computes no picture; expected it without --output, --save and --resume");
+    if (options.specular && options.display != "texture")
+        throw UsageError("--specular draws pixmaps as textures; expected no --display beside it");
+    if (!options.changes.empty() && options.save)
+        throw UsageError("--change: the pixmaps of the changed scene are not saved; expected no --save");
+    if (options.anew && options.changes.empty())
+        throw UsageError("--anew compares with a changed scene; expected --change beside it");
+    if (!options.changes.empty() && !options.form_factor.empty())
+        throw UsageError("--form-factor computes no picture; expected it without --change");
     const bool own_camera = options.picture.camera.eye || options.picture.camera.at;
     if (own_camera && !options.views.empty())
         throw UsageError("--view cannot go with --eye or --at; expected one of them");

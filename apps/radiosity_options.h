@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/picture_options.h"
+#include "apps/radiosity_changes.h"
 #include "radiosity/solver.h"
 
 #include <filesystem>
@@ -26,6 +27,8 @@ struct RadiosityOptions {
     double exposure = 0, gamma = 1;
     bool no_ambient = false, specular = false;
     std::vector<std::string> form_factor;  ///< two names, or none
+    std::vector<Change> changes;           ///< of the solved scene
+    bool anew = false;                     ///< also solve the changed scene anew
 };
 
 /// Adds SCENE and all options. Wording is checked while parsing.

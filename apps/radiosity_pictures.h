@@ -3,6 +3,7 @@
 
 #include "apps/radiosity_options.h"
 #include "image/output_set.h"
+#include "radiosity/shown.h"
 
 namespace gw::apps {
 
@@ -15,9 +16,13 @@ public:
     std::string put(const radiosity::Solver& solver, const std::string& name, image::OutputSet& files);
 
 private:
-    std::vector<Rgba> draw(const radiosity::Solver& solver, const std::vector<dvec3>& colors,
-                           const scene::View& view, bool strips);
-    void add_components(const scene::View& view, std::vector<Rgba>& color);
+    struct Image {
+        std::vector<Rgba> color, figures;  ///< figures: only where two pictures are compared
+    };
+    Image draw(const radiosity::Model& model, const radiosity::Shown& colors, const scene::View& view,
+               bool strips);
+    std::vector<Rgba> with_components(const radiosity::Model& model, const radiosity::Shown& colors,
+                                      const scene::View& view);
     std::string put_view(const radiosity::Solver& solver, const scene::View& view,
                          const std::filesystem::path& stem, image::OutputSet& files);
 

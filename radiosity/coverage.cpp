@@ -119,7 +119,8 @@ void cover_texels(Model& model) {
     model.rho.assign(count, dvec3(0));
     model.E.assign(count, dvec3(0));
     model.nearest.assign(count, 0);
-    std::vector<double> share(count);
+    model.share.assign(count, 0);
+    std::vector<double>& share = model.share;
     for (const Facet& facet : model.facets) {
         const Pixmap& pixmap = model.pixmaps[facet.pixmap];
         const Figure& figure = model.figures[facet.figure];

@@ -4,16 +4,12 @@
 #pragma once
 
 #include "gw/command_list.h"
-#include "radiosity/solution.h"
+#include "radiosity/shown.h"
 #include "scene/view.h"
 
 #include <vector>
 
 namespace gw::radiosity {
-
-/// What is shown at each texel: radiosity, with the estimate of what is yet to come where `with_ambient`
-/// [F1c]. Texels that nothing covers show their nearest neighbour, so that no dark border is interpolated in.
-std::vector<dvec3> shown(const Model& model, const Solution& solution, bool with_ambient);
 
 /// `scale` times a radiosity is what the frame buffer holds, clamped to 1. Sides of figures that do not emit
 /// are not drawn. The colour plane is cleared to `background`.
@@ -22,14 +18,24 @@ struct Brightness {
     vec3 background{0};
 };
 
-/// A pixmap is a texture, bilinear, with a border of one texel that repeats the outermost ones: nothing leaks
-/// in.
-CommandList texture_list(const Model& model, const std::vector<dvec3>& colors, const scene::View& view,
+/// A pixmap is a texture, bilinear, with the border of Shown. In both lists the identifier of a draw's
+/// polygons, shifted right by figure_shift, is its pixmap's number + 1: drawn with ColorSource::PolygonId
+/// (figures_of) they say which figure a pixel shows.
+CommandList texture_list(const Model& model, const Shown& colors, const scene::View& view,
                          const Brightness& brightness);
 
 /// Each triangle as one strip of rows, divided at least as finely as the pixmap (Fig. 4), colours looked up
-/// bilinearly at the vertices. Strips are made in parallel.
-CommandList strip_list(const Model& model, const std::vector<dvec3>& colors, const scene::View& view,
+/// bilinearly at the vertices. Triangles that share a side have the same vertices on it: no gaps. Strips are
+/// made in parallel.
+CommandList strip_list(const Model& model, const Shown& colors, const scene::View& view,
                        const Brightness& brightness, int threads = 0);
+
+inline constexpr int figure_shift = 20;
+/// The list with identifiers in place of colours.
+CommandList figures_of(CommandList list);
+
+/// The texture of a pixmap; where texel coordinates lie in it.
+TextureRef texture_of(const Model& model, std::uint32_t pixmap, const Shown& colors, double scale);
+vec2 st_of(const Pixmap& pixmap, const dvec2& uv);
 
 }  // namespace gw::radiosity

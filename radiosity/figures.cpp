@@ -42,14 +42,12 @@ public:
         const scene::Object& o = scene_.objects[object];
         if (o.mesh->kind() != MeshKind::Triangles) return;  // lines and points have no area
         surface_ = surface_of(o);
-        facet_of_triangle_.assign(surface_.triangles.size(), none);
+        facet_of_triangle_.assign(surface_.triangles.size(), no_facet);
         o.pixmap.given_st ? add_given(o) : add_charts(o);
         add_drawn(o);
     }
 
 private:
-    static constexpr std::uint32_t none = 0xffffffff;
-
     [[noreturn]] void fail(const std::string& what) const {
         const scene::Object& o = scene_.objects[object_];
         const std::string text = fmt::format("object '{}': {}", o.name, what);
@@ -273,12 +271,13 @@ private:
         MeshData mesh;
         for (const dvec3& p : surface_.points) mesh.positions.push_back(vec3(p));
         for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
-            if (facet_of_triangle_[t] == none) continue;
+            if (facet_of_triangle_[t] == no_facet) continue;
             mesh.indices.insert(mesh.indices.end(), surface_.triangles[t].begin(),
                                 surface_.triangles[t].end());
             mesh.polygon_ids.push_back(facet_of_triangle_[t]);
         }
         model.drawn.objects.push_back({.name = o.name, .mesh = make_mesh(std::move(mesh))});
+        model.sources.push_back({object_, facet_of_triangle_});
     }
 
     const scene::Scene& scene_;

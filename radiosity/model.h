@@ -45,6 +45,11 @@ struct Pixmap {
     std::vector<std::uint32_t> facets;  ///< that lie in it, ascending
     bool whole = false;                 ///< every texel is an element
     std::size_t count() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+    /// Its number among all texels.
+    std::size_t texel(int x, int y) const {
+        return first + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(x);
+    }
 };
 
 struct Figure {
@@ -65,6 +70,13 @@ struct Patch {
 
 inline constexpr std::uint32_t no_texel = 0xffffffff;
 
+/// What a drawn object was made of: an object of the scene, and the facet of each of its triangles.
+struct Source {
+    std::uint32_t object = 0;
+    std::vector<std::uint32_t> facets;  ///< no_facet: no area
+};
+inline constexpr std::uint32_t no_facet = 0xffffffff;
+
 struct Model {
     std::vector<Figure> figures;
     std::vector<Facet> facets;
@@ -72,8 +84,8 @@ struct Model {
     std::vector<Patch> patches;  ///< those with an area
 
     /// Of all texels of all pixmaps. A texel that no figure covers has area 0.
-    std::vector<double> area;
-    std::vector<dvec3> rho, E;  ///< means over what covers the texel
+    std::vector<double> area, share;  ///< world area; how much of the texel is covered, 0 .. 1
+    std::vector<dvec3> rho, E;        ///< means over what covers the texel
 
     /// Elements [F2]: a texel at a figure's border, of which little is covered, receives light as one with
     /// its nearest neighbour. Light that falls on texel t goes to element nearest[t], which is named after
@@ -81,8 +93,9 @@ struct Model {
     std::vector<std::uint32_t> nearest, next_of_element;
     std::vector<double> element_area;  ///< at the first texel
 
-    scene::Scene drawn;  ///< the figures for id_pass: polygon identifier = facet, world coordinates
-    double extent = 0;   ///< diagonal of the scene's bounds
+    scene::Scene drawn;           ///< the figures for id_pass: polygon identifier = facet, world coordinates
+    std::vector<Source> sources;  ///< of drawn.objects
+    double extent = 0;            ///< diagonal of the scene's bounds
 
     std::size_t texel_count() const { return area.size(); }
 };

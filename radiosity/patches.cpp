@@ -1,6 +1,7 @@
 #include "radiosity/patches.h"
 
 #include "radiosity/clip.h"
+#include "radiosity/triangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,21 +56,6 @@ Covered covered(const Model& model, const Pixmap& pixmap, const Part& part) {
         best.middle = largest > 0.5 * share ? middle_of_largest : sum / share;
     }
     return best;
-}
-
-/// The distance from p to the nearest point of a triangle.
-double distance(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c) {
-    const dvec3 n = cross3(b - a, c - a);
-    const auto outside = [&](const dvec3& from, const dvec3& to) {
-        return dot3(cross3(n, to - from), p - from) < 0;
-    };
-    const auto to_side = [&](const dvec3& from, const dvec3& to) {
-        const dvec3 side = to - from;
-        const double t = std::clamp(dot3(p - from, side) / dot3(side, side), 0.0, 1.0);
-        return length(p - (from + t * side));
-    };
-    if (!outside(a, b) && !outside(b, c) && !outside(c, a)) return std::abs(dot3(n, p - a)) / length(n);
-    return std::min(to_side(a, b), std::min(to_side(b, c), to_side(c, a)));
 }
 
 class Points {
@@ -131,7 +117,7 @@ private:
                 high = std::max(high, dot3(own.normal, facet.corners[static_cast<std::size_t>(k)] - p));
             if (high <= 1e-6 * model_.extent) continue;
             for (const Triangle2& t : facet.triangles) {
-                const double d = distance(p, facet.at(t[0]), facet.at(t[1]), facet.at(t[2]));
+                const double d = length(p - nearest_point(p, facet.at(t[0]), facet.at(t[1]), facet.at(t[2])));
                 const double seen = extent > d ? 1 : std::min(1.0, high / d);
                 if (extent * seen > options_.nearness * d) return true;
             }
