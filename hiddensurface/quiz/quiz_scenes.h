@@ -26,7 +26,7 @@ scene::Scene facing_rectangles(QuizRandom& random, int count, std::vector<int>& 
 /// A closed solid with corners at whole coordinates; the eye too.
 scene::Scene whole_number_solid(QuizRandom& random);
 
-/// A flat colour for each polygon: objects of one polygon each, materials of their own.
+/// Colours in turn: objects of one polygon each, materials of their own.
 inline constexpr int quiz_colors = 8;
 
 }  // namespace gw::hiddensurface

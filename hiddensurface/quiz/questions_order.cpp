@@ -1,0 +1,136 @@
+// Questions about orders: painting, Newell's tests and pieces.
+#include "hiddensurface/quiz/coverage.h"
+#include "hiddensurface/quiz/questions.h"
+#include "hiddensurface/quiz/quiz_stage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+/// Pixels that have the same polygons over them and show the same one: how many.
+using PixelGroups = std::map<std::pair<std::vector<std::uint32_t>, std::uint32_t>, std::size_t>;
+
+/// Pixels that differ when the polygons are painted in this order.
+std::size_t wrong_pixels(const std::vector<std::uint32_t>& order, const PixelGroups& groups) {
+    std::size_t wrong = 0;
+    for (const auto& [group, pixels] : groups) {
+        const auto& [over, expected] = group;
+        std::uint32_t shown = 0;
+        for (auto id = order.rbegin(); id != order.rend() && shown == 0; ++id)
+            if (std::count(over.begin(), over.end(), *id) > 0) shown = *id;
+        wrong += shown != expected ? pixels : 0;
+    }
+    return wrong;
+}
+
+}  // namespace
+
+std::string words_of(const std::vector<std::uint32_t>& ids) {
+    std::string text;
+    for (const std::uint32_t id : ids) text += (text.empty() ? "" : " ") + std::to_string(id);
+    return text;
+}
+
+/// Four orders, one of them right. A right one may be wrong by a few pixels of rounding, a wrong one is
+/// plainly so.
+std::optional<Question> ask_order(QuizRandom& random) {
+    constexpr std::size_t rounding = 2, plain = 150;
+    Question q{.scene = tilted_polygons(random, 4, 4)};
+    const QuizStage stage(q.scene);
+    const auto over = polygons_over(stage.input);
+    const auto expected = stage.run("z-buffer").ids;
+    PixelGroups groups;
+    for (std::size_t i = 0; i < over.size(); ++i) groups[{over[i], expected[i]}] += 1;
+    std::vector<std::uint32_t> order{1, 2, 3, 4};
+    std::vector<std::string> right, wrong;
+    do {
+        const std::size_t pixels = wrong_pixels(order, groups);
+        if (pixels <= rounding) right.push_back(words_of(order));
+        if (pixels >= plain) wrong.push_back(words_of(order));
+    } while (std::next_permutation(order.begin(), order.end()));
+    if (right.empty() || right.size() > 6 || wrong.size() < 3) return std::nullopt;
+    const auto take = [&](std::vector<std::string>& from) {
+        const auto at = from.begin() + random.whole(0, int(from.size()) - 1);
+        const std::string taken = *at;
+        from.erase(at);
+        return taken;
+    };
+    const std::string chosen = take(right);
+    q.choices = {take(wrong), take(wrong), take(wrong)};
+    const int place = random.whole(0, 3);
+    q.choices.insert(q.choices.begin() + place, chosen);
+    q.kind = "order";
+    q.text =
+        "The polygons are painted one over the other, the first of the order first. Which of these orders "
+        "gives the "
+        "picture?";
+    q.answer = std::string(1, char('a' + place));
+    q.why = "Painted in the order " + chosen +
+            " no polygon covers one that lies before it; the other orders differ from the "
+            "Z-buffer's picture in 150 pixels and more.";
+    return q;
+}
+
+/// Which of Newell's tests decides: the first in the log that says yes about the first pair.
+std::optional<Question> ask_test(QuizRandom& random) {
+    const char wanted = char('0' + random.whole(1, 6));
+    for (int i = 0; i < 60; ++i) {
+        Question q{.scene = tilted_polygons(random, 2, 3, 0.6)};
+        const QuizStage stage(q.scene);
+        char decides = 0;
+        std::vector<std::uint32_t> pair;
+        for (const Step& step : stage.steps("newell", Level::Polygon)) {
+            if (step.action != Action::Compare || step.test.size() < 2 || step.test[1] != ':') continue;
+            if (pair.empty()) pair = step.polygons;
+            if (step.test[0] <= decides) break;  // the next pair
+            decides = step.test[0];
+            if (step.result == "disjoint" || step.result == "yes") break;
+            if (decides == '5') decides = '6';
+        }
+        if (decides != wanted || pair.size() != 2) continue;
+        q.kind = "test";
+        q.text = fmt::format(
+            "Polygon {} reaches farthest. By which of Newell's tests may it be drawn before polygon {}? The "
+            "tests "
+            "are asked in this order; name the first that says yes.",
+            pair[0], pair[1]);
+        q.choices = {"1: their x extents are disjoint",
+                     "2: their y extents are disjoint",
+                     fmt::format("3: all of {} lies behind the plane of {}", pair[0], pair[1]),
+                     fmt::format("4: all of {} lies before the plane of {}", pair[1], pair[0]),
+                     "5: their projections are disjoint",
+                     "none of the five"};
+        q.answer = std::string(1, char('a' + (wanted - '1')));
+        q.why =
+            wanted == '6'
+                ? "All five say no: the other must be drawn first, or one is cut by the plane of the other."
+                : fmt::format("Test {} is the first that says yes.", wanted);
+        return q;
+    }
+    return std::nullopt;
+}
+
+std::optional<Question> ask_pieces(QuizRandom& random) {
+    Question q{.scene = tilted_polygons(random, 3, 3)};
+    const QuizStage stage(q.scene);
+    const Result newell = stage.run("newell");
+    if (newell.counts.splits == 0 || newell.counts.splits > 3 || newell.counts.undecided > 0)
+        return std::nullopt;
+    for (const std::uint32_t id : {1u, 2u, 3u})
+        if (std::count(newell.ids.begin(), newell.ids.end(), id) < 200) return std::nullopt;
+    q.kind = "pieces";
+    q.text =
+        "Newell, Newell and Sancha's algorithm draws these three triangles, cutting one by the plane of "
+        "another only where neither "
+        "may be drawn first. How many pieces does it draw? Answer with a number.";
+    q.answer = std::to_string(newell.pieces.size());
+    q.why = fmt::format("Cuts of the 3 triangles: {}.", newell.counts.splits);
+    return q;
+}
+
+}  // namespace gw::hiddensurface

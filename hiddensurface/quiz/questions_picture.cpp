@@ -1,0 +1,134 @@
+// Questions about faces, pixels, scan lines and lines.
+#include "hiddensurface/lines/window_lines.h"
+#include "hiddensurface/normal.h"
+#include "hiddensurface/quiz/coverage.h"
+#include "hiddensurface/quiz/questions.h"
+#include "hiddensurface/quiz/quiz_stage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+std::string corners_of(const Polygon& polygon) {
+    std::string text;
+    for (const dvec3& p : polygon.world) text += fmt::format(" ({:g}, {:g}, {:g})", p.x, p.y, p.z);
+    return text;
+}
+
+}  // namespace
+
+std::optional<Question> ask_facing(QuizRandom& random) {
+    Question q{.scene = whole_number_solid(random)};
+    const QuizStage stage(q.scene);
+    const dvec4 eye = eye_of(stage.view);
+    std::vector<std::uint32_t> back;
+    q.text = fmt::format(
+        "The eye is at ({:g}, {:g}, {:g}). Which faces of this solid look away from it, by the sign of D_f? "
+        "Corners run "
+        "counter-clockwise seen from outside:",
+        eye.x, eye.y, eye.z);
+    for (const Polygon& polygon : stage.input.polygons) {
+        const double d_f = facing(eye, polygon.world[0], polygon_normal(polygon.world));
+        if (d_f == 0) return std::nullopt;
+        if (d_f < 0) back.push_back(polygon.id);
+        q.text += fmt::format(" {}:{};", polygon.id, corners_of(polygon));
+    }
+    if (back.size() < 2) return std::nullopt;
+    q.kind = "facing";
+    q.text.back() = '.';
+    q.text += " Answer with their numbers.";
+    q.answer = words_of(back);
+    q.why = "D_f = (P_E - P_i).N is below 0 for these.";
+    return q;
+}
+
+/// How often the Z-buffer writes a pixel, drawing in the order of the numbers.
+std::optional<Question> ask_writes(QuizRandom& random) {
+    std::vector<int> distances;
+    Question q{.scene = facing_rectangles(random, 5, distances)};
+    const QuizStage stage(q.scene);
+    const auto over = polygons_over(stage.input);
+    const Result z_buffer = stage.run("z-buffer");
+    const int x = random.whole(60, quiz_width - 60), y = random.whole(50, quiz_height - 50);
+    const std::size_t at = stage.pixel(x, y);
+    if (over[at].size() < 3 || z_buffer.writes[at] < 2) return std::nullopt;
+    // Not beside an edge, or the picture does not tell.
+    for (const int dx : {-5, 0, 5})
+        for (const int dy : {-5, 0, 5})
+            if (over[stage.pixel(x + dx, y + dy)] != over[at]) return std::nullopt;
+    q.kind = "writes";
+    q.text = "Rectangles face the eye, at distances";
+    for (std::size_t i = 0; i < distances.size(); ++i)
+        q.text += fmt::format("{} {} (number {})", i == 0 ? "" : ",", distances[i], i + 1);
+    q.text += fmt::format(
+        ". The Z-buffer draws them in the order of their numbers. Rectangles {} lie over the marked pixel. "
+        "How often is it "
+        "written? Answer with a number.",
+        words_of(over[at]));
+    q.point = dvec2(x + 0.5, y + 0.5);
+    q.answer = std::to_string(z_buffer.writes[at]);
+    q.why = "Each that is nearer than all before it is written.";
+    return q;
+}
+
+std::optional<Question> ask_spans(QuizRandom& random) {
+    Question q{.scene = tilted_polygons(random, 3, 3)};
+    const QuizStage stage(q.scene);
+    const int row = random.whole(60, quiz_height - 60);
+    int spans = 0, shortest = quiz_width;
+    for (const Step& step : stage.steps("scan-line", Level::Span)) {
+        if (step.action != Action::Compare || step.level != Level::Span || step.row != row ||
+            step.before.empty())
+            continue;
+        spans += 1;
+        shortest = std::min(shortest, int(step.before[0].back().x - step.before[0].front().x));
+    }
+    if (spans < 3 || shortest < 6) return std::nullopt;
+    q.kind = "spans";
+    q.text =
+        "On the marked scan line the segments of the triangles begin and end; their ends, sorted in x, "
+        "divide it into sample spans. "
+        "How many of these have at least one triangle over them? Hidden segments count. Answer with a "
+        "number.";
+    q.row = row;
+    q.answer = std::to_string(spans);
+    q.why = "Between neighbouring ends, hidden or not.";
+    return q;
+}
+
+/// Appel's number in the middle of a side.
+std::optional<Question> ask_invisibility(QuizRandom& random) {
+    Question q{.scene = tilted_polygons(random, 5, 3)};
+    const QuizStage stage(q.scene);
+    const WindowLines lines = window_lines(stage.input);
+    const WindowSide& side = lines.sides[std::size_t(random.whole(0, int(lines.sides.size()) - 1))];
+    const GridPoint &a = lines.corners[side.a], &b = lines.corners[side.b];
+    int number = 0;
+    for (const WindowFace& face : lines.faces) {
+        const auto part = hidden_part(lines, face, a, b);
+        if (!part || part->second < 0.4 || part->first > 0.6) continue;
+        if (part->first > 0.42 || part->second < 0.58) return std::nullopt;  // changes too near
+        number += 1;
+    }
+    if (number == 0 || !side.drawn) return std::nullopt;
+    const double unit = double(1 << stage.input.subpixel_bits());
+    q.point = dvec2(double(a.x + b.x) / 2 / unit, double(a.y + b.y) / 2 / unit);
+    if (q.point->x < 10 || q.point->y < 10 || q.point->x > quiz_width - 10 || q.point->y > quiz_height - 10)
+        return std::nullopt;
+    q.kind = "invisibility";
+    q.text = fmt::format(
+        "The marked point is the middle of a side of triangle {} (sides are drawn through). What is its "
+        "quantitative "
+        "invisibility: how many triangles hide it? The scene's files have the coordinates. Answer with a "
+        "number.",
+        side.id);
+    q.answer = std::to_string(number);
+    q.why = "So many triangles lie before the point.";
+    return q;
+}
+
+}  // namespace gw::hiddensurface
