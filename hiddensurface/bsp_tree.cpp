@@ -58,7 +58,7 @@ private:
         std::vector<TreePiece> front, back;
         for (TreePiece& piece : pieces) sort_in(std::move(piece), by, *out, front, back);
         tree_.pieces += out->pieces.size();
-        pieces = {};
+        pieces = std::vector<TreePiece>();  // = {} would keep the memory, at every level
         out->front = node(std::move(front));
         out->back = node(std::move(back));
         return out;

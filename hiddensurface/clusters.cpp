@@ -127,7 +127,7 @@ private:
         tree_.separations += 1;
         std::vector<TreePiece> front, back;
         for (TreePiece& piece : pieces) sort_in(std::move(piece), best, front, back);
-        pieces = {};
+        pieces = std::vector<TreePiece>();  // = {} would keep the memory, at every level
         out->plane = best.plane;
         out->front = node(std::move(front));
         out->back = node(std::move(back));
