@@ -11,6 +11,7 @@
 #include "study/convergence.h"
 #include "study/distance.h"
 #include "study/growth.h"
+#include "study/hemicube.h"
 
 #include <fmt/format.h>
 
@@ -144,6 +145,25 @@ int study_hidden_surfaces(const StudyOptions& options) {
     return study_hidden(hidden);
 }
 
+int study_hemicube(const StudyOptions& options) {
+    check(options);
+    Progress progress("drawing", options.quiet);
+    const auto rows = study::hemicube_errors({16, 32, 64, 128, 256, 512}, 8,
+                                             [&](const std::string& what) { progress.at(what); });
+    image::OutputSet output;
+    output.make_folder(options.output);
+    put_plot(output, options, "hemicube", "hemicube", study::hemicube_plot(rows));
+    output.commit();
+    std::vector<std::vector<std::string>> lines{
+        {"hemicube", "pixels a texel", "rms drawn", "oversampled", "missed drawn", "oversampled"}};
+    const auto percent = [](double v) { return fmt::format("{:.2f} %", 100 * v); };
+    for (const study::HemicubeError& r : rows)
+        lines.push_back({std::to_string(r.size), fmt::format("{:g}", r.pixels), percent(r.rms_drawn),
+                         percent(r.rms_oversampled), percent(r.missed_drawn), percent(r.missed_oversampled)});
+    print(table(lines));
+    return done;
+}
+
 }  // namespace
 
 Command add_study(CLI::App& app) {
@@ -151,13 +171,15 @@ Command add_study(CLI::App& app) {
         app.add_subcommand("study", "Measurements of pictures, as plots (SVG) with their numbers (CSV)");
     const auto options = std::make_shared<StudyOptions>();
     const auto which = std::make_shared<std::string>();
-    const std::vector<std::string> known{"convergence", "precision", "hidden"};
+    const std::vector<std::string> known{"convergence", "precision", "hidden", "hemicube"};
     command
         ->add_option_function<std::string>(
             "STUDY", [=](const std::string& word) { *which = one_of("STUDY", word, known); },
             "convergence: error against the number of samples; precision: rounding of added passes, distance "
             "of "
-            "renderers; hidden: growth and cost of the hidden-surface algorithms")
+            "renderers; hidden: growth and cost of the hidden-surface algorithms; hemicube: error of form "
+            "factors against "
+            "resolution")
         ->required()
         ->type_name("NAME");
     command->add_option("-o,--output", options->output, "Folder of the plots; made where it is missing")
@@ -205,6 +227,7 @@ Command add_study(CLI::App& app) {
     command->footer("Example:\n  build/release/bin/gw study convergence --samples 16 -o convergence");
     return {command, [=] {
                 if (*which == "hidden") return study_hidden_surfaces(*options);
+                if (*which == "hemicube") return study_hemicube(*options);
                 return *which == "convergence" ? study_convergence(*options) : study_precision(*options);
             }};
 }

@@ -1,0 +1,188 @@
+// bench_radiosity -o DIR: hemicubes per second against resolution, texels and polygons, on one thread, with
+// the exponents of growth; beside the same five ID buffers drawn and read back through llvmpipe, where OSMesa
+// is; and the Cornell box with 64 texels along a wall to 1 % unshot, with the shares of drawing and scanning.
+// Times are processor times, the least of interleaved repeats. Does not compare results.
+#include "gw/error.h"
+#include "image/output_set.h"
+#include "plot/plot.h"
+#include "radiosity/solver.h"
+#include "scene/read_scene.h"
+
+#ifdef GW_WITH_OSMESA
+#include "bench/radiosity/opengl_hemicube.h"
+#endif
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <memory>
+#include <optional>
+
+namespace gw::bench {
+namespace {
+
+struct Options {
+    std::filesystem::path folder;
+    int repeats = 5;
+    bool cornell = false;
+};
+
+/// The scene of the sphere in a box, with a bumpy sheet of 2 segments^2 triangles in place of the sphere.
+scene::Scene box_with(int segments) {
+    scene::Scene scene = scene::read_scene(GW_SOURCE_DIR "/scenes/radiosity/sphere.toml").scene;
+    std::vector<vec3> positions;
+    std::vector<std::uint32_t> indices;
+    for (int j = 0; j <= segments; ++j)
+        for (int i = 0; i <= segments; ++i)
+            positions.push_back({float(2 * i) / float(segments) - 1,
+                                 0.1f + 0.05f * float((i * 7 + j * 5) % 4) / float(segments),
+                                 float(2 * j) / float(segments) - 1});
+    const auto at = [&](int i, int j) { return std::uint32_t(j * (segments + 1) + i); };
+    for (int j = 0; j < segments; ++j)
+        for (int i = 0; i < segments; ++i)
+            indices.insert(indices.end(), {at(i, j), at(i, j + 1), at(i + 1, j), at(i + 1, j), at(i, j + 1),
+                                           at(i + 1, j + 1)});
+    scene.objects[1].mesh = make_mesh({.positions = positions, .indices = indices});
+    scene.objects[1].world_from_object = dmat4(1);
+    return scene;
+}
+
+double milliseconds(const auto& run) {
+    const std::clock_t begin = std::clock();
+    run();
+    return 1000.0 * double(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+/// Milliseconds for a hemicube.
+struct Row {
+    double x = 0;
+    double drawn = 1e9, whole = 1e9;  ///< five ID buffers drawn and read; scanned and summed too
+    double llvmpipe = 1e9;            ///< drawn and read
+};
+
+Row measure(double x, int size, double texels, int segments, int repeats) {
+    const radiosity::Model model = radiosity::make_model(box_with(segments), {.texels_per_unit = texels});
+    radiosity::FormFactors factors(model, {.hemicube = size, .threads = 1});
+    radiosity::HemicubePainter painter(size);
+    radiosity::IdBuffers buffers;
+    constexpr int at_once = 8;
+    const std::vector<radiosity::ShootPoint> points(at_once, {{0, 1.9, 0}, {0, -1, 0}, 1.0 / at_once, 0.1});
+    const radiosity::Hemicube cube =
+        radiosity::hemicube_at(points[0].position, points[0].normal, 30, 0.1 / 64, 5, size);
+#ifdef GW_WITH_OSMESA
+    OpenGlHemicube peer(model, size);
+#endif
+    Row row{.x = x};
+    for (int i = 0; i < repeats; ++i) {
+        row.drawn = std::min(row.drawn, milliseconds([&] {
+                                            for (int k = 0; k < at_once; ++k)
+                                                painter.draw(model, cube, buffers);
+                                        }) / at_once);
+        row.whole = std::min(row.whole, milliseconds([&] { factors.from_points(points, 0); }) / at_once);
+#ifdef GW_WITH_OSMESA
+        row.llvmpipe = std::min(row.llvmpipe, milliseconds([&] {
+                                                  for (int k = 0; k < at_once; ++k) peer.draw(cube);
+                                              }) / at_once);
+#endif
+    }
+    return row;
+}
+
+void report(const std::string& name, const std::string& label, const std::vector<Row>& rows,
+            const Options& options) {
+    plot::Plot plot{.title = "Time of a hemicube against " + label,
+                    .command = "bench_radiosity -o " + options.folder.string(),
+                    .x = {.label = label, .log = 2},
+                    .y = {.label = "milliseconds of processor time", .log = 10}};
+    fmt::print("\n{:<10}{:>10}{:>10}{:>14}{:>10}\n", name, "drawn", "whole", "llvmpipe", "ratio");
+    for (const Row& r : rows) {
+        const bool peer = r.llvmpipe < 1e9;
+        fmt::print("{:<10g}{:>10.3f}{:>10.3f}{:>14}{:>10}\n", r.x, r.drawn, r.whole,
+                   peer ? fmt::format("{:.3f}", r.llvmpipe) : "-",
+                   peer ? fmt::format("{:.2f}", r.llvmpipe / r.drawn) : "-");
+    }
+    for (const auto& [what, value] : {std::pair{"drawn and read", &Row::drawn},
+                                      {"with scan and sum", &Row::whole},
+                                      {"llvmpipe, drawn and read", &Row::llvmpipe}}) {
+        plot::Series line{.name = what, .points = {}};
+        for (const Row& r : rows)
+            if (r.*value < 1e9) line.points.push_back({r.x, r.*value});
+        if (line.points.empty()) continue;
+        fmt::print("  {}: grows as {}^{:.2f}\n", what, name, plot::power_law(line.points).exponent);
+        plot.series.push_back(std::move(line));
+    }
+    std::fflush(stdout);
+    if (options.folder.empty()) return;
+    image::OutputSet files;
+    files.make_folder(options.folder);
+    files.add(options.folder / (name + ".svg")).write_text(plot::svg(plot));
+    files.add(options.folder / (name + ".csv")).write_text(plot::csv(plot));
+    files.commit();
+}
+
+/// [F] to 1 % unshot: seconds of processor time, and how they are shared.
+void cornell() {
+    scene::Scene scene = scene::read_scene(GW_SOURCE_DIR "/scenes/radiosity/cornell.toml").scene;
+    radiosity::Solver solver(radiosity::make_model(scene, {.texels_per_unit = 64 / 559.2}),
+                             {.form_factors = {.threads = 1}});
+    int hemicubes = 0;
+    const double all = milliseconds([&] {
+        while (radiosity::books(solver.model(), solver.solution()).unshot_share() > 0.01)
+            hemicubes += solver.shoot()->hemicubes;
+    });
+    const radiosity::Model& model = solver.model();
+    radiosity::FormFactors factors(model, {.threads = 1});
+    radiosity::HemicubePainter painter(128);
+    radiosity::IdBuffers buffers;
+    const radiosity::Hemicube cube = radiosity::hemicube_at({278, 540, 280}, {0, -1, 0}, 30, 1, 1500, 128);
+    const std::vector<radiosity::ShootPoint> points(8, {{278, 540, 280}, {0, -1, 0}, 0.125, 30});
+    double drawn = 1e9, whole = 1e9;
+    for (int i = 0; i < 20; ++i) {
+        drawn = std::min(drawn, milliseconds([&] { painter.draw(model, cube, buffers); }));
+        whole = std::min(whole, milliseconds([&] { factors.from_points(points, 0); }) / 8);
+    }
+    fmt::print(
+        "\nCornell box, {} texels, {} patches, to 1 % unshot: {} shots, {} hemicubes of 128, {:.1f} s of "
+        "processor time\n  drawing {:.0f} %, scanning and summing {:.0f} %, the rest {:.0f} %\n",
+        model.texel_count(), model.patches.size(), solver.solution().shots, hemicubes, all / 1000,
+        100 * drawn * hemicubes / all, 100 * (whole - drawn) * hemicubes / all,
+        100 - 100 * whole * hemicubes / all);
+}
+
+int run(const Options& options) {
+    const auto sweep = [&](const std::string& name, const std::string& label, const std::vector<int>& values,
+                           const auto& row) {
+        std::vector<Row> rows;
+        for (const int v : values) rows.push_back(row(v));
+        report(name, label, rows, options);
+    };
+    sweep("hemicube", "pixels across the hemicube", {32, 64, 128, 256, 512},
+          [&](int v) { return measure(v, v, 12, 4, options.repeats); });
+    sweep("texels", "texels", {4, 8, 16, 32, 64},
+          [&](int v) { return measure(28.0 * v * v, 128, v, 4, options.repeats); });
+    sweep("polygons", "triangles", {4, 16, 64, 128},
+          [&](int v) { return measure(2.0 * v * v, 128, 12, v, options.repeats); });
+    if (options.cornell) cornell();
+    return 0;
+}
+
+}  // namespace
+}  // namespace gw::bench
+
+int main(int argc, char** argv) {
+    gw::bench::Options options;
+    CLI::App app{"Hemicubes per second, beside llvmpipe.\nExample: bench_radiosity -o hemicubes --cornell"};
+    app.add_option("-o,--output", options.folder, "folder of plots and their numbers");
+    app.add_option("--repeats", options.repeats, "timed repeats")->check(CLI::Range(1, 1000));
+    app.add_flag("--cornell", options.cornell, "also the Cornell box to 1 % unshot");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return gw::bench::run(options);
+    } catch (const gw::Error& error) {
+        fmt::print(stderr, "bench_radiosity: {}\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,28 @@
+// The five ID buffers of a hemicube through Mesa's OpenGL 1.1 and OSMesa. Does not measure.
+#pragma once
+
+#include "radiosity/hemicube.h"
+
+#include <memory>
+
+namespace gw::bench {
+
+class OpenGlHemicube {
+public:
+    /// Throws Error where OSMesa gives no context. GALLIUM_DRIVER chooses the driver.
+    OpenGlHemicube(const radiosity::Model& model, int size);
+    ~OpenGlHemicube();
+    OpenGlHemicube(const OpenGlHemicube&) = delete;
+    OpenGlHemicube& operator=(const OpenGlHemicube&) = delete;
+
+    /// Draws the five faces and reads them back: of the sides the half over the horizon, as ours.
+    void draw(const radiosity::Hemicube& hemicube);
+    /// What the last face read holds; bytes R, G, B, A are the identifier's.
+    const std::vector<unsigned char>& read() const;
+
+private:
+    struct Context;
+    std::unique_ptr<Context> context_;
+};
+
+}  // namespace gw::bench
