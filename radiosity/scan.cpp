@@ -2,7 +2,7 @@
 
 #include "radiosity/region.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gw::radiosity {
@@ -33,43 +33,86 @@ Homography homography(const Facet& facet, const Hemicube& hemicube, const scene:
     return {of_direction(corner), of_direction(step * right), of_direction(step * up)};
 }
 
-/// One facet in one face.
+/// One facet in one face. What the loop over pixels reads is kept in values of its own.
 class FacetScan {
 public:
+    /// `scratch`: for the parts of a pixel.
     FacetScan(const Model& model, std::uint32_t number, const IdBuffer& buffer, const Homography& map,
-              int most_parts, std::span<double> factors)
-        : model_(model),
-          facet_(model.facets[number]),
-          buffer_(buffer),
-          id_(number + 1),
-          pixmap_(model.pixmaps[facet_.pixmap]),
-          map_(map),
+              int most_parts, std::span<double> factors, std::vector<dvec2>& scratch)
+        : map_(map),
+          u_{model.facets[number].low.x, model.facets[number].high.x,
+             model.pixmaps[model.facets[number].pixmap].width},
+          v_{model.facets[number].low.y, model.facets[number].high.y,
+             model.pixmaps[model.facets[number].pixmap].height},
+          first_(model.pixmaps[model.facets[number].pixmap].first),
+          nearest_(model.pixmaps[model.facets[number].pixmap].whole ? nullptr : model.nearest.data()),
+          factors_(factors.data()),
           most_parts_(most_parts),
-          factors_(factors) {}
+          id_(number + 1),
+          buffer_(buffer),
+          scratch_(scratch) {}
 
-    void pixel(int i, int j, double delta) {
+    void pixel(int i, int j, double delta) const {
         const dvec3 h = map_.at(i + 0.5, j + 0.5);
-        const dvec2 uv = texel(h);
-        if (most_parts_ == 1) return to_one_texel(uv, delta);
-        const dvec2 across_x = footprint(uv, h.z, map_.along_x), across_y = footprint(uv, h.z, map_.along_y);
-        const int nx = parts(across_x), ny = parts(across_y);
-        if (nx * ny == 1) return to_box(uv, box_of(across_x, across_y), delta);
-        const dvec2 size = box_of(across_x / double(nx), across_y / double(ny));
-        parts_.clear();
-        const Range in_x = reach(i, j, 1, 0, nx), in_y = reach(i, j, 0, 1, ny);
-        for (int y = in_y.begin; y < in_y.end; ++y)
-            for (int x = in_x.begin; x < in_x.end; ++x) {
-                const dvec2 at = texel(map_.at(i + (x + 0.5) / nx, j + (y + 0.5) / ny));
-                if (in_bounds(at)) parts_.push_back(at);
-            }
-        if (parts_.empty()) parts_.push_back(uv);
-        for (const dvec2& at : parts_) to_box(at, size, delta / static_cast<double>(parts_.size()));
+        const double w = inverse(h.z);
+        const dvec2 uv(h.x * w, h.y * w);
+        if (most_parts_ == 1) return to_box<2>(uv, dvec2(0), delta);
+        const dvec2 across_x = footprint(uv, w, map_.along_x), across_y = footprint(uv, w, map_.along_y);
+        const double x = largest(across_x), y = largest(across_y);
+        if (x <= 0.5 && y <= 0.5) return to_box<2>(uv, box_of(across_x, across_y), delta);
+        const int nx = parts(x), ny = parts(y);
+        if (nx * ny == 1 && !at_end(i, j)) return to_box<3>(uv, box_of(across_x, across_y), delta);
+        in_parts(i, j, nx, ny, uv, box_of(across_x / double(nx), across_y / double(ny)), delta);
     }
 
 private:
+    /// In texels, along u or v: where the facet lies, and how many texels the pixmap has.
+    struct Axis {
+        double low = 0, high = 0;
+        int count = 0;
+        bool holds(double v) const { return v >= low && v <= high; }
+    };
     struct Range {
         int begin = 0, end = 0;
     };
+
+    /// W is below 0 where the front is seen. A part of a pixel may reach over the plane's horizon: the texel
+    /// is then far away.
+    static double inverse(double w) { return 1 / (w < -1e-30 ? w : -1e-30); }
+
+    static double largest(const dvec2& v) {
+        const double x = std::abs(v.x), y = std::abs(v.y);
+        return x > y ? x : y;
+    }
+
+    /// What one pixel covers of the pixmap along x or y: the derivative of the homography.
+    static dvec2 footprint(const dvec2& uv, double w, const dvec3& along) {
+        return {(along.x - uv.x * along.z) * w, (along.y - uv.y * along.z) * w};
+    }
+
+    /// The box around the parallelogram of two footprints.
+    static dvec2 box_of(const dvec2& a, const dvec2& b) {
+        return {std::abs(a.x) + std::abs(b.x), std::abs(a.y) + std::abs(b.y)};
+    }
+
+    /// So many that a part covers at most a texel, and the box of two such footprints two.
+    int parts(double texels) const {
+        if (texels <= 1) return 1;
+        return texels < most_parts_ ? static_cast<int>(texels) + 1 : most_parts_;
+    }
+
+    void in_parts(int i, int j, int nx, int ny, const dvec2& middle, const dvec2& size, double delta) const {
+        scratch_.clear();
+        const Range in_x = reach(i, j, 1, 0, nx), in_y = reach(i, j, 0, 1, ny);
+        for (int y = in_y.begin; y < in_y.end; ++y)
+            for (int x = in_x.begin; x < in_x.end; ++x) {
+                const dvec3 h = map_.at(i + (x + 0.5) / nx, j + (y + 0.5) / ny);
+                const double w = inverse(h.z);
+                if (u_.holds(h.x * w) && v_.holds(h.y * w)) scratch_.push_back({h.x * w, h.y * w});
+            }
+        if (scratch_.empty()) scratch_.push_back(middle);
+        for (const dvec2& uv : scratch_) to_box<3>(uv, size, delta / static_cast<double>(scratch_.size()));
+    }
 
     /// The parts of a pixel. Beside one that sees something else the facet may reach on, by half a pixel in
     /// the mean: without these parts, texels there would get nothing.
@@ -78,92 +121,75 @@ private:
         return {ends(i - dx, j - dy) ? -more : 0, ends(i + dx, j + dy) ? count + more : count};
     }
 
-    bool in_bounds(const dvec2& uv) const {
-        return uv.x >= facet_.low.x && uv.x <= facet_.high.x && uv.y >= facet_.low.y && uv.y <= facet_.high.y;
+    bool at_end(int i, int j) const {
+        return ends(i - 1, j) || ends(i + 1, j) || ends(i, j - 1) || ends(i, j + 1);
     }
 
+    /// Whether that pixel sees something else; beyond the face's border the facet goes on.
     bool ends(int i, int j) const {
         if (i < 0 || j < 0 || i >= buffer_.size || j >= buffer_.rows) return false;
         return buffer_.ids[static_cast<std::size_t>(j) * static_cast<std::size_t>(buffer_.size) +
                            static_cast<std::size_t>(i)] != id_;
     }
 
-    /// W is below 0 where the front is seen. A part of a pixel may reach over the plane's horizon: the texel
-    /// is then far away, and moved into the facet.
-    static dvec2 texel(const dvec3& h) {
-        const double w = 1 / (h.z < -1e-30 ? h.z : -1e-30);
-        return {h.x * w, h.y * w};
-    }
-
-    /// What one pixel covers of the pixmap along x or y: the derivative of the homography.
-    static dvec2 footprint(const dvec2& uv, double w, const dvec3& along) {
-        const double by = 1 / w;
-        return {(along.x - uv.x * along.z) * by, (along.y - uv.y * along.z) * by};
-    }
-
-    /// So many that a part covers at most half a texel, and the box of two such footprints a whole one.
-    int parts(const dvec2& texels) const {
-        const double wanted = 2 * std::max(std::abs(texels.x), std::abs(texels.y));
-        if (wanted <= 1) return 1;
-        return wanted < most_parts_ ? static_cast<int>(wanted) + 1 : most_parts_;
-    }
-
-    /// The box around the parallelogram of two footprints.
-    static dvec2 box_of(const dvec2& a, const dvec2& b) {
-        return {std::abs(a.x) + std::abs(b.x), std::abs(a.y) + std::abs(b.y)};
-    }
-
-    void to_one_texel(const dvec2& uv, double delta) {
-        const auto at = [&](double v, int axis, int count) {
-            return std::min(static_cast<int>(std::clamp(v, facet_.low[axis], facet_.high[axis])), count - 1);
-        };
-        add(at(uv.x, 0, pixmap_.width), at(uv.y, 1, pixmap_.height), delta);
-    }
-
-    void add(int x, int y, double value) {
-        const std::size_t t = pixmap_.first +
-                              static_cast<std::size_t>(y) * static_cast<std::size_t>(pixmap_.width) +
-                              static_cast<std::size_t>(x);
-        factors_[pixmap_.whole ? t : model_.nearest[t]] += value;
-    }
-
-    /// An interval of texels: the first one, and the parts of the interval in it and in the next.
+    /// An interval, as parts of it in `Count` texels, one after the other.
+    template <std::size_t Count>
     struct Cells {
-        int first = 0, next = 0;
-        double in_first = 0, in_next = 0;
+        std::array<std::size_t, Count> texel;
+        std::array<double, Count> part;
     };
 
-    /// Of an interval at most a texel long, moved, and where it is larger cut, into the facet: a pixel on the
-    /// border may fall beside it.
-    Cells cells(double middle, double size, int axis, int count) const {
-        const double low = facet_.low[axis], high = facet_.high[axis], whole = high - low;
-        const double length = size < whole ? size : whole, wanted = middle - length / 2;
-        const double limited = wanted < high - length ? wanted : high - length;
-        const double begin = limited > low ? limited : low;  // not below 0
-        const int at = static_cast<int>(begin), first = at < count ? at : count - 1;
-        const double over = begin + length - (first + 1), beyond = over > 0 ? over : 0;
-        return {first, first + 1 < count ? first + 1 : first, length - beyond, beyond};
+    /// Of an interval shorter than Count - 1 texels, moved, and where it is larger cut, into the facet: a
+    /// pixel on the border may fall beside it.
+    template <std::size_t Count>
+    static Cells<Count> cells(double middle, double size, const Axis& axis) {
+        const double whole = axis.high - axis.low, length = size < whole ? size : whole;
+        const double wanted = middle - length / 2, end = axis.high - length;
+        const double limited = wanted < end ? wanted : end;
+        const double begin = limited > axis.low ? limited : axis.low;  // not below 0
+        const int at = static_cast<int>(begin), last = axis.count - 1, first = at < last ? at : last;
+        Cells<Count> cells;
+        double left = length, room = first + 1 - begin;
+        for (std::size_t k = 0; k < Count; ++k) {
+            const int texel = first + static_cast<int>(k);
+            cells.texel[k] = static_cast<std::size_t>(texel < last ? texel : last);
+            cells.part[k] = left < room || k + 1 == Count ? left : room;
+            left -= cells.part[k];
+            room = 1;
+        }
+        return cells;
     }
 
-    // Without a branch: which texels a pixel touches cannot be foretold.
-    void to_box(const dvec2& uv, const dvec2& size, double value) {
-        const Cells u = cells(uv.x, size.x, 0, pixmap_.width), v = cells(uv.y, size.y, 1, pixmap_.height);
-        const double density = value / ((u.in_first + u.in_next) * (v.in_first + v.in_next));
-        add(u.first, v.first, density * u.in_first * v.in_first);
-        add(u.next, v.first, density * u.in_next * v.in_first);
-        add(u.first, v.next, density * u.in_first * v.in_next);
-        add(u.next, v.next, density * u.in_next * v.in_next);
+    // Without branches: which texels a pixel touches cannot be foretold.
+    template <std::size_t Count>
+    void to_box(const dvec2& uv, const dvec2& size, double value) const {
+        constexpr double least = 1e-12;  // a point is a box too
+        const Cells<Count> u = cells<Count>(uv.x, size.x + least, u_),
+                           v = cells<Count>(uv.y, size.y + least, v_);
+        double long_u = 0, long_v = 0;
+        for (std::size_t k = 0; k < Count; ++k) {
+            long_u += u.part[k];
+            long_v += v.part[k];
+        }
+        const double density = value / (long_u * long_v);
+        for (std::size_t j = 0; j < Count; ++j) {
+            const std::size_t row = first_ + v.texel[j] * static_cast<std::size_t>(u_.count);
+            const double in_row = density * v.part[j];
+            for (std::size_t k = 0; k < Count; ++k) add(row + u.texel[k], in_row * u.part[k]);
+        }
     }
 
-    const Model& model_;
-    const Facet& facet_;
-    const IdBuffer& buffer_;
-    const std::uint32_t id_;
-    const Pixmap& pixmap_;
+    void add(std::size_t texel, double value) const { factors_[nearest_ ? nearest_[texel] : texel] += value; }
+
     const Homography map_;
+    const Axis u_, v_;
+    const std::size_t first_;
+    const std::uint32_t* const nearest_;  ///< null: every texel is an element
+    double* const factors_;
     const int most_parts_;
-    std::span<double> factors_;
-    std::vector<dvec2> parts_;  ///< of a pixel, that lie on the facet
+    const std::uint32_t id_;
+    const IdBuffer& buffer_;
+    std::vector<dvec2>& scratch_;
 };
 
 template <class Pixel>
@@ -184,6 +210,7 @@ double scan_pixmap(const Model& model, std::uint32_t pixmap, const Hemicube& hem
                    std::span<double> factors) {
     double backs = 0;
     Region region;
+    std::vector<dvec2> scratch;
     for (std::uint32_t number : model.pixmaps[pixmap].facets) {
         const Facet& facet = model.facets[number];
         if (dot3(hemicube.normal, facet.center - hemicube.position) < -facet.radius) continue;
@@ -202,9 +229,9 @@ double scan_pixmap(const Model& model, std::uint32_t pixmap, const Hemicube& hem
                 for_each_pixel(region, buffer, number + 1, [&](int i, int j) { backs += delta_at(i, j); });
                 continue;
             }
-            FacetScan scan(model, number, buffer,
-                           homography(facet, hemicube, view, buffer.size - buffer.rows), options.most_parts,
-                           factors);
+            const FacetScan scan(model, number, buffer,
+                                 homography(facet, hemicube, view, buffer.size - buffer.rows),
+                                 options.most_parts, factors, scratch);
             for_each_pixel(region, buffer, number + 1,
                            [&](int i, int j) { scan.pixel(i, j, delta_at(i, j)); });
         }
