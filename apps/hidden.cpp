@@ -70,11 +70,13 @@ void add_output_options(CLI::App& command, HiddenOptions& options) {
 }
 
 void add_exercise_options(CLI::App& command, HiddenOptions& options) {
-    command
-        .add_option("--quiz", options.quiz,
-                    "Instead of a scene's pictures: exercises in DIR/handout, their answers in DIR/key.json")
-        ->type_name("DIR");
-    const auto number = [&](const char* name, int& to, int low, int high, const char* help) {
+    CLI::Option* quiz =
+        command
+            .add_option(
+                "--quiz", options.quiz,
+                "Instead of a scene's pictures: exercises in DIR/handout, their answers in DIR/key.json")
+            ->type_name("DIR");
+    const auto number = [&, quiz](const char* name, int& to, int low, int high, const char* help) {
         command
             .add_option_function<std::string>(
                 name,
@@ -82,7 +84,8 @@ void add_exercise_options(CLI::App& command, HiddenOptions& options) {
                     to = whole_number_from(name, word, low, high);
                 },
                 help)
-            ->type_name("N");
+            ->type_name("N")
+            ->needs(quiz);
     };
     number("--seed", options.seed, 0, 2147483647,
            "Of the quiz: the same seed gives the same questions (default 1)");
@@ -92,7 +95,8 @@ void add_exercise_options(CLI::App& command, HiddenOptions& options) {
             "--kind",
             [&](const std::string& word) { options.kind = one_of("--kind", word, hs::quiz_kinds()); },
             "Of the quiz: all questions of one kind (default: all kinds in turn)")
-        ->type_name("NAME");
+        ->type_name("NAME")
+        ->needs(quiz);
     command.add_option("--grade", options.grade, "Answers to a quiz against its key")
         ->expected(2)
         ->type_name("KEY.json ANSWERS.json");
@@ -122,6 +126,13 @@ void add_options(CLI::App& command, HiddenOptions& options) {
 
 void check(const HiddenOptions& options) {
     const bool exercises = !options.quiz.empty() || !options.grade.empty();
+    const bool fragments = !options.fragments.empty() || !options.truth.empty();
+    if ((exercises || fragments) &&
+        !(options.algorithm.empty() && options.steps.empty() && options.compare.empty()))
+        throw UsageError(
+            "--quiz, --grade, --fragments and --truth run no algorithm of your choice; expected no "
+            "--algorithm, "
+            "--steps or --compare");
     if (!options.quiz.empty() && !options.grade.empty())
         throw UsageError("--quiz and --grade exclude each other; expected one of them");
     if (exercises && !options.picture.scene.empty())

@@ -167,6 +167,11 @@ int hidden_grade(const HiddenOptions& options) {
 }
 
 int hidden_fragments(const HiddenOptions& options) {
+    try {
+        if (!options.marked.empty()) image::check_extension(options.marked);
+    } catch (const Error& error) {
+        throw UsageError(error.what());
+    }
     for (const auto& target : {options.truth, options.marked})
         if (!target.empty()) image::check_target(target);
     Progress progress("reading", options.picture.quiet);

@@ -217,6 +217,9 @@ TEST_F(Hidden, RefusesExercisesThatMakeNoSense) {
     expect_refused(2, {"hidden", "--quiz", "q", "--questions", "0"}, {"--questions '0'"});
     expect_refused(2, {"hidden", "--quiz", "q", "--seed", "-1"}, {"--seed '-1'"});
     expect_refused(2, {"hidden", cycle, "--marked", "m.png"}, {"--marked", "--fragments"});
+    expect_refused(2, {"hidden", cycle, "--fragments", "f.csv", "--marked", "m.xyz"}, {"m.xyz"});
+    expect_refused(2, {"hidden", cycle, "--seed", "3"}, {"--seed", "--quiz"});
+    expect_refused(2, {"hidden", "--quiz", "q", "--algorithm", "bsp"}, {"--quiz", "no --algorithm"});
     expect_refused(1, {"hidden", "--quiz", "no/such"}, {"no/such"});
 }
 
