@@ -21,8 +21,7 @@ namespace {
 struct Fragment {
     std::size_t face = 0;
     Region region;
-    dvec2 low{0}, high{0};             ///< of its corners
-    std::vector<std::size_t> outside;  ///< faces whose outline it was clipped by, being outside
+    dvec2 low{0}, high{0};  ///< of its corners
 };
 using FragmentList = std::vector<Fragment*>;
 
@@ -39,7 +38,7 @@ public:
         FragmentList all;
         for (std::size_t i = 0; i < faces_.size(); ++i) {
             outlines_.push_back(lines_.add_contour(faces_[i].corners));
-            all.push_back(make(i, {outlines_[i]}, {}));
+            all.push_back(make(i, {outlines_[i]}));
         }
         output_.counts.sorts = 1;
         std::stable_sort(all.begin(), all.end(), [this](const Fragment* a, const Fragment* b) {
@@ -52,9 +51,9 @@ public:
     }
 
 private:
-    Fragment* make(std::size_t face, Region region, std::vector<std::size_t> outside) {
+    Fragment* make(std::size_t face, Region region) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
-        Fragment fragment{face, std::move(region), dvec2(infinity), dvec2(-infinity), std::move(outside)};
+        Fragment fragment{face, std::move(region), dvec2(infinity), dvec2(-infinity)};
         for (const Contour& contour : fragment.region) {
             sides_ += contour.size();
             for (const dvec2& p : lines_.corners(contour))
@@ -67,7 +66,8 @@ private:
         return &fragments_.back();
     }
 
-    /// Nearest first, and all of it inside the clip polygons on the way here.
+    /// Nearest first, and all of it inside the clip polygons on the way here. What was clipped by a face
+    /// never meets it again: all its fragments in the list are inside then.
     void sort_out(FragmentList list) {
         while (!list.empty()) {
             const auto nearest = std::find_if(list.begin(), list.end(),
@@ -93,15 +93,13 @@ private:
         if (in.empty()) return outside.push_back(&fragment);
         if (!out.empty()) {
             log_cut(fragment, clip, in, out);
-            std::vector<std::size_t> known = fragment.outside;
-            known.push_back(clip);
-            outside.push_back(make(fragment.face, std::move(out), std::move(known)));
+            outside.push_back(make(fragment.face, std::move(out)));
         }
         if (Region seen = before(fragment.face, std::move(in), clip); !seen.empty())
-            inside.push_back(make(fragment.face, std::move(seen), fragment.outside));
+            inside.push_back(make(fragment.face, std::move(seen)));
     }
 
-    /// By boxes, by a side that lies between, or because it was clipped by this one before.
+    /// By boxes, or by a side that lies between.
     bool misses(const Fragment& f, std::size_t clip) {
         const Rect& b = faces_[clip].bounds;
         const double one = double(1 << input_.subpixel_bits());
@@ -109,8 +107,7 @@ private:
         if (f.low.x >= (b.x + b.width) * one || f.high.x <= b.x * one || f.low.y >= (b.y + b.height) * one ||
             f.high.y <= b.y * one)
             return true;
-        return std::find(f.outside.begin(), f.outside.end(), clip) != f.outside.end() ||
-               lines_.separates(outlines_[clip], f.region);
+        return lines_.separates(outlines_[clip], f.region);
     }
 
     /// What of the region, of a face, lies before the clip polygon's plane; where the two are one, the

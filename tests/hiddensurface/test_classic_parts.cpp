@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <map>
 #include <numeric>
 
@@ -99,6 +100,8 @@ TEST(Region, GetsAHoleWhereTheClipIsInside) {
     EXPECT_FALSE(lines.separates(clip, square));
     const Contour beside = lines.add_contour({{80, 80, 0}, {80, 0, 0}, {120, 40, 0}});
     EXPECT_TRUE(lines.separates(beside, square));
+    // Neighbours, moved outwards, share less than a point's width: nothing.
+    EXPECT_TRUE(lines.clip(square, beside).first.empty());
 }
 
 TEST(Faces, HaveThePixelsAndTheOrderOfTheirTriangles) {
@@ -176,6 +179,42 @@ TEST(Octree, HasEveryPolygonOnceAndItsWindowBoxHasAllOfIt) {
     visit(*root);
     for (std::size_t i = 0; i < found.size(); ++i)
         EXPECT_EQ(found[i], stage.input.polygons[i].visible() ? 1 : 0) << i;
+}
+
+TEST(Octree, IsWalkedFromTheEyesCornerToTheOppositeOne) {
+    const Cube cube{{-1, -1, -1}, {1, 1, 1}, {}, {}};
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+        const dvec3 to_eye(corner & 1 ? 3 : -3, corner & 2 ? 3 : -3, corner & 4 ? 3 : -3);
+        for (const double w : {0.0, 1.0}) {
+            const auto order = near_to_far(cube, dvec4(to_eye, w));
+            EXPECT_EQ(order.front(), corner);
+            EXPECT_EQ(order.back(), 7 - corner);
+            for (std::size_t i = 1; i < 8; ++i)  // more and more axes on the far side
+                EXPECT_GE(std::popcount(order[i] ^ corner), std::popcount(order[i - 1] ^ corner));
+        }
+    }
+}
+
+// True ties: the scene's first is seen, as by the Z-buffer. Newell's five tests leave them open.
+TEST(CoincidentFaces, ShowTheScenesFirst) {
+    scene::Scene scene = piercing_rectangles(1);
+    const scene::Object object = scene.objects[0];
+    scene.objects.push_back(object);
+    Stage stage(std::move(scene));
+    for (const Algorithm& algorithm : algorithms())
+        if (algorithm.claim == Claim::Always && algorithm.name != "newell") {
+            const std::vector<std::uint32_t> ids = stage.run(algorithm.name).ids;
+            EXPECT_LE(*std::max_element(ids.begin(), ids.end()), 10u) << algorithm.name;
+        }
+}
+
+// Bit for bit, also where surfaces lie in each other and polygons come in another order.
+TEST(HierarchicalZ, IsTheZBuffer) {
+    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+        Stage blocks(touching_blocks(seed)), triangles(coplanar_triangles(seed));
+        EXPECT_EQ(blocks.run("hierarchical-z").ids, blocks.z_buffer.ids) << seed;
+        EXPECT_EQ(triangles.run("hierarchical-z").ids, triangles.z_buffer.ids) << seed;
+    }
 }
 
 // [Schumacker 1969] One convex solid: front sides have no priorities among them; solids apart need no cut.
