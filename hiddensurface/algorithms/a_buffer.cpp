@@ -1,12 +1,18 @@
-// The A-buffer. L. Carpenter: The A-buffer, an Antialiased Hidden Surface Method, SIGGRAPH 1984. A pixel is a
-// list of fragments, sorted by their nearest depth: each has a mask of the 4 x 8 points of the pixel that its
-// face covers, and the nearest and farthest depth of the face there. What lies behind a fragment that covers
-// all is dropped. At the end the masks say what part of the pixel each face has: front to back, each takes
-// the points that are left; where two fragments' depths overlap, the paper's estimate of the visible part of
-// the front one. The picture is that of the point in the middle of the pixel; `shares` is the parts, for
-// smooth edges. Does not claim: exact parts where faces pierce each other (an estimate) or where three
-// overlap in depth (two at a time). Left out: translucency. Ours: points at multiples of 1/8 and 1/4 of a
-// pixel, so that one is its middle, and at the middle the nearest on the exact planes.
+// The A-buffer. L. Carpenter: The A-buffer, an Antialiased Hidden Surface Method, SIGGRAPH 1984. A pixel
+// is a list of fragments, sorted by their nearest depth: each has a mask of the 4 x 8 points of the pixel
+// that its face covers, and the nearest and farthest depth of the face there. What lies behind a fragment
+// that covers all is dropped. At the end the masks say what part of the pixel each face has: front to
+// back, each takes the points that are left; where two fragments' depths overlap, the paper's estimate of
+// the visible part of the front one. The picture is that of the point in the middle of the pixel; `shares`
+// is the parts, for smooth edges.
+//
+// Does not claim: exact parts where faces pierce each other (an estimate) or where three overlap in depth
+// (two at a time).
+//
+// Left out: translucency.
+//
+// Ours: points at multiples of 1/8 and 1/4 of a pixel, so that one is its middle, and at the middle the
+// nearest on the exact planes.
 #include "hiddensurface/face.h"
 #include "hiddensurface/scan_conversion.h"
 

@@ -1,11 +1,15 @@
-// Bouknight's scan-line algorithm. W. J. Bouknight: A Procedure for Generation of Three-Dimensional
-// Half-Toned Computer Graphics Presentations, CACM 13(9), 1970. The edges that cross the line, sorted in x:
-// the order of the line above, mended by exchanges of neighbours. From left to right an edge switches its
-// face on or off. Between two edges the nearest of the faces switched on is looked for at both ends: one
-// face, and it is seen; two, and they pierce each other: the edge that they imply is found and the span
-// divided there. Does not claim: to make use of the line above for anything but the order; every edge, hidden
-// or not, ends a span, and every face switched on is compared in every span: work grows with faces times
-// depth complexity. Ours: pixels instead of points of the line; the implied edge by halving.
+// Bouknight's scan-line algorithm. W. J. Bouknight: A Procedure for Generation of Three-Dimensional Half-
+// Toned Computer Graphics Presentations, CACM 13(9), 1970. The edges that cross the line, sorted in x: the
+// order of the line above, mended by exchanges of neighbours. From left to right an edge switches its face
+// on or off. Between two edges the nearest of the faces switched on is looked for at both ends: one face,
+// and it is seen; two, and they pierce each other: the edge that they imply is found and the span divided
+// there.
+//
+// Does not claim: to make use of the line above for anything but the order; every edge, hidden or not,
+// ends a span, and every face switched on is compared in every span: work grows with faces times depth
+// complexity.
+//
+// Ours: pixels instead of points of the line; the implied edge by halving.
 #include "hiddensurface/active_faces.h"
 
 #include <algorithm>

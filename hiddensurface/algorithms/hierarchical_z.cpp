@@ -1,10 +1,15 @@
-// Hierarchical Z. N. Greene, M. Kass, G. Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993. The scene's
-// polygons are in an octree, walked near to far; the depths drawn so far are in a pyramid, each cell the
-// farthest of the four below. A cube, and with it all that is inside, or a polygon, is hidden where the
-// pyramid is nearer everywhere over its bounding rectangle: mostly one comparison, with the smallest cell
-// that has all of it. What is left is drawn as in a Z-buffer. Does not claim: to gain anything where little
-// is hidden. Left out: the list of cubes seen in the picture before (temporal coherence). Ours: rectangle and
-// nearest depth of a cube instead of its faces; polygons across a cube's middle planes stay in the cube.
+// Hierarchical Z. N. Greene, M. Kass, G. Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993. The
+// scene's polygons are in an octree, walked near to far; the depths drawn so far are in a pyramid, each
+// cell the farthest of the four below. A cube, and with it all that is inside, or a polygon, is hidden
+// where the pyramid is nearer everywhere over its bounding rectangle: mostly one comparison, with the
+// smallest cell that has all of it. What is left is drawn as in a Z-buffer.
+//
+// Does not claim: to gain anything where little is hidden.
+//
+// Left out: the list of cubes seen in the picture before (temporal coherence).
+//
+// Ours: rectangle and nearest depth of a cube instead of its faces; polygons across a cube's middle planes
+// stay in the cube.
 #include "hiddensurface/algorithm.h"
 #include "hiddensurface/depth_pyramid.h"
 #include "hiddensurface/octree.h"

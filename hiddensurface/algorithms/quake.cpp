@@ -1,12 +1,17 @@
-// Sorted spans, as in Quake. M. Abrash: Graphics Programming Black Book, 1997, chapters 66 and 67, after J.
-// Carmack. The BSP tree gives every surface a key: its place near to far. The edges of all surfaces are in
-// one table, by their first lines; those that cross the line are sorted in x, the order of the line above
-// mended by exchanges of neighbours. From left to right a leading edge puts its surface on a stack sorted by
-// key, a trailing one takes it off; where the top changes, a span of the old top ends. No pixel is drawn
-// twice, and no depth is ever compared. Does not claim: an order without the tree; so surfaces that pierce
-// each other are cut by it, and what the snap turns over stays as the scene has it. Left out: edges shared by
-// two surfaces, keys by 1/z for moving models. The stack is a sorted list: work grows with the surfaces open
-// at once. Ours: both ends of a surface on every line are worked out ahead, since cuts lie between pixels.
+// Sorted spans, as in Quake. M. Abrash: Graphics Programming Black Book, 1997, chapters 66 and 67, after
+// J. Carmack. The BSP tree gives every surface a key: its place near to far. The edges of all surfaces are
+// in one table, by their first lines; those that cross the line are sorted in x, the order of the line
+// above mended by exchanges of neighbours. From left to right a leading edge puts its surface on a stack
+// sorted by key, a trailing one takes it off; where the top changes, a span of the old top ends. No pixel
+// is drawn twice, and no depth is ever compared.
+//
+// Does not claim: an order without the tree; so surfaces that pierce each other are cut by it, and what
+// the snap turns over stays as the scene has it.
+//
+// Left out: edges shared by two surfaces, keys by 1/z for moving models. The stack is a sorted list: work
+// grows with the surfaces open at once.
+//
+// Ours: both ends of a surface on every line are worked out ahead, since cuts lie between pixels.
 #include "hiddensurface/active_faces.h"
 #include "hiddensurface/world_piece.h"
 

@@ -1,13 +1,17 @@
 // Schumacker's clusters and a-priori order. R. A. Schumacker, B. Brand, M. Gilliland, W. Sharp: Study for
-// Applying Computer-Generated Images to Visual Simulation, US Air Force AFHRL-TR-69-14, 1969. Faces that can
-// have priorities that hold for every eye, back faces apart, are a cluster: a face that hides another from
-// any eye has the smaller number. Clusters are separated by planes; the eye's side of each plane gives their
-// order, as later in the BSP tree. All of it is worked out before the eye is known; for an eye nothing is
-// sorted. Does not claim: priorities where faces hide each other in a cycle, or pierce. The original left it
-// to the scene's author to keep such faces in different clusters; here a set without priorities is divided by
+// Applying Computer-Generated Images to Visual Simulation, US Air Force AFHRL-TR-69-14, 1969. Faces that
+// can have priorities that hold for every eye, back faces apart, are a cluster: a face that hides another
+// from any eye has the smaller number. Clusters are separated by planes; the eye's side of each plane
+// gives their order, as later in the BSP tree. All of it is worked out before the eye is known; for an eye
+// nothing is sorted.
+//
+// Does not claim: priorities where faces hide each other in a cycle, or pierce. The original left it to
+// the scene's author to keep such faces in different clusters; here a set without priorities is divided by
 // a plane between its faces, or where there is none by the plane of a face, which cuts others (counted:
-// splits). Every face of a cluster is compared with every other: quadratic, so clusters are of 512 faces at
-// most, but for convex solids. Ours: both sides of every face, since the machine draws both.
+// splits). Every face of a cluster is compared with every other: quadratic, so clusters are of 512 faces
+// at most, but for convex solids.
+//
+// Ours: both sides of every face, since the machine draws both.
 #include "hiddensurface/clusters.h"
 #include "hiddensurface/world_piece.h"
 

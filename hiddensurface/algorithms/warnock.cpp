@@ -2,10 +2,12 @@
 // Pictures, University of Utah TR 4-15, 1969. A window in which the picture is simple is drawn; another is
 // cut into four, down to the pixel. Simple is: nothing in it; one face; or a face around all of the window
 // that is nearer than all others at its four corners. Windows are of pixels' centres, so the last one, the
-// pixel, is decided at its centre. Faces that pierce each other need nothing special: their windows are cut
-// to pixels. Does not claim: to find edges finer than a pixel (Warnock's line drawings went on below), or few
-// windows where coplanar faces overlap or faces pierce: along those lines all windows are pixels. Work grows
-// with the length of the visible edges, not with the square of the faces.
+// pixel, is decided at its centre. Faces that pierce each other need nothing special: their windows are
+// cut to pixels.
+//
+// Does not claim: to find edges finer than a pixel (Warnock's line drawings went on below), or few windows
+// where coplanar faces overlap or faces pierce: along those lines all windows are pixels. Work grows with
+// the length of the visible edges, not with the square of the faces.
 #include "hiddensurface/face.h"
 
 #include <algorithm>

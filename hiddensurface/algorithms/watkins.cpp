@@ -1,13 +1,16 @@
 // Watkins' scan-line algorithm. G. S. Watkins: A Real Time Visible Surface Algorithm, University of Utah
-// UTEC-CSc-70-101, 1970. Segments of the line, sorted by their left ends: the order of the line above, mended
-// by exchanges of neighbours. Sample spans are guessed: where the line above had the end of a visible span,
-// this one probably has too. In a span, the segment nearest at its left end is the candidate; each other one
-// is behind it by the boxes of their depths, or by depths at both ends; or it comes into view, and the span
-// ends there. So only edges that are seen end spans, and a span that is guessed well takes one look. Does not
-// claim: anything for pictures whose lines differ much from line to line; its worst case is all segments in
-// every span. Segments that pierce each other are handled, by the search for where they do. Ours: pixels; the
-// two ends of a face are one segment where Watkins joined edges; a guess too short is joined to its
-// neighbour.
+// UTEC-CSc-70-101, 1970. Segments of the line, sorted by their left ends: the order of the line above,
+// mended by exchanges of neighbours. Sample spans are guessed: where the line above had the end of a
+// visible span, this one probably has too. In a span, the segment nearest at its left end is the
+// candidate; each other one is behind it by the boxes of their depths, or by depths at both ends; or it
+// comes into view, and the span ends there. So only edges that are seen end spans, and a span that is
+// guessed well takes one look.
+//
+// Does not claim: anything for pictures whose lines differ much from line to line; its worst case is all
+// segments in every span. Segments that pierce each other are handled, by the search for where they do.
+//
+// Ours: pixels; the two ends of a face are one segment where Watkins joined edges; a guess too short is
+// joined to its neighbour.
 #include "hiddensurface/active_faces.h"
 
 #include <algorithm>

@@ -1,12 +1,15 @@
-// Weiler and Atherton's algorithm. K. Weiler, P. Atherton: Hidden Surface Removal Using Polygon Area Sorting,
-// SIGGRAPH 1977. In the window, after perspective: the polygon with the nearest corner is the clip polygon,
-// and all others are clipped by its outline, whole though parts of it may be hidden already. What falls
-// inside and lies behind it is hidden. Where some of the inside lies before it, the inside is sorted out in
-// the same way first, clipped by one of those; a polygon that was the clip polygon on the way there is not
-// taken again, so that cyclic overlap ends. Then the outside is next. The result is polygons, of any outline
-// and with holes; each pixel is drawn once. Polygons that pierce are cut where their planes meet. Does not
-// claim: to be fast. Every clip polygon looks at all that is left: inherently quadratic in what is seen. The
-// paper sorts the scene into a coarse raster first; that is left out. Clip polygons are convex here: faces.
+// Weiler and Atherton's algorithm. K. Weiler, P. Atherton: Hidden Surface Removal Using Polygon Area
+// Sorting, SIGGRAPH 1977. In the window, after perspective: the polygon with the nearest corner is the
+// clip polygon, and all others are clipped by its outline, whole though parts of it may be hidden already.
+// What falls inside and lies behind it is hidden. Where some of the inside lies before it, the inside is
+// sorted out in the same way first, clipped by one of those; a polygon that was the clip polygon on the
+// way there is not taken again, so that cyclic overlap ends. Then the outside is next. The result is
+// polygons, of any outline and with holes; each pixel is drawn once. Polygons that pierce are cut where
+// their planes meet.
+//
+// Does not claim: to be fast. Every clip polygon looks at all that is left: inherently quadratic in what
+// is seen. The paper sorts the scene into a coarse raster first; that is left out. Clip polygons are
+// convex here: faces.
 #include "hiddensurface/region.h"
 
 #include <algorithm>
