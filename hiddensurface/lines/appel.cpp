@@ -2,6 +2,8 @@
 
 #include "hiddensurface/lines/window_lines.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <deque>
 
@@ -190,6 +192,7 @@ private:
             const bool at_a = contour.a == from || contour.a == to,
                        at_b = contour.b == from || contour.b == to;
             output_.counts.crossings += 1;
+            const std::size_t before = changes.size();
             if (at_a || at_b) {
                 const GridPoint &common = at(at_a ? contour.a : contour.b),
                                 &end = at(at_a ? contour.b : contour.a);
@@ -198,10 +201,18 @@ private:
             } else if (!cross(contour, a, b, changes)) {
                 return false;
             }
-            if (log_.wants(Level::Span) && !changes.empty() && changes.back().delta != 0)
-                log_.add({Level::Span, Action::Compare, {scene_.sides[s].id, contour.id}, "contour", ""});
+            if (changes.size() > before) log_change(s, contour.id, "passes behind a contour", changes.back());
         }
         return true;
+    }
+
+    void log_change(std::size_t s, std::uint32_t by, const char* test, const Change& change) {
+        if (!log_.wants(Level::Span)) return;
+        log_.add({Level::Span,
+                  Action::Compare,
+                  {scene_.sides[s].id, by},
+                  test,
+                  fmt::format("{:+} at {:.6g}", change.delta, change.t)});
     }
 
     /// Both leave one corner the same way in the window.
@@ -241,7 +252,9 @@ private:
             if (sign(ga) * sign(gb) > 0 || (ga == 0 && gb == 0)) continue;
             const int inside = place(face, a, b, ga, gb);
             if (inside == 0 || (inside > 0 && (ga == 0 || gb == 0))) return false;
-            if (inside > 0) changes.push_back({double(ga) / double(ga - gb), gb > 0 ? 1 : -1});
+            if (inside < 0) continue;
+            changes.push_back({double(ga) / double(ga - gb), gb > 0 ? 1 : -1});
+            log_change(s, face.id, "goes through", changes.back());
         }
         return true;
     }
