@@ -172,7 +172,9 @@ plot::Plot cost_plot(const std::vector<Ranking>& rankings, const GrowthAxis& axi
                     .y = {"dollars", 10},
                     .series = {}};
     for (const Ranking& ranking : rankings)
-        for (const auto& [name, cost] : ranking.algorithms) {
+        for (const auto& algorithm : ranking.algorithms) {
+            const std::string& name = algorithm.first;
+            const Cost& cost = algorithm.second;
             auto series = std::find_if(plot.series.begin(), plot.series.end(),
                                        [&](const plot::Series& s) { return s.name == name; });
             if (series == plot.series.end()) {
