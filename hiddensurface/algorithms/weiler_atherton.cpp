@@ -8,7 +8,8 @@
 // their planes meet.
 //
 // Does not claim: to be fast. Every clip polygon looks at all that is left: inherently quadratic in what
-// is seen. The paper sorts the scene into a coarse raster first; that is left out. Clip polygons are
+// is seen (76,460 polygons of scenes/fig9.toml in 320 x 240: 983 million boxes, 435 thousand polygons
+// clipped). The paper sorts the scene into a coarse raster first; that is left out. Clip polygons are
 // convex here: faces.
 #include "hiddensurface/region.h"
 
