@@ -82,6 +82,8 @@ void HemicubePainter::draw(const Model& model, const Hemicube& hemicube, IdBuffe
         buffer.rows = read.rect.height;
         buffer.ids.resize(read.color.size());
         std::transform(read.color.begin(), read.color.end(), buffer.ids.begin(), scene::id_of);
+        buffer.seen.assign(model.facets.size() + 1, 0);
+        for (std::uint32_t id : buffer.ids) buffer.seen[id] = 1;
     }
 }
 

@@ -28,6 +28,7 @@ Hemicube hemicube_at(const dvec3& position, const dvec3& normal, double turn, do
 struct IdBuffer {
     int size = 0, rows = 0;
     std::vector<std::uint32_t> ids;
+    std::vector<char> seen;  ///< by identifier: whether any pixel has it
 };
 using IdBuffers = std::array<IdBuffer, hemicube_faces>;
 

@@ -58,6 +58,13 @@ Covered covered(const Model& model, const Pixmap& pixmap, const Part& part) {
     return best;
 }
 
+/// In texels. Curved figures touch others in points, where no part would be small enough: their texels are.
+double smallest_part(const Pixmap& pixmap, const PointOptions& options) {
+    if (pixmap.facets.size() > 1) return options.smallest_part;
+    return (pixmap.whole ? 1 : 0.5) * std::min(options.smallest_part, std::min(pixmap.width, pixmap.height) *
+                                                                          options.smallest_of_pixmap);
+}
+
 class Points {
 public:
     Points(const Model& model, const Patch& patch, const PointOptions& options)
@@ -65,9 +72,7 @@ public:
           patch_(patch),
           pixmap_(model.pixmaps[patch.pixmap]),
           options_(options),
-          smallest_part_((pixmap_.whole ? 1 : 0.5) *
-                         std::min(options.smallest_part,
-                                  std::min(pixmap_.width, pixmap_.height) * options.smallest_of_pixmap)) {
+          smallest_part_(smallest_part(pixmap_, options)) {
         const Part whole{{patch.x, patch.y}, {patch.x + patch.width, patch.y + patch.height}};
         add(whole, covered(model, pixmap_, whole));
     }

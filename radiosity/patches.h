@@ -21,7 +21,7 @@ struct PointOptions {
     /// farther than the part is long, but low over its plane, counts by its elevation ...
     double nearness = 1;
     /// ... but not into parts below so many texels, or so large a part of a narrow pixmap's side; half as
-    /// much where figures cover texels in part. Parts of a patch that emits are divided down to
+    /// much where a plane figure covers texels in part. Parts of a patch that emits are divided down to
     /// `emitter_part` texels.
     double smallest_part = 1, smallest_of_pixmap = 1.0 / 8, emitter_part = 2;
 };

@@ -218,6 +218,7 @@ double scan_pixmap(const Model& model, std::uint32_t pixmap, const Hemicube& hem
         for (std::size_t face = 0; face < hemicube_faces; ++face) {
             const IdBuffer& buffer = buffers[face];
             const scene::View& view = hemicube.views[face];
+            if (!buffer.seen[number + 1]) continue;
             find_region(facet, view, face == 0, region);
             if (region.spans.empty()) continue;
             const std::vector<double>& pixels = face == 0 ? delta.top : delta.side;
