@@ -138,7 +138,9 @@ void check(const HiddenOptions& options) {
     if (exercises && !options.picture.scene.empty())
         throw UsageError("SCENE: --quiz makes its own scenes and --grade needs none; expected no SCENE");
     if (!exercises && options.picture.scene.empty())
-        throw UsageError("SCENE is required; expected a TOML scene or a Wavefront OBJ file");
+        throw UsageError(
+            "SCENE is required; expected a TOML scene or a Wavefront OBJ file, or --quiz DIR or --grade KEY "
+            "ANSWERS");
     if (!options.marked.empty() && options.fragments.empty())
         throw UsageError("--marked shows mistakes; expected --fragments FILE.csv");
     if (!options.steps.empty() && options.algorithm.empty())
