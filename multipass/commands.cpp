@@ -35,6 +35,8 @@ public:
         list_->add(SetState{state});
         last_ = state;
     }
+    /// Others have set it.
+    void forget() { last_.reset(); }
 
 private:
     CommandList* list_;
@@ -119,15 +121,21 @@ void add_step(CommandList& list, const Stage& stage, const Step& step, const Fra
         states.set(all);
         list.add(Clear{.planes = step.pass.clear, .color = vec4(rules.background, 1)});
     }
-    if (rules.one_winner && is_additive(step.pass) && step.pass.objects != PassObjects::Translucent) {
-        add_one_winner_step(list, stage, step, rules.stencil_bits);
-        return;
+    const bool one_winner =
+        rules.one_winner && is_additive(step.pass) && step.pass.objects != PassObjects::Translucent;
+    const bool by_ties = one_winner && rules.tied && can_leave_ties_out(stage, step, rules.stencil_bits);
+    if (one_winner && !by_ties) return add_one_winner_step(list, stage, step, rules.stencil_bits);
+    if (by_ties) {
+        mark_ties(list, stage, *rules.tied, rules.stencil_bits);
+        state.stencil = beside_ties(state.stencil, rules.stencil_bits);
+        states.forget();
     }
     for (const Portion& portion : portions(stage, step)) {
         state.texture = lookup_of(stage, step, portion.part);
         states.set(state);
         list.add(draw_of(stage, step, portion));
     }
+    if (by_ties) draw_ties(list, stage, step, *rules.tied, rules.stencil_bits);
 }
 
 }  // namespace gw::multipass

@@ -6,6 +6,7 @@
 #include "gw/profile.h"
 #include "multipass/schedule.h"
 #include "multipass/stage.h"
+#include "multipass/tied_pixels.h"
 
 namespace gw::multipass {
 
@@ -14,6 +15,8 @@ struct FrameRules {
     vec3 background{0, 0, 0};
     /// One winner per pixel where faces coincide, by a bit of the stencil: see one_winner.h.
     bool one_winner = false;
+    /// Where they coincide; null: not known, it may be everywhere.
+    const TiedPixels* tied = nullptr;
     int stencil_bits = 8;
     /// White images that the accumulation buffer holds.
     int most_images = 128;

@@ -9,14 +9,36 @@
 #include "scene/scene.h"
 #include "scene/view.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace gw::multipass {
 
-/// Draws the scene; the picture is in the machine's colour plane afterwards. The view is as large as the
-/// machine's window. Says how many pictures were superposed, in how many groups. Throws Error where the
-/// profile cannot do what is asked for.
+/// A scene drawn from one view after the other. What the view does not decide is made once: meshes of maps,
+/// shadow volumes, shadow maps.
+class Drawer {
+public:
+    /// The machine must outlive it.
+    Drawer(Machine& machine, scene::Scene scene, const Options& options);
+    Drawer(const Drawer&) = delete;
+    ~Drawer();
+
+    /// The picture is in the machine's colour plane afterwards. The view is as large as the machine's window.
+    /// Says how many pictures were superposed, in how many groups. Throws Error where the profile cannot do
+    /// what is asked for.
+    Superposition draw(const scene::View& view);
+
+private:
+    struct Ready;
+    Machine& machine_;
+    scene::Scene scene_;
+    Options options_;
+    PassList passes_;
+    std::unique_ptr<Ready> ready_;
+};
+
+/// One view.
 Superposition render(Machine& machine, const scene::Scene& scene, const scene::View& view,
                      const Options& options);
 

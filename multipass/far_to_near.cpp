@@ -1,6 +1,8 @@
 // Sort, then cut into runs.
 #include "multipass/far_to_near.h"
 
+#include "multipass/portion.h"
+
 #include <algorithm>
 
 namespace gw::multipass {
@@ -24,34 +26,6 @@ void add_triangles(std::vector<Placed>& all, const Stage& stage, std::size_t ind
     }
 }
 
-/// Some triangles of a mesh, in this order.
-MeshRef pick(const Mesh& mesh, std::span<const Placed> run) {
-    const MeshData& from = mesh.data();
-    MeshData to;
-    const auto copy = [](const auto& source, auto& target, std::uint32_t i) {
-        if (!source.empty()) target.push_back(source[i]);
-    };
-    for (const Placed& p : run)
-        for (const std::uint32_t v : mesh.triangles()[p.triangle].vertex) {
-            to.positions.push_back(from.positions[v]);
-            copy(from.normals, to.normals, v);
-            copy(from.texcoords, to.texcoords, v);
-            copy(from.colors, to.colors, v);
-        }
-    return make_mesh(std::move(to));
-}
-
-Portion portion_of(const Part& part, std::span<const Placed> run) {
-    Portion portion{.part = run.front().part};
-    const auto add = [&](const MeshRef& mesh) {
-        if (portion.of(mesh) == mesh) portion.meshes.emplace_back(mesh, pick(*mesh, run));
-    };
-    add(part.mesh);
-    for (const auto& maps : part.maps)
-        for (const MappedMesh& map : maps) add(map.mesh);
-    return portion;
-}
-
 }  // namespace
 
 std::vector<Portion> far_to_near(const Stage& stage) {
@@ -66,7 +40,9 @@ std::vector<Portion> far_to_near(const Stage& stage) {
     for (auto first = all.begin(); first != all.end();) {
         const auto last =
             std::find_if(first, all.end(), [&](const Placed& p) { return p.part != first->part; });
-        portions.push_back(portion_of(parts[first->part], {first, last}));
+        std::vector<std::uint32_t> triangles;
+        for (auto p = first; p != last; ++p) triangles.push_back(p->triangle);
+        portions.push_back(portion_of(stage, first->part, triangles));
         first = last;
     }
     return portions;

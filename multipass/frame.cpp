@@ -8,14 +8,35 @@
 namespace gw::multipass {
 namespace {
 
-void add_shadow(CommandList& list, const Frame& frame, const Step& step) {
+/// Whether Z is, at step `end`, that of all bodies that cast shadows: the first step cleared it and drew all
+/// of each, and no later one cleared it.
+bool holds_casting_bodies(const Frame& frame, std::size_t end) {
+    const Pass& first = frame.steps.front().pass;
+    const bool draws_all = first.action == PassAction::Draw && first.depth.test && first.depth.mask &&
+                           first.depth.func == DepthFunc::Less && !first.stencil.test &&
+                           (first.clear & mask_of(Plane::Depth)) != 0 &&
+                           !frame.stage.state.clip_planes[0].enable;
+    const auto& parts = frame.stage.model->parts;
+    const auto clears = [](const Step& s) { return (s.pass.clear & mask_of(Plane::Depth)) != 0; };
+    return draws_all &&
+           std::none_of(frame.steps.begin() + 1, frame.steps.begin() + std::ptrdiff_t(end), clears) &&
+           std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
+               return part.translucent || concerns(frame.steps.front(), part, *frame.stage.model);
+           });
+}
+
+void add_shadow(CommandList& list, const Frame& frame, std::size_t index) {
+    const Step& step = frame.steps[index];
     const std::string name = name_of(step, *frame.stage.model);
     const std::size_t light = *step.light;
     if (frame.stage.model->scene->lights[light].shadow == scene::Shadow::Map)
         add_shadow_mask(list, frame.stage, name, frame.shadows.masks[light]);
     else
         add_shadow_volumes(list, frame.stage, name, frame.shadows.volumes[light],
-                           {frame.rules.stencil_bits, frame.rules.one_winner, frame.shadows.one_by_one});
+                           {.stencil_bits = frame.rules.stencil_bits,
+                            .in_front = holds_casting_bodies(frame, index),
+                            .zero_or_one = frame.rules.one_winner,
+                            .one_by_one = frame.shadows.one_by_one});
 }
 
 /// The frame buffer into the accumulation buffer. After every `most` images, as many as it holds, the sum so
@@ -64,7 +85,7 @@ CommandList commands(const Frame& frame, std::size_t first, std::size_t last) {
                 drawn = drawn || draws(step, model);
                 add_step(list, frame.stage, step, frame.rules);
                 break;
-            case PassAction::Shadow: add_shadow(list, frame, step); break;
+            case PassAction::Shadow: add_shadow(list, frame, i); break;
             case PassAction::Add:
                 if (drawn) add_image(list, name_of(step, model), image++, frame.rules.most_images);
                 drawn = false;

@@ -27,6 +27,7 @@ struct Options {
     Trace trace;  ///< empty: passes of PassAction::Trace add nothing
     int samples =
         1;  ///< superposed pictures, at least; a scene's soft lights, lens, motion and glare may ask for more
+    bool weighted = false;  ///< their mean by tent_weights [K4a]
 };
 
 }  // namespace gw::multipass

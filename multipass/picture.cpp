@@ -37,19 +37,13 @@ bool uses_stencil(const std::vector<Step>& steps, std::size_t end) {
                        [](const Step& s) { return s.pass.stencil.test && !keeps_stencil(s.pass.stencil); });
 }
 
-bool has_coincident_faces(Machine& machine, const Stage& stage) {
-    machine.execute(count_winners(stage));
-    return surplus_winners(std::span(machine.passes()).last(2)) > 0;
-}
-
 }  // namespace
 
-Picture::Picture(Machine& machine, const scene::Scene& scene, const scene::View& view, PassList passes,
-                 const Options& options, const vec3& background)
+Picture::Picture(Machine& machine, const scene::Scene& scene, PassList passes, const Options& options,
+                 const vec3& background)
     : machine_(machine),
       still_(scene),
       now_(scene),
-      view_(view),
       options_(options),
       background_(background),
       model_(make_model(now_)),
@@ -57,10 +51,10 @@ Picture::Picture(Machine& machine, const scene::Scene& scene, const scene::View&
       topologies_(topologies(model_)),
       shadows_(find_volumes(model_, topologies_)) {}
 
-void Picture::move(const Sample& sample) {
+void Picture::move(const scene::View& view, const Sample& sample) {
     move_to(now_, still_, sample);
     if (moves(still_)) shadows_ = find_volumes(model_, topologies_);
-    stage_ = staged(model_, view_at(view_, sample), shadows_);
+    stage_ = staged(model_, view_at(view, sample), shadows_);
     stage_.state.jitter = jitter_of(sample, machine_.profile().subpixel_bits);
     for (std::size_t i = 0; i < stage_.glare.size(); ++i)
         if (const auto& glare = now_.objects[i].glare) stage_.glare[i] = glare_displacement(*glare, sample);
@@ -70,8 +64,8 @@ void Picture::move(const Sample& sample) {
         traced_ = options_.trace(machine_, now_, stage_.view, stage_.state.jitter);
 }
 
-void Picture::draw(const Sample& sample) {
-    move(sample);
+void Picture::draw(const scene::View& view, const Sample& sample) {
+    move(view, sample);
     shadows_.one_by_one = false;
     if (attempt()) return;
     shadows_.one_by_one = true;
@@ -96,17 +90,28 @@ bool Picture::attempt() {
     frame.rules.one_winner = options_.one_winner == OneWinner::Always;
     frame.rules.stencil_bits = machine_.profile().stencil_bits;
     frame.rules.most_images = most_pictures(machine_.profile());
+    TiedPixels tied;
     std::size_t next = 0;
     if (wants_count()) {
         next = end_of_depth(steps_);
-        run(frame, 0, next);
-        frame.rules.one_winner = has_coincident_faces(machine_, stage_);
+        count_winners_of(frame, next, tied);
     }
     const LayerSteps layers = layer_steps(steps_);
     run(frame, next, layers.first);
     run_layers(frame, layers);
     run(frame, layers.last, steps_.size());
     return !any_overflow(std::span(machine_.passes()).subspan(before));
+}
+
+/// Draws the steps before `end` and says to the frame's rules what the count finds.
+void Picture::count_winners_of(Frame& frame, std::size_t end, TiedPixels& tied) {
+    CommandList list = commands(frame, 0, end);
+    list.append(count_winners(stage_));
+    machine_.execute(list);
+    frame.rules.one_winner = surplus_winners(std::span(machine_.passes()).last(2)) > 0;
+    if (!frame.rules.one_winner || !can_mark_ties(stage_, frame.rules.stencil_bits)) return;
+    tied = tied_pixels(stage_, machine_.readbacks().at(winners_key).values);
+    frame.rules.tied = &tied;
 }
 
 void Picture::run(const Frame& frame, std::size_t first, std::size_t last) {

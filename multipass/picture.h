@@ -7,6 +7,7 @@
 #include "multipass/frame.h"
 #include "multipass/options.h"
 #include "multipass/samples.h"
+#include "multipass/tied_pixels.h"
 
 #include <functional>
 #include <string>
@@ -17,19 +18,20 @@ namespace gw::multipass {
 class Picture {
 public:
     /// Refers to the machine and the scene, which must outlive it.
-    Picture(Machine& machine, const scene::Scene& scene, const scene::View& view, PassList passes,
-            const Options& options, const vec3& background);
+    Picture(Machine& machine, const scene::Scene& scene, PassList passes, const Options& options,
+            const vec3& background);
     Picture(const Picture&) = delete;
 
     /// Images that each frame adds in the accumulation buffer.
     int images() const { return images_of(steps_); }
 
-    /// Draws the frame of one sample.
-    void draw(const Sample& sample);
+    /// Draws the frame of one sample. The view is as large as the machine's window.
+    void draw(const scene::View& view, const Sample& sample);
 
 private:
-    void move(const Sample& sample);
+    void move(const scene::View& view, const Sample& sample);
     bool attempt();
+    void count_winners_of(Frame& frame, std::size_t end, TiedPixels& tied);
     void run(const Frame& frame, std::size_t first, std::size_t last);
     void run_layers(const Frame& frame, const LayerSteps& layers);
     bool wants_count() const;
@@ -37,7 +39,6 @@ private:
     Machine& machine_;
     const scene::Scene& still_;
     scene::Scene now_;  ///< at the sample's moment; the model refers to it
-    scene::View view_;
     Options options_;
     vec3 background_;
     Model model_;

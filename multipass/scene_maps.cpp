@@ -74,14 +74,11 @@ scene::View window_of(const scene::View& view, int x, int y, int width, int heig
 /// Draws views of one scene.
 struct Painter {
     Machine& machine;
-    const scene::Scene& s;
-    const Options& options;
-    PassList passes;
+    Picture& picture;
     std::string what;
 
     void draw_window(const scene::View& window) {
-        Picture picture(machine, s, window, passes, options, s.background);
-        superpose(machine, 1, picture.images(), [&](const Sample& sample) { picture.draw(sample); });
+        superpose(machine, 1, picture.images(), [&](const Sample& sample) { picture.draw(window, sample); });
     }
 
     const std::vector<Rgba>& read(const Rect& rect) {
@@ -116,7 +113,8 @@ CubePicture draw_around(Machine& machine, scene::Scene s, std::size_t index, int
     const PassList passes =
         options.passes ? *options.passes : passes_for(s, options.renderer, options.translucency);
     CubePicture around{.views = views_from(p, s, size * fineness)};
-    Painter painter{machine, s, options, passes, what};
+    Picture picture(machine, s, passes, options, s.background);
+    Painter painter{machine, picture, what};
     for (std::size_t face = 0; face < 6; ++face) around.colors[face] = painter.draw(around.views[face]);
     return around;
 }
@@ -131,13 +129,16 @@ bool looks_up(const scene::Scene& s, const Options& options) {
 
 }  // namespace
 
+bool has_scene_maps(const scene::Scene& s, const Options& options) {
+    return looks_up(s, options) &&
+           std::any_of(s.objects.begin(), s.objects.end(),
+                       [&](const scene::Object& item) { return size_of(s.materials[item.material]) > 0; });
+}
+
 scene::Scene with_scene_maps(Machine& machine, const scene::Scene& s, const scene::View& view,
                              const Options& options) {
     scene::Scene out = s;
-    const bool any = std::any_of(s.objects.begin(), s.objects.end(), [&](const scene::Object& item) {
-        return size_of(s.materials[item.material]) > 0;
-    });
-    if (!any || !looks_up(s, options)) return out;
+    if (!has_scene_maps(s, options)) return out;
     const scene::Scene shown = surroundings(s);
     for (std::size_t i = 0; i < s.objects.size(); ++i) {
         scene::Material material = s.materials[s.objects[i].material];

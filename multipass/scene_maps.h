@@ -10,6 +10,9 @@
 
 namespace gw::multipass {
 
+/// Whether the passes look up any generated map that is not filled in.
+bool has_scene_maps(const scene::Scene& scene, const Options& options);
+
 /// The scene with every generated map (scene::Map::from_scene) that the passes look up filled in; its objects
 /// have materials of their own then. The maps hold for views that look the same way as `view`. Left out of
 /// the six views: the object itself, generated maps of the others, glare, and superposition (one sample, in

@@ -1,14 +1,18 @@
 // The light's views, and drawing from them.
 #include "multipass/shadow_map.h"
 
+#include "gw/arithmetic.h"
 #include "gw/elementary.h"
+#include "gw/vertex.h"
 #include "multipass/catalogue.h"
 #include "multipass/commands.h"
 #include "multipass/stage.h"
 #include "scene/draw_commands.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace gw::multipass {
 namespace {
@@ -60,14 +64,61 @@ scene::View spot_view(const scene::Light& light, double near_plane, double far_p
     return view;
 }
 
-/// Z of the parts that cast shadows through a window whose lower left corner is at (x, y) of the map.
-void add_tile(CommandList& list, const Stage& whole, int x, int y) {
+/// Whether the box around a part surely lies outside a window of the view: beyond one of its sides, or of its
+/// near and far planes. In pixels the window is [x, x + width] x [y, y + height].
+struct PartBox {
+    std::array<dvec3, 8> corners;  ///< object space
+
+    explicit PartBox(const Mesh& mesh) {
+        constexpr double inf = std::numeric_limits<double>::infinity();
+        scene::Bounds b{dvec3(inf), dvec3(-inf), false};
+        for (const vec3& p : mesh.data().positions)
+            for (int k = 0; k < 3; ++k) {
+                b.low[k] = std::min(b.low[k], double(p[k]));
+                b.high[k] = std::max(b.high[k], double(p[k]));
+            }
+        for (int i = 0; i < 8; ++i) corners[std::size_t(i)] = corner(b, i);
+    }
+
+    bool misses(const dmat4& clip_from_object, const scene::View& view, const Rect& window) const {
+        // A pixel more than the window: vertices are snapped.
+        const auto ndc = [](double pixel, int size) { return 2 * pixel / size - 1; };
+        const double left = ndc(window.x - 1, view.width), bottom = ndc(window.y - 1, view.height),
+                     right = ndc(window.x + window.width + 1, view.width),
+                     top = ndc(window.y + window.height + 1, view.height);
+        std::array<int, 6> beyond{};
+        for (const dvec3& p : corners) {
+            const dvec4 c = transform(clip_from_object, dvec4(p, 1));
+            const std::array<bool, 6> out{c.x<left * c.w, c.x> right * c.w, c.y<bottom * c.w, c.y> top * c.w,
+                                          c.z<-c.w, c.z> c.w};
+            for (std::size_t k = 0; k < 6; ++k) beyond[k] += out[k];
+        }
+        return std::find(beyond.begin(), beyond.end(), 8) != beyond.end();
+    }
+};
+
+/// Z of the parts that cast shadows through a window of the map. False: there are none in it.
+bool add_tile(CommandList& list, const Stage& whole, const std::vector<PartBox>& boxes, const Rect& window) {
+    const Model& model = *whole.model;
+    Model seen{.scene = model.scene};
     Stage stage = whole;
-    stage.state.viewport = {-x, -y, whole.view.width, whole.view.height};
+    stage.eye_from_object.clear();
+    for (std::size_t i = 0; i < model.parts.size(); ++i) {
+        const dmat4& eye_from_object = whole.eye_from_object[i];
+        if (boxes[i].misses(product(whole.state.projection, eye_from_object), whole.view, window)) continue;
+        seen.parts.push_back(model.parts[i]);
+        stage.eye_from_object.push_back(eye_from_object);
+    }
+    stage.model = &seen;
+    stage.state.viewport = {-window.x, -window.y, whole.view.width, whole.view.height};
     Step step{.pass = depth_pass};
     step.pass.name = "light Z";
     step.pass.objects = PassObjects::Casting;
+    if (std::none_of(seen.parts.begin(), seen.parts.end(),
+                     [&](const Part& part) { return concerns(step, part, seen); }))
+        return false;
     add_step(list, stage, step, {});
+    return true;
 }
 
 /// Copies a tile that was read back into its map.
@@ -99,22 +150,25 @@ int shadow_map_size(int width, int height) {
 
 std::vector<ShadowMap> draw_shadow_maps(Machine& machine, const Model& model,
                                         const std::vector<scene::View>& views, int width, int height) {
+    std::vector<PartBox> boxes;
+    for (const Part& part : model.parts) boxes.emplace_back(*part.mesh);
+    const std::uint32_t farthest = max_of_bits(machine.profile().depth_bits);
     std::vector<ShadowMap> maps;
     for (const scene::View& view : views) {
         const Stage stage = make_stage(model, view);
         const int size = view.width;
         ShadowMap map{.view = view,
-                      .depth = std::vector<std::uint32_t>(std::size_t(size) * std::size_t(size))};
+                      .depth = std::vector<std::uint32_t>(std::size_t(size) * std::size_t(size), farthest)};
         CommandList list;
         std::vector<ivec2> tiles;
         for (int y = 0; y < size; y += height)
             for (int x = 0; x < size; x += width) {
-                add_tile(list, stage, x, y);
                 const Rect rect{0, 0, std::min(width, size - x), std::min(height, size - y)};
+                if (!add_tile(list, stage, boxes, {x, y, rect.width, rect.height})) continue;
                 list.add(Read{.key = std::uint32_t(tiles.size()), .plane = Plane::Depth, .rect = rect});
                 tiles.emplace_back(x, y);
             }
-        machine.execute(list);
+        if (!tiles.empty()) machine.execute(list);
         for (std::size_t i = 0; i < tiles.size(); ++i)
             take(map, machine.readbacks().at(std::uint32_t(i)), tiles[i].x, tiles[i].y);
         maps.push_back(std::move(map));

@@ -33,8 +33,8 @@ std::vector<scene::View> light_views(const scene::Light& light, const scene::Bou
 /// The side of the maps for a window: the power of two that is at least twice its longer side, at most 4096.
 int shadow_map_size(int width, int height);
 
-/// Draws the Z of all opaque parts from these views and reads it back, window by window where the maps are
-/// larger.
+/// Draws the Z of all parts that cast shadows from these views and reads it back, window by window where the
+/// maps are larger. Windows get the parts that may be in them; those without any are not drawn.
 std::vector<ShadowMap> draw_shadow_maps(Machine& machine, const Model& model,
                                         const std::vector<scene::View>& views, int width, int height);
 

@@ -1,13 +1,17 @@
 // Caps and sides.
 #include "multipass/shadow_volume.h"
 
+#include "gw/clip.h"
 #include "gw/elementary.h"
+#include "gw/vertex.h"
 #include "scene/draw_commands.h"
 
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace gw::multipass {
 namespace {
@@ -19,63 +23,112 @@ double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
 constexpr double corner_reach = 1.3;
 constexpr int most_splits = 24;
 
-/// Collects the surface's triangles.
-struct VolumeBuilder {
-    const LightInObject& light;
-    bool mirrored = false;
-    MeshData data{};
+/// Grows one of the two meshes. Each point of the topology becomes at most two of its vertices: one where it
+/// is, one moved away from the light.
+class VolumeBuilder {
+public:
+    VolumeBuilder(const Topology& topology, const LightInObject& light, bool mirrored)
+        : topology_(topology), light_(light), mirrored_(mirrored), ends_(topology.points.size()) {}
 
-    void triangle(const vec3& a, const vec3& b, const vec3& c) {
-        data.positions.insert(data.positions.end(), {a, mirrored ? c : b, mirrored ? b : c});
+    /// Corners of the topology's triangle, or of its other side.
+    void cap(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        const End& ea = end(a);
+        const End& eb = end(b);
+        const End& ec = end(c);
+        triangle(ea.near_vertex, eb.near_vertex, ec.near_vertex);
+        far_cap(ea, eb, ec, most_splits);
+    }
+    /// The front cap's border runs from a to b.
+    void side(std::uint32_t a, std::uint32_t b) {
+        const End& from = end(a);
+        side(from, end(b), most_splits);
+    }
+
+    MeshRef mesh() { return data_.indices.empty() ? nullptr : make_mesh(std::move(data_)); }
+
+private:
+    static constexpr std::uint32_t none = ~0u;
+    struct End {
+        vec3 p{0};
+        dvec3 from_light{0};
+        double distance = 0;
+        std::uint32_t near_vertex = none, far_vertex = none;
+    };
+
+    std::uint32_t vertex(const vec3& p) {
+        data_.positions.push_back(p);
+        return static_cast<std::uint32_t>(data_.positions.size() - 1);
+    }
+    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        data_.indices.insert(data_.indices.end(), {a, mirrored_ ? c : b, mirrored_ ? b : c});
     }
 
     /// The point moved away from the light.
-    vec3 moved(const vec3& v) const {
-        const dvec3 p(v);
-        if (light.directional) return vec3(p + light.position * (light.reach - dot3(light.position, p)));
-        const dvec3 d = p - light.position;
-        const double distance = length(d);
-        return distance > 0 ? vec3(light.position + d * (light.reach * corner_reach / distance)) : v;
+    vec3 moved(const End& e) const {
+        const dvec3 p(e.p);
+        if (light_.directional) return vec3(p + light_.position * (light_.reach - dot3(light_.position, p)));
+        return e.distance > 0
+                   ? vec3(light_.position + e.from_light * (light_.reach * corner_reach / e.distance))
+                   : e.p;
+    }
+    End end_at(const vec3& p) const {
+        End e{.p = p, .from_light = dvec3(p) - light_.position};
+        e.distance = length(e.from_light);
+        return e;
+    }
+    const End& end(std::uint32_t point) {
+        End& e = ends_[point];
+        if (e.near_vertex != none) return e;
+        e = end_at(topology_.points[point]);
+        e.near_vertex = vertex(e.p);
+        e.far_vertex = vertex(moved(e));
+        return e;
+    }
+    End middle(const End& a, const End& b) {
+        End m = end_at(vec3((dvec3(a.p) + dvec3(b.p)) * 0.5));
+        m.far_vertex = vertex(moved(m));
+        return m;
     }
 
     /// Whether the light sees a and b under more than 60 degrees.
-    bool is_wide(const vec3& a, const vec3& b) const {
-        if (light.directional) return false;
-        const dvec3 u = dvec3(a) - light.position, v = dvec3(b) - light.position;
-        return dot3(u, v) < 0.5 * length(u) * length(v);
+    bool is_wide(const End& a, const End& b) const {
+        return !light_.directional && dot3(a.from_light, b.from_light) < 0.5 * a.distance * b.distance;
     }
 
-    static vec3 middle(const vec3& a, const vec3& b) { return vec3((dvec3(a) + dvec3(b)) * 0.5); }
-
-    /// From the border a to b of the front cap to that of the far cap. A wide border is split, and what opens
-    /// between it and its halves is closed.
-    void side(const vec3& a, const vec3& b, int splits = most_splits) {
+    /// To the border of the far cap. A wide border is split, and what opens between it and its halves is
+    /// closed.
+    void side(const End& a, const End& b, int splits) {
         if (splits > 0 && is_wide(a, b)) {
-            const vec3 m = middle(a, b);
-            triangle(b, a, m);
+            End m = middle(a, b);
+            m.near_vertex = vertex(m.p);
+            triangle(b.near_vertex, a.near_vertex, m.near_vertex);
             side(a, m, splits - 1);
             side(m, b, splits - 1);
             return;
         }
-        const vec3 far_a = moved(a), far_b = moved(b);
-        triangle(b, a, far_a);
-        triangle(b, far_a, far_b);
+        triangle(b.near_vertex, a.near_vertex, a.far_vertex);
+        triangle(b.near_vertex, a.far_vertex, b.far_vertex);
     }
 
     /// The far cap over a, b, c, split as its borders are.
-    void far_cap(const vec3& a, const vec3& b, const vec3& c, int splits = most_splits) {
+    void far_cap(const End& a, const End& b, const End& c, int splits) {
         if (splits > 0 && (is_wide(a, b) || is_wide(b, c) || is_wide(c, a))) {
             if (is_wide(a, b)) return far_halves(a, b, c, splits);
             return is_wide(b, c) ? far_halves(b, c, a, splits) : far_halves(c, a, b, splits);
         }
-        triangle(moved(a), moved(c), moved(b));
+        triangle(a.far_vertex, c.far_vertex, b.far_vertex);
     }
-
-    void far_halves(const vec3& a, const vec3& b, const vec3& c, int splits) {
-        const vec3 m = middle(a, b);
+    void far_halves(const End& a, const End& b, const End& c, int splits) {
+        const End m = middle(a, b);
         far_cap(a, m, c, splits - 1);
         far_cap(m, b, c, splits - 1);
     }
+
+    const Topology& topology_;
+    const LightInObject& light_;
+    bool mirrored_;
+    std::vector<End> ends_;  ///< by point of the topology; without vertices those not met yet
+    MeshData data_{};
 };
 
 /// > 0: the light is on the front of the triangle.
@@ -125,6 +178,32 @@ dvec3 corner(const scene::Bounds& b, int i) {
     return {i & 1 ? b.high.x : b.low.x, i & 2 ? b.high.y : b.low.y, i & 4 ? b.high.z : b.low.z};
 }
 
+/// The near rectangle of a view, around, and a twentieth more on every side: snapping moves no vertex so far.
+std::array<dvec3, 4> near_rectangle(const dmat4& eye_from_object, const scene::View& view) {
+    const dmat4 object_from_clip = glm::inverse(view.clip_from_eye * eye_from_object);
+    const auto at = [&](double x, double y) {
+        const dvec4 p = object_from_clip * dvec4(1.1 * x, 1.1 * y, -1, 1);
+        return dvec3(p) / p.w;
+    };
+    return {at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)};
+}
+
+/// Whether nothing of the mesh is cut by the near or far plane, or by the guard band.
+bool is_whole(const MeshRef& mesh, const dmat4& clip_from_object, const scene::View& view) {
+    if (!mesh) return true;
+    const auto in_band = [](double ndc, int size) {
+        constexpr int room = 8;  // jitter and snapping
+        const double pixel = (ndc + 1) / 2 * size;
+        return pixel > guard_low + room && pixel < guard_high - room;
+    };
+    const auto& positions = mesh->data().positions;
+    return std::all_of(positions.begin(), positions.end(), [&](const vec3& p) {
+        const dvec4 c = transform(clip_from_object, dvec4(dvec3(p), 1));
+        return c.w > 0 && c.z > -c.w && c.z < c.w && in_band(c.x / c.w, view.width) &&
+               in_band(c.y / c.w, view.height);
+    });
+}
+
 double depth(const dmat4& eye_from_world, const dvec3& p) {
     return -(transform3(dmat3(eye_from_world), p).z + eye_from_world[3].z);
 }
@@ -153,28 +232,30 @@ LightInObject light_in_object(const scene::Light& light, const dmat4& world_from
     return out;
 }
 
-MeshRef shadow_volume(const Topology& t, const LightInObject& light, bool mirrored) {
+ShadowVolume shadow_volume(const Topology& t, const LightInObject& light, bool mirrored) {
+    ShadowVolume volume{.light = light};
     const std::vector<int> part = front_cap(t, light);
-    VolumeBuilder volume{light, mirrored};
+    VolumeBuilder caps(t, light, mirrored);
     for (std::size_t i = 0; i < part.size(); ++i) {
-        if (part[i] == 0) continue;
-        const vec3 &a = t.points[t.triangles[i][0]], &b = t.points[t.triangles[i][part[i] > 0 ? 1 : 2]],
-                   &c = t.points[t.triangles[i][part[i] > 0 ? 2 : 1]];
-        volume.triangle(a, b, c);
-        volume.far_cap(a, b, c);
+        const auto& [a, b, c] = t.triangles[i];
+        if (part[i] > 0) caps.cap(a, b, c);
+        if (part[i] < 0) caps.cap(a, c, b);
     }
+    VolumeBuilder sides(t, light, mirrored);
     const std::vector<int> net = border(t, part);
     for (std::size_t e = 0; e < net.size(); ++e)
         for (int n = std::abs(net[e]); n > 0; --n)
-            net[e] > 0 ? volume.side(t.points[t.edges[e].from], t.points[t.edges[e].to])
-                       : volume.side(t.points[t.edges[e].to], t.points[t.edges[e].from]);
-    return volume.data.positions.empty() ? nullptr : make_mesh(std::move(volume.data));
+            net[e] > 0 ? sides.side(t.edges[e].from, t.edges[e].to)
+                       : sides.side(t.edges[e].to, t.edges[e].from);
+    volume.caps = caps.mesh();
+    volume.sides = sides.mesh();
+    return volume;
 }
 
-std::vector<MeshRef> shadow_volumes(const Model& model, const std::vector<Topology>& topologies,
-                                    std::size_t light) {
+std::vector<ShadowVolume> shadow_volumes(const Model& model, const std::vector<Topology>& topologies,
+                                         std::size_t light) {
     const scene::Bounds bounds = scene::bounds(*model.scene);
-    std::vector<MeshRef> volumes(model.parts.size());
+    std::vector<ShadowVolume> volumes(model.parts.size());
     for (std::size_t i = 0; i < volumes.size(); ++i) {
         if (model.parts[i].translucent || !model.parts[i].object->casts_shadow) continue;
         const dmat4& placement = model.parts[i].object->world_from_object;
@@ -185,16 +266,27 @@ std::vector<MeshRef> shadow_volumes(const Model& model, const std::vector<Topolo
     return volumes;
 }
 
-scene::View enclosing(scene::View view, const Model& model, const std::vector<MeshRef>& volumes) {
+scene::View enclosing(scene::View view, const Model& model, const std::vector<ShadowVolume>& volumes) {
     double farthest = 0;
     for (std::size_t i = 0; i < volumes.size(); ++i) {
-        if (!volumes[i]) continue;
         const dmat4 eye_from_object = scene::placed(*model.parts[i].object, view).eye_from_object;
-        for (const vec3& p : volumes[i]->data().positions)
-            farthest = std::max(farthest, depth(eye_from_object, dvec3(p)));
+        for (const MeshRef& mesh : {volumes[i].caps, volumes[i].sides})
+            if (mesh)
+                for (const vec3& p : mesh->data().positions)
+                    farthest = std::max(farthest, depth(eye_from_object, dvec3(p)));
     }
     if (farthest < view.camera.far_plane) return view;
     return scene::with_planes(view, view.camera.near_plane, farthest * 1.001);
+}
+
+bool is_outside(const ShadowVolume& volume, const dmat4& eye_from_object, const scene::View& view) {
+    const LightInObject& light = volume.light;
+    for (const dvec3& p : near_rectangle(eye_from_object, view)) {
+        const double reached = light.directional ? dot3(light.position, p) : length(p - light.position);
+        if (!(reached < light.reach)) return false;
+    }
+    const dmat4 clip_from_object = product(view.clip_from_eye, eye_from_object);
+    return is_whole(volume.caps, clip_from_object, view) && is_whole(volume.sides, clip_from_object, view);
 }
 
 }  // namespace gw::multipass

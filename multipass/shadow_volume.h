@@ -27,16 +27,26 @@ struct LightInObject {
 LightInObject light_in_object(const scene::Light& light, const dmat4& world_from_object,
                               const scene::Bounds& bounds);
 
-/// The volume's surface, counter-clockwise from outside; null where nothing faces the light. Its front cap
-/// has the very positions of the mesh, so that it has the same Z.
-MeshRef shadow_volume(const Topology& topology, const LightInObject& light, bool mirrored);
+/// The volume's surface, counter-clockwise from outside, in two meshes that are closed together.
+struct ShadowVolume {
+    MeshRef caps;   ///< null: nothing faces the light. The front cap has the very positions of the mesh, so
+                    ///< that it has the same Z
+    MeshRef sides;  ///< null: the front cap has no border
+    LightInObject light;
+};
+ShadowVolume shadow_volume(const Topology& topology, const LightInObject& light, bool mirrored);
 
-/// The volumes of all opaque parts in one light; null for those that cast none. Translucent parts cast no
-/// shadow.
-std::vector<MeshRef> shadow_volumes(const Model& model, const std::vector<Topology>& topologies,
-                                    std::size_t light);
+/// The volumes of all opaque parts in one light, by part; without caps those that cast none. Translucent
+/// parts cast no shadow.
+std::vector<ShadowVolume> shadow_volumes(const Model& model, const std::vector<Topology>& topologies,
+                                         std::size_t light);
 
 /// The view with its far plane moved behind these volumes: they must not be cut there.
-scene::View enclosing(scene::View view, const Model& model, const std::vector<MeshRef>& volumes);
+scene::View enclosing(scene::View view, const Model& model, const std::vector<ShadowVolume>& volumes);
+
+/// Whether the sides alone tell what is in the volume. No plane or guard band cuts its surface, so that its
+/// faces add up to 0 on every pixel exactly, and the eye is outside; and the near rectangle, with a little
+/// around it, is on this side of the far cap, so that no cap lies before anything of the scene.
+bool is_outside(const ShadowVolume& volume, const dmat4& eye_from_object, const scene::View& view);
 
 }  // namespace gw::multipass

@@ -1,8 +1,6 @@
 // One entry per light.
 #include "multipass/shadows.h"
 
-#include "multipass/shadow_volume.h"
-
 #include <algorithm>
 #include <optional>
 

@@ -6,6 +6,7 @@
 #include "gw/mesh.h"
 #include "multipass/model.h"
 #include "multipass/shadow_map.h"
+#include "multipass/shadow_volume.h"
 #include "multipass/topology.h"
 #include "scene/view.h"
 
@@ -16,10 +17,10 @@ namespace gw::multipass {
 
 /// By light; empty for a light without that kind of shadow.
 struct Shadows {
-    std::vector<std::vector<MeshRef>> volumes;      ///< by part
-    std::vector<std::vector<ShadowMap>> maps;       ///< drawn once, serve every view
-    std::vector<std::vector<std::uint32_t>> masks;  ///< by pixel of the view: 0 where the light arrives
-    bool one_by_one = false;                        ///< volumes are counted one by one
+    std::vector<std::vector<ShadowVolume>> volumes;  ///< by part
+    std::vector<std::vector<ShadowMap>> maps;        ///< drawn once, serve every view
+    std::vector<std::vector<std::uint32_t>> masks;   ///< by pixel of the view: 0 where the light arrives
+    bool one_by_one = false;  ///< volumes are counted one by one, all of them behind what is seen
 };
 
 /// The topology of every part's mesh (each mesh worked out once); empty where no light casts a volume.

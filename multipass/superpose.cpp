@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <numeric>
 #include <vector>
 
 namespace gw::multipass {
@@ -67,9 +69,36 @@ Superposition superposition(const Profile& profile, int count, int images) {
     return {(count + groups - 1) / groups * groups, groups};
 }
 
+std::vector<int> tent_weights(int count, int subpixel_bits, int most) {
+    if (count > most)
+        throw Error(fmt::format("{} weighted pictures; the profile holds {} at most", count, most));
+    const int grid = 1 << subpixel_bits;
+    const auto height = [&](int offset) { return grid - std::abs(2 * offset + 1) + 1; };
+    std::vector<std::int64_t> tent;
+    for (int k = 0; k < count; ++k) {
+        const JitterState j = jitter_of({std::size_t(k), std::size_t(count)}, subpixel_bits);
+        tent.push_back(std::int64_t(height(j.x)) * height(j.y));
+    }
+    // As large as fits: the tent scaled down by its sum over `room`.
+    const std::int64_t sum = std::accumulate(tent.begin(), tent.end(), std::int64_t{0});
+    std::vector<int> weights(tent.size());
+    for (std::int64_t room = std::min<std::int64_t>(most, sum);; --room) {
+        for (std::size_t k = 0; k < tent.size(); ++k)
+            weights[k] = int(std::max<std::int64_t>(1, tent[k] * room / sum));
+        if (std::accumulate(weights.begin(), weights.end(), 0) <= most) return weights;
+    }
+}
+
+std::vector<int> weights_of(int samples, bool weighted, const Profile& profile) {
+    if (!weighted || samples < 2) return {};
+    return tent_weights(samples, profile.subpixel_bits, most_pictures(profile));
+}
+
 Superposition superpose(Machine& machine, int count, int images,
-                        const std::function<void(const Sample&)>& draw) {
+                        const std::function<void(const Sample&)>& draw, const std::vector<int>& weights) {
     const Superposition s = superposition(machine.profile(), count, images);
+    if (!weights.empty() && (s.groups > 1 || images > 0))
+        throw Error("pictures with weights fit in one sum only; expected fewer samples, and no glare");
     const int group = s.samples / s.groups;
     if (s.samples == 1 && images == 0) {
         draw({});
@@ -80,9 +109,11 @@ Superposition superpose(Machine& machine, int count, int images,
         clear_sum(machine);
         for (int k = g * group; k < (g + 1) * group; ++k) {
             draw({std::size_t(k), std::size_t(s.samples)});
-            if (images == 0) accumulate(machine, "accumulate", AccumOp::Accum, 1);
+            const float weight = weights.empty() ? 1 : float(weights[std::size_t(k)]);
+            if (images == 0) accumulate(machine, "accumulate", AccumOp::Accum, weight);
         }
-        accumulate(machine, "return", AccumOp::Return, 1.0f / float(group));
+        const int sum = weights.empty() ? group : std::accumulate(weights.begin(), weights.end(), 0);
+        accumulate(machine, "return", AccumOp::Return, 1.0f / float(sum));
         if (s.groups > 1) means.push_back(read_picture(machine));
     }
     if (s.groups > 1) average(machine, means);

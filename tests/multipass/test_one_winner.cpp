@@ -2,6 +2,7 @@
 #include "multipass/one_winner.h"
 
 #include "multipass/driver.h"
+#include "multipass/tied_pixels.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -75,6 +76,42 @@ TEST(OneWinner, ChangesNothingWhereNothingCoincides) {
     const scene::Scene s = two_squares();
     EXPECT_EQ(draw(s, OneWinner::Always), draw(s, OneWinner::Never));
     EXPECT_EQ(draw(s, OneWinner::Auto), draw(s, OneWinner::Never));
+}
+
+/// The left square again, turned over, and half of the right one: ties on some pixels, in two parts.
+scene::Scene partly_doubled() {
+    scene::Scene s = two_squares();
+    s.objects.push_back(s.objects[0]);
+    MeshData half = s.objects[1].mesh->data();
+    half.indices.resize(3);
+    s.objects.push_back(s.objects[1]);
+    s.objects.back().mesh = make_mesh(half);
+    return s;
+}
+
+TEST(OneWinner, IsTheSameWithAndWithoutCareForOtherPixels) {
+    const scene::Scene s = partly_doubled();
+    const auto everywhere = draw(s, OneWinner::Always);
+    EXPECT_EQ(draw(s), everywhere);
+    EXPECT_EQ(draw(s), draw(two_squares()));
+    EXPECT_NE(draw(s, OneWinner::Never), everywhere);
+}
+
+TEST(OneWinner, TiedPixelsAreFoundWithTheTrianglesNearThem) {
+    const scene::Scene s = partly_doubled();
+    const scene::View view = scene::make_view(s, size, size);
+    const Model model = make_model(s);
+    const Stage stage = make_stage(model, view);
+    std::vector<std::uint32_t> winners(std::size_t(size) * size, 1);
+    EXPECT_TRUE(tied_pixels(stage, winners).spans.empty());
+    EXPECT_TRUE(tied_pixels(stage, winners).portions.empty());
+    winners[size + 3] = 2;
+    const TiedPixels tied = tied_pixels(stage, winners);
+    ASSERT_EQ(tied.spans.size(), 1u);
+    EXPECT_EQ(tied.spans[0], (Span{.x = 3, .y = 1, .length = 1}));
+    for (const Portion& portion : tied.portions)
+        EXPECT_LE(portion.of(model.parts[portion.part].mesh)->triangles().size(),
+                  model.parts[portion.part].mesh->triangles().size());
 }
 
 TEST(OneWinner, NeedsOneStencilBit) {

@@ -142,17 +142,70 @@ TEST(ShadowVolume, TooDeepForTheStencilIsCountedOneByOne) {
 
 TEST(ShadowVolume, FrontCapHasThePositionsOfTheMesh) {
     const MeshRef mesh = box_mesh();
-    const MeshRef volume =
+    const ShadowVolume volume =
         shadow_volume(topology(*mesh), {.directional = true, .position = {0, -1, 0}, .reach = 10}, false);
     // Two triangles of the lid, as many below, four sides of two.
-    EXPECT_EQ(volume->triangles().size(), 2u + 2u + 8u);
-    int on_lid = 0, far = 0;
-    for (const vec3& p : volume->data().positions) {
-        on_lid += p.y == 0.5f;
-        far += p.y == -10;
+    EXPECT_EQ(volume.caps->triangles().size(), 2u + 2u);
+    EXPECT_EQ(volume.sides->triangles().size(), 8u);
+    for (const MeshRef& part : {volume.caps, volume.sides}) {
+        int on_lid = 0, far = 0;
+        for (const vec3& p : part->data().positions) {
+            on_lid += p.y == 0.5f;
+            far += p.y == -10;
+        }
+        EXPECT_EQ(on_lid, 4);
+        EXPECT_EQ(far, 4);
     }
-    EXPECT_EQ(on_lid, 2 * 3 + 4 * 3);
-    EXPECT_EQ(far, 2 * 3 + 4 * 3);
+}
+
+/// The stencil plane of a frame's shadow, counted in front where that is allowed or behind everywhere.
+std::vector<std::uint8_t> shadow_stencil(const scene::Scene& s, bool in_front,
+                                         std::size_t* outside = nullptr) {
+    const Model model = make_model(s);
+    const Shadows shadows = find_volumes(model, topologies(model));
+    const scene::View view = enclosing(scene::make_view(s, window_width, window_height), model, shadows);
+    const Stage stage = make_stage(model, view);
+    CommandList list = frame_list(s, view, {depth_pass}, vec3(0));
+    add_shadow_volumes(list, stage, "shadow", shadows.volumes[0], {.in_front = in_front});
+    for (std::size_t i = 0; outside && i < model.parts.size(); ++i)
+        *outside +=
+            shadows.volumes[0][i].caps && is_outside(shadows.volumes[0][i], stage.eye_from_object[i], view);
+    const auto machine = make_reference(vgx(), window_width, window_height);
+    machine->execute(list);
+    return machine->planes().stencil;
+}
+
+TEST(ShadowVolume, CountedInFrontIsCountedBehind) {
+    std::size_t outside = 0, in_shadow = 0;
+    for (const MeshRef& mesh : {box_mesh(), open_box_mesh(), wings_mesh(),
+                                shape("torus", {{"segments", 12}, {"sides", 8}}), shape("torus_knot", {})})
+        for (const vec3& lamp : {vec3(0, 0, 0), vec3(1.5f, 3, 1), vec3(-4, 0.75f, 2), vec3(0.2f, 9, -3)}) {
+            Case c(mesh);
+            if (lamp != vec3(0)) c.lamp(lamp);
+            // Background above the floor, and in front of the far cap.
+            c.s.camera = scene::Camera{.eye = {-5, 1.5, 6}, .at = {0, 1, 0}, .fov = 50};
+            const auto behind = shadow_stencil(c.s, false);
+            EXPECT_EQ(shadow_stencil(c.s, true, &outside), behind) << lamp.x;
+            in_shadow +=
+                std::size_t(std::count_if(behind.begin(), behind.end(), [](int n) { return n > 0; }));
+        }
+    EXPECT_GT(in_shadow, 1000u);
+    EXPECT_GT(outside, 10u) << "else nothing was counted in front";
+}
+
+TEST(ShadowVolume, SidesAreEnoughForAnEyeThatSeesAllOfItFromThisSideOfItsFarCap) {
+    const ShadowVolume lamp =
+        shadow_volume(topology(*box_mesh()), {.position = {0, 4, 0}, .reach = 10}, false);
+    const auto outside = [&](const dvec3& eye, const dvec3& at) {
+        scene::Scene s;
+        s.camera = scene::Camera{.eye = eye, .at = at, .near_plane = 0.1, .far_plane = 100};
+        const scene::View view = scene::make_view(s, 16, 16);
+        return is_outside(lamp, view.eye_from_world, view);
+    };
+    EXPECT_TRUE(outside({0, 3, 8}, {0, 0, 0}));
+    EXPECT_FALSE(outside({0, -1, 0.1}, {0, -1, -5})) << "inside";
+    EXPECT_FALSE(outside({3, -1, 0}, {3, -1, -5})) << "beside it, but half of it is behind the near plane";
+    EXPECT_FALSE(outside({0, -30, 0.1}, {0, 0, 0})) << "the far cap is before the scene";
 }
 
 TEST(Topology, ClosedMeansBalanced) {

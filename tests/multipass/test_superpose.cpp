@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace gw::multipass {
@@ -149,6 +151,45 @@ TEST(Superpose, NeverOverflows) {
         for (const PassReport& pass : machine->passes())
             EXPECT_EQ(pass.counters.accum_overflows, 0u) << pass.name;
     }
+}
+
+TEST(TentWeights, AreIntegersThatFallFromTheCentreAndFit) {
+    for (const int count : {2, 5, 16, 64, 100, 128}) {
+        const std::vector<int> weights = tent_weights(count, 3, 128);
+        ASSERT_EQ(weights.size(), std::size_t(count));
+        EXPECT_LE(std::accumulate(weights.begin(), weights.end(), 0), 128) << count;
+        EXPECT_GE(*std::min_element(weights.begin(), weights.end()), 1);
+    }
+    const std::vector<int> weights = tent_weights(16, 3, 128);
+    const auto from_centre = [](std::size_t k) {
+        const JitterState j = jitter_of({k, 16}, 3);
+        return std::pair(std::abs(2 * j.x + 1), std::abs(2 * j.y + 1));
+    };
+    for (std::size_t a = 0; a < 16; ++a)
+        for (std::size_t b = 0; b < 16; ++b) {
+            const auto [ax, ay] = from_centre(a);
+            const auto [bx, by] = from_centre(b);
+            EXPECT_TRUE(!(ax <= bx && ay <= by) || weights[a] >= weights[b]);
+        }
+    EXPECT_GT(*std::max_element(weights.begin(), weights.end()), 4);
+    EXPECT_THROW(tent_weights(129, 3, 128), Error);
+}
+
+TEST(Superpose, TakesTheWeightedMean) {
+    const auto machine = make_reference(vgx(), 1, 1);
+    const std::vector<std::uint16_t> values{10, 200, 60};
+    const auto draw = [&](const Sample& sample) {
+        const std::uint16_t v = values[sample.index];
+        CommandList list;
+        list.add(SetState{});
+        list.add(WritePixels{.rect = {0, 0, 1, 1}, .colors = {Rgba{v, v, v, 255}}});
+        machine->execute(list);
+    };
+    superpose(*machine, 3, 0, draw, {1, 2, 4});
+    EXPECT_EQ(machine->planes().color[0][0], 93) << "(10 + 400 + 240) / 7 = 92.86";
+    superpose(*machine, 3, 0, draw);
+    EXPECT_EQ(machine->planes().color[0][0], 90);
+    EXPECT_THROW(superpose(*machine, 200, 0, draw, std::vector<int>(200, 1)), Error);
 }
 
 }  // namespace
