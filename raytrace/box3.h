@@ -1,33 +1,38 @@
-// Axis-aligned boxes of float32. Empty until something is added.
+// Axis-aligned boxes of float32, four numbers a corner so that they are met a vector at a time; the fourth is
+// not looked at. Empty until something is added.
 #pragma once
 
 #include "gw/types.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace gw::raytrace {
 
-struct Box3 {
-    vec3 low{std::numeric_limits<float>::infinity()};
-    vec3 high{-std::numeric_limits<float>::infinity()};
+struct alignas(16) Box3 {
+    float low[4], high[4];
 
+    Box3() {
+        for (int k = 0; k < 4; ++k) {
+            low[k] = std::numeric_limits<float>::infinity();
+            high[k] = -std::numeric_limits<float>::infinity();
+        }
+    }
     void add(const vec3& p) {
         for (int k = 0; k < 3; ++k) {
-            low[k] = std::min(low[k], p[k]);
-            high[k] = std::max(high[k], p[k]);
+            low[k] = p[k] < low[k] ? p[k] : low[k];
+            high[k] = p[k] > high[k] ? p[k] : high[k];
         }
     }
     void add(const Box3& b) {
-        for (int k = 0; k < 3; ++k) {
-            low[k] = std::min(low[k], b.low[k]);
-            high[k] = std::max(high[k], b.high[k]);
+        for (int k = 0; k < 4; ++k) {
+            low[k] = b.low[k] < low[k] ? b.low[k] : low[k];
+            high[k] = b.high[k] > high[k] ? b.high[k] : high[k];
         }
     }
     /// Half the surface; 0 of an empty one.
     float area() const {
-        const vec3 e(high.x - low.x, high.y - low.y, high.z - low.z);
-        return e.x < 0 ? 0 : (e.x * e.y + e.y * e.z) + e.z * e.x;
+        const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+        return x < 0 ? 0 : (x * y + y * z) + z * x;
     }
 };
 

@@ -24,7 +24,7 @@ struct Item {
 
 /// A node of the binary tree over items first .. last - 1; left = 0: a leaf.
 struct BinaryNode {
-    Box3 box;
+    Box3 box, centers;
     std::size_t first = 0, last = 0;
     int depth = 0;
     std::uint32_t left = 0, right = 0;
@@ -38,17 +38,13 @@ Item item_of(const HierarchyTriangle& t, std::size_t index) {
     return item;
 }
 
-struct Bounds2 {
-    Box3 box, centers;
-};
-
-Bounds2 bounds_of(const std::vector<Item>& items, std::size_t first, std::size_t last) {
-    Bounds2 b;
+BinaryNode node_over(const std::vector<Item>& items, std::size_t first, std::size_t last, int depth) {
+    BinaryNode node{.first = first, .last = last, .depth = depth};
     for (std::size_t i = first; i < last; ++i) {
-        b.box.add(items[i].box);
-        b.centers.add(items[i].center);
+        node.box.add(items[i].box);
+        node.centers.add(items[i].center);
     }
-    return b;
+    return node;
 }
 
 /// Where centres fall along an axis.
@@ -104,7 +100,8 @@ Split best_split(const std::vector<Item>& items, const BinaryNode& node, const B
         for (int axis = 0; axis < 3; ++axis) {
             const std::size_t a = std::size_t(axis);
             const auto bin = static_cast<std::size_t>(where[a].of(items[i].center[axis]));
-            histogram[a][bin].add({items[i].box, 1});
+            histogram[a][bin].box.add(items[i].box);
+            histogram[a][bin].count += 1;
         }
     Split best;
     for (int axis = 0; axis < 3; ++axis) {
@@ -132,17 +129,16 @@ bool halve(BinaryTree& tree, std::uint32_t index, std::vector<Item>& items) {
     const BinaryNode node = tree[index];
     const std::size_t count = node.last - node.first;
     if (count < 2) return false;
-    const Box3 centers = bounds_of(items, node.first, node.last).centers;
-    const Split split = node.depth < deepest / 2 ? best_split(items, node, centers) : Split{};
+    const Split split = node.depth < deepest / 2 ? best_split(items, node, node.centers) : Split{};
     const float area = node.box.area();
     const bool pays =
         std::isfinite(split.cost) && node_cost * area + split.cost < Sides{node.box, count}.cost();
     if (count <= std::size_t(width_of_tree) && !pays) return false;
-    const std::size_t middle = divide(items, node, centers, split);
+    const std::size_t middle = divide(items, node, node.centers, split);
     tree[index].left = static_cast<std::uint32_t>(tree.size());
     tree[index].right = tree[index].left + 1;
-    for (const auto& [first, last] : {std::pair(node.first, middle), std::pair(middle, node.last)})
-        tree.push_back({bounds_of(items, first, last).box, first, last, node.depth + 1});
+    tree.push_back(node_over(items, node.first, middle, node.depth + 1));
+    tree.push_back(node_over(items, middle, node.last, node.depth + 1));
     return true;
 }
 
@@ -174,7 +170,7 @@ void graft(BinaryTree& tree, std::uint32_t at, const BinaryTree& branch) {
 }
 
 BinaryTree binary_tree(std::vector<Item>& items, int threads) {
-    BinaryTree tree{{bounds_of(items, 0, items.size()).box, 0, items.size()}};
+    BinaryTree tree{node_over(items, 0, items.size(), 0)};
     std::vector<std::uint32_t> small;
     halve_all(tree, 0, items, large, &small);
     std::vector<BinaryTree> branches(small.size());

@@ -6,6 +6,8 @@
 #include "gw/vertex.h"
 #include "scene/pixel_rays.h"
 
+#include <algorithm>
+
 namespace gw::raytrace {
 namespace {
 
@@ -28,22 +30,19 @@ dvec3 color_at(const Frame& f, const scene::TrianglePoint& at, int x, int y, con
                RayCounts& counts) {
     const scene::WorldTriangles& triangles = f.tracer.world().triangles();
     Surface s = surface(triangles, at, normalized(ray.direction), f.view);
-    add_footprint(s, triangles, ray_of(f, x + 1, y), ray_of(f, x, y + 1));
-    const dvec3 color = f.tracer.local(s, counts) + f.tracer.traced(s, counts);
-    const double seen = seen_through_fog(f.scene, s.point.p, f.profile);
-    return f.scene.fog ? seen * color + (1 - seen) * dvec3(f.scene.fog->color) : color;
+    if (f.tracer.looks_up_maps(at.triangle))
+        add_footprint(s, triangles, ray_of(f, x + 1, y), ray_of(f, x, y + 1));
+    return seen_color(f.tracer, s, f.scene, f.profile, counts);
 }
 
-void trace_row(const Frame& f, int y, RaytracedPicture& picture, RayCounts& counts) {
-    for (int x = 0; x < f.view.width; ++x) {
-        const std::size_t i = std::size_t(y) * std::size_t(f.view.width) + std::size_t(x);
-        const Ray ray = ray_of(f, x, y);
-        ++counts.primary;
-        const auto at = f.tracer.world().nearest(ray, 1);
-        const dvec3 color = at ? color_at(f, *at, x, y, ray, counts) : dvec3(f.scene.background);
-        picture.ids[i] = at ? f.tracer.world().triangles().id_of(at->triangle) : 0;
-        picture.color[i] = stored(color, f.profile.color_bits);
-    }
+void trace_pixel(const Frame& f, int x, int y, RaytracedPicture& picture, RayCounts& counts) {
+    const std::size_t i = std::size_t(y) * std::size_t(f.view.width) + std::size_t(x);
+    const Ray ray = ray_of(f, x, y);
+    ++counts.primary;
+    const auto at = f.tracer.world().nearest(ray, 1);
+    const dvec3 color = at ? color_at(f, *at, x, y, ray, counts) : dvec3(f.scene.background);
+    picture.ids[i] = at ? f.tracer.world().triangles().id_of(at->triangle) : 0;
+    picture.color[i] = stored(color, f.profile.color_bits);
 }
 
 }  // namespace
@@ -63,8 +62,9 @@ RaytracedPicture raytraced_picture(const Tracer& tracer, const scene::Scene& sce
                       profile,
                       scene::PixelRays(view),
                       scene::place_in_pixel(jitter, profile.subpixel_bits)};
-    picture.counts = for_rows(view.height, tracer.options().threads,
-                              [&](int y, RayCounts& counts) { trace_row(frame, y, picture, counts); });
+    picture.counts =
+        for_pixels(view.width, view.height, tracer.options().threads,
+                   [&](int x, int y, RayCounts& counts) { trace_pixel(frame, x, y, picture, counts); });
     return picture;
 }
 
@@ -76,6 +76,14 @@ CommandList commands(const RaytracedPicture& picture, const scene::View& view) {
     return list;
 }
 
+dvec3 seen_color(const Tracer& tracer, const Surface& surface, const scene::Scene& scene,
+                 const Profile& profile, RayCounts& counts) {
+    const dvec3 color = tracer.local(surface, counts) + tracer.traced(surface, counts);
+    if (!scene.fog) return color;
+    const double seen = seen_through_fog(scene, surface.point.p, profile);
+    return seen * color + (1 - seen) * dvec3(scene.fog->color);
+}
+
 double seen_through_fog(const scene::Scene& scene, const dvec3& p_eye, const Profile& profile) {
     if (!scene.fog) return 1;
     const scene::Fog& fog = *scene.fog;
@@ -84,11 +92,18 @@ double seen_through_fog(const scene::Scene& scene, const dvec3& p_eye, const Pro
     return double(fog_factor(state, -p_eye.z, profile.color_bits)) / max_of_bits(profile.color_bits);
 }
 
-RayCounts for_rows(int height, int threads, const std::function<void(int, RayCounts&)>& body) {
-    std::vector<RayCounts> rows(static_cast<std::size_t>(height));
-    parallel_for(rows.size(), threads, [&](std::size_t y, int) { body(int(y), rows[y]); });
+RayCounts for_pixels(int width, int height, int threads,
+                     const std::function<void(int, int, RayCounts&)>& body) {
+    constexpr int side = 16;
+    const int columns = (width + side - 1) / side, rows = (height + side - 1) / side;
+    std::vector<RayCounts> squares(std::size_t(columns) * std::size_t(rows));
+    parallel_for(squares.size(), threads, [&](std::size_t i, int) {
+        const int x0 = int(i) % columns * side, y0 = int(i) / columns * side;
+        for (int y = y0; y < std::min(y0 + side, height); ++y)
+            for (int x = x0; x < std::min(x0 + side, width); ++x) body(x, y, squares[i]);
+    });
     RayCounts sum;
-    for (const RayCounts& row : rows) sum.add(row);
+    for (const RayCounts& square : squares) sum.add(square);
     return sum;
 }
 

@@ -25,11 +25,17 @@ RaytracedPicture raytraced_picture(const Tracer& tracer, const scene::Scene& sce
 /// The picture as a pixel rectangle, all tests off.
 CommandList commands(const RaytracedPicture& picture, const scene::View& view);
 
+/// What the eye sees of a surface: eq. 3, what is traced, and fog.
+dvec3 seen_color(const Tracer& tracer, const Surface& surface, const scene::Scene& scene,
+                 const Profile& profile, RayCounts& counts);
+
 /// 1 where nothing is lost in the scene's fog .. 0, at this eye-space point.
 double seen_through_fog(const scene::Scene& scene, const dvec3& p_eye, const Profile& profile);
 
-/// Calls body(y, counts) for every row on `threads` threads and sums the counts.
-RayCounts for_rows(int height, int threads, const std::function<void(int, RayCounts&)>& body);
+/// Calls body(x, y, counts) for every pixel on `threads` threads and sums the counts. Square by square:
+/// neighbouring rays meet the same nodes.
+RayCounts for_pixels(int width, int height, int threads,
+                     const std::function<void(int, int, RayCounts&)>& body);
 
 /// A colour as a frame buffer holds it: clamped, to nearest; alpha full.
 Rgba stored(const dvec3& color, int bits);

@@ -80,6 +80,15 @@ bool Tracer::is_traced(std::uint32_t triangle) const {
     return traced_[drawn_.objects[world_.triangles().object_of(triangle)].material].any();
 }
 
+const scene::Material& Tracer::drawn_material(std::uint32_t triangle) const {
+    return drawn_.materials[drawn_.objects[world_.triangles().object_of(triangle)].material];
+}
+
+bool Tracer::looks_up_maps(std::uint32_t triangle) const {
+    const scene::Material& m = drawn_material(triangle);
+    return !(m.map_Ka.empty() && m.map_Kd.empty() && m.map_Ks.empty() && m.map_Ke.empty());
+}
+
 dvec3 Tracer::local(const Surface& surface, RayCounts& counts) const { return shaded(surface, true, counts); }
 
 dvec3 Tracer::traced(const Surface& surface, RayCounts& counts) const {
@@ -122,11 +131,12 @@ dvec3 Tracer::far_away(const dvec3& direction, FarMaps far) const {
 dvec3 Tracer::shaded(const Surface& surface, bool by_rays, RayCounts& counts) const {
     ++counts.shaded;
     const std::size_t object = world_.triangles().object_of(surface.at.triangle);
-    const scene::Material& material = drawn_.materials[drawn_.objects[object].material];
+    const scene::Material& material = drawn_material(surface.at.triangle);
+    scene::MapColors maps(material, surface.point);
     dvec3 sum = scene::own_color(material, surface.point);
     const bool dull = material.Kd == vec3(0) && material.Ks == vec3(0);
     for (const LightSource& light : lights_of_[object])
-        sum += scene::light_color(material, light.eye, surface.point,
+        sum += scene::light_color(material, light.eye, surface.point, maps,
                                   !dull && arrives(light, surface, by_rays, counts) ? 1 : 0);
     return sum;
 }

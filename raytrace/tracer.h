@@ -43,6 +43,8 @@ public:
 
     /// Whether `traced` can be anything but black there.
     bool is_traced(std::uint32_t triangle) const;
+    /// Whether texture coordinates matter there.
+    bool looks_up_maps(std::uint32_t triangle) const;
 
 private:
     struct Path {
@@ -66,6 +68,8 @@ private:
     const scene::View& view_;
     scene::Scene drawn_;
     TraceOptions options_;
+    const scene::Material& drawn_material(std::uint32_t triangle) const;
+
     std::vector<scene::Material> materials_;  ///< as the scene has them: traced_ refers to their maps
     std::vector<TracedMaterial> traced_;      ///< by material
     std::vector<std::vector<LightSource>> lights_of_;  ///< by object

@@ -10,7 +10,7 @@
 
 namespace gw::raytrace {
 
-/// Refers to the scene's meshes, which must outlive it. Points and lines meet no ray.
+/// Points and lines meet no ray.
 class World {
 public:
     /// `threads` as in parallel_for.

@@ -7,6 +7,8 @@
 #include "scene/components.h"
 #include "scene/scene.h"
 
+#include <array>
+#include <optional>
 #include <span>
 
 namespace gw::scene {
@@ -32,9 +34,24 @@ dvec3 map_color(const Material& material, Component component, const SurfacePoin
 /// What sphere maps show in direction `d` (eye space, length 1), summed: what is far away.
 dvec3 far_color(std::span<const Map> maps, const dvec3& d);
 
+/// map_color of the components that lights have, each looked up at most once. Refers to both.
+class MapColors {
+public:
+    MapColors(const Material& material, const SurfacePoint& point) : material_(material), point_(point) {}
+    const dvec3& of(Component component);
+
+private:
+    const Material& material_;
+    const SurfacePoint& point_;
+    std::array<std::optional<dvec3>, components.size()> colors_;
+};
+
 /// One light's part: Ia Ka Mapa + arrives (Id Kd cos(theta) Mapd + Is Ks cos(alpha)^n Maps). [K3, K3.2]
 dvec3 light_color(const Material& material, const gw::Light& light, const SurfacePoint& point,
                   double arrives = 1);
+/// The same, for several lights at one point. `maps` are of the same material and point.
+dvec3 light_color(const Material& material, const gw::Light& light, const SurfacePoint& point,
+                  MapColors& maps, double arrives = 1);
 
 /// What needs no light: Ke, Ks Mape, and Tf times the refraction map.
 dvec3 own_color(const Material& material, const SurfacePoint& point);

@@ -28,58 +28,53 @@ Meeting meet_triangle(const std::array<dvec3, 3>& corner, const dvec3& o, const 
 
 dvec3 to_world(const dmat4& m, const vec3& v) { return transform3(dmat3(m), dvec3(v)) + dvec3(m[3]); }
 
-std::vector<dvec3> world_normals(const Object& object) {
-    const dmat3 m = glm::transpose(glm::inverse(dmat3(object.world_from_object)));
-    std::vector<dvec3> normals;
-    for (const vec3& n : object.mesh->data().normals) normals.push_back(normalized(transform3(m, dvec3(n))));
-    return normals;
-}
-
 }  // namespace
+
+void WorldTriangles::add_vertices(const Object& object) {
+    const MeshData& mesh = object.mesh->data();
+    const dmat3 m = glm::transpose(glm::inverse(dmat3(object.world_from_object)));
+    for (const vec3& p : mesh.positions) positions_.push_back(to_world(object.world_from_object, p));
+    for (const vec3& n : mesh.normals) normals_.push_back(normalized(transform3(m, dvec3(n))));
+    texcoords_.insert(texcoords_.end(), mesh.texcoords.begin(), mesh.texcoords.end());
+    normals_.resize(positions_.size(), dvec3(0));
+    texcoords_.resize(positions_.size(), vec2(0));
+}
 
 WorldTriangles::WorldTriangles(const Scene& scene) {
     const PolygonIds ids = polygon_ids(scene);
     first_.assign(std::size_t(ids.end) + 1, 0);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
-        Placed placed{object.mesh, size(), {}, world_normals(object)};
-        for (const vec3& p : object.mesh->data().positions)
-            placed.positions.push_back(to_world(object.world_from_object, p));
+        const auto vertex = static_cast<std::uint32_t>(positions_.size());
+        has_normals_.push_back(!object.mesh->data().normals.empty());
+        add_vertices(object);
         for (const Triangle& t : object.mesh->triangles()) {
             const std::uint32_t id = ids.first[i] + t.polygon;
-            places_.push_back({static_cast<std::uint32_t>(i), id});
+            places_.push_back({static_cast<std::uint32_t>(i),
+                               id,
+                               {vertex + t.vertex[0], vertex + t.vertex[1], vertex + t.vertex[2]}});
             ++first_[id + 1];
         }
-        objects_.push_back(std::move(placed));
     }
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
 }
 
-const Triangle& WorldTriangles::in_mesh(std::uint32_t triangle) const {
-    const Placed& object = objects_[object_of(triangle)];
-    return object.mesh->triangles()[triangle - object.first];
-}
-
 std::array<dvec3, 3> WorldTriangles::corners(std::uint32_t triangle) const {
-    const auto& p = objects_[object_of(triangle)].positions;
-    const auto& v = in_mesh(triangle).vertex;
-    return {p[v[0]], p[v[1]], p[v[2]]};
+    const auto& v = places_[triangle].vertex;
+    return {positions_[v[0]], positions_[v[1]], positions_[v[2]]};
 }
 
 std::array<dvec3, 3> WorldTriangles::normals(std::uint32_t triangle) const {
-    const auto& n = objects_[object_of(triangle)].normals;
-    const auto& v = in_mesh(triangle).vertex;
-    if (!n.empty()) return {n[v[0]], n[v[1]], n[v[2]]};
+    const auto& v = places_[triangle].vertex;
+    if (has_normals_[object_of(triangle)]) return {normals_[v[0]], normals_[v[1]], normals_[v[2]]};
     const auto corner = corners(triangle);
     const dvec3 plane = normalized(cross3(corner[1] - corner[0], corner[2] - corner[0]));
     return {plane, plane, plane};
 }
 
 std::array<dvec2, 3> WorldTriangles::texcoords(std::uint32_t triangle) const {
-    const auto& st = objects_[object_of(triangle)].mesh->data().texcoords;
-    const auto& v = in_mesh(triangle).vertex;
-    if (st.empty()) return {};
-    return {dvec2(st[v[0]]), dvec2(st[v[1]]), dvec2(st[v[2]])};
+    const auto& v = places_[triangle].vertex;
+    return {dvec2(texcoords_[v[0]]), dvec2(texcoords_[v[1]]), dvec2(texcoords_[v[2]])};
 }
 
 std::optional<TrianglePoint> WorldTriangles::meet(std::uint32_t id, const dvec3& o, const dvec3& d) const {

@@ -20,7 +20,6 @@ struct TrianglePoint {
     bool operator==(const TrianglePoint&) const = default;
 };
 
-/// Refers to the scene's meshes, which must outlive it.
 class WorldTriangles {
 public:
     explicit WorldTriangles(const Scene& scene);
@@ -29,7 +28,11 @@ public:
     std::uint32_t object_of(std::uint32_t triangle) const { return places_[triangle].object; }
     /// The identifier of its polygon: polygon_ids of scene/draw_commands.h, of meshes numbered without gaps.
     std::uint32_t id_of(std::uint32_t triangle) const { return places_[triangle].id; }
-    const Triangle& in_mesh(std::uint32_t triangle) const;
+    /// The first triangle of a polygon; none: no triangle has this identifier.
+    std::optional<std::uint32_t> first_of(std::uint32_t id) const {
+        if (std::size_t(id) + 1 >= first_.size() || first_[id] == first_[id + 1]) return std::nullopt;
+        return first_[id];
+    }
 
     std::array<dvec3, 3> corners(std::uint32_t triangle) const;
     /// Of length 1, or 0; the plane's where the mesh has none.
@@ -45,14 +48,14 @@ public:
 private:
     struct Place {
         std::uint32_t object = 0, id = 0;
+        std::array<std::uint32_t, 3> vertex{};  ///< of all objects' vertices, numbered through
     };
-    struct Placed {
-        MeshRef mesh;
-        std::uint32_t first = 0;  ///< triangle
-        std::vector<dvec3> positions, normals;
-    };
-    std::vector<Placed> objects_;
-    std::vector<Place> places_;         ///< by triangle
+    void add_vertices(const Object& object);
+
+    std::vector<bool> has_normals_;           ///< by object
+    std::vector<Place> places_;               ///< by triangle
+    std::vector<dvec3> positions_, normals_;  ///< by vertex, world space; 0 where a mesh has no normals
+    std::vector<vec2> texcoords_;
     std::vector<std::uint32_t> first_;  ///< triangle of each identifier; one more at the end
 };
 

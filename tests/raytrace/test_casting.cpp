@@ -83,6 +83,39 @@ TEST(InsideTests, DifferOnPolygonsThatCrossThemselvesAsDocumented) {
     EXPECT_TRUE(inside_by_angles({0.5, 0}, eight));
 }
 
+/// How often the polygon winds about p, in integers; none: p lies on a side.
+std::optional<int> winding_number(const dvec2& p, const std::vector<dvec2>& corners) {
+    int winding = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const dvec2 a = corners[i] - p, b = corners[(i + 1) % corners.size()] - p;
+        const auto cross = std::int64_t(a.x) * std::int64_t(b.y) - std::int64_t(a.y) * std::int64_t(b.x);
+        if (cross == 0 && a.x * b.x + a.y * b.y <= 0) return std::nullopt;
+        if (a.y < 0 && b.y >= 0 && cross > 0) ++winding;
+        if (a.y >= 0 && b.y < 0 && cross < 0) --winding;
+    }
+    return winding;
+}
+
+TEST(InsideTests, SayOfAnyPolygonWhatItsWindingNumberSays) {
+    std::mt19937 bits(9);
+    std::array<int, 4> seen{};  // winding 0, 1, 2, more
+    for (int trial = 0; trial < 400; ++trial) {
+        std::vector<dvec2> corners;
+        for (unsigned i = 0, n = 3 + bits() % 7; i < n; ++i) corners.emplace_back(bits() % 16, bits() % 16);
+        for (int x = 0; x < 16; ++x)
+            for (int y = 0; y < 16; ++y) {
+                const dvec2 p(x, y);
+                const auto winding = winding_number(p, corners);
+                if (!winding) continue;
+                ++seen[std::size_t(std::min(std::abs(*winding), 3))];
+                ASSERT_EQ(inside_by_crossings(p, corners), *winding % 2 != 0) << trial;
+                ASSERT_EQ(inside_by_angles(p, corners), *winding != 0) << trial;
+                ASSERT_TRUE(!inside_by_cross_products(p, corners) || *winding != 0) << trial;
+            }
+    }
+    EXPECT_GT(*std::min_element(seen.begin(), seen.begin() + 3), 200);
+}
+
 constexpr CastMethod methods[] = {CastMethod::BruteForce, CastMethod::BoundingVolumes, CastMethod::Hierarchy,
                                   CastMethod::Grid};
 
