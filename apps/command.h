@@ -36,6 +36,7 @@ Command add_maps(CLI::App& app);
 Command add_hidden(CLI::App& app);
 Command add_styles(CLI::App& app);
 Command add_cast(CLI::App& app);
+Command add_compare(CLI::App& app);
 Command add_figures(CLI::App& app);
 Command add_study(CLI::App& app);
 Command add_radiosity(CLI::App& app);

@@ -216,10 +216,15 @@ const std::vector<Figure>& figures() {
          "K4a",
          "Figures 7 and 8: polygons smaller than a pixel",
          "Needles of a sixth of a pixel reflect a bright wall. One item buffer finds them where a pixel's "
-         "centre happens to lie in one; 64, moved by less than a pixel, find them everywhere, in proportion "
-         "to their area.",
+         "centre happens to lie in one; adaptive sampling casts 64 rays where it sees a border, but only at "
+         "polygons that it has seen; 64 item buffers, moved by less than a pixel, find them everywhere, in "
+         "proportion to their area, in a simple mean or one by weights.",
          {{"render scenes/needles.toml -o @one.png", {{"one.png", "one item buffer"}}},
-          {"render scenes/needles.toml --samples 64 -o @many.png", {{"many.png", "64, averaged"}}}},
+          {"render scenes/needles.toml --renderer adaptive --samples 64 -o @adaptive.png",
+           {{"adaptive.png", "one, sampled adaptively"}}},
+          {"render scenes/needles.toml --samples 64 -o @many.png", {{"many.png", "64, averaged"}}},
+          {"render scenes/needles.toml --samples 64 --averaging weighted -o @weighted.png",
+           {{"weighted.png", "64, by integer weights"}}}},
          Size{320, 240}},
         {"water",
          "K4 L9",

@@ -88,6 +88,10 @@ void add_effect_options(CLI::App& command, PictureOptions& options) {
         std::map<std::string, scene::Shadow>{
             {"none", scene::Shadow::None}, {"volume", scene::Shadow::Volume}, {"map", scene::Shadow::Map}},
         options.shadow, "none, volume or map, for all lights that cast shadows (default: the scene's)");
+    add_choice(
+        command, "--averaging", std::map<std::string, bool>{{"simple", false}, {"weighted", true}},
+        options.weighted,
+        "Of --samples: simple (default), or with integer weights that fall towards the pixel's border");
 }
 
 void add_ray_options(CLI::App& command, PictureOptions& options) {
@@ -146,8 +150,8 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
 }
 
 void remove_pass_options(CLI::App& command) {
-    for (const char* option : {"--renderer", "--samples", "--translucency", "--shadow", "--reflections",
-                               "--depth", "--reflected-shadows"})
+    for (const char* option : {"--renderer", "--samples", "--averaging", "--translucency", "--shadow",
+                               "--reflections", "--depth", "--reflected-shadows"})
         command.remove_option(command.get_option(option));
 }
 
@@ -175,7 +179,9 @@ SceneWithPasses load_scene_with_passes(const PictureOptions& options) {
 scene::Scene load_scene(const PictureOptions& options) { return load_scene_with_passes(options).scene; }
 
 DrawOptions draw_options(const PictureOptions& options) {
-    DrawOptions draw{.passes = {.translucency = options.translucency, .samples = options.samples},
+    DrawOptions draw{.passes = {.translucency = options.translucency,
+                                .samples = options.samples,
+                                .weighted = options.weighted},
                      .rays = options.rays,
                      .traced = options.traced};
     draw.rays.threads = options.threads;
@@ -186,11 +192,12 @@ Profile load_profile(const PictureOptions& options) {
     const bool from_file = std::filesystem::path(options.profile).extension() == ".toml";
     const Profile profile = from_file ? scene::read_profile(options.profile)
                                       : profile_named(one_of("--profile", options.profile, profile_names()));
-    // Groups that fit, and as many groups.
-    const int most = multipass::most_pictures(profile) * multipass::most_pictures(profile);
+    // Groups that fit, and as many groups; with weights one.
+    const int group = multipass::most_pictures(profile), most = options.weighted ? group : group * group;
     if (options.samples > most) {
-        throw UsageError(fmt::format("--samples '{}': more than profile {} superposes; expected 1..{}",
-                                     options.samples, profile.name, most));
+        throw UsageError(fmt::format("--samples '{}': more than profile {} superposes{}; expected 1..{}",
+                                     options.samples, profile.name, options.weighted ? " with weights" : "",
+                                     most));
     }
     return profile;
 }

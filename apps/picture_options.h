@@ -27,6 +27,7 @@ struct PictureOptions {
     std::string machine;  ///< empty: the first of machines()
     int threads = 0;      ///< 0: all
     int samples = 1;
+    bool weighted = false;  ///< the samples' mean
     multipass::Translucency translucency = multipass::Translucency::Sorted;
     bool traced = true;  ///< illum 3 and up by rays
     itembuffer::Options rays;

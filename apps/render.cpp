@@ -4,6 +4,7 @@
 #include "apps/picture_options.h"
 #include "apps/progress.h"
 #include "apps/renderers.h"
+#include "apps/turntable.h"
 #include "gw/error.h"
 #include "image/write.h"
 
@@ -117,33 +118,13 @@ void check(const RenderOptions& options) {
         if (!file.empty()) image::check_target(file);
 }
 
-// "rings.png" becomes "rings_007.png".
-std::filesystem::path numbered(const std::filesystem::path& file, int number) {
-    std::filesystem::path name = file.stem();
-    name += fmt::format("_{:03}", number);
-    name += file.extension();
-    return file.parent_path() / name;
-}
-
-void render_turntable(const RenderOptions& options, Drawing& drawing, Progress& progress) {
-    const scene::Camera camera = *drawing.scene.camera;
-    const auto [first, last] = frames_of(options);
-    for (int number = first; number <= last; ++number) {
-        progress.at(fmt::format("drawing picture {} of {}", number, options.turntable));
-        drawing.scene.camera = scene::turntable(camera, 360.0 * (number - 1) / options.turntable);
-        FrameFiles files = options.files;
-        files.picture = numbered(files.picture, number);
-        draw_frame(drawing, files);
-    }
-}
-
 int render(const RenderOptions& options) {
     check(options);
     Progress progress("reading", options.picture.quiet);
     Drawing drawing = make_drawing(options.picture);
     progress.at("drawing");
     if (options.turntable > 0) {
-        render_turntable(options, drawing, progress);
+        draw_turntable(drawing, options.files, options.turntable, frames_of(options), progress);
     } else {
         draw_frame(drawing, options.files);
     }

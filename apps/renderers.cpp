@@ -1,6 +1,7 @@
 #include "apps/renderers.h"
 
 #include "hiddensurface/scan_line_renderer.h"
+#include "itembuffer/adaptive.h"
 #include "itembuffer/ordinary.h"
 #include "multipass/driver.h"
 #include "multipass/superpose.h"
@@ -29,17 +30,26 @@ void draw_multipass(Machine& machine, const scene::Scene& scene, const scene::Vi
 void draw_scan_lines(Machine& machine, const scene::Scene& scene, const scene::View& view,
                      const DrawOptions& options) {
     scene::Scene now = scene;
-    multipass::superpose(machine, options.passes.samples, 0, [&](const multipass::Sample& sample) {
+    const auto draw = [&](const multipass::Sample& sample) {
         multipass::move_to(now, scene, sample);
         machine.execute(
             hiddensurface::scan_line_picture(now, multipass::view_at(view, sample), machine.profile(),
                                              multipass::jitter_of(sample, machine.profile().subpixel_bits)));
-    });
+    };
+    const int samples = options.passes.samples;
+    multipass::superpose(machine, samples, 0, draw,
+                         multipass::weights_of(samples, options.passes.weighted, machine.profile()));
 }
 
 void draw_rays(Machine& machine, const scene::Scene& scene, const scene::View& view,
                const DrawOptions& options) {
-    itembuffer::render_by_rays(machine, scene, view, options.passes.samples, options.rays);
+    itembuffer::render_by_rays(machine, scene, view, options.passes.samples, options.rays,
+                               options.passes.weighted);
+}
+
+void draw_adaptive(Machine& machine, const scene::Scene& scene, const scene::View& view,
+                   const DrawOptions& options) {
+    itembuffer::render_adaptive(machine, scene, view, options.passes.samples, options.rays);
 }
 
 }  // namespace
@@ -51,6 +61,7 @@ const std::vector<Renderer>& renderers() {
          draw_multipass, multipass::Renderer::Multipass},
         {"scanline", "equation 3 at every pixel of a scan line's spans; no shadows", draw_scan_lines, {}},
         {"raytrace", "the ordinary ray tracer", draw_rays, {}},
+        {"adaptive", "one item buffer, and more rays only where its neighbours differ", draw_adaptive, {}},
     };
     return all;
 }

@@ -7,14 +7,30 @@
 #include "multipass/shadow_lookup.h"
 #include "scene/scene.h"
 
-#include <functional>
+#include <vector>
 
 namespace gw::itembuffer {
 
-/// Draws the maps of all lights that cast shadows and returns the question of raytrace::TraceOptions, which
-/// may outlive everything here. `scene` is the drawn one.
-std::function<bool(std::size_t, const scene::TrianglePoint&)> hit_shadows(Machine& machine,
-                                                                          const scene::Scene& scene,
-                                                                          int width, int height);
+/// The maps of all lights that cast shadows. They serve every view: made once for as long as neither lights
+/// nor objects move.
+class HitShadows {
+public:
+    /// `scene` is the drawn one; the machine's planes are used, and left as they come.
+    HitShadows(Machine& machine, const scene::Scene& scene, int width, int height);
+    HitShadows(const HitShadows&) = delete;
+
+    /// The question of raytrace::TraceOptions.
+    bool in_shadow(std::size_t light, const scene::TrianglePoint& at) const {
+        return lookups_[light].in_shadow(at);
+    }
+
+    /// The side of a map for a picture of this size: the power of two that is at least its longer side.
+    /// Reflections mostly show things smaller than they are seen directly.
+    static int size(int width, int height);
+
+private:
+    std::vector<std::vector<multipass::ShadowMap>> maps_;  ///< by light; none without a shadow
+    std::vector<multipass::ShadowLookup> lookups_;
+};
 
 }  // namespace gw::itembuffer

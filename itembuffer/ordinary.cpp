@@ -9,7 +9,7 @@
 namespace gw::itembuffer {
 
 multipass::Superposition render_by_rays(Machine& machine, const scene::Scene& scene, const scene::View& view,
-                                        int samples, const Options& options) {
+                                        int samples, const Options& options, bool weighted) {
     scene::Scene now = scene;
     std::optional<raytrace::World> world;
     const auto draw = [&](const multipass::Sample& sample) {
@@ -23,7 +23,9 @@ multipass::Superposition render_by_rays(Machine& machine, const scene::Scene& sc
         if (options.counts) options.counts->add(picture.counts);
         machine.execute(raytrace::commands(picture, through));
     };
-    return multipass::superpose(machine, std::max(samples, multipass::samples_of(scene)), 0, draw);
+    const int count = std::max(samples, multipass::samples_of(scene));
+    return multipass::superpose(machine, count, 0, draw,
+                                multipass::weights_of(count, weighted, machine.profile()));
 }
 
 }  // namespace gw::itembuffer

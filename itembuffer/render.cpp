@@ -1,5 +1,6 @@
 #include "itembuffer/render.h"
 
+#include "itembuffer/drawer.h"
 #include "itembuffer/hit_shadows.h"
 #include "itembuffer/item_buffer.h"
 #include "itembuffer/traced_component.h"
@@ -26,19 +27,30 @@ bool same_places(const scene::Scene& a, const scene::Scene& b) {
                       });
 }
 
+/// As shadow maps see them.
+bool same_lights(const scene::Scene& a, const scene::Scene& b) {
+    return std::equal(a.lights.begin(), a.lights.end(), b.lights.begin(), b.lights.end(),
+                      [](const scene::Light& x, const scene::Light& y) {
+                          return x.kind == y.kind && x.position == y.position && x.direction == y.direction &&
+                                 x.cone_angle == y.cone_angle && x.shadow == y.shadow;
+                      });
+}
+
 /// What one sample leaves for the next.
 struct Kept {
     scene::Scene scene;  ///< with the materials as the file has them
     Options options;
     std::optional<raytrace::World> world;
+    std::optional<HitShadows> shadows;  ///< where hits read shadow maps
 
-    /// The world of a sample: objects and lights at its moment.
-    const raytrace::World& at(const scene::Scene& now) {
-        const bool same = world && same_places(scene, now);
+    /// Makes both as of a sample's moment, where objects, or lights, are not where they were.
+    void move_to(Machine& machine, const scene::Scene& now, const scene::View& view) {
+        const bool same = world && same_places(scene, now), lit_the_same = same_lights(scene, now);
         scene.objects = now.objects;
         scene.lights = now.lights;
         if (!same) world.emplace(scene, options.threads);
-        return *world;
+        if (options.shadow_maps && !(shadows && same && lit_the_same))
+            shadows.emplace(machine, now, view.width, view.height);
     }
 };
 
@@ -56,28 +68,38 @@ multipass::PassList passes_with_tracing(const scene::Scene& scene, multipass::Tr
 }
 
 multipass::Trace tracing(const scene::Scene& scene, const Options& options) {
-    const auto kept = std::make_shared<Kept>(Kept{scene, options, std::nullopt});
+    const auto kept = std::make_shared<Kept>();
+    kept->scene = scene;
+    kept->options = options;
     kept->scene.background = options.background.value_or(scene.background);
     return [kept](Machine& machine, const scene::Scene& now, const scene::View& view,
                   const JitterState& jitter) {
-        const raytrace::World& world = kept->at(now);
+        kept->move_to(machine, now, view);
         const auto ids = draw_item_buffer(machine, now, view, jitter);
         raytrace::TraceOptions rays{.depth = kept->options.depth, .threads = kept->options.threads};
-        if (kept->options.shadow_maps) rays.in_shadow = hit_shadows(machine, now, view.width, view.height);
-        const raytrace::Tracer tracer(kept->scene, world, view, rays);
+        if (kept->shadows)
+            rays.in_shadow = [&](std::size_t light, const scene::TrianglePoint& at) {
+                return kept->shadows->in_shadow(light, at);
+            };
+        const raytrace::Tracer tracer(kept->scene, *kept->world, view, rays);
         TracedComponent traced = traced_component(tracer, now, view, ids, jitter, machine.profile());
         if (kept->options.counts) kept->options.counts->add(traced.counts);
         return std::move(traced.color);
     };
 }
 
-multipass::Superposition render(Machine& machine, const scene::Scene& scene, const scene::View& view,
-                                const multipass::Options& passes, const Options& options) {
-    if (!raytrace::any_traced(scene)) return multipass::render(machine, scene, view, passes);
+std::unique_ptr<multipass::Drawer> make_drawer(Machine& machine, const scene::Scene& scene,
+                                               const multipass::Options& passes, const Options& options) {
+    if (!raytrace::any_traced(scene)) return std::make_unique<multipass::Drawer>(machine, scene, passes);
     multipass::Options all = passes;
     if (!all.passes) all.passes = passes_with_tracing(scene, passes.translucency);
     all.trace = tracing(scene, options);
-    return multipass::render(machine, raytrace::drawn_scene(scene), view, all);
+    return std::make_unique<multipass::Drawer>(machine, raytrace::drawn_scene(scene), all);
+}
+
+multipass::Superposition render(Machine& machine, const scene::Scene& scene, const scene::View& view,
+                                const multipass::Options& passes, const Options& options) {
+    return make_drawer(machine, scene, passes, options)->draw(view);
 }
 
 }  // namespace gw::itembuffer

@@ -3,6 +3,8 @@
 
 #include "../raytrace/walls.h"
 #include "gw/fast/kernels.h"
+#include "itembuffer/adaptive.h"
+#include "itembuffer/differences.h"
 #include "itembuffer/ordinary.h"
 #include "itembuffer/traced_component.h"
 #include "multipass/samples.h"
@@ -80,6 +82,80 @@ TEST(ItemBuffer, ManyFindWhatIsSmallerThanAPixelInProportionToItsArea) {
     EXPECT_NEAR(found[1], needle_area, needle_area * 0.02);
     EXPECT_NEAR(found[2], crumb_area, crumb_area * 0.02);
     EXPECT_EQ(empty_for_adaptive, 48) << "of 64: where the crumb is in no pixel, no neighbours differ";
+}
+
+/// [K4a] The same needle and crumb by 64 rays at pixels where one item buffer changes, and by the mean of 64
+/// item buffers: the second has their light in proportion to their area, the first only what the one item
+/// buffer happened to see.
+TEST(Adaptive, MissesWhatOneItemBufferHasNotSeen) {
+    const double pixel = 0.1;
+    raytrace::Walls walls;
+    walls.scene.camera =
+        scene::Camera{.eye = {0, 0, 5}, .near_plane = 0.5, .far_plane = 50, .ortho_height = height * pixel};
+    walls.scene.lights = {{.direction = {0, 0, -1}, .Ia = vec3(1), .Id = vec3(0)}};
+    // Between the centres of pixels: a needle 0.25 pixels wide and 40 high, a crumb of half a pixel.
+    walls.add({-2.0f, 0.07f, 0}, {float(0.125 * pixel), 0, 0}, {0, float(20 * pixel), 0});
+    walls.add({2.3f, 1.4f, 0}, {float(0.25 * pixel), 0, 0}, {0, float(0.25 * pixel), 0});
+    for (scene::Material& m : walls.scene.materials) m = {.Ka = vec3(1), .Kd = vec3(0)};
+    const scene::View view = scene::make_view(walls.scene, width, height);
+    const auto light_in = [](const std::vector<Rgba>& color) {
+        double sum = 0;
+        for (const Rgba& c : color) sum += c[0] / 255.0;
+        return sum;
+    };
+    const auto m = machine();
+    render_adaptive(*m, walls.scene, view, 64, {});
+    EXPECT_EQ(light_in(m->planes().color), 0) << "neither has a pixel's centre in it";
+    render(*m, walls.scene, view, {.samples = 64});
+    EXPECT_NEAR(light_in(m->planes().color), 40 * 0.25 + 0.25, 0.05 * 10);
+    // Moved over the centres of a column of pixels, the needle is seen: its pixels and those beside them are
+    // divided, and it has the light of its area.
+    walls.scene.objects[0].world_from_object[3].x += 0.053;
+    render_adaptive(*m, walls.scene, view, 64, {});
+    EXPECT_NEAR(light_in(m->planes().color), 40 * 0.25, 0.05 * 10);
+}
+
+TEST(Adaptive, DividesPixelsWhoseNeighboursDiffer) {
+    const scene::Scene scene = fig9();
+    const scene::View view = scene::make_view(scene, width, height);
+    const auto m = machine();
+    const auto ids = draw_item_buffer(*m, scene, view, {});
+    const raytrace::World world(scene);
+    const raytrace::Tracer tracer(scene, world, view, {.depth = 1});
+    const AdaptivePicture one = adaptive_picture(tracer, scene, view, ids, 1, vgx()),
+                          four = adaptive_picture(tracer, scene, view, ids, 4, vgx());
+    EXPECT_EQ(std::count(one.divided.begin(), one.divided.end(), 1), 0);
+    EXPECT_EQ(one.picture.counts.primary, ids.size());
+    const auto divided = std::uint64_t(std::count(four.divided.begin(), four.divided.end(), 1));
+    EXPECT_GT(divided, ids.size() / 4);
+    EXPECT_LT(divided, ids.size());
+    EXPECT_EQ(four.picture.counts.primary, ids.size() + 3 * divided);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        if (four.divided[i]) continue;
+        ASSERT_EQ(four.picture.color[i], one.picture.color[i]);
+    }
+}
+
+TEST(Differences, AccountForEveryPixel) {
+    const scene::Scene scene = fig9();
+    const scene::View view = scene::make_view(scene, width, height);
+    const auto m = machine();
+    const Differences d = differences(*m, scene, view, {});
+    std::size_t pixels = 0;
+    for (const Reason reason : reasons) pixels += count_of(d, reason).pixels;
+    EXPECT_EQ(pixels, std::size_t(width) * height);
+    EXPECT_GT(d.away_from_edges, std::size_t(width) * height / 4);
+    EXPECT_EQ(d.another_polygon_there, 0u);
+    EXPECT_EQ(count_of(d, Reason::Same).largest, 0);
+    EXPECT_EQ(count_of(d, Reason::Fog).pixels, 0u);
+    EXPECT_LE(count_of(d, Reason::Rounding).largest, d.passes);
+    for (std::size_t i = 0; i < d.units.size(); ++i) {
+        int units = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+            units = std::max(units, std::abs(int(d.by_passes[i][c]) - int(d.by_rays[i][c])));
+        ASSERT_EQ(d.units[i], units);
+        ASSERT_EQ(d.reason[i] == Reason::Same, units == 0);
+    }
 }
 
 TEST(ItemBuffer, ShowsThePolygonThatRaysFindAwayFromEdges) {
