@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <optional>
 
 namespace gw::bench {
 namespace {
@@ -19,14 +21,15 @@ double seconds(const std::function<void()>& work) {
     return processor_seconds() - start;
 }
 
-/// A frame of eq. 5. Its hierarchy was built before.
+/// A frame of eq. 5. What no view decides is made before: hierarchy, shadow maps, shadow volumes.
 struct Frame {
     std::unique_ptr<Machine> machine = make_fast(vgx(), width, height, {.threads = 1});
     scene::Scene drawn;
     scene::View view;
     multipass::Options options;
     raytrace::RayCounts counts;
-    double traced = 0;
+    double traced = 0, prepared = 0;
+    std::optional<multipass::Drawer> drawer;
 
     Frame(const scene::Scene& scene, int samples, bool maps)
         : drawn(raytrace::drawn_scene(scene)), view(scene::make_view(scene, width, height)) {
@@ -39,13 +42,16 @@ struct Frame {
             traced += seconds([&] { color = trace(m, now, v, jitter); });
             return color;
         };
-        options.trace(*machine, drawn, view, {});  // builds the hierarchy
+        prepared = seconds([&] { options.trace(*machine, drawn, view, {}); }) -
+                   seconds([&] { options.trace(*machine, drawn, view, {}); });
+        drawer.emplace(*machine, drawn, options);
+        drawer->draw(view);
     }
 
     double draw() {
         traced = 0;
         counts = {};
-        return seconds([&] { multipass::render(*machine, drawn, view, options); });
+        return seconds([&] { drawer->draw(view); });
     }
 };
 
@@ -98,6 +104,7 @@ Contest contest(const scene::Scene& scene, int samples, int runs) {
         }
         c.item_buffer_maps = std::min(c.item_buffer_maps, by_maps.draw());
     }
+    c.maps_drawn = by_maps.prepared - by_rays.prepared;
     c.item_buffer_rays = by_rays.counts;
     c.share = double(by_rays.counts.primary) / (double(width) * height * samples);
     compare(by_rays.machine->planes().color, by_maps.machine->planes().color, c);

@@ -6,7 +6,9 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <ctime>
+#include <optional>
 
 namespace gw::bench {
 namespace {
@@ -22,8 +24,9 @@ public:
         : scene_(scene), world_(world), view_(view) {}
 
     void follow(const raytrace::Ray& ray, double high, std::uint32_t from, int rays_left) {
-        set.nearest.push_back({vec3(ray.origin), from == raytrace::no_polygon ? 0 : skin, vec3(ray.direction),
-                               float(high), from});
+        const bool first = from == raytrace::no_polygon;
+        (first ? set.primary : set.reflected)
+            .push_back({vec3(ray.origin), first ? 0 : skin, vec3(ray.direction), float(high), from});
         const auto at = world_.nearest(ray, high, from);
         if (!at) return;
         const auto s = raytrace::surface(world_.triangles(), *at, normalized(ray.direction), view_);
@@ -99,12 +102,22 @@ private:
     RTCScene scene_;
 };
 
-template <class Trace>
-double seconds_of(const Trace& trace, std::vector<bool>& hits) {
-    hits.clear();
-    const double start = processor_seconds();
-    trace();
-    return processor_seconds() - start;
+/// Asks both everything, ray by ray.
+template <class Ours, class Theirs>
+Race race(const std::vector<HierarchyRay>& rays, int runs, const Ours& ours, const Theirs& theirs) {
+    Race out{.rays = rays.size()};
+    std::vector<char> hits(rays.size()), their_hits(rays.size());
+    const auto ask = [&](const auto& hit, std::vector<char>& found, double& best) {
+        const double start = processor_seconds();
+        for (std::size_t i = 0; i < rays.size(); ++i) found[i] = hit(rays[i]);
+        best = std::min(best, processor_seconds() - start);
+    };
+    for (int run = 0; run < runs; ++run) {
+        ask(ours, hits, out.ours);
+        ask(theirs, their_hits, out.embree);
+    }
+    for (std::size_t i = 0; i < rays.size(); ++i) out.differ += hits[i] != their_hits[i];
+    return out;
 }
 
 }  // namespace
@@ -126,29 +139,27 @@ RaySet rays_of_picture(const scene::Scene& scene, const raytrace::World& world, 
     return std::move(recorder.set);
 }
 
-TraceTimes trace_times(const RaySet& rays, const raytrace::World& world) {
-    const Embree embree(raytrace::hierarchy_triangles(world.triangles()));
-    std::vector<bool> ours, theirs;
-    TraceTimes best{1e30, 1e30, 0};
-    for (int run = 0; run < 3; ++run) {
-        const double a = seconds_of(
-            [&] {
-                for (const HierarchyRay& r : rays.nearest)
-                    ours.push_back(world.hierarchy().nearest(r).has_value());
-                for (const HierarchyRay& r : rays.shadow) ours.push_back(world.hierarchy().occluded(r));
-            },
-            ours);
-        const double b = seconds_of(
-            [&] {
-                for (const HierarchyRay& r : rays.nearest) theirs.push_back(embree.nearest(r));
-                for (const HierarchyRay& r : rays.shadow) theirs.push_back(embree.occluded(r));
-            },
-            theirs);
-        best.ours = std::min(best.ours, a);
-        best.embree = std::min(best.embree, b);
+RayRaces race(const RaySet& rays, const raytrace::World& world, int runs) {
+    const auto triangles = raytrace::hierarchy_triangles(world.triangles());
+    RayRaces out;
+    out.build.rays = triangles.size();
+    std::optional<Embree> embree;
+    for (int run = 0; run < runs; ++run) {
+        double start = processor_seconds();
+        const raytrace::Hierarchy ours(triangles, 1);
+        out.build.ours = std::min(out.build.ours, processor_seconds() - start);
+        start = processor_seconds();
+        embree.emplace(triangles);
+        out.build.embree = std::min(out.build.embree, processor_seconds() - start);
     }
-    for (std::size_t i = 0; i < ours.size(); ++i) best.differ += ours[i] != theirs[i];
-    return best;
+    const auto nearest = [&](const HierarchyRay& r) { return world.hierarchy().nearest(r).has_value(); };
+    const auto any = [&](const HierarchyRay& r) { return world.hierarchy().occluded(r); };
+    const auto their_nearest = [&](const HierarchyRay& r) { return embree->nearest(r); };
+    const auto their_any = [&](const HierarchyRay& r) { return embree->occluded(r); };
+    out.primary = race(rays.primary, runs, nearest, their_nearest);
+    out.reflected = race(rays.reflected, runs, nearest, their_nearest);
+    out.shadow = race(rays.shadow, runs, any, their_any);
+    return out;
 }
 
 }  // namespace gw::bench

@@ -8,21 +8,28 @@
 namespace gw::bench {
 
 struct RaySet {
-    std::vector<raytrace::HierarchyRay> nearest;  ///< primary and reflected
-    std::vector<raytrace::HierarchyRay> shadow;
-    std::size_t size() const { return nearest.size() + shadow.size(); }
+    std::vector<raytrace::HierarchyRay> primary, reflected, shadow;
 };
 
 /// To the second ray.
 RaySet rays_of_picture(const scene::Scene& scene, const raytrace::World& world, const scene::View& view);
 
-/// Seconds of one thread for the set, ours and Embree's (robust, one ray at a time), and how many hits differ
-/// in whether there is one.
-struct TraceTimes {
-    double ours = 0, embree = 0;
-    std::size_t differ = 0;
+/// Processor seconds of one thread, ours and Embree's (robust, one ray at a time), the best of some runs, and
+/// how many hits differ in whether there is one.
+struct Race {
+    double ours = 1e30, embree = 1e30;
+    std::size_t rays = 0, differ = 0;
 };
-TraceTimes trace_times(const RaySet& rays, const raytrace::World& world);
+struct RayRaces {
+    Race primary, reflected, shadow;
+    Race build;  ///< of the hierarchies
+    Race all() const {
+        return {
+            primary.ours + reflected.ours + shadow.ours, primary.embree + reflected.embree + shadow.embree,
+            primary.rays + reflected.rays + shadow.rays, primary.differ + reflected.differ + shadow.differ};
+    }
+};
+RayRaces race(const RaySet& rays, const raytrace::World& world, int runs);
 
 /// Processor seconds of this process so far: what others run on the machine does not count.
 double processor_seconds();

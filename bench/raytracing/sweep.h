@@ -1,0 +1,35 @@
+// What is measured: scenes by one number, and what a measurement of one gives.
+#pragma once
+
+#include "contest.h"
+#include "ray_set.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gw::bench {
+
+struct Sweep {
+    std::string name, x_label;
+    int log;  ///< of the x axis; 0: linear
+    std::vector<double> values;
+    std::function<scene::Scene(double)> scene;
+    bool samples = false;  ///< x is the number of samples
+};
+
+/// Fig. 9 [K4f]; lights, glossy share of the pixels with one and four lights, polygons, samples.
+std::vector<Sweep> sweeps();
+
+/// Fig. 9, and the same room with twelve balls of so many triangles together.
+scene::Scene fig9();
+scene::Scene room_of_balls(double triangles);
+
+struct Row {
+    double x;
+    Contest c;
+    RayRaces rays;
+    std::size_t megabytes = 0;  ///< the most that the process has held so far
+};
+
+}  // namespace gw::bench
