@@ -39,11 +39,15 @@ void redirect(const std::string& file, int to) {
     ::_exit(127);
 }
 
-int wait_for(pid_t child, int interrupt_after_ms) {
-    if (interrupt_after_ms >= 0) {
-        ::usleep(static_cast<useconds_t>(interrupt_after_ms) * 1000);
-        ::kill(child, SIGINT);
-    }
+/// At most a minute.
+void wait_for_file(const fs::path& file) {
+    for (int i = 0; i < 6000 && !fs::exists(file); ++i) ::usleep(10000);
+}
+
+int wait_for(pid_t child, const Surroundings& around) {
+    if (around.interrupt_after_ms >= 0) ::usleep(static_cast<useconds_t>(around.interrupt_after_ms) * 1000);
+    if (!around.interrupt_when.empty()) wait_for_file(around.folder / around.interrupt_when);
+    if (around.interrupt_after_ms >= 0 || !around.interrupt_when.empty()) ::kill(child, SIGINT);
     int status = 0;
     ::waitpid(child, &status, 0);
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
@@ -64,7 +68,7 @@ Outcome run_process(const std::vector<std::string>& words, const Surroundings& a
     const pid_t child = ::fork();
     if (child == 0) become(words, around, out, err);
     Outcome outcome;
-    outcome.code = wait_for(child, around.interrupt_after_ms);
+    outcome.code = wait_for(child, around);
     if (around.stdout_file.empty()) outcome.out = bytes_of(out);
     outcome.err = bytes_of(err);
     fs::remove_all(folder);

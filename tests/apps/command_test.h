@@ -20,6 +20,7 @@ struct Surroundings {
     long largest_file = -1;        ///< bytes; as `ulimit -f`
     std::string stdout_file;       ///< instead of Outcome::out
     int interrupt_after_ms = -1;   ///< SIGINT then
+    std::string interrupt_when;    ///< SIGINT when this file is in the folder
 };
 
 Outcome run_process(const std::vector<std::string>& words, const Surroundings& surroundings);

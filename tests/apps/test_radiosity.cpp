@@ -63,8 +63,8 @@ TEST_F(Radiosity, InterruptedLeavesTheLastCompleteSave) {
     ASSERT_EQ(solve({"--shots", "3", "--save"}).code, 0);
     const std::string saved = bytes_of(in("out/pixmaps.exr"));
     const auto before = names("out");
-    const Outcome stopped =
-        solve({"--resume", "--save", "--until", "1e-9", "--every", "1"}, {.interrupt_after_ms = 2500});
+    const Outcome stopped = solve({"--resume", "--save", "--until", "1e-9", "--every", "1"},
+                                  {.interrupt_when = "out/shot_000004.png"});
     EXPECT_EQ(stopped.code, 130);
     EXPECT_NE(stopped.err.find("out/pixmaps.exr has the first 3: --resume goes on"), std::string::npos)
         << stopped.err;
