@@ -1,6 +1,7 @@
 // gw figures: the papers' figures into a folder, with a page that shows them.
 #include "apps/command.h"
 #include "apps/figure_page.h"
+#include "apps/panel_words.h"
 #include "apps/progress.h"
 #include "apps/terminal.h"
 #include "gw/error.h"
@@ -8,9 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
-#include <sstream>
 
 namespace gw::apps {
 
@@ -24,29 +23,6 @@ struct FiguresOptions {
     std::optional<Size> size;
     bool list = false, quiet = false;
 };
-
-std::vector<std::string> figure_names() {
-    std::vector<std::string> names;
-    for (const Figure& figure : figures()) names.push_back(figure.name);
-    return names;
-}
-
-/// Those asked for, in the table's order.
-std::vector<const Figure*> wanted(const FiguresOptions& options) {
-    std::vector<const Figure*> found;
-    for (const Figure& figure : figures())
-        if (options.only.empty() || std::count(options.only.begin(), options.only.end(), figure.name) > 0)
-            found.push_back(&figure);
-    return found;
-}
-
-std::vector<std::string> words_of(const std::string& command, const fs::path& folder) {
-    std::vector<std::string> words;
-    std::istringstream stream(command);
-    for (std::string word; stream >> word;)
-        words.push_back(word[0] == '@' ? (folder / word.substr(1)).string() : word);
-    return words;
-}
 
 std::string joined(const std::vector<std::string>& words) {
     std::string text = "build/release/bin/gw";
@@ -70,9 +46,9 @@ void make_folder(const fs::path& folder) {
 RanPanel run_panel(const Panel& panel, const FiguresOptions& options, const Figure& figure,
                    std::size_t index) {
     const fs::path folder = options.folder / figure.name;
-    std::vector<std::string> words = words_of(panel.command, folder);
+    std::vector<std::string> words = words_of(panel, folder);
     const Size size = options.size.value_or(figure.size.value_or(Size{}));
-    if (figure.size) words.insert(words.end(), {"--size", fmt::format("{}x{}", size.width, size.height)});
+    if (figure.size) set_option(words, "--size", fmt::format("{}x{}", size.width, size.height));
     RanPanel ran{&panel, joined(words), {}};
     if (words[0] == "render") {
         ran.counters = fmt::format("counters_{}.json", index + 1);
@@ -109,7 +85,7 @@ int make_figures(const FiguresOptions& options) {
     make_folder(options.folder);
     image::check_target(options.folder / "index.html");
     Progress progress("figures", options.quiet);
-    const auto all = wanted(options);
+    const auto all = wanted_figures(options.only);
     for (std::size_t i = 0; i < all.size(); ++i)
         make_figure(*all[i], options, progress, fmt::format("figure {} of {}", i + 1, all.size()));
     print((options.folder / "index.html").string() + "\n");
@@ -123,18 +99,7 @@ Command add_figures(CLI::App& app) {
         app.add_subcommand("figures", "The figures of the papers, with a page that shows them");
     const auto options = std::make_shared<FiguresOptions>();
     command->add_option("DIR", options->folder, "Where to; made where it is missing")->type_name("DIR");
-    command
-        ->add_option_function<std::vector<std::string>>(
-            "--only",
-            [options](const std::vector<std::string>& names) {
-                for (const std::string& name : names)
-                    options->only.push_back(one_of("--only", name, figure_names()));
-            },
-            "This figure only; may be repeated")
-        ->type_name("NAME")
-        ->take_all()
-        ->expected(1)
-        ->allow_extra_args(false);
+    add_only_option(*command, options->only);
     command
         ->add_option_function<std::string>(
             "--size", [options](const std::string& word) { options->size = size_from("--size", word); },

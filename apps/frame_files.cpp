@@ -1,6 +1,8 @@
 #include "apps/frame_files.h"
 
+#include "apps/parameter_sets.h"
 #include "apps/recording_files.h"
+#include "apps/tape.h"
 #include "image/planes.h"
 #include "image/write.h"
 #include "inspect/counters_json.h"
@@ -105,13 +107,15 @@ void draw_frame(const Drawing& drawing, const FrameFiles& files) {
     const scene::View view =
         scene::make_view(drawing.scene, drawing.options.size.width, drawing.options.size.height);
     const auto machine = make_machine(drawing.options, drawing.profile);
+    note_parameter_sets([&] { return parameter_sets(drawing); });
     if (files.manifest.empty()) {
         draw(drawing, view, *machine);
     } else {
         inspect::DigestingMachine digesting(*machine);
-        inspect::Recorder recorder(digesting);
+        std::vector<CommandList> lists;
+        inspect::Recorder recorder(digesting, lists);
         draw(drawing, view, recorder);
-        const inspect::Recording recording = recording_of(drawing, recorder.lists());
+        const inspect::Recording recording = recording_of(drawing, std::move(lists));
         output.add(files.manifest).write_text(to_json(manifest_of(recording, machine->passes())));
     }
     if (!files.counters.empty())

@@ -2,6 +2,7 @@
 
 #include "apps/command.h"
 #include "apps/renderers.h"
+#include "apps/tape.h"
 #include "apps/terminal.h"
 #include "image/textures.h"
 #include "multipass/pass_toml.h"
@@ -206,8 +207,10 @@ std::vector<std::string> machines() { return {"fast", "reference"}; }
 
 std::unique_ptr<Machine> make_machine(const PictureOptions& options, const Profile& profile) {
     const auto [width, height] = options.size;
-    if (options.machine == "reference") return make_reference(profile, width, height);
-    return make_fast(profile, width, height, {.threads = options.threads});
+    return taped(options.machine == "reference"
+                     ? make_reference(profile, width, height)
+                     : make_fast(profile, width, height, {.threads = options.threads}),
+                 width, height);
 }
 
 }  // namespace gw::apps

@@ -7,12 +7,14 @@
 #include "apps/radiosity_options.h"
 #include "apps/radiosity_pictures.h"
 #include "apps/radiosity_report.h"
+#include "apps/tape.h"
 #include "apps/terminal.h"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace gw::apps {
@@ -38,6 +40,23 @@ double mean_difference(const radiosity::Solver& a, const radiosity::Solver& b) {
     return sum > 0 ? off / sum : 0;
 }
 
+std::filesystem::path recording_file(const RadiosityOptions& options, const std::string& name) {
+    return options.output / (name + ".gwt");
+}
+
+/// What drew the hemicubes, and what drew the pictures; hemicubes_2 ... for further machines.
+void put_recordings(Tape& tape, const RadiosityOptions& options) {
+    image::OutputSet files;
+    std::map<std::string, int> counts;
+    for (const inspect::Recording& r : tape.take(options.picture.scene.string(), "radiosity")) {
+        const std::string kind = r.profile == radiosity::id_profile() ? "hemicubes" : "pictures";
+        const int number = ++counts[kind];
+        files.add(recording_file(options, number > 1 ? fmt::format("{}_{}", kind, number) : kind))
+            .write(inspect::encode(r));
+    }
+    files.commit();
+}
+
 class Run {
 public:
     Run(const RadiosityOptions& options, const scene::Scene& scene, radiosity::Model model,
@@ -50,6 +69,8 @@ public:
         image::check_target(saved_file());
         scene::Scene changed = scene_;
         for (const Change& c : options_.changes) apply(c, changed);
+        for (const char* name : {"hemicubes", "pictures"})
+            if (options_.record) image::check_target(recording_file(options_, name));
         if (options_.resume)
             solver_.resume(load_solution(saved_file(), solver_.model(), options_.solver.form_factors));
         if (options_.resume) saved_shots_ = solver_.solution().shots;
@@ -187,13 +208,20 @@ int compute(RadiosityOptions options) {
     check(options);
     Progress progress("reading", options.picture.quiet);
     const scene::Scene scene = load_scene(options.picture);
-    options.solver.form_factors.threads = options.picture.threads;
+    // The hemicubes of a recording have an order: one thread draws them.
+    options.solver.form_factors.threads = options.record ? 1 : options.picture.threads;
+    options.solver.form_factors.make_machine = [](int size) {
+        return taped(make_fast(radiosity::id_profile(), size, size, {.threads = 1}), size, size);
+    };
+    const std::unique_ptr<Tape> tape = options.record ? std::make_unique<Tape>() : nullptr;
     radiosity::Model model = radiosity::make_model(scene, options.model);
     if (!options.form_factor.empty()) {
         print_form_factor(options, model, progress);
         return done;
     }
-    return Run(options, scene, std::move(model), progress).run();
+    const int code = Run(options, scene, std::move(model), progress).run();
+    if (tape) put_recordings(*tape, options);
+    return code;
 }
 
 }  // namespace

@@ -63,6 +63,9 @@ void add_computation(CLI::App& command, RadiosityOptions& o) {
     command.add_flag("--save", o.save,
                      "Save the pixmaps in DIR/pixmaps.exr, every few seconds and at the end");
     command.add_flag("--resume", o.resume, "Go on from DIR/pixmaps.exr");
+    command.add_flag(
+        "--record", o.record,
+        "Also DIR/hemicubes.gwt and DIR/pictures.gwt, for gw replay, verify, pixel; on one thread");
     command
         .add_option_function<std::vector<std::string>>(
             "--change",
@@ -123,9 +126,10 @@ void add_radiosity_options(CLI::App& command, RadiosityOptions& options) {
 void check(const RadiosityOptions& options) {
     if (options.form_factor.empty() && options.output.empty())
         throw UsageError("--output is missing; expected -o DIR, or --form-factor A B");
-    if (!options.form_factor.empty() && (options.save || options.resume || !options.output.empty()))
+    if (!options.form_factor.empty() &&
+        (options.save || options.resume || options.record || !options.output.empty()))
         throw UsageError(
-            "--form-factor computes no picture; expected it without --output, --save and --resume");
+            "--form-factor computes no picture; expected it without --output, --save, --resume and --record");
     if (options.specular && options.display != "texture")
         throw UsageError("--specular draws pixmaps as textures; expected no --display beside it");
     if (!options.changes.empty() && options.save)

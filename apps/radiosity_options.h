@@ -21,7 +21,7 @@ struct RadiosityOptions {
     int shots = -1;       ///< in all; -1: until `until`
     double until = 0.01;  ///< unshot share
     int every = 0;        ///< a picture after each so many shots
-    bool save = false, resume = false;
+    bool save = false, resume = false, record = false;
     std::string display = "texture";             ///< texture, strips or both
     std::vector<std::pair<dvec3, dvec3>> views;  ///< eye, at; none: the camera
     double exposure = 0, gamma = 1;

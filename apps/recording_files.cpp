@@ -42,9 +42,10 @@ inspect::Recording record(const Drawing& drawing, const std::string& algorithm) 
         return recording;
     }
     const auto machine = make_machine(drawing.options, drawing.profile);
-    inspect::Recorder recorder(*machine);
+    std::vector<CommandList> lists;
+    inspect::Recorder recorder(*machine, lists);
     draw(drawing, view, recorder);
-    return recording_of(drawing, recorder.lists());
+    return recording_of(drawing, std::move(lists));
 }
 
 inspect::Recording load_recording(const std::filesystem::path& file) {

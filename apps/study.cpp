@@ -4,6 +4,7 @@
 #include "apps/progress.h"
 #include "apps/study_hidden.h"
 #include "apps/table.h"
+#include "apps/tape.h"
 #include "apps/terminal.h"
 #include "gw/error.h"
 #include "image/output_set.h"
@@ -37,7 +38,8 @@ scene::Scene study_scene(const char* file) {
 
 study::MachineMaker maker(const StudyOptions& options, Size window) {
     return [=](const Profile& profile) {
-        return make_fast(profile, window.width, window.height, {.threads = options.threads});
+        return taped(make_fast(profile, window.width, window.height, {.threads = options.threads}),
+                     window.width, window.height);
     };
 }
 

@@ -2,29 +2,23 @@
 // Does not execute anything itself.
 #pragma once
 
-#include "gw/machine.h"
+#include "inspect/forwarding_machine.h"
 
 namespace gw::inspect {
 
-class DigestingMachine : public Machine {
+class DigestingMachine : public ForwardingMachine {
 public:
-    /// Refers to `machine`, which must outlive it.
-    explicit DigestingMachine(Machine& machine) : machine_(machine) {}
+    using ForwardingMachine::ForwardingMachine;
 
     void execute(const CommandList& list) override {
         CommandList digesting;
         // What comes before the first BeginPass is counted in a pass named "", which can ask for digests too.
-        if (machine_.passes().empty() && opens_unnamed_pass(list)) digesting.add(BeginPass{});
+        if (passes().empty() && opens_unnamed_pass(list)) digesting.add(BeginPass{});
         digesting.append(list);
         for (Command& command : digesting.commands)
             if (auto* pass = std::get_if<BeginPass>(&command)) pass->digests = all_planes;
-        machine_.execute(digesting);
+        ForwardingMachine::execute(digesting);
     }
-    const Planes& planes() override { return machine_.planes(); }
-    const std::vector<PassReport>& passes() override { return machine_.passes(); }
-    void reset_passes() override { machine_.reset_passes(); }
-    const std::map<std::uint32_t, Readback>& readbacks() override { return machine_.readbacks(); }
-    const Profile& profile() const override { return machine_.profile(); }
 
 private:
     static bool opens_unnamed_pass(const CommandList& list) {
@@ -33,8 +27,6 @@ private:
                 return !std::holds_alternative<BeginPass>(command);
         return false;
     }
-
-    Machine& machine_;
 };
 
 }  // namespace gw::inspect

@@ -2,30 +2,22 @@
 // computes from read-backs comes back in lists, so that these are all that entered the machine.
 #pragma once
 
-#include "gw/machine.h"
+#include "inspect/forwarding_machine.h"
 
 namespace gw::inspect {
 
-class Recorder : public Machine {
+class Recorder : public ForwardingMachine {
 public:
-    /// Refers to `machine`, which must outlive it and be new: nothing executed before is in the recording.
-    explicit Recorder(Machine& machine) : machine_(machine) {}
-
-    const std::vector<CommandList>& lists() const { return lists_; }
+    /// Refers to both, which must outlive it. The machine is new: nothing executed before is in the lists.
+    Recorder(Machine& machine, std::vector<CommandList>& lists) : ForwardingMachine(machine), lists_(lists) {}
 
     void execute(const CommandList& list) override {
-        machine_.execute(list);
+        ForwardingMachine::execute(list);
         lists_.push_back(list);
     }
-    const Planes& planes() override { return machine_.planes(); }
-    const std::vector<PassReport>& passes() override { return machine_.passes(); }
-    void reset_passes() override { machine_.reset_passes(); }
-    const std::map<std::uint32_t, Readback>& readbacks() override { return machine_.readbacks(); }
-    const Profile& profile() const override { return machine_.profile(); }
 
 private:
-    Machine& machine_;
-    std::vector<CommandList> lists_;
+    std::vector<CommandList>& lists_;
 };
 
 }  // namespace gw::inspect

@@ -86,7 +86,10 @@ void FormFactors::draw(const std::vector<ShootPoint>& points, std::size_t first,
         slot.hemicube = hemicube_at(point.position, point.normal, turn_of(options_.seed, turns, first + i),
                                     near_plane, model_.extent * 1.01 + near_plane, options_.hemicube);
         auto& painter = painters_[static_cast<std::size_t>(worker)];
-        if (!painter) painter = std::make_unique<HemicubePainter>(options_.hemicube);
+        if (!painter)
+            painter = options_.make_machine
+                          ? std::make_unique<HemicubePainter>(options_.make_machine(options_.hemicube))
+                          : std::make_unique<HemicubePainter>(options_.hemicube);
         painter->draw(model_, slot.hemicube, slot.buffers);
         slot.escaped = escaping(slot.buffers, delta_);
         slot.factors.assign(model_.texel_count(), 0.0);

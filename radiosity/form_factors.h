@@ -20,6 +20,8 @@ struct FormFactorOptions {
     std::uint64_t seed = 0;  ///< of the turns of the hemicubes about their normals: each has its own
     int threads = 0;         ///< 0: all
     const std::atomic<bool>* cancel = nullptr;  ///< looked at between hemicubes
+    /// Makes a machine of id_profile() for hemicubes of this size; none: the fast one, on one thread.
+    std::function<std::unique_ptr<Machine>(int size)> make_machine;
 };
 
 /// Throws Error naming the option that is out of its range.

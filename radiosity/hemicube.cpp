@@ -57,7 +57,9 @@ Profile id_profile() {
     return profile;
 }
 
-HemicubePainter::HemicubePainter(int size) : machine_(make_fast(id_profile(), size, size, {.threads = 1})) {}
+HemicubePainter::HemicubePainter(int size)
+    : HemicubePainter(make_fast(id_profile(), size, size, {.threads = 1})) {}
+HemicubePainter::HemicubePainter(std::unique_ptr<Machine> machine) : machine_(std::move(machine)) {}
 
 void HemicubePainter::draw(const Model& model, const Hemicube& hemicube, IdBuffers& buffers) {
     CommandList list;

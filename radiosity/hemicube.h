@@ -32,11 +32,13 @@ struct IdBuffer {
 };
 using IdBuffers = std::array<IdBuffer, hemicube_faces>;
 
-/// Draws with a machine of its own. Not for two threads at a time.
+/// Draws with a machine of its own, the fast one where none is given. Not for two threads at a time.
 class HemicubePainter {
 public:
     /// size x size pixels, even, 2 .. max_window_size.
     explicit HemicubePainter(int size);
+    /// On a machine of id_profile(), square.
+    explicit HemicubePainter(std::unique_ptr<Machine> machine);
     void draw(const Model& model, const Hemicube& hemicube, IdBuffers& buffers);
 
 private:

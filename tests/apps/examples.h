@@ -6,12 +6,15 @@
 
 namespace gw::apps {
 
-/// A folder that looks like the repository's root after a build: scenes/ and build/release/bin/gw.
+/// A folder that looks like the repository's root after a build: scenes/, tests/golden/ and
+/// build/release/bin/gw.
 class ExampleTest : public CommandTest {
 protected:
     ExampleTest() {
         namespace fs = std::filesystem;
         fs::create_directory_symlink(GW_SOURCE_DIR "/scenes", in("scenes"));
+        fs::create_directories(in("tests"));
+        fs::create_directory_symlink(GW_SOURCE_DIR "/tests/golden", in("tests/golden"));
         fs::create_directories(in("build/release"));
         fs::create_directory_symlink(GW_BIN_DIR, in("build/release/bin"));
     }

@@ -47,10 +47,11 @@ TEST(Replay, KnowsItsPasses) {
 TEST(Replay, RecorderKeepsWhatWasExecuted) {
     const Recording recording = three_passes();
     const auto machine = maker_of("fast")(recording);
-    Recorder recorder(*machine);
+    std::vector<CommandList> lists;
+    Recorder recorder(*machine, lists);
     Player(recording, recorder).play();
-    ASSERT_EQ(recorder.lists().size(), 2u);
-    EXPECT_TRUE(same(recorder.lists()[1], recording.lists[1]));
+    ASSERT_EQ(lists.size(), 2u);
+    EXPECT_TRUE(same(lists[1], recording.lists[1]));
 }
 
 TEST(Replay, AWrongMachineIsFoundOut) {
