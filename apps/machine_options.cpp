@@ -4,6 +4,15 @@
 
 namespace gw::apps {
 
+void add_threads_option(CLI::App& command, int& threads, const char* about) {
+    command
+        .add_option_function<std::string>(
+            "--threads",
+            [&threads](const std::string& word) { threads = whole_number_from("--threads", word, 1, 1024); },
+            about)
+        ->type_name("N");
+}
+
 void add_machine_options(CLI::App& command, MachineOptions& options) {
     command
         .add_option_function<std::string>(
@@ -14,12 +23,7 @@ void add_machine_options(CLI::App& command, MachineOptions& options) {
             "Which machine replays it (default fast); both: compared after each pass, code 3 where they "
             "differ")
         ->type_name("NAME");
-    command
-        .add_option_function<std::string>(
-            "--threads",
-            [&](const std::string& word) { options.threads = whole_number_from("--threads", word, 1, 1024); },
-            "Threads of the fast machine (default: all)")
-        ->type_name("N");
+    add_threads_option(command, options.threads);
     command.add_flag("--quiet", options.quiet, "No progress");
 }
 

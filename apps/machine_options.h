@@ -23,6 +23,10 @@ struct MachineOptions {
     }
 };
 
+/// Adds --threads, 1..1024; 0 where it is not given.
+void add_threads_option(CLI::App& command, int& threads,
+                        const char* about = "Threads of the fast machine (default: all)");
+
 /// Adds --machine, --threads, --quiet.
 void add_machine_options(CLI::App& command, MachineOptions& options);
 

@@ -1,6 +1,7 @@
 #include "apps/picture_options.h"
 
 #include "apps/command.h"
+#include "apps/machine_options.h"
 #include "apps/renderers.h"
 #include "apps/tape.h"
 #include "apps/terminal.h"
@@ -44,12 +45,7 @@ void add_machine_options(CLI::App& command, PictureOptions& options) {
             [&](const std::string& word) { options.machine = one_of("--machine", word, machines()); },
             "Which machine draws: the same bits (default " + machines().front() + ")")
         ->type_name("NAME");
-    command
-        .add_option_function<std::string>(
-            "--threads",
-            [&](const std::string& word) { options.threads = whole_number_from("--threads", word, 1, 1024); },
-            "Threads of the fast machine (default: all)")
-        ->type_name("N");
+    add_threads_option(command, options.threads);
     command
         .add_option_function<std::string>(
             "--samples",

@@ -1,5 +1,6 @@
 // gw study: measurements of pictures, as plots with their numbers.
 #include "apps/command.h"
+#include "apps/machine_options.h"
 #include "apps/picture_options.h"
 #include "apps/progress.h"
 #include "apps/study_hidden.h"
@@ -187,14 +188,7 @@ Command add_study(CLI::App& app) {
     command->add_option("-o,--output", options->output, "Folder of the plots; made where it is missing")
         ->required()
         ->type_name("DIR");
-    command
-        ->add_option_function<std::string>(
-            "--threads",
-            [=](const std::string& word) {
-                options->threads = whole_number_from("--threads", word, 1, 1024);
-            },
-            "Threads of the fast machine (default: all; hidden: 1)")
-        ->type_name("N");
+    add_threads_option(*command, options->threads, "Threads of the fast machine (default: all; hidden: 1)");
     command
         ->add_option_function<std::string>(
             "--samples",
