@@ -36,6 +36,18 @@ dmat4 after(const dmat4& eye_from_cube, const dmat4& cube_from_world) {
     return m;
 }
 
+void take(const Readback& read, std::size_t identifiers, IdBuffer& buffer) {
+    buffer.size = read.rect.width;
+    buffer.rows = read.rect.height;
+    buffer.ids.resize(read.color.size());
+    buffer.seen.assign(identifiers, 0);
+    std::uint32_t last = 0;
+    for (std::size_t i = 0; i < read.color.size(); ++i) {
+        const std::uint32_t id = buffer.ids[i] = scene::id_of(read.color[i]);
+        if (id != last || i == 0) buffer.seen[last = id] = 1;
+    }
+}
+
 }  // namespace
 
 Hemicube hemicube_at(const dvec3& position, const dvec3& normal, double turn, double near_plane,
@@ -77,16 +89,8 @@ void HemicubePainter::draw(const Model& model, const Hemicube& hemicube, IdBuffe
     }
     machine_->execute(list);
     machine_->reset_passes();
-    for (std::uint32_t face = 0; face < hemicube_faces; ++face) {
-        const Readback& read = machine_->readbacks().at(face);
-        IdBuffer& buffer = buffers[face];
-        buffer.size = read.rect.width;
-        buffer.rows = read.rect.height;
-        buffer.ids.resize(read.color.size());
-        std::transform(read.color.begin(), read.color.end(), buffer.ids.begin(), scene::id_of);
-        buffer.seen.assign(model.facets.size() + 1, 0);
-        for (std::uint32_t id : buffer.ids) buffer.seen[id] = 1;
-    }
+    for (std::uint32_t face = 0; face < hemicube_faces; ++face)
+        take(machine_->readbacks().at(face), model.facets.size() + 1, buffers[face]);
 }
 
 }  // namespace gw::radiosity

@@ -137,10 +137,6 @@ CommandList id_pass(const Scene& scene, const View& view, const IdPass& options)
     return list;
 }
 
-std::uint32_t id_of(const Rgba& color) {
-    return std::uint32_t(color[0]) | std::uint32_t(color[1]) << 8 | std::uint32_t(color[2]) << 16;
-}
-
 void add_shapes(CommandList& list, const Scene& scene, const View& view) {
     for (const Object& object : scene.objects) list.add(placed(object, view));
 }

@@ -66,7 +66,9 @@ struct IdPass {
 CommandList id_pass(const Scene& scene, const View& view, const IdPass& options = {});
 
 /// What id_pass wrote to a pixel.
-std::uint32_t id_of(const Rgba& color);
+inline std::uint32_t id_of(const Rgba& color) {
+    return std::uint32_t(color[0]) | std::uint32_t(color[1]) << 8 | std::uint32_t(color[2]) << 16;
+}
 
 /// Draws every object with no material at all: for passes that only want Z.
 void add_shapes(CommandList& list, const Scene& scene, const View& view);

@@ -1,4 +1,6 @@
 // From pixels to texels [F2.2]: nothing lost, nothing missed, the same bits for any number of threads.
+#include "gw/fast/kernels.h"
+#include "plain_scan.h"
 #include "radiosity/form_factors.h"
 #include "scenes.h"
 
@@ -71,8 +73,8 @@ TEST(Oversampling, ChangesNoSum) {
     EXPECT_EQ(with.escaped, without.escaped);
 }
 
-// A sphere of many facets in a closed box: every pixel is some facet's, none is lost between regions.
-TEST(Scan, NoPixelIsLost) {
+/// An octahedron in a closed box.
+scene::Scene solid_in_a_box() {
     scene::Scene scene = closed_box({1, 1, 1}, 0.5f, 1);
     MeshData octahedron{.positions = {{0.7f, 0.5f, 0.5f},
                                       {0.3f, 0.5f, 0.5f},
@@ -84,7 +86,12 @@ TEST(Scan, NoPixelIsLost) {
     scene.materials.push_back({.name = "solid", .Kd = vec3(0.5f)});
     scene.objects.push_back(
         {.name = "solid", .mesh = make_mesh(octahedron), .material = scene.materials.size() - 1});
-    const Model model = make_model(scene, {.texels_per_unit = 6});
+    return scene;
+}
+
+// Every pixel is some facet's, none is lost between regions.
+TEST(Scan, NoPixelIsLost) {
+    const Model model = make_model(solid_in_a_box(), {.texels_per_unit = 6});
     FormFactors factors(model, {.hemicube = 64});
     for (std::size_t p = 0; p < model.patches.size(); p += 5) {
         const Row row = factors.from_patch(p);
@@ -104,6 +111,31 @@ TEST(Scan, AnyNumberOfThreadsGivesTheSameBits) {
         EXPECT_EQ(one.texels, more.texels);
         EXPECT_EQ(one.factors, more.factors);
         EXPECT_EQ(one.escaped, more.escaped);
+    }
+}
+
+// From corners and from the middle; texels larger and smaller than pixels, and cut by figures' borders.
+TEST(Scan, IsThePlainOneToTheBitOnEveryVectorTarget) {
+    for (const double texels : {3.0, 40.0}) {
+        const Model model = make_model(solid_in_a_box(), {.texels_per_unit = texels});
+        for (const int parts : {1, 2, 64}) {
+            const DeltaFormFactors delta = delta_form_factors(50);
+            const Hemicube cube =
+                hemicube_at({0.02, 0.9, 0.3 * parts / 64}, {0.6, -0.8, 0}, 17.0 * parts, 1e-3, 3, 50);
+            IdBuffers buffers;
+            HemicubePainter(50).draw(model, cube, buffers);
+            std::vector<double> plain(model.texel_count());
+            for (std::uint32_t pixmap = 0; pixmap < model.pixmaps.size(); ++pixmap)
+                plain_scan(model, pixmap, cube, buffers, delta, {parts}, plain);
+            for (const std::string& target : fast::simd_targets()) {
+                ASSERT_TRUE(fast::use_simd_target(target));
+                std::vector<double> factors(model.texel_count());
+                for (std::uint32_t pixmap = 0; pixmap < model.pixmaps.size(); ++pixmap)
+                    scan_pixmap(model, pixmap, cube, buffers, delta, {parts}, factors);
+                EXPECT_EQ(factors, plain) << target << ", " << texels << " texels, " << parts << " parts";
+            }
+            fast::use_simd_target("");
+        }
     }
 }
 
