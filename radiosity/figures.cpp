@@ -17,6 +17,23 @@ void check_emission(const Model& model) {
         "': nothing emits light; expected a material with Ke, or pixmap = {emission = ...} of an object");
 }
 
+/// The objects as one mesh; polygon identifiers are facets, which ascend from object to object.
+scene::Scene joined(const scene::Scene& drawn) {
+    MeshData whole;
+    for (const scene::Object& object : drawn.objects) {
+        const auto first = static_cast<std::uint32_t>(whole.positions.size());
+        const MeshData& mesh = object.mesh->data();
+        whole.positions.insert(whole.positions.end(), mesh.positions.begin(), mesh.positions.end());
+        whole.polygon_ids.insert(whole.polygon_ids.end(), mesh.polygon_ids.begin(), mesh.polygon_ids.end());
+        for (const std::uint32_t vertex : mesh.indices) whole.indices.push_back(first + vertex);
+    }
+    scene::Scene scene;
+    scene.name = drawn.name;
+    scene.materials = drawn.materials;
+    scene.objects.push_back({.name = drawn.name, .mesh = make_mesh(std::move(whole))});
+    return scene;
+}
+
 }  // namespace
 
 Model make_model(const scene::Scene& scene, const ModelOptions& options) {
@@ -30,6 +47,7 @@ Model make_model(const scene::Scene& scene, const ModelOptions& options) {
     check_emission(builder.model);
     cover_texels(builder.model);
     builder.model.patches = patches_of(builder.model, options.patch);
+    builder.model.joined = joined(builder.model.drawn);
     return std::move(builder.model);
 }
 

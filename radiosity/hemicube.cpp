@@ -83,7 +83,7 @@ void HemicubePainter::draw(const Model& model, const Hemicube& hemicube, IdBuffe
         scene::IdPass options;
         options.scissor = {.test = true, .box = rect};
         options.clip = {.enable = true, .plane = above - dvec4(0, 0, 0, horizon * model.extent)};
-        for (Command& command : scene::id_pass(model.drawn, view, options).commands)
+        for (Command& command : scene::id_pass(model.joined, view, options).commands)
             list.commands.push_back(std::move(command));
         list.add(Read{.key = face, .plane = Plane::Color, .rect = rect});
     }

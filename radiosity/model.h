@@ -95,6 +95,7 @@ struct Model {
 
     scene::Scene drawn;           ///< the figures for id_pass: polygon identifier = facet, world coordinates
     std::vector<Source> sources;  ///< of drawn.objects
+    scene::Scene joined;          ///< drawn's objects as one, for hemicubes: planned once, not once an object
     double extent = 0;            ///< diagonal of the scene's bounds
 
     std::size_t texel_count() const { return area.size(); }
