@@ -22,12 +22,6 @@ double distance(const CutEdge& edge, const dvec2& p) {
     return std::sqrt(away.x * away.x + away.y * away.y);
 }
 
-/// How far half a unit at every corner moves the depth of a point inside.
-double snap_reach(const DepthPlane& plane) {
-    const double slopes = std::abs(double(plane.gx)) + std::abs(double(plane.gy));
-    return 0.5 + 0.5 * slopes / 65536 / double(1 << plane.subpixel_bits);
-}
-
 }  // namespace
 
 bool depths_tie(const WindowTriangle& shown, const WindowTriangle& other, int x, int y) {
@@ -77,6 +71,11 @@ double Differences::scene_depth(const WorldFacet& facet, const dvec2& at, double
     return -(window.x * at.x + window.y * at.y + window.w) / window.z;
 }
 
+double Differences::snap_reach(const WorldFacet& facet) const {
+    const dvec4 window = to_window(unit_plane(facet), input_.view, input_.profile);
+    return 0.5 + 0.5 * (std::abs(window.x) + std::abs(window.y)) / std::abs(window.z);
+}
+
 bool Differences::covers_in_scene(const WorldFacet& facet, const dvec2& at) const {
     const dvec4 eye = eye_of(input_.view);
     return std::any_of(facet.parts.begin(), facet.parts.end(), [&](const Loop& part) {
@@ -94,10 +93,10 @@ bool Differences::covers_in_scene(const WorldFacet& facet, const dvec2& at) cons
 
 bool Differences::snap_turned(std::uint32_t id, const WindowTriangle& shown, std::uint32_t expected,
                               const WindowTriangle& other, int x, int y) const {
-    const double apart = double(shown.depth.at(x, y) - other.depth.at(x, y));
-    if (apart > snap_reach(shown.depth) + snap_reach(other.depth) + 1) return false;
-    const dvec2 middle = middle_of(x, y);
     const WorldFacet &a = facet_of(id, shown), &b = facet_of(expected, other);
+    const double apart = double(shown.depth.at(x, y) - other.depth.at(x, y));
+    if (apart > snap_reach(a) + snap_reach(b) + 1) return false;
+    const dvec2 middle = middle_of(x, y);
     return !covers_in_scene(a, middle) || !covers_in_scene(b, middle) ||
            scene_depth(a, middle, tolerance_) <= scene_depth(b, middle, 0);
 }

@@ -42,6 +42,10 @@ private:
     /// moves.
     bool snap_turned(std::uint32_t id, const WindowTriangle& shown, std::uint32_t expected,
                      const WindowTriangle& other, int x, int y) const;
+    /// The depth drawn at a point is the scene's at another point, half a unit away in x and in y at most. So
+    /// this is how far the two are apart, by the slopes of the scene's plane: those of the snapped plane of a
+    /// facet that is seen almost from its edge are far smaller.
+    double snap_reach(const WorldFacet& facet) const;
     const WorldFacet& facet_of(std::uint32_t id, const WindowTriangle& t) const;
     /// z on the grid at a point of the window, without the snap; the surface moved towards the eye.
     double scene_depth(const WorldFacet& facet, const dvec2& at, double towards_eye) const;

@@ -60,4 +60,30 @@ TEST(Snap, ReachesHalfAUnitAtEveryCorner) {
     EXPECT_EQ(Differences(stage.input, {}).at(1, 2, x, y), Difference::Wrong);
 }
 
+/// Two neighbours in the rim of scenes/teapot.toml's left bowl, of one surface, as it sees them: almost from
+/// their edges, thinner than a unit. The snap alone makes them as wide as a pixel.
+scene::Scene rim_of_a_bowl() {
+    scene::Scene scene = polygon_scene({.positions = {{-3.58223206f, 1.14496658f, 2.73290804f},
+                                                      {-3.61721863f, 1.14496658f, 2.79836329f},
+                                                      {-3.61399871f, 1.14640624f, 2.79995118f},
+                                                      {-3.57590169f, 1.1471128f, 2.73656288f},
+                                                      {-3.61066274f, 1.1471128f, 2.80159627f},
+                                                      {-3.60726879f, 1.14705598f, 2.80327001f}}});
+    scene.camera = scene::Camera{.eye = {2.2, 5.8, 13}, .at = {-0.05, 1.2, 0}, .fov = 32};
+    return scene;
+}
+
+// In the scene neither of the two covers the centre of a pixel, and on their planes the one that the tree
+// shows lies behind; the snap moves its depth by more than its snapped slopes say.
+TEST(Snap, MovesFacetsSeenFromTheEdgeByTheSlopesOfTheScene) {
+    Stage stage(rim_of_a_bowl(), vgx(), 320, 240);
+    const Result tree = stage.run("bsp");
+    EXPECT_EQ(tree.counts.wrong, 0u);
+    EXPECT_EQ(tree.counts.snapped, 1u);
+    EXPECT_EQ(tree.difference[320 * 93 + 20], Difference::Snap);
+    EXPECT_EQ(tree.ids[320 * 93 + 20], 1u);
+    EXPECT_EQ(stage.z_buffer.ids[320 * 93 + 20], 2u);
+    EXPECT_EQ(stage.run("newell").ids, stage.z_buffer.ids);
+}
+
 }  // namespace gw::hiddensurface
