@@ -2,6 +2,7 @@
 
 #include "apps/hidden_captions.h"
 #include "apps/hidden_pictures.h"
+#include "apps/table.h"
 #include "hiddensurface/pieces_svg.h"
 #include "image/animation.h"
 #include "image/write.h"
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 namespace gw::apps {
 
@@ -70,6 +72,20 @@ std::vector<image::Picture> sheet_row(std::vector<image::Picture> pictures, cons
     return pictures;
 }
 
+/// As many to a row as make the sheet about as high as it is wide.
+std::vector<std::vector<image::Picture>> in_rows(std::vector<std::vector<image::Picture>> all) {
+    const image::Picture& one = all.front().front();
+    const std::size_t width = all.front().size() * std::size_t(one.width), height = std::size_t(one.height);
+    std::size_t abreast = 1;
+    while (abreast * width < (all.size() + abreast - 1) / abreast * height) ++abreast;
+    std::vector<std::vector<image::Picture>> rows;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i % abreast == 0) rows.emplace_back();
+        std::move(all[i].begin(), all[i].end(), std::back_inserter(rows.back()));
+    }
+    return rows;
+}
+
 constexpr const char* kinds[] = {"", "_difference", "_writes"};
 
 std::string html_row(const Compared& run) {
@@ -113,15 +129,21 @@ std::vector<std::size_t> places(std::size_t steps, int pictures) {
 }
 
 std::string counts_text(const std::vector<Compared>& all) {
-    std::string text = fmt::format("{:<12}", "");
-    for (const Compared& run : all) text += fmt::format(" {:>16}", run.algorithm->name);
-    text += "\n";
-    for (const auto& [name, count] : hs::count_names()) {
-        text += fmt::format("{:<12}", name);
-        for (const Compared& run : all) text += fmt::format(" {:>16}", run.result.counts.*count);
-        text += "\n";
+    std::vector<std::vector<std::string>> rows{{""}};
+    if (all.size() == 1) {
+        rows[0].push_back(all[0].algorithm->name);
+        for (const auto& [name, count] : hs::count_names())
+            rows.push_back({name, std::to_string(all[0].result.counts.*count)});
+        return table(rows);
     }
-    return text;
+    for (const auto& [name, count] : hs::count_names()) rows[0].push_back(name);
+    for (const Compared& run : all) {
+        rows.push_back({run.algorithm->name});
+        for (const auto& [name, count] : hs::count_names())
+            rows.back().push_back(std::to_string(run.result.counts.*count));
+    }
+    constexpr std::size_t terminal = 120;
+    return table_in_parts(rows, terminal);
 }
 
 std::string counts_csv(const std::vector<Compared>& all) {
@@ -172,7 +194,7 @@ void put_comparison(image::OutputSet& output, const std::filesystem::path& folde
         put_shares(output, folder / (run.algorithm->name + "_smooth.png"), input, run.result, colors);
         rows.push_back(sheet_row(pictures, run));
     }
-    image::put_picture(output.add(folder / "sheet.png"), sheet_of(rows));
+    image::put_picture(output.add(folder / "sheet.png"), sheet_of(in_rows(std::move(rows))));
     image::put_picture(output.add(folder / "complexity.png"),
                        picture_of_counts(hs::depth_complexity(input), input.view.width, input.view.height));
     output.add(folder / "counts.csv").write_text(counts_csv(all));

@@ -17,7 +17,8 @@ struct Compared {
     hiddensurface::Result result;
 };
 
-/// A line for each counter, a column for each algorithm.
+/// Of one algorithm a line for each counter; of several a line for each algorithm, the counters side by side
+/// as far as they fit a terminal, then the next ones below.
 std::string counts_text(const std::vector<Compared>& all);
 std::string counts_csv(const std::vector<Compared>& all);
 std::string counts_json(const std::vector<Compared>& all);
@@ -31,8 +32,9 @@ void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
                const hiddensurface::Input& input, const Compared& run,
                const std::vector<hiddensurface::Step>& steps, int pictures);
 
-/// sheet.png (a row for each algorithm: picture, difference, writes, each with a caption), the same pictures
-/// one by one, complexity.png, counts.csv, counts.json, index.html.
+/// sheet.png (for each algorithm picture, difference and writes side by side, each with a caption; several
+/// algorithms in a row where there are many), the same pictures one by one, complexity.png, counts.csv,
+/// counts.json, index.html.
 void put_comparison(image::OutputSet& output, const std::filesystem::path& folder,
                     const hiddensurface::Input& input, const std::vector<Compared>& all);
 

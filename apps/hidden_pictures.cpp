@@ -170,7 +170,7 @@ image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows) {
     image::Picture sheet = blank(columns * (one.width + gap) - gap, lines * (one.height + gap) - gap);
     for (std::uint16_t& v : sheet.values) v = 255;
     for (int r = 0; r < lines; ++r)
-        for (int c = 0; c < columns; ++c)
+        for (int c = 0; c < int(rows[std::size_t(r)].size()); ++c)
             for (int y = 0; y < one.height; ++y) {
                 const auto row = std::size_t(one.width) * 3;
                 const std::uint16_t* from =

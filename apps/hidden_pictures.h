@@ -49,7 +49,7 @@ image::Picture picture_of_counts(const std::vector<std::uint8_t>& counts, int wi
 /// A small picture so many times as large, dots for pixels, that it is about 320 pixels wide.
 image::Picture enlarged(const image::Picture& picture);
 
-/// Rows of pictures of one size, 4 pixels apart, the first row on top.
+/// Rows of pictures of one size, 4 pixels apart, the first row on top; none longer than that.
 image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows);
 
 std::string hex_of(const Color& color);

@@ -1,4 +1,5 @@
-// The commands in README.md, docs/commands.md and docs/lecture.md work as they stand there.
+// The commands in README.md, docs/commands.md, docs/hiddensurfaces.md and docs/lecture.md work as they stand
+// there.
 #include "examples.h"
 
 namespace gw::apps {
@@ -15,6 +16,20 @@ TEST_F(Documents, CommandReferenceWorks) {
     const auto commands = examples(bytes_of(GW_SOURCE_DIR "/docs/commands.md"));
     EXPECT_GE(commands.size(), 5u);
     expect_to_work(commands);
+}
+
+/// With the answers that the page shows, which are right, and the study stopped where a run would take longer
+/// than a thousandth of a second.
+TEST_F(Documents, HiddenSurfacesCommandsWork) {
+    const std::string page = bytes_of(GW_SOURCE_DIR "/docs/hiddensurfaces.md");
+    write("answers.json", examples(page, "{\"seed\"").at(0));
+    auto commands = examples(page);
+    EXPECT_GE(commands.size(), 6u);
+    for (std::string& command : commands)
+        if (command.find(" study hidden ") != command.npos) command += " --limit 0.001 --axis polygons";
+    expect_to_work(commands);
+    EXPECT_FALSE(bytes_of(in("growth/growth.csv")).empty());
+    EXPECT_NE(bytes_of(in("truth.csv")).find("\n"), std::string::npos);
 }
 
 struct Lecture : ExampleTest {

@@ -64,7 +64,25 @@ TEST_F(Hidden, WritesAComparisonOfAll) {
                              "bsp.png", "bsp_difference.png", "bsp_writes.png"})
         EXPECT_EQ(std::count(found.begin(), found.end(), name), 1) << name;
     const Pixels sheet = read_pixels(in("c/sheet.png"));
-    EXPECT_EQ(sheet.width, 3 * (6 * 48 + 4) - 4);  // enlarged, so that captions can be read
+    const int one = 6 * 48 + 4;  // enlarged, so that captions can be read
+    EXPECT_EQ((sheet.width + 4) % (3 * one), 0);
+    EXPECT_LE(sheet.height, sheet.width);
+}
+
+// A line for each algorithm, three times or so: as many counters abreast as a terminal is wide.
+TEST_F(Hidden, PrintsATableThatATerminalHolds) {
+    const Outcome outcome = hidden({});
+    std::istringstream lines(outcome.out);
+    std::size_t words = 0, rows = 0;
+    for (std::string line, word; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), 120u);
+        for (std::istringstream in_line(line); in_line >> word; ++words) rows += word == "quake" ? 1 : 0;
+    }
+    const std::size_t algorithms = hiddensurface::algorithms().size(),
+                      counters = hiddensurface::count_names().size();
+    EXPECT_EQ(words, rows * algorithms + counters * (algorithms + 1));
+    EXPECT_GT(rows, 1u);
+    EXPECT_LE(rows, 3u);
 }
 
 TEST_F(Hidden, WritesOverEachPictureWhatItShows) {
