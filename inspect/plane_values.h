@@ -1,8 +1,8 @@
-// Planes by name and value, and where two sets of them differ. Pixels are in window coordinates here; `text`
+// Where two sets of planes differ. Pixels are in window coordinates here; `text`
 // functions of findings turn them into picture coordinates.
 #pragma once
 
-#include "gw/planes.h"
+#include "gw/plane_names.h"
 
 #include <optional>
 #include <string>
@@ -13,11 +13,6 @@ namespace gw::inspect {
 /// In the order in which a fragment reaches them.
 inline constexpr std::array<Plane, 4> planes_in_order{Plane::Stencil, Plane::Depth, Plane::Color,
                                                       Plane::Accum};
-
-/// "color", "depth", "stencil", "accum"
-const char* name_of(Plane plane);
-/// Of one pixel: "12 34 56 255" or "16777215".
-std::string value_at(const Planes& planes, Plane plane, int x, int y);
 
 /// The sum of the channels' absolute differences at a pixel.
 std::uint64_t distance(const Planes& a, const Planes& b, Plane plane, int x, int y);

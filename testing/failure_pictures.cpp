@@ -36,8 +36,7 @@ std::string write_all(const std::string& name, const std::optional<Planes>& expe
     const Plane plane = expected ? first_plane_that_differs(*expected, actual) : Plane::Color;
     std::filesystem::create_directories(output_folder());
     const auto file = [&](const char* kind) {
-        return output_folder() /
-               (name_of_test() + "-" + name + "-" + inspect::name_of(plane) + "-" + kind + ".png");
+        return output_folder() / (name_of_test() + "-" + name + "-" + name_of(plane) + "-" + kind + ".png");
     };
     std::string lines = written(file("actual"), image::plane_picture(actual, plane, profile));
     if (!expected) return lines;

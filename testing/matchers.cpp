@@ -48,11 +48,11 @@ bool inside(const Planes& planes, int x, int y) {
 
 /// Planes of one pixel that holds what is expected serve as the words for a value.
 PlanesMatcher pixel_is(Plane plane, int x, int y, const Planes& one) {
-    const std::string value = inspect::value_at(one, plane, 0, 0);
-    const std::string says = fmt::format("{} at ({}, {}) is {}", inspect::name_of(plane), x, y, value);
+    const std::string value = value_at(one, plane, 0, 0);
+    const std::string says = fmt::format("{} at ({}, {}) is {}", name_of(plane), x, y, value);
     return asked(says, [=](const Planes& planes) {
         if (!inside(planes, x, y)) return fmt::format("which are {} x {}", planes.width, planes.height);
-        const std::string actual = inspect::value_at(planes, plane, x, y);
+        const std::string actual = value_at(planes, plane, x, y);
         return actual == value ? "" : "which is " + actual;
     });
 }
@@ -67,8 +67,8 @@ std::string difference(Plane plane, const Planes& expected, const Planes& actual
     if (wrong.empty()) return "";
     const auto [x, y, distance] = wrong.front();
     return fmt::format("where {} differs at {} pixels, worst at ({}, {}): expected {}, got {}",
-                       inspect::name_of(plane), wrong.size(), x, y, inspect::value_at(expected, plane, x, y),
-                       inspect::value_at(actual, plane, x, y));
+                       name_of(plane), wrong.size(), x, y, value_at(expected, plane, x, y),
+                       value_at(actual, plane, x, y));
 }
 
 PlanesMatcher equal(std::string says, std::vector<Plane> which, Planes expected,
@@ -112,8 +112,8 @@ PlanesMatcher HasAccum(int x, int y, std::array<std::int32_t, 4> sum) {
 }
 
 PlanesMatcher PlaneEq(Plane plane, Planes expected, std::optional<Profile> profile) {
-    return equal(std::string(inspect::name_of(plane)) + " is as expected, bit for bit", {plane},
-                 std::move(expected), std::move(profile));
+    return equal(std::string(name_of(plane)) + " is as expected, bit for bit", {plane}, std::move(expected),
+                 std::move(profile));
 }
 
 PlanesMatcher PlanesEq(Planes expected, std::optional<Profile> profile) {
@@ -123,7 +123,7 @@ PlanesMatcher PlanesEq(Planes expected, std::optional<Profile> profile) {
 }
 
 PlanesMatcher HasDigest(Plane plane, std::string expected) {
-    const std::string says = fmt::format("the digest of {} is {}", inspect::name_of(plane), expected);
+    const std::string says = fmt::format("the digest of {} is {}", name_of(plane), expected);
     return asked(says, [=](const Planes& planes) {
         const std::string actual = to_string(digest(planes, plane));
         return actual == expected ? "" : "which is " + actual;
@@ -132,7 +132,7 @@ PlanesMatcher HasDigest(Plane plane, std::string expected) {
 
 PlanesMatcher CoveredPixels(Plane plane, Planes background, ::testing::Matcher<std::size_t> count) {
     std::stringstream says;
-    says << "the number of pixels of " << inspect::name_of(plane) << " that are not the background's ";
+    says << "the number of pixels of " << name_of(plane) << " that are not the background's ";
     count.DescribeTo(&says);
     return asked(says.str(), [=](const Planes& planes) -> std::string {
         if (planes.width != background.width || planes.height != background.height)

@@ -3,6 +3,7 @@
 // Does not compare them: tests/exactness/compare does. Exit 1 for an error, 2 for usage.
 #include "gw/error.h"
 #include "gw/fast/kernels.h"
+#include "gw/plane_names.h"
 #include "tests/exactness/pictures.h"
 #include "tests/fuzz/run.h"
 #include "tests/fuzz/suite_digest.h"
@@ -15,12 +16,19 @@
 namespace gw::exactness {
 namespace {
 
+/// "Color": the table's word for a plane.
+std::string column_of(Plane plane) {
+    std::string name = name_of(plane);
+    name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    return name;
+}
+
 void print_pass(const Picture& picture, const PassReport& pass) {
     std::string name = pass.name;
     for (char& c : name) c = c == ' ' ? '-' : c;
     for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
         if (pass.digested & mask_of(plane))
-            fmt::print("{} {} {} {}\n", picture.name, name, fuzz::name_of(plane),
+            fmt::print("{} {} {} {}\n", picture.name, name, column_of(plane),
                        to_string(pass.digests[std::size_t(plane)]));
     fmt::print("{} {} counters {}\n", picture.name, name, fuzz::counters_digest(pass.counters));
 }

@@ -2,6 +2,7 @@
 #include "tests/fuzz/compare.h"
 
 #include "gw/counter_names.h"
+#include "gw/plane_names.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -103,27 +104,6 @@ std::optional<Difference> compare_readbacks(const std::map<std::uint32_t, Readba
 }
 
 }  // namespace
-
-const char* name_of(Plane plane) {
-    switch (plane) {
-        case Plane::Color: return "Color";
-        case Plane::Depth: return "Depth";
-        case Plane::Stencil: return "Stencil";
-        case Plane::Accum: return "Accum";
-    }
-    return "";
-}
-
-std::string value_at(const Planes& p, Plane plane, int x, int y) {
-    const std::size_t i = p.index(x, y);
-    switch (plane) {
-        case Plane::Color: return fmt::format("{}", fmt::join(p.color[i], " "));
-        case Plane::Depth: return std::to_string(p.depth[i]);
-        case Plane::Stencil: return std::to_string(p.stencil[i]);
-        case Plane::Accum: return fmt::format("{}", fmt::join(p.accum[i], " "));
-    }
-    return "";
-}
 
 std::optional<Difference> first_difference(Machine& a, Machine& b) {
     if (auto difference = compare_planes(a.planes(), b.planes())) return difference;

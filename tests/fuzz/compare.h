@@ -10,7 +10,7 @@ namespace gw::fuzz {
 
 /// The first value that differs.
 struct Difference {
-    std::string what;  ///< "plane Depth", "pass 2 'shadow', counter written", "read-back 3"
+    std::string what;  ///< "plane depth", "pass 2 'shadow', counter written", "read-back 3"
     std::optional<Plane> plane;
     ivec2 pixel{0};  ///< where `plane`
     std::string a, b;
@@ -18,9 +18,5 @@ struct Difference {
 
 /// Planes in the order depth, stencil, colour, accumulation: what goes wrong first.
 std::optional<Difference> first_difference(Machine& a, Machine& b);
-
-const char* name_of(Plane plane);
-/// A pixel's value in a plane, as numbers.
-std::string value_at(const Planes& planes, Plane plane, int x, int y);
 
 }  // namespace gw::fuzz

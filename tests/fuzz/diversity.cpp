@@ -2,7 +2,7 @@
 #include "tests/fuzz/diversity.h"
 
 #include "gw/counter_names.h"
-#include "tests/fuzz/compare.h"
+#include "gw/plane_names.h"
 
 #include <fmt/format.h>
 
