@@ -4,6 +4,7 @@
 #include "scene/number.h"
 #include "scene/suggest.h"
 #include "scene/text_file.h"
+#include "scene/toml_text.h"
 
 #include <algorithm>
 
@@ -127,7 +128,7 @@ private:
 }  // namespace
 
 TomlValue read_toml_file(const std::filesystem::path& path) {
-    const std::string text = read_text(path);
+    const std::string text = toml_text(path.string(), read_text(path));
     try {
         return Converter(path.string(), text).convert(toml::parse(text, path.string()), "", "");
     } catch (const toml::parse_error& error) {

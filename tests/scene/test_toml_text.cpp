@@ -1,0 +1,43 @@
+// Claims: characters beyond ASCII stand in strings and comments of a TOML scene, and nowhere else; toml++
+// sees none of those that it has no answer for.
+#include "scene/toml_text.h"
+
+#include <gtest/gtest.h>
+
+#include "folder.h"
+#include "scene/read_scene.h"
+
+namespace gw::scene {
+
+TEST(TomlText, KeepsStringsAndEmptiesComments) {
+    EXPECT_EQ(toml_text("f", "a = 'é' # é\nb = \"\\\"é\" # \""), "a = 'é' # ??\nb = \"\\\"é\" # \"");
+    EXPECT_EQ(toml_text("f", "a = '''é'\n'é''' # ü"), "a = '''é'\n'é''' # ??");
+    EXPECT_EQ(toml_text("f", "a = \"\"\"#é\"\"\"\"\" # \"é"), "a = \"\"\"#é\"\"\"\"\" # \"??");
+    EXPECT_EQ(toml_text("f", "a = [ '', \"\", '#é' ]"), "a = [ '', \"\", '#é' ]");
+    EXPECT_EQ(toml_text("f", "a = 'open # é\nb = 1 # é"), "a = 'open # é\nb = 1 # ??");
+}
+
+TEST(TomlText, IsReadAsItWasWritten) {
+    const Folder folder;
+    const auto file = folder.write("s.toml",
+                                   "name = \"Zimmer für zwei\" # größer\n[material.\"grün\"]\nKd = [ 1, # "
+                                   "é\n 0, 1]\n[[object]]\nshape = 'box'\n");
+    EXPECT_EQ(read_scene(file).scene.name, "Zimmer für zwei");
+}
+
+// U+00E9, U+035A, U+FC3F and half a character: where toml++ has undefined behaviour or an error.
+TEST(TomlText, NamesTheLineOfACharacterOutsideOfStrings) {
+    const Folder folder;
+    for (const char* text : {"\nclé = 1\n", "\n[camera] é\n", "\nbackground = [0.1, \xcd\x9a]\n",
+                             "\n[[lig\xef\xb0\xbf]]\n", "\n\xe9 = 1\n", "'a' = 1 # é\n  é"})
+        EXPECT_EQ(
+            folder.scene_error("s.toml", text),
+            "s.toml:2: a character beyond ASCII outside of a string; expected quotation marks around it")
+            << text;
+    for (const char* text : {"name = \"\"\"a\\\n  é\"\"\"", "\nname = \"\"\"a\\é\"\"\""})
+        EXPECT_EQ(folder.scene_error("s.toml", text),
+                  "s.toml:2: a character beyond ASCII after a backslash; expected it in the line before")
+            << text;
+}
+
+}  // namespace gw::scene
