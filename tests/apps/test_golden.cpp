@@ -2,35 +2,45 @@
 // say. They change only by `gw golden tests/golden --update`.
 #include "apps/figure_table.h"
 #include "examples.h"
+#include "gw/profile.h"
 
 #include <set>
 
 namespace gw::apps {
 
-class Golden : public ExampleTest, public testing::WithParamInterface<std::string> {};
+/// A figure and one profile; "": all.
+using GoldenRun = std::pair<std::string, std::string>;
 
-std::vector<std::string> golden_figures() {
-    std::vector<std::string> names;
-    for (const Figure& figure : figures()) names.push_back(figure.name);
-    return names;
-}
+class Golden : public ExampleTest, public testing::WithParamInterface<GoldenRun> {};
 
-/// On vgx here; on the other profiles in tests/apps/long.
-bool takes_long(const std::string& figure) {
-    static const std::set<std::string> all{"fig5", "focus", "glare", "lamps", "shadows", "soft"};
-    return all.contains(figure);
+/// Those that take seconds are a test for each profile, which run side by side.
+std::vector<GoldenRun> golden_runs() {
+    static const std::set<std::string> long_ones{"fig5", "focus", "glare", "lamps", "shadows", "soft"};
+    std::vector<GoldenRun> runs;
+    for (const Figure& figure : figures()) {
+        if (!long_ones.contains(figure.name))
+            runs.push_back({figure.name, ""});
+        else
+            for (const Profile& profile : profiles()) runs.push_back({figure.name, profile.name});
+    }
+    return runs;
 }
 
 TEST_P(Golden, EveryPassIsAsItWas) {
-    std::vector<std::string> words{"golden", GW_SOURCE_DIR "/tests/golden", "--only", GetParam()};
-    if (takes_long(GetParam())) words.insert(words.end(), {"--profile", "vgx"});
+    const auto& [figure, profile] = GetParam();
+    std::vector<std::string> words{"golden", GW_SOURCE_DIR "/tests/golden", "--only", figure};
+    if (!profile.empty()) words.insert(words.end(), {"--profile", profile});
     const Outcome outcome = gw(words);
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
     EXPECT_NE(outcome.out.find(": all as they were\n"), std::string::npos) << outcome.out;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Golden, testing::ValuesIn(golden_figures()),
-                         [](const auto& test) { return test.param; });
+std::string name_of(const testing::TestParamInfo<GoldenRun>& run) {
+    const auto& [figure, profile] = run.param;
+    return profile.empty() ? figure : figure + "_" + profile;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Golden, testing::ValuesIn(golden_runs()), name_of);
 
 TEST_F(Golden, ADifferenceNamesManifestPassAndStage) {
     ASSERT_EQ(gw({"golden", "g", "--only", "edges", "--update"}).code, 0);
