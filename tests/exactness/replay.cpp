@@ -1,6 +1,7 @@
-// gw-replay: recordings from another process, compiler and processor. Replays each T.gwt on both machines and holds
-// every plane and counter of every pass against T.json, as gw verify does. scripts/exactness makes the files.
-// Prints "recordings AGREE OF", counting each machine. Exit 3 where one differs, 1 for an error, 2 for usage.
+// gw-replay: recordings from another process, compiler and processor. Replays each T.gwt on both machines and
+// holds every plane and counter of every pass against T.json, as gw verify does. scripts/exactness makes the
+// files. Prints "recordings AGREE OF", counting each machine. Exit 3 where one differs, 1 for an error, 2 for
+// usage.
 #include "gw/error.h"
 #include "inspect/manifest_file.h"
 #include "inspect/read_bytes.h"
