@@ -22,18 +22,49 @@ public:
             const char c = text_[at_];
             if (c == '#')
                 comment();
-            else if (c == '"' || c == '\'')
+            else if ((c == '"' || c == '\'') && may_begin_string())
                 string(c);
             else
-                outside();
+                outside(c);
         }
     }
 
 private:
-    void outside() {
-        if (is_beyond_ascii(text_[at_]))
+    /// As a key, a part of one, or a value. In a wrong number or word toml++ takes a quotation mark for a
+    /// part of it.
+    bool may_begin_string() const {
+        const std::string_view before = value_ ? "=[,\n" : "[{,.\n";
+        return !word_ && before.find(before_) != std::string_view::npos;
+    }
+
+    void outside(char c) {
+        if (is_beyond_ascii(c))
             fail("a character beyond ASCII outside of a string; expected quotation marks around it");
+        if (is_space(c) || c == ',' || c == ']' || c == '}') word_ = false;
+        if (!word_) structure(c);
+        if (c != ' ' && c != '\t' && c != '\r') before_ = c;
         ++at_;
+    }
+
+    void structure(char c) {
+        switch (c) {
+            case ' ':
+            case '\t':
+            case '\r': break;
+            case '\n': value_ = value_ && !open_.empty(); break;
+            case ',': value_ = !open_.empty() && open_.back() == '['; break;
+            case '[':
+            case '{':
+                if (value_) open_ += c;
+                value_ = value_ && c == '[';
+                break;
+            case ']':
+            case '}':
+                value_ = !open_.empty();
+                if (value_) open_.pop_back();
+                break;
+            default: word_ = value_; value_ = value_ || c == '=';
+        }
     }
 
     void comment() {
@@ -46,6 +77,7 @@ private:
         const bool lines = stands_here(three);
         const std::string_view end = std::string_view(three).substr(0, lines ? 3 : 1);
         at_ += end.size();
+        before_ = quote;
         while (at_ < text_.size() && (lines || text_[at_] != '\n')) {
             if (stands_here(end)) return close(quote, end.size());
             if (quote == '"' && text_[at_] == '\\')
@@ -80,6 +112,10 @@ private:
     const std::string& file_;
     std::string& text_;
     std::size_t at_ = 0;
+    char before_ = '\n';  ///< the last character outside of comments that is not a blank
+    std::string open_;    ///< brackets of arrays and inline tables
+    bool value_ = false;  ///< what comes next is a value, not a key
+    bool word_ = false;   ///< within a value without quotation marks
 };
 
 }  // namespace

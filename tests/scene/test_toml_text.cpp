@@ -17,6 +17,16 @@ TEST(TomlText, KeepsStringsAndEmptiesComments) {
     EXPECT_EQ(toml_text("f", "a = 'open # é\nb = 1 # é"), "a = 'open # é\nb = 1 # ??");
 }
 
+// Every place where TOML has a string.
+TEST(TomlText, KnowsWhereStringsBegin) {
+    for (const std::string text :
+         {"a = 'é'", "'é' = 'é'", "a.'é' . 'é' = 1", "['é'.\"é\"]\n[[ 'é' ]]",
+          "a = ['é', 'é',\n'é',\n # '\n 'é' ]",
+          "a = { 'é' = 'é', b.'é' = [ 'é' ], c = { 'é' = 1 }, 'é' = 2 }", "a = [[1, 2], ['é']]\n'é' = 2",
+          "a = 1979-05-27 07:32:00 \n'é' = +1", "a = [{b = 'é'}, {'é' = 1}]\n[a.'é']\nb='é'"})
+        EXPECT_EQ(toml_text("f", text), text);
+}
+
 TEST(TomlText, IsReadAsItWasWritten) {
     const Folder folder;
     const auto file = folder.write("s.toml",
@@ -28,8 +38,10 @@ TEST(TomlText, IsReadAsItWasWritten) {
 // U+00E9, U+035A, U+FC3F and half a character: where toml++ has undefined behaviour or an error.
 TEST(TomlText, NamesTheLineOfACharacterOutsideOfStrings) {
     const Folder folder;
-    for (const char* text : {"\nclé = 1\n", "\n[camera] é\n", "\nbackground = [0.1, \xcd\x9a]\n",
-                             "\n[[lig\xef\xb0\xbf]]\n", "\n\xe9 = 1\n", "'a' = 1 # é\n  é"})
+    for (const char* text :
+         {"\nclé = 1\n", "\n[camera] é\n", "\nbackground = [0.1, \xcd\x9a]\n", "\n[[lig\xef\xb0\xbf]]\n",
+          "\n\xe9 = 1\n", "\nKd = +'é'", "\na = 'b''é'", "\na = 0.'é'", "\na = [0.'é']", "\na = 0{'é' = 1}",
+          "\na = =['é']", "\na = 1 'é'", "'a' = 1 # é\n  é"})
         EXPECT_EQ(
             folder.scene_error("s.toml", text),
             "s.toml:2: a character beyond ASCII outside of a string; expected quotation marks around it")
