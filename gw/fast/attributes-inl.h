@@ -52,7 +52,7 @@ struct ColorWords {
 };
 HWY_INLINE void gather_colors(const TileDraw& draw, const Corners& t, ColorWords& out) {
     const VertexColors& colors = *draw.op->colors;
-    for (std::size_t i = 0; i < batch_room; ++i) {
+    for (std::size_t i = 0; i < t.room; ++i) {
         const bool front = t.primitive[i]->front || colors.back.empty();
         const Rgba* from = (front ? colors.front : colors.back).data();
         for (std::size_t k = 0; k < 3; ++k)
@@ -87,9 +87,27 @@ HWY_INLINE void fog_planes(const TileDraw& draw, const Corners& t, PlaneBatch& o
         t, [&](std::size_t k, std::size_t i) { return nearest(hn::Load(D64(), factor[k] + i)); }, out);
 }
 
+/// Whether a channel has one value on each triangle of a batch: most of the alphas, ambient and dark light.
+HWY_INLINE bool is_constant(const Corners& t, const ColorWords& colors, std::size_t c) {
+    const U64ForD64 u;
+    auto any = hn::Zero(u);
+    for (std::size_t i = 0; i < t.room; i += hn::Lanes(u)) {
+        const auto first = hn::Load(u, colors.at[0] + i);
+        any = hn::Or(any, hn::Or(hn::Xor(first, hn::Load(u, colors.at[1] + i)),
+                                 hn::Xor(first, hn::Load(u, colors.at[2] + i))));
+    }
+    return hn::AllTrue(u, hn::Eq(hn::And(any, hn::Set(u, std::uint64_t{0xFFFF} << (16 * c))), hn::Zero(u)));
+}
+HWY_INLINE void put_constant(const Corners& t, const ColorWords& colors, std::size_t k, NarrowBatch& out) {
+    for (std::size_t i = 0; i < t.room; ++i) {
+        out.c[k][i] = std::uint32_t(colors.at[0][i] >> (16 * k) & 0xFFFF) * 65536u + 32768u;
+        out.gx[k][i] = out.gy[k][i] = 0;
+    }
+}
+
 /// Puts a batch's plane of one channel where it belongs: at the tile, modulo 2^32.
 HWY_INLINE void put_channel(const Corners& t, const PlaneBatch& plane, std::size_t k, NarrowBatch& out) {
-    for (std::size_t i = 0; i < batch_room; ++i) {
+    for (std::size_t i = 0; i < t.room; ++i) {
         const auto gx = std::uint32_t(plane.gx[i]), gy = std::uint32_t(plane.gy[i]);
         out.gx[k][i] = gx, out.gy[k][i] = gy;
         out.c[k][i] =
@@ -104,6 +122,10 @@ HWY_INLINE std::uint32_t smooth_colors(const TileDraw& draw, const Corners& t, N
     gather_colors(draw, t, colors);
     std::uint32_t sure = ~0u;
     for (std::size_t k = 0; k < 4; ++k) {
+        if (is_constant(t, colors, k)) {
+            put_constant(t, colors, k, out);
+            continue;
+        }
         channel_planes(t, colors, k, plane);
         put_channel(t, plane, k, out);
         sure &= plane.sure;
@@ -187,7 +209,7 @@ HWY_NOINLINE inline void coordinate_planes(const TileDraw& draw, const Corners& 
     alignas(64) double s[3][batch_room], numerator[3][batch_room];
     gather(t, s, [&](std::uint32_t v) { return draw.op->texcoords->strq[v][c]; });
     out.finite = 0;
-    for (std::size_t i = 0; i < batch_room; i += hn::Lanes(D64())) {
+    for (std::size_t i = 0; i < t.room; i += hn::Lanes(D64())) {
         const Vertices3 at = load3(s, i), ratio = ratios(load3(w, i));
         out.finite |= (finite_lanes(at) & finite_lanes(ratio)) << i;
         numerator_lanes(at, ratio, wrap, i, out, numerator);
@@ -200,7 +222,7 @@ HWY_NOINLINE inline void denominator_planes(const Corners& t, const double (&w)[
     const D64 d;
     alignas(64) double q[3][batch_room];
     const auto unit = all(coordinate_unit);
-    for (std::size_t i = 0; i < batch_room; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < t.room; i += hn::Lanes(d)) {
         const Vertices3 ratio = ratios(load3(w, i));
         for (std::size_t k = 0; k < 3; ++k) {
             const auto v = nearest(hn::Mul(unit, ratio.at[k]));

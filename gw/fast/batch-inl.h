@@ -20,15 +20,18 @@ struct BatchPlanes {
     const TileDraw& draw;
     const Corners& corners;
     BatchRoom& room;
-    bool narrow, made = false;
+    bool narrow, flat, made = false;
     std::size_t channels;
     NarrowBatch narrow_color;
+    ShadeInputs in;
+    std::size_t flat_in = batch_room;  ///< whose one colour stands in the inputs
 
     HWY_INLINE BatchPlanes(const TileDraw& d, const Corners& c)
         : draw(d),
           corners(c),
           room(*d.room),
           narrow(is_narrow(*d.op)),
+          flat(narrow && is_flat(d.op->state.state) && !has_fog(d.op->state.state)),
           channels(has_fog(d.op->state.state) ? 5 : 4) {}
 
     HWY_INLINE void make() {
@@ -40,15 +43,17 @@ struct BatchPlanes {
             set_up_colors(draw, corners, room.color);
         if (draw.op->texels) set_up_textures(draw, corners, room.texture);
     }
-    /// The colours of triangle i in a block, of all lanes.
-    HWY_NOINLINE const ColorBlock& color_of(std::size_t i, int bx, int by, ShadeInputs& in) {
+    /// The colours of triangle i in a block, of the lanes of `mask`.
+    HWY_NOINLINE const ColorBlock& color_of(std::size_t i, int bx, int by, std::uint32_t mask) {
         make();
-        if (narrow)
-            narrow_colors(narrow_color, i, channels, bx, by, in);
+        if (flat && flat_in == i)
+            ;
+        else if (narrow)
+            narrow_colors(narrow_color, i, channels, bx, by, in), flat_in = i;
         else
-            wide_colors(room.color[i], *draw.op, bx, by, all_lanes, in);
-        if (draw.op->texels) put_texture(room.texture[i], draw, bx, by, all_lanes, in);
-        return shaded(draw, in);
+            wide_colors(room.color[i], *draw.op, bx, by, mask, in);
+        if (draw.op->texels) look_up(room.texture[i], draw, bx, by, mask, in);
+        return shaded(draw, in.texel, in);
     }
 };
 

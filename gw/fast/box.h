@@ -26,6 +26,10 @@ inline BlockBox block_box(const Rect& rect, const Tile& tile) {
     b.x1 = std::clamp(rect.x + rect.width - tile.x, 0, tile.side);
     b.y0 = std::clamp(rect.y - tile.y, 0, tile.side),
     b.y1 = std::clamp(rect.y + rect.height - tile.y, 0, tile.side);
+    if (b.x1 - b.x0 == tile.side && b.y1 - b.y0 == tile.side) {
+        b.column.fill(0xFFFF), b.row.fill(0xFFFF);
+        return b;
+    }
     const auto lanes = [&](int block, int low, int high, std::uint32_t line, int step) {
         std::uint32_t mask = 0;
         for (int k = 0; k < block_side; ++k) {

@@ -20,19 +20,6 @@ namespace gw::fast::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Triangles of a set by ordinal, a lane each; lanes beyond `count` repeat the first.
-struct Corners {
-    std::size_t count = 0;
-    int s = 3;
-    std::uint32_t ordinal[batch_room];
-    const SetupPrimitive* primitive[batch_room];
-    alignas(64) std::int32_t x[3][batch_room], y[3][batch_room];  ///< jittered
-    alignas(64) std::uint32_t z[3][batch_room];
-    std::int32_t to_x[batch_room], to_y[batch_room];  ///< pixels from corner 0's to the tile
-    alignas(64) double dx1[batch_room], dy1[batch_room], dx2[batch_room], dy2[batch_room], area2[batch_room];
-    alignas(64) double ax[batch_room], ay[batch_room];  ///< from corner 0 to the centre of its pixel
-};
-
 HWY_INLINE PrimitiveFrame frame_of(const TileDraw& draw, std::uint32_t ordinal) {
     const GeometrySet& set = *draw.op->set;
     return primitive_frame(set, set.primitives[ordinal], draw.op->state.state.jitter,
@@ -42,7 +29,7 @@ HWY_INLINE PrimitiveFrame frame_of(const TileDraw& draw, std::uint32_t ordinal) 
 /// A value at each corner of each triangle: out[corner][lane] = value(vertex).
 template <typename T, class Value>
 HWY_INLINE void gather(const Corners& t, T (&out)[3][batch_room], const Value& value) {
-    for (std::size_t i = 0; i < batch_room; ++i)
+    for (std::size_t i = 0; i < t.room; ++i)
         for (std::size_t k = 0; k < 3; ++k) out[k][i] = value(t.primitive[i]->vertex[k]);
 }
 
@@ -51,11 +38,12 @@ HWY_INLINE void gather_positions(const TileDraw& draw, std::span<const std::uint
     const JitterState& jitter = draw.op->state.state.jitter;
     t.s = draw.profile->subpixel_bits;
     t.count = std::min(ordinals.size(), batch_room);
-    for (std::size_t i = 0; i < batch_room; ++i) {
+    t.room = t.count <= batch_room / 2 ? batch_room / 2 : batch_room;
+    for (std::size_t i = 0; i < t.room; ++i) {
         t.ordinal[i] = ordinals[i < t.count ? i : 0];
         t.primitive[i] = &set.primitives[t.ordinal[i]];
     }
-    for (std::size_t i = 0; i < batch_room; ++i)
+    for (std::size_t i = 0; i < t.room; ++i)
         for (std::size_t k = 0; k < 3; ++k) {
             const SnappedVertex& v = set.at[t.primitive[i]->vertex[k]];
             t.x[k][i] = v.x + jitter.x, t.y[k][i] = v.y + jitter.y, t.z[k][i] = v.z;
@@ -88,7 +76,7 @@ HWY_INLINE V64 nearest(V64 v) {
 /// Gathers the corners and what planes need of them.
 HWY_INLINE void gather_corners(const TileDraw& draw, std::span<const std::uint32_t> ordinals, Corners& t) {
     gather_positions(draw, ordinals, t);
-    for (std::size_t i = 0; i < batch_room; ++i) {
+    for (std::size_t i = 0; i < t.room; ++i) {
         t.to_x[i] = draw.tile.x - (t.x[0][i] >> t.s);
         t.to_y[i] = draw.tile.y - (t.y[0][i] >> t.s);
     }
@@ -99,7 +87,7 @@ HWY_INLINE void gather_corners(const TileDraw& draw, std::span<const std::uint32
     const auto to_center = [&](V64 v) {
         return hn::Sub(hn::Add(hn::Mul(hn::Floor(hn::Mul(v, inverse)), cell), half), v);
     };
-    for (std::size_t i = 0; i < batch_room; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < t.room; i += hn::Lanes(d)) {
         const auto x0 = load_integers(t.x[0] + i), y0 = load_integers(t.y[0] + i);
         const auto dx1 = hn::Sub(load_integers(t.x[1] + i), x0), dy1 = hn::Sub(load_integers(t.y[1] + i), y0);
         const auto dx2 = hn::Sub(load_integers(t.x[2] + i), x0), dy2 = hn::Sub(load_integers(t.y[2] + i), y0);
@@ -157,7 +145,7 @@ HWY_INLINE void set_up_planes(const Corners& t, const Value& value, PlaneBatch& 
     const D64 d;
     const I64ForD64 i64;
     out.sure = 0;
-    for (std::size_t i = 0; i < batch_room; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < t.room; i += hn::Lanes(d)) {
         const auto dx1 = hn::Load(d, t.dx1 + i), dy1 = hn::Load(d, t.dy1 + i);
         const auto dx2 = hn::Load(d, t.dx2 + i), dy2 = hn::Load(d, t.dy2 + i);
         const auto area2 = hn::Load(d, t.area2 + i);

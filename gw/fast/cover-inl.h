@@ -12,6 +12,7 @@
 #include "gw/fast/walk-inl.h"
 
 #include <algorithm>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -45,8 +46,14 @@ struct EdgeWalk {
 /// How a triangle covers a rectangle of pixels, as far as its edges tell.
 enum class Extent { Outside, Partial, Inside };
 
-/// Of the pixels [x0, x1] x [y0, y1] of the tile.
-HWY_INLINE Extent extent_of(const TileEdges& e, int x0, int y0, int x1, int y1) {
+/// Blocks [x0, x1] x [y0, y1] of a tile.
+struct BlockRange {
+    int x0, y0, x1, y1;
+};
+
+HWY_INLINE Extent extent_of(const TileEdges& e, const BlockRange& blocks) {
+    const int x0 = blocks.x0 * block_side, x1 = blocks.x1 * block_side + block_side - 1;
+    const int y0 = blocks.y0 * block_side, y1 = blocks.y1 * block_side + block_side - 1;
     bool inside = true;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::int32_t least = e.c[k] + e.a[k] * (e.a[k] > 0 ? x0 : x1) + e.b[k] * (e.b[k] > 0 ? y0 : y1);
@@ -59,11 +66,6 @@ HWY_INLINE Extent extent_of(const TileEdges& e, int x0, int y0, int x1, int y1) 
 
 /// Blocks are visited in groups of 4x4, so that a large triangle's empty and full parts cost next to nothing.
 inline constexpr int group_blocks = 4;
-
-/// Blocks [x0, x1] x [y0, y1] of a tile.
-struct BlockRange {
-    int x0, y0, x1, y1;
-};
 
 /// Lanes of the box in one block; all, where the box is the whole tile.
 struct BoxLanes {
@@ -80,8 +82,16 @@ struct BoxLanes {
     }
 };
 
+/// Blocks that the triangle covers wholly; without a box to cut them the visitor may be told so.
 template <class Walk, class Visit>
 HWY_INLINE void visit_full_blocks(const BoxLanes& box, const BlockRange& r, Walk& walk, const Visit& visit) {
+    if constexpr (std::is_invocable_v<Visit, int, int, AllLanes>) {
+        if (box.whole) {
+            for (int by = r.y0; by <= r.y1; ++by, walk.next_row())
+                for (int bx = r.x0; bx <= r.x1; ++bx, walk.next_block()) visit(bx, by, AllLanes{});
+            return;
+        }
+    }
     for (int by = r.y0; by <= r.y1; ++by, walk.next_row())
         for (int bx = r.x0; bx <= r.x1; ++bx, walk.next_block()) {
             LaneSet lanes = lane_set(all_lanes);
@@ -114,13 +124,15 @@ HWY_INLINE void visit_triangle(const BoxLanes& box, const Triangles& t, std::siz
         walk.start(all.x0, all.y0);
         return visit_covered_blocks(box, edges, all, walk, visit);
     }
+    if (extent_of(edges, all) == Extent::Inside) {
+        walk.start(all.x0, all.y0);
+        return visit_full_blocks(box, all, walk, visit);
+    }
     for (int y = all.y0; y <= all.y1; y += group_blocks)
         for (int x = all.x0; x <= all.x1; x += group_blocks) {
             const BlockRange group{x, y, std::min(x + group_blocks - 1, all.x1),
                                    std::min(y + group_blocks - 1, all.y1)};
-            const Extent extent =
-                extent_of(edges, group.x0 * block_side, group.y0 * block_side,
-                          group.x1 * block_side + block_side - 1, group.y1 * block_side + block_side - 1);
+            const Extent extent = extent_of(edges, group);
             if (extent == Extent::Outside) continue;
             walk.start(x, y);
             extent == Extent::Inside ? visit_full_blocks(box, group, walk, visit)

@@ -165,14 +165,17 @@ HWY_INLINE V32 load_channel(const std::uint16_t* p) { return hn::PromoteTo(D32()
 
 HWY_INLINE hn::Vec<Half16> narrow(V32 v) { return hn::DemoteTo(Half16(), hn::BitCast(I32(), v)); }
 
+/// Both sides of a blend, by channel.
+template <class V>
 struct BlendLanes {
-    V32 src[4], dst[4];
+    V src[4], dst[4];
 };
 
 /// The factor of channel c, as in gw/tables.h.
-HWY_INLINE V32 blend_factor_lanes(BlendFactor factor, const BlendLanes& l, std::size_t c, V32 max) {
+template <class D, class V>
+HWY_INLINE V blend_factor_lanes(D d, BlendFactor factor, const BlendLanes<V>& l, std::size_t c, V max) {
     switch (factor) {
-        case BlendFactor::Zero: return hn::Zero(D32());
+        case BlendFactor::Zero: return hn::Zero(d);
         case BlendFactor::One: return max;
         case BlendFactor::SrcColor: return l.src[c];
         case BlendFactor::OneMinusSrcColor: return hn::Sub(max, l.src[c]);
@@ -187,19 +190,46 @@ HWY_INLINE V32 blend_factor_lanes(BlendFactor factor, const BlendLanes& l, std::
     return max;
 }
 
+/// 8 bits a channel: everything fits 16-bit lanes.
+HWY_INLINE void blend_bytes(BlendFactor src_factor, BlendFactor dst_factor, const ColorBlock& src,
+                            const ColorBlock& dst, ColorBlock& out) {
+    const D16 d;
+    const auto max = hn::Set(d, std::uint16_t{255});
+    for (std::size_t i = 0; i < block_pixels; i += lanes16) {
+        BlendLanes<hn::Vec<D16>> l;
+        for (std::size_t c = 0; c < 4; ++c)
+            l.src[c] = hn::Load(d, src.channel[c] + i), l.dst[c] = hn::Load(d, dst.channel[c] + i);
+        for (std::size_t c = 0; c < 4; ++c) {
+            const auto s = mul_bytes(l.src[c], blend_factor_lanes(d, src_factor, l, c, max));
+            const auto t = mul_bytes(l.dst[c], blend_factor_lanes(d, dst_factor, l, c, max));
+            hn::Store(hn::Min(max, hn::Add(s, t)), d, out.channel[c] + i);
+        }
+    }
+}
+
+/// Transparency, the commonest blend after the sum, with its factors known where the code is compiled.
+HWY_NOINLINE inline void blend_bytes(const BlendState& b, const ColorBlock& src, const ColorBlock& dst,
+                                     ColorBlock& out) {
+    if (b.src == BlendFactor::SrcAlpha && b.dst == BlendFactor::OneMinusSrcAlpha)
+        blend_bytes(BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha, src, dst, out);
+    else
+        blend_bytes(b.src, b.dst, src, dst, out);
+}
+
 HWY_NOINLINE inline void blend_block(const BlendState& b, int bits, const ColorBlock& src,
                                      const ColorBlock& dst, ColorBlock& out) {
+    if (bits == 8) return blend_bytes(b, src, dst, out);
     const D32 d;
     const auto max = hn::Set(d, max_of_bits(bits));
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-        BlendLanes l;
+        BlendLanes<V32> l;
         for (std::size_t c = 0; c < 4; ++c) {
             l.src[c] = load_channel(src.channel[c] + i);
             l.dst[c] = load_channel(dst.channel[c] + i);
         }
         for (std::size_t c = 0; c < 4; ++c) {
-            const auto s = mul_lanes(l.src[c], blend_factor_lanes(b.src, l, c, max), bits);
-            const auto t = mul_lanes(l.dst[c], blend_factor_lanes(b.dst, l, c, max), bits);
+            const auto s = mul_lanes(l.src[c], blend_factor_lanes(d, b.src, l, c, max), bits);
+            const auto t = mul_lanes(l.dst[c], blend_factor_lanes(d, b.dst, l, c, max), bits);
             hn::Store(narrow(hn::Min(max, hn::Add(s, t))), Half16(), out.channel[c] + i);
         }
     }

@@ -30,7 +30,9 @@ struct Coverage;
 /// Draws the primitives of `bin` in order.
 void draw_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin);
 
-/// Makes the record of a draw under Equal.
+/// Draws a depth pass and keeps in a record what may be visible.
+void draw_recording(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record);
+/// Makes the record of a draw under Equal: from a depth pass where there was one.
 void record_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record);
 /// Draws from a record that is made.
 void replay_primitives(const TileDraw& draw, Coverage& record);

@@ -113,6 +113,21 @@ HWY_INLINE LaneSet run_depth(const DepthWalk& walk, const Compare& passes, bool 
     return alive;
 }
 
+/// The same of all lanes.
+template <class Compare>
+HWY_INLINE LaneSet run_depth(const DepthWalk& walk, const Compare& passes, bool update, AllLanes,
+                             DepthBlock& block) {
+    const D32 d;
+    LaneSet alive;
+    for (std::size_t k = 0; k < parts; ++k) {
+        std::uint32_t* stored = block.value + k * lanes32;
+        const auto z = walk.walk.at(k);
+        alive.part[k] = passes(z, hn::Load(d, stored));
+        if (update) hn::BlendedStore(z, alive.part[k], d, stored);
+    }
+    return alive;
+}
+
 /// The same behind a stencil test, with the three operations.
 template <class Compare>
 HWY_INLINE LaneSet run_stencil(const StencilLanes& s, const DepthWalk& walk, const Compare& passes,
@@ -138,32 +153,39 @@ HWY_INLINE LaneSet run_stencil(const StencilLanes& s, const DepthWalk& walk, con
 /// No plane of colour is written.
 struct NoPaint {
     HWY_INLINE void operator()(int, int, const LaneSet&) const {}
+    HWY_INLINE void operator()(int, int, AllLanes) const {}
 };
 
 /// One triangle's colour, as the batch has it.
 struct BatchPaint {
     BatchPlanes& planes;
     std::size_t i;
-    ShadeInputs& inputs;
 
     HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
         if (!alive.none()) write(bx, by, alive.bits());
     }
+    HWY_INLINE void operator()(int bx, int by, AllLanes) const { write(bx, by, all_lanes); }
     HWY_NOINLINE void write(int bx, int by, std::uint32_t alive) const {
         const TileDraw& draw = planes.draw;
-        write_color(draw.op->state, planes.color_of(i, bx, by, inputs),
+        write_color(draw.op->state, planes.color_of(i, bx, by, alive),
                     draw.tile.color[draw.tile.block(bx, by)], alive);
     }
 };
 
-/// A triangle of one colour, stored or added: what item buffers and fills do.
+/// A triangle of one colour, stored or added: what item buffers and fills do. A loop over blocks holds a copy
+/// of its own, which stays in registers.
 struct FlatPaint {
-    const TileDraw& draw;
+    const Resolved* state;
+    Tile tile;
     bool adds;
+    std::uint16_t max;
     ColorBlock color;
 
-    HWY_INLINE FlatPaint(const TileDraw& d, const SetupPrimitive& p)
-        : draw(d), adds(d.op->state.state.blend.enable) {
+    HWY_INLINE FlatPaint(const TileDraw& draw, const SetupPrimitive& p)
+        : state(&draw.op->state),
+          tile(draw.tile),
+          adds(state->state.blend.enable),
+          max(std::uint16_t(max_of_bits(state->bits))) {
         const D16 d16;
         const Rgba c = flat_color(draw, p);
         for (std::size_t k = 0; k < 4; ++k)
@@ -178,21 +200,19 @@ struct FlatPaint {
     }
     HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
         const std::uint32_t mask = alive.bits();
+        if (mask == all_lanes) return operator()(bx, by, AllLanes{});
         if (mask == 0) return;
-        ColorBlock& stored = draw.tile.color[draw.tile.block(bx, by)];
-        if (mask == all_lanes)
-            whole(stored);
-        else
-            write_color(draw.op->state, color, stored, mask);
+        const ColorBlock copy = color;
+        write_color(*state, copy, tile.color[tile.block(bx, by)], mask);
     }
     /// All 16 pixels, four channels in a row.
-    HWY_INLINE void whole(ColorBlock& stored) const {
+    HWY_INLINE void operator()(int bx, int by, AllLanes) const {
         const hn::CappedTag<std::uint16_t, 32> d;
-        const auto max = hn::Set(d, std::uint16_t(max_of_bits(draw.op->state.bits)));
-        std::uint16_t* to = stored.channel[0];
+        const auto most = hn::Set(d, max);
+        std::uint16_t* to = tile.color[tile.block(bx, by)].channel[0];
         for (std::size_t i = 0; i < 4 * block_pixels; i += hn::Lanes(d)) {
             const auto own = hn::Load(d, color.channel[0] + i);
-            hn::Store(adds ? hn::Min(hn::SaturatedAdd(own, hn::Load(d, to + i)), max) : own, d, to + i);
+            hn::Store(adds ? hn::Min(hn::SaturatedAdd(own, hn::Load(d, to + i)), most) : own, d, to + i);
         }
     }
 };
@@ -201,19 +221,26 @@ struct FlatPaint {
 /// registers.
 template <class Compare, class Paint>
 HWY_NOINLINE void draw_unstenciled(const TileDraw& draw, const Triangles& t, std::size_t i,
-                                   const BoxLanes& box, const Compare& passes, const Paint& paint,
+                                   const BoxLanes& box, const Compare& passes, const Paint& shared,
                                    PlainCounts& sum) {
+    const Paint paint = shared;
+    const Tile tile = draw.tile;
     const DepthPlane plane = Compare::tests ? depth_of(draw, t, i) : DepthPlane{};
     DepthWalk walk{plane, 0, {}};
     const bool update = draw.op->state.state.depth.mask;
     LaneCounter made, written;
     made.clear(), written.clear();
-    visit_triangle(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
-        const LaneSet alive =
-            run_depth(walk, passes, update, lanes, draw.tile.depth[draw.tile.block(bx, by)]);
-        made.add(lanes), written.add(alive);
-        paint(bx, by, alive);
-    });
+    const auto visit = [&](int bx, int by, auto lanes) {
+        if constexpr (Compare::tests) {
+            const LaneSet alive = run_depth(walk, passes, update, lanes, tile.depth[tile.block(bx, by)]);
+            made.add(lanes), written.add(alive);
+            paint(bx, by, alive);
+        } else {
+            made.add(lanes), written.add(lanes);
+            paint(bx, by, lanes);
+        }
+    };
+    visit_triangle(box, t, i, walk, visit);
     PlainCounts{made, made, written}.add_to(sum);
 }
 
@@ -266,14 +293,13 @@ inline void draw_plain(const TileDraw& draw, std::span<const std::uint32_t> bin,
     lanes.clear();
     set_up_triangles(draw, bin, needs_depth(*draw.op), t);
     BatchPlanes planes(draw, t.corners);
-    ShadeInputs inputs;
     const bool flat = draw.op->state.writes_color && FlatPaint::serves(*draw.op);
     for (std::size_t i = 0; i < t.count(); ++i) {
         if (t.empty(i)) continue;
         if (flat)
             draw_plain(draw, t, i, box, FlatPaint(draw, *t.corners.primitive[i]), lanes);
         else if (draw.op->state.writes_color)
-            draw_plain(draw, t, i, box, BatchPaint{planes, i, inputs}, lanes);
+            draw_plain(draw, t, i, box, BatchPaint{planes, i}, lanes);
         else
             draw_plain(draw, t, i, box, NoPaint{}, lanes);
     }

@@ -30,6 +30,7 @@ FastTexels make_fast_texels(Texels texels) {
                 f.wide.push_back(t);
         }
     }
+    if (texels.bits == 8) f.packed.resize(f.packed.size() + texel_window);
     f.texels = std::move(texels);
     return f;
 }

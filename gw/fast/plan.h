@@ -16,11 +16,14 @@
 
 namespace gw::fast {
 
+/// The kernels may read so many texels at once: as many stand behind the last level.
+inline constexpr std::size_t texel_window = 16;
+
 /// Texels with all levels in one array, as the kernels gather from it.
 struct FastTexels {
     Texels texels;
     std::array<std::int32_t, 16> first{};  ///< of each level, in texels
-    std::vector<std::uint32_t> packed;     ///< 8 bits a channel, R lowest; where bits == 8
+    std::vector<std::uint32_t> packed;     ///< 8 bits a channel, R lowest; where bits == 8.
     std::vector<Rgba> wide;                ///< else
 };
 
@@ -35,7 +38,8 @@ struct DrawOp {
     const std::vector<std::uint32_t>* fog_table = nullptr;
     bool needs_color = true;  ///< some plane or the alpha test sees it
     bool perspective_color = false;
-    int coverage = -1;  ///< which record of visible fragments it makes or uses; -1: none
+    int coverage = -1;             ///< which record of visible fragments it makes or uses; -1: none
+    bool counts_by_pixel = false;  ///< its record counts each pixel's fragments
     FragmentBytes bytes;
 };
 struct ClearOp {

@@ -49,6 +49,8 @@ HWY_INLINE V32 wide_plane(const TilePlane& p, Pixels at) {
 HWY_INLINE hn::Vec<F32> to_floats(V32 v) { return hn::ConvertTo(F32(), hn::BitCast(I32(), v)); }
 
 HWY_INLINE hn::Vec<F32> reciprocal_lanes(const TilePlane& q, Pixels at) {
+    if ((q.gx | q.gy) == 0)
+        return hn::Set(F32(), 1.0f / static_cast<float>(static_cast<std::int32_t>(q.c >> 16)));
     return hn::Div(hn::Set(F32(), 1.0f), to_floats(wide_plane(q, at)));
 }
 

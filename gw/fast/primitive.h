@@ -21,6 +21,19 @@ struct ColorPlanes {
 /// Primitives that are set up together.
 inline constexpr std::size_t batch_room = 16;
 
+/// Triangles of a set by ordinal, a lane each; lanes from `count` to `room` repeat the first.
+struct Corners {
+    std::size_t count = 0, room = batch_room;
+    int s = 3;
+    std::uint32_t ordinal[batch_room];
+    const SetupPrimitive* primitive[batch_room];
+    alignas(64) std::int32_t x[3][batch_room], y[3][batch_room];  ///< jittered
+    alignas(64) std::uint32_t z[3][batch_room];
+    std::int32_t to_x[batch_room], to_y[batch_room];  ///< pixels from corner 0's to the tile
+    alignas(64) double dx1[batch_room], dy1[batch_room], dx2[batch_room], dy2[batch_room], area2[batch_room];
+    alignas(64) double ax[batch_room], ay[batch_room];  ///< from corner 0 to the centre of its pixel
+};
+
 /// Planes of at most 16 bits, modulo 2^32, of a batch: R, G, B, A and the fog factor at the vertices.
 struct NarrowBatch {
     alignas(64) std::uint32_t c[5][batch_room], gx[5][batch_room], gy[5][batch_room];

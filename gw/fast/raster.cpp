@@ -16,10 +16,10 @@ namespace gw::fast::HWY_NAMESPACE {
 HWY_INLINE void paint_block(BatchPlanes& planes, std::size_t i, const DepthBlock& depth, int bx, int by,
                             const LaneSet& lanes, OpCounts& counts) {
     const TileDraw& draw = planes.draw;
-    ShadeInputs inputs;
+    const std::uint32_t covered = lanes.bits();
     run_fragments(draw.op->state, planes.corners.primitive[i]->front != 0, depth, draw.tile,
-                  draw.tile.block(bx, by), lanes.bits(), counts,
-                  [&]() -> const ColorBlock& { return planes.color_of(i, bx, by, inputs); });
+                  draw.tile.block(bx, by), covered, counts,
+                  [&]() -> const ColorBlock& { return planes.color_of(i, bx, by, covered); });
 }
 
 void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, OpCounts& counts) {

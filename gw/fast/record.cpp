@@ -14,41 +14,68 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// A covered block of a record in the making: counted, and kept where its depth is the stored one.
-HWY_INLINE void record_block(const TileDraw& draw, const DepthBlock& depth, std::size_t block,
-                             const LaneSet& lanes, Coverage& record) {
-    const D32 d;
-    for (std::size_t i = 0; i < parts; ++i) {
-        std::uint32_t* count = record.fragments[block].value + i * lanes32;
-        const auto one = hn::IfThenElseZero(lanes.part[i], hn::Set(d, 1u));
-        hn::Store(hn::Add(hn::Load(d, count), one), d, count);
+/// Fragments of a record in the making: by pixel where some draw's stencil test asks, else their sum.
+struct FragmentCount {
+    Coverage& record;
+    bool by_pixel;
+    LaneCounter sum;
+
+    FragmentCount(const TileDraw& draw, Coverage& r) : record(r), by_pixel(draw.op->counts_by_pixel) {
+        sum.clear();
+        const auto side = std::size_t(draw.tile.side);
+        if (by_pixel && record.fragments.empty()) record.fragments.resize(side * side / block_pixels);
     }
-    const std::uint32_t visible = depth_test(DepthFunc::Equal, depth, draw.tile.depth[block], lanes.bits());
-    if (visible != 0)
+    ~FragmentCount() { record.total += sum.total(); }
+
+    HWY_INLINE void add(std::size_t block, const LaneSet& lanes) {
+        const D32 d;
+        sum.add(lanes);
+        if (!by_pixel) return;
+        for (std::size_t i = 0; i < parts; ++i) {
+            std::uint32_t* count = record.fragments[block].value + i * lanes32;
+            const auto one = hn::IfThenElseZero(lanes.part[i], hn::Set(d, 1u));
+            hn::Store(hn::Add(hn::Load(d, count), one), d, count);
+        }
+    }
+};
+
+/// A primitive's block of a record in the making.
+HWY_INLINE void keep(Coverage& record, std::size_t block, std::uint32_t mask) {
+    if (mask != 0)
         record.blocks.push_back(
-            {std::uint16_t(block), std::uint16_t(visible), std::uint32_t(record.primitives.size())});
+            {std::uint16_t(block), std::uint16_t(mask), std::uint32_t(record.primitives.size())});
+}
+/// Where a primitive is done: kept when some block was; whether it was.
+HWY_INLINE bool keep_primitive(Coverage& record, std::uint32_t ordinal, std::size_t blocks_before) {
+    if (record.blocks.size() == blocks_before) return false;
+    record.primitives.push_back(ordinal);
+    return true;
 }
 
-/// Where a primitive of a record in the making is done: kept when some block shows it.
-HWY_INLINE void keep_if_visible(std::uint32_t ordinal, std::size_t blocks_before, Coverage& record) {
-    if (record.blocks.size() != blocks_before) record.primitives.push_back(ordinal);
+/// Lanes of one primitive's block whose depth is the stored one.
+HWY_INLINE std::uint32_t visible_lanes(const TileDraw& draw, const DepthBlock& depth, std::size_t block,
+                                       std::uint32_t mask) {
+    return depth_test(DepthFunc::Equal, depth, draw.tile.depth[block], mask);
 }
 
 void record_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
     Triangles t;
     set_up_triangles(draw, bin, true, t);
     const BoxLanes box(draw);
+    FragmentCount count(draw, record);
     for (std::size_t i = 0; i < t.count(); ++i) {
         if (t.empty(i)) continue;
         const DepthPlane plane = depth_of(draw, t, i);
         DepthWalk walk{plane, max_of_bits(draw.profile->depth_bits), {}};
         const std::size_t before = record.blocks.size();
         visit_triangle(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
+            const std::size_t block = draw.tile.block(bx, by);
             DepthBlock depth;
             walk.store(depth);
-            record_block(draw, depth, draw.tile.block(bx, by), lanes, record);
+            count.add(block, lanes);
+            keep(record, block, visible_lanes(draw, depth, block, lanes.bits()));
         });
-        keep_if_visible(bin[i], before, record);
+        keep_primitive(record, bin[i], before);
     }
 }
 
@@ -56,12 +83,78 @@ void record_line_or_point(const TileDraw& draw, std::uint32_t ordinal, Coverage&
     const PrimitiveFrame frame = frame_of(draw, ordinal);
     const DepthPlane plane = depth_plane(draw, draw.op->set->primitives[ordinal], frame);
     const std::size_t before = record.blocks.size();
+    FragmentCount count(draw, record);
     visit_line_or_point(draw, frame, [&](int bx, int by, const LaneSet& lanes) {
+        const std::size_t block = draw.tile.block(bx, by);
         DepthBlock depth;
         shade_depth(plane, max_of_bits(draw.profile->depth_bits), bx, by, depth);
-        record_block(draw, depth, draw.tile.block(bx, by), lanes, record);
+        count.add(block, lanes);
+        keep(record, block, visible_lanes(draw, depth, block, lanes.bits()));
     });
-    keep_if_visible(ordinal, before, record);
+    keep_primitive(record, ordinal, before);
+}
+
+/// A triangle of a depth pass: every lane that passes may stay visible, and so may a tie with what is stored.
+HWY_NOINLINE void draw_recording(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
+                                 FragmentCount& count, LaneCounter& written) {
+    const DepthPlane plane = depth_of(draw, t, i);
+    DepthWalk walk{plane, 0, {}};
+    Coverage& record = count.record;
+    const bool ties_pass = draw.op->state.state.depth.func == DepthFunc::LEqual;
+    const std::size_t before = record.blocks.size();
+    visit_triangle(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
+        const D32 d;
+        const std::size_t block = draw.tile.block(bx, by);
+        LaneSet reached, passed;
+        for (std::size_t k = 0; k < parts; ++k) {
+            std::uint32_t* at = draw.tile.depth[block].value + k * lanes32;
+            const auto z = walk.walk.at(k), stored = hn::Load(d, at);
+            reached.part[k] = hn::And(lanes.part[k], hn::Not(hn::Lt(stored, z)));
+            passed.part[k] = ties_pass ? reached.part[k] : hn::And(lanes.part[k], hn::Lt(z, stored));
+            hn::BlendedStore(z, passed.part[k], d, at);
+        }
+        count.add(block, lanes);
+        written.add(passed);
+        keep(record, block, reached.bits());
+    });
+    if (keep_primitive(record, t.corners.ordinal[i], before)) record.depth.push_back(plane.plane);
+}
+
+void draw_recording_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
+    const BoxLanes box(draw);
+    LaneCounter written;
+    written.clear();
+    for (; !bin.empty(); bin = bin.subspan(std::min(bin.size(), batch_room))) {
+        Triangles t;
+        set_up_triangles(draw, bin, true, t);
+        FragmentCount count(draw, record);
+        for (std::size_t i = 0; i < t.count(); ++i)
+            if (!t.empty(i)) draw_recording(draw, t, i, box, count, written);
+    }
+    record.drawn = true;
+    const std::uint64_t passed = written.total();
+    draw.counts->fragments += record.total;
+    draw.counts->written += passed;
+    draw.counts->depth_killed += record.total - passed;
+}
+
+/// Of what a depth pass left, keeps what is still to be seen.
+inline void drop_hidden(const TileDraw& draw, Coverage& record) {
+    const int blocks_per_row = draw.tile.side / block_side;
+    std::size_t blocks = 0, primitives = 0;
+    std::uint32_t last = ~0u;
+    for (const VisibleBlock v : record.blocks) {
+        DepthBlock depth;
+        shade_depth({record.depth[v.primitive], 0}, 0, v.block % blocks_per_row, v.block / blocks_per_row,
+                    depth);
+        const std::uint32_t mask = visible_lanes(draw, depth, v.block, v.mask);
+        if (mask == 0) continue;
+        if (v.primitive != last) record.primitives[primitives++] = record.primitives[v.primitive];
+        last = v.primitive;
+        record.blocks[blocks++] = {v.block, std::uint16_t(mask), std::uint32_t(primitives - 1)};
+    }
+    record.blocks.resize(blocks);
+    record.primitives.resize(primitives);
 }
 
 /// Sorts the entries by block, in each block in the primitives' order, and finds the blocks' runs.
@@ -84,16 +177,19 @@ inline void sort_blocks(Coverage& record) {
     }
 }
 
-/// Makes the record of a draw under Equal: its visible blocks, and how many fragments each pixel gets.
+/// Makes the record of a draw under Equal: its visible blocks, their primitives' corners, and how many
+/// fragments there are.
 void record_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
-    record.fragments.assign(std::size_t(draw.tile.side) * std::size_t(draw.tile.side) / block_pixels,
-                            DepthBlock{});
-    walk_bin(
-        draw, bin, [&](std::span<const std::uint32_t> batch) { record_triangles(draw, batch, record); },
-        [&](std::uint32_t ordinal) { record_line_or_point(draw, ordinal, record); });
+    if (record.drawn)
+        drop_hidden(draw, record);
+    else
+        walk_bin(
+            draw, bin, [&](std::span<const std::uint32_t> batch) { record_triangles(draw, batch, record); },
+            [&](std::uint32_t ordinal) { record_line_or_point(draw, ordinal, record); });
     sort_blocks(record);
-    for (const DepthBlock& block : record.fragments)
-        for (const std::uint32_t n : block.value) record.total += n;
+    if (record.corners.size() < record.batches()) record.corners.resize(record.batches());
+    for (std::size_t i = 0; i < record.batches(); ++i)
+        gather_corners(draw, std::span(record.primitives).subspan(i * batch_room), record.corners[i]);
     record.made = true;
 }
 
@@ -103,7 +199,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace gw::fast {
 
+HWY_EXPORT(draw_recording_all);
 HWY_EXPORT(record_all);
+
+void draw_recording(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
+    HWY_DYNAMIC_DISPATCH(draw_recording_all)(draw, bin, record);
+}
 
 void record_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
     HWY_DYNAMIC_DISPATCH(record_all)(draw, bin, record);

@@ -33,49 +33,32 @@ HWY_INLINE std::uint64_t killed_by_stencil(const TileDraw& draw, const Coverage&
     return killed;
 }
 
-/// Calls make(corners, first) for the record's primitives, a batch at a time.
-template <class Make>
-HWY_INLINE void for_each_batch(const TileDraw& draw, const Coverage& record, const Make& make) {
-    const std::span<const std::uint32_t> ordinals(record.primitives);
-    for (std::size_t first = 0; first < ordinals.size(); first += batch_room) {
-        Corners corners;
-        gather_corners(draw, ordinals.subspan(first), corners);
-        make(corners, first);
+/// Makes the colour planes of the record's primitives, as this draw has them.
+HWY_INLINE void make_colors(const TileDraw& draw, bool narrow, Coverage& record) {
+    const std::size_t batches = record.batches();
+    if (narrow && record.narrow.size() < batches) record.narrow.resize(batches);
+    if (!narrow) record.colors.resize(record.primitives.size());
+    for (std::size_t i = 0; i < batches; ++i) {
+        if (narrow)
+            set_up_narrow(draw, record.corners[i], record.narrow[i]);
+        else
+            set_up_colors(draw, record.corners[i], record.colors.data() + i * batch_room);
     }
 }
 
-/// Makes the colour planes of the record's primitives, as this draw has them.
-HWY_INLINE void make_colors(const TileDraw& draw, bool narrow, Coverage& record) {
-    if (narrow)
-        record.narrow.resize((record.primitives.size() + batch_room - 1) / batch_room);
-    else
-        record.colors.resize(record.primitives.size());
-    for_each_batch(draw, record, [&](const Corners& corners, std::size_t first) {
-        if (narrow)
-            set_up_narrow(draw, corners, record.narrow[first / batch_room]);
-        else
-            set_up_colors(draw, corners, record.colors.data() + first);
-    });
-}
-
-/// Makes or keeps the texture planes of the record's primitives; what was divided for others is gone.
+/// Makes or keeps the texture planes of the record's primitives; what was looked up for others is gone.
 HWY_INLINE void make_textures(const TileDraw& draw, Coverage& record) {
     const DrawOp& op = *draw.op;
     TextureCache& cache = record.texture;
     TextureState state = op.state.state.texture;
     state.env = TexEnv::Modulate, state.env_color = vec4(0);
-    const TexelLevel& base = op.texels->texels.levels[0];
-    if (cache.texcoords == op.texcoords && cache.state == state && cache.log2_width == base.log2_width &&
-        cache.log2_height == base.log2_height)
-        return;
-    cache.texcoords = op.texcoords, cache.state = state;
-    cache.log2_width = base.log2_width, cache.log2_height = base.log2_height;
+    if (cache.texcoords == op.texcoords && cache.texels == op.texels && cache.state == state) return;
+    cache.texcoords = op.texcoords, cache.texels = op.texels, cache.state = state;
     cache.planes.resize(record.primitives.size());
-    cache.lanes.resize(record.runs.size());
-    cache.divided.assign(record.runs.size(), 0);
-    for_each_batch(draw, record, [&](const Corners& corners, std::size_t first) {
-        set_up_textures(draw, corners, cache.planes.data() + first);
-    });
+    cache.found.resize(record.runs.size());
+    cache.made.assign(record.runs.size(), 0);
+    for (std::size_t i = 0; i < record.batches(); ++i)
+        set_up_textures(draw, record.corners[i], cache.planes.data() + i * batch_room);
 }
 
 /// One draw from a record.
@@ -97,27 +80,37 @@ struct Replay {
         else
             wide_colors(record.colors[entry.primitive], *draw.op, bx(run), by(run), mask, inputs);
     }
-    HWY_INLINE void put_texels(const BlockRun& run, const VisibleBlock& entry, std::uint32_t mask) {
-        put_texture(record.texture.planes[entry.primitive], draw, bx(run), by(run), mask, inputs);
+    HWY_INLINE const TexturePlanes& texture_of(const VisibleBlock& entry) const {
+        return record.texture.planes[entry.primitive];
     }
-    HWY_INLINE void write(const BlockRun& run, const TextureLanes& divided, std::uint32_t mask) {
+    HWY_INLINE void look_up(const BlockRun& run, const VisibleBlock& entry, std::uint32_t mask) {
+        gw::fast::HWY_NAMESPACE::look_up(texture_of(entry), draw, bx(run), by(run), mask, inputs);
+    }
+    HWY_INLINE void write(const BlockRun& run, const ColorBlock& texel, std::uint32_t mask) {
         if (narrow) narrow_colors(lanes, channels, bx(run), by(run), inputs);
-        write_color(draw.op->state, shaded(draw, divided, inputs), draw.tile.color[run.block], mask);
+        write_color(draw.op->state, shaded(draw, texel, inputs), draw.tile.color[run.block], mask);
     }
-
-    /// The run's texture coordinates, kept for the draws that follow.
-    HWY_INLINE const TextureLanes& divided(const BlockRun& run) {
+    /// The run's texels, kept for the draws that follow.
+    HWY_INLINE const ColorBlock& found(const BlockRun& run) {
         const auto i = std::size_t(&run - record.runs.data());
         TextureCache& cache = record.texture;
-        if (!cache.divided[i]) {
-            for (std::uint32_t k = 0; k < run.count; ++k) {
-                const VisibleBlock& entry = record.blocks[run.first + k];
-                put_texels(run, entry, entry.mask);
-            }
-            divide_block(sampler_of(*draw.op), inputs.texture, cache.lanes[i]);
-            cache.divided[i] = 1;
+        if (!cache.made[i]) find(run, cache.found[i]);
+        cache.made[i] = 1;
+        return cache.found[i];
+    }
+    HWY_NOINLINE void find(const BlockRun& run, ColorBlock& out) {
+        const Sampler sampler = sampler_of(*draw.op);
+        const auto entries = std::span(record.blocks).subspan(run.first, run.count);
+        if (run.count == 1)
+            divide_block(sampler, texture_of(entries[0]), draw.tile, bx(run), by(run), run.mask,
+                         inputs.divided);
+        else {
+            for (const VisibleBlock& entry : entries)
+                texture_inputs(sampler, texture_of(entry), draw.tile, bx(run), by(run), entry.mask,
+                               inputs.texture);
+            divide_block(sampler, inputs.texture, inputs.divided);
         }
-        return cache.lanes[i];
+        sample_block(sampler, inputs.divided, run.mask, out);
     }
 
     /// A run without ties: every pixel has one primitive.
@@ -127,9 +120,9 @@ struct Replay {
             const std::uint32_t own = entry.mask & mask;
             if (own == 0) continue;
             put_color(run, entry, own);
-            if (by_pixel) put_texels(run, entry, own);
+            if (by_pixel) look_up(run, entry, own);
         }
-        write(run, textured && !by_pixel ? divided(run) : inputs.divided, mask);
+        write(run, textured && !by_pixel ? found(run) : inputs.texel, mask);
     }
     /// One primitive after the other: a pixel where two tie is written twice.
     HWY_INLINE void paint_tied(const BlockRun& run, std::uint32_t mask) {
@@ -138,9 +131,8 @@ struct Replay {
             const std::uint32_t own = entry.mask & mask;
             if (own == 0) continue;
             put_color(run, entry, own);
-            if (textured) put_texels(run, entry, own);
-            if (textured && !by_pixel) divide_block(sampler_of(*draw.op), inputs.texture, inputs.divided);
-            write(run, inputs.divided, own);
+            if (textured) look_up(run, entry, own);
+            write(run, inputs.texel, own);
         }
     }
     HWY_INLINE std::uint64_t fragments(const BlockRun& run, std::uint32_t mask) const {

@@ -27,7 +27,8 @@ HWY_INLINE void shade_depth(const DepthPlane& p, std::uint32_t max_depth, int bx
 /// shows.
 struct ShadeInputs {
     ColorBlock color;
-    ColorBlock texel;  ///< where textures are looked up pixel by pixel
+    ColorBlock texel;
+    ColorBlock out;  ///< of the texture environment and fog
     TextureInputs texture;
     TextureLanes divided;
     alignas(64) std::uint32_t fog[block_pixels];
@@ -110,18 +111,18 @@ HWY_NOINLINE inline void interpolated_color(const ColorPlanes& p, int bits, int 
 }
 
 /// What multi-pass rendering does all the time: modulate in 8 bits.
-HWY_INLINE void modulate_bytes(const ColorBlock& texel, ColorBlock& color) {
+HWY_INLINE void modulate_bytes(const ColorBlock& color, const ColorBlock& texel, ColorBlock& out) {
     const D16 d;
     for (std::size_t c = 0; c < 4; ++c)
         for (std::size_t i = 0; i < block_pixels; i += lanes16)
             hn::Store(mul_bytes(hn::Load(d, color.channel[c] + i), hn::Load(d, texel.channel[c] + i)), d,
-                      color.channel[c] + i);
+                      out.channel[c] + i);
 }
 
 /// texture_environment() of gw/tables.h.
-HWY_NOINLINE inline void apply_environment(TexEnv mode, const Rgba& env, int bits, const ColorBlock& texel,
-                                           ColorBlock& color) {
-    if (mode == TexEnv::Modulate && bits == 8) return modulate_bytes(texel, color);
+HWY_NOINLINE inline void apply_environment(TexEnv mode, const Rgba& env, int bits, const ColorBlock& color,
+                                           const ColorBlock& texel, ColorBlock& out) {
+    if (mode == TexEnv::Modulate && bits == 8) return modulate_bytes(color, texel, out);
     const D32 d;
     const auto max = hn::Set(d, max_of_bits(bits));
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
@@ -135,7 +136,7 @@ HWY_NOINLINE inline void apply_environment(TexEnv mode, const Rgba& env, int bit
                 v = c == 3 ? f : hn::Add(mul_lanes(f, hn::Sub(max, alpha), bits), mul_lanes(t, alpha, bits));
             else if (mode == TexEnv::Blend)
                 v = hn::Add(mul_lanes(f, hn::Sub(max, t), bits), mul_lanes(hn::Set(d, env[c]), t, bits));
-            store16(v, color.channel[c] + i);
+            store16(v, out.channel[c] + i);
         }
     }
 }
@@ -159,7 +160,8 @@ HWY_INLINE V32 fog_factor_lanes(const ColorPlanes& p, const DrawOp& op, Pixels a
     return hn::BitCast(d, hn::Add(a, hn::ShiftRight<8>(step)));
 }
 
-HWY_NOINLINE inline void apply_fog_block(const DrawOp& op, const std::uint32_t* factor, ColorBlock& color) {
+HWY_NOINLINE inline void apply_fog_block(const DrawOp& op, const std::uint32_t* factor,
+                                         const ColorBlock& color, ColorBlock& out) {
     const D32 d;
     const int bits = op.state.bits;
     const auto max = hn::Set(d, max_of_bits(bits));
@@ -168,8 +170,9 @@ HWY_NOINLINE inline void apply_fog_block(const DrawOp& op, const std::uint32_t* 
         for (std::size_t c = 0; c < 3; ++c) {
             const auto own = mul_lanes(f, load_channel(color.channel[c] + i), bits);
             const auto fog = mul_lanes(hn::Sub(max, f), hn::Set(d, op.state.fog_color[c]), bits);
-            store16(hn::Add(own, fog), color.channel[c] + i);
+            store16(hn::Add(own, fog), out.channel[c] + i);
         }
+        if (&out != &color) hn::Store(hn::Load(Half16(), color.channel[3] + i), Half16(), out.channel[3] + i);
     }
 }
 
@@ -187,34 +190,31 @@ HWY_INLINE Sampler sampler_of(const DrawOp& op) {
     return {*op.texels, op.state.state.texture, op.state.bits};
 }
 
-/// The same of a textured draw's texture.
-HWY_INLINE void put_texture(const TexturePlanes& p, const TileDraw& draw, int bx, int by, std::uint32_t mask,
-                            ShadeInputs& in) {
-    if (textures_by_pixel(draw.op->state.state.texture))
-        sample_by_pixel(p, draw, bx, by, mask, in.texel);
-    else
-        texture_inputs(sampler_of(*draw.op), p, draw.tile, bx, by, mask, in.texture);
-}
-
-/// Colour, texture, fog, in that order, of all 16 pixels. `divided`: their texture coordinates.
-HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const TextureLanes& divided,
-                                             ShadeInputs& in) {
+/// Colour, texture, fog, in that order. `texel`: what the texture unit found, if there is one.
+HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const ColorBlock& texel, ShadeInputs& in) {
     const DrawOp& op = *draw.op;
     const State& s = op.state.state;
     if (s.color_source == ColorSource::PolygonId) return in.color;
+    const ColorBlock* color = &in.color;
     if (op.texels) {
-        if (!textures_by_pixel(s.texture)) sample_block(sampler_of(op), divided, in.texel);
-        apply_environment(s.texture.env, op.state.env_color, op.state.bits, in.texel, in.color);
+        apply_environment(s.texture.env, op.state.env_color, op.state.bits, *color, texel, in.out);
+        color = &in.out;
     }
-    if (s.fog.enable) apply_fog_block(op, in.fog, in.color);
-    return in.color;
+    if (s.fog.enable) {
+        apply_fog_block(op, in.fog, *color, in.out);
+        color = &in.out;
+    }
+    return *color;
 }
 
-HWY_INLINE const ColorBlock& shaded(const TileDraw& draw, ShadeInputs& in) {
-    const DrawOp& op = *draw.op;
-    if (op.texels && !textures_by_pixel(op.state.state.texture))
-        divide_block(sampler_of(op), in.texture, in.divided);
-    return shaded(draw, in.divided, in);
+/// Looks up the lanes of `mask`, which one primitive covers.
+HWY_INLINE void look_up(const TexturePlanes& p, const TileDraw& draw, int bx, int by, std::uint32_t mask,
+                        ShadeInputs& in) {
+    if (textures_by_pixel(draw.op->state.state.texture))
+        return sample_by_pixel(p, draw, bx, by, mask, in.texel);
+    const Sampler sampler = sampler_of(*draw.op);
+    divide_block(sampler, p, draw.tile, bx, by, mask, in.divided);
+    sample_block(sampler, in.divided, mask, in.texel);
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -11,8 +11,8 @@
 #include "gw/fast/planes-inl.h"
 #include "gw/fast/primitive.h"
 
+#include <algorithm>
 #include <bit>
-#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -123,14 +123,87 @@ HWY_INLINE TexelLanes bilinear_bytes(const PackedCorners& t, V32 wx, V32 wy) {
 
 #endif  // HWY_TARGET == HWY_SCALAR
 
-/// The texels at `index` and right of it, which are neighbours in memory: one load for both.
-HWY_INLINE void load_pairs(const std::uint32_t* texels, VI index, V32& left, V32& right) {
-    alignas(64) std::int32_t at[lanes32];
-    alignas(64) std::uint32_t pair[2 * lanes32];
-    hn::Store(index, I32(), at);
-    for (std::size_t i = 0; i < lanes32; ++i) std::memcpy(pair + 2 * i, texels + at[i], 8);
-    hn::LoadInterleaved2(D32(), pair, left, right);
+/// Where the lanes' four texels stand: columns, and where their rows start.
+struct TexelCells {
+    VI left, right, upper, lower;
+};
+
+/// One gather each, for lanes of any cells.
+HWY_INLINE PackedCorners gather_corners(const std::uint32_t* texels, const TexelCells& at) {
+    const auto fetch = [&](VI row, VI column) {
+        return hn::GatherIndex(D32(), texels, hn::Add(row, column));
+    };
+    return {fetch(at.upper, at.left), fetch(at.upper, at.right), fetch(at.lower, at.left),
+            fetch(at.lower, at.right)};
 }
+
+#if HWY_MAX_BYTES >= 32
+
+/// Lanes that look at one pair of rows take their texels from a window of each, loaded once: pixels side by
+/// side look at texels side by side.
+struct TexelWindows {
+    const std::uint32_t* texels;
+    const TexelCells& at;
+    alignas(64) std::int32_t column[lanes32], upper[lanes32], lower[lanes32];
+    PackedCorners found;
+
+    HWY_INLINE TexelWindows(const std::uint32_t* t, const TexelCells& cells) : texels(t), at(cells) {
+        const I32 i;
+        hn::Store(at.left, i, column), hn::Store(at.upper, i, upper), hn::Store(at.lower, i, lower);
+        found.a = found.b = found.c = found.e = hn::Zero(D32());
+    }
+    /// Fills the lanes that look at the rows of lane `first`, near it; which they are.
+    HWY_INLINE std::uint32_t fill(std::size_t first) {
+        const D32 d;
+        const I32 i;
+        const std::int32_t origin = std::max(column[first] - int(lanes32 / 2 - 1), 0);
+        const auto x0 = hn::BitCast(d, hn::Sub(at.left, hn::Set(i, origin))),
+                   x1 = hn::BitCast(d, hn::Sub(at.right, hn::Set(i, origin)));
+        const auto rows =
+            hn::And(hn::Eq(at.upper, hn::Set(i, upper[first])), hn::Eq(at.lower, hn::Set(i, lower[first])));
+        const auto own =
+            hn::And(hn::RebindMask(d, rows), hn::Lt(hn::Or(x0, x1), hn::Set(d, std::uint32_t(lanes32))));
+        const auto inside = hn::Set(d, std::uint32_t(lanes32 - 1));
+        const auto left = hn::IndicesFromVec(d, hn::And(x0, inside)),
+                   right = hn::IndicesFromVec(d, hn::And(x1, inside));
+        const auto above = hn::LoadU(d, texels + upper[first] + origin),
+                   below = hn::LoadU(d, texels + lower[first] + origin);
+        found.a = hn::IfThenElse(own, hn::TableLookupLanes(above, left), found.a);
+        found.b = hn::IfThenElse(own, hn::TableLookupLanes(above, right), found.b);
+        found.c = hn::IfThenElse(own, hn::TableLookupLanes(below, left), found.c);
+        found.e = hn::IfThenElse(own, hn::TableLookupLanes(below, right), found.e);
+        return bits_of(d, own, lanes32);
+    }
+};
+
+/// A diagonal of the block first: it meets every row and every column. What no window holds (a seam between
+/// two edges of the texture) is gathered.
+HWY_INLINE PackedCorners load_corners(const std::uint32_t* texels, const TexelCells& at,
+                                      std::uint32_t lanes) {
+    const D32 d;
+    TexelWindows windows(texels, at);
+    for (std::size_t first = 0; first < lanes32; first += block_side + 1) lanes &= ~windows.fill(first);
+    while (lanes != 0) {
+        const auto first = std::size_t(std::countr_zero(lanes));
+        const std::uint32_t filled = windows.fill(first);
+        if ((filled >> first & 1) == 0) break;
+        lanes &= ~filled;
+    }
+    const PackedCorners& t = windows.found;
+    if (lanes == 0) return t;
+    const auto rest = lanes_of(d, lanes, 0);
+    const PackedCorners g = gather_corners(texels, at);
+    return {hn::IfThenElse(rest, g.a, t.a), hn::IfThenElse(rest, g.b, t.b), hn::IfThenElse(rest, g.c, t.c),
+            hn::IfThenElse(rest, g.e, t.e)};
+}
+
+#else
+
+HWY_INLINE PackedCorners load_corners(const std::uint32_t* texels, const TexelCells& at, std::uint32_t) {
+    return gather_corners(texels, at);
+}
+
+#endif  // HWY_MAX_BYTES >= 32
 
 /// What the texture unit needs of 16 pixels, each of its own primitive: planes' values and how to scale them.
 struct TextureInputs {
@@ -169,42 +242,48 @@ struct Sampler {
         return wrap == Wrap::Repeat ? hn::And(index, last) : hn::Min(hn::Max(index, hn::Zero(I32())), last);
     }
 
-    /// lookup() of gw/texels.h in the lanes' own levels.
-    HWY_INLINE TexelLanes lookup(const Coordinates& at, VI level, bool linear) const {
+    /// The lanes' levels: sides 2^log2_w x 2^log2_h, where they start.
+    struct Level {
+        VI log2_w, log2_h, first;
+    };
+    HWY_INLINE Level base_level() const {
+        const I32 i;
+        return {hn::Set(i, base().log2_width), hn::Set(i, base().log2_height), hn::Zero(i)};
+    }
+    HWY_INLINE Level level(VI index) const {
+        const I32 i;
+        const auto zero = hn::Zero(i);
+        return {hn::Max(hn::Sub(hn::Set(i, base().log2_width), index), zero),
+                hn::Max(hn::Sub(hn::Set(i, base().log2_height), index), zero),
+                hn::GatherIndex(i, texels.first.data(), index)};
+    }
+
+    /// lookup() of gw/texels.h in the lanes' own levels; those outside `lanes` may come out as anything.
+    HWY_INLINE TexelLanes lookup(const Coordinates& at, const Level& level, bool linear,
+                                 std::uint32_t lanes) const {
         const I32 i;
         const D32 d;
-        const auto zero = hn::Zero(i), one = hn::Set(i, 1);
-        const auto log2_w = hn::Max(hn::Sub(hn::Set(i, base().log2_width), level), zero);
-        const auto log2_h = hn::Max(hn::Sub(hn::Set(i, base().log2_height), level), zero);
-        const auto last_x = hn::Sub(hn::Shl(one, log2_w), one), last_y = hn::Sub(hn::Shl(one, log2_h), one);
-        const auto first = hn::GatherIndex(i, texels.first.data(), level);
-        auto u = coordinate(at.u, at.u_k, log2_w), v = coordinate(at.v, at.v_k, log2_h);
+        const auto one = hn::Set(i, 1);
+        const auto last_x = hn::Sub(hn::Shl(one, level.log2_w), one),
+                   last_y = hn::Sub(hn::Shl(one, level.log2_h), one);
+        auto u = coordinate(at.u, at.u_k, level.log2_w), v = coordinate(at.v, at.v_k, level.log2_h);
         const auto row = [&](VI y) {
-            return hn::Add(first, hn::Shl(wrapped(state.wrap_t, y, last_y), log2_w));
+            return hn::Add(level.first, hn::Shl(wrapped(state.wrap_t, y, last_y), level.log2_w));
         };
         const auto column = [&](VI x) { return wrapped(state.wrap_s, x, last_x); };
         if (!linear) return fetch(texels, hn::Add(row(hn::ShiftRight<8>(v)), column(hn::ShiftRight<8>(u))));
 
         const auto half = hn::Set(i, 128), fraction = hn::Set(i, 255);
         u = hn::Sub(u, half), v = hn::Sub(v, half);
-        const auto x0 = hn::ShiftRight<8>(u), y0 = hn::ShiftRight<8>(v);
-        const auto c0 = column(x0), c1 = column(hn::Add(x0, one)), r0 = row(y0), r1 = row(hn::Add(y0, one));
+        const auto x = hn::ShiftRight<8>(u), y = hn::ShiftRight<8>(v);
+        const TexelCells cells{column(x), column(hn::Add(x, one)), row(y), row(hn::Add(y, one))};
         const auto wx = hn::BitCast(d, hn::And(u, fraction)), wy = hn::BitCast(d, hn::And(v, fraction));
-        if (!texels.packed.empty()) {
-            PackedCorners t;
-            if (hn::AllTrue(i, hn::Eq(c1, hn::Add(c0, one)))) {
-                load_pairs(texels.packed.data(), hn::Add(r0, c0), t.a, t.b);
-                load_pairs(texels.packed.data(), hn::Add(r1, c0), t.c, t.e);
-            } else {
-                const auto at_index = [&](VI row_start, VI x) {
-                    return hn::GatherIndex(d, texels.packed.data(), hn::Add(row_start, x));
-                };
-                t = {at_index(r0, c0), at_index(r0, c1), at_index(r1, c0), at_index(r1, c1)};
-            }
-            return bilinear_bytes(t, wx, wy);
-        }
-        const TexelLanes a = fetch(texels, hn::Add(r0, c0)), b = fetch(texels, hn::Add(r0, c1));
-        const TexelLanes c = fetch(texels, hn::Add(r1, c0)), e = fetch(texels, hn::Add(r1, c1));
+        if (!texels.packed.empty())
+            return bilinear_bytes(load_corners(texels.packed.data(), cells, lanes), wx, wy);
+        const TexelLanes a = fetch(texels, hn::Add(cells.upper, cells.left)),
+                         b = fetch(texels, hn::Add(cells.upper, cells.right));
+        const TexelLanes c = fetch(texels, hn::Add(cells.lower, cells.left)),
+                         e = fetch(texels, hn::Add(cells.lower, cells.right));
         TexelLanes out;
         for (std::size_t k = 0; k < 4; ++k)
             out.channel[k] = bilinear_wide(a.channel[k], b.channel[k], c.channel[k], e.channel[k], wx, wy);
@@ -300,11 +379,13 @@ HWY_INLINE bool is_linear(MinFilter filter) {
 }
 
 /// The lanes' texels at one level each, magnified and minified lanes by their own filters.
-HWY_INLINE TexelLanes sample_level(const Sampler& s, const Coordinates& at, VI level, hn::Mask<I32> magnify) {
+HWY_INLINE TexelLanes sample_level(const Sampler& s, const Coordinates& at, VI index, hn::Mask<I32> magnify,
+                                   std::uint32_t lanes) {
     const bool small = is_linear(s.state.min_filter), large = s.state.mag_filter == MagFilter::Linear;
-    TexelLanes out = s.lookup(at, level, small);
+    const Sampler::Level level = s.level(index);
+    TexelLanes out = s.lookup(at, level, small, lanes);
     if (small == large) return out;
-    const TexelLanes other = s.lookup(at, level, large);
+    const TexelLanes other = s.lookup(at, level, large, lanes);
     const auto chosen = hn::RebindMask(D32(), magnify);
     for (std::size_t k = 0; k < 4; ++k)
         out.channel[k] = hn::IfThenElse(chosen, other.channel[k], out.channel[k]);
@@ -320,6 +401,10 @@ HWY_INLINE void mix_levels(TexelLanes& a, const TexelLanes& b, V32 weight) {
         const auto step = hn::ShiftRight<8>(hn::Add(hn::Mul(hn::Sub(to, from), f), half));
         a.channel[k] = hn::BitCast(D32(), hn::Add(from, step));
     }
+}
+
+HWY_INLINE VF rho_lanes(VF slope, VF w) {
+    return hn::Mul(hn::Mul(slope, hn::Mul(w, w)), hn::Set(F32(), 1.0f / 65536));
 }
 
 /// Divides: what depends on the pixels and the texture's size, but not on its texels.
@@ -339,25 +424,48 @@ HWY_NOINLINE inline void divide_block(const Sampler& s, const TextureInputs& in,
         hn::Store(hn::Load(d, in.u_k + i), d, out.u_k + i);
         hn::Store(hn::Load(d, in.v_k + i), d, out.v_k + i);
         if (!needs_rho(s.state)) continue;
-        const auto rho = hn::Mul(hn::Mul(hn::Load(f, in.slope + i), hn::Mul(w, w)), hn::Set(f, 1.0f / 65536));
-        hn::Store(rho, f, out.rho + i);
+        hn::Store(rho_lanes(hn::Load(f, in.slope + i), w), f, out.rho + i);
     }
 }
 
-HWY_NOINLINE inline void sample_block(const Sampler& s, const TextureLanes& in, ColorBlock& out) {
+/// The same where one primitive covers the lanes of `mask`.
+HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p, const Tile& tile, int bx,
+                                      int by, std::uint32_t mask, TextureLanes& out) {
+    const I32 d;
+    const F32 f;
+    alignas(64) float slope[block_pixels] = {};
+    if (needs_rho(s.state)) store_slopes(s, p, tile, bx, by, mask, slope);
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        const Pixels at = pixels_of(bx, by, i);
+        const auto w = reciprocal_lanes(p.q, at);
+        const auto over = [&](const TexturePlane& t) {
+            return hn::Mul(hn::Mul(to_floats(wide_plane(t.plane, at)), w),
+                           hn::Set(f, static_cast<float>(power_of_two(t.exponent))));
+        };
+        hn::Store(over(p.s), f, out.u + i), hn::Store(over(p.t), f, out.v + i);
+        hn::Store(hn::Set(d, p.s.k), d, out.u_k + i), hn::Store(hn::Set(d, p.t.k), d, out.v_k + i);
+        if (needs_rho(s.state)) hn::Store(rho_lanes(hn::Load(f, slope + i), w), f, out.rho + i);
+    }
+}
+
+/// The texels of the lanes of `mask`; the others may come out as anything.
+HWY_NOINLINE inline void sample_block(const Sampler& s, const TextureLanes& in, std::uint32_t mask,
+                                      ColorBlock& out) {
     const I32 d;
     const F32 f;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
         const Coordinates at{hn::Load(f, in.u + i), hn::Load(f, in.v + i), hn::Load(d, in.u_k + i),
                              hn::Load(d, in.v_k + i)};
+        const std::uint32_t lanes = mask >> i & ((1u << lanes32) - 1);
         TexelLanes texel;
         if (!needs_rho(s.state)) {
-            texel = s.lookup(at, hn::Zero(d), s.state.mag_filter == MagFilter::Linear);
+            texel = s.lookup(at, s.base_level(), s.state.mag_filter == MagFilter::Linear, lanes);
         } else {
             const LevelLanes l = choose_levels(s, hn::Load(f, in.rho + i));
-            texel = sample_level(s, at, l.level, l.magnify);
+            texel = sample_level(s, at, l.level, l.magnify, lanes);
             const auto mixed = hn::Gt(hn::BitCast(d, l.weight), hn::Zero(d));
-            if (!hn::AllFalse(d, mixed)) mix_levels(texel, sample_level(s, at, l.next, l.magnify), l.weight);
+            if (!hn::AllFalse(d, mixed))
+                mix_levels(texel, sample_level(s, at, l.next, l.magnify, lanes), l.weight);
         }
         for (std::size_t k = 0; k < 4; ++k) store16(texel.channel[k], out.channel[k] + i);
     }

@@ -66,6 +66,8 @@ struct TileRun {
         if (draw.box.empty()) return;
         if (op.coverage < 0) return draw_primitives(draw, op.set->tile_bin(index));
         Coverage& record = room.coverages[std::size_t(op.coverage)];
+        if (op.state.state.depth.func != DepthFunc::Equal)
+            return draw_recording(draw, op.set->tile_bin(index), record);
         if (!record.made) record_primitives(draw, op.set->tile_bin(index), record);
         replay_primitives(draw, record);
     }

@@ -33,12 +33,12 @@ HWY_INLINE DepthPlane depth_of(const TileDraw& draw, const Triangles& t, std::si
 }
 
 /// First and one past the last pixel whose centre lies in a triangle's extent along one axis.
-HWY_INLINE void pixel_extents(const std::int32_t (&at)[3][batch_room], int s, int tile, int low, int high,
-                              std::int32_t* first, std::int32_t* end) {
-    const hn::CappedTag<std::int32_t, 16> d;
+HWY_INLINE void pixel_extents(const std::int32_t (&at)[3][batch_room], std::size_t room, int s, int tile,
+                              int low, int high, std::int32_t* first, std::int32_t* end) {
+    const hn::CappedTag<std::int32_t, batch_room / 2> d;
     const auto half = hn::Set(d, 1 << (s - 1)), to = hn::Set(d, tile), one = hn::Set(d, 1);
     const auto in_box = [&](auto v) { return hn::Max(hn::Set(d, low), hn::Min(v, hn::Set(d, high))); };
-    for (std::size_t i = 0; i < batch_room; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < room; i += hn::Lanes(d)) {
         const auto p0 = hn::Load(d, at[0] + i), p1 = hn::Load(d, at[1] + i), p2 = hn::Load(d, at[2] + i);
         const auto least = hn::Min(hn::Min(p0, p1), p2), most = hn::Max(hn::Max(p0, p1), p2);
         const auto from = hn::ShiftRightSame(hn::Add(least, hn::Sub(half, one)), s);
@@ -100,8 +100,8 @@ inline void set_up_triangles(const TileDraw& draw, std::span<const std::uint32_t
                              Triangles& t) {
     gather_corners(draw, bin, t.corners);
     const int s = t.corners.s;
-    pixel_extents(t.corners.x, s, draw.tile.x, draw.box.x0, draw.box.x1, t.x0, t.x1);
-    pixel_extents(t.corners.y, s, draw.tile.y, draw.box.y0, draw.box.y1, t.y0, t.y1);
+    pixel_extents(t.corners.x, t.corners.room, s, draw.tile.x, draw.box.x0, draw.box.x1, t.x0, t.x1);
+    pixel_extents(t.corners.y, t.corners.room, s, draw.tile.y, draw.box.y0, draw.box.y1, t.y0, t.y1);
     set_up_edges(draw, t);
     t.depth.sure = 0;
     if (depth && !draw.op->state.state.polygon_offset.enable) set_up_depths(t);

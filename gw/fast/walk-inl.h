@@ -32,30 +32,37 @@ struct LaneSet {
     }
 };
 
+/// All of a block's lanes, known where the code is compiled.
+struct AllLanes {};
+
 HWY_INLINE LaneSet lane_set(std::uint32_t mask) {
     LaneSet s;
     for (std::size_t i = 0; i < parts; ++i) s.part[i] = lanes_of(D32(), mask, i * lanes32);
     return s;
 }
 
-/// How often each lane was in a set.
+/// How often each lane was in a set; blocks of all lanes are counted apart.
 struct LaneCounter {
     V32 count[parts];
+    std::uint64_t whole = 0;
 
     HWY_INLINE void clear() {
+        whole = 0;
         for (auto& part : count) part = hn::Zero(D32());
     }
     HWY_INLINE void add(const LaneSet& s) {
         for (std::size_t i = 0; i < parts; ++i)
             count[i] = hn::Add(count[i], hn::IfThenElseZero(s.part[i], hn::Set(D32(), 1u)));
     }
+    HWY_INLINE void add(AllLanes) { whole += 1; }
     HWY_INLINE void add(const LaneCounter& other) {
+        whole += other.whole;
         for (std::size_t i = 0; i < parts; ++i) count[i] = hn::Add(count[i], other.count[i]);
     }
     HWY_INLINE std::uint64_t total() const {
         alignas(64) std::uint32_t lane[block_pixels];
         for (std::size_t i = 0; i < parts; ++i) hn::Store(count[i], D32(), lane + i * lanes32);
-        std::uint64_t sum = 0;
+        std::uint64_t sum = whole * block_pixels;
         for (const std::uint32_t n : lane) sum += n;
         return sum;
     }
