@@ -4,9 +4,9 @@
 #include <hwy/foreach_target.h>
 
 #include "gw/arithmetic.h"
-#include "gw/elementary.h"
-#include "gw/fast/doubles-inl.h"
+#include "gw/fast/eye-inl.h"
 #include "gw/fast/light.h"
+#include "gw/fast/power-inl.h"
 
 #include <hwy/highway.h>
 
@@ -14,31 +14,6 @@ HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
 #if HWY_HAVE_FLOAT64
-
-/// dot3 and normalized of gw/types.h and gw/vertex.h.
-inline V64 dot(const Vec3& a, const Vec3& b) {
-    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-inline Vec3 unit(const Vec3& v) {
-    const auto length = hn::Sqrt(dot(v, v));
-    const auto some = hn::Gt(length, hn::Zero(D64()));
-    const auto over = [&](V64 c) { return hn::IfThenElseZero(some, hn::Div(c, length)); };
-    return {over(v.x), over(v.y), over(v.z)};
-}
-inline Vec3 minus(const Vec3& v) { return {hn::Neg(v.x), hn::Neg(v.y), hn::Neg(v.z)}; }
-/// v where v > 0, else 0 (NaN too).
-inline V64 positive(V64 v) { return hn::IfThenElseZero(hn::Gt(v, hn::Zero(D64())), v); }
-inline V64 at_most_one(V64 v) { return hn::IfThenElse(hn::Lt(v, all(1)), v, all(1)); }
-
-/// base^exponent lane by lane, where `wanted`; else 0.
-inline V64 power(V64 base, double exponent, hn::Mask<D64> wanted) {
-    alignas(64) double b[8], w[8];
-    const D64 d;
-    hn::Store(base, d, b);
-    hn::Store(hn::IfThenElseZero(wanted, all(1)), d, w);
-    for (std::size_t i = 0; i < hn::Lanes(d); ++i) b[i] = w[i] != 0 ? gw::pow(b[i], exponent) : 0;
-    return hn::Load(d, b);
-}
 
 /// What of a light and the material does not depend on the vertex.
 struct LightTerms {
@@ -114,21 +89,6 @@ inline V64 quantized(V64 v, int bits) {
     return hn::Sub(hn::Add(hn::Mul(at_most_one(positive(v)), all(max_of_bits(bits))), magic), magic);
 }
 
-struct VertexLanes {
-    alignas(64) double position[3][8], normal[3][8];
-};
-
-inline void gather(const MeshData& mesh, std::span<const std::uint32_t> indices, VertexLanes& out) {
-    for (std::size_t i = 0; i < 8; ++i) {
-        const std::uint32_t v = indices[i < indices.size() ? i : 0];
-        const vec3 n = mesh.normals.empty() ? vec3(0, 0, 1) : mesh.normals[v];
-        for (int c = 0; c < 3; ++c) {
-            out.position[c][i] = mesh.positions[v][c];
-            out.normal[c][i] = n[c];
-        }
-    }
-}
-
 void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, bool back,
                std::vector<Rgba>& colors) {
     const D64 d;
@@ -144,19 +104,10 @@ void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, b
     if (p.draw->lights)
         for (const Light& light : *p.draw->lights) lights.push_back(light_terms(light, m));
 
-    VertexLanes in;
     for (std::size_t first = 0; first < indices.size(); first += lanes) {
         const auto some = indices.subspan(first, std::min(lanes, indices.size() - first));
-        gather(p.draw->mesh->data(), some, in);
-        const Vec3 p_object{hn::Load(d, in.position[0]), hn::Load(d, in.position[1]),
-                            hn::Load(d, in.position[2])};
-        const Vec3 n_object{hn::Load(d, in.normal[0]), hn::Load(d, in.normal[1]), hn::Load(d, in.normal[2])};
-        const dmat4& eye = p.draw->eye_from_object;
-        const Vec3 p_eye{row(eye, 0, p_object), row(eye, 1, p_object), row(eye, 2, p_object)};
-        const dmat3& normal = p.normal_eye_from_object;
-        const Vec3 n_front =
-            unit({row(normal, 0, n_object), row(normal, 1, n_object), row(normal, 2, n_object)});
-        const Vec3 n_eye = back ? minus(n_front) : n_front;
+        const EyeVertices v = eye_vertices(p, some);
+        const Vec3 n_eye = back ? minus(v.normal) : v.normal, p_eye = v.position;
         const Vec3 to_eye = state.local_viewer ? unit(minus(p_eye)) : all3({0, 0, 1});
         V64 sum[3];
         for (int c = 0; c < 3; ++c) sum[c] = all(m.Ke[c] + double(state.model_ambient[c]) * m.Ka[c]);

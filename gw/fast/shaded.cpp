@@ -2,6 +2,7 @@
 #include "gw/fast/shaded.h"
 
 #include "gw/fast/light.h"
+#include "gw/fast/texgen.h"
 
 namespace gw::fast {
 
@@ -73,12 +74,10 @@ void texture_vertices(VertexTexcoords& out, const State& s, const Draw& draw, co
     const auto store = [&](std::size_t i, const Vertex& v) { out.strq[i] = v.texcoord; };
     const std::vector<vec2>& given = draw.mesh->data().texcoords;
     const bool as_given = s.texture.gen == TexGen::None && !given.empty();
-    for (const std::uint32_t i : set.used) {
-        if (as_given)
-            out.strq[i] = {given[i].x, given[i].y, 0, 1};
-        else
-            store(i, run_vertex(program, i));
-    }
+    if (as_given)
+        for (const std::uint32_t i : set.used) out.strq[i] = {given[i].x, given[i].y, 0, 1};
+    else
+        generate_texcoords(program, set.used, out.strq);
     for_each_new_vertex(set, program, store);
 }
 

@@ -1,0 +1,72 @@
+// Vertices in eye space, a vector at a time: positions and unit normals as run_vertex() of gw/vertex.cpp has
+// them. Included once per Highway target, where it has vectors of doubles.
+#if defined(GW_FAST_EYE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_EYE_INL_H_
+#undef GW_FAST_EYE_INL_H_
+#else
+#define GW_FAST_EYE_INL_H_
+#endif
+
+#include "gw/fast/doubles-inl.h"
+#include "gw/vertex.h"
+
+#include <span>
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+#if HWY_HAVE_FLOAT64
+
+/// dot3 and normalized of gw/types.h and gw/vertex.h.
+inline V64 dot(const Vec3& a, const Vec3& b) {
+    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+inline Vec3 unit(const Vec3& v) {
+    const auto length = hn::Sqrt(dot(v, v));
+    const auto some = hn::Gt(length, hn::Zero(D64()));
+    const auto over = [&](V64 c) { return hn::IfThenElseZero(some, hn::Div(c, length)); };
+    return {over(v.x), over(v.y), over(v.z)};
+}
+inline Vec3 minus(const Vec3& v) { return {hn::Neg(v.x), hn::Neg(v.y), hn::Neg(v.z)}; }
+/// v where v > 0, else 0 (NaN too).
+inline V64 positive(V64 v) { return hn::IfThenElseZero(hn::Gt(v, hn::Zero(D64())), v); }
+inline V64 at_most_one(V64 v) { return hn::IfThenElse(hn::Lt(v, all(1)), v, all(1)); }
+
+struct VertexLanes {
+    alignas(64) double position[3][8], normal[3][8];
+};
+
+inline void gather(const MeshData& mesh, std::span<const std::uint32_t> indices, VertexLanes& out) {
+    for (std::size_t i = 0; i < 8; ++i) {
+        const std::uint32_t v = indices[i < indices.size() ? i : 0];
+        const vec3 n = mesh.normals.empty() ? vec3(0, 0, 1) : mesh.normals[v];
+        for (int c = 0; c < 3; ++c) {
+            out.position[c][i] = mesh.positions[v][c];
+            out.normal[c][i] = n[c];
+        }
+    }
+}
+
+struct EyeVertices {
+    Vec3 position, normal;
+};
+
+/// The mesh's vertices with these indices, as many as a vector holds; lanes beyond the last repeat the first.
+inline EyeVertices eye_vertices(const VertexProgram& p, std::span<const std::uint32_t> indices) {
+    const D64 d;
+    VertexLanes in;
+    gather(p.draw->mesh->data(), indices, in);
+    const Vec3 at{hn::Load(d, in.position[0]), hn::Load(d, in.position[1]), hn::Load(d, in.position[2])};
+    const Vec3 n{hn::Load(d, in.normal[0]), hn::Load(d, in.normal[1]), hn::Load(d, in.normal[2])};
+    const dmat4& eye = p.draw->eye_from_object;
+    const dmat3& normal = p.normal_eye_from_object;
+    return {{row(eye, 0, at), row(eye, 1, at), row(eye, 2, at)},
+            unit({row(normal, 0, n), row(normal, 1, n), row(normal, 2, n)})};
+}
+
+#endif  // HWY_HAVE_FLOAT64
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target
