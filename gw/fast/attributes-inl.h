@@ -87,8 +87,9 @@ HWY_INLINE void fog_planes(const TileDraw& draw, const Corners& t, PlaneBatch& o
         t, [&](std::size_t k, std::size_t i) { return nearest(hn::Load(D64(), factor[k] + i)); }, out);
 }
 
-/// Whether a channel has one value on each triangle of a batch: most of the alphas, ambient and dark light.
-HWY_INLINE bool is_constant(const Corners& t, const ColorWords& colors, std::size_t c) {
+/// Bits in which some triangle's corners differ: a channel without any has one value on each triangle, as
+/// most alphas do, ambient and dark light.
+HWY_INLINE std::uint64_t differing_bits(const Corners& t, const ColorWords& colors) {
     const U64ForD64 u;
     auto any = hn::Zero(u);
     for (std::size_t i = 0; i < t.room; i += hn::Lanes(u)) {
@@ -96,7 +97,11 @@ HWY_INLINE bool is_constant(const Corners& t, const ColorWords& colors, std::siz
         any = hn::Or(any, hn::Or(hn::Xor(first, hn::Load(u, colors.at[1] + i)),
                                  hn::Xor(first, hn::Load(u, colors.at[2] + i))));
     }
-    return hn::AllTrue(u, hn::Eq(hn::And(any, hn::Set(u, std::uint64_t{0xFFFF} << (16 * c))), hn::Zero(u)));
+    alignas(64) std::uint64_t lanes[8];
+    hn::Store(any, u, lanes);
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < hn::Lanes(u); ++i) bits |= lanes[i];
+    return bits;
 }
 HWY_INLINE void put_constant(const Corners& t, const ColorWords& colors, std::size_t k, NarrowBatch& out) {
     for (std::size_t i = 0; i < t.room; ++i) {
@@ -121,8 +126,9 @@ HWY_INLINE std::uint32_t smooth_colors(const TileDraw& draw, const Corners& t, N
     PlaneBatch plane;
     gather_colors(draw, t, colors);
     std::uint32_t sure = ~0u;
+    const std::uint64_t differing = differing_bits(t, colors);
     for (std::size_t k = 0; k < 4; ++k) {
-        if (is_constant(t, colors, k)) {
+        if ((differing >> (16 * k) & 0xFFFF) == 0) {
             put_constant(t, colors, k, out);
             continue;
         }

@@ -11,6 +11,7 @@
 #include "gw/vertex.h"
 
 #include <span>
+#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -32,36 +33,33 @@ inline Vec3 minus(const Vec3& v) { return {hn::Neg(v.x), hn::Neg(v.y), hn::Neg(v
 inline V64 positive(V64 v) { return hn::IfThenElseZero(hn::Gt(v, hn::Zero(D64())), v); }
 inline V64 at_most_one(V64 v) { return hn::IfThenElse(hn::Lt(v, all(1)), v, all(1)); }
 
-struct VertexLanes {
-    alignas(64) double position[3][8], normal[3][8];
-};
-
-inline void gather(const MeshData& mesh, std::span<const std::uint32_t> indices, VertexLanes& out) {
-    for (std::size_t i = 0; i < 8; ++i) {
-        const std::uint32_t v = indices[i < indices.size() ? i : 0];
-        const vec3 n = mesh.normals.empty() ? vec3(0, 0, 1) : mesh.normals[v];
-        for (int c = 0; c < 3; ++c) {
-            out.position[c][i] = mesh.positions[v][c];
-            out.normal[c][i] = n[c];
-        }
-    }
-}
-
 struct EyeVertices {
     Vec3 position, normal;
 };
 
-/// The mesh's vertices with these indices, as many as a vector holds; lanes beyond the last repeat the first.
-inline EyeVertices eye_vertices(const VertexProgram& p, std::span<const std::uint32_t> indices) {
+/// Object coordinates of up to a vector of vertices; lanes beyond the last repeat the first.
+inline Vec3 gather(const std::vector<vec3>& from, std::span<const std::uint32_t> indices) {
     const D64 d;
-    VertexLanes in;
-    gather(p.draw->mesh->data(), indices, in);
-    const Vec3 at{hn::Load(d, in.position[0]), hn::Load(d, in.position[1]), hn::Load(d, in.position[2])};
-    const Vec3 n{hn::Load(d, in.normal[0]), hn::Load(d, in.normal[1]), hn::Load(d, in.normal[2])};
+    alignas(64) double lanes[3][8];
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
+        const vec3& v = from[indices[i < indices.size() ? i : 0]];
+        for (int c = 0; c < 3; ++c) lanes[c][i] = v[c];
+    }
+    return {hn::Load(d, lanes[0]), hn::Load(d, lanes[1]), hn::Load(d, lanes[2])};
+}
+
+/// The mesh's vertices with these indices, as many as a vector holds; their normals where asked.
+inline EyeVertices eye_vertices(const VertexProgram& p, std::span<const std::uint32_t> indices,
+                                bool normals = true) {
+    const MeshData& mesh = p.draw->mesh->data();
+    const Vec3 at = gather(mesh.positions, indices);
     const dmat4& eye = p.draw->eye_from_object;
+    EyeVertices out{{row(eye, 0, at), row(eye, 1, at), row(eye, 2, at)}, all3({0, 0, 1})};
+    if (!normals) return out;
+    const Vec3 n = mesh.normals.empty() ? all3({0, 0, 1}) : gather(mesh.normals, indices);
     const dmat3& normal = p.normal_eye_from_object;
-    return {{row(eye, 0, at), row(eye, 1, at), row(eye, 2, at)},
-            unit({row(normal, 0, n), row(normal, 1, n), row(normal, 2, n)})};
+    out.normal = unit({row(normal, 0, n), row(normal, 1, n), row(normal, 2, n)});
+    return out;
 }
 
 #endif  // HWY_HAVE_FLOAT64

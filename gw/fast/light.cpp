@@ -10,6 +10,8 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
@@ -21,6 +23,7 @@ struct LightTerms {
     dvec3 position, spot_direction;
     dvec3 ambient, lambert, gloss;
     bool directional = true, spot = false, glossy = false;
+    bool turns = false;  ///< what it gives depends on the normal
 };
 
 inline LightTerms light_terms(const Light& light, const Material& m) {
@@ -32,12 +35,13 @@ inline LightTerms light_terms(const Light& light, const Material& m) {
         t.position = {t.position.x / double(light.position.w), t.position.y / double(light.position.w),
                       t.position.z / double(light.position.w)};
     t.spot = !t.directional && light.spot_cos_cutoff > -1;
-    t.glossy = m.Ks.x != 0 || m.Ks.y != 0 || m.Ks.z != 0;
     for (int c = 0; c < 3; ++c) {
         t.ambient[c] = double(light.Ia[c]) * m.Ka[c];
         t.lambert[c] = double(light.Id[c]) * m.Kd[c];
         t.gloss[c] = double(light.Is[c]) * m.Ks[c];
     }
+    const auto some = [](const dvec3& v) { return v.x != 0 || v.y != 0 || v.z != 0; };
+    t.glossy = some(t.gloss), t.turns = t.glossy || some(t.lambert);
     return t;
 }
 
@@ -57,7 +61,7 @@ inline IncidentLanes incident(const LightTerms& t, const Vec3& p_eye) {
     const Vec3 v{hn::Sub(all(t.position.x), p_eye.x), hn::Sub(all(t.position.y), p_eye.y),
                  hn::Sub(all(t.position.z), p_eye.z)};
     const auto d = hn::Sqrt(dot(v, v));
-    const Vec3 direction = unit(v);
+    const Vec3 direction = t.turns || t.spot ? unit(v) : v;
     const auto linear =
         hn::Add(all(t.light.constant_attenuation), hn::Mul(all(t.light.linear_attenuation), d));
     const auto fall = hn::Add(linear, hn::Mul(all(t.light.quadratic_attenuation), hn::Mul(d, d)));
@@ -69,6 +73,10 @@ inline IncidentLanes incident(const LightTerms& t, const Vec3& p_eye) {
 inline void add_light(const LightTerms& t, const Material& m, const Vec3& p_eye, const Vec3& n_eye,
                       const Vec3& to_eye, V64* sum) {
     const IncidentLanes in = incident(t, p_eye);
+    if (!t.turns) {
+        for (int c = 0; c < 3; ++c) sum[c] = hn::Add(sum[c], hn::Mul(in.strength, all(t.ambient[c])));
+        return;
+    }
     const auto cosine = dot(n_eye, in.direction);
     const auto diffuse = positive(cosine);
     auto specular = hn::Zero(D64());
@@ -104,11 +112,14 @@ void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, b
     if (p.draw->lights)
         for (const Light& light : *p.draw->lights) lights.push_back(light_terms(light, m));
 
+    const auto any = [&](auto has) { return std::any_of(lights.begin(), lights.end(), has); };
+    const bool turns = any([](const LightTerms&t) { return t.turns; }),
+               glossy = any([](const LightTerms&t) { return t.glossy; });
     for (std::size_t first = 0; first < indices.size(); first += lanes) {
         const auto some = indices.subspan(first, std::min(lanes, indices.size() - first));
-        const EyeVertices v = eye_vertices(p, some);
+        const EyeVertices v = eye_vertices(p, some, turns);
         const Vec3 n_eye = back ? minus(v.normal) : v.normal, p_eye = v.position;
-        const Vec3 to_eye = state.local_viewer ? unit(minus(p_eye)) : all3({0, 0, 1});
+        const Vec3 to_eye = state.local_viewer && glossy ? unit(minus(p_eye)) : all3({0, 0, 1});
         V64 sum[3];
         for (int c = 0; c < 3; ++c) sum[c] = all(m.Ke[c] + double(state.model_ambient[c]) * m.Ka[c]);
         for (const LightTerms& light : lights) add_light(light, m, p_eye, n_eye, to_eye, sum);

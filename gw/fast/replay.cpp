@@ -67,18 +67,36 @@ struct Replay {
     Coverage& record;
     bool narrow, textured, by_pixel;
     std::size_t channels;
-    NarrowLanes lanes{};
+    bool adds_modulated;
     ShadeInputs inputs;
 
     HWY_INLINE int bx(const BlockRun& run) const { return run.block % (draw.tile.side / block_side); }
     HWY_INLINE int by(const BlockRun& run) const { return run.block / (draw.tile.side / block_side); }
 
-    HWY_INLINE void put_color(const BlockRun& run, const VisibleBlock& entry, std::uint32_t mask) {
-        if (narrow)
+    HWY_INLINE std::span<const VisibleBlock> entries(const BlockRun& run) const {
+        return std::span(record.blocks).subspan(run.first, run.count);
+    }
+
+    template <std::size_t n>
+    HWY_INLINE void narrow_colors_of(const BlockRun& run, std::span<const VisibleBlock> entries) {
+        NarrowLanes<n> lanes;
+        lanes.clear();
+        for (const VisibleBlock& entry : entries)
             lanes.put(record.narrow[entry.primitive / batch_room], entry.primitive % batch_room,
-                      lane_set(mask), channels);
-        else
-            wide_colors(record.colors[entry.primitive], *draw.op, bx(run), by(run), mask, inputs);
+                      lane_set(entry.mask));
+        lanes.store(bx(run), by(run), inputs);
+    }
+    /// The colours of some of a block's entries, which share no lane.
+    HWY_INLINE void colors_of(const BlockRun& run, std::span<const VisibleBlock> entries) {
+        if (!narrow) {
+            for (const VisibleBlock& entry : entries)
+                wide_colors(record.colors[entry.primitive], *draw.op, bx(run), by(run), entry.mask, inputs);
+        } else if (entries.size() == 1) {
+            const std::uint32_t i = entries[0].primitive;
+            narrow_colors(record.narrow[i / batch_room], i % batch_room, channels, bx(run), by(run), inputs);
+        } else {
+            channels == 5 ? narrow_colors_of<5>(run, entries) : narrow_colors_of<4>(run, entries);
+        }
     }
     HWY_INLINE const TexturePlanes& texture_of(const VisibleBlock& entry) const {
         return record.texture.planes[entry.primitive];
@@ -87,8 +105,9 @@ struct Replay {
         gw::fast::HWY_NAMESPACE::look_up(texture_of(entry), draw, bx(run), by(run), mask, inputs);
     }
     HWY_INLINE void write(const BlockRun& run, const ColorBlock& texel, std::uint32_t mask) {
-        if (narrow) narrow_colors(lanes, channels, bx(run), by(run), inputs);
-        write_color(draw.op->state, shaded(draw, texel, inputs), draw.tile.color[run.block], mask);
+        ColorBlock& stored = draw.tile.color[run.block];
+        if (adds_modulated) return add_modulated(inputs.color, texel, stored, mask);
+        write_color(draw.op->state, shaded(draw, texel, inputs), stored, mask);
     }
     /// The run's texels, kept for the draws that follow.
     HWY_INLINE const ColorBlock& found(const BlockRun& run) {
@@ -100,12 +119,11 @@ struct Replay {
     }
     HWY_NOINLINE void find(const BlockRun& run, ColorBlock& out) {
         const Sampler sampler = sampler_of(*draw.op);
-        const auto entries = std::span(record.blocks).subspan(run.first, run.count);
         if (run.count == 1)
-            divide_block(sampler, texture_of(entries[0]), draw.tile, bx(run), by(run), run.mask,
+            divide_block(sampler, texture_of(entries(run)[0]), draw.tile, bx(run), by(run), run.mask,
                          inputs.divided);
         else {
-            for (const VisibleBlock& entry : entries)
+            for (const VisibleBlock& entry : entries(run))
                 texture_inputs(sampler, texture_of(entry), draw.tile, bx(run), by(run), entry.mask,
                                inputs.texture);
             divide_block(sampler, inputs.texture, inputs.divided);
@@ -115,22 +133,17 @@ struct Replay {
 
     /// A run without ties: every pixel has one primitive.
     HWY_INLINE void paint(const BlockRun& run, std::uint32_t mask) {
-        for (std::uint32_t k = 0; k < run.count; ++k) {
-            const VisibleBlock& entry = record.blocks[run.first + k];
-            const std::uint32_t own = entry.mask & mask;
-            if (own == 0) continue;
-            put_color(run, entry, own);
-            if (by_pixel) look_up(run, entry, own);
-        }
+        colors_of(run, entries(run));
+        if (by_pixel)
+            for (const VisibleBlock& entry : entries(run)) look_up(run, entry, entry.mask & mask);
         write(run, textured && !by_pixel ? found(run) : inputs.texel, mask);
     }
     /// One primitive after the other: a pixel where two tie is written twice.
     HWY_INLINE void paint_tied(const BlockRun& run, std::uint32_t mask) {
-        for (std::uint32_t k = 0; k < run.count; ++k) {
-            const VisibleBlock& entry = record.blocks[run.first + k];
+        for (const VisibleBlock& entry : entries(run)) {
             const std::uint32_t own = entry.mask & mask;
             if (own == 0) continue;
-            put_color(run, entry, own);
+            colors_of(run, std::span(&entry, 1));
             if (textured) look_up(run, entry, own);
             write(run, inputs.texel, own);
         }
@@ -158,7 +171,9 @@ void replay_all(const TileDraw& draw, Coverage& record) {
                   narrow,
                   textured,
                   textured && textures_by_pixel(op.state.state.texture),
-                  has_fog(op.state.state) ? std::size_t{5} : std::size_t{4}};
+                  has_fog(op.state.state) ? std::size_t{5} : std::size_t{4},
+                  textured && adds_modulated(op.state),
+                  {}};
     std::uint64_t written = 0;
     for (const BlockRun& run : record.runs) {
         const std::uint32_t mask = stencil_test(op.state.front, draw.tile.stencil[run.block], run.mask);

@@ -34,42 +34,41 @@ struct ShadeInputs {
     alignas(64) std::uint32_t fog[block_pixels];
 };
 
-/// Coefficients of narrow planes, each lane of its own primitive.
-struct NarrowLanes {
-    alignas(64) std::uint32_t c[5][block_pixels], gx[5][block_pixels], gy[5][block_pixels];
-
-    /// Triangle i of a batch in these lanes.
-    HWY_INLINE void put(const NarrowBatch& p, std::size_t i, const LaneSet& lanes, std::size_t channels) {
-        const D32 d;
-        for (std::size_t k = 0; k < channels; ++k)
-            for (std::size_t part = 0; part < parts; ++part) {
-                const std::size_t at = part * lanes32;
-                hn::BlendedStore(hn::Set(d, p.c[k][i]), lanes.part[part], d, c[k] + at);
-                hn::BlendedStore(hn::Set(d, p.gx[k][i]), lanes.part[part], d, gx[k] + at);
-                hn::BlendedStore(hn::Set(d, p.gy[k][i]), lanes.part[part], d, gy[k] + at);
-            }
-    }
-};
-
 HWY_INLINE V32 narrow_value(V32 c, V32 gx, V32 gy, Pixels at) {
     return hn::ShiftRight<16>(hn::Add(hn::Add(c, hn::Mul(gx, at.x)), hn::Mul(gy, at.y)));
 }
 
-/// Colour, and the fog factor where there are five channels, of lanes with a primitive each.
-HWY_INLINE void narrow_colors(const NarrowLanes& p, std::size_t channels, int bx, int by, ShadeInputs& in) {
-    const D32 d;
-    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-        const Pixels at = pixels_of(bx, by, i);
-        const auto value = [&](std::size_t k) {
-            return narrow_value(hn::Load(d, p.c[k] + i), hn::Load(d, p.gx[k] + i), hn::Load(d, p.gy[k] + i),
-                                at);
-        };
-        for (std::size_t k = 0; k < 4; ++k) store16(value(k), in.color.channel[k] + i);
-        if (channels == 5) hn::Store(value(4), d, in.fog + i);
-    }
-}
+/// Coefficients of narrow planes, each lane of its own primitive: vectors, so that they stay in registers.
+template <std::size_t channels>
+struct NarrowLanes {
+    V32 c[channels][parts], gx[channels][parts], gy[channels][parts];
 
-/// The same of triangle j of a batch.
+    HWY_INLINE void clear() {
+        for (std::size_t k = 0; k < channels; ++k)
+            for (std::size_t i = 0; i < parts; ++i) c[k][i] = gx[k][i] = gy[k][i] = hn::Zero(D32());
+    }
+    /// Triangle j of a batch in these lanes.
+    HWY_INLINE void put(const NarrowBatch& p, std::size_t j, const LaneSet& lanes) {
+        const D32 d;
+        const auto put = [&](V32& v, std::size_t i, std::uint32_t value) {
+            v = hn::IfThenElse(lanes.part[i], hn::Set(d, value), v);
+        };
+        for (std::size_t k = 0; k < channels; ++k)
+            for (std::size_t i = 0; i < parts; ++i)
+                put(c[k][i], i, p.c[k][j]), put(gx[k][i], i, p.gx[k][j]), put(gy[k][i], i, p.gy[k][j]);
+    }
+    /// Colour, and the fog factor where there are five channels.
+    HWY_INLINE void store(int bx, int by, ShadeInputs& in) const {
+        for (std::size_t i = 0; i < parts; ++i) {
+            const Pixels at = pixels_of(bx, by, i * lanes32);
+            const auto value = [&](std::size_t k) { return narrow_value(c[k][i], gx[k][i], gy[k][i], at); };
+            for (std::size_t k = 0; k < 4; ++k) store16(value(k), in.color.channel[k] + i * lanes32);
+            if constexpr (channels == 5) hn::Store(value(4), D32(), in.fog + i * lanes32);
+        }
+    }
+};
+
+/// Colour, and the fog factor where there are five channels, of triangle j of a batch.
 HWY_INLINE void narrow_colors(const NarrowBatch& p, std::size_t j, std::size_t channels, int bx, int by,
                               ShadeInputs& in) {
     const D32 d;
@@ -117,6 +116,28 @@ HWY_INLINE void modulate_bytes(const ColorBlock& color, const ColorBlock& texel,
         for (std::size_t i = 0; i < block_pixels; i += lanes16)
             hn::Store(mul_bytes(hn::Load(d, color.channel[c] + i), hn::Load(d, texel.channel[c] + i)), d,
                       out.channel[c] + i);
+}
+
+/// Whether a textured draw does no more than add its modulated colour, in 8 bits: most of the passes of [K3].
+HWY_INLINE bool adds_modulated(const Resolved& r) {
+    const BlendState& b = r.state.blend;
+    const ColorMask& m = r.state.color_mask;
+    return r.bits == 8 && r.state.texture.env == TexEnv::Modulate && !has_fog(r.state) &&
+           r.state.color_source != ColorSource::PolygonId && b.enable && b.src == BlendFactor::One &&
+           b.dst == BlendFactor::One && m.r && m.g && m.b && m.a;
+}
+HWY_INLINE void add_modulated(const ColorBlock& color, const ColorBlock& texel, ColorBlock& stored,
+                              std::uint32_t mask) {
+    const D16 d;
+    const auto max = hn::Set(d, std::uint16_t{255});
+    for (std::size_t i = 0; i < block_pixels; i += lanes16) {
+        const auto lanes = lanes_of(d, mask, i);
+        for (std::size_t c = 0; c < 4; ++c) {
+            std::uint16_t* to = stored.channel[c] + i;
+            const auto own = mul_bytes(hn::Load(d, color.channel[c] + i), hn::Load(d, texel.channel[c] + i));
+            hn::BlendedStore(hn::Min(hn::Add(own, hn::Load(d, to)), max), lanes, d, to);
+        }
+    }
 }
 
 /// texture_environment() of gw/tables.h.
