@@ -60,6 +60,12 @@ VertexProgram vertex_program(const State& state, const Draw& draw, const Profile
     return p;
 }
 
+double fog_of(const VertexProgram& p, double z_eye) {
+    const double distance = bounded(z_eye < 0 ? -z_eye : 0, largest_coordinate);
+    if (p.fragment_fog) return distance / p.fog_depth;
+    return double(fog_factor(p.state->fog, distance, p.profile->color_bits));
+}
+
 Vertex run_vertex(const VertexProgram& p, std::uint32_t index) {
     const MeshData& mesh = p.draw->mesh->data();
     const State& state = *p.state;
@@ -83,11 +89,7 @@ Vertex run_vertex(const VertexProgram& p, std::uint32_t index) {
         out.texcoord = texture_coordinates(state.texture, st, p_eye4, n_eye);
         for (int i = 0; i < 4; ++i) out.texcoord[i] = bounded(out.texcoord[i], largest_coordinate);
     }
-    if (state.fog.enable) {
-        const double distance = bounded(p_eye.z < 0 ? -p_eye.z : 0, largest_coordinate);
-        out.fog = p.fragment_fog ? distance / p.fog_depth
-                                 : double(fog_factor(state.fog, distance, p.profile->color_bits));
-    }
+    if (state.fog.enable) out.fog = fog_of(p, p_eye.z);
     return out;
 }
 

@@ -40,6 +40,9 @@ VertexProgram vertex_program(const State& state, const Draw& draw, const Profile
 /// Runs the vertex stages on vertex `index` of the draw's mesh.
 Vertex run_vertex(const VertexProgram& program, std::uint32_t index);
 
+/// The fog value of a vertex at this z in eye space: see Vertex::fog.
+double fog_of(const VertexProgram& program, double z_eye);
+
 /// m * v, each component ((m0 x + m1 y) + (m2 z + m3 w)).
 dvec4 transform(const dmat4& m, const dvec4& v);
 /// The product whose columns are transform(a, column of b).

@@ -82,7 +82,7 @@ HWY_NOINLINE inline void channel_planes(const Corners& t, const ColorWords& colo
 
 HWY_INLINE void fog_planes(const TileDraw& draw, const Corners& t, PlaneBatch& out) {
     alignas(64) double factor[3][batch_room];
-    gather(t, factor, [&](std::uint32_t v) { return draw.op->colors->fog[v]; });
+    gather(t, factor, [&](std::uint32_t v) { return draw.op->fog->value[v]; });
     set_up_planes(
         t, [&](std::size_t k, std::size_t i) { return nearest(hn::Load(D64(), factor[k] + i)); }, out);
 }

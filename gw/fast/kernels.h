@@ -47,6 +47,10 @@ struct BlockFragments {
 void process_fragments(const BlockFragments& fragments, const ColorBlock& color, const DepthBlock& depth,
                        const Tile& tile, OpCounts& counts);
 
+/// One accumulation command on the lanes of `mask` of a block; how many channels overflowed.
+std::uint64_t accumulate_block(const AccumulateOp& op, const Profile& profile, AccumBlock& accum,
+                               ColorBlock& color, std::uint32_t mask);
+
 /// The vector instruction set in use, in Highway's words, and all that this processor has.
 std::string simd_target();
 std::vector<std::string> simd_targets();

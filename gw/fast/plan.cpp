@@ -79,27 +79,27 @@ struct Planner {
         return set;
     }
 
-    const VertexColors* colors(GeometrySet& set, const Draw& draw) {
+    /// The one of `all` that has this key; else a new one, which `make` will fill.
+    template <typename Shared, typename Key, typename Make>
+    const Shared* shared(std::deque<Shared>& all, GeometrySet& set, const Draw& draw, const Key& key,
+                         const Make& make) {
         set.lists_used = true;
-        const ColorKey key = color_key(set, machine.state, draw);
-        for (const auto& c : segment.colors)
-            if (c.key == key) return &c;
-        VertexColors& out = segment.colors.emplace_back();
+        for (const Shared& s : all)
+            if (s.key == key) return &s;
+        Shared& out = all.emplace_back();
         out.key = key;
         vertex_jobs.push_back(
-            job(draw, [this, &out](const State& s, const Draw& d) { shade_vertices(out, s, d, profile); }));
+            job(draw, [this, &out, make](const State& s, const Draw& d) { make(out, s, d, profile); }));
         return &out;
     }
+    const VertexColors* colors(GeometrySet& set, const Draw& draw) {
+        return shared(segment.colors, set, draw, color_key(set, machine.state, draw), shade_vertices);
+    }
+    const VertexFog* fog(GeometrySet& set, const Draw& draw) {
+        return shared(segment.fogs, set, draw, fog_key(set, machine.state), fog_vertices);
+    }
     const VertexTexcoords* texcoords(GeometrySet& set, const Draw& draw) {
-        set.lists_used = true;
-        const TexcoordKey key = texcoord_key(set, machine.state);
-        for (const auto& t : segment.texcoords)
-            if (t.key == key) return &t;
-        VertexTexcoords& out = segment.texcoords.emplace_back();
-        out.key = key;
-        vertex_jobs.push_back(
-            job(draw, [this, &out](const State& s, const Draw& d) { texture_vertices(out, s, d, profile); }));
-        return &out;
+        return shared(segment.texcoords, set, draw, texcoord_key(set, machine.state), texture_vertices);
     }
 
     /// Makes what is shared: geometry first, then what stands at its vertices.
@@ -137,6 +137,7 @@ struct Planner {
             op.texcoords = texcoords(set, draw);
         }
         if (op.needs_color && !exact_id) op.colors = colors(set, draw);
+        if (op.colors && machine.state.fog.enable) op.fog = fog(set, draw);
         if (machine.state.fog.enable && op.state.fragment_fog) {
             segment.fog_tables.push_back(fog_table(machine.state.fog, profile.color_bits));
             op.fog_table = &segment.fog_tables.back();

@@ -32,6 +32,7 @@ struct DrawOp {
     Resolved state;
     const GeometrySet* set = nullptr;
     const VertexColors* colors = nullptr;        ///< null where no colour is needed
+    const VertexFog* fog = nullptr;              ///< null: no fog
     const VertexTexcoords* texcoords = nullptr;  ///< null: untextured
     const FastTexels* texels = nullptr;          ///< null: untextured
     bool texels_counted = false;                 ///< textured, whether or not anyone sees the colour
@@ -86,6 +87,7 @@ struct Segment {
     std::deque<TileOp> ops;
     std::deque<GeometrySet> sets;
     std::deque<VertexColors> colors;
+    std::deque<VertexFog> fogs;
     std::deque<VertexTexcoords> texcoords;
     std::deque<std::vector<std::uint32_t>> fog_tables;
     bool uses_accum = false;

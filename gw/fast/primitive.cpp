@@ -85,7 +85,7 @@ struct Maker {
     }
 
     void fog(ColorPlanes& out) const {
-        const auto f = gather<double>([&](std::uint32_t v) { return op().colors->fog[v]; });
+        const auto f = gather<double>([&](std::uint32_t v) { return op().fog->value[v]; });
         if (!op().fog_table) {
             out.fog = frame.plane({std::int64_t(round_even(f[0])), std::int64_t(round_even(f[1])),
                                    std::int64_t(round_even(f[2]))});

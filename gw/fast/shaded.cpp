@@ -7,12 +7,18 @@
 namespace gw::fast {
 
 ColorKey color_key(const GeometrySet& set, const State& s, const Draw& draw) {
-    ColorKey key{&set, {}, nullptr, s.color_source, {}, s.fog};
+    ColorKey key{&set, {}, nullptr, s.color_source, {}};
     if (s.color_source == ColorSource::Lighting) {
         key.material = draw.material;
         key.lights = draw.lights;
         key.lighting = s.lighting;
     }
+    return key;
+}
+
+FogKey fog_key(const GeometrySet& set, const State& s) {
+    FogKey key{&set, s.fog};
+    key.fog.color = vec4(0);
     return key;
 }
 
@@ -47,21 +53,35 @@ void shade_vertices(VertexColors& out, const State& s, const Draw& draw, const P
     const bool lit = s.color_source == ColorSource::Lighting, two_side = lit && s.lighting.two_side;
     out.front.resize(set.vertex_count());
     if (two_side) out.back.resize(set.vertex_count());
-    if (s.fog.enable) out.fog.resize(set.vertex_count());
+    State unfogged = s;
+    unfogged.fog.enable = false;
     Draw untextured = draw;
     untextured.map = {};
-    const VertexProgram program = vertex_program(s, untextured, profile);
+    const VertexProgram program = vertex_program(unfogged, untextured, profile);
     const auto store = [&](std::size_t i, const Vertex& v) {
         out.front[i] = to_rgba(v.color);
         if (two_side) out.back[i] = to_rgba(v.back_color);
-        if (s.fog.enable) out.fog[i] = v.fog;
     };
-    const bool in_vectors = lit && !s.fog.enable;
-    if (in_vectors) light_vertices(program, two_side ? set.used_front : set.used, false, out.front);
-    if (in_vectors && two_side) light_vertices(program, set.used_back, true, out.back);
+    if (lit) light_vertices(program, two_side ? set.used_front : set.used, false, out.front);
+    if (two_side) light_vertices(program, set.used_back, true, out.back);
     for (const std::uint32_t i : set.used)
-        if (!in_vectors) store(i, run_vertex(program, i));
+        if (!lit) store(i, run_vertex(program, i));
     for_each_new_vertex(set, program, store);
+}
+
+void fog_vertices(VertexFog& out, const State& s, const Draw& draw, const Profile& profile) {
+    const GeometrySet& set = *out.key.set;
+    out.value.resize(set.vertex_count());
+    State unlit = s;
+    unlit.color_source = ColorSource::PolygonId;
+    Draw untextured = draw;
+    untextured.map = {};
+    const VertexProgram program = vertex_program(unlit, untextured, profile);
+    for (const std::uint32_t i : set.used) {
+        const dvec4 p_object(dvec3(draw.mesh->data().positions[i]), 1);
+        out.value[i] = fog_of(program, transform(draw.eye_from_object, p_object).z);
+    }
+    for_each_new_vertex(set, program, [&](std::size_t i, const Vertex& v) { out.value[i] = v.fog; });
 }
 
 void texture_vertices(VertexTexcoords& out, const State& s, const Draw& draw, const Profile& profile) {

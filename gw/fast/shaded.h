@@ -16,7 +16,6 @@ struct ColorKey {
     LightsRef lights;
     ColorSource color_source = ColorSource::Vertex;
     LightingState lighting;
-    FogState fog;
     bool operator==(const ColorKey&) const = default;
 };
 ColorKey color_key(const GeometrySet& set, const State& state, const Draw& draw);
@@ -25,7 +24,19 @@ ColorKey color_key(const GeometrySet& set, const State& state, const Draw& draw)
 struct VertexColors {
     ColorKey key;
     std::vector<Rgba> front, back;
-    std::vector<double> fog;
+};
+
+/// What fog depends on: all of its state but the colour.
+struct FogKey {
+    const GeometrySet* set = nullptr;
+    FogState fog;
+    bool operator==(const FogKey&) const = default;
+};
+FogKey fog_key(const GeometrySet& set, const State& state);
+
+struct VertexFog {
+    FogKey key;
+    std::vector<double> value;  ///< the factor, or where it is found per fragment the table's coordinate
 };
 
 /// What texture coordinates depend on.
@@ -43,8 +54,9 @@ struct VertexTexcoords {
     std::vector<dvec4> strq;
 };
 
-/// Both fill what has its key.
+/// Each fills what has its key.
 void shade_vertices(VertexColors& colors, const State& state, const Draw& draw, const Profile& profile);
+void fog_vertices(VertexFog& fog, const State& state, const Draw& draw, const Profile& profile);
 void texture_vertices(VertexTexcoords& texcoords, const State& state, const Draw& draw,
                       const Profile& profile);
 

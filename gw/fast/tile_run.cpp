@@ -1,7 +1,6 @@
 // One tile's way through all operations.
 #include "gw/fast/tile_run.h"
 
-#include "gw/accumulation.h"
 #include "gw/fast/coverage.h"
 #include "gw/fast/kernels.h"
 #include "gw/parallel.h"
@@ -51,6 +50,16 @@ void for_each_lane(const Tile& tile, int bx, int by, std::uint32_t mask, const V
     }
 }
 
+/// The channels of a block's pixels side by side.
+template <typename Block>
+auto pixels_of(const Block& block) {
+    using Value = std::remove_cvref_t<decltype(block.channel[0][0])>;
+    std::array<std::array<Value, 4>, block_pixels> out;
+    for (std::size_t i = 0; i < block_pixels; ++i)
+        for (std::size_t c = 0; c < 4; ++c) out[i][c] = block.channel[c][i];
+    return out;
+}
+
 struct TileRun {
     const Profile& profile;
     Tile tile;
@@ -78,15 +87,18 @@ struct TileRun {
         const std::uint32_t depth = quantize(op.clear->depth, profile.depth_bits);
         const std::uint32_t stencil = std::uint32_t(op.clear->stencil) & r.stencil_max;
         const auto wants = [&](Plane plane) { return (op.clear->planes & mask_of(plane)) != 0; };
+        const bool wants_color = wants(Plane::Color), wants_depth = wants(Plane::Depth) && r.depth_mask,
+                   wants_stencil = wants(Plane::Stencil), wants_accum = wants(Plane::Accum);
+        std::uint64_t pixels = 0;
         for_each_block(tile, box(r.pixel_box), [&](std::size_t b, int, int, std::uint32_t mask) {
-            counts->pixels +=
-                std::uint64_t(std::popcount(mask)) * std::uint64_t(std::popcount(op.clear->planes));
-            if (wants(Plane::Color)) clear_color(r.state.color_mask, color, tile.color[b], mask);
-            if (wants(Plane::Depth) && r.depth_mask) fill_lanes(tile.depth[b].value, depth, mask);
-            if (wants(Plane::Stencil)) clear_stencil(r, stencil, tile.stencil[b], mask);
-            if (wants(Plane::Accum))
+            pixels += mask == every_lane ? block_pixels : std::uint64_t(std::popcount(mask));
+            if (wants_color) clear_color(r.state.color_mask, color, tile.color[b], mask);
+            if (wants_depth) fill_lanes(tile.depth[b].value, depth, mask);
+            if (wants_stencil) clear_stencil(r, stencil, tile.stencil[b], mask);
+            if (wants_accum)
                 for (auto& channel : tile.accum[b].channel) fill_lanes(channel, 0, mask);
         });
+        counts->pixels += pixels * std::uint64_t(std::popcount(op.clear->planes));
     }
 
     static void clear_stencil(const Resolved& r, std::uint32_t value, StencilBlock& block,
@@ -168,50 +180,39 @@ struct TileRun {
     }
 
     void run(const AccumulateOp& op) {
-        const Accumulate& a = *op.accumulate;
-        const Resolved& r = op.state;
-        const ColorMask& m = r.state.color_mask;
-        const bool channel[4] = {m.r, m.g, m.b, m.a};
-        for_each_block(tile, box(r.pixel_box), [&](std::size_t b, int, int, std::uint32_t mask) {
+        for_each_block(tile, box(op.state.pixel_box), [&](std::size_t b, int, int, std::uint32_t mask) {
             counts->pixels += std::uint64_t(std::popcount(mask));
-            for (std::size_t c = 0; c < 4; ++c)
-                for (std::size_t i = 0; i < block_pixels; ++i) {
-                    if (!(mask >> i & 1)) continue;
-                    std::int32_t& stored = tile.accum[b].channel[c][i];
-                    std::uint16_t& color = tile.color[b].channel[c][i];
-                    if (a.op == AccumOp::Return) {
-                        if (channel[c]) color = returned(stored, a.value, r.bits);
-                        continue;
-                    }
-                    bool overflow = false;
-                    stored = wrap_accum(accumulated(a.op, stored, color, a.value, r.bits), profile.accum_bits,
-                                        overflow);
-                    counts->accum_overflows += overflow ? 1 : 0;
-                }
+            counts->accum_overflows += accumulate_block(op, profile, tile.accum[b], tile.color[b], mask);
         });
     }
 
     void run(const ReadOp& op) {
-        const Rect& rect = op.read->rect;
-        for_each_block(tile, box(rect), [&](std::size_t b, int bx, int by, std::uint32_t mask) {
+        for_each_block(tile, box(op.read->rect), [&](std::size_t b, int bx, int by, std::uint32_t mask) {
             counts->pixels += std::uint64_t(std::popcount(mask));
-            for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
-                const std::size_t i =
-                    std::size_t(y - rect.y) * std::size_t(rect.width) + std::size_t(x - rect.x);
-                switch (op.read->plane) {
-                    case Plane::Color:
-                        for (std::size_t c = 0; c < 4; ++c)
-                            op.out->color[i][c] = tile.color[b].channel[c][lane];
-                        break;
-                    case Plane::Depth: op.out->values[i] = tile.depth[b].value[lane]; break;
-                    case Plane::Stencil: op.out->values[i] = tile.stencil[b].value[lane]; break;
-                    case Plane::Accum:
-                        for (std::size_t c = 0; c < 4; ++c)
-                            op.out->accum[i][c] = tile.accum[b].channel[c][lane];
-                        break;
-                }
-            });
+            switch (op.read->plane) {
+                case Plane::Color:
+                    return read_block(op, bx, by, mask, pixels_of(tile.color[b]), op.out->color);
+                case Plane::Depth: return read_block(op, bx, by, mask, tile.depth[b].value, op.out->values);
+                case Plane::Stencil:
+                    return read_block(op, bx, by, mask, tile.stencil[b].value, op.out->values);
+                case Plane::Accum:
+                    return read_block(op, bx, by, mask, pixels_of(tile.accum[b]), op.out->accum);
+            }
         });
+    }
+    /// Copies the lanes of `mask`, a row at a time where they are all there.
+    template <typename From, typename To>
+    void read_block(const ReadOp& op, int bx, int by, std::uint32_t mask, const From& from, To& to) const {
+        const Rect& rect = op.read->rect;
+        const auto at = [&](int x, int y) {
+            return to.begin() + std::ptrdiff_t(y - rect.y) * rect.width + (x - rect.x);
+        };
+        if (mask != every_lane)
+            return for_each_lane(tile, bx, by, mask,
+                                 [&](std::size_t lane, int x, int y) { *at(x, y) = from[lane]; });
+        const int x = tile.x + bx * block_side, y = tile.y + by * block_side;
+        for (int row = 0; row < block_side; ++row)
+            std::copy_n(std::begin(from) + row * block_side, block_side, at(x, y + row));
     }
 };
 
