@@ -46,7 +46,8 @@ struct Coverage {
     std::vector<DepthBlock> fragments;      ///< how many fragments each pixel gets, where a draw asks
     std::uint64_t total = 0;                ///< fragments of the draw, visible or not
 
-    std::vector<BlockRun> runs;  ///< of `blocks`
+    std::vector<BlockRun> runs;          ///< of `blocks`
+    std::vector<VisibleBlock> by_block;  ///< room to sort `blocks`
 
     std::vector<Corners> corners;     ///< of `primitives`, a batch each; what follows the last is of no use
     std::vector<NarrowBatch> narrow;  ///< the same, for the draw in progress

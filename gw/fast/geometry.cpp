@@ -17,6 +17,18 @@ GeometryKey geometry_key(const State& s, const Draw& draw) {
             s.cull,    s.polygon_mode,       s.point_size, s.line_width};
 }
 
+void GeometrySet::clear() {
+    GeometrySet empty;
+    const auto keep_memory = [&](auto member) {
+        (empty.*member).swap(this->*member), (empty.*member).clear();
+    };
+    keep_memory(&GeometrySet::at), keep_memory(&GeometrySet::w), keep_memory(&GeometrySet::primitives);
+    keep_memory(&GeometrySet::cuts), keep_memory(&GeometrySet::used), keep_memory(&GeometrySet::used_front);
+    keep_memory(&GeometrySet::used_back), keep_memory(&GeometrySet::bin_start),
+        keep_memory(&GeometrySet::bin);
+    *this = std::move(empty);
+}
+
 namespace {
 
 /// Bit per clip plane that a vertex is outside of; the high bits reject it whatever the planes say.

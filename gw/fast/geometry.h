@@ -71,6 +71,8 @@ struct GeometrySet {
     std::vector<std::uint32_t> bin;        ///< ordinals of `primitives`, in order
 
     std::size_t vertex_count() const { return at.size(); }
+    /// Empties it for another key; the memory stays.
+    void clear();
     std::span<const std::uint32_t> tile_bin(std::size_t tile) const {
         return std::span(bin).subspan(bin_start[tile], bin_start[tile + 1] - bin_start[tile]);
     }

@@ -49,13 +49,14 @@ public:
 private:
     const TileGrid& grid() const { return frame_.grid(); }
 
-    void run_segment(const Segment& segment) {
+    void run_segment(Segment segment) {
         if (segment.ops.empty()) return;
         if (segment.uses_accum) frame_.need_accum();
         planes_are_current_ = false;
         std::vector<OpCounts> totals = run_tiles(segment, frame_, profile_, threads_, rooms_);
         for (std::size_t i = 0; i < totals.size(); ++i)
             machine_.passes[segment.ops[i].pass].counters += counters_of(segment.ops[i], totals[i], profile_);
+        retire(std::move(segment), machine_);
     }
 
     void take_digests() {

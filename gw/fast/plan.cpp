@@ -70,7 +70,7 @@ struct Planner {
         const auto found = std::find_if(segment.sets.begin(), segment.sets.end(),
                                         [&](const GeometrySet& s) { return s.key == key; });
         if (found != segment.sets.end()) return *found;
-        GeometrySet& set = segment.sets.emplace_back();
+        GeometrySet& set = next(segment.sets, machine.done.sets);
         set.key = key;
         geometry_jobs.push_back(job(draw, [this, &set](const State& s, const Draw& d) {
             make_geometry(set, s, d, profile, grid.width, grid.height);
@@ -79,27 +79,38 @@ struct Planner {
         return set;
     }
 
+    /// A new element, in the memory of an old one where there is any.
+    template <typename T>
+    static T& next(std::deque<T>& all, std::deque<T>& old) {
+        if (old.empty()) return all.emplace_back();
+        all.push_back(std::move(old.front()));
+        old.pop_front();
+        return all.back();
+    }
+
     /// The one of `all` that has this key; else a new one, which `make` will fill.
     template <typename Shared, typename Key, typename Make>
-    const Shared* shared(std::deque<Shared>& all, GeometrySet& set, const Draw& draw, const Key& key,
-                         const Make& make) {
+    const Shared* shared(std::deque<Shared>& all, std::deque<Shared>& old, GeometrySet& set, const Draw& draw,
+                         const Key& key, const Make& make) {
         set.lists_used = true;
         for (const Shared& s : all)
             if (s.key == key) return &s;
-        Shared& out = all.emplace_back();
+        Shared& out = next(all, old);
         out.key = key;
         vertex_jobs.push_back(
             job(draw, [this, &out, make](const State& s, const Draw& d) { make(out, s, d, profile); }));
         return &out;
     }
     const VertexColors* colors(GeometrySet& set, const Draw& draw) {
-        return shared(segment.colors, set, draw, color_key(set, machine.state, draw), shade_vertices);
+        return shared(segment.colors, machine.done.colors, set, draw, color_key(set, machine.state, draw),
+                      shade_vertices);
     }
     const VertexFog* fog(GeometrySet& set, const Draw& draw) {
-        return shared(segment.fogs, set, draw, fog_key(set, machine.state), fog_vertices);
+        return shared(segment.fogs, machine.done.fogs, set, draw, fog_key(set, machine.state), fog_vertices);
     }
     const VertexTexcoords* texcoords(GeometrySet& set, const Draw& draw) {
-        return shared(segment.texcoords, set, draw, texcoord_key(set, machine.state), texture_vertices);
+        return shared(segment.texcoords, machine.done.texcoords, set, draw, texcoord_key(set, machine.state),
+                      texture_vertices);
     }
 
     /// Makes what is shared: geometry first, then what stands at its vertices.
@@ -204,6 +215,15 @@ Segment plan_segment(std::span<const Command> commands, MachineState& machine, c
     planner.run_jobs(threads);
     plan_coverages(planner.segment);
     return std::move(planner.segment);
+}
+
+void retire(Segment segment, MachineState& machine) {
+    const auto clear = [](auto& all) {
+        for (auto& element : all) element.clear();
+    };
+    clear(segment.sets), clear(segment.colors), clear(segment.fogs), clear(segment.texcoords);
+    segment.ops.clear(), segment.fog_tables.clear();
+    machine.done = std::move(segment);
 }
 
 }  // namespace gw::fast

@@ -72,16 +72,6 @@ struct TileOp {
     std::size_t pass = 0;
 };
 
-/// What persists in a machine from list to list, as far as planning needs it.
-struct MachineState {
-    State state;
-    std::vector<PassReport> passes;
-    std::map<std::uint32_t, FastTexels> slots;
-    std::map<std::uint32_t, Plane> slot_planes;
-    std::map<TextureRef, std::unique_ptr<FastTexels>> texels;
-    std::map<std::uint32_t, Readback> readbacks;
-};
-
 /// A run of commands without a barrier.
 struct Segment {
     std::deque<TileOp> ops;
@@ -94,10 +84,24 @@ struct Segment {
     int coverages = 0;  ///< records of visible fragments
 };
 
+/// What persists in a machine from list to list, as far as planning needs it.
+struct MachineState {
+    State state;
+    std::vector<PassReport> passes;
+    std::map<std::uint32_t, FastTexels> slots;
+    std::map<std::uint32_t, Plane> slot_planes;
+    std::map<TextureRef, std::unique_ptr<FastTexels>> texels;
+    std::map<std::uint32_t, Readback> readbacks;
+    Segment done;  ///< the last one, emptied: the next takes its memory
+};
+
 /// Plans the commands up to the next barrier (which is not included) and counts their geometry. `done` is how
 /// many commands were taken.
 Segment plan_segment(std::span<const Command> commands, MachineState& machine, const Profile& profile,
                      const TileGrid& grid, int threads, std::size_t& done);
+
+/// Takes back what a segment that has run holds: its memory serves the next one.
+void retire(Segment segment, MachineState& machine);
 
 /// Whether a command reads pixels across tiles, or takes digests: it runs between segments.
 bool is_barrier(const Command& command, const std::vector<PassReport>& passes);

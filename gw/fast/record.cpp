@@ -162,7 +162,8 @@ inline void sort_blocks(Coverage& record) {
     std::array<std::uint32_t, max_tile_blocks + 1> start{};
     for (const VisibleBlock& v : record.blocks) start[v.block + 1u] += 1;
     for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    std::vector<VisibleBlock> sorted(record.blocks.size());
+    std::vector<VisibleBlock>& sorted = record.by_block;
+    sorted.resize(record.blocks.size());
     std::array<std::uint32_t, max_tile_blocks + 1> next = start;
     for (const VisibleBlock& v : record.blocks) sorted[next[v.block]++] = v;
     record.blocks.swap(sorted);

@@ -24,6 +24,7 @@ ColorKey color_key(const GeometrySet& set, const State& state, const Draw& draw)
 struct VertexColors {
     ColorKey key;
     std::vector<Rgba> front, back;
+    void clear() { key = {}, front.clear(), back.clear(); }
 };
 
 /// What fog depends on: all of its state but the colour.
@@ -37,6 +38,7 @@ FogKey fog_key(const GeometrySet& set, const State& state);
 struct VertexFog {
     FogKey key;
     std::vector<double> value;  ///< the factor, or where it is found per fragment the table's coordinate
+    void clear() { key = {}, value.clear(); }
 };
 
 /// What texture coordinates depend on.
@@ -52,6 +54,7 @@ TexcoordKey texcoord_key(const GeometrySet& set, const State& state);
 struct VertexTexcoords {
     TexcoordKey key;
     std::vector<dvec4> strq;
+    void clear() { key = {}, strq.clear(); }
 };
 
 /// Each fills what has its key.

@@ -176,19 +176,12 @@ struct TexelWindows {
     }
 };
 
-/// A diagonal of the block first: it meets every row and every column. What no window holds (a seam between
-/// two edges of the texture) is gathered.
+/// The rows of a diagonal of the block, which meets every row and every column; the rest is gathered.
 HWY_INLINE PackedCorners load_corners(const std::uint32_t* texels, const TexelCells& at,
                                       std::uint32_t lanes) {
     const D32 d;
     TexelWindows windows(texels, at);
     for (std::size_t first = 0; first < lanes32; first += block_side + 1) lanes &= ~windows.fill(first);
-    while (lanes != 0) {
-        const auto first = std::size_t(std::countr_zero(lanes));
-        const std::uint32_t filled = windows.fill(first);
-        if ((filled >> first & 1) == 0) break;
-        lanes &= ~filled;
-    }
     const PackedCorners& t = windows.found;
     if (lanes == 0) return t;
     const auto rest = lanes_of(d, lanes, 0);
