@@ -6,6 +6,12 @@
 
 namespace gw::fast {
 
+bool ColorKey::operator==(const ColorKey& o) const {
+    const auto same = [](const LightsRef& a, const LightsRef& b) { return a == b || (a && b && *a == *b); };
+    return set == o.set && color_source == o.color_source && material == o.material &&
+           lighting == o.lighting && same(lights, o.lights);
+}
+
 ColorKey color_key(const GeometrySet& set, const State& s, const Draw& draw) {
     ColorKey key{&set, {}, nullptr, s.color_source, {}};
     if (s.color_source == ColorSource::Lighting) {

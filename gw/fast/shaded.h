@@ -13,10 +13,10 @@ namespace gw::fast {
 struct ColorKey {
     const GeometrySet* set = nullptr;
     Material material;
-    LightsRef lights;
+    LightsRef lights;  ///< compared by what they are, not by where
     ColorSource color_source = ColorSource::Vertex;
     LightingState lighting;
-    bool operator==(const ColorKey&) const = default;
+    bool operator==(const ColorKey& other) const;
 };
 ColorKey color_key(const GeometrySet& set, const State& state, const Draw& draw);
 
