@@ -110,14 +110,14 @@ HWY_INLINE void put_constant(const Corners& t, const ColorWords& colors, std::si
     }
 }
 
-/// Puts a batch's plane of one channel where it belongs: at the tile, modulo 2^32.
+/// Puts a batch's plane of one channel where it belongs, modulo 2^32.
 HWY_INLINE void put_channel(const Corners& t, const PlaneBatch& plane, std::size_t k, NarrowBatch& out) {
-    for (std::size_t i = 0; i < t.room; ++i) {
-        const auto gx = std::uint32_t(plane.gx[i]), gy = std::uint32_t(plane.gy[i]);
-        out.gx[k][i] = gx, out.gy[k][i] = gy;
-        out.c[k][i] =
-            std::uint32_t(plane.base[i]) + gx * std::uint32_t(t.to_x[i]) + gy * std::uint32_t(t.to_y[i]);
-    }
+    const auto low = [&](const std::int64_t* from, std::uint32_t* to) {
+        for (std::size_t i = 0; i < t.room; i += hn::Lanes(D64()))
+            hn::Store(hn::TruncateTo(U32ForD64(), hn::BitCast(U64ForD64(), hn::Load(I64ForD64(), from + i))),
+                      U32ForD64(), to + i);
+    };
+    low(plane.c, out.c[k]), low(plane.gx, out.gx[k]), low(plane.gy, out.gy[k]);
 }
 
 /// Smooth colours of a batch; the lanes that are sure.
@@ -165,11 +165,11 @@ HWY_INLINE V64 most(const Vertices3& v) { return hn::Max(hn::Max(v.at[0], v.at[1
 
 inline constexpr double coordinate_unit = 1073741824.0;  // 2^30
 
-/// wmin / w_i.
-HWY_INLINE Vertices3 ratios(const Vertices3& w) {
-    const auto low = least(w);
-    return {{hn::Div(low, w.at[0]), hn::Div(low, w.at[1]), hn::Div(low, w.at[2])}};
-}
+/// wmin / w_i at each corner of a batch.
+struct RatioBatch {
+    alignas(64) double at[3][batch_room];
+    std::uint32_t finite = 0;
+};
 
 /// Numerators of lanes i ..: values to `out`, exponent and k to the batch.
 HWY_INLINE void numerator_lanes(const Vertices3& s, const Vertices3& ratio, Wrap wrap, std::size_t i,
@@ -179,15 +179,16 @@ HWY_INLINE void numerator_lanes(const Vertices3& s, const Vertices3& ratio, Wrap
     auto k = hn::Floor(least(s));
     if (wrap == Wrap::Clamp) k = hn::Max(all(-1024), hn::Min(k, all(1023)));
     const auto range = hn::Sub(most(s), k);
-    auto power = one, exponent = zero;
+    auto power = one, inverse = one, exponent = zero;
     for (int e = 0; e < 10; ++e) {
         const auto grows = hn::Lt(power, range);
         if (hn::AllFalse(d, grows)) break;
         power = hn::IfThenElse(grows, hn::Add(power, power), power);
+        inverse = hn::IfThenElse(grows, hn::Mul(inverse, all(0.5)), inverse);
         exponent = hn::Add(exponent, hn::IfThenElseZero(grows, one));
     }
     for (std::size_t v = 0; v < 3; ++v) {
-        const auto fraction = hn::Max(zero, hn::Min(hn::Div(hn::Sub(s.at[v], k), power), one));
+        const auto fraction = hn::Max(zero, hn::Min(hn::Mul(hn::Sub(s.at[v], k), inverse), one));
         const auto u = nearest(hn::Mul(hn::Mul(unit, fraction), ratio.at[v]));
         hn::Store(hn::Max(zero, hn::Min(u, unit)), d, out[v] + i);
     }
@@ -210,31 +211,42 @@ HWY_INLINE void planes_through(const Corners& t, const double (&value)[3][batch_
         t, [&](std::size_t k, std::size_t i) { return hn::Load(D64(), value[k] + i); }, out);
 }
 
+HWY_NOINLINE inline void make_ratios(const TileDraw& draw, const Corners& t, RatioBatch& out) {
+    const D64 d;
+    alignas(64) double w[3][batch_room];
+    gather(t, w, [&](std::uint32_t vertex) { return draw.op->set->w[vertex]; });
+    out.finite = 0;
+    for (std::size_t i = 0; i < t.room; i += hn::Lanes(d)) {
+        const Vertices3 at = load3(w, i);
+        const auto low = least(at);
+        const Vertices3 ratio{{hn::Div(low, at.at[0]), hn::Div(low, at.at[1]), hn::Div(low, at.at[2])}};
+        for (std::size_t k = 0; k < 3; ++k) hn::Store(ratio.at[k], d, out.at[k] + i);
+        out.finite |= finite_lanes(ratio) << i;
+    }
+}
+
 HWY_NOINLINE inline void coordinate_planes(const TileDraw& draw, const Corners& t, int c, Wrap wrap,
-                                           const double (&w)[3][batch_room], CoordinateBatch& out) {
+                                           const RatioBatch& ratio, CoordinateBatch& out) {
     alignas(64) double s[3][batch_room], numerator[3][batch_room];
     gather(t, s, [&](std::uint32_t v) { return draw.op->texcoords->strq[v][c]; });
     out.finite = 0;
     for (std::size_t i = 0; i < t.room; i += hn::Lanes(D64())) {
-        const Vertices3 at = load3(s, i), ratio = ratios(load3(w, i));
-        out.finite |= (finite_lanes(at) & finite_lanes(ratio)) << i;
-        numerator_lanes(at, ratio, wrap, i, out, numerator);
+        const Vertices3 at = load3(s, i);
+        out.finite |= finite_lanes(at) << i;
+        numerator_lanes(at, load3(ratio.at, i), wrap, i, out, numerator);
     }
     planes_through(t, numerator, out.plane);
 }
 
-HWY_NOINLINE inline void denominator_planes(const Corners& t, const double (&w)[3][batch_room],
-                                            PlaneBatch& out) {
+HWY_NOINLINE inline void denominator_planes(const Corners& t, const RatioBatch& ratio, PlaneBatch& out) {
     const D64 d;
     alignas(64) double q[3][batch_room];
     const auto unit = all(coordinate_unit);
-    for (std::size_t i = 0; i < t.room; i += hn::Lanes(d)) {
-        const Vertices3 ratio = ratios(load3(w, i));
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto v = nearest(hn::Mul(unit, ratio.at[k]));
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < t.room; i += hn::Lanes(d)) {
+            const auto v = nearest(hn::Mul(unit, hn::Load(d, ratio.at[k] + i)));
             hn::Store(hn::Max(all(1), hn::Min(v, unit)), d, q[k] + i);
         }
-    }
     planes_through(t, q, out);
 }
 
@@ -242,9 +254,9 @@ HWY_INLINE PlaneSlope slope_of(const PlaneBatch& p, std::size_t i) {
     return {double(p.gx[i]), double(p.gy[i]), double(p.base[i] >> 16)};
 }
 
-HWY_INLINE TexturePlane texture_plane(const Corners& t, const CoordinateBatch& c, std::size_t i,
-                                      const PlaneBatch& q, bool slopes) {
-    TexturePlane out{c.plane.at(t, i), int(c.exponent[i]), std::int32_t(c.k[i]), {}};
+HWY_INLINE TexturePlane texture_plane(const CoordinateBatch& c, std::size_t i, const PlaneBatch& q,
+                                      bool slopes) {
+    TexturePlane out{c.plane.at(i), int(c.exponent[i]), std::int32_t(c.k[i]), {}};
     if (slopes) out.slope = coordinate_slope(slope_of(c.plane, i), slope_of(q, i));
     return out;
 }
@@ -252,22 +264,22 @@ HWY_INLINE TexturePlane texture_plane(const Corners& t, const CoordinateBatch& c
 /// Texture coordinates of a batch.
 HWY_INLINE void set_up_perspective(const TileDraw& draw, const Corners& t, TexturePlanes* out) {
     const TextureState& state = draw.op->state.state.texture;
-    alignas(64) double w[3][batch_room];
+    RatioBatch ratio;
     PlaneBatch q;
     CoordinateBatch u, v;
-    gather(t, w, [&](std::uint32_t vertex) { return draw.op->set->w[vertex]; });
-    denominator_planes(t, w, q);
-    coordinate_planes(draw, t, 0, state.wrap_s, w, u);
-    coordinate_planes(draw, t, 1, state.wrap_t, w, v);
-    const std::uint32_t sure = q.sure & u.plane.sure & v.plane.sure & u.finite & v.finite;
+    make_ratios(draw, t, ratio);
+    denominator_planes(t, ratio, q);
+    coordinate_planes(draw, t, 0, state.wrap_s, ratio, u);
+    coordinate_planes(draw, t, 1, state.wrap_t, ratio, v);
+    const std::uint32_t sure = q.sure & u.plane.sure & v.plane.sure & ratio.finite & u.finite & v.finite;
     const bool slopes = needs_rho(state);
     for (std::size_t i = 0; i < t.count; ++i) {
         if (!(sure >> i & 1)) {
             texture_one(draw, t, i, out[i]);
             continue;
         }
-        out[i].q = q.at(t, i), out[i].r = {};
-        out[i].s = texture_plane(t, u, i, q, slopes), out[i].t = texture_plane(t, v, i, q, slopes);
+        out[i].q = q.at(i), out[i].r = {};
+        out[i].s = texture_plane(u, i, q, slopes), out[i].t = texture_plane(v, i, q, slopes);
         out[i].slope_x = draw.tile.x - t.to_x[i], out[i].slope_y = draw.tile.y - t.to_y[i];
     }
 }

@@ -102,13 +102,11 @@ HWY_INLINE void gather_corners(const TileDraw& draw, std::span<const std::uint32
 /// One plane for each triangle of a batch.
 struct PlaneBatch {
     alignas(64) std::int64_t base[batch_room];  ///< at the centre of corner 0's pixel, 16 fraction bits
+    alignas(64) std::int64_t c[batch_room];     ///< the same at the tile, modulo 2^64
     alignas(64) std::int64_t gx[batch_room], gy[batch_room];
     std::uint32_t sure = 0;  ///< lanes that hold their plane
 
-    HWY_INLINE TilePlane at(const Corners& t, std::size_t i) const {
-        const auto u = [](std::int64_t v) { return static_cast<std::uint64_t>(v); };
-        return {u(base[i]) + u(gx[i]) * u(t.to_x[i]) + u(gy[i]) * u(t.to_y[i]), gx[i], gy[i]};
-    }
+    HWY_INLINE TilePlane at(std::size_t i) const { return {static_cast<std::uint64_t>(c[i]), gx[i], gy[i]}; }
 };
 
 #if HWY_HAVE_FLOAT64
@@ -156,9 +154,14 @@ HWY_INLINE void set_up_planes(const Corners& t, const Value& value, PlaneBatch& 
             hn::Add(hn::Mul(x.value, hn::Load(d, t.ax + i)), hn::Mul(y.value, hn::Load(d, t.ay + i)));
         const auto base = hn::Add(hn::Add(hn::Mul(a0, all(65536)), all(32768)),
                                   hn::Floor(hn::Mul(step, all(1.0 / double(1 << t.s)))));
-        hn::Store(hn::ConvertTo(i64, base), i64, out.base + i);
-        hn::Store(hn::ConvertTo(i64, x.value), i64, out.gx + i);
-        hn::Store(hn::ConvertTo(i64, y.value), i64, out.gy + i);
+        const auto corner = hn::ConvertTo(i64, base), gx = hn::ConvertTo(i64, x.value),
+                   gy = hn::ConvertTo(i64, y.value);
+        const auto steps = [&](const std::int32_t* p) {
+            return hn::PromoteTo(i64, hn::Load(I32ForD64(), p));
+        };
+        const auto to_tile = hn::Add(hn::Mul(gx, steps(t.to_x + i)), hn::Mul(gy, steps(t.to_y + i)));
+        hn::Store(corner, i64, out.base + i), hn::Store(hn::Add(corner, to_tile), i64, out.c + i);
+        hn::Store(gx, i64, out.gx + i), hn::Store(gy, i64, out.gy + i);
         std::uint64_t bits = 0;
         hn::StoreMaskBits(d, hn::And(x.sure, y.sure), reinterpret_cast<std::uint8_t*>(&bits));
         out.sure |= (std::uint32_t(bits) & ((1u << hn::Lanes(d)) - 1)) << i;

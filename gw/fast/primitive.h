@@ -29,7 +29,7 @@ struct Corners {
     const SetupPrimitive* primitive[batch_room];
     alignas(64) std::int32_t x[3][batch_room], y[3][batch_room];  ///< jittered
     alignas(64) std::uint32_t z[3][batch_room];
-    std::int32_t to_x[batch_room], to_y[batch_room];  ///< pixels from corner 0's to the tile
+    alignas(64) std::int32_t to_x[batch_room], to_y[batch_room];  ///< pixels from corner 0's to the tile
     alignas(64) double dx1[batch_room], dy1[batch_room], dx2[batch_room], dy2[batch_room], area2[batch_room];
     alignas(64) double ax[batch_room], ay[batch_room];  ///< from corner 0 to the centre of its pixel
 };

@@ -28,7 +28,7 @@ struct Triangles {
 
 /// The depth plane of one lane.
 HWY_INLINE DepthPlane depth_of(const TileDraw& draw, const Triangles& t, std::size_t i) {
-    if (t.depth.sure >> i & 1) return {t.depth.at(t.corners, i), 0};
+    if (t.depth.sure >> i & 1) return {t.depth.at(i), 0};
     return depth_plane(draw, *t.corners.primitive[i], frame_of(draw, t.corners.ordinal[i]));
 }
 
