@@ -12,6 +12,7 @@
 #include "gw/fast/walk-inl.h"
 
 #include <algorithm>
+#include <bit>
 #include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
@@ -21,9 +22,12 @@ namespace gw::fast::HWY_NAMESPACE {
 struct EdgeWalk {
     Linear edge[3];
 
-    HWY_INLINE void start(const TileEdges& e, int bx, int by) {
+    HWY_INLINE void aim(const TileEdges& e) {
         for (std::size_t k = 0; k < 3; ++k)
-            edge[k].start(std::uint32_t(e.c[k]), std::uint32_t(e.a[k]), std::uint32_t(e.b[k]), bx, by);
+            edge[k].aim(std::uint32_t(e.c[k]), std::uint32_t(e.a[k]), std::uint32_t(e.b[k]));
+    }
+    HWY_INLINE void start(int bx, int by) {
+        for (Linear& e : edge) e.start(bx, by);
     }
     HWY_INLINE void next_block() {
         for (Linear& e : edge) e.next_block();
@@ -43,29 +47,59 @@ struct EdgeWalk {
     }
 };
 
-/// How a triangle covers a rectangle of pixels, as far as its edges tell.
-enum class Extent { Outside, Partial, Inside };
-
 /// Blocks [x0, x1] x [y0, y1] of a tile.
 struct BlockRange {
     int x0, y0, x1, y1;
-};
 
-HWY_INLINE Extent extent_of(const TileEdges& e, const BlockRange& blocks) {
-    const int x0 = blocks.x0 * block_side, x1 = blocks.x1 * block_side + block_side - 1;
-    const int y0 = blocks.y0 * block_side, y1 = blocks.y1 * block_side + block_side - 1;
-    bool inside = true;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::int32_t least = e.c[k] + e.a[k] * (e.a[k] > 0 ? x0 : x1) + e.b[k] * (e.b[k] > 0 ? y0 : y1);
-        const std::int32_t most = e.c[k] + e.a[k] * (e.a[k] > 0 ? x1 : x0) + e.b[k] * (e.b[k] > 0 ? y1 : y0);
-        if (most < 0) return Extent::Outside;
-        inside = inside && least >= 0;
+    /// Of 4x4 squares of `step` blocks from block (x, y) on, those that touch the range.
+    HWY_INLINE std::uint32_t squares(int x, int y, int step) const {
+        const auto lines = [&](int first, int low, int high) {
+            std::uint32_t mask = 0;
+            for (int i = 0; i < 4; ++i)
+                mask |= first + step * i <= high && first + step * (i + 1) > low ? 1u << i : 0;
+            return mask;
+        };
+        const std::uint32_t columns = lines(x, x0, x1) * 0x1111u, rows = lines(y, y0, y1);
+        const std::uint32_t spread = (rows & 1) | (rows & 2) << 3 | (rows & 4) << 6 | (rows & 8) << 9;
+        return columns & spread * 0xFu;
     }
-    return inside ? Extent::Inside : Extent::Partial;
-}
+};
 
 /// Blocks are visited in groups of 4x4, so that a large triangle's empty and full parts cost next to nothing.
 inline constexpr int group_blocks = 4;
+
+/// Of 4x4 squares: those that the triangle does not touch and those that it covers, as far as its edges tell.
+struct Extents {
+    std::uint32_t outside, inside;
+};
+
+/// Squares of `side` pixels, the first with its lowest pixel at (x, y) of the tile.
+HWY_INLINE Extents extents_of(const TileEdges& e, int x, int y, int side) {
+    const I32 d;
+    Extents out{0, 0};
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        const auto at = [&](const std::uint32_t* lane, int first) {
+            const auto steps = hn::BitCast(d, hn::Load(D32(), lane + i));
+            return hn::Add(hn::Mul(steps, hn::Set(d, side)), hn::Set(d, first));
+        };
+        const auto px = at(lane_x, x), py = at(lane_y, y);
+        auto most = hn::Zero(d),
+             least = hn::Zero(d);  // sign bits: some edge has all pixels, some pixel outside
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int across = e.a[k] * (side - 1), along = e.b[k] * (side - 1);
+            const auto corner =
+                hn::Add(hn::Add(hn::Mul(hn::Set(d, e.a[k]), px), hn::Mul(hn::Set(d, e.b[k]), py)),
+                        hn::Set(d, e.c[k]));
+            most = hn::Or(most, hn::Add(corner, hn::Set(d, std::max(across, 0) + std::max(along, 0))));
+            least = hn::Or(least, hn::Add(corner, hn::Set(d, std::min(across, 0) + std::min(along, 0))));
+        }
+        const auto negative = [&](auto v) { return bits_of(d, hn::Lt(v, hn::Zero(d)), lanes32) << i; };
+        out.outside |= negative(most);
+        out.inside |= negative(least);
+    }
+    out.inside ^= all_lanes;
+    return out;
+}
 
 /// Lanes of the box in one block; all, where the box is the whole tile.
 struct BoxLanes {
@@ -82,35 +116,73 @@ struct BoxLanes {
     }
 };
 
-/// Blocks that the triangle covers wholly; without a box to cut them the visitor may be told so.
-template <class Walk, class Visit>
-HWY_INLINE void visit_full_blocks(const BoxLanes& box, const BlockRange& r, Walk& walk, const Visit& visit) {
+/// A block that the triangle covers wholly; without a box to cut it the visitor may be told so.
+template <class Visit>
+HWY_INLINE void visit_full_block(const BoxLanes& box, int bx, int by, const Visit& visit) {
     if constexpr (std::is_invocable_v<Visit, int, int, AllLanes>) {
-        if (box.whole) {
-            for (int by = r.y0; by <= r.y1; ++by, walk.next_row())
-                for (int bx = r.x0; bx <= r.x1; ++bx, walk.next_block()) visit(bx, by, AllLanes{});
-            return;
-        }
+        if (box.whole) return visit(bx, by, AllLanes{});
     }
-    for (int by = r.y0; by <= r.y1; ++by, walk.next_row())
-        for (int bx = r.x0; bx <= r.x1; ++bx, walk.next_block()) {
-            LaneSet lanes = lane_set(all_lanes);
-            box.cut(bx, by, lanes);
-            if (!lanes.none()) visit(bx, by, lanes);
-        }
+    LaneSet lanes = lane_set(all_lanes);
+    box.cut(bx, by, lanes);
+    if (!lanes.none()) visit(bx, by, lanes);
 }
 
 template <class Walk, class Visit>
-HWY_INLINE void visit_covered_blocks(const BoxLanes& box, const TileEdges& edges, const BlockRange& r,
-                                     Walk& walk, const Visit& visit) {
-    EdgeWalk edge;
-    edge.start(edges, r.x0, r.y0);
+HWY_INLINE void visit_full_blocks(const BoxLanes& box, const BlockRange& r, Walk& walk, const Visit& visit) {
+    walk.start(r.x0, r.y0);
+    for (int by = r.y0; by <= r.y1; ++by, walk.next_row())
+        for (int bx = r.x0; bx <= r.x1; ++bx, walk.next_block()) visit_full_block(box, bx, by, visit);
+}
+
+/// Every block of a small range.
+template <class Walk, class Visit>
+HWY_INLINE void visit_covered_blocks(const BoxLanes& box, EdgeWalk& edge, const BlockRange& r, Walk& walk,
+                                     const Visit& visit) {
+    edge.start(r.x0, r.y0), walk.start(r.x0, r.y0);
     for (int by = r.y0; by <= r.y1; ++by, edge.next_row(), walk.next_row())
         for (int bx = r.x0; bx <= r.x1; ++bx, edge.next_block(), walk.next_block()) {
             LaneSet lanes = edge.covered();
             box.cut(bx, by, lanes);
             if (!lanes.none()) visit(bx, by, lanes);
         }
+}
+
+/// Of a group that the triangle's border crosses, the blocks that it may touch: `blocks`, one bit each.
+template <class Walk, class Visit>
+HWY_INLINE void visit_blocks(const BoxLanes& box, EdgeWalk& edge, int x, int y, std::uint32_t blocks,
+                             std::uint32_t full, Walk& walk, const Visit& visit) {
+    for (; blocks != 0; blocks &= blocks - 1) {
+        const int i = std::countr_zero(blocks), bx = x + i % group_blocks, by = y + i / group_blocks;
+        walk.start(bx, by);
+        if (full >> i & 1) {
+            visit_full_block(box, bx, by, visit);
+            continue;
+        }
+        edge.start(bx, by);
+        LaneSet lanes = edge.covered();
+        box.cut(bx, by, lanes);
+        if (!lanes.none()) visit(bx, by, lanes);
+    }
+}
+
+/// A triangle over more than one group: first its groups are sorted into untouched, covered and crossed.
+template <class Walk, class Visit>
+HWY_INLINE void visit_groups(const BoxLanes& box, const TileEdges& edges, EdgeWalk& edge,
+                             const BlockRange& all, Walk& walk, const Visit& visit) {
+    constexpr int group_side = group_blocks * block_side;
+    const Extents groups = extents_of(edges, 0, 0, group_side);
+    const std::uint32_t touched = all.squares(0, 0, group_blocks) & ~groups.outside;
+    if ((touched & ~groups.inside) == 0 && touched == all.squares(0, 0, group_blocks))
+        return visit_full_blocks(box, all, walk, visit);
+    for (std::uint32_t rest = touched; rest != 0; rest &= rest - 1) {
+        const int i = std::countr_zero(rest), x = i % 4 * group_blocks, y = i / 4 * group_blocks;
+        if (groups.inside >> i & 1) {
+            visit_full_blocks(box, {x, y, x + group_blocks - 1, y + group_blocks - 1}, walk, visit);
+            continue;
+        }
+        const Extents blocks = extents_of(edges, x * block_side, y * block_side, block_side);
+        visit_blocks(box, edge, x, y, all.squares(x, y, 1) & ~blocks.outside, blocks.inside, walk, visit);
+    }
 }
 
 /// Calls visit(bx, by, lanes) for every covered block of one of the triangles; `walk` stands at that block.
@@ -120,24 +192,12 @@ HWY_INLINE void visit_triangle(const BoxLanes& box, const Triangles& t, std::siz
     const TileEdges edges = t.edges(i);
     const BlockRange all{t.x0[i] / block_side, t.y0[i] / block_side, (t.x1[i] - 1) / block_side,
                          (t.y1[i] - 1) / block_side};
-    if (all.x1 - all.x0 < group_blocks && all.y1 - all.y0 < group_blocks) {
-        walk.start(all.x0, all.y0);
-        return visit_covered_blocks(box, edges, all, walk, visit);
-    }
-    if (extent_of(edges, all) == Extent::Inside) {
-        walk.start(all.x0, all.y0);
-        return visit_full_blocks(box, all, walk, visit);
-    }
-    for (int y = all.y0; y <= all.y1; y += group_blocks)
-        for (int x = all.x0; x <= all.x1; x += group_blocks) {
-            const BlockRange group{x, y, std::min(x + group_blocks - 1, all.x1),
-                                   std::min(y + group_blocks - 1, all.y1)};
-            const Extent extent = extent_of(edges, group);
-            if (extent == Extent::Outside) continue;
-            walk.start(x, y);
-            extent == Extent::Inside ? visit_full_blocks(box, group, walk, visit)
-                                     : visit_covered_blocks(box, edges, group, walk, visit);
-        }
+    EdgeWalk edge;
+    edge.aim(edges), walk.aim();
+    if (all.x1 - all.x0 < group_blocks && all.y1 - all.y0 < group_blocks)
+        visit_covered_blocks(box, edge, all, walk, visit);
+    else
+        visit_groups(box, edges, edge, all, walk, visit);
 }
 
 /// Pixels of a line or point, collected by block, then sent on in block order.

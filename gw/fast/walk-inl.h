@@ -68,21 +68,24 @@ struct LaneCounter {
     }
 };
 
-/// c + gx i + gy j, modulo 2^32, at a block that moves.
+/// c + gx i + gy j, modulo 2^32, at a block that moves: aimed once, started at any block.
 struct Linear {
-    V32 at[parts], row[parts], right, up;
+    std::uint32_t c, gx, gy;
+    V32 lane[parts], at[parts], row[parts], right, up;
 
-    HWY_INLINE void start(std::uint32_t c, std::uint32_t gx, std::uint32_t gy, int bx, int by) {
+    HWY_INLINE void aim(std::uint32_t c_, std::uint32_t gx_, std::uint32_t gy_) {
         const D32 d;
-        const auto x = hn::Set(d, gx), y = hn::Set(d, gy),
-                   corner = hn::Set(
-                       d, c + gx * std::uint32_t(bx * block_side) + gy * std::uint32_t(by * block_side));
-        for (std::size_t i = 0; i < parts; ++i) {
-            const auto dx = hn::Mul(x, hn::Load(d, lane_x + i * lanes32)),
-                       dy = hn::Mul(y, hn::Load(d, lane_y + i * lanes32));
-            at[i] = row[i] = hn::Add(corner, hn::Add(dx, dy));
-        }
+        c = c_, gx = gx_, gy = gy_;
+        const auto x = hn::Set(d, gx), y = hn::Set(d, gy);
+        for (std::size_t i = 0; i < parts; ++i)
+            lane[i] = hn::Add(hn::Mul(x, hn::Load(d, lane_x + i * lanes32)),
+                              hn::Mul(y, hn::Load(d, lane_y + i * lanes32)));
         right = hn::Set(d, gx * std::uint32_t(block_side)), up = hn::Set(d, gy * std::uint32_t(block_side));
+    }
+    HWY_INLINE void start(int bx, int by) {
+        const auto corner =
+            hn::Set(D32(), c + gx * std::uint32_t(bx * block_side) + gy * std::uint32_t(by * block_side));
+        for (std::size_t i = 0; i < parts; ++i) at[i] = row[i] = hn::Add(corner, lane[i]);
     }
     HWY_INLINE void next_block() {
         for (auto& part : at) part = hn::Add(part, right);
@@ -96,12 +99,13 @@ struct Linear {
 struct WidePlaneWalk {
     Linear high, low;
 
-    HWY_INLINE void start(const TilePlane& p, int bx, int by) {
+    HWY_INLINE void aim(const TilePlane& p) {
         const auto upper = [](std::int64_t v) { return std::uint32_t(v >> 16); };
         const auto lower = [](std::int64_t v) { return std::uint32_t(v & 0xFFFF); };
-        high.start(upper(std::int64_t(p.c)), upper(p.gx), upper(p.gy), bx, by);
-        low.start(lower(std::int64_t(p.c)), lower(p.gx), lower(p.gy), bx, by);
+        high.aim(upper(std::int64_t(p.c)), upper(p.gx), upper(p.gy));
+        low.aim(lower(std::int64_t(p.c)), lower(p.gx), lower(p.gy));
     }
+    HWY_INLINE void start(int bx, int by) { high.start(bx, by), low.start(bx, by); }
     HWY_INLINE void next_block() { high.next_block(), low.next_block(); }
     HWY_INLINE void next_row() { high.next_row(), low.next_row(); }
     HWY_INLINE V32 at(std::size_t part) const {
@@ -115,7 +119,8 @@ struct DepthWalk {
     std::uint32_t max_depth;
     WidePlaneWalk walk;
 
-    HWY_INLINE void start(int bx, int by) { walk.start(plane.plane, bx, by); }
+    HWY_INLINE void aim() { walk.aim(plane.plane); }
+    HWY_INLINE void start(int bx, int by) { walk.start(bx, by); }
     HWY_INLINE void next_block() { walk.next_block(); }
     HWY_INLINE void next_row() { walk.next_row(); }
     HWY_INLINE void store(DepthBlock& out) const {
