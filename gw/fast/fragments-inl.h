@@ -113,9 +113,8 @@ HWY_INLINE V stencil_lanes(D d, StencilOp op, V stored, V ref, V max) {
     return stored;
 }
 
-HWY_INLINE void update_stencil(const StencilFace& face, StencilOp op, std::uint32_t max, StencilBlock& block,
-                               std::uint32_t mask) {
-    if (op == StencilOp::Keep || mask == 0 || face.write_mask == 0) return;
+HWY_NOINLINE inline void change_stencil(const StencilFace& face, StencilOp op, std::uint32_t max,
+                                        StencilBlock& block, std::uint32_t mask) {
     const D8 d;
     const auto ref = hn::Set(d, std::uint8_t(face.ref)), limit = hn::Set(d, std::uint8_t(max));
     const auto writable = hn::Set(d, std::uint8_t(face.write_mask));
@@ -125,6 +124,12 @@ HWY_INLINE void update_stencil(const StencilFace& face, StencilOp op, std::uint3
         const auto merged = hn::Or(hn::AndNot(writable, stored), hn::And(writable, result));
         hn::Store(hn::IfThenElse(lanes_of(d, mask, i), merged, stored), d, block.value + i);
     }
+}
+
+HWY_INLINE void update_stencil(const StencilFace& face, StencilOp op, std::uint32_t max, StencilBlock& block,
+                               std::uint32_t mask) {
+    if (op != StencilOp::Keep && mask != 0 && face.write_mask != 0)
+        change_stencil(face, op, max, block, mask);
 }
 
 HWY_INLINE std::uint32_t depth_test(DepthFunc func, const DepthBlock& incoming, const DepthBlock& stored,

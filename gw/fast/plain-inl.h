@@ -1,6 +1,6 @@
 // Triangles without alpha test and polygon offset: depth passes, shadow volumes, identifiers, first coloured
-// passes. Tests, stencil operations and depth writes on vectors of 32-bit lanes, without leaving them; colour
-// only where a fragment lives. docs/manual.md, "Fragment operations"; the general way is
+// passes. Tests and depth writes on vectors of 32-bit lanes, without leaving them; stencil operations and
+// colour only where a fragment lives to see them. docs/manual.md, "Fragment operations"; the general way is
 // gw/fast/fragments-inl.h. Included once per Highway target.
 #if defined(GW_FAST_PLAIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_PLAIN_INL_H_
@@ -21,50 +21,6 @@ HWY_INLINE bool is_plain(const Resolved& r) {
 }
 
 HWY_INLINE bool is_idle(const StencilFace& f) { return f.func == StencilFunc::Always && keeps(f); }
-
-/// One face's stencil state on vectors of 32-bit lanes.
-struct StencilLanes {
-    using Quarter8 = hn::Rebind<std::uint8_t, D32>;
-    const StencilFace& face;
-    V32 ref, test_ref, test_mask, max, write_mask;
-
-    HWY_INLINE StencilLanes(const StencilFace& f, std::uint32_t stencil_max) : face(f) {
-        const D32 d;
-        ref = hn::Set(d, std::uint32_t(f.ref) & 255), max = hn::Set(d, stencil_max);
-        test_mask = hn::Set(d, f.mask & 255), write_mask = hn::Set(d, f.write_mask & 255);
-        test_ref = hn::And(ref, test_mask);
-    }
-    HWY_INLINE static V32 load(const std::uint8_t* p) {
-        return hn::PromoteTo(D32(), hn::Load(Quarter8(), p));
-    }
-    HWY_INLINE static void store(V32 v, std::uint8_t* p) {
-        hn::Store(hn::DemoteTo(Quarter8(), hn::BitCast(I32(), v)), Quarter8(), p);
-    }
-    HWY_INLINE M32 test(V32 stored) const {
-        return compare_lanes(D32(), face.func, test_ref, hn::And(stored, test_mask));
-    }
-    /// stencil_lanes() of gw/fast/fragments-inl.h, which saturates bytes.
-    HWY_INLINE V32 result(StencilOp op, V32 stored) const {
-        const D32 d;
-        const auto one = hn::Set(d, 1u);
-        switch (op) {
-            case StencilOp::Keep: return stored;
-            case StencilOp::Zero: return hn::Zero(d);
-            case StencilOp::Replace: return hn::And(ref, max);
-            case StencilOp::Incr: return hn::Min(hn::Add(stored, one), max);
-            case StencilOp::Decr: return hn::Sub(hn::Max(stored, one), one);
-            case StencilOp::Invert: return hn::AndNot(stored, max);
-            case StencilOp::IncrWrap: return hn::And(hn::Add(stored, one), max);
-            case StencilOp::DecrWrap: return hn::And(hn::Sub(stored, one), max);
-        }
-        return stored;
-    }
-    /// What is stored after `op`, bits outside the write mask kept.
-    HWY_INLINE V32 after(StencilOp op, V32 stored) const {
-        if (op == StencilOp::Keep) return stored;
-        return hn::Or(hn::AndNot(write_mask, stored), hn::And(write_mask, result(op, stored)));
-    }
-};
 
 /// A triangle's fragments by fate, lane by lane.
 struct PlainCounts {
@@ -128,24 +84,21 @@ HWY_INLINE LaneSet run_depth(const DepthWalk& walk, const Compare& passes, bool 
     return alive;
 }
 
-/// The same behind a stencil test, with the three operations.
+/// The same behind a stencil test, with the three operations: most blocks of a shadow volume change nothing.
 template <class Compare>
-HWY_INLINE LaneSet run_stencil(const StencilLanes& s, const DepthWalk& walk, const Compare& passes,
-                               bool update, const LaneSet& lanes, StencilBlock& stencil, DepthBlock& depth,
-                               PlainCounts& counts) {
-    V32 stored[parts];
-    LaneSet tested;
-    for (std::size_t k = 0; k < parts; ++k) {
-        stored[k] = StencilLanes::load(stencil.value + k * lanes32);
-        tested.part[k] = hn::And(lanes.part[k], s.test(stored[k]));
+HWY_INLINE LaneSet run_stencil(const StencilFace& face, std::uint32_t max, const DepthWalk& walk,
+                               const Compare& passes, bool update, const LaneSet& lanes,
+                               StencilBlock& stencil, DepthBlock& depth, PlainCounts& counts) {
+    LaneSet tested = lanes;
+    if (face.func != StencilFunc::Always) {
+        const std::uint32_t made = lanes.bits(), kept = stencil_test(face, stencil, made);
+        tested = lane_set(kept);
+        update_stencil(face, face.fail, max, stencil, made & ~kept);
     }
     const LaneSet alive = run_depth(walk, passes, update, tested, depth);
-    for (std::size_t k = 0; k < parts; ++k) {
-        auto v = hn::IfThenElse(lanes.part[k], s.after(s.face.fail, stored[k]), stored[k]);
-        v = hn::IfThenElse(tested.part[k], s.after(s.face.zfail, stored[k]), v);
-        v = hn::IfThenElse(alive.part[k], s.after(s.face.zpass, stored[k]), v);
-        StencilLanes::store(v, stencil.value + k * lanes32);
-    }
+    if (face.zfail != StencilOp::Keep)
+        update_stencil(face, face.zfail, max, stencil, tested.bits() & ~alive.bits());
+    if (face.zpass != StencilOp::Keep) update_stencil(face, face.zpass, max, stencil, alive.bits());
     counts.made.add(lanes), counts.stencil_passed.add(tested), counts.written.add(alive);
     return alive;
 }
@@ -217,32 +170,64 @@ struct FlatPaint {
     }
 };
 
-/// One triangle of a batch, where the stencil plane has no part in it. Out of line: the counters stay in
+/// What becomes of a triangle's blocks where the stencil plane has no part in it. Holds copies: they stay in
 /// registers.
 template <class Compare, class Paint>
-HWY_NOINLINE void draw_unstenciled(const TileDraw& draw, const Triangles& t, std::size_t i,
-                                   const BoxLanes& box, const Compare& passes, const Paint& shared,
-                                   PlainCounts& sum) {
-    const Paint paint = shared;
-    const Tile tile = draw.tile;
-    const DepthPlane plane = Compare::tests ? depth_of(draw, t, i) : DepthPlane{};
-    DepthWalk walk{plane, 0, {}};
-    const bool update = draw.op->state.state.depth.mask;
-    LaneCounter made, written;
-    made.clear(), written.clear();
-    const auto visit = [&](int bx, int by, auto lanes) {
+struct Unstenciled {
+    Tile tile;
+    const Compare passes;
+    const Paint paint;
+    const DepthWalk& walk;
+    bool update;
+    LaneCounter &made, &written;
+
+    template <class Lanes>
+    HWY_INLINE void operator()(int bx, int by, const Lanes& lanes) const {
+        made.add(lanes);
         if constexpr (Compare::tests) {
             const LaneSet alive = run_depth(walk, passes, update, lanes, tile.depth[tile.block(bx, by)]);
-            made.add(lanes), written.add(alive);
+            written.add(alive);
             paint(bx, by, alive);
         } else {
-            made.add(lanes), written.add(lanes);
             paint(bx, by, lanes);
         }
-    };
-    visit_triangle(box, t, i, walk, visit);
-    PlainCounts{made, made, written}.add_to(sum);
+    }
+};
+
+/// One triangle of a batch. Out of line: the counters stay in registers.
+template <class Compare, class Paint>
+HWY_NOINLINE void draw_unstenciled(const TileDraw& draw, const Triangles& t, std::size_t i,
+                                   const BoxLanes& box, const Compare& passes, const Paint& paint,
+                                   PlainCounts& sum) {
+    const DepthPlane plane = Compare::tests ? depth_of(draw, t, i) : DepthPlane{};
+    DepthWalk walk{plane, 0, {}};
+    LaneCounter made, written;
+    made.clear(), written.clear();
+    visit_triangle(box, t, i, walk,
+                   Unstenciled<Compare, Paint>{draw.tile, passes, paint, walk,
+                                               draw.op->state.state.depth.mask, made, written});
+    PlainCounts{made, made, Compare::tests ? written : made}.add_to(sum);
 }
+
+/// The same where it has.
+template <class Compare, class Paint>
+struct Stenciled {
+    Tile tile;
+    const Compare passes;
+    const Paint paint;
+    const DepthWalk& walk;
+    bool update;
+    StencilFace face;
+    std::uint32_t max;
+    PlainCounts& counts;
+
+    HWY_INLINE void operator()(int bx, int by, const LaneSet& lanes) const {
+        const std::size_t block = tile.block(bx, by);
+        paint(bx, by,
+              run_stencil(face, max, walk, passes, update, lanes, tile.stencil[block], tile.depth[block],
+                          counts));
+    }
+};
 
 template <class Compare, class Paint>
 HWY_NOINLINE void draw_stenciled(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
@@ -250,16 +235,12 @@ HWY_NOINLINE void draw_stenciled(const TileDraw& draw, const Triangles& t, std::
     const Resolved& r = draw.op->state;
     const DepthPlane plane = Compare::tests ? depth_of(draw, t, i) : DepthPlane{};
     DepthWalk walk{plane, 0, {}};
-    const StencilLanes stencil(t.corners.primitive[i]->front ? r.front : r.back, r.stencil_max);
-    const bool update = r.state.depth.mask;
     PlainCounts counts;
     counts.clear();
-    visit_triangle(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
-        const std::size_t block = draw.tile.block(bx, by);
-        paint(bx, by,
-              run_stencil(stencil, walk, passes, update, lanes, draw.tile.stencil[block],
-                          draw.tile.depth[block], counts));
-    });
+    visit_triangle(
+        box, t, i, walk,
+        Stenciled<Compare, Paint>{draw.tile, passes, paint, walk, r.state.depth.mask,
+                                  t.corners.primitive[i]->front ? r.front : r.back, r.stencil_max, counts});
     counts.add_to(sum);
 }
 
