@@ -20,8 +20,10 @@ namespace gw::fast::HWY_NAMESPACE {
 HWY_INLINE bool is_narrow(const DrawOp& op) { return !op.perspective_color && !op.fog_table; }
 
 /// Whether a primitive has one colour.
-HWY_INLINE bool is_flat(const State& s) {
-    return s.color_source == ColorSource::PolygonId || s.shade_model == ShadeModel::Flat;
+HWY_INLINE bool is_flat(const DrawOp& op) {
+    const State& s = op.state.state;
+    return s.color_source == ColorSource::PolygonId || s.shade_model == ShadeModel::Flat ||
+           (op.colors && op.colors->uniform);
 }
 HWY_INLINE bool has_fog(const State& s) { return s.fog.enable && s.color_source != ColorSource::PolygonId; }
 
@@ -299,10 +301,10 @@ HWY_INLINE void flat_colors(const TileDraw& draw, const Corners& t, NarrowBatch&
 inline void set_up_narrow(const TileDraw& draw, const Corners& t, NarrowBatch& out) {
     const State& s = draw.op->state.state;
     std::uint32_t sure = ~0u;
-    if (is_flat(s)) flat_colors(draw, t, out);
-    if (is_flat(s) && !has_fog(s)) return;
+    if (is_flat(*draw.op)) flat_colors(draw, t, out);
+    if (is_flat(*draw.op) && !has_fog(s)) return;
 #if HWY_HAVE_FLOAT64
-    if (!is_flat(s)) sure = smooth_colors(draw, t, out);
+    if (!is_flat(*draw.op)) sure = smooth_colors(draw, t, out);
     if (has_fog(s)) sure &= fog_factors(draw, t, out);
 #else
     sure = 0;

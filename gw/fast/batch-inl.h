@@ -31,7 +31,7 @@ struct BatchPlanes {
           corners(c),
           room(*d.room),
           narrow(is_narrow(*d.op)),
-          flat(narrow && is_flat(d.op->state.state) && !has_fog(d.op->state.state)),
+          flat(narrow && is_flat(*d.op) && !has_fog(d.op->state.state)),
           channels(has_fog(d.op->state.state) ? 5 : 4) {}
 
     HWY_INLINE void make() {

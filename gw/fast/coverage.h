@@ -58,10 +58,10 @@ struct Coverage {
     void clear();
 };
 
-/// Gives draws that may share a record its number. A draw may where it compares Equal without changing depth
-/// or stencil, has no alpha test, and where nothing but such draws has touched depth since the record was
-/// made. The depth pass of the same geometry makes the record on its way, where between the two depths only
-/// became less: then no fragment that failed in it can be visible.
+/// Gives draws that may share a record its number. A draw may where it compares Equal, has no alpha test,
+/// and where nothing but such draws has touched depth since the record was made; stencil operations only on
+/// what is visible, all of it. The depth pass of the same geometry makes the record on its way, where between
+/// the two depths only became less: then no fragment that failed in it can be visible.
 void plan_coverages(Segment& segment);
 
 }  // namespace gw::fast

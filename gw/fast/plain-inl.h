@@ -148,8 +148,8 @@ struct FlatPaint {
     HWY_INLINE static bool serves(const DrawOp& op) {
         const BlendState& b = op.state.state.blend;
         const ColorMask& m = op.state.state.color_mask;
-        return is_flat(op.state.state) && !has_fog(op.state.state) && !op.texels && m.r && m.g && m.b &&
-               m.a && (!b.enable || (b.src == BlendFactor::One && b.dst == BlendFactor::One));
+        return is_flat(op) && !has_fog(op.state.state) && !op.texels && m.r && m.g && m.b && m.a &&
+               (!b.enable || (b.src == BlendFactor::One && b.dst == BlendFactor::One));
     }
     HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
         const std::uint32_t mask = alive.bits();
@@ -266,6 +266,22 @@ HWY_INLINE void draw_plain(const TileDraw& draw, const Triangles& t, std::size_t
         draw_plain(draw, t, i, box, AnyCompare{depth.func}, paint, counts);
 }
 
+/// What a draw's triangles paint with.
+enum class Paints { Nothing, OneColor, Planes };
+HWY_INLINE Paints paints_of(const DrawOp& op) {
+    if (!op.state.writes_color) return Paints::Nothing;
+    return FlatPaint::serves(op) ? Paints::OneColor : Paints::Planes;
+}
+/// Calls draw(paint) for triangle i of a batch.
+template <class Draw>
+HWY_INLINE void with_paint(Paints paints, BatchPlanes& planes, std::size_t i, const Draw& draw) {
+    switch (paints) {
+        case Paints::Nothing: return draw(NoPaint{});
+        case Paints::OneColor: return draw(FlatPaint(planes.draw, *planes.corners.primitive[i]));
+        case Paints::Planes: return draw(BatchPaint{planes, i});
+    }
+}
+
 /// Draws a batch of triangles.
 inline void draw_plain(const TileDraw& draw, std::span<const std::uint32_t> bin, OpCounts& counts) {
     const BoxLanes box(draw);
@@ -274,16 +290,11 @@ inline void draw_plain(const TileDraw& draw, std::span<const std::uint32_t> bin,
     lanes.clear();
     set_up_triangles(draw, bin, needs_depth(*draw.op), t);
     BatchPlanes planes(draw, t.corners);
-    const bool flat = draw.op->state.writes_color && FlatPaint::serves(*draw.op);
-    for (std::size_t i = 0; i < t.count(); ++i) {
-        if (t.empty(i)) continue;
-        if (flat)
-            draw_plain(draw, t, i, box, FlatPaint(draw, *t.corners.primitive[i]), lanes);
-        else if (draw.op->state.writes_color)
-            draw_plain(draw, t, i, box, BatchPaint{planes, i}, lanes);
-        else
-            draw_plain(draw, t, i, box, NoPaint{}, lanes);
-    }
+    const Paints paints = paints_of(*draw.op);
+    for (std::size_t i = 0; i < t.count(); ++i)
+        if (!t.empty(i))
+            with_paint(paints, planes, i,
+                       [&](const auto& paint) { draw_plain(draw, t, i, box, paint, lanes); });
     lanes.add_to(counts);
 }
 

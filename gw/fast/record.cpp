@@ -4,10 +4,9 @@
 #define HWY_TARGET_INCLUDE "gw/fast/record.cpp"
 #include <hwy/foreach_target.h>
 
-#include "gw/fast/cover-inl.h"
 #include "gw/fast/coverage.h"
 #include "gw/fast/kernels.h"
-#include "gw/fast/shade-inl.h"
+#include "gw/fast/plain-inl.h"
 
 #include <hwy/highway.h>
 
@@ -94,20 +93,23 @@ void record_line_or_point(const TileDraw& draw, std::uint32_t ordinal, Coverage&
     keep_primitive(record, ordinal, before);
 }
 
-/// A triangle of a depth pass: every lane that passes may stay visible, and so may a tie with what is stored.
-HWY_NOINLINE void draw_recording(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
-                                 FragmentCount& count, LaneCounter& written) {
-    const DepthPlane plane = depth_of(draw, t, i);
-    DepthWalk walk{plane, 0, {}};
-    Coverage& record = count.record;
-    const bool ties_pass = draw.op->state.state.depth.func == DepthFunc::LEqual;
-    const std::size_t before = record.blocks.size();
-    visit_triangle(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
+/// What becomes of a depth pass's blocks: every lane that passes may stay visible, and so may a tie with what
+/// is stored.
+template <class Paint>
+struct Recording {
+    Tile tile;
+    const Paint paint;
+    const DepthWalk& walk;
+    bool ties_pass;
+    FragmentCount& count;
+    LaneCounter& written;
+
+    HWY_INLINE void operator()(int bx, int by, const LaneSet& lanes) const {
         const D32 d;
-        const std::size_t block = draw.tile.block(bx, by);
+        const std::size_t block = tile.block(bx, by);
         LaneSet reached, passed;
         for (std::size_t k = 0; k < parts; ++k) {
-            std::uint32_t* at = draw.tile.depth[block].value + k * lanes32;
+            std::uint32_t* at = tile.depth[block].value + k * lanes32;
             const auto z = walk.walk.at(k), stored = hn::Load(d, at);
             reached.part[k] = hn::And(lanes.part[k], hn::Not(hn::Lt(stored, z)));
             passed.part[k] = ties_pass ? reached.part[k] : hn::And(lanes.part[k], hn::Lt(z, stored));
@@ -115,21 +117,38 @@ HWY_NOINLINE void draw_recording(const TileDraw& draw, const Triangles& t, std::
         }
         count.add(block, lanes);
         written.add(passed);
-        keep(record, block, reached.bits());
-    });
+        keep(count.record, block, reached.bits());
+        paint(bx, by, passed);
+    }
+};
+
+template <class Paint>
+HWY_NOINLINE void draw_recording(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
+                                 const Paint& paint, FragmentCount& count, LaneCounter& written) {
+    const DepthPlane plane = depth_of(draw, t, i);
+    DepthWalk walk{plane, 0, {}};
+    Coverage& record = count.record;
+    const bool ties_pass = draw.op->state.state.depth.func == DepthFunc::LEqual;
+    const std::size_t before = record.blocks.size();
+    visit_triangle(box, t, i, walk, Recording<Paint>{draw.tile, paint, walk, ties_pass, count, written});
     if (keep_primitive(record, t.corners.ordinal[i], before)) record.depth.push_back(plane.plane);
 }
 
 void draw_recording_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
     const BoxLanes box(draw);
+    const Paints paints = paints_of(*draw.op);
     LaneCounter written;
     written.clear();
     for (; !bin.empty(); bin = bin.subspan(std::min(bin.size(), batch_room))) {
         Triangles t;
         set_up_triangles(draw, bin, true, t);
+        BatchPlanes planes(draw, t.corners);
         FragmentCount count(draw, record);
         for (std::size_t i = 0; i < t.count(); ++i)
-            if (!t.empty(i)) draw_recording(draw, t, i, box, count, written);
+            if (!t.empty(i))
+                with_paint(paints, planes, i, [&](const auto& paint) {
+                    draw_recording(draw, t, i, box, paint, count, written);
+                });
     }
     record.drawn = true;
     const std::uint64_t passed = written.total();

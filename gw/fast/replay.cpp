@@ -148,6 +148,14 @@ struct Replay {
             write(run, inputs.texel, own);
         }
     }
+    /// The stencil operation of what is visible: once a fragment.
+    HWY_INLINE void count(const BlockRun& run, std::uint32_t mask) const {
+        const Resolved& r = draw.op->state;
+        StencilBlock& stencil = draw.tile.stencil[run.block];
+        if (!run.tied) return update_stencil(r.front, r.front.zpass, r.stencil_max, stencil, mask);
+        for (const VisibleBlock& entry : entries(run))
+            update_stencil(r.front, r.front.zpass, r.stencil_max, stencil, entry.mask & mask);
+    }
     HWY_INLINE std::uint64_t fragments(const BlockRun& run, std::uint32_t mask) const {
         if (!run.tied) return std::uint64_t(std::popcount(mask));
         std::uint64_t sum = 0;
@@ -179,6 +187,7 @@ void replay_all(const TileDraw& draw, Coverage& record) {
         const std::uint32_t mask = stencil_test(op.state.front, draw.tile.stencil[run.block], run.mask);
         if (mask == 0) continue;
         written += replay.fragments(run, mask);
+        if (op.state.front.zpass != StencilOp::Keep) replay.count(run, mask);
         if (!colors) continue;
         run.tied ? replay.paint_tied(run, mask) : replay.paint(run, mask);
     }

@@ -4,6 +4,8 @@
 #include "gw/fast/light.h"
 #include "gw/fast/texgen.h"
 
+#include <algorithm>
+
 namespace gw::fast {
 
 bool ColorKey::operator==(const ColorKey& o) const {
@@ -41,6 +43,20 @@ Rgba to_rgba(const std::array<double, 4>& c) {
     return {std::uint16_t(c[0]), std::uint16_t(c[1]), std::uint16_t(c[2]), std::uint16_t(c[3])};
 }
 
+/// Whether no light adds anything, wherever a vertex stands: what a light gives is finite, and 0 times it is
+/// 0.
+bool is_unlit(const Draw& draw) {
+    const Material& m = draw.material;
+    const auto dark = [](const vec3& light, const vec3& own) {
+        for (int c = 0; c < 3; ++c)
+            if (!(double(light[c]) * double(own[c]) == 0)) return false;
+        return true;
+    };
+    return !draw.lights || std::all_of(draw.lights->begin(), draw.lights->end(), [&](const Light& l) {
+        return dark(l.Ia, m.Ka) && dark(l.Id, m.Kd) && dark(l.Is, m.Ks);
+    });
+}
+
 /// Calls store(index, vertex) for the vertices that clipping made.
 template <typename Store>
 void for_each_new_vertex(const GeometrySet& set, const VertexProgram& program, const Store& store) {
@@ -68,6 +84,13 @@ void shade_vertices(VertexColors& out, const State& s, const Draw& draw, const P
         out.front[i] = to_rgba(v.color);
         if (two_side) out.back[i] = to_rgba(v.back_color);
     };
+    out.uniform = lit && !set.used.empty() && is_unlit(draw);
+    if (out.uniform) {
+        const Rgba color = to_rgba(run_vertex(program, set.used[0]).color);
+        std::fill(out.front.begin(), out.front.end(), color);
+        std::fill(out.back.begin(), out.back.end(), color);
+        return;
+    }
     if (lit) light_vertices(program, two_side ? set.used_front : set.used, false, out.front);
     if (two_side) light_vertices(program, set.used_back, true, out.back);
     for (const std::uint32_t i : set.used)

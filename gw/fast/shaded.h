@@ -24,7 +24,8 @@ ColorKey color_key(const GeometrySet& set, const State& state, const Draw& draw)
 struct VertexColors {
     ColorKey key;
     std::vector<Rgba> front, back;
-    void clear() { key = {}, front.clear(), back.clear(); }
+    bool uniform = false;  ///< one colour everywhere: black draws, and draws without light
+    void clear() { key = {}, front.clear(), back.clear(), uniform = false; }
 };
 
 /// What fog depends on: all of its state but the colour.

@@ -2,6 +2,7 @@
 // Exit 0 no difference; 1 a suite's lists are too uniform to prove anything, or an error; 2 usage; 3 a
 // difference, with the command that repeats it.
 #include "gw/error.h"
+#include "gw/fast/kernels.h"
 #include "tests/fuzz/describe.h"
 #include "tests/fuzz/diversity.h"
 #include "tests/fuzz/explain.h"
@@ -17,7 +18,7 @@ namespace {
 struct Arguments {
     std::vector<std::string> suites;
     std::vector<std::uint64_t> range{0, 100};
-    std::string machine_a = "reference", machine_b = "fast";
+    std::string machine_a = "reference", machine_b = "fast", simd;
     bool list = false, shrink = false, print = false, digest = false;
 };
 
@@ -48,6 +49,7 @@ int run_suite(const Arguments& arguments, const Suite& suite) {
             fmt::print("left after leaving out:\n{}", describe(c));
         }
         fmt::print("{}", report(suite, i, c, *failure, arguments.machine_a, arguments.machine_b));
+        if (!arguments.simd.empty()) fmt::print("with --simd {} too\n", arguments.simd);
         return 3;
     }
     fmt::print("{:18} {}\n", suite.name, summary(reached));
@@ -71,6 +73,7 @@ int run(const Arguments& arguments) {
         return 0;
     }
     int result = 0;
+    fast::use_simd_target(arguments.simd);
     for (const Suite* suite : chosen(arguments.suites)) {
         if (arguments.digest)
             fmt::print("{:18} {}\n", suite->name,
@@ -94,6 +97,8 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_option("--range", a.range, "lists LO to HI - 1 of each suite; default 0 100")->expected(2);
     app.add_option("--machine-a", a.machine_a, "default reference")->check(CLI::IsMember(machine_names()));
     app.add_option("--machine-b", a.machine_b, "default fast")->check(CLI::IsMember(machine_names()));
+    app.add_option("--simd", a.simd, "vector target of the fast machine; default the processor's best")
+        ->check(CLI::IsMember(fast::simd_targets()));
     app.add_flag("--list", a.list, "print the suites");
     app.add_flag("--shrink", a.shrink,
                  "leave out of a failing list what can be left out, and print the rest");
