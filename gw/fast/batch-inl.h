@@ -35,7 +35,9 @@ struct BatchPlanes {
           channels(has_fog(d.op->state.state) ? 5 : 4) {}
 
     HWY_INLINE void make() {
-        if (made) return;
+        if (!made) make_all();
+    }
+    HWY_NOINLINE void make_all() {
         made = true;
         if (narrow)
             set_up_narrow(draw, corners, narrow_color);

@@ -9,8 +9,8 @@
 #define GW_FAST_PLAIN_INL_H_
 #endif
 
-#include "gw/fast/batch-inl.h"
 #include "gw/fast/cover-inl.h"
+#include "gw/fast/paint-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -102,73 +102,6 @@ HWY_INLINE LaneSet run_stencil(const StencilFace& face, std::uint32_t max, const
     counts.made.add(lanes), counts.stencil_passed.add(tested), counts.written.add(alive);
     return alive;
 }
-
-/// No plane of colour is written.
-struct NoPaint {
-    HWY_INLINE void operator()(int, int, const LaneSet&) const {}
-    HWY_INLINE void operator()(int, int, AllLanes) const {}
-};
-
-/// One triangle's colour, as the batch has it.
-struct BatchPaint {
-    BatchPlanes& planes;
-    std::size_t i;
-
-    HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
-        if (!alive.none()) write(bx, by, alive.bits());
-    }
-    HWY_INLINE void operator()(int bx, int by, AllLanes) const { write(bx, by, all_lanes); }
-    HWY_NOINLINE void write(int bx, int by, std::uint32_t alive) const {
-        const TileDraw& draw = planes.draw;
-        write_color(draw.op->state, planes.color_of(i, bx, by, alive),
-                    draw.tile.color[draw.tile.block(bx, by)], alive);
-    }
-};
-
-/// A triangle of one colour, stored or added: what item buffers and fills do. A loop over blocks holds a copy
-/// of its own, which stays in registers.
-struct FlatPaint {
-    const Resolved* state;
-    Tile tile;
-    bool adds;
-    std::uint16_t max;
-    ColorBlock color;
-
-    HWY_INLINE FlatPaint(const TileDraw& draw, const SetupPrimitive& p)
-        : state(&draw.op->state),
-          tile(draw.tile),
-          adds(state->state.blend.enable),
-          max(std::uint16_t(max_of_bits(state->bits))) {
-        const D16 d16;
-        const Rgba c = flat_color(draw, p);
-        for (std::size_t k = 0; k < 4; ++k)
-            for (std::size_t i = 0; i < block_pixels; i += lanes16)
-                hn::Store(hn::Set(d16, c[k]), d16, color.channel[k] + i);
-    }
-    HWY_INLINE static bool serves(const DrawOp& op) {
-        const BlendState& b = op.state.state.blend;
-        const ColorMask& m = op.state.state.color_mask;
-        return is_flat(op) && !has_fog(op.state.state) && !op.texels && m.r && m.g && m.b && m.a &&
-               (!b.enable || (b.src == BlendFactor::One && b.dst == BlendFactor::One));
-    }
-    HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
-        const std::uint32_t mask = alive.bits();
-        if (mask == all_lanes) return operator()(bx, by, AllLanes{});
-        if (mask == 0) return;
-        const ColorBlock copy = color;
-        write_color(*state, copy, tile.color[tile.block(bx, by)], mask);
-    }
-    /// All 16 pixels, four channels in a row.
-    HWY_INLINE void operator()(int bx, int by, AllLanes) const {
-        const hn::CappedTag<std::uint16_t, 32> d;
-        const auto most = hn::Set(d, max);
-        std::uint16_t* to = tile.color[tile.block(bx, by)].channel[0];
-        for (std::size_t i = 0; i < 4 * block_pixels; i += hn::Lanes(d)) {
-            const auto own = hn::Load(d, color.channel[0] + i);
-            hn::Store(adds ? hn::Min(hn::SaturatedAdd(own, hn::Load(d, to + i)), most) : own, d, to + i);
-        }
-    }
-};
 
 /// What becomes of a triangle's blocks where the stencil plane has no part in it. Holds copies: they stay in
 /// registers.
@@ -264,22 +197,6 @@ HWY_INLINE void draw_plain(const TileDraw& draw, const Triangles& t, std::size_t
         draw_plain(draw, t, i, box, NoDepth{}, paint, counts);
     else
         draw_plain(draw, t, i, box, AnyCompare{depth.func}, paint, counts);
-}
-
-/// What a draw's triangles paint with.
-enum class Paints { Nothing, OneColor, Planes };
-HWY_INLINE Paints paints_of(const DrawOp& op) {
-    if (!op.state.writes_color) return Paints::Nothing;
-    return FlatPaint::serves(op) ? Paints::OneColor : Paints::Planes;
-}
-/// Calls draw(paint) for triangle i of a batch.
-template <class Draw>
-HWY_INLINE void with_paint(Paints paints, BatchPlanes& planes, std::size_t i, const Draw& draw) {
-    switch (paints) {
-        case Paints::Nothing: return draw(NoPaint{});
-        case Paints::OneColor: return draw(FlatPaint(planes.draw, *planes.corners.primitive[i]));
-        case Paints::Planes: return draw(BatchPaint{planes, i});
-    }
 }
 
 /// Draws a batch of triangles.
