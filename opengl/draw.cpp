@@ -25,19 +25,19 @@ dmat4 jittered(const State& s, int subpixel_bits, int width, int height) {
 }
 
 void load(GLenum mode, const dmat4& m) {
-    glMatrixMode(mode);
-    glLoadMatrixd(&m[0][0]);
+    gl().MatrixMode(mode);
+    gl().LoadMatrixd(&m[0][0]);
 }
 
 /// Factors found at the vertices go by way of a linear fog of distance 1 - f.
 void apply(const FogState& fog, bool per_fragment, bool on) {
     enable(GL_FOG, on);
-    glFogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
-    glFogi(GL_FOG_MODE, static_cast<GLint>(per_fragment ? token(fog.mode) : GL_LINEAR));
-    glFogf(GL_FOG_DENSITY, fog.density);
-    glFogf(GL_FOG_START, per_fragment ? fog.start : 0);
-    glFogf(GL_FOG_END, per_fragment ? fog.end : 1);
-    glFogfv(GL_FOG_COLOR, &fog.color[0]);
+    gl().Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
+    gl().Fogi(GL_FOG_MODE, static_cast<GLint>(per_fragment ? token(fog.mode) : GL_LINEAR));
+    gl().Fogf(GL_FOG_DENSITY, fog.density);
+    gl().Fogf(GL_FOG_START, per_fragment ? fog.start : 0);
+    gl().Fogf(GL_FOG_END, per_fragment ? fog.end : 1);
+    gl().Fogfv(GL_FOG_COLOR, &fog.color[0]);
 }
 
 /// A draw between glBegin and glEnd.
@@ -52,28 +52,28 @@ public:
     bool fragment_fog() const { return program_.fragment_fog; }
 
     void triangles() const {
-        glBegin(GL_TRIANGLES);
+        gl().Begin(GL_TRIANGLES);
         for (const Triangle& t : draw_.mesh->triangles())
             for (std::size_t k = 0; k < 3; ++k) {
-                glEdgeFlag((t.edges >> k & 1) != 0);
+                gl().EdgeFlag((t.edges >> k & 1) != 0);
                 vertex(t.vertex[k], t.provoking, t.polygon);
             }
-        glEnd();
+        gl().End();
     }
     void lines() const {
-        glBegin(GL_LINES);
+        gl().Begin(GL_LINES);
         std::uint32_t ordinal = 0;
         for (const auto& line : draw_.mesh->lines()) {
             for (const std::uint32_t v : line) vertex(v, line[1], ordinal);
             ++ordinal;
         }
-        glEnd();
+        gl().End();
     }
     void points() const {
-        glBegin(GL_POINTS);
+        gl().Begin(GL_POINTS);
         std::uint32_t ordinal = 0;
         for (const std::uint32_t v : draw_.mesh->points()) vertex(v, v, ordinal++);
-        glEnd();
+        gl().End();
     }
 
 private:
@@ -81,19 +81,19 @@ private:
         const Vertex& v = vertices_[index];
         const vec3& p = draw_.mesh->data().positions[index];
         color(state_.shade_model == ShadeModel::Flat ? vertices_[provoking] : v, polygon);
-        glTexCoord4d(v.texcoord.x, v.texcoord.y, v.texcoord.z, v.texcoord.w);
-        glFogCoordd(fog_coordinate(v, p));
-        glVertex3f(p.x, p.y, p.z);
+        gl().TexCoord4d(v.texcoord.x, v.texcoord.y, v.texcoord.z, v.texcoord.w);
+        gl().FogCoordd(fog_coordinate(v, p));
+        gl().Vertex3f(p.x, p.y, p.z);
     }
     void color(const Vertex& v, std::uint32_t polygon) const {
         if (state_.color_source == ColorSource::PolygonId) {
             const std::uint32_t id = (draw_.id_base + draw_.mesh->polygon_id(polygon)) >> draw_.id_shift;
-            glColor4ub(id & 255, (id >> 8) & 255, (id >> 16) & 255, 255);
+            gl().Color4ub(id & 255, (id >> 8) & 255, (id >> 16) & 255, 255);
             return;
         }
         std::array<GLubyte, 4> c{};
         std::transform(v.color.begin(), v.color.end(), c.begin(), [](double x) { return GLubyte(x); });
-        glColor4ubv(c.data());
+        gl().Color4ubv(c.data());
     }
     double fog_coordinate(const Vertex& v, const vec3& p) const {
         if (!program_.fragment_fog) return 1 - v.fog / max_of_bits(profile_.color_bits);
@@ -125,8 +125,8 @@ void draw(const Draw& draw, const State& state, const Profile& profile, int widt
         case MeshKind::Lines: emitter.lines(); break;
         case MeshKind::Points: emitter.points(); break;
     }
-    glDisable(GL_TEXTURE_2D);
-    glDisable(GL_FOG);
+    gl().Disable(GL_TEXTURE_2D);
+    gl().Disable(GL_FOG);
 }
 
 }  // namespace gw::opengl

@@ -113,6 +113,6 @@ GLenum token(AccumOp op) {
     return GL_NONE;
 }
 
-void enable(GLenum capability, bool on) { on ? glEnable(capability) : glDisable(capability); }
+void enable(GLenum capability, bool on) { on ? gl().Enable(capability) : gl().Disable(capability); }
 
 }  // namespace gw::opengl

@@ -2,9 +2,7 @@
 #pragma once
 
 #include "gw/command_list.h"
-
-#include <GL/gl.h>
-#include <GL/glext.h>
+#include "opengl/functions.h"
 
 namespace gw::opengl {
 

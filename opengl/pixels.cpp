@@ -11,8 +11,8 @@ namespace {
 
 /// Puts the state back at the end of the scope.
 struct SavedState {
-    SavedState() { glPushAttrib(GL_ALL_ATTRIB_BITS); }
-    ~SavedState() { glPopAttrib(); }
+    SavedState() { gl().PushAttrib(GL_ALL_ATTRIB_BITS); }
+    ~SavedState() { gl().PopAttrib(); }
     SavedState(const SavedState&) = delete;
     SavedState& operator=(const SavedState&) = delete;
 };
@@ -20,13 +20,13 @@ struct SavedState {
 /// Nothing but the plane's mask and the scissor between a value and its plane: OpenGL runs rectangles through
 /// every test.
 void write_only(Plane plane, const DepthState& depth) {
-    glDisable(GL_ALPHA_TEST);
-    glDisable(GL_STENCIL_TEST);
-    glDisable(GL_BLEND);
+    gl().Disable(GL_ALPHA_TEST);
+    gl().Disable(GL_STENCIL_TEST);
+    gl().Disable(GL_BLEND);
     enable(GL_DEPTH_TEST, plane == Plane::Depth && depth.mask);
-    glDepthFunc(GL_ALWAYS);
-    glDepthRange(0, 1);
-    if (plane != Plane::Color) glColorMask(false, false, false, false);
+    gl().DepthFunc(GL_ALWAYS);
+    gl().DepthRange(0, 1);
+    if (plane != Plane::Color) gl().ColorMask(false, false, false, false);
 }
 
 std::vector<GLubyte> bytes(const Rgba* first, std::size_t count) {
@@ -43,22 +43,22 @@ double window_z(std::uint32_t depth) { return depth / 16777215.0; }
 std::uint32_t fraction32(std::uint32_t depth) { return depth << 8 | depth >> 16; }
 
 void draw_colors(int x, int y, int width, int height, std::uint32_t depth, const std::vector<GLubyte>& rgba) {
-    glDepthRange(0, 1);
-    glWindowPos3d(x, y, window_z(depth));
-    glDrawPixels(width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    gl().DepthRange(0, 1);
+    gl().WindowPos3d(x, y, window_z(depth));
+    gl().DrawPixels(width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
 }
 
 void draw_depths(const WritePixels& c) {
     std::vector<std::uint32_t> wide(c.values.size());
     std::transform(c.values.begin(), c.values.end(), wide.begin(), fraction32);
-    glWindowPos2i(c.rect.x, c.rect.y);
-    glDrawPixels(c.rect.width, c.rect.height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, wide.data());
+    gl().WindowPos2i(c.rect.x, c.rect.y);
+    gl().DrawPixels(c.rect.width, c.rect.height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, wide.data());
 }
 
 void draw_stencil(const WritePixels& c) {
     const std::vector<GLubyte> values(c.values.begin(), c.values.end());
-    glWindowPos2i(c.rect.x, c.rect.y);
-    glDrawPixels(c.rect.width, c.rect.height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, values.data());
+    gl().WindowPos2i(c.rect.x, c.rect.y);
+    gl().DrawPixels(c.rect.width, c.rect.height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, values.data());
 }
 
 GLenum copied(Plane plane) {
@@ -74,11 +74,11 @@ GLbitfield buffers(PlaneMask planes) {
 }  // namespace
 
 void clear(const Clear& c) {
-    glClearColor(c.color.r, c.color.g, c.color.b, c.color.a);
-    glClearDepth(c.depth);
-    glClearStencil(c.stencil);
-    glClearAccum(0, 0, 0, 0);
-    glClear(buffers(c.planes));
+    gl().ClearColor(c.color.r, c.color.g, c.color.b, c.color.a);
+    gl().ClearDepth(c.depth);
+    gl().ClearStencil(c.stencil);
+    gl().ClearAccum(0, 0, 0, 0);
+    gl().Clear(buffers(c.planes));
 }
 
 void write(const WriteSpans& command) {
@@ -106,8 +106,8 @@ void write(const WritePixels& c, const DepthState& depth) {
 void copy(const Copy& c, const DepthState& depth) {
     const SavedState saved;
     write_only(c.plane, depth);
-    glWindowPos2i(c.x, c.y);
-    glCopyPixels(c.source.x, c.source.y, c.source.width, c.source.height, copied(c.plane));
+    gl().WindowPos2i(c.x, c.y);
+    gl().CopyPixels(c.source.x, c.source.y, c.source.width, c.source.height, copied(c.plane));
 }
 
 void accumulate(const Accumulate& command) {
@@ -115,20 +115,20 @@ void accumulate(const Accumulate& command) {
     switch (command.op) {
         case AccumOp::Accum:
         case AccumOp::Load:
-        case AccumOp::Add: glAccum(token(command.op), command.value / scale); break;
-        case AccumOp::Mult: glAccum(GL_MULT, command.value); break;
-        case AccumOp::Return: glAccum(GL_RETURN, command.value * scale); break;
+        case AccumOp::Add: gl().Accum(token(command.op), command.value / scale); break;
+        case AccumOp::Mult: gl().Accum(GL_MULT, command.value); break;
+        case AccumOp::Return: gl().Accum(GL_RETURN, command.value * scale); break;
     }
 }
 
 Planes read_planes(int width, int height) {
     Planes planes(width, height);
     std::vector<GLubyte> rgba(4 * planes.color.size());
-    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    gl().ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
     for (std::size_t i = 0; i < rgba.size(); ++i) planes.color[i / 4][i % 4] = rgba[i];
-    glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, planes.depth.data());
+    gl().ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, planes.depth.data());
     for (std::uint32_t& depth : planes.depth) depth >>= 8;
-    glReadPixels(0, 0, width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, planes.stencil.data());
+    gl().ReadPixels(0, 0, width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, planes.stencil.data());
     return planes;
 }
 

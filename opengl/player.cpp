@@ -37,18 +37,18 @@ OSMesaContext new_context() {
                               OSMESA_PROFILE,
                               OSMESA_COMPAT_PROFILE,
                               0};
-    return OSMesaCreateContextAttribs(attributes, nullptr);
+    return gl().OSMesaCreateContextAttribs(attributes, nullptr);
 }
 
 /// What differs from OpenGL's initial state for good.
 void set_up() {
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glDisable(GL_DITHER);
+    gl().PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl().PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl().Disable(GL_DITHER);
 }
 
 void check_errors() {
-    const GLenum error = glGetError();
+    const GLenum error = gl().GetError();
     if (error != GL_NO_ERROR) throw Error(fmt::format("OpenGL's error {:#x}", error));
 }
 
@@ -73,10 +73,10 @@ struct Player::Context {
         set_up();
         apply(before.state, width, height);
     }
-    ~Context() { OSMesaDestroyContext(mesa); }
+    ~Context() { gl().OSMesaDestroyContext(mesa); }
 
     void make_current() {
-        if (!OSMesaMakeCurrent(mesa, buffer.data(), GL_UNSIGNED_BYTE, width, height))
+        if (!gl().OSMesaMakeCurrent(mesa, buffer.data(), GL_UNSIGNED_BYTE, width, height))
             throw Error(fmt::format("OSMesa takes no window of {}x{}", width, height));
     }
 
@@ -130,7 +130,7 @@ Planes Player::planes() const {
 
 std::string Player::renderer() const {
     context_->make_current();
-    const auto text = [](GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); };
+    const auto text = [](GLenum name) { return reinterpret_cast<const char*>(gl().GetString(name)); };
     return fmt::format("{}, {}", text(GL_RENDERER), text(GL_VERSION));
 }
 

@@ -9,36 +9,36 @@ GLint value(GLenum name) { return static_cast<GLint>(name); }
 
 unsigned new_object() {
     GLuint name = 0;
-    glGenTextures(1, &name);
-    glBindTexture(GL_TEXTURE_2D, name);
+    gl().GenTextures(1, &name);
+    gl().BindTexture(GL_TEXTURE_2D, name);
     return name;
 }
 
 void upload(const Texture& texture) {
     GLint level = 0;
     for (const TextureLevel& l : texture.levels)
-        glTexImage2D(GL_TEXTURE_2D, level++, GL_RGBA8, l.width, l.height, 0, GL_RGBA, GL_UNSIGNED_SHORT,
-                     l.rgba.data());
+        gl().TexImage2D(GL_TEXTURE_2D, level++, GL_RGBA8, l.width, l.height, 0, GL_RGBA, GL_UNSIGNED_SHORT,
+                        l.rgba.data());
 }
 
 /// A slot has one level.
 void set_sampler(const TextureState& s, bool one_level) {
-    if (one_level) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, value(token(s.min_filter)));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, value(token(s.mag_filter)));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, value(token(s.wrap_s)));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, value(token(s.wrap_t)));
+    if (one_level) gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, value(token(s.min_filter)));
+    gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, value(token(s.mag_filter)));
+    gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, value(token(s.wrap_s)));
+    gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, value(token(s.wrap_t)));
 }
 
 /// The machine compares with the nearest texel; OpenGL would filter the comparisons.
 void set_comparison(bool compare) {
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE,
-                    value(compare ? GL_COMPARE_R_TO_TEXTURE : GL_NONE));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    glTexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_INTENSITY);
+    gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE,
+                       value(compare ? GL_COMPARE_R_TO_TEXTURE : GL_NONE));
+    gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    gl().TexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_INTENSITY);
     if (!compare) return;
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
 }  // namespace
@@ -55,20 +55,20 @@ unsigned Textures::object(const TextureBinding& binding) {
 
 bool Textures::bind(const TextureBinding& binding, const TextureState& state) {
     if (!binding.enabled()) return false;
-    glBindTexture(GL_TEXTURE_2D, object(binding));
+    gl().BindTexture(GL_TEXTURE_2D, object(binding));
     set_sampler(state, !binding.texture);
     set_comparison(state.shadow_compare);
-    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, value(token(state.env)));
-    glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &state.env_color[0]);
+    gl().TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, value(token(state.env)));
+    gl().TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &state.env_color[0]);
     return true;
 }
 
 void Textures::copy(const CopyTexture& c) {
     const auto [place, added] = slots_.try_emplace(c.slot, 0);
     if (added) place->second = new_object();
-    glBindTexture(GL_TEXTURE_2D, place->second);
+    gl().BindTexture(GL_TEXTURE_2D, place->second);
     const GLenum format = c.plane == Plane::Depth ? GL_DEPTH_COMPONENT24 : GL_RGBA8;
-    glCopyTexImage2D(GL_TEXTURE_2D, 0, format, c.rect.x, c.rect.y, c.rect.width, c.rect.height, 0);
+    gl().CopyTexImage2D(GL_TEXTURE_2D, 0, format, c.rect.x, c.rect.y, c.rect.width, c.rect.height, 0);
 }
 
 }  // namespace gw::opengl

@@ -73,8 +73,8 @@ State window_state(int width, int height) {
 
 }  // namespace
 
-Frame scene_frame(const char* path) {
-    Frame f;
+Frame scene_frame(const char* path, int width, int height) {
+    Frame f{.width = width, .height = height};
     scene::Scene scene = scene::read_scene(path).scene;
     scene::add_defaults(scene, f.width, f.height);
     const scene::View view = scene::make_view(scene, f.width, f.height);

@@ -25,8 +25,8 @@ struct Frame {
     std::vector<Light> lights;  ///< four, in eye space
 };
 
-/// The scene file's geometry in a 640x480 window.
-Frame scene_frame(const char* path);
+/// The scene file's geometry in a window, 640x480 unless told.
+Frame scene_frame(const char* path, int width = 640, int height = 480);
 /// No scene, only the quad, in a 1024x1024 window.
 Frame fill_frame();
 

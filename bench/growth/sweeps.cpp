@@ -1,0 +1,79 @@
+#include "bench/growth/sweeps.h"
+
+#include "bench/growth/subdivide.h"
+
+#include <cmath>
+
+namespace gw::growth {
+namespace {
+
+using peers::Frame;
+using peers::Pass;
+using peers::Shade;
+using peers::Workload;
+
+constexpr int many_lights = 128;
+
+/// Each part's mesh cut in four `times` times.
+Frame divided_frame(const std::string& scene, int width, int height, int times) {
+    Frame f = peers::scene_frame(scene.c_str(), width, height);
+    for (peers::Part& part : f.scene)
+        for (int i = 0; i < times; ++i) part.mesh = subdivided(*part.mesh);
+    return f;
+}
+
+/// The usual frame with lamps all around.
+Frame lit_frame(const std::string& scene) {
+    Frame f = peers::scene_frame(scene.c_str());
+    Light light = f.lights[0];
+    f.lights.clear();
+    for (int i = 0; i < many_lights; ++i) {
+        light.position = vec4(float(i % 16) * 0.5f - 4, 3 + float(i / 64), -2 - float(i / 16), 1);
+        f.lights.push_back(light);
+    }
+    return f;
+}
+
+/// Z, and as many textured passes under Equal.
+Workload passes(int count, int lights = 1) {
+    Workload w{"passes", "Z and passes", 0, false, {}};
+    w.passes.push_back({.shade = Shade::None,
+                        .depth = {true, DepthFunc::Less, true},
+                        .blend = {false, BlendFactor::One, BlendFactor::Zero}});
+    const Shade shades[] = {Shade::Ambient, Shade::Diffuse, Shade::Specular};
+    for (int i = 0; i < count; ++i)
+        w.passes.push_back({.shade = shades[i % 3], .textured = true, .light = i / 3 % lights});
+    return w;
+}
+
+Workload samples(int count) {
+    Workload w = passes(3);
+    w.samples.clear();
+    for (int i = 0; i < count; ++i) w.samples.push_back({i % 8, i / 8 % 8});
+    return w;
+}
+
+}  // namespace
+
+std::vector<Sweep> sweeps(const std::string& scene) {
+    const auto usual = [scene] { return peers::scene_frame(scene.c_str()); };
+    Sweep triangles{"triangles", {}}, pixels{"pixels", {}}, pass{"passes", {}}, sample{"samples", {}},
+        light{"lights", {}}, threads{"threads", {}};
+    for (int times = 0; times <= 3; ++times)
+        triangles.steps.push_back({77628 * std::pow(4.0, times), 1,
+                                   [=] { return divided_frame(scene, 640, 480, times); }, passes(3)});
+    for (const auto& [w, h] : {std::pair{320, 240}, {640, 480}, {1280, 960}, {2560, 1920}, {4096, 4096}})
+        pixels.steps.push_back({double(w) * h, 1, [=] { return divided_frame(scene, w, h, 0); }, passes(3)});
+    for (int n = 1; n <= 128; n *= 2) pass.steps.push_back({double(n), 1, usual, passes(n)});
+    for (int n = 1; n <= 256; n *= 4) sample.steps.push_back({double(n), 1, usual, samples(n)});
+    for (int n = 1; n <= many_lights; n *= 2)
+        light.steps.push_back({double(n), 1, [=] { return lit_frame(scene); }, passes(3 * n, n)});
+    for (int n = 1; n <= 2; ++n) threads.steps.push_back({double(n), n, usual, passes(12)});
+    return {triangles, pixels, pass, sample, light, threads};
+}
+
+Step largest(const std::string& scene) {
+    return {77628 * 64.0, 2, [=] { return divided_frame(scene, 4096, 4096, 3); }, passes(64)};
+}
+
+}  // namespace gw::growth
