@@ -1,5 +1,5 @@
-// The commands in README.md, docs/commands.md, docs/hiddensurfaces.md and docs/lecture.md work as they stand
-// there.
+// The commands in README.md, docs/commands.md, docs/hiddensurfaces.md, docs/recordings.md and
+// docs/lecture.md work as they stand there.
 #include "examples.h"
 
 namespace gw::apps {
@@ -30,6 +30,15 @@ TEST_F(Documents, HiddenSurfacesCommandsWork) {
     expect_to_work(commands);
     EXPECT_FALSE(bytes_of(in("growth/growth.csv")).empty());
     EXPECT_NE(bytes_of(in("truth.csv")).find("\n"), std::string::npos);
+}
+
+/// But for the goldens, which test_golden.cpp verifies.
+TEST_F(Documents, RecordingsCommandsWork) {
+    auto commands = examples(bytes_of(GW_SOURCE_DIR "/docs/recordings.md"));
+    std::erase_if(commands,
+                  [](const std::string& command) { return command.find(" golden ") != command.npos; });
+    EXPECT_GE(commands.size(), 5u);
+    expect_to_work(commands);
 }
 
 struct Lecture : ExampleTest {
