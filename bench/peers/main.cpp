@@ -4,6 +4,8 @@
 #include "bench/peers/opengl.h"
 #include "bench/peers/ours.h"
 #include "gw/machine.h"
+#include "image/output_file.h"
+#include "plot/plot.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -22,6 +24,7 @@ namespace {
 struct Options {
     std::string scene = GW_SOURCE_DIR "/scenes/fig9.toml", json, only;
     int repeats = 7, threads = 1;
+    std::string plot;
     bool alone = false;
 };
 
@@ -59,10 +62,13 @@ double differing(const Planes& ours, const std::vector<unsigned char>& theirs, i
 /// One workload's row.
 struct Row {
     const Workload* workload = nullptr;
-    Time ours, buffers, lists;
+    Time ours, buffers, lists, strips;
     double differing = 0;
 
-    const Time& theirs() const { return buffers.wall < lists.wall ? buffers : lists; }
+    Time theirs() const {
+        return std::min({buffers, lists, strips},
+                        [](const Time& a, const Time& b) { return a.wall < b.wall; });
+    }
     double ratio() const { return theirs().wall / ours.wall; }
 };
 
@@ -70,43 +76,60 @@ struct Row {
 struct Window {
     Frame frame;
     std::unique_ptr<Machine> machine;
-    OpenGl buffers, lists;
+    OpenGl buffers, lists, strips;
 
     Window(Frame f, int threads)
         : frame(std::move(f)),
           machine(make_fast(vgx(), frame.width, frame.height, {.threads = threads})),
           buffers(frame, Store::Buffers),
-          lists(frame, Store::Lists) {}
+          lists(frame, Store::Lists),
+          strips(frame, Store::Strips) {}
 };
 
 Row measure(const Workload& w, Window& window, const Options& options) {
     const CommandList list = command_list(w, window.frame);
-    std::vector<Time> ours, buffers, lists;
+    std::vector<Time> ours, buffers, lists, strips;
     for (int i = 0; i <= options.repeats; ++i) {  // the first time round warms up
         const Time a = time_of([&] { window.machine->execute(list), window.machine->reset_passes(); });
         const Time b = options.alone ? Time{} : time_of([&] { window.buffers.run(w); });
         const Time c = options.alone ? Time{} : time_of([&] { window.lists.run(w); });
+        const Time d = options.alone ? Time{} : time_of([&] { window.strips.run(w); });
         if (i == 0) continue;
-        ours.push_back(a), buffers.push_back(b), lists.push_back(c);
+        ours.push_back(a), buffers.push_back(b), lists.push_back(c), strips.push_back(d);
     }
     const double differs = options.alone || (w.passes.front().shade == Shade::None && w.passes.size() == 1)
                                ? 0
                                : differing(window.machine->planes(), window.lists.picture(), 8);
-    return {&w, median(ours), median(buffers), median(lists), differs};
+    return {&w, median(ours), median(buffers), median(lists), median(strips), differs};
 }
 
 void print_row(const Row& r) {
-    fmt::print("{:<3}{:<36}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>8.2f}{:>8.1f}{:>9.2f} %\n",
+    fmt::print("{:<3}{:<36}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>8.2f}{:>8.1f}{:>9.2f} %\n",
                r.workload->key, r.workload->name, r.ours.wall, r.ours.cpu, r.buffers.wall, r.lists.wall,
-               r.theirs().cpu, r.ratio(), r.workload->wanted, 100 * r.differing);
+               r.strips.wall, r.theirs().cpu, r.ratio(), r.workload->wanted, 100 * r.differing);
     std::fflush(stdout);
 }
 
 nlohmann::json to_json(const Row& r) {
-    return {{"key", r.workload->key},         {"name", r.workload->name},     {"ours_ms", r.ours.wall},
-            {"ours_cpu_ms", r.ours.cpu},      {"buffers_ms", r.buffers.wall}, {"lists_ms", r.lists.wall},
-            {"peer_cpu_ms", r.theirs().cpu},  {"ratio", r.ratio()},           {"wanted", r.workload->wanted},
-            {"pixels_differing", r.differing}};
+    return {{"key", r.workload->key},       {"name", r.workload->name},       {"ours_ms", r.ours.wall},
+            {"ours_cpu_ms", r.ours.cpu},    {"buffers_ms", r.buffers.wall},   {"lists_ms", r.lists.wall},
+            {"strips_ms", r.strips.wall},   {"peer_cpu_ms", r.theirs().cpu},  {"ratio", r.ratio()},
+            {"wanted", r.workload->wanted}, {"pixels_differing", r.differing}};
+}
+
+/// How often our frames fit into the peer's, by workload.
+plot::Plot ratios(const std::vector<Row>& rows, const std::string& renderer, const Options& options) {
+    plot::Series reached{"measured", {}}, wanted{"wanted", {}, false};
+    for (const Row& r : rows) {
+        const double place = 1 + r.workload->key[0] - 'a';
+        reached.points.push_back({place, r.ratio()}), wanted.points.push_back({place, r.workload->wanted});
+    }
+    return {.title = fmt::format("The machine beside {}, {} thread(s)", renderer, options.threads),
+            .caption = "The peer's time over ours, pictures compared. Workloads 1 to 11 are a to k.",
+            .command = "scripts/compare-peers",
+            .x = {"workload"},
+            .y = {"ratio of times", 2},
+            .series = {reached, wanted}};
 }
 
 int run(const Options& options) {
@@ -115,21 +138,23 @@ int run(const Options& options) {
     const std::string renderer = scene.lists.renderer();
     fmt::print("{}, {} thread(s), {}; milliseconds, medians of {}\n", renderer, options.threads,
                simd_target(), options.repeats);
-    fmt::print("{:<39}{:>9}{:>9}{:>9}{:>9}{:>9}{:>8}{:>8}{:>11}\n", "workload", "ours", "cpu", "buffers",
-               "lists", "cpu", "ratio", "wanted", "pixels off");
-    nlohmann::json rows = nlohmann::json::array();
+    fmt::print("{:<39}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>8}{:>8}{:>11}\n", "workload", "ours", "cpu", "buffers",
+               "lists", "strips", "cpu", "ratio", "wanted", "pixels off");
+    nlohmann::json json = nlohmann::json::array();
+    std::vector<Row> rows;
     for (const Workload& w : workloads()) {
         if (!options.only.empty() && options.only.find(w.key) == std::string::npos) continue;
-        const Row row = measure(w, w.fill ? fill : scene, options);
-        print_row(row);
-        rows.push_back(to_json(row));
+        rows.push_back(measure(w, w.fill ? fill : scene, options));
+        print_row(rows.back());
+        json.push_back(to_json(rows.back()));
     }
+    if (!options.plot.empty()) image::write_file(options.plot, plot::svg(ratios(rows, renderer, options)));
     if (options.json.empty()) return 0;
     std::ofstream(options.json) << nlohmann::json{{"renderer", renderer},
                                                   {"threads", options.threads},
                                                   {"simd", simd_target()},
                                                   {"repeats", options.repeats},
-                                                  {"workloads", rows}}
+                                                  {"workloads", json}}
                                        .dump(2)
                                 << '\n';
     return 0;
@@ -148,6 +173,7 @@ int main(int argc, char** argv) {
     app.add_option("--threads", options.threads, "of the machine")->check(CLI::Range(1, 256));
     app.add_flag("--alone", options.alone, "only the machine, for a profiler");
     app.add_option("--json", options.json, "write the table to this file too");
+    app.add_option("--plot", options.plot, "draw the ratios into this SVG file");
     CLI11_PARSE(app, argc, argv);
     return gw::peers::run(options);
 }

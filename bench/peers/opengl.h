@@ -12,7 +12,7 @@
 namespace gw::peers {
 
 /// Where the vertices wait for the draws.
-enum class Store { Buffers, Lists };
+enum class Store { Buffers, Lists, Strips };
 
 class OpenGl {
 public:

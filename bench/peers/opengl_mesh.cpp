@@ -1,6 +1,8 @@
 // Buffers and lists.
 #include "bench/peers/opengl_mesh.h"
 
+#include "bench/peers/strips.h"
+
 #include <GL/gl.h>
 #include <GL/glext.h>
 
@@ -62,11 +64,13 @@ GlMesh::GlMesh(const Mesh& mesh, Store store, unsigned id_base) : store_(store) 
     std::vector<unsigned> indices;
     for (const Triangle& t : mesh.triangles())
         indices.insert(indices.end(), t.vertex.begin(), t.vertex.end());
+    id_count_ = int(indices.size());
+    if (store_ == Store::Strips) indices = one_strip(mesh);
     index_count_ = int(indices.size());
     vertices_ = make_buffer(GL_ARRAY_BUFFER, vertices_of(mesh.data()));
     ids_ = make_buffer(GL_ARRAY_BUFFER, id_vertices(mesh, id_base));
     indices_ = make_buffer(GL_ELEMENT_ARRAY_BUFFER, indices);
-    if (store_ == Store::Buffers) return;
+    if (store_ != Store::Lists) return;
     lists_ = glGenLists(attribute_sets);
     for (unsigned i = 0; i < attribute_sets; ++i) {
         glNewList(lists_ + i, GL_COMPILE);
@@ -93,7 +97,7 @@ void GlMesh::draw_buffers(Attributes attributes) const {
     if (ids) {
         glVertexPointer(3, GL_FLOAT, sizeof(IdVertex), at(offsetof(IdVertex, position)));
         glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(IdVertex), at(offsetof(IdVertex, color)));
-        glDrawArrays(GL_TRIANGLES, 0, index_count_);
+        glDrawArrays(GL_TRIANGLES, 0, id_count_);
         return;
     }
     glVertexPointer(3, GL_FLOAT, sizeof(GlVertex), at(offsetof(GlVertex, position)));
@@ -101,7 +105,8 @@ void GlMesh::draw_buffers(Attributes attributes) const {
     glTexCoordPointer(2, GL_FLOAT, sizeof(GlVertex), at(offsetof(GlVertex, texcoord)));
     glColorPointer(4, GL_FLOAT, sizeof(GlVertex), at(offsetof(GlVertex, color)));
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
-    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    glDrawElements(store_ == Store::Strips ? GL_TRIANGLE_STRIP : GL_TRIANGLES, index_count_, GL_UNSIGNED_INT,
+                   nullptr);
 }
 
 }  // namespace gw::peers

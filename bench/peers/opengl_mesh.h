@@ -1,4 +1,5 @@
-// A mesh in OpenGL's hands: vertex and index buffers, or display lists made from them.
+// A mesh in OpenGL's hands: vertex and index buffers, of triangles or of one strip, or display lists of the
+// former.
 #pragma once
 
 #include "bench/peers/opengl.h"
@@ -18,7 +19,7 @@ private:
     void draw_buffers(Attributes attributes) const;
     Store store_;
     unsigned vertices_ = 0, indices_ = 0, ids_ = 0, lists_ = 0;
-    int index_count_ = 0;
+    int index_count_ = 0, id_count_ = 0;
 };
 
 }  // namespace gw::peers
