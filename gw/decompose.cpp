@@ -2,6 +2,8 @@
 
 #include "gw/triangulate.h"
 
+#include <algorithm>
+
 namespace gw {
 namespace {
 
@@ -34,6 +36,10 @@ std::vector<Triangle> fan(Corners c) {
 
 void add_polygon(std::vector<Triangle>& triangles, const MeshData& data, Corners c, std::uint32_t provoking,
                  std::uint32_t polygon) {
+    if (c.size() == 3) {
+        triangles.push_back({{c[0], c[1], c[2]}, provoking, polygon});
+        return;
+    }
     std::vector<vec3> positions;
     positions.reserve(c.size());
     for (const std::uint32_t vertex : c) positions.push_back(data.positions[vertex]);
@@ -52,6 +58,7 @@ std::vector<Triangle> quads(const MeshData& data, Corners c) {
 
 std::vector<Triangle> polygons(const MeshData& data, Corners c) {
     std::vector<Triangle> triangles;
+    triangles.reserve(c.size() - std::min(c.size(), 2 * data.polygon_sizes.size()));
     if (data.polygon_sizes.empty() && !c.empty()) add_polygon(triangles, data, c, c[0], 0);
     std::size_t first = 0;
     for (std::uint32_t i = 0; i < data.polygon_sizes.size(); ++i) {

@@ -17,10 +17,19 @@ using Comparer = ShadowLookup::Comparer;
 
 /// Where a point lies in a map, in texels from its lower left corner; none: outside.
 std::optional<dvec2> place_in(const Comparer& c, const dvec3& p) {
-    const dvec4 clip = c.clip_from_world * dvec4(p, 1);
-    if (!(clip.w > 0) || std::abs(clip.x) >= clip.w || std::abs(clip.y) >= clip.w) return std::nullopt;
+    // A point is in one of a cube's six maps: five are to be left soon.
+    const dmat4& m = c.clip_from_world;
+    const auto clip = [&](int row) {
+        return (m[0][row] * p.x + m[1][row] * p.y) + (m[2][row] * p.z + m[3][row]);
+    };
+    const double w = clip(3);
+    if (!(w > 0)) return std::nullopt;
+    const double x = clip(0);
+    if (std::abs(x) >= w) return std::nullopt;
+    const double y = clip(1);
+    if (std::abs(y) >= w) return std::nullopt;
     const double size = c.map.view.width;
-    return dvec2((clip.x / clip.w + 1) / 2 * size, (clip.y / clip.w + 1) / 2 * size);
+    return dvec2((x / w + 1) / 2 * size, (y / w + 1) / 2 * size);
 }
 
 /// The plane of a face in a map's clip coordinates: z as a function of the texel, in units of Z.

@@ -144,12 +144,17 @@ private:
 
     void smooth(std::span<const Meeting> meetings) {
         const std::size_t first = obj_.normals.size();
-        const dvec3 common = common_sum(meetings);
+        const dvec3 common = unit(common_sum(meetings));
+        std::uint32_t common_index = absent;
         for (const Meeting& meeting : meetings) {
             Corner& corner = obj_.corners[meeting.corner];
             if (corner.vn != absent) continue;
-            const dvec3 sum = is_zero(common) ? sum_at(meetings, meeting.face) : common;
-            corner.vn = index_of(normal_of(sum, meeting.face), first);
+            if (is_zero(common)) {
+                corner.vn = index_of(normal_of(sum_at(meetings, meeting.face), meeting.face), first);
+                continue;
+            }
+            if (common_index == absent) common_index = index_of(vec3(common), first);
+            corner.vn = common_index;
         }
     }
 

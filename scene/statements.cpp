@@ -17,16 +17,6 @@ std::string_view trim(std::string_view text) {
     return text;
 }
 
-std::string_view take_word(std::string_view& text) {
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    if (text.starts_with('#')) text = {};
-    std::size_t size = 0;
-    while (size < text.size() && !is_blank(text[size])) ++size;
-    const std::string_view word = text.substr(0, size);
-    text.remove_prefix(size);
-    return word;
-}
-
 namespace {
 
 std::string_view physical_line(const char*& at, const char* end) {

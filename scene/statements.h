@@ -32,12 +32,21 @@ private:
     std::string_view keyword_, rest_;
 };
 
-inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+/// Space, tab, carriage return, vertical tab, form feed; not the newline, which ends a statement.
+inline bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n'); }
 
 /// The text without blanks at its ends.
 std::string_view trim(std::string_view text);
 
 /// Takes the next word off the text; empty at its end, and at a '#' that begins a comment.
-std::string_view take_word(std::string_view& text);
+inline std::string_view take_word(std::string_view& text) {
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    if (text.starts_with('#')) text = {};
+    std::size_t size = 0;
+    while (size < text.size() && !is_blank(text[size])) ++size;
+    const std::string_view word = text.substr(0, size);
+    text.remove_prefix(size);
+    return word;
+}
 
 }  // namespace gw::scene
