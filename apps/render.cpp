@@ -1,6 +1,7 @@
 // gw render: a picture of a scene, and what else of the drawing is asked for.
 #include "apps/command.h"
 #include "apps/frame_files.h"
+#include "apps/peak_memory.h"
 #include "apps/picture_options.h"
 #include "apps/progress.h"
 #include "apps/renderers.h"
@@ -19,6 +20,7 @@ struct RenderOptions {
     FrameFiles files;
     int turntable = 0;     ///< pictures; 0: none
     std::string frames{};  ///< "A-B": these of the turntable's pictures only
+    bool memory = false;   ///< said how much was held
 };
 
 void add_tone_options(CLI::App& command, image::Tone& tone) {
@@ -71,6 +73,7 @@ void add_options(CLI::App& command, RenderOptions& options) {
                     "Also how often each pass ran and what it counted, as JSON")
         ->type_name("FILE");
     add_tone_options(command, options.files.tone);
+    command.add_flag("--memory", options.memory, "Print how much memory was held at most");
 }
 
 void check_different(const FrameFiles& files) {
@@ -128,6 +131,7 @@ int render(const RenderOptions& options) {
     } else {
         draw_frame(drawing, options.files);
     }
+    if (options.memory) fmt::print("memory held at most: {} MB\n", peak_memory() >> 20);
     return done;
 }
 

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <regex>
+
 namespace gw::apps {
 
 using Render = SceneTest;
@@ -54,6 +56,13 @@ TEST_F(Render, GivesTheSameFilesForAnyNumberOfThreads) {
     EXPECT_EQ(render({"lamps.toml", "-o", "b.png", "--threads", "2", "--manifest", "b.json"}).code, 0);
     EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("b.png")));
     EXPECT_EQ(bytes_of(in("a.json")), bytes_of(in("b.json")));
+}
+
+TEST_F(Render, SaysHowMuchMemoryWasHeld) {
+    const Outcome outcome = render({"lamps.toml", "-o", "a.png", "--memory"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(std::regex_match(outcome.out, std::regex("memory held at most: [1-9][0-9]* MB\n")))
+        << outcome.out;
 }
 
 TEST_F(Render, CameraOptionsReplaceTheScenes) {

@@ -1,0 +1,24 @@
+// How much memory a process has held at most.
+#pragma once
+
+#include <sys/resource.h>
+
+#include <cstddef>
+
+namespace gw {
+
+/// In bytes; kept resident, programs and libraries included.
+inline std::size_t peak_memory(const rusage& usage) {
+#ifdef __APPLE__
+    return static_cast<std::size_t>(usage.ru_maxrss);
+#else
+    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+#endif
+}
+inline std::size_t peak_memory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return peak_memory(usage);
+}
+
+}  // namespace gw
