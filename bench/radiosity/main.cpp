@@ -123,6 +123,32 @@ void report(const std::string& name, const std::string& label, const std::vector
     files.commit();
 }
 
+/// Milliseconds for a hemicube in the mean over every 40th patch: drawn and read; scanned and summed too.
+struct Shares {
+    double drawn = 0, whole = 0;
+};
+
+Shares shares_of(const radiosity::Model& model) {
+    radiosity::FormFactors factors(model, {.threads = 1});
+    radiosity::HemicubePainter painter(128);
+    radiosity::IdBuffers buffers;
+    Shares sum;
+    std::size_t hemicubes = 0;
+    for (std::size_t p = 0; p < model.patches.size(); p += 40) {
+        const auto points = radiosity::points_of(model, model.patches[p]);
+        hemicubes += points.size();
+        sum.drawn += milliseconds([&] {
+            for (const radiosity::ShootPoint& point : points)
+                painter.draw(model,
+                             radiosity::hemicube_at(point.position, point.normal, 30, point.size / 64,
+                                                    1.01 * model.extent, 128),
+                             buffers);
+        });
+        sum.whole += milliseconds([&] { factors.from_points(points, p); });
+    }
+    return {sum.drawn / double(hemicubes), sum.whole / double(hemicubes)};
+}
+
 /// [F] to 1 % unshot: seconds of processor time, and how they are shared.
 void cornell() {
     scene::Scene scene = scene::read_scene(GW_SOURCE_DIR "/scenes/radiosity/cornell.toml").scene;
@@ -134,22 +160,13 @@ void cornell() {
             hemicubes += solver.shoot()->hemicubes;
     });
     const radiosity::Model& model = solver.model();
-    radiosity::FormFactors factors(model, {.threads = 1});
-    radiosity::HemicubePainter painter(128);
-    radiosity::IdBuffers buffers;
-    const radiosity::Hemicube cube = radiosity::hemicube_at({278, 540, 280}, {0, -1, 0}, 30, 1, 1500, 128);
-    const std::vector<radiosity::ShootPoint> points(8, {{278, 540, 280}, {0, -1, 0}, 0.125, 30});
-    double drawn = 1e9, whole = 1e9;
-    for (int i = 0; i < 20; ++i) {
-        drawn = std::min(drawn, milliseconds([&] { painter.draw(model, cube, buffers); }));
-        whole = std::min(whole, milliseconds([&] { factors.from_points(points, 0); }) / 8);
-    }
+    const Shares shares = shares_of(model);
     fmt::print(
         "\nCornell box, {} texels, {} patches, to 1 % unshot: {} shots, {} hemicubes of 128, {:.1f} s of "
         "processor time\n  drawing {:.0f} %, scanning and summing {:.0f} %, the rest {:.0f} %\n",
         model.texel_count(), model.patches.size(), solver.solution().shots, hemicubes, all / 1000,
-        100 * drawn * hemicubes / all, 100 * (whole - drawn) * hemicubes / all,
-        100 - 100 * whole * hemicubes / all);
+        100 * shares.drawn * hemicubes / all, 100 * (shares.whole - shares.drawn) * hemicubes / all,
+        100 - 100 * shares.whole * hemicubes / all);
 }
 
 int run(const Options& options) {

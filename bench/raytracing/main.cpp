@@ -2,10 +2,9 @@
 // ordinary ray tracer's, and Embree on the same rays, on one thread, in processor time; swept over lights,
 // glossy share, polygons and samples. Writes DIR/NAME.svg and .csv of each sweep, and prints tables. `rays`:
 // rays by kind and the building of hierarchies, beside Embree.
+#include "apps/peak_memory.h"
 #include "image/output_set.h"
 #include "report.h"
-
-#include <sys/resource.h>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -17,14 +16,8 @@ struct Options {
     std::filesystem::path folder;
     std::string sweep = "all";
     int runs = 2;
-    double up_to = 1e30;
+    double from = 0, up_to = 1e30;
 };
-
-std::size_t peak_megabytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return std::size_t(usage.ru_maxrss) / 1024;
-}
 
 void say(const std::string& text) {
     fmt::print("{}", text);
@@ -37,7 +30,7 @@ Row run(const Sweep& sweep, double x, int runs) {
     const scene::View view = scene::make_view(scene, width, height);
     const raytrace::World world(scene, 1);
     row.rays = race(rays_of_picture(scene, world, view), world, runs);
-    row.megabytes = peak_megabytes();
+    row.megabytes = peak_memory() >> 20;
     return row;
 }
 
@@ -45,7 +38,7 @@ void run(const Sweep& sweep, const Options& options) {
     say(heading(sweep));
     std::vector<Row> rows;
     for (const double x : sweep.values) {
-        if (x > options.up_to) break;
+        if (x < options.from || x > options.up_to) continue;
         rows.push_back(run(sweep, x, options.runs));
         say(line(rows.back()));
     }
@@ -96,7 +89,8 @@ int main(int argc, char** argv) {
     app.add_option("-o,--output", options.folder, "Folder of the plots and tables")->required();
     app.add_option("--sweep", options.sweep, "Only this one")->check(CLI::IsMember(names));
     app.add_option("--runs", options.runs, "Best of so many")->check(CLI::Range(1, 100));
-    app.add_option("--up-to", options.up_to, "Of a sweep's values only those up to this one");
+    app.add_option("--from", options.from, "Of a sweep's values only those from this one on ...");
+    app.add_option("--up-to", options.up_to, "... and up to this one");
     CLI11_PARSE(app, argc, argv);
     try {
         return gw::bench::run(options);
