@@ -1,5 +1,6 @@
 // gw compare: item buffer and ordinary ray tracing on one scene, what differs and why. [K4, K4f]
 #include "apps/command.h"
+#include "apps/folder_index.h"
 #include "apps/picture_options.h"
 #include "apps/progress.h"
 #include "apps/table.h"
@@ -99,6 +100,7 @@ int compare(const CompareOptions& options) {
     put("difference.png", sixteen_times, profile.color_bits);
     put("reasons.png", why, 8);
     output.add(options.folder / "differences.csv").write_text(counts_csv(d));
+    put_index(output, options.folder);
     output.commit();
     print(counts_table(d));
     return done;

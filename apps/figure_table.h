@@ -2,6 +2,7 @@
 // figure is a new entry. Does not draw: figures.cpp runs the commands.
 #pragma once
 
+#include "apps/folder_index.h"
 #include "apps/words.h"
 
 #include <optional>
@@ -10,14 +11,8 @@
 
 namespace gw::apps {
 
-/// A file that a command makes, in the figure's folder, and what is said under it.
-struct Shown {
-    std::string file;
-    std::string label;
-};
-
-/// One command, as typed after "gw", and the pictures of it that are shown. "@" stands for the figure's
-/// folder, so that
+/// One command, as typed after "gw", and the pictures of it that are shown, in the figure's folder. "@"
+/// stands for the figure's folder, so that
 /// "-o @a.png" becomes "-o DIR/fig1/a.png". For the command render, the size and a file of counters are
 /// added.
 struct Panel {

@@ -1,8 +1,10 @@
 // gw figures: the papers' figures into a folder, with a page that shows them.
 #include "apps/command.h"
-#include "apps/figure_page.h"
+#include "apps/figure_entry.h"
+#include "apps/index_page.h"
 #include "apps/panel_words.h"
 #include "apps/progress.h"
+#include "apps/shell_words.h"
 #include "apps/terminal.h"
 #include "gw/error.h"
 #include "image/output_set.h"
@@ -24,13 +26,6 @@ struct FiguresOptions {
     bool list = false, quiet = false;
 };
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string text = "build/release/bin/gw";
-    for (const std::string& word : words)
-        text += " " + (word.find_first_of(" '\"\\$&;()") == word.npos ? word : "'" + word + "'");
-    return text;
-}
-
 void print_list() {
     for (const Figure& figure : figures())
         print(fmt::format("{:<14} {:<10} {}\n", figure.name, figure.row, figure.title));
@@ -49,7 +44,7 @@ RanPanel run_panel(const Panel& panel, const FiguresOptions& options, const Figu
     std::vector<std::string> words = words_of(panel, folder);
     const Size size = options.size.value_or(figure.size.value_or(Size{}));
     if (figure.size) set_option(words, "--size", fmt::format("{}x{}", size.width, size.height));
-    RanPanel ran{&panel, joined(words), {}};
+    RanPanel ran{&panel, shell_command(words), {}};
     if (words[0] == "render") {
         ran.counters = fmt::format("counters_{}.json", index + 1);
         words.insert(words.end(), {"--counters", (folder / ran.counters).string()});
@@ -58,6 +53,19 @@ RanPanel run_panel(const Panel& panel, const FiguresOptions& options, const Figu
     const Muted muted;
     run_command(words);
     return ran;
+}
+
+void add_to_index(const fs::path& folder, IndexEntry entry) {
+    FolderIndex index = read_index(folder);
+    add_entry(index, std::move(entry));
+    sort_by_table(index);
+    image::OutputSet output;
+    output.add(folder / index_file).write_text(to_json(index));
+    output.add(folder / "index.html")
+        .write_text(index_page(index, {"The figures",
+                                       "Each command works from the root of the repository. Rows in brackets "
+                                       "are those of docs/papers.md."}));
+    output.commit();
 }
 
 void make_figure(const Figure& figure, const FiguresOptions& options, Progress& progress,
@@ -70,8 +78,7 @@ void make_figure(const Figure& figure, const FiguresOptions& options, Progress& 
             fmt::format("{}, {}, {} of {}", which, figure.name, panels.size() + 1, figure.panels.size()));
         panels.push_back(run_panel(panel, options, figure, panels.size()));
     }
-    image::write_file(folder / "figure.html", figure_part(figure, folder, panels));
-    image::write_file(options.folder / "index.html", figures_page(options.folder));
+    add_to_index(options.folder, figure_entry(figure, options.folder, panels));
 }
 
 int make_figures(const FiguresOptions& options) {
@@ -84,6 +91,7 @@ int make_figures(const FiguresOptions& options) {
         throw Error("scenes: does not exist; expected to be run from the repository's root");
     make_folder(options.folder);
     image::check_target(options.folder / "index.html");
+    read_index(options.folder);
     Progress progress("figures", options.quiet);
     const auto all = wanted_figures(options.only);
     for (std::size_t i = 0; i < all.size(); ++i)

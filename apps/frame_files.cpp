@@ -1,5 +1,6 @@
 #include "apps/frame_files.h"
 
+#include "apps/folder_index.h"
 #include "apps/parameter_sets.h"
 #include "apps/recording_files.h"
 #include "apps/tape.h"
@@ -124,6 +125,8 @@ void draw_frame(const Drawing& drawing, const FrameFiles& files) {
     image::put_picture(output.add(files.picture), picture);
     if (!files.planes.empty()) put_planes(drawing, *machine, view, files, output);
     if (!files.components.empty()) put_components(drawing, *machine, view, picture, files, output);
+    for (const auto& folder : {files.components, files.planes})
+        if (!folder.empty()) put_index(output, folder);
     output.commit();
 }
 

@@ -1,5 +1,6 @@
 // gw hidden: the lecture's hidden-surface algorithms, one or all, with counts, steps and comparisons.
 #include "apps/command.h"
+#include "apps/folder_index.h"
 #include "apps/hidden_files.h"
 #include "apps/hidden_options.h"
 #include "apps/progress.h"
@@ -180,6 +181,8 @@ int surfaces(const HiddenOptions& options) {
     if (!options.steps.empty())
         put_steps(output, options.steps, input, all.front(), log.steps(), options.pictures);
     if (!options.compare.empty()) put_comparison(output, options.compare, input, all);
+    for (const auto& folder : {options.steps, options.compare})
+        if (!folder.empty()) put_index(output, folder);
     output.commit();
     print(options.form == Form::Json  ? counts_json(all)
           : options.form == Form::Csv ? counts_csv(all)

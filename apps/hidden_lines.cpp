@@ -1,5 +1,6 @@
 // gw hidden --algorithm of hidden lines: the drawing, its counts and steps.
 #include "apps/command.h"
+#include "apps/folder_index.h"
 #include "apps/hidden_files.h"
 #include "apps/hidden_options.h"
 #include "apps/hidden_pictures.h"
@@ -126,6 +127,7 @@ int hidden_lines(const HiddenOptions& options) {
     if (!options.steps.empty())
         put_line_steps(output, options, input, result, log.steps(),
                        Pictures(*machine, input, algorithm, result.lines));
+    if (!options.steps.empty()) put_index(output, options.steps);
     output.commit();
     print(text_of(algorithm, result.counts, options.form));
     return done;

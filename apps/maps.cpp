@@ -1,5 +1,6 @@
 // gw maps: what happened to the fragments of every pixel of a recording, as pictures.
 #include "apps/command.h"
+#include "apps/folder_index.h"
 #include "apps/progress.h"
 #include "apps/recording_files.h"
 #include "apps/words.h"
@@ -73,6 +74,7 @@ void put_maps(const inspect::Recording& recording, const inspect::FragmentMaps& 
     image::put_values(
         output.add(folder / "fragments.exr"),
         {w, h, {"made", "written", "alpha_killed", "stencil_killed", "depth_killed"}, std::move(values)});
+    put_index(output, folder);
     output.commit();
 }
 

@@ -9,6 +9,7 @@
 #include "inspect/counters_json.h"
 #include "multipass/driver.h"
 #include "multipass/pass_toml.h"
+#include "report/prices.h"
 
 #include <fmt/format.h>
 
@@ -21,32 +22,40 @@ enum class Form { Text, Json, Csv, Toml };
 struct PassesOptions {
     PictureOptions picture;
     Form form = Form::Text;
+    std::filesystem::path prices;  ///< empty: a VGX's
 };
 
 /// A pass that ran, and its parameter set; none for passes that the driver adds.
 struct RunPass {
     PassReport report;
     std::string set;
+    double seconds = 0;  ///< estimated
 };
 
 /// The list as the paper writes it, and what ran.
 struct Printout {
     multipass::PassList list;
+    report::PriceList prices;
     std::vector<RunPass> runs;
     Counters sum;
+    double seconds = 0;  ///< estimated
 };
 
-Printout run_passes(const PictureOptions& options) {
+Printout run_passes(const PassesOptions& wanted) {
+    const PictureOptions& options = wanted.picture;
+    auto prices = wanted.prices.empty() ? report::vgx_prices() : report::read_prices(wanted.prices);
     const Progress progress("drawing", options.quiet);
     const Drawing drawing = make_drawing(options);
-    Printout printout{passes_of(drawing), {}, {}};
+    Printout printout{passes_of(drawing), std::move(prices), {}, {}};
     const auto sets = parameter_sets(drawing);
     const auto machine = make_machine(options, drawing.profile);
     draw(drawing, scene::make_view(drawing.scene, options.size.width, options.size.height), *machine);
     for (const PassReport& report : machine->passes()) {
         const auto set = sets.find(report.name);
-        printout.runs.push_back({report, set == sets.end() ? "" : set->second});
+        const double seconds = estimated_seconds(report.counters, printout.prices);
+        printout.runs.push_back({report, set == sets.end() ? "" : set->second, seconds});
         printout.sum += report.counters;
+        printout.seconds += seconds;
     }
     return printout;
 }
@@ -59,25 +68,34 @@ std::string text(const Printout& printout) {
         shown.push_back(counter);
         header.push_back(counter.name);
     }
+    header.push_back("estimated");
     std::vector<std::vector<std::string>> rows{header};
-    const auto add_row = [&](const std::string& name, const Counters& counters) {
+    const auto add_row = [&](const std::string& name, const Counters& counters, double seconds) {
         rows.push_back({name});
         for (const CounterName& counter : shown)
             rows.back().push_back(std::to_string(counters.*counter.count));
+        rows.back().push_back(fmt::format("{:.4f} s", seconds));
     };
-    for (const RunPass& run : printout.runs) add_row(run.report.name, run.report.counters);
-    add_row(fmt::format("{} passes", printout.runs.size()), printout.sum);
-    return multipass::print_passes(printout.list) + "\n" + table(rows);
+    for (const RunPass& run : printout.runs) add_row(run.report.name, run.report.counters, run.seconds);
+    add_row(fmt::format("{} passes", printout.runs.size()), printout.sum, printout.seconds);
+    return multipass::print_passes(printout.list) + "\n" + table(rows) +
+           fmt::format("\nestimated: time by a price list, of {}\n", printout.prices.machine);
 }
 
 std::string json(const Printout& printout) {
     auto list = nlohmann::ordered_json::array(), runs = list;
     for (const multipass::Pass& pass : printout.list) list.push_back(multipass::to_string(pass));
-    for (const auto& [report, set] : printout.runs) {
-        runs.push_back(
-            {{"name", report.name}, {"set", set}, {"counters", inspect::json_of(report.counters)}});
+    for (const auto& [report, set, seconds] : printout.runs) {
+        runs.push_back({{"name", report.name},
+                        {"set", set},
+                        {"counters", inspect::json_of(report.counters)},
+                        {"estimated_seconds", seconds}});
     }
-    return nlohmann::ordered_json{{"list", list}, {"passes", runs}, {"sum", inspect::json_of(printout.sum)}}
+    return nlohmann::ordered_json{{"list", list},
+                                  {"passes", runs},
+                                  {"sum", inspect::json_of(printout.sum)},
+                                  {"estimated_seconds", printout.seconds},
+                                  {"estimated_machine", printout.prices.machine}}
                .dump(2) +
            "\n";
 }
@@ -92,11 +110,11 @@ std::string quoted(const std::string& text) {
 std::string csv(const Printout& printout) {
     std::string out = "name,set";
     for (const auto& [name, count] : counter_names()) out += std::string(",") + name;
-    out += "\n";
-    for (const auto& [report, set] : printout.runs) {
+    out += ",estimated_seconds\n";
+    for (const auto& [report, set, seconds] : printout.runs) {
         out += quoted(report.name) + "," + quoted(set);
         for (const auto& [name, count] : counter_names()) out += fmt::format(",{}", report.counters.*count);
-        out += "\n";
+        out += fmt::format(",{}\n", seconds);
     }
     return out;
 }
@@ -110,7 +128,7 @@ int print_passes(const PassesOptions& options) {
         print(multipass::to_toml(passes_of(make_drawing(options.picture))));
         return done;
     }
-    const Printout printout = run_passes(options.picture);
+    const Printout printout = run_passes(options);
     print(options.form == Form::Json  ? json(printout)
           : options.form == Form::Csv ? csv(printout)
                                       : text(printout));
@@ -132,6 +150,10 @@ Command add_passes(CLI::App& app) {
     add_form("--toml", Form::Toml, "The list alone, as a scene file holds it; nothing is drawn")
         ->excludes(json_flag)
         ->excludes(csv_flag);
+    command
+        ->add_option("--prices", options->prices,
+                     "Another price list for the estimated time (default: a VGX's)")
+        ->type_name("FILE.toml");
     command->footer("Example:\n  build/release/bin/gw passes scenes/rings.toml");
     return {command, [options] { return print_passes(*options); }};
 }

@@ -1,5 +1,6 @@
 // gw radiosity: pixmaps are solved, saved, shown, changed [F].
 #include "apps/command.h"
+#include "apps/folder_index.h"
 #include "apps/interruption.h"
 #include "apps/progress.h"
 #include "apps/radiosity_files.h"
@@ -108,6 +109,7 @@ private:
             image::OutputSet files;
             RadiosityPictures(options_, scene_)
                 .put(solver_, fmt::format("shot_{:06}", solver_.solution().shots), files);
+            put_index(files, options_.output);
             files.commit();
         }
         if (options_.save && seconds_since(saved_at_) > seconds_between_saves) {
@@ -137,6 +139,7 @@ private:
         const std::string text = RadiosityPictures(options_, scene_).put(solver_, "picture", files);
         if (options_.save) put_saved(files);
         put_report(steps_, options_.output, files);
+        put_index(files, options_.output);
         files.commit();
         const Step& last = steps_.back();
         const radiosity::Model& model = solver_.model();
@@ -162,6 +165,7 @@ private:
             update.patches, more, seconds_since(begin), unshot(solver_)));
         image::OutputSet files;
         const std::string text = RadiosityPictures(options_, changed).put(solver_, "changed", files);
+        put_index(files, options_.output);
         files.commit();
         print(text);
         if (options_.anew) compare(radiosity::make_model(changed, options_.model));

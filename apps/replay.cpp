@@ -1,5 +1,6 @@
 // gw replay: a recording on a machine of this process, without the scene that it was made of.
 #include "apps/command.h"
+#include "apps/folder_index.h"
 #include "apps/machine_options.h"
 #include "apps/osmesa.h"
 #include "apps/progress.h"
@@ -68,6 +69,7 @@ void write_files(const ReplayOptions& options, const inspect::Recording& recordi
         image::put_picture(
             output.add(options.picture),
             image::picture_of(planes.color, planes.width, planes.height, recording.profile.color_bits));
+    if (!options.planes.empty()) put_index(output, options.planes);
     output.commit();
 }
 

@@ -1,6 +1,7 @@
 // From arguments to an exit code. The only place that catches.
 #include "apps/command.h"
 #include "apps/mistyped.h"
+#include "apps/running_command.h"
 #include "apps/terminal.h"
 #include "apps/versions.h"
 #include "gw/error.h"
@@ -24,9 +25,9 @@ int report(ExitCode code, std::string what) {
 }
 
 void add_commands(CLI::App& app, std::vector<Command>& commands) {
-    for (auto add : {add_render, add_passes, add_record, add_replay, add_verify, add_diff, add_pixel,
-                     add_maps, add_hidden, add_styles, add_cast, add_compare, add_radiosity, add_figures,
-                     add_study, add_golden, add_info, add_describe}) {
+    for (auto add : {add_render,  add_passes,  add_record, add_replay, add_verify, add_diff,    add_pixel,
+                     add_maps,    add_inspect, add_hidden, add_styles, add_cast,   add_compare, add_radiosity,
+                     add_figures, add_index,   add_study,  add_golden, add_info,   add_describe}) {
         commands.push_back(add(app));
         commands.back().app->allow_extras();  // so that `mistyped` sees the word
     }
@@ -55,6 +56,7 @@ int parse_and_run(CLI::App& app, const std::vector<Command>& commands,
 }  // namespace
 
 int run_command(const std::vector<std::string>& arguments) {
+    const RunningCommand running(arguments);
     CLI::App app{about, "gw"};
     app.footer(
         "Exit codes: 0 done, 1 wrong input or output that cannot be written, 2 usage, 3 a difference "

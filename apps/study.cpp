@@ -1,5 +1,6 @@
 // gw study: measurements of pictures, as plots with their numbers.
 #include "apps/command.h"
+#include "apps/folder_index.h"
 #include "apps/machine_options.h"
 #include "apps/picture_options.h"
 #include "apps/progress.h"
@@ -91,6 +92,7 @@ int study_convergence(const StudyOptions& options) {
         }
         rows.push_back(std::move(grid));
     }
+    put_index(output, options.output);
     output.commit();
     print(table(rows));
     return done;
@@ -130,6 +132,7 @@ int study_precision(const StudyOptions& options) {
     output.make_folder(options.output);
     put_plot(output, options, "adding", "precision", study::adding_plot(added));
     put_plot(output, options, "distance", "precision", study::distance_plot(apart));
+    put_index(output, options.output);
     output.commit();
     print(adding_table(added) + "\n" + distance_table(apart));
     return done;
@@ -156,6 +159,7 @@ int study_hemicube(const StudyOptions& options) {
     image::OutputSet output;
     output.make_folder(options.output);
     put_plot(output, options, "hemicube", "hemicube", study::hemicube_plot(rows));
+    put_index(output, options.output);
     output.commit();
     std::vector<std::vector<std::string>> lines{
         {"hemicube", "pixels a texel", "rms drawn", "oversampled", "missed drawn", "oversampled"}};

@@ -1,6 +1,7 @@
 #include "apps/study_hidden.h"
 
 #include "apps/command.h"
+#include "apps/folder_index.h"
 #include "apps/progress.h"
 #include "apps/table.h"
 #include "apps/terminal.h"
@@ -173,6 +174,7 @@ int study_hidden(const HiddenStudyOptions& options) {
     output.add(options.output / "growth.csv").write_text(study::growth_csv(growth));
     output.add(options.output / "laws.csv").write_text(study::laws_csv(laws));
     output.add(options.output / "costs.csv").write_text(costs);
+    put_index(output, options.output);
     output.commit();
     print(growth_text + ranking_texts);
     return done;

@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # The command's own parts and the tests' are not for others.
-foreach(folder machine opengl scene image multipass raytrace itembuffer hiddensurface radiosity inspect plot study testing)
+foreach(folder machine opengl scene image multipass raytrace itembuffer hiddensurface radiosity inspect report plot study testing)
     if(TARGET gw_${folder})
         install(TARGETS gw_${folder} EXPORT gw COMPONENT development
             ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

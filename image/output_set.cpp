@@ -45,6 +45,12 @@ OutputFile& OutputSet::add(const fs::path& target) {
     return *files_.back();
 }
 
+std::vector<fs::path> OutputSet::targets() const {
+    std::vector<fs::path> names;
+    for (const auto& file : files_) names.push_back(file->target());
+    return names;
+}
+
 void OutputSet::commit() {
     for (const auto& file : files_) file->commit();
     for (const fs::path& folder : made_) forget_temporary(folder);

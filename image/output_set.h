@@ -20,6 +20,8 @@ public:
     void make_folder(const std::filesystem::path& folder);
     /// To be written to before commit.
     OutputFile& add(const std::filesystem::path& target);
+    /// Of the files added since the last commit, in their order.
+    std::vector<std::filesystem::path> targets() const;
     void commit();
 
 private:

@@ -1,53 +1,10 @@
 #include "inspect/pixel_history.h"
 
 #include "gw/reference/make.h"
-#include "inspect/player.h"
+#include "inspect/following_observer.h"
 
 namespace gw::inspect {
 namespace {
-
-/// Knows which command of the recording is being executed, and in which pass.
-class FollowingObserver : public Observer {
-public:
-    explicit FollowingObserver(const Recording& recording) : passes_(pass_ranges(recording)) {
-        for (const CommandList& list : recording.lists)
-            for (const Command& command : list.commands) commands_.push_back(&command);
-    }
-
-    void begin_command(std::size_t) override {
-        if (started_) ++command_;
-        started_ = true;
-        while (pass_ + 1 < passes_.size() && command_ >= passes_[pass_].end) {
-            ++pass_;
-            draws_ = 0;
-        }
-        if (std::holds_alternative<Draw>(command())) ++draws_;
-    }
-
-protected:
-    const Command& command() const { return *commands_[command_]; }
-    std::size_t pass() const { return pass_; }
-
-    PixelEvent event(const PixelValues& before, const PixelValues& after) const {
-        PixelEvent e{.pass = pass_, .pass_name = passes_[pass_].name, .command = command_};
-        e.command_name = inspect::name_of(command());
-        if (std::holds_alternative<Draw>(command())) e.draw = draws_ - 1;
-        e.before = before;
-        e.after = after;
-        return e;
-    }
-
-private:
-    std::vector<PassRange> passes_;
-    std::vector<const Command*> commands_;
-    std::size_t command_ = 0, pass_ = 0, draws_ = 0;
-    bool started_ = false;
-};
-
-std::uint32_t polygon_of(const Mesh& mesh, std::uint32_t primitive) {
-    return mesh.polygon_id(mesh.kind() == MeshKind::Triangles ? mesh.triangles()[primitive].polygon
-                                                              : primitive);
-}
 
 class PixelObserver : public FollowingObserver {
 public:
@@ -57,8 +14,7 @@ public:
                   const PixelValues& after) override {
         if (f.x != x_ || f.y != y_) return;
         PixelEvent e = event(before, after);
-        if (const auto* draw = std::get_if<Draw>(&command()))
-            e.polygon = polygon_of(*draw->mesh, f.primitive);
+        e.polygon = polygon(f);
         e.fragment = f;
         e.fate = fate;
         events.push_back(std::move(e));
@@ -75,6 +31,15 @@ public:
     std::vector<PixelEvent> events;
 
 private:
+    PixelEvent event(const PixelValues& before, const PixelValues& after) const {
+        PixelEvent e{.pass = pass(), .pass_name = pass_name(), .command = command_index()};
+        e.command_name = inspect::name_of(command());
+        e.draw = draw();
+        e.before = before;
+        e.after = after;
+        return e;
+    }
+
     int x_, y_;
 };
 

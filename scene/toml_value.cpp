@@ -2,6 +2,7 @@
 
 #include "gw/error.h"
 #include "scene/number.h"
+#include "scene/read_toml_text.h"
 #include "scene/suggest.h"
 #include "scene/text_file.h"
 #include "scene/toml_text.h"
@@ -127,14 +128,16 @@ private:
 
 }  // namespace
 
-TomlValue read_toml_file(const std::filesystem::path& path) {
-    const std::string text = toml_text(path.string(), read_text(path));
+TomlValue read_toml_text(const std::string& raw, const std::filesystem::path& name) {
+    const std::string text = toml_text(name.string(), raw);
     try {
-        return Converter(path.string(), text).convert(toml::parse(text, path.string()), "", "");
+        return Converter(name.string(), text).convert(toml::parse(text, name.string()), "", "");
     } catch (const toml::parse_error& error) {
-        throw Error(path.string(), static_cast<int>(error.source().begin.line),
+        throw Error(name.string(), static_cast<int>(error.source().begin.line),
                     printable(error.description(), 200));
     }
 }
+
+TomlValue read_toml_file(const std::filesystem::path& path) { return read_toml_text(read_text(path), path); }
 
 }  // namespace gw::scene

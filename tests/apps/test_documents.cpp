@@ -1,5 +1,5 @@
-// The commands in README.md, docs/commands.md, docs/hiddensurfaces.md, docs/recordings.md and
-// docs/lecture.md work as they stand there.
+// The commands in README.md, docs/commands.md, docs/inspect.md, docs/hiddensurfaces.md, docs/recordings.md
+// and docs/lecture.md work as they stand there.
 #include "examples.h"
 
 namespace gw::apps {
@@ -15,6 +15,12 @@ TEST_F(Documents, ReadmesTourWorks) {
 TEST_F(Documents, CommandReferenceWorks) {
     const auto commands = examples(bytes_of(GW_SOURCE_DIR "/docs/commands.md"));
     EXPECT_GE(commands.size(), 5u);
+    expect_to_work(commands);
+}
+
+TEST_F(Documents, ReportsCommandsWork) {
+    const auto commands = examples(bytes_of(GW_SOURCE_DIR "/docs/inspect.md"));
+    EXPECT_EQ(commands.size(), 2u);
     expect_to_work(commands);
 }
 

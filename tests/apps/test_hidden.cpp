@@ -45,9 +45,10 @@ TEST_F(Hidden, PrintsTheSameCountsAsCsv) {
 TEST_F(Hidden, WritesStepsThatEndWithThePicture) {
     const Outcome outcome = hidden({"--algorithm", "newell", "--steps", "s", "--pictures", "3"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(names("s"), (std::vector<std::string>{"difference.png", "picture.png", "pieces.svg",
-                                                    "step_0001.png", "step_0002.png", "step_0003.png",
-                                                    "steps.gif", "steps.jsonl", "writes.png"}));
+    EXPECT_EQ(names("s"),
+              (std::vector<std::string>{"difference.png", "index.html", "index.json", "picture.png",
+                                        "pieces.svg", "step_0001.png", "step_0002.png", "step_0003.png",
+                                        "steps.gif", "steps.jsonl", "writes.png"}));
     EXPECT_EQ(bytes_of(in("s/steps.gif")).substr(0, 6), "GIF89a");
     EXPECT_NE(bytes_of(in("s/pieces.svg")).find("<path"), std::string::npos);
     std::istringstream log(bytes_of(in("s/steps.jsonl")));

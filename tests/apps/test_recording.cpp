@@ -121,8 +121,8 @@ TEST_F(Recordings, APixelsHistoryIsInPictureCoordinates) {
 TEST_F(Recordings, MapsShowWhereFragmentsWereMade) {
     ASSERT_EQ(record({"lamps.toml", "-o", "t.gwt"}).code, 0);
     ASSERT_EQ(gw({"maps", "t.gwt", "-o", "maps"}).code, 0);
-    EXPECT_EQ(names("maps"), (std::vector<std::string>{"depth_complexity.png", "fragments.exr",
-                                                       "overdraw.png", "why_killed.png"}));
+    EXPECT_EQ(names("maps"), (std::vector<std::string>{"depth_complexity.png", "fragments.exr", "index.html",
+                                                       "index.json", "overdraw.png", "why_killed.png"}));
     ASSERT_EQ(gw({"maps", "t.gwt", "-o", "depth", "--pass", "depth"}).code, 0);
     const Pixels why = read_pixels(in("depth/why_killed.png"));
     EXPECT_EQ(why.at(0, 0), (std::vector<float>{0, 0, 0}));

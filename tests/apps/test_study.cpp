@@ -13,8 +13,8 @@ TEST_F(Study, ConvergenceWritesPlotsAndTheirNumbers) {
     EXPECT_EQ(outcome.err, "");
     EXPECT_NE(outcome.out.find("\nantialiasing "), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("N^-"), std::string::npos) << outcome.out;
-    EXPECT_EQ(names("out"), (std::vector<std::string>{"antialiasing.csv", "antialiasing.svg",
-                                                      "soft_shadow.csv", "soft_shadow.svg"}));
+    EXPECT_EQ(names("out"), (std::vector<std::string>{"antialiasing.csv", "antialiasing.svg", "index.html",
+                                                      "index.json", "soft_shadow.csv", "soft_shadow.svg"}));
     const std::string svg = bytes_of(in("out/antialiasing.svg")), csv = bytes_of(in("out/antialiasing.csv"));
     EXPECT_NE(svg.find("build/release/bin/gw study convergence -o out --samples 4"), svg.npos);
     EXPECT_EQ(csv.substr(0, 10), "samples N,");

@@ -1,0 +1,11 @@
+// The files of report/page and report/prices, built in: a report needs nothing but the program.
+#pragma once
+
+#include <string_view>
+
+namespace gw::report {
+
+/// A file's bytes by its name: "report.css". Throws Error where there is none.
+std::string_view embedded(std::string_view name);
+
+}  // namespace gw::report
