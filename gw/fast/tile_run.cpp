@@ -31,6 +31,11 @@ namespace {
 
 constexpr std::uint32_t every_lane = 0xFFFF;
 
+/// Whole blocks are the rule, and counting bits is a call on processors of any age.
+std::uint64_t lane_count(std::uint32_t mask) {
+    return mask == every_lane ? block_pixels : std::uint64_t(std::popcount(mask));
+}
+
 /// Calls visit(block, bx, by, mask) for each block of a box that has lanes inside.
 template <typename Visit>
 void for_each_block(const Tile& tile, const BlockBox& box, const Visit& visit) {
@@ -91,7 +96,7 @@ struct TileRun {
                    wants_stencil = wants(Plane::Stencil), wants_accum = wants(Plane::Accum);
         std::uint64_t pixels = 0;
         for_each_block(tile, box(r.pixel_box), [&](std::size_t b, int, int, std::uint32_t mask) {
-            pixels += mask == every_lane ? block_pixels : std::uint64_t(std::popcount(mask));
+            pixels += lane_count(mask);
             if (wants_color) clear_color(r.state.color_mask, color, tile.color[b], mask);
             if (wants_depth) fill_lanes(tile.depth[b].value, depth, mask);
             if (wants_stencil) clear_stencil(r, stencil, tile.stencil[b], mask);
@@ -168,7 +173,7 @@ struct TileRun {
                                process_fragments({&r, b, mask, true}, color, depth, tile, *counts);
                                return;
                            }
-                           counts->pixels += std::uint64_t(std::popcount(mask));
+                           counts->pixels += lane_count(mask);
                            for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
                                const std::uint32_t value = w.values[source(x, y)];
                                if (w.plane == Plane::Depth && r.depth_mask) tile.depth[b].value[lane] = value;
@@ -181,14 +186,14 @@ struct TileRun {
 
     void run(const AccumulateOp& op) {
         for_each_block(tile, box(op.state.pixel_box), [&](std::size_t b, int, int, std::uint32_t mask) {
-            counts->pixels += std::uint64_t(std::popcount(mask));
+            counts->pixels += lane_count(mask);
             counts->accum_overflows += accumulate_block(op, profile, tile.accum[b], tile.color[b], mask);
         });
     }
 
     void run(const ReadOp& op) {
         for_each_block(tile, box(op.read->rect), [&](std::size_t b, int bx, int by, std::uint32_t mask) {
-            counts->pixels += std::uint64_t(std::popcount(mask));
+            counts->pixels += lane_count(mask);
             switch (op.read->plane) {
                 case Plane::Color:
                     return read_block(op, bx, by, mask, pixels_of(tile.color[b]), op.out->color);
