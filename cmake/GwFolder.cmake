@@ -33,7 +33,10 @@ function(gw_library folder)
 
     # Headers are included from the root of the repository, and so from the root of where they are installed.
     file(GLOB_RECURSE headers CONFIGURE_DEPENDS *.h)
+    set(observer ${headers})  # what inspect's headers show of the reference machine
+    list(FILTER observer INCLUDE REGEX "/gw/reference/observer\\.h$")
     list(FILTER headers EXCLUDE REGEX "-inl\\.h$|/gw/(fast|reference)/")
+    list(APPEND headers ${observer})
     target_sources(gw_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
     set_target_properties(gw_${name} PROPERTIES EXPORT_NAME ${name})
 endfunction()
