@@ -141,8 +141,9 @@ TEST_F(Hidden, DrawsHiddenLinesWithStepsAndCounts) {
         EXPECT_NE(outcome.out.find(name), std::string::npos);
         EXPECT_NE(outcome.out.find("\nlines "), std::string::npos);
         EXPECT_EQ(names(name),
-                  (std::vector<std::string>{"difference.png", "lines.svg", "picture.png", "step_0001.png",
-                                            "step_0002.png", "step_0003.png", "steps.gif", "steps.jsonl"}));
+                  (std::vector<std::string>{"difference.png", "index.html", "index.json", "lines.svg",
+                                            "picture.png", "step_0001.png", "step_0002.png", "step_0003.png",
+                                            "steps.gif", "steps.jsonl"}));
         std::istringstream log(bytes_of(in(name + "/steps.jsonl")));
         int lines = 0;
         for (std::string line; std::getline(log, line); ++lines) EXPECT_TRUE(nlohmann::json::accept(line));
