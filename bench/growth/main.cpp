@@ -104,5 +104,10 @@ int main(int argc, char** argv) {
     app.add_option("--repeats", options.repeats, "timed repeats")->check(CLI::Range(1, 1000));
     app.add_flag("--largest", options.largest, "draw the largest frame and print its memory");
     CLI11_PARSE(app, argc, argv);
-    gw::growth::run(options);
+    try {
+        gw::growth::run(options);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "bench_growth: {}\n", error.what());
+        return 1;
+    }
 }

@@ -16,7 +16,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 
 namespace gw::peers {
 namespace {
@@ -133,6 +132,8 @@ plot::Plot ratios(const std::vector<Row>& rows, const std::string& renderer, con
 }
 
 int run(const Options& options) {
+    for (const std::string& file : {options.json, options.plot})
+        if (!file.empty()) image::check_target(file);
     Window scene(scene_frame(options.scene.c_str()), options.threads);
     Window fill(fill_frame(), options.threads);
     const std::string renderer = scene.lists.renderer();
@@ -150,13 +151,12 @@ int run(const Options& options) {
     }
     if (!options.plot.empty()) image::write_file(options.plot, plot::svg(ratios(rows, renderer, options)));
     if (options.json.empty()) return 0;
-    std::ofstream(options.json) << nlohmann::json{{"renderer", renderer},
-                                                  {"threads", options.threads},
-                                                  {"simd", simd_target()},
-                                                  {"repeats", options.repeats},
-                                                  {"workloads", json}}
-                                       .dump(2)
-                                << '\n';
+    const nlohmann::json table{{"renderer", renderer},
+                               {"threads", options.threads},
+                               {"simd", simd_target()},
+                               {"repeats", options.repeats},
+                               {"workloads", json}};
+    image::write_file(options.json, table.dump(2) + "\n");
     return 0;
 }
 
@@ -171,9 +171,14 @@ int main(int argc, char** argv) {
     app.add_option("--only", options.only, "letters of the workloads to run");
     app.add_option("--repeats", options.repeats, "timed repeats")->check(CLI::Range(1, 1000));
     app.add_option("--threads", options.threads, "of the machine")->check(CLI::Range(1, 256));
-    app.add_flag("--alone", options.alone, "only the machine, for a profiler");
+    CLI::Option* alone = app.add_flag("--alone", options.alone, "only the machine, for a profiler");
     app.add_option("--json", options.json, "write the table to this file too");
-    app.add_option("--plot", options.plot, "draw the ratios into this SVG file");
+    app.add_option("--plot", options.plot, "draw the ratios into this SVG file")->excludes(alone);
     CLI11_PARSE(app, argc, argv);
-    return gw::peers::run(options);
+    try {
+        return gw::peers::run(options);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "bench_peers: {}\n", error.what());
+        return 1;
+    }
 }
