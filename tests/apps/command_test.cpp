@@ -61,42 +61,21 @@ std::string bytes_of(const fs::path& file) {
 }
 
 Outcome run_process(const std::vector<std::string>& words, const Surroundings& around) {
-    std::string folder = (fs::temp_directory_path() / "gw-out-XXXXXX").string();
-    ::mkdtemp(folder.data());
-    const std::string out = around.stdout_file.empty() ? folder + "/out" : around.stdout_file;
-    const std::string err = folder + "/err";
+    const TemporaryFolder folder;
+    const std::string out = around.stdout_file.empty() ? (folder / "out").string() : around.stdout_file;
+    const std::string err = folder / "err";
     const pid_t child = ::fork();
     if (child == 0) become(words, around, out, err);
     Outcome outcome;
     outcome.code = wait_for(child, around);
     if (around.stdout_file.empty()) outcome.out = bytes_of(out);
     outcome.err = bytes_of(err);
-    fs::remove_all(folder);
     return outcome;
-}
-
-CommandTest::CommandTest() {
-    std::string folder = (fs::temp_directory_path() / "gw-test-XXXXXX").string();
-    folder_ = ::mkdtemp(folder.data());
-}
-
-CommandTest::~CommandTest() { fs::remove_all(folder_); }
-
-void CommandTest::write(const std::string& name, const std::string& text) const {
-    std::ofstream(in(name), std::ios::binary) << text;
-}
-
-std::vector<std::string> CommandTest::names(const std::string& folder) const {
-    std::vector<std::string> found;
-    for (const auto& entry : fs::directory_iterator(in(folder)))
-        found.push_back(entry.path().filename().string());
-    std::sort(found.begin(), found.end());
-    return found;
 }
 
 Outcome CommandTest::gw(std::vector<std::string> arguments, Surroundings surroundings) const {
     arguments.insert(arguments.begin(), GW_BIN_DIR "/gw");
-    if (surroundings.folder.empty()) surroundings.folder = folder_;
+    if (surroundings.folder.empty()) surroundings.folder = folder_.path();
     return run_process(arguments, surroundings);
 }
 

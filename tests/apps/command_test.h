@@ -1,6 +1,8 @@
 // Runs the real binary in a folder of its own, as a user would. Does not look into it.
 #pragma once
 
+#include "../temporary_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -30,13 +32,10 @@ std::string bytes_of(const std::filesystem::path& file);
 /// A test with a folder that goes away with it.
 class CommandTest : public testing::Test {
 protected:
-    CommandTest();
-    ~CommandTest() override;
-
     std::filesystem::path in(const std::string& name) const { return folder_ / name; }
-    void write(const std::string& name, const std::string& text) const;
+    void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
     /// Names in the folder, sorted.
-    std::vector<std::string> names(const std::string& folder = ".") const;
+    std::vector<std::string> names(const std::string& folder = ".") const { return folder_.names(folder); }
 
     /// Runs gw in the folder.
     Outcome gw(std::vector<std::string> arguments, Surroundings surroundings = {}) const;
@@ -47,7 +46,7 @@ protected:
                         const std::vector<std::string>& parts, Surroundings surroundings = {}) const;
 
 private:
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
 };
 
 }  // namespace gw::apps

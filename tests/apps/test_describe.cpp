@@ -1,10 +1,10 @@
 // gw describe: the forms hold every command and option, and the shell that reads them completes what they
 // say.
+#include "../temporary_folder.h"
 #include "command_test.h"
 #include "examples.h"
 
 #include <cstdio>
-#include <fstream>
 
 namespace gw::apps {
 
@@ -20,14 +20,15 @@ protected:
 
     /// What bash offers for the last of these words.
     std::string completed(const std::string& words, int count) {
-        const std::string script = ::testing::TempDir() + "gw_describe.bash";
-        std::ofstream(script) << described("bash") << "COMP_WORDS=(" << words << ") COMP_CWORD=" << count - 1
-                              << "\n_gw\necho \"${COMPREPLY[@]}\"\n";
-        std::FILE* pipe = popen(("bash " + script).c_str(), "r");
+        const TemporaryFolder folder;
+        const std::filesystem::path script =
+            folder.write("describe.bash", described("bash") + "COMP_WORDS=(" + words +
+                                              ") COMP_CWORD=" + std::to_string(count - 1) +
+                                              "\n_gw\necho \"${COMPREPLY[@]}\"\n");
+        std::FILE* pipe = popen(("bash " + script.string()).c_str(), "r");
         char line[4096] = "";
         const char* read = std::fgets(line, sizeof line, pipe);
         EXPECT_EQ(pclose(pipe), 0);
-        std::remove(script.c_str());
         return read ? read : "";
     }
 };

@@ -21,13 +21,13 @@ Layers example() {
 
 class LayersTest : public testing::Test {
 protected:
-    std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "layers_test.exr";
+    Folder folder;
+    const std::filesystem::path file = folder / "layers.exr";
     void SetUp() override {
         OutputFile output(file);
         put_layers(output, example());
         output.commit();
     }
-    void TearDown() override { std::filesystem::remove(file); }
 };
 
 TEST_F(LayersTest, ComeBackBitForBit) { EXPECT_EQ(read_layers(file), example()); }

@@ -5,10 +5,7 @@
 #include "scenes.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
+#include "../temporary_folder.h"
 
 namespace gw::multipass {
 namespace {
@@ -20,8 +17,6 @@ constexpr std::size_t middle = size / 2 * size + size / 2;
 class ComponentMaps : public testing::Test {
 protected:
     ComponentMaps() {
-        std::string name = (std::filesystem::temp_directory_path() / "gw_maps_XXXXXX").string();
-        folder_ = ::mkdtemp(name.data());
         write(
             "q.obj",
             "mtllib m.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n"
@@ -30,11 +25,7 @@ protected:
               "newmtl m\nKa 1 1 1\nKd 1 1 1\nKs 1 1 1\nKe 1 1 1\nNs 0\n"
               "map_Ka a.png\nmap_Kd d.png\nmap_Kd d2.png\nmap_Ks s.png\nmap_Ke e.png\nrefl r.png\n");
     }
-    ~ComponentMaps() override { std::filesystem::remove_all(folder_); }
-
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name) << text;
-    }
+    void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
 
     /// The colours of the square in each component's image.
     std::vector<std::pair<std::string, Rgba>> images(const std::string& material) const {
@@ -66,7 +57,7 @@ protected:
     }
 
 private:
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
 };
 
 using Images = std::vector<std::pair<std::string, Rgba>>;

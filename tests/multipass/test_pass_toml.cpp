@@ -8,32 +8,23 @@
 #include "scenes.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
+#include "../temporary_folder.h"
 
 namespace gw::multipass {
 namespace {
 
 class PassToml : public testing::Test {
 protected:
-    PassToml() {
-        std::string name = (std::filesystem::temp_directory_path() / "gw_passes_XXXXXX").string();
-        folder_ = ::mkdtemp(name.data());
-    }
-    ~PassToml() override { std::filesystem::remove_all(folder_); }
-
     PassList read(const std::string& text) const {
-        std::ofstream(folder_ / "s.toml") << "[[object]]\nshape = 'box'\n" << text;
-        return read_passes(scene::read_scene(folder_ / "s.toml").passes);
+        return read_passes(
+            scene::read_scene(folder_.write("s.toml", "[[object]]\nshape = 'box'\n" + text)).passes);
     }
     /// The message without the folder.
     std::string fault(const std::string& text) const {
         try {
             read(text);
         } catch (const Error& error) {
-            return std::string(error.what()).substr(folder_.string().size() + 1);
+            return std::string(error.what()).substr(folder_.path().string().size() + 1);
         }
         return "no error";
     }
@@ -43,7 +34,7 @@ protected:
     }
 
 private:
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
 };
 
 /// A scene for each list that passes_for makes.

@@ -4,9 +4,7 @@
 #include "gw/error.h"
 
 #include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
+#include "../temporary_folder.h"
 
 namespace gw::report {
 
@@ -15,13 +13,7 @@ namespace {
 /// A price list in a file that goes away.
 class Prices : public testing::Test {
 protected:
-    Prices() : file_(testing::TempDir() + "gw_prices.toml") {}
-    ~Prices() override { std::filesystem::remove(file_); }
-
-    PriceList read(const std::string& text) const {
-        std::ofstream(file_) << text;
-        return read_prices(file_);
-    }
+    PriceList read(const std::string& text) const { return read_prices(folder_.write("prices.toml", text)); }
     void expect_refused(const std::string& text, const std::string& part) const {
         try {
             read(text);
@@ -33,7 +25,7 @@ protected:
     }
 
 private:
-    std::string file_;
+    TemporaryFolder folder_;
 };
 
 std::string price(const std::string& count, const std::string& stage, const std::string& nanoseconds) {
@@ -80,7 +72,7 @@ TEST_F(Prices, WrongListsAreRefusedWithTheirLine) {
                    "a second price of 'pixels'");
     expect_refused("machine = \"m\"\n[[price]]\ncount = \"pixels\"\nstage = \"pixels\"\nnanoseconds = 1\n",
                    "without 'source'");
-    expect_refused("machine = ", "gw_prices.toml");
+    expect_refused("machine = ", "prices.toml");
 }
 
 }  // namespace gw::report

@@ -7,6 +7,7 @@
 #include "inspect/player.h"
 
 #include "../inspect/three_passes.h"
+#include "../temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -31,12 +32,6 @@ std::string text_of(const fs::path& file) {
 
 class Reports : public testing::Test {
 protected:
-    Reports() : folder_(testing::TempDir() + "gw_report_test") {
-        fs::remove_all(folder_);
-        fs::create_directory(folder_);
-    }
-    ~Reports() override { fs::remove_all(folder_); }
-
     ReportSummary write(const inspect::Recording& recording, ReportOptions options = {}) const {
         options.file = "t.gwt";
         options.prices = vgx_prices();
@@ -64,7 +59,8 @@ protected:
         }
     }
 
-    fs::path folder_;
+    TemporaryFolder here_;
+    const fs::path folder_ = here_.path();
 };
 
 /// "shaded": a square of two polygons over the right half of 4 x 2 pixels. "ids": its identifiers.

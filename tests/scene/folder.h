@@ -6,35 +6,19 @@
 #include "scene/read_obj.h"
 #include "scene/read_scene.h"
 
-#include <unistd.h>
+#include "../temporary_folder.h"
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 namespace gw::scene {
 
-class Folder {
+class Folder : public TemporaryFolder {
 public:
-    Folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "gw_scene_XXXXXX").string();
-        path_ = ::mkdtemp(name.data());
-    }
-    ~Folder() { std::filesystem::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    std::filesystem::path write(const std::string& name, const std::string& text) const {
-        std::filesystem::create_directories((path_ / name).parent_path());
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return path_ / name;
-    }
-    const std::filesystem::path& path() const { return path_; }
-
     /// A text without this folder's name, so that tests can state messages in full.
     std::string relative(std::string text) const {
-        const std::string prefix = path_.string() + "/";
+        const std::string prefix = path().string() + "/";
         for (auto at = text.find(prefix); at != text.npos; at = text.find(prefix))
             text.erase(at, prefix.size());
         return text;
@@ -71,7 +55,6 @@ public:
     Warnings& warnings_list() { return warnings_; }
 
 private:
-    std::filesystem::path path_;
     Warnings warnings_;
 };
 

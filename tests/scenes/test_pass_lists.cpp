@@ -7,11 +7,10 @@
 #include "scene/read_scene.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
+#include "../temporary_folder.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 namespace gw::multipass {
 namespace {
@@ -33,12 +32,8 @@ std::vector<std::string> files() {
 std::string with_passes(const std::string& passes) { return "[[object]]\nshape = 'box'\n" + passes; }
 
 PassList read_again(const PassList& list) {
-    std::string name = (fs::temp_directory_path() / "gw_list_XXXXXX").string();
-    const fs::path here = ::mkdtemp(name.data());
-    std::ofstream(here / "list.toml") << with_passes(to_toml(list));
-    const PassList again = read_passes(scene::read_scene(here / "list.toml").passes);
-    fs::remove_all(here);
-    return again;
+    const TemporaryFolder here;
+    return read_passes(scene::read_scene(here.write("list.toml", with_passes(to_toml(list)))).passes);
 }
 
 std::vector<Digest> draw(const scene::Scene& s, const Profile& profile, const PassList& list) {

@@ -7,11 +7,7 @@
 #include "study/prices.h"
 
 #include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-
-#include <unistd.h>
+#include "../temporary_folder.h"
 
 namespace gw::study {
 
@@ -43,16 +39,14 @@ PriceList unit_prices() {
 }
 
 std::string message_of(const std::string& text, bool recipes) {
-    const auto file =
-        std::filesystem::temp_directory_path() / ("gw_test_prices_" + std::to_string(::getpid()) + ".toml");
-    std::ofstream(file) << text;
+    const TemporaryFolder here;
+    const auto file = here.write("prices.toml", text);
     std::string message;
     try {
         recipes ? void(read_recipes(file)) : void(read_prices(file));
     } catch (const Error& error) {
         message = error.what();
     }
-    std::filesystem::remove(file);
     return message;
 }
 

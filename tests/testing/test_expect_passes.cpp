@@ -9,6 +9,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include "../temporary_folder.h"
 
 namespace gw::testing {
 namespace {
@@ -29,24 +30,16 @@ CommandList two_passes(std::uint16_t red) {
 class ExpectPasses : public ::testing::Test {
 protected:
     void SetUp() override {
-        folder =
-            fs::path(::testing::TempDir()) /
-            ("gw_testing_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-        fs::remove_all(folder);
-        fs::create_directories(folder);
-        golden = folder / "two.json";
         setenv("GW_TESTING_OUTPUT", (folder / "failures").c_str(), 1);
         unsetenv("GW_UPDATE_GOLDENS");
     }
-    void TearDown() override {
-        unsetenv("GW_UPDATE_GOLDENS");
-        fs::remove_all(folder);
-    }
+    void TearDown() override { unsetenv("GW_UPDATE_GOLDENS"); }
     static inspect::Recording recording(std::uint16_t red) {
         return recording_of(two_passes(red), vgx(), 4, 3);
     }
 
-    fs::path folder, golden;
+    const TemporaryFolder folder;
+    const fs::path golden = folder / "two.json";
 };
 
 std::string message_of(const ::testing::AssertionResult& result) { return result ? "" : result.message(); }

@@ -5,6 +5,7 @@
 #include "testing/matchers.h"
 
 #include <cstdlib>
+#include "../temporary_folder.h"
 
 namespace gw::testing {
 namespace {
@@ -56,14 +57,13 @@ TEST(Matchers, ComparePlanes) {
 }
 
 TEST(Matchers, LeavePicturesWhereTheyKnowTheProfile) {
-    const fs::path folder = fs::path(::testing::TempDir()) / "gw_matchers";
-    setenv("GW_TESTING_OUTPUT", folder.c_str(), 1);
+    const TemporaryFolder folder;
+    setenv("GW_TESTING_OUTPUT", folder.path().c_str(), 1);
     Planes other = planes();
     other.stencil[0] = 1;
     EXPECT_THAT(explanation(PlanesEq(planes(), vgx()), other), HasSubstr("stencil-difference.png"));
     EXPECT_TRUE(
         fs::exists(folder / "Matchers.LeavePicturesWhereTheyKnowTheProfile-planes-stencil-difference.png"));
-    fs::remove_all(folder);
 }
 
 TEST(Matchers, PrintPlanesInAFewWords) {
