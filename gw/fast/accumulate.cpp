@@ -44,14 +44,10 @@ inline std::uint64_t accumulate_lanes(const AccumulateOp& op, const Profile& pro
 
 #if HWY_HAVE_FLOAT64
 
-using I32ForD64 = hn::Rebind<std::int32_t, D64>;
 using U16ForD64 = hn::Rebind<std::uint16_t, D64>;
 
 /// weighted() of gw/accumulation.h: with weights up to 256 nothing comes near its limit.
-inline V64 weighted_lanes(V64 a, double value) {
-    const auto magic = all(6755399441055744.0);
-    return hn::Sub(hn::Add(hn::Mul(a, all(value)), magic), magic);
-}
+inline V64 weighted_lanes(V64 a, double value) { return nearest(hn::Mul(a, all(value))); }
 
 /// wrap_accum(): exact, as integers below 2^52.
 inline V64 wrapped_lanes(V64 v, int bits) {

@@ -52,7 +52,6 @@ HWY_INLINE void gather_positions(const TileDraw& draw, std::span<const std::uint
 
 #if HWY_HAVE_FLOAT64
 
-using I32ForD64 = hn::Rebind<std::int32_t, D64>;
 using U32ForD64 = hn::Rebind<std::uint32_t, D64>;
 using I64ForD64 = hn::Rebind<std::int64_t, D64>;
 using U64ForD64 = hn::Rebind<std::uint64_t, D64>;
@@ -63,12 +62,6 @@ HWY_INLINE V64 load_integers(const std::int32_t* p) { return hn::PromoteTo(D64()
 HWY_INLINE V64 load_unsigned(const std::uint32_t* p) {
     const auto flipped = hn::Xor(hn::Load(U32ForD64(), p), hn::Set(U32ForD64(), 0x80000000u));
     return hn::Add(hn::PromoteTo(D64(), hn::BitCast(I32ForD64(), flipped)), all(2147483648.0));
-}
-
-/// Nearest integer, ties to even; |v| below 2^51.
-HWY_INLINE V64 nearest(V64 v) {
-    const auto magic = all(6755399441055744.0);
-    return hn::Sub(hn::Add(v, magic), magic);
 }
 
 #endif  // HWY_HAVE_FLOAT64

@@ -8,6 +8,7 @@
 #define GW_FAST_DOUBLES_INL_H_
 #endif
 
+#include "gw/arithmetic.h"
 #include "gw/types.h"
 
 #include <hwy/highway.h>
@@ -20,8 +21,22 @@ namespace gw::fast::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using D64 = hn::CappedTag<double, 8>;
 using V64 = hn::Vec<D64>;
+using I32ForD64 = hn::Rebind<std::int32_t, D64>;
 
 inline V64 all(double v) { return hn::Set(D64(), v); }
+
+/// Nearest integer, ties to even; |v| below 2^51.
+inline V64 nearest(V64 v) {
+    const auto magic = all(0x1.8p52);
+    return hn::Sub(hn::Add(v, magic), magic);
+}
+/// v where v > 0, else 0 (NaN too).
+inline V64 positive(V64 v) { return hn::IfThenElseZero(hn::Gt(v, hn::Zero(D64())), v); }
+inline V64 at_most_one(V64 v) { return hn::IfThenElse(hn::Lt(v, all(1)), v, all(1)); }
+/// quantize() of gw/arithmetic.h, before the conversion: clamped, scaled, rounded to even.
+inline V64 quantized(V64 v, int bits) {
+    return nearest(hn::Mul(at_most_one(positive(v)), all(max_of_bits(bits))));
+}
 
 struct Vec3 {
     V64 x, y, z;

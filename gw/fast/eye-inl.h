@@ -29,10 +29,6 @@ inline Vec3 unit(const Vec3& v) {
     return {over(v.x), over(v.y), over(v.z)};
 }
 inline Vec3 minus(const Vec3& v) { return {hn::Neg(v.x), hn::Neg(v.y), hn::Neg(v.z)}; }
-/// v where v > 0, else 0 (NaN too).
-inline V64 positive(V64 v) { return hn::IfThenElseZero(hn::Gt(v, hn::Zero(D64())), v); }
-inline V64 at_most_one(V64 v) { return hn::IfThenElse(hn::Lt(v, all(1)), v, all(1)); }
-
 struct EyeVertices {
     Vec3 position, normal;
 };

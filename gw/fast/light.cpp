@@ -91,12 +91,6 @@ inline void add_light(const LightTerms& t, const Material& m, const Vec3& p_eye,
     }
 }
 
-/// quantize() of gw/arithmetic.h, before the conversion: clamped, scaled, rounded to even.
-inline V64 quantized(V64 v, int bits) {
-    const auto magic = all(6755399441055744.0);
-    return hn::Sub(hn::Add(hn::Mul(at_most_one(positive(v)), all(max_of_bits(bits))), magic), magic);
-}
-
 void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, bool back,
                std::vector<Rgba>& colors) {
     const D64 d;

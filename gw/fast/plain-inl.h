@@ -53,32 +53,16 @@ struct AnyCompare {
     }
 };
 
-/// Depth test and update of the lanes; those that pass.
-template <class Compare>
-HWY_INLINE LaneSet run_depth(const DepthWalk& walk, const Compare& passes, bool update, const LaneSet& lanes,
-                             DepthBlock& block) {
-    if constexpr (!Compare::tests) return lanes;
-    const D32 d;
-    LaneSet alive;
-    for (std::size_t k = 0; k < parts; ++k) {
-        std::uint32_t* stored = block.value + k * lanes32;
-        const auto z = walk.walk.at(k);
-        alive.part[k] = hn::And(lanes.part[k], passes(z, hn::Load(d, stored)));
-        if (update) hn::BlendedStore(z, alive.part[k], d, stored);
-    }
-    return alive;
-}
-
-/// The same of all lanes.
-template <class Compare>
-HWY_INLINE LaneSet run_depth(const DepthWalk& walk, const Compare& passes, bool update, AllLanes,
+/// Depth test and update of the lanes, a LaneSet or AllLanes; those that pass.
+template <class Compare, class Lanes>
+HWY_INLINE LaneSet run_depth(const DepthWalk& walk, const Compare& passes, bool update, const Lanes& lanes,
                              DepthBlock& block) {
     const D32 d;
     LaneSet alive;
     for (std::size_t k = 0; k < parts; ++k) {
         std::uint32_t* stored = block.value + k * lanes32;
         const auto z = walk.walk.at(k);
-        alive.part[k] = passes(z, hn::Load(d, stored));
+        alive.part[k] = among(lanes, k, passes(z, hn::Load(d, stored)));
         if (update) hn::BlendedStore(z, alive.part[k], d, stored);
     }
     return alive;
@@ -95,7 +79,8 @@ HWY_INLINE LaneSet run_stencil(const StencilFace& face, std::uint32_t max, const
         tested = lane_set(kept);
         update_stencil(face, face.fail, max, stencil, made & ~kept);
     }
-    const LaneSet alive = run_depth(walk, passes, update, tested, depth);
+    LaneSet alive = tested;
+    if constexpr (Compare::tests) alive = run_depth(walk, passes, update, tested, depth);
     if (face.zfail != StencilOp::Keep)
         update_stencil(face, face.zfail, max, stencil, tested.bits() & ~alive.bits());
     if (face.zpass != StencilOp::Keep) update_stencil(face, face.zpass, max, stencil, alive.bits());

@@ -48,8 +48,6 @@ inline SumLanes divide(const SumLanes& a, const SumLanes& b) {
     return {quotient, hn::Div(rest, b.hi)};
 }
 
-inline V64 nearest_lanes(V64 x) { return hn::Sub(hn::Add(x, all(0x1.8p52)), all(0x1.8p52)); }
-
 template <std::size_t n>
 V64 polynomial(V64 z, const double (&c)[n]) {
     auto sum = all(c[n - 1]);
@@ -75,7 +73,7 @@ inline SumLanes log_as_sum(V64 x) {
     const auto bits = hn::BitCast(i64, x);
     const auto k = hn::ShiftRight<52>(hn::Sub(bits, hn::BitCast(i64, all(45.25 / 64))));
     const auto m = hn::BitCast(D64(), hn::Sub(bits, hn::ShiftLeft<52>(k)));
-    const auto scaled = nearest_lanes(hn::Mul(m, all(64)));
+    const auto scaled = nearest(hn::Mul(m, all(64)));
     const auto c = hn::Div(scaled, all(64));
     const SumLanes s = divide({hn::Sub(m, c), hn::Zero(D64())}, two_sum(m, c));
 
@@ -95,7 +93,7 @@ inline SumLanes log_as_sum(V64 x) {
 /// e^(x.hi + x.lo), x.hi in [-746, 0].
 inline V64 exp_of_sum(const SumLanes& x) {
     const I64 i64;
-    const auto k = nearest_lanes(hn::Mul(x.hi, all(0x1.71547652b82fep6)));  // 64 / ln 2
+    const auto k = nearest(hn::Mul(x.hi, all(0x1.71547652b82fep6)));  // 64 / ln 2
     const auto r = hn::Add(hn::Sub(x.hi, hn::Mul(k, all(elementary::ln2_64th.hi))),
                            hn::Sub(x.lo, hn::Mul(k, all(elementary::ln2_64th.lo))));
     constexpr double terms[] = {1 / 2.0, 1 / 6.0, 1 / 24.0, 1 / 120.0, 1 / 720.0};

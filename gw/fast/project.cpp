@@ -22,13 +22,6 @@ inline V64 snapped(V64 v, int s) {
     return hn::IfThenElse(hn::Gt(f, low), hn::IfThenElse(hn::Lt(f, high), f, high), low);
 }
 
-/// quantize() of gw/arithmetic.h before the conversion.
-inline V64 quantized_depth(V64 v, int bits) {
-    const auto magic = all(6755399441055744.0), zero = hn::Zero(D64());
-    const auto clamped = hn::IfThenElseZero(hn::Gt(v, zero), hn::IfThenElse(hn::Lt(v, all(1)), v, all(1)));
-    return hn::Sub(hn::Add(hn::Mul(clamped, all(max_of_bits(bits))), magic), magic);
-}
-
 struct ClipLanes {
     V64 x, y, z, w;
 };
@@ -77,8 +70,7 @@ Projected project_all(const Projection& p, std::span<const vec3> positions) {
         hn::Store(
             snapped(window(c.y, c.w, p.viewport.half_height, p.viewport.center_y), p.profile.subpixel_bits),
             d, y + first);
-        hn::Store(quantized_depth(window(c.z, c.w, (f - n) / 2, (f + n) / 2), p.profile.depth_bits), d,
-                  z + first);
+        hn::Store(quantized(window(c.z, c.w, (f - n) / 2, (f + n) / 2), p.profile.depth_bits), d, z + first);
         hn::Store(c.w, d, w + first);
     }
     for (std::size_t i = 0; i < project_batch; ++i) {

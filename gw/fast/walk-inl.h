@@ -35,6 +35,12 @@ struct LaneSet {
 /// All of a block's lanes, known where the code is compiled.
 struct AllLanes {};
 
+/// Those of a part's lanes that are in the set.
+HWY_INLINE M32 among(const LaneSet& lanes, std::size_t part, M32 mask) {
+    return hn::And(lanes.part[part], mask);
+}
+HWY_INLINE M32 among(AllLanes, std::size_t, M32 mask) { return mask; }
+
 HWY_INLINE LaneSet lane_set(std::uint32_t mask) {
     LaneSet s;
     for (std::size_t i = 0; i < parts; ++i) s.part[i] = lanes_of(D32(), mask, i * lanes32);
