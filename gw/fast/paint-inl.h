@@ -102,7 +102,9 @@ struct SmoothPaint {
 
     HWY_INLINE static bool serves(const DrawOp& op) { return is_narrow(op) && PlainStore::serves(op); }
     HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
-        if (alive.none()) return;
+        if (!alive.none()) write(bx, by, alive);
+    }
+    HWY_NOINLINE void write(int bx, int by, const LaneSet& alive) const {
         planes.make();
         const Half16 d;
         const NarrowBatch& p = planes.narrow_color;

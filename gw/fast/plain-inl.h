@@ -100,7 +100,7 @@ struct Unstenciled {
     LaneCounter &made, &written;
 
     template <class Lanes>
-    HWY_INLINE void operator()(int bx, int by, const Lanes& lanes) const {
+    GW_PER_BLOCK void operator()(int bx, int by, const Lanes& lanes) const {
         made.add(lanes);
         if constexpr (Compare::tests) {
             const LaneSet alive = run_depth(walk, passes, update, lanes, tile.depth[tile.block(bx, by)]);
@@ -139,7 +139,7 @@ struct Stenciled {
     std::uint32_t max;
     PlainCounts& counts;
 
-    HWY_INLINE void operator()(int bx, int by, const LaneSet& lanes) const {
+    GW_PER_BLOCK void operator()(int bx, int by, const LaneSet& lanes) const {
         const std::size_t block = tile.block(bx, by);
         paint(bx, by,
               run_stencil(face, max, walk, passes, update, lanes, tile.stencil[block], tile.depth[block],
@@ -162,14 +162,19 @@ HWY_NOINLINE void draw_stenciled(const TileDraw& draw, const Triangles& t, std::
     counts.add_to(sum);
 }
 
+/// Behind a stencil test only what paints nothing, as shadow volumes do, has a loop for each kind of depth
+/// test.
 template <class Compare, class Paint>
 HWY_INLINE void draw_plain(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
                            const Compare& passes, const Paint& paint, PlainCounts& sum) {
     const Resolved& r = draw.op->state;
+    const AnyCompare any{r.state.depth.func};
     if (is_idle(t.corners.primitive[i]->front ? r.front : r.back))
         draw_unstenciled(draw, t, i, box, passes, paint, sum);
-    else
+    else if constexpr (std::is_same_v<Paint, NoPaint>)
         draw_stenciled(draw, t, i, box, passes, paint, sum);
+    else
+        draw_stenciled(draw, t, i, box, any, paint, sum);
 }
 
 template <class Paint>

@@ -104,7 +104,7 @@ struct Recording {
     FragmentCount& count;
     LaneCounter& written;
 
-    HWY_INLINE void operator()(int bx, int by, const LaneSet& lanes) const {
+    GW_PER_BLOCK void operator()(int bx, int by, const LaneSet& lanes) const {
         const D32 d;
         const std::size_t block = tile.block(bx, by);
         LaneSet reached, passed;
