@@ -7,7 +7,7 @@
 
 namespace gw {
 
-double clip_distance(const Vertex& v, int i, const ViewportTransform& vp) {
+double clip_distance(const ClipPosition& v, int i, const ViewportTransform& vp) {
     const dvec4& c = v.clip;
     switch (i) {
         case 0: return c.z + c.w;
@@ -20,75 +20,100 @@ double clip_distance(const Vertex& v, int i, const ViewportTransform& vp) {
     }
 }
 
+namespace {
+
+double mix(double a, double b, double t) { return a + t * (b - a); }
+
+ClipPosition interpolate(const ClipPosition& in, const ClipPosition& out, double t) {
+    ClipPosition v;
+    for (int i = 0; i < 4; ++i) v.clip[i] = mix(in.clip[i], out.clip[i], t);
+    for (std::size_t i = 0; i < v.distance.size(); ++i)
+        v.distance[i] = mix(in.distance[i], out.distance[i], t);
+    return v;
+}
+
+}  // namespace
+
 Vertex interpolate(const Vertex& in, const Vertex& out, double t) {
-    const auto mix = [t](double a, double b) { return a + t * (b - a); };
-    Vertex v;
+    Vertex v{interpolate(static_cast<const ClipPosition&>(in), out, t)};
     for (int i = 0; i < 4; ++i) {
         const auto c = static_cast<std::size_t>(i);
-        v.clip[i] = mix(in.clip[i], out.clip[i]);
-        v.texcoord[i] = mix(in.texcoord[i], out.texcoord[i]);
-        v.color[c] = round_even(mix(in.color[c], out.color[c]));
-        v.back_color[c] = round_even(mix(in.back_color[c], out.back_color[c]));
+        v.texcoord[i] = mix(in.texcoord[i], out.texcoord[i], t);
+        v.color[c] = round_even(mix(in.color[c], out.color[c], t));
+        v.back_color[c] = round_even(mix(in.back_color[c], out.back_color[c], t));
     }
-    for (std::size_t i = 0; i < v.distance.size(); ++i) v.distance[i] = mix(in.distance[i], out.distance[i]);
-    v.fog = mix(in.fog, out.fog);
+    v.fog = mix(in.fog, out.fog, t);
     return v;
 }
 
 namespace {
 
-bool is_finite(const Vertex& v) {
+bool is_finite(const ClipPosition& v) {
     return std::isfinite(v.clip.x) && std::isfinite(v.clip.y) && std::isfinite(v.clip.z) &&
            std::isfinite(v.clip.w);
 }
 
-std::vector<double> distances(const std::vector<Vertex>& vertices, int plane,
-                              const ViewportTransform& viewport, bool& all_inside) {
-    std::vector<double> d;
-    all_inside = true;
-    for (const Vertex& v : vertices) {
+/// Puts the distances to a plane into d; whether all are inside.
+template <class V>
+bool measure(const std::vector<V>& vertices, int plane, const ViewportTransform& viewport,
+             std::vector<double>& d) {
+    d.clear();
+    bool all_inside = true;
+    for (const V& v : vertices) {
         d.push_back(clip_distance(v, plane, viewport));
         all_inside = all_inside && d.back() >= 0;
     }
-    return d;
+    return all_inside;
 }
 
-Vertex crossing(const Vertex& a, const Vertex& b, double da, double db) {
+template <class V>
+V crossing(const V& a, const V& b, double da, double db) {
     return da >= 0 ? interpolate(a, b, da / (da - db)) : interpolate(b, a, db / (db - da));
 }
 
 /// One plane. A line or point is an open chain: it has no side from the last vertex to the first.
-std::vector<Vertex> clip_plane(const std::vector<Vertex>& in, const std::vector<double>& d) {
+template <class V>
+void clip_plane(const std::vector<V>& in, const std::vector<double>& d, std::vector<V>& out) {
     const std::size_t sides = in.size() < 3 ? in.size() - 1 : in.size();
-    std::vector<Vertex> out;
+    out.clear();
     for (std::size_t i = 0; i < in.size(); ++i) {
         const std::size_t next = (i + 1) % in.size();
         if (d[i] >= 0) out.push_back(in[i]);
         if (i < sides && (d[i] >= 0) != (d[next] >= 0))
             out.push_back(crossing(in[i], in[next], d[i], d[next]));
     }
-    return out;
+}
+
+template <class V>
+ClippedOf<V> clip_by_planes(std::vector<V> vertices, const ViewportTransform& viewport, int first_plane) {
+    ClippedOf<V> result;
+    std::vector<double> d;
+    std::vector<V> left;
+    const std::size_t least = vertices.size() < 3 ? vertices.size() : 3;
+    for (const V& v : vertices)
+        if (!is_finite(v)) return result;
+    for (int plane = first_plane; plane < clip_plane_count; ++plane) {
+        if (measure(vertices, plane, viewport, d)) continue;
+        result.cut = true;
+        clip_plane(vertices, d, left);
+        vertices.swap(left);
+        if (vertices.size() < least) return {{}, true};
+    }
+    for (const V& v : vertices)
+        if (!(v.clip.w > 0) || !is_finite(v)) return {{}, true};
+    result.vertices = std::move(vertices);
+    return result;
 }
 
 }  // namespace
 
 Clipped clip(std::vector<Vertex> vertices, const ViewportTransform& viewport) {
-    Clipped result;
-    const std::size_t least = vertices.size() < 3 ? vertices.size() : 3;
-    for (const Vertex& v : vertices)
-        if (!is_finite(v)) return result;
-    for (int plane = 0; plane < clip_plane_count; ++plane) {
-        bool all_inside = true;
-        const std::vector<double> d = distances(vertices, plane, viewport, all_inside);
-        if (all_inside) continue;
-        result.cut = true;
-        vertices = clip_plane(vertices, d);
-        if (vertices.size() < least) return {{}, true};
-    }
-    for (const Vertex& v : vertices)
-        if (!(v.clip.w > 0) || !is_finite(v)) return {{}, true};
-    result.vertices = std::move(vertices);
-    return result;
+    return clip_by_planes(std::move(vertices), viewport, 0);
+}
+
+ClippedOf<ClipPosition> clip_positions(std::vector<ClipPosition> vertices, const ViewportTransform& viewport,
+                                       int first_plane) {
+    return clip_by_planes(std::move(vertices), viewport, first_plane);
 }
 
 }  // namespace gw

@@ -10,13 +10,17 @@
 
 namespace gw {
 
-/// A vertex after the vertex stages, before clipping.
-struct Vertex {
+/// What decides where a vertex is clipped.
+struct ClipPosition {
     dvec4 clip{0};                                   ///< clip coordinates
     std::array<double, max_clip_planes> distance{};  ///< to the user clip planes that are enabled
-    dvec4 texcoord{0, 0, 0, 1};                      ///< s, t, r, q
-    std::array<double, 4> color{};                   ///< integers 0 .. 2^color_bits - 1
-    std::array<double, 4> back_color{};              ///< of a back face, where lighting.two_side
+};
+
+/// A vertex after the vertex stages, before clipping.
+struct Vertex : ClipPosition {
+    dvec4 texcoord{0, 0, 0, 1};          ///< s, t, r, q
+    std::array<double, 4> color{};       ///< integers 0 .. 2^color_bits - 1
+    std::array<double, 4> back_color{};  ///< of a back face, where lighting.two_side
     double fog =
         0;  ///< factor 0 .. 2^color_bits - 1 (fog at the vertex) or coordinate >= 0 in units of the fog table
 };

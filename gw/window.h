@@ -22,7 +22,7 @@ inline std::int64_t snap(double v, int subpixel_bits) {
     return to_integer(std::floor(v * scale + 0.5), guard_low * scale, guard_high * scale - 1);
 }
 
-inline WindowVertex to_window(const Vertex& v, const ViewportTransform& viewport,
+inline WindowVertex to_window(const ClipPosition& v, const ViewportTransform& viewport,
                               const DepthRangeState& range, const Profile& profile) {
     const double w = v.clip.w;
     const double n = clamp01(range.near_value), f = clamp01(range.far_value);

@@ -1,6 +1,7 @@
 #include "radiosity/hemicube.h"
 
 #include "gw/elementary.h"
+#include "radiosity/identifiers.h"
 #include "scene/draw_commands.h"
 
 #include <algorithm>
@@ -40,12 +41,9 @@ void take(const Readback& read, std::size_t identifiers, IdBuffer& buffer) {
     buffer.size = read.rect.width;
     buffer.rows = read.rect.height;
     buffer.ids.resize(read.color.size());
+    identify(read.color, buffer.ids.data());
     buffer.seen.assign(identifiers, 0);
-    std::uint32_t last = 0;
-    for (std::size_t i = 0; i < read.color.size(); ++i) {
-        const std::uint32_t id = buffer.ids[i] = scene::id_of(read.color[i]);
-        if (id != last || i == 0) buffer.seen[last = id] = 1;
-    }
+    mark_seen(buffer.ids, buffer.seen.data());
 }
 
 }  // namespace

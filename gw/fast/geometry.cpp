@@ -45,9 +45,9 @@ struct Builder {
     const State& state() const { return *program.state; }
 
     /// The position part of run_vertex.
-    Vertex position(std::uint32_t i) const {
+    ClipPosition position(std::uint32_t i) const {
         const dvec4 p_object(dvec3(mesh().data().positions[i]), 1);
-        Vertex v;
+        ClipPosition v;
         v.clip = transform(program.clip_from_object, p_object);
         if (any_user_plane) {
             const dvec4 p_eye = transform(program.draw->eye_from_object, p_object);
@@ -57,7 +57,7 @@ struct Builder {
         return v;
     }
 
-    Outcode classify(const Vertex& v) const {
+    Outcode classify(const ClipPosition& v) const {
         const dvec4& c = v.clip;
         if (!(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && std::isfinite(c.w)))
             return not_finite;
@@ -67,7 +67,7 @@ struct Builder {
         return code;
     }
 
-    void push_window(const Vertex& v) {
+    void push_window(const ClipPosition& v) {
         const WindowVertex p = to_window(v, set.state.viewport, state().depth_range, profile);
         set.at.push_back({static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y), p.z});
         set.w.push_back(p.w);
@@ -76,11 +76,12 @@ struct Builder {
     void push_vertices() {
         const std::span<const vec3> positions(mesh().data().positions);
         set.at.resize(positions.size()), set.w.resize(positions.size(), 1), outcode.resize(positions.size());
-        const Projection projection{program.clip_from_object, set.state.viewport, state().depth_range,
-                                    profile};
+        const Projection projection{program.clip_from_object, program.draw->eye_from_object,
+                                    set.state.viewport,       state().depth_range,
+                                    state().clip_planes,      profile};
         for (std::size_t first = 0; first < positions.size(); first += project_batch) {
             const auto batch = positions.subspan(first, std::min(project_batch, positions.size() - first));
-            const Projected projected = any_user_plane ? Projected{} : project(projection, batch);
+            const Projected projected = project(projection, batch);
             for (std::size_t i = 0; i < batch.size(); ++i) {
                 if (projected.inside >> i & 1)
                     store_window(first + i, projected.x[i], projected.y[i], projected.z[i], projected.w[i]);
@@ -92,7 +93,7 @@ struct Builder {
 
     /// The scalar way: for what clipping may touch.
     void classify_vertex(std::uint32_t i) {
-        const Vertex v = position(i);
+        const ClipPosition v = position(i);
         outcode[i] = classify(v);
         if (outcode[i] != 0) return;
         const WindowVertex p = to_window(v, set.state.viewport, state().depth_range, profile);
@@ -116,12 +117,18 @@ struct Builder {
 
     /// Clips for good; false where nothing is left. New vertices go to the end of the arrays.
     bool cut(std::array<std::uint32_t, 3> corners, std::uint32_t sides, Cut& out) {
-        std::vector<Vertex> vertices;
-        for (std::uint32_t k = 0; k < sides; ++k) vertices.push_back(position(corners[k]));
-        const Clipped clipped = clip(std::move(vertices), set.state.viewport);
+        std::vector<ClipPosition> vertices;
+        vertices.reserve(sides + 1);
+        Outcode any = 0;
+        for (std::uint32_t k = 0; k < sides; ++k) {
+            vertices.push_back(position(corners[k]));
+            any |= outcode[corners[k]];
+        }
+        const int first_plane = std::min(std::countr_zero(any), clip_plane_count);
+        const auto clipped = clip_positions(std::move(vertices), set.state.viewport, first_plane);
         if (clipped.vertices.empty()) return false;
         out = {corners, sides, std::uint32_t(set.at.size()), std::uint32_t(clipped.vertices.size())};
-        for (const Vertex& v : clipped.vertices) push_window(v);
+        for (const ClipPosition& v : clipped.vertices) push_window(v);
         set.counters.clipped += clipped.cut ? 1 : 0;
         set.cuts.push_back(out);
         return true;

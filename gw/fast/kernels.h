@@ -51,6 +51,26 @@ void process_fragments(const BlockFragments& fragments, const ColorBlock& color,
 std::uint64_t accumulate_block(const AccumulateOp& op, const Profile& profile, AccumBlock& accum,
                                ColorBlock& color, std::uint32_t mask);
 
+/// Colours and depths of a tile that a Clear sets: those inside the box, not empty.
+struct ClearBlocks {
+    Tile tile;
+    BlockBox box;
+    std::array<bool, 4> channel{};  ///< which of the colour's
+    bool clears_depth = false;
+    Rgba color{};
+    std::uint32_t depth = 0;
+};
+void clear_blocks(const ClearBlocks& clear);
+
+/// Colours of a tile that a Read wants: those inside the box, not empty.
+struct ReadColors {
+    Tile tile;
+    BlockBox box;
+    Rect rect;            ///< of the command
+    Rgba* out = nullptr;  ///< its pixels, rows from the bottom
+};
+void read_colors(const ReadColors& read);
+
 /// The vector instruction set in use, in Highway's words, and all that this processor has.
 std::string simd_target();
 std::vector<std::string> simd_targets();

@@ -175,14 +175,11 @@ struct Planner {
     }
     void add(const Read& read) {
         Readback& out = machine.readbacks[read.key];
-        out = {read.plane, read.rect, {}, {}, {}};
+        out.plane = read.plane, out.rect = read.rect;
         const std::size_t size = std::size_t(read.rect.width) * std::size_t(read.rect.height);
-        if (read.plane == Plane::Color)
-            out.color.resize(size);
-        else if (read.plane == Plane::Accum)
-            out.accum.resize(size);
-        else
-            out.values.resize(size);
+        const bool color = read.plane == Plane::Color, accum = read.plane == Plane::Accum;
+        out.color.resize(color ? size : 0), out.accum.resize(accum ? size : 0);
+        out.values.resize(color || accum ? 0 : size);
         segment.uses_accum = segment.uses_accum || read.plane == Plane::Accum;
         push(ReadOp{&read, &out});
     }

@@ -44,6 +44,19 @@ inline hn::Mask<D64> inside_lanes(const ClipLanes& c, const ViewportTransform& v
     return in;
 }
 
+/// Inside the user planes that are on: the distances of run_vertex().
+inline hn::Mask<D64> inside_user_planes(const Projection& p, const Vec3& at, hn::Mask<D64> in) {
+    const dmat4& m = p.eye_from_object;
+    for (const ClipPlane& plane : p.clip_planes) {
+        if (!plane.enable) continue;
+        const dvec4& n = plane.plane;
+        const auto xy = hn::Add(hn::Mul(all(n.x), row(m, 0, at)), hn::Mul(all(n.y), row(m, 1, at)));
+        const auto zw = hn::Add(hn::Mul(all(n.z), row(m, 2, at)), hn::Mul(all(n.w), row(m, 3, at)));
+        in = hn::And(in, hn::Ge(hn::Add(xy, zw), hn::Zero(D64())));
+    }
+    return in;
+}
+
 Projected project_all(const Projection& p, std::span<const vec3> positions) {
     const D64 d;
     const double n = clamp01(p.depth_range.near_value), f = clamp01(p.depth_range.far_value);
@@ -58,7 +71,8 @@ Projected project_all(const Projection& p, std::span<const vec3> positions) {
         const dmat4& m = p.clip_from_object;
         const ClipLanes c{row(m, 0, at), row(m, 1, at), row(m, 2, at), row(m, 3, at)};
         std::uint64_t bits = 0;
-        hn::StoreMaskBits(d, inside_lanes(c, p.viewport), reinterpret_cast<std::uint8_t*>(&bits));
+        const auto inside = inside_user_planes(p, at, inside_lanes(c, p.viewport));
+        hn::StoreMaskBits(d, inside, reinterpret_cast<std::uint8_t*>(&bits));
         out.inside |= static_cast<std::uint32_t>(bits & ((1u << hn::Lanes(d)) - 1)) << first;
 
         const auto window = [](V64 v, V64 by, double half, double center) {

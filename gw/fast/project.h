@@ -13,16 +13,17 @@ namespace gw::fast {
 
 /// What takes positions to the window.
 struct Projection {
-    dmat4 clip_from_object{1};
+    dmat4 clip_from_object{1}, eye_from_object{1};
     ViewportTransform viewport;
     DepthRangeState depth_range;
+    std::array<ClipPlane, max_clip_planes> clip_planes{};
     Profile profile;
 };
 
 inline constexpr std::size_t project_batch = 8;
 
-/// Up to project_batch vertices. `inside`: bit per vertex that no clip plane, near to guard band, is in the
-/// way of (user planes are not looked at); x, y, z, w are right for those only.
+/// Up to project_batch vertices. `inside`: bit per vertex that no clip plane is in the way of; x, y, z, w are
+/// right for those only.
 struct Projected {
     std::array<std::int32_t, project_batch> x{}, y{};
     std::array<std::uint32_t, project_batch> z{};

@@ -56,10 +56,8 @@ void for_each_lane(const Tile& tile, int bx, int by, std::uint32_t mask, const V
 }
 
 /// The channels of a block's pixels side by side.
-template <typename Block>
-auto pixels_of(const Block& block) {
-    using Value = std::remove_cvref_t<decltype(block.channel[0][0])>;
-    std::array<std::array<Value, 4>, block_pixels> out;
+auto pixels_of(const AccumBlock& block) {
+    std::array<std::array<std::int32_t, 4>, block_pixels> out;
     for (std::size_t i = 0; i < block_pixels; ++i)
         for (std::size_t c = 0; c < 4; ++c) out[i][c] = block.channel[c][i];
     return out;
@@ -88,22 +86,31 @@ struct TileRun {
 
     void run(const ClearOp& op) {
         const Resolved& r = op.state;
-        const Rgba color = quantize_color(op.clear->color, r.bits);
-        const std::uint32_t depth = quantize(op.clear->depth, profile.depth_bits);
-        const std::uint32_t stencil = std::uint32_t(op.clear->stencil) & r.stencil_max;
+        const BlockBox inside = box(r.pixel_box);
+        if (inside.empty()) return;
+        counts->pixels += pixels_in(inside) * std::uint64_t(std::popcount(op.clear->planes));
         const auto wants = [&](Plane plane) { return (op.clear->planes & mask_of(plane)) != 0; };
-        const bool wants_color = wants(Plane::Color), wants_depth = wants(Plane::Depth) && r.depth_mask,
-                   wants_stencil = wants(Plane::Stencil), wants_accum = wants(Plane::Accum);
-        std::uint64_t pixels = 0;
-        for_each_block(tile, box(r.pixel_box), [&](std::size_t b, int, int, std::uint32_t mask) {
-            pixels += lane_count(mask);
-            if (wants_color) clear_color(r.state.color_mask, color, tile.color[b], mask);
-            if (wants_depth) fill_lanes(tile.depth[b].value, depth, mask);
-            if (wants_stencil) clear_stencil(r, stencil, tile.stencil[b], mask);
-            if (wants_accum)
+        ClearBlocks clear{tile, inside};
+        const ColorMask& m = r.state.color_mask;
+        if (wants(Plane::Color)) clear.channel = {m.r, m.g, m.b, m.a};
+        clear.clears_depth = wants(Plane::Depth) && r.depth_mask;
+        clear.color = quantize_color(op.clear->color, r.bits);
+        clear.depth = quantize(op.clear->depth, profile.depth_bits);
+        if (wants(Plane::Color) || clear.clears_depth) clear_blocks(clear);
+        if (wants(Plane::Stencil) || wants(Plane::Accum))
+            clear_rest(r, inside, wants(Plane::Stencil), std::uint32_t(op.clear->stencil) & r.stencil_max,
+                       wants(Plane::Accum));
+    }
+    void clear_rest(const Resolved& r, const BlockBox& inside, bool stencil, std::uint32_t value,
+                    bool accum) const {
+        for_each_block(tile, inside, [&](std::size_t b, int, int, std::uint32_t mask) {
+            if (stencil) clear_stencil(r, value, tile.stencil[b], mask);
+            if (accum)
                 for (auto& channel : tile.accum[b].channel) fill_lanes(channel, 0, mask);
         });
-        counts->pixels += pixels * std::uint64_t(std::popcount(op.clear->planes));
+    }
+    static std::uint64_t pixels_in(const BlockBox& b) {
+        return std::uint64_t(b.x1 - b.x0) * std::uint64_t(b.y1 - b.y0);
     }
 
     static void clear_stencil(const Resolved& r, std::uint32_t value, StencilBlock& block,
@@ -118,11 +125,6 @@ struct TileRun {
         if (mask == every_lane) return void(std::fill_n(values, block_pixels, static_cast<T>(value)));
         for (std::size_t i = 0; i < block_pixels; ++i)
             values[i] = mask >> i & 1 ? static_cast<T>(value) : values[i];
-    }
-    static void clear_color(const ColorMask& m, const Rgba& color, ColorBlock& block, std::uint32_t mask) {
-        const bool channel[4] = {m.r, m.g, m.b, m.a};
-        for (std::size_t c = 0; c < 4; ++c)
-            if (channel[c]) fill_lanes(block.channel[c], color[c], mask);
     }
     static void write_stencil(const Resolved& r, StencilBlock& block, std::uint32_t mask, const auto& value) {
         const std::uint32_t write = r.state.stencil.write_mask & r.stencil_max;
@@ -192,11 +194,14 @@ struct TileRun {
     }
 
     void run(const ReadOp& op) {
-        for_each_block(tile, box(op.read->rect), [&](std::size_t b, int bx, int by, std::uint32_t mask) {
-            counts->pixels += lane_count(mask);
+        const BlockBox inside = box(op.read->rect);
+        if (inside.empty()) return;
+        counts->pixels += pixels_in(inside);
+        if (op.read->plane == Plane::Color)
+            return read_colors({tile, inside, op.read->rect, op.out->color.data()});
+        for_each_block(tile, inside, [&](std::size_t b, int bx, int by, std::uint32_t mask) {
             switch (op.read->plane) {
-                case Plane::Color:
-                    return read_block(op, bx, by, mask, pixels_of(tile.color[b]), op.out->color);
+                case Plane::Color: return;
                 case Plane::Depth: return read_block(op, bx, by, mask, tile.depth[b].value, op.out->values);
                 case Plane::Stencil:
                     return read_block(op, bx, by, mask, tile.stencil[b].value, op.out->values);

@@ -67,7 +67,7 @@ struct LaneCounter {
     }
     HWY_INLINE void add(const LaneSet& s) {
         for (std::size_t i = 0; i < parts; ++i)
-            count[i] = hn::Add(count[i], hn::IfThenElseZero(s.part[i], hn::Set(D32(), 1u)));
+            count[i] = hn::IfThenElse(s.part[i], hn::Add(count[i], hn::Set(D32(), 1u)), count[i]);
     }
     HWY_INLINE void add(AllLanes) { whole += 1; }
     HWY_INLINE void add(const LaneCounter& other) {
