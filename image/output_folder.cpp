@@ -42,7 +42,8 @@ OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> know
     if (!fs::is_directory(parent, error))
         refuse(asked_, "cannot be made: folder " + parent.string() + " does not exist; expected one");
     if (::access(parent.c_str(), W_OK) != 0)
-        refuse(asked_, std::string("cannot be made: ") + std::strerror(errno));
+        refuse(asked_, std::string("cannot be made: ") + std::strerror(errno) +
+                           "; expected a name in a folder that can be written into");
     check_replaceable();
     temporary_ = unused_name(parent);
     register_temporary_tree(temporary_);

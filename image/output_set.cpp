@@ -26,7 +26,8 @@ void OutputSet::make_folder(const fs::path& folder) {
     if (fs::is_directory(folder, error)) {
         if (::access(folder.c_str(), W_OK) != 0)
             throw Error(folder.string(), 0,
-                        std::string("folder cannot be written into: ") + std::strerror(errno));
+                        std::string("folder cannot be written into: ") + std::strerror(errno) +
+                            "; expected one that can");
         return;
     }
     if (fs::exists(folder, error)) {
@@ -35,7 +36,9 @@ void OutputSet::make_folder(const fs::path& folder) {
     register_temporary(folder);
     if (!fs::create_directory(folder, error)) {
         forget_temporary(folder);
-        throw Error(folder.string(), 0, "folder cannot be made: " + error.message());
+        throw Error(folder.string(), 0,
+                    "folder cannot be made: " + error.message() +
+                        "; expected a name in a folder that can be written into");
     }
     made_.push_back(folder);
 }

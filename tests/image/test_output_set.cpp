@@ -46,9 +46,20 @@ TEST(OutputSet, KeepsAFolderThatWasThere) {
 TEST(OutputSet, RefusesAFileAsFolderAndAFolderWithoutParent) {
     const Folder folder;
     write_file(folder / "file", "");
-    OutputSet files;
-    EXPECT_THROW(files.make_folder(folder / "file"), Error);
-    EXPECT_THROW(files.make_folder(folder / "missing/sub"), Error);
+    const auto refusal = [](const std::filesystem::path& name) -> std::string {
+        OutputSet files;
+        try {
+            files.make_folder(name);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "made";
+    };
+    EXPECT_NE(refusal(folder / "file").find("file: is not a folder; expected one"), std::string::npos);
+    const std::string orphan = refusal(folder / "missing/sub");
+    EXPECT_NE(orphan.find("missing/sub: folder cannot be made: "), std::string::npos) << orphan;
+    EXPECT_NE(orphan.find("; expected a name in a folder that can be written into"), std::string::npos)
+        << orphan;
 }
 
 TEST(OutputSet, IsRemovedByASignal) {
