@@ -7,6 +7,7 @@
 #include "apps/terminal.h"
 #include "image/output_set.h"
 #include "image/write.h"
+#include "inspect/counted.h"
 #include "itembuffer/differences.h"
 
 #include <fmt/format.h>
@@ -58,9 +59,10 @@ std::string counts_table(const itembuffer::Differences& d) {
                         std::string(color_name(reason))});
     }
     return table(rows) + fmt::format(
-                             "\nmean and largest in units of the frame buffer; {} passes add colours\n"
+                             "\nmean and largest in units of the frame buffer; colours are added by {}\n"
                              "away from edges {} pixels, of them another polygon: {}\n",
-                             d.passes, d.away_from_edges, d.another_polygon_there);
+                             inspect::counted(std::uint64_t(d.passes), "pass", "passes"), d.away_from_edges,
+                             d.another_polygon_there);
 }
 
 std::string counts_csv(const itembuffer::Differences& d) {

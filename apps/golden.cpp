@@ -8,6 +8,7 @@
 #include "apps/terminal.h"
 #include "gw/error.h"
 #include "image/write.h"
+#include "inspect/counted.h"
 #include "inspect/merge_runs.h"
 
 #include <fmt/format.h>
@@ -128,10 +129,12 @@ int golden(const GoldenOptions& options) {
     Progress progress("goldens", options.machine.quiet);
     Tally tally;
     for (const Figure* figure : wanted_figures(options.only)) run_figure(*figure, options, progress, tally);
-    print(fmt::format("{} manifests, {} passes: {}\n", tally.manifests, tally.passes,
-                      options.update         ? "written"
-                      : tally.different == 0 ? "all as they were"
-                                             : fmt::format("{} differ", tally.different)));
+    print(fmt::format(
+        "{}, {}: {}\n", inspect::counted(std::uint64_t(tally.manifests), "manifest", "manifests"),
+        inspect::counted(std::uint64_t(tally.passes), "pass", "passes"),
+        options.update         ? "written"
+        : tally.different == 0 ? "all as they were"
+                               : inspect::counted(std::uint64_t(tally.different), "differs", "differ")));
     return tally.different == 0 ? done : differs;
 }
 

@@ -8,6 +8,7 @@
 #include "gw/error.h"
 #include "hiddensurface/algorithm.h"
 #include "image/output_folder.h"
+#include "inspect/counted.h"
 #include "report/report.h"
 
 #include <fmt/format.h>
@@ -108,7 +109,8 @@ void expect_passes(const inspect::Recording& recording, const report::ReportOpti
 
 void print_summary(const InspectOptions& options, const report::ReportSummary& summary) {
     std::string text = (options.folder / "index.html").string() + "\n";
-    text += fmt::format("{} of {} passes, {:.1f} MB", summary.passes, summary.passes_of_recording,
+    text += fmt::format("{} of {}, {:.1f} MB", summary.passes,
+                        inspect::counted(std::uint64_t(summary.passes_of_recording), "pass", "passes"),
                         double(summary.bytes) / 1e6);
     if (summary.history)
         text +=

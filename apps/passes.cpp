@@ -6,6 +6,7 @@
 #include "apps/table.h"
 #include "apps/terminal.h"
 #include "gw/counter_names.h"
+#include "inspect/counted.h"
 #include "inspect/counters_json.h"
 #include "multipass/driver.h"
 #include "multipass/pass_toml.h"
@@ -77,7 +78,7 @@ std::string text(const Printout& printout) {
         rows.back().push_back(fmt::format("{:.4f} s", seconds));
     };
     for (const RunPass& run : printout.runs) add_row(run.report.name, run.report.counters, run.seconds);
-    add_row(fmt::format("{} passes", printout.runs.size()), printout.sum, printout.seconds);
+    add_row(inspect::counted(printout.runs.size(), "pass", "passes"), printout.sum, printout.seconds);
     return multipass::print_passes(printout.list) + "\n" + table(rows) +
            fmt::format("\nestimated: time by a price list, of {}\n", printout.prices.machine);
 }

@@ -10,6 +10,7 @@
 #include "apps/radiosity_report.h"
 #include "apps/tape.h"
 #include "apps/terminal.h"
+#include "inspect/counted.h"
 
 #include <fmt/format.h>
 
@@ -143,13 +144,16 @@ private:
         files.commit();
         const Step& last = steps_.back();
         const radiosity::Model& model = solver_.model();
-        print(fmt::format("{} figures, {} pixmaps, {} texels, {} patches\n", model.figures.size(),
-                          model.pixmaps.size(), model.texel_count(), model.patches.size()));
-        print(fmt::format(
-            "{} shots, {} hemicubes, {:.1f} s: absorbed {:.4f}, unshot {:.4f}, escaped {:.4f} of what is "
-            "emitted; books off by {:.1e}\n{}",
-            last.shots, last.hemicubes, last.seconds, last.absorbed, last.unshot, last.escaped,
-            last.imbalance, text));
+        print(fmt::format("{}, {}, {}, {}\n", inspect::counted(model.figures.size(), "figure", "figures"),
+                          inspect::counted(model.pixmaps.size(), "pixmap", "pixmaps"),
+                          inspect::counted(std::uint64_t(model.texel_count()), "texel", "texels"),
+                          inspect::counted(model.patches.size(), "patch", "patches")));
+        print(
+            fmt::format("{}, {}, {:.1f} s: absorbed {:.4f}, unshot {:.4f}, escaped {:.4f} of what is "
+                        "emitted; books off by {:.1e}\n{}",
+                        inspect::counted(std::uint64_t(last.shots), "shot", "shots"),
+                        inspect::counted(std::uint64_t(last.hemicubes), "hemicube", "hemicubes"),
+                        last.seconds, last.absorbed, last.unshot, last.escaped, last.imbalance, text));
     }
 
     // [F4] Shoots the difference; with --anew beside solving the changed scene from nothing.

@@ -11,6 +11,7 @@
 #include "image/planes.h"
 #include "image/write.h"
 #include "inspect/compare_machines.h"
+#include "inspect/counted.h"
 #include "inspect/player.h"
 
 #include <fmt/format.h>
@@ -95,11 +96,13 @@ int replay(const ReplayOptions& options) {
     const auto machine = options.machine.make()(recording);
     inspect::Player(recording, *machine).play();
     write_files(options, recording, machine->planes());
-    print(fmt::format(
-        "{} passes, {} commands, {} x {} pixels on profile {}{}\n", machine->passes().size(),
-        inspect::command_count(recording), recording.width, recording.height, recording.profile.name,
-        options.machine.both() ? ": reference and fast agree in every plane and counter after every pass"
-                               : ""));
+    print(fmt::format("{}, {}, {} x {} pixels on profile {}{}\n",
+                      inspect::counted(machine->passes().size(), "pass", "passes"),
+                      inspect::counted(inspect::command_count(recording), "command", "commands"),
+                      recording.width, recording.height, recording.profile.name,
+                      options.machine.both()
+                          ? ": reference and fast agree in every plane and counter after every pass"
+                          : ""));
     return done;
 }
 

@@ -5,6 +5,7 @@
 #include "apps/recording_files.h"
 #include "apps/terminal.h"
 #include "image/output_set.h"
+#include "inspect/counted.h"
 
 #include <fmt/format.h>
 
@@ -66,8 +67,9 @@ int check(const VerifyOptions& options, const inspect::Recording& recording, Pro
     const auto verification = inspect::verify(recording, expected.manifest, expected.values,
                                               options.machine.make(), options.machine.make_other());
     if (verification.finding) return report(verification, options, recording.height);
-    print(fmt::format("{}: as {} says, {} passes, every plane and counter{}\n", options.recording.string(),
-                      options.manifest.string(), expected.manifest.passes.size(),
+    print(fmt::format("{}: as {} says, {}, every plane and counter{}\n", options.recording.string(),
+                      options.manifest.string(),
+                      inspect::counted(expected.manifest.passes.size(), "pass", "passes"),
                       options.machine.both() ? ", on reference and fast" : ""));
     return done;
 }

@@ -1,5 +1,6 @@
 #include "inspect/result_difference.h"
 
+#include "inspect/counted.h"
 #include "inspect/pixel_report.h"
 #include "inspect/player.h"
 
@@ -45,7 +46,8 @@ ResultDifference located(Finding finding, Planes a, Planes b) {
         if (wrong.empty()) continue;
         const auto [x, y, distance] = wrong.front();
         result.plane = plane;
-        result.finding.what = fmt::format("plane {}, {} pixels, the worst one", name_of(plane), wrong.size());
+        result.finding.what = fmt::format("plane {}, {}, the worst one", name_of(plane),
+                                          counted(wrong.size(), "pixel", "pixels"));
         result.finding.pixel = ivec2(x, y);
         result.finding.expected = value_at(result.a, plane, x, y);
         result.finding.actual = value_at(result.b, plane, x, y);

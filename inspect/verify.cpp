@@ -1,5 +1,6 @@
 #include "inspect/verify.h"
 
+#include "inspect/counted.h"
 #include "inspect/digesting_machine.h"
 #include "inspect/player.h"
 #include "inspect/profile_json.h"
@@ -82,8 +83,8 @@ void find_pixel(Finding& finding, const std::optional<Planes>& expected, const P
         finding.pixel = pixel;
         finding.expected = value_at(*expected, plane, pixel->x, pixel->y);
         finding.actual = value_at(actual, plane, pixel->x, pixel->y);
-        finding.notes.push_back(
-            fmt::format("{} pixels of this plane differ", wrong_pixels(*expected, actual, plane).size()));
+        finding.notes.push_back(counted(wrong_pixels(*expected, actual, plane).size(),
+                                        "pixel of this plane differs", "pixels of this plane differ"));
         return;
     }
 }

@@ -1,5 +1,6 @@
 #include "testing/matchers.h"
 
+#include "inspect/counted.h"
 #include "inspect/plane_values.h"
 #include "testing/failure_pictures.h"
 
@@ -66,9 +67,9 @@ std::string difference(Plane plane, const Planes& expected, const Planes& actual
     const auto wrong = inspect::wrong_pixels(expected, actual, plane);
     if (wrong.empty()) return "";
     const auto [x, y, distance] = wrong.front();
-    return fmt::format("where {} differs at {} pixels, worst at ({}, {}): expected {}, got {}",
-                       name_of(plane), wrong.size(), x, y, value_at(expected, plane, x, y),
-                       value_at(actual, plane, x, y));
+    return fmt::format("where {} differs at {}, worst at ({}, {}): expected {}, got {}", name_of(plane),
+                       inspect::counted(wrong.size(), "pixel", "pixels"), x, y,
+                       value_at(expected, plane, x, y), value_at(actual, plane, x, y));
 }
 
 PlanesMatcher equal(std::string says, std::vector<Plane> which, Planes expected,

@@ -97,7 +97,7 @@ TEST(Verify, AWrongMachineIsNamedByPixelWithTheHelpOfAnother) {
     EXPECT_EQ(text(*v.finding, recording.height),
               "pass 1 'first', plane color, pixel 3 3: expected 100 100 100 255, got 100 101 100 255; stage: "
               "shading, texture, fog, blending or the colour mask\n"
-              "  1 pixels of this plane differ\n");
+              "  1 pixel of this plane differs\n");
 }
 
 TEST(Verify, AnotherRecordingIsNamedByPixelWithTheHelpOfStoredValues) {
@@ -116,7 +116,7 @@ TEST(Verify, AnotherRecordingIsNamedByPixelWithTheHelpOfStoredValues) {
               "pass 1 'first', plane color, pixel 3 3: expected 100 100 100 255, got 100 101 100 255; stage: "
               "shading, texture, fog, blending or the colour mask\n"
               "  state depth.mask: expected as the pass before, got off\n"
-              "  1 pixels of this plane differ\n");
+              "  1 pixel of this plane differs\n");
 }
 
 TEST(Verify, WithoutValuesThePlaneIsNamed) {

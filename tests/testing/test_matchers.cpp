@@ -51,7 +51,7 @@ TEST(Matchers, ComparePlanes) {
     other.depth[0] = 7;
     EXPECT_THAT(other, PlaneEq(Plane::Color, planes()));
     EXPECT_EQ(explanation(PlaneEq(Plane::Depth, planes()), other),
-              "where depth differs at 1 pixels, worst at (0, 0): expected 0, got 7");
+              "where depth differs at 1 pixel, worst at (0, 0): expected 0, got 7");
     EXPECT_THAT(explanation(PlanesEq(planes()), other), HasSubstr("where depth differs"));
     EXPECT_EQ(explanation(PlaneEq(Plane::Depth, planes()), Planes(2, 3)), "which are 2 x 3, expected 3 x 2");
 }

@@ -1,0 +1,13 @@
+// Numbers of things in sentences.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace gw::inspect {
+
+/// "1 pass", "2 passes"
+std::string counted(std::uint64_t number, std::string_view one, std::string_view many);
+
+}  // namespace gw::inspect
