@@ -14,7 +14,8 @@ function(gw_compile target)
 endfunction()
 
 # gw_library(FOLDER [TARGET name] [EXCLUDE file...] [LINK library...])
-# Compiles all *.cpp below the calling folder into library gw_FOLDER, alias gw::FOLDER (name instead of FOLDER where given).
+# Compiles all *.cpp below the calling folder into library gw_FOLDER, alias gw::FOLDER (name instead of FOLDER where given). Its headers are
+# installed. EXCLUDE: sources that are not compiled, headers that are not installed.
 function(gw_library folder)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "TARGET" "EXCLUDE;LINK")
     set(name ${folder})
@@ -36,6 +37,8 @@ function(gw_library folder)
     set(observer ${headers})  # what inspect's headers show of the reference machine
     list(FILTER observer INCLUDE REGEX "/gw/reference/observer\\.h$")
     list(FILTER headers EXCLUDE REGEX "-inl\\.h$|/gw/(fast|reference)/")
+    list(TRANSFORM arg_EXCLUDE PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+    list(REMOVE_ITEM headers ${arg_EXCLUDE} "")
     list(APPEND headers ${observer})
     target_sources(gw_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
     set_target_properties(gw_${name} PROPERTIES EXPORT_NAME ${name})
