@@ -75,14 +75,6 @@ std::string label_of(const fs::path& file) {
     return label;
 }
 
-/// "gw maps rings.gwt"
-std::string title_of(const std::vector<std::string>& words) {
-    std::string title = "gw";
-    for (std::size_t i = 0; i < std::min<std::size_t>(words.size(), 2); ++i)
-        if (words[i][0] != '-') title += " " + words[i];
-    return title;
-}
-
 }  // namespace
 
 FolderIndex read_index(const fs::path& folder) {
@@ -141,12 +133,18 @@ IndexEntry entry_of(const std::vector<fs::path>& files, const fs::path& folder) 
     return entry;
 }
 
+void caption(IndexEntry& entry, const std::string& command) {
+    const std::vector<std::string> words = shell_words(command);
+    if (!words.empty()) entry.title = fs::path(words[0]).filename().string();
+    for (std::size_t i = 1; i < std::min<std::size_t>(words.size(), 3) && !words[i].starts_with("-"); ++i)
+        entry.title += " " + words[i];
+    entry.commands = {{command, "", ""}};
+}
+
 void put_index(image::OutputSet& output, const fs::path& folder) {
     if (RunningCommand::is_inner()) return;
-    const std::vector<std::string>& words = RunningCommand::words();
     IndexEntry entry = entry_of(output.targets(), folder);
-    entry.title = title_of(words);
-    entry.commands = {{shell_command(words), "", ""}};
+    caption(entry, shell_command(RunningCommand::words()));
     const fs::path page = folder / "index.html";
     const bool page_is_ours = entry.page.empty() && (!fs::exists(page) || is_index_page(page));
     FolderIndex index;

@@ -50,6 +50,9 @@ void add_entry(FolderIndex& index, IndexEntry entry);
 /// Of files in a folder: what can be looked at is shown, the rest is named.
 IndexEntry entry_of(const std::vector<std::filesystem::path>& files, const std::filesystem::path& folder);
 
+/// As made by this command, and named after it: "gw maps rings.gwt".
+void caption(IndexEntry& entry, const std::string& command);
+
 /// Adds to the folder's index.json and index.html what `output` is about to write there, as made by the
 /// command that runs. An index.html of another kind stays, and the folder is left alone where its index.json
 /// is of another kind: what was drawn is worth more than its index. Nothing where the command runs inside

@@ -1,5 +1,6 @@
 // gw hidden --quiz: a handout of questions with pictures and scenes, and apart from it the key.
 #include "apps/command.h"
+#include "apps/folder_index.h"
 #include "apps/hidden_options.h"
 #include "apps/hidden_pictures.h"
 #include "apps/progress.h"
@@ -168,6 +169,7 @@ int hidden_quiz(const HiddenOptions& options) {
     output.add(handout / "questions.json").write_text(questions.dump(2) + "\n");
     output.add(handout / "answers.json").write_text(form.dump(2) + "\n");
     output.add(options.quiz / "key.json").write_text(key.dump(2) + "\n");
+    put_index(output, options.quiz);
     output.commit();
     print(options.form == Form::Json ? questions.dump(2) + "\n" : all.text);
     return done;

@@ -4,6 +4,8 @@
 #include "apps/index_page.h"
 #include "apps/terminal.h"
 #include "gw/error.h"
+#include "image/origin.h"
+#include "plot/plot.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -81,19 +83,38 @@ bool is_known(const FolderIndex& index, const std::string& file) {
     });
 }
 
-/// Pictures and plots of which no command is known, but those of reports, which show them themselves.
-void add_unknown(FolderIndex& index, const std::vector<fs::path>& files,
-                 const std::vector<fs::path>& reports) {
-    std::vector<fs::path> unknown;
+/// The command that a picture or plot says it was made by; "" where it does not.
+std::string command_of(const fs::path& file) {
+    std::string command;
+    if (file.extension() == ".svg") {
+        std::string beginning(1 << 16, '\0');
+        std::ifstream stream(file, std::ios::binary);
+        stream.read(beginning.data(), std::ptrdiff_t(beginning.size()));
+        command = plot::command_of(beginning.substr(0, std::size_t(stream.gcount())));
+    }
+    return command.empty() ? image::origin_of(file) : command;
+}
+
+/// Pictures and plots that no folder's index has, by the commands that they name, and last those that name
+/// none. Not those of reports, which show them themselves.
+void add_single(FolderIndex& index, const fs::path& folder, const std::vector<fs::path>& files,
+                const std::vector<fs::path>& reports) {
+    std::vector<fs::path> single;
     for (const fs::path& file : files)
-        if (!is_inside(file, reports) && !is_known(index, file.generic_string())) unknown.push_back(file);
-    IndexEntry entry = entry_of(unknown, "");
-    if (entry.pictures.empty()) return;
-    entry.files.clear();
-    entry.page.clear();
-    entry.title = "Others";
-    entry.text = "Which command made these was not noted; plots say it themselves.";
-    index.push_back(std::move(entry));
+        if (!is_inside(file, reports) && !is_known(index, file.generic_string())) single.push_back(file);
+    IndexEntry others{.title = "Others", .text = "Which command made these was not noted."};
+    const std::size_t before = index.size();
+    for (Shown& shown : entry_of(single, "").pictures) {
+        IndexEntry entry;
+        const std::string command = command_of(folder / shown.file);
+        if (!command.empty()) caption(entry, command);
+        const auto same =
+            std::find_if(index.begin() + std::ptrdiff_t(before), index.end(),
+                         [&](const IndexEntry& other) { return other.commands == entry.commands; });
+        IndexEntry& into = command.empty() ? others : same == index.end() ? index.emplace_back(entry) : *same;
+        into.pictures.push_back(std::move(shown));
+    }
+    if (!others.pictures.empty()) index.push_back(std::move(others));
 }
 
 FolderIndex index_of(const fs::path& folder) {
@@ -113,7 +134,7 @@ FolderIndex index_of(const fs::path& folder) {
                          .page = (below / "index.html").generic_string(),
                          .commands = {{command, "", ""}}});
     }
-    add_unknown(index, files, reports);
+    add_single(index, folder, files, reports);
     return index;
 }
 

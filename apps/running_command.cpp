@@ -1,5 +1,8 @@
 #include "apps/running_command.h"
 
+#include "apps/shell_words.h"
+#include "image/origin.h"
+
 namespace gw::apps {
 
 namespace {
@@ -10,11 +13,15 @@ int depth = 0;
 }  // namespace
 
 RunningCommand::RunningCommand(const std::vector<std::string>& words) {
-    if (depth++ == 0) outer_words = words;
+    if (depth++ > 0) return;
+    outer_words = words;
+    image::set_origin(shell_command(words));
 }
 
 RunningCommand::~RunningCommand() {
-    if (--depth == 0) outer_words.clear();
+    if (--depth > 0) return;
+    outer_words.clear();
+    image::set_origin("");
 }
 
 const std::vector<std::string>& RunningCommand::words() { return outer_words; }

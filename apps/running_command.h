@@ -1,4 +1,5 @@
-// The command line that is being run, for captions. Does not parse or run it.
+// The command line that is being run, for captions: of folders (folder_index.h), and noted on every file that
+// is written meanwhile (image/origin.h). Does not parse or run it.
 #pragma once
 
 #include <string>

@@ -19,4 +19,22 @@ std::string shell_command(const std::vector<std::string>& words) {
     return text;
 }
 
+std::vector<std::string> shell_words(const std::string& command) {
+    std::vector<std::string> words;
+    bool inside = false, is_quoted = false;
+    for (std::size_t i = 0; i < command.size(); ++i) {
+        const char c = command[i];
+        const bool ends = c == ' ' && !is_quoted;
+        if (!ends && !inside) words.emplace_back();
+        inside = !ends;
+        if (c == '\'')
+            is_quoted = !is_quoted;
+        else if (c == '\\' && !is_quoted && i + 1 < command.size())
+            words.back() += command[++i];
+        else if (!ends)
+            words.back() += c;
+    }
+    return words;
+}
+
 }  // namespace gw::apps

@@ -1,6 +1,7 @@
 #include "image/output_file.h"
 
 #include "gw/error.h"
+#include "image/origin.h"
 #include "image/temporaries.h"
 
 #include <fcntl.h>
@@ -118,6 +119,7 @@ void OutputFile::close() {
 void OutputFile::commit() {
     close();
     if (temporary_.empty()) return;
+    note_origin(temporary_);
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     forget_temporary(temporary_);
     temporary_.clear();

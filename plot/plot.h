@@ -5,6 +5,7 @@
 #include "gw/types.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gw::plot {
@@ -33,6 +34,9 @@ struct Plot {
 /// The plot, 720 pixels wide. A point's values appear where the pointer rests on its marker. Throws Error
 /// where there is no point, a coordinate is not finite, or is not above 0 on a logarithmic axis.
 std::string svg(const Plot& plot);
+
+/// Plot::command of a plot that svg drew; "" of another drawing.
+std::string command_of(std::string_view svg);
 
 /// "x,series 1,series 2": a row for every x that occurs, ascending, a field empty where a series has no such
 /// point. Numbers read back as the same doubles.

@@ -2,10 +2,13 @@
 // makes one page of many folders.
 #include "apps/folder_index.h"
 #include "apps/index_page.h"
+#include "apps/shell_words.h"
 #include "examples.h"
 #include "scene_files.h"
 
 #include "gw/error.h"
+#include "image/origin.h"
+#include "plot/plot.h"
 
 namespace gw::apps {
 
@@ -86,10 +89,55 @@ TEST_F(Index, OfAFolderOfFoldersIsOnePage) {
     EXPECT_TRUE(contains(text, "href=\"a%20report/index.html\""));
     EXPECT_TRUE(contains(text, "gw inspect t.gwt -o &#39;all/a report&#39;<"));
     EXPECT_FALSE(contains(text, "pictures/0000"));
-    EXPECT_TRUE(contains(text, "<h2>Others"));
     EXPECT_TRUE(contains(text, "src=\"alone.png\""));
     ASSERT_EQ(gw({"index", "all"}).code, 0);
     EXPECT_EQ(page("all"), text);
+}
+
+TEST_F(Index, HasSinglePicturesByTheCommandsThatTheyName) {
+    fs::create_directories(in("all/deep"));
+    ASSERT_EQ(render({"lamps.toml", "-o", "all/a.png"}).code, 0);
+    ASSERT_EQ(render({"lamps.toml", "-o", "all/deep/t.png", "--turntable", "2"}).code, 0);
+    ASSERT_EQ(gw({"cast", "lamps.toml", "-o", "all/deep/cast.png", "--size", "16x16"}).code, 0);
+    if (image::origin_of(in("all/a.png")).empty()) GTEST_SKIP() << "no extended attributes in " << in("all");
+    EXPECT_FALSE(fs::exists(in("all/index.json")));
+    EXPECT_FALSE(fs::exists(in("all/deep/index.html")));
+    write("all/mine.png", "from elsewhere");
+    ASSERT_EQ(gw({"index", "all"}).code, 0);
+    const std::string text = page("all");
+    const auto has = [&](const std::string& part) {
+        EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
+    };
+    has("<h2>gw render lamps.toml</h2>");
+    has("src=\"a.png\"");
+    has("<code>build/release/bin/gw render lamps.toml -o all/a.png");
+    has("gw cast lamps.toml -o all/deep/cast.png --size 16x16</code>");
+    EXPECT_LT(text.find("t_001.png"), text.find("t_002.png"));
+    EXPECT_EQ(text.find("--turntable 2"), text.rfind("--turntable 2"));
+    EXPECT_LT(text.find("<h2>Others"), text.find("src=\"mine.png\""));
+    EXPECT_EQ(text.find("src", text.find("src=\"mine.png\"") + 1), text.npos) << "others name their command";
+}
+
+TEST_F(Index, HasPlotsOfOtherProgramsByTheirCommands) {
+    fs::create_directory(in("all"));
+    const plot::Plot plot{.title = "a plot",
+                          .caption = "",
+                          .command = "build/release/bin/bench_growth 'a b'",
+                          .x = {"x"},
+                          .y = {"y"},
+                          .series = {{"s", {{1, 2}}}}};
+    write("all/plot.svg", plot::svg(plot));
+    ASSERT_EQ(gw({"index", "all"}).code, 0);
+    EXPECT_TRUE(contains(page("all"), "<h2>bench_growth a b</h2>"));
+    EXPECT_TRUE(contains(page("all"), "<code>build/release/bin/bench_growth &#39;a b&#39;</code>"));
+    EXPECT_TRUE(contains(page("all"), "src=\"plot.svg\""));
+}
+
+TEST_F(Index, OfAQuizIsTheTeachersOnly) {
+    ASSERT_EQ(gw({"hidden", "--quiz", "q", "--questions", "2"}).code, 0);
+    EXPECT_TRUE(contains(page("q"), "src=\"handout/picture_02.png\""));
+    EXPECT_TRUE(contains(page("q"), "<a href=\"key.json\">"));
+    EXPECT_FALSE(fs::exists(in("q/handout/index.html")));
 }
 
 TEST_F(Index, RefusesWhatIsNoFolderOfPictures) {
@@ -102,6 +150,14 @@ TEST_F(Index, RefusesWhatIsNoFolderOfPictures) {
     expect_refused(1, {"index", "empty"}, {"index.json", "entries"});
     write("empty/index.json", "{\"format\": \"a list\", \"version\": 1, \"entries\": []}");
     expect_refused(1, {"index", "empty"}, {"index.json", "of another kind"});
+}
+
+TEST(ShellWords, AreThoseOfTheCommand) {
+    const std::vector<std::string> words{"hidden", "a b.toml", "it's", "", "--eye", "1,2,3", "\\", "x'' y"};
+    std::vector<std::string> expected{"build/release/bin/gw"};
+    expected.insert(expected.end(), words.begin(), words.end());
+    EXPECT_EQ(shell_words(shell_command(words)), expected);
+    EXPECT_TRUE(shell_words("").empty());
 }
 
 TEST(FolderIndexes, CannotBeBrokenByNames) {

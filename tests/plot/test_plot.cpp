@@ -77,6 +77,17 @@ TEST(Svg, BreaksALongCaptionAtBlanks) {
     EXPECT_EQ(count(svg(plot), "fifteen-letters</text>"), 5u);
 }
 
+TEST(Svg, SaysByWhichCommandItWasMade) {
+    const std::string command = "build/release/bin/gw study 'a & <b>' -o \"x\"";
+    Plot plot = small;
+    plot.command = "";
+    EXPECT_EQ(command_of(svg(plot)), "");
+    plot.command = command;
+    EXPECT_EQ(command_of(svg(plot)), command);
+    EXPECT_EQ(command_of("<svg><desc>a drawing of others</desc></svg>"), "");
+    EXPECT_EQ(command_of(svg(plot).substr(0, svg(plot).find("</desc>"))), "");
+}
+
 TEST(Csv, HasARowForEveryX) { EXPECT_EQ(csv(small), "N,\"one, two\",three\n2,0.5,\n4,,0.1\n8,0.125,\n"); }
 
 TEST(PowerLaw, FindsTheLawThatThePointsFollow) {
