@@ -37,6 +37,14 @@ const std::vector<std::string> painters{"painter-farthest", "painter-nearest", "
 
 }  // namespace
 
+TEST(Painters, AreRightWhereOneDistanceSorts) {
+    for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+        Stage stage(random_layers(seed, 7), vgx(), 40, 30);
+        for (const std::string& name : painters)
+            EXPECT_EQ(stage.run(name).ids, stage.z_buffer.ids) << name << ", seed " << seed;
+    }
+}
+
 TEST(Cycle, DefeatsEverySortAndIsMendedBySplitting) {
     Stage stage(case_scene("cycle"));
     expect_wrong(stage, painters);

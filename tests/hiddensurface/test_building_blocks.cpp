@@ -1,6 +1,7 @@
 // Claims: the lecture's building blocks are exact: normal, view test, edges, depth. [L3, L4, L7, L8]
 #include "cases.h"
 #include "hiddensurface/normal.h"
+#include "hiddensurface/overlap.h"
 #include "hiddensurface/scan_conversion.h"
 
 #include <gtest/gtest.h>
@@ -42,6 +43,16 @@ TEST(Facing, IsDecidedByTheLineOfSightNotByTheNormalAlone) {
     EXPECT_NEAR(facing(dvec3(0, 0, 0), dvec3(10, 0, -10), n), -2, 1e-12);
     EXPECT_EQ(facing(dvec3(0, 0, 5), dvec3(3, 0, 5), dvec3(0, 1, 0)), 0);  // edge-on
     EXPECT_GT(facing(dvec4(0, 0, 1, 0), dvec3(10, 0, -10), n), 0);         // all lines of sight parallel
+}
+
+TEST(Overlap, IsDecidedByTheSidesOfBoth) {
+    const Piece square{.parts = {{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}}};
+    const auto triangle = [](double d) { return Piece{.parts = {{{d, 0, 0}, {6, 6, 0}, {0, d, 0}}}}; };
+    // Only the triangle's side x + y = d can separate them: their extents overlap.
+    for (const auto& [d, overlap] : {std::pair(4.5, false), {4.0, false}, {3.5, true}}) {
+        EXPECT_EQ(projections_overlap(square, triangle(d)), overlap) << d;
+        EXPECT_EQ(projections_overlap(triangle(d), square), overlap) << d;
+    }
 }
 
 TEST(EdgeWalk, StandsWhereTheClosedFormDoesAfterEveryStep) {

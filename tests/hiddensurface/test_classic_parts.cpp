@@ -208,6 +208,19 @@ TEST(CoincidentFaces, ShowTheScenesFirst) {
         }
 }
 
+// The same where the later one is met first on every scan line.
+TEST(CoincidentFaces, ShowTheScenesFirstBesideWhatBeginsFartherLeft) {
+    MeshData data{.primitive = Primitive::Quads};
+    for (const float left : {-1.0f, -2.0f})
+        for (const auto& [x, y] : {std::pair(0, -1), std::pair(3, -1), std::pair(3, 1), std::pair(0, 1)})
+            data.positions.push_back(vec3(left + float(x), float(y), 0));
+    Stage stage(polygon_scene(std::move(data)));
+    EXPECT_EQ(stage.z_buffer.ids[60 * 160 + 80], 1u);
+    for (const Algorithm& algorithm : algorithms())
+        if (algorithm.claim == Claim::Always && algorithm.name != "newell")
+            EXPECT_EQ(stage.run(algorithm.name).ids, stage.z_buffer.ids) << algorithm.name;
+}
+
 // Bit for bit, also where surfaces lie in each other and polygons come in another order.
 TEST(HierarchicalZ, IsTheZBuffer) {
     for (std::uint32_t seed = 1; seed <= 10; ++seed) {
