@@ -217,8 +217,9 @@ TEST(CoincidentFaces, ShowTheScenesFirstBesideWhatBeginsFartherLeft) {
     Stage stage(polygon_scene(std::move(data)));
     EXPECT_EQ(stage.z_buffer.ids[60 * 160 + 80], 1u);
     for (const Algorithm& algorithm : algorithms())
-        if (algorithm.claim == Claim::Always && algorithm.name != "newell")
+        if (algorithm.claim == Claim::Always && algorithm.name != "newell") {
             EXPECT_EQ(stage.run(algorithm.name).ids, stage.z_buffer.ids) << algorithm.name;
+        }
 }
 
 // Bit for bit, also where surfaces lie in each other and polygons come in another order.
