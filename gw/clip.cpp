@@ -84,36 +84,41 @@ void clip_plane(const std::vector<V>& in, const std::vector<double>& d, std::vec
     }
 }
 
+/// Leaves none where the whole is rejected; whether anything was cut. `d` and `left` are room.
 template <class V>
-ClippedOf<V> clip_by_planes(std::vector<V> vertices, const ViewportTransform& viewport, int first_plane) {
-    ClippedOf<V> result;
-    std::vector<double> d;
-    std::vector<V> left;
+bool clip_by_planes(std::vector<V>& vertices, const ViewportTransform& viewport, int first_plane,
+                    std::vector<double>& d, std::vector<V>& left) {
     const std::size_t least = vertices.size() < 3 ? vertices.size() : 3;
+    const auto reject = [&](bool cut) {
+        vertices.clear();
+        return cut;
+    };
     for (const V& v : vertices)
-        if (!is_finite(v)) return result;
+        if (!is_finite(v)) return reject(false);
+    bool cut = false;
     for (int plane = first_plane; plane < clip_plane_count; ++plane) {
         if (measure(vertices, plane, viewport, d)) continue;
-        result.cut = true;
+        cut = true;
         clip_plane(vertices, d, left);
         vertices.swap(left);
-        if (vertices.size() < least) return {{}, true};
+        if (vertices.size() < least) return reject(true);
     }
     for (const V& v : vertices)
-        if (!(v.clip.w > 0) || !is_finite(v)) return {{}, true};
-    result.vertices = std::move(vertices);
-    return result;
+        if (!(v.clip.w > 0) || !is_finite(v)) return reject(true);
+    return cut;
 }
 
 }  // namespace
 
 Clipped clip(std::vector<Vertex> vertices, const ViewportTransform& viewport) {
-    return clip_by_planes(std::move(vertices), viewport, 0);
+    std::vector<double> d;
+    std::vector<Vertex> left;
+    const bool cut = clip_by_planes(vertices, viewport, 0, d, left);
+    return {std::move(vertices), cut};
 }
 
-ClippedOf<ClipPosition> clip_positions(std::vector<ClipPosition> vertices, const ViewportTransform& viewport,
-                                       int first_plane) {
-    return clip_by_planes(std::move(vertices), viewport, first_plane);
+bool PositionClipper::clip(const ViewportTransform& viewport, int first_plane) {
+    return clip_by_planes(vertices, viewport, first_plane, distances, left);
 }
 
 }  // namespace gw

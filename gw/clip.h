@@ -24,21 +24,23 @@ inline constexpr int clip_plane_count = 2 + max_clip_planes + 4;
 double clip_distance(const ClipPosition& v, int i, const ViewportTransform& viewport);
 
 /// What clipping leaves, and whether it changed anything.
-template <class V>
-struct ClippedOf {
-    std::vector<V> vertices;  ///< a convex polygon, a line's two ends, a point; empty: rejected
+struct Clipped {
+    std::vector<Vertex> vertices;  ///< a convex polygon, a line's two ends, a point; empty: rejected
     bool cut = false;
 };
-using Clipped = ClippedOf<Vertex>;
 
 /// Clips a polygon (3 or more vertices), a line (2) or a point (1). A vertex whose clip coordinates are not
 /// finite, given or new, rejects it whole.
 Clipped clip(std::vector<Vertex> vertices, const ViewportTransform& viewport);
 
-/// The same of positions alone. Whoever knows that all vertices are inside the first planes may begin after
-/// them.
-ClippedOf<ClipPosition> clip_positions(std::vector<ClipPosition> vertices, const ViewportTransform& viewport,
-                                       int first_plane = 0);
+/// The same of positions alone, in place (empty: rejected); whether it changed anything. Keeps its memory.
+struct PositionClipper {
+    std::vector<ClipPosition> vertices{}, left{};
+    std::vector<double> distances{};
+
+    /// Whoever knows that all vertices are inside the first planes may begin after them.
+    bool clip(const ViewportTransform& viewport, int first_plane);
+};
 
 /// I + t (O - I), t = dI / (dI - dO), I inside, O outside: both neighbours of an edge get the same bits.
 Vertex interpolate(const Vertex& inside, const Vertex& outside, double t);

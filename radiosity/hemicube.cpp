@@ -41,9 +41,8 @@ void take(const Readback& read, std::size_t identifiers, IdBuffer& buffer) {
     buffer.size = read.rect.width;
     buffer.rows = read.rect.height;
     buffer.ids.resize(read.color.size());
-    identify(read.color, buffer.ids.data());
     buffer.seen.assign(identifiers, 0);
-    mark_seen(buffer.ids, buffer.seen.data());
+    identify(read.color, buffer.ids.data(), buffer.seen.data());
 }
 
 }  // namespace

@@ -18,34 +18,29 @@ std::uint32_t id_of_word(std::uint64_t color) {
     return std::uint32_t((color & 0xFF) | (color >> 8 & 0xFF00) | (color >> 16 & 0xFF0000));
 }
 
-void identify_all(std::span<const Rgba> colors, std::uint32_t* ids) {
+/// Identifiers in a vector and those one before: pixels side by side mostly have the same, and only where
+/// they differ is there something new to mark.
+void identify_all(std::span<const Rgba> colors, std::uint32_t* ids, char* seen) {
     const U64 d;
+    const U32 half;
     const auto* words = reinterpret_cast<const std::uint64_t*>(colors.data());
     const auto byte = [&](auto v, std::uint64_t mask) { return hn::And(v, hn::Set(d, mask)); };
+    const auto mark = [&](std::size_t i, std::size_t count) {
+        for (std::size_t k = i; k < i + count; ++k) seen[ids[k]] = 1;
+    };
     std::size_t i = 0;
     for (; i + hn::Lanes(d) <= colors.size(); i += hn::Lanes(d)) {
         const auto color = hn::LoadU(d, words + i);
-        const auto id = hn::Or(byte(color, 0xFF), hn::Or(byte(hn::ShiftRight<8>(color), 0xFF00),
-                                                         byte(hn::ShiftRight<16>(color), 0xFF0000)));
-        hn::StoreU(hn::TruncateTo(U32(), id), U32(), ids + i);
+        const auto wide = hn::Or(byte(color, 0xFF), hn::Or(byte(hn::ShiftRight<8>(color), 0xFF00),
+                                                           byte(hn::ShiftRight<16>(color), 0xFF0000)));
+        const auto id = hn::TruncateTo(half, wide);
+        hn::StoreU(id, half, ids + i);
+        if (!hn::AllTrue(half, hn::Eq(id, hn::Set(half, i == 0 ? ~0u : ids[i - 1])))) mark(i, hn::Lanes(d));
     }
-    for (; i < colors.size(); ++i) ids[i] = id_of_word(words[i]);
-}
-
-/// Pixels side by side mostly have one identifier: only where a vector differs from what stands one before
-/// it is there something new.
-void mark_all(std::span<const std::uint32_t> ids, char* seen) {
-    const hn::ScalableTag<std::uint32_t> d;
-    const std::size_t lanes = hn::Lanes(d);
-    if (ids.empty()) return;
-    seen[ids[0]] = 1;
-    std::size_t i = 1;
-    for (; i + lanes <= ids.size(); i += lanes) {
-        const auto same = hn::Eq(hn::LoadU(d, &ids[i]), hn::LoadU(d, &ids[i - 1]));
-        if (hn::AllTrue(d, same)) continue;
-        for (std::size_t k = i; k < i + lanes; ++k) seen[ids[k]] = 1;
+    for (; i < colors.size(); ++i) {
+        ids[i] = id_of_word(words[i]);
+        mark(i, 1);
     }
-    for (; i < ids.size(); ++i) seen[ids[i]] = 1;
 }
 
 }  // namespace gw::radiosity::HWY_NAMESPACE
@@ -55,12 +50,10 @@ HWY_AFTER_NAMESPACE();
 namespace gw::radiosity {
 
 HWY_EXPORT(identify_all);
-HWY_EXPORT(mark_all);
 
-void identify(std::span<const Rgba> colors, std::uint32_t* ids) {
-    HWY_DYNAMIC_DISPATCH(identify_all)(colors, ids);
+void identify(std::span<const Rgba> colors, std::uint32_t* ids, char* seen) {
+    HWY_DYNAMIC_DISPATCH(identify_all)(colors, ids, seen);
 }
-void mark_seen(std::span<const std::uint32_t> ids, char* seen) { HWY_DYNAMIC_DISPATCH(mark_all)(ids, seen); }
 
 }  // namespace gw::radiosity
 #endif  // HWY_ONCE

@@ -8,10 +8,8 @@
 
 namespace gw::radiosity {
 
-/// scene::id_of() of each colour, 8 bits a channel; `ids` has room for all.
-void identify(std::span<const Rgba> colors, std::uint32_t* ids);
-
-/// Sets seen[id] to 1 for every identifier that is there.
-void mark_seen(std::span<const std::uint32_t> ids, char* seen);
+/// scene::id_of() of each colour, 8 bits a channel, into `ids`, which has room for all; seen[id] becomes 1
+/// for every identifier that is there.
+void identify(std::span<const Rgba> colors, std::uint32_t* ids, char* seen);
 
 }  // namespace gw::radiosity

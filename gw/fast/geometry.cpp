@@ -39,7 +39,9 @@ struct Builder {
     const Profile& profile;
     VertexProgram program;
     GeometrySet& set;
-    std::vector<Outcode> outcode;
+    std::vector<Outcode> outcode{};
+    PositionClipper clipper{};
+    std::vector<SnappedPoint> fan_corners{};
 
     const Mesh& mesh() const { return *program.draw->mesh; }
     const State& state() const { return *program.state; }
@@ -117,19 +119,19 @@ struct Builder {
 
     /// Clips for good; false where nothing is left. New vertices go to the end of the arrays.
     bool cut(std::array<std::uint32_t, 3> corners, std::uint32_t sides, Cut& out) {
-        std::vector<ClipPosition> vertices;
-        vertices.reserve(sides + 1);
+        std::vector<ClipPosition>& vertices = clipper.vertices;
+        vertices.clear();
         Outcode any = 0;
         for (std::uint32_t k = 0; k < sides; ++k) {
             vertices.push_back(position(corners[k]));
             any |= outcode[corners[k]];
         }
-        const int first_plane = std::min(std::countr_zero(any), clip_plane_count);
-        const auto clipped = clip_positions(std::move(vertices), set.state.viewport, first_plane);
-        if (clipped.vertices.empty()) return false;
-        out = {corners, sides, std::uint32_t(set.at.size()), std::uint32_t(clipped.vertices.size())};
-        for (const ClipPosition& v : clipped.vertices) push_window(v);
-        set.counters.clipped += clipped.cut ? 1 : 0;
+        const bool changed =
+            clipper.clip(set.state.viewport, std::min(std::countr_zero(any), clip_plane_count));
+        if (vertices.empty()) return false;
+        out = {corners, sides, std::uint32_t(set.at.size()), std::uint32_t(vertices.size())};
+        for (const ClipPosition& v : vertices) push_window(v);
+        set.counters.clipped += changed ? 1 : 0;
         set.cuts.push_back(out);
         return true;
     }
@@ -161,11 +163,11 @@ struct Builder {
     }
 
     /// The pieces of a polygon: of a whole triangle, or of what clipping left.
-    Fan fan(const Triangle& t, const Cut& piece) const {
+    Fan fan(const Triangle& t, const Cut& piece) {
         if (piece.count == 0) return {area_of(t.vertex), 0};
-        std::vector<SnappedPoint> points;
-        for (std::uint32_t k = 0; k < piece.count; ++k) points.push_back(point(piece.first + k));
-        return fan_of(points);
+        fan_corners.clear();
+        for (std::uint32_t k = 0; k < piece.count; ++k) fan_corners.push_back(point(piece.first + k));
+        return fan_of(fan_corners);
     }
 
     void push_pieces(const Triangle& t, const Cut& piece, const Fan& pieces, const SetupPrimitive& p) {
@@ -292,7 +294,7 @@ void list_used_vertices(GeometrySet& set, std::uint32_t mesh_vertices) {
 
 void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile, int width,
                    int height) {
-    Builder b{profile, vertex_program(state, draw, profile), set, {}};
+    Builder b{profile, vertex_program(state, draw, profile), set};
     set.state = resolve(state, profile, width, height);
     for (const ClipPlane& plane : state.clip_planes) b.any_user_plane = b.any_user_plane || plane.enable;
     b.filled = state.polygon_mode == PolygonMode::Fill;

@@ -26,31 +26,65 @@ HWY_INLINE void interleave(const ColorBlock& block, Rgba* pixels) {
     }
 }
 
-/// Writes the lanes of `mask` of one block, whose lowest pixel is (x, y) of the rectangle.
-HWY_INLINE void write_block(const ReadColors& read, const Rgba* pixels, int x, int y, std::uint32_t mask) {
-    const auto at = [&](int column, int row) {
-        return read.out + std::ptrdiff_t(y + row) * read.rect.width + x + column;
+#if HWY_MAX_BYTES >= 32
+
+/// A block's four rows, each in one vector.
+HWY_INLINE void store_rows(const ColorBlock& block, Rgba* lowest, std::ptrdiff_t width) {
+    const D16 d;
+    const hn::Repartition<std::uint32_t, D16> pairs;
+    const auto channel = [&](std::size_t c) { return hn::Load(d, block.channel[c]); };
+    const auto store = [&](int row, auto v) { hn::StoreU(hn::BitCast(d, v), d, lowest[row * width].data()); };
+    const auto low = [&](std::size_t c) {
+        return hn::BitCast(pairs, hn::InterleaveLower(d, channel(c), channel(c + 1)));
     };
-    if (mask == 0xFFFF) {
-        for (int row = 0; row < block_side; ++row)
-            std::copy_n(pixels + row * block_side, block_side, at(0, row));
-        return;
-    }
+    const auto high = [&](std::size_t c) {
+        return hn::BitCast(pairs, hn::InterleaveUpper(d, channel(c), channel(c + 1)));
+    };
+    // Rows 0 and 2, then 1 and 3: vectors are interleaved by halves.
+    const auto two_rows = [&](int row, auto rg, auto ba) {
+        const auto left = hn::InterleaveLower(pairs, rg, ba), right = hn::InterleaveUpper(pairs, rg, ba);
+        store(row, hn::ConcatLowerLower(pairs, right, left));
+        store(row + 2, hn::ConcatUpperUpper(pairs, right, left));
+    };
+    two_rows(0, low(0), low(2));
+    two_rows(1, high(0), high(2));
+}
+
+#else
+
+HWY_INLINE void store_rows(const ColorBlock& block, Rgba* lowest, std::ptrdiff_t width) {
+    alignas(64) Rgba pixels[block_pixels];
+    interleave(block, pixels);
+    for (int row = 0; row < block_side; ++row)
+        std::copy_n(pixels + row * block_side, block_side, lowest + row * width);
+}
+
+#endif  // HWY_MAX_BYTES >= 32
+
+/// The lanes of `mask`.
+HWY_INLINE void store_lanes(const ColorBlock& block, std::uint32_t mask, Rgba* lowest, std::ptrdiff_t width) {
+    alignas(64) Rgba pixels[block_pixels];
+    interleave(block, pixels);
     for (; mask != 0; mask &= mask - 1) {
         const int lane = std::countr_zero(mask);
-        *at(lane % block_side, lane / block_side) = pixels[lane];
+        lowest[lane / block_side * width + lane % block_side] = pixels[lane];
     }
 }
 
 void read_all(const ReadColors& read) {
     const Tile& tile = read.tile;
     const BlockBox& box = read.box;
-    alignas(64) Rgba pixels[block_pixels];
+    const std::ptrdiff_t width = read.rect.width;
     for (int by = box.y0 / block_side; by * block_side < box.y1; ++by)
         for (int bx = box.x0 / block_side; bx * block_side < box.x1; ++bx) {
-            interleave(tile.color[tile.block(bx, by)], pixels);
-            write_block(read, pixels, tile.x + bx * block_side - read.rect.x,
-                        tile.y + by * block_side - read.rect.y, box.mask(bx, by));
+            const ColorBlock& block = tile.color[tile.block(bx, by)];
+            const int x = tile.x + bx * block_side - read.rect.x, y = tile.y + by * block_side - read.rect.y;
+            Rgba* lowest = read.out + y * width + x;
+            const std::uint32_t mask = box.mask(bx, by);
+            if (mask == 0xFFFF)
+                store_rows(block, lowest, width);
+            else
+                store_lanes(block, mask, lowest, width);
         }
 }
 
