@@ -31,10 +31,6 @@ void GeometrySet::clear() {
 
 namespace {
 
-/// Bit per clip plane that a vertex is outside of; the high bits reject it whatever the planes say.
-using Outcode = std::uint32_t;
-constexpr Outcode not_finite = 1u << 30, not_in_front = 1u << 31;
-
 struct Builder {
     const Profile& profile;
     VertexProgram program;
@@ -84,16 +80,17 @@ struct Builder {
         for (std::size_t first = 0; first < positions.size(); first += project_batch) {
             const auto batch = positions.subspan(first, std::min(project_batch, positions.size() - first));
             const Projected projected = project(projection, batch);
-            for (std::size_t i = 0; i < batch.size(); ++i) {
-                if (projected.inside >> i & 1)
-                    store_window(first + i, projected.x[i], projected.y[i], projected.z[i], projected.w[i]);
-                else
-                    classify_vertex(std::uint32_t(first + i));
-            }
+            for (std::size_t i = 0; i < batch.size(); ++i)
+                projected.made ? take(projected, i, first + i) : classify_vertex(std::uint32_t(first + i));
         }
     }
 
-    /// The scalar way: for what clipping may touch.
+    void take(const Projected& p, std::size_t i, std::size_t vertex) {
+        outcode[vertex] = p.outcode[i];
+        if (p.outcode[i] == 0) store_window(vertex, p.x[i], p.y[i], p.z[i], p.w[i]);
+    }
+
+    /// The scalar way.
     void classify_vertex(std::uint32_t i) {
         const ClipPosition v = position(i);
         outcode[i] = classify(v);

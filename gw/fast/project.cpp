@@ -26,40 +26,58 @@ struct ClipLanes {
     V64 x, y, z, w;
 };
 
-/// Finite, in front, and inside near, far and guard band: clip_distance() of gw/clip.h, plane by plane.
-inline hn::Mask<D64> inside_lanes(const ClipLanes& c, const ViewportTransform& v) {
-    const auto zero = hn::Zero(D64());
-    const auto ge = [&](V64 d) { return hn::Ge(d, zero); };
-    auto in = hn::And(ge(hn::Add(c.z, c.w)), ge(hn::Sub(c.w, c.z)));
-    in = hn::And(in, ge(hn::Add(hn::Mul(all(v.half_width), c.x), hn::Mul(all(v.center_x - guard_low), c.w))));
-    in =
-        hn::And(in, ge(hn::Sub(hn::Mul(all(guard_high - v.center_x), c.w), hn::Mul(all(v.half_width), c.x))));
-    in =
-        hn::And(in, ge(hn::Add(hn::Mul(all(v.half_height), c.y), hn::Mul(all(v.center_y - guard_low), c.w))));
-    in = hn::And(in,
-                 ge(hn::Sub(hn::Mul(all(guard_high - v.center_y), c.w), hn::Mul(all(v.half_height), c.y))));
-    in = hn::And(in, hn::Gt(c.w, zero));
-    for (const V64 component : {c.x, c.y, c.z, c.w})
-        in = hn::And(in, hn::Eq(hn::Sub(component, component), zero));
-    return in;
+using U64 = hn::RebindToUnsigned<D64>;
+
+/// Outcodes, plane by plane; a distance that is no number is outside.
+struct OutcodeLanes {
+    hn::Vec<U64> bits;
+
+    void add(hn::Mask<D64> inside, Outcode bit) {
+        bits = hn::Or(bits, hn::IfThenZeroElse(hn::RebindMask(U64(), inside), hn::Set(U64(), bit)));
+    }
+    void plane(int i, V64 distance) { add(hn::Ge(distance, hn::Zero(D64())), Outcode{1} << i); }
+};
+
+/// clip_distance() of gw/clip.h: near, far, guard band.
+inline void classify_fixed(const ClipLanes& c, const ViewportTransform& v, OutcodeLanes& out) {
+    const auto times = [](double a, V64 b) { return hn::Mul(all(a), b); };
+    out.plane(0, hn::Add(c.z, c.w));
+    out.plane(1, hn::Sub(c.w, c.z));
+    out.plane(8, hn::Add(times(v.half_width, c.x), times(v.center_x - guard_low, c.w)));
+    out.plane(9, hn::Sub(times(guard_high - v.center_x, c.w), times(v.half_width, c.x)));
+    out.plane(10, hn::Add(times(v.half_height, c.y), times(v.center_y - guard_low, c.w)));
+    out.plane(11, hn::Sub(times(guard_high - v.center_y, c.w), times(v.half_height, c.y)));
 }
 
-/// Inside the user planes that are on: the distances of run_vertex().
-inline hn::Mask<D64> inside_user_planes(const Projection& p, const Vec3& at, hn::Mask<D64> in) {
+/// The user planes that are on: the distances of run_vertex().
+inline void classify_user(const Projection& p, const Vec3& at, OutcodeLanes& out) {
     const dmat4& m = p.eye_from_object;
-    for (const ClipPlane& plane : p.clip_planes) {
+    for (int k = 0; k < max_clip_planes; ++k) {
+        const ClipPlane& plane = p.clip_planes[std::size_t(k)];
         if (!plane.enable) continue;
         const dvec4& n = plane.plane;
         const auto xy = hn::Add(hn::Mul(all(n.x), row(m, 0, at)), hn::Mul(all(n.y), row(m, 1, at)));
         const auto zw = hn::Add(hn::Mul(all(n.z), row(m, 2, at)), hn::Mul(all(n.w), row(m, 3, at)));
-        in = hn::And(in, hn::Ge(hn::Add(xy, zw), hn::Zero(D64())));
+        out.plane(2 + k, hn::Add(xy, zw));
     }
-    return in;
+}
+
+inline hn::Vec<U64> outcodes(const Projection& p, const Vec3& at, const ClipLanes& c) {
+    const D64 d;
+    OutcodeLanes out{hn::Zero(U64())};
+    classify_fixed(c, p.viewport, out);
+    classify_user(p, at, out);
+    out.add(hn::Gt(c.w, hn::Zero(d)), not_in_front);
+    auto finite = hn::Eq(hn::Sub(c.x, c.x), hn::Zero(d));
+    for (const V64 component : {c.y, c.z, c.w})
+        finite = hn::And(finite, hn::Eq(hn::Sub(component, component), hn::Zero(d)));
+    return hn::IfThenElse(hn::RebindMask(U64(), finite), out.bits, hn::Set(U64(), not_finite));
 }
 
 Projected project_all(const Projection& p, std::span<const vec3> positions) {
     const D64 d;
     const double n = clamp01(p.depth_range.near_value), f = clamp01(p.depth_range.far_value);
+    alignas(64) std::uint64_t codes[project_batch];
     alignas(64) double in[3][project_batch], x[project_batch], y[project_batch], z[project_batch],
         w[project_batch];
     for (std::size_t i = 0; i < project_batch; ++i)
@@ -70,10 +88,7 @@ Projected project_all(const Projection& p, std::span<const vec3> positions) {
         const Vec3 at{hn::Load(d, in[0] + first), hn::Load(d, in[1] + first), hn::Load(d, in[2] + first)};
         const dmat4& m = p.clip_from_object;
         const ClipLanes c{row(m, 0, at), row(m, 1, at), row(m, 2, at), row(m, 3, at)};
-        std::uint64_t bits = 0;
-        const auto inside = inside_user_planes(p, at, inside_lanes(c, p.viewport));
-        hn::StoreMaskBits(d, inside, reinterpret_cast<std::uint8_t*>(&bits));
-        out.inside |= static_cast<std::uint32_t>(bits & ((1u << hn::Lanes(d)) - 1)) << first;
+        hn::Store(outcodes(p, at, c), U64(), codes + first);
 
         const auto window = [](V64 v, V64 by, double half, double center) {
             return hn::Add(hn::Mul(hn::Div(v, by), all(half)), all(center));
@@ -91,7 +106,9 @@ Projected project_all(const Projection& p, std::span<const vec3> positions) {
         out.x[i] = static_cast<std::int32_t>(x[i]), out.y[i] = static_cast<std::int32_t>(y[i]);
         out.z[i] = static_cast<std::uint32_t>(static_cast<std::int64_t>(z[i]));
         out.w[i] = w[i];
+        out.outcode[i] = static_cast<Outcode>(codes[i]);
     }
+    out.made = true;
     return out;
 }
 

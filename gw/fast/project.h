@@ -20,15 +20,21 @@ struct Projection {
     Profile profile;
 };
 
+/// Bit per clip plane that a vertex is outside of; the high bits reject it whatever the planes say. A vertex
+/// that is not finite has that bit alone.
+using Outcode = std::uint32_t;
+inline constexpr Outcode not_finite = 1u << 30, not_in_front = 1u << 31;
+
 inline constexpr std::size_t project_batch = 8;
 
-/// Up to project_batch vertices. `inside`: bit per vertex that no clip plane is in the way of; x, y, z, w are
-/// right for those only.
+/// Up to project_batch vertices; x, y, z, w are right for those with outcode 0 only. Not made: there are no
+/// vectors of doubles.
 struct Projected {
+    bool made = false;
+    std::array<Outcode, project_batch> outcode{};
     std::array<std::int32_t, project_batch> x{}, y{};
     std::array<std::uint32_t, project_batch> z{};
     std::array<double, project_batch> w{};
-    std::uint32_t inside = 0;
 };
 Projected project(const Projection& projection, std::span<const vec3> positions);
 
