@@ -25,9 +25,7 @@ void identify_all(std::span<const Rgba> colors, std::uint32_t* ids, char* seen) 
     const U32 half;
     const auto* words = reinterpret_cast<const std::uint64_t*>(colors.data());
     const auto byte = [&](auto v, std::uint64_t mask) { return hn::And(v, hn::Set(d, mask)); };
-    const auto mark = [&](std::size_t i, std::size_t count) {
-        for (std::size_t k = i; k < i + count; ++k) seen[ids[k]] = 1;
-    };
+    auto last = hn::Set(half, ~0u);
     std::size_t i = 0;
     for (; i + hn::Lanes(d) <= colors.size(); i += hn::Lanes(d)) {
         const auto color = hn::LoadU(d, words + i);
@@ -35,12 +33,11 @@ void identify_all(std::span<const Rgba> colors, std::uint32_t* ids, char* seen) 
                                                            byte(hn::ShiftRight<16>(color), 0xFF0000)));
         const auto id = hn::TruncateTo(half, wide);
         hn::StoreU(id, half, ids + i);
-        if (!hn::AllTrue(half, hn::Eq(id, hn::Set(half, i == 0 ? ~0u : ids[i - 1])))) mark(i, hn::Lanes(d));
+        if (hn::AllTrue(half, hn::Eq(id, last))) continue;
+        for (std::size_t k = i; k < i + hn::Lanes(d); ++k) seen[ids[k]] = 1;
+        last = hn::Set(half, ids[i + hn::Lanes(d) - 1]);
     }
-    for (; i < colors.size(); ++i) {
-        ids[i] = id_of_word(words[i]);
-        mark(i, 1);
-    }
+    for (; i < colors.size(); ++i) seen[ids[i] = id_of_word(words[i])] = 1;
 }
 
 }  // namespace gw::radiosity::HWY_NAMESPACE
