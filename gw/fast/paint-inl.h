@@ -94,6 +94,14 @@ struct FlatPaint {
     }
 };
 
+// Long where a block takes more than one vector: called there, for the time that compiling takes.
+#undef GW_SMOOTH_WRITE
+#if HWY_MAX_BYTES >= 64
+#define GW_SMOOTH_WRITE HWY_INLINE
+#else
+#define GW_SMOOTH_WRITE HWY_NOINLINE
+#endif
+
 /// A triangle of a smooth colour in narrow planes: a first lit pass.
 struct SmoothPaint {
     PlainStore store;
@@ -104,7 +112,7 @@ struct SmoothPaint {
     HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
         if (!alive.none()) write(bx, by, alive);
     }
-    HWY_NOINLINE void write(int bx, int by, const LaneSet& alive) const {
+    GW_SMOOTH_WRITE void write(int bx, int by, const LaneSet& alive) const {
         planes.make();
         const Half16 d;
         const NarrowBatch& p = planes.narrow_color;
