@@ -171,10 +171,10 @@ TEST(PerspectiveOracle, GouraudOnIdeal) {
         std::array<double, 3> fraction{};
         for (std::size_t k = 0; k < 3; ++k) fraction[k] = double(c.red[k]) / 65535;
         const Quotient quotient(c, fraction);
-        const auto [low, high] = std::minmax_element(c.red.begin(), c.red.end());
+        const auto ends = std::minmax_element(c.red.begin(), c.red.end());
         for_covered(c, [&](int x, int y, const GridPoint& p) {
             const std::int64_t red =
-                std::clamp<std::int64_t>(std::llrint(quotient.at(p) * 65535.0f), *low, *high);
+                std::clamp<std::int64_t>(std::llrint(quotient.at(p) * 65535.0f), *ends.first, *ends.second);
             EXPECT_EQ(std::int64_t{bench.color(x, y)[0]}, red) << x << " " << y;
             const Exact exact = exact_quotient(c, fraction, p);
             worst.add(std::abs((long double)red - exact.value * 65535),
