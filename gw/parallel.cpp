@@ -2,6 +2,7 @@
 #include "gw/parallel.h"
 
 #include <cfenv>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -53,10 +54,34 @@ void allow_threads(int threads) {
     allowed = std::make_unique<Control>(Control::max_allowed_parallelism, most);
 }
 
+/// Arenas that no call uses now. Made anew for each call, oneTBB's threads often came too late, or never.
+class Arenas {
+public:
+    using Arena = std::unique_ptr<tbb::task_arena>;
+
+    Arena take(int threads) {
+        const std::lock_guard lock(mutex_);
+        std::vector<Arena>& free = free_[threads];
+        if (free.empty()) return std::make_unique<tbb::task_arena>(threads);
+        Arena arena = std::move(free.back());
+        free.pop_back();
+        return arena;
+    }
+    void give_back(int threads, Arena arena) {
+        const std::lock_guard lock(mutex_);
+        free_[threads].push_back(std::move(arena));
+    }
+
+private:
+    std::mutex mutex_;
+    std::map<int, std::vector<Arena>> free_;
+};
+
 void threaded_for(std::size_t count, int threads, const std::function<void(std::size_t, int)>& body) {
+    static Arenas arenas;
     allow_threads(threads);
-    tbb::task_arena arena(threads);
-    arena.execute([&] {
+    Arenas::Arena arena = arenas.take(threads);
+    arena->execute([&] {
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, count, 1),
             [&](const tbb::blocked_range<std::size_t>& range) {
@@ -66,6 +91,7 @@ void threaded_for(std::size_t count, int threads, const std::function<void(std::
             },
             tbb::simple_partitioner());
     });
+    arenas.give_back(threads, std::move(arena));
 }
 
 #else
