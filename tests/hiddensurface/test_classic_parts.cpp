@@ -231,6 +231,22 @@ TEST(HierarchicalZ, IsTheZBuffer) {
     }
 }
 
+// The octree has the last polygon, across its middle, before the others, which are in its parts.
+TEST(HierarchicalZ, ShowsTheScenesFirstOfWhatLiesInAPlane) {
+    MeshData data{.primitive = Primitive::Quads};
+    const auto add = [&](float x, float y, float w, float h) {
+        for (const auto& [i, k] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)})
+            data.positions.push_back(vec3(x + float(i) * w, y + float(k) * h, 0));
+    };
+    for (const float x : {-1.9f, -0.9f, 0.1f, 1.1f})
+        for (const float y : {-0.9f, 0.1f}) add(x, y, 0.8f, 0.8f);
+    add(-2, -1, 4, 2);
+    Stage stage(polygon_scene(std::move(data)));
+    for (std::uint32_t id = 1; id <= 9; ++id)
+        EXPECT_GT(std::count(stage.z_buffer.ids.begin(), stage.z_buffer.ids.end(), id), 100) << id;
+    EXPECT_EQ(stage.run("hierarchical-z").ids, stage.z_buffer.ids);
+}
+
 // [Schumacker 1969] One convex solid: front sides have no priorities among them; solids apart need no cut.
 TEST(Schumacker, CutsNothingOfConvexSolidsThatPlanesSeparate) {
     std::uint64_t cut_by_the_bsp_tree = 0;
