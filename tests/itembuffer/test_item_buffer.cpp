@@ -158,6 +158,19 @@ TEST(Differences, AccountForEveryPixel) {
     }
 }
 
+TEST(Differences, AreOfAnotherPolygonExactlyWhereThePolygonsDiffer) {
+    const scene::Scene scene = fig9();
+    const scene::View view = scene::make_view(scene, width, height);
+    const auto m = machine();
+    const Differences d = differences(*m, scene, view, {});
+    const auto ids = draw_item_buffer(*m, scene, view, {});
+    const raytrace::World world(scene);
+    const auto rays = raytrace::raytraced_picture({scene, world, view, {}}, scene, view, {}, vgx());
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        ASSERT_EQ(d.reason[i] == Reason::Polygon, d.units[i] > 0 && ids[i] != rays.ids[i]) << i;
+    EXPECT_GT(count_of(d, Reason::Polygon).pixels, 0u);
+}
+
 TEST(ItemBuffer, ShowsThePolygonThatRaysFindAwayFromEdges) {
     const scene::Scene scene = fig9();
     const scene::View view = scene::make_view(scene, width, height);
@@ -270,12 +283,57 @@ TEST(Eq5, ShinesThroughTheFirstHitsBlackFog) {
     scene::Material& mirror = walls.add({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
     mirror.Ks = vec3(1);
     mirror.illum = 3;
-    walls.scene.fog = scene::Fog{.color = vec3(0), .start = 0, .end = 20};
     const auto m = machine();
     const scene::View view = scene::make_view(walls.scene, width, height);
-    render(*m, walls.scene, view, {});
     const std::size_t middle = std::size_t(height / 2 * width + width / 2);
-    EXPECT_NEAR(m->planes().color[middle][0], 255 * 0.75, 1);  // 5 of 20 away
+    for (const float fog : {0.0f, 0.4f}) {
+        walls.scene.fog = scene::Fog{.color = vec3(fog), .start = 0, .end = 20};
+        render(*m, walls.scene, view, {});
+        EXPECT_NEAR(m->planes().color[middle][0], 255 * (0.75 + 0.25 * fog), 1);  // 5 of 20 away
+    }
+}
+
+/// What is blended over the mirror, and the fog's own colour, come after what the mirror shows.
+TEST(Eq5, ComesBeforeWhatLiesOverIt) {
+    raytrace::Walls walls;
+    scene::Material& mirror = walls.add({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+    mirror.Ks = vec3(1);
+    mirror.illum = 3;
+    walls.add({0, 0, 1}, {1, 0, 0}, {0, 1, 0}).d = 0.5f;
+    walls.scene.fog = scene::Fog{};
+    for (const auto translucency : {multipass::Translucency::Sorted, multipass::Translucency::Unsorted,
+                                    multipass::Translucency::Layers}) {
+        const multipass::PassList list = passes_with_tracing(walls.scene, translucency);
+        const auto of_translucent = [](const multipass::Pass& p) {
+            return p.objects == multipass::PassObjects::Translucent;
+        };
+        const auto traced =
+            std::find_if(list.begin(), list.end(), [](const auto& p) { return p.name == "raytracing"; });
+        ASSERT_NE(traced, list.end());
+        EXPECT_GT(traced - list.begin(), 1) << "after the depth and a component";
+        EXPECT_TRUE(std::none_of(list.begin(), traced, of_translucent));
+        EXPECT_TRUE(std::any_of(traced, list.end(), of_translucent));
+        EXPECT_NE(std::find_if(traced, list.end(), [](const auto& p) { return p.name == "fog"; }),
+                  list.end());
+    }
+}
+
+/// The mirror of a later sample shows where things are then.
+TEST(Eq5, TracesWhatHasMovedWhereItIs) {
+    raytrace::Walls walls;
+    walls.add_shining({0, 0, 10}, {-2, 0, 0}, {0, 2, 0}, vec3(1));
+    scene::Material& mirror = walls.add({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+    mirror.Ks = vec3(1);
+    mirror.illum = 3;
+    const auto m = machine();
+    const scene::View view = scene::make_view(walls.scene, width, height);
+    scene::Scene moved = walls.scene;
+    moved.objects[0].world_from_object[3].x += 3;
+    const multipass::Trace trace = tracing(walls.scene, {});
+    const auto first = trace(*m, walls.scene, view, {}), then = trace(*m, moved, view, {});
+    EXPECT_NE(then, first);
+    EXPECT_EQ(then, tracing(moved, {})(*m, moved, view, {}));
+    EXPECT_EQ(trace(*m, walls.scene, view, {}), first);
 }
 
 TEST(Eq5, ReadsThePassesShadowMapsWhereAsked) {

@@ -99,6 +99,29 @@ TEST(OnDisc, KeepsAreas) {
     EXPECT_EQ(inner, 2500);
 }
 
+TEST(ViewAt, TurnsTheViewAroundWhatIsInFocus) {
+    scene::Scene s = shifted_square();
+    s.camera = scene::Camera{.eye = {0, 0, 5}, .near_plane = 1, .far_plane = 20, .aperture = 0.5, .focus = 4};
+    const scene::View still = scene::make_view(s, size, size);
+    const auto place = [](const scene::View& view, double z) {
+        const dvec4 clip = view.clip_from_eye * (view.eye_from_world * dvec4(0.5, -0.25, z, 1));
+        return dvec2(clip.x / clip.w, clip.y / clip.w);
+    };
+    dvec2 reach(0);
+    for (std::size_t i = 0; i < 8; ++i) {
+        const scene::View view = view_at(still, {i, 8});
+        const dvec2 sharp = place(view, 1) - place(still, 1), near = place(view, 3) - place(still, 3),
+                    far = place(view, -5) - place(still, -5);
+        for (int axis = 0; axis < 2; ++axis) {
+            EXPECT_NEAR(sharp[axis], 0, 1e-12) << i;
+            EXPECT_LE(near[axis] * far[axis], 0) << i;
+            reach[axis] = std::max(reach[axis], std::abs(near[axis]));
+        }
+    }
+    EXPECT_GT(reach.x, 0.1);
+    EXPECT_GT(reach.y, 0.1);
+}
+
 TEST(Superpose, OneIsThePictureAsItIs) {
     const auto machine = make_reference(vgx(), size, size);
     const scene::Scene s = shifted_square();

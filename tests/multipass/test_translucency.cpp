@@ -138,6 +138,16 @@ TEST(Translucency, MoreImagesThanTheAccumulationBufferHoldsSaturate) {
     EXPECT_EQ(draw(stack.s, Translucency::Sorted), (Rgba{255, 255, 255, 255}));
 }
 
+TEST(Translucency, AnyNumberOfWhiteImagesIsWhite) {
+    // The buffer holds 128 of them; what goes through the frame buffer and is loaded again is one.
+    Stack stack = Stack().add(vec3(0), 1).add(vec3(0), 0.999f);
+    stack.s.materials[1].Kd = vec3(1);
+    for (const std::size_t lights : {127u, 128u, 129u, 254u, 255u, 256u, 257u}) {
+        stack.s.lights.assign(lights, {.direction = {0, 0, -1}, .Id = vec3(1)});
+        EXPECT_EQ(draw(stack.s, Translucency::Sorted), (Rgba{255, 255, 255, 255})) << lights;
+    }
+}
+
 TEST(Translucency, FogOfAllObjects) {
     // Step 2: the opaque square's fog, dimmed by the translucent one, whose own fog is over it.
     for (const Translucency t : {Translucency::Sorted, Translucency::Layers}) {
@@ -169,6 +179,24 @@ TEST(FarToNear, PutsPolygonsOfAllObjectsInOneOrder) {
     EXPECT_EQ(order[0].of(s.objects[2].mesh)->triangles().size(), 2u);
 }
 
+TEST(FarToNear, GoesByTheCentroidWhicheverCornerIsFirst) {
+    for (std::size_t first = 0; first < 3; ++first) {
+        scene::Scene s;
+        s.materials.push_back({.d = 0.5f});
+        const auto add = [&](std::vector<vec3> corners) {
+            std::rotate(corners.begin(), corners.begin() + std::ptrdiff_t(first), corners.end());
+            s.objects.push_back({.name = "triangle", .mesh = make_mesh({.positions = std::move(corners)})});
+        };
+        add({{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}});
+        add({{-1, -1, 2}, {1, -1, 0}, {0, 1, 0}});  // farther in the mean, with the nearest corner of all
+        s.camera = scene::Camera{.eye = {0, 0, 9}, .near_plane = 1, .far_plane = 20, .ortho_height = 4};
+        const Model model = make_model(s);
+        const auto order = far_to_near(make_stage(model, scene::make_view(s, size, size)));
+        ASSERT_EQ(order.size(), 2u);
+        EXPECT_EQ(order[0].part, 1u) << first;
+    }
+}
+
 TEST(Layers, CountAllFacesAPixelShows) {
     Stack stack = Stack().add(vec3(0), 0.5f).add(vec3(0), 1).add(vec3(0), 0.5f).add(vec3(0), 0.5f);
     const Model model = make_model(stack.s);
@@ -182,6 +210,21 @@ TEST(Layers, CountAllFacesAPixelShows) {
     Profile small = vgx();
     small.stencil_bits = 1;
     EXPECT_THROW(draw(stack.s, Translucency::Layers, small), Error);
+}
+
+TEST(Layers, AreOneOfEqualDepthsAndNoneInTheOpaquePlane) {
+    Stack stack = Stack().add(vec3(0), 1).add(vec3(0), 0.5f);
+    const scene::Material translucent = stack.s.materials[1];
+    for (const double z : {0.0, 1.0}) add_square(stack.s, "in the plane", translucent, {0, 0, z});
+    const Model model = make_model(stack.s);
+    const scene::View view = scene::make_view(stack.s, size, size);
+    const auto machine = make_reference(vgx(), size, size);
+    machine->execute(
+        frame_list(stack.s, view, passes_for(stack.s, Renderer::Multipass, Translucency::Layers), vec3(0)));
+    const Layers layers = find_layers(*machine, make_stage(model, view));
+    ASSERT_EQ(layers.depth.size(), 1u);
+    EXPECT_EQ(layers.present[0][middle], 1u);
+    EXPECT_LT(layers.depth[0][middle], layers.opaque[middle]);
 }
 
 }  // namespace
