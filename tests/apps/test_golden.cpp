@@ -53,7 +53,7 @@ TEST_F(Golden, ADifferenceNamesManifestPassAndStage) {
     EXPECT_EQ(outcome.out.find("g/edges/1_vgx.json: pass "), 0u) << outcome.out;
     EXPECT_NE(outcome.out.find("stage: "), all.npos) << outcome.out;
     EXPECT_NE(outcome.out.find("the commands are the same"), all.npos) << outcome.out;
-    EXPECT_NE(outcome.out.find(": 1 differ\n"), all.npos) << outcome.out;
+    EXPECT_NE(outcome.out.find(": 1 differs\n"), all.npos) << outcome.out;
     EXPECT_EQ(names("r/edges"), std::vector<std::string>{"1_vgx.gwt"});
     EXPECT_EQ(gw({"golden", "g", "--only", "edges", "--update"}).code, 0);
     EXPECT_EQ(bytes_of(in("g/edges/1_vgx.json")), all);

@@ -157,7 +157,7 @@ TEST_F(Hidden, DrawsHiddenLinesWithStepsAndCounts) {
 TEST_F(Hidden, MakesAQuizThatGradesItself) {
     const Outcome outcome = gw({"hidden", "--quiz", "q", "--seed", "3", "--questions", "7"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(names("q"), (std::vector<std::string>{"handout", "key.json"}));
+    EXPECT_EQ(names("q"), (std::vector<std::string>{"handout", "index.html", "index.json", "key.json"}));
     const auto handout = names("q/handout");
     EXPECT_EQ(handout.size(), 3u + 4u * 7u);
     // Nothing in the handout tells the answers: the form is empty, the questions have none.

@@ -11,6 +11,7 @@ const browser = await chromium.launch({executablePath: process.env.BROWSER, args
 // A report's page, that must not ask for anything but its own files nor complain.
 async function opened(folder, hash = "") {
   const context = await browser.newContext({offline: true, viewport: {width: 1600, height: 1000}});
+  context.setDefaultTimeout(120_000);  // a busy machine is slow, not wrong
   const page = await context.newPage();
   page.on("request", (request) => assert.ok(request.url().startsWith("file:") || request.url().startsWith("data:"), request.url()));
   page.on("pageerror", (error) => assert.fail(`${folder}: ${error}`));
