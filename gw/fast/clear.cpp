@@ -4,8 +4,8 @@
 #define HWY_TARGET_INCLUDE "gw/fast/clear.cpp"
 #include <hwy/foreach_target.h>
 
-#include "gw/fast/fragments-inl.h"
 #include "gw/fast/kernels.h"
+#include "gw/fast/lanes-inl.h"
 
 #include <hwy/highway.h>
 

@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 
 #include "gw/fast/kernels.h"
+#include "gw/fast/lanes-inl.h"
 
 #include <hwy/highway.h>
 
@@ -13,9 +14,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using D16 = hn::CappedTag<std::uint16_t, block_pixels>;
 
 /// The block's pixels, lane by lane.
 HWY_INLINE void interleave(const ColorBlock& block, Rgba* pixels) {
@@ -81,7 +79,7 @@ void read_all(const ReadColors& read) {
             const int x = tile.x + bx * block_side - read.rect.x, y = tile.y + by * block_side - read.rect.y;
             Rgba* lowest = read.out + y * width + x;
             const std::uint32_t mask = box.mask(bx, by);
-            if (mask == 0xFFFF)
+            if (mask == all_lanes)
                 store_rows(block, lowest, width);
             else
                 store_lanes(block, mask, lowest, width);

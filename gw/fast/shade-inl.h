@@ -8,7 +8,8 @@
 #define GW_FAST_SHADE_INL_H_
 #endif
 
-#include "gw/fast/attributes-inl.h"
+#include "gw/fast/colors-inl.h"
+#include "gw/fast/coordinates-inl.h"
 #include "gw/fast/texture-inl.h"
 #include "gw/fast/walk-inl.h"
 #include "gw/fog.h"
