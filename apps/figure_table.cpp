@@ -2,6 +2,7 @@
 
 namespace gw::apps {
 
+// NOLINTNEXTLINE(readability-function-size): a table
 const std::vector<Figure>& figures() {
     static const std::vector<Figure> all{
         {"fig1",

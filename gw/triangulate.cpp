@@ -38,7 +38,7 @@ bool convex(std::span<const vec2> corners) {
     const std::size_t n = corners.size();
     int reversals = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        const vec2 a = corners[i], b = corners[(i + 1) % n], c = corners[(i + 2) % n];
+        const vec2 &a = corners[i], &b = corners[(i + 1) % n], &c = corners[(i + 2) % n];
         if (a == b || orient(a, b, c) < 0) return false;
         reversals += rightward(a, b) != rightward(b, c);
     }

@@ -24,6 +24,7 @@ void find(void* handle, const char* name, Function& out) {
     out = reinterpret_cast<Function>(address);
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 Functions load() {
     void* handle = library();
     Functions f{};
