@@ -88,9 +88,10 @@ struct FlatPaint {
     /// All 16 pixels, four channels in a row.
     HWY_INLINE void operator()(int bx, int by, AllLanes) const {
         const hn::CappedTag<std::uint16_t, 32> d;
+        const std::uint16_t* from = color.channel[0];
         std::uint16_t* to = store.tile.color[store.tile.block(bx, by)].channel[0];
         for (std::size_t i = 0; i < 4 * block_pixels; i += hn::Lanes(d))
-            hn::Store(store.result(d, hn::Load(d, color.channel[0] + i), to + i), d, to + i);
+            hn::Store(store.result(d, hn::Load(d, from + i), to + i), d, to + i);
     }
 };
 
