@@ -131,7 +131,7 @@ HWY_NOINLINE inline void write_color(const Resolved& r, const ColorBlock& src, C
     for (std::size_t i = 0; i < block_pixels; i += lanes16) {
         const auto lanes = lanes_of(d, mask, i);
         for (std::size_t c = 0; c < 4; ++c)
-            if (channel[c]) hn::BlendedStore(hn::Load(d, out->channel[c] + i), lanes, d, dst.channel[c] + i);
+            if (channel[c]) store_lanes(hn::Load(d, out->channel[c] + i), lanes, d, dst.channel[c] + i);
     }
 }
 

@@ -20,7 +20,7 @@ HWY_INLINE void fill(D d, T (&values)[block_pixels], T value, std::uint32_t mask
         if (mask == all_lanes)
             hn::Store(v, d, values + i);
         else
-            hn::BlendedStore(v, lanes_of(d, mask, i), d, values + i);
+            store_lanes(v, lanes_of(d, mask, i), d, values + i);
     }
 }
 

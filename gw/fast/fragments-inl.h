@@ -95,7 +95,7 @@ HWY_INLINE std::uint32_t depth_test(DepthFunc func, const DepthBlock& incoming, 
 HWY_INLINE void write_depth(const DepthBlock& incoming, DepthBlock& stored, std::uint32_t mask) {
     const D32 d;
     for (std::size_t i = 0; i < block_pixels; i += lanes32)
-        hn::BlendedStore(hn::Load(d, incoming.value + i), lanes_of(d, mask, i), d, stored.value + i);
+        store_lanes(hn::Load(d, incoming.value + i), lanes_of(d, mask, i), d, stored.value + i);
 }
 
 // --- Blending

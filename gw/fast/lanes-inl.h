@@ -49,6 +49,17 @@ HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> m, std::size_t lanes) {
     return static_cast<std::uint32_t>(bits) & ((1u << lanes) - 1);
 }
 
+/// Stores the lanes of a mask; the others are written as they are, where no instruction leaves them out. So
+/// nobody else may write beside them, and nobody does: a tile is one thread's.
+template <class D>
+HWY_INLINE void store_lanes(hn::Vec<D> v, hn::Mask<D> lanes, D d, hn::TFromD<D>* p) {
+#if HWY_TARGET <= HWY_AVX3
+    hn::BlendedStore(v, lanes, d, p);
+#else
+    hn::StoreU(hn::IfThenElse(lanes, v, hn::LoadU(d, p)), d, p);
+#endif
+}
+
 /// incoming func stored, as in gw/tables.h.
 template <class D, class V>
 HWY_INLINE hn::Mask<D> compare_lanes(D d, CompareFunc func, V incoming, V stored) {

@@ -81,7 +81,7 @@ struct FlatPaint {
             const auto lanes = lanes_of(d, mask, i);
             for (std::size_t c = 0; c < 4; ++c) {
                 std::uint16_t* to = stored.channel[c] + i;
-                hn::BlendedStore(store.result(d, hn::Load(d, color.channel[c] + i), to), lanes, d, to);
+                store_lanes(store.result(d, hn::Load(d, color.channel[c] + i), to), lanes, d, to);
             }
         }
     }
@@ -125,7 +125,7 @@ struct SmoothPaint {
                 const auto coefficient = [&](const auto& of) { return hn::Set(D32(), of[c][triangle]); };
                 const auto v = narrow_value(coefficient(p.c), coefficient(p.gx), coefficient(p.gy), at);
                 std::uint16_t* to = stored.channel[c] + i * lanes32;
-                hn::BlendedStore(store.result(d, narrow(v), to), lanes, d, to);
+                store_lanes(store.result(d, narrow(v), to), lanes, d, to);
             }
         }
     }

@@ -63,7 +63,7 @@ HWY_INLINE LaneSet run_depth(const DepthWalk& walk, const Compare& passes, bool 
         std::uint32_t* stored = block.value + k * lanes32;
         const auto z = walk.walk.at(k);
         alive.part[k] = among(lanes, k, passes(z, hn::Load(d, stored)));
-        if (update) hn::BlendedStore(z, alive.part[k], d, stored);
+        if (update) store_lanes(z, alive.part[k], d, stored);
     }
     return alive;
 }

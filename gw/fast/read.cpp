@@ -60,7 +60,7 @@ HWY_INLINE void store_rows(const ColorBlock& block, Rgba* lowest, std::ptrdiff_t
 #endif  // HWY_MAX_BYTES >= 32
 
 /// The lanes of `mask`.
-HWY_INLINE void store_lanes(const ColorBlock& block, std::uint32_t mask, Rgba* lowest, std::ptrdiff_t width) {
+HWY_INLINE void store_some(const ColorBlock& block, std::uint32_t mask, Rgba* lowest, std::ptrdiff_t width) {
     alignas(64) Rgba pixels[block_pixels];
     interleave(block, pixels);
     for (; mask != 0; mask &= mask - 1) {
@@ -82,7 +82,7 @@ void read_all(const ReadColors& read) {
             if (mask == all_lanes)
                 store_rows(block, lowest, width);
             else
-                store_lanes(block, mask, lowest, width);
+                store_some(block, mask, lowest, width);
         }
 }
 

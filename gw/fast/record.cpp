@@ -113,7 +113,7 @@ struct Recording {
             const auto z = walk.walk.at(k), stored = hn::Load(d, at);
             reached.part[k] = hn::And(lanes.part[k], hn::Not(hn::Lt(stored, z)));
             passed.part[k] = ties_pass ? reached.part[k] : hn::And(lanes.part[k], hn::Lt(z, stored));
-            hn::BlendedStore(z, passed.part[k], d, at);
+            store_lanes(z, passed.part[k], d, at);
         }
         count.add(block, lanes);
         written.add(passed);

@@ -86,7 +86,7 @@ HWY_INLINE void narrow_colors(const NarrowBatch& p, std::size_t j, std::size_t c
 /// Stores the lanes of `mask`.
 HWY_INLINE void blend16(V32 v, std::uint32_t mask, std::size_t first, std::uint16_t* p) {
     const Half16 d;
-    hn::BlendedStore(narrow(v), lanes_of(d, mask, first), d, p + first);
+    store_lanes(narrow(v), lanes_of(d, mask, first), d, p + first);
 }
 
 HWY_NOINLINE inline void interpolated_color(const ColorPlanes& p, int bits, int bx, int by,
@@ -136,7 +136,7 @@ HWY_INLINE void add_modulated(const ColorBlock& color, const ColorBlock& texel, 
         for (std::size_t c = 0; c < 4; ++c) {
             std::uint16_t* to = stored.channel[c] + i;
             const auto own = mul_bytes(hn::Load(d, color.channel[c] + i), hn::Load(d, texel.channel[c] + i));
-            hn::BlendedStore(hn::Min(hn::Add(own, hn::Load(d, to)), max), lanes, d, to);
+            store_lanes(hn::Min(hn::Add(own, hn::Load(d, to)), max), lanes, d, to);
         }
     }
 }
@@ -205,7 +205,7 @@ HWY_NOINLINE inline void wide_colors(const ColorPlanes& p, const DrawOp& op, int
     if (!has_fog(op.state.state)) return;
     const D32 d;
     for (std::size_t i = 0; i < block_pixels; i += lanes32)
-        hn::BlendedStore(fog_factor_lanes(p, op, pixels_of(bx, by, i)), lanes_of(d, mask, i), d, in.fog + i);
+        store_lanes(fog_factor_lanes(p, op, pixels_of(bx, by, i)), lanes_of(d, mask, i), d, in.fog + i);
 }
 
 HWY_INLINE Sampler sampler_of(const DrawOp& op) {

@@ -135,13 +135,13 @@ HWY_NOINLINE inline void texture_inputs(const Sampler& s, const TexturePlanes& p
         const Pixels at = pixels_of(bx, by, i);
         const auto lanes = lanes_of(d, mask, i);
         const auto signed_lanes = hn::RebindMask(i32, lanes);
-        hn::BlendedStore(wide_plane(p.q, at), lanes, d, out.q + i);
-        hn::BlendedStore(wide_plane(p.s.plane, at), lanes, d, out.u + i);
-        hn::BlendedStore(wide_plane(p.t.plane, at), lanes, d, out.v + i);
-        hn::BlendedStore(hn::Set(i32, p.s.exponent), signed_lanes, i32, out.u_exponent + i);
-        hn::BlendedStore(hn::Set(i32, p.t.exponent), signed_lanes, i32, out.v_exponent + i);
-        hn::BlendedStore(hn::Set(i32, p.s.k), signed_lanes, i32, out.u_k + i);
-        hn::BlendedStore(hn::Set(i32, p.t.k), signed_lanes, i32, out.v_k + i);
+        store_lanes(wide_plane(p.q, at), lanes, d, out.q + i);
+        store_lanes(wide_plane(p.s.plane, at), lanes, d, out.u + i);
+        store_lanes(wide_plane(p.t.plane, at), lanes, d, out.v + i);
+        store_lanes(hn::Set(i32, p.s.exponent), signed_lanes, i32, out.u_exponent + i);
+        store_lanes(hn::Set(i32, p.t.exponent), signed_lanes, i32, out.v_exponent + i);
+        store_lanes(hn::Set(i32, p.s.k), signed_lanes, i32, out.u_k + i);
+        store_lanes(hn::Set(i32, p.t.k), signed_lanes, i32, out.v_k + i);
     }
     if (needs_rho(s.state)) store_slopes(s, p, tile, bx, by, mask, out.slope);
 }
