@@ -71,6 +71,18 @@ TEST(SphereMap, DirectionsAreTheInverseOfTheMachinesLookUp) {
         }
 }
 
+TEST(SphereMap, TexelsAreSixteenBitsToNearest) {
+    CubePicture around;
+    for (const std::uint16_t v : {0, 1, 200, 3000, 4095}) {
+        for (std::size_t face = 0; face < 6; ++face) {
+            around.views[face].width = around.views[face].height = 1;
+            around.colors[face] = {{v, v, v, 4095}};
+        }
+        const TextureRef map = sphere_map("even", around, dmat4(1), 4, 12);
+        EXPECT_EQ(map->levels.front().rgba[0], std::uint16_t(std::floor(v * 65535.0 / 4095 + 0.5))) << v;
+    }
+}
+
 TEST(SceneMap, ShowsEachWallWhereItsDirectionLies) {
     for (const Profile& profile : profiles()) {
         const TextureRef map = map_of(in_a_cube(32), profile);
