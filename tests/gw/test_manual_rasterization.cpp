@@ -83,6 +83,14 @@ TEST(ManualRasterization, IncrementsEqualTheClosedForm) {
     }
 }
 
+TEST(ManualRasterization, GradientsAreToNearestAndTiesToEven) {
+    for (const auto& [num, q] :
+         {std::pair(-7, -4), {-5, -2}, {-3, -2}, {-1, 0}, {1, 0}, {3, 2}, {5, 2}, {7, 4}})
+        EXPECT_EQ(int(reference::divide_round_even(num, 2)), q) << num << " / 2";
+    for (int num = -20; num <= 20; ++num)
+        EXPECT_EQ(int(reference::divide_round_even(num, 5)), int(std::lround(num / 5.0))) << num << " / 5";
+}
+
 TEST(ManualRasterization, PolygonOffset) {
     Workbench bench(reality(), 16, 16);
     bench.clear();
