@@ -31,6 +31,20 @@ TEST(ManualMachine, AnOddProfile) {
               4u * 3);  // columns 2 to 5, rows 3 to 5: the lower side on centres
 }
 
+TEST(ManualMachine, ProfilesAreThoseOfTheTable) {
+    const auto row = [](const Profile& p) {
+        return std::vector<int>{p.color_bits, p.depth_bits,    p.stencil_bits,
+                                p.accum_bits, p.subpixel_bits, p.lit_bits,
+                                p.max_lights, p.fragment_fog,  p.perspective_color};
+    };
+    EXPECT_EQ(row(vgx()), (std::vector<int>{8, 24, 8, 16, 3, 8, 8, 0, 0}));
+    EXPECT_EQ(row(reality()), (std::vector<int>{12, 32, 8, 24, 3, 12, 8, 1, 0}));
+    EXPECT_EQ(row(ideal()), (std::vector<int>{16, 32, 8, 32, 8, 16, 64, 1, 1}));
+    EXPECT_EQ(vgx().extensions, Extensions{});
+    EXPECT_EQ(reality().extensions, (Extensions{.polygon_offset = true, .shadow_texture = true}));
+    EXPECT_EQ(ideal().extensions, (Extensions{true, true, true, true}));
+}
+
 TEST(ManualMachine, ProfilesOutOfRangeAreNamed) {
     const auto refused = [](auto change) {
         Profile p = vgx();
