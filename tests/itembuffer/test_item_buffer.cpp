@@ -311,6 +311,7 @@ TEST(Eq5, ComesBeforeWhatLiesOverIt) {
             std::find_if(list.begin(), list.end(), [](const auto& p) { return p.name == "raytracing"; });
         ASSERT_NE(traced, list.end());
         EXPECT_GT(traced - list.begin(), 1) << "after the depth and a component";
+        EXPECT_EQ(traced->fog, multipass::PassFog::Black) << "as gw passes prints it";
         EXPECT_TRUE(std::none_of(list.begin(), traced, of_translucent));
         EXPECT_TRUE(std::any_of(traced, list.end(), of_translucent));
         EXPECT_NE(std::find_if(traced, list.end(), [](const auto& p) { return p.name == "fog"; }),
