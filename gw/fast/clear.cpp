@@ -1,4 +1,4 @@
-// Clearing a tile's colours and depths. docs/manual.md, "Clear"; scalar twin: gw/reference/pixels.cpp. Does
+// Clearing a tile's colours and depths. docs/manual.md, "Pixels"; scalar twin: gw/reference/pixels.cpp. Does
 // not clear stencils or sums.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/clear.cpp"

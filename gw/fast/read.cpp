@@ -1,5 +1,5 @@
 // Reading the colour plane back: a block's four channels become pixels side by side.
-// docs/manual.md, "Pixels and copies"; scalar twin: gw/reference/pixels.cpp. Does not know passes or counts.
+// docs/manual.md, "Pixels"; scalar twin: gw/reference/pixels.cpp. Does not know passes or counts.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/read.cpp"
 #include <hwy/foreach_target.h>
