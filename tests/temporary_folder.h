@@ -1,6 +1,7 @@
 // A folder of a test's own, gone at its end. No two are the same, so that tests may run beside each other.
 #pragma once
 
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -42,6 +43,9 @@ public:
         std::ranges::sort(found);
         return found;
     }
+
+    /// Whether its file system keeps extended attributes, asked without our own code.
+    bool keeps_attributes() const { return ::setxattr(path_.c_str(), "user.probe", "1", 1, 0) == 0; }
 
 private:
     std::filesystem::path path_;
