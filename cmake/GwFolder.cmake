@@ -5,7 +5,7 @@ add_library(gw_warnings INTERFACE)
 target_compile_options(gw_warnings INTERFACE
     -Wall -Wextra -Wshadow -Wvla -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion
     -Wno-missing-field-initializers  # pass tuples name only what differs from GL's initial value
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # g++ 12 reports std::string's own operator+
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-stringop-overflow -Wno-array-bounds>)  # g++ 12 reports std::string's own operator+
 
 function(gw_compile target)
     target_compile_features(${target} PUBLIC cxx_std_20)
@@ -30,6 +30,7 @@ function(gw_library folder)
     add_library(gw_${name} ${sources})
     add_library(gw::${name} ALIAS gw_${name})
     gw_compile(gw_${name})
+    gw_use_precompiled(gw_${name} library)
     target_link_libraries(gw_${name} PUBLIC ${arg_LINK})
 
     # Headers are included from the root of the repository, and so from the root of where they are installed.
@@ -63,6 +64,7 @@ function(gw_test folder suffix)
     endif()
     string(REGEX REPLACE "_$" "" name test_${folder}_${suffix})
     gw_command(${name} "${sources}" LINK ${arg_LINK} GTest::gtest_main)
+    gw_use_precompiled(${name} test)
     target_compile_definitions(${name} PRIVATE GW_SOURCE_DIR="${PROJECT_SOURCE_DIR}" GW_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
         PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABEL}")

@@ -1,0 +1,30 @@
+# Headers that most sources include, compiled once for all: a third of the time of a build without a compiler cache. A source still names
+# what it uses: the preset clang compiles without them (CMAKE_DISABLE_PRECOMPILE_HEADERS).
+
+# gw_precompile(NAME [LINK library...] HEADERS header...): a form that gw_use_precompiled() hands to others, compiled with the libraries'
+# definitions. Its one source is empty.
+function(gw_precompile name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINK;HEADERS")
+    set(source ${PROJECT_BINARY_DIR}/precompiled/${name}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "")
+    add_library(gw_precompiled_${name} OBJECT ${source})
+    gw_compile(gw_precompiled_${name})
+    target_compile_options(gw_precompiled_${name} PRIVATE -ffp-contract=off)
+    target_compile_definitions(gw_precompiled_${name} PRIVATE GLM_FORCE_CTOR_INIT)
+    target_link_libraries(gw_precompiled_${name} PRIVATE ${arg_LINK})
+    target_precompile_headers(gw_precompiled_${name} PRIVATE ${arg_HEADERS})
+endfunction()
+
+function(gw_use_precompiled target name)
+    target_precompile_headers(${target} REUSE_FROM gw_precompiled_${name})
+endfunction()
+
+find_package(fmt REQUIRED)
+find_package(glm REQUIRED)
+set(gw_common_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <set> <span> <string>
+    <string_view> <vector> <fmt/format.h> <glm/geometric.hpp> <glm/matrix.hpp>)
+gw_precompile(library LINK fmt::fmt glm::glm HEADERS ${gw_common_headers})
+if(GW_WITH_TESTS)
+    find_package(GTest REQUIRED)
+    gw_precompile(test LINK fmt::fmt glm::glm GTest::gtest_main HEADERS ${gw_common_headers} <gtest/gtest.h>)
+endif()
