@@ -5,7 +5,7 @@ add_library(gw_warnings INTERFACE)
 target_compile_options(gw_warnings INTERFACE
     -Wall -Wextra -Wshadow -Wvla -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion
     -Wno-missing-field-initializers  # pass tuples name only what differs from GL's initial value
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-stringop-overflow -Wno-array-bounds>)  # g++ 12 reports std::string's own operator+
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds>)  # what g++ 12 reports of std::string
 
 function(gw_compile target)
     target_compile_features(${target} PUBLIC cxx_std_20)

@@ -109,6 +109,7 @@ struct BoxLanes {
     HWY_INLINE explicit BoxLanes(const TileDraw& draw)
         : box(draw.box),
           whole(box.x0 == 0 && box.y0 == 0 && box.x1 == draw.tile.side && box.y1 == draw.tile.side) {}
+    HWY_INLINE std::uint32_t mask(int bx, int by) const { return whole ? all_lanes : box.mask(bx, by); }
     HWY_INLINE void cut(int bx, int by, LaneSet& s) const {
         if (whole) return;
         const LaneSet inside = lane_set(box.mask(bx, by));
@@ -185,19 +186,46 @@ HWY_INLINE void visit_groups(const BoxLanes& box, const TileEdges& edges, EdgeWa
     }
 }
 
-/// Calls visit(bx, by, lanes) for every covered block of one of the triangles; `walk` stands at that block.
-template <class Walk, class Visit>
-HWY_INLINE void visit_triangle(const BoxLanes& box, const Triangles& t, std::size_t i, Walk& walk,
-                               const Visit& visit) {
-    const TileEdges edges = t.edges(i);
-    const BlockRange all{t.x0[i] / block_side, t.y0[i] / block_side, (t.x1[i] - 1) / block_side,
-                         (t.y1[i] - 1) / block_side};
-    EdgeWalk edge;
-    edge.aim(edges), walk.aim();
-    if (all.x1 - all.x0 < group_blocks && all.y1 - all.y0 < group_blocks)
-        visit_covered_blocks(box, edge, all, walk, visit);
-    else
-        visit_groups(box, edges, edge, all, walk, visit);
+/// Ways to visit the covered blocks of one of the triangles: visit(bx, by, lanes), while `walk` stands at
+/// that block.
+struct SmallTriangle {
+    /// Of at most 2x2 blocks: their lanes are known.
+    template <class Walk, class Visit>
+    HWY_INLINE static void visit(const BoxLanes& box, const Triangles& t, std::size_t i, Walk& walk,
+                                 const Visit& visit) {
+        const int x = t.x0[i] / block_side, y = t.y0[i] / block_side;
+        walk.aim();
+        for (std::uint64_t rest = t.small_lanes(i); rest != 0;) {
+            const int first = std::countr_zero(rest) & ~15, block = first / block_pixels;
+            const int bx = x + block % 2, by = y + block / 2;
+            const std::uint32_t lanes = std::uint32_t(rest >> first) & box.mask(bx, by);
+            rest &= ~(std::uint64_t{all_lanes} << first);
+            if (lanes == 0) continue;
+            walk.start(bx, by);
+            visit(bx, by, lane_set(lanes));
+        }
+    }
+};
+struct LargeTriangle {
+    template <class Walk, class Visit>
+    HWY_INLINE static void visit(const BoxLanes& box, const Triangles& t, std::size_t i, Walk& walk,
+                                 const Visit& visit) {
+        const TileEdges edges = t.edges(i);
+        const BlockRange all{t.x0[i] / block_side, t.y0[i] / block_side, (t.x1[i] - 1) / block_side,
+                             (t.y1[i] - 1) / block_side};
+        EdgeWalk edge;
+        edge.aim(edges), walk.aim();
+        if (all.x1 - all.x0 < group_blocks && all.y1 - all.y0 < group_blocks)
+            visit_covered_blocks(box, edge, all, walk, visit);
+        else
+            visit_groups(box, edges, edge, all, walk, visit);
+    }
+};
+
+/// Calls draw(way) with the way to visit triangle i.
+template <class Draw>
+HWY_INLINE void by_size(const Triangles& t, std::size_t i, const Draw& draw) {
+    t.is_small(i) ? draw(SmallTriangle{}) : draw(LargeTriangle{});
 }
 
 /// Pixels of a line or point, collected by block, then sent on in block order.

@@ -113,7 +113,7 @@ struct Unstenciled {
 };
 
 /// One triangle of a batch. Out of line: the counters stay in registers.
-template <class Compare, class Paint>
+template <class Way, class Compare, class Paint>
 HWY_NOINLINE void draw_unstenciled(const TileDraw& draw, const Triangles& t, std::size_t i,
                                    const BoxLanes& box, const Compare& passes, const Paint& paint,
                                    PlainCounts& sum) {
@@ -121,9 +121,9 @@ HWY_NOINLINE void draw_unstenciled(const TileDraw& draw, const Triangles& t, std
     DepthWalk walk{plane, 0, {}};
     LaneCounter made, written;
     made.clear(), written.clear();
-    visit_triangle(box, t, i, walk,
-                   Unstenciled<Compare, Paint>{draw.tile, passes, paint, walk,
-                                               draw.op->state.state.depth.mask, made, written});
+    Way::visit(box, t, i, walk,
+               Unstenciled<Compare, Paint>{draw.tile, passes, paint, walk, draw.op->state.state.depth.mask,
+                                           made, written});
     PlainCounts{made, made, Compare::tests ? written : made}.add_to(sum);
 }
 
@@ -147,7 +147,7 @@ struct Stenciled {
     }
 };
 
-template <class Compare, class Paint>
+template <class Way, class Compare, class Paint>
 HWY_NOINLINE void draw_stenciled(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
                                  const Compare& passes, const Paint& paint, PlainCounts& sum) {
     const Resolved& r = draw.op->state;
@@ -155,7 +155,7 @@ HWY_NOINLINE void draw_stenciled(const TileDraw& draw, const Triangles& t, std::
     DepthWalk walk{plane, 0, {}};
     PlainCounts counts;
     counts.clear();
-    visit_triangle(
+    Way::visit(
         box, t, i, walk,
         Stenciled<Compare, Paint>{draw.tile, passes, paint, walk, r.state.depth.mask,
                                   t.corners.primitive[i]->front ? r.front : r.back, r.stencil_max, counts});
@@ -169,12 +169,14 @@ HWY_INLINE void draw_plain(const TileDraw& draw, const Triangles& t, std::size_t
                            const Compare& passes, const Paint& paint, PlainCounts& sum) {
     const Resolved& r = draw.op->state;
     const AnyCompare any{r.state.depth.func};
-    if (is_idle(t.corners.primitive[i]->front ? r.front : r.back))
-        draw_unstenciled(draw, t, i, box, passes, paint, sum);
-    else if constexpr (std::is_same_v<Paint, NoPaint>)
-        draw_stenciled(draw, t, i, box, passes, paint, sum);
-    else
-        draw_stenciled(draw, t, i, box, any, paint, sum);
+    by_size(t, i, [&]<class Way>(Way) {
+        if (is_idle(t.corners.primitive[i]->front ? r.front : r.back))
+            draw_unstenciled<Way>(draw, t, i, box, passes, paint, sum);
+        else if constexpr (std::is_same_v<Paint, NoPaint>)
+            draw_stenciled<Way>(draw, t, i, box, passes, paint, sum);
+        else
+            draw_stenciled<Way>(draw, t, i, box, any, paint, sum);
+    });
 }
 
 template <class Paint>

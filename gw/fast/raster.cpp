@@ -31,11 +31,12 @@ void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, Op
         if (t.empty(i)) continue;
         const DepthPlane plane = depth_of(draw, t, i);
         DepthWalk walk{plane, max_of_bits(draw.profile->depth_bits), {}};
-        visit_triangle(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
+        const auto paint = [&](int bx, int by, const LaneSet& lanes) {
             DepthBlock depth;
             walk.store(depth);
             paint_block(planes, i, depth, bx, by, lanes, counts);
-        });
+        };
+        LargeTriangle::visit(box, t, i, walk, paint);
     }
 }
 

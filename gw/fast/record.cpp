@@ -67,7 +67,7 @@ void record_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, 
         const DepthPlane plane = depth_of(draw, t, i);
         DepthWalk walk{plane, max_of_bits(draw.profile->depth_bits), {}};
         const std::size_t before = record.blocks.size();
-        visit_triangle(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
+        LargeTriangle::visit(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
             const std::size_t block = draw.tile.block(bx, by);
             DepthBlock depth;
             walk.store(depth);
@@ -122,7 +122,7 @@ struct Recording {
     }
 };
 
-template <class Paint>
+template <class Way, class Paint>
 HWY_NOINLINE void draw_recording(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
                                  const Paint& paint, FragmentCount& count, LaneCounter& written) {
     const DepthPlane plane = depth_of(draw, t, i);
@@ -130,7 +130,7 @@ HWY_NOINLINE void draw_recording(const TileDraw& draw, const Triangles& t, std::
     Coverage& record = count.record;
     const bool ties_pass = draw.op->state.state.depth.func == DepthFunc::LEqual;
     const std::size_t before = record.blocks.size();
-    visit_triangle(box, t, i, walk, Recording<Paint>{draw.tile, paint, walk, ties_pass, count, written});
+    Way::visit(box, t, i, walk, Recording<Paint>{draw.tile, paint, walk, ties_pass, count, written});
     if (keep_primitive(record, t.corners.ordinal[i], before)) record.depth.push_back(plane.plane);
 }
 
@@ -147,7 +147,9 @@ void draw_recording_all(const TileDraw& draw, std::span<const std::uint32_t> bin
         for (std::size_t i = 0; i < t.count(); ++i)
             if (!t.empty(i))
                 with_paint(paints, planes, i, [&](const auto& paint) {
-                    draw_recording(draw, t, i, box, paint, count, written);
+                    by_size(t, i, [&]<class Way>(Way) {
+                        draw_recording<Way>(draw, t, i, box, paint, count, written);
+                    });
                 });
     }
     record.drawn = true;

@@ -1,5 +1,6 @@
-// Up to 16 triangles of a tile made ready to rasterize: edges, pixel boxes, depth planes. docs/manual.md,
-// "Coverage", "Planes"; scalar twin: gw/fast/setup.cpp. Does not rasterize. Included once per Highway target.
+// Up to 16 triangles of a tile made ready to rasterize: edges, pixel boxes, depth planes, and what small ones
+// cover. docs/manual.md, "Coverage", "Planes"; scalar twin: gw/fast/setup.cpp. Does not rasterize. Included
+// once per Highway target.
 #if defined(GW_FAST_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_TRIANGLES_INL_H_
 #undef GW_FAST_TRIANGLES_INL_H_
@@ -8,6 +9,7 @@
 #endif
 
 #include "gw/fast/corners-inl.h"
+#include "gw/fast/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -18,12 +20,18 @@ struct Triangles {
     alignas(64) std::int32_t c[3][batch_room], a[3][batch_room], b[3][batch_room];  ///< as in TileEdges
     alignas(64) std::int32_t x0[batch_room], y0[batch_room], x1[batch_room], y1[batch_room];
     PlaneBatch depth;
+    /// Triangles that touch at most 2x2 blocks, a bit each, and what they cover of these: 16 lanes of the
+    /// left block from bit 0, of the right one from bit 16.
+    std::uint32_t small = 0;
+    alignas(64) std::uint32_t lower[batch_room], upper[batch_room];
 
     std::size_t count() const { return corners.count; }
     TileEdges edges(std::size_t i) const {
         return {{c[0][i], c[1][i], c[2][i]}, {a[0][i], a[1][i], a[2][i]}, {b[0][i], b[1][i], b[2][i]}};
     }
     bool empty(std::size_t i) const { return x0[i] >= x1[i] || y0[i] >= y1[i]; }
+    bool is_small(std::size_t i) const { return (small >> i & 1) != 0; }
+    std::uint64_t small_lanes(std::size_t i) const { return std::uint64_t{upper[i]} << 32 | lower[i]; }
 };
 
 /// The depth plane of one lane.
@@ -95,6 +103,69 @@ HWY_INLINE void set_up_depths(Triangles& t) { t.depth.sure = 0; }
 
 #endif  // HWY_HAVE_FLOAT64
 
+/// Triangles' edge functions at the same pixel of each one's own blocks.
+struct EdgeLanes {
+    using D = hn::CappedTag<std::int32_t, batch_room / 2>;
+    hn::Vec<D> at[3], row[3], a[3], b[3];
+
+    HWY_INLINE EdgeLanes(const Triangles& t, std::size_t first, hn::Vec<D> x, hn::Vec<D> y) {
+        const D d;
+        for (std::size_t k = 0; k < 3; ++k) {
+            a[k] = hn::Load(d, t.a[k] + first), b[k] = hn::Load(d, t.b[k] + first);
+            at[k] = row[k] =
+                hn::Add(hn::Load(d, t.c[k] + first), hn::Add(hn::Mul(a[k], x), hn::Mul(b[k], y)));
+        }
+    }
+    /// Shifts in whether the pixel is outside, as a word's highest bit, and goes on to the next.
+    HWY_INLINE void shift_in(hn::Vec<D>& lanes) {
+        const D d;
+        const auto any = hn::Or(hn::Or(at[0], at[1]), at[2]);
+        const auto shifted = hn::BitCast(d, hn::ShiftRight<1>(hn::BitCast(hn::RebindToUnsigned<D>(), lanes)));
+        lanes = hn::Or(shifted, hn::And(any, hn::Set(d, INT32_MIN)));
+        for (std::size_t k = 0; k < 3; ++k) at[k] = hn::Add(at[k], a[k]);
+    }
+    HWY_INLINE void next_row() {
+        for (std::size_t k = 0; k < 3; ++k) at[k] = row[k] = hn::Add(row[k], b[k]);
+    }
+    /// Lanes inside of two blocks side by side.
+    HWY_INLINE hn::Vec<D> covered_blocks() {
+        const D d;
+        auto left = hn::Zero(d), right = hn::Zero(d);
+        for (int y = 0; y < block_side; ++y, next_row()) {
+            for (int x = 0; x < block_side; ++x) shift_in(left);
+            for (int x = 0; x < block_side; ++x) shift_in(right);
+        }
+        const auto low = hn::ShiftRight<16>(hn::BitCast(hn::RebindToUnsigned<D>(), left));
+        return hn::Not(hn::Or(hn::And(right, hn::Set(d, INT32_MIN >> 15)), hn::BitCast(d, low)));
+    }
+};
+
+/// Finds the small triangles and what they cover, a vector of triangles at a time.
+HWY_INLINE void cover_small(Triangles& t) {
+    const EdgeLanes::D d;
+    const hn::RebindToUnsigned<EdgeLanes::D> u;
+    const auto one = hn::Set(d, 1), two = hn::Set(d, 2), left_block = hn::Set(d, 0xFFFF);
+    t.small = 0;
+    for (std::size_t i = 0; i < t.corners.room; i += hn::Lanes(d)) {
+        const auto block = [&](const std::int32_t* p) { return hn::ShiftRight<2>(hn::Load(d, p + i)); };
+        const auto last = [&](const std::int32_t* p) {
+            return hn::ShiftRight<2>(hn::Sub(hn::Load(d, p + i), one));
+        };
+        const auto x = block(t.x0), y = block(t.y0);
+        const auto columns = hn::Sub(last(t.x1), x), rows = hn::Sub(last(t.y1), y);
+        const auto small = hn::And(hn::Lt(columns, two), hn::Lt(rows, two));
+        if (hn::AllFalse(d, small)) continue;
+        t.small |= bits_of(d, small, hn::Lanes(d)) << i;
+        EdgeLanes edges(t, i, hn::ShiftLeft<2>(x), hn::ShiftLeft<2>(y));
+        // Blocks past the last one are not the tile's.
+        const auto inside = hn::IfThenElse(hn::Lt(columns, one), left_block, hn::Set(d, -1));
+        const auto lower = hn::And(edges.covered_blocks(), inside), upper = edges.covered_blocks();
+        hn::Store(hn::BitCast(u, lower), u, t.lower + i);
+        hn::Store(hn::BitCast(u, hn::IfThenZeroElse(hn::Lt(rows, one), hn::And(upper, inside))), u,
+                  t.upper + i);
+    }
+}
+
 /// Sets up the first triangles of a bin, as many as there is room for; their depth planes where asked.
 inline void set_up_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, bool depth,
                              Triangles& t) {
@@ -103,6 +174,7 @@ inline void set_up_triangles(const TileDraw& draw, std::span<const std::uint32_t
     pixel_extents(t.corners.x, t.corners.room, s, draw.tile.x, draw.box.x0, draw.box.x1, t.x0, t.x1);
     pixel_extents(t.corners.y, t.corners.room, s, draw.tile.y, draw.box.y0, draw.box.y1, t.y0, t.y1);
     set_up_edges(draw, t);
+    cover_small(t);
     t.depth.sure = 0;
     if (depth && !draw.op->state.state.polygon_offset.enable) set_up_depths(t);
 }
