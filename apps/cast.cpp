@@ -10,6 +10,7 @@
 #include "raytrace/cast_picture.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // ... Does not know what any of them does.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "apps/cli_fwd.h"
 
 #include <functional>
 #include <stdexcept>

@@ -11,6 +11,7 @@
 #include "itembuffer/differences.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 #include "apps/described.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 namespace gw::apps {
 

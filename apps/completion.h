@@ -1,7 +1,7 @@
 // Scripts with which bash and zsh complete commands, options, their words and files. Does not run anything.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "apps/cli_fwd.h"
 
 #include <string>
 

@@ -6,6 +6,8 @@
 #include "apps/terminal.h"
 #include "apps/words.h"
 
+#include <CLI/CLI.hpp>
+
 namespace gw::apps {
 
 namespace {

@@ -4,6 +4,8 @@
 #include "gw/profile.h"
 #include "hiddensurface/algorithm.h"
 
+#include <CLI/CLI.hpp>
+
 namespace gw::apps {
 
 namespace {

@@ -1,7 +1,7 @@
 // The commands and options of gw as plain data, for whatever describes them. Reads what CLI11 was told.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "apps/cli_fwd.h"
 
 #include <string>
 #include <vector>

@@ -13,6 +13,7 @@
 #include "inspect/result_difference.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 

@@ -10,6 +10,7 @@
 #include "image/output_set.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 

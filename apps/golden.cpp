@@ -12,6 +12,7 @@
 #include "inspect/merge_runs.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <set>
 

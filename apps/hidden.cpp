@@ -9,6 +9,7 @@
 #include "hiddensurface/lines/line_algorithm.h"
 #include "hiddensurface/quiz/quiz.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 

@@ -6,6 +6,7 @@
 #include "inspect/profile_json.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <thread>
 

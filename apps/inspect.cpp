@@ -12,6 +12,7 @@
 #include "report/report.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 

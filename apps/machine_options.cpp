@@ -2,6 +2,8 @@
 
 #include "apps/words.h"
 
+#include <CLI/CLI.hpp>
+
 namespace gw::apps {
 
 void add_threads_option(CLI::App& command, int& threads, const char* about) {

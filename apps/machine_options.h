@@ -1,9 +1,8 @@
 // The options of commands that replay recordings: which machine, how many threads. Does not replay.
 #pragma once
 
+#include "apps/cli_fwd.h"
 #include "inspect/compare_machines.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 

@@ -4,6 +4,7 @@
 #include "apps/versions.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <sstream>
 

@@ -1,7 +1,7 @@
 // gw(1): what --help says of every command, as a man page.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "apps/cli_fwd.h"
 
 #include <string>
 

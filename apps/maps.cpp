@@ -12,6 +12,7 @@
 #include "inspect/player.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 

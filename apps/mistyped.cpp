@@ -2,6 +2,7 @@
 
 #include "scene/suggest.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // Words of the command line that nobody knows, and what was probably meant.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "apps/cli_fwd.h"
 
 #include <optional>
 #include <string>

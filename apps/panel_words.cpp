@@ -1,5 +1,6 @@
 #include "apps/panel_words.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <sstream>
 

@@ -1,9 +1,8 @@
 // A panel's command as words of the command line, and which figures are asked for. Does not run anything.
 #pragma once
 
+#include "apps/cli_fwd.h"
 #include "apps/figure_table.h"
-
-#include <CLI/CLI.hpp>
 
 #include <filesystem>
 

@@ -13,6 +13,7 @@
 #include "report/prices.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 namespace gw::apps {
 

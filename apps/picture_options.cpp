@@ -12,6 +12,7 @@
 #include "scene/read_scene.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <map>
 

@@ -2,6 +2,7 @@
 // give. Does not draw.
 #pragma once
 
+#include "apps/cli_fwd.h"
 #include "apps/renderers.h"
 #include "apps/words.h"
 #include "gw/machine.h"
@@ -9,8 +10,6 @@
 #include "scene/fit.h"
 #include "scene/scene.h"
 #include "scene/view.h"
-
-#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>

@@ -8,6 +8,7 @@
 #include "inspect/pixel_report.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 namespace gw::apps {
 

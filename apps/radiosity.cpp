@@ -13,6 +13,7 @@
 #include "inspect/counted.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <cmath>

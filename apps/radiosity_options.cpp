@@ -2,6 +2,8 @@
 
 #include "apps/command.h"
 
+#include <CLI/CLI.hpp>
+
 namespace gw::apps {
 
 namespace {

@@ -5,6 +5,8 @@
 #include "hiddensurface/algorithm.h"
 #include "image/output_set.h"
 
+#include <CLI/CLI.hpp>
+
 namespace gw::apps {
 
 namespace {

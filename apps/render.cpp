@@ -10,6 +10,7 @@
 #include "image/write.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 namespace gw::apps {
 

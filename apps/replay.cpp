@@ -15,6 +15,7 @@
 #include "inspect/player.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 namespace gw::apps {
 

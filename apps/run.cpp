@@ -6,6 +6,7 @@
 #include "apps/versions.h"
 #include "gw/error.h"
 
+#include <CLI/CLI.hpp>
 #include <new>
 
 namespace gw::apps {

@@ -17,6 +17,7 @@
 #include "study/hemicube.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 

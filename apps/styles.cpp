@@ -10,6 +10,7 @@
 #include "image/write.h"
 #include "multipass/driver.h"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 namespace gw::apps {

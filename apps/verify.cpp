@@ -8,6 +8,7 @@
 #include "inspect/counted.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 namespace gw::apps {
 
