@@ -24,7 +24,7 @@ std::size_t after(const Contour& contour, std::size_t k) {
 
 }  // namespace
 
-std::size_t Lines::add(const Line& line) {
+std::size_t Lines::add(const LineEquation& line) {
     lines_.push_back(line);
     return lines_.size() - 1;
 }
@@ -39,10 +39,10 @@ Contour Lines::add_contour(const std::vector<GridPoint>& p) {
     return contour;
 }
 
-Contour Lines::add_half_plane(const Line& line) {
+Contour Lines::add_half_plane(const LineEquation& line) {
     constexpr std::int64_t far = std::int64_t{1} << 53;
-    const Line second{-line.a - 2 * line.b, -line.b + 2 * line.a, far};
-    const Line third{-line.a + 2 * line.b, -line.b - 2 * line.a, far};
+    const LineEquation second{-line.a - 2 * line.b, -line.b + 2 * line.a, far};
+    const LineEquation third{-line.a + 2 * line.b, -line.b - 2 * line.a, far};
     return {add(line), add(second), add(third)};
 }
 
@@ -70,7 +70,7 @@ int Lines::side(std::size_t i, std::size_t j, std::size_t k) const {
 }
 
 dvec2 Lines::corner(std::size_t i, std::size_t j) const {
-    const Line &p = lines_[i], &q = lines_[j];
+    const LineEquation &p = lines_[i], &q = lines_[j];
     const auto w = double(cross(i, j));
     return {double(int128{p.b} * q.c - int128{q.b} * p.c) / w,
             double(int128{p.c} * q.a - int128{q.c} * p.a) / w};
@@ -263,7 +263,7 @@ std::vector<Run> Lines::runs(const Region& region, int s, const Rect& window) co
     for (const Contour& contour : region)
         for (std::size_t k = 0; k < contour.size(); ++k) {
             Height from = height(before(contour, k), contour[k]), to = height(contour[k], after(contour, k));
-            const Line& l = lines_[contour[k]];
+            const LineEquation& l = lines_[contour[k]];
             const std::int64_t a = l.a < 0 ? -l.a : l.a, turned = l.a < 0 ? -1 : 1;
             const auto row_of = [&](const Height& h) {
                 return std::clamp<int128>(floor_div(h.y, h.w * one), -1, window.height);

@@ -10,7 +10,7 @@
 namespace gw::hiddensurface {
 
 /// a x + b y + c > 0 inside, x and y on the grid; a and b below 2^31, c below 2^54.
-struct Line {
+struct LineEquation {
     std::int64_t a = 0, b = 0, c = 0;
 };
 
@@ -21,10 +21,10 @@ using Region = std::vector<Contour>;
 
 class Lines {
 public:
-    std::size_t add(const Line& line);
+    std::size_t add(const LineEquation& line);
     Contour add_contour(const std::vector<GridPoint>& counter_clockwise);
     /// So much of the side where `line` > 0 that all windows are in it.
-    Contour add_half_plane(const Line& line);
+    Contour add_half_plane(const LineEquation& line);
 
     dvec2 corner(std::size_t i, std::size_t j) const;
     std::vector<dvec2> corners(const Contour& contour) const;
@@ -48,7 +48,7 @@ private:
     bool is_inside(std::size_t i, std::size_t j, const Region& region) const;
 
     friend class Clipper;
-    std::vector<Line> lines_;
+    std::vector<LineEquation> lines_;
 };
 
 }  // namespace gw::hiddensurface

@@ -149,7 +149,7 @@ private:
     }
 
     /// apart < 0, in integers: off by less than 2^-10 of a grid unit in a window.
-    static Line where_nearer(const dvec3& apart) {
+    static LineEquation where_nearer(const dvec3& apart) {
         const double scale = 0x1p28 / std::max(std::abs(apart.x), std::abs(apart.y));
         const auto integer = [scale](double v) { return -static_cast<std::int64_t>(std::round(v * scale)); };
         return {integer(apart.x), integer(apart.y), integer(apart.z)};
