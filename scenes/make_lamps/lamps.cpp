@@ -201,7 +201,9 @@ std::string house_lamps(int& number) {
 std::string building() {
     int number = 0;
     std::string text = head + building_walls() + windows() + columns() + square();
-    return text + house_lamps(number) + lanterns(number) + fountain_lamps(number);
+    const std::string fountain = fountain_lamps(number), square_lanterns = lanterns(number),
+                      house = house_lamps(number);  // numbered in this order, whatever the compiler
+    return text + house + square_lanterns + fountain;
 }
 
 }  // namespace gw::lamps
