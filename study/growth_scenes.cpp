@@ -39,9 +39,11 @@ scene::Scene triangle_soup(int count, double depth, double degrees) {
     const double size = 6 * std::sqrt(depth / count);
     MeshData data;
     for (int i = 0; i < count; ++i) {
-        const dvec3 c(random(-1.6, 1.6), random(-1.2, 1.2), random(-1.6, 1.6));
-        for (int k = 0; k < 3; ++k)
-            data.positions.push_back(vec3(c + size * dvec3(random(-1, 1), random(-1, 1), random(-1, 1))));
+        const double z = random(-1.6, 1.6), y = random(-1.2, 1.2), x = random(-1.6, 1.6);
+        for (int k = 0; k < 3; ++k) {
+            const double w = random(-1, 1), v = random(-1, 1), u = random(-1, 1);
+            data.positions.push_back(vec3(dvec3(x, y, z) + size * dvec3(u, v, w)));
+        }
     }
     return scene_of(std::move(data), {0, 0, 6}, degrees);
 }

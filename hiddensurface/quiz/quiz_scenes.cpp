@@ -44,7 +44,8 @@ int QuizRandom::whole(int low, int high) { return low + int(engine_() % std::uin
 scene::Scene tilted_polygons(QuizRandom& random, int count, int corners, double size) {
     scene::Scene scene = empty_scene({0, 0, 6});
     for (int i = 0; i < count; ++i) {
-        const dvec3 c(random(-0.8, 0.8), random(-0.6, 0.6), random(-0.8, 0.8));
+        const double z = random(-0.8, 0.8), y = random(-0.6, 0.6), x = random(-0.8, 0.8);
+        const dvec3 c(x, y, z);
         const double turn = random(0, 6.28), tilt = random(-0.9, 0.9);
         const dvec3 u(gw::cos(turn), gw::sin(turn), tilt),
             v(-gw::sin(turn), gw::cos(turn), random(-0.9, 0.9));
@@ -84,7 +85,8 @@ scene::Scene whole_number_solid(QuizRandom& random) {
     scene::Scene scene = empty_scene(eye);
     // A prism over a triangle or a square, leaning.
     const int n = random.whole(3, 4);
-    const vec3 top(float(random.whole(-1, 1)), 2, float(random.whole(-1, 1)));
+    const int back = random.whole(-1, 1), aside = random.whole(-1, 1);
+    const vec3 top(float(aside), 2, float(back));
     std::vector<vec3> base{{-2, -1, 1}, {2, -1, float(random.whole(0, 2))}};
     if (n == 4) base.push_back({2, -1, -2});
     base.push_back({float(random.whole(-2, n == 4 ? -2 : 0)), -1, -2});

@@ -32,7 +32,7 @@ inline scene::Scene cyclic_overlaps(std::uint32_t seed) {
     MeshData data{.primitive = Primitive::Quads};
     for (int ring = 0; ring < 3; ++ring) {
         const int bars = 3 + int(random(0, 4));
-        const vec3 middle(random(-1, 1), random(-0.8, 0.8), random(-1, 1));
+        const vec3 middle = random_vector(random, 1, 0.8, 1);
         const double slope = random(0.1, 0.8);
         for (int k = 0; k < bars; ++k) {
             const double angle = 6.283185307179586 * k / bars;
@@ -112,9 +112,11 @@ inline scene::Scene grazing_mesh(std::uint32_t seed) {
 inline scene::Scene grazing_sheets(std::uint32_t seed) {
     Random random(seed);
     MeshData data{.primitive = Primitive::Quads};
-    for (int i = 0; i < 12; ++i)
-        add_parallelogram(data, vec3(random(-3, 0), random(-0.6, -0.5), random(-3, 0)),
-                          vec3(random(1, 3), 0, 0), vec3(0, 0, random(1, 3)));
+    for (int i = 0; i < 12; ++i) {
+        const double depth = random(1, 3), width = random(1, 3);
+        const double z = random(-3, 0), y = random(-0.6, -0.5), x = random(-3, 0);
+        add_parallelogram(data, vec3(x, y, z), vec3(width, 0, 0), vec3(0, 0, depth));
+    }
     return polygon_scene(std::move(data));
 }
 
@@ -124,7 +126,9 @@ inline scene::Scene touching_blocks(std::uint32_t seed) {
     MeshData data{.primitive = Primitive::Quads};
     for (int i = 0; i < 8; ++i) {
         const auto step = [&](int low, int high) { return float(low + int(random(0, high - low))) / 2; };
-        const vec3 p(step(-3, 3), step(-3, 3), step(-3, 3)), size(step(1, 4), step(1, 4), step(1, 4));
+        const float c = step(-3, 3), b = step(-3, 3), a = step(-3, 3);
+        const float depth = step(1, 4), height = step(1, 4), width = step(1, 4);
+        const vec3 p(a, b, c), size(width, height, depth);
         const vec3 x(size.x, 0, 0), y(0, size.y, 0), z(0, 0, size.z);
         add_parallelogram(data, p, y, x);
         add_parallelogram(data, p + z, x, y);
