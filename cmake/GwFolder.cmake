@@ -1,11 +1,15 @@
 # gw_library, gw_command, gw_test: a folder's sources as one target. They do not find packages: each folder's CMakeLists.txt does.
 
 # Warnings are chosen so that correct code needs no casts beyond those that change a number's kind.
+set(gw_misfires -Wno-restrict)  # what g++ 12 reports of std::string
+if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    list(APPEND gw_misfires -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)  # the same, where its header is precompiled
+endif()
 add_library(gw_warnings INTERFACE)
 target_compile_options(gw_warnings INTERFACE
     -Wall -Wextra -Wshadow -Wvla -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion
     -Wno-missing-field-initializers  # pass tuples name only what differs from GL's initial value
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds>)  # what g++ 12 reports of std::string
+    "$<$<CXX_COMPILER_ID:GNU>:${gw_misfires}>")
 
 function(gw_compile target)
     target_compile_features(${target} PUBLIC cxx_std_20)

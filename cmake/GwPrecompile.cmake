@@ -1,5 +1,5 @@
-# Headers that most sources include, compiled once for all: a third of the time of a build without a compiler cache. A source still names
-# what it uses: the preset clang compiles without them (CMAKE_DISABLE_PRECOMPILE_HEADERS).
+# Headers that most sources include, compiled once for all: 0.6 to 0.9 s less of the 1.4 to 2.7 s that a source of a library takes. A source
+# still names what it uses: the preset clang compiles without them (CMAKE_DISABLE_PRECOMPILE_HEADERS).
 
 # gw_precompile(NAME [LINK library...] HEADERS header...): a form that gw_use_precompiled() hands to others, compiled with the libraries'
 # definitions. Its one source is empty.
