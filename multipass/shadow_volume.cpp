@@ -18,17 +18,14 @@ namespace {
 
 double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
 
-/// The far cap of a point light is a polyhedron about it whose edges span at most 60 degrees; its faces are
-/// nearer to the light than its corners, by a factor of more than 0.8.
-constexpr double corner_reach = 1.3;
 constexpr int most_splits = 24;
 
 /// Grows one of the two meshes. Each point of the topology becomes at most two of its vertices: one where it
 /// is, one moved away from the light.
 class VolumeBuilder {
 public:
-    VolumeBuilder(const Topology& topology, const LightInObject& light, bool mirrored)
-        : topology_(topology), light_(light), mirrored_(mirrored), ends_(topology.points.size()) {}
+    VolumeBuilder(const Topology& topology, const LightInObject& light, const FarCap& far, bool mirrored)
+        : topology_(topology), light_(light), far_(far), mirrored_(mirrored), ends_(topology.points.size()) {}
 
     /// Corners of the topology's triangle, or of its other side.
     void cap(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -50,8 +47,6 @@ private:
     static constexpr std::uint32_t none = ~0u;
     struct End {
         vec3 p{0};
-        dvec3 from_light{0};
-        double distance = 0;
         std::uint32_t near_vertex = none, far_vertex = none;
     };
 
@@ -63,36 +58,22 @@ private:
         data_.indices.insert(data_.indices.end(), {a, mirrored_ ? c : b, mirrored_ ? b : c});
     }
 
-    /// The point moved away from the light.
-    vec3 moved(const End& e) const {
-        const dvec3 p(e.p);
-        if (light_.directional) return vec3(p + light_.position * (light_.reach - dot3(light_.position, p)));
-        return e.distance > 0
-                   ? vec3(light_.position + e.from_light * (light_.reach * corner_reach / e.distance))
-                   : e.p;
-    }
-    End end_at(const vec3& p) const {
-        End e{.p = p, .from_light = dvec3(p) - light_.position};
-        e.distance = length(e.from_light);
-        return e;
-    }
     const End& end(std::uint32_t point) {
         End& e = ends_[point];
         if (e.near_vertex != none) return e;
-        e = end_at(topology_.points[point]);
+        e.p = topology_.points[point];
         e.near_vertex = vertex(e.p);
-        e.far_vertex = vertex(moved(e));
+        e.far_vertex = vertex(far_.moved[point]);
         return e;
     }
+    /// Of two that the light sees far apart: those are moved by its reach.
     End middle(const End& a, const End& b) {
-        End m = end_at(vec3((dvec3(a.p) + dvec3(b.p)) * 0.5));
-        m.far_vertex = vertex(moved(m));
+        End m{.p = vec3((dvec3(a.p) + dvec3(b.p)) * 0.5)};
+        m.far_vertex = vertex(moved_by_reach(light_, dvec3(m.p)));
         return m;
     }
-
-    /// Whether the light sees a and b under more than 60 degrees.
     bool is_wide(const End& a, const End& b) const {
-        return !light_.directional && dot3(a.from_light, b.from_light) < 0.5 * a.distance * b.distance;
+        return multipass::is_wide(light_, dvec3(a.p), dvec3(b.p));
     }
 
     /// To the border of the far cap. A wide border is split, and what opens between it and its halves is
@@ -126,6 +107,7 @@ private:
 
     const Topology& topology_;
     const LightInObject& light_;
+    const FarCap& far_;
     bool mirrored_;
     std::vector<End> ends_;  ///< by point of the topology; without vertices those not met yet
     MeshData data_{};
@@ -174,10 +156,6 @@ std::vector<int> border(const Topology& t, const std::vector<int>& part) {
     return net;
 }
 
-dvec3 corner(const scene::Bounds& b, int i) {
-    return {i & 1 ? b.high.x : b.low.x, i & 2 ? b.high.y : b.low.y, i & 4 ? b.high.z : b.low.z};
-}
-
 /// The near rectangle of a view, around, and a twentieth more on every side: snapping moves no vertex so far.
 std::array<dvec3, 4> near_rectangle(const dmat4& eye_from_object, const scene::View& view) {
     const dmat4 object_from_clip = glm::inverse(view.clip_from_eye * eye_from_object);
@@ -204,44 +182,39 @@ bool is_whole(const MeshRef& mesh, const dmat4& clip_from_object, const scene::V
     });
 }
 
+/// Whether nothing of the far cap is between a point of the rectangle and one of the scene: each of its
+/// triangles is beyond a wall that neither is beyond, or moved by the light's reach, which holds both.
+bool is_before_far_cap(const ShadowVolume& volume, const std::array<dvec3, 4>& rectangle) {
+    const LightInObject& light = volume.light;
+    unsigned passed = 0;
+    bool reached = false;
+    for (const dvec3& p : rectangle) {
+        passed |= walls_before(light, p);
+        reached |=
+            !((light.directional ? dot3(light.position, p) : length(p - light.position)) < light.reach);
+    }
+    for (unsigned walls = 0; walls < volume.far_walls.size(); ++walls)
+        if (volume.far_walls[walls] && (walls & ~passed) == 0 && (walls != 0 || reached)) return false;
+    return true;
+}
+
 double depth(const dmat4& eye_from_world, const dvec3& p) {
     return -(transform3(dmat3(eye_from_world), p).z + eye_from_world[3].z);
 }
 
 }  // namespace
 
-LightInObject light_in_object(const scene::Light& light, const dmat4& world_from_object,
-                              const scene::Bounds& bounds) {
-    const dmat4 object_from_world = glm::inverse(world_from_object);
-    LightInObject out{.directional = light.kind == scene::LightKind::Directional};
-    if (out.directional) {
-        const dvec3 way = transform3(dmat3(object_from_world), dvec3(light.direction));
-        out.position = way / length(way);
-    } else {
-        out.position =
-            transform3(dmat3(object_from_world), dvec3(light.position)) + dvec3(object_from_world[3]);
-    }
-    for (int i = 0; i < 8; ++i) {
-        const dvec3 p = transform3(dmat3(object_from_world), corner(bounds, i)) + dvec3(object_from_world[3]);
-        const double r = out.directional ? dot3(out.position, p) : length(p - out.position);
-        out.reach = i == 0 ? r : std::max(out.reach, r);
-    }
-    // A little further than everything.
-    const dvec3 diagonal = transform3(dmat3(object_from_world), bounds.high - bounds.low);
-    out.reach += 0.01 * length(diagonal);
-    return out;
-}
-
 ShadowVolume shadow_volume(const Topology& t, const LightInObject& light, bool mirrored) {
-    ShadowVolume volume{.light = light};
     const std::vector<int> part = front_cap(t, light);
-    VolumeBuilder caps(t, light, mirrored);
+    const FarCap far = far_cap(t, light, part);
+    ShadowVolume volume{.light = light, .far_walls = far.walls};
+    VolumeBuilder caps(t, light, far, mirrored);
     for (std::size_t i = 0; i < part.size(); ++i) {
         const auto& [a, b, c] = t.triangles[i];
         if (part[i] > 0) caps.cap(a, b, c);
         if (part[i] < 0) caps.cap(a, c, b);
     }
-    VolumeBuilder sides(t, light, mirrored);
+    VolumeBuilder sides(t, light, far, mirrored);
     const std::vector<int> net = border(t, part);
     for (std::size_t e = 0; e < net.size(); ++e)
         for (int n = std::abs(net[e]); n > 0; --n)
@@ -280,11 +253,7 @@ scene::View enclosing(scene::View view, const Model& model, const std::vector<Sh
 }
 
 bool is_outside(const ShadowVolume& volume, const dmat4& eye_from_object, const scene::View& view) {
-    const LightInObject& light = volume.light;
-    for (const dvec3& p : near_rectangle(eye_from_object, view)) {
-        const double reached = light.directional ? dot3(light.position, p) : length(p - light.position);
-        if (!(reached < light.reach)) return false;
-    }
+    if (!is_before_far_cap(volume, near_rectangle(eye_from_object, view))) return false;
     const dmat4 clip_from_object = product(view.clip_from_eye, eye_from_object);
     return is_whole(volume.caps, clip_from_object, view) && is_whole(volume.sides, clip_from_object, view);
 }

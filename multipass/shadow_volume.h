@@ -3,11 +3,12 @@
 // draws and counts.
 //
 // A set of triangles of the object, turned to face the light, is the front cap; the same, moved away from the
-// light beyond the whole scene, the far cap; where the set has a border, sides join them. For a mesh without
-// border the set is the triangles that face the light; for any other (open, not manifold) it is all
-// triangles, each casting its own shadow, with sides only where neighbours do not cancel.
+// light beyond the whole scene, the far cap (far_cap.h); where the set has a border, sides join them. For a
+// mesh without border the set is the triangles that face the light; for any other (open, not manifold) it is
+// all triangles, each casting its own shadow, with sides only where neighbours do not cancel.
 #pragma once
 
+#include "multipass/far_cap.h"
 #include "multipass/model.h"
 #include "multipass/topology.h"
 #include "scene/view.h"
@@ -16,23 +17,13 @@
 
 namespace gw::multipass {
 
-/// A light as an object's own coordinates see it.
-struct LightInObject {
-    bool directional = false;
-    dvec3 position{0};  ///< or, where directional, the way the light travels (length 1)
-    /// Everything that may be in shadow is nearer than this: to the light, or along its way from the origin.
-    double reach = 0;
-};
-
-LightInObject light_in_object(const scene::Light& light, const dmat4& world_from_object,
-                              const scene::Bounds& bounds);
-
 /// The volume's surface, counter-clockwise from outside, in two meshes that are closed together.
 struct ShadowVolume {
     MeshRef caps;   ///< null: nothing faces the light. The front cap has the very positions of the mesh, so
                     ///< that it has the same Z
     MeshRef sides;  ///< null: the front cap has no border
     LightInObject light;
+    WallsOfCap far_walls{};  ///< of the far cap
 };
 ShadowVolume shadow_volume(const Topology& topology, const LightInObject& light, bool mirrored);
 
