@@ -20,11 +20,6 @@ dmat4 product(const dmat4& a, const dmat4& b) {
     return {transform(a, b[0]), transform(a, b[1]), transform(a, b[2]), transform(a, b[3])};
 }
 
-dvec3 normalized(const dvec3& v) {
-    const double length = std::sqrt(dot3(v, v));
-    return length > 0 ? dvec3(v.x / length, v.y / length, v.z / length) : dvec3(0);
-}
-
 namespace {
 
 /// Cofactors of the upper 3x3, signed by the determinant: the inverse transpose up to a positive factor.

@@ -7,6 +7,7 @@
 #include "gw/types.h"
 
 #include <array>
+#include <cmath>
 
 namespace gw {
 
@@ -52,6 +53,9 @@ dvec4 transform(const dmat4& m, const dvec4& v);
 /// The product whose columns are transform(a, column of b).
 dmat4 product(const dmat4& a, const dmat4& b);
 /// v / |v|; the zero vector stays.
-dvec3 normalized(const dvec3& v);
+inline dvec3 normalized(const dvec3& v) {
+    const double length = std::sqrt(dot3(v, v));
+    return length > 0 ? dvec3(v.x / length, v.y / length, v.z / length) : dvec3(0);
+}
 
 }  // namespace gw

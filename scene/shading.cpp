@@ -115,7 +115,7 @@ const dvec3& MapColors::of(Component component) {
 
 dvec3 light_color(const Material& m, const gw::Light& light, const SurfacePoint& point, MapColors& maps,
                   double arrives) {
-    const bool gloss = m.Ks != vec3(0);
+    const bool gloss = arrives != 0 && m.Ks != vec3(0);
     const LightTerms terms = light_terms(light, point.p, point.n, point.to_eye, double(m.Ns), gloss);
     dvec3 sum = terms.ambient * dvec3(light.Ia) * dvec3(m.Ka) * maps.of(Component::Ambient);
     if (arrives == 0) return sum;

@@ -59,11 +59,6 @@ WorldTriangles::WorldTriangles(const Scene& scene) {
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
 }
 
-std::array<dvec3, 3> WorldTriangles::corners(std::uint32_t triangle) const {
-    const auto& v = places_[triangle].vertex;
-    return {positions_[v[0]], positions_[v[1]], positions_[v[2]]};
-}
-
 std::array<dvec3, 3> WorldTriangles::normals(std::uint32_t triangle) const {
     const auto& v = places_[triangle].vertex;
     if (has_normals_[object_of(triangle)]) return {normals_[v[0]], normals_[v[1]], normals_[v[2]]};

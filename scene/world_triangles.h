@@ -34,7 +34,10 @@ public:
         return first_[id];
     }
 
-    std::array<dvec3, 3> corners(std::uint32_t triangle) const;
+    std::array<dvec3, 3> corners(std::uint32_t triangle) const {
+        const auto& v = places_[triangle].vertex;
+        return {positions_[v[0]], positions_[v[1]], positions_[v[2]]};
+    }
     /// Of length 1, or 0; the plane's where the mesh has none.
     std::array<dvec3, 3> normals(std::uint32_t triangle) const;
     /// 0 where the mesh has none.
