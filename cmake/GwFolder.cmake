@@ -1,5 +1,11 @@
 # gw_library, gw_command, gw_test: a folder's sources as one target. They do not find packages: each folder's CMakeLists.txt does.
 
+# g++ -O0 that reads precompiled headers takes <immintrin.h> for that of optimized code, and refuses Highway's AVX-512.
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_BUILD_TYPE MATCHES "^(Debug)?$"
+        AND NOT "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_DEBUG}" MATCHES "-O[123s]")
+    set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+endif()
+
 # Warnings are chosen so that correct code needs no casts beyond those that change a number's kind.
 set(gw_misfires -Wno-restrict)  # what g++ 12 reports of std::string
 if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
