@@ -51,14 +51,12 @@ class Way {
 public:
     Way(const LightInObject& light, const vec3& p)
         : light_(&light), p_(p), way_(way_of(light, p_)), end_(t_of_reach(light, p_)) {
-        next_ = next();
         move_on();
     }
     bool at_end() const { return t_ == end_; }
     /// Beyond the next wall, or by the reach.
     void move_on() {
-        t_ = next_;
-        next_ = next();
+        t_ = next();
         moved_ = at_end() ? moved_by_reach(*light_, p_) : vec3(p_ + t_ * way_);
         walls_ = walls_before(*light_, dvec3(moved_));
     }
@@ -67,7 +65,7 @@ public:
     }
     /// How far that would be; infinite where there is no farther.
     double step() const {
-        return at_end() ? std::numeric_limits<double>::infinity() : (next_ - t_) * length(way_);
+        return at_end() ? std::numeric_limits<double>::infinity() : (next() - t_) * length(way_);
     }
     const vec3& moved() const { return moved_; }
     unsigned walls() const { return walls_; }
@@ -85,7 +83,7 @@ private:
 
     const LightInObject* light_;
     dvec3 p_, way_;
-    double t_ = -std::numeric_limits<double>::infinity(), next_ = 0, end_;
+    double t_ = -std::numeric_limits<double>::infinity(), end_;
     vec3 moved_{0};
     unsigned walls_ = 0;
 };
@@ -195,7 +193,8 @@ unsigned walls_before(const LightInObject& light, const dvec3& p) {
 bool is_wide(const LightInObject& light, const dvec3& a, const dvec3& b) {
     if (light.directional) return false;
     const dvec3 to_a = a - light.position, to_b = b - light.position;
-    return dot3(to_a, to_b) < 0.5 * length(to_a) * length(to_b);
+    const double cosine = dot3(to_a, to_b);  // times both lengths
+    return cosine < 0 || 4 * cosine * cosine < dot3(to_a, to_a) * dot3(to_b, to_b);
 }
 
 vec3 moved_by_reach(const LightInObject& light, const dvec3& p) {

@@ -129,9 +129,19 @@ double solid_angle(const Topology& t, const std::array<std::uint32_t, 3>& triang
                          la * lb * lc + dot3(a, b) * lc + dot3(b, c) * la + dot3(c, a) * lb);
 }
 
+/// Whether p is in the box around the points.
+bool is_among(const std::vector<vec3>& points, const dvec3& p) {
+    for (int k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax_element(
+            points.begin(), points.end(), [k](const vec3& a, const vec3& b) { return a[k] < b[k]; });
+        if (low == points.end() || p[k] < double((*low)[k]) || p[k] > double((*high)[k])) return false;
+    }
+    return true;
+}
+
 /// Whether a closed surface winds about the light: then it has no side that is away from it.
 bool surrounds(const Topology& t, const LightInObject& light) {
-    if (light.directional) return false;
+    if (light.directional || !is_among(t.points, light.position)) return false;
     double sum = 0;
     for (const auto& triangle : t.triangles) sum += solid_angle(t, triangle, light.position);
     return std::abs(sum) > 2 * pi;

@@ -25,29 +25,39 @@ std::vector<std::uint32_t> weld(const std::vector<vec3>& positions, std::vector<
 
 /// A side of a triangle before the edges have numbers.
 struct Use {
-    std::uint32_t from, to;  ///< from < to
-    std::uint32_t triangle, side;
-    bool forward;
+    std::uint32_t from = 0, to = 0;  ///< from < to
+    std::uint32_t triangle = 0, side = 0;
+    bool forward = true;
 };
 
-std::vector<Use> uses_of(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
-    std::vector<Use> uses;
-    uses.reserve(triangles.size() * 3);
-    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+template <class Visit>
+void for_each_use(const Topology& t, const Visit& visit) {
+    for (std::uint32_t i = 0; i < t.triangles.size(); ++i)
         for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = triangles[t][k], b = triangles[t][(k + 1) % 3];
-            uses.push_back({std::min(a, b), std::max(a, b), t, k, a < b});
+            const std::uint32_t a = t.triangles[i][k], b = t.triangles[i][(k + 1) % 3];
+            visit(Use{std::min(a, b), std::max(a, b), i, k, a < b});
         }
-    std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
-        return std::tie(a.from, a.to, a.triangle, a.side) < std::tie(b.from, b.to, b.triangle, b.side);
-    });
+}
+
+/// In the order of their edges, then of the triangles. Few have one `from`: these only are sorted.
+std::vector<Use> uses_of(const Topology& t) {
+    std::vector<std::uint32_t> first(t.points.size() + 1, 0);
+    for_each_use(t, [&](const Use& use) { ++first[use.from + 1]; });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Use> uses(t.triangles.size() * 3);
+    std::vector<std::uint32_t> next = first;
+    for_each_use(t, [&](const Use& use) { uses[next[use.from]++] = use; });
+    for (std::size_t from = 0; from < t.points.size(); ++from)
+        std::sort(uses.begin() + first[from], uses.begin() + first[from + 1], [](const Use& a, const Use& b) {
+            return std::tie(a.to, a.triangle, a.side) < std::tie(b.to, b.triangle, b.side);
+        });
     return uses;
 }
 
 void number_edges(Topology& t) {
     t.sides.resize(t.triangles.size());
     int balance = 0;
-    for (const Use& use : uses_of(t.triangles)) {
+    for (const Use& use : uses_of(t)) {
         if (t.edges.empty() || t.edges.back().from != use.from || t.edges.back().to != use.to) {
             t.closed = t.closed && balance == 0;
             balance = 0;
