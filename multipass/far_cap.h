@@ -3,9 +3,9 @@
 // shadow_volume.h.
 //
 // A point is moved to where its way from the light leaves the scene's bounds. A triangle of the far cap is
-// beyond the scene where its three corners are beyond one and the same wall of the bounds; where they are
-// not, they are moved on to where they leave by the next wall, at last to a distance that is more than the
-// whole scene's.
+// beyond the scene where its three corners are beyond one and the same wall of the bounds; until they are,
+// the corner with the least way to go is moved on to where it leaves by its next wall, at last to a distance
+// that is more than the whole scene's.
 #pragma once
 
 #include "multipass/topology.h"

@@ -2,7 +2,6 @@
 #include "multipass/far_cap.h"
 
 #include "multipass/shadow_volume.h"
-#include "multipass/stage.h"
 #include "scene/view.h"
 #include "shadow_cases.h"
 
