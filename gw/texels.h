@@ -59,6 +59,13 @@ struct LevelChoice {
 };
 LevelChoice choose_level(const TextureState& state, float rho, int level_count);
 
+/// Whether the filter for this side mixes four texels of a level.
+constexpr bool is_linear(const TextureState& s, bool magnify) {
+    if (magnify) return s.mag_filter == MagFilter::Linear;
+    return s.min_filter == MinFilter::Linear || s.min_filter == MinFilter::LinearMipmapNearest ||
+           s.min_filter == MinFilter::LinearMipmapLinear;
+}
+
 /// Whether a filter needs rho at all.
 constexpr bool needs_rho(const TextureState& s) {
     return !(s.min_filter == MinFilter::Linear && s.mag_filter == MagFilter::Linear) &&

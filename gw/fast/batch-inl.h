@@ -7,7 +7,7 @@
 #define GW_FAST_BATCH_INL_H_
 #endif
 
-#include "gw/fast/shade-inl.h"
+#include "gw/fast/modulate-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -20,11 +20,12 @@ struct BatchPlanes {
     const TileDraw& draw;
     const Corners& corners;
     BatchRoom& room;
-    bool narrow, flat, made = false;
+    bool narrow, flat, modulates, made = false;
     std::size_t channels;
     NarrowBatch narrow_color;
     ShadeInputs in;
     std::size_t flat_in = batch_room;  ///< whose one colour stands in the inputs
+    ModulatedTexels modulated;
 
     HWY_INLINE BatchPlanes(const TileDraw& d, const Corners& c)
         : draw(d),
@@ -32,6 +33,7 @@ struct BatchPlanes {
           room(*d.room),
           narrow(is_narrow(*d.op)),
           flat(narrow && is_flat(*d.op) && !has_fog(d.op->state.state)),
+          modulates(ModulatedTexels::serves(*d.op)),
           channels(has_fog(d.op->state.state) ? 5 : 4) {}
 
     HWY_INLINE void make() {
@@ -48,6 +50,10 @@ struct BatchPlanes {
     /// The colours of triangle i in a block, of the lanes of `mask`.
     HWY_NOINLINE const ColorBlock& color_of(std::size_t i, int bx, int by, std::uint32_t mask) {
         make();
+        if (modulates) {
+            modulated.write(*draw.op, narrow_color, room.texture[i], i, bx, by, in.out);
+            return in.out;
+        }
         if (flat && flat_in == i)
             ;
         else if (narrow)

@@ -22,8 +22,9 @@ HWY_INLINE V32 mul_lanes(V32 a, V32 b, int n) {
 }
 
 /// The same for n = 8 in 16-bit lanes.
-HWY_INLINE hn::Vec<D16> mul_bytes(hn::Vec<D16> a, hn::Vec<D16> b) {
-    const auto t = hn::Add(hn::Mul(a, b), hn::Set(D16(), std::uint16_t{128}));
+template <class D>
+HWY_INLINE hn::Vec<D> mul_bytes(D d, hn::Vec<D> a, hn::Vec<D> b) {
+    const auto t = hn::Add(hn::Mul(a, b), hn::Set(d, std::uint16_t{128}));
     return hn::ShiftRight<8>(hn::Add(t, hn::ShiftRight<8>(t)));
 }
 
@@ -57,8 +58,8 @@ HWY_INLINE V blend_factor_lanes(D d, BlendFactor factor, const BlendLanes<V>& l,
 }
 
 /// 8 bits a channel: everything fits 16-bit lanes.
-HWY_INLINE void blend_bytes(BlendFactor src_factor, BlendFactor dst_factor, const ColorBlock& src,
-                            const ColorBlock& dst, ColorBlock& out) {
+HWY_NOINLINE inline void blend_bytes(const BlendState& b, const ColorBlock& src, const ColorBlock& dst,
+                                     ColorBlock& out) {
     const D16 d;
     const auto max = hn::Set(d, std::uint16_t{255});
     for (std::size_t i = 0; i < block_pixels; i += lanes16) {
@@ -66,20 +67,47 @@ HWY_INLINE void blend_bytes(BlendFactor src_factor, BlendFactor dst_factor, cons
         for (std::size_t c = 0; c < 4; ++c)
             l.src[c] = hn::Load(d, src.channel[c] + i), l.dst[c] = hn::Load(d, dst.channel[c] + i);
         for (std::size_t c = 0; c < 4; ++c) {
-            const auto s = mul_bytes(l.src[c], blend_factor_lanes(d, src_factor, l, c, max));
-            const auto t = mul_bytes(l.dst[c], blend_factor_lanes(d, dst_factor, l, c, max));
+            const auto s = mul_bytes(d, l.src[c], blend_factor_lanes(d, b.src, l, c, max));
+            const auto t = mul_bytes(d, l.dst[c], blend_factor_lanes(d, b.dst, l, c, max));
             hn::Store(hn::Min(max, hn::Add(s, t)), d, out.channel[c] + i);
         }
     }
 }
 
-/// Transparency, the commonest blend after the sum, with its factors known where the code is compiled.
-HWY_NOINLINE inline void blend_bytes(const BlendState& b, const ColorBlock& src, const ColorBlock& dst,
-                                     ColorBlock& out) {
-    if (b.src == BlendFactor::SrcAlpha && b.dst == BlendFactor::OneMinusSrcAlpha)
-        blend_bytes(BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha, src, dst, out);
-    else
-        blend_bytes(b.src, b.dst, src, dst, out);
+/// Channels in a row: the widest vectors hold two.
+using DRow = hn::CappedTag<std::uint16_t, 32>;
+
+/// The alphas that lanes i .. of a row belong to.
+HWY_INLINE hn::Vec<DRow> alphas_of(const ColorBlock& block, std::size_t i) {
+    const DRow d;
+    const std::uint16_t* alpha = block.channel[3] + i % block_pixels;
+#if HWY_MAX_BYTES >= 64
+    const auto own = hn::Load(hn::Half<DRow>(), alpha);
+    return hn::Combine(d, own, own);
+#else
+    return hn::Load(d, alpha);
+#endif
+}
+
+/// Transparency, the commonest blend after the sum, in 8 bits: SrcAlpha, OneMinusSrcAlpha.
+HWY_NOINLINE inline void mix_by_alpha(const ColorBlock& src, ColorBlock& stored, std::uint32_t mask) {
+    const DRow d;
+    const auto max = hn::Set(d, std::uint16_t{255});
+    const std::uint16_t* from = src.channel[0];
+    std::uint16_t* to = stored.channel[0];
+    for (std::size_t i = 0; i < 4 * block_pixels; i += hn::Lanes(d)) {
+        const auto alpha = alphas_of(src, i);
+        const auto own = mul_bytes(d, hn::Load(d, from + i), alpha),
+                   other = mul_bytes(d, hn::Load(d, to + i), hn::Sub(max, alpha));
+        store_lanes(hn::Min(max, hn::Add(own, other)),
+                    lanes_of(d, mask | mask << block_pixels, i % block_pixels), d, to + i);
+    }
+}
+HWY_INLINE bool mixes_by_alpha(const Resolved& r) {
+    const BlendState& b = r.state.blend;
+    const ColorMask& m = r.state.color_mask;
+    return r.bits == 8 && b.enable && b.src == BlendFactor::SrcAlpha &&
+           b.dst == BlendFactor::OneMinusSrcAlpha && m.r && m.g && m.b && m.a;
 }
 
 HWY_NOINLINE inline void blend_block(const BlendState& b, int bits, const ColorBlock& src,
@@ -115,6 +143,7 @@ HWY_INLINE void add_block(int bits, const ColorBlock& src, const ColorBlock& dst
 
 HWY_NOINLINE inline void write_color(const Resolved& r, const ColorBlock& src, ColorBlock& dst,
                                      std::uint32_t mask) {
+    if (mixes_by_alpha(r)) return mix_by_alpha(src, dst, mask);
     const BlendState& b = r.state.blend;
     ColorBlock blended;
     const ColorBlock* out = &src;
@@ -134,9 +163,6 @@ HWY_NOINLINE inline void write_color(const Resolved& r, const ColorBlock& src, C
             if (channel[c]) store_lanes(hn::Load(d, out->channel[c] + i), lanes, d, dst.channel[c] + i);
     }
 }
-
-// --- The order of the stages
-// ------------------------------------------------------------------------------------------
 
 }  // namespace gw::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -98,9 +98,6 @@ HWY_INLINE void write_depth(const DepthBlock& incoming, DepthBlock& stored, std:
         store_lanes(hn::Load(d, incoming.value + i), lanes_of(d, mask, i), d, stored.value + i);
 }
 
-// --- Blending
-// -------------------------------------------------------------------------------------------------------
-
 /// A block's fragments on their way: `color()` shades them when the first stage needs it.
 template <class Shade>
 HWY_INLINE void run_fragments(const Resolved& r, bool front, const DepthBlock& depth, const Tile& tile,

@@ -10,31 +10,6 @@
 
 namespace gw::fast {
 
-namespace {
-
-std::uint32_t pack(const Rgba& t) {
-    return std::uint32_t(t[0]) | std::uint32_t(t[1]) << 8 | std::uint32_t(t[2]) << 16 |
-           std::uint32_t(t[3]) << 24;
-}
-
-}  // namespace
-
-FastTexels make_fast_texels(Texels texels) {
-    FastTexels f;
-    for (std::size_t i = 0; i < texels.levels.size(); ++i) {
-        f.first[i] = std::int32_t(std::max(f.packed.size(), f.wide.size()));
-        for (const Rgba& t : texels.levels[i].texels) {
-            if (texels.bits == 8)
-                f.packed.push_back(pack(t));
-            else
-                f.wide.push_back(t);
-        }
-    }
-    if (texels.bits == 8) f.packed.resize(f.packed.size() + texel_window);
-    f.texels = std::move(texels);
-    return f;
-}
-
 bool is_barrier(const Command& command, const std::vector<PassReport>& passes) {
     if (std::holds_alternative<Copy>(command) || std::holds_alternative<CopyTexture>(command)) return true;
     return std::holds_alternative<BeginPass>(command) && !passes.empty() && passes.back().digested != 0;
@@ -122,7 +97,7 @@ struct Planner {
                 machine.passes[op.pass].counters += draw->set->counters;
     }
 
-    const FastTexels* texels(const TextureBinding& binding) {
+    FastTexels* texels(const TextureBinding& binding) {
         if (binding.slot) return &machine.slots.at(*binding.slot);
         auto& entry = machine.texels[binding.texture];
         if (!entry)
@@ -144,7 +119,10 @@ struct Planner {
         const bool exact_id = machine.state.color_source == ColorSource::PolygonId;
         op.texels_counted = draw.map.enabled() && !exact_id;
         if (op.texels_counted && op.needs_color) {
-            op.texels = texels(draw.map);
+            FastTexels* found = texels(draw.map);
+            const TextureState& t = machine.state.texture;
+            op.texels = found;
+            if (is_linear(t, false) || is_linear(t, true)) op.pairs = texel_pairs(*found, t.wrap_s, t.wrap_t);
             op.texcoords = texcoords(set, draw);
         }
         if (op.needs_color && !exact_id) op.colors = colors(set, draw);

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "gw/fast/shaded.h"
+#include "gw/fast/texels.h"
 #include "gw/machine.h"
-#include "gw/texels.h"
 
 #include <array>
 #include <deque>
@@ -16,17 +16,6 @@
 
 namespace gw::fast {
 
-/// The kernels may read so many texels at once: as many stand behind the last level.
-inline constexpr std::size_t texel_window = 16;
-
-/// Texels with all levels in one array, as the kernels gather from it.
-struct FastTexels {
-    Texels texels;
-    std::array<std::int32_t, 16> first{};  ///< of each level, in texels
-    std::vector<std::uint32_t> packed;     ///< 8 bits a channel, R lowest; where bits == 8.
-    std::vector<Rgba> wide;                ///< else
-};
-
 struct DrawOp {
     const Draw* draw = nullptr;
     Resolved state;
@@ -35,6 +24,7 @@ struct DrawOp {
     const VertexFog* fog = nullptr;              ///< null: no fog
     const VertexTexcoords* texcoords = nullptr;  ///< null: untextured
     const FastTexels* texels = nullptr;          ///< null: untextured
+    const TexelPairs* pairs = nullptr;           ///< of `texels`, where its filter is bilinear
     bool texels_counted = false;                 ///< textured, whether or not anyone sees the colour
     const std::vector<std::uint32_t>* fog_table = nullptr;
     bool needs_color = true;  ///< some plane or the alpha test sees it
@@ -105,7 +95,5 @@ void retire(Segment segment, MachineState& machine);
 
 /// Whether a command reads pixels across tiles, or takes digests: it runs between segments.
 bool is_barrier(const Command& command, const std::vector<PassReport>& passes);
-
-FastTexels make_fast_texels(Texels texels);
 
 }  // namespace gw::fast

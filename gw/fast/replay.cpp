@@ -128,7 +128,7 @@ struct Replay {
                                inputs.texture);
             divide_block(sampler, inputs.texture, inputs.divided);
         }
-        sample_block(sampler, inputs.divided, run.mask, out);
+        sample_block(sampler, inputs.divided, out);
     }
 
     /// A run without ties: every pixel has one primitive.

@@ -115,7 +115,7 @@ HWY_INLINE void modulate_bytes(const ColorBlock& color, const ColorBlock& texel,
     const D16 d;
     for (std::size_t c = 0; c < 4; ++c)
         for (std::size_t i = 0; i < block_pixels; i += lanes16)
-            hn::Store(mul_bytes(hn::Load(d, color.channel[c] + i), hn::Load(d, texel.channel[c] + i)), d,
+            hn::Store(mul_bytes(d, hn::Load(d, color.channel[c] + i), hn::Load(d, texel.channel[c] + i)), d,
                       out.channel[c] + i);
 }
 
@@ -135,7 +135,8 @@ HWY_INLINE void add_modulated(const ColorBlock& color, const ColorBlock& texel, 
         const auto lanes = lanes_of(d, mask, i);
         for (std::size_t c = 0; c < 4; ++c) {
             std::uint16_t* to = stored.channel[c] + i;
-            const auto own = mul_bytes(hn::Load(d, color.channel[c] + i), hn::Load(d, texel.channel[c] + i));
+            const auto own =
+                mul_bytes(d, hn::Load(d, color.channel[c] + i), hn::Load(d, texel.channel[c] + i));
             store_lanes(hn::Min(hn::Add(own, hn::Load(d, to)), max), lanes, d, to);
         }
     }
@@ -209,7 +210,7 @@ HWY_NOINLINE inline void wide_colors(const ColorPlanes& p, const DrawOp& op, int
 }
 
 HWY_INLINE Sampler sampler_of(const DrawOp& op) {
-    return {*op.texels, op.state.state.texture, op.state.bits};
+    return {*op.texels, op.pairs, op.state.state.texture, op.state.bits};
 }
 
 /// Colour, texture, fog, in that order. `texel`: what the texture unit found, if there is one.
@@ -236,7 +237,7 @@ HWY_INLINE void look_up(const TexturePlanes& p, const TileDraw& draw, int bx, in
         return sample_by_pixel(p, draw, bx, by, mask, in.texel);
     const Sampler sampler = sampler_of(*draw.op);
     divide_block(sampler, p, draw.tile, bx, by, mask, in.divided);
-    sample_block(sampler, in.divided, mask, in.texel);
+    sample_block(sampler, in.divided, in.texel);
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

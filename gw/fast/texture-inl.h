@@ -1,4 +1,4 @@
-// Textures on a block of 16 pixels: coordinates, level of detail, filters. docs/manual.md, "Textures";
+// Textures on a block of 16 pixels: coordinates and level of detail. docs/manual.md, "Textures";
 // scalar twins: gw/texels.cpp, gw/reference/texture_unit.cpp. Does not combine with the fragment's colour.
 // Included once per Highway target.
 #if defined(GW_FAST_TEXTURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -9,7 +9,7 @@
 #endif
 
 #include "gw/fast/primitive.h"
-#include "gw/fast/texels-inl.h"
+#include "gw/fast/sampler-inl.h"
 
 #include <bit>
 
@@ -25,84 +25,6 @@ struct TextureInputs {
     alignas(64) std::int32_t u_exponent[block_pixels],
         v_exponent[block_pixels], u_k[block_pixels], v_k[block_pixels];
     alignas(64) float slope[block_pixels];  ///< rho Q^2 2^16
-};
-
-/// A part of a block's coordinates, in vectors.
-struct Coordinates {
-    VF u, v;  ///< U W 2^e: at most 1024
-    VI u_k, v_k;
-};
-
-/// One draw's texture as the lanes see it.
-struct Sampler {
-    const FastTexels& texels;
-    const TextureState& state;
-    int bits;
-
-    const TexelLevel& base() const { return texels.texels.levels[0]; }
-
-    /// u + k in 1/256 texels of the lanes' own levels, whose sides are 2^log2_size; u 2^.. at most 2^30.
-    HWY_INLINE static VI coordinate(VF u, VI k, VI log2_size) {
-        const I32 i;
-        const F32 f;
-        const auto shift = hn::Add(log2_size, hn::Set(i, 8));
-        const auto scale = hn::BitCast(f, hn::ShiftLeft<23>(hn::Add(shift, hn::Set(i, 127))));
-        const auto scaled = hn::Max(hn::Zero(f), hn::Min(hn::Mul(u, scale), hn::Set(f, 1073741824.0f)));
-        return hn::Add(hn::ConvertTo(i, scaled), hn::Shl(k, shift));
-    }
-
-    /// Wraps texel indices of levels with `last` + 1 texels a side.
-    HWY_INLINE static VI wrapped(Wrap wrap, VI index, VI last) {
-        return wrap == Wrap::Repeat ? hn::And(index, last) : hn::Min(hn::Max(index, hn::Zero(I32())), last);
-    }
-
-    /// The lanes' levels: sides 2^log2_w x 2^log2_h, where they start.
-    struct Level {
-        VI log2_w, log2_h, first;
-    };
-    HWY_INLINE Level base_level() const {
-        const I32 i;
-        return {hn::Set(i, base().log2_width), hn::Set(i, base().log2_height), hn::Zero(i)};
-    }
-    HWY_INLINE Level level(VI index) const {
-        const I32 i;
-        const auto zero = hn::Zero(i);
-        return {hn::Max(hn::Sub(hn::Set(i, base().log2_width), index), zero),
-                hn::Max(hn::Sub(hn::Set(i, base().log2_height), index), zero),
-                hn::GatherIndex(i, texels.first.data(), index)};
-    }
-
-    /// lookup() of gw/texels.h in the lanes' own levels; those outside `lanes` may come out as anything.
-    HWY_INLINE TexelLanes lookup(const Coordinates& at, const Level& level, bool linear,
-                                 std::uint32_t lanes) const {
-        const I32 i;
-        const D32 d;
-        const auto one = hn::Set(i, 1);
-        const auto last_x = hn::Sub(hn::Shl(one, level.log2_w), one),
-                   last_y = hn::Sub(hn::Shl(one, level.log2_h), one);
-        auto u = coordinate(at.u, at.u_k, level.log2_w), v = coordinate(at.v, at.v_k, level.log2_h);
-        const auto row = [&](VI y) {
-            return hn::Add(level.first, hn::Shl(wrapped(state.wrap_t, y, last_y), level.log2_w));
-        };
-        const auto column = [&](VI x) { return wrapped(state.wrap_s, x, last_x); };
-        if (!linear) return fetch(texels, hn::Add(row(hn::ShiftRight<8>(v)), column(hn::ShiftRight<8>(u))));
-
-        const auto half = hn::Set(i, 128), fraction = hn::Set(i, 255);
-        u = hn::Sub(u, half), v = hn::Sub(v, half);
-        const auto x = hn::ShiftRight<8>(u), y = hn::ShiftRight<8>(v);
-        const TexelCells cells{column(x), column(hn::Add(x, one)), row(y), row(hn::Add(y, one))};
-        const auto wx = hn::BitCast(d, hn::And(u, fraction)), wy = hn::BitCast(d, hn::And(v, fraction));
-        if (!texels.packed.empty())
-            return bilinear_bytes(load_corners(texels.packed.data(), cells, lanes), wx, wy);
-        const TexelLanes a = fetch(texels, hn::Add(cells.upper, cells.left)),
-                         b = fetch(texels, hn::Add(cells.upper, cells.right));
-        const TexelLanes c = fetch(texels, hn::Add(cells.lower, cells.left)),
-                         e = fetch(texels, hn::Add(cells.lower, cells.right));
-        TexelLanes out;
-        for (std::size_t k = 0; k < 4; ++k)
-            out.channel[k] = bilinear_wide(a.channel[k], b.channel[k], c.channel[k], e.channel[k], wx, wy);
-        return out;
-    }
 };
 
 /// What rho is made of: the larger slope of each row and column. docs/manual.md, "Level of detail".
@@ -187,19 +109,13 @@ HWY_INLINE LevelLanes choose_levels(const Sampler& s, VF rho) {
     return out;
 }
 
-HWY_INLINE bool is_linear(MinFilter filter) {
-    return filter == MinFilter::Linear || filter == MinFilter::LinearMipmapNearest ||
-           filter == MinFilter::LinearMipmapLinear;
-}
-
 /// The lanes' texels at one level each, magnified and minified lanes by their own filters.
-HWY_INLINE TexelLanes sample_level(const Sampler& s, const Coordinates& at, VI index, hn::Mask<I32> magnify,
-                                   std::uint32_t lanes) {
-    const bool small = is_linear(s.state.min_filter), large = s.state.mag_filter == MagFilter::Linear;
+HWY_INLINE TexelLanes sample_level(const Sampler& s, const Coordinates& at, VI index, hn::Mask<I32> magnify) {
+    const bool small = is_linear(s.state, false), large = is_linear(s.state, true);
     const Sampler::Level level = s.level(index);
-    TexelLanes out = s.lookup(at, level, small, lanes);
+    TexelLanes out = s.lookup(at, level, small);
     if (small == large) return out;
-    const TexelLanes other = s.lookup(at, level, large, lanes);
+    const TexelLanes other = s.lookup(at, level, large);
     const auto chosen = hn::RebindMask(D32(), magnify);
     for (std::size_t k = 0; k < 4; ++k)
         out.channel[k] = hn::IfThenElse(chosen, other.channel[k], out.channel[k]);
@@ -262,24 +178,21 @@ HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p, 
     }
 }
 
-/// The texels of the lanes of `mask`; the others may come out as anything.
-HWY_NOINLINE inline void sample_block(const Sampler& s, const TextureLanes& in, std::uint32_t mask,
-                                      ColorBlock& out) {
+/// The texels of all lanes: where the coordinates are anything, so are they.
+HWY_NOINLINE inline void sample_block(const Sampler& s, const TextureLanes& in, ColorBlock& out) {
     const I32 d;
     const F32 f;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
         const Coordinates at{hn::Load(f, in.u + i), hn::Load(f, in.v + i), hn::Load(d, in.u_k + i),
                              hn::Load(d, in.v_k + i)};
-        const std::uint32_t lanes = mask >> i & ((1u << lanes32) - 1);
         TexelLanes texel;
         if (!needs_rho(s.state)) {
-            texel = s.lookup(at, s.base_level(), s.state.mag_filter == MagFilter::Linear, lanes);
+            texel = s.lookup(at, s.base_level(), s.state.mag_filter == MagFilter::Linear);
         } else {
             const LevelLanes l = choose_levels(s, hn::Load(f, in.rho + i));
-            texel = sample_level(s, at, l.level, l.magnify, lanes);
+            texel = sample_level(s, at, l.level, l.magnify);
             const auto mixed = hn::Gt(hn::BitCast(d, l.weight), hn::Zero(d));
-            if (!hn::AllFalse(d, mixed))
-                mix_levels(texel, sample_level(s, at, l.next, l.magnify, lanes), l.weight);
+            if (!hn::AllFalse(d, mixed)) mix_levels(texel, sample_level(s, at, l.next, l.magnify), l.weight);
         }
         for (std::size_t k = 0; k < 4; ++k) store16(texel.channel[k], out.channel[k] + i);
     }

@@ -59,12 +59,6 @@ struct PixelSampler {
         return (static_cast<float>(std::max(s, t)) * (w * w)) * (1.0f / 65536);
     }
 
-    bool is_linear(bool magnify) const {
-        if (magnify) return state.mag_filter == MagFilter::Linear;
-        return state.min_filter == MinFilter::Linear || state.min_filter == MinFilter::LinearMipmapNearest ||
-               state.min_filter == MinFilter::LinearMipmapLinear;
-    }
-
     Rgba sample(int index, bool linear) const {
         const TexelLevel& level = texels.levels[std::size_t(index)];
         return lookup(level, linear, state.wrap_s, state.wrap_t,
@@ -79,9 +73,9 @@ struct PixelSampler {
         if (state.shadow_compare) return grey(is_lit());
         LevelChoice choice{.magnify = true};
         if (needs_rho(state)) choice = choose_level(state, rho(), int(texels.levels.size()));
-        const Rgba first = sample(choice.level, is_linear(choice.magnify));
+        const Rgba first = sample(choice.level, is_linear(state, choice.magnify));
         if (choice.weight == 0) return first;
-        return between_levels(first, sample(choice.next, is_linear(false)), choice.weight);
+        return between_levels(first, sample(choice.next, is_linear(state, false)), choice.weight);
     }
 };
 

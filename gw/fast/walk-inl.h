@@ -83,10 +83,10 @@ struct LaneCounter {
     }
 };
 
-/// c + gx i + gy j, modulo 2^32, at a block that moves: aimed once, started at any block.
-struct Linear {
+/// c + gx i + gy j, modulo 2^32, at any block.
+struct LinearLanes {
     std::uint32_t c, gx, gy;
-    V32 lane[parts], at[parts], row[parts], right, up;
+    V32 lane[parts];
 
     HWY_INLINE void aim(std::uint32_t c_, std::uint32_t gx_, std::uint32_t gy_) {
         const D32 d;
@@ -95,12 +95,26 @@ struct Linear {
         for (std::size_t i = 0; i < parts; ++i)
             lane[i] = hn::Add(hn::Mul(x, hn::Load(d, lane_x + i * lanes32)),
                               hn::Mul(y, hn::Load(d, lane_y + i * lanes32)));
+    }
+    HWY_INLINE V32 at(int bx, int by, std::size_t part) const {
+        const std::uint32_t corner =
+            c + gx * std::uint32_t(bx * block_side) + gy * std::uint32_t(by * block_side);
+        return hn::Add(hn::Set(D32(), corner), lane[part]);
+    }
+};
+
+/// The same at a block that moves: aimed once, started at any block.
+struct Linear {
+    LinearLanes lanes;
+    V32 at[parts], row[parts], right, up;
+
+    HWY_INLINE void aim(std::uint32_t c, std::uint32_t gx, std::uint32_t gy) {
+        const D32 d;
+        lanes.aim(c, gx, gy);
         right = hn::Set(d, gx * std::uint32_t(block_side)), up = hn::Set(d, gy * std::uint32_t(block_side));
     }
     HWY_INLINE void start(int bx, int by) {
-        const auto corner =
-            hn::Set(D32(), c + gx * std::uint32_t(bx * block_side) + gy * std::uint32_t(by * block_side));
-        for (std::size_t i = 0; i < parts; ++i) at[i] = row[i] = hn::Add(corner, lane[i]);
+        for (std::size_t i = 0; i < parts; ++i) at[i] = row[i] = lanes.at(bx, by, i);
     }
     HWY_INLINE void next_block() {
         for (auto& part : at) part = hn::Add(part, right);
@@ -110,9 +124,10 @@ struct Linear {
     }
 };
 
-/// A value of up to 32 bits, as wide_plane() has it.
-struct WidePlaneWalk {
-    Linear high, low;
+/// A value of up to 32 bits, as wide_plane() has it, in two halves that are each linear.
+template <class Half>
+struct WideHalves {
+    Half high, low;
 
     HWY_INLINE void aim(const TilePlane& p) {
         const auto upper = [](std::int64_t v) { return std::uint32_t(v >> 16); };
@@ -120,6 +135,13 @@ struct WidePlaneWalk {
         high.aim(upper(std::int64_t(p.c)), upper(p.gx), upper(p.gy));
         low.aim(lower(std::int64_t(p.c)), lower(p.gx), lower(p.gy));
     }
+};
+struct WidePlaneLanes : WideHalves<LinearLanes> {
+    HWY_INLINE V32 at(int bx, int by, std::size_t part) const {
+        return hn::Add(high.at(bx, by, part), hn::ShiftRight<16>(low.at(bx, by, part)));
+    }
+};
+struct WidePlaneWalk : WideHalves<Linear> {
     HWY_INLINE void start(int bx, int by) { high.start(bx, by), low.start(bx, by); }
     HWY_INLINE void next_block() { high.next_block(), low.next_block(); }
     HWY_INLINE void next_row() { high.next_row(), low.next_row(); }

@@ -25,12 +25,6 @@ float rho_at(const Interpolants& v, const TexelLevel& base, float w, int x, int 
     return (static_cast<float>(std::max(s, t)) * (w * w)) * (1.0f / 65536);
 }
 
-bool is_linear(const TextureState& s, bool magnify) {
-    if (magnify) return s.mag_filter == MagFilter::Linear;
-    return s.min_filter == MinFilter::Linear || s.min_filter == MinFilter::LinearMipmapNearest ||
-           s.min_filter == MinFilter::LinearMipmapLinear;
-}
-
 Rgba grey(std::uint32_t v) {
     const auto c = static_cast<std::uint16_t>(v);
     return {c, c, c, c};
