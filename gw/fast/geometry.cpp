@@ -17,16 +17,14 @@ GeometryKey geometry_key(const State& s, const Draw& draw) {
             s.cull,    s.polygon_mode,       s.point_size, s.line_width};
 }
 
-void GeometrySet::clear() {
-    GeometrySet empty;
-    const auto keep_memory = [&](auto member) {
-        (empty.*member).swap(this->*member), (empty.*member).clear();
+void GeometrySet::take_memory(GeometrySet& from) {
+    const auto take = [&](auto member) {
+        (from.*member).clear();
+        (from.*member).swap(this->*member);
     };
-    keep_memory(&GeometrySet::at), keep_memory(&GeometrySet::w), keep_memory(&GeometrySet::primitives);
-    keep_memory(&GeometrySet::cuts), keep_memory(&GeometrySet::used), keep_memory(&GeometrySet::used_front);
-    keep_memory(&GeometrySet::used_back), keep_memory(&GeometrySet::bin_start),
-        keep_memory(&GeometrySet::bin);
-    *this = std::move(empty);
+    take(&GeometrySet::at), take(&GeometrySet::w), take(&GeometrySet::primitives), take(&GeometrySet::cuts);
+    take(&GeometrySet::used), take(&GeometrySet::used_front), take(&GeometrySet::used_back);
+    take(&GeometrySet::bin_start), take(&GeometrySet::bin);
 }
 
 namespace {

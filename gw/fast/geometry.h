@@ -69,10 +69,11 @@ struct GeometrySet {
     JitterState jitter_low, jitter_high;   ///< what the list's draws use: bins are made for all of them
     std::vector<std::uint32_t> bin_start;  ///< per tile, and one past the last
     std::vector<std::uint32_t> bin;        ///< ordinals of `primitives`, in order
+    bool made = false;                     ///< all of the above is there
 
     std::size_t vertex_count() const { return at.size(); }
-    /// Empties it for another key; the memory stays.
-    void clear();
+    /// Takes the memory of one that is no longer wanted.
+    void take_memory(GeometrySet& from);
     std::span<const std::uint32_t> tile_bin(std::size_t tile) const {
         return std::span(bin).subspan(bin_start[tile], bin_start[tile + 1] - bin_start[tile]);
     }

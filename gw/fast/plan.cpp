@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace gw::fast {
 
@@ -45,11 +46,13 @@ struct Planner {
         const auto found = std::find_if(segment.sets.begin(), segment.sets.end(),
                                         [&](const GeometrySet& s) { return s.key == key; });
         if (found != segment.sets.end()) return *found;
-        GeometrySet& set = next(segment.sets, machine.done.sets);
+        GeometrySet& set = segment.sets.emplace_back();
         set.key = key;
         geometry_jobs.push_back(job(draw, [this, &set](const State& s, const Draw& d) {
+            if (set.made) return;
             make_geometry(set, s, d, profile, grid.width, grid.height);
             make_bins(set, profile, grid);
+            set.made = true;
         }));
         return set;
     }
@@ -90,6 +93,7 @@ struct Planner {
 
     /// Makes what is shared: geometry first, then what stands at its vertices.
     void run_jobs(int threads) {
+        machine.geometry.give(segment.sets);
         for (const auto* jobs : {&geometry_jobs, &vertex_jobs})
             parallel_for(jobs->size(), threads, [&](std::size_t i, int) { (*jobs)[i](); });
         for (const TileOp& op : segment.ops)
@@ -196,7 +200,8 @@ void retire(Segment segment, MachineState& machine) {
     const auto clear = [](auto& all) {
         for (auto& element : all) element.clear();
     };
-    clear(segment.sets), clear(segment.colors), clear(segment.fogs), clear(segment.texcoords);
+    machine.geometry.keep(std::exchange(segment.sets, {}));
+    clear(segment.colors), clear(segment.fogs), clear(segment.texcoords);
     segment.ops.clear(), segment.fog_tables.clear();
     machine.done = std::move(segment);
 }

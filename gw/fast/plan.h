@@ -3,6 +3,7 @@
 // touch pixels.
 #pragma once
 
+#include "gw/fast/kept_geometry.h"
 #include "gw/fast/shaded.h"
 #include "gw/fast/texels.h"
 #include "gw/machine.h"
@@ -82,6 +83,7 @@ struct MachineState {
     std::map<std::uint32_t, Plane> slot_planes;
     std::map<TextureRef, std::unique_ptr<FastTexels>> texels;
     std::map<std::uint32_t, Readback> readbacks;
+    KeptGeometry geometry;
     Segment done;  ///< the last one, emptied: the next takes its memory
 };
 

@@ -1,0 +1,63 @@
+// Sets found again.
+#include "gw/fast/kept_geometry.h"
+
+namespace gw::fast {
+
+namespace {
+
+/// Whether what was made for `kept` serves the draws of `wanted`, its key aside.
+bool serves(const GeometrySet& kept, const GeometrySet& wanted) {
+    return kept.made && (kept.lists_used || !wanted.lists_used) && kept.jitter_low.x <= wanted.jitter_low.x &&
+           kept.jitter_low.y <= wanted.jitter_low.y && kept.jitter_high.x >= wanted.jitter_high.x &&
+           kept.jitter_high.y >= wanted.jitter_high.y;
+}
+
+}  // namespace
+
+KeptGeometry::Kept* KeptGeometry::find(const GeometrySet& wanted) {
+    GeometryKey key = wanted.key;
+    key.mesh.reset();
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+        const std::size_t at = (next_ + i) % kept_.size();
+        Kept& kept = kept_[at];
+        if (kept.address != wanted.key.mesh.get() || kept.mesh.expired()) continue;
+        if (!(kept.set.key == key) || !serves(kept.set, wanted)) continue;
+        next_ = at + 1;
+        return &kept;
+    }
+    return nullptr;
+}
+
+void KeptGeometry::give(std::deque<GeometrySet>& sets) {
+    std::vector<GeometrySet*> rest;
+    for (GeometrySet& set : sets) {
+        Kept* kept = find(set);
+        if (!kept) {
+            rest.push_back(&set);
+            continue;
+        }
+        GeometryKey key = std::move(set.key);
+        set = std::move(kept->set);
+        set.key = std::move(key);
+        *kept = {};
+    }
+    for (Kept& kept : kept_) {
+        if (rest.empty()) break;
+        if (!kept.address) continue;
+        rest.back()->take_memory(kept.set);
+        rest.pop_back();
+        kept = {};
+    }
+}
+
+void KeptGeometry::keep(std::deque<GeometrySet> sets) {
+    if (sets.empty()) return;
+    kept_.clear();
+    next_ = 0;
+    for (GeometrySet& set : sets) {
+        const MeshRef mesh = std::move(set.key.mesh);
+        kept_.push_back({std::move(set), mesh.get(), mesh});
+    }
+}
+
+}  // namespace gw::fast
