@@ -57,11 +57,13 @@ struct Binner {
 }  // namespace
 
 void make_bins(GeometrySet& set, const Profile& profile, const TileGrid& grid) {
+    if (!set.bin_start.empty() && set.binned.covers(set.jitter)) return;
+    set.binned = set.jitter;
     const auto axis = [&](int size, int low, int high) {
         return Axis{profile.subpixel_bits, grid.log2_tile, size, low, high};
     };
-    const Binner binner{set, axis(grid.width, set.jitter_low.x, set.jitter_high.x),
-                        axis(grid.height, set.jitter_low.y, set.jitter_high.y), std::size_t(grid.columns())};
+    const Binner binner{set, axis(grid.width, set.jitter.low.x, set.jitter.high.x),
+                        axis(grid.height, set.jitter.low.y, set.jitter.high.y), std::size_t(grid.columns())};
     const std::vector<TileRange> ranges = binner.ranges();
     std::vector<std::uint32_t> start(grid.count() + 1);
     for (const TileRange& r : ranges)

@@ -17,6 +17,19 @@ GeometryKey geometry_key(const State& s, const Draw& draw) {
             s.cull,    s.polygon_mode,       s.point_size, s.line_width};
 }
 
+void JitterRange::include(const JitterState& j) {
+    low = {std::min(low.x, j.x), std::min(low.y, j.y)};
+    high = {std::max(high.x, j.x), std::max(high.y, j.y)};
+}
+bool JitterRange::covers(const JitterRange& o) const {
+    return low.x <= o.low.x && low.y <= o.low.y && high.x >= o.high.x && high.y >= o.high.y;
+}
+
+void GeometrySet::take(GeometrySet& from) {
+    from.key = std::move(key), from.lists_used = lists_used, from.jitter = jitter;
+    *this = std::move(from);
+}
+
 void GeometrySet::take_memory(GeometrySet& from) {
     const auto take = [&](auto member) {
         (from.*member).clear();
@@ -285,10 +298,8 @@ void list_used_vertices(GeometrySet& set, std::uint32_t mesh_vertices) {
     }
 }
 
-}  // namespace
-
-void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile, int width,
-                   int height) {
+void build(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile, int width,
+           int height) {
     Builder b{profile, vertex_program(state, draw, profile), set};
     set.state = resolve(state, profile, width, height);
     for (const ClipPlane& plane : state.clip_planes) b.any_user_plane = b.any_user_plane || plane.enable;
@@ -296,11 +307,19 @@ void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const
     b.culled = {Builder::is_culled(state.cull, false), Builder::is_culled(state.cull, true)};
     b.push_vertices();
     push_primitives(b);
-    if (set.lists_used) list_used_vertices(set, b.mesh().vertex_count());
     Counters& c = set.counters;
     c.draws = 1;
     c.vertices = b.mesh().vertex_count();
     c.primitives = b.mesh().triangles().size() + b.mesh().lines().size() + b.mesh().points().size();
+}
+
+}  // namespace
+
+void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile, int width,
+                   int height) {
+    if (!set.made) build(set, state, draw, profile, width, height);
+    set.made = true;
+    if (set.lists_used && set.used.empty()) list_used_vertices(set, draw.mesh->vertex_count());
 }
 
 }  // namespace gw::fast

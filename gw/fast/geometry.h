@@ -52,6 +52,13 @@ struct alignas(16) SnappedVertex {
     std::uint32_t z = 0;
 };
 
+/// From the least to the largest of several jitters, and none.
+struct JitterRange {
+    JitterState low, high;
+    void include(const JitterState& jitter);
+    bool covers(const JitterRange& other) const;
+};
+
 struct GeometrySet {
     GeometryKey key;
     Resolved state;  ///< viewport transform
@@ -66,12 +73,15 @@ struct GeometrySet {
     std::vector<std::uint32_t> used, used_front, used_back;
     Counters counters;  ///< of one draw: vertices to drawn
 
-    JitterState jitter_low, jitter_high;   ///< what the list's draws use: bins are made for all of them
+    JitterRange jitter;                    ///< what the list's draws use
+    JitterRange binned;                    ///< what bins are made for
     std::vector<std::uint32_t> bin_start;  ///< per tile, and one past the last
     std::vector<std::uint32_t> bin;        ///< ordinals of `primitives`, in order
-    bool made = false;                     ///< all of the above is there
+    bool made = false;                     ///< lists and bins aside
 
     std::size_t vertex_count() const { return at.size(); }
+    /// Takes all that was made for the same key.
+    void take(GeometrySet& from);
     /// Takes the memory of one that is no longer wanted.
     void take_memory(GeometrySet& from);
     std::span<const std::uint32_t> tile_bin(std::size_t tile) const {
@@ -79,11 +89,12 @@ struct GeometrySet {
     }
 };
 
-/// Fills a set that has its key: runs transform, clipping, culling, snap.
+/// Fills a set that has its key: runs transform, clipping, culling, snap. Where that was done, only makes the
+/// lists if they are missing.
 void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile, int width,
                    int height);
 
-/// Sorts the primitives into tiles, in order. Call after the jitter range is known.
+/// Sorts the primitives into tiles, in order, unless they are for this jitter. Call after its range is known.
 void make_bins(GeometrySet& set, const Profile& profile, const TileGrid& grid);
 
 }  // namespace gw::fast

@@ -3,17 +3,6 @@
 
 namespace gw::fast {
 
-namespace {
-
-/// Whether what was made for `kept` serves the draws of `wanted`, its key aside.
-bool serves(const GeometrySet& kept, const GeometrySet& wanted) {
-    return kept.made && (kept.lists_used || !wanted.lists_used) && kept.jitter_low.x <= wanted.jitter_low.x &&
-           kept.jitter_low.y <= wanted.jitter_low.y && kept.jitter_high.x >= wanted.jitter_high.x &&
-           kept.jitter_high.y >= wanted.jitter_high.y;
-}
-
-}  // namespace
-
 KeptGeometry::Kept* KeptGeometry::find(const GeometrySet& wanted) {
     GeometryKey key = wanted.key;
     key.mesh.reset();
@@ -21,7 +10,7 @@ KeptGeometry::Kept* KeptGeometry::find(const GeometrySet& wanted) {
         const std::size_t at = (next_ + i) % kept_.size();
         Kept& kept = kept_[at];
         if (kept.address != wanted.key.mesh.get() || kept.mesh.expired()) continue;
-        if (!(kept.set.key == key) || !serves(kept.set, wanted)) continue;
+        if (!(kept.set.key == key)) continue;
         next_ = at + 1;
         return &kept;
     }
@@ -36,9 +25,7 @@ void KeptGeometry::give(std::deque<GeometrySet>& sets) {
             rest.push_back(&set);
             continue;
         }
-        GeometryKey key = std::move(set.key);
-        set = std::move(kept->set);
-        set.key = std::move(key);
+        set.take(kept->set);
         *kept = {};
     }
     for (Kept& kept : kept_) {

@@ -49,10 +49,8 @@ struct Planner {
         GeometrySet& set = segment.sets.emplace_back();
         set.key = key;
         geometry_jobs.push_back(job(draw, [this, &set](const State& s, const Draw& d) {
-            if (set.made) return;
             make_geometry(set, s, d, profile, grid.width, grid.height);
             make_bins(set, profile, grid);
-            set.made = true;
         }));
         return set;
     }
@@ -112,9 +110,7 @@ struct Planner {
 
     void add(const Draw& draw) {
         GeometrySet& set = geometry(draw);
-        const JitterState& jitter = machine.state.jitter;
-        set.jitter_low = {std::min(set.jitter_low.x, jitter.x), std::min(set.jitter_low.y, jitter.y)};
-        set.jitter_high = {std::max(set.jitter_high.x, jitter.x), std::max(set.jitter_high.y, jitter.y)};
+        set.jitter.include(machine.state.jitter);
 
         DrawOp op{&draw, resolved(), &set};
         op.bytes = fragment_bytes(op.state, profile);
