@@ -86,14 +86,6 @@ struct Window {
           strips(frame, Store::Strips) {}
 };
 
-/// The same frame from so near by that no picture changes: nothing that a machine keeps of one serves the
-/// other.
-CommandList moved(CommandList list) {
-    for (Command& command : list.commands)
-        if (Draw* draw = std::get_if<Draw>(&command)) draw->eye_from_object[3][0] += 1e-12;
-    return list;
-}
-
 Row measure(const Workload& w, Window& window, const Options& options) {
     const CommandList list = command_list(w, window.frame), other = moved(list);
     const auto draw = [&](const CommandList& l) {

@@ -69,9 +69,12 @@ Row measure(double x, int size, double texels, int segments, int repeats) {
     radiosity::HemicubePainter painter(size);
     radiosity::IdBuffers buffers;
     constexpr int at_once = 8;
-    const std::vector<radiosity::ShootPoint> points(at_once, {{0, 1.9, 0}, {0, -1, 0}, 1.0 / at_once, 0.1});
-    const radiosity::Hemicube cube =
-        radiosity::hemicube_at(points[0].position, points[0].normal, 30, 0.1 / 64, 5, size);
+    std::vector<radiosity::ShootPoint> points;
+    std::vector<radiosity::Hemicube> cubes;  // each from elsewhere, as a solution's are
+    for (int k = 0; k < at_once; ++k) points.push_back({{0.01 * k, 1.9, 0}, {0, -1, 0}, 1.0 / at_once, 0.1});
+    for (int k = 0; k < at_once; ++k)
+        cubes.push_back(radiosity::hemicube_at(points[std::size_t(k)].position, {0, -1, 0}, 30 + 5 * k,
+                                               0.1 / 64, 5, size));
 #ifdef GW_WITH_OSMESA
     OpenGlHemicube peer(model, size);
 #endif
@@ -79,12 +82,13 @@ Row measure(double x, int size, double texels, int segments, int repeats) {
     for (int i = 0; i < repeats; ++i) {
         row.drawn = std::min(row.drawn, milliseconds([&] {
                                             for (int k = 0; k < at_once; ++k)
-                                                painter.draw(model, cube, buffers);
+                                                painter.draw(model, cubes[std::size_t(k)], buffers);
                                         }) / at_once);
         row.whole = std::min(row.whole, milliseconds([&] { factors.from_points(points, 0); }) / at_once);
 #ifdef GW_WITH_OSMESA
         row.llvmpipe = std::min(row.llvmpipe, milliseconds([&] {
-                                                  for (int k = 0; k < at_once; ++k) peer.draw(cube);
+                                                  for (int k = 0; k < at_once; ++k)
+                                                      peer.draw(cubes[std::size_t(k)]);
                                               }) / at_once);
 #endif
     }
