@@ -126,6 +126,7 @@ struct Read {
     std::uint32_t key = 0;
     Plane plane = Plane::Color;
     Rect rect;
+    bool packed = false;  ///< colours of at most 8 bits as words of 32, R lowest (lrectread)
     bool operator==(const Read&) const = default;
 };
 

@@ -22,7 +22,7 @@ struct Readback {
     Plane plane = Plane::Color;
     Rect rect;
     std::vector<Rgba> color;
-    std::vector<std::uint32_t> values;  ///< depth or stencil
+    std::vector<std::uint32_t> values;  ///< depth, stencil or packed colour
     std::vector<std::array<std::int32_t, 4>> accum;
     bool operator==(const Readback&) const = default;
 };

@@ -40,6 +40,12 @@ constexpr dvec3 transform3(const dmat3& m, const dvec3& v) {
 /// One pixel's R, G, B, A as the frame buffer holds them: integers in 0 .. 2^color_bits - 1.
 using Rgba = std::array<std::uint16_t, 4>;
 
+/// A colour of at most 8 bits a channel in one word, R lowest.
+constexpr std::uint32_t packed(const Rgba& c) {
+    return std::uint32_t(c[0]) | std::uint32_t(c[1]) << 8 | std::uint32_t(c[2]) << 16 |
+           std::uint32_t(c[3]) << 24;
+}
+
 /// A rectangle of pixels; x, y is its lower left pixel (window origin bottom left, as in GL).
 struct Rect {
     int x = 0, y = 0, width = 0, height = 0;

@@ -221,7 +221,12 @@ void check(const Checker& c, const CopyTexture& copy) {
               "a power of two");
 }
 
-void check(const Checker& c, const Read& read) { check_inside(c, read.rect); }
+void check(const Checker& c, const Read& read) {
+    check_inside(c, read.rect);
+    if (!read.packed) return;
+    c.require(read.plane == Plane::Color, "plane of packed pixels", int(read.plane), "Color");
+    c.require(c.profile.color_bits <= 8, "color_bits of packed pixels", c.profile.color_bits, "at most 8");
+}
 void check(const Checker& c, const Accumulate& a) { c.finite("value", a.value); }
 void check(const Checker&, const BeginPass&) {}
 void check(const Checker& c, const Clear& clear) {

@@ -91,6 +91,7 @@ inline constexpr auto members_of<CopyTexture> = std::tuple(named("slot", &CopyTe
 
 template <>
 inline constexpr auto members_of<Read> = std::tuple(named("key", &Read::key), named("plane", &Read::plane),
-                                                    named("rect", &Read::rect));
+                                                    named("rect", &Read::rect),
+                                                    named("packed", &Read::packed));
 
 }  // namespace gw::inspect

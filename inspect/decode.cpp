@@ -118,7 +118,9 @@ private:
     Command command(const gwt::CopyTexture& c) {
         return CopyTexture{c.slot(), our_enum<Plane>(c.plane()), rect(c.rect())};
     }
-    Command command(const gwt::Read& c) { return Read{c.key(), our_enum<Plane>(c.plane()), rect(c.rect())}; }
+    Command command(const gwt::Read& c) {
+        return Read{c.key(), our_enum<Plane>(c.plane()), rect(c.rect()), c.packed()};
+    }
     static Rect rect(const gwt::Rect* stored) { return stored ? from_file(*stored) : Rect{}; }
     Command command(gwt::Command type, const void* stored);
     CommandList list(const gwt::CommandList& stored);

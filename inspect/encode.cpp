@@ -109,7 +109,7 @@ private:
     }
     Offset<void> command(const Read& c) {
         const auto rect = to_file(c.rect);
-        return gwt::CreateRead(out_, c.key, file_enum<gwt::Plane>(c.plane), &rect).Union();
+        return gwt::CreateRead(out_, c.key, file_enum<gwt::Plane>(c.plane), &rect, c.packed).Union();
     }
     Offset<gwt::CommandList> list(const CommandList& list);
     Offset<gwt::Profile> profile(const Profile& p);

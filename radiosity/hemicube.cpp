@@ -40,9 +40,9 @@ dmat4 after(const dmat4& eye_from_cube, const dmat4& cube_from_world) {
 void take(const Readback& read, std::size_t identifiers, IdBuffer& buffer) {
     buffer.size = read.rect.width;
     buffer.rows = read.rect.height;
-    buffer.ids.resize(read.color.size());
+    buffer.ids.resize(read.values.size());
     buffer.seen.assign(identifiers, 0);
-    identify(read.color, buffer.ids.data(), buffer.seen.data());
+    identify(read.values, buffer.ids.data(), buffer.seen.data());
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ void HemicubePainter::draw(const Model& model, const Hemicube& hemicube, IdBuffe
         options.clip = {.enable = true, .plane = above - dvec4(0, 0, 0, horizon * model.extent)};
         for (Command& command : scene::id_pass(model.joined, view, options).commands)
             list.commands.push_back(std::move(command));
-        list.add(Read{.key = face, .plane = Plane::Color, .rect = rect});
+        list.add(Read{.key = face, .plane = Plane::Color, .rect = rect, .packed = true});
     }
     machine_->execute(list);
     machine_->reset_passes();

@@ -11,33 +11,22 @@ HWY_BEFORE_NAMESPACE();
 namespace gw::radiosity::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using U64 = hn::ScalableTag<std::uint64_t>;
-using U32 = hn::Rebind<std::uint32_t, U64>;
-
-std::uint32_t id_of_word(std::uint64_t color) {
-    return std::uint32_t((color & 0xFF) | (color >> 8 & 0xFF00) | (color >> 16 & 0xFF0000));
-}
+constexpr std::uint32_t id_bits = 0xFFFFFF;
 
 /// Identifiers in a vector and those one before: pixels side by side mostly have the same, and only where
 /// they differ is there something new to mark.
-void identify_all(std::span<const Rgba> colors, std::uint32_t* ids, char* seen) {
-    const U64 d;
-    const U32 half;
-    const auto* words = reinterpret_cast<const std::uint64_t*>(colors.data());
-    const auto byte = [&](auto v, std::uint64_t mask) { return hn::And(v, hn::Set(d, mask)); };
-    auto last = hn::Set(half, ~0u);
+void identify_all(std::span<const std::uint32_t> colors, std::uint32_t* ids, char* seen) {
+    const hn::ScalableTag<std::uint32_t> d;
+    auto last = hn::Set(d, ~0u);
     std::size_t i = 0;
     for (; i + hn::Lanes(d) <= colors.size(); i += hn::Lanes(d)) {
-        const auto color = hn::LoadU(d, words + i);
-        const auto wide = hn::Or(byte(color, 0xFF), hn::Or(byte(hn::ShiftRight<8>(color), 0xFF00),
-                                                           byte(hn::ShiftRight<16>(color), 0xFF0000)));
-        const auto id = hn::TruncateTo(half, wide);
-        hn::StoreU(id, half, ids + i);
-        if (hn::AllTrue(half, hn::Eq(id, last))) continue;
+        const auto id = hn::And(hn::LoadU(d, colors.data() + i), hn::Set(d, id_bits));
+        hn::StoreU(id, d, ids + i);
+        if (hn::AllTrue(d, hn::Eq(id, last))) continue;
         for (std::size_t k = i; k < i + hn::Lanes(d); ++k) seen[ids[k]] = 1;
-        last = hn::Set(half, ids[i + hn::Lanes(d) - 1]);
+        last = hn::Set(d, ids[i + hn::Lanes(d) - 1]);
     }
-    for (; i < colors.size(); ++i) seen[ids[i] = id_of_word(words[i])] = 1;
+    for (; i < colors.size(); ++i) seen[ids[i] = colors[i] & id_bits] = 1;
 }
 
 }  // namespace gw::radiosity::HWY_NAMESPACE
@@ -48,7 +37,7 @@ namespace gw::radiosity {
 
 HWY_EXPORT(identify_all);
 
-void identify(std::span<const Rgba> colors, std::uint32_t* ids, char* seen) {
+void identify(std::span<const std::uint32_t> colors, std::uint32_t* ids, char* seen) {
     HWY_DYNAMIC_DISPATCH(identify_all)(colors, ids, seen);
 }
 

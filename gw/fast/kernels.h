@@ -66,8 +66,9 @@ void clear_blocks(const ClearBlocks& clear);
 struct ReadColors {
     Tile tile;
     BlockBox box;
-    Rect rect;            ///< of the command
-    Rgba* out = nullptr;  ///< its pixels, rows from the bottom
+    Rect rect;                        ///< of the command
+    Rgba* out = nullptr;              ///< its pixels, rows from the bottom
+    std::uint32_t* packed = nullptr;  ///< the same as words, where they are wanted
 };
 void read_colors(const ReadColors& read);
 

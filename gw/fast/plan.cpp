@@ -155,7 +155,7 @@ struct Planner {
         Readback& out = machine.readbacks[read.key];
         out.plane = read.plane, out.rect = read.rect;
         const std::size_t size = std::size_t(read.rect.width) * std::size_t(read.rect.height);
-        const bool color = read.plane == Plane::Color, accum = read.plane == Plane::Accum;
+        const bool color = read.plane == Plane::Color && !read.packed, accum = read.plane == Plane::Accum;
         out.color.resize(color ? size : 0), out.accum.resize(accum ? size : 0);
         out.values.resize(color || accum ? 0 : size);
         segment.uses_accum = segment.uses_accum || read.plane == Plane::Accum;

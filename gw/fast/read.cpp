@@ -69,6 +69,38 @@ HWY_INLINE void store_some(const ColorBlock& block, std::uint32_t mask, Rgba* lo
     }
 }
 
+/// A block's colours as words, those of `mask`.
+HWY_INLINE void store_words(const ColorBlock& block, std::uint32_t mask, std::uint32_t* lowest,
+                            std::ptrdiff_t width) {
+    const D32 d;
+    alignas(64) std::uint32_t words[block_pixels];
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        const auto channel = [&](std::size_t c) {
+            return hn::PromoteTo(d, hn::Load(Half16(), block.channel[c] + i));
+        };
+        const auto rg = hn::Or(channel(0), hn::ShiftLeft<8>(channel(1))),
+                   ba = hn::Or(channel(2), hn::ShiftLeft<8>(channel(3)));
+        hn::Store(hn::Or(rg, hn::ShiftLeft<16>(ba)), d, words + i);
+    }
+    if (mask == all_lanes)
+        for (int row = 0; row < block_side; ++row)
+            std::copy_n(words + row * block_side, block_side, lowest + row * width);
+    else
+        for (; mask != 0; mask &= mask - 1) {
+            const int lane = std::countr_zero(mask);
+            lowest[lane / block_side * width + lane % block_side] = words[lane];
+        }
+}
+
+/// A block's colours, those of `mask`.
+HWY_INLINE void store_colors(const ColorBlock& block, std::uint32_t mask, Rgba* lowest,
+                             std::ptrdiff_t width) {
+    if (mask == all_lanes)
+        store_rows(block, lowest, width);
+    else
+        store_some(block, mask, lowest, width);
+}
+
 void read_all(const ReadColors& read) {
     const Tile& tile = read.tile;
     const BlockBox& box = read.box;
@@ -77,12 +109,12 @@ void read_all(const ReadColors& read) {
         for (int bx = box.x0 / block_side; bx * block_side < box.x1; ++bx) {
             const ColorBlock& block = tile.color[tile.block(bx, by)];
             const int x = tile.x + bx * block_side - read.rect.x, y = tile.y + by * block_side - read.rect.y;
-            Rgba* lowest = read.out + y * width + x;
+            const std::ptrdiff_t lowest = y * width + x;
             const std::uint32_t mask = box.mask(bx, by);
-            if (mask == all_lanes)
-                store_rows(block, lowest, width);
+            if (read.packed)
+                store_words(block, mask, read.packed + lowest, width);
             else
-                store_some(block, mask, lowest, width);
+                store_colors(block, mask, read.out + lowest, width);
         }
 }
 

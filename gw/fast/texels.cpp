@@ -5,11 +5,6 @@ namespace gw::fast {
 
 namespace {
 
-std::uint32_t pack(const Rgba& t) {
-    return std::uint32_t(t[0]) | std::uint32_t(t[1]) << 8 | std::uint32_t(t[2]) << 16 |
-           std::uint32_t(t[3]) << 24;
-}
-
 void add_pairs(const TexelLevel& level, const std::uint32_t* packed, Wrap wrap_s, Wrap wrap_t,
                std::vector<TexelPair>& out) {
     for (int j = 0; j < level.height; ++j) {
@@ -30,7 +25,7 @@ FastTexels make_fast_texels(Texels texels) {
         f.first[i] = std::int32_t(std::max(f.packed.size(), f.wide.size()));
         for (const Rgba& t : texels.levels[i].texels) {
             if (texels.bits == 8)
-                f.packed.push_back(pack(t));
+                f.packed.push_back(packed(t));
             else
                 f.wide.push_back(t);
         }

@@ -198,7 +198,8 @@ struct TileRun {
         if (inside.empty()) return;
         counts->pixels += pixels_in(inside);
         if (op.read->plane == Plane::Color)
-            return read_colors({tile, inside, op.read->rect, op.out->color.data()});
+            return read_colors({tile, inside, op.read->rect, op.out->color.data(),
+                                op.read->packed ? op.out->values.data() : nullptr});
         for_each_block(tile, inside, [&](std::size_t b, int bx, int by, std::uint32_t mask) {
             switch (op.read->plane) {
                 case Plane::Color: return;

@@ -129,7 +129,12 @@ Readback run(const Read& command, const FragmentTarget& target, const Profile& p
     for_pixels(command.rect, target, bytes_of(command.plane, profile), [&](std::size_t i, int, int) {
         const PixelValues v = values_at(*target.planes, i);
         switch (command.plane) {
-            case Plane::Color: out.color.push_back(v.color); break;
+            case Plane::Color:
+                if (command.packed)
+                    out.values.push_back(packed(v.color));
+                else
+                    out.color.push_back(v.color);
+                break;
             case Plane::Depth: out.values.push_back(v.depth); break;
             case Plane::Stencil: out.values.push_back(v.stencil); break;
             case Plane::Accum: out.accum.push_back(v.accum); break;

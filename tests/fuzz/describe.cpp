@@ -112,7 +112,7 @@ std::string text(const CopyTexture& c) {
     return fmt::format("CopyTexture slot {} plane {} {}", c.slot, int(c.plane), text(c.rect));
 }
 std::string text(const Read& c) {
-    return fmt::format("Read {} plane {} {}", c.key, int(c.plane), text(c.rect));
+    return fmt::format("Read {} plane {} {}{}", c.key, int(c.plane), text(c.rect), c.packed ? " packed" : "");
 }
 
 }  // namespace

@@ -110,7 +110,9 @@ Copy any_copy(Random& r, const Case& w) {
 }
 
 Read any_read(Random& r, const Case& w) {
-    return {std::uint32_t(r.below(5)), r.any(Plane::Accum), any_inner_rect(r, w)};
+    Read read{std::uint32_t(r.below(5)), r.any(Plane::Accum), any_inner_rect(r, w)};
+    read.packed = read.plane == Plane::Color && w.profile.color_bits <= 8 && read.key % 2 == 1;
+    return read;
 }
 
 void copy_texture(Script& s, Plane plane) {

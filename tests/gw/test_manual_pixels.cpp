@@ -68,5 +68,31 @@ TEST(ManualPixels, SpansAndRectanglesAreFragments) {
     EXPECT_EQ(bench.color(5, 5)[0], 1);
 }
 
+/// Across the blocks and tiles of the fast machine, whole ones and parts.
+TEST(ManualPixels, PackedColorsAreWordsRLowest) {
+    Workbench bench(vgx(), 80, 80);
+    bench.clear(all_planes, vec4(1, 0, 0, 0));
+    bench.write({3, 2, 70, 71}, {0x11, 0x22, 0x33, 0x44});
+    bench.run(Read{.key = 1, .rect = {2, 1, 75, 74}, .packed = true});
+    const Readback& read = bench.readbacks().at(1);
+    EXPECT_TRUE(read.color.empty());
+    ASSERT_EQ(read.values.size(), 75u * 74u);
+    for (std::size_t i = 0; i < read.values.size(); ++i) {
+        const std::size_t x = i % 75, y = i / 75;
+        const bool written = x >= 1 && x < 71 && y >= 1 && y < 72;
+        ASSERT_EQ(read.values[i], written ? 0x44332211u : 0x000000FFu) << x << ", " << y;
+    }
+}
+
+TEST(ManualPixels, OnlyColorsOfEightBitsArePacked) {
+    Workbench bench(vgx(), 8, 8), deep(ideal(), 8, 8);
+    const auto read = [](Workbench& b, Plane plane) {
+        return test::error_of([&] { b.run(Read{.plane = plane, .rect = {0, 0, 8, 8}, .packed = true}); });
+    };
+    EXPECT_EQ(read(bench, Plane::Depth), "command 1 (Read): plane of packed pixels = 1; expected Color");
+    EXPECT_EQ(read(deep, Plane::Color),
+              "command 1 (Read): color_bits of packed pixels = 16; expected at most 8");
+}
+
 }  // namespace
 }  // namespace gw
