@@ -10,8 +10,8 @@
 namespace gw::raytrace {
 namespace {
 
-/// What a node costs where four triangles cost 1.
-constexpr float node_cost = 0.35f;
+/// What a node costs where a leaf, of up to eight triangles, costs 1.
+constexpr float node_cost = 0.5f;
 /// Ranges of at least this many triangles are halved level by level, those of a level in parallel; what is
 /// left then is halved to its end, in parallel too.
 constexpr std::size_t large = 1 << 13;

@@ -83,7 +83,7 @@ Range range_of(std::span<const Item> items, std::size_t first, std::size_t last)
 }  // namespace
 
 float cost_of(const Box3& box, std::size_t count) {
-    const std::size_t groups = (count + width_of_tree / 2 - 1) / (width_of_tree / 2);
+    const std::size_t groups = (count + width_of_tree - 1) / width_of_tree;
     return box.area() * float(groups);
 }
 

@@ -24,7 +24,7 @@ struct Range {
     std::size_t count() const { return last - first; }
 };
 
-/// What a box costs whose items are met four at a time.
+/// What a box costs whose items are met eight at a time, as a packet holds them.
 float cost_of(const Box3& box, std::size_t count);
 
 /// Bins of equal width over the middles, along an axis.

@@ -8,6 +8,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -42,21 +43,27 @@ struct Prepared {
 /// The margin of the boxes: more than three roundings here and those of a triangle's t.
 constexpr float margin = 1.0f + 0x1p-18f;
 
+/// The first of the longest, without branches, which would be taken at random.
+inline int longest_axis(const vec3& v) {
+    const float x = std::abs(v.x), y = std::abs(v.y), z = std::abs(v.z);
+    const int of_xy = int(y > x), is_z = int(z > std::max(x, y));
+    return of_xy * (1 - is_z) + 2 * is_z;
+}
+
 inline Prepared prepare(const HierarchyRay& ray) {
     Prepared r;
     r.low = ray.low;
     r.high = ray.high;
     r.skip = ray.skip;
-    r.kz = 0;
     for (int k = 0; k < 3; ++k) {
         const float d = ray.direction[k];
         r.origin[k] = ray.origin[k];
         r.near_side[k] = std::signbit(d) ? 1 : 0;
         r.over[k] = 1.0f / (std::abs(d) < 1e-18f ? std::copysign(1e-18f, d) : d);
-        if (std::abs(d) > std::abs(ray.direction[r.kz])) r.kz = k;
     }
-    r.kx = (r.kz + 1) % 3;
-    r.ky = (r.kz + 2) % 3;
+    r.kz = longest_axis(ray.direction);
+    r.kx = r.kz == 2 ? 0 : r.kz + 1;
+    r.ky = r.kz == 0 ? 2 : r.kz - 1;
     const float dz = ray.direction[r.kz];
     r.sx = ray.direction[r.kx] / dz;
     r.sy = ray.direction[r.ky] / dz;
@@ -64,20 +71,38 @@ inline Prepared prepare(const HierarchyRay& ray) {
     return r;
 }
 
+/// The same in all lanes, for boxes; over_far with the margin.
+struct InLanes {
+    V low, origin[3], over[3], over_far[3];
+};
+
+inline InLanes in_lanes(const Prepared& r) {
+    InLanes lanes;
+    lanes.low = all(r.low);
+    for (int k = 0; k < 3; ++k) {
+        lanes.origin[k] = all(r.origin[k]);
+        lanes.over[k] = all(r.over[k]);
+        lanes.over_far[k] = all(r.over[k] * margin);
+    }
+    return lanes;
+}
+
 /// The boxes met: a bit for each, and where the ray enters them.
-inline unsigned meet_boxes(const WideNode& node, const Prepared& r, float* enter) {
+inline unsigned meet_boxes(const WideNode& node, const Prepared& r, const InLanes& lanes, float* enter) {
     const D d;
+    const V high = all(r.high * margin);
     unsigned met = 0;
     for (int i = 0; i < width_of_tree; i += int(hn::Lanes(d))) {
-        V from = all(r.low), to = all(r.high);
+        V near[3], far[3];
         for (int k = 0; k < 3; ++k) {
-            const V origin = all(r.origin[k]), over = all(r.over[k]);
             const int side = r.near_side[k];
-            from = hn::Max(from, hn::Mul(hn::Sub(load(node.bound[k][side] + i), origin), over));
-            to = hn::Min(to, hn::Mul(hn::Sub(load(node.bound[k][1 - side] + i), origin), over));
+            near[k] = hn::Mul(hn::Sub(load(node.bound[k][side] + i), lanes.origin[k]), lanes.over[k]);
+            far[k] = hn::Mul(hn::Sub(load(node.bound[k][1 - side] + i), lanes.origin[k]), lanes.over_far[k]);
         }
+        const V from = hn::Max(hn::Max(near[0], near[1]), hn::Max(near[2], lanes.low));
+        const V to = hn::Min(hn::Min(far[0], far[1]), hn::Min(far[2], high));
         hn::Store(from, d, enter + i);
-        met |= bits_of(hn::Le(from, hn::Mul(to, all(margin)))) << i;
+        met |= bits_of(hn::Le(from, to)) << i;
     }
     return met;
 }
@@ -166,14 +191,61 @@ struct Visit {
 /// Every level leaves at most seven children behind.
 constexpr int stack_size = deepest * (width_of_tree - 1) + 1;
 
+/// Children to visit later, the next one last.
+struct Later {
+    Visit visit[stack_size];
+    int count = 0;
+
+    void add(const WideNode& node, int i, const float* enter) { visit[count++] = {node.child[i], enter[i]}; }
+    /// Before those from `bottom` on that the ray enters earlier.
+    void add_in_order(const WideNode& node, int i, const float* enter, int bottom) {
+        int at = count++;
+        for (; at > bottom && visit[at - 1].enter < enter[i]; --at) visit[at] = visit[at - 1];
+        visit[at] = {node.child[i], enter[i]};
+    }
+};
+
+/// The child to visit next, of those met, which are one at least; the others are visited later, the nearest
+/// first. Mostly there are one or two.
+inline std::uint32_t nearest_child(const WideNode& node, unsigned met, const float* enter, Later& later) {
+    const int first = std::countr_zero(met);
+    met &= met - 1;
+    if (met == 0) return node.child[first];
+    const int second = std::countr_zero(met);
+    met &= met - 1;
+    if (met == 0) {
+        if (enter[second] < enter[first]) {
+            later.add(node, first, enter);
+            return node.child[second];
+        }
+        later.add(node, second, enter);
+        return node.child[first];
+    }
+    const int bottom = later.count;
+    later.add(node, first, enter);
+    later.add_in_order(node, second, enter, bottom);
+    for (; met != 0; met &= met - 1) later.add_in_order(node, std::countr_zero(met), enter, bottom);
+    return later.visit[--later.count].child;
+}
+
+/// The same in any order.
+inline std::uint32_t last_child(const WideNode& node, unsigned met, const float* enter, Later& later) {
+    int last = std::countr_zero(met);
+    for (met &= met - 1; met != 0; met &= met - 1) {
+        later.add(node, last, enter);
+        last = std::countr_zero(met);
+    }
+    return node.child[last];
+}
+
 template <bool any>
 inline HierarchyHit search(const WideTree& tree, const HierarchyRay& ray) {
     HierarchyHit found{0, no_polygon};
     if (tree.nodes.empty()) return found;
     Prepared r = prepare(ray);
+    const InLanes lanes = in_lanes(r);
     alignas(32) float enter[width_of_tree];
-    Visit stack[stack_size];
-    int top = 0;
+    Later later;
     std::uint32_t child = 0;
     for (;;) {
         if (child & leaf_bit) {
@@ -181,23 +253,16 @@ inline HierarchyHit search(const WideTree& tree, const HierarchyRay& ray) {
                 return {0, 0};
         } else {
             const WideNode& node = tree.nodes[child];
-            unsigned met = meet_boxes(node, r, enter);
-            const int bottom = top;
-            for (; met != 0; met &= met - 1) {
-                const int i = std::countr_zero(met);
-                Visit visit{node.child[i], enter[i]};
-                int at = top++;
-                // Farthest first, so that the nearest is visited next.
-                if constexpr (!any)
-                    for (; at > bottom && stack[at - 1].enter < visit.enter; --at) stack[at] = stack[at - 1];
-                stack[at] = visit;
+            if (const unsigned met = meet_boxes(node, r, lanes, enter); met != 0) {
+                child = any ? last_child(node, met, enter, later) : nearest_child(node, met, enter, later);
+                continue;
             }
         }
         do {
-            if (top == 0) return found;
-            --top;
-        } while (stack[top].enter > r.high * margin);
-        child = stack[top].child;
+            if (later.count == 0) return found;
+            --later.count;
+        } while (!any && later.visit[later.count].enter > r.high * margin);
+        child = later.visit[later.count].child;
     }
 }
 
