@@ -37,8 +37,9 @@ dvec3 schlick(const dvec3& Ks, double cosine) {
 }
 
 Parting parting(const TracedMaterial& material, const Surface& s) {
-    Parting p{material.reflect, material.transmit, {}, {}};
-    p.reflected = above(reflected(s.direction, s.normal), s.plane_normal);
+    Parting p{.reflect = material.reflect,
+              .transmit = material.transmit,
+              .reflected = above(reflected(s.direction, s.normal), s.plane_normal)};
     const double eta = s.front ? 1 / material.Ni : material.Ni;
     const auto behind = material.transmit != dvec3(0) ? bent(s.direction, s.normal, eta) : std::nullopt;
     if (material.fresnel) {

@@ -108,7 +108,9 @@ dvec3 map_color(const Material& material, Component component, const SurfacePoin
 const dvec3& MapColors::of(Component component) {
     // The ambient component's maps may be the diffuse ones.
     if (component == Component::Ambient && material_.map_Ka.empty()) component = Component::Diffuse;
-    auto& color = colors_[static_cast<std::size_t>(component)];
+    auto& color = component == Component::Ambient   ? ambient_
+                  : component == Component::Diffuse ? diffuse_
+                                                    : specular_;
     if (!color) color = map_color(material_, component, point_);
     return *color;
 }

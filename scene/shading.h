@@ -43,7 +43,7 @@ public:
 private:
     const Material& material_;
     const SurfacePoint& point_;
-    std::array<std::optional<dvec3>, components.size()> colors_;
+    std::optional<dvec3> ambient_, diffuse_, specular_;
 };
 
 /// One light's part: Ia Ka Mapa + arrives (Id Kd cos(theta) Mapd + Is Ks cos(alpha)^n Maps). [K3, K3.2]

@@ -33,11 +33,12 @@ dvec3 to_world(const dmat4& m, const vec3& v) { return transform3(dmat3(m), dvec
 void WorldTriangles::add_vertices(const Object& object) {
     const MeshData& mesh = object.mesh->data();
     const dmat3 m = glm::transpose(glm::inverse(dmat3(object.world_from_object)));
-    for (const vec3& p : mesh.positions) positions_.push_back(to_world(object.world_from_object, p));
-    for (const vec3& n : mesh.normals) normals_.push_back(normalized(transform3(m, dvec3(n))));
-    texcoords_.insert(texcoords_.end(), mesh.texcoords.begin(), mesh.texcoords.end());
-    normals_.resize(positions_.size(), dvec3(0));
-    texcoords_.resize(positions_.size(), vec2(0));
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        PlacedVertex& v = vertices_.emplace_back();
+        v.p = to_world(object.world_from_object, mesh.positions[i]);
+        if (!mesh.normals.empty()) v.n = normalized(transform3(m, dvec3(mesh.normals[i])));
+        if (!mesh.texcoords.empty()) v.st = mesh.texcoords[i];
+    }
 }
 
 WorldTriangles::WorldTriangles(const Scene& scene) {
@@ -45,7 +46,7 @@ WorldTriangles::WorldTriangles(const Scene& scene) {
     first_.assign(std::size_t(ids.end) + 1, 0);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
-        const auto vertex = static_cast<std::uint32_t>(positions_.size());
+        const auto vertex = static_cast<std::uint32_t>(vertices_.size());
         has_normals_.push_back(!object.mesh->data().normals.empty());
         add_vertices(object);
         for (const Triangle& t : object.mesh->triangles()) {
@@ -59,17 +60,10 @@ WorldTriangles::WorldTriangles(const Scene& scene) {
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
 }
 
-std::array<dvec3, 3> WorldTriangles::normals(std::uint32_t triangle) const {
-    const auto& v = places_[triangle].vertex;
-    if (has_normals_[object_of(triangle)]) return {normals_[v[0]], normals_[v[1]], normals_[v[2]]};
+std::array<dvec3, 3> WorldTriangles::plane_normals(std::uint32_t triangle) const {
     const auto corner = corners(triangle);
     const dvec3 plane = normalized(cross3(corner[1] - corner[0], corner[2] - corner[0]));
     return {plane, plane, plane};
-}
-
-std::array<dvec2, 3> WorldTriangles::texcoords(std::uint32_t triangle) const {
-    const auto& v = places_[triangle].vertex;
-    return {dvec2(texcoords_[v[0]]), dvec2(texcoords_[v[1]]), dvec2(texcoords_[v[2]])};
 }
 
 std::optional<TrianglePoint> WorldTriangles::meet(std::uint32_t id, const dvec3& o, const dvec3& d) const {

@@ -36,12 +36,19 @@ public:
 
     std::array<dvec3, 3> corners(std::uint32_t triangle) const {
         const auto& v = places_[triangle].vertex;
-        return {positions_[v[0]], positions_[v[1]], positions_[v[2]]};
+        return {vertices_[v[0]].p, vertices_[v[1]].p, vertices_[v[2]].p};
     }
     /// Of length 1, or 0; the plane's where the mesh has none.
-    std::array<dvec3, 3> normals(std::uint32_t triangle) const;
+    std::array<dvec3, 3> normals(std::uint32_t triangle) const {
+        const auto& v = places_[triangle].vertex;
+        if (!has_normals_[object_of(triangle)]) return plane_normals(triangle);
+        return {vertices_[v[0]].n, vertices_[v[1]].n, vertices_[v[2]].n};
+    }
     /// 0 where the mesh has none.
-    std::array<dvec2, 3> texcoords(std::uint32_t triangle) const;
+    std::array<dvec2, 3> texcoords(std::uint32_t triangle) const {
+        const auto& v = places_[triangle].vertex;
+        return {dvec2(vertices_[v[0]].st), dvec2(vertices_[v[1]].st), dvec2(vertices_[v[2]].st)};
+    }
 
     /// The point of polygon `id` that the ray sees: on the plane of that of its triangles which the ray goes
     /// through, or least misses (a fragment's centre lies in the snapped triangle, which may be a sixteenth
@@ -54,11 +61,17 @@ private:
         std::array<std::uint32_t, 3> vertex{};  ///< of all objects' vertices, numbered through
     };
     void add_vertices(const Object& object);
+    std::array<dvec3, 3> plane_normals(std::uint32_t triangle) const;
 
-    std::vector<bool> has_normals_;           ///< by object
-    std::vector<Place> places_;               ///< by triangle
-    std::vector<dvec3> positions_, normals_;  ///< by vertex, world space; 0 where a mesh has no normals
-    std::vector<vec2> texcoords_;
+    /// World space; together in one line of the cache, since what meets a triangle asks for all of it.
+    struct alignas(64) PlacedVertex {
+        dvec3 p{0}, n{0};  ///< n: 0 where the mesh has no normals
+        vec2 st{0};
+    };
+
+    std::vector<bool> has_normals_;  ///< by object
+    std::vector<Place> places_;      ///< by triangle
+    std::vector<PlacedVertex> vertices_;
     std::vector<std::uint32_t> first_;  ///< triangle of each identifier; one more at the end
 };
 
