@@ -70,23 +70,16 @@ Tracer::Tracer(const scene::Scene& scene, const World& world, const scene::View&
       materials_(scene.materials) {
     for (const scene::Material& m : materials_) traced_.push_back(traced_material(m));
     for (const scene::Object& object : scene.objects) {
-        lights_of_.emplace_back();
+        const TracedMaterial& traced = traced_[object.material];
+        looks_.push_back({&drawn_.materials[object.material], &traced, traced.any(), {}});
         for (std::size_t i = 0; i < scene.lights.size(); ++i)
             if (scene::lights_object(scene.lights[i], object))
-                lights_of_.back().push_back({scene::eye_light(scene.lights[i], view), i});
+                looks_.back().lights.push_back({scene::eye_light(scene.lights[i], view), i});
     }
 }
 
-bool Tracer::is_traced(std::uint32_t triangle) const {
-    return traced_[drawn_.objects[world_.triangles().object_of(triangle)].material].any();
-}
-
-const scene::Material& Tracer::drawn_material(std::uint32_t triangle) const {
-    return drawn_.materials[drawn_.objects[world_.triangles().object_of(triangle)].material];
-}
-
 bool Tracer::looks_up_maps(std::uint32_t triangle) const {
-    const scene::Material& m = drawn_material(triangle);
+    const scene::Material& m = *look_of(triangle).drawn;
     return !(m.map_Ka.empty() && m.map_Kd.empty() && m.map_Ks.empty() && m.map_Ke.empty());
 }
 
@@ -97,9 +90,9 @@ dvec3 Tracer::traced(const Surface& surface, RayCounts& counts) const {
 }
 
 dvec3 Tracer::followed(const Surface& surface, const Path& path, RayCounts& counts) const {
-    const std::size_t object = world_.triangles().object_of(surface.at.triangle);
-    const TracedMaterial& material = traced_[drawn_.objects[object].material];
-    if (!material.any()) return dvec3(0);
+    const Look& look = look_of(surface.at.triangle);
+    if (!look.is_traced) return dvec3(0);
+    const TracedMaterial& material = *look.traced;
     const Parting p = parting(material, surface);
     dvec3 sum(0);
     const auto follow = [&](const dvec3& part, const dvec3& direction, FarMaps far, std::uint64_t& count) {
@@ -131,12 +124,12 @@ dvec3 Tracer::far_away(const dvec3& direction, FarMaps far) const {
 
 dvec3 Tracer::shaded(const Surface& surface, bool by_rays, RayCounts& counts) const {
     ++counts.shaded;
-    const std::size_t object = world_.triangles().object_of(surface.at.triangle);
-    const scene::Material& material = drawn_material(surface.at.triangle);
+    const Look& look = look_of(surface.at.triangle);
+    const scene::Material& material = *look.drawn;
     scene::MapColors maps(material, surface.point);
     dvec3 sum = scene::own_color(material, surface.point);
     const bool dull = material.Kd == vec3(0) && material.Ks == vec3(0);
-    for (const LightSource& light : lights_of_[object])
+    for (const LightSource& light : look.lights)
         sum += scene::light_color(material, light.eye, surface.point, maps,
                                   !dull && arrives(light, surface, by_rays, counts) ? 1 : 0);
     return sum;

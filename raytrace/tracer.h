@@ -30,6 +30,7 @@ class Tracer {
 public:
     /// The world is that of the scene (its triangles are the same drawn or not).
     Tracer(const scene::Scene& scene, const World& world, const scene::View& view, TraceOptions options);
+    Tracer(const Tracer&) = delete;
 
     const World& world() const { return world_; }
     const TraceOptions& options() const { return options_; }
@@ -42,7 +43,7 @@ public:
     dvec3 traced(const Surface& surface, RayCounts& counts) const;
 
     /// Whether `traced` can be anything but black there.
-    bool is_traced(std::uint32_t triangle) const;
+    bool is_traced(std::uint32_t triangle) const { return look_of(triangle).is_traced; }
     /// Whether texture coordinates matter there.
     bool looks_up_maps(std::uint32_t triangle) const;
 
@@ -55,7 +56,18 @@ private:
         gw::Light eye;
         std::size_t number = 0;
     };
+    /// What there is to know of an object, looked up once. Refers to the members below.
+    struct Look {
+        const scene::Material* drawn = nullptr;
+        const TracedMaterial* traced = nullptr;
+        bool is_traced = false;
+        std::vector<LightSource> lights;
+    };
     using FarMaps = const std::vector<scene::Map>*;
+
+    const Look& look_of(std::uint32_t triangle) const {
+        return looks_[world_.triangles().object_of(triangle)];
+    }
 
     dvec3 followed(const Surface& surface, const Path& path, RayCounts& counts) const;
     dvec3 arriving(const Surface& from, const dvec3& direction, FarMaps far, const Path& path,
@@ -68,11 +80,10 @@ private:
     const scene::View& view_;
     scene::Scene drawn_;
     TraceOptions options_;
-    const scene::Material& drawn_material(std::uint32_t triangle) const;
 
     std::vector<scene::Material> materials_;  ///< as the scene has them: traced_ refers to their maps
     std::vector<TracedMaterial> traced_;      ///< by material
-    std::vector<std::vector<LightSource>> lights_of_;  ///< by object
+    std::vector<Look> looks_;                 ///< by object
 };
 
 }  // namespace gw::raytrace
