@@ -4,6 +4,8 @@
 #include "gw/vertex.h"
 #include "multipass/portion.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -67,9 +69,9 @@ std::vector<Place> places(const Stage& stage, std::size_t part) {
 bool may_touch(const Cells& cells, const std::vector<Place>& at, const Triangle& triangle) {
     const auto& [a, b, c] = triangle.vertex;
     if (at[a].behind || at[b].behind || at[c].behind) return true;
-    const auto [x0, x1] = std::minmax({at[a].p.x, at[b].p.x, at[c].p.x});
-    const auto [y0, y1] = std::minmax({at[a].p.y, at[b].p.y, at[c].p.y});
-    return cells.any({x0 - slack, y0 - slack}, {x1 + slack, y1 + slack});
+    const dvec2 low = glm::min(glm::min(at[a].p, at[b].p), at[c].p),
+                high = glm::max(glm::max(at[a].p, at[b].p), at[c].p);
+    return cells.any(low - slack, high + slack);
 }
 
 std::vector<std::uint32_t> triangles_near(const Cells& cells, const Stage& stage, std::size_t part) {
