@@ -69,6 +69,7 @@ HWY_INLINE LaneSet run_depth(const DepthWalk& walk, const Compare& passes, bool 
 }
 
 /// The same behind a stencil test, with the three operations: most blocks of a shadow volume change nothing.
+/// Where the test always passes, stencil_passed is not counted: it is made.
 template <class Compare>
 HWY_INLINE LaneSet run_stencil(const StencilFace& face, std::uint32_t max, const DepthWalk& walk,
                                const Compare& passes, bool update, const LaneSet& lanes,
@@ -78,13 +79,17 @@ HWY_INLINE LaneSet run_stencil(const StencilFace& face, std::uint32_t max, const
         const std::uint32_t made = lanes.bits(), kept = stencil_test(face, stencil, made);
         tested = lane_set(kept);
         update_stencil(face, face.fail, max, stencil, made & ~kept);
+        counts.stencil_passed.add(tested);
     }
     LaneSet alive = tested;
     if constexpr (Compare::tests) alive = run_depth(walk, passes, update, tested, depth);
+    counts.made.add(lanes);
+    const std::uint32_t passed = alive.bits();
     if (face.zfail != StencilOp::Keep)
-        update_stencil(face, face.zfail, max, stencil, tested.bits() & ~alive.bits());
-    if (face.zpass != StencilOp::Keep) update_stencil(face, face.zpass, max, stencil, alive.bits());
-    counts.made.add(lanes), counts.stencil_passed.add(tested), counts.written.add(alive);
+        update_stencil(face, face.zfail, max, stencil, tested.bits() & ~passed);
+    if (passed == 0) return alive;
+    if (face.zpass != StencilOp::Keep) update_stencil(face, face.zpass, max, stencil, passed);
+    counts.written.add(alive);
     return alive;
 }
 
@@ -155,10 +160,11 @@ HWY_NOINLINE void draw_stenciled(const TileDraw& draw, const Triangles& t, std::
     DepthWalk walk{plane, 0, {}};
     PlainCounts counts;
     counts.clear();
-    Way::visit(
-        box, t, i, walk,
-        Stenciled<Compare, Paint>{draw.tile, passes, paint, walk, r.state.depth.mask,
-                                  t.corners.primitive[i]->front ? r.front : r.back, r.stencil_max, counts});
+    const StencilFace& face = t.corners.primitive[i]->front ? r.front : r.back;
+    Way::visit(box, t, i, walk,
+               Stenciled<Compare, Paint>{draw.tile, passes, paint, walk, r.state.depth.mask, face,
+                                         r.stencil_max, counts});
+    if (face.func == StencilFunc::Always) counts.stencil_passed = counts.made;
     counts.add_to(sum);
 }
 
