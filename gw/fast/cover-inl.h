@@ -154,15 +154,17 @@ HWY_INLINE void visit_blocks(const BoxLanes& box, EdgeWalk& edge, int x, int y, 
                              std::uint32_t full, Walk& walk, const Visit& visit) {
     for (; blocks != 0; blocks &= blocks - 1) {
         const int i = std::countr_zero(blocks), bx = x + i % group_blocks, by = y + i / group_blocks;
-        walk.start(bx, by);
         if (full >> i & 1) {
+            walk.start(bx, by);
             visit_full_block(box, bx, by, visit);
             continue;
         }
         edge.start(bx, by);
         LaneSet lanes = edge.covered();
         box.cut(bx, by, lanes);
-        if (!lanes.none()) visit(bx, by, lanes);
+        if (lanes.none()) continue;
+        walk.start(bx, by);
+        visit(bx, by, lanes);
     }
 }
 
