@@ -5,6 +5,7 @@
 #include "gw/fast/texgen.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gw::fast {
 
@@ -43,17 +44,31 @@ Rgba to_rgba(const std::array<double, 4>& c) {
     return {std::uint16_t(c[0]), std::uint16_t(c[1]), std::uint16_t(c[2]), std::uint16_t(c[3])};
 }
 
-/// Whether no light adds anything, wherever a vertex stands: what a light gives is finite, and 0 times it is
-/// 0.
-bool is_unlit(const Draw& draw) {
+/// Whether a light's colour times the material's is 0: then so is what it gives, which is finite.
+bool is_dark(const vec3& light, const vec3& own) {
+    for (int c = 0; c < 3; ++c)
+        if (!(double(light[c]) * double(own[c]) == 0)) return false;
+    return true;
+}
+
+/// Whether no place is nearer to the light's centre than another: its strength is one number. Finite places
+/// are less than 2^300 away, so that 0 times the square of a distance is 0.
+bool is_even(const Light& l, const Draw& draw) {
+    if (l.position.w == 0) return true;
+    double largest = 0;
+    for (int i = 0; i < 4; ++i) {
+        largest = std::max(largest, std::abs(double(l.position[i]) / double(l.position.w)));
+        for (int k = 0; k < 4; ++k) largest = std::max(largest, std::abs(draw.eye_from_object[i][k]));
+    }
+    return largest < 0x1p150 && l.linear_attenuation == 0 && l.quadratic_attenuation == 0 &&
+           l.spot_cos_cutoff <= -1;
+}
+
+/// Whether all vertices have one colour, wherever they stand and whichever way they face.
+bool is_uniform(const Draw& draw) {
     const Material& m = draw.material;
-    const auto dark = [](const vec3& light, const vec3& own) {
-        for (int c = 0; c < 3; ++c)
-            if (!(double(light[c]) * double(own[c]) == 0)) return false;
-        return true;
-    };
     return !draw.lights || std::all_of(draw.lights->begin(), draw.lights->end(), [&](const Light& l) {
-        return dark(l.Ia, m.Ka) && dark(l.Id, m.Kd) && dark(l.Is, m.Ks);
+        return is_dark(l.Id, m.Kd) && is_dark(l.Is, m.Ks) && (is_dark(l.Ia, m.Ka) || is_even(l, draw));
     });
 }
 
@@ -84,7 +99,7 @@ void shade_vertices(VertexColors& out, const State& s, const Draw& draw, const P
         out.front[i] = to_rgba(v.color);
         if (two_side) out.back[i] = to_rgba(v.back_color);
     };
-    out.uniform = lit && !set.used.empty() && is_unlit(draw);
+    out.uniform = lit && !set.used.empty() && is_uniform(draw);
     if (out.uniform) {
         const Rgba color = to_rgba(run_vertex(program, set.used[0]).color);
         std::fill(out.front.begin(), out.front.end(), color);

@@ -24,7 +24,7 @@ ColorKey color_key(const GeometrySet& set, const State& state, const Draw& draw)
 struct VertexColors {
     ColorKey key;
     std::vector<Rgba> front, back;
-    bool uniform = false;  ///< one colour everywhere: black draws, and draws without light
+    bool uniform = false;  ///< one colour everywhere: no light, or only ambient light as strong everywhere
     void clear() { key = {}, front.clear(), back.clear(), uniform = false; }
 };
 

@@ -1,0 +1,82 @@
+// What the fast machine makes once for several draws, or several lists, is what each would have made. The
+// reference machine, which shares nothing, says what that is. Does not know how much is saved.
+#include "tests/gw/workbench.h"
+
+#include <algorithm>
+
+namespace gw::test {
+namespace {
+
+/// Triangles in and around the window: clipped ones, one that faces away, one that ends where a tile does.
+MeshRef some_triangles() {
+    MeshData data = mesh_data(Primitive::Triangles, {{-20, 5, 9},
+                                                     {30, 3, 9},
+                                                     {17, 40, 30},
+                                                     {60, 90, 5},
+                                                     {22, 150, 7},
+                                                     {20, 30, 8},
+                                                     {9, 9, 2},
+                                                     {50, 11, 3},
+                                                     {64, 64, 4}});
+    data.normals.assign(data.positions.size(), vec3(0.6f, 0, 0.8f));
+    return make_mesh(std::move(data));
+}
+
+LightsRef lights_of(const Light& light) { return std::make_shared<const std::vector<Light>>(1, light); }
+
+TEST(SharedWork, AListMayUseTheGeometryOfTheOneBefore) {
+    const Draw draw{.mesh = some_triangles(), .lights = lights_of({.position = {9, 9, 40, 1}})};
+    Workbench bench(vgx(), 128, 128);
+    const auto check_draw = [&](ColorSource source, JitterState jitter, double moved) {
+        Draw now = draw;
+        now.eye_from_object[3].x = moved;
+        bench.state.color_source = source;
+        bench.state.jitter = jitter;
+        CommandList list;
+        list.add(SetState{bench.state});
+        list.add(Clear{.planes = all_planes});
+        list.add(now);
+        bench.run(list);
+        bench.take_counters();  // compares planes and counters
+    };
+    check_draw(ColorSource::PolygonId, {}, 0);
+    check_draw(ColorSource::Lighting, {}, 0);      // vertices are looked at for the first time
+    check_draw(ColorSource::Lighting, {6, 7}, 0);  // into other tiles
+    check_draw(ColorSource::PolygonId, {}, 0);
+    check_draw(ColorSource::Lighting, {}, 7);
+    check_draw(ColorSource::Lighting, {}, 0);
+    bench.state.cull = {.enable = true, .face = Face::Front};
+    check_draw(ColorSource::Lighting, {}, 0);
+}
+
+/// The colours other than the cleared ones that a draw in ambient light alone leaves.
+std::size_t colors_in_ambient_light(const Light& light, bool two_side) {
+    Workbench bench;
+    bench.clear();
+    bench.state.color_source = ColorSource::Lighting;
+    bench.state.lighting.two_side = two_side;
+    bench.draw(Draw{.mesh = some_triangles(),
+                    .material = {.Ka = vec3(0.9f, 0.5f, 0.1f), .Kd = vec3(0)},
+                    .lights = lights_of(light)});
+    std::vector<Rgba> colors = bench.planes().color;
+    std::erase(colors, Rgba{});
+    std::sort(colors.begin(), colors.end());
+    return std::size_t(std::unique(colors.begin(), colors.end()) - colors.begin());
+}
+
+TEST(SharedWork, AmbientLightThatIsEvenHasOneColour) {
+    const Light lamp{.position = {9, 9, 40, 1}, .Ia = vec3(0.7f)};
+    Light sun = lamp, falling = lamp, spot = lamp, weak = lamp;
+    sun.position.w = 0;
+    weak.constant_attenuation = 3;
+    falling.quadratic_attenuation = 0.001f;
+    spot.spot_direction = {0, 0, -1};
+    spot.spot_cos_cutoff = 0.5f, spot.spot_exponent = 9;
+    for (const bool two_side : {false, true}) {
+        for (const Light& even : {lamp, sun, weak}) EXPECT_EQ(colors_in_ambient_light(even, two_side), 1u);
+        for (const Light& uneven : {falling, spot}) EXPECT_GT(colors_in_ambient_light(uneven, two_side), 1u);
+    }
+}
+
+}  // namespace
+}  // namespace gw::test
