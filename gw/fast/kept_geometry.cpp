@@ -40,6 +40,7 @@ void KeptGeometry::give(std::deque<GeometrySet>& sets) {
 void KeptGeometry::keep(std::deque<GeometrySet> sets) {
     if (sets.empty()) return;
     kept_.clear();
+    kept_.reserve(sets.size());
     next_ = 0;
     for (GeometrySet& set : sets) {
         const MeshRef mesh = std::move(set.key.mesh);
