@@ -1,6 +1,8 @@
 // Sets found again.
 #include "gw/fast/kept_geometry.h"
 
+#include <utility>
+
 namespace gw::fast {
 
 KeptGeometry::Kept* KeptGeometry::find(const GeometrySet& wanted) {

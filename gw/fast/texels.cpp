@@ -1,6 +1,9 @@
 // Packing texels.
 #include "gw/fast/texels.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace gw::fast {
 
 namespace {
