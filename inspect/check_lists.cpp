@@ -3,9 +3,11 @@
 
 #include "gw/error.h"
 #include "gw/machine.h"
+#include "gw/texels.h"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <map>
 
 namespace gw::inspect {
@@ -17,11 +19,28 @@ std::uint64_t area(const Rect& r) { return std::uint64_t(r.width) * std::uint64_
 class Memory {
 public:
     explicit Memory(const Limits& limits) : limits_(limits) {}
-    void add(const CopyTexture& c) { keep(slots_[c.slot], 16 * area(c.rect)); }
+    void add(const CopyTexture& c) {
+        Slot& slot = slots_[c.slot];
+        slot.area = area(c.rect), slot.paired = {};
+        keep(slot.bytes, 16 * slot.area);
+    }
     void add(const Read& r) { keep(readbacks_[r.key], 64 + 16 * area(r.rect)); }
+    void add(const SetState& s) { texture_ = s.state.texture; }
+    /// A bilinear filter has pairs of texels made of the slot, for each way to wrap.
+    void add(const Draw& d) {
+        if (!d.map.slot || !(is_linear(texture_, false) || is_linear(texture_, true))) return;
+        Slot& slot = slots_[*d.map.slot];
+        bool& paired = slot.paired[std::size_t(texture_.wrap_s) * 2 + std::size_t(texture_.wrap_t)];
+        if (!paired) keep(slot.bytes, slot.bytes + 8 * slot.area);
+        paired = true;
+    }
     void add(const auto&) {}
 
 private:
+    struct Slot {
+        std::uint64_t area = 0, bytes = 0;
+        std::array<bool, 4> paired{};
+    };
     void keep(std::uint64_t& stored, std::uint64_t bytes) {
         total_ += bytes - stored;
         stored = bytes;
@@ -31,7 +50,9 @@ private:
     }
     const Limits& limits_;
     std::uint64_t total_ = 0;
-    std::map<std::uint32_t, std::uint64_t> slots_, readbacks_;
+    TextureState texture_;
+    std::map<std::uint32_t, Slot> slots_;
+    std::map<std::uint32_t, std::uint64_t> readbacks_;
 };
 
 void check_geometry(const Draw& draw, std::uint64_t tiles, const Limits& limits) {

@@ -12,8 +12,8 @@ namespace gw::fast {
 
 class KeptGeometry {
 public:
-    /// Gives each set that has nothing but its key and what its draws ask for (lists, jitter) what is kept
-    /// for that key, if it serves, and `made`; the others get the memory of what is left.
+    /// Gives each set that has nothing but its key and what its draws ask for (lists, jitter) what was
+    /// made for that key; the others get the memory of what is left.
     void give(std::deque<GeometrySet>& sets);
     /// Keeps the sets of a segment in place of those before, where it has any.
     void keep(std::deque<GeometrySet> sets);

@@ -2,6 +2,7 @@
 #include "gw/fast/plan.h"
 
 #include "gw/fast/coverage.h"
+#include "gw/fast/primitive.h"
 #include "gw/fog.h"
 #include "gw/parallel.h"
 
@@ -122,7 +123,8 @@ struct Planner {
             FastTexels* found = texels(draw.map);
             const TextureState& t = machine.state.texture;
             op.texels = found;
-            if (is_linear(t, false) || is_linear(t, true)) op.pairs = texel_pairs(*found, t.wrap_s, t.wrap_t);
+            if (!textures_by_pixel(t) && (is_linear(t, false) || is_linear(t, true)))
+                op.pairs = texel_pairs(*found, t.wrap_s, t.wrap_t);
             op.texcoords = texcoords(set, draw);
         }
         if (op.needs_color && !exact_id) op.colors = colors(set, draw);

@@ -100,6 +100,24 @@ TEST(HostileRecording, MemoryOfTheMachineIsBounded) {
     EXPECT_EQ(refusal(recording), "none") << "one key, one rectangle";
 }
 
+TEST(HostileRecording, PairsOfTexelsAreMemoryToo) {
+    Recording recording = recording_of(Draw{.mesh = triangle()});
+    recording.width = recording.height = 4096;
+    for (std::uint32_t slot = 0; slot < 3; ++slot)
+        recording.lists[0].add(CopyTexture{.slot = slot, .rect = {0, 0, 4096, 4096}});
+    const auto draw_wrapped = [&](Wrap wrap_s, Wrap wrap_t) {
+        State state;
+        state.texture.wrap_s = wrap_s, state.texture.wrap_t = wrap_t;
+        recording.lists[0].add(SetState{state});
+        recording.lists[0].add(Draw{.mesh = triangle(), .map = {.slot = 1}});
+    };
+    for (int i = 0; i < 3; ++i) draw_wrapped(Wrap::Repeat, Wrap::Repeat);
+    draw_wrapped(Wrap::Clamp, Wrap::Repeat);
+    EXPECT_EQ(refusal(recording), "none") << "three slots of 256 MB, two times 128 MB of pairs";
+    draw_wrapped(Wrap::Clamp, Wrap::Clamp);
+    EXPECT_EQ(refusal(recording), "list 0: texture slots and read-backs of more than 1024 MB; expected less");
+}
+
 TEST(HostileRecording, WhatIsDecodedIsBoundedHoweverOftenTheFileRefersToIt) {
     Recording recording = recording_of(Draw{.mesh = triangle()});
     recording.lists[0].commands.assign(10000, SetState{});
