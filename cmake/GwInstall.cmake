@@ -16,10 +16,19 @@ set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/gw)
 install(EXPORT gw FILE gwTargets.cmake NAMESPACE gw:: DESTINATION ${package_directory} COMPONENT development)
 configure_package_config_file(cmake/gwConfig.cmake.in ${PROJECT_BINARY_DIR}/gwConfig.cmake INSTALL_DESTINATION ${package_directory})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/gwConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/gwConfig.cmake ${PROJECT_BINARY_DIR}/gwConfigVersion.cmake cmake/FindOpenImageIO.cmake
-    DESTINATION ${package_directory} COMPONENT development)
+install(FILES ${PROJECT_BINARY_DIR}/gwConfig.cmake ${PROJECT_BINARY_DIR}/gwConfigVersion.cmake DESTINATION ${package_directory}
+    COMPONENT development)
+
+# The module of image/ serves the command and who links gw::image.
+if(TARGET gw_formats)
+    set(modules ${CMAKE_INSTALL_LIBDIR}/gw)
+    set_target_properties(gw_formats PROPERTIES EXPORT_NAME formats)
+    install(TARGETS gw_formats EXPORT gw LIBRARY DESTINATION ${modules} COMPONENT command)
+endif()
 
 if(TARGET gw)
+    file(RELATIVE_PATH to_modules ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_PREFIX}/${modules})
+    set_target_properties(gw PROPERTIES INSTALL_RPATH "\$ORIGIN/${to_modules}")
     install(TARGETS gw RUNTIME COMPONENT command)
     install(FILES ${PROJECT_BINARY_DIR}/share/gw.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command)
     install(FILES ${PROJECT_BINARY_DIR}/share/gw.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gw COMPONENT command)
@@ -45,5 +54,5 @@ set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS libosmesa6)  # loaded by who plays l
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libgw-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libglm-dev, libfmt-dev, libhwy-dev, libtbb-dev, nlohmann-json3-dev, libopenimageio-dev, libgtest-dev, libgmock-dev, libosmesa6-dev")
+    "gw (= ${PROJECT_VERSION}), libglm-dev, libfmt-dev, libhwy-dev, libtbb-dev, nlohmann-json3-dev, libpng-dev, libgtest-dev, libgmock-dev, libosmesa6-dev")
 include(CPack)

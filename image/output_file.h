@@ -20,7 +20,7 @@ void check_target(const std::filesystem::path& target);
 class OutputFile {
 public:
     explicit OutputFile(const std::filesystem::path& target);
-    ~OutputFile();
+    virtual ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
@@ -28,7 +28,8 @@ public:
     const std::filesystem::path& target() const { return asked_; }
     /// Empty where the target is written to directly.
     const std::filesystem::path& temporary() const { return temporary_; }
-    void write(std::span<const std::uint8_t> bytes);
+    /// Virtual, so that a module reaches it (image/formats.h).
+    virtual void write(std::span<const std::uint8_t> bytes);
     void write_text(std::string_view text);
     void commit();
 

@@ -28,6 +28,17 @@ TEST_F(Render, WritesThePictureInEachUsualFormatAndNothingElse) {
     }
 }
 
+// OpenImageIO's libraries take longer to load than most pictures to draw (docs/decisions/009).
+TEST_F(Render, LoadsOtherFormatsOnlyWherePngIsNotEnough) {
+    ::setenv("LD_DEBUG", "libs", 1);
+    const Outcome png = render({"lamps.toml", "-o", "a.png"}), tif = render({"lamps.toml", "-o", "a.tif"});
+    ::unsetenv("LD_DEBUG");
+    EXPECT_EQ(png.code + tif.code, 0);
+    EXPECT_NE(png.err.find("libpng"), png.err.npos);
+    EXPECT_EQ(png.err.find("OpenImageIO"), png.err.npos);
+    EXPECT_NE(tif.err.find("OpenImageIO"), tif.err.npos);
+}
+
 TEST_F(Render, DrawsABareObjWithCameraAndLightFitted) {
     EXPECT_EQ(render({"quad.obj", "-o", "a.png"}).code, 0);
     const Pixels pixels = read_pixels(in("a.png"));

@@ -4,6 +4,7 @@
 #include "image/write.h"
 
 #include "files.h"
+#include "refusal.h"
 
 #include <cstring>
 #include <limits>
@@ -26,15 +27,6 @@ void write_raw(const std::filesystem::path& file, int width, int height, int cha
 using Texels = std::vector<std::uint16_t>;
 
 Texels texels(const std::filesystem::path& file) { return read_texture(file)->levels[0].rgba; }
-
-std::string refusal(const std::filesystem::path& file) {
-    try {
-        read_texture(file);
-        return "";
-    } catch (const Error& error) {
-        return error.what();
-    }
-}
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;

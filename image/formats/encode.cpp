@@ -1,14 +1,14 @@
-#include "image/encode.h"
+#include "image/formats/encode.h"
 
 #include "gw/error.h"
-#include "image/hush.h"
+#include "image/formats/hush.h"
 
 #include <OpenImageIO/filesystem.h>
 
 #include <algorithm>
 #include <cctype>
 
-namespace gw::image {
+namespace gw::image::oiio {
 
 namespace {
 
@@ -82,4 +82,4 @@ void encode(OutputFile& file, const OIIO::ImageSpec& spec,
     check_readable(file, name, spec, output->format_name());
 }
 
-}  // namespace gw::image
+}  // namespace gw::image::oiio

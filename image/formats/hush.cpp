@@ -1,10 +1,10 @@
-#include "image/hush.h"
+#include "image/formats/hush.h"
 
 #include <fcntl.h>
 #include <unistd.h>
 #include <cstdio>
 
-namespace gw::image {
+namespace gw::image::oiio {
 
 Hush::Hush() {
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -22,4 +22,4 @@ Hush::~Hush() {
     ::close(kept_);
 }
 
-}  // namespace gw::image
+}  // namespace gw::image::oiio

@@ -3,7 +3,7 @@
 // either.
 #pragma once
 
-namespace gw::image {
+namespace gw::image::oiio {
 
 class Hush {
 public:
@@ -16,4 +16,4 @@ private:
     int kept_ = -1;
 };
 
-}  // namespace gw::image
+}  // namespace gw::image::oiio

@@ -1,5 +1,5 @@
-// The one place that calls OpenImageIO's writers. Internal to image/.
-// Does not choose bits or names: write.cpp does.
+// The one place that calls OpenImageIO's writers.
+// Does not choose bits or names: pictures.cpp does.
 #pragma once
 
 #include "image/output_file.h"
@@ -9,7 +9,7 @@
 #include <functional>
 #include <memory>
 
-namespace gw::image {
+namespace gw::image::oiio {
 
 /// A writer for the extension of `file`; null where there is none.
 std::unique_ptr<OIIO::ImageOutput> writer_for(const std::filesystem::path& file);
@@ -28,4 +28,4 @@ void encode(OutputFile& file, const OIIO::ImageSpec& spec,
 /// OpenImageIO's last error as one line.
 std::string one_line(std::string text);
 
-}  // namespace gw::image
+}  // namespace gw::image::oiio

@@ -1,8 +1,9 @@
 #include "image/layers.h"
 
 #include "gw/error.h"
-#include "image/encode.h"
-#include "image/hush.h"
+#include "image/formats/encode.h"
+#include "image/formats/hush.h"
+#include "image/formats/module.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -10,7 +11,7 @@
 #include <iterator>
 #include <sstream>
 
-namespace gw::image {
+namespace gw::image::oiio {
 
 namespace {
 
@@ -101,7 +102,9 @@ Layer read_part(OIIO::ImageInput& input, const std::filesystem::path& file, int 
     return layer;
 }
 
-Layers read(const std::filesystem::path& file, bool with_values) {
+}  // namespace
+
+Layers read_layers(const std::filesystem::path& file, bool with_values) {
     std::error_code error;
     if (!std::filesystem::exists(file, error))
         throw Error(file.string(), 0, "does not exist; expected a saved file");
@@ -122,8 +125,6 @@ Layers read(const std::filesystem::path& file, bool with_values) {
     return all;
 }
 
-}  // namespace
-
 // OpenImageIO writes files of several parts by name only, and may not notice a full disk.
 void put_layers(OutputFile& file, const Layers& layers) {
     const auto refuse_target = [&](const std::string& why) {
@@ -137,13 +138,10 @@ void put_layers(OutputFile& file, const Layers& layers) {
             refuse_target(one_line(output ? output->geterror() : OIIO::geterror()));
     }
     try {
-        if (read_layers(file.temporary()) == layers) return;
+        if (read_layers(file.temporary(), true) == layers) return;
     } catch (const Error&) {
     }
     refuse_target("the disk may be full; what was written cannot be read back");
 }
 
-Layers read_layer_facts(const std::filesystem::path& file) { return read(file, false); }
-Layers read_layers(const std::filesystem::path& file) { return read(file, true); }
-
-}  // namespace gw::image
+}  // namespace gw::image::oiio

@@ -1,13 +1,12 @@
-#include "image/animation.h"
-
 #include "gw/error.h"
-#include "image/encode.h"
-#include "image/hush.h"
+#include "image/formats/encode.h"
+#include "image/formats/hush.h"
+#include "image/formats/module.h"
 
 #include <fstream>
 #include <iterator>
 
-namespace gw::image {
+namespace gw::image::oiio {
 
 namespace {
 
@@ -49,4 +48,4 @@ void put_animation(OutputFile& file, const std::vector<Picture>& frames, float f
     if (bytes.empty() || bytes.back() != ';') refuse(file, "the disk may be full; the file is cut short");
 }
 
-}  // namespace gw::image
+}  // namespace gw::image::oiio

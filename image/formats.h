@@ -1,0 +1,32 @@
+// What OpenImageIO does for this folder, behind one table: it is the module libgw_formats.so, which who asks
+// first loads, since the libraries below it take a fifth of a second. Internal to image/. PNG does without
+// (image/png.h).
+#pragma once
+
+#include "image/layers.h"
+#include "image/output_file.h"
+#include "image/picture.h"
+#include "image/texels.h"
+#include "image/write.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gw::image {
+
+struct Formats {
+    /// The name of the format that a file of this extension is written in; "" where there is none.
+    std::string (*format_of)(const std::filesystem::path& file);
+    void (*put_picture)(OutputFile& file, const Picture& picture);
+    void (*put_values)(OutputFile& file, const Values& values);
+    void (*put_animation)(OutputFile& file, const std::vector<Picture>& frames, float frames_per_second);
+    void (*put_layers)(OutputFile& file, const Layers& layers);
+    Layers (*read_layers)(const std::filesystem::path& file, bool with_values);
+    Texels (*read_texels)(const std::filesystem::path& file);
+};
+
+/// Throws Error saying why where the module cannot be loaded.
+const Formats& formats();
+
+}  // namespace gw::image

@@ -1,0 +1,16 @@
+// What the module gives: the functions of image/formats.h, each documented where image/ declares it.
+#pragma once
+
+#include "image/formats.h"
+
+namespace gw::image::oiio {
+
+std::string format_of(const std::filesystem::path& file);
+void put_picture(OutputFile& file, const Picture& picture);
+void put_values(OutputFile& file, const Values& values);
+void put_animation(OutputFile& file, const std::vector<Picture>& frames, float frames_per_second);
+void put_layers(OutputFile& file, const Layers& layers);
+Layers read_layers(const std::filesystem::path& file, bool with_values);
+Texels read_texels(const std::filesystem::path& file);
+
+}  // namespace gw::image::oiio

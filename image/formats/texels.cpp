@@ -1,0 +1,98 @@
+// A picture file's pixels through OpenImageIO. Does not know who asks for them.
+#include "gw/error.h"
+#include "image/formats/encode.h"
+#include "image/formats/hush.h"
+#include "image/formats/module.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <string>
+
+namespace gw::image::oiio {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& why, const std::string& expected) {
+    throw Error(why + "; expected " + expected);
+}
+
+void check_spec(const OIIO::ImageSpec& spec) {
+    check_sides(spec.width, spec.height);
+    if (spec.deep || spec.depth > 1) refuse("it is a deep or volume picture", "a flat one");
+    if (spec.nchannels == 2 && spec.alpha_channel != 1)
+        refuse("it has 2 channels", "grey, grey and alpha, RGB or RGBA");
+}
+
+std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& file) {
+    OIIO::ImageSpec hints;
+    hints.attribute("oiio:UnassociatedAlpha", 1);
+    auto input = OIIO::ImageInput::open(file.string(), &hints);
+    if (!input) refuse("it cannot be read: " + one_line(OIIO::geterror()), "a picture file");
+    return input;
+}
+
+// Some readers fill what is missing with grey and call that success; but cameras write odd bytes that matter
+// to nobody.
+bool harmless(const std::string& error) { return error.find("extraneous bytes before marker") != error.npos; }
+
+// Bottom row first, `channels` a pixel.
+template <class T>
+std::vector<T> read_rows(OIIO::ImageInput& input, OIIO::TypeDesc type, int channels) {
+    const OIIO::ImageSpec& spec = input.spec();
+    const auto row = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(channels);
+    std::vector<T> values(row * static_cast<std::size_t>(spec.height));
+    T* top_row = values.data() + row * static_cast<std::size_t>(spec.height - 1);
+    const auto row_bytes = static_cast<OIIO::stride_t>(row * sizeof(T));
+    input.geterror();  // what was odd about the header
+    const bool read = input.read_image(0, 0, 0, channels, type, top_row, OIIO::AutoStride, -row_bytes);
+    const std::string error = input.geterror();
+    if (!read || !(error.empty() || harmless(error))) {
+        refuse("it cannot be read to its end: " + one_line(error), "a whole picture file");
+    }
+    return values;
+}
+
+template <class T>
+std::vector<T> spread_to_rgba(const std::vector<T>& values, int channels, T opaque) {
+    std::vector<T> rgba;
+    rgba.reserve(values.size() / static_cast<std::size_t>(channels) * 4);
+    for (std::size_t i = 0; i < values.size(); i += static_cast<std::size_t>(channels)) {
+        const T* v = &values[i];
+        const bool grey = channels < 3;
+        const bool alpha = channels == 2 || channels == 4;
+        rgba.insert(rgba.end(),
+                    {v[0], grey ? v[0] : v[1], grey ? v[0] : v[2], alpha ? v[channels - 1] : opaque});
+    }
+    return rgba;
+}
+
+std::uint16_t word_from(float value) {
+    const float clamped = value > 0 ? std::min(value, 1.0f) : 0.0f;  // not a number: 0
+    return static_cast<std::uint16_t>(static_cast<double>(clamped) * 65535 + 0.5);
+}
+
+}  // namespace
+
+Texels read_texels(const std::filesystem::path& file) {
+    const Hush hush;
+    const auto input = open(file);
+    const OIIO::ImageSpec& spec = input->spec();
+    check_spec(spec);
+    const int channels = std::min(spec.nchannels, 4);
+
+    if (spec.format == OIIO::TypeDesc::UINT8) {
+        const auto values = read_rows<std::uint8_t>(*input, OIIO::TypeDesc::UINT8, channels);
+        return {spec.width, spec.height, spread_to_rgba<std::uint8_t>(values, channels, 255)};
+    }
+    if (spec.format == OIIO::TypeDesc::UINT16) {
+        const auto values = read_rows<std::uint16_t>(*input, OIIO::TypeDesc::UINT16, channels);
+        return {spec.width, spec.height, spread_to_rgba<std::uint16_t>(values, channels, 65535)};
+    }
+    const auto floats = read_rows<float>(*input, OIIO::TypeDesc::FLOAT, channels);
+    std::vector<std::uint16_t> values(floats.size());
+    std::transform(floats.begin(), floats.end(), values.begin(), word_from);
+    return {spec.width, spec.height, spread_to_rgba<std::uint16_t>(values, channels, 65535)};
+}
+
+}  // namespace gw::image::oiio
