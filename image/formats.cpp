@@ -18,18 +18,22 @@ const Formats& load() {
 
 }  // namespace
 
+Destination destination(OutputFile& file) {
+    return {file.target(), file.temporary(), [&](std::span<const std::uint8_t> bytes) { file.write(bytes); }};
+}
+
 const Formats& formats() {
     static const Formats& table = load();
     return table;
 }
 
-void put_values(OutputFile& file, const Values& values) { formats().put_values(file, values); }
+void put_values(OutputFile& file, const Values& values) { formats().put_values(destination(file), values); }
 
 void put_animation(OutputFile& file, const std::vector<Picture>& frames, float frames_per_second) {
-    formats().put_animation(file, frames, frames_per_second);
+    formats().put_animation(destination(file), frames, frames_per_second);
 }
 
-void put_layers(OutputFile& file, const Layers& layers) { formats().put_layers(file, layers); }
+void put_layers(OutputFile& file, const Layers& layers) { formats().put_layers(destination(file), layers); }
 Layers read_layer_facts(const std::filesystem::path& file) { return formats().read_layers(file, false); }
 Layers read_layers(const std::filesystem::path& file) { return formats().read_layers(file, true); }
 

@@ -20,7 +20,7 @@ void check_target(const std::filesystem::path& target);
 class OutputFile {
 public:
     explicit OutputFile(const std::filesystem::path& target);
-    virtual ~OutputFile();
+    ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
@@ -28,8 +28,7 @@ public:
     const std::filesystem::path& target() const { return asked_; }
     /// Empty where the target is written to directly.
     const std::filesystem::path& temporary() const { return temporary_; }
-    /// Virtual, so that a module reaches it (image/formats.h).
-    virtual void write(std::span<const std::uint8_t> bytes);
+    void write(std::span<const std::uint8_t> bytes);
     void write_text(std::string_view text);
     void commit();
 

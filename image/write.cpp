@@ -20,7 +20,7 @@ void check_extension(const std::filesystem::path& file) {
 void put_picture(OutputFile& file, const Picture& picture) {
     check_extension(file.target());
     if (is_png_name(file.target())) return put_png(file, picture);
-    formats().put_picture(file, picture);
+    formats().put_picture(destination(file), picture);
 }
 
 void write_picture(const std::filesystem::path& file, const Picture& picture) {

@@ -19,19 +19,19 @@ std::vector<std::uint8_t> top_row_first(const Picture& picture) {
     return bytes;
 }
 
-[[noreturn]] void refuse(const OutputFile& file, const std::string& why) {
-    throw Error(file.target().string(), 0, "cannot be written: " + one_line(why));
+[[noreturn]] void refuse(const Destination& file, const std::string& why) {
+    throw Error(file.target.string(), 0, "cannot be written: " + one_line(why));
 }
 
 }  // namespace
 
-void put_animation(OutputFile& file, const std::vector<Picture>& frames, float frames_per_second) {
+void put_animation(const Destination& file, const std::vector<Picture>& frames, float frames_per_second) {
     const Hush hush;
     const auto output = OIIO::ImageOutput::create("x.gif");
     if (!output) refuse(file, OIIO::geterror());
     OIIO::ImageSpec spec(frames.front().width, frames.front().height, 3, OIIO::TypeDesc::UINT8);
     spec.attribute("FramesPerSecond", frames_per_second);
-    const std::string name = file.temporary().string();
+    const std::string name = file.temporary.string();
     if (name.empty()) refuse(file, "it is not a regular file; expected one for an animation");
     const std::vector<OIIO::ImageSpec> specs(frames.size(), spec);
     for (std::size_t i = 0; i < frames.size(); ++i) {

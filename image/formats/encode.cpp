@@ -20,11 +20,11 @@ std::string extension_of(const std::filesystem::path& file) {
     return extension;
 }
 
-[[noreturn]] void refuse(const OutputFile& file, const std::string& why) {
-    throw Error(file.target().string(), 0, "cannot be written: " + one_line(why));
+[[noreturn]] void refuse(const Destination& file, const std::string& why) {
+    throw Error(file.target.string(), 0, "cannot be written: " + one_line(why));
 }
 
-void write_samples(OIIO::ImageOutput& output, const OutputFile& file, const std::string& name,
+void write_samples(OIIO::ImageOutput& output, const Destination& file, const std::string& name,
                    const OIIO::ImageSpec& spec,
                    const std::function<Samples(OIIO::TypeDesc stored)>& convert) {
     if (!output.open(name, spec)) refuse(file, output.geterror());
@@ -36,7 +36,7 @@ void write_samples(OIIO::ImageOutput& output, const OutputFile& file, const std:
 }
 
 // For the few formats that only write to named files, and may not notice a full disk.
-void check_readable(const OutputFile& file, const std::string& name, const OIIO::ImageSpec& spec,
+void check_readable(const Destination& file, const std::string& name, const OIIO::ImageSpec& spec,
                     const char* format) {
     auto input = OIIO::ImageInput::create(format);
     OIIO::ImageSpec found;
@@ -64,19 +64,19 @@ std::unique_ptr<OIIO::ImageOutput> writer_for(const std::filesystem::path& file)
     return output;
 }
 
-void encode(OutputFile& file, const OIIO::ImageSpec& spec,
+void encode(const Destination& file, const OIIO::ImageSpec& spec,
             const std::function<Samples(OIIO::TypeDesc stored)>& convert) {
     const Hush hush;
-    auto output = writer_for(file.target());
+    auto output = writer_for(file.target);
     if (!output) refuse(file, "no format of this extension");
     if (output->supports("ioproxy")) {
         std::vector<unsigned char> bytes;
         OIIO::Filesystem::IOVecOutput memory(bytes);
         output->set_ioproxy(&memory);
-        write_samples(*output, file, file.target().string(), spec, convert);
+        write_samples(*output, file, file.target.string(), spec, convert);
         return file.write(bytes);
     }
-    const std::string name = file.temporary().string();
+    const std::string name = file.temporary.string();
     if (name.empty()) refuse(file, "it is not a regular file; expected one for this format");
     write_samples(*output, file, name, spec, convert);
     check_readable(file, name, spec, output->format_name());

@@ -2,7 +2,7 @@
 // Does not choose bits or names: pictures.cpp does.
 #pragma once
 
-#include "image/output_file.h"
+#include "image/formats.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -22,7 +22,7 @@ struct Samples {
 
 /// Encodes into `file`. `convert` is called with the type the format will store and gives the samples; they
 /// must live until encode returns. Throws Error naming the target.
-void encode(OutputFile& file, const OIIO::ImageSpec& spec,
+void encode(const Destination& file, const OIIO::ImageSpec& spec,
             const std::function<Samples(OIIO::TypeDesc stored)>& convert);
 
 /// OpenImageIO's last error as one line.

@@ -126,19 +126,19 @@ Layers read_layers(const std::filesystem::path& file, bool with_values) {
 }
 
 // OpenImageIO writes files of several parts by name only, and may not notice a full disk.
-void put_layers(OutputFile& file, const Layers& layers) {
+void put_layers(const Destination& file, const Layers& layers) {
     const auto refuse_target = [&](const std::string& why) {
-        throw Error(file.target().string(), 0, "cannot be written: " + why);
+        throw Error(file.target.string(), 0, "cannot be written: " + why);
     };
-    if (file.temporary().empty()) refuse_target("it is not a regular file; expected one for this format");
+    if (file.temporary.empty()) refuse_target("it is not a regular file; expected one for this format");
     {
         const Hush hush;
         const auto output = OIIO::ImageOutput::create("openexr");
-        if (!output || !write_parts(*output, file.temporary().string(), layers))
+        if (!output || !write_parts(*output, file.temporary.string(), layers))
             refuse_target(one_line(output ? output->geterror() : OIIO::geterror()));
     }
     try {
-        if (read_layers(file.temporary(), true) == layers) return;
+        if (read_layers(file.temporary, true) == layers) return;
     } catch (const Error&) {
     }
     refuse_target("the disk may be full; what was written cannot be read back");

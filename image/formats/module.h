@@ -6,10 +6,10 @@
 namespace gw::image::oiio {
 
 std::string format_of(const std::filesystem::path& file);
-void put_picture(OutputFile& file, const Picture& picture);
-void put_values(OutputFile& file, const Values& values);
-void put_animation(OutputFile& file, const std::vector<Picture>& frames, float frames_per_second);
-void put_layers(OutputFile& file, const Layers& layers);
+void put_picture(const Destination& file, const Picture& picture);
+void put_values(const Destination& file, const Values& values);
+void put_animation(const Destination& file, const std::vector<Picture>& frames, float frames_per_second);
+void put_layers(const Destination& file, const Layers& layers);
 Layers read_layers(const std::filesystem::path& file, bool with_values);
 Texels read_texels(const std::filesystem::path& file);
 

@@ -42,15 +42,15 @@ std::string format_of(const std::filesystem::path& file) {
     return writer ? writer->format_name() : "";
 }
 
-void put_picture(OutputFile& file, const Picture& picture) {
+void put_picture(const Destination& file, const Picture& picture) {
     OIIO::ImageSpec spec(picture.width, picture.height, picture.channels,
-                         wanted_type(format_of(file.target()), picture.bits));
+                         wanted_type(format_of(file.target), picture.bits));
     spec.attribute("DateTime", "");  // the same picture is the same file tomorrow
     Converted converted;
     encode(file, spec, [&](OIIO::TypeDesc stored) { return convert(picture, stored, converted); });
 }
 
-void put_values(OutputFile& file, const Values& values) {
+void put_values(const Destination& file, const Values& values) {
     const bool integers = values.values.index() == 0;
     const OIIO::TypeDesc type = integers ? OIIO::TypeDesc::UINT32 : OIIO::TypeDesc::FLOAT;
     OIIO::ImageSpec spec(values.width, values.height, static_cast<int>(values.channels.size()), type);
