@@ -18,6 +18,11 @@ namespace {
     png_longjmp(png, 1);
 }
 
+void read_bytes(png_structp png, png_bytep to, std::size_t count) {
+    auto* file = static_cast<std::FILE*>(png_get_io_ptr(png));
+    if (std::fread(to, 1, count, file) != count) png_error(png, "the file is cut short");
+}
+
 struct Reader {
     explicit Reader(std::string& refusal)
         : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &refusal, refuse,
@@ -36,7 +41,7 @@ struct Reader {
 /// From here on every row is R, G, B, A of 8 or 16 bits.
 bool read_header(const Reader& reader, std::FILE* file) {
     if (setjmp(png_jmpbuf(reader.png))) return false;
-    png_init_io(reader.png, file);
+    png_set_read_fn(reader.png, file, read_bytes);
     png_read_info(reader.png, reader.info);
     png_set_expand(reader.png);
     png_set_gray_to_rgb(reader.png);

@@ -131,7 +131,7 @@ TEST(ReadPng, RefusesEveryPartOfAFile) {
         folder.write("cut.png", whole.substr(0, size));
         const std::string why = refusal(folder / "cut.png");
         EXPECT_NE(why.find("picture file"), why.npos) << size;
-        EXPECT_EQ(why.find('\n'), why.npos) << why;
+        EXPECT_NE(why.find("cut short"), why.npos) << why;
     }
 }
 
