@@ -40,6 +40,11 @@ public:
     virtual const std::vector<PassReport>& passes() = 0;
     virtual void reset_passes() = 0;
     virtual const std::map<std::uint32_t, Readback>& readbacks() = 0;
+    /// Puts into `other` what the last Read of this key left, where there was one; the next Read of the key
+    /// may fill the memory that `other` had, and until then readbacks() says nothing of the key.
+    virtual void exchange_readback(std::uint32_t key, Readback& other) {
+        if (const auto found = readbacks().find(key); found != readbacks().end()) other = found->second;
+    }
     virtual const Profile& profile() const = 0;
 };
 

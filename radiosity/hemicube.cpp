@@ -37,12 +37,20 @@ dmat4 after(const dmat4& eye_from_cube, const dmat4& cube_from_world) {
     return m;
 }
 
-void take(const Readback& read, std::size_t identifiers, IdBuffer& buffer) {
-    buffer.size = read.rect.width;
-    buffer.rows = read.rect.height;
-    buffer.ids.resize(read.values.size());
+/// A face's pixels for what the machine has read back of it, or lent for what it will read.
+void exchange(Machine& machine, std::uint32_t face, IdBuffer& buffer) {
+    Readback read;
+    read.values.swap(buffer.ids);
+    machine.exchange_readback(face, read);
+    buffer.ids.swap(read.values);
+}
+
+void take(Machine& machine, std::uint32_t face, std::size_t identifiers, int size, IdBuffer& buffer) {
+    exchange(machine, face, buffer);
+    buffer.size = size;
+    buffer.rows = face == 0 ? size : size / 2;
     buffer.seen.assign(identifiers, 0);
-    identify(read.values, buffer.ids.data(), buffer.seen.data());
+    identify(buffer.ids, buffer.seen.data());
 }
 
 }  // namespace
@@ -84,10 +92,11 @@ void HemicubePainter::draw(const Model& model, const Hemicube& hemicube, IdBuffe
             list.commands.push_back(std::move(command));
         list.add(Read{.key = face, .plane = Plane::Color, .rect = rect, .packed = true});
     }
+    for (std::uint32_t face = 0; face < hemicube_faces; ++face) exchange(*machine_, face, buffers[face]);
     machine_->execute(list);
     machine_->reset_passes();
     for (std::uint32_t face = 0; face < hemicube_faces; ++face)
-        take(machine_->readbacks().at(face), model.facets.size() + 1, buffers[face]);
+        take(*machine_, face, model.facets.size() + 1, hemicube.views[face].width, buffers[face]);
 }
 
 }  // namespace gw::radiosity

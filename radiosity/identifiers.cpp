@@ -7,26 +7,28 @@
 
 #include <hwy/highway.h>
 
+#include <bit>
+
 HWY_BEFORE_NAMESPACE();
 namespace gw::radiosity::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 constexpr std::uint32_t id_bits = 0xFFFFFF;
 
-/// Identifiers in a vector and those one before: pixels side by side mostly have the same, and only where
-/// they differ is there something new to mark.
-void identify_all(std::span<const std::uint32_t> colors, std::uint32_t* ids, char* seen) {
+/// Pixels side by side mostly have the same identifier: only one that its right neighbour has not is marked.
+void identify_all(std::span<std::uint32_t> pixels, char* seen) {
     const hn::ScalableTag<std::uint32_t> d;
-    auto last = hn::Set(d, ~0u);
+    std::uint32_t* const ids = pixels.data();
+    const auto id_at = [&](std::size_t i) { return hn::And(hn::LoadU(d, ids + i), hn::Set(d, id_bits)); };
     std::size_t i = 0;
-    for (; i + hn::Lanes(d) <= colors.size(); i += hn::Lanes(d)) {
-        const auto id = hn::And(hn::LoadU(d, colors.data() + i), hn::Set(d, id_bits));
+    for (; i + hn::Lanes(d) < pixels.size(); i += hn::Lanes(d)) {
+        const auto id = id_at(i), right = id_at(i + 1);
         hn::StoreU(id, d, ids + i);
-        if (hn::AllTrue(d, hn::Eq(id, last))) continue;
-        for (std::size_t k = i; k < i + hn::Lanes(d); ++k) seen[ids[k]] = 1;
-        last = hn::Set(d, ids[i + hn::Lanes(d) - 1]);
+        std::uint64_t last = 0;
+        hn::StoreMaskBits(d, hn::Ne(id, right), reinterpret_cast<std::uint8_t*>(&last));
+        for (; last != 0; last &= last - 1) seen[ids[i + std::size_t(std::countr_zero(last))]] = 1;
     }
-    for (; i < colors.size(); ++i) seen[ids[i] = colors[i] & id_bits] = 1;
+    for (; i < pixels.size(); ++i) seen[ids[i] &= id_bits] = 1;
 }
 
 }  // namespace gw::radiosity::HWY_NAMESPACE
@@ -37,8 +39,8 @@ namespace gw::radiosity {
 
 HWY_EXPORT(identify_all);
 
-void identify(std::span<const std::uint32_t> colors, std::uint32_t* ids, char* seen) {
-    HWY_DYNAMIC_DISPATCH(identify_all)(colors, ids, seen);
+void identify(std::span<std::uint32_t> pixels, char* seen) {
+    HWY_DYNAMIC_DISPATCH(identify_all)(pixels, seen);
 }
 
 }  // namespace gw::radiosity

@@ -6,8 +6,7 @@
 
 namespace gw::radiosity {
 
-/// scene::id_of() of each packed colour into `ids`, which has room for all; seen[id] becomes 1 for every
-/// identifier that is there.
-void identify(std::span<const std::uint32_t> colors, std::uint32_t* ids, char* seen);
+/// Makes scene::id_of() of each packed colour; seen[id] becomes 1 for every identifier that is there.
+void identify(std::span<std::uint32_t> pixels, char* seen);
 
 }  // namespace gw::radiosity

@@ -7,6 +7,7 @@
 #include "gw/tables.h"
 
 #include <bit>
+#include <utility>
 
 namespace gw {
 namespace fast {
@@ -44,6 +45,9 @@ public:
     const std::vector<PassReport>& passes() override { return machine_.passes; }
     void reset_passes() override { machine_.passes.clear(); }
     const std::map<std::uint32_t, Readback>& readbacks() override { return machine_.readbacks; }
+    void exchange_readback(std::uint32_t key, Readback& other) override {
+        std::swap(machine_.readbacks[key], other);
+    }
     const Profile& profile() const override { return profile_; }
 
 private:

@@ -94,5 +94,23 @@ TEST(ManualPixels, OnlyColorsOfEightBitsArePacked) {
               "command 1 (Read): color_bits of packed pixels = 16; expected at most 8");
 }
 
+TEST(ManualPixels, AReadbackIsExchangedForTheMemoryOfTheNext) {
+    for (const bool fast : {false, true}) {
+        const auto machine = fast ? make_fast(vgx(), 8, 8) : make_reference(vgx(), 8, 8);
+        CommandList list;
+        list.add(Clear{.planes = mask_of(Plane::Color), .color = vec4(1, 0, 0, 0)});
+        list.add(Read{.key = 3, .rect = {0, 0, 8, 8}, .packed = true});
+        Readback read;
+        read.values.assign(7, 99);
+        machine->exchange_readback(3, read);  // lends memory of another size
+        machine->execute(list);
+        machine->exchange_readback(3, read);
+        EXPECT_EQ(read.values, std::vector<std::uint32_t>(64, 255));
+        EXPECT_EQ(read.rect, (Rect{0, 0, 8, 8}));
+        machine->execute(list);
+        EXPECT_EQ(machine->readbacks().at(3).values, read.values);
+    }
+}
+
 }  // namespace
 }  // namespace gw
