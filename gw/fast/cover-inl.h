@@ -106,9 +106,7 @@ struct BoxLanes {
     const BlockBox& box;
     bool whole;
 
-    HWY_INLINE explicit BoxLanes(const TileDraw& draw)
-        : box(draw.box),
-          whole(box.x0 == 0 && box.y0 == 0 && box.x1 == draw.tile.side && box.y1 == draw.tile.side) {}
+    HWY_INLINE explicit BoxLanes(const TileDraw& draw) : box(draw.box), whole(box.whole(draw.tile)) {}
     HWY_INLINE std::uint32_t mask(int bx, int by) const { return whole ? all_lanes : box.mask(bx, by); }
     HWY_INLINE void cut(int bx, int by, LaneSet& s) const {
         if (whole) return;

@@ -8,6 +8,8 @@ Frame::Frame(int width, int height, int log2_tile) : grid_{width, height, log2_t
     color_.resize(blocks);
     depth_.resize(blocks);
     stencil_.resize(blocks);
+    uniform_.resize(blocks);
+    has_uniform_ = std::make_unique<bool[]>(grid_.count());
 }
 
 void Frame::need_accum() {
@@ -22,7 +24,9 @@ Tile Frame::tile(std::size_t index) {
             &color_[first],
             &depth_[first],
             &stencil_[first],
-            accum_.empty() ? nullptr : &accum_[first]};
+            accum_.empty() ? nullptr : &accum_[first],
+            &uniform_[first],
+            &has_uniform_[index]};
 }
 
 namespace {

@@ -28,6 +28,14 @@ struct alignas(64) AccumBlock {
     std::int32_t channel[4][block_pixels];
 };
 
+/// What all pixels of a block have: where `one_color` or `one_depth` is set, the value stands here alone, and
+/// what the plane holds of the block has no meaning until settle_blocks() writes it.
+struct alignas(16) UniformBlock {
+    Rgba color{};
+    std::uint32_t depth = 0;
+    std::uint16_t one_color = 0, one_depth = 0;  ///< 0 or 1; without a gap, so that it is copied in one piece
+};
+
 /// How a window is cut into square tiles of 2^log2_tile pixels, rows of tiles from the bottom.
 struct TileGrid {
     int width = 0, height = 0, log2_tile = 6;
@@ -49,7 +57,10 @@ struct Tile {
     DepthBlock* depth = nullptr;
     StencilBlock* stencil = nullptr;
     AccumBlock* accum = nullptr;
+    UniformBlock* uniform = nullptr;
+    bool* has_uniform = nullptr;  ///< false: no block has its value in `uniform`
 
+    std::size_t blocks() const { return block(0, side / block_side); }
     std::size_t block(int bx, int by) const {
         return std::size_t(by) * std::size_t(side / block_side) + std::size_t(bx);
     }
@@ -64,6 +75,7 @@ public:
     /// Makes the accumulation plane (zero) where there is none yet.
     void need_accum();
 
+    /// Tiles have to be settled.
     void read(Planes& planes) const;
     void write(const Planes& planes);
 
@@ -73,6 +85,8 @@ private:
     std::vector<DepthBlock> depth_;
     std::vector<StencilBlock> stencil_;
     std::vector<AccumBlock> accum_;
+    std::vector<UniformBlock> uniform_;
+    std::unique_ptr<bool[]> has_uniform_;  ///< by tile
 };
 
 }  // namespace gw::fast

@@ -59,8 +59,13 @@ struct ClearBlocks {
     bool clears_depth = false;
     Rgba color{};
     std::uint32_t depth = 0;
+
+    bool clears_color() const { return channel == std::array{true, true, true, true}; }
 };
 void clear_blocks(const ClearBlocks& clear);
+
+/// Writes the values of uniform blocks to the planes: for whatever does not know these.
+void settle_blocks(const Tile& tile);
 
 /// Colours of a tile that a Read wants: those inside the box, not empty.
 struct ReadColors {

@@ -1,6 +1,7 @@
 // The fast machine: segments between barriers, each run tile by tile on all threads.
 #include "gw/machine.h"
 
+#include "gw/fast/kernels.h"
 #include "gw/fast/plan.h"
 #include "gw/fast/tile_run.h"
 #include "gw/parallel.h"
@@ -38,7 +39,10 @@ public:
     }
 
     const Planes& planes() override {
-        if (!planes_are_current_) frame_.read(planes_);
+        if (!planes_are_current_) {
+            for (std::size_t i = 0; i < grid().count(); ++i) settle_blocks(frame_.tile(i));
+            frame_.read(planes_);
+        }
         planes_are_current_ = true;
         return planes_;
     }

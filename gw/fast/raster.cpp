@@ -5,7 +5,7 @@
 #include <hwy/foreach_target.h>
 
 #include "gw/fast/kernels.h"
-#include "gw/fast/plain-inl.h"
+#include "gw/fast/one_color-inl.h"
 
 #include <hwy/highway.h>
 
@@ -56,11 +56,14 @@ void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& c
 /// Draws the primitives of a bin in order.
 void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
     OpCounts counts;
-    const bool plain = is_plain(draw.op->state);
+    const bool uniform = draws_uniform(*draw.op), plain = is_plain(draw.op->state);
+    if (!uniform) settle_tile(draw.tile);
     walk_bin(
         draw, bin,
         [&](std::span<const std::uint32_t> batch) {
-            plain ? draw_plain(draw, batch, counts) : draw_triangles(draw, batch, counts);
+            uniform ? draw_uniform(draw, batch, counts)
+            : plain ? draw_plain(draw, batch, counts)
+                    : draw_triangles(draw, batch, counts);
         },
         [&](std::uint32_t ordinal) { draw_line_or_point(draw, ordinal, counts); });
     *draw.counts += counts;

@@ -10,24 +10,26 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// The block's pixels, lane by lane.
-HWY_INLINE void interleave(const ColorBlock& block, Rgba* pixels) {
-    const D16 d;
-    for (std::size_t i = 0; i < block_pixels; i += hn::Lanes(d)) {
-        const auto channel = [&](std::size_t c) { return hn::Load(d, block.channel[c] + i); };
-        hn::StoreInterleaved4(channel(0), channel(1), channel(2), channel(3), d, pixels[i].data());
+/// Four rows of a tile's pixels, blocks side by side: the window's rows are written whole.
+template <class Pixel>
+struct Strip {
+    static constexpr std::ptrdiff_t width = 64;
+    alignas(64) Pixel pixels[block_side * width];
+
+    HWY_INLINE Pixel* block(int bx) { return pixels + bx * block_side; }
+    HWY_INLINE void put(int bx, const Pixel& value) {
+        for (int row = 0; row < block_side; ++row) std::fill_n(block(bx) + row * width, block_side, value);
     }
-}
+};
 
 #if HWY_MAX_BYTES >= 32
 
 /// A block's four rows, each in one vector.
-HWY_INLINE void store_rows(const ColorBlock& block, Rgba* lowest, std::ptrdiff_t width) {
+HWY_INLINE void put_block(const ColorBlock& block, Rgba* lowest, std::ptrdiff_t width) {
     const D16 d;
     const hn::Repartition<std::uint32_t, D16> pairs;
     const auto channel = [&](std::size_t c) { return hn::Load(d, block.channel[c]); };
@@ -50,28 +52,21 @@ HWY_INLINE void store_rows(const ColorBlock& block, Rgba* lowest, std::ptrdiff_t
 
 #else
 
-HWY_INLINE void store_rows(const ColorBlock& block, Rgba* lowest, std::ptrdiff_t width) {
+HWY_INLINE void put_block(const ColorBlock& block, Rgba* lowest, std::ptrdiff_t width) {
+    const D16 d;
     alignas(64) Rgba pixels[block_pixels];
-    interleave(block, pixels);
+    for (std::size_t i = 0; i < block_pixels; i += hn::Lanes(d)) {
+        const auto channel = [&](std::size_t c) { return hn::Load(d, block.channel[c] + i); };
+        hn::StoreInterleaved4(channel(0), channel(1), channel(2), channel(3), d, pixels[i].data());
+    }
     for (int row = 0; row < block_side; ++row)
         std::copy_n(pixels + row * block_side, block_side, lowest + row * width);
 }
 
 #endif  // HWY_MAX_BYTES >= 32
 
-/// The lanes of `mask`.
-HWY_INLINE void store_some(const ColorBlock& block, std::uint32_t mask, Rgba* lowest, std::ptrdiff_t width) {
-    alignas(64) Rgba pixels[block_pixels];
-    interleave(block, pixels);
-    for (; mask != 0; mask &= mask - 1) {
-        const int lane = std::countr_zero(mask);
-        lowest[lane / block_side * width + lane % block_side] = pixels[lane];
-    }
-}
-
-/// A block's colours as words, those of `mask`.
-HWY_INLINE void store_words(const ColorBlock& block, std::uint32_t mask, std::uint32_t* lowest,
-                            std::ptrdiff_t width) {
+/// A block's colours as words.
+HWY_INLINE void put_block(const ColorBlock& block, std::uint32_t* lowest, std::ptrdiff_t width) {
     const D32 d;
     alignas(64) std::uint32_t words[block_pixels];
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
@@ -82,40 +77,38 @@ HWY_INLINE void store_words(const ColorBlock& block, std::uint32_t mask, std::ui
                    ba = hn::Or(channel(2), hn::ShiftLeft<8>(channel(3)));
         hn::Store(hn::Or(rg, hn::ShiftLeft<16>(ba)), d, words + i);
     }
-    if (mask == all_lanes)
-        for (int row = 0; row < block_side; ++row)
-            std::copy_n(words + row * block_side, block_side, lowest + row * width);
-    else
-        for (; mask != 0; mask &= mask - 1) {
-            const int lane = std::countr_zero(mask);
-            lowest[lane / block_side * width + lane % block_side] = words[lane];
-        }
+    for (int row = 0; row < block_side; ++row)
+        std::copy_n(words + row * block_side, block_side, lowest + row * width);
 }
 
-/// A block's colours, those of `mask`.
-HWY_INLINE void store_colors(const ColorBlock& block, std::uint32_t mask, Rgba* lowest,
-                             std::ptrdiff_t width) {
-    if (mask == all_lanes)
-        store_rows(block, lowest, width);
-    else
-        store_some(block, mask, lowest, width);
+HWY_INLINE Rgba pixel_of(const Rgba& color, const Rgba*) { return color; }
+HWY_INLINE std::uint32_t pixel_of(const Rgba& color, const std::uint32_t*) { return packed(color); }
+
+template <class Pixel>
+HWY_INLINE void read_rows(const ReadColors& read, Pixel* out) {
+    const Tile& tile = read.tile;
+    const BlockBox& box = read.box;
+    Strip<Pixel> strip;
+    for (int by = box.y0 / block_side; by * block_side < box.y1; ++by) {
+        for (int bx = box.x0 / block_side; bx * block_side < box.x1; ++bx) {
+            const std::size_t block = tile.block(bx, by);
+            const UniformBlock& uniform = tile.uniform[block];
+            if (uniform.one_color)
+                strip.put(bx, pixel_of(uniform.color, out));
+            else
+                put_block(tile.color[block], strip.block(bx), strip.width);
+        }
+        const int end = std::min(box.y1, (by + 1) * block_side);
+        for (int y = std::max(box.y0, by * block_side); y < end; ++y)
+            std::copy(strip.pixels + y % block_side * strip.width + box.x0,
+                      strip.pixels + y % block_side * strip.width + box.x1,
+                      out + std::ptrdiff_t(tile.y + y - read.rect.y) * read.rect.width +
+                          (tile.x + box.x0 - read.rect.x));
+    }
 }
 
 void read_all(const ReadColors& read) {
-    const Tile& tile = read.tile;
-    const BlockBox& box = read.box;
-    const std::ptrdiff_t width = read.rect.width;
-    for (int by = box.y0 / block_side; by * block_side < box.y1; ++by)
-        for (int bx = box.x0 / block_side; bx * block_side < box.x1; ++bx) {
-            const ColorBlock& block = tile.color[tile.block(bx, by)];
-            const int x = tile.x + bx * block_side - read.rect.x, y = tile.y + by * block_side - read.rect.y;
-            const std::ptrdiff_t lowest = y * width + x;
-            const std::uint32_t mask = box.mask(bx, by);
-            if (read.packed)
-                store_words(block, mask, read.packed + lowest, width);
-            else
-                store_colors(block, mask, read.out + lowest, width);
-        }
+    read.packed ? read_rows(read, read.packed) : read_rows(read, read.out);
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

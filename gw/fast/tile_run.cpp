@@ -77,6 +77,7 @@ struct TileRun {
         const TileDraw draw{&op, &profile, tile, box(op.state.draw_box), counts, &room.batch};
         if (draw.box.empty()) return;
         if (op.coverage < 0) return draw_primitives(draw, op.set->tile_bin(index));
+        settle_blocks(tile);
         Coverage& record = room.coverages[std::size_t(op.coverage)];
         if (op.state.state.depth.func != DepthFunc::Equal)
             return draw_recording(draw, op.set->tile_bin(index), record);
@@ -134,6 +135,7 @@ struct TileRun {
     }
 
     void run(const SpansOp& op) {
+        settle_blocks(tile);
         DepthBlock depth;
         ColorBlock color;
         std::fill(std::begin(depth.value), std::end(depth.value), op.write->depth);
@@ -158,6 +160,7 @@ struct TileRun {
     }
 
     void run(const PixelsOp& op) {
+        settle_blocks(tile);
         const WritePixels& w = *op.write;
         const Resolved& r = op.state;
         DepthBlock depth;
@@ -187,6 +190,7 @@ struct TileRun {
     }
 
     void run(const AccumulateOp& op) {
+        settle_blocks(tile);
         for_each_block(tile, box(op.state.pixel_box), [&](std::size_t b, int, int, std::uint32_t mask) {
             counts->pixels += lane_count(mask);
             counts->accum_overflows += accumulate_block(op, profile, tile.accum[b], tile.color[b], mask);
@@ -200,6 +204,7 @@ struct TileRun {
         if (op.read->plane == Plane::Color)
             return read_colors({tile, inside, op.read->rect, op.out->color.data(),
                                 op.read->packed ? op.out->values.data() : nullptr});
+        settle_blocks(tile);
         for_each_block(tile, inside, [&](std::size_t b, int bx, int by, std::uint32_t mask) {
             switch (op.read->plane) {
                 case Plane::Color: return;
