@@ -7,6 +7,7 @@
 #include "gw/fast/kernels.h"
 #include "gw/fast/lanes-inl.h"
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -84,26 +85,43 @@ HWY_INLINE void put_block(const ColorBlock& block, std::uint32_t* lowest, std::p
 HWY_INLINE Rgba pixel_of(const Rgba& color, const Rgba*) { return color; }
 HWY_INLINE std::uint32_t pixel_of(const Rgba& color, const std::uint32_t*) { return packed(color); }
 
+/// Where the box's pixels go: a row of `width` after the other.
+template <class Pixel>
+struct Target {
+    const ReadColors& read;
+    Pixel* out;
+
+    HWY_INLINE Pixel* row(int y) const {
+        const Rect& rect = read.rect;
+        return out + std::ptrdiff_t(read.tile.y + y - rect.y) * rect.width +
+               (read.tile.x + read.box.x0 - rect.x);
+    }
+    HWY_INLINE std::size_t width() const { return std::size_t(read.box.x1 - read.box.x0); }
+    /// Rows of the next strip, on their way to the cache while this one is made.
+    HWY_INLINE void prefetch(int first, int end) const {
+        for (int y = first; y < std::min(end, read.box.y1); ++y)
+            for (std::size_t x = 0; x < width(); x += 64 / sizeof(Pixel)) hwy::Prefetch(row(y) + x);
+    }
+};
+
 template <class Pixel>
 HWY_INLINE void read_rows(const ReadColors& read, Pixel* out) {
-    const Tile& tile = read.tile;
     const BlockBox& box = read.box;
+    const Target<Pixel> target{read, out};
     Strip<Pixel> strip;
     for (int by = box.y0 / block_side; by * block_side < box.y1; ++by) {
+        const int end = (by + 1) * block_side;
+        target.prefetch(end, end + block_side);
         for (int bx = box.x0 / block_side; bx * block_side < box.x1; ++bx) {
-            const std::size_t block = tile.block(bx, by);
-            const UniformBlock& uniform = tile.uniform[block];
+            const std::size_t block = read.tile.block(bx, by);
+            const UniformBlock& uniform = read.tile.uniform[block];
             if (uniform.one_color)
                 strip.put(bx, pixel_of(uniform.color, out));
             else
-                put_block(tile.color[block], strip.block(bx), strip.width);
+                put_block(read.tile.color[block], strip.block(bx), strip.width);
         }
-        const int end = std::min(box.y1, (by + 1) * block_side);
-        for (int y = std::max(box.y0, by * block_side); y < end; ++y)
-            std::copy(strip.pixels + y % block_side * strip.width + box.x0,
-                      strip.pixels + y % block_side * strip.width + box.x1,
-                      out + std::ptrdiff_t(tile.y + y - read.rect.y) * read.rect.width +
-                          (tile.x + box.x0 - read.rect.x));
+        for (int y = std::max(box.y0, by * block_side); y < std::min(box.y1, end); ++y)
+            std::copy_n(strip.pixels + y % block_side * strip.width + box.x0, target.width(), target.row(y));
     }
 }
 
