@@ -12,10 +12,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-HWY_INLINE bool needs_depth(const DrawOp& op) {
-    return op.state.state.depth.func != DepthFunc::Always || op.state.state.depth.mask;
-}
-
 struct BatchPlanes {
     const TileDraw& draw;
     const Corners& corners;

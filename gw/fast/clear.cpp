@@ -49,7 +49,8 @@ HWY_INLINE void clear_depth(const ClearBlocks& clear, std::size_t block, std::ui
 void clear_all(const ClearBlocks& clear) {
     const BlockBox& box = clear.box;
     const bool color = clear.channel != std::array<bool, 4>{};
-    *clear.tile.has_uniform = true;
+    clear.tile.has_uniform->color |= clear.clears_color();
+    clear.tile.has_uniform->depth |= clear.clears_depth;
     if (box.whole(clear.tile) && clear.clears_color() && clear.clears_depth)
         return void(std::fill_n(clear.tile.uniform, clear.tile.blocks(),
                                 UniformBlock{clear.color, clear.depth, 1, 1}));
@@ -62,7 +63,7 @@ void clear_all(const ClearBlocks& clear) {
         }
 }
 
-void settle_all(const Tile& tile) { settle_tile(tile); }
+void settle_all(const Tile& tile, UniformPlanes which) { settle_tile(tile, which); }
 
 }  // namespace gw::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -74,9 +75,7 @@ HWY_EXPORT(clear_all);
 HWY_EXPORT(settle_all);
 
 void clear_blocks(const ClearBlocks& clear) { HWY_DYNAMIC_DISPATCH(clear_all)(clear); }
-void settle_blocks(const Tile& tile) {
-    if (*tile.has_uniform) HWY_DYNAMIC_DISPATCH(settle_all)(tile);
-}
+void settle_blocks(const Tile& tile, UniformPlanes which) { HWY_DYNAMIC_DISPATCH(settle_all)(tile, which); }
 
 }  // namespace gw::fast
 #endif  // HWY_ONCE

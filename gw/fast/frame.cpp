@@ -9,7 +9,7 @@ Frame::Frame(int width, int height, int log2_tile) : grid_{width, height, log2_t
     depth_.resize(blocks);
     stencil_.resize(blocks);
     uniform_.resize(blocks);
-    has_uniform_ = std::make_unique<bool[]>(grid_.count());
+    has_uniform_.resize(grid_.count());
 }
 
 void Frame::need_accum() {

@@ -36,6 +36,11 @@ struct alignas(16) UniformBlock {
     std::uint16_t one_color = 0, one_depth = 0;  ///< 0 or 1; without a gap, so that it is copied in one piece
 };
 
+/// Planes of a tile of which some block's value stands in its UniformBlock.
+struct UniformPlanes {
+    bool color = false, depth = false;
+};
+
 /// How a window is cut into square tiles of 2^log2_tile pixels, rows of tiles from the bottom.
 struct TileGrid {
     int width = 0, height = 0, log2_tile = 6;
@@ -58,7 +63,7 @@ struct Tile {
     StencilBlock* stencil = nullptr;
     AccumBlock* accum = nullptr;
     UniformBlock* uniform = nullptr;
-    bool* has_uniform = nullptr;  ///< false: no block has its value in `uniform`
+    UniformPlanes* has_uniform = nullptr;
 
     std::size_t blocks() const { return block(0, side / block_side); }
     std::size_t block(int bx, int by) const {
@@ -86,7 +91,7 @@ private:
     std::vector<StencilBlock> stencil_;
     std::vector<AccumBlock> accum_;
     std::vector<UniformBlock> uniform_;
-    std::unique_ptr<bool[]> has_uniform_;  ///< by tile
+    std::vector<UniformPlanes> has_uniform_;  ///< by tile
 };
 
 }  // namespace gw::fast

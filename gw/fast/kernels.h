@@ -64,8 +64,8 @@ struct ClearBlocks {
 };
 void clear_blocks(const ClearBlocks& clear);
 
-/// Writes the values of uniform blocks to the planes: for whatever does not know these.
-void settle_blocks(const Tile& tile);
+/// Writes the values of uniform blocks to these planes: for whatever does not know such blocks.
+void settle_blocks(const Tile& tile, UniformPlanes which = {true, true});
 
 /// Colours of a tile that a Read wants: those inside the box, not empty.
 struct ReadColors {

@@ -104,7 +104,7 @@ inline void draw_uniform(const TileDraw& draw, std::span<const std::uint32_t> bi
     PlainCounts lanes;
     lanes.clear();
     set_up_triangles(draw, bin, needs_depth(*draw.op), t);
-    *draw.tile.has_uniform = true;
+    draw.tile.has_uniform->color = true;
     const DepthState& depth = draw.op->state.state.depth;
     if (depth.func == DepthFunc::Less)
         draw_one_color(draw, t, LessThan{}, lanes);

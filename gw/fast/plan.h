@@ -34,6 +34,13 @@ struct DrawOp {
     bool counts_by_pixel = false;  ///< its record counts each pixel's fragments
     FragmentBytes bytes;
 };
+/// Whether its fragments meet the depth plane.
+inline bool needs_depth(const DrawOp& op) {
+    return op.state.state.depth.func != DepthFunc::Always || op.state.state.depth.mask;
+}
+/// The planes that it must find settled.
+inline UniformPlanes touched_planes(const DrawOp& op) { return {op.state.writes_color, needs_depth(op)}; }
+
 struct ClearOp {
     const Clear* clear = nullptr;
     Resolved state;

@@ -57,7 +57,7 @@ void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& c
 void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
     OpCounts counts;
     const bool uniform = draws_uniform(*draw.op), plain = is_plain(draw.op->state);
-    if (!uniform) settle_tile(draw.tile);
+    if (!uniform) settle_tile(draw.tile, touched_planes(*draw.op));
     walk_bin(
         draw, bin,
         [&](std::span<const std::uint32_t> batch) {

@@ -77,7 +77,7 @@ struct TileRun {
         const TileDraw draw{&op, &profile, tile, box(op.state.draw_box), counts, &room.batch};
         if (draw.box.empty()) return;
         if (op.coverage < 0) return draw_primitives(draw, op.set->tile_bin(index));
-        settle_blocks(tile);
+        settle_blocks(tile, touched_planes(op));
         Coverage& record = room.coverages[std::size_t(op.coverage)];
         if (op.state.state.depth.func != DepthFunc::Equal)
             return draw_recording(draw, op.set->tile_bin(index), record);

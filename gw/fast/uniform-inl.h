@@ -1,7 +1,7 @@
 // Blocks whose pixels all have one colour or one depth: what a Clear leaves, and a triangle of one colour
 // that covers them. While they have, the value is kept and the planes are not written. Such blocks are made
 // by clear_blocks() and by draws of draws_uniform(), and known to these and to read_colors(); everything else
-// settles a tile first. Included once per Highway target.
+// settles the planes that it touches first. Included once per Highway target.
 #if defined(GW_FAST_UNIFORM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_UNIFORM_INL_H_
 #undef GW_FAST_UNIFORM_INL_H_
@@ -31,13 +31,16 @@ HWY_INLINE void settle_depth(UniformBlock& uniform, DepthBlock& block) {
     uniform.one_depth = 0;
 }
 
-HWY_INLINE void settle_tile(const Tile& tile) {
-    if (!*tile.has_uniform) return;
-    for (std::size_t i = 0; i < tile.blocks(); ++i) {
-        settle_color(tile.uniform[i], tile.color[i]);
-        settle_depth(tile.uniform[i], tile.depth[i]);
+HWY_INLINE void settle_tile(const Tile& tile, UniformPlanes which) {
+    UniformPlanes& has = *tile.has_uniform;
+    if (which.color && has.color) {
+        for (std::size_t i = 0; i < tile.blocks(); ++i) settle_color(tile.uniform[i], tile.color[i]);
+        has.color = false;
     }
-    *tile.has_uniform = false;
+    if (which.depth && has.depth) {
+        for (std::size_t i = 0; i < tile.blocks(); ++i) settle_depth(tile.uniform[i], tile.depth[i]);
+        has.depth = false;
+    }
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -146,6 +146,19 @@ std::vector<Follower> drawn_followers() {
                   s.polygon_mode = PolygonMode::Line;
                   s.line_width = 3;
               }),
+        draws("colours without depth",
+              [](State& s) {
+                  s.color_source = ColorSource::Vertex;
+                  s.depth = {.test = false, .func = DepthFunc::Always, .mask = false};
+              }),
+        {"depths first, then colours",
+         [](State& s, CommandList& list) {
+             s.color_source = ColorSource::Vertex;
+             s.color_mask = {false, false, false, false};
+             draws("depths", [](State&) {}).add(s, list);
+             s.color_mask = {}, s.depth.func = DepthFunc::Equal;
+             draws("colours", [](State&) {}).add(s, list);
+         }},
         {"visible fragments, twice",
          [](State& s, CommandList& list) {
              s.depth.func = DepthFunc::Equal;
