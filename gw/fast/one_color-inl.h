@@ -105,13 +105,7 @@ inline void draw_uniform(const TileDraw& draw, std::span<const std::uint32_t> bi
     lanes.clear();
     set_up_triangles(draw, bin, needs_depth(*draw.op), t);
     draw.tile.has_uniform->color = true;
-    const DepthState& depth = draw.op->state.state.depth;
-    if (depth.func == DepthFunc::Less)
-        draw_one_color(draw, t, LessThan{}, lanes);
-    else if (!needs_depth(*draw.op))
-        draw_one_color(draw, t, NoDepth{}, lanes);
-    else
-        draw_one_color(draw, t, AnyCompare{depth.func}, lanes);
+    with_depth_test(*draw.op, [&](const auto& passes) { draw_one_color(draw, t, passes, lanes); });
     lanes.add_to(counts);
 }
 

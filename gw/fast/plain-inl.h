@@ -53,6 +53,18 @@ struct AnyCompare {
     }
 };
 
+/// Calls draw(passes) with the kind of a draw.
+template <class Draw>
+HWY_INLINE void with_depth_test(const DrawOp& op, const Draw& draw) {
+    const DepthFunc func = op.state.state.depth.func;
+    if (func == DepthFunc::Less)
+        draw(LessThan{});
+    else if (!needs_depth(op))
+        draw(NoDepth{});
+    else
+        draw(AnyCompare{func});
+}
+
 /// Depth test and update of the lanes, a LaneSet or AllLanes; those that pass.
 template <class Compare, class Lanes>
 HWY_INLINE LaneSet run_depth(const DepthWalk& walk, const Compare& passes, bool update, const Lanes& lanes,
@@ -188,13 +200,8 @@ HWY_INLINE void draw_plain(const TileDraw& draw, const Triangles& t, std::size_t
 template <class Paint>
 HWY_INLINE void draw_plain(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
                            const Paint& paint, PlainCounts& counts) {
-    const DepthState& depth = draw.op->state.state.depth;
-    if (depth.func == DepthFunc::Less)
-        draw_plain(draw, t, i, box, LessThan{}, paint, counts);
-    else if (depth.func == DepthFunc::Always && !depth.mask)
-        draw_plain(draw, t, i, box, NoDepth{}, paint, counts);
-    else
-        draw_plain(draw, t, i, box, AnyCompare{depth.func}, paint, counts);
+    with_depth_test(*draw.op,
+                    [&](const auto& passes) { draw_plain(draw, t, i, box, passes, paint, counts); });
 }
 
 /// Draws a batch of triangles.
