@@ -128,6 +128,9 @@ HWY_INLINE void visit_full_block(const BoxLanes& box, int bx, int by, const Visi
 
 template <class Walk, class Visit>
 HWY_INLINE void visit_full_blocks(const BoxLanes& box, const BlockRange& r, Walk& walk, const Visit& visit) {
+    if constexpr (std::is_same_v<Walk, Standing>) {
+        if (box.whole) return visit.all_of(r);
+    }
     walk.start(r.x0, r.y0);
     for (int by = r.y0; by <= r.y1; ++by, walk.next_row())
         for (int bx = r.x0; bx <= r.x1; ++bx, walk.next_block()) visit_full_block(box, bx, by, visit);

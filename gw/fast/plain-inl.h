@@ -11,6 +11,7 @@
 
 #include "gw/fast/cover-inl.h"
 #include "gw/fast/paint-inl.h"
+#include "gw/tables.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -44,12 +45,16 @@ struct NoDepth {
 struct LessThan {
     static constexpr bool tests = true;
     HWY_INLINE M32 operator()(V32 incoming, V32 stored) const { return hn::Lt(incoming, stored); }
+    HWY_INLINE bool of_one(std::uint32_t incoming, std::uint32_t stored) const { return incoming < stored; }
 };
 struct AnyCompare {
     static constexpr bool tests = true;
     DepthFunc func;
     HWY_INLINE M32 operator()(V32 incoming, V32 stored) const {
         return compare_lanes(D32(), func, incoming, stored);
+    }
+    HWY_INLINE bool of_one(std::uint32_t incoming, std::uint32_t stored) const {
+        return compare(func, incoming, stored);
     }
 };
 

@@ -5,7 +5,7 @@
 #include <hwy/foreach_target.h>
 
 #include "gw/fast/kernels.h"
-#include "gw/fast/one_color-inl.h"
+#include "gw/fast/uniform_draw-inl.h"
 
 #include <hwy/highway.h>
 
@@ -56,7 +56,7 @@ void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& c
 /// Draws the primitives of a bin in order.
 void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
     OpCounts counts;
-    const bool uniform = draws_uniform(*draw.op), plain = is_plain(draw.op->state);
+    const bool uniform = draws_uniform(*draw.op, bin), plain = is_plain(draw.op->state);
     if (!uniform) settle_tile(draw.tile, touched_planes(*draw.op));
     walk_bin(
         draw, bin,

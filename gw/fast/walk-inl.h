@@ -166,6 +166,14 @@ struct DepthWalk {
     }
 };
 
+/// Nothing that would change from block to block.
+struct Standing {
+    HWY_INLINE void aim() {}
+    HWY_INLINE void start(int, int) {}
+    HWY_INLINE void next_block() {}
+    HWY_INLINE void next_row() {}
+};
+
 }  // namespace gw::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

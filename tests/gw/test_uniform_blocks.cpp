@@ -23,6 +23,18 @@ MeshRef triangles() {
 }
 const Draw identifiers{.mesh = triangles(), .id_base = 0x123456};
 
+/// Triangles of one depth each, at the depth of a clear, before and behind it; the first cover the window.
+MeshRef walls() {
+    MeshData data = mesh_data(Primitive::Triangles, {});
+    for (const float z : {671.0f, 500.0f, 900.0f}) {
+        const std::vector<vec3> quad{{0, 0, z}, {96, 0, z}, {96, 80, z}, {0, 80, z}};
+        for (const int i : {0, 1, 2, 0, 2, 3}) data.positions.push_back(quad[std::size_t(i)]);
+        for (const vec3& p : {vec3(13, 5, z), vec3(70, 30, z), vec3(20, 70, z)}) data.positions.push_back(p);
+    }
+    return make_mesh(std::move(data));
+}
+const Draw level{.mesh = walls(), .id_base = 0x010203};
+
 State item_buffer(const Workbench& bench) {
     State state = bench.state;
     state.depth.test = true;
@@ -71,23 +83,52 @@ TEST(UniformBlocks, AClearIsReadBeforeAnythingIsDrawn) {
     EXPECT_EQ(bench.readbacks().at(2).values, std::vector<std::uint32_t>(90 * 70, 0x800000u));
 }
 
+/// What a draw of one colour does with it.
+enum class Ink { Stored, Added, None };
+
+/// Twice over a clear, with a read between.
+void draw_over_clear(const Draw& draw, const DepthState& depth, Ink ink) {
+    Workbench bench(vgx(), width, height);
+    CommandList list;
+    State state = item_buffer(bench);
+    list.add(SetState{state});
+    list.add(Clear{.planes = all_planes, .color = vec4(0.1f, 0, 0.999f, 1), .depth = 0.00004});
+    state.depth = depth;
+    state.blend = {ink == Ink::Added, BlendFactor::One, BlendFactor::One};
+    if (ink == Ink::None) state.color_mask = {false, false, false, false};
+    list.add(SetState{state});
+    list.add(draw);
+    list.add(Read{.rect = {0, 0, width, height}, .packed = true});
+    list.add(draw);
+    bench.run(list);
+    bench.take_counters();  // compares
+    bench.planes();
+}
+
 TEST(UniformBlocks, AreDrawnOverUnderAnyDepthTest) {
     for (const DepthFunc func :
          {DepthFunc::Never, DepthFunc::Less, DepthFunc::Equal, DepthFunc::LEqual, DepthFunc::Greater,
           DepthFunc::NotEqual, DepthFunc::GEqual, DepthFunc::Always})
-        for (const bool mask : {false, true}) {
-            Workbench bench(vgx(), width, height);
-            CommandList list;
-            State state = item_buffer(bench);
-            state.depth.func = func, state.depth.mask = mask;
-            list.add(SetState{state});
-            list.add(Clear{.planes = all_planes, .color = vec4(0, 0, 1, 1), .depth = 0.00004});
-            list.add(identifiers);
-            list.add(Read{.rect = {0, 0, width, height}, .packed = true});
-            list.add(identifiers);
-            bench.run(list);
-            bench.take_counters();  // compares
-        }
+        for (const bool mask : {false, true})
+            for (const Ink ink : {Ink::Stored, Ink::Added, Ink::None}) {
+                SCOPED_TRACE(int(func));
+                draw_over_clear(identifiers, {true, func, mask}, ink);
+                draw_over_clear(level, {true, func, mask}, ink);
+            }
+}
+
+TEST(UniformBlocks, ALevelTriangleMakesThemAgain) {
+    Workbench bench(vgx(), width, height);
+    State state = item_buffer(bench);
+    CommandList list;
+    add_items(list, state);
+    state.depth.func = DepthFunc::Always;
+    list.add(SetState{state});
+    list.add(level);
+    list.add(identifiers);
+    list.add(Read{.key = 1, .plane = Plane::Depth, .rect = {0, 0, width, height}});
+    bench.run(list);
+    EXPECT_EQ(bench.readbacks().at(1).values[width * 79], 900u);
 }
 
 /// What follows the identifiers, in their list or in one of its own.
@@ -127,6 +168,24 @@ std::vector<Follower> drawn_followers() {
                   s.color_mask = {true, false, true, false};
               }),
         draws("smooth", [](State& s) { s.color_source = ColorSource::Vertex; }),
+        draws("added to what is uniform and what is not",
+              [](State& s) {
+                  s.depth.func = DepthFunc::Always;
+                  s.blend = {true, BlendFactor::One, BlendFactor::One};
+              }),
+        {"level",
+         [](State& s, CommandList& list) {
+             s.depth.func = DepthFunc::GEqual;
+             list.add(SetState{s});
+             list.add(level);
+         }},
+        {"level, depth only",
+         [](State& s, CommandList& list) {
+             s.depth.func = DepthFunc::Greater;
+             s.color_mask = {false, false, false, false};
+             list.add(SetState{s});
+             list.add(level);
+         }},
         draws("depth only",
               [](State& s) {
                   s.color_mask = {false, false, false, false};
