@@ -47,7 +47,7 @@ struct BatchPlanes {
     HWY_NOINLINE const ColorBlock& color_of(std::size_t i, int bx, int by, std::uint32_t mask) {
         make();
         if (modulates) {
-            modulated.write(*draw.op, narrow_color, room.texture[i], i, bx, by, in.out);
+            modulated.write(draw, narrow_color, room.texture[i], i, bx, by, in.out);
             return in.out;
         }
         if (flat && flat_in == i)

@@ -14,6 +14,7 @@
 namespace gw::fast {
 
 struct BatchRoom;
+class RepeatedTexels;
 
 /// One draw in one tile.
 struct TileDraw {
@@ -23,6 +24,7 @@ struct TileDraw {
     BlockBox box;
     OpCounts* counts = nullptr;
     BatchRoom* room = nullptr;
+    RepeatedTexels* repeated = nullptr;
 };
 
 struct Coverage;

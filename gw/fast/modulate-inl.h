@@ -8,6 +8,7 @@
 #define GW_FAST_MODULATE_INL_H_
 #endif
 
+#include "gw/fast/repeated_texels.h"
 #include "gw/fast/shade-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -37,7 +38,7 @@ struct TexelPosition {
 /// One lane has no room for two channels.
 struct ModulatedTexels {
     HWY_INLINE static bool serves(const DrawOp&) { return false; }
-    HWY_INLINE void write(const DrawOp&, const NarrowBatch&, const TexturePlanes&, std::size_t, int, int,
+    HWY_INLINE void write(const TileDraw&, const NarrowBatch&, const TexturePlanes&, std::size_t, int, int,
                           ColorBlock&) {}
 };
 
@@ -74,17 +75,20 @@ struct ModulatedTexels {
     float w = 1;
     bool affine = true;
     std::size_t aimed = batch_room;  ///< at which triangle of the batch
+    KeptTexels* kept = nullptr;      ///< where this triangle came before
 
     HWY_INLINE static bool serves(const DrawOp& op) {
         const State& s = op.state.state;
         return op.pairs && !needs_rho(s.texture) && !textures_by_pixel(s.texture) &&
                s.texture.env == TexEnv::Modulate && is_narrow(op) && !has_fog(s);
     }
-    HWY_NOINLINE void write(const DrawOp& op, const NarrowBatch& colors, const TexturePlanes& planes,
+    HWY_NOINLINE void write(const TileDraw& draw, const NarrowBatch& colors, const TexturePlanes& planes,
                             std::size_t triangle, int bx, int by, ColorBlock& out) {
+        const DrawOp& op = *draw.op;
         const TexelLevel& level = op.texels->texels.levels[0];
         const bool flat = is_flat(op);
         if (aimed != triangle) {
+            kept = draw.repeated->find(texel_key(*op.pairs, planes));
             aim(planes, level);
             if (flat) set_colors(colors, triangle, bx, by);
             aimed = triangle;
@@ -95,7 +99,7 @@ struct ModulatedTexels {
             return hn::BitCast(D32(), mul_bytes(d, hn::BitCast(d, a), hn::BitCast(d, b)));
         };
         for (std::size_t i = 0; i < parts; ++i) {
-            const TexelWords texel = texels(op, level, bx, by, i);
+            const TexelWords texel = kept ? kept_texels(op, level, bx, by, i) : texels(op, level, bx, by, i);
             store_words({times(texel.rb, color[i].rb), times(texel.ga, color[i].ga)}, i, out);
         }
     }
@@ -120,6 +124,18 @@ private:
             color[i] = {hn::Or(value(0), hn::ShiftLeft<16>(value(2))),
                         hn::Or(value(1), hn::ShiftLeft<16>(value(3)))};
         }
+    }
+    /// The same as texels(), in the order of the parts.
+    HWY_INLINE TexelWords kept_texels(const DrawOp& op, const TexelLevel& level, int bx, int by,
+                                      std::size_t part) const {
+        const D32 d;
+        const std::size_t block = std::size_t(by) * 16 + std::size_t(bx), lane = part * lanes32;
+        KeptTexels::Block& at = kept->blocks[block];
+        if (kept->known[block]) return {hn::Load(d, at.rb + lane), hn::Load(d, at.ga + lane)};
+        const TexelWords found = texels(op, level, bx, by, part);
+        hn::Store(found.rb, d, at.rb + lane), hn::Store(found.ga, d, at.ga + lane);
+        if (part + 1 == parts) kept->known.set(block);
+        return found;
     }
     HWY_INLINE TexelWords texels(const DrawOp& op, const TexelLevel& level, int bx, int by,
                                  std::size_t part) const {

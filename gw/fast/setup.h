@@ -19,6 +19,7 @@ struct TilePlane {
     std::uint64_t c = 0;
     std::int64_t gx = 0, gy = 0;
     bool sliver = false;  ///< the gradients are wrapped: the exact ones need more than 62 bits
+    bool operator==(const TilePlane&) const = default;
 };
 
 /// Nearest integer to num * 2^shift / den, ties to even. Double only guesses, integers decide.

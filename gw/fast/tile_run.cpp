@@ -3,6 +3,7 @@
 
 #include "gw/fast/coverage.h"
 #include "gw/fast/kernels.h"
+#include "gw/fast/repeated_texels.h"
 #include "gw/parallel.h"
 #include "gw/tables.h"
 
@@ -24,6 +25,7 @@ OpCounts& OpCounts::operator+=(const OpCounts& o) {
 struct WorkerRoom {
     std::vector<Coverage> coverages;
     BatchRoom batch;
+    RepeatedTexels texels;
 };
 void DeleteRoom::operator()(WorkerRoom* room) const { delete room; }
 
@@ -74,7 +76,7 @@ struct TileRun {
 
     void run(const DrawOp& op) {
         if (op.set->tile_bin(index).empty()) return;
-        const TileDraw draw{&op, &profile, tile, box(op.state.draw_box), counts, &room.batch};
+        const TileDraw draw{&op, &profile, tile, box(op.state.draw_box), counts, &room.batch, &room.texels};
         if (draw.box.empty()) return;
         if (op.coverage < 0) return draw_primitives(draw, op.set->tile_bin(index));
         settle_blocks(tile, touched_planes(op));
@@ -248,6 +250,7 @@ std::vector<OpCounts> run_tiles(const Segment& segment, Frame& frame, const Prof
     parallel_for(tiles, threads, [&](std::size_t i, int worker) {
         TileRun run{profile, frame.tile(i), i, nullptr, *rooms[std::size_t(worker)]};
         for (Coverage& record : run.room.coverages) record.clear();
+        run.room.texels.clear();
         for (std::size_t k = 0; k < segment.ops.size(); ++k) {
             run.counts = &by_worker[std::size_t(worker)][k];
             std::visit([&](const auto& op) { run.run(op); }, segment.ops[k].op);
