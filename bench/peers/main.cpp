@@ -135,7 +135,7 @@ plot::Plot ratios(const std::vector<Row>& rows, const std::string& renderer, con
         wanted.points.push_back({place, r.workload->wanted});
     }
     return {.title = fmt::format("The machine beside {}, {} thread(s)", renderer, options.threads),
-            .caption = "The peer's time over ours, pictures compared. Workloads 1 to 11 are a to k.",
+            .caption = "The peer's time over ours, pictures compared. Workloads 1 to 14 are a to n.",
             .command = "scripts/compare-peers",
             .x = {"workload"},
             .y = {"ratio of times", 2},

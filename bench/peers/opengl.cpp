@@ -181,7 +181,7 @@ struct OpenGl::Context {
         if (pass.geometry == Geometry::Volumes) return draw_part(pass, frame.volumes, volumes.front());
         if (pass.geometry == Geometry::Quad) {
             Part part = frame.quad;
-            part.eye_from_object[3][2] = 2 * pass.depth_at - 1;
+            part.eye_from_object = pass.eye_from_quad;
             return draw_part(pass, part, quad.front());
         }
         for (std::size_t i = 0; i < scene.size(); ++i) draw_part(pass, frame.scene[i], scene[i]);

@@ -68,7 +68,7 @@ struct Writer {
         if (pass.geometry == Geometry::Volumes) return draw(pass, frame.volumes, 0);
         if (pass.geometry == Geometry::Quad) {
             Part quad = frame.quad;
-            quad.eye_from_object[3][2] = 2 * pass.depth_at - 1;
+            quad.eye_from_object = pass.eye_from_quad;
             return draw(pass, quad, 0);
         }
         std::uint32_t id = 1;

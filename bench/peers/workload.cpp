@@ -31,9 +31,32 @@ std::vector<Pass> multi_pass(int lights, Stencil stencil = Stencil::Off, Fog fog
     return passes;
 }
 
+/// Each quad nearer than the last.
 std::vector<Pass> quads(const Pass& pass) {
     std::vector<Pass> passes(fill_quads, pass);
-    for (int i = 0; i < fill_quads; ++i) passes[std::size_t(i)].depth_at = 0.9 - 0.008 * i;
+    for (int i = 0; i < fill_quads; ++i) passes[std::size_t(i)].eye_from_quad[3].z = 0.8 - 0.016 * i;
+    return passes;
+}
+/// The same where no quad's texels are those of the last: larger than the window, each elsewhere.
+std::vector<Pass> moved_quads(const Pass& pass) {
+    std::vector<Pass> passes = quads(pass);
+    for (int i = 0; i < fill_quads; ++i) {
+        dmat4& m = passes[std::size_t(i)].eye_from_quad;
+        m[0].x = m[1].y = 1.3;
+        m[3].x = 0.25 - 0.005 * i;
+    }
+    return passes;
+}
+/// The same where no block's pixels have one depth.
+std::vector<Pass> sloping_quads(const Pass& pass) {
+    std::vector<Pass> passes = quads(pass);
+    for (Pass& p : passes) p.eye_from_quad[0].z = 0.1;
+    return passes;
+}
+/// The same where no block's pixels have one colour.
+std::vector<Pass> quads_over(const Pass& picture, const Pass& pass) {
+    std::vector<Pass> passes = quads(pass);
+    passes.insert(passes.begin(), picture);
     return passes;
 }
 
@@ -61,6 +84,9 @@ std::vector<Workload> make_workloads() {
         {"i", "fill: textured bilinear, blended", 3, true, quads(textured)},
         {"j", "fill: flat, blended One, One", 10, true, quads(flat)},
         {"k", "fill: Z only", 8, true, quads(z)},
+        {"l", "i, each quad elsewhere", 3, true, moved_quads(textured)},
+        {"m", "j over a picture", 10, true, quads_over(textured, flat)},
+        {"n", "k, sloping", 8, true, sloping_quads(z)},
     };
 }
 

@@ -26,7 +26,7 @@ struct Pass {
     BlendState blend{true, BlendFactor::One, BlendFactor::One};
     Stencil stencil = Stencil::Off;
     Fog fog = Fog::Off;
-    double depth_at = 0.5;  ///< of the quad
+    dmat4 eye_from_quad{1};
 };
 
 /// One frame: its passes for each jittered sample; more than one are accumulated.
