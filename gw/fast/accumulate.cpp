@@ -6,6 +6,7 @@
 #include "gw/accumulation.h"
 #include "gw/fast/doubles-inl.h"
 #include "gw/fast/kernels.h"
+#include "gw/fast/lanes-inl.h"
 
 #include <hwy/highway.h>
 
@@ -42,6 +43,32 @@ inline std::uint64_t accumulate_lanes(const AccumulateOp& op, const Profile& pro
     return overflows;
 }
 
+/// Whether it adds whole multiples of colours, as the sum of samples does: integers of less than 32 bits.
+inline bool is_whole(const AccumulateOp& op, int bits) {
+    const Accumulate& a = *op.accumulate;
+    const bool adds = a.op == AccumOp::Accum || a.op == AccumOp::Load || a.op == AccumOp::Add;
+    return adds && bits <= 30 && std::abs(a.value) <= 256 && std::floor(a.value) == a.value;
+}
+
+/// One channel, all lanes, where is_whole(); how many overflowed.
+inline std::uint64_t accumulate_whole(const AccumulateOp& op, int bits, std::int32_t* accum,
+                                      const std::uint16_t* color) {
+    const I32 d;
+    const auto weight = hn::Set(d, std::int32_t(op.accumulate->value));
+    const auto most = hn::Set(d, std::int32_t(max_of_bits(op.state.bits)));
+    const bool adds_color = op.accumulate->op != AccumOp::Add, replaces = op.accumulate->op == AccumOp::Load;
+    std::uint64_t overflows = 0;
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        const auto own = adds_color ? hn::PromoteTo(d, hn::Load(Half16(), color + i)) : most;
+        const auto before = replaces ? hn::Zero(d) : hn::Load(d, accum + i);
+        const auto v = hn::Add(before, hn::Mul(own, weight));
+        const auto wrapped = hn::ShiftRightSame(hn::ShiftLeftSame(v, 32 - bits), 32 - bits);
+        overflows += hn::CountTrue(d, hn::Ne(v, wrapped));
+        hn::Store(wrapped, d, accum + i);
+    }
+    return overflows;
+}
+
 #if HWY_HAVE_FLOAT64
 
 using U16ForD64 = hn::Rebind<std::uint16_t, D64>;
@@ -51,7 +78,7 @@ inline V64 weighted_lanes(V64 a, double value) { return nearest(hn::Mul(a, all(v
 
 /// wrap_accum(): exact, as integers below 2^52.
 inline V64 wrapped_lanes(V64 v, int bits) {
-    const double range = std::ldexp(1.0, bits);
+    const auto range = static_cast<double>(std::int64_t{1} << bits);
     const auto turns = hn::Floor(hn::Mul(hn::Add(v, all(range / 2)), all(1 / range)));
     return hn::Sub(v, hn::Mul(turns, all(range)));
 }
@@ -96,8 +123,9 @@ inline void return_channel(const AccumulateOp& op, const std::int32_t* accum, st
     }
 }
 
-std::uint64_t accumulate_all(const AccumulateOp& op, const Profile& profile, AccumBlock& accum,
-                             ColorBlock& color, std::uint32_t mask) {
+/// Any weight, all lanes at once where its products are exact.
+inline std::uint64_t accumulate_any(const AccumulateOp& op, const Profile& profile, AccumBlock& accum,
+                                    ColorBlock& color, std::uint32_t mask) {
     if (mask != 0xFFFF || !(std::abs(op.accumulate->value) <= 256))
         return accumulate_lanes(op, profile, accum, color, mask);
     const std::array<bool, 4> channel = writable(op);
@@ -113,12 +141,22 @@ std::uint64_t accumulate_all(const AccumulateOp& op, const Profile& profile, Acc
 
 #else  // no vectors of doubles here
 
-std::uint64_t accumulate_all(const AccumulateOp& op, const Profile& profile, AccumBlock& accum,
-                             ColorBlock& color, std::uint32_t mask) {
+inline std::uint64_t accumulate_any(const AccumulateOp& op, const Profile& profile, AccumBlock& accum,
+                                    ColorBlock& color, std::uint32_t mask) {
     return accumulate_lanes(op, profile, accum, color, mask);
 }
 
 #endif
+
+std::uint64_t accumulate_all(const AccumulateOp& op, const Profile& profile, AccumBlock& accum,
+                             ColorBlock& color, std::uint32_t mask) {
+    if (mask != 0xFFFF || !is_whole(op, profile.accum_bits))
+        return accumulate_any(op, profile, accum, color, mask);
+    std::uint64_t overflows = 0;
+    for (std::size_t c = 0; c < 4; ++c)
+        overflows += accumulate_whole(op, profile.accum_bits, accum.channel[c], color.channel[c]);
+    return overflows;
+}
 
 }  // namespace gw::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -53,14 +53,14 @@ TEST(ExhaustiveAccumulation, EveryColourAndManyWeightsOnEveryProfile) {
     all.push_back({.name = "ten", .color_bits = 10, .accum_bits = 17});
     for (const Profile& profile : all)
         for (const float w : weights()) {
-            Workbench bench(profile, 256, 1);
+            Workbench bench(profile, 64, 4);  // whole blocks of the fast machine
             std::vector<Rgba> row;
             const std::uint32_t top = (1u << profile.color_bits) - 1;
             for (std::uint32_t x = 0; x < 256; ++x) {
                 const auto c = std::uint16_t(x * top / 255);
                 row.push_back({c, std::uint16_t(top - c), std::uint16_t(x), std::uint16_t(c ^ 1)});
             }
-            bench.run(WritePixels{{0, 0, 256, 1}, Plane::Color, row, {}, 0});
+            bench.run(WritePixels{{0, 0, 64, 4}, Plane::Color, row, {}, 0});
             std::uint64_t overflows = 0;
             const auto wrap = [&](std::int64_t v) {
                 const std::int64_t out = wrapped(v, profile.accum_bits);
@@ -73,7 +73,7 @@ TEST(ExhaustiveAccumulation, EveryColourAndManyWeightsOnEveryProfile) {
                 for (std::size_t x = 0; x < 256; ++x)
                     for (std::size_t c = 0; c < 4; ++c) {
                         value[x][c] = wrap(change(value[x][c], row[x][c]));
-                        ASSERT_EQ(bench.accum(int(x), 0)[c], value[x][c])
+                        ASSERT_EQ(bench.accum(int(x) % 64, int(x) / 64)[c], value[x][c])
                             << profile.name << " op " << int(op) << " weight " << v << " x " << x;
                     }
             };
@@ -87,7 +87,7 @@ TEST(ExhaustiveAccumulation, EveryColourAndManyWeightsOnEveryProfile) {
             bench.run(Accumulate{AccumOp::Return, 0.75f});
             for (std::size_t x = 0; x < 256; ++x)
                 for (std::size_t c = 0; c < 4; ++c)
-                    ASSERT_EQ(bench.color(int(x), 0)[c],
+                    ASSERT_EQ(bench.color(int(x) % 64, int(x) / 64)[c],
                               std::clamp<std::int64_t>(product(value[x][c], 0.75f), 0, top));
         }
 }
@@ -109,6 +109,18 @@ TEST(ExhaustiveAccumulation, OnVgx128PassesOfWhiteFitAnd129Overflow) {
         EXPECT_EQ(bench.take_counters().accum_overflows, pass == 129 ? 4u : 0u);
         EXPECT_EQ(bench.accum(0, 0)[0], pass == 129 ? 129 * 255 - 65536 : pass * 255);
     }
+}
+
+TEST(ExhaustiveAccumulation, SumsOf32BitsOverflowToo) {
+    Workbench bench(ideal(), 4, 4);
+    bench.clear(all_planes, vec4(1));
+    bench.run(Accumulate{AccumOp::Load, 256});
+    bench.run(Accumulate{AccumOp::Mult, 128});
+    EXPECT_EQ(bench.accum(3, 3)[1], 65535 * 32768);
+    EXPECT_EQ(bench.take_counters().accum_overflows, 0u);
+    bench.run(Accumulate{AccumOp::Accum, 1});
+    EXPECT_EQ(bench.accum(3, 3)[1], std::int64_t{65535} * 32769 - (std::int64_t{1} << 32));
+    EXPECT_EQ(bench.take_counters().accum_overflows, 64u);
 }
 
 TEST(ExhaustiveAccumulation, OneReturnRoundsOnceManyWeightedPassesRoundOften) {
