@@ -63,9 +63,8 @@ struct FlatPaint {
     PlainStore store;
     ColorBlock color;
 
-    HWY_INLINE FlatPaint(const TileDraw& draw, const SetupPrimitive& p) : store(draw) {
+    HWY_INLINE FlatPaint(const TileDraw& draw, const Rgba& c) : store(draw) {
         const D16 d16;
-        const Rgba c = flat_color(draw, p);
         for (std::size_t k = 0; k < 4; ++k)
             for (std::size_t i = 0; i < block_pixels; i += lanes16)
                 hn::Store(hn::Set(d16, c[k]), d16, color.channel[k] + i);
@@ -144,7 +143,8 @@ template <class Draw>
 HWY_INLINE void with_paint(Paints paints, BatchPlanes& planes, std::size_t i, const Draw& draw) {
     switch (paints) {
         case Paints::Nothing: return draw(NoPaint{});
-        case Paints::OneColor: return draw(FlatPaint(planes.draw, *planes.corners.primitive[i]));
+        case Paints::OneColor:
+            return draw(FlatPaint(planes.draw, flat_color(planes.draw, *planes.corners.primitive[i])));
         case Paints::Smooth: return draw(SmoothPaint{PlainStore(planes.draw), planes, i});
         case Paints::Any: return draw(BatchPaint{planes, i});
     }

@@ -50,9 +50,6 @@ struct SlopingDepth {
     }
 };
 
-/// Whether a plane has the same value at all pixels.
-HWY_INLINE bool is_level(const TilePlane& plane) { return (plane.gx | plane.gy) == 0; }
-
 /// Of a triangle that has one depth.
 template <class Compare>
 struct LevelDepth {

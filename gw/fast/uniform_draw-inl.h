@@ -38,11 +38,11 @@ struct NoColor {
 
 /// A triangle's one colour.
 struct OneColor {
-    const FlatPaint paint;
     const Rgba color;
+    const FlatPaint paint;
 
     HWY_INLINE OneColor(const TileDraw& draw, const SetupPrimitive& p)
-        : paint(draw, p), color(flat_color(draw, p)) {}
+        : color(flat_color(draw, p)), paint(draw, color) {}
 
     HWY_INLINE void operator()(int bx, int by, UniformBlock& uniform, const LaneSet& alive) const {
         const std::uint32_t mask = alive.bits();
@@ -127,7 +127,8 @@ HWY_NOINLINE void draw_level(const TileDraw& draw, const Triangles& t, std::size
 }
 template <class Way, class Paint, class Compare>
 HWY_NOINLINE void draw_sloping(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
-                               const DepthPlane& plane, const Compare& passes, PlainCounts& sum) {
+                               const Compare& passes, PlainCounts& sum) {
+    const DepthPlane plane = depth_of(draw, t, i);
     DepthWalk walk{plane, 0, {}};
     draw_blocks<Way, Paint>(draw, t, i, box, walk,
                             SlopingDepth<Compare>{walk, passes, draw.op->state.state.depth.mask}, sum);
@@ -137,15 +138,13 @@ HWY_NOINLINE void draw_sloping(const TileDraw& draw, const Triangles& t, std::si
 template <class Way, class Paint, class Compare>
 HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
                              const Compare& passes, PlainCounts& sum) {
-    if constexpr (!Compare::tests) {
+    const auto z = [&](std::size_t k) { return t.corners.z[k][i]; };
+    if constexpr (!Compare::tests)
         draw_untested<Way, Paint>(draw, t, i, box, sum);
-    } else {
-        const DepthPlane plane = depth_of(draw, t, i);
-        if (std::is_same_v<Paint, NoColor> || is_level(plane.plane))
-            draw_level<Way, Paint>(draw, t, i, box, std::uint32_t(plane.plane.c >> 16), passes, sum);
-        else
-            draw_sloping<Way, Paint>(draw, t, i, box, plane, passes, sum);
-    }
+    else if (std::is_same_v<Paint, NoColor> || (z(0) == z(1) && z(0) == z(2)))
+        draw_level<Way, Paint>(draw, t, i, box, z(0), passes, sum);
+    else
+        draw_sloping<Way, Paint>(draw, t, i, box, passes, sum);
 }
 
 template <class Paint>
@@ -164,7 +163,7 @@ inline void draw_uniform(const TileDraw& draw, std::span<const std::uint32_t> bi
     Triangles t;
     PlainCounts lanes;
     lanes.clear();
-    set_up_triangles(draw, bin, needs_depth(*draw.op), t);
+    set_up_triangles(draw, bin, needs_depth(*draw.op) && draw.op->state.writes_color, t);
     draw.tile.has_uniform->color |= draw.op->state.writes_color;
     draw.tile.has_uniform->depth |= draw.op->state.state.depth.mask;
     draw.op->state.writes_color ? draw_uniform<OneColor>(draw, t, lanes)
