@@ -43,11 +43,18 @@ HWY_INLINE void gather_positions(const TileDraw& draw, std::span<const std::uint
         t.ordinal[i] = ordinals[i < t.count ? i : 0];
         t.primitive[i] = &set.primitives[t.ordinal[i]];
     }
-    for (std::size_t i = 0; i < t.room; ++i)
+    const auto put = [&](std::size_t i, const auto& store) {
         for (std::size_t k = 0; k < 3; ++k) {
             const SnappedVertex& v = set.at[t.primitive[i]->vertex[k]];
-            t.x[k][i] = v.x + jitter.x, t.y[k][i] = v.y + jitter.y, t.z[k][i] = v.z;
+            store(v.x + jitter.x, t.x[k]), store(v.y + jitter.y, t.y[k]), store(v.z, t.z[k]);
         }
+    };
+    // The first to all lanes: a bin of a large triangle's tile has few more.
+    put(0, [&](auto value, auto* lanes) {
+        const hn::CappedTag<decltype(value), batch_room / 2> d;
+        for (std::size_t i = 0; i < t.room; i += hn::Lanes(d)) hn::Store(hn::Set(d, value), d, lanes + i);
+    });
+    for (std::size_t i = 1; i < t.count; ++i) put(i, [i](auto value, auto* lanes) { lanes[i] = value; });
 }
 
 #if HWY_HAVE_FLOAT64
