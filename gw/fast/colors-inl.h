@@ -9,6 +9,7 @@
 #endif
 
 #include "gw/fast/corners-inl.h"
+#include "gw/fast/lanes-inl.h"
 
 #include <cstring>
 
@@ -99,6 +100,18 @@ HWY_INLINE std::uint64_t differing_bits(const Corners& t, const ColorWords& colo
     for (std::size_t i = 0; i < hn::Lanes(u); ++i) bits |= lanes[i];
     return bits;
 }
+/// Triangles without R, G and B.
+HWY_INLINE std::uint32_t black_lanes(const Corners& t, const ColorWords& colors) {
+    const U64ForD64 u;
+    const auto rgb = hn::Set(u, 0xFFFFFFFFFFFFu);
+    std::uint32_t black = 0;
+    for (std::size_t i = 0; i < t.room; i += hn::Lanes(u)) {
+        const auto corner = [&](std::size_t k) { return hn::Load(u, colors.at[k] + i); };
+        const auto any = hn::And(hn::Or(hn::Or(corner(0), corner(1)), corner(2)), rgb);
+        black |= bits_of(u, hn::Eq(any, hn::Zero(u)), hn::Lanes(u)) << i;
+    }
+    return black;
+}
 HWY_INLINE void put_constant(const Corners& t, const ColorWords& colors, std::size_t k, NarrowBatch& out) {
     for (std::size_t i = 0; i < t.room; ++i) {
         out.c[k][i] = std::uint32_t(colors.at[0][i] >> (16 * k) & 0xFFFF) * 65536u + 32768u;
@@ -121,6 +134,7 @@ HWY_INLINE std::uint32_t smooth_colors(const TileDraw& draw, const Corners& t, N
     ColorWords colors;
     PlaneBatch plane;
     gather_colors(draw, t, colors);
+    out.black = black_lanes(t, colors);
     std::uint32_t sure = ~0u;
     const std::uint64_t differing = differing_bits(t, colors);
     for (std::size_t k = 0; k < 4; ++k) {
@@ -150,6 +164,7 @@ HWY_INLINE void flat_colors(const TileDraw& draw, const Corners& t, NarrowBatch&
         const Rgba color = flat_color(draw, *t.primitive[i]);
         for (std::size_t k = 0; k < 4; ++k)
             out.c[k][i] = (std::uint32_t{color[k]} << 16) + (1u << 15), out.gx[k][i] = out.gy[k][i] = 0;
+        out.black |= (color[0] | color[1] | color[2]) == 0 ? 1u << i : 0;
     }
 }
 
@@ -157,6 +172,7 @@ HWY_INLINE void flat_colors(const TileDraw& draw, const Corners& t, NarrowBatch&
 inline void set_up_narrow(const TileDraw& draw, const Corners& t, NarrowBatch& out) {
     const State& s = draw.op->state.state;
     std::uint32_t sure = ~0u;
+    out.black = 0;
     if (is_flat(*draw.op)) flat_colors(draw, t, out);
     if (is_flat(*draw.op) && !has_fog(s)) return;
 #if HWY_HAVE_FLOAT64

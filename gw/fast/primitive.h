@@ -37,6 +37,8 @@ struct Corners {
 /// Planes of at most 16 bits, modulo 2^32, of a batch: R, G, B, A and the fog factor at the vertices.
 struct NarrowBatch {
     alignas(64) std::uint32_t c[5][batch_room], gx[5][batch_room], gy[5][batch_room];
+    std::uint32_t black =
+        0;  ///< triangles whose R, G and B are 0 at all vertices, a bit each; not all are known
 };
 
 /// A block's texture coordinates after the division, each lane of its own primitive.

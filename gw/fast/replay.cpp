@@ -46,6 +46,16 @@ HWY_INLINE void make_colors(const TileDraw& draw, bool narrow, Coverage& record)
     }
 }
 
+/// Whether a draw leaves pixels as they are where its colours are black, but for their alpha: a sum of what
+/// is lit, seen through black fog or none.
+HWY_INLINE bool adds_light(const DrawOp& op) {
+    const State& s = op.state.state;
+    const Rgba& fog = op.state.fog_color;
+    return s.blend.enable && s.blend.src == BlendFactor::One && s.blend.dst == BlendFactor::One &&
+           (!op.texels || s.texture.env == TexEnv::Modulate) &&
+           (!has_fog(s) || (fog[0] | fog[1] | fog[2]) == 0);
+}
+
 /// Makes or keeps the texture planes of the record's primitives; what was looked up for others is gone.
 HWY_INLINE void make_textures(const TileDraw& draw, Coverage& record) {
     const DrawOp& op = *draw.op;
@@ -67,7 +77,7 @@ struct Replay {
     Coverage& record;
     bool narrow, textured, by_pixel;
     std::size_t channels;
-    bool adds_modulated;
+    bool adds_modulated, leaves_black;
     ShadeInputs inputs;
 
     HWY_INLINE int bx(const BlockRun& run) const { return run.block % (draw.tile.side / block_side); }
@@ -131,6 +141,24 @@ struct Replay {
         sample_block(sampler, inputs.divided, out);
     }
 
+    /// Whether nothing changes where the run is: its colours are black and no alpha can grow.
+    HWY_INLINE bool adds_nothing(const BlockRun& run, std::uint32_t mask) const {
+        if (!leaves_black) return false;
+        for (const VisibleBlock& entry : entries(run))
+            if (!(record.narrow[entry.primitive / batch_room].black >> entry.primitive % batch_room & 1))
+                return false;
+        return !draw.op->state.state.color_mask.a || is_opaque(draw.tile.color[run.block], mask);
+    }
+    /// Whether the lanes have the most alpha.
+    HWY_INLINE bool is_opaque(const ColorBlock& stored, std::uint32_t mask) const {
+        const D16 d;
+        const auto most = hn::Set(d, std::uint16_t(max_of_bits(draw.op->state.bits)));
+        std::uint32_t opaque = 0;
+        for (std::size_t i = 0; i < block_pixels; i += lanes16)
+            opaque |= bits_of(d, hn::Eq(hn::Load(d, stored.channel[3] + i), most), lanes16) << i;
+        return (mask & ~opaque) == 0;
+    }
+
     /// A run without ties: every pixel has one primitive.
     HWY_INLINE void paint(const BlockRun& run, std::uint32_t mask) {
         colors_of(run, entries(run));
@@ -181,6 +209,7 @@ void replay_all(const TileDraw& draw, Coverage& record) {
                   textured && textures_by_pixel(op.state.state.texture),
                   has_fog(op.state.state) ? std::size_t{5} : std::size_t{4},
                   textured && adds_modulated(op.state),
+                  colors && narrow && adds_light(op),
                   {}};
     std::uint64_t written = 0;
     for (const BlockRun& run : record.runs) {
@@ -188,7 +217,7 @@ void replay_all(const TileDraw& draw, Coverage& record) {
         if (mask == 0) continue;
         written += replay.fragments(run, mask);
         if (op.state.front.zpass != StencilOp::Keep) replay.count(run, mask);
-        if (!colors) continue;
+        if (!colors || replay.adds_nothing(run, mask)) continue;
         run.tied ? replay.paint_tied(run, mask) : replay.paint(run, mask);
     }
     counts.fragments += record.total;

@@ -3,6 +3,7 @@
 #include "tests/gw/workbench.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace gw::test {
 namespace {
@@ -76,6 +77,60 @@ TEST(SharedWork, AmbientLightThatIsEvenHasOneColour) {
         for (const Light& even : {lamp, sun, weak}) EXPECT_EQ(colors_in_ambient_light(even, two_side), 1u);
         for (const Light& uneven : {falling, spot}) EXPECT_GT(colors_in_ambient_light(uneven, two_side), 1u);
     }
+}
+
+/// Quads side by side, every other one black at all corners; the last lies on the one before.
+MeshRef half_black() {
+    MeshData data{.primitive = Primitive::Quads};
+    for (int i = 0; i < 10; ++i) {
+        const float x = 7 * float(i == 9 ? 8 : i), shade = i % 2 == 0 ? 0 : 0.7f;
+        for (const vec2& corner : {vec2(0, 1), vec2(6, 0), vec2(9, 62), vec2(1, 60)}) {
+            data.positions.push_back({x + corner.x, corner.y, 40});
+            data.texcoords.push_back(corner / 8.0f);
+            data.colors.push_back({shade, 0, shade * corner.x / 9, corner.y / 62});
+        }
+    }
+    return make_mesh(std::move(data));
+}
+
+TEST(SharedWork, BlackMayBeLeftOutOfASum) {
+    const std::vector<std::uint8_t> texels{255, 80, 0, 255, 9, 200, 90, 100, 0, 0, 255, 255, 70, 70, 70, 0};
+    Draw draw{.mesh = half_black()};
+    const std::vector<std::function<void(State&)>> changes{
+        [](State&) {},
+        [](State& s) { s.color_mask.a = false; },
+        [](State& s) { s.shade_model = ShadeModel::Flat; },
+        [](State& s) { s.blend.src = BlendFactor::OneMinusDstColor; },
+        [](State& s) { s.blend.dst = BlendFactor::SrcAlpha; },
+        [](State& s) { s.blend.enable = false; },
+        [](State& s) { s.fog = {.enable = true, .density = 3, .color = vec4(0, 0, 0, 1)}; },
+        [](State& s) { s.fog = {.enable = true, .density = 3, .color = vec4(0.3f, 0, 0.2f, 1)}; },
+        [](State& s) { s.texture.env = TexEnv::Decal; },
+        [](State& s) { s.texture.env = TexEnv::Blend, s.texture.env_color = vec4(0.4f, 0.5f, 0.1f, 1); },
+        [](State& s) { s.stencil.test = true, s.stencil.zpass = StencilOp::Incr; },
+    };
+    for (const bool textured : {false, true})
+        for (const float alpha : {0.0f, 0.5f, 1.0f})
+            for (const auto& change : changes) {
+                Workbench bench;
+                draw.map.texture = textured ? make_texture8("four", 2, 2, texels) : nullptr;
+                CommandList list;
+                State state = bench.state;
+                state.color_source = ColorSource::Vertex;
+                state.color_mask = {false, false, false, false};
+                state.depth.test = true;
+                list.add(SetState{state});
+                list.add(Clear{.planes = all_planes, .color = vec4(0.1f, 0.2f, 0.3f, alpha)});
+                list.add(draw);
+                state.color_mask = {};
+                state.depth = {true, DepthFunc::Equal, false};
+                state.blend = {true, BlendFactor::One, BlendFactor::One};
+                change(state);
+                list.add(SetState{state});
+                for (int pass = 0; pass < 3; ++pass) list.add(draw);
+                bench.run(list);
+                bench.take_counters();  // compares
+            }
 }
 
 }  // namespace
