@@ -130,11 +130,17 @@ HWY_INLINE PlaneSlope slope_of(const PlaneBatch& p, std::size_t i) {
     return {double(p.gx[i]), double(p.gy[i]), double(p.base[i] >> 16)};
 }
 
-HWY_INLINE TexturePlane texture_plane(const CoordinateBatch& c, std::size_t i, const PlaneBatch& q,
-                                      bool slopes) {
-    TexturePlane out{c.plane.at(i), int(c.exponent[i]), std::int32_t(c.k[i]), {}};
+/// Each member by itself: a whole one made first is stored in pieces, and waits for these when it is copied.
+HWY_INLINE void put_plane(const PlaneBatch& from, std::size_t i, TilePlane& out) {
+    out.c = static_cast<std::uint64_t>(from.c[i]), out.gx = from.gx[i], out.gy = from.gy[i];
+    out.sliver = false;
+}
+HWY_INLINE void put_texture_plane(const CoordinateBatch& c, std::size_t i, const PlaneBatch& q, bool slopes,
+                                  TexturePlane& out) {
+    put_plane(c.plane, i, out.plane);
+    out.exponent = int(c.exponent[i]), out.k = std::int32_t(c.k[i]);
+    out.slope = {};
     if (slopes) out.slope = coordinate_slope(slope_of(c.plane, i), slope_of(q, i));
-    return out;
 }
 
 /// Texture coordinates of a batch.
@@ -154,8 +160,8 @@ HWY_INLINE void set_up_perspective(const TileDraw& draw, const Corners& t, Textu
             texture_one(draw, t, i, out[i]);
             continue;
         }
-        out[i].q = q.at(i), out[i].r = {};
-        out[i].s = texture_plane(u, i, q, slopes), out[i].t = texture_plane(v, i, q, slopes);
+        put_plane(q, i, out[i].q), out[i].r = {};
+        put_texture_plane(u, i, q, slopes, out[i].s), put_texture_plane(v, i, q, slopes, out[i].t);
         out[i].slope_x = draw.tile.x - t.to_x[i], out[i].slope_y = draw.tile.y - t.to_y[i];
     }
 }

@@ -178,6 +178,19 @@ inline void drop_hidden(const TileDraw& draw, Coverage& record) {
     record.primitives.resize(primitives);
 }
 
+/// The run of a block's entries first .. end - 1. Written member by member: made first and copied, it would
+/// wait for its own stores.
+inline void add_run(Coverage& record, std::size_t block, std::uint32_t first, std::uint32_t end) {
+    std::uint32_t mask = 0, twice = 0;
+    for (std::uint32_t i = first; i < end; ++i) {
+        const std::uint32_t own = record.blocks[i].mask;
+        twice |= mask & own, mask |= own;
+    }
+    BlockRun& run = record.runs.emplace_back();
+    run.block = std::uint16_t(block), run.mask = std::uint16_t(mask), run.tied = twice != 0;
+    run.first = first, run.count = end - first;
+}
+
 /// Sorts the entries by block, in each block in the primitives' order, and finds the blocks' runs.
 inline void sort_blocks(Coverage& record) {
     std::array<std::uint32_t, max_tile_blocks + 1> start{};
@@ -188,15 +201,8 @@ inline void sort_blocks(Coverage& record) {
     std::array<std::uint32_t, max_tile_blocks + 1> next = start;
     for (const VisibleBlock& v : record.blocks) sorted[next[v.block]++] = v;
     record.blocks.swap(sorted);
-    for (std::size_t block = 0; block < max_tile_blocks; ++block) {
-        BlockRun run{std::uint16_t(block), 0, false, start[block], start[block + 1] - start[block]};
-        for (std::uint32_t i = 0; i < run.count; ++i) {
-            const std::uint16_t mask = record.blocks[run.first + i].mask;
-            run.tied = run.tied || (run.mask & mask) != 0;
-            run.mask = std::uint16_t(run.mask | mask);
-        }
-        if (run.count != 0) record.runs.push_back(run);
-    }
+    for (std::size_t block = 0; block < max_tile_blocks; ++block)
+        if (start[block] != start[block + 1]) add_run(record, block, start[block], start[block + 1]);
 }
 
 /// Makes the record of a draw under Equal: its visible blocks, their primitives' corners, and how many
