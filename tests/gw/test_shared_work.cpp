@@ -103,8 +103,17 @@ TEST(SharedWork, BlackMayBeLeftOutOfASum) {
         [](State& s) { s.blend.src = BlendFactor::OneMinusDstColor; },
         [](State& s) { s.blend.dst = BlendFactor::SrcAlpha; },
         [](State& s) { s.blend.enable = false; },
-        [](State& s) { s.fog = {.enable = true, .density = 3, .color = vec4(0, 0, 0, 1)}; },
-        [](State& s) { s.fog = {.enable = true, .density = 3, .color = vec4(0.3f, 0, 0.2f, 1)}; },
+        [](State& s) {
+            s.fog = {
+                .enable = true, .mode = FogMode::Linear, .start = -100, .end = 90, .color = vec4(0, 0, 0, 1)};
+        },
+        [](State& s) {
+            s.fog = {.enable = true,
+                     .mode = FogMode::Linear,
+                     .start = -100,
+                     .end = 90,
+                     .color = vec4(0.3f, 0, 0.2f, 1)};
+        },
         [](State& s) { s.texture.env = TexEnv::Decal; },
         [](State& s) { s.texture.env = TexEnv::Blend, s.texture.env_color = vec4(0.4f, 0.5f, 0.1f, 1); },
         [](State& s) { s.stencil.test = true, s.stencil.zpass = StencilOp::Incr; },
