@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 
 #include "gw/fast/kernels.h"
+#include "gw/fast/lines_and_points-inl.h"
 #include "gw/fast/uniform_draw-inl.h"
 
 #include <hwy/highway.h>

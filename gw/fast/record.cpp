@@ -6,6 +6,7 @@
 
 #include "gw/fast/coverage.h"
 #include "gw/fast/kernels.h"
+#include "gw/fast/lines_and_points-inl.h"
 #include "gw/fast/plain-inl.h"
 
 #include <hwy/highway.h>
