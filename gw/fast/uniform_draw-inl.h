@@ -80,7 +80,7 @@ struct UniformDraw {
             paint(bx, by, uniform, alive);
         });
     }
-    /// Blocks that the triangle covers wholly.
+    /// Blocks that the triangle covers wholly, counted all at once.
     HWY_INLINE void all_of(const BlockRange& r) const {
         std::uint64_t whole = 0;
         for (int by = r.y0; by <= r.y1; ++by)
