@@ -126,6 +126,8 @@ HWY_INLINE void visit_full_block(const BoxLanes& box, int bx, int by, const Visi
     if (!lanes.none()) visit(bx, by, lanes);
 }
 
+/// Blocks that the triangle covers wholly; where nothing walks with them, the visitor takes all of them at
+/// once.
 template <class Walk, class Visit>
 HWY_INLINE void visit_full_blocks(const BoxLanes& box, const BlockRange& r, Walk& walk, const Visit& visit) {
     if constexpr (std::is_same_v<Walk, Standing>) {
