@@ -24,18 +24,21 @@ namespace {
 
 double mix(double a, double b, double t) { return a + t * (b - a); }
 
-ClipPosition interpolate(const ClipPosition& in, const ClipPosition& out, double t) {
-    ClipPosition v;
+/// Vertices are made where they are to stand: a copy would wait until all of them is written.
+void interpolate(const ClipPosition& in, const ClipPosition& out, double t, ClipPosition& v) {
     for (int i = 0; i < 4; ++i) v.clip[i] = mix(in.clip[i], out.clip[i], t);
     for (std::size_t i = 0; i < v.distance.size(); ++i)
         v.distance[i] = mix(in.distance[i], out.distance[i], t);
-    return v;
+}
+void interpolate(const Vertex& in, const Vertex& out, double t, Vertex& v) {
+    v = gw::interpolate(in, out, t);
 }
 
 }  // namespace
 
 Vertex interpolate(const Vertex& in, const Vertex& out, double t) {
-    Vertex v{interpolate(static_cast<const ClipPosition&>(in), out, t)};
+    Vertex v;
+    interpolate(in, out, t, static_cast<ClipPosition&>(v));
     for (int i = 0; i < 4; ++i) {
         const auto c = static_cast<std::size_t>(i);
         v.texcoord[i] = mix(in.texcoord[i], out.texcoord[i], t);
@@ -57,18 +60,18 @@ bool is_finite(const ClipPosition& v) {
 template <class V>
 bool measure(const std::vector<V>& vertices, int plane, const ViewportTransform& viewport,
              std::vector<double>& d) {
-    d.clear();
+    d.resize(vertices.size());
     bool all_inside = true;
-    for (const V& v : vertices) {
-        d.push_back(clip_distance(v, plane, viewport));
-        all_inside = all_inside && d.back() >= 0;
+    for (std::size_t i = 0; i < d.size(); ++i) {
+        d[i] = clip_distance(vertices[i], plane, viewport);
+        all_inside = all_inside && d[i] >= 0;
     }
     return all_inside;
 }
 
 template <class V>
-V crossing(const V& a, const V& b, double da, double db) {
-    return da >= 0 ? interpolate(a, b, da / (da - db)) : interpolate(b, a, db / (db - da));
+void crossing(const V& a, const V& b, double da, double db, V& v) {
+    da >= 0 ? interpolate(a, b, da / (da - db), v) : interpolate(b, a, db / (db - da), v);
 }
 
 /// One plane. A line or point is an open chain: it has no side from the last vertex to the first.
@@ -80,7 +83,7 @@ void clip_plane(const std::vector<V>& in, const std::vector<double>& d, std::vec
         const std::size_t next = (i + 1) % in.size();
         if (d[i] >= 0) out.push_back(in[i]);
         if (i < sides && (d[i] >= 0) != (d[next] >= 0))
-            out.push_back(crossing(in[i], in[next], d[i], d[next]));
+            crossing(in[i], in[next], d[i], d[next], out.emplace_back());
     }
 }
 

@@ -10,12 +10,6 @@
 
 namespace gw {
 
-dvec4 transform(const dmat4& m, const dvec4& v) {
-    dvec4 out;
-    for (int i = 0; i < 4; ++i) out[i] = (m[0][i] * v.x + m[1][i] * v.y) + (m[2][i] * v.z + m[3][i] * v.w);
-    return out;
-}
-
 dmat4 product(const dmat4& a, const dmat4& b) {
     return {transform(a, b[0]), transform(a, b[1]), transform(a, b[2]), transform(a, b[3])};
 }

@@ -49,7 +49,11 @@ Vertex run_vertex(const VertexProgram& program, std::uint32_t index);
 double fog_of(const VertexProgram& program, double z_eye);
 
 /// m * v, each component ((m0 x + m1 y) + (m2 z + m3 w)).
-dvec4 transform(const dmat4& m, const dvec4& v);
+inline dvec4 transform(const dmat4& m, const dvec4& v) {
+    dvec4 out;
+    for (int i = 0; i < 4; ++i) out[i] = (m[0][i] * v.x + m[1][i] * v.y) + (m[2][i] * v.z + m[3][i] * v.w);
+    return out;
+}
 /// The product whose columns are transform(a, column of b).
 dmat4 product(const dmat4& a, const dmat4& b);
 /// v / |v|; the zero vector stays.

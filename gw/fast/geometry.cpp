@@ -25,17 +25,15 @@ struct Builder {
     const Mesh& mesh() const { return *program.draw->mesh; }
     const State& state() const { return *program.state; }
 
-    /// The position part of run_vertex.
-    ClipPosition position(std::uint32_t i) const {
+    /// The position part of run_vertex, made where it is to stand.
+    void position(std::uint32_t i, ClipPosition& v) const {
         const dvec4 p_object(dvec3(mesh().data().positions[i]), 1);
-        ClipPosition v;
         v.clip = transform(program.clip_from_object, p_object);
         if (any_user_plane) {
             const dvec4 p_eye = transform(program.draw->eye_from_object, p_object);
             for (std::size_t k = 0; k < max_clip_planes; ++k)
                 if (state().clip_planes[k].enable) v.distance[k] = dot4(state().clip_planes[k].plane, p_eye);
         }
-        return v;
     }
 
     Outcode classify(const ClipPosition& v) const {
@@ -75,7 +73,8 @@ struct Builder {
 
     /// The scalar way.
     void classify_vertex(std::uint32_t i) {
-        const ClipPosition v = position(i);
+        ClipPosition v;
+        position(i, v);
         outcode[i] = classify(v);
         if (outcode[i] != 0) return;
         const WindowVertex p = to_window(v, set.state.viewport, state().depth_range, profile);
@@ -103,16 +102,18 @@ struct Builder {
         vertices.clear();
         Outcode any = 0;
         for (std::uint32_t k = 0; k < sides; ++k) {
-            vertices.push_back(position(corners[k]));
+            position(corners[k], vertices.emplace_back());
             any |= outcode[corners[k]];
         }
         const bool changed =
             clipper.clip(set.state.viewport, std::min(std::countr_zero(any), clip_plane_count));
         if (vertices.empty()) return false;
-        out = {corners, sides, std::uint32_t(set.at.size()), std::uint32_t(vertices.size())};
+        out.first = std::uint32_t(set.at.size()), out.count = std::uint32_t(vertices.size());
         for (const ClipPosition& v : vertices) push_window(v);
         set.counters.clipped += changed ? 1 : 0;
-        set.cuts.push_back(out);
+        Cut& kept = set.cuts.emplace_back();  // by members: a copy of `out` would wait for its parts
+        for (std::size_t k = 0; k < 3; ++k) kept.vertex[k] = corners[k];
+        kept.sides = sides, kept.first = out.first, kept.count = out.count;
         return true;
     }
 
