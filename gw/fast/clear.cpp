@@ -25,25 +25,43 @@ HWY_INLINE void fill(D d, T (&values)[block_pixels], T value, std::uint32_t mask
 }
 
 /// A block's colour: whole ones stay uniform.
-HWY_INLINE void clear_color(const ClearBlocks& clear, std::size_t block, std::uint32_t mask) {
-    UniformBlock& uniform = clear.tile.uniform[block];
+HWY_INLINE void clear_color(const ClearBlocks& clear, int bx, int by, std::uint32_t mask) {
+    UniformGroup& group = clear.tile.group(bx, by);
+    const std::uint32_t i = clear.tile.in_group(bx, by);
     if (mask == all_lanes && clear.clears_color()) {
-        uniform.color = clear.color, uniform.one_color = 1;
+        group.color[i] = std::bit_cast<std::uint64_t>(clear.color);
+        group.one_color = std::uint16_t(group.one_color | 1u << i);
         return;
     }
-    settle_color(uniform, clear.tile.color[block]);
+    settle_color(clear.tile, bx, by);
+    ColorBlock& block = clear.tile.color[clear.tile.block(bx, by)];
     for (std::size_t c = 0; c < 4; ++c)
-        if (clear.channel[c]) fill(D16(), clear.tile.color[block].channel[c], clear.color[c], mask);
+        if (clear.channel[c]) fill(D16(), block.channel[c], clear.color[c], mask);
 }
 
-HWY_INLINE void clear_depth(const ClearBlocks& clear, std::size_t block, std::uint32_t mask) {
-    UniformBlock& uniform = clear.tile.uniform[block];
+HWY_INLINE void clear_depth(const ClearBlocks& clear, int bx, int by, std::uint32_t mask) {
+    UniformGroup& group = clear.tile.group(bx, by);
+    const std::uint32_t i = clear.tile.in_group(bx, by);
     if (mask == all_lanes) {
-        uniform.depth = clear.depth, uniform.one_depth = 1;
+        group.depth[i] = clear.depth;
+        group.one_depth = std::uint16_t(group.one_depth | 1u << i);
+        group.one_plane = std::uint16_t(group.one_plane & ~(1u << i));
         return;
     }
-    settle_depth(uniform, clear.tile.depth[block]);
-    fill(D32(), clear.tile.depth[block].value, clear.depth, mask);
+    settle_depth(clear.tile, bx, by);
+    fill(D32(), clear.tile.depth[clear.tile.block(bx, by)].value, clear.depth, mask);
+}
+
+/// Groups' colours and depths, where the box has whole groups only.
+HWY_INLINE void clear_groups(const ClearBlocks& clear) {
+    constexpr int side = group_blocks * block_side;
+    UniformGroup group;
+    std::fill(std::begin(group.color), std::end(group.color), std::bit_cast<std::uint64_t>(clear.color));
+    std::fill(std::begin(group.depth), std::end(group.depth), clear.depth);
+    group.one_color = group.one_depth = all_lanes;
+    for (int y = clear.box.y0; y < clear.box.y1; y += side)
+        for (int x = clear.box.x0; x < clear.box.x1; x += side)
+            clear.tile.group(x / block_side, y / block_side) = group;
 }
 
 void clear_all(const ClearBlocks& clear) {
@@ -51,15 +69,14 @@ void clear_all(const ClearBlocks& clear) {
     const bool color = clear.channel != std::array<bool, 4>{};
     clear.tile.has_uniform->color |= clear.clears_color();
     clear.tile.has_uniform->depth |= clear.clears_depth;
-    if (box.whole(clear.tile) && clear.clears_color() && clear.clears_depth)
-        return void(std::fill_n(clear.tile.uniform, clear.tile.blocks(),
-                                UniformBlock{clear.color, clear.depth, 1, 1}));
+    if (box.whole(clear.tile) && clear.clears_depth) clear.tile.held->clear();
+    const bool groups = (box.x0 | box.y0 | box.x1 | box.y1) % (group_blocks * block_side) == 0;
+    if (groups && clear.clears_color() && clear.clears_depth) return clear_groups(clear);
     for (int by = box.y0 / block_side; by * block_side < box.y1; ++by)
         for (int bx = box.x0 / block_side; bx * block_side < box.x1; ++bx) {
-            const std::size_t block = clear.tile.block(bx, by);
             const std::uint32_t mask = box.mask(bx, by);
-            if (color) clear_color(clear, block, mask);
-            if (clear.clears_depth) clear_depth(clear, block, mask);
+            if (color) clear_color(clear, bx, by, mask);
+            if (clear.clears_depth) clear_depth(clear, bx, by, mask);
         }
 }
 

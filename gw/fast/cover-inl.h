@@ -65,9 +65,6 @@ struct BlockRange {
     }
 };
 
-/// Blocks are visited in groups of 4x4, so that a large triangle's empty and full parts cost next to nothing.
-inline constexpr int group_blocks = 4;
-
 /// Of 4x4 squares: those that the triangle does not touch and those that it covers, as far as its edges tell.
 struct Extents {
     std::uint32_t outside, inside;
@@ -107,6 +104,12 @@ struct BoxLanes {
     bool whole;
 
     HWY_INLINE explicit BoxLanes(const TileDraw& draw) : box(draw.box), whole(box.whole(draw.tile)) {}
+    /// Whether the 4x4 blocks from (x, y) on are wholly in the box.
+    HWY_INLINE bool has_group(int x, int y) const {
+        const int side = group_blocks * block_side;
+        return whole || (box.x0 <= x * block_side && x * block_side + side <= box.x1 &&
+                         box.y0 <= y * block_side && y * block_side + side <= box.y1);
+    }
     HWY_INLINE std::uint32_t mask(int bx, int by) const { return whole ? all_lanes : box.mask(bx, by); }
     HWY_INLINE void cut(int bx, int by, LaneSet& s) const {
         if (whole) return;
@@ -126,16 +129,26 @@ HWY_INLINE void visit_full_block(const BoxLanes& box, int bx, int by, const Visi
     if (!lanes.none()) visit(bx, by, lanes);
 }
 
-/// Blocks that the triangle covers wholly; where nothing walks with them, the visitor takes all of them at
-/// once.
 template <class Walk, class Visit>
 HWY_INLINE void visit_full_blocks(const BoxLanes& box, const BlockRange& r, Walk& walk, const Visit& visit) {
-    if constexpr (std::is_same_v<Walk, Standing>) {
-        if (box.whole) return visit.all_of(r);
-    }
     walk.start(r.x0, r.y0);
     for (int by = r.y0; by <= r.y1; ++by, walk.next_row())
         for (int bx = r.x0; bx <= r.x1; ++bx, walk.next_block()) visit_full_block(box, bx, by, visit);
+}
+
+/// A visitor may want whole blocks by the group: of the 4x4 blocks from (x, y) on, those of a mask.
+template <class Visit>
+concept TakesGroups = requires(const Visit& visit) {
+    visit.whole_blocks(0, 0, 0u);
+};
+
+/// A group that the triangle covers wholly.
+template <class Walk, class Visit>
+HWY_INLINE void visit_full_group(const BoxLanes& box, int x, int y, Walk& walk, const Visit& visit) {
+    if constexpr (TakesGroups<Visit>) {
+        if (box.has_group(x, y)) return visit.whole_blocks(x, y, all_lanes);
+    }
+    visit_full_blocks(box, {x, y, x + group_blocks - 1, y + group_blocks - 1}, walk, visit);
 }
 
 /// Every block of a small range.
@@ -155,6 +168,10 @@ HWY_INLINE void visit_covered_blocks(const BoxLanes& box, EdgeWalk& edge, const 
 template <class Walk, class Visit>
 HWY_INLINE void visit_blocks(const BoxLanes& box, EdgeWalk& edge, int x, int y, std::uint32_t blocks,
                              std::uint32_t full, Walk& walk, const Visit& visit) {
+    if constexpr (TakesGroups<Visit>) {
+        if ((blocks & full) != 0 && box.has_group(x, y))
+            visit.whole_blocks(x, y, blocks & full), blocks &= ~full;
+    }
     for (; blocks != 0; blocks &= blocks - 1) {
         const int i = std::countr_zero(blocks), bx = x + i % group_blocks, by = y + i / group_blocks;
         if (full >> i & 1) {
@@ -171,19 +188,22 @@ HWY_INLINE void visit_blocks(const BoxLanes& box, EdgeWalk& edge, int x, int y, 
     }
 }
 
-/// A triangle over more than one group: first its groups are sorted into untouched, covered and crossed.
+/// Blocks are visited in groups of 4x4, so that a large triangle's empty and full parts cost next to nothing.
+/// First the groups are sorted into untouched, covered and crossed.
 template <class Walk, class Visit>
 HWY_INLINE void visit_groups(const BoxLanes& box, const TileEdges& edges, EdgeWalk& edge,
                              const BlockRange& all, Walk& walk, const Visit& visit) {
     constexpr int group_side = group_blocks * block_side;
     const Extents groups = extents_of(edges, 0, 0, group_side);
     const std::uint32_t touched = all.squares(0, 0, group_blocks) & ~groups.outside;
-    if ((touched & ~groups.inside) == 0 && touched == all.squares(0, 0, group_blocks))
-        return visit_full_blocks(box, all, walk, visit);
+    if constexpr (!TakesGroups<Visit>) {
+        if ((touched & ~groups.inside) == 0 && touched == all.squares(0, 0, group_blocks))
+            return visit_full_blocks(box, all, walk, visit);
+    }
     for (std::uint32_t rest = touched; rest != 0; rest &= rest - 1) {
         const int i = std::countr_zero(rest), x = i % 4 * group_blocks, y = i / 4 * group_blocks;
         if (groups.inside >> i & 1) {
-            visit_full_blocks(box, {x, y, x + group_blocks - 1, y + group_blocks - 1}, walk, visit);
+            visit_full_group(box, x, y, walk, visit);
             continue;
         }
         const Extents blocks = extents_of(edges, x * block_side, y * block_side, block_side);

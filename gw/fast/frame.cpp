@@ -8,8 +8,9 @@ Frame::Frame(int width, int height, int log2_tile) : grid_{width, height, log2_t
     color_.resize(blocks);
     depth_.resize(blocks);
     stencil_.resize(blocks);
-    uniform_.resize(blocks);
+    uniform_.resize(blocks / (group_blocks * group_blocks));
     has_uniform_.resize(grid_.count());
+    held_.resize(grid_.count());
 }
 
 void Frame::need_accum() {
@@ -25,8 +26,9 @@ Tile Frame::tile(std::size_t index) {
             &depth_[first],
             &stencil_[first],
             accum_.empty() ? nullptr : &accum_[first],
-            &uniform_[first],
-            &has_uniform_[index]};
+            &uniform_[first / (group_blocks * group_blocks)],
+            &has_uniform_[index],
+            &held_[index]};
 }
 
 namespace {

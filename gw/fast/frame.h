@@ -2,6 +2,7 @@
 // cache. Does not draw. Conversion to and from the host's Planes is here too.
 #pragma once
 
+#include "gw/fast/uniform.h"
 #include "gw/planes.h"
 
 #include <cstdint>
@@ -28,19 +29,6 @@ struct alignas(64) AccumBlock {
     std::int32_t channel[4][block_pixels];
 };
 
-/// What all pixels of a block have: where `one_color` or `one_depth` is set, the value stands here alone, and
-/// what the plane holds of the block has no meaning until settle_blocks() writes it.
-struct alignas(16) UniformBlock {
-    Rgba color{};
-    std::uint32_t depth = 0;
-    std::uint16_t one_color = 0, one_depth = 0;  ///< 0 or 1; without a gap, so that it is copied in one piece
-};
-
-/// Planes of a tile of which some block's value stands in its UniformBlock.
-struct UniformPlanes {
-    bool color = false, depth = false;
-};
-
 /// How a window is cut into square tiles of 2^log2_tile pixels, rows of tiles from the bottom.
 struct TileGrid {
     int width = 0, height = 0, log2_tile = 6;
@@ -62,12 +50,22 @@ struct Tile {
     DepthBlock* depth = nullptr;
     StencilBlock* stencil = nullptr;
     AccumBlock* accum = nullptr;
-    UniformBlock* uniform = nullptr;
+    UniformGroup* uniform = nullptr;
     UniformPlanes* has_uniform = nullptr;
+    HeldPlanes* held = nullptr;
 
     std::size_t blocks() const { return block(0, side / block_side); }
     std::size_t block(int bx, int by) const {
         return std::size_t(by) * std::size_t(side / block_side) + std::size_t(bx);
+    }
+    std::size_t groups() const { return blocks() / (group_blocks * group_blocks); }
+    /// The group of block (bx, by), and which of its blocks that is.
+    UniformGroup& group(int bx, int by) const {
+        const std::size_t per_row = std::size_t(side) / (block_side * group_blocks);
+        return uniform[std::size_t(by) / group_blocks * per_row + std::size_t(bx) / group_blocks];
+    }
+    static std::uint32_t in_group(int bx, int by) {
+        return std::uint32_t(by) % group_blocks * group_blocks + std::uint32_t(bx) % group_blocks;
     }
 };
 
@@ -90,8 +88,9 @@ private:
     std::vector<DepthBlock> depth_;
     std::vector<StencilBlock> stencil_;
     std::vector<AccumBlock> accum_;
-    std::vector<UniformBlock> uniform_;
+    std::vector<UniformGroup> uniform_;
     std::vector<UniformPlanes> has_uniform_;  ///< by tile
+    std::vector<HeldPlanes> held_;            ///< by tile
 };
 
 }  // namespace gw::fast

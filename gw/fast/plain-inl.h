@@ -140,7 +140,7 @@ HWY_NOINLINE void draw_unstenciled(const TileDraw& draw, const Triangles& t, std
                                    const BoxLanes& box, const Compare& passes, const Paint& paint,
                                    PlainCounts& sum) {
     const DepthPlane plane = Compare::tests ? depth_of(draw, t, i) : DepthPlane{};
-    DepthWalk walk{plane, 0, {}};
+    DepthWalk walk(plane);
     LaneCounter made, written;
     made.clear(), written.clear();
     Way::visit(box, t, i, walk,
@@ -174,7 +174,7 @@ HWY_NOINLINE void draw_stenciled(const TileDraw& draw, const Triangles& t, std::
                                  const Compare& passes, const Paint& paint, PlainCounts& sum) {
     const Resolved& r = draw.op->state;
     const DepthPlane plane = Compare::tests ? depth_of(draw, t, i) : DepthPlane{};
-    DepthWalk walk{plane, 0, {}};
+    DepthWalk walk(plane);
     PlainCounts counts;
     counts.clear();
     const StencilFace& face = t.corners.primitive[i]->front ? r.front : r.back;

@@ -31,7 +31,7 @@ void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, Op
     for (std::size_t i = 0; i < t.count(); ++i) {
         if (t.empty(i)) continue;
         const DepthPlane plane = depth_of(draw, t, i);
-        DepthWalk walk{plane, max_of_bits(draw.profile->depth_bits), {}};
+        DepthWalk walk(plane, max_of_bits(draw.profile->depth_bits));
         const auto paint = [&](int bx, int by, const LaneSet& lanes) {
             DepthBlock depth;
             walk.store(depth);
@@ -57,7 +57,8 @@ void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& c
 /// Draws the primitives of a bin in order.
 void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
     OpCounts counts;
-    const bool uniform = draws_uniform(*draw.op, bin), plain = is_plain(draw.op->state);
+    const bool uniform = draws_uniform(*draw.op, bin, draw.profile->subpixel_bits),
+               plain = is_plain(draw.op->state);
     if (!uniform) settle_tile(draw.tile, touched_planes(*draw.op));
     walk_bin(
         draw, bin,

@@ -15,18 +15,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Four rows of a tile's pixels, blocks side by side: the window's rows are written whole.
-template <class Pixel>
-struct Strip {
-    static constexpr std::ptrdiff_t width = 64;
-    alignas(64) Pixel pixels[block_side * width];
-
-    HWY_INLINE Pixel* block(int bx) { return pixels + bx * block_side; }
-    HWY_INLINE void put(int bx, const Pixel& value) {
-        for (int row = 0; row < block_side; ++row) std::fill_n(block(bx) + row * width, block_side, value);
-    }
-};
-
 #if HWY_MAX_BYTES >= 32
 
 /// A block's four rows, each in one vector.
@@ -85,6 +73,52 @@ HWY_INLINE void put_block(const ColorBlock& block, std::uint32_t* lowest, std::p
 HWY_INLINE Rgba pixel_of(const Rgba& color, const Rgba*) { return color; }
 HWY_INLINE std::uint32_t pixel_of(const Rgba& color, const std::uint32_t*) { return packed(color); }
 
+/// A block of one colour.
+template <class Pixel>
+HWY_INLINE void put_color(std::uint64_t color, Pixel* lowest, std::ptrdiff_t width) {
+    const Pixel pixel = pixel_of(std::bit_cast<Rgba>(color), lowest);
+    for (int row = 0; row < block_side; ++row) std::fill_n(lowest + row * width, block_side, pixel);
+}
+/// Four blocks side by side, each of one colour.
+template <class Pixel>
+HWY_INLINE void put_colors(const std::uint64_t* color, Pixel* lowest, std::ptrdiff_t width) {
+    for (int i = 0; i < group_blocks; ++i) put_color(color[i], lowest + i * block_side, width);
+}
+
+#if HWY_MAX_BYTES >= 64
+
+alignas(64) inline constexpr std::int32_t fourths[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+
+HWY_INLINE void put_colors(const std::uint64_t* color, std::uint32_t* lowest, std::ptrdiff_t width) {
+    const D32 d;
+    const hn::FixedTag<std::uint64_t, group_blocks> d64;
+    const hn::Repartition<std::uint16_t, decltype(d64)> d16;
+    const hn::FixedTag<std::uint8_t, block_pixels> d8;
+    const auto words = hn::TruncateTo(d8, hn::BitCast(d16, hn::Load(d64, color)));
+    alignas(16) std::uint32_t four[group_blocks];
+    hn::Store(hn::BitCast(hn::FixedTag<std::uint32_t, group_blocks>(), words),
+              hn::FixedTag<std::uint32_t, group_blocks>(), four);
+    const auto each = hn::SetTableIndices(d, fourths);
+    const auto line = hn::TableLookupLanes(hn::LoadDup128(d, four), each);
+    for (int row = 0; row < block_side; ++row) hn::StoreU(line, d, lowest + row * width);
+}
+
+#endif  // HWY_MAX_BYTES >= 64
+
+/// Four blocks side by side, of one group.
+template <class Pixel>
+HWY_INLINE void put_blocks(const Tile& tile, int x, int by, Pixel* lowest, std::ptrdiff_t width) {
+    const UniformGroup& group = tile.group(x, by);
+    const ColorBlock* block = &tile.color[tile.block(x, by)];
+    const std::uint32_t first = tile.in_group(x, by), one = group.one_color >> first & 0xF;
+    if (one == 0xF) return put_colors(group.color + first, lowest, width);
+    for (int i = 0; i < group_blocks; ++i) {
+        Pixel* to = lowest + i * block_side;
+        one >> i & 1 ? put_color(group.color[first + std::uint32_t(i)], to, width)
+                     : put_block(block[i], to, width);
+    }
+}
+
 /// Where the box's pixels go: a row of `width` after the other.
 template <class Pixel>
 struct Target {
@@ -97,31 +131,42 @@ struct Target {
                (read.tile.x + read.box.x0 - rect.x);
     }
     HWY_INLINE std::size_t width() const { return std::size_t(read.box.x1 - read.box.x0); }
-    /// Rows of the next strip, on their way to the cache while this one is made.
+    /// Rows on their way to the cache.
     HWY_INLINE void prefetch(int first, int end) const {
         for (int y = first; y < std::min(end, read.box.y1); ++y)
             for (std::size_t x = 0; x < width(); x += 64 / sizeof(Pixel)) hwy::Prefetch(row(y) + x);
     }
 };
 
+/// Four blocks side by side that the box cuts.
+template <class Pixel>
+HWY_NOINLINE void read_cut_blocks(const Target<Pixel>& target, int x, int by) {
+    constexpr int width = group_blocks * block_side;
+    alignas(64) Pixel pixels[block_side * width];
+    put_blocks(target.read.tile, x, by, pixels, width);
+    const BlockBox& box = target.read.box;
+    const int left = x * block_side, bottom = by * block_side;
+    const int x0 = std::max(box.x0, left), x1 = std::min(box.x1, left + width);
+    for (int y = std::max(box.y0, bottom); y < std::min(box.y1, bottom + block_side); ++y)
+        std::copy_n(pixels + (y - bottom) * width + (x0 - left), x1 - x0, target.row(y) + (x0 - box.x0));
+}
+
 template <class Pixel>
 HWY_INLINE void read_rows(const ReadColors& read, Pixel* out) {
+    constexpr int width = group_blocks * block_side;
     const BlockBox& box = read.box;
     const Target<Pixel> target{read, out};
-    Strip<Pixel> strip;
     for (int by = box.y0 / block_side; by * block_side < box.y1; ++by) {
-        const int end = (by + 1) * block_side;
+        const int bottom = by * block_side, end = bottom + block_side;
         target.prefetch(end, end + block_side);
-        for (int bx = box.x0 / block_side; bx * block_side < box.x1; ++bx) {
-            const std::size_t block = read.tile.block(bx, by);
-            const UniformBlock& uniform = read.tile.uniform[block];
-            if (uniform.one_color)
-                strip.put(bx, pixel_of(uniform.color, out));
+        for (int left = box.x0 / width * width; left < box.x1; left += width) {
+            const bool cut = left < box.x0 || left + width > box.x1 || bottom < box.y0 || end > box.y1;
+            if (cut)
+                read_cut_blocks(target, left / block_side, by);
             else
-                put_block(read.tile.color[block], strip.block(bx), strip.width);
+                put_blocks(read.tile, left / block_side, by, target.row(bottom) + (left - box.x0),
+                           read.rect.width);
         }
-        for (int y = std::max(box.y0, by * block_side); y < std::min(box.y1, end); ++y)
-            std::copy_n(strip.pixels + y % block_side * strip.width + box.x0, target.width(), target.row(y));
     }
 }
 

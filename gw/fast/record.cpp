@@ -66,7 +66,7 @@ void record_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, 
     for (std::size_t i = 0; i < t.count(); ++i) {
         if (t.empty(i)) continue;
         const DepthPlane plane = depth_of(draw, t, i);
-        DepthWalk walk{plane, max_of_bits(draw.profile->depth_bits), {}};
+        DepthWalk walk(plane, max_of_bits(draw.profile->depth_bits));
         const std::size_t before = record.blocks.size();
         LargeTriangle::visit(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
             const std::size_t block = draw.tile.block(bx, by);
@@ -127,7 +127,7 @@ template <class Way, class Paint>
 HWY_NOINLINE void draw_recording(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
                                  const Paint& paint, FragmentCount& count, LaneCounter& written) {
     const DepthPlane plane = depth_of(draw, t, i);
-    DepthWalk walk{plane, 0, {}};
+    DepthWalk walk(plane);
     Coverage& record = count.record;
     const bool ties_pass = draw.op->state.state.depth.func == DepthFunc::LEqual;
     const std::size_t before = record.blocks.size();

@@ -4,6 +4,7 @@
 
 #include "gw/arithmetic.h"
 #include "gw/fast/geometry.h"
+#include "gw/fast/tile_plane.h"
 
 #include <array>
 #include <bit>
@@ -13,14 +14,6 @@
 namespace gw::fast {
 
 __extension__ using int128 = __int128;
-
-/// V at pixel (i, j) of the tile is ((c + gx i + gy j) mod 2^64) >> 16, in as many bits as the value has.
-struct TilePlane {
-    std::uint64_t c = 0;
-    std::int64_t gx = 0, gy = 0;
-    bool sliver = false;  ///< the gradients are wrapped: the exact ones need more than 62 bits
-    bool operator==(const TilePlane&) const = default;
-};
 
 /// Nearest integer to num * 2^shift / den, ties to even. Double only guesses, integers decide.
 int128 exact_gradient(std::int64_t num, int shift, std::int64_t den);

@@ -1,5 +1,6 @@
-// The depth test over blocks that may have one depth: of no test, of a triangle that slopes, and of one that
-// does not, which leaves the blocks that it covers uniform. Does not paint. Included once per Highway target.
+// The depth test over blocks that may have one depth: of no test, and of a triangle that has one depth and
+// leaves the blocks that it covers uniform; of those that slope: gw/fast/sloping_depth-inl.h. Does not paint.
+// Included once per Highway target.
 #if defined(GW_FAST_UNIFORM_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_UNIFORM_DEPTH_INL_H_
 #undef GW_FAST_UNIFORM_DEPTH_INL_H_
@@ -7,77 +8,59 @@
 #define GW_FAST_UNIFORM_DEPTH_INL_H_
 #endif
 
-#include "gw/fast/plain-inl.h"
-#include "gw/fast/uniform-inl.h"
+#include "gw/fast/sloping_depth-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Each calls then(alive) with the lanes of a block that pass, a LaneSet or AllLanes, or not at all.
+/// some() calls then(alive) with those of a block's lanes that pass, or not at all; whole_blocks() tests
+/// blocks of a group, all lanes of each, and updates the depths of those that pass. What is unknown is to be
+/// tested lane by lane.
 struct WithoutDepth {
-    template <class Lanes, class Then>
-    HWY_INLINE void operator()(UniformBlock&, DepthBlock&, const Lanes& lanes, const Then& then) const {
+    template <class Then>
+    HWY_INLINE void some(int, int, const LaneSet& lanes, const Then& then) const {
         then(lanes);
     }
-};
-
-/// Of a triangle whose depth changes from pixel to pixel.
-template <class Compare>
-struct SlopingDepth {
-    const DepthWalk& walk;
-    const Compare passes;
-    const bool update;
-
-    template <class Lanes, class Then>
-    HWY_INLINE void operator()(UniformBlock& uniform, DepthBlock& block, const Lanes& lanes,
-                               const Then& then) const {
-        then(uniform.one_depth ? first(uniform, block, lanes)
-                               : run_depth(walk, passes, update, lanes, block));
-    }
-    /// run_depth() where all pixels of the block have one depth.
-    template <class Lanes>
-    HWY_INLINE LaneSet first(UniformBlock& uniform, DepthBlock& block, const Lanes& lanes) const {
-        const D32 d;
-        const auto stored = hn::Set(d, uniform.depth);
-        LaneSet alive;
-        for (std::size_t k = 0; k < parts; ++k) {
-            const auto z = walk.walk.at(k);
-            alive.part[k] = among(lanes, k, passes(z, stored));
-            if (update) hn::Store(hn::IfThenElse(alive.part[k], z, stored), d, block.value + k * lanes32);
-        }
-        uniform.one_depth = update ? 0 : 1;
-        return alive;
+    HWY_INLINE void start(int, int) const {}
+    HWY_INLINE GroupVerdicts whole_blocks(UniformGroup&, int, int, std::uint32_t blocks) const {
+        return {blocks, 0};
     }
 };
 
 /// Of a triangle that has one depth.
 template <class Compare>
 struct LevelDepth {
+    const Tile& tile;
     const std::uint32_t z;
     const Compare passes;
     const bool update;
 
     template <class Then>
-    HWY_INLINE void operator()(UniformBlock& uniform, DepthBlock& block, AllLanes, const Then& then) const {
-        if (!uniform.one_depth) return operator()(uniform, block, lane_set(all_lanes), then);
-        if (!passes.of_one(z, uniform.depth)) return;
-        if (update) uniform.depth = z;
-        then(AllLanes{});
-    }
-    template <class Then>
-    HWY_INLINE void operator()(UniformBlock& uniform, DepthBlock& block, const LaneSet& lanes,
-                               const Then& then) const {
+    HWY_INLINE void some(int bx, int by, const LaneSet& lanes, const Then& then) const {
         const D32 d;
-        if (uniform.one_depth && !passes.of_one(z, uniform.depth)) return;
-        if (update) settle_depth(uniform, block);
-        const LaneSet alive = uniform.one_depth ? lanes : compared(block, lanes);
+        UniformGroup& group = tile.group(bx, by);
+        const std::uint32_t i = tile.in_group(bx, by), bit = 1u << i;
+        DepthBlock& block = tile.depth[tile.block(bx, by)];
+        const bool one = (group.one_depth & bit) != 0;
+        if (one && !passes.of_one(z, group.depth[i])) return;
+        if (update || !one) settle_depth(tile, bx, by);
+        const LaneSet alive = one ? lanes : compared(block, lanes);
         if (update && alive.bits() == all_lanes)
-            uniform.depth = z, uniform.one_depth = 1;
+            group.depth[i] = z, group.one_depth = std::uint16_t(group.one_depth | bit);
         else if (update)
             for (std::size_t k = 0; k < parts; ++k)
                 store_lanes(hn::Set(d, z), alive.part[k], d, block.value + k * lanes32);
         then(alive);
     }
+    HWY_INLINE void start(int, int) const {}
+    HWY_INLINE GroupVerdicts whole_blocks(UniformGroup& group, int, int, std::uint32_t blocks) const {
+        const auto passing = [&](V32 stored) { return passes(hn::Set(D32(), z), stored); };
+        const std::uint32_t one = blocks & group.one_depth, pass = one & blocks_where(group, passing);
+        if (update && pass != 0) set_depths(group, pass, z);
+        return {pass, blocks & ~one};
+    }
+
+private:
     HWY_INLINE LaneSet compared(const DepthBlock& block, const LaneSet& lanes) const {
         const D32 d;
         LaneSet alive;

@@ -154,8 +154,9 @@ struct WidePlaneWalk : WideHalves<Linear> {
 struct DepthWalk {
     const DepthPlane& plane;
     std::uint32_t max_depth;
-    WidePlaneWalk walk;
+    WidePlaneWalk walk;  ///< not set before aim()
 
+    HWY_INLINE explicit DepthWalk(const DepthPlane& p, std::uint32_t max = 0) : plane(p), max_depth(max) {}
     HWY_INLINE void aim() { walk.aim(plane.plane); }
     HWY_INLINE void start(int bx, int by) { walk.start(bx, by); }
     HWY_INLINE void next_block() { walk.next_block(); }

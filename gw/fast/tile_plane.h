@@ -1,0 +1,16 @@
+// An integer plane, relative to a tile. docs/manual.md, "Planes": closed form modulo 2^64.
+#pragma once
+
+#include <cstdint>
+
+namespace gw::fast {
+
+/// V at pixel (i, j) of the tile is ((c + gx i + gy j) mod 2^64) >> 16, in as many bits as the value has.
+struct TilePlane {
+    std::uint64_t c = 0;
+    std::int64_t gx = 0, gy = 0;
+    bool sliver = false;  ///< the gradients are wrapped: the exact ones need more than 62 bits
+    bool operator==(const TilePlane&) const = default;
+};
+
+}  // namespace gw::fast

@@ -1,0 +1,118 @@
+// Blocks that hold the depth plane of the triangle that covers them: planes that differ by less than a unit,
+// by one, that cross, many of them, and depths at the ends of the range. The reference machine, which writes
+// every pixel, says what these are.
+#include "tests/gw/workbench.h"
+
+#include <cmath>
+
+namespace gw::test {
+namespace {
+
+constexpr int width = 128, height = 80;  ///< whole tiles, and some that the window cuts
+
+/// Two triangles over the window, of the depths at its lower left, lower right and upper left corner.
+void add_sheet(MeshData& data, double low, double right, double up) {
+    const std::vector<vec3> corner{
+        {0, 0, low}, {width, 0, right}, {width, height, right + up - low}, {0, height, up}};
+    for (const std::size_t i : {0, 1, 2, 0, 2, 3}) data.positions.push_back(corner[i]);
+}
+Draw sheet(double low, double right, double up) {
+    MeshData data = mesh_data(Primitive::Triangles, {});
+    add_sheet(data, low, right, up);
+    return {.mesh = make_mesh(std::move(data)), .id_base = std::uint32_t(0x10203 + low + 7 * right)};
+}
+
+State drawn(const Workbench& bench, DepthFunc func, bool mask, bool color) {
+    State state = bench.state;
+    state.depth = {true, func, mask};
+    state.color_source = ColorSource::PolygonId;
+    if (!color) state.color_mask = {false, false, false, false};
+    return state;
+}
+
+/// The sheets in turn; pixels are compared after the last.
+void draw_sheets(const Profile& profile, const std::vector<Draw>& sheets, DepthFunc func, bool mask,
+                 bool color) {
+    Workbench bench(profile, width, height);
+    CommandList list;
+    list.add(SetState{drawn(bench, DepthFunc::Always, true, true)});
+    list.add(Clear{.planes = all_planes, .color = vec4(0, 0, 1, 1), .depth = 0.5});
+    list.add(sheets.front());
+    list.add(SetState{drawn(bench, func, mask, color)});
+    for (std::size_t i = 1; i < sheets.size(); ++i) list.add(sheets[i]);
+    bench.run(list);
+    EXPECT_GT(bench.take_counters().fragments, 0u);  // compares
+}
+void draw_under_all_tests(const Profile& profile, const std::vector<Draw>& sheets) {
+    for (const DepthFunc func :
+         {DepthFunc::Never, DepthFunc::Less, DepthFunc::Equal, DepthFunc::LEqual, DepthFunc::Greater,
+          DepthFunc::NotEqual, DepthFunc::GEqual, DepthFunc::Always})
+        for (const bool mask : {false, true})
+            for (const bool color : {false, true}) {
+                SCOPED_TRACE(int(func));
+                draw_sheets(profile, sheets, func, mask, color);
+            }
+}
+
+TEST(HeldPlanes, OfTheSameDepthsAreEqual) {
+    draw_under_all_tests(vgx(), {sheet(1000, 3000, 1500), sheet(1000, 3000, 1500)});
+}
+
+TEST(HeldPlanes, DifferByPartsOfAUnit) {
+    const Draw stored = sheet(1000, 1037, 1011);
+    for (const Draw& incoming : {sheet(1000, 1037, 1012), sheet(1000, 1038, 1011), sheet(1001, 1037, 1011),
+                                 sheet(999, 1037, 1011), sheet(1000, 1036, 1012)})
+        draw_under_all_tests(vgx(), {stored, incoming});
+}
+
+TEST(HeldPlanes, DifferByAUnitOrTwo) {
+    const Draw stored = sheet(1000, 1037, 1011);
+    for (const int by : {-2, -1, 1, 2})
+        draw_under_all_tests(vgx(), {stored, sheet(1000 + by, 1037 + by, 1011 + by)});
+}
+
+TEST(HeldPlanes, Cross) {
+    draw_under_all_tests(vgx(), {sheet(1000, 9000, 1500), sheet(9000, 1000, 1500), sheet(1500, 1500, 9000),
+                                 sheet(1000, 9000, 1500)});
+    draw_under_all_tests(vgx(), {sheet(1000, 1200, 1500), sheet(1200, 1000, 1500)});
+}
+
+TEST(HeldPlanes, OfAllDepthsThereAre) {
+    for (const Profile& profile : {vgx(), ideal()}) {
+        const double far = std::ldexp(1.0, profile.depth_bits) - 1, half = std::floor(far / 2);
+        draw_under_all_tests(
+            profile, {sheet(0, half, half), sheet(half, 0, half), sheet(far, half, half), sheet(1, half, 2)});
+    }
+}
+
+TEST(HeldPlanes, UnderALevelOne) {
+    draw_under_all_tests(vgx(), {sheet(1000, 3000, 1500), sheet(1700, 1700, 1700), sheet(900, 3000, 1500)});
+}
+
+/// More than a tile holds, one above the other, in one mesh and in one each; then a part is cleared, and what
+/// lies over the clear is drawn again.
+TEST(HeldPlanes, ManyOfThem) {
+    Workbench bench(vgx(), width, height);
+    const State state = drawn(bench, DepthFunc::LEqual, true, true);
+    CommandList list;
+    list.add(SetState{state});
+    list.add(Clear{.planes = all_planes, .depth = 1});
+    MeshData data = mesh_data(Primitive::Triangles, {});
+    for (int i = 0; i < 300; ++i) add_sheet(data, 9000 - 3 * i, 9500 - 2 * i, 9000 - 3 * i);
+    list.add(Draw{.mesh = make_mesh(std::move(data)), .id_base = 5});
+    for (int i = 0; i < 300; ++i) list.add(sheet(8000 - 3 * i, 8500 - 2 * i, 8000));
+    State part = state;
+    part.scissor = {true, {10, 20, 70, 31}};
+    list.add(SetState{part});
+    list.add(Clear{.planes = all_planes, .depth = 1});
+    list.add(sheet(12000, 13000, 12500));
+    list.add(SetState{state});
+    list.add(sheet(11000, 12000, 13500));
+    list.add(Read{.key = 1, .plane = Plane::Depth, .rect = {0, 0, width, height}});
+    bench.run(list);
+    EXPECT_EQ(bench.readbacks().at(1).values[0], 7112u);  // 7103 + 799 / 256 + 897 / 160
+    EXPECT_GT(bench.readbacks().at(1).values[width * 30 + 40], 11000u);
+}
+
+}  // namespace
+}  // namespace gw::test
