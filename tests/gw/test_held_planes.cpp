@@ -19,7 +19,8 @@ void add_sheet(MeshData& data, double low, double right, double up) {
 Draw sheet(double low, double right, double up) {
     MeshData data = mesh_data(Primitive::Triangles, {});
     add_sheet(data, low, right, up);
-    return {.mesh = make_mesh(std::move(data)), .id_base = std::uint32_t(0x10203 + low + 7 * right)};
+    return {.mesh = make_mesh(std::move(data)),
+            .id_base = std::uint32_t(0x10203 + std::fmod(low + 7 * right, 65536))};
 }
 
 State drawn(const Workbench& bench, DepthFunc func, bool mask, bool color) {
