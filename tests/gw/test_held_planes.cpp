@@ -1,6 +1,7 @@
 // Blocks that hold the depth plane of the triangle that covers them: planes that differ by less than a unit,
 // by one, that cross, many of them, and depths at the ends of the range. The reference machine, which writes
 // every pixel, says what these are.
+#include "tests/fuzz/random.h"
 #include "tests/gw/workbench.h"
 
 #include <cmath>
@@ -113,6 +114,51 @@ TEST(HeldPlanes, ManyOfThem) {
     bench.run(list);
     EXPECT_EQ(bench.readbacks().at(1).values[0], 7112u);  // 7103 + 799 / 256 + 897 / 160
     EXPECT_GT(bench.readbacks().at(1).values[width * 30 + 40], 11000u);
+}
+
+/// A sheet whose depths lie near those of all others, or a triangle out of one.
+Draw any_sheet(fuzz::Random& r) {
+    const int reach = r.pick({1, 3, 40, 2000});
+    MeshData data = mesh_data(Primitive::Triangles, {});
+    const double low = 10000 + r.between(-reach, reach), right = 10000 + r.between(-reach, reach);
+    add_sheet(data, low, right, r.chance(20) ? low : 10000 + r.between(-reach, reach));
+    if (r.chance(40)) {
+        data.positions.resize(3);
+        for (vec3& p : data.positions)
+            p.x += float(r.between(-600, 600)) / 8, p.y += float(r.between(-600, 600)) / 8;
+    }
+    return {.mesh = make_mesh(std::move(data)), .id_base = r.bits(24)};
+}
+void change(fuzz::Random& r, State& state) {
+    state.depth = {true, r.chance(50) ? DepthFunc::Less : r.any(DepthFunc::Always), r.chance(80)};
+    state.blend = {r.chance(30), BlendFactor::One, BlendFactor::One};
+    const bool color = r.chance(60);
+    state.color_mask = {color, color, color, color};
+    state.scissor = {r.chance(20), {r.below(60), r.below(40), r.between(1, 90), r.between(1, 60)}};
+}
+
+TEST(HeldPlanes, AnySheets) {
+    for (std::uint64_t list_number = 0; list_number < 100; ++list_number) {
+        SCOPED_TRACE(list_number);
+        fuzz::Random r(fuzz::seed_of("held planes", list_number));
+        Profile profile = r.chance(50) ? vgx() : ideal();
+        profile.color_bits = profile.lit_bits = 8;  // for packed reads
+        Workbench bench(profile, width, height);
+        State state = drawn(bench, DepthFunc::Always, true, true);
+        CommandList list;
+        list.add(SetState{state});
+        list.add(Clear{.planes = all_planes, .depth = r.pick({0.0, 0.0006, 1.0})});
+        for (int i = 0; i < 12; ++i) {
+            change(r, state);
+            list.add(SetState{state});
+            if (r.chance(10)) list.add(Clear{.planes = all_planes, .depth = 0.0006});
+            if (r.chance(90)) list.add(any_sheet(r));
+            if (r.chance(10)) list.add(Read{.key = 1, .plane = Plane::Depth, .rect = {0, 0, width, height}});
+            if (r.chance(10)) list.add(Read{.key = 2, .rect = {3, 5, 101, 70}, .packed = true});
+        }
+        bench.run(list);
+        bench.readbacks();  // compares
+    }
 }
 
 }  // namespace
