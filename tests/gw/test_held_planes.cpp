@@ -84,6 +84,9 @@ TEST(HeldPlanes, OfAllDepthsThereAre) {
         const double far = std::ldexp(1.0, profile.depth_bits) - 1, half = std::floor(far / 2);
         draw_under_all_tests(
             profile, {sheet(0, half, half), sheet(half, 0, half), sheet(far, half, half), sheet(1, half, 2)});
+        const Draw level = sheet(half, half, half);
+        draw_under_all_tests(profile, {level, sheet(0, std::floor(half / 2), 7)});
+        draw_under_all_tests(profile, {level, sheet(far, far - 7, far - std::floor(half / 2))});
     }
 }
 
