@@ -58,7 +58,6 @@ struct Tile {
     std::size_t block(int bx, int by) const {
         return std::size_t(by) * std::size_t(side / block_side) + std::size_t(bx);
     }
-    std::size_t groups() const { return blocks() / (group_blocks * group_blocks); }
     /// The group of block (bx, by), and which of its blocks that is.
     UniformGroup& group(int bx, int by) const {
         const std::size_t per_row = std::size_t(side) / (block_side * group_blocks);
