@@ -40,23 +40,24 @@ void FacetScan::front(const Model& model, std::uint32_t number, const Homography
                              {facet.low.x, facet.high.x, pixmap.width},
                              {facet.low.y, facet.high.y, pixmap.height},
                              options.most_parts};
+    const std::uint32_t facet_pixel = pixel_of(number);
     const TexelSums sums{factors_.data(), pixmap.first, pixmap.whole ? nullptr : model.nearest.data()};
     for (std::size_t r = 0; r < region.spans.size(); ++r) {
         const int y = region.row + static_cast<int>(r);
         const std::size_t start = row_of(buffer, y);
         const Region::Span& span = region.spans[r];
-        find_pixels(&buffer.ids[start], span.first, span.end, number + 1, pixels_);
-        if (pixels_.count > 0) row(facet_map, buffer, number + 1, y, &deltas[start]);
+        find_pixels(&buffer.pixels[start], span.first, span.end, facet_pixel, pixels_);
+        if (pixels_.count > 0) row(facet_map, buffer, facet_pixel, y, &deltas[start]);
         if (boxes_.count >= enough) spread(facet_map, boxes_, sums);
     }
     spread(facet_map, boxes_, sums);
 }
 
-void FacetScan::row(const FacetMap& map, const IdBuffer& buffer, std::uint32_t id, int y,
+void FacetScan::row(const FacetMap& map, const IdBuffer& buffer, std::uint32_t facet_pixel, int y,
                     const double* deltas) {
     divided_.clear();
     parts_.count = 0;
-    if (find_footprints(map, y, deltas, pixels_, row_)) divide(buffer, id, y);
+    if (find_footprints(map, y, deltas, pixels_, row_)) divide(buffer, facet_pixel, y);
     find_parts(map, parts_);
     boxes_.make_room(row_.count + parts_.count);
     std::size_t next = 0;
@@ -69,16 +70,18 @@ void FacetScan::row(const FacetMap& map, const IdBuffer& buffer, std::uint32_t i
 }
 
 /// Pixels that cover more than a texel, and those at an end that may.
-void FacetScan::divide(const IdBuffer& buffer, std::uint32_t id, int y) {
+void FacetScan::divide(const IdBuffer& buffer, std::uint32_t facet_pixel, int y) {
     // Whether a pixel sees something else; beyond the face's border the facet goes on.
-    const std::uint32_t* const row = &buffer.ids[row_of(buffer, y)];
+    const std::uint32_t* const row = &buffer.pixels[row_of(buffer, y)];
     const std::uint32_t* const row_below = y > 0 ? row - buffer.size : nullptr;
     const std::uint32_t* const row_above = y + 1 < buffer.rows ? row + buffer.size : nullptr;
     for (std::size_t i = 0; i < pixels_.count; ++i) {
         const int x = pixels_.x[i], nx = pixels_.nx[i], ny = pixels_.ny[i];
         if (row_.cells[i] == 2) continue;
-        const bool left = x > 0 && row[x - 1] != id, right = x + 1 < buffer.size && row[x + 1] != id,
-                   below = row_below && row_below[x] != id, above = row_above && row_above[x] != id;
+        const bool left = x > 0 && row[x - 1] != facet_pixel,
+                   right = x + 1 < buffer.size && row[x + 1] != facet_pixel,
+                   below = row_below && row_below[x] != facet_pixel,
+                   above = row_above && row_above[x] != facet_pixel;
         if (nx * ny == 1 && !left && !right && !below && !above) continue;
         const Range columns = reach(nx, left, right), rows = reach(ny, below, above);
         parts_.make_room(static_cast<std::size_t>(columns.count()) * static_cast<std::size_t>(rows.count()));
@@ -122,7 +125,8 @@ void FacetScan::back(std::uint32_t facet, const IdBuffer& buffer, const Region& 
                      const std::vector<double>& deltas, double& sum) {
     for (std::size_t r = 0; r < region.spans.size(); ++r) {
         const std::size_t start = row_of(buffer, region.row + static_cast<int>(r));
-        find_pixels(&buffer.ids[start], region.spans[r].first, region.spans[r].end, facet + 1, pixels_);
+        find_pixels(&buffer.pixels[start], region.spans[r].first, region.spans[r].end, pixel_of(facet),
+                    pixels_);
         for (std::size_t i = 0; i < pixels_.count; ++i)
             sum += deltas[start + static_cast<std::size_t>(pixels_.x[i])];
     }

@@ -25,8 +25,9 @@ private:
     struct Divided {
         std::size_t pixel, first, end;
     };
-    void row(const FacetMap& map, const IdBuffer& buffer, std::uint32_t id, int y, const double* deltas);
-    void divide(const IdBuffer& buffer, std::uint32_t id, int y);
+    void row(const FacetMap& map, const IdBuffer& buffer, std::uint32_t facet_pixel, int y,
+             const double* deltas);
+    void divide(const IdBuffer& buffer, std::uint32_t facet_pixel, int y);
     void add_parts(const Divided& divided);
 
     std::span<double> factors_;

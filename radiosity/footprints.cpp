@@ -18,10 +18,10 @@ using V = hn::Vec<D>;
 inline V all(double v) { return hn::Set(D(), v); }
 inline V larger(V a, V b) { return hn::Max(hn::Abs(a), hn::Abs(b)); }
 
-void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t id, SeenPixels& found) {
+void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel, SeenPixels& found) {
     const hn::ScalableTag<std::int32_t> d;
     const int lanes = int(hn::Lanes(d));
-    const auto wanted = hn::Set(d, std::int32_t(id));
+    const auto wanted = hn::Set(d, std::int32_t(pixel));
     std::int32_t* const x = found.x.data();
     std::size_t count = 0;
     int i = first;
@@ -33,7 +33,7 @@ void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t id,
         count += hn::CountTrue(d, chosen);
     }
     for (; i < end; ++i)
-        if (row[i] == id) x[count++] = i;
+        if (row[i] == pixel) x[count++] = i;
     found.count = count;
 }
 
@@ -140,8 +140,8 @@ void Parts::make_room(std::size_t more) {
     inside.resize(2 * size);
 }
 
-void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t id, SeenPixels& found) noexcept {
-    HWY_DYNAMIC_DISPATCH(find_pixels)(row, first, end, id, found);
+void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel, SeenPixels& found) noexcept {
+    HWY_DYNAMIC_DISPATCH(find_pixels)(row, first, end, pixel, found);
 }
 
 bool find_footprints(const FacetMap& map, int y, const double* deltas, SeenPixels& pixels,

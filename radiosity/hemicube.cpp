@@ -1,7 +1,7 @@
 #include "radiosity/hemicube.h"
 
 #include "gw/elementary.h"
-#include "radiosity/identifiers.h"
+#include "radiosity/seen.h"
 #include "scene/draw_commands.h"
 
 #include <algorithm>
@@ -40,9 +40,9 @@ dmat4 after(const dmat4& eye_from_cube, const dmat4& cube_from_world) {
 /// A face's pixels for what the machine has read back of it, or lent for what it will read.
 void exchange(Machine& machine, std::uint32_t face, IdBuffer& buffer) {
     Readback read;
-    read.values.swap(buffer.ids);
+    read.values.swap(buffer.pixels);
     machine.exchange_readback(face, read);
-    buffer.ids.swap(read.values);
+    buffer.pixels.swap(read.values);
 }
 
 void take(Machine& machine, std::uint32_t face, std::size_t identifiers, int size, IdBuffer& buffer) {
@@ -50,7 +50,7 @@ void take(Machine& machine, std::uint32_t face, std::size_t identifiers, int siz
     buffer.size = size;
     buffer.rows = face == 0 ? size : size / 2;
     buffer.seen.assign(identifiers, 0);
-    identify(buffer.ids, buffer.seen.data());
+    mark_seen(buffer.pixels, buffer.seen.data());
 }
 
 }  // namespace

@@ -23,13 +23,16 @@ struct Hemicube {
 Hemicube hemicube_at(const dvec3& position, const dvec3& normal, double turn, double near_plane,
                      double far_plane, int size);
 
-/// The identifiers in the pixels of a face: facet + 1, 0 where nothing is. Rows from the bottom; of a side
-/// only those over the horizon.
+/// The pixels of a face, as the machine reads them back: packed colours, whose low 24 bits are the
+/// identifier, facet + 1, 0 where nothing is. Rows from the bottom; of a side only those over the horizon.
 struct IdBuffer {
     int size = 0, rows = 0;
-    std::vector<std::uint32_t> ids;
+    std::vector<std::uint32_t> pixels;
     std::vector<char> seen;  ///< by identifier: whether any pixel has it
 };
+/// A pixel that sees nothing, and one that sees a facet.
+inline constexpr std::uint32_t nothing = 0;
+constexpr std::uint32_t pixel_of(std::uint32_t facet) { return 0xFF000000 | (facet + 1); }
 using IdBuffers = std::array<IdBuffer, hemicube_faces>;
 
 /// Draws with a machine of its own, the fast one where none is given. Not for two threads at a time.

@@ -37,7 +37,7 @@ double escaping(const IdBuffers& buffers, const DeltaFormFactors& delta) {
         if (!buffers[face].seen[0]) continue;
         const std::vector<double>& pixels = face == 0 ? delta.top : delta.side;
         for (std::size_t i = 0; i < pixels.size(); ++i)
-            if (buffers[face].ids[i] == 0) sum += pixels[i];
+            if (buffers[face].pixels[i] == nothing) sum += pixels[i];
     }
     return sum;
 }

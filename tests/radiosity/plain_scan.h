@@ -25,7 +25,7 @@ public:
           nearest_(model.pixmaps[model.facets[number].pixmap].whole ? nullptr : model.nearest.data()),
           factors_(factors.data()),
           most_parts_(most_parts),
-          id_(number + 1),
+          pixel_(pixel_of(number)),
           buffer_(buffer) {}
 
     void pixel(int i, int j, double delta) const {
@@ -106,8 +106,8 @@ private:
     /// Whether that pixel sees something else; beyond the face's border the facet goes on.
     bool ends(int i, int j) const {
         if (i < 0 || j < 0 || i >= buffer_.size || j >= buffer_.rows) return false;
-        return buffer_.ids[static_cast<std::size_t>(j) * static_cast<std::size_t>(buffer_.size) +
-                           static_cast<std::size_t>(i)] != id_;
+        return buffer_.pixels[static_cast<std::size_t>(j) * static_cast<std::size_t>(buffer_.size) +
+                              static_cast<std::size_t>(i)] != pixel_;
     }
 
     /// An interval, as parts of it in `Count` texels, one after the other.
@@ -164,7 +164,7 @@ private:
     const std::uint32_t* const nearest_;  ///< null: every texel is an element
     double* const factors_;
     const int most_parts_;
-    const std::uint32_t id_;
+    const std::uint32_t pixel_;
     const IdBuffer& buffer_;
 };
 
@@ -187,7 +187,7 @@ inline void plain_scan(const Model& model, std::uint32_t pixmap, const Hemicube&
                     const int j = region.row + static_cast<int>(r);
                     const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(buffer.size) +
                                     static_cast<std::size_t>(i);
-                    if (buffer.ids[at] == number + 1)
+                    if (buffer.pixels[at] == pixel_of(number))
                         scan.pixel(i, j, (face == 0 ? delta.top : delta.side)[at]);
                 }
         }
