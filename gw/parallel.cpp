@@ -7,6 +7,10 @@
 #include <mutex>
 #include <new>
 
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
 #ifdef GW_THREADS_TBB
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -25,13 +29,30 @@ int hardware_threads() {
     return n > 0 ? static_cast<int>(n) : 1;
 }
 
-FloatEnvironment::FloatEnvironment() {
+namespace {
+
+/// Whether it is as programs begin, but for flags: saving and restoring takes as long as a small body.
+bool is_default_environment() {
+#ifdef __SSE2__
+    constexpr unsigned flags = 0x3F, initial = 0x1F80;
+    return (_mm_getcsr() & ~flags) == initial;
+#else
+    return false;
+#endif
+}
+
+}  // namespace
+
+FloatEnvironment::FloatEnvironment() : changed_(!is_default_environment()) {
     static_assert(sizeof(std::fenv_t) <= sizeof saved_);
+    if (!changed_) return;
     std::fegetenv(new (saved_) std::fenv_t);
     std::fesetenv(FE_DFL_ENV);
 }
 
-FloatEnvironment::~FloatEnvironment() { std::fesetenv(std::launder(reinterpret_cast<std::fenv_t*>(saved_))); }
+FloatEnvironment::~FloatEnvironment() {
+    if (changed_) std::fesetenv(std::launder(reinterpret_cast<std::fenv_t*>(saved_)));
+}
 
 namespace {
 

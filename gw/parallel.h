@@ -24,6 +24,7 @@ public:
     FloatEnvironment& operator=(const FloatEnvironment&) = delete;
 
 private:
+    bool changed_;
     alignas(16) unsigned char saved_[64];
 };
 

@@ -50,7 +50,7 @@ void take(Machine& machine, std::uint32_t face, std::size_t identifiers, int siz
     buffer.size = size;
     buffer.rows = face == 0 ? size : size / 2;
     buffer.seen.assign(identifiers, 0);
-    mark_seen(buffer.pixels, buffer.seen.data());
+    mark_seen(buffer.pixels, std::size_t(size), buffer.seen.data());
 }
 
 }  // namespace
@@ -80,6 +80,7 @@ HemicubePainter::HemicubePainter(std::unique_ptr<Machine> machine) : machine_(st
 
 void HemicubePainter::draw(const Model& model, const Hemicube& hemicube, IdBuffers& buffers) {
     CommandList list;
+    list.commands.reserve(hemicube_faces * (4 + model.joined.objects.size()));
     for (std::uint32_t face = 0; face < hemicube_faces; ++face) {
         const scene::View& view = hemicube.views[face];
         const int size = view.width, first_row = face == 0 ? 0 : size / 2;

@@ -123,6 +123,7 @@ CommandList id_pass(const Scene& scene, const View& view, const IdPass& options)
     state.scissor = options.scissor;
     state.clip_planes[0] = options.clip;
     CommandList list;
+    list.commands.reserve(3 + scene.objects.size());
     list.add(BeginPass{.name = "item buffer"});
     list.add(SetState{state});
     list.add(Clear{.planes = PlaneMask(mask_of(Plane::Color) | mask_of(Plane::Depth))});

@@ -1,8 +1,9 @@
-// bench_radiosity -o DIR: hemicubes per second against resolution, texels and polygons, on one thread, with
-// the exponents of growth; beside the same five ID buffers drawn and read back through llvmpipe, where OSMesa
-// is; and the Cornell box with 64 texels along a wall to 1 % unshot, with the shares of drawing and scanning.
-// Times are processor times, the least of interleaved repeats. Does not compare results.
+// bench_radiosity -o DIR: hemicubes per second against resolution, texels and polygons, with the exponents of
+// growth; beside the same five ID buffers drawn and read back through llvmpipe, where OSMesa is, with as many
+// threads as LP_NUM_THREADS says; and the Cornell box with 64 texels along a wall to 1 % unshot, with the
+// shares of drawing and scanning. Times are the least of interleaved repeats. Does not compare results.
 #include "gw/error.h"
+#include "gw/parallel.h"
 #include "image/output_set.h"
 #include "plot/plot.h"
 #include "radiosity/solver.h"
@@ -16,8 +17,8 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <memory>
 #include <optional>
 
@@ -27,6 +28,7 @@ namespace {
 struct Options {
     std::filesystem::path folder;
     int repeats = 5;
+    int threads = 1;
     bool cornell = false;
 };
 
@@ -51,9 +53,9 @@ scene::Scene box_with(int segments) {
 }
 
 double milliseconds(const auto& run) {
-    const std::clock_t begin = std::clock();
+    const auto begin = std::chrono::steady_clock::now();
     run();
-    return 1000.0 * double(std::clock() - begin) / CLOCKS_PER_SEC;
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
 /// Milliseconds for a hemicube.
@@ -63,12 +65,30 @@ struct Row {
     double llvmpipe = 1e9;            ///< drawn and read
 };
 
-Row measure(double x, int size, double texels, int segments, int repeats) {
+/// A painter for each thread, as FormFactors has them [F4].
+class Painters {
+public:
+    Painters(int size, int threads) : threads_(threads), buffers_(std::size_t(threads)) {
+        for (int i = 0; i < threads; ++i) all_.push_back(std::make_unique<radiosity::HemicubePainter>(size));
+    }
+    void draw(const radiosity::Model& model, const std::vector<radiosity::Hemicube>& cubes) {
+        parallel_for(cubes.size(), threads_, [&](std::size_t i, int worker) {
+            const auto w = std::size_t(worker);
+            all_[w]->draw(model, cubes[i], buffers_[w]);
+        });
+    }
+
+private:
+    int threads_;
+    std::vector<std::unique_ptr<radiosity::HemicubePainter>> all_;
+    std::vector<radiosity::IdBuffers> buffers_;
+};
+
+Row measure(double x, int size, double texels, int segments, const Options& options) {
     const radiosity::Model model = radiosity::make_model(box_with(segments), {.texels_per_unit = texels});
-    radiosity::FormFactors factors(model, {.hemicube = size, .threads = 1});
-    radiosity::HemicubePainter painter(size);
-    radiosity::IdBuffers buffers;
-    constexpr int at_once = 8;
+    radiosity::FormFactors factors(model, {.hemicube = size, .threads = options.threads});
+    Painters painters(size, options.threads);
+    constexpr int at_once = 32;
     std::vector<radiosity::ShootPoint> points;
     std::vector<radiosity::Hemicube> cubes;  // each from elsewhere, as a solution's are
     for (int k = 0; k < at_once; ++k) points.push_back({{0.01 * k, 1.9, 0}, {0, -1, 0}, 1.0 / at_once, 0.1});
@@ -79,17 +99,16 @@ Row measure(double x, int size, double texels, int segments, int repeats) {
     OpenGlHemicube peer(model, size);
 #endif
     Row row{.x = x};
-    for (int i = 0; i < repeats; ++i) {
-        row.drawn = std::min(row.drawn, milliseconds([&] {
-                                            for (int k = 0; k < at_once; ++k)
-                                                painter.draw(model, cubes[std::size_t(k)], buffers);
-                                        }) / at_once);
-        row.whole = std::min(row.whole, milliseconds([&] { factors.from_points(points, 0); }) / at_once);
+    const auto least = [&](double& best, const auto& run) {
+        best = std::min(best, milliseconds(run) / at_once);
+    };
+    for (int i = 0; i < options.repeats; ++i) {
+        least(row.drawn, [&] { painters.draw(model, cubes); });
+        least(row.whole, [&] { factors.from_points(points, 0); });
 #ifdef GW_WITH_OSMESA
-        row.llvmpipe = std::min(row.llvmpipe, milliseconds([&] {
-                                                  for (int k = 0; k < at_once; ++k)
-                                                      peer.draw(cubes[std::size_t(k)]);
-                                              }) / at_once);
+        least(row.llvmpipe, [&] {
+            for (const radiosity::Hemicube& cube : cubes) peer.draw(cube);
+        });
 #endif
     }
     return row;
@@ -100,7 +119,7 @@ void report(const std::string& name, const std::string& label, const std::vector
     plot::Plot plot{.title = "Time of a hemicube against " + label,
                     .command = "bench_radiosity -o " + options.folder.string(),
                     .x = {.label = label, .log = 2},
-                    .y = {.label = "milliseconds of processor time", .log = 10}};
+                    .y = {.label = "milliseconds", .log = 10}};
     fmt::print("\n{:<10}{:>10}{:>10}{:>14}{:>10}\n", name, "drawn", "whole", "llvmpipe", "ratio");
     for (const Row& r : rows) {
         const bool peer = r.llvmpipe < 1e9;
@@ -181,11 +200,11 @@ int run(const Options& options) {
         report(name, label, rows, options);
     };
     sweep("hemicube", "pixels across the hemicube", {32, 64, 128, 256, 512},
-          [&](int v) { return measure(v, v, 12, 4, options.repeats); });
+          [&](int v) { return measure(v, v, 12, 4, options); });
     sweep("texels", "texels", {4, 8, 16, 32, 64},
-          [&](int v) { return measure(28.0 * v * v, 128, v, 4, options.repeats); });
+          [&](int v) { return measure(28.0 * v * v, 128, v, 4, options); });
     sweep("polygons", "triangles", {4, 16, 64, 128},
-          [&](int v) { return measure(2.0 * v * v, 128, 12, v, options.repeats); });
+          [&](int v) { return measure(2.0 * v * v, 128, 12, v, options); });
     if (options.cornell) cornell();
     return 0;
 }
@@ -198,6 +217,8 @@ int main(int argc, char** argv) {
     CLI::App app{"Hemicubes per second, beside llvmpipe.\nExample: bench_radiosity -o hemicubes --cornell"};
     app.add_option("-o,--output", options.folder, "folder of plots and their numbers");
     app.add_option("--repeats", options.repeats, "timed repeats")->check(CLI::Range(1, 1000));
+    app.add_option("--threads", options.threads, "that draw, each its own hemicubes")
+        ->check(CLI::Range(1, 1024));
     app.add_flag("--cornell", options.cornell, "also the Cornell box to 1 % unshot");
     CLI11_PARSE(app, argc, argv);
     try {
