@@ -4,6 +4,7 @@
 
 #include "gw/command_list.h"
 #include "gw/counters.h"
+#include "gw/line_vector.h"
 #include "gw/planes.h"
 #include "gw/profile.h"
 
@@ -22,7 +23,7 @@ struct Readback {
     Plane plane = Plane::Color;
     Rect rect;
     std::vector<Rgba> color;
-    std::vector<std::uint32_t> values;  ///< depth, stencil or packed colour
+    LineVector<std::uint32_t> values;  ///< depth, stencil or packed colour
     std::vector<std::array<std::int32_t, 4>> accum;
     bool operator==(const Readback&) const = default;
 };

@@ -41,8 +41,10 @@ std::vector<std::uint32_t> count_fragments(Machine& machine, const Stage& stage,
     list.add(Read{.key = 0, .plane = Plane::Depth, .rect = window(stage)});
     list.add(Read{.key = 1, .plane = Plane::Stencil, .rect = window(stage)});
     machine.execute(list);
-    opaque = machine.readbacks().at(0).values;
-    return machine.readbacks().at(1).values;
+    const auto& depth = machine.readbacks().at(0).values;
+    const auto& counts = machine.readbacks().at(1).values;
+    opaque.assign(depth.begin(), depth.end());
+    return {counts.begin(), counts.end()};
 }
 
 /// Z of every pixel's fragment number `ordinal`: the stencil counts those before it.

@@ -27,7 +27,7 @@ Hemicube hemicube_at(const dvec3& position, const dvec3& normal, double turn, do
 /// identifier, facet + 1, 0 where nothing is. Rows from the bottom; of a side only those over the horizon.
 struct IdBuffer {
     int size = 0, rows = 0;
-    std::vector<std::uint32_t> pixels;
+    LineVector<std::uint32_t> pixels;
     std::vector<char> seen;  ///< by identifier: whether any pixel has it
 };
 /// A pixel that sees nothing, and one that sees a facet.

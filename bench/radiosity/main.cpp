@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 
@@ -88,7 +89,7 @@ Row measure(double x, int size, double texels, int segments, const Options& opti
     const radiosity::Model model = radiosity::make_model(box_with(segments), {.texels_per_unit = texels});
     radiosity::FormFactors factors(model, {.hemicube = size, .threads = options.threads});
     Painters painters(size, options.threads);
-    constexpr int at_once = 32;
+    constexpr int at_once = 32;  // four times what a solution draws before it scans
     std::vector<radiosity::ShootPoint> points;
     std::vector<radiosity::Hemicube> cubes;  // each from elsewhere, as a solution's are
     for (int k = 0; k < at_once; ++k) points.push_back({{0.01 * k, 1.9, 0}, {0, -1, 0}, 1.0 / at_once, 0.1});
@@ -117,7 +118,8 @@ Row measure(double x, int size, double texels, int segments, const Options& opti
 void report(const std::string& name, const std::string& label, const std::vector<Row>& rows,
             const Options& options) {
     plot::Plot plot{.title = "Time of a hemicube against " + label,
-                    .command = "bench_radiosity -o " + options.folder.string(),
+                    .command = fmt::format("bench_radiosity -o {} --threads {}", options.folder.string(),
+                                           options.threads),
                     .x = {.label = label, .log = 2},
                     .y = {.label = "milliseconds", .log = 10}};
     fmt::print("\n{:<10}{:>10}{:>10}{:>14}{:>10}\n", name, "drawn", "whole", "llvmpipe", "ratio");
@@ -193,6 +195,9 @@ void cornell() {
 }
 
 int run(const Options& options) {
+    const char* const workers = std::getenv("LP_NUM_THREADS");
+    fmt::print("threads: {}; llvmpipe's LP_NUM_THREADS: {}\n", options.threads,
+               workers ? workers : "not set");
     const auto sweep = [&](const std::string& name, const std::string& label, const std::vector<int>& values,
                            const auto& row) {
         std::vector<Row> rows;

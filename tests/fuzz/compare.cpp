@@ -10,8 +10,8 @@
 namespace gw::fuzz {
 namespace {
 
-template <typename T>
-std::optional<std::size_t> first_unequal(const std::vector<T>& a, const std::vector<T>& b) {
+template <typename Vector>
+std::optional<std::size_t> first_unequal(const Vector& a, const Vector& b) {
     if (a == b) return std::nullopt;
     if (a.size() != b.size()) return 0;
     for (std::size_t i = 0; i < a.size(); ++i)

@@ -105,7 +105,8 @@ TEST(ManualPixels, AReadbackIsExchangedForTheMemoryOfTheNext) {
         machine->exchange_readback(3, read);  // lends memory of another size
         machine->execute(list);
         machine->exchange_readback(3, read);
-        EXPECT_EQ(read.values, std::vector<std::uint32_t>(64, 255));
+        EXPECT_EQ(read.values, LineVector<std::uint32_t>(64, 255));
+        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(read.values.data()) % 64, 0u);
         EXPECT_EQ(read.rect, (Rect{0, 0, 8, 8}));
         machine->execute(list);
         EXPECT_EQ(machine->readbacks().at(3).values, read.values);

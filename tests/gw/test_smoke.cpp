@@ -134,8 +134,8 @@ TEST(Smoke, PixelRectanglesReadBack) {
     bench.run(Copy{Plane::Depth, {4, 4, 2, 2}, 5, 5});
     bench.run(Read{9, Plane::Depth, {4, 4, 3, 3}});
     bench.run(Read{10, Plane::Stencil, {4, 4, 2, 1}});
-    EXPECT_EQ(bench.readbacks().at(9).values, (std::vector<std::uint32_t>{1, 2, 0, 3, 1, 2, 0, 3, 4}));
-    EXPECT_EQ(bench.readbacks().at(10).values, (std::vector<std::uint32_t>{5, 6}));
+    EXPECT_EQ(bench.readbacks().at(9).values, (LineVector<std::uint32_t>{1, 2, 0, 3, 1, 2, 0, 3, 4}));
+    EXPECT_EQ(bench.readbacks().at(10).values, (LineVector<std::uint32_t>{5, 6}));
 }
 
 TEST(Smoke, ACopiedTextureIsLookedUp) {

@@ -79,8 +79,8 @@ TEST(UniformBlocks, AClearIsReadBeforeAnythingIsDrawn) {
     bench.clear(all_planes, vec4(1, 0, 1, 0), 0.5);
     bench.run(Read{.key = 1, .rect = {1, 1, 90, 70}, .packed = true});
     bench.run(Read{.key = 2, .plane = Plane::Depth, .rect = {1, 1, 90, 70}});
-    EXPECT_EQ(bench.readbacks().at(1).values, std::vector<std::uint32_t>(90 * 70, 0x00FF00FFu));
-    EXPECT_EQ(bench.readbacks().at(2).values, std::vector<std::uint32_t>(90 * 70, 0x800000u));
+    EXPECT_EQ(bench.readbacks().at(1).values, LineVector<std::uint32_t>(90 * 70, 0x00FF00FFu));
+    EXPECT_EQ(bench.readbacks().at(2).values, LineVector<std::uint32_t>(90 * 70, 0x800000u));
 }
 
 /// What a draw of one colour does with it.
