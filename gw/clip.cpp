@@ -80,7 +80,7 @@ void clip_plane(const std::vector<V>& in, const std::vector<double>& d, std::vec
     const std::size_t sides = in.size() < 3 ? in.size() - 1 : in.size();
     out.clear();
     for (std::size_t i = 0; i < in.size(); ++i) {
-        const std::size_t next = (i + 1) % in.size();
+        const std::size_t next = i + 1 < in.size() ? i + 1 : 0;
         if (d[i] >= 0) out.push_back(in[i]);
         if (i < sides && (d[i] >= 0) != (d[next] >= 0))
             crossing(in[i], in[next], d[i], d[next], out.emplace_back());

@@ -6,7 +6,8 @@ namespace gw {
 namespace {
 
 std::int64_t piece_area2(std::span<const SnappedPoint> p, std::size_t first, std::size_t k) {
-    return area2(p[first], p[(first + k) % p.size()], p[(first + k + 1) % p.size()]);
+    const auto at = [&](std::size_t i) { return p[i < p.size() ? i : i - p.size()]; };
+    return area2(p[first], at(first + k), at(first + k + 1));
 }
 
 bool turns_none_over(std::span<const SnappedPoint> p, std::size_t first, bool counter_clockwise) {

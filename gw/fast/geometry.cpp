@@ -2,8 +2,6 @@
 #include "gw/fast/geometry.h"
 
 #include "gw/fan.h"
-#include "gw/fast/project.h"
-#include "gw/window.h"
 
 #include <algorithm>
 #include <bit>
@@ -15,74 +13,24 @@ namespace gw::fast {
 namespace {
 
 struct Builder {
-    const Profile& profile;
-    VertexProgram program;
+    const Mesh& mesh;
+    const State& state;
+    const Projection& projection;
     GeometrySet& set;
     std::vector<Outcode> outcode{};
     PositionClipper clipper{};
     std::vector<SnappedPoint> fan_corners{};
+    bool filled = state.polygon_mode == PolygonMode::Fill;
+    std::array<bool, 2> culled{is_culled(state.cull, false), is_culled(state.cull, true)};  ///< back, front
 
-    const Mesh& mesh() const { return *program.draw->mesh; }
-    const State& state() const { return *program.state; }
-
-    /// The position part of run_vertex, made where it is to stand.
-    void position(std::uint32_t i, ClipPosition& v) const {
-        const dvec4 p_object(dvec3(mesh().data().positions[i]), 1);
-        v.clip = transform(program.clip_from_object, p_object);
-        if (any_user_plane) {
-            const dvec4 p_eye = transform(program.draw->eye_from_object, p_object);
-            for (std::size_t k = 0; k < max_clip_planes; ++k)
-                if (state().clip_planes[k].enable) v.distance[k] = dot4(state().clip_planes[k].plane, p_eye);
-        }
-    }
-
-    Outcode classify(const ClipPosition& v) const {
-        const dvec4& c = v.clip;
-        if (!(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && std::isfinite(c.w)))
-            return not_finite;
-        Outcode code = v.clip.w > 0 ? 0 : not_in_front;
-        for (int plane = 0; plane < clip_plane_count; ++plane)
-            if (!(clip_distance(v, plane, set.state.viewport) >= 0)) code |= 1u << plane;
-        return code;
-    }
-
-    void push_window(const ClipPosition& v) {
-        const WindowVertex p = to_window(v, set.state.viewport, state().depth_range, profile);
-        set.at.push_back({static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y), p.z});
-        set.w.push_back(p.w);
+    static bool is_culled(const CullState& cull, bool front) {
+        return cull.enable && (cull.face == Face::FrontAndBack || (cull.face == Face::Front) == front);
     }
 
     void push_vertices() {
-        const std::span<const vec3> positions(mesh().data().positions);
-        set.at.resize(positions.size()), set.w.resize(positions.size(), 1), outcode.resize(positions.size());
-        const Projection projection{program.clip_from_object, program.draw->eye_from_object,
-                                    set.state.viewport,       state().depth_range,
-                                    state().clip_planes,      profile};
-        for (std::size_t first = 0; first < positions.size(); first += project_batch) {
-            const auto batch = positions.subspan(first, std::min(project_batch, positions.size() - first));
-            const Projected projected = project(projection, batch);
-            for (std::size_t i = 0; i < batch.size(); ++i)
-                projected.made ? take(projected, i, first + i) : classify_vertex(std::uint32_t(first + i));
-        }
-    }
-
-    void take(const Projected& p, std::size_t i, std::size_t vertex) {
-        outcode[vertex] = p.outcode[i];
-        if (p.outcode[i] == 0) store_window(vertex, p.x[i], p.y[i], p.z[i], p.w[i]);
-    }
-
-    /// The scalar way.
-    void classify_vertex(std::uint32_t i) {
-        ClipPosition v;
-        position(i, v);
-        outcode[i] = classify(v);
-        if (outcode[i] != 0) return;
-        const WindowVertex p = to_window(v, set.state.viewport, state().depth_range, profile);
-        store_window(i, std::int32_t(p.x), std::int32_t(p.y), p.z, p.w);
-    }
-
-    void store_window(std::size_t i, std::int32_t x, std::int32_t y, std::uint32_t z, double w) {
-        set.at[i] = {x, y, z}, set.w[i] = w;
+        const std::span<const vec3> positions(mesh.data().positions);
+        set.at.resize(positions.size()), set.w.resize(positions.size()), outcode.resize(positions.size());
+        project(projection, {positions, outcode.data(), set.at.data(), set.w.data()});
     }
 
     SnappedPoint point(std::uint32_t v) const { return {set.at[v].x, set.at[v].y}; }
@@ -102,14 +50,16 @@ struct Builder {
         vertices.clear();
         Outcode any = 0;
         for (std::uint32_t k = 0; k < sides; ++k) {
-            position(corners[k], vertices.emplace_back());
+            place_position(projection, mesh.data().positions[corners[k]], vertices.emplace_back());
             any |= outcode[corners[k]];
         }
         const bool changed =
-            clipper.clip(set.state.viewport, std::min(std::countr_zero(any), clip_plane_count));
+            clipper.clip(projection.viewport, std::min(std::countr_zero(any), clip_plane_count));
         if (vertices.empty()) return false;
         out.first = std::uint32_t(set.at.size()), out.count = std::uint32_t(vertices.size());
-        for (const ClipPosition& v : vertices) push_window(v);
+        set.at.resize(out.first + out.count);
+        to_window(projection, vertices, &set.at[out.first]);
+        for (const ClipPosition& v : vertices) set.w.push_back(v.clip.w);
         set.counters.clipped += changed ? 1 : 0;
         Cut& kept = set.cuts.emplace_back();  // by members: a copy of `out` would wait for its parts
         for (std::size_t k = 0; k < 3; ++k) kept.vertex[k] = corners[k];
@@ -160,14 +110,10 @@ struct Builder {
             push_piece({at(0), at(k), at(k + 1)}, p, pieces.area2 > 0);
     }
 
-    static bool is_culled(const CullState& cull, bool front) {
-        return cull.enable && (cull.face == Face::FrontAndBack || (cull.face == Face::Front) == front);
-    }
-
     /// A triangle that no plane touches.
     void push_whole(const Triangle& t, std::uint32_t ordinal) {
         const std::int64_t area = area_of(t.vertex);
-        const bool front = (area > 0) == (state().cull.front == Winding::CCW);
+        const bool front = (area > 0) == (state.cull.front == Winding::CCW);
         if (area == 0 || culled[front]) {
             (area == 0 ? set.counters.degenerate : set.counters.culled) += 1;
             return;
@@ -188,7 +134,7 @@ struct Builder {
             return;
         }
         const Fan pieces = fan(t, piece);
-        const bool front = (pieces.area2 > 0) == (state().cull.front == Winding::CCW);
+        const bool front = (pieces.area2 > 0) == (state.cull.front == Winding::CCW);
         const bool drawn = pieces.area2 != 0 && !culled[front];
         (pieces.area2 == 0 ? set.counters.degenerate : drawn ? set.counters.drawn : set.counters.culled) += 1;
         if (piece.count != 0 && (!drawn || !filled)) drop(piece);
@@ -200,7 +146,7 @@ struct Builder {
     void push_outline(const Triangle& t, const SetupPrimitive& p) {
         for (std::size_t k = 0; k < 3; ++k) {
             if (!(t.edges >> k & 1)) continue;
-            if (state().polygon_mode == PolygonMode::Line)
+            if (state.polygon_mode == PolygonMode::Line)
                 push_line(t.vertex[k], t.vertex[(k + 1) % 3], p, false);
             else
                 push_point(t.vertex[k], p, false);
@@ -236,14 +182,10 @@ struct Builder {
         p.vertex = {v, v, v};
         if (left) set.primitives.push_back(p);
     }
-
-    bool any_user_plane = false;
-    bool filled = true;
-    std::array<bool, 2> culled{};  ///< back faces, front faces
 };
 
 void push_primitives(Builder& b) {
-    const Mesh& mesh = b.mesh();
+    const Mesh& mesh = b.mesh;
     b.set.primitives.reserve(mesh.triangles().size() + mesh.lines().size() + mesh.points().size());
     std::uint32_t ordinal = 0;
     for (const Triangle& t : mesh.triangles()) b.push_triangle(t, ordinal++);
@@ -273,17 +215,20 @@ void list_used_vertices(GeometrySet& set, std::uint32_t mesh_vertices) {
 
 void build(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile, int width,
            int height) {
-    Builder b{profile, vertex_program(state, draw, profile), set};
     set.state = resolve(state, profile, width, height);
-    for (const ClipPlane& plane : state.clip_planes) b.any_user_plane = b.any_user_plane || plane.enable;
-    b.filled = state.polygon_mode == PolygonMode::Fill;
-    b.culled = {Builder::is_culled(state.cull, false), Builder::is_culled(state.cull, true)};
+    const Projection projection{product(state.projection, draw.eye_from_object),
+                                draw.eye_from_object,
+                                set.state.viewport,
+                                state.depth_range,
+                                state.clip_planes,
+                                profile};
+    Builder b{*draw.mesh, state, projection, set};
     b.push_vertices();
     push_primitives(b);
     Counters& c = set.counters;
     c.draws = 1;
-    c.vertices = b.mesh().vertex_count();
-    c.primitives = b.mesh().triangles().size() + b.mesh().lines().size() + b.mesh().points().size();
+    c.vertices = b.mesh.vertex_count();
+    c.primitives = b.mesh.triangles().size() + b.mesh.lines().size() + b.mesh.points().size();
 }
 
 }  // namespace

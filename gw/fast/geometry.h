@@ -5,6 +5,7 @@
 
 #include "gw/counters.h"
 #include "gw/fast/frame.h"
+#include "gw/fast/project.h"
 #include "gw/resolve.h"
 #include "gw/vertex.h"
 
@@ -44,12 +45,6 @@ struct Cut {
     std::array<std::uint32_t, 3> vertex{};  ///< of the mesh
     std::uint32_t sides = 3;                ///< 3: triangle, 2: line
     std::uint32_t first = 0, count = 0;     ///< in the set's arrays
-};
-
-/// A vertex in the window: sub-pixels and depth units, together in memory.
-struct alignas(16) SnappedVertex {
-    std::int32_t x = 0, y = 0;
-    std::uint32_t z = 0;
 };
 
 /// From the least to the largest of several jitters, and none.

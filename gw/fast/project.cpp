@@ -9,10 +9,14 @@
 
 #include <hwy/highway.h>
 
+#include <cmath>
+
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
 #if HWY_HAVE_FLOAT64
+
+constexpr std::size_t most_lanes = 8;
 
 /// floor(v 2^s + 1/2) kept inside the guard band; to_integer() of gw/arithmetic.h puts NaN at the low end.
 inline V64 snapped(V64 v, int s) {
@@ -74,47 +78,97 @@ inline hn::Vec<U64> outcodes(const Projection& p, const Vec3& at, const ClipLane
     return hn::IfThenElse(hn::RebindMask(U64(), finite), out.bits, hn::Set(U64(), not_finite));
 }
 
-Projected project_all(const Projection& p, std::span<const vec3> positions) {
+/// Window coordinates of up to a vector of vertices.
+HWY_INLINE void put_window(const Projection& p, const ClipLanes& c, SnappedVertex* at, std::size_t count) {
     const D64 d;
     const double n = clamp01(p.depth_range.near_value), f = clamp01(p.depth_range.far_value);
-    alignas(64) std::uint64_t codes[project_batch];
-    alignas(64) double in[3][project_batch], x[project_batch], y[project_batch], z[project_batch],
-        w[project_batch];
-    for (std::size_t i = 0; i < project_batch; ++i)
-        for (int c = 0; c < 3; ++c) in[c][i] = positions[i < positions.size() ? i : 0][c];
-
-    Projected out;
-    for (std::size_t first = 0; first < project_batch; first += hn::Lanes(d)) {
-        const Vec3 at{hn::Load(d, in[0] + first), hn::Load(d, in[1] + first), hn::Load(d, in[2] + first)};
-        const dmat4& m = p.clip_from_object;
-        const ClipLanes c{row(m, 0, at), row(m, 1, at), row(m, 2, at), row(m, 3, at)};
-        hn::Store(outcodes(p, at, c), U64(), codes + first);
-
-        const auto window = [](V64 v, V64 by, double half, double center) {
-            return hn::Add(hn::Mul(hn::Div(v, by), all(half)), all(center));
-        };
-        hn::Store(
-            snapped(window(c.x, c.w, p.viewport.half_width, p.viewport.center_x), p.profile.subpixel_bits), d,
-            x + first);
-        hn::Store(
-            snapped(window(c.y, c.w, p.viewport.half_height, p.viewport.center_y), p.profile.subpixel_bits),
-            d, y + first);
-        hn::Store(quantized(window(c.z, c.w, (f - n) / 2, (f + n) / 2), p.profile.depth_bits), d, z + first);
-        hn::Store(c.w, d, w + first);
-    }
-    for (std::size_t i = 0; i < project_batch; ++i) {
-        out.x[i] = static_cast<std::int32_t>(x[i]), out.y[i] = static_cast<std::int32_t>(y[i]);
-        out.z[i] = static_cast<std::uint32_t>(static_cast<std::int64_t>(z[i]));
-        out.w[i] = w[i];
-        out.outcode[i] = static_cast<Outcode>(codes[i]);
-    }
-    out.made = true;
-    return out;
+    const auto window = [&](V64 v, double half, double center) {
+        return hn::Add(hn::Mul(hn::Div(v, c.w), all(half)), all(center));
+    };
+    const int bits = p.profile.subpixel_bits;
+    alignas(64) double x[most_lanes], y[most_lanes], z[most_lanes];
+    hn::Store(snapped(window(c.x, p.viewport.half_width, p.viewport.center_x), bits), d, x);
+    hn::Store(snapped(window(c.y, p.viewport.half_height, p.viewport.center_y), bits), d, y);
+    hn::Store(quantized(window(c.z, (f - n) / 2, (f + n) / 2), p.profile.depth_bits), d, z);
+    for (std::size_t i = 0; i < count; ++i)
+        at[i] = {static_cast<std::int32_t>(x[i]), static_cast<std::int32_t>(y[i]),
+                 static_cast<std::uint32_t>(static_cast<std::int64_t>(z[i]))};
 }
 
-#else  // no vectors of doubles here: every vertex goes the scalar way
+/// Component c of up to a vector of points; the first's again where there are no more.
+HWY_INLINE float component_of(const vec3& p, int c) { return p[c]; }
+HWY_INLINE double component_of(const ClipPosition& p, int c) { return p.clip[c]; }
+template <class Point>
+HWY_INLINE V64 component(std::span<const Point> points, int c) {
+    alignas(64) double values[most_lanes];
+    for (std::size_t i = 0; i < hn::Lanes(D64()); ++i)
+        values[i] = component_of(points[i < points.size() ? i : 0], c);
+    return hn::Load(D64(), values);
+}
 
-Projected project_all(const Projection&, std::span<const vec3>) { return {}; }
+void project_all(const Projection& p, const ProjectedVertices& v) {
+    const D64 d;
+    const dmat4& m = p.clip_from_object;
+    alignas(64) std::uint64_t codes[most_lanes];
+    alignas(64) double w[most_lanes];
+    for (std::size_t first = 0; first < v.positions.size(); first += hn::Lanes(d)) {
+        const std::size_t count = HWY_MIN(hn::Lanes(d), v.positions.size() - first);
+        const auto points = v.positions.subspan(first, count);
+        const Vec3 at{component(points, 0), component(points, 1), component(points, 2)};
+        const ClipLanes c{row(m, 0, at), row(m, 1, at), row(m, 2, at), row(m, 3, at)};
+        const auto outside = outcodes(p, at, c);
+        const auto drawable = hn::RebindMask(d, hn::Eq(outside, hn::Zero(U64())));
+        hn::Store(outside, U64(), codes);
+        hn::Store(hn::IfThenElse(drawable, c.w, all(1)), d, w);
+        put_window(p, c, v.at + first, count);
+        for (std::size_t i = 0; i < count; ++i) {
+            v.outcode[first + i] = static_cast<Outcode>(codes[i]);
+            v.w[first + i] = w[i];
+        }
+    }
+}
+
+void window_all(const Projection& p, std::span<const ClipPosition> vertices, SnappedVertex* at) {
+    for (std::size_t first = 0; first < vertices.size(); first += hn::Lanes(D64())) {
+        const auto points = vertices.subspan(first, HWY_MIN(hn::Lanes(D64()), vertices.size() - first));
+        put_window(p,
+                   {component(points, 0), component(points, 1), component(points, 2), component(points, 3)},
+                   at + first, points.size());
+    }
+}
+
+#else  // no vectors of doubles here
+
+Outcode outcode_of(const ClipPosition& v, const ViewportTransform& viewport) {
+    const dvec4& c = v.clip;
+    for (int i = 0; i < 4; ++i)
+        if (!std::isfinite(c[i])) return not_finite;
+    Outcode code = c.w > 0 ? 0 : not_in_front;
+    for (int plane = 0; plane < clip_plane_count; ++plane)
+        if (!(clip_distance(v, plane, viewport) >= 0)) code |= Outcode{1} << plane;
+    return code;
+}
+
+SnappedVertex snapped(const Projection& p, const ClipPosition& v) {
+    const WindowVertex at = gw::to_window(v, p.viewport, p.depth_range, p.profile);
+    return {std::int32_t(at.x), std::int32_t(at.y), at.z};
+}
+
+void project_all(const Projection& p, const ProjectedVertices& v) {
+    for (std::size_t i = 0; i < v.positions.size(); ++i) {
+        ClipPosition at;
+        place_position(p, v.positions[i], at);
+        v.outcode[i] = outcode_of(at, p.viewport);
+        v.w[i] = 1;
+        if (v.outcode[i] != 0) continue;
+        v.at[i] = snapped(p, at);
+        v.w[i] = at.clip.w;
+    }
+}
+
+void window_all(const Projection& p, std::span<const ClipPosition> vertices, SnappedVertex* at) {
+    for (std::size_t i = 0; i < vertices.size(); ++i) at[i] = snapped(p, vertices[i]);
+}
 
 #endif
 
@@ -125,9 +179,14 @@ HWY_AFTER_NAMESPACE();
 namespace gw::fast {
 
 HWY_EXPORT(project_all);
+HWY_EXPORT(window_all);
 
-Projected project(const Projection& projection, std::span<const vec3> positions) {
-    return HWY_DYNAMIC_DISPATCH(project_all)(projection, positions);
+void project(const Projection& projection, const ProjectedVertices& vertices) {
+    HWY_DYNAMIC_DISPATCH(project_all)(projection, vertices);
+}
+
+void to_window(const Projection& projection, std::span<const ClipPosition> vertices, SnappedVertex* at) {
+    HWY_DYNAMIC_DISPATCH(window_all)(projection, vertices, at);
 }
 
 }  // namespace gw::fast

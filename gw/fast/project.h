@@ -20,22 +20,37 @@ struct Projection {
     Profile profile;
 };
 
+/// The position part of run_vertex().
+inline void place_position(const Projection& projection, const vec3& position, ClipPosition& v) {
+    const dvec4 p_object(dvec3(position), 1);
+    v.clip = transform(projection.clip_from_object, p_object);
+    for (std::size_t k = 0; k < max_clip_planes; ++k)
+        if (projection.clip_planes[k].enable)
+            v.distance[k] =
+                dot4(projection.clip_planes[k].plane, transform(projection.eye_from_object, p_object));
+}
+
 /// Bit per clip plane that a vertex is outside of; the high bits reject it whatever the planes say. A vertex
 /// that is not finite has that bit alone.
 using Outcode = std::uint32_t;
 inline constexpr Outcode not_finite = 1u << 30, not_in_front = 1u << 31;
 
-inline constexpr std::size_t project_batch = 8;
-
-/// Up to project_batch vertices; x, y, z, w are right for those with outcode 0 only. Not made: there are no
-/// vectors of doubles.
-struct Projected {
-    bool made = false;
-    std::array<Outcode, project_batch> outcode{};
-    std::array<std::int32_t, project_batch> x{}, y{};
-    std::array<std::uint32_t, project_batch> z{};
-    std::array<double, project_batch> w{};
+/// A vertex in the window: sub-pixels and depth units, together in memory.
+struct alignas(16) SnappedVertex {
+    std::int32_t x = 0, y = 0;
+    std::uint32_t z = 0;
 };
-Projected project(const Projection& projection, std::span<const vec3> positions);
+
+/// Vertices of a mesh. Where the outcode is not 0, `at` is of no meaning and w is 1.
+struct ProjectedVertices {
+    std::span<const vec3> positions;
+    Outcode* outcode;
+    SnappedVertex* at;
+    double* w;
+};
+void project(const Projection& projection, const ProjectedVertices& vertices);
+
+/// Vertices that no plane cuts.
+void to_window(const Projection& projection, std::span<const ClipPosition> vertices, SnappedVertex* at);
 
 }  // namespace gw::fast
