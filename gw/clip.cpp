@@ -3,6 +3,7 @@
 
 #include "gw/arithmetic.h"
 
+#include <bit>
 #include <cmath>
 
 namespace gw {
@@ -89,7 +90,7 @@ void clip_plane(const std::vector<V>& in, const std::vector<double>& d, std::vec
 
 /// Leaves none where the whole is rejected; whether anything was cut. `d` and `left` are room.
 template <class V>
-bool clip_by_planes(std::vector<V>& vertices, const ViewportTransform& viewport, int first_plane,
+bool clip_by_planes(std::vector<V>& vertices, const ViewportTransform& viewport, std::uint32_t planes,
                     std::vector<double>& d, std::vector<V>& left) {
     const std::size_t least = vertices.size() < 3 ? vertices.size() : 3;
     const auto reject = [&](bool cut) {
@@ -99,7 +100,8 @@ bool clip_by_planes(std::vector<V>& vertices, const ViewportTransform& viewport,
     for (const V& v : vertices)
         if (!is_finite(v)) return reject(false);
     bool cut = false;
-    for (int plane = first_plane; plane < clip_plane_count; ++plane) {
+    for (; planes != 0; planes &= planes - 1) {
+        const int plane = std::countr_zero(planes);
         if (measure(vertices, plane, viewport, d)) continue;
         cut = true;
         clip_plane(vertices, d, left);
@@ -116,12 +118,12 @@ bool clip_by_planes(std::vector<V>& vertices, const ViewportTransform& viewport,
 Clipped clip(std::vector<Vertex> vertices, const ViewportTransform& viewport) {
     std::vector<double> d;
     std::vector<Vertex> left;
-    const bool cut = clip_by_planes(vertices, viewport, 0, d, left);
+    const bool cut = clip_by_planes(vertices, viewport, all_clip_planes, d, left);
     return {std::move(vertices), cut};
 }
 
-bool PositionClipper::clip(const ViewportTransform& viewport, int first_plane) {
-    return clip_by_planes(vertices, viewport, first_plane, distances, left);
+bool PositionClipper::clip(const ViewportTransform& viewport, std::uint32_t planes) {
+    return clip_by_planes(vertices, viewport, planes, distances, left);
 }
 
 }  // namespace gw

@@ -20,6 +20,7 @@ struct ViewportTransform {
 /// Signed distances to all planes in their fixed order: near, far, user 0 .. 5, guard left, right, bottom,
 /// top.
 inline constexpr int clip_plane_count = 2 + max_clip_planes + 4;
+inline constexpr std::uint32_t all_clip_planes = (1u << clip_plane_count) - 1;  ///< a bit each
 /// Distance of v to plane `i`; >= 0 is inside. A user plane that is off has every vertex inside.
 double clip_distance(const ClipPosition& v, int i, const ViewportTransform& viewport);
 
@@ -38,8 +39,8 @@ struct PositionClipper {
     std::vector<ClipPosition> vertices{}, left{};
     std::vector<double> distances{};
 
-    /// Whoever knows that all vertices are inside the first planes may begin after them.
-    bool clip(const ViewportTransform& viewport, int first_plane);
+    /// `planes`: a bit for each plane that some vertex may be outside of, or a new vertex come to be.
+    bool clip(const ViewportTransform& viewport, std::uint32_t planes);
 };
 
 /// I + t (O - I), t = dI / (dI - dO), I inside, O outside: both neighbours of an edge get the same bits.

@@ -12,6 +12,13 @@ namespace gw::fast {
 
 namespace {
 
+std::uint32_t planes_on(const std::array<ClipPlane, max_clip_planes>& user) {
+    std::uint32_t planes = all_clip_planes;
+    for (std::size_t k = 0; k < user.size(); ++k)
+        if (!user[k].enable) planes &= ~(4u << k);
+    return planes;
+}
+
 struct Builder {
     const Mesh& mesh;
     const State& state;
@@ -20,6 +27,7 @@ struct Builder {
     std::vector<Outcode> outcode{};
     PositionClipper clipper{};
     std::vector<SnappedPoint> fan_corners{};
+    std::uint32_t planes = planes_on(state.clip_planes);  ///< those that can cut
     bool filled = state.polygon_mode == PolygonMode::Fill;
     std::array<bool, 2> culled{is_culled(state.cull, false), is_culled(state.cull, true)};  ///< back, front
 
@@ -53,8 +61,8 @@ struct Builder {
             place_position(projection, mesh.data().positions[corners[k]], vertices.emplace_back());
             any |= outcode[corners[k]];
         }
-        const bool changed =
-            clipper.clip(projection.viewport, std::min(std::countr_zero(any), clip_plane_count));
+        // The planes before the first that cuts anything change nothing, nor do those that are off.
+        const bool changed = clipper.clip(projection.viewport, planes & ~((any & (0u - any)) - 1));
         if (vertices.empty()) return false;
         out.first = std::uint32_t(set.at.size()), out.count = std::uint32_t(vertices.size());
         set.at.resize(out.first + out.count);
