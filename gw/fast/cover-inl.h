@@ -18,6 +18,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
+/// Edge functions at the lowest pixels of 4x4 squares.
+struct SquareEdges {
+    alignas(64) std::uint32_t at[3][block_pixels];
+};
+
 /// A triangle's edge functions, moving with the blocks.
 struct EdgeWalk {
     Linear edge[3];
@@ -26,8 +31,8 @@ struct EdgeWalk {
         for (std::size_t k = 0; k < 3; ++k)
             edge[k].aim(std::uint32_t(e.c[k]), std::uint32_t(e.a[k]), std::uint32_t(e.b[k]));
     }
-    HWY_INLINE void start(int bx, int by) {
-        for (Linear& e : edge) e.start(bx, by);
+    HWY_INLINE void start_rows(int bx, int by) {
+        for (Linear& e : edge) e.start_rows(bx, by);
     }
     HWY_INLINE void next_block() {
         for (Linear& e : edge) e.next_block();
@@ -35,12 +40,24 @@ struct EdgeWalk {
     HWY_INLINE void next_row() {
         for (Linear& e : edge) e.next_row();
     }
-    /// Lanes whose centres are inside all three edges: no sign bit is set.
+    /// Lanes whose centres are inside all three edges.
     HWY_INLINE LaneSet covered() const {
+        return inside([&](std::size_t k, std::size_t part) { return edge[k].at[part]; });
+    }
+    /// The same wherever this stands: of a block among others, whose edge functions are known at its corner.
+    HWY_INLINE LaneSet covered(const SquareEdges& blocks, std::size_t block) const {
+        return inside([&](std::size_t k, std::size_t part) {
+            return hn::Add(hn::Set(D32(), blocks.at[k][block]), edge[k].lanes.lane[part]);
+        });
+    }
+
+private:
+    /// No sign bit is set.
+    HWY_INLINE static LaneSet inside(const auto& value) {
         const I32 d;
         LaneSet s;
         for (std::size_t i = 0; i < parts; ++i) {
-            const auto any = hn::Or(hn::Or(edge[0].at[i], edge[1].at[i]), edge[2].at[i]);
+            const auto any = hn::Or(hn::Or(value(0, i), value(1, i)), value(2, i));
             s.part[i] = hn::RebindMask(D32(), hn::Not(hn::Lt(hn::BitCast(d, any), hn::Zero(d))));
         }
         return s;
@@ -71,7 +88,7 @@ struct Extents {
 };
 
 /// Squares of `side` pixels, the first with its lowest pixel at (x, y) of the tile.
-HWY_INLINE Extents extents_of(const TileEdges& e, int x, int y, int side) {
+HWY_INLINE Extents extents_of(const TileEdges& e, int x, int y, int side, SquareEdges& edges) {
     const I32 d;
     Extents out{0, 0};
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
@@ -87,6 +104,7 @@ HWY_INLINE Extents extents_of(const TileEdges& e, int x, int y, int side) {
             const auto corner =
                 hn::Add(hn::Add(hn::Mul(hn::Set(d, e.a[k]), px), hn::Mul(hn::Set(d, e.b[k]), py)),
                         hn::Set(d, e.c[k]));
+            hn::Store(hn::BitCast(D32(), corner), D32(), edges.at[k] + i);
             most = hn::Or(most, hn::Add(corner, hn::Set(d, std::max(across, 0) + std::max(along, 0))));
             least = hn::Or(least, hn::Add(corner, hn::Set(d, std::min(across, 0) + std::min(along, 0))));
         }
@@ -131,7 +149,7 @@ HWY_INLINE void visit_full_block(const BoxLanes& box, int bx, int by, const Visi
 
 template <class Walk, class Visit>
 HWY_INLINE void visit_full_blocks(const BoxLanes& box, const BlockRange& r, Walk& walk, const Visit& visit) {
-    walk.start(r.x0, r.y0);
+    walk.start_rows(r.x0, r.y0);
     for (int by = r.y0; by <= r.y1; ++by, walk.next_row())
         for (int bx = r.x0; bx <= r.x1; ++bx, walk.next_block()) visit_full_block(box, bx, by, visit);
 }
@@ -155,7 +173,7 @@ HWY_INLINE void visit_full_group(const BoxLanes& box, int x, int y, Walk& walk, 
 template <class Walk, class Visit>
 HWY_INLINE void visit_covered_blocks(const BoxLanes& box, EdgeWalk& edge, const BlockRange& r, Walk& walk,
                                      const Visit& visit) {
-    edge.start(r.x0, r.y0), walk.start(r.x0, r.y0);
+    edge.start_rows(r.x0, r.y0), walk.start_rows(r.x0, r.y0);
     for (int by = r.y0; by <= r.y1; ++by, edge.next_row(), walk.next_row())
         for (int bx = r.x0; bx <= r.x1; ++bx, edge.next_block(), walk.next_block()) {
             LaneSet lanes = edge.covered();
@@ -166,8 +184,9 @@ HWY_INLINE void visit_covered_blocks(const BoxLanes& box, EdgeWalk& edge, const 
 
 /// Of a group that the triangle's border crosses, the blocks that it may touch: `blocks`, one bit each.
 template <class Walk, class Visit>
-HWY_INLINE void visit_blocks(const BoxLanes& box, EdgeWalk& edge, int x, int y, std::uint32_t blocks,
-                             std::uint32_t full, Walk& walk, const Visit& visit) {
+HWY_INLINE void visit_blocks(const BoxLanes& box, const EdgeWalk& edge, const SquareEdges& edges, int x,
+                             int y, std::uint32_t blocks, std::uint32_t full, Walk& walk,
+                             const Visit& visit) {
     if constexpr (TakesGroups<Visit>) {
         if ((blocks & full) != 0 && box.has_group(x, y))
             visit.whole_blocks(x, y, blocks & full), blocks &= ~full;
@@ -179,8 +198,7 @@ HWY_INLINE void visit_blocks(const BoxLanes& box, EdgeWalk& edge, int x, int y, 
             visit_full_block(box, bx, by, visit);
             continue;
         }
-        edge.start(bx, by);
-        LaneSet lanes = edge.covered();
+        LaneSet lanes = edge.covered(edges, std::size_t(i));
         box.cut(bx, by, lanes);
         if (lanes.none()) continue;
         walk.start(bx, by);
@@ -194,7 +212,8 @@ template <class Walk, class Visit>
 HWY_INLINE void visit_groups(const BoxLanes& box, const TileEdges& edges, EdgeWalk& edge,
                              const BlockRange& all, Walk& walk, const Visit& visit) {
     constexpr int group_side = group_blocks * block_side;
-    const Extents groups = extents_of(edges, 0, 0, group_side);
+    SquareEdges squares;
+    const Extents groups = extents_of(edges, 0, 0, group_side, squares);
     const std::uint32_t touched = all.squares(0, 0, group_blocks) & ~groups.outside;
     if constexpr (!TakesGroups<Visit>) {
         if ((touched & ~groups.inside) == 0 && touched == all.squares(0, 0, group_blocks))
@@ -206,8 +225,9 @@ HWY_INLINE void visit_groups(const BoxLanes& box, const TileEdges& edges, EdgeWa
             visit_full_group(box, x, y, walk, visit);
             continue;
         }
-        const Extents blocks = extents_of(edges, x * block_side, y * block_side, block_side);
-        visit_blocks(box, edge, x, y, all.squares(x, y, 1) & ~blocks.outside, blocks.inside, walk, visit);
+        const Extents blocks = extents_of(edges, x * block_side, y * block_side, block_side, squares);
+        visit_blocks(box, edge, squares, x, y, all.squares(x, y, 1) & ~blocks.outside, blocks.inside, walk,
+                     visit);
     }
 }
 

@@ -103,7 +103,7 @@ struct LinearLanes {
     }
 };
 
-/// The same at a block that moves: aimed once, started at any block.
+/// The same at a block that moves: aimed once, started at any block; from a range's first block on by steps.
 struct Linear {
     LinearLanes lanes;
     V32 at[parts], row[parts], right, up;
@@ -114,6 +114,9 @@ struct Linear {
         right = hn::Set(d, gx * std::uint32_t(block_side)), up = hn::Set(d, gy * std::uint32_t(block_side));
     }
     HWY_INLINE void start(int bx, int by) {
+        for (std::size_t i = 0; i < parts; ++i) at[i] = lanes.at(bx, by, i);
+    }
+    HWY_INLINE void start_rows(int bx, int by) {
         for (std::size_t i = 0; i < parts; ++i) at[i] = row[i] = lanes.at(bx, by, i);
     }
     HWY_INLINE void next_block() {
@@ -143,6 +146,7 @@ struct WidePlaneLanes : WideHalves<LinearLanes> {
 };
 struct WidePlaneWalk : WideHalves<Linear> {
     HWY_INLINE void start(int bx, int by) { high.start(bx, by), low.start(bx, by); }
+    HWY_INLINE void start_rows(int bx, int by) { high.start_rows(bx, by), low.start_rows(bx, by); }
     HWY_INLINE void next_block() { high.next_block(), low.next_block(); }
     HWY_INLINE void next_row() { high.next_row(), low.next_row(); }
     HWY_INLINE V32 at(std::size_t part) const {
@@ -159,6 +163,7 @@ struct DepthWalk {
     HWY_INLINE explicit DepthWalk(const DepthPlane& p, std::uint32_t max = 0) : plane(p), max_depth(max) {}
     HWY_INLINE void aim() { walk.aim(plane.plane); }
     HWY_INLINE void start(int bx, int by) { walk.start(bx, by); }
+    HWY_INLINE void start_rows(int bx, int by) { walk.start_rows(bx, by); }
     HWY_INLINE void next_block() { walk.next_block(); }
     HWY_INLINE void next_row() { walk.next_row(); }
     HWY_INLINE void store(DepthBlock& out) const {
@@ -171,6 +176,7 @@ struct DepthWalk {
 struct Standing {
     HWY_INLINE void aim() {}
     HWY_INLINE void start(int, int) {}
+    HWY_INLINE void start_rows(int, int) {}
     HWY_INLINE void next_block() {}
     HWY_INLINE void next_row() {}
 };
