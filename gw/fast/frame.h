@@ -56,7 +56,7 @@ struct Tile {
 
     std::size_t blocks() const { return block(0, side / block_side); }
     std::size_t block(int bx, int by) const {
-        return std::size_t(by) * std::size_t(side / block_side) + std::size_t(bx);
+        return std::size_t(by) * (std::size_t(side) / block_side) + std::size_t(bx);
     }
     /// The group of block (bx, by), and which of its blocks that is.
     UniformGroup& group(int bx, int by) const {

@@ -73,24 +73,28 @@ struct FlatPaint {
     HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
         const std::uint32_t mask = alive.bits();
         if (mask == all_lanes) return operator()(bx, by, AllLanes{});
-        if (mask == 0) return;
-        const D16 d;
-        ColorBlock& stored = store.tile.color[store.tile.block(bx, by)];
-        for (std::size_t i = 0; i < block_pixels; i += lanes16) {
-            const auto lanes = lanes_of(d, mask, i);
-            for (std::size_t c = 0; c < 4; ++c) {
-                std::uint16_t* to = stored.channel[c] + i;
-                store_lanes(store.result(d, hn::Load(d, color.channel[c] + i), to), lanes, d, to);
-            }
-        }
+        if (mask != 0) some(bx, by, mask);
     }
-    /// All 16 pixels, four channels in a row.
+    /// Four channels in a row, which have the same lanes.
+    HWY_INLINE void some(int bx, int by, std::uint32_t mask) const {
+        const hn::CappedTag<std::uint16_t, 32> d;
+        for_each_vector(bx, by, [&](std::size_t i, auto result, std::uint16_t* to) {
+            store_lanes(result, lanes_of(d, mask | mask << block_pixels, i % block_pixels), d, to);
+        });
+    }
     HWY_INLINE void operator()(int bx, int by, AllLanes) const {
+        const hn::CappedTag<std::uint16_t, 32> d;
+        for_each_vector(bx, by,
+                        [&](std::size_t, auto result, std::uint16_t* to) { hn::Store(result, d, to); });
+    }
+
+private:
+    HWY_INLINE void for_each_vector(int bx, int by, const auto& put) const {
         const hn::CappedTag<std::uint16_t, 32> d;
         const std::uint16_t* from = color.channel[0];
         std::uint16_t* to = store.tile.color[store.tile.block(bx, by)].channel[0];
         for (std::size_t i = 0; i < 4 * block_pixels; i += hn::Lanes(d))
-            hn::Store(store.result(d, hn::Load(d, from + i), to + i), d, to + i);
+            put(i, store.result(d, hn::Load(d, from + i), to + i), to + i);
     }
 };
 

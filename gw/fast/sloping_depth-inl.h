@@ -109,9 +109,14 @@ struct SlopingDepth {
         UniformGroup& group = tile.group(bx, by);
         const std::uint32_t i = tile.in_group(bx, by);
         DepthBlock& block = tile.depth[tile.block(bx, by)];
-        if (group.one_depth >> i & 1) return then(first(group, i, block, lanes));
-        if (group.one_plane >> i & 1) settle_depth(tile, bx, by);
-        then(run_depth(walk, passes, update, lanes, block));
+        LaneSet alive;
+        if (group.one_depth >> i & 1) {
+            alive = first(group, i, block, lanes);
+        } else {
+            if (group.one_plane >> i & 1) settle_depth(tile, bx, by);
+            alive = run_depth(walk, passes, update, lanes, block);
+        }
+        then(alive);
     }
     HWY_INLINE void start(int bx, int by) const { walk.start(bx, by); }
 

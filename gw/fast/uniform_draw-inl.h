@@ -65,7 +65,7 @@ struct OneColor {
         if (mask == all_lanes) return whole_blocks(tile.group(bx, by), bx, by, 1u << tile.in_group(bx, by));
         if (mask == 0) return;
         settle_color(tile, bx, by);
-        paint(bx, by, alive);
+        paint.some(bx, by, mask);
     }
     /// Blocks of a group: what one colour is stored over or added to stays one colour.
     HWY_INLINE void whole_blocks(UniformGroup& group, int bx, int by, std::uint32_t blocks) const {
