@@ -96,21 +96,26 @@ HWY_NOINLINE void add_anywhere(const Shares& shares, std::size_t lane, int cells
         }
 }
 
+inline void add(const Shares& shares, std::size_t lane, int cells, const FacetMap& map,
+                const TexelSums& sums) {
+    if (shares.inside[lane] == 3)
+        add_inside<3>(shares, lane, map.u.count, sums);
+    else if (shares.inside[lane] == 2)
+        add_inside<2>(shares, lane, map.u.count, sums);
+    else
+        add_anywhere(shares, lane, cells, map, sums);
+}
+
+/// Shares first, of some vectors: a division takes as long as many additions, and waits for none of them.
 void spread(const FacetMap& map, const Boxes& boxes, const TexelSums& sums) {
+    constexpr std::size_t vectors = 8;
     const std::size_t lanes = hn::Lanes(D());
-    const std::ptrdiff_t width = map.u.count;
-    Shares shares;
-    for (std::size_t i = 0; i < boxes.count; i += lanes) {
-        share(map, boxes, i, shares);
-        const std::size_t end = boxes.count - i < lanes ? boxes.count - i : lanes;
-        for (std::size_t lane = 0; lane < end; ++lane) {
-            if (shares.inside[lane] == 3)
-                add_inside<3>(shares, lane, width, sums);
-            else if (shares.inside[lane] == 2)
-                add_inside<2>(shares, lane, width, sums);
-            else
-                add_anywhere(shares, lane, boxes.cells[i + lane], map, sums);
-        }
+    Shares shares[vectors];
+    for (std::size_t first = 0; first < boxes.count; first += vectors * lanes) {
+        const std::size_t end = HWY_MIN(boxes.count, first + vectors * lanes);
+        for (std::size_t i = first; i < end; i += lanes) share(map, boxes, i, shares[(i - first) / lanes]);
+        for (std::size_t i = first; i < end; ++i)
+            add(shares[(i - first) / lanes], (i - first) % lanes, boxes.cells[i], map, sums);
     }
 }
 
