@@ -2,6 +2,7 @@
 #include "gw/machine.h"
 
 #include "gw/fog.h"
+#include "gw/parallel.h"
 #include "gw/reference/draw.h"
 #include "gw/reference/make.h"
 #include "gw/reference/pixels.h"
@@ -19,6 +20,7 @@ public:
         : profile_(profile), observer_(observer), planes_(width, height) {}
 
     void execute(const CommandList& list) override {
+        const FloatEnvironment environment;
         validate(list, profile_, planes_.width, planes_.height, {state_, slot_planes_});
         for (std::size_t i = 0; i < list.commands.size(); ++i) {
             if (observer_) observer_->begin_command(i);

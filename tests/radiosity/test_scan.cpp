@@ -2,12 +2,14 @@
 #include "gw/fast/kernels.h"
 #include "plain_scan.h"
 #include "radiosity/form_factors.h"
+#include "radiosity/seen.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
+#include <random>
 
 namespace gw::radiosity {
 namespace {
@@ -137,6 +139,28 @@ TEST(Scan, IsThePlainOneToTheBitOnEveryVectorTarget) {
             fast::use_simd_target("");
         }
     }
+}
+
+// Identifiers in runs and alone, in rows and buffers of any length; whatever alpha is.
+TEST(Seen, HasTheIdentifiersThatAreThere) {
+    for (const std::string& target : fast::simd_targets()) {
+        ASSERT_TRUE(fast::use_simd_target(target));
+        std::minstd_rand random(1);
+        for (int round = 0; round < 400; ++round) {
+            const std::size_t row = 1 + random() % 40, rows = 1 + random() % 6;
+            std::vector<std::uint32_t> pixels;
+            std::vector<char> expected(50), seen(50);
+            while (pixels.size() < row * rows) {
+                const std::uint32_t id = random() % 50;
+                const std::size_t run = std::min(1 + random() % 30, row * rows - pixels.size());
+                pixels.insert(pixels.end(), run, 0xFF000000 | id);
+                expected[id] = 1;
+            }
+            mark_seen(pixels, row, seen.data());
+            ASSERT_EQ(seen, expected) << target << ", round " << round;
+        }
+    }
+    fast::use_simd_target("");
 }
 
 TEST(Scan, BacksAreSeenAndAreNoSurface) {
