@@ -187,8 +187,8 @@ void cornell() {
     const radiosity::Model& model = solver.model();
     const Shares shares = shares_of(model);
     fmt::print(
-        "\nCornell box, {} texels, {} patches, to 1 % unshot: {} shots, {} hemicubes of 128, {:.1f} s of "
-        "processor time\n  drawing {:.0f} %, scanning and summing {:.0f} %, the rest {:.0f} %\n",
+        "\nCornell box, {} texels, {} patches, to 1 % unshot: {} shots, {} hemicubes of 128, {:.1f} s on "
+        "one thread\n  drawing {:.0f} %, scanning and summing {:.0f} %, the rest {:.0f} %\n",
         model.texel_count(), model.patches.size(), solver.solution().shots, hemicubes, all / 1000,
         100 * shares.drawn * hemicubes / all, 100 * (shares.whole - shares.drawn) * hemicubes / all,
         100 - 100 * shares.whole * hemicubes / all);
