@@ -7,7 +7,7 @@
 #include <mutex>
 #include <new>
 
-#ifdef __SSE2__
+#ifdef __SSE2_MATH__
 #include <xmmintrin.h>
 #endif
 
@@ -31,9 +31,10 @@ int hardware_threads() {
 
 namespace {
 
-/// Whether it is as programs begin, but for flags: saving and restoring takes as long as a small body.
+/// Whether it is as programs begin, but for flags, where one register says so: saving and restoring takes as
+/// long as a small body.
 bool is_default_environment() {
-#ifdef __SSE2__
+#ifdef __SSE2_MATH__
     constexpr unsigned flags = 0x3F, initial = 0x1F80;
     return (_mm_getcsr() & ~flags) == initial;
 #else
