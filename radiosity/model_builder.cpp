@@ -116,6 +116,9 @@ std::uint32_t ModelBuilder::add_shared_pixmap() {
 }
 
 void ModelBuilder::add_facet(Facet facet, const std::vector<std::uint32_t>& triangles, std::uint32_t figure) {
+    constexpr std::size_t most = (1 << 24) - 1;  // 0 is a pixel that sees none
+    if (model.facets.size() == most)
+        throw Error(fmt::format("more than {} facets; an ID buffer tells no more apart", most));
     const auto number = static_cast<std::uint32_t>(model.facets.size());
     facet.figure = figure;
     facet.pixmap = model.figures[figure].pixmap;
