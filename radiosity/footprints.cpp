@@ -140,7 +140,8 @@ void Parts::make_room(std::size_t more) {
     inside.resize(2 * size);
 }
 
-void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel, SeenPixels& found) noexcept {
+void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel,
+                 SeenPixels& found) noexcept {
     HWY_DYNAMIC_DISPATCH(find_pixels)(row, first, end, pixel, found);
 }
 

@@ -29,7 +29,8 @@ struct SeenPixels {
 };
 
 /// x and count: those of row[first .. end - 1] that are `pixel`.
-void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel, SeenPixels& found) noexcept;
+void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel,
+                 SeenPixels& found) noexcept;
 
 /// nx, ny, and the box of each pixel, or where it is to be divided, of one of its parts, about the pixel's
 /// middle; with its delta form factor. y: the row, whose `deltas` these are. `boxes` is overwritten, and has
