@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <utility>
 
 namespace gw::fast {
@@ -48,7 +47,7 @@ struct Builder {
 
     /// Whether all corners lie outside the first plane that cuts any: clipping would leave exactly nothing.
     static bool all_outside(Outcode all, Outcode any) {
-        const Outcode planes = any & ((1u << clip_plane_count) - 1);
+        const Outcode planes = any & all_clip_planes;
         return planes != 0 && (all >> std::countr_zero(planes) & 1) != 0;
     }
 

@@ -95,9 +95,9 @@ HWY_INLINE void put_window(const Projection& p, const ClipLanes& c, SnappedVerte
                  static_cast<std::uint32_t>(static_cast<std::int64_t>(z[i]))};
 }
 
-/// Component c of up to a vector of points; the first's again where there are no more.
 HWY_INLINE float component_of(const vec3& p, int c) { return p[c]; }
 HWY_INLINE double component_of(const ClipPosition& p, int c) { return p.clip[c]; }
+/// Component c of up to a vector of points; the first's again where there are no more.
 template <class Point>
 HWY_INLINE V64 component(std::span<const Point> points, int c) {
     alignas(64) double values[most_lanes];
