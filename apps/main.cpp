@@ -1,7 +1,7 @@
 // The command gw.
-#include "apps/command.h"
-#include "apps/terminal.h"
-#include "image/temporaries.h"
+#include "apps/command/command.h"
+#include "apps/command/terminal.h"
+#include "image/output/temporaries.h"
 
 int main(int count, char** arguments) {
     gw::apps::hold_standard_streams();

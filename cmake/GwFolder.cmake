@@ -24,8 +24,8 @@ function(gw_compile target)
 endfunction()
 
 # gw_library(FOLDER [TARGET name] [EXCLUDE file...] [LINK library...])
-# Compiles all *.cpp below the calling folder into library gw_FOLDER, alias gw::FOLDER (name instead of FOLDER where given). Its headers are
-# installed. EXCLUDE: sources that are not compiled, headers that are not installed.
+# Compiles all *.cpp below the calling folder into library gw_FOLDER, alias gw::FOLDER (name instead of FOLDER where given) and installs the
+# headers. A folder below it with a CMakeLists.txt is a target of its own. EXCLUDE: sources to leave out, headers not to install.
 function(gw_library folder)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "TARGET" "EXCLUDE;LINK")
     set(name ${folder})
@@ -34,6 +34,11 @@ function(gw_library folder)
     endif()
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)
     list(REMOVE_ITEM sources ${arg_EXCLUDE} "")
+    file(GLOB others CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} */CMakeLists.txt)
+    list(TRANSFORM others REPLACE "CMakeLists.txt$" "")
+    foreach(other IN LISTS others)
+        list(FILTER sources EXCLUDE REGEX "^${other}")
+    endforeach()
     if(NOT sources)
         return()
     endif()
@@ -48,6 +53,9 @@ function(gw_library folder)
     set(observer ${headers})  # what inspect's headers show of the reference machine
     list(FILTER observer INCLUDE REGEX "/gw/reference/observer\\.h$")
     list(FILTER headers EXCLUDE REGEX "-inl\\.h$|/gw/(fast|reference)/")
+    foreach(other IN LISTS others)
+        list(FILTER headers EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${other}")
+    endforeach()
     list(TRANSFORM arg_EXCLUDE PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
     list(REMOVE_ITEM headers ${arg_EXCLUDE} "")
     list(APPEND headers ${observer})

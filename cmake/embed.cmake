@@ -1,4 +1,4 @@
-# cmake -DFILES=a,b -DOUTPUT=c.cpp -P embed.cmake: the files' bytes as C++ (report/embedded.h).
+# cmake -DFILES=a,b -DOUTPUT=c.cpp -P embed.cmake: the files' bytes as C++ (inspect/report/embedded.h).
 string(REPLACE "," ";" files "${FILES}")
 set(arrays "")
 set(rows "")
@@ -10,7 +10,7 @@ foreach(file IN LISTS files)
     string(APPEND arrays "constexpr unsigned char bytes_${identifier}[] = {${bytes}};\n")
     string(APPEND rows "    if (name == \"${name}\") return {reinterpret_cast<const char*>(bytes_${identifier}), sizeof bytes_${identifier}};\n")
 endforeach()
-file(WRITE ${OUTPUT} "#include \"report/embedded.h\"
+file(WRITE ${OUTPUT} "#include \"inspect/report/embedded.h\"
 #include \"gw/error.h\"
 namespace {
 ${arrays}}

@@ -4,7 +4,7 @@
 
 #include "gw/command_list.h"
 #include "gw/counters.h"
-#include "gw/line_vector.h"
+#include "gw/base/cache_aligned_vector.h"
 #include "gw/planes.h"
 #include "gw/profile.h"
 

@@ -2,7 +2,7 @@
 // Does not evaluate the equation: each machine does, in the manual's order of operations.
 #pragma once
 
-#include "gw/types.h"
+#include "gw/base/types.h"
 
 #include <memory>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "gw/mesh.h"
 
-#include "gw/decompose.h"
+#include "gw/mesh/decompose.h"
 #include "gw/error.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 // Does not know materials, files or transforms.
 #pragma once
 
-#include "gw/types.h"
+#include "gw/base/types.h"
 
 #include <cstdint>
 #include <memory>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gw/command_list.h"
-#include "gw/types.h"
+#include "gw/base/types.h"
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,7 @@
 // docs/vocabulary.md gives IRIS GL's words beside them. Does not compute anything.
 #pragma once
 
-#include "gw/types.h"
+#include "gw/base/types.h"
 
 #include <array>
 #include <cstdint>

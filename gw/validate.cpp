@@ -2,7 +2,7 @@
 // Does not look at meshes or textures: make_mesh and make_texture have checked those.
 #include "gw/machine.h"
 
-#include "gw/arithmetic.h"
+#include "gw/base/arithmetic.h"
 #include "gw/command_name.h"
 #include "gw/error.h"
 

@@ -2,7 +2,7 @@
 // Does not choose pictures or speed.
 #pragma once
 
-#include "image/output_file.h"
+#include "image/output/output_file.h"
 #include "image/picture.h"
 
 #include <vector>

@@ -1,6 +1,6 @@
 #include "image/false_color.h"
 
-#include "gw/arithmetic.h"
+#include "gw/base/arithmetic.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // bit for bit. Does not know what the values mean.
 #pragma once
 
-#include "image/output_file.h"
+#include "image/output/output_file.h"
 
 #include <filesystem>
 #include <map>

@@ -1,6 +1,6 @@
 #include "image/picture.h"
 
-#include "gw/elementary.h"
+#include "gw/base/elementary.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // Does not read or write files.
 #pragma once
 
-#include "gw/types.h"
+#include "gw/base/types.h"
 
 #include <cstdint>
 #include <vector>

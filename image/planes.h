@@ -4,7 +4,7 @@
 
 #include "gw/planes.h"
 #include "gw/profile.h"
-#include "image/output_set.h"
+#include "image/output/output_set.h"
 #include "image/picture.h"
 
 namespace gw::image {

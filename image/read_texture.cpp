@@ -1,7 +1,7 @@
 // One texture file. Does not know who asks for it.
 #include "gw/error.h"
 #include "image/formats.h"
-#include "image/png.h"
+#include "image/png/png.h"
 #include "image/textures.h"
 
 namespace gw::image {

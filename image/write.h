@@ -2,7 +2,7 @@
 // Does not change a value but for its number of bits. Files have their top row first, as formats demand.
 #pragma once
 
-#include "image/output_file.h"
+#include "image/output/output_file.h"
 #include "image/picture.h"
 
 #include <filesystem>

@@ -1,10 +1,10 @@
 #include "itembuffer/adaptive.h"
 
-#include "gw/vertex.h"
+#include "gw/stages/vertex.h"
 #include "itembuffer/item_buffer.h"
-#include "multipass/samples.h"
-#include "scene/pixel_rays.h"
-#include "scene/weights.h"
+#include "multipass/frame/samples.h"
+#include "scene/draw/pixel_rays.h"
+#include "scene/geometry/weights.h"
 
 #include <algorithm>
 #include <optional>

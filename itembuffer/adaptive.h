@@ -6,7 +6,7 @@
 
 #include "gw/machine.h"
 #include "itembuffer/render.h"
-#include "raytrace/picture.h"
+#include "raytrace/tracer/render.h"
 
 #include <cstdint>
 #include <vector>

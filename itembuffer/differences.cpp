@@ -1,10 +1,10 @@
 #include "itembuffer/differences.h"
 
-#include "gw/vertex.h"
+#include "gw/stages/vertex.h"
 #include "itembuffer/item_buffer.h"
-#include "multipass/schedule.h"
-#include "raytrace/picture.h"
-#include "scene/pixel_rays.h"
+#include "multipass/passes/schedule.h"
+#include "raytrace/tracer/render.h"
+#include "scene/draw/pixel_rays.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #include "itembuffer/hit_shadows.h"
 
-#include "multipass/model.h"
+#include "multipass/frame/pass_model.h"
 
 namespace gw::itembuffer {
 

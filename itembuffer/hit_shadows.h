@@ -4,7 +4,7 @@
 #pragma once
 
 #include "gw/machine.h"
-#include "multipass/shadow_lookup.h"
+#include "multipass/shadow/shadow_lookup.h"
 #include "scene/scene.h"
 
 #include <vector>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gw/machine.h"
-#include "scene/draw_commands.h"
+#include "scene/draw/draw_commands.h"
 
 #include <cstdint>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "itembuffer/hit_shadows.h"
 #include "itembuffer/item_buffer.h"
 #include "itembuffer/traced_component.h"
-#include "multipass/catalogue.h"
+#include "multipass/passes/catalogue.h"
 
 #include <algorithm>
 #include <memory>

@@ -2,8 +2,8 @@
 // passes and does not read files.
 #pragma once
 
-#include "multipass/driver.h"
-#include "raytrace/tracer.h"
+#include "multipass/frame/driver.h"
+#include "raytrace/tracer/tracer.h"
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 #include "itembuffer/traced_component.h"
 
-#include "gw/vertex.h"
-#include "raytrace/picture.h"
-#include "scene/pixel_rays.h"
+#include "gw/stages/vertex.h"
+#include "raytrace/tracer/render.h"
+#include "scene/draw/pixel_rays.h"
 
 namespace gw::itembuffer {
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "gw/profile.h"
-#include "raytrace/tracer.h"
+#include "raytrace/tracer/tracer.h"
 
 #include <cstdint>
 #include <vector>

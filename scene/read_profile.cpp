@@ -1,7 +1,7 @@
 #include "scene/read_profile.h"
 
 #include "gw/error.h"
-#include "scene/toml_binder.h"
+#include "scene/toml/toml_binder.h"
 
 namespace gw::scene {
 

@@ -1,10 +1,10 @@
 #include "scene/read_scene.h"
 
-#include "scene/read_obj.h"
-#include "scene/read_toml.h"
+#include "scene/obj/read_obj.h"
+#include "scene/toml/read_toml.h"
 #include "scene/scene_builder.h"
-#include "scene/suggest.h"
-#include "scene/text_file.h"
+#include "scene/text/suggest.h"
+#include "scene/text/text_file.h"
 
 namespace gw::scene {
 

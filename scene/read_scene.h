@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scene/scene.h"
-#include "scene/toml_value.h"
+#include "scene/toml/toml_value.h"
 
 #include <filesystem>
 #include <string>
@@ -15,7 +15,7 @@ struct SceneFile {
     Scene scene;
     /// What was read but is not honoured: "file:line: text", one line per kind of statement and file.
     std::vector<std::string> warnings;
-    /// The tables of [[pass]] as they stand; multipass/pass_toml.h makes passes of them. Objects that they
+    /// The tables of [[pass]] as they stand; multipass/passes/pass_toml.h makes passes of them. Objects that they
     /// name do exist.
     std::vector<TomlValue> passes;
 };

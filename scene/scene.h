@@ -5,7 +5,7 @@
 #include "gw/mesh.h"
 #include "gw/state.h"
 #include "gw/texture.h"
-#include "gw/types.h"
+#include "gw/base/types.h"
 
 #include <array>
 #include <filesystem>
@@ -29,7 +29,7 @@ struct Map {
     vec2 offset{0, 0};         ///< MTL -o: added to s, t after scale
     vec2 scale{1, 1};          ///< MTL -s
     int from_scene = 0;        ///< above 0: no file, generated from the scene, so many texels a side [K3.1]
-    TextureRef texture;        ///< null until loaded, or generated (multipass/scene_maps.h)
+    TextureRef texture;        ///< null until loaded, or generated (multipass/maps/scene_maps.h)
 };
 
 /// MTL's material in MTL's words [K2, K3]. A component may have several maps: its pass is repeated for each

@@ -1,8 +1,8 @@
 #include "scene/scene_builder.h"
 
 #include "gw/error.h"
-#include "scene/polygon_ids.h"
-#include "scene/suggest.h"
+#include "scene/geometry/polygon_ids.h"
+#include "scene/text/suggest.h"
 
 namespace gw::scene {
 

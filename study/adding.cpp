@@ -1,8 +1,8 @@
 #include "study/adding.h"
 
-#include "gw/elementary.h"
-#include "multipass/catalogue.h"
-#include "multipass/driver.h"
+#include "gw/base/elementary.h"
+#include "multipass/passes/catalogue.h"
+#include "multipass/frame/driver.h"
 
 #include <fmt/format.h>
 

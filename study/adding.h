@@ -3,7 +3,7 @@
 // vertices, pixels and interpolation).
 #pragma once
 
-#include "plot/plot.h"
+#include "study/plot/plot.h"
 #include "scene/scene.h"
 #include "study/difference.h"
 

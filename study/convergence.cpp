@@ -1,6 +1,6 @@
 #include "study/convergence.h"
 
-#include "multipass/driver.h"
+#include "multipass/frame/driver.h"
 
 #include <fmt/format.h>
 

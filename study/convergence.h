@@ -4,7 +4,7 @@
 // the lamp varies too.
 #pragma once
 
-#include "plot/plot.h"
+#include "study/plot/plot.h"
 #include "scene/scene.h"
 #include "study/difference.h"
 

@@ -1,9 +1,9 @@
 #include "study/distance.h"
 
-#include "hiddensurface/scan_line_renderer.h"
-#include "multipass/driver.h"
-#include "scene/polygon_ids.h"
-#include "scene/shape_table.h"
+#include "hiddensurface/run/scan_line_renderer.h"
+#include "multipass/frame/driver.h"
+#include "scene/geometry/polygon_ids.h"
+#include "scene/toml/shape_table.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // (eq. 3 [K3s]), which shades every pixel, for rings of fewer and more polygons.
 #pragma once
 
-#include "plot/plot.h"
+#include "study/plot/plot.h"
 #include "scene/scene.h"
 #include "study/difference.h"
 

@@ -1,8 +1,8 @@
 #include "study/growth.h"
 
-#include "hiddensurface/compare.h"
+#include "hiddensurface/run/compare.h"
 #include "hiddensurface/lines/draw_lines.h"
-#include "scene/fit.h"
+#include "scene/draw/fit.h"
 #include "study/growth_scenes.h"
 
 #include <fmt/format.h>

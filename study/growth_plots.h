@@ -1,7 +1,7 @@
 // The growth study as plots, tables and fitted power laws. Does not measure.
 #pragma once
 
-#include "plot/plot.h"
+#include "study/plot/plot.h"
 #include "study/growth.h"
 
 namespace gw::study {

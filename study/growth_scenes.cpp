@@ -1,6 +1,6 @@
 #include "study/growth_scenes.h"
 
-#include "gw/elementary.h"
+#include "gw/base/elementary.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "study/hemicube.h"
 
-#include "gw/elementary.h"
-#include "radiosity/figures.h"
-#include "radiosity/form_factors.h"
+#include "gw/base/elementary.h"
+#include "radiosity/model/figures.h"
+#include "radiosity/hemicube/form_factors.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // from a point to each texel of a wall, whose form factors have a closed form.
 #pragma once
 
-#include "plot/plot.h"
+#include "study/plot/plot.h"
 
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "study/prices.h"
 
-#include "gw/elementary.h"
-#include "scene/toml_binder.h"
+#include "gw/base/elementary.h"
+#include "scene/toml/toml_binder.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // each counter stands for. Estimates, and labelled so in the files. Does not count.
 #pragma once
 
-#include "plot/plot.h"
+#include "study/plot/plot.h"
 #include "study/growth.h"
 
 #include <filesystem>

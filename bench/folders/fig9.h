@@ -2,8 +2,8 @@
 #pragma once
 
 #include "image/textures.h"
-#include "multipass/driver.h"
-#include "scene/fit.h"
+#include "multipass/frame/driver.h"
+#include "scene/draw/fit.h"
 #include "scene/read_scene.h"
 
 #include <string>

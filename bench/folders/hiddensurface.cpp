@@ -1,7 +1,7 @@
 // Every hidden-surface algorithm [L] on one scene.
 #include "bench/folders/fig9.h"
-#include "hiddensurface/algorithm.h"
-#include "hiddensurface/steps.h"
+#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/run/steps.h"
 
 #include <benchmark/benchmark.h>
 

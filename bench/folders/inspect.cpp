@@ -1,6 +1,6 @@
 // Recordings: writing, reading, playing pass by pass.
 #include "bench/folders/fig9.h"
-#include "inspect/recording.h"
+#include "inspect/recording/recording.h"
 
 #include <benchmark/benchmark.h>
 

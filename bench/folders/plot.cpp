@@ -1,5 +1,5 @@
 // A plot of a thousand points.
-#include "plot/plot.h"
+#include "study/plot/plot.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,5 +1,5 @@
 // One hemicube of the Cornell box [F2.2]: drawn, and with its form factors.
-#include "radiosity/solver.h"
+#include "radiosity/solver/solver.h"
 #include "scene/read_scene.h"
 
 #include <benchmark/benchmark.h>

@@ -1,7 +1,7 @@
 // Building the hierarchy, and nearest hits of rays through the pixels.
 #include "bench/folders/fig9.h"
-#include "raytrace/picture.h"
-#include "raytrace/world.h"
+#include "raytrace/tracer/render.h"
+#include "raytrace/tracer/world.h"
 
 #include <benchmark/benchmark.h>
 

@@ -2,10 +2,10 @@
 #include "bench/peers/frame.h"
 
 #include "gw/texture.h"
-#include "scene/draw_commands.h"
-#include "scene/fit.h"
+#include "scene/draw/draw_commands.h"
+#include "scene/draw/fit.h"
 #include "scene/read_scene.h"
-#include "scene/view.h"
+#include "scene/draw/view.h"
 
 #include <array>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include "bench/peers/opengl.h"
 #include "bench/peers/ours.h"
 #include "gw/machine.h"
-#include "image/output_file.h"
-#include "plot/plot.h"
+#include "image/output/output_file.h"
+#include "study/plot/plot.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

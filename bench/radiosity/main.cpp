@@ -3,10 +3,10 @@
 // threads as LP_NUM_THREADS says; and the Cornell box with 64 texels along a wall to 1 % unshot, with the
 // shares of drawing and scanning. Times are the least of interleaved repeats. Does not compare results.
 #include "gw/error.h"
-#include "gw/parallel.h"
-#include "image/output_set.h"
-#include "plot/plot.h"
-#include "radiosity/solver.h"
+#include "gw/base/parallel.h"
+#include "image/output/output_set.h"
+#include "study/plot/plot.h"
+#include "radiosity/solver/solver.h"
 #include "scene/read_scene.h"
 
 #ifdef GW_WITH_OSMESA

@@ -1,7 +1,7 @@
 // The five ID buffers of a hemicube through Mesa's OpenGL 1.1 and OSMesa. Does not measure.
 #pragma once
 
-#include "radiosity/hemicube.h"
+#include "radiosity/hemicube/hemicube.h"
 
 #include <memory>
 

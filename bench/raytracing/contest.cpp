@@ -1,10 +1,10 @@
 #include "contest.h"
 
 #include "gw/machine.h"
-#include "itembuffer/ordinary.h"
+#include "itembuffer/superposed_ray_tracer.h"
 #include "itembuffer/render.h"
 #include "ray_set.h"
-#include "raytrace/picture.h"
+#include "raytrace/tracer/render.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // ordinary ray tracer's, and Embree on the same rays, on one thread, in processor time; swept over lights,
 // glossy share, polygons and samples. Writes DIR/NAME.svg and .csv of each sweep, and prints tables. `rays`:
 // rays by kind and the building of hierarchies, beside Embree.
-#include "apps/peak_memory.h"
-#include "image/output_set.h"
+#include "apps/command/peak_memory.h"
+#include "image/output/output_set.h"
 #include "report.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "ray_set.h"
 
-#include "gw/texgen.h"
-#include "gw/vertex.h"
-#include "scene/pixel_rays.h"
+#include "gw/stages/texgen.h"
+#include "gw/stages/vertex.h"
+#include "scene/draw/pixel_rays.h"
 
 #include <embree3/rtcore.h>
 

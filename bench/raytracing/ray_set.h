@@ -1,7 +1,7 @@
 // The rays of the ordinary ray tracer's picture, written down, so that others can be asked the same.
 #pragma once
 
-#include "raytrace/tracer.h"
+#include "raytrace/tracer/tracer.h"
 
 #include <vector>
 

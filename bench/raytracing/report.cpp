@@ -1,6 +1,6 @@
 #include "report.h"
 
-#include "plot/plot.h"
+#include "study/plot/plot.h"
 
 #include <fmt/format.h>
 

@@ -3,10 +3,10 @@
 #include "gw/machine.h"
 #include "image/textures.h"
 #include "itembuffer/item_buffer.h"
-#include "raytrace/traced_material.h"
-#include "scene/polygon_ids.h"
+#include "raytrace/tracer/traced_material.h"
+#include "scene/geometry/polygon_ids.h"
 #include "scene/read_scene.h"
-#include "scene/shape_table.h"
+#include "scene/toml/shape_table.h"
 
 #include <fmt/format.h>
 

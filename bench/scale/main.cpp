@@ -3,11 +3,11 @@
 // buffer and traced reflections, by the ordinary ray tracer; seconds of processor time and the most memory
 // that the process held. And how fast the OBJ is read, beside tinyobjloader where that is installed. Writes
 // DIR/seconds.svg, memory.svg and their numbers. Does not compare pictures.
-#include "apps/peak_memory.h"
+#include "apps/command/peak_memory.h"
 #include "gw/error.h"
-#include "image/output_set.h"
+#include "image/output/output_set.h"
 #include "obj_file.h"
-#include "plot/plot.h"
+#include "study/plot/plot.h"
 
 #include <fmt/format.h>
 #include <spawn.h>

@@ -2,7 +2,7 @@
 
 #include "gw/error.h"
 #include "gw/mesh.h"
-#include "scene/read_obj.h"
+#include "scene/obj/read_obj.h"
 
 #include <fmt/format.h>
 

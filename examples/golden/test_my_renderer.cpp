@@ -2,8 +2,8 @@
 #include "my_renderer.h"
 
 #include <gw/machine.h>
-#include <testing/expect_passes.h>
-#include <testing/matchers.h>
+#include <inspect/testing/expect_passes.h>
+#include <inspect/testing/matchers.h>
 
 #include <gtest/gtest.h>
 

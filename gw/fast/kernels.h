@@ -2,9 +2,9 @@
 // Does not plan. Every target computes the same bits: docs/manual.md is the scalar twin of each line.
 #pragma once
 
-#include "gw/fast/box.h"
-#include "gw/fast/plan.h"
-#include "gw/fast/tile_run.h"
+#include "gw/fast/frame/box.h"
+#include "gw/fast/plan/plan.h"
+#include "gw/fast/tile/tile_run.h"
 
 #include <cstdint>
 #include <span>

@@ -2,10 +2,10 @@
 #include "gw/machine.h"
 
 #include "gw/fast/kernels.h"
-#include "gw/fast/plan.h"
-#include "gw/fast/tile_run.h"
-#include "gw/parallel.h"
-#include "gw/tables.h"
+#include "gw/fast/plan/plan.h"
+#include "gw/fast/tile/tile_run.h"
+#include "gw/base/parallel.h"
+#include "gw/stages/tables.h"
 
 #include <bit>
 #include <utility>

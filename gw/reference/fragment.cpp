@@ -1,7 +1,7 @@
 // [GL11] 4.1: one fragment's way to the planes.
 #include "gw/reference/fragment.h"
 
-#include "gw/tables.h"
+#include "gw/stages/tables.h"
 
 namespace gw::reference {
 namespace {

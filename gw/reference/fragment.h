@@ -5,7 +5,7 @@
 #include "gw/counters.h"
 #include "gw/planes.h"
 #include "gw/reference/observer.h"
-#include "gw/resolve.h"
+#include "gw/stages/resolve.h"
 
 namespace gw::reference {
 

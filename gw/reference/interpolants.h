@@ -2,9 +2,9 @@
 // docs/manual.md, "Planes", "Perspective". Does not look up texels or test fragments.
 #pragma once
 
-#include "gw/perspective.h"
+#include "gw/stages/perspective.h"
 #include "gw/reference/plane_equation.h"
-#include "gw/resolve.h"
+#include "gw/stages/resolve.h"
 
 #include <functional>
 #include <span>

@@ -2,7 +2,7 @@
 // Does not keep anything: inspect/ does.
 #pragma once
 
-#include "gw/types.h"
+#include "gw/base/types.h"
 
 #include <cstdint>
 

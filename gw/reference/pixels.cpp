@@ -1,7 +1,7 @@
 // Pixel commands, one pixel at a time.
 #include "gw/reference/pixels.h"
 
-#include "gw/accumulation.h"
+#include "gw/stages/accumulation.h"
 
 #include <bit>
 

@@ -5,7 +5,7 @@
 #include "gw/command_list.h"
 #include "gw/machine.h"
 #include "gw/reference/fragment.h"
-#include "gw/texels.h"
+#include "gw/stages/texels.h"
 
 namespace gw::reference {
 

@@ -2,7 +2,7 @@
 // agree. docs/manual.md, "Planes". [L8]: dz/dx = -n_x / n_z. Does not know what the value means.
 #pragma once
 
-#include "gw/reference/triangle.h"
+#include "gw/reference/coverage.h"
 
 #include <cstdint>
 

@@ -1,9 +1,9 @@
 // [GL11] 3.8 to 3.10: texture, then fog.
 #include "gw/reference/shade.h"
 
-#include "gw/fog.h"
+#include "gw/stages/fog.h"
 #include "gw/reference/texture_unit.h"
-#include "gw/tables.h"
+#include "gw/stages/tables.h"
 
 #include <algorithm>
 #include <cmath>

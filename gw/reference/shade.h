@@ -2,7 +2,7 @@
 // "Stages". Does not decide coverage.
 #pragma once
 
-#include "gw/reference/draw.h"
+#include "gw/reference/primitives.h"
 #include "gw/reference/interpolants.h"
 
 namespace gw::reference {

@@ -1,9 +1,9 @@
 // The texture unit at one pixel: coordinates, level, filter. docs/manual.md, "Textures".
-// Does not combine with the fragment's colour: texture_environment in gw/tables.h does.
+// Does not combine with the fragment's colour: texture_environment in gw/stages/tables.h does.
 #pragma once
 
 #include "gw/reference/interpolants.h"
-#include "gw/texels.h"
+#include "gw/stages/texels.h"
 
 namespace gw::reference {
 

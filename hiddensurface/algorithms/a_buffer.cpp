@@ -13,8 +13,8 @@
 //
 // Ours: points at multiples of 1/8 and 1/4 of a pixel, so that one is its middle, and at the middle the
 // nearest on the exact planes.
-#include "hiddensurface/face.h"
-#include "hiddensurface/scan_conversion.h"
+#include "hiddensurface/model/face.h"
+#include "hiddensurface/structures/scan_conversion.h"
 
 #include <fmt/format.h>
 

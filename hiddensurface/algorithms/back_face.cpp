@@ -1,7 +1,7 @@
 // Back-face culling alone [L3]: draws every polygon that faces the eye, in the scene's order. Right for one
 // convex object; of several, or a concave one, it shows what is drawn last, not what is nearest.
-#include "hiddensurface/algorithm.h"
-#include "hiddensurface/normal.h"
+#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/model/normal.h"
 
 namespace gw::hiddensurface {
 

@@ -1,5 +1,5 @@
 // The BSP tree's order [L5]: the tree knows no eye; the eye's side of each plane gives the order.
-#include "hiddensurface/world_piece.h"
+#include "hiddensurface/model/world_piece.h"
 
 #include <numeric>
 

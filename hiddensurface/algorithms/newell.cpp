@@ -2,8 +2,8 @@
 // polygon may be drawn before those it overlaps in depth; an exchange where they say the other must be first;
 // and a split by the other's plane where neither may. Decides in the window, after perspective, on facets: a
 // quadrilateral that the snap has bent is the two triangles that the machine draws.
-#include "hiddensurface/algorithm.h"
-#include "hiddensurface/overlap.h"
+#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/model/overlap.h"
 
 #include <algorithm>
 

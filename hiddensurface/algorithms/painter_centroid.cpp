@@ -1,5 +1,5 @@
 // The painter's algorithm by the centroid [L5].
-#include "hiddensurface/painter.h"
+#include "hiddensurface/structures/painter.h"
 
 namespace gw::hiddensurface {
 

@@ -1,5 +1,5 @@
 // The painter's algorithm by the nearest corner [L5].
-#include "hiddensurface/painter.h"
+#include "hiddensurface/structures/painter.h"
 
 namespace gw::hiddensurface {
 

@@ -12,8 +12,8 @@
 // grows with the surfaces open at once.
 //
 // Ours: both ends of a surface on every line are worked out ahead, since cuts lie between pixels.
-#include "hiddensurface/active_faces.h"
-#include "hiddensurface/world_piece.h"
+#include "hiddensurface/structures/active_faces.h"
+#include "hiddensurface/model/world_piece.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,8 +1,8 @@
 // Ray casting [L9]: the nearest intersection of the ray through every pixel, brute force. Perspective is done
 // already: on the window grid all lines of sight are parallel to z. No reflection: raytrace/ follows rays
 // further.
-#include "hiddensurface/algorithm.h"
-#include "raytrace/brute_force.h"
+#include "hiddensurface/run/algorithm.h"
+#include "raytrace/casting/brute_force.h"
 
 namespace gw::hiddensurface {
 

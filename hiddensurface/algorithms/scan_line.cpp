@@ -1,6 +1,6 @@
 // The scan-line algorithm [L6] as one of many: its visible spans, drawn. Beside the edge table it remembers
 // one line.
-#include "hiddensurface/visible_spans.h"
+#include "hiddensurface/structures/visible_spans.h"
 
 namespace gw::hiddensurface {
 

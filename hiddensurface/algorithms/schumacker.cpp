@@ -12,8 +12,8 @@
 // at most, but for convex solids.
 //
 // Ours: both sides of every face, since the machine draws both.
-#include "hiddensurface/clusters.h"
-#include "hiddensurface/world_piece.h"
+#include "hiddensurface/structures/clusters.h"
+#include "hiddensurface/model/world_piece.h"
 
 #include <fmt/format.h>
 

@@ -11,7 +11,7 @@
 //
 // Ours: pixels; the two ends of a face are one segment where Watkins joined edges; a guess too short is
 // joined to its neighbour.
-#include "hiddensurface/active_faces.h"
+#include "hiddensurface/structures/active_faces.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // The Z-buffer [L8]: the machine's own. The list draws the scene's meshes; the step log and the comparisons
 // are worked out beside it, by scan conversion and increments of z, and come out the same.
-#include "hiddensurface/algorithm.h"
-#include "hiddensurface/scan_conversion.h"
-#include "scene/draw_commands.h"
+#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/structures/scan_conversion.h"
+#include "scene/draw/draw_commands.h"
 
 namespace gw::hiddensurface {
 

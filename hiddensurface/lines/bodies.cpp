@@ -1,9 +1,9 @@
 #include "hiddensurface/lines/bodies.h"
 
-#include "hiddensurface/bsp_tree.h"
+#include "hiddensurface/structures/bsp_tree.h"
 #include "hiddensurface/lines/world_lines.h"
-#include "hiddensurface/normal.h"
-#include "hiddensurface/piece.h"
+#include "hiddensurface/model/normal.h"
+#include "hiddensurface/model/piece.h"
 
 #include <algorithm>
 #include <cmath>

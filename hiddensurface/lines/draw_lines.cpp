@@ -1,6 +1,6 @@
 #include "hiddensurface/lines/draw_lines.h"
 
-#include "hiddensurface/styles.h"
+#include "hiddensurface/run/styles.h"
 
 namespace gw::hiddensurface {
 

@@ -3,7 +3,7 @@
 // Does not draw: lines/draw_lines.h does.
 #pragma once
 
-#include "hiddensurface/algorithm.h"
+#include "hiddensurface/run/algorithm.h"
 
 namespace gw::hiddensurface {
 

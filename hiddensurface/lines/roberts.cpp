@@ -2,7 +2,7 @@
 
 #include "hiddensurface/lines/bodies.h"
 #include "hiddensurface/lines/world_lines.h"
-#include "hiddensurface/normal.h"
+#include "hiddensurface/model/normal.h"
 
 #include <algorithm>
 

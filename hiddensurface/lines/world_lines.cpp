@@ -1,7 +1,7 @@
 #include "hiddensurface/lines/world_lines.h"
 
-#include "gw/arithmetic.h"
-#include "gw/vertex.h"
+#include "gw/base/arithmetic.h"
+#include "gw/stages/vertex.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "hiddensurface/quiz/fragments.h"
 
 #include "gw/error.h"
-#include "hiddensurface/difference.h"
-#include "hiddensurface/quiz/coverage.h"
-#include "scene/suggest.h"
+#include "hiddensurface/run/difference.h"
+#include "hiddensurface/quiz/answer_coverage.h"
+#include "scene/text/suggest.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // lines that are empty or begin with '#', and a first line "x,y,polygon", are skipped. Does not draw.
 #pragma once
 
-#include "hiddensurface/algorithm.h"
+#include "hiddensurface/run/algorithm.h"
 
 #include <string_view>
 

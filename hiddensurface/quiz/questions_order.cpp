@@ -1,7 +1,7 @@
 // Questions about orders: painting, Newell's tests and pieces.
-#include "hiddensurface/quiz/coverage.h"
+#include "hiddensurface/quiz/answer_coverage.h"
 #include "hiddensurface/quiz/questions.h"
-#include "hiddensurface/quiz/quiz_stage.h"
+#include "hiddensurface/quiz/question_context.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // Questions about faces, pixels, scan lines and lines.
 #include "hiddensurface/lines/window_lines.h"
-#include "hiddensurface/normal.h"
-#include "hiddensurface/quiz/coverage.h"
+#include "hiddensurface/model/normal.h"
+#include "hiddensurface/quiz/answer_coverage.h"
 #include "hiddensurface/quiz/questions.h"
-#include "hiddensurface/quiz/quiz_stage.h"
+#include "hiddensurface/quiz/question_context.h"
 
 #include <fmt/format.h>
 

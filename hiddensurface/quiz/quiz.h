@@ -2,7 +2,7 @@
 // themselves. The same seed gives the same quiz everywhere. Does not write files or grade: quiz/grade.h does.
 #pragma once
 
-#include "hiddensurface/algorithm.h"
+#include "hiddensurface/run/algorithm.h"
 
 #include <optional>
 

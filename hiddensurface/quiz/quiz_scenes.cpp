@@ -1,6 +1,6 @@
 #include "hiddensurface/quiz/quiz_scenes.h"
 
-#include "gw/elementary.h"
+#include "gw/base/elementary.h"
 
 #include <cmath>
 #include <string>

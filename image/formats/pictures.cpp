@@ -1,4 +1,4 @@
-#include "gw/arithmetic.h"
+#include "gw/base/arithmetic.h"
 #include "image/formats/encode.h"
 #include "image/formats/module.h"
 

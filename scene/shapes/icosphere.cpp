@@ -1,4 +1,4 @@
-#include "gw/elementary.h"
+#include "gw/base/elementary.h"
 #include "scene/shapes/sphere.h"
 
 #include <glm/geometric.hpp>

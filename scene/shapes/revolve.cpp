@@ -1,6 +1,6 @@
 #include "scene/shapes/revolve.h"
 
-#include "gw/elementary.h"
+#include "gw/base/elementary.h"
 #include "scene/shapes/grid.h"
 
 namespace gw::scene {

@@ -1,6 +1,6 @@
 #include "scene/shapes/sphere.h"
 
-#include "gw/elementary.h"
+#include "gw/base/elementary.h"
 #include "scene/shapes/revolve.h"
 
 namespace gw::scene {

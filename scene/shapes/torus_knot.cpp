@@ -1,4 +1,4 @@
-#include "gw/elementary.h"
+#include "gw/base/elementary.h"
 #include "scene/shapes/grid.h"
 #include "scene/shapes/torus.h"
 

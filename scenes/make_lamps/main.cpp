@@ -1,6 +1,6 @@
 // make-lamps FILE: writes scenes/lamps.toml. It is committed; run this after changing lamps.cpp.
 #include "gw/error.h"
-#include "image/output_file.h"
+#include "image/output/output_file.h"
 #include "scenes/make_lamps/lamps.h"
 
 #include <iostream>

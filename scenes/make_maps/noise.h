@@ -1,7 +1,7 @@
 // Noise that repeats, from an integer hash: the same numbers on every machine. Does not use libm.
 #pragma once
 
-#include "gw/types.h"
+#include "gw/base/types.h"
 
 #include <cstdint>
 

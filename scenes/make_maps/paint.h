@@ -1,7 +1,7 @@
 // A map from a function of s and t. Does not write files.
 #pragma once
 
-#include "gw/types.h"
+#include "gw/base/types.h"
 #include "image/picture.h"
 
 namespace gw::maps {

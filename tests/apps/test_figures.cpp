@@ -1,5 +1,5 @@
 // gw figures: every figure of the table is made, with its part of the page.
-#include "apps/figure_table.h"
+#include "apps/figures/figure_table.h"
 #include "examples.h"
 
 namespace gw::apps {

@@ -1,6 +1,6 @@
 // The golden suite: every pass of every figure, small, on each profile, is as the manifests in tests/golden
 // say. They change only by `gw golden tests/golden --update`.
-#include "apps/figure_table.h"
+#include "apps/figures/figure_table.h"
 #include "examples.h"
 #include "gw/profile.h"
 

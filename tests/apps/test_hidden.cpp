@@ -1,5 +1,5 @@
 // gw hidden and gw styles: what they write, print and refuse.
-#include "apps/hidden_captions.h"
+#include "apps/hidden/captions.h"
 #include "command_test.h"
 #include "pictures.h"
 

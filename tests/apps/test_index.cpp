@@ -1,13 +1,13 @@
 // Folders that commands write into have an index of their pictures, with the command that made each; gw index
 // makes one page of many folders.
-#include "apps/folder_index.h"
-#include "apps/index_page.h"
-#include "apps/shell_words.h"
+#include "apps/figures/folder_index.h"
+#include "apps/figures/index_page.h"
+#include "apps/describe/shell_words.h"
 #include "examples.h"
 #include "scene_files.h"
 
 #include "gw/error.h"
-#include "plot/plot.h"
+#include "study/plot/plot.h"
 
 namespace gw::apps {
 

@@ -1,5 +1,5 @@
 // Claims: every sign of ASCII has a shape of its own; text is clipped by the picture; captions are readable.
-#include "apps/lettering.h"
+#include "apps/hidden/lettering.h"
 
 #include <gtest/gtest.h>
 

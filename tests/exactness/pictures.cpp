@@ -5,7 +5,7 @@
 #include "scene/shapes/sphere.h"
 #include "scene/shapes/teapot.h"
 #include "scene/shapes/torus.h"
-#include "scene/view.h"
+#include "scene/draw/view.h"
 
 namespace gw::exactness {
 namespace {

@@ -3,8 +3,8 @@
 // files. Prints "recordings AGREE OF", counting each machine. Exit 3 where one differs, 1 for an error, 2 for
 // usage.
 #include "gw/error.h"
-#include "inspect/manifest_file.h"
-#include "inspect/read_bytes.h"
+#include "inspect/manifest/manifest_file.h"
+#include "inspect/recording/read_bytes.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Random pixel commands.
 #include "tests/fuzz/generate_pixels.h"
 
-#include "gw/arithmetic.h"
+#include "gw/base/arithmetic.h"
 #include "tests/fuzz/generate_state.h"
 #include "tests/fuzz/script.h"
 

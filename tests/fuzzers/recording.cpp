@@ -2,7 +2,7 @@
 // from its own bytes; and where it is small, the reference machine replays it, and the fast machine, where it
 // is compiled, to the same planes.
 #include "gw/error.h"
-#include "inspect/player.h"
+#include "inspect/replay/player.h"
 
 #include <cstdlib>
 

@@ -1,6 +1,6 @@
 // What the tests of the elementary functions share: errors in ulp against long double (64 bits of mantissa on
 // x86, 113 elsewhere), walks over float32 values in the order of their bits, and the claims of
-// gw/elementary.h as functions of the walk's stride: the quick test takes every 9973rd float, the long one
+// gw/base/elementary.h as functions of the walk's stride: the quick test takes every 9973rd float, the long one
 // every float.
 #pragma once
 
@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "gw/elementary.h"
+#include "gw/base/elementary.h"
 
 namespace gw::oracle {
 
@@ -150,7 +150,7 @@ inline Worst pow_over_floats(double y, float from, float to, std::uint32_t strid
         });
 }
 
-// Bounds of gw/elementary.h, in ulp.
+// Bounds of gw/base/elementary.h, in ulp.
 inline constexpr double exp_bound = 0.52, log_bound = 0.51, pow_bound = 0.52, pow_denormal_bound = 0.76;
 inline constexpr double sin_bound = 0.60, cos_bound = 0.60, tan_bound = 0.60;
 inline constexpr double acos_bound = 2.2, asin_bound = 2.2, atan2_bound = 1.5;

@@ -1,11 +1,11 @@
-// gw/elementary_tables.h computed again: its series in integers, no floating point but the tables themselves.
+// gw/base/elementary_tables.h computed again: its series in integers, no floating point but the tables themselves.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
-#include "gw/elementary_tables.h"
+#include "gw/base/elementary_tables.h"
 
 namespace gw::elementary {
 namespace {

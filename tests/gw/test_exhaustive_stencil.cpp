@@ -1,6 +1,6 @@
 // Stencil operations, the comparisons at their borders, and masks: every value there is.
 // docs/manual.md, "Alpha, stencil and depth tests".
-#include "gw/tables.h"
+#include "gw/stages/tables.h"
 #include "tests/gw/stencil_row.h"
 
 namespace gw {

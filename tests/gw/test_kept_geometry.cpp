@@ -1,6 +1,6 @@
 // Geometry sets that outlive their list: which are found again, and that a frame drawn with them has the bits
 // of one drawn without (each list of the workbench is its own).
-#include "gw/fast/kept_geometry.h"
+#include "gw/fast/plan/kept_geometry.h"
 #include "tests/gw/workbench.h"
 
 namespace gw::fast {

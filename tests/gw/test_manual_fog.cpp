@@ -1,6 +1,6 @@
 // docs/manual/fog.md: the worked examples, and fog against the closed form.
-#include "gw/fog.h"
-#include "gw/tables.h"
+#include "gw/stages/fog.h"
+#include "gw/stages/tables.h"
 #include "tests/gw/random.h"
 #include "tests/gw/workbench.h"
 

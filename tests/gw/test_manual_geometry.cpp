@@ -1,7 +1,7 @@
 // docs/manual/geometry.md: the worked examples.
-#include "gw/clip.h"
-#include "gw/fan.h"
-#include "gw/window.h"
+#include "gw/stages/clip.h"
+#include "gw/stages/fan.h"
+#include "gw/stages/window.h"
 #include "tests/gw/workbench.h"
 
 namespace gw {

@@ -1,5 +1,5 @@
 // docs/manual/lighting.md: the worked examples.
-#include "gw/lighting.h"
+#include "gw/stages/lighting.h"
 #include "tests/gw/workbench.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // docs/manual/numbers.md: the worked examples.
-#include "gw/arithmetic.h"
+#include "gw/base/arithmetic.h"
 
 #include <gtest/gtest.h>
 

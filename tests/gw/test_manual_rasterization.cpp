@@ -1,5 +1,5 @@
 // docs/manual/rasterization.md: the worked examples. The worked triangle's planes are in test_vector.cpp.
-#include "gw/perspective.h"
+#include "gw/stages/perspective.h"
 #include "gw/reference/plane_equation.h"
 #include "tests/gw/workbench.h"
 

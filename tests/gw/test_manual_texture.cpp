@@ -1,6 +1,6 @@
 // docs/manual/texture.md: the worked examples.
-#include "gw/texels.h"
-#include "gw/texgen.h"
+#include "gw/stages/texels.h"
+#include "gw/stages/texgen.h"
 #include "tests/gw/workbench.h"
 
 #include <cmath>

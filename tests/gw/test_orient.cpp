@@ -1,4 +1,4 @@
-#include "gw/orient.h"
+#include "gw/mesh/orient.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // gw/parallel: every index once, on as many threads as were asked for, whatever the processor has; and the
 // arithmetic of docs/manual.md, "Numbers", whatever the caller rounds to.
 #include "gw/machine.h"
-#include "gw/parallel.h"
+#include "gw/base/parallel.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #define HWY_TARGET_INCLUDE "tests/gw/test_power_lanes.cpp"
 #include <hwy/foreach_target.h>
 
-#include "gw/fast/power-inl.h"
+#include "gw/fast/vertices/power-inl.h"
 
 #include <hwy/highway.h>
 

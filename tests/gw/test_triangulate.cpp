@@ -1,5 +1,5 @@
-#include "gw/orient.h"
-#include "gw/triangulate.h"
+#include "gw/mesh/orient.h"
+#include "gw/mesh/triangulate.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>

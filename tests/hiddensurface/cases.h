@@ -1,9 +1,9 @@
 // Scenes for the tests: the cases of scenes/hidden, and random ones. Does not draw.
 #pragma once
 
-#include "hiddensurface/compare.h"
-#include "scene/draw_commands.h"
-#include "scene/fit.h"
+#include "hiddensurface/run/compare.h"
+#include "scene/draw/draw_commands.h"
+#include "scene/draw/fit.h"
 #include "scene/read_scene.h"
 
 #include <random>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cases.h"
-#include "gw/elementary.h"
+#include "gw/base/elementary.h"
 
 #include <functional>
 

@@ -1,5 +1,5 @@
 // Draws nearest first, and so shows what is farthest.
-#include "hiddensurface/algorithm.h"
+#include "hiddensurface/run/algorithm.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,8 +1,8 @@
 // Claims: the lecture's building blocks are exact: normal, view test, edges, depth. [L3, L4, L7, L8]
 #include "cases.h"
-#include "hiddensurface/normal.h"
-#include "hiddensurface/overlap.h"
-#include "hiddensurface/scan_conversion.h"
+#include "hiddensurface/model/normal.h"
+#include "hiddensurface/model/overlap.h"
+#include "hiddensurface/structures/scan_conversion.h"
 
 #include <gtest/gtest.h>
 

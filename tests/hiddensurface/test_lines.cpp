@@ -7,8 +7,8 @@
 #include "gw/error.h"
 #include "hiddensurface/lines/draw_lines.h"
 #include "hiddensurface/lines/horizon.h"
-#include "hiddensurface/normal.h"
-#include "hiddensurface/scan_conversion.h"
+#include "hiddensurface/model/normal.h"
+#include "hiddensurface/structures/scan_conversion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Claims: without a Z plane means without one; the picture comes from the machine; counts and logs are true.
 #include "cases.h"
 #include "gw/error.h"
-#include "hiddensurface/replay.h"
+#include "hiddensurface/run/replay.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 // line and expectation.
 #include "cases.h"
 #include "gw/error.h"
-#include "hiddensurface/normal.h"
-#include "hiddensurface/quiz/coverage.h"
+#include "hiddensurface/model/normal.h"
+#include "hiddensurface/quiz/answer_coverage.h"
 #include "hiddensurface/quiz/fragments.h"
 #include "hiddensurface/quiz/quiz.h"
 

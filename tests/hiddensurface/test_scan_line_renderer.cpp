@@ -1,7 +1,7 @@
 // Claims: eq. 3 at every pixel is eq. 1 where nothing varies over a polygon, and better where it does. [K3s]
 #include "cases.h"
-#include "hiddensurface/scan_line_renderer.h"
-#include "scene/shading.h"
+#include "hiddensurface/run/scan_line_renderer.h"
+#include "scene/draw/shading.h"
 
 #include <gtest/gtest.h>
 

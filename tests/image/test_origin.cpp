@@ -1,6 +1,6 @@
 // Claim: a file says by which command it was written, and its bytes do not.
-#include "image/origin.h"
-#include "image/output_file.h"
+#include "image/output/origin.h"
+#include "image/output/output_file.h"
 
 #include "files.h"
 

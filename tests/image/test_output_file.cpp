@@ -1,6 +1,6 @@
 // A file is there whole or as it was before.
 #include "gw/error.h"
-#include "image/output_file.h"
+#include "image/output/output_file.h"
 
 #include "files.h"
 

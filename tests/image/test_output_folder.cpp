@@ -1,8 +1,8 @@
 // A folder is there whole or as it was before; and pictures made smaller keep their mean.
 #include "gw/error.h"
-#include "image/output_file.h"
-#include "image/output_folder.h"
-#include "image/reduced.h"
+#include "image/output/output_file.h"
+#include "image/output/output_folder.h"
+#include "image/downscale.h"
 
 #include "files.h"
 

@@ -1,7 +1,7 @@
 // Files that belong together appear together.
 #include "gw/error.h"
-#include "image/output_set.h"
-#include "image/temporaries.h"
+#include "image/output/output_set.h"
+#include "image/output/temporaries.h"
 
 #include "files.h"
 

@@ -1,5 +1,5 @@
 // Pictures and planes in files: what a reader finds there is what the plane held.
-#include "gw/arithmetic.h"
+#include "gw/base/arithmetic.h"
 #include "gw/error.h"
 #include "image/write.h"
 

@@ -1,8 +1,8 @@
 // Equality of recordings by content: meshes, maps and lights are compared by value.
 #pragma once
 
-#include "inspect/content.h"
-#include "inspect/recording.h"
+#include "inspect/recording/content.h"
+#include "inspect/recording/recording.h"
 #include "tests/fuzz/case.h"
 
 namespace gw::inspect {

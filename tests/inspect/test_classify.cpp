@@ -1,7 +1,7 @@
 // Claim: a pixel of another renderer that differs is a rounding, an edge, or neither.
 #include <gtest/gtest.h>
 
-#include "inspect/classify.h"
+#include "inspect/compare/classify.h"
 
 namespace gw::inspect {
 

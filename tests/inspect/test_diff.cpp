@@ -2,9 +2,9 @@
 // map, light; and of their planes the pass, the worst pixel, and the fragment that made it.
 #include <gtest/gtest.h>
 
-#include "inspect/command_difference.h"
-#include "inspect/player.h"
-#include "inspect/result_difference.h"
+#include "inspect/compare/command_difference.h"
+#include "inspect/replay/player.h"
+#include "inspect/compare/result_difference.h"
 #include "same.h"
 #include "three_passes.h"
 

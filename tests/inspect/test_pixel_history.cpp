@@ -2,9 +2,9 @@
 // every command that touched it; maps count the same fragments.
 #include <gtest/gtest.h>
 
-#include "inspect/compare_machines.h"
-#include "inspect/pixel_report.h"
-#include "inspect/player.h"
+#include "inspect/compare/compare_machines.h"
+#include "inspect/replay/pixel_report.h"
+#include "inspect/replay/player.h"
 #include "same.h"
 #include "three_passes.h"
 

@@ -2,9 +2,9 @@
 // is found, with pass, plane, pixel and both values.
 #include <gtest/gtest.h>
 
-#include "inspect/compare_machines.h"
-#include "inspect/player.h"
-#include "inspect/recorder.h"
+#include "inspect/compare/compare_machines.h"
+#include "inspect/replay/player.h"
+#include "inspect/replay/recorder.h"
 #include "same.h"
 #include "three_passes.h"
 #include "wrong_machine.h"

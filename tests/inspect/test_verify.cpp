@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gw/error.h"
-#include "inspect/verify.h"
+#include "inspect/compare/verify.h"
 #include "same.h"
 #include "three_passes.h"
 #include "wrong_machine.h"

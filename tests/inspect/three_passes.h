@@ -1,7 +1,7 @@
 // A small recording whose planes are known by hand.
 #pragma once
 
-#include "inspect/recording.h"
+#include "inspect/recording/recording.h"
 
 namespace gw::inspect {
 

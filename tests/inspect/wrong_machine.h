@@ -1,7 +1,7 @@
 // A machine with a fault of our choice: it does something to every list before it executes it.
 #pragma once
 
-#include "inspect/compare_machines.h"
+#include "inspect/compare/compare_machines.h"
 
 namespace gw::inspect {
 

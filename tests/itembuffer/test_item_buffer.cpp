@@ -5,10 +5,10 @@
 #include "gw/fast/kernels.h"
 #include "itembuffer/adaptive.h"
 #include "itembuffer/differences.h"
-#include "itembuffer/ordinary.h"
+#include "itembuffer/superposed_ray_tracer.h"
 #include "itembuffer/traced_component.h"
-#include "multipass/samples.h"
-#include "raytrace/picture.h"
+#include "multipass/frame/samples.h"
+#include "raytrace/tracer/render.h"
 #include "scene/read_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Bodies over a floor in one light, whose shadows are compared with the truth.
 #pragma once
 
-#include "multipass/driver.h"
-#include "scene/shape_table.h"
+#include "multipass/frame/driver.h"
+#include "scene/toml/shape_table.h"
 #include "scenes.h"
 #include "truth.h"
 

@@ -1,8 +1,8 @@
 // The catalogue against the paper's tuples [K3p], and the passes as text.
-#include "multipass/catalogue.h"
+#include "multipass/passes/catalogue.h"
 
-#include "multipass/passes.h"
-#include "multipass/words.h"
+#include "multipass/passes/passes.h"
+#include "multipass/passes/tokens.h"
 
 #include <gtest/gtest.h>
 

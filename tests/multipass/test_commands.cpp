@@ -1,7 +1,7 @@
 // What the commands of a pass say: each object's own state, a glaring emitter's material, what a clear
 // reaches.
-#include "multipass/catalogue.h"
-#include "multipass/driver.h"
+#include "multipass/passes/catalogue.h"
+#include "multipass/frame/driver.h"
 
 #include "scenes.h"
 

@@ -1,5 +1,5 @@
 // Pictures by passes: sums of components, many lights, selective light, eq. 1 against eq. 2.
-#include "multipass/driver.h"
+#include "multipass/frame/driver.h"
 
 #include "scenes.h"
 

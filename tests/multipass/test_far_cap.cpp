@@ -1,8 +1,8 @@
 // Far caps against points of the scene's bounds, in world space.
-#include "multipass/far_cap.h"
+#include "multipass/shadow/far_cap.h"
 
-#include "multipass/shadow_volume.h"
-#include "scene/view.h"
+#include "multipass/shadow/shadow_volume.h"
+#include "scene/draw/view.h"
 #include "shadow_cases.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Two-step fog [K3.5] against the machine's fog in one pass.
-#include "multipass/driver.h"
+#include "multipass/frame/driver.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>

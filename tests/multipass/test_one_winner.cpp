@@ -1,8 +1,8 @@
 // Coincident faces are added once.
-#include "multipass/one_winner.h"
+#include "multipass/ties/one_winner.h"
 
-#include "multipass/driver.h"
-#include "multipass/tied_pixels.h"
+#include "multipass/frame/driver.h"
+#include "multipass/ties/tied_pixels.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>

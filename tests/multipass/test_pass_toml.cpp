@@ -1,9 +1,9 @@
 // Pass lists as TOML: what is written is read again, what is wrong says where and what was expected.
-#include "multipass/pass_toml.h"
+#include "multipass/passes/pass_toml.h"
 
 #include "gw/error.h"
-#include "multipass/catalogue.h"
-#include "multipass/driver.h"
+#include "multipass/passes/catalogue.h"
+#include "multipass/frame/driver.h"
 #include "scene/read_scene.h"
 #include "scenes.h"
 

@@ -1,8 +1,8 @@
 // Reflection and refraction maps generated from the scene [K3.1], against directions worked out by hand.
-#include "multipass/scene_maps.h"
+#include "multipass/maps/scene_maps.h"
 
-#include "multipass/driver.h"
-#include "multipass/sphere_map.h"
+#include "multipass/frame/driver.h"
+#include "multipass/maps/sphere_map.h"
 #include "scenes.h"
 #include "shadow_cases.h"
 

@@ -1,9 +1,9 @@
 // Pass lists and schedules: which passes run, how often, and who takes part.
-#include "multipass/schedule.h"
+#include "multipass/passes/schedule.h"
 
 #include "gw/error.h"
-#include "multipass/catalogue.h"
-#include "multipass/driver.h"
+#include "multipass/passes/catalogue.h"
+#include "multipass/frame/driver.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>

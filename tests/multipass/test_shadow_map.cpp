@@ -1,6 +1,6 @@
 // Shadow maps against rays, and against shadow volumes.
-#include "multipass/shadow_map.h"
-#include "scene/pixel_rays.h"
+#include "multipass/shadow/shadow_map.h"
+#include "scene/draw/pixel_rays.h"
 
 #include "shadow_cases.h"
 

@@ -1,11 +1,11 @@
 // Shadow volumes against rays: every pixel more than one away from an edge of the true shadow.
-#include "multipass/shadow_volume.h"
+#include "multipass/shadow/shadow_volume.h"
 
 #include "gw/error.h"
-#include "multipass/catalogue.h"
-#include "multipass/driver.h"
-#include "multipass/shadow_passes.h"
-#include "multipass/shadows.h"
+#include "multipass/passes/catalogue.h"
+#include "multipass/frame/driver.h"
+#include "multipass/shadow/shadow_passes.h"
+#include "multipass/shadow/shadows.h"
 #include "shadow_cases.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Superposed pictures: where the samples lie, and what their mean is.
-#include "multipass/superpose.h"
+#include "multipass/frame/superpose.h"
 
 #include "gw/error.h"
-#include "multipass/driver.h"
+#include "multipass/frame/driver.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>

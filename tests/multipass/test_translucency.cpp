@@ -1,9 +1,9 @@
 // Translucent objects [K3.4]: sorted, unsorted, in exact layers; against blending worked out by hand.
-#include "gw/arithmetic.h"
+#include "gw/base/arithmetic.h"
 #include "gw/error.h"
-#include "multipass/driver.h"
-#include "multipass/far_to_near.h"
-#include "multipass/layers.h"
+#include "multipass/frame/driver.h"
+#include "multipass/translucency/far_to_near.h"
+#include "multipass/translucency/layers.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // double.
 #pragma once
 
-#include "scene/view.h"
+#include "scene/draw/view.h"
 
 #include <glm/matrix.hpp>
 

@@ -1,7 +1,7 @@
 // Plots as text: what is drawn where, what is refused.
 #include "gw/error.h"
-#include "plot/plot.h"
-#include "plot/scale.h"
+#include "study/plot/plot.h"
+#include "study/plot/scale.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Form factors found in other ways than by hemicubes: in closed form, and by sums of closed forms.
 #pragma once
 
-#include "gw/types.h"
+#include "gw/base/types.h"
 
 #include <array>
 #include <cmath>

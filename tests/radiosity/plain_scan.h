@@ -2,9 +2,9 @@
 // with.
 #pragma once
 
-#include "radiosity/homography.h"
-#include "radiosity/region.h"
-#include "radiosity/scan.h"
+#include "radiosity/hemicube/homography.h"
+#include "radiosity/hemicube/region.h"
+#include "radiosity/hemicube/scan.h"
 
 #include <array>
 #include <cmath>

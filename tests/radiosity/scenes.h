@@ -1,7 +1,7 @@
 // Small scenes whose form factors or radiosities are known.
 #pragma once
 
-#include "radiosity/figures.h"
+#include "radiosity/model/figures.h"
 #include "scene/scene.h"
 
 #include <string>

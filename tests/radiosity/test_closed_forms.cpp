@@ -1,7 +1,7 @@
 // Form factors of figures of many sizes, distances and angles, both ways, within half a percent: Howell's
 // C-11, C-14 and C-41 over their parameters, and sums of Lambert's formula where there is no closed form.
 #include "oracle.h"
-#include "radiosity/form_factors.h"
+#include "radiosity/hemicube/form_factors.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // Pictures of pixmaps [F2.3]: strips refer to every texel and leave no gaps, charts meet without a seam,
 // glowing scenes.
 #include "gw/machine.h"
-#include "radiosity/glow.h"
-#include "scene/draw_commands.h"
-#include "scene/polygon_ids.h"
-#include "scene/shape_table.h"
+#include "radiosity/display/emissive_scene.h"
+#include "scene/draw/draw_commands.h"
+#include "scene/geometry/polygon_ids.h"
+#include "scene/toml/shape_table.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>

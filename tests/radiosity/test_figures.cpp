@@ -1,6 +1,6 @@
 // Figures, ST and pixmaps [F2.1].
 #include "gw/error.h"
-#include "radiosity/figures.h"
+#include "radiosity/model/figures.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>

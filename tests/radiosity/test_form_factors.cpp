@@ -1,5 +1,5 @@
 // Form factors with closed forms: Howell's catalogue C-11, C-14, C-41, B-3, B-4.
-#include "radiosity/form_factors.h"
+#include "radiosity/hemicube/form_factors.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Closed rooms whose surfaces all emit E and reflect rho: B = E / (1 - rho) at every texel [F2.2], whatever
 // the room's shape, the corners included, within half a percent.
-#include "radiosity/solver.h"
+#include "radiosity/solver/solver.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Saved pixmaps [F4]: going on later gives the same bits; what does not fit is refused with a reason.
 #include "gw/error.h"
-#include "radiosity/saved.h"
-#include "radiosity/solver.h"
+#include "radiosity/solver/saved.h"
+#include "radiosity/solver/solver.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>

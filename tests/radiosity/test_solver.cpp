@@ -1,5 +1,5 @@
 // Shooting: the books, the furnace.
-#include "radiosity/solver.h"
+#include "radiosity/solver/solver.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Seeded triangles and rays, the same on every machine.
 #pragma once
 
-#include "raytrace/hierarchy.h"
+#include "raytrace/hierarchy/hierarchy.h"
 
 #include <random>
 

@@ -1,6 +1,6 @@
 // [L9 to L12]: spheres by the discriminant, three inside tests, and accelerations that find what brute force
 // finds, with fewer tests.
-#include "raytrace/cast_picture.h"
+#include "raytrace/casting/cast_picture.h"
 
 #include "scene/read_scene.h"
 

@@ -1,5 +1,5 @@
 // [L9, K4]: reflected and transmitted light where it can be said in advance.
-#include "raytrace/tracer.h"
+#include "raytrace/tracer/tracer.h"
 #include "walls.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Scenes of rectangles for the tests of rays.
 #pragma once
 
-#include "gw/vertex.h"
-#include "scene/polygon_ids.h"
+#include "gw/stages/vertex.h"
+#include "scene/geometry/polygon_ids.h"
 #include "scene/scene.h"
 
 namespace gw::raytrace {

@@ -1,5 +1,5 @@
 // Price lists: counters become estimated seconds as the list says, and a wrong list is refused.
-#include "report/prices.h"
+#include "inspect/report/prices.h"
 
 #include "gw/error.h"
 

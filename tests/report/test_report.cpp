@@ -1,10 +1,10 @@
 // A report's files say what the recording is: planes, counters, states, and every pixel's history.
-#include "report/report.h"
+#include "inspect/report/report.h"
 
 #include "gw/error.h"
 #include "gw/mesh.h"
-#include "inspect/pixel_history.h"
-#include "inspect/player.h"
+#include "inspect/replay/pixel_history.h"
+#include "inspect/replay/player.h"
 
 #include "../inspect/three_passes.h"
 #include "../temporary_folder.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gw/error.h"
-#include "scene/read_obj.h"
+#include "scene/obj/read_obj.h"
 #include "scene/read_scene.h"
 
 #include "../temporary_folder.h"

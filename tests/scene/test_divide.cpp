@@ -1,4 +1,4 @@
-#include "scene/divide.h"
+#include "scene/geometry/divide.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "folder.h"
-#include "scene/number.h"
-#include "scene/shape_table.h"
-#include "scene/text_file.h"
+#include "scene/text/number.h"
+#include "scene/toml/shape_table.h"
+#include "scene/text/text_file.h"
 
 namespace gw::scene {
 

@@ -1,7 +1,7 @@
 // How a scene becomes draw commands.
-#include "scene/draw_commands.h"
+#include "scene/draw/draw_commands.h"
 
-#include "scene/components.h"
+#include "scene/draw/components.h"
 
 #include <gtest/gtest.h>
 

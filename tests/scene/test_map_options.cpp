@@ -1,5 +1,5 @@
 // Claims: map options are told from the file name behind them, and honoured or warned about.
-#include "scene/map_options.h"
+#include "scene/obj/map_options.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Claims: generated normals follow smoothing groups and the crease angle, split vertices only where faces
 // disagree, and are never zero or NaN.
-#include "scene/normals.h"
+#include "scene/geometry/normals.h"
 
 #include <gtest/gtest.h>
 
 #include "folder.h"
-#include "scene/weld.h"
+#include "scene/geometry/weld.h"
 
 #include <cmath>
 

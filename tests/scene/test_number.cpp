@@ -1,5 +1,5 @@
 // Claims: decimals become the nearest float32, and what is no finite number is told from what is.
-#include "scene/number.h"
+#include "scene/text/number.h"
 
 #include <gtest/gtest.h>
 

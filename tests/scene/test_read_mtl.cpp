@@ -1,6 +1,6 @@
 // Claims: MTL statements become materials in the papers' words; what is not honoured is said once; what is
 // wrong is an error with its line.
-#include "scene/read_mtl.h"
+#include "scene/obj/read_mtl.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Claims: what OBJ files found in the wild hold becomes the parts, vertices and indices that they mean.
-#include "scene/read_obj.h"
+#include "scene/obj/read_obj.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include "gw/mesh.h"
-#include "scene/shape_table.h"
+#include "scene/toml/shape_table.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>

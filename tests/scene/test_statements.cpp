@@ -1,6 +1,6 @@
 // Claims: statements are found whatever the line ends, blanks, comments and continuations, with the line they
 // begin on.
-#include "scene/statements.h"
+#include "scene/text/statements.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Claims: files are read whole without their byte order mark, and names in files are found as people meant
 // them.
-#include "scene/text_file.h"
+#include "scene/text/text_file.h"
 
 #include <gtest/gtest.h>
 

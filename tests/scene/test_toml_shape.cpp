@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "folder.h"
-#include "scene/shape_table.h"
+#include "scene/toml/shape_table.h"
 
 namespace gw::scene {
 

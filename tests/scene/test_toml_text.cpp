@@ -1,6 +1,6 @@
 // Claims: characters beyond ASCII stand in strings and comments of a TOML scene, and nowhere else; toml++
 // sees none of those that it has no answer for.
-#include "scene/toml_text.h"
+#include "scene/toml/toml_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Views: where known points land.
-#include "scene/view.h"
+#include "scene/draw/view.h"
 
 #include "gw/error.h"
-#include "scene/fit.h"
+#include "scene/draw/fit.h"
 
 #include <gtest/gtest.h>
 

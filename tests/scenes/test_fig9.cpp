@@ -1,6 +1,6 @@
 // Fig. 9's class of scene [K4f]: 444 matte and 77,184 glossy polygons, about a third of the pixels glossy.
 #include "gw/machine.h"
-#include "multipass/driver.h"
+#include "multipass/frame/driver.h"
 #include "scene/read_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // The built-in list of every scene, written as [[pass]] and read again as the scene's own, draws the same
 // bits in every plane on every profile.
 #include "image/textures.h"
-#include "multipass/driver.h"
-#include "multipass/pass_toml.h"
-#include "scene/fit.h"
+#include "multipass/frame/driver.h"
+#include "multipass/passes/pass_toml.h"
+#include "scene/draw/fit.h"
 #include "scene/read_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // Small scenes for the tests of studies, without files.
 #pragma once
 
-#include "scene/polygon_ids.h"
+#include "scene/geometry/polygon_ids.h"
 #include "scene/scene.h"
-#include "scene/shape_table.h"
+#include "scene/toml/shape_table.h"
 
 #include <algorithm>
 

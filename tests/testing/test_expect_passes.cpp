@@ -3,9 +3,9 @@
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
-#include "testing/expect_passes.h"
-#include "testing/failure_pictures.h"
-#include "testing/matchers.h"
+#include "inspect/testing/expect_passes.h"
+#include "inspect/testing/failure_pictures.h"
+#include "inspect/testing/matchers.h"
 
 #include <cstdlib>
 #include <fstream>

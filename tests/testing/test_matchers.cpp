@@ -1,8 +1,8 @@
 // Claims: each matcher for planes holds for its value and for no other, and says what it found.
 #include <gtest/gtest.h>
 
-#include "testing/failure_pictures.h"
-#include "testing/matchers.h"
+#include "inspect/testing/failure_pictures.h"
+#include "inspect/testing/matchers.h"
 
 #include <cstdlib>
 #include "../temporary_folder.h"

@@ -1,0 +1,22 @@
+// What is said when a signal ends long work: what is there, and how to go on.
+// Does not remove temporary files (image/output/temporaries.h does, next).
+#pragma once
+
+#include <string>
+
+namespace gw::apps {
+
+/// While one lives, SIGINT, SIGTERM and SIGHUP write the last text to stderr before they end the process as
+/// they would have without it.
+class Interruption {
+public:
+    Interruption();
+    ~Interruption();
+    Interruption(const Interruption&) = delete;
+    Interruption& operator=(const Interruption&) = delete;
+
+    /// At most 500 bytes are written.
+    void say(const std::string& text);
+};
+
+}  // namespace gw::apps

@@ -1,0 +1,40 @@
+#include "apps/command/progress.h"
+
+#include "apps/command/terminal.h"
+
+#include <chrono>
+
+namespace gw::apps {
+
+Progress::Progress(std::string what, bool quiet) : what_(std::move(what)) {
+    if (!quiet && error_is_terminal()) thread_ = std::thread([this] { show(); });
+}
+
+Progress::~Progress() {
+    {
+        const std::lock_guard lock(mutex_);
+        end_ = true;
+    }
+    ended_.notify_one();
+    if (thread_.joinable()) thread_.join();
+}
+
+void Progress::at(std::string what) {
+    const std::lock_guard lock(mutex_);
+    what_ = std::move(what);
+}
+
+void Progress::show() {
+    constexpr std::string_view to_line_start_and_clear = "\r\033[K";
+    std::unique_lock lock(mutex_);
+    for (int seconds = 1;; ++seconds) {
+        if (ended_.wait_for(lock, std::chrono::seconds(1), [this] { return end_; })) {
+            if (seconds > 1) print_error(to_line_start_and_clear);
+            return;
+        }
+        print_error(std::string(to_line_start_and_clear) + "gw: " + what_ + ", " + std::to_string(seconds) +
+                    " s");
+    }
+}
+
+}  // namespace gw::apps

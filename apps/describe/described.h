@@ -1,0 +1,27 @@
+// The commands and options of gw as plain data, for whatever describes them. Reads what CLI11 was told.
+#pragma once
+
+#include "apps/command/cli_fwd.h"
+
+#include <string>
+#include <vector>
+
+namespace gw::apps {
+
+struct DescribedOption {
+    std::vector<std::string> words;  ///< "-o", "--output"; of a positional its name
+    std::string type;                ///< "IMAGE"; "" of a flag
+    std::string about;
+    bool positional = false;
+    std::vector<std::string> values;  ///< the words it takes, where they are few and known
+};
+
+struct DescribedCommand {
+    std::string name, about, footer;
+    std::vector<DescribedOption> options;
+};
+
+/// In the order of --help. The root itself is not among them.
+std::vector<DescribedCommand> described_commands(const CLI::App& root);
+
+}  // namespace gw::apps

@@ -1,0 +1,88 @@
+// gw info: what this build of the machine is and what it was made with.
+#include "apps/command/command.h"
+#include "apps/command/terminal.h"
+#include "apps/command/versions.h"
+#include "gw/machine.h"
+#include "inspect/manifest/profile_json.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <thread>
+
+namespace gw::apps {
+
+namespace {
+
+std::string extensions_of(const Profile& profile) {
+    std::string names;
+    for (const auto& [has, name] : {std::pair(profile.extensions.polygon_offset, "polygon_offset"),
+                                    std::pair(profile.extensions.shadow_texture, "shadow_texture"),
+                                    std::pair(profile.extensions.stencil_wrap, "stencil_wrap"),
+                                    std::pair(profile.extensions.two_sided_stencil, "two_sided_stencil")}) {
+        if (has) names += (names.empty() ? "" : " ") + std::string(name);
+    }
+    return names.empty() ? "none" : names;
+}
+
+struct Row {
+    const char* title;
+    int Profile::*bits;
+};
+constexpr Row rows[] = {
+    {"colour, bits per channel", &Profile::color_bits},
+    {"Z, bits", &Profile::depth_bits},
+    {"stencil, bits", &Profile::stencil_bits},
+    {"accumulation, bits per channel, signed", &Profile::accum_bits},
+    {"sub-pixel bits", &Profile::subpixel_bits},
+    {"lit vertex colour, bits", &Profile::lit_bits},
+    {"lights in one pass", &Profile::max_lights},
+};
+
+std::string line(const std::string& title, const std::function<std::string(const Profile&)>& cell) {
+    std::string text = fmt::format("  {:<40}", title);
+    for (const Profile& profile : profiles()) text += fmt::format("{:>10}", cell(profile));
+    return text + "\n";
+}
+
+std::string text() {
+    std::string out = fmt::format("gw {}\n\nprofiles\n", version());
+    out += line("", [](const Profile& p) { return p.name; });
+    for (const Row& row : rows) {
+        out += line(row.title, [&](const Profile& p) { return std::to_string(p.*row.bits); });
+    }
+    out += line("fog factor", [](const Profile& p) { return p.fragment_fog ? "fragment" : "vertex"; });
+    out += line("Gouraud colour, linear in",
+                [](const Profile& p) { return p.perspective_color ? "space" : "screen"; });
+    for (const Profile& p : profiles())
+        out += fmt::format("  extensions of {:<26}{}\n", p.name, extensions_of(p));
+    out += fmt::format("\nwindow {0} x {0} at most\nthreads {1}\nvectors {2}\n\nmade with\n", max_window_size,
+                       std::thread::hardware_concurrency(), simd_target());
+    for (const auto& [name, number] : versions()) out += fmt::format("  {:<16}{}\n", name, number);
+    return out;
+}
+
+std::string json() {
+    nlohmann::ordered_json json{{"version", version()}, {"profiles", nlohmann::ordered_json::array()}};
+    for (const Profile& profile : profiles()) json["profiles"].push_back(inspect::json_of(profile));
+    json["max_window_size"] = max_window_size;
+    json["threads"] = std::thread::hardware_concurrency();
+    json["vectors"] = simd_target();
+    for (const auto& [name, number] : versions()) json["made_with"][name] = number;
+    return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+Command add_info(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("info", "Profiles, threads, versions");
+    const auto as_json = std::make_shared<bool>(false);
+    command->add_flag("--json", *as_json, "The same as JSON");
+    command->footer("Example:\n  build/release/bin/gw info --json");
+    return {command, [as_json] {
+                print(*as_json ? json() : text());
+                return done;
+            }};
+}
+
+}  // namespace gw::apps

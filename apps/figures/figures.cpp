@@ -1,0 +1,123 @@
+// gw figures: the papers' figures into a folder, with a page that shows them.
+#include "apps/command/command.h"
+#include "apps/figures/figure_entry.h"
+#include "apps/figures/index_page.h"
+#include "apps/figures/panel_words.h"
+#include "apps/command/progress.h"
+#include "apps/describe/shell_words.h"
+#include "apps/command/terminal.h"
+#include "gw/error.h"
+#include "image/output/output_set.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace gw::apps {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct FiguresOptions {
+    fs::path folder;
+    std::vector<std::string> only;
+    std::optional<Size> size;
+    bool list = false, quiet = false;
+};
+
+void print_list() {
+    for (const Figure& figure : figures())
+        print(fmt::format("{:<14} {:<10} {}\n", figure.name, figure.row, figure.title));
+}
+
+/// Stays, whatever comes after.
+void make_folder(const fs::path& folder) {
+    image::OutputSet output;
+    output.make_folder(folder);
+    output.commit();
+}
+
+RanPanel run_panel(const Panel& panel, const FiguresOptions& options, const Figure& figure,
+                   std::size_t index) {
+    const fs::path folder = options.folder / figure.name;
+    std::vector<std::string> words = words_of(panel, folder);
+    const Size size = options.size.value_or(figure.size.value_or(Size{}));
+    if (figure.size) set_option(words, "--size", fmt::format("{}x{}", size.width, size.height));
+    RanPanel ran{&panel, shell_command(words), {}};
+    if (words[0] == "render") {
+        ran.counters = fmt::format("counters_{}.json", index + 1);
+        words.insert(words.end(), {"--counters", (folder / ran.counters).string()});
+    }
+    words.push_back("--quiet");
+    const Muted muted;
+    run_command(words);
+    return ran;
+}
+
+void add_to_index(const fs::path& folder, IndexEntry entry) {
+    FolderIndex index = read_index(folder);
+    add_entry(index, std::move(entry));
+    sort_by_table(index);
+    image::OutputSet output;
+    output.add(folder / index_file).write_text(to_json(index));
+    output.add(folder / "index.html")
+        .write_text(index_page(index, {"The figures",
+                                       "Each command works from the root of the repository. Rows in brackets "
+                                       "are those of docs/papers.md."}));
+    output.commit();
+}
+
+void make_figure(const Figure& figure, const FiguresOptions& options, Progress& progress,
+                 const std::string& which) {
+    const fs::path folder = options.folder / figure.name;
+    make_folder(folder);
+    std::vector<RanPanel> panels;
+    for (const Panel& panel : figure.panels) {
+        progress.at(
+            fmt::format("{}, {}, {} of {}", which, figure.name, panels.size() + 1, figure.panels.size()));
+        panels.push_back(run_panel(panel, options, figure, panels.size()));
+    }
+    add_to_index(options.folder, figure_entry(figure, options.folder, panels));
+}
+
+int make_figures(const FiguresOptions& options) {
+    if (options.list) {
+        print_list();
+        return done;
+    }
+    if (options.folder.empty()) throw UsageError("DIR is missing; expected the name of a folder");
+    if (!fs::exists("scenes"))
+        throw Error("scenes: does not exist; expected to be run from the repository's root");
+    make_folder(options.folder);
+    image::check_target(options.folder / "index.html");
+    read_index(options.folder);
+    Progress progress("figures", options.quiet);
+    const auto all = wanted_figures(options.only);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        make_figure(*all[i], options, progress, fmt::format("figure {} of {}", i + 1, all.size()));
+    print((options.folder / "index.html").string() + "\n");
+    return done;
+}
+
+}  // namespace
+
+Command add_figures(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("figures", "The figures of the papers, with a page that shows them");
+    const auto options = std::make_shared<FiguresOptions>();
+    command->add_option("DIR", options->folder, "Where to; made where it is missing")->type_name("DIR");
+    add_only_option(*command, options->only);
+    command
+        ->add_option_function<std::string>(
+            "--size", [options](const std::string& word) { options->size = size_from("--size", word); },
+            "Pixels of each picture (default: what suits the figure)")
+        ->type_name("WxH");
+    command->add_flag("--list", options->list, "Print names, rows and titles, and draw nothing");
+    command->add_flag("--quiet", options->quiet, "No progress");
+    command->footer("Example:\n  build/release/bin/gw figures figures --only fig1");
+    return {command, [options] { return make_figures(*options); }};
+}
+
+}  // namespace gw::apps

@@ -1,0 +1,205 @@
+#include "apps/hidden/files.h"
+
+#include "apps/hidden/captions.h"
+#include "apps/hidden/pictures.h"
+#include "apps/command/table.h"
+#include "hiddensurface/run/pieces_svg.h"
+#include "image/animation.h"
+#include "image/write.h"
+#include "study/plot/markup.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iterator>
+
+namespace gw::apps {
+
+namespace hs = hiddensurface;
+using Colors = std::map<std::uint32_t, Color>;
+
+namespace {
+
+constexpr float frames_per_second = 4;
+
+std::string lines_of(const std::vector<hs::Step>& steps) {
+    std::string text;
+    for (const hs::Step& step : steps) text += hs::to_json(step) + "\n";
+    return text;
+}
+
+void put_frames(image::OutputSet& output, const std::filesystem::path& folder, const hs::Input& input,
+                const std::string& algorithm, const std::vector<hs::Step>& steps, const Colors& colors,
+                int pictures) {
+    hs::Replay replay(steps, input.view.width, input.view.height);
+    std::vector<image::Picture> frames;
+    for (const std::size_t place : places(steps.size(), pictures)) {
+        replay.go_to(place);
+        frames.push_back(
+            captioned(enlarged(picture_of_step(input, replay, colors)), caption_of_step(algorithm, replay)));
+        image::put_picture(output.add(folder / fmt::format("step_{:04}.png", frames.size())), frames.back());
+    }
+    image::put_animation(output.add(folder / "steps.gif"), frames, frames_per_second);
+}
+
+void put_pieces(image::OutputSet& output, const std::filesystem::path& folder, const hs::Input& input,
+                const std::vector<hs::Piece>& pieces, const Colors& colors) {
+    std::vector<std::string> hex;
+    for (const hs::Polygon& polygon : input.polygons) hex.push_back(hex_of(colors.at(polygon.id)));
+    output.add(folder / "pieces.svg").write_text(hs::pieces_svg(input, pieces, hex));
+}
+
+/// Picture, difference, writes.
+std::vector<image::Picture> pictures_of(const hs::Input& input, const hs::Result& result,
+                                        const Colors& colors) {
+    const image::Picture picture = picture_of_ids(input, result.ids, colors);
+    return {picture, picture_of_difference(picture, result.difference),
+            picture_of_counts(result.writes, input.view.width, input.view.height)};
+}
+
+/// Only of an algorithm that finds parts of pixels.
+void put_shares(image::OutputSet& output, const std::filesystem::path& file, const hs::Input& input,
+                const hs::Result& result, const Colors& colors) {
+    if (!result.shares.empty())
+        image::put_picture(output.add(file), picture_of_shares(input, result.shares, colors));
+}
+
+std::vector<image::Picture> sheet_row(std::vector<image::Picture> pictures, const Compared& run) {
+    const auto captions = captions_of(run.algorithm->name, run.result.counts);
+    for (std::size_t k = 0; k < pictures.size(); ++k)
+        pictures[k] = captioned(enlarged(pictures[k]), captions[k]);
+    return pictures;
+}
+
+/// As many to a row as make the sheet about as high as it is wide.
+std::vector<std::vector<image::Picture>> in_rows(std::vector<std::vector<image::Picture>> all) {
+    const image::Picture& one = all.front().front();
+    const std::size_t width = all.front().size() * std::size_t(one.width), height = std::size_t(one.height);
+    std::size_t abreast = 1;
+    while (abreast * width < (all.size() + abreast - 1) / abreast * height) ++abreast;
+    std::vector<std::vector<image::Picture>> rows;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i % abreast == 0) rows.emplace_back();
+        std::move(all[i].begin(), all[i].end(), std::back_inserter(rows.back()));
+    }
+    return rows;
+}
+
+constexpr const char* kinds[] = {"", "_difference", "_writes"};
+
+std::string html_row(const Compared& run) {
+    const hs::Counts& c = run.result.counts;
+    std::string row = fmt::format("<tr><th>{}<br>{}</th>", run.algorithm->name, run.algorithm->title);
+    for (const char* kind : kinds)
+        row += fmt::format("<td><img src=\"{}{}.png\" alt=\"{}{}\"></td>", run.algorithm->name, kind,
+                           run.algorithm->name, kind);
+    return row +
+           fmt::format(
+               "<td>{} ties<br>{} edges<br>{} snapped<br>{} wrong<br>{} splits<br>{} overdraw</td></tr>\n",
+               c.ties, c.edges, c.snapped, c.wrong, c.splits, c.overdraw);
+}
+
+std::string html(const hs::Input& input, const std::vector<Compared>& all) {
+    std::string text = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Hidden surfaces: {0}</title>\n"
+        "<style>body{{font-family:sans-serif}}th{{text-align:left;max-width:16em}}td{{vertical-align:top}}</"
+        "style>\n"
+        "<h1>Hidden surfaces: {0}</h1>\n<p>Differences from the Z-buffer: ties yellow, edges cyan, snapped "
+        "blue, wrong red. Writes: "
+        "black 0, blue 1, green 2, yellow 3, orange 4, red 5 and more.</p>\n<table>\n"
+        "<tr><th></th><th>picture</th><th>difference</th><th>writes</th><th>counts</th></tr>\n",
+        plot::escaped(input.scene.name));
+    for (const Compared& run : all) text += html_row(run);
+    return text +
+           "</table>\n<p>Polygons over each pixel:</p>\n<img src=\"complexity.png\" alt=\"depth "
+           "complexity\">\n"
+           "<p><a href=\"counts.csv\">counts.csv</a> <a href=\"counts.json\">counts.json</a> <a "
+           "href=\"sheet.png\">"
+           "sheet.png</a></p>\n</html>\n";
+}
+
+}  // namespace
+
+std::vector<std::size_t> places(std::size_t steps, int pictures) {
+    const auto count = std::min(steps + 1, static_cast<std::size_t>(pictures));
+    std::vector<std::size_t> at;
+    for (std::size_t i = 1; i <= count; ++i) at.push_back(count == 1 ? steps : (i - 1) * steps / (count - 1));
+    return at;
+}
+
+std::string counts_text(const std::vector<Compared>& all) {
+    std::vector<std::vector<std::string>> rows{{""}};
+    if (all.size() == 1) {
+        rows[0].push_back(all[0].algorithm->name);
+        for (const auto& [name, count] : hs::count_names())
+            rows.push_back({name, std::to_string(all[0].result.counts.*count)});
+        return table(rows);
+    }
+    for (const auto& [name, count] : hs::count_names()) rows[0].push_back(name);
+    for (const Compared& run : all) {
+        rows.push_back({run.algorithm->name});
+        for (const auto& [name, count] : hs::count_names())
+            rows.back().push_back(std::to_string(run.result.counts.*count));
+    }
+    constexpr std::size_t terminal = 120;
+    return table_in_parts(rows, terminal);
+}
+
+std::string counts_csv(const std::vector<Compared>& all) {
+    std::string text = "algorithm";
+    for (const auto& [name, count] : hs::count_names()) text += std::string(",") + name;
+    text += "\n";
+    for (const Compared& run : all) {
+        text += run.algorithm->name;
+        for (const auto& [name, count] : hs::count_names())
+            text += fmt::format(",{}", run.result.counts.*count);
+        text += "\n";
+    }
+    return text;
+}
+
+std::string counts_json(const std::vector<Compared>& all) {
+    auto list = nlohmann::ordered_json::array();
+    for (const Compared& run : all) {
+        nlohmann::ordered_json counts;
+        for (const auto& [name, count] : hs::count_names()) counts[name] = run.result.counts.*count;
+        list.push_back(
+            {{"algorithm", run.algorithm->name}, {"title", run.algorithm->title}, {"counts", counts}});
+    }
+    return list.dump(2) + "\n";
+}
+
+void put_steps(image::OutputSet& output, const std::filesystem::path& folder, const hs::Input& input,
+               const Compared& run, const std::vector<hs::Step>& steps, int pictures) {
+    const Colors colors = flat_colors(input);
+    output.add(folder / "steps.jsonl").write_text(lines_of(steps));
+    put_frames(output, folder, input, run.algorithm->name, steps, colors, pictures);
+    if (run.result.counts.splits > 0) put_pieces(output, folder, input, run.result.pieces, colors);
+    const auto last = pictures_of(input, run.result, colors);
+    image::put_picture(output.add(folder / "picture.png"), last[0]);
+    image::put_picture(output.add(folder / "difference.png"), last[1]);
+    image::put_picture(output.add(folder / "writes.png"), last[2]);
+    put_shares(output, folder / "smooth.png", input, run.result, colors);
+}
+
+void put_comparison(image::OutputSet& output, const std::filesystem::path& folder, const hs::Input& input,
+                    const std::vector<Compared>& all) {
+    const Colors colors = flat_colors(input);
+    std::vector<std::vector<image::Picture>> rows;
+    for (const Compared& run : all) {
+        const auto pictures = pictures_of(input, run.result, colors);
+        for (std::size_t k = 0; k < pictures.size(); ++k)
+            image::put_picture(output.add(folder / (run.algorithm->name + kinds[k] + ".png")), pictures[k]);
+        put_shares(output, folder / (run.algorithm->name + "_smooth.png"), input, run.result, colors);
+        rows.push_back(sheet_row(pictures, run));
+    }
+    image::put_picture(output.add(folder / "sheet.png"), sheet_of(in_rows(std::move(rows))));
+    image::put_picture(output.add(folder / "complexity.png"),
+                       picture_of_counts(hs::depth_complexity(input), input.view.width, input.view.height));
+    output.add(folder / "counts.csv").write_text(counts_csv(all));
+    output.add(folder / "counts.json").write_text(counts_json(all));
+    output.add(folder / "index.html").write_text(html(input, all));
+}
+
+}  // namespace gw::apps

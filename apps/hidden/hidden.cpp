@@ -1,0 +1,213 @@
+// gw hidden: the lecture's hidden-surface algorithms, one or all, with counts, steps and comparisons.
+#include "apps/command/command.h"
+#include "apps/figures/folder_index.h"
+#include "apps/hidden/files.h"
+#include "apps/hidden/options.h"
+#include "apps/command/progress.h"
+#include "apps/command/terminal.h"
+#include "gw/error.h"
+#include "hiddensurface/lines/line_algorithm.h"
+#include "hiddensurface/quiz/quiz.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+namespace gw::apps {
+
+namespace hs = hiddensurface;
+
+namespace {
+
+std::string algorithms_help() {
+    std::string help = "One algorithm (default: all of hidden surfaces):";
+    for (const hs::Algorithm& algorithm : hs::algorithms())
+        help += "\n" + algorithm.name + ": " + algorithm.title;
+    for (const hs::LineAlgorithm& algorithm : hs::line_algorithms())
+        help += "\n" + algorithm.name + " (lines): " + algorithm.title;
+    return help;
+}
+
+std::vector<std::string> all_names() {
+    std::vector<std::string> names = hs::algorithm_names();
+    for (const hs::LineAlgorithm& algorithm : hs::line_algorithms()) names.push_back(algorithm.name);
+    return names;
+}
+
+hs::Level level_from(const std::string& word) {
+    const std::vector<std::string> names{"polygon", "line", "span", "pixel"};
+    one_of("--level", word, names);
+    return static_cast<hs::Level>(std::find(names.begin(), names.end(), word) - names.begin());
+}
+
+void add_output_options(CLI::App& command, HiddenOptions& options) {
+    command
+        .add_option("--steps", options.steps,
+                    "Of one algorithm: step log, numbered pictures, animated GIF, SVG of the pieces")
+        ->type_name("DIR");
+    command
+        .add_option_function<std::string>(
+            "--level", [&](const std::string& word) { options.level = level_from(word); },
+            "How fine the steps are: polygon (default), line, span, pixel")
+        ->type_name("NAME");
+    command
+        .add_option_function<std::string>(
+            "--pictures",
+            [&](const std::string& word) {
+                options.pictures = whole_number_from("--pictures", word, 1, 9999);
+            },
+            "At most so many pictures of steps (default 48), evenly over all")
+        ->type_name("N");
+    command
+        .add_option(
+            "--compare", options.compare,
+            "A sheet of all algorithms with difference pictures, and the counts as CSV, JSON and HTML")
+        ->type_name("DIR");
+    CLI::Option* json = command.add_flag_callback(
+        "--json", [&] { options.form = Form::Json; }, "The counts as JSON");
+    command
+        .add_flag_callback(
+            "--csv", [&] { options.form = Form::Csv; }, "The counts as comma-separated values")
+        ->excludes(json);
+}
+
+void add_exercise_options(CLI::App& command, HiddenOptions& options) {
+    CLI::Option* quiz =
+        command
+            .add_option(
+                "--quiz", options.quiz,
+                "Instead of a scene's pictures: exercises in DIR/handout, their answers in DIR/key.json")
+            ->type_name("DIR");
+    const auto number = [&, quiz](const char* name, int& to, int low, int high, const char* help) {
+        command
+            .add_option_function<std::string>(
+                name,
+                [name, &to, low, high](const std::string& word) {
+                    to = whole_number_from(name, word, low, high);
+                },
+                help)
+            ->type_name("N")
+            ->needs(quiz);
+    };
+    number("--seed", options.seed, 0, 2147483647,
+           "Of the quiz: the same seed gives the same questions (default 1)");
+    number("--questions", options.questions, 1, 99, "Of the quiz: how many (default 7)");
+    command
+        .add_option_function<std::string>(
+            "--kind",
+            [&](const std::string& word) { options.kind = one_of("--kind", word, hs::quiz_kinds()); },
+            "Of the quiz: all questions of one kind (default: all kinds in turn)")
+        ->type_name("NAME")
+        ->needs(quiz);
+    command.add_option("--grade", options.grade, "Answers to a quiz against its key")
+        ->expected(2)
+        ->type_name("KEY.json ANSWERS.json");
+    command
+        .add_option("--fragments", options.fragments,
+                    "A list x,y,polygon of what is seen, against the Z-buffer's picture")
+        ->type_name("FILE.csv");
+    command.add_option("--truth", options.truth, "Writes the list as it should be")->type_name("FILE.csv");
+    command.add_option("--marked", options.marked, "Of --fragments: a picture of the mistakes")
+        ->type_name("IMAGE");
+}
+
+void add_options(CLI::App& command, HiddenOptions& options) {
+    add_picture_options(command, options.picture);
+    command.get_option("SCENE")->required(false);  // --quiz and --grade take none
+    remove_pass_options(command);
+    command.get_option("--size")->description("Pixels, both sides 1..4096 (default 320x240)");
+    command
+        .add_option_function<std::string>(
+            "--algorithm",
+            [&](const std::string& word) { options.algorithm = one_of("--algorithm", word, all_names()); },
+            algorithms_help())
+        ->type_name("NAME");
+    add_output_options(command, options);
+    add_exercise_options(command, options);
+}
+
+void check(const HiddenOptions& options) {
+    const bool exercises = !options.quiz.empty() || !options.grade.empty();
+    const bool fragments = !options.fragments.empty() || !options.truth.empty();
+    if ((exercises || fragments) &&
+        !(options.algorithm.empty() && options.steps.empty() && options.compare.empty()))
+        throw UsageError(
+            "--quiz, --grade, --fragments and --truth run no algorithm of your choice; expected no "
+            "--algorithm, "
+            "--steps or --compare");
+    if (!options.quiz.empty() && !options.grade.empty())
+        throw UsageError("--quiz and --grade exclude each other; expected one of them");
+    if (exercises && !options.picture.scene.empty())
+        throw UsageError("SCENE: --quiz makes its own scenes and --grade needs none; expected no SCENE");
+    if (!exercises && options.picture.scene.empty())
+        throw UsageError(
+            "SCENE is required; expected a TOML scene or a Wavefront OBJ file, or --quiz DIR or --grade KEY "
+            "ANSWERS");
+    if (!options.marked.empty() && options.fragments.empty())
+        throw UsageError("--marked shows mistakes; expected --fragments FILE.csv");
+    if (!options.steps.empty() && options.algorithm.empty())
+        throw UsageError("--steps needs one algorithm; expected --algorithm NAME");
+    if (!options.compare.empty() && !options.algorithm.empty())
+        throw UsageError("--compare is of all algorithms; expected no --algorithm");
+}
+
+std::vector<const hs::Algorithm*> wanted(const HiddenOptions& options) {
+    if (!options.algorithm.empty()) return {&hs::algorithm_named(options.algorithm)};
+    std::vector<const hs::Algorithm*> all;
+    for (const hs::Algorithm& algorithm : hs::algorithms()) all.push_back(&algorithm);
+    return all;
+}
+
+int surfaces(const HiddenOptions& options) {
+    image::OutputSet output;
+    for (const auto& folder : {options.steps, options.compare})
+        if (!folder.empty()) output.make_folder(folder);
+    Progress progress("reading", options.picture.quiet);
+    const Profile profile = load_profile(options.picture);
+    const scene::Scene scene = load_scene(options.picture);
+    const scene::View view = scene::make_view(scene, options.picture.size.width, options.picture.size.height);
+    const auto machine = make_machine(options.picture, profile);
+    const hs::Input input = hs::make_input(scene, view, profile);
+    hs::StepLog none;
+    progress.at("z-buffer");
+    const hs::Result expected = hs::run_on(*machine, hs::algorithm_named("z-buffer"), input, none);
+    hs::StepLog log = options.steps.empty() ? hs::StepLog() : hs::StepLog(options.level);
+    std::vector<Compared> all;
+    for (const hs::Algorithm* algorithm : wanted(options)) {
+        progress.at(algorithm->name);
+        all.push_back({algorithm, hs::run_on(*machine, *algorithm, input, log)});
+        hs::compare(all.back().result, expected.ids, input);
+    }
+    progress.at("writing");
+    if (!options.steps.empty())
+        put_steps(output, options.steps, input, all.front(), log.steps(), options.pictures);
+    if (!options.compare.empty()) put_comparison(output, options.compare, input, all);
+    for (const auto& folder : {options.steps, options.compare})
+        if (!folder.empty()) put_index(output, folder);
+    output.commit();
+    print(options.form == Form::Json  ? counts_json(all)
+          : options.form == Form::Csv ? counts_csv(all)
+                                      : counts_text(all));
+    return done;
+}
+
+int hidden(const HiddenOptions& options) {
+    check(options);
+    if (!options.quiz.empty()) return hidden_quiz(options);
+    if (!options.grade.empty()) return hidden_grade(options);
+    if (!options.fragments.empty() || !options.truth.empty()) return hidden_fragments(options);
+    return hs::line_algorithm_named(options.algorithm) ? hidden_lines(options) : surfaces(options);
+}
+
+}  // namespace
+
+Command add_hidden(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("hidden", "Hidden-surface algorithms, step by step and compared");
+    const auto options = std::make_shared<HiddenOptions>();
+    add_options(*command, *options);
+    command->footer(
+        "Example:\n  build/release/bin/gw hidden scenes/hidden/cycle.toml --algorithm newell --steps newell");
+    return {command, [options] { return hidden(*options); }};
+}
+
+}  // namespace gw::apps

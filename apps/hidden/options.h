@@ -1,0 +1,37 @@
+// The options of gw hidden, and what each kind of run does with them. Parsing: hidden.cpp.
+#pragma once
+
+#include "apps/render/picture_options.h"
+#include "hiddensurface/run/steps.h"
+
+namespace gw::apps {
+
+enum class Form { Text, Json, Csv };
+
+struct HiddenOptions {
+    PictureOptions picture{.size = {320, 240}};
+    std::string algorithm;  ///< empty: all of hidden surfaces
+    std::filesystem::path steps, compare;
+    hiddensurface::Level level = hiddensurface::Level::Polygon;
+    int pictures = 48;
+    Form form = Form::Text;
+
+    std::filesystem::path quiz;  ///< a folder: make exercises
+    int seed = 1, questions = 7;
+    std::string kind;                          ///< of questions; empty: all in turn
+    std::vector<std::filesystem::path> grade;  ///< key, answers
+    std::filesystem::path fragments;           ///< a student's list
+    std::filesystem::path truth, marked;       ///< files to write: the list as it should be, the mistakes
+};
+
+/// `algorithm` is one of hidden lines: draws them, with counts and steps (hidden_lines.cpp).
+int hidden_lines(const HiddenOptions& options);
+
+/// Makes exercises (hidden_quiz.cpp); the scene is not asked for.
+int hidden_quiz(const HiddenOptions& options);
+/// Compares answers with a key; ExitCode `differs` unless all are right (hidden_grade.cpp).
+int hidden_grade(const HiddenOptions& options);
+/// Compares a fragment list with the Z-buffer's picture, the same; writes `truth` and `marked`.
+int hidden_fragments(const HiddenOptions& options);
+
+}  // namespace gw::apps

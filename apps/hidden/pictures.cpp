@@ -1,0 +1,190 @@
+#include "apps/hidden/pictures.h"
+
+#include "gw/base/arithmetic.h"
+#include "hiddensurface/model/normal.h"
+#include "hiddensurface/structures/scan_conversion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::apps {
+
+namespace hs = hiddensurface;
+
+namespace {
+
+Color to_color(const dvec3& v) {
+    const auto byte = [](double x) { return static_cast<std::uint16_t>(quantize(x, 8)); };
+    return {byte(v.x), byte(v.y), byte(v.z)};
+}
+
+/// |cos| of the angle between normal and line of sight.
+double turned(const hs::Polygon& polygon, const dvec3& eye) {
+    const dvec3 n = hs::polygon_normal(polygon.world), to_eye = eye - polygon.world[0];
+    const double size = std::sqrt(dot3(n, n) * dot3(to_eye, to_eye));
+    return size > 0 ? std::abs(dot3(n, to_eye)) / size : 0;
+}
+
+/// Pixels of the polygon with a neighbour that is not.
+void draw_border(image::Picture& picture, const hs::Input& input, std::uint32_t id, const Color& color) {
+    const int width = picture.width, height = picture.height;
+    std::vector<bool> inside(std::size_t(width) * std::size_t(height));
+    for (const hs::Polygon& polygon : input.polygons) {
+        if (polygon.id != id) continue;
+        for (const hs::WindowTriangle& t : polygon.triangles)
+            for (const hs::Run& run : hs::scan_convert(t.corners, input.subpixel_bits(), input.window()))
+                for (int x = run.x0; x < run.x1; ++x) inside[std::size_t(run.y * width + x)] = true;
+    }
+    const auto at = [&](int x, int y) {
+        return x >= 0 && x < width && y >= 0 && y < height && inside[std::size_t(y * width + x)];
+    };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            if (at(x, y) && !(at(x - 1, y) && at(x + 1, y) && at(x, y - 1) && at(x, y + 1)))
+                put(picture, std::size_t(y * width + x), color);
+}
+
+void lighten_row(image::Picture& picture, int row) {
+    const auto first = std::size_t(row) * std::size_t(picture.width) * 3;
+    for (std::size_t i = 0; i < std::size_t(picture.width) * 3; ++i) {
+        std::uint16_t& v = picture.values[first + i];
+        v = static_cast<std::uint16_t>((v + 255) / 2);
+    }
+}
+
+void draw_span(image::Picture& picture, const hs::Step& step) {
+    if (step.row < 0 || step.before.empty()) return;
+    const hs::Loop& ends = step.before.front();
+    for (int x = int(ends.front().x); x < int(ends.back().x); ++x)
+        put(picture, std::size_t(step.row * picture.width + x), white);
+}
+
+/// The window's outermost pixels.
+void draw_window(image::Picture& picture, const Rect& w) {
+    for (int y = w.y; y < w.y + w.height; ++y)
+        for (int x = w.x; x < w.x + w.width; ++x)
+            if (x == w.x || y == w.y || x == w.x + w.width - 1 || y == w.y + w.height - 1)
+                put(picture, std::size_t(y * picture.width + x), white);
+}
+
+}  // namespace
+
+image::Picture blank(int width, int height) {
+    return {width, height, 3, 8, std::vector<std::uint16_t>(std::size_t(width) * std::size_t(height) * 3)};
+}
+
+void put(image::Picture& picture, std::size_t pixel, const Color& color) {
+    for (std::size_t c = 0; c < 3; ++c) picture.values[pixel * 3 + c] = color[c];
+}
+
+std::map<std::uint32_t, Color> flat_colors(const hs::Input& input) {
+    std::map<std::uint32_t, Color> colors;
+    colors[0] = to_color(dvec3(input.scene.background));
+    for (const hs::Polygon& polygon : input.polygons) {
+        const scene::Material& material =
+            input.scene.materials.at(input.scene.objects[polygon.object].material);
+        colors[polygon.id] =
+            to_color(dvec3(material.Kd) * (0.4 + 0.6 * turned(polygon, input.view.camera.eye)));
+    }
+    return colors;
+}
+
+image::Picture picture_of_ids(const hs::Input& input, const std::vector<std::uint32_t>& ids,
+                              const std::map<std::uint32_t, Color>& colors) {
+    image::Picture picture = blank(input.view.width, input.view.height);
+    for (std::size_t i = 0; i < ids.size(); ++i) put(picture, i, colors.at(ids[i]));
+    return picture;
+}
+
+image::Picture picture_of_shares(const hs::Input& input, const std::vector<hs::Share>& shares,
+                                 const std::map<std::uint32_t, Color>& colors) {
+    image::Picture picture = blank(input.view.width, input.view.height);
+    const Color& background = colors.at(0);
+    const auto count = picture.values.size() / 3;
+    std::vector<dvec3> sums(count, dvec3(background[0], background[1], background[2]));
+    for (const hs::Share& share : shares)
+        for (std::size_t c = 0; c < 3; ++c)
+            sums[std::size_t(share.y * picture.width + share.x)][int(c)] +=
+                share.part * (double(colors.at(share.id)[c]) - double(background[c]));
+    for (std::size_t i = 0; i < count; ++i) put(picture, i, to_color(sums[i] / 255.0));
+    return picture;
+}
+
+image::Picture picture_of_step(const hs::Input& input, const hs::Replay& replay,
+                               const std::map<std::uint32_t, Color>& colors) {
+    image::Picture picture = picture_of_ids(input, replay.ids(), colors);
+    if (replay.position() == 0) return picture;
+    const hs::Step& step = replay.step(replay.position() - 1);
+    if (step.row >= 0) lighten_row(picture, step.row);
+    draw_span(picture, step);
+    if (step.action == hs::Action::Sort) return picture;
+    for (std::size_t i = std::min<std::size_t>(step.polygons.size(), 8); i-- > 0;)
+        draw_border(picture, input, step.polygons[i], i == 0 ? white : i == 1 ? yellow : grey);
+    draw_window(picture, step.window);
+    return picture;
+}
+
+image::Picture picture_of_difference(image::Picture picture, const std::vector<hs::Difference>& difference) {
+    for (std::uint16_t& v : picture.values) v = static_cast<std::uint16_t>(v / 4);
+    for (std::size_t i = 0; i < difference.size(); ++i) {
+        switch (difference[i]) {
+            case hs::Difference::None: break;
+            case hs::Difference::Tie: put(picture, i, yellow); break;
+            case hs::Difference::Edge: put(picture, i, cyan); break;
+            case hs::Difference::Snap: put(picture, i, blue); break;
+            case hs::Difference::Wrong: put(picture, i, red); break;
+        }
+    }
+    return picture;
+}
+
+image::Picture picture_of_counts(const std::vector<std::uint8_t>& counts, int width, int height) {
+    image::Picture picture = blank(width, height);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const int more = std::min(std::max(counts[i] - 5, 0) * 20, 225);
+        Color color = colors_of_counts[std::min<std::size_t>(counts[i], 5)];
+        for (std::uint16_t& v : color) v = static_cast<std::uint16_t>(std::min(v + more, 255));
+        put(picture, i, color);
+    }
+    return picture;
+}
+
+image::Picture enlarged(const image::Picture& picture) {
+    const int times = std::max(320 / picture.width, 1);
+    image::Picture out = blank(picture.width * times, picture.height * times);
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) {
+            const std::size_t from = std::size_t(y / times * picture.width + x / times);
+            std::copy_n(picture.values.begin() + std::ptrdiff_t(3 * from), 3,
+                        out.values.begin() + std::ptrdiff_t(3 * (y * out.width + x)));
+        }
+    return out;
+}
+
+image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows) {
+    constexpr int gap = 4;
+    const image::Picture& one = rows.front().front();
+    const int columns = int(rows.front().size()), lines = int(rows.size());
+    image::Picture sheet = blank(columns * (one.width + gap) - gap, lines * (one.height + gap) - gap);
+    for (std::uint16_t& v : sheet.values) v = 255;
+    for (int r = 0; r < lines; ++r)
+        for (int c = 0; c < int(rows[std::size_t(r)].size()); ++c)
+            for (int y = 0; y < one.height; ++y) {
+                const auto row = std::size_t(one.width) * 3;
+                const std::uint16_t* from =
+                    rows[std::size_t(r)][std::size_t(c)].values.data() + std::size_t(y) * row;
+                const auto to =
+                    std::size_t((lines - 1 - r) * (one.height + gap) + y) * std::size_t(sheet.width) +
+                    std::size_t(c * (one.width + gap));
+                std::copy(from, from + row, sheet.values.begin() + std::ptrdiff_t(to * 3));
+            }
+    return sheet;
+}
+
+std::string hex_of(const Color& color) {
+    return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
+}
+
+}  // namespace gw::apps

@@ -1,0 +1,36 @@
+// Pictures of solved pixmaps: of every view, as textures and strips [F2.3]. Does not solve.
+#pragma once
+
+#include "apps/radiosity/options.h"
+#include "image/output/output_set.h"
+#include "radiosity/display/displayed_pixmaps.h"
+
+namespace gw::apps {
+
+class RadiosityPictures {
+public:
+    RadiosityPictures(const RadiosityOptions& options, const scene::Scene& scene);
+
+    /// DIR/NAME.png, or NAME_1.png ... for several views; --display both: NAME_texture.png, NAME_strips.png
+    /// and NAME_difference.png. Returns what is to be printed: how the two differ.
+    std::string put(const radiosity::Solver& solver, const std::string& name, image::OutputSet& files);
+
+private:
+    struct Image {
+        std::vector<Rgba> color, figures;  ///< figures: only where two pictures are compared
+    };
+    Image draw(const radiosity::Model& model, const radiosity::Shown& colors, const scene::View& view,
+               bool strips);
+    std::vector<Rgba> with_components(const radiosity::Model& model, const radiosity::Shown& colors,
+                                      const scene::View& view);
+    std::string put_view(const radiosity::Solver& solver, const scene::View& view,
+                         const std::filesystem::path& stem, image::OutputSet& files);
+
+    const RadiosityOptions& options_;
+    scene::Scene scene_;
+    Profile profile_;
+    std::unique_ptr<Machine> machine_;
+    std::vector<scene::View> views_;
+};
+
+}  // namespace gw::apps

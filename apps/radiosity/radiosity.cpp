@@ -1,0 +1,249 @@
+// gw radiosity: pixmaps are solved, saved, shown, changed [F].
+#include "apps/command/command.h"
+#include "apps/figures/folder_index.h"
+#include "apps/command/interruption.h"
+#include "apps/command/progress.h"
+#include "apps/radiosity/files.h"
+#include "apps/radiosity/form_factor.h"
+#include "apps/radiosity/options.h"
+#include "apps/radiosity/pictures.h"
+#include "apps/radiosity/report.h"
+#include "apps/command/command_recorder.h"
+#include "apps/command/terminal.h"
+#include "inspect/text/plural.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace gw::apps {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr double seconds_between_saves = 5;
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Of two solutions of the same figures, all channels, by the mean radiosity.
+double mean_difference(const radiosity::Solver& a, const radiosity::Solver& b) {
+    double off = 0, sum = 0;
+    for (std::size_t t = 0; t < a.model().texel_count(); ++t) {
+        const dvec3 B = radiosity::radiosity_at(b.model(), b.solution(), t),
+                    d = radiosity::radiosity_at(a.model(), a.solution(), t) - B;
+        off += b.model().area[t] * (std::abs(d.x) + std::abs(d.y) + std::abs(d.z));
+        sum += b.model().area[t] * (B.x + B.y + B.z);
+    }
+    return sum > 0 ? off / sum : 0;
+}
+
+std::filesystem::path recording_file(const RadiosityOptions& options, const std::string& name) {
+    return options.output / (name + ".gwt");
+}
+
+/// What drew the hemicubes, and what drew the pictures; hemicubes_2 ... for further machines.
+void put_recordings(Tape& tape, const RadiosityOptions& options) {
+    image::OutputSet files;
+    std::map<std::string, int> counts;
+    for (const inspect::Recording& r : tape.take(options.picture.scene.string(), "radiosity")) {
+        const std::string kind = r.profile == radiosity::id_profile() ? "hemicubes" : "pictures";
+        const int number = ++counts[kind];
+        files.add(recording_file(options, number > 1 ? fmt::format("{}_{}", kind, number) : kind))
+            .write(inspect::encode(r));
+    }
+    files.commit();
+}
+
+class Run {
+public:
+    Run(const RadiosityOptions& options, const scene::Scene& scene, radiosity::Model model,
+        Progress& progress)
+        : options_(options), progress_(progress), scene_(scene), solver_(std::move(model), options.solver) {}
+
+    int run() {
+        image::OutputSet folder;
+        folder.make_folder(options_.output);
+        image::check_target(saved_file());
+        scene::Scene changed = scene_;
+        for (const Change& c : options_.changes) apply(c, changed);
+        for (const char* name : {"hemicubes", "pictures"})
+            if (options_.record) image::check_target(recording_file(options_, name));
+        if (options_.resume)
+            solver_.resume(load_solution(saved_file(), solver_.model(), options_.solver.form_factors));
+        if (options_.resume) saved_shots_ = solver_.solution().shots;
+        steps_.push_back(step_of(solver_, 0, 0));
+        folder.commit();
+        say_what_is_there();
+        while (!finished() && shoot()) after_shot();
+        finish();
+        if (!options_.changes.empty()) change();
+        return done;
+    }
+
+private:
+    std::filesystem::path saved_file() const { return options_.output / "pixmaps.exr"; }
+
+    bool finished() const {
+        const Step& last = steps_.back();
+        return options_.shots >= 0 ? last.shots >= static_cast<std::uint64_t>(options_.shots)
+                                   : last.unshot <= options_.until;
+    }
+
+    bool shoot() {
+        const auto shot = solver_.shoot();
+        if (!shot) return false;
+        hemicubes_ += shot->hemicubes;
+        steps_.push_back(step_of(solver_, seconds_since(begin_), hemicubes_));
+        progress_.at(
+            fmt::format("shot {}, {:.2f} % unshot", steps_.back().shots, 100 * steps_.back().unshot));
+        return true;
+    }
+
+    void after_shot() {
+        if (options_.every > 0 &&
+            solver_.solution().shots % static_cast<std::uint64_t>(options_.every) == 0) {
+            image::OutputSet files;
+            RadiosityPictures(options_, scene_)
+                .put(solver_, fmt::format("shot_{:06}", solver_.solution().shots), files);
+            put_index(files, options_.output);
+            files.commit();
+        }
+        if (options_.save && seconds_since(saved_at_) > seconds_between_saves) {
+            image::OutputSet files;
+            put_saved(files);
+            files.commit();
+            saved_at_ = Clock::now();
+            saved_shots_ = solver_.solution().shots;
+        }
+        say_what_is_there();
+    }
+
+    // Whatever ends the process, the last complete save is there: files are renamed when they are whole.
+    void say_what_is_there() {
+        const std::string shots = fmt::format("gw: stopped after {} shots; ", solver_.solution().shots);
+        interruption_.say(saved_shots_ ? fmt::format("{}{} has the first {}: --resume goes on from there\n",
+                                                     shots, saved_file().string(), *saved_shots_)
+                                       : shots + "nothing was saved\n");
+    }
+
+    void put_saved(image::OutputSet& files) {
+        put_solution(files, saved_file(), solver_.model(), options_.solver.form_factors, solver_.solution());
+    }
+
+    void finish() {
+        image::OutputSet files;
+        const std::string text = RadiosityPictures(options_, scene_).put(solver_, "picture", files);
+        if (options_.save) put_saved(files);
+        put_report(steps_, options_.output, files);
+        put_index(files, options_.output);
+        files.commit();
+        const Step& last = steps_.back();
+        const radiosity::Model& model = solver_.model();
+        print(fmt::format("{}, {}, {}, {}\n", inspect::counted(model.figures.size(), "figure", "figures"),
+                          inspect::counted(model.pixmaps.size(), "pixmap", "pixmaps"),
+                          inspect::counted(std::uint64_t(model.texel_count()), "texel", "texels"),
+                          inspect::counted(model.patches.size(), "patch", "patches")));
+        print(
+            fmt::format("{}, {}, {:.1f} s: absorbed {:.4f}, unshot {:.4f}, escaped {:.4f} of what is "
+                        "emitted; books off by {:.1e}\n{}",
+                        inspect::counted(std::uint64_t(last.shots), "shot", "shots"),
+                        inspect::counted(std::uint64_t(last.hemicubes), "hemicube", "hemicubes"),
+                        last.seconds, last.absorbed, last.unshot, last.escaped, last.imbalance, text));
+    }
+
+    // [F4] Shoots the difference; with --anew beside solving the changed scene from nothing.
+    void change() {
+        scene::Scene changed = scene_;
+        for (const Change& c : options_.changes) apply(c, changed);
+        progress_.at("changing");
+        const auto begin = Clock::now();
+        const radiosity::Update update = solver_.update(radiosity::make_model(changed, options_.model));
+        const int more = update.hemicubes + solve(solver_);
+        print(fmt::format(
+            "changed: the light of {} patches sent anew, {} hemicubes, {:.2f} s to {:.4f} unshot\n",
+            update.patches, more, seconds_since(begin), unshot(solver_)));
+        image::OutputSet files;
+        const std::string text = RadiosityPictures(options_, changed).put(solver_, "changed", files);
+        put_index(files, options_.output);
+        files.commit();
+        print(text);
+        if (options_.anew) compare(radiosity::make_model(changed, options_.model));
+    }
+
+    void compare(radiosity::Model model) {
+        progress_.at("solving anew");
+        const auto begin = Clock::now();
+        radiosity::Solver anew(std::move(model), options_.solver);
+        const int hemicubes = solve(anew);
+        print(fmt::format(
+            "anew: {} hemicubes, {:.2f} s to {:.4f} unshot; radiosities differ by {:.2f} % of their mean\n",
+            hemicubes, seconds_since(begin), unshot(anew), 100 * mean_difference(solver_, anew)));
+    }
+
+    static double unshot(const radiosity::Solver& solver) {
+        return radiosity::books(solver.model(), solver.solution()).unshot_share();
+    }
+
+    /// Hemicubes until as little is unshot as before the change.
+    int solve(radiosity::Solver& solver) const {
+        const double until = std::max(options_.until, steps_.back().unshot);
+        int hemicubes = 0;
+        while (unshot(solver) > until) {
+            const auto shot = solver.shoot();
+            if (!shot) break;
+            hemicubes += shot->hemicubes;
+        }
+        return hemicubes;
+    }
+
+    const RadiosityOptions& options_;
+    Progress& progress_;
+    const scene::Scene& scene_;
+    radiosity::Solver solver_;
+    Interruption interruption_;
+    std::optional<std::uint64_t> saved_shots_;  ///< in DIR/pixmaps.exr
+    std::vector<Step> steps_;
+    int hemicubes_ = 0;
+    Clock::time_point begin_ = Clock::now(), saved_at_ = begin_;
+};
+
+int compute(RadiosityOptions options) {
+    check(options);
+    Progress progress("reading", options.picture.quiet);
+    const scene::Scene scene = load_scene(options.picture);
+    // The hemicubes of a recording have an order: one thread draws them.
+    options.solver.form_factors.threads = options.record ? 1 : options.picture.threads;
+    options.solver.form_factors.make_machine = [](int size) {
+        return taped(make_fast(radiosity::id_profile(), size, size, {.threads = 1}), size, size);
+    };
+    const std::unique_ptr<Tape> tape = options.record ? std::make_unique<Tape>() : nullptr;
+    radiosity::Model model = radiosity::make_model(scene, options.model);
+    if (!options.form_factor.empty()) {
+        print_form_factor(options, model, progress);
+        return done;
+    }
+    const int code = Run(options, scene, std::move(model), progress).run();
+    if (tape) put_recordings(*tape, options);
+    return code;
+}
+
+}  // namespace
+
+Command add_radiosity(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("radiosity", "Light that is reflected diffusely, solved in pixmaps");
+    const auto options = std::make_shared<RadiosityOptions>();
+    add_radiosity_options(*command, *options);
+    command->footer(
+        "Example:\n  build/release/bin/gw radiosity scenes/radiosity/cornell.toml -o box --shots 60 --gamma "
+        "2.2");
+    return {command, [options] { return compute(*options); }};
+}
+
+}  // namespace gw::apps

@@ -1,0 +1,125 @@
+// gw diff: two recordings or two manifests, and the first difference in what they say and in what comes out.
+#include "apps/command/command.h"
+#include "apps/recordings/machine_options.h"
+#include "apps/command/progress.h"
+#include "apps/recordings/recording_files.h"
+#include "apps/command/terminal.h"
+#include "apps/command/option_values.h"
+#include "gw/error.h"
+#include "image/planes.h"
+#include "image/write.h"
+#include "inspect/compare/command_difference.h"
+#include "inspect/recording/read_bytes.h"
+#include "inspect/compare/result_difference.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+
+namespace gw::apps {
+
+namespace {
+
+struct DiffOptions {
+    std::filesystem::path a, b, picture;
+    int pixels = 10;
+    bool quiet = false;
+};
+
+bool is_manifest(const std::filesystem::path& file) {
+    const auto bytes = inspect::read_bytes(file);
+    const auto first = std::find_if(bytes.begin(), bytes.end(), [](std::uint8_t c) { return c > ' '; });
+    return first != bytes.end() && *first == '{';
+}
+
+image::Picture picture_of(const inspect::ResultDifference& d) {
+    return image::distance_picture(inspect::distances(d.a, d.b, d.plane), d.a.width, d.a.height);
+}
+
+int diff_manifests(const DiffOptions& options) {
+    const inspect::ManifestFile a = inspect::load_manifest(options.a), b = inspect::load_manifest(options.b);
+    const auto finding = inspect::first_difference(a.manifest, b.manifest);
+    if (!finding) {
+        print("the same profile, window, passes, states, counters and planes\n");
+        return done;
+    }
+    print(inspect::text(*finding, a.manifest.height));
+    if (!finding->pass || !finding->what.starts_with("plane ") || a.values.empty() || b.values.empty())
+        return differs;
+    inspect::ResultDifference d = inspect::located(
+        *finding, inspect::planes_after(a.values, a.manifest.width, a.manifest.height, *finding->pass),
+        inspect::planes_after(b.values, b.manifest.width, b.manifest.height, *finding->pass));
+    print(inspect::text(d.finding, a.manifest.height) +
+          inspect::wrong_pixel_lines(d, std::size_t(options.pixels)));
+    if (!options.picture.empty()) image::write_picture(options.picture, picture_of(d));
+    return differs;
+}
+
+int diff_recordings(const DiffOptions& options, Progress& progress) {
+    const inspect::Recording a = load_recording(options.a), b = load_recording(options.b);
+    const auto commands = first_command_difference(a, b);
+    if (commands) print("commands: " + text(*commands, a.height));
+    if (a.width != b.width || a.height != b.height) return differs;
+    progress.at("replaying");
+    const auto result = first_result_difference(a, b, inspect::maker_of("fast"));
+    if (!result) {
+        print(commands ? "result: the same planes after every pass that both have\n"
+                       : "the same commands; the same planes after every pass\n");
+        return commands ? differs : done;
+    }
+    const ivec2 worst = *result->finding.pixel;
+    print("result: " + text(result->finding, a.height));
+    print("first difference in its history:\n" + first_event_difference(a, b, worst.x, worst.y));
+    print("wrong pixels, worst first:\n" + wrong_pixel_lines(*result, std::size_t(options.pixels)));
+    if (!options.picture.empty()) image::write_picture(options.picture, picture_of(*result));
+    return differs;
+}
+
+int diff(const DiffOptions& options) {
+    if (!options.picture.empty()) {
+        image::check_target(options.picture);
+        try {
+            image::check_extension(options.picture);
+        } catch (const Error& error) {
+            throw UsageError(error.what());
+        }
+    }
+    Progress progress("reading", options.quiet);
+    const bool a = is_manifest(options.a), b = is_manifest(options.b);
+    if (a != b)
+        throw Error((a ? options.b : options.a).string(), 0,
+                    "is a recording, the other file a manifest; expected two of a kind (gw verify compares a "
+                    "recording with a manifest)");
+    return a ? diff_manifests(options) : diff_recordings(options, progress);
+}
+
+}  // namespace
+
+Command add_diff(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("diff", "The first difference of two recordings or manifests");
+    const auto options = std::make_shared<DiffOptions>();
+    command->add_option("A", options->a, "A recording or a manifest")->required()->type_name("FILE");
+    command->add_option("B", options->b, "Another of the same kind")->required()->type_name("FILE");
+    command
+        ->add_option(
+            "-o,--output", options->picture,
+            "A picture of the first plane that differs: black where it does not, white where it is worst")
+        ->type_name("IMAGE");
+    command
+        ->add_option_function<std::string>(
+            "--pixels",
+            [options](const std::string& word) {
+                options->pixels = whole_number_from("--pixels", word, 1, 1000000);
+            },
+            "List at most so many wrong pixels (default 10)")
+        ->type_name("N");
+    command->add_flag("--quiet", options->quiet, "No progress");
+    command->footer(
+        "Exit code 3 where they differ.\nExample:\n  build/release/bin/gw record scenes/rings.toml -o "
+        "rings.gwt "
+        "--size 160x120 && build/release/bin/gw diff rings.gwt rings.gwt");
+    return {command, [options] { return diff(*options); }};
+}
+
+}  // namespace gw::apps

@@ -1,0 +1,161 @@
+// gw inspect: a recording as a page to look at: passes, planes, counters, time, pixel histories.
+#include "apps/command/command.h"
+#include "apps/command/progress.h"
+#include "apps/recordings/recording_files.h"
+#include "apps/describe/shell_words.h"
+#include "apps/command/terminal.h"
+#include "apps/command/option_values.h"
+#include "gw/error.h"
+#include "hiddensurface/run/algorithm.h"
+#include "image/output/output_folder.h"
+#include "inspect/text/plural.h"
+#include "inspect/report/report.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+
+namespace gw::apps {
+
+namespace {
+
+struct InspectOptions {
+    std::filesystem::path recording, folder, prices;
+    std::vector<std::string> words;  ///< of the command line that says the same, without the folder
+    report::ReportOptions report;
+    bool quiet = false;
+};
+
+report::PassSpan span_from(const std::string& option, const std::string& word) {
+    const auto [first, last] = range_from(option, word, 0, 99'999'999);
+    return {std::size_t(first), std::size_t(last)};
+}
+
+void add_choices(CLI::App& command, InspectOptions& options) {
+    const auto add = [&](const char* name, const char* type, const char* help, auto take) {
+        command
+            .add_option_function<std::string>(
+                name,
+                [name, take, &options](const std::string& word) {
+                    take(options.report, name, word);
+                    options.words.insert(options.words.end(), {name, word});
+                },
+                help)
+            ->type_name(type);
+    };
+    add("--passes", "A-B", "Only these passes, by their places from 0 (default: all, at most 1000)",
+        [](auto& report, auto name, auto& word) { report.passes = span_from(name, word); });
+    add("--history", "A-B|none",
+        "Pixel histories of these passes (default: from the first as many as make 3 million fragments)",
+        [](auto& report, auto name, auto& word) {
+            if (word == "none")
+                report.with_history = false;
+            else
+                report.history = span_from(name, word);
+        });
+    add("--limit", "MB", "The report may have this many megabytes, 1..100000 (default 500)",
+        [](auto& report, auto name, auto& word) {
+            report.most_bytes = 1'000'000 * std::uint64_t(whole_number_from(name, word, 1, 100'000));
+        });
+    add("--lang", "NAME", "The language that the page begins with; it can be switched there",
+        [](auto& report, auto name, auto& word) {
+            report.language = one_of(name, word, {"en", "ja"}) == "ja" ? report::Language::Japanese
+                                                                       : report::Language::English;
+        });
+}
+
+void add_options(CLI::App& command, InspectOptions& options) {
+    command.add_option("RECORDING", options.recording, "What gw record wrote")
+        ->required()
+        ->type_name("FILE.gwt");
+    command
+        .add_option("-o,--output", options.folder,
+                    "Folder of the report: open its index.html. An earlier report is replaced")
+        ->required()
+        ->type_name("DIR");
+    add_choices(command, options);
+    command
+        .add_option("--prices", options.prices,
+                    "Another price list for the estimated time (default: a VGX's)")
+        ->type_name("FILE.toml");
+    command.add_flag("--quiet", options.quiet, "No progress");
+}
+
+/// Hidden-surface algorithms write each polygon's identifier for its colour.
+bool writes_identifiers(const inspect::Recording& recording) {
+    const auto names = hiddensurface::algorithm_names();
+    return std::ranges::find(names, recording.renderer) != names.end();
+}
+
+/// Passes that are not there are a wrong command line.
+void expect_passes(const inspect::Recording& recording, const report::ReportOptions& options) {
+    if (!options.passes && !options.history) return;
+    try {
+        report::check_spans(recording, options);
+    } catch (const Error& error) {
+        throw UsageError(error.what());
+    }
+}
+
+/// Files are named as they will be, not where they are while the report is made.
+[[noreturn]] void rethrow_with_final_names(const Error& error, const InspectOptions& options,
+                                           const std::filesystem::path& temporary) {
+    std::string text = error.what();
+    const std::string hidden = temporary.string();
+    if (const auto at = text.find(hidden); at != text.npos)
+        text.replace(at, hidden.size(), options.folder.string());
+    throw Error(text);
+}
+
+void print_summary(const InspectOptions& options, const report::ReportSummary& summary) {
+    std::string text = (options.folder / "index.html").string() + "\n";
+    text += fmt::format("{} of {}, {:.1f} MB", summary.passes,
+                        inspect::counted(std::uint64_t(summary.passes_of_recording), "pass", "passes"),
+                        double(summary.bytes) / 1e6);
+    if (summary.history)
+        text +=
+            fmt::format(", pixel histories of passes {}-{}", summary.history->first, summary.history->last);
+    else
+        text += ", no pixel histories";
+    print(text + "\n");
+}
+
+int inspect_recording(InspectOptions& options) {
+    if (options.folder.empty()) throw UsageError("--output is empty; expected the name of a folder");
+    image::OutputFolder folder(options.folder, report::report_files());
+    options.report.prices =
+        options.prices.empty() ? report::vgx_prices() : report::read_prices(options.prices);
+    Progress progress("reading", options.quiet);
+    const inspect::Recording recording = load_recording(options.recording);
+    options.report.file = options.recording.string();
+    options.report.identifiers = writes_identifiers(recording);
+    expect_passes(recording, options.report);
+    std::vector<std::string> words{"inspect", options.recording.string(), "-o", options.folder.string()};
+    words.insert(words.end(), options.words.begin(), options.words.end());
+    options.report.command = shell_command(words);
+    options.report.progress = [&](const std::string& what) { progress.at(what); };
+    try {
+        const auto summary = write_report(recording, folder.temporary(), options.report);
+        folder.commit();
+        print_summary(options, summary);
+    } catch (const Error& error) {
+        rethrow_with_final_names(error, options, folder.temporary());
+    }
+    return done;
+}
+
+}  // namespace
+
+Command add_inspect(CLI::App& app) {
+    CLI::App* command = app.add_subcommand(
+        "inspect", "A recording as a page: passes, planes, counters, estimated time, pixel histories");
+    const auto options = std::make_shared<InspectOptions>();
+    add_options(*command, *options);
+    command->footer(
+        "Example:\n  build/release/bin/gw record scenes/rings.toml -o rings.gwt --size 320x240 && "
+        "build/release/bin/gw inspect rings.gwt -o rings_report");
+    return {command, [options] { return inspect_recording(*options); }};
+}
+
+}  // namespace gw::apps

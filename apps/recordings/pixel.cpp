@@ -1,0 +1,74 @@
+// gw pixel: everything that happened to one pixel of a recording.
+#include "apps/command/command.h"
+#include "apps/command/progress.h"
+#include "apps/recordings/recording_files.h"
+#include "apps/command/table.h"
+#include "apps/command/terminal.h"
+#include "apps/command/option_values.h"
+#include "inspect/replay/pixel_report.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+namespace gw::apps {
+
+namespace {
+
+struct PixelOptions {
+    std::filesystem::path recording;
+    int x = 0, y = 0;
+    bool json = false, quiet = false;
+};
+
+void add_options(CLI::App& command, PixelOptions& options) {
+    command.add_option("RECORDING", options.recording, "What gw record wrote")
+        ->required()
+        ->type_name("FILE.gwt");
+    const auto coordinate = [&](const char* name, int& to, const char* help) {
+        command
+            .add_option_function<std::string>(
+                name,
+                [name, &to](const std::string& word) {
+                    to = whole_number_from(name, word, 0, max_window_size - 1);
+                },
+                help)
+            ->required()
+            ->type_name("N");
+    };
+    coordinate("X", options.x, "Column of the picture, from 0 at the left");
+    coordinate("Y", options.y, "Row of the picture, from 0 at the top");
+    command.add_flag("--json", options.json, "As JSON");
+    command.add_flag("--quiet", options.quiet, "No progress");
+}
+
+int show_pixel(const PixelOptions& options) {
+    Progress progress("reading", options.quiet);
+    const inspect::Recording recording = load_recording(options.recording);
+    if (options.x >= recording.width || options.y >= recording.height)
+        throw UsageError(fmt::format("pixel {} {} is outside the picture of {} x {}; expected 0..{} 0..{}",
+                                     options.x, options.y, recording.width, recording.height,
+                                     recording.width - 1, recording.height - 1));
+    progress.at("replaying on the reference machine");
+    const int y = recording.height - 1 - options.y;
+    const auto events = inspect::pixel_history(recording, options.x, y);
+    print(options.json ? history_json(recording, options.x, y, events)
+                                 .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                             "\n"
+                       : table(history_rows(events)));
+    return done;
+}
+
+}  // namespace
+
+Command add_pixel(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("pixel", "The history of a pixel: every fragment, and why it died");
+    const auto options = std::make_shared<PixelOptions>();
+    add_options(*command, *options);
+    command->footer(
+        "Example:\n  build/release/bin/gw record scenes/rings.toml -o rings.gwt --size 320x240 && "
+        "build/release/bin/gw pixel rings.gwt 160 120");
+    return {command, [options] { return show_pixel(*options); }};
+}
+
+}  // namespace gw::apps

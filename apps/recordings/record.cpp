@@ -1,0 +1,74 @@
+// gw record: everything that enters the machine while a scene is drawn, as a file.
+#include "apps/command/command.h"
+#include "apps/command/progress.h"
+#include "apps/recordings/recording_files.h"
+#include "hiddensurface/run/algorithm.h"
+#include "image/output/output_set.h"
+
+#include <CLI/CLI.hpp>
+
+namespace gw::apps {
+
+namespace {
+
+struct RecordOptions {
+    PictureOptions picture;
+    std::string algorithm;  ///< of hidden surfaces; empty: the renderer's passes
+    std::filesystem::path output, manifest;
+    bool values = true;
+};
+
+void add_options(CLI::App& command, RecordOptions& options) {
+    add_picture_options(command, options.picture);
+    command.add_option("-o,--output", options.output, "The recording, usually .gwt")
+        ->required()
+        ->type_name("FILE.gwt");
+    command
+        .add_option_function<std::string>(
+            "--algorithm",
+            [&](const std::string& word) {
+                options.algorithm = one_of("--algorithm", word, hiddensurface::algorithm_names());
+            },
+            "Instead of a renderer, a hidden-surface algorithm of gw hidden")
+        ->type_name("NAME");
+    command
+        .add_option("--manifest", options.manifest,
+                    "Also what gw verify checks: state, counters and digests of every pass, as JSON, and the "
+                    "values of the planes beside it")
+        ->type_name("FILE.json");
+    command.add_flag("!--no-values", options.values,
+                     "With --manifest: no values; gw verify then names no pixel of another recording");
+}
+
+int record_scene(const RecordOptions& options) {
+    if (options.output.empty()) throw UsageError("--output is empty; expected the name of a file");
+    image::check_target(options.output);
+    if (options.manifest == options.output)
+        throw UsageError("--manifest and --output are the same file; expected two");
+    if (!options.manifest.empty()) image::check_target(options.manifest);
+    Progress progress("reading", options.picture.quiet);
+    const Drawing drawing = make_drawing(options.picture);
+    progress.at("drawing");
+    const inspect::Recording recording = record(drawing, options.algorithm);
+    progress.at("writing");
+    image::OutputSet output;
+    output.add(options.output).write(inspect::encode(recording));
+    if (!options.manifest.empty())
+        put_manifest(output, options.manifest, recording, inspect::maker_of(options.picture.machine),
+                     options.values);
+    output.commit();
+    return done;
+}
+
+}  // namespace
+
+Command add_record(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("record", "Everything that enters the machine while a scene is drawn");
+    const auto options = std::make_shared<RecordOptions>();
+    add_options(*command, *options);
+    command->footer("Example:\n  build/release/bin/gw record scenes/rings.toml -o rings.gwt");
+    return {command, [options] { return record_scene(*options); }};
+}
+
+}  // namespace gw::apps

@@ -1,0 +1,99 @@
+// gw verify: a recording against its manifest.
+#include "apps/command/command.h"
+#include "apps/recordings/machine_options.h"
+#include "apps/command/progress.h"
+#include "apps/recordings/recording_files.h"
+#include "apps/command/terminal.h"
+#include "image/output/output_set.h"
+#include "inspect/text/plural.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+namespace gw::apps {
+
+namespace {
+
+struct VerifyOptions {
+    std::filesystem::path recording, manifest;
+    MachineOptions machine;
+    bool update = false, values = true;
+};
+
+void add_options(CLI::App& command, VerifyOptions& options) {
+    command.add_option("RECORDING", options.recording, "What gw record wrote")
+        ->required()
+        ->type_name("FILE.gwt");
+    command
+        .add_option("MANIFEST", options.manifest, "What gw record --manifest or gw render --manifest wrote")
+        ->required()
+        ->type_name("FILE.json");
+    add_machine_options(command, options.machine);
+    command.add_flag("--update", options.update, "Instead of checking it, write the manifest anew");
+    command.add_flag("!--no-values", options.values, "With --update: no values beside it");
+}
+
+int update(const VerifyOptions& options, const inspect::Recording& recording) {
+    image::OutputSet output;
+    put_manifest(output, options.manifest, recording, options.machine.make(), options.values);
+    output.commit();
+    print(options.manifest.string() + ": written\n");
+    return done;
+}
+
+int report(const inspect::Verification& verification, const VerifyOptions& options, int height) {
+    print(text(*verification.finding, height));
+    if (!verification.same_scene)
+        print("  the recording's meshes or maps are not those of the manifest\n");
+    else if (!verification.same_commands)
+        print("  the recording's commands are not those of the manifest\n");
+    else
+        print("  the commands are those of the manifest: the machine is not the one that wrote it\n");
+    print(fmt::format("{}: not as {} says\n", options.recording.string(), options.manifest.string()));
+    return differs;
+}
+
+int check(const VerifyOptions& options, const inspect::Recording& recording, Progress& progress) {
+    const inspect::ManifestFile expected = inspect::load_manifest(options.manifest);
+    if (options.machine.both()) {
+        progress.at("comparing machines");
+        const auto finding =
+            compare_machines(recording, inspect::maker_of("reference"), options.machine.make());
+        if (finding) {
+            print("reference (expected) and fast differ: " + text(*finding, recording.height));
+            return differs;
+        }
+    }
+    progress.at("verifying");
+    const auto verification = inspect::verify(recording, expected.manifest, expected.values,
+                                              options.machine.make(), options.machine.make_other());
+    if (verification.finding) return report(verification, options, recording.height);
+    print(fmt::format("{}: as {} says, {}, every plane and counter{}\n", options.recording.string(),
+                      options.manifest.string(),
+                      inspect::counted(expected.manifest.passes.size(), "pass", "passes"),
+                      options.machine.both() ? ", on reference and fast" : ""));
+    return done;
+}
+
+int verify_recording(const VerifyOptions& options) {
+    if (options.update) image::check_target(options.manifest);
+    Progress progress("reading", options.machine.quiet);
+    const inspect::Recording recording = load_recording(options.recording);
+    progress.at("replaying");
+    return options.update ? update(options, recording) : check(options, recording, progress);
+}
+
+}  // namespace
+
+Command add_verify(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("verify", "A recording against its manifest: code 3 where they differ");
+    const auto options = std::make_shared<VerifyOptions>();
+    add_options(*command, *options);
+    command->footer(
+        "Example:\n  build/release/bin/gw record scenes/rings.toml -o rings.gwt --manifest rings.json && "
+        "build/release/bin/gw verify rings.gwt rings.json --machine both");
+    return {command, [options] { return verify_recording(*options); }};
+}
+
+}  // namespace gw::apps

@@ -1,0 +1,140 @@
+// gw cast: ray casting as it is taught, by the method that is asked for, with what it cost. [L9 to L12]
+#include "apps/command/command.h"
+#include "apps/render/picture_options.h"
+#include "apps/command/progress.h"
+#include "apps/command/table.h"
+#include "apps/command/terminal.h"
+#include "gw/error.h"
+#include "image/output/output_set.h"
+#include "image/write.h"
+#include "raytrace/casting/cast_picture.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+
+namespace gw::apps {
+
+namespace {
+
+using raytrace::CastMethod;
+using raytrace::InsideTest;
+
+constexpr std::pair<const char*, CastMethod> methods[] = {{"brute-force", CastMethod::BruteForce},
+                                                          {"volumes", CastMethod::BoundingVolumes},
+                                                          {"hierarchy", CastMethod::Hierarchy},
+                                                          {"grid", CastMethod::Grid}};
+constexpr std::pair<const char*, InsideTest> inside_tests[] = {{"crossings", InsideTest::Crossings},
+                                                               {"products", InsideTest::CrossProducts},
+                                                               {"angles", InsideTest::Angles}};
+
+struct CastOptions {
+    PictureOptions picture{.size = {320, 240}};
+    CastMethod method = CastMethod::Hierarchy;
+    InsideTest inside = InsideTest::Crossings;
+    std::filesystem::path output, tests;
+};
+
+/// An option whose words are a table's.
+template <class Table, class Value>
+void add_choice(CLI::App& command, const std::string& name, const Table& table, Value& value,
+                const std::string& help) {
+    command
+        .add_option_function<std::string>(
+            name,
+            [name, &table, &value](const std::string& word) {
+                std::vector<std::string> known;
+                for (const auto& row : table) known.emplace_back(row.first);
+                one_of(name, word, known);
+                for (const auto& row : table)
+                    if (word == row.first) value = row.second;
+            },
+            help)
+        ->type_name("NAME");
+}
+
+void check_picture(const std::string& option, const std::filesystem::path& file) {
+    if (file.empty()) throw UsageError(option + " is empty; expected the name of a picture");
+    try {
+        image::check_extension(file);
+    } catch (const Error& error) {
+        throw UsageError(error.what());
+    }
+    image::check_target(file);
+}
+
+/// Tests of a pixel from black to white, the dearest pixel white.
+image::Picture picture_of_tests(const std::vector<std::uint32_t>& tests, const Size& size) {
+    const std::uint64_t most = std::max<std::uint32_t>(1, *std::max_element(tests.begin(), tests.end()));
+    std::vector<Rgba> color;
+    for (const std::uint32_t n : tests) {
+        const auto v = static_cast<std::uint16_t>((n * std::uint64_t{255} + most / 2) / most);
+        color.push_back({v, v, v, 255});
+    }
+    return image::picture_of(color, size.width, size.height, 8);
+}
+
+std::string counts_table(const raytrace::CastPicture& picture, std::size_t shapes) {
+    const raytrace::CastCounts& c = picture.counts;
+    const auto row = [&](const char* name, std::uint64_t n) {
+        return std::vector<std::string>{name, std::to_string(n),
+                                        fmt::format("{:.2f}", double(n) / double(c.rays))};
+    };
+    return table({{"", "all", "of a ray"},
+                  row("rays", c.rays),
+                  row("tests of shapes", c.shapes),
+                  row("tests of boxes", c.boxes),
+                  row("voxels", c.voxels),
+                  {"shapes in the scene", std::to_string(shapes), ""}});
+}
+
+int cast(const CastOptions& options) {
+    check_picture("--output", options.output);
+    if (!options.tests.empty()) check_picture("--tests", options.tests);
+    if (options.output == options.tests)
+        throw UsageError("--output and --tests are the same file; expected two");
+    const Progress progress("casting", options.picture.quiet);
+    const scene::Scene scene = load_scene(options.picture);
+    const Size size = options.picture.size;
+    const auto shapes = raytrace::cast_shapes(scene);
+    const auto caster = raytrace::make_caster(options.method, shapes, options.inside);
+    const auto picture = raytrace::cast_picture(
+        *caster, shapes, scene, scene::make_view(scene, size.width, size.height), options.picture.threads);
+    image::OutputSet output;
+    image::put_picture(output.add(options.output),
+                       image::picture_of(picture.color, size.width, size.height, 8));
+    if (!options.tests.empty())
+        image::put_picture(output.add(options.tests), picture_of_tests(picture.tests, size));
+    output.commit();
+    print(counts_table(picture, shapes.size()));
+    return done;
+}
+
+}  // namespace
+
+Command add_cast(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("cast", "Ray casting as it is taught: methods, inside tests, their counts");
+    const auto options = std::make_shared<CastOptions>();
+    add_picture_options(*command, options->picture);
+    remove_pass_options(*command);
+    for (const char* unused : {"--machine", "--profile"}) command->remove_option(command->get_option(unused));
+    command->get_option("--size")->description("Pixels, both sides 1..4096 (default 320x240)");
+    command->get_option("--threads")->description("Processors that share the rows (default: all)");
+    add_choice(*command, "--method", methods, options->method,
+               "How the nearest shape is found: brute-force, volumes, hierarchy (default) or grid");
+    add_choice(*command, "--inside", inside_tests, options->inside,
+               "Ray and polygon: crossings (default), products or angles; they differ on concave polygons");
+    command->add_option("-o,--output", options->output, "The picture")->required()->type_name("IMAGE");
+    command
+        ->add_option("--tests", options->tests,
+                     "Also a picture of the tests that each pixel cost, the dearest white")
+        ->type_name("IMAGE");
+    command->footer(
+        "Example:\n  build/release/bin/gw cast scenes/hidden/solids.toml --method grid -o cast.png --tests "
+        "tests.png");
+    return {command, [options] { return cast(*options); }};
+}
+
+}  // namespace gw::apps

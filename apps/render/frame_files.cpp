@@ -1,0 +1,133 @@
+#include "apps/render/frame_files.h"
+
+#include "apps/figures/folder_index.h"
+#include "apps/render/parameter_sets.h"
+#include "apps/recordings/recording_files.h"
+#include "apps/command/command_recorder.h"
+#include "image/planes.h"
+#include "image/write.h"
+#include "inspect/manifest/counters_json.h"
+#include "inspect/replay/digesting_machine.h"
+#include "inspect/manifest/manifest.h"
+#include "inspect/replay/recorder.h"
+#include "multipass/frame/driver.h"
+#include "multipass/maps/scene_maps.h"
+#include "scene/draw/draw_commands.h"
+
+#include <cctype>
+#include <set>
+
+namespace gw::apps {
+
+namespace {
+
+image::Picture picture_of(const Drawing& drawing, const std::vector<Rgba>& color, const image::Tone& tone) {
+    const Size size = drawing.options.size;
+    return image::toned(image::picture_of(color, size.width, size.height, drawing.profile.color_bits), tone);
+}
+
+// A component's name as the name of a file: "diffuse lamp 1" becomes "diffuse_lamp_1".
+std::string file_name(std::string name, std::set<std::string>& taken) {
+    for (char& c : name) {
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
+    }
+    std::string unique = name;
+    for (int i = 2; !taken.insert(unique).second; ++i) unique = name + "_" + std::to_string(i);
+    return unique;
+}
+
+// The scene's own passes are in place of multipass's.
+DrawOptions options_of(const Drawing& drawing) {
+    DrawOptions options = draw_options(drawing.options);
+    if (drawing.renderer.passes == multipass::Renderer::Multipass) options.passes.passes = drawing.own_passes;
+    return options;
+}
+
+// The scene with the maps that are generated from it.
+scene::Scene with_maps(const Drawing& drawing, const scene::View& view, Machine& machine) {
+    multipass::Options options = options_of(drawing).passes;
+    if (drawing.renderer.passes) options.passes = passes_of(drawing);
+    return multipass::with_scene_maps(machine, drawing.scene, view, options);
+}
+
+// The component's passes as the picture's, on black where the background is a component of its own. The
+// scene's maps are there already: they show everything.
+std::vector<Rgba> component(const Drawing& drawing, scene::Scene scene, const multipass::ComponentList& list,
+                            const scene::View& view, Machine& machine) {
+    if (!list.background) scene.background = vec3(0);
+    DrawOptions options = options_of(drawing);
+    options.passes.passes = list.passes;
+    options.rays.background = drawing.scene.background;
+    drawing.renderer.draw(machine, scene, view, options);
+    return machine.planes().color;
+}
+
+void put_components(const Drawing& drawing, Machine& machine, const scene::View& view,
+                    const image::Picture& sum, const FrameFiles& files, image::OutputSet& output) {
+    const std::string extension = files.picture.extension().string();
+    std::set<std::string> taken{"sum"};
+    const scene::Scene ready = with_maps(drawing, view, machine);
+    for (const auto& list : multipass::component_lists(drawing.scene, passes_of(drawing))) {
+        image::put_picture(output.add(files.components / (file_name(list.name, taken) + extension)),
+                           picture_of(drawing, component(drawing, ready, list, view, machine), files.tone));
+    }
+    image::put_picture(output.add(files.components / ("sum" + extension)), sum);
+}
+
+void put_planes(const Drawing& drawing, Machine& machine, const scene::View& view, const FrameFiles& files,
+                image::OutputSet& output) {
+    image::put_planes(output, files.planes, machine.planes(), drawing.profile);
+    machine.execute(scene::id_pass(drawing.scene, view));
+    std::vector<std::uint32_t> ids;
+    for (const Rgba& color : machine.planes().color) ids.push_back(scene::id_of(color));
+    image::put_ids(output, files.planes, ids, view.width, view.height, 0);
+}
+
+}  // namespace
+
+Drawing make_drawing(const PictureOptions& options) {
+    const Profile profile = load_profile(options);
+    SceneWithPasses loaded = load_scene_with_passes(options);
+    return {options, renderer_named(options.renderer), profile, std::move(loaded.scene),
+            std::move(loaded.passes)};
+}
+
+multipass::PassList passes_of(const Drawing& drawing) {
+    return pass_list(drawing.renderer, drawing.scene, options_of(drawing));
+}
+
+void draw(const Drawing& drawing, const scene::View& view, Machine& machine) {
+    drawing.renderer.draw(machine, with_maps(drawing, view, machine), view, options_of(drawing));
+}
+
+void draw_frame(const Drawing& drawing, const FrameFiles& files) {
+    image::OutputSet output;
+    for (const auto& folder : {files.components, files.planes}) {
+        if (!folder.empty()) output.make_folder(folder);
+    }
+    const scene::View view =
+        scene::make_view(drawing.scene, drawing.options.size.width, drawing.options.size.height);
+    const auto machine = make_machine(drawing.options, drawing.profile);
+    note_parameter_sets([&] { return parameter_sets(drawing); });
+    if (files.manifest.empty()) {
+        draw(drawing, view, *machine);
+    } else {
+        inspect::DigestingMachine digesting(*machine);
+        std::vector<CommandList> lists;
+        inspect::Recorder recorder(digesting, lists);
+        draw(drawing, view, recorder);
+        const inspect::Recording recording = recording_of(drawing, std::move(lists));
+        output.add(files.manifest).write_text(to_json(manifest_of(recording, machine->passes())));
+    }
+    if (!files.counters.empty())
+        output.add(files.counters).write_text(inspect::totals_json(machine->passes()).dump(2) + "\n");
+    const image::Picture picture = picture_of(drawing, machine->planes().color, files.tone);
+    image::put_picture(output.add(files.picture), picture);
+    if (!files.planes.empty()) put_planes(drawing, *machine, view, files, output);
+    if (!files.components.empty()) put_components(drawing, *machine, view, picture, files, output);
+    for (const auto& folder : {files.components, files.planes})
+        if (!folder.empty()) put_index(output, folder);
+    output.commit();
+}
+
+}  // namespace gw::apps

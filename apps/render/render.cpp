@@ -1,0 +1,149 @@
+// gw render: a picture of a scene, and what else of the drawing is asked for.
+#include "apps/command/command.h"
+#include "apps/render/frame_files.h"
+#include "apps/command/peak_memory.h"
+#include "apps/render/picture_options.h"
+#include "apps/command/progress.h"
+#include "apps/render/renderers.h"
+#include "apps/render/turntable.h"
+#include "gw/error.h"
+#include "image/write.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+namespace gw::apps {
+
+namespace {
+
+struct RenderOptions {
+    PictureOptions picture;
+    FrameFiles files;
+    int turntable = 0;     ///< pictures; 0: none
+    std::string frames{};  ///< "A-B": these of the turntable's pictures only
+    bool memory = false;   ///< said how much was held
+};
+
+void add_tone_options(CLI::App& command, image::Tone& tone) {
+    command
+        .add_option_function<std::string>(
+            "--gamma",
+            [&tone](const std::string& word) { tone.gamma = number_from("--gamma", word, 0.1, 10); },
+            "The picture as v^(1/G) (default 1: as the frame buffer holds it)")
+        ->type_name("G");
+    command
+        .add_option_function<std::string>(
+            "--exposure",
+            [&tone](const std::string& word) { tone.exposure = number_from("--exposure", word, -32, 32); },
+            "The picture times 2^STOPS (default 0)")
+        ->type_name("STOPS");
+}
+
+void add_options(CLI::App& command, RenderOptions& options) {
+    add_picture_options(command, options.picture);
+    command
+        .add_option("-o,--output", options.files.picture,
+                    "The picture: .png, .exr, .tif or what else OpenImageIO writes")
+        ->required()
+        ->type_name("IMAGE");
+    command
+        .add_option_function<std::string>(
+            "--turntable",
+            [&](const std::string& word) {
+                options.turntable = whole_number_from("--turntable", word, 1, 9999);
+            },
+            "N pictures IMAGE_001 ... around the scene")
+        ->type_name("N");
+    command
+        .add_option("--frames", options.frames,
+                    "Of a turntable pictures A to B only: processes share the work, and make the same files")
+        ->type_name("A-B");
+    command
+        .add_option("--components", options.files.components,
+                    "Also a picture of each component, and their sum")
+        ->type_name("DIR");
+    command
+        .add_option("--planes", options.files.planes,
+                    "Also Z, stencil, identifiers, accumulation: values as EXR, false colours as PNG")
+        ->type_name("DIR");
+    command
+        .add_option("--manifest", options.files.manifest, "Also counters and digests of every pass, as JSON")
+        ->type_name("FILE");
+    command
+        .add_option("--counters", options.files.counters,
+                    "Also how often each pass ran and what it counted, as JSON")
+        ->type_name("FILE");
+    add_tone_options(command, options.files.tone);
+    command.add_flag("--memory", options.memory, "Print how much memory was held at most");
+}
+
+void check_different(const FrameFiles& files) {
+    const std::pair<const char*, const std::filesystem::path&> all[] = {
+        {"--output", files.picture}, {"--manifest", files.manifest}, {"--counters", files.counters}};
+    for (auto a = std::begin(all); a != std::end(all); ++a)
+        for (auto b = std::begin(all); b != a; ++b)
+            if (!a->second.empty() && a->second == b->second)
+                throw UsageError(
+                    fmt::format("{} and {} are the same file; expected two", a->first, b->first));
+}
+
+/// The first and the last picture of the turntable to draw, from 1.
+std::pair<int, int> frames_of(const RenderOptions& options) {
+    if (options.frames.empty()) return {1, options.turntable};
+    return range_from("--frames", options.frames, 1, options.turntable);
+}
+
+// What is wrong with the words alone is usage. Files that cannot be written are found before long work.
+void check(const RenderOptions& options) {
+    if (!options.frames.empty() && options.turntable == 0)
+        throw UsageError("--frames without --turntable; expected both, or neither for one picture");
+    if (options.turntable > 0) frames_of(options);
+    const FrameFiles& files = options.files;
+    if (files.picture.empty()) throw UsageError("--output is empty; expected the name of a picture");
+    image::check_target(files.picture);
+    try {
+        image::check_extension(files.picture);
+    } catch (const Error& error) {
+        throw UsageError(error.what());
+    }
+    const bool more_files = !files.components.empty() || !files.planes.empty() || !files.manifest.empty() ||
+                            !files.counters.empty();
+    if (options.turntable > 0 && more_files) {
+        throw UsageError(
+            "--turntable cannot go with --components, --planes, --manifest or --counters; expected one "
+            "picture for these");
+    }
+    check_different(files);
+    if (!files.components.empty() && !renderer_named(options.picture.renderer).passes) {
+        throw UsageError("--components: renderer " + options.picture.renderer +
+                         " has none; expected hardware or multipass");
+    }
+    for (const auto& file : {files.manifest, files.counters})
+        if (!file.empty()) image::check_target(file);
+}
+
+int render(const RenderOptions& options) {
+    check(options);
+    Progress progress("reading", options.picture.quiet);
+    Drawing drawing = make_drawing(options.picture);
+    progress.at("drawing");
+    if (options.turntable > 0) {
+        draw_turntable(drawing, options.files, options.turntable, frames_of(options), progress);
+    } else {
+        draw_frame(drawing, options.files);
+    }
+    if (options.memory) fmt::print("memory held at most: {} MB\n", peak_memory() >> 20);
+    return done;
+}
+
+}  // namespace
+
+Command add_render(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("render", "A picture of a scene");
+    const auto options = std::make_shared<RenderOptions>();
+    add_options(*command, *options);
+    command->footer("Example:\n  build/release/bin/gw render scenes/rings.toml -o rings.png");
+    return {command, [options] { return render(*options); }};
+}
+
+}  // namespace gw::apps

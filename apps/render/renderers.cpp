@@ -1,0 +1,94 @@
+#include "apps/render/renderers.h"
+
+#include "hiddensurface/run/scan_line_renderer.h"
+#include "itembuffer/adaptive.h"
+#include "itembuffer/superposed_ray_tracer.h"
+#include "multipass/frame/driver.h"
+#include "multipass/frame/superpose.h"
+
+#include <algorithm>
+
+namespace gw::apps {
+
+namespace {
+
+void draw_hardware(Machine& machine, const scene::Scene& scene, const scene::View& view,
+                   const DrawOptions& options) {
+    multipass::Options passes = options.passes;
+    passes.renderer = multipass::Renderer::Hardware;
+    multipass::render(machine, scene, view, passes);
+}
+
+void draw_multipass(Machine& machine, const scene::Scene& scene, const scene::View& view,
+                    const DrawOptions& options) {
+    if (options.traced)
+        itembuffer::render(machine, scene, view, options.passes, options.rays);
+    else
+        multipass::render(machine, scene, view, options.passes);
+}
+
+void draw_scan_lines(Machine& machine, const scene::Scene& scene, const scene::View& view,
+                     const DrawOptions& options) {
+    scene::Scene now = scene;
+    const auto draw = [&](const multipass::Sample& sample) {
+        multipass::move_to(now, scene, sample);
+        machine.execute(
+            hiddensurface::scan_line_picture(now, multipass::view_at(view, sample), machine.profile(),
+                                             multipass::jitter_of(sample, machine.profile().subpixel_bits)));
+    };
+    const int samples = options.passes.samples;
+    multipass::superpose(machine, samples, 0, draw,
+                         multipass::weights_of(samples, options.passes.weighted, machine.profile()));
+}
+
+void draw_rays(Machine& machine, const scene::Scene& scene, const scene::View& view,
+               const DrawOptions& options) {
+    itembuffer::render_by_rays(machine, scene, view, options.passes.samples, options.rays,
+                               options.passes.weighted);
+}
+
+void draw_adaptive(Machine& machine, const scene::Scene& scene, const scene::View& view,
+                   const DrawOptions& options) {
+    itembuffer::render_adaptive(machine, scene, view, options.passes.samples, options.rays);
+}
+
+}  // namespace
+
+const std::vector<Renderer>& renderers() {
+    static const std::vector<Renderer> all{
+        {"hardware", "equation 1, everything in one pass", draw_hardware, multipass::Renderer::Hardware},
+        {"multipass", "equations 2, 4 and 5, a pass for each component, reflections by rays (default)",
+         draw_multipass, multipass::Renderer::Multipass},
+        {"scanline", "equation 3 at every pixel of a scan line's spans; no shadows", draw_scan_lines, {}},
+        {"raytrace", "the ordinary ray tracer", draw_rays, {}},
+        {"adaptive", "one item buffer, and more rays only where its neighbours differ", draw_adaptive, {}},
+    };
+    return all;
+}
+
+const Renderer& renderer_named(const std::string& name) {
+    return *std::find_if(renderers().begin(), renderers().end(),
+                         [&](const Renderer& r) { return r.name == name; });
+}
+
+std::vector<std::string> renderer_names() {
+    std::vector<std::string> names;
+    for (const Renderer& renderer : renderers()) names.push_back(renderer.name);
+    return names;
+}
+
+multipass::PassList pass_list(const Renderer& renderer, const scene::Scene& scene,
+                              const DrawOptions& options) {
+    if (options.passes.passes) return *options.passes.passes;
+    if (*renderer.passes == multipass::Renderer::Multipass && options.traced)
+        return itembuffer::passes_with_tracing(scene, options.passes.translucency);
+    return multipass::passes_for(scene, *renderer.passes, options.passes.translucency);
+}
+
+std::string renderers_help() {
+    std::string help;
+    for (const Renderer& r : renderers()) help += (help.empty() ? "" : "; ") + r.name + ": " + r.about;
+    return help;
+}
+
+}  // namespace gw::apps

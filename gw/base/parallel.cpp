@@ -1,0 +1,159 @@
+// Both ways to run in parallel.
+#include "gw/base/parallel.h"
+
+#include <cfenv>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <new>
+
+#ifdef __SSE2_MATH__
+#include <xmmintrin.h>
+#endif
+
+#ifdef GW_THREADS_TBB
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#else
+#include <atomic>
+#include <exception>
+#endif
+#include <thread>
+#include <vector>
+
+namespace gw {
+
+int hardware_threads() {
+    const unsigned n = std::thread::hardware_concurrency();
+    return n > 0 ? static_cast<int>(n) : 1;
+}
+
+namespace {
+
+/// Whether it is as programs begin, but for flags, where one register says so: saving and restoring takes as
+/// long as a small body.
+bool is_default_environment() {
+#ifdef __SSE2_MATH__
+    constexpr unsigned flags = 0x3F, initial = 0x1F80;
+    return (_mm_getcsr() & ~flags) == initial;
+#else
+    return false;
+#endif
+}
+
+}  // namespace
+
+FloatEnvironment::FloatEnvironment() : changed_(!is_default_environment()) {
+    static_assert(sizeof(std::fenv_t) <= sizeof saved_);
+    if (!changed_) return;
+    std::fegetenv(new (saved_) std::fenv_t);
+    std::fesetenv(FE_DFL_ENV);
+}
+
+FloatEnvironment::~FloatEnvironment() {
+    if (changed_) std::fesetenv(std::launder(reinterpret_cast<std::fenv_t*>(saved_)));
+}
+
+namespace {
+
+void serial_for(std::size_t count, const std::function<void(std::size_t, int)>& body) {
+    const FloatEnvironment environment;
+    for (std::size_t i = 0; i < count; ++i) body(i, 0);
+}
+
+#ifdef GW_THREADS_TBB
+
+/// oneTBB starts no more threads than processors unless it is told that there may be more.
+void allow_threads(int threads) {
+    using Control = tbb::global_control;
+    static std::mutex mutex;
+    static std::unique_ptr<Control> allowed;
+    const std::lock_guard lock(mutex);
+    const auto most = static_cast<std::size_t>(threads);
+    if (Control::active_value(Control::max_allowed_parallelism) >= most) return;
+    allowed.reset();
+    allowed = std::make_unique<Control>(Control::max_allowed_parallelism, most);
+}
+
+/// Arenas that no call uses now. Made anew for each call, oneTBB's threads often came too late, or never.
+class Arenas {
+public:
+    using Arena = std::unique_ptr<tbb::task_arena>;
+
+    Arena take(int threads) {
+        const std::lock_guard lock(mutex_);
+        std::vector<Arena>& free = free_[threads];
+        if (free.empty()) return std::make_unique<tbb::task_arena>(threads);
+        Arena arena = std::move(free.back());
+        free.pop_back();
+        return arena;
+    }
+    void give_back(int threads, Arena arena) {
+        const std::lock_guard lock(mutex_);
+        free_[threads].push_back(std::move(arena));
+    }
+
+private:
+    std::mutex mutex_;
+    std::map<int, std::vector<Arena>> free_;
+};
+
+void threaded_for(std::size_t count, int threads, const std::function<void(std::size_t, int)>& body) {
+    static Arenas arenas;
+    allow_threads(threads);
+    Arenas::Arena arena = arenas.take(threads);
+    arena->execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, count, 1),
+            [&](const tbb::blocked_range<std::size_t>& range) {
+                const FloatEnvironment environment;
+                const int worker = tbb::this_task_arena::current_thread_index();
+                for (std::size_t i = range.begin(); i < range.end(); ++i) body(i, worker);
+            },
+            tbb::simple_partitioner());
+    });
+    arenas.give_back(threads, std::move(arena));
+}
+
+#else
+
+/// Workers take the next index until none is left.
+struct Work {
+    std::size_t count;
+    const std::function<void(std::size_t, int)>& body;
+    std::atomic<std::size_t> next{0};
+    std::mutex mutex{};
+    std::exception_ptr failure{};
+
+    void run(int worker) {
+        const FloatEnvironment environment;
+        try {
+            for (std::size_t i = next++; i < count; i = next++) body(i, worker);
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (!failure) failure = std::current_exception();
+        }
+    }
+};
+
+void threaded_for(std::size_t count, int threads, const std::function<void(std::size_t, int)>& body) {
+    Work work{count, body};
+    std::vector<std::thread> pool;
+    for (int worker = 1; worker < threads; ++worker) pool.emplace_back([&work, worker] { work.run(worker); });
+    work.run(0);
+    for (std::thread& thread : pool) thread.join();
+    if (work.failure) std::rethrow_exception(work.failure);
+}
+
+#endif
+
+}  // namespace
+
+void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t, int)>& body) {
+    if (threads <= 0) threads = hardware_threads();
+    if (threads == 1 || count <= 1) return serial_for(count, body);
+    threaded_for(count, threads, body);
+}
+
+}  // namespace gw

@@ -1,0 +1,170 @@
+// Colours on their way into the frame buffer: products, blending, masks. docs/manual.md, "Fragment
+// operations"; scalar twin: gw/reference/fragment.cpp. Does not test. Included once per Highway target.
+#if defined(GW_FAST_BLEND_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_BLEND_INL_H_
+#undef GW_FAST_BLEND_INL_H_
+#else
+#define GW_FAST_BLEND_INL_H_
+#endif
+
+#include "gw/base/arithmetic.h"
+#include "gw/fast/simd/lanes-inl.h"
+#include "gw/stages/resolve.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+/// mul(a, b, n) of gw/base/arithmetic.h.
+HWY_INLINE V32 mul_lanes(V32 a, V32 b, int n) {
+    const D32 d;
+    const auto t = hn::Add(hn::Mul(a, b), hn::Set(d, 1u << (n - 1)));
+    return hn::ShiftRightSame(hn::Add(t, hn::ShiftRightSame(t, n)), n);
+}
+
+/// The same for n = 8 in 16-bit lanes.
+template <class D>
+HWY_INLINE hn::Vec<D> mul_bytes(D d, hn::Vec<D> a, hn::Vec<D> b) {
+    const auto t = hn::Add(hn::Mul(a, b), hn::Set(d, std::uint16_t{128}));
+    return hn::ShiftRight<8>(hn::Add(t, hn::ShiftRight<8>(t)));
+}
+
+HWY_INLINE V32 load_channel(const std::uint16_t* p) { return hn::PromoteTo(D32(), hn::Load(Half16(), p)); }
+
+HWY_INLINE hn::Vec<Half16> narrow(V32 v) { return hn::DemoteTo(Half16(), hn::BitCast(I32(), v)); }
+
+/// Both sides of a blend, by channel.
+template <class V>
+struct BlendLanes {
+    V src[4], dst[4];
+};
+
+/// The factor of channel c, as in gw/stages/tables.h.
+template <class D, class V>
+HWY_INLINE V blend_factor_lanes(D d, BlendFactor factor, const BlendLanes<V>& l, std::size_t c, V max) {
+    switch (factor) {
+        case BlendFactor::Zero: return hn::Zero(d);
+        case BlendFactor::One: return max;
+        case BlendFactor::SrcColor: return l.src[c];
+        case BlendFactor::OneMinusSrcColor: return hn::Sub(max, l.src[c]);
+        case BlendFactor::DstColor: return l.dst[c];
+        case BlendFactor::OneMinusDstColor: return hn::Sub(max, l.dst[c]);
+        case BlendFactor::SrcAlpha: return l.src[3];
+        case BlendFactor::OneMinusSrcAlpha: return hn::Sub(max, l.src[3]);
+        case BlendFactor::DstAlpha: return l.dst[3];
+        case BlendFactor::OneMinusDstAlpha: return hn::Sub(max, l.dst[3]);
+        case BlendFactor::SrcAlphaSaturate: return c == 3 ? max : hn::Min(l.src[3], hn::Sub(max, l.dst[3]));
+    }
+    return max;
+}
+
+/// 8 bits a channel: everything fits 16-bit lanes.
+HWY_NOINLINE inline void blend_bytes(const BlendState& b, const ColorBlock& src, const ColorBlock& dst,
+                                     ColorBlock& out) {
+    const D16 d;
+    const auto max = hn::Set(d, std::uint16_t{255});
+    for (std::size_t i = 0; i < block_pixels; i += lanes16) {
+        BlendLanes<hn::Vec<D16>> l;
+        for (std::size_t c = 0; c < 4; ++c)
+            l.src[c] = hn::Load(d, src.channel[c] + i), l.dst[c] = hn::Load(d, dst.channel[c] + i);
+        for (std::size_t c = 0; c < 4; ++c) {
+            const auto s = mul_bytes(d, l.src[c], blend_factor_lanes(d, b.src, l, c, max));
+            const auto t = mul_bytes(d, l.dst[c], blend_factor_lanes(d, b.dst, l, c, max));
+            hn::Store(hn::Min(max, hn::Add(s, t)), d, out.channel[c] + i);
+        }
+    }
+}
+
+/// Channels in a row: the widest vectors hold two.
+using DRow = hn::CappedTag<std::uint16_t, 32>;
+
+/// The alphas that lanes i .. of a row belong to.
+HWY_INLINE hn::Vec<DRow> alphas_of(const ColorBlock& block, std::size_t i) {
+    const DRow d;
+    const std::uint16_t* alpha = block.channel[3] + i % block_pixels;
+#if HWY_MAX_BYTES >= 64
+    const auto own = hn::Load(hn::Half<DRow>(), alpha);
+    return hn::Combine(d, own, own);
+#else
+    return hn::Load(d, alpha);
+#endif
+}
+
+/// Transparency, the commonest blend after the sum, in 8 bits: SrcAlpha, OneMinusSrcAlpha.
+HWY_NOINLINE inline void mix_by_alpha(const ColorBlock& src, ColorBlock& stored, std::uint32_t mask) {
+    const DRow d;
+    const auto max = hn::Set(d, std::uint16_t{255});
+    const std::uint16_t* from = src.channel[0];
+    std::uint16_t* to = stored.channel[0];
+    for (std::size_t i = 0; i < 4 * block_pixels; i += hn::Lanes(d)) {
+        const auto alpha = alphas_of(src, i);
+        const auto own = mul_bytes(d, hn::Load(d, from + i), alpha),
+                   other = mul_bytes(d, hn::Load(d, to + i), hn::Sub(max, alpha));
+        store_lanes(hn::Min(max, hn::Add(own, other)),
+                    lanes_of(d, mask | mask << block_pixels, i % block_pixels), d, to + i);
+    }
+}
+HWY_INLINE bool mixes_by_alpha(const Resolved& r) {
+    const BlendState& b = r.state.blend;
+    const ColorMask& m = r.state.color_mask;
+    return r.bits == 8 && b.enable && b.src == BlendFactor::SrcAlpha &&
+           b.dst == BlendFactor::OneMinusSrcAlpha && m.r && m.g && m.b && m.a;
+}
+
+HWY_NOINLINE inline void blend_block(const BlendState& b, int bits, const ColorBlock& src,
+                                     const ColorBlock& dst, ColorBlock& out) {
+    if (bits == 8) return blend_bytes(b, src, dst, out);
+    const D32 d;
+    const auto max = hn::Set(d, max_of_bits(bits));
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        BlendLanes<V32> l;
+        for (std::size_t c = 0; c < 4; ++c) {
+            l.src[c] = load_channel(src.channel[c] + i);
+            l.dst[c] = load_channel(dst.channel[c] + i);
+        }
+        for (std::size_t c = 0; c < 4; ++c) {
+            const auto s = mul_lanes(l.src[c], blend_factor_lanes(d, b.src, l, c, max), bits);
+            const auto t = mul_lanes(l.dst[c], blend_factor_lanes(d, b.dst, l, c, max), bits);
+            hn::Store(narrow(hn::Min(max, hn::Add(s, t))), Half16(), out.channel[c] + i);
+        }
+    }
+}
+
+/// One, One is a saturating sum: what the passes of [K3] do all the time.
+HWY_INLINE void add_block(int bits, const ColorBlock& src, const ColorBlock& dst, ColorBlock& out) {
+    const D16 d;
+    const auto max = hn::Set(d, std::uint16_t(max_of_bits(bits)));
+    for (std::size_t c = 0; c < 4; ++c)
+        for (std::size_t i = 0; i < block_pixels; i += lanes16) {
+            const auto sum =
+                hn::SaturatedAdd(hn::Load(d, src.channel[c] + i), hn::Load(d, dst.channel[c] + i));
+            hn::Store(hn::Min(sum, max), d, out.channel[c] + i);
+        }
+}
+
+HWY_NOINLINE inline void write_color(const Resolved& r, const ColorBlock& src, ColorBlock& dst,
+                                     std::uint32_t mask) {
+    if (mixes_by_alpha(r)) return mix_by_alpha(src, dst, mask);
+    const BlendState& b = r.state.blend;
+    ColorBlock blended;
+    const ColorBlock* out = &src;
+    if (b.enable) {
+        out = &blended;
+        if (b.src == BlendFactor::One && b.dst == BlendFactor::One)
+            add_block(r.bits, src, dst, blended);
+        else
+            blend_block(b, r.bits, src, dst, blended);
+    }
+    const ColorMask& m = r.state.color_mask;
+    const bool channel[4] = {m.r, m.g, m.b, m.a};
+    const D16 d;
+    for (std::size_t i = 0; i < block_pixels; i += lanes16) {
+        const auto lanes = lanes_of(d, mask, i);
+        for (std::size_t c = 0; c < 4; ++c)
+            if (channel[c]) store_lanes(hn::Load(d, out->channel[c] + i), lanes, d, dst.channel[c] + i);
+    }
+}
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target

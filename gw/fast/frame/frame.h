@@ -1,0 +1,95 @@
+// The fast machine's planes: tiles of 4x4-pixel blocks, so that a vector holds a block and a tile stays in
+// cache. Does not draw. Conversion to and from the host's Planes is here too.
+#pragma once
+
+#include "gw/fast/frame/uniform.h"
+#include "gw/planes.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gw::fast {
+
+inline constexpr int block_side = 4, block_pixels = 16;
+inline constexpr std::size_t max_tile_blocks = 256;  ///< of a tile of 64 x 64 pixels, the largest
+
+/// Pixels of one block: the colours by channel, everything else by pixel. Lane = 4 (y mod 4) + x mod 4.
+struct alignas(64) ColorBlock {
+    std::uint16_t channel[4][block_pixels];
+};
+struct alignas(64) DepthBlock {
+    std::uint32_t value[block_pixels];
+};
+struct alignas(16) StencilBlock {
+    std::uint8_t value[block_pixels];
+};
+struct alignas(64) AccumBlock {
+    std::int32_t channel[4][block_pixels];
+};
+
+/// How a window is cut into square tiles of 2^log2_tile pixels, rows of tiles from the bottom.
+struct TileGrid {
+    int width = 0, height = 0, log2_tile = 6;
+
+    int side() const { return 1 << log2_tile; }
+    int columns() const { return (width + side() - 1) >> log2_tile; }
+    int rows() const { return (height + side() - 1) >> log2_tile; }
+    std::size_t count() const { return std::size_t(columns()) * std::size_t(rows()); }
+    int blocks_per_row() const { return side() / block_side; }
+    std::size_t blocks_per_tile() const {
+        return std::size_t(blocks_per_row()) * std::size_t(blocks_per_row());
+    }
+};
+
+/// One tile's blocks, and where it lies in the window. `accum` is null until accumulation is used.
+struct Tile {
+    int x = 0, y = 0, side = 64;
+    ColorBlock* color = nullptr;
+    DepthBlock* depth = nullptr;
+    StencilBlock* stencil = nullptr;
+    AccumBlock* accum = nullptr;
+    UniformGroup* uniform = nullptr;
+    UniformPlanes* has_uniform = nullptr;
+    HeldPlanes* held = nullptr;
+
+    std::size_t blocks() const { return block(0, side / block_side); }
+    std::size_t block(int bx, int by) const {
+        return std::size_t(by) * (std::size_t(side) / block_side) + std::size_t(bx);
+    }
+    /// The group of block (bx, by), and which of its blocks that is.
+    UniformGroup& group(int bx, int by) const {
+        const std::size_t per_row = std::size_t(side) / (block_side * group_blocks);
+        return uniform[std::size_t(by) / group_blocks * per_row + std::size_t(bx) / group_blocks];
+    }
+    static std::uint32_t in_group(int bx, int by) {
+        return std::uint32_t(by) % group_blocks * group_blocks + std::uint32_t(bx) % group_blocks;
+    }
+};
+
+class Frame {
+public:
+    Frame(int width, int height, int log2_tile);
+
+    const TileGrid& grid() const { return grid_; }
+    Tile tile(std::size_t index);
+    /// Makes the accumulation plane (zero) where there is none yet.
+    void need_accum();
+
+    /// Tiles have to be settled.
+    void read(Planes& planes) const;
+    void write(const Planes& planes);
+
+private:
+    TileGrid grid_;
+    std::vector<ColorBlock> color_;
+    std::vector<DepthBlock> depth_;
+    std::vector<StencilBlock> stencil_;
+    std::vector<AccumBlock> accum_;
+    std::vector<UniformGroup> uniform_;
+    std::vector<UniformPlanes> has_uniform_;  ///< by tile
+    std::vector<HeldPlanes> held_;            ///< by tile
+};
+
+}  // namespace gw::fast

@@ -1,0 +1,129 @@
+// Which draws share a record.
+#include "gw/fast/visible/visible_record.h"
+
+#include "gw/fast/plan/plan.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gw::fast {
+
+void Coverage::clear() {
+    drawn = made = false;
+    primitives.clear();
+    depth.clear();
+    blocks.clear();
+    fragments.clear();
+    total = 0;
+    runs.clear();
+    texture.texcoords = nullptr;
+}
+
+namespace {
+
+bool may_share(const DrawOp& op) {
+    const State& s = op.state.state;
+    const StencilFace& face = op.state.front;
+    const bool counts_visible = face.func == StencilFunc::Always && face.zfail == StencilOp::Keep;
+    return s.depth.func == DepthFunc::Equal && s.alpha.func == AlphaFunc::Always &&
+           (keeps(face) || counts_visible) && !(s.stencil.test && s.stencil.two_side);
+}
+
+/// What decides a draw's fragments and their depths.
+struct Shared {
+    const GeometrySet* set;
+    JitterState jitter;
+    Rect box;
+    PolygonOffsetState offset;
+    bool operator==(const Shared&) const = default;
+};
+Shared shared(const DrawOp& op) {
+    return {op.set, op.state.state.jitter, op.state.draw_box, op.state.state.polygon_offset};
+}
+
+/// What an operation does to depths: `Less` never makes one greater. Under Equal a written depth is the
+/// stored one.
+enum class Change { None, Less, Any };
+
+Change change(const DepthState& depth) {
+    if (!depth.mask || depth.func == DepthFunc::Equal || depth.func == DepthFunc::Never) return Change::None;
+    return depth.func == DepthFunc::Less || depth.func == DepthFunc::LEqual ? Change::Less : Change::Any;
+}
+Change change(const DrawOp& op) { return change(op.state.state.depth); }
+Change change(const SpansOp& op) { return change(op.state.state.depth); }
+Change change(const PixelsOp& op) {
+    return op.write->plane == Plane::Depth ? Change::Any : change(op.state.state.depth);
+}
+Change change(const ClearOp& op) {
+    return op.clear->planes & mask_of(Plane::Depth) ? Change::Any : Change::None;
+}
+Change change(const AccumulateOp&) { return Change::None; }
+Change change(const ReadOp&) { return Change::None; }
+
+/// Whether a draw is a depth pass of nothing but triangles, whose fragments all reach the depth test.
+bool may_record(const DrawOp& op) {
+    const State& s = op.state.state;
+    const auto idle = [](const StencilFace& f) { return f.func == StencilFunc::Always && keeps(f); };
+    return change(op) == Change::Less && s.alpha.func == AlphaFunc::Always && !s.polygon_offset.enable &&
+           idle(op.state.front) && idle(op.state.back) && op.set->triangle_count == op.set->primitives.size();
+}
+
+/// Draws of one record.
+struct Group {
+    Shared key;
+    int depth_version;
+    DrawOp* depth_pass;  ///< null: the first of `draws` makes the record
+    std::vector<DrawOp*> draws;
+};
+
+struct Grouping {
+    std::vector<Group> groups;
+    std::vector<std::pair<Shared, DrawOp*>> depth_passes;  ///< since when depths only became less
+    int depth_version = 0;
+
+    /// The last depth pass of a geometry; it serves one record.
+    DrawOp* take_depth_pass(const Shared& key) {
+        const auto found = std::find_if(depth_passes.rbegin(), depth_passes.rend(),
+                                        [&](const auto& pass) { return pass.first == key; });
+        if (found == depth_passes.rend()) return nullptr;
+        return std::exchange(found->second, nullptr);
+    }
+    void add(DrawOp& op) {
+        const Shared key = shared(op);
+        const auto found = std::find_if(groups.rbegin(), groups.rend(), [&](const Group& g) {
+            return g.key == key && g.depth_version == depth_version;
+        });
+        if (found != groups.rend())
+            found->draws.push_back(&op);
+        else
+            groups.push_back({key, depth_version, take_depth_pass(key), {&op}});
+    }
+    void pass_by(const TileOp& op) {
+        const Change c = std::visit([](const auto& o) { return change(o); }, op.op);
+        if (c == Change::Any) depth_passes.clear();
+        if (c != Change::None) depth_version += 1;
+    }
+};
+
+}  // namespace
+
+void plan_coverages(Segment& segment) {
+    Grouping grouping;
+    for (TileOp& tile_op : segment.ops) {
+        DrawOp* op = std::get_if<DrawOp>(&tile_op.op);
+        if (op && may_share(*op)) grouping.add(*op);
+        grouping.pass_by(tile_op);
+        if (op && may_record(*op)) grouping.depth_passes.push_back({shared(*op), op});
+    }
+    for (Group& group : grouping.groups) {
+        if (group.draws.size() < 2 && !group.depth_pass) continue;
+        if (group.depth_pass) group.draws.push_back(group.depth_pass);
+        const bool by_pixel = std::any_of(group.draws.begin(), group.draws.end(), [](const DrawOp* op) {
+            return op->state.front.func != StencilFunc::Always;
+        });
+        for (DrawOp* op : group.draws) op->coverage = segment.coverages, op->counts_by_pixel = by_pixel;
+        segment.coverages += 1;
+    }
+}
+
+}  // namespace gw::fast

@@ -1,0 +1,184 @@
+// Set-up of a primitive's planes from its vertices' values.
+#include "gw/fast/raster/primitive.h"
+
+#include "gw/base/arithmetic.h"
+#include "gw/stages/fog.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::fast {
+namespace {
+
+using Values = std::array<std::int64_t, 3>;
+
+struct Maker {
+    const TileDraw& draw;
+    const SetupPrimitive& primitive;
+    const PrimitiveFrame& frame;
+
+    const DrawOp& op() const { return *draw.op; }
+    const State& state() const { return op().state.state; }
+    std::size_t corners() const {
+        return primitive.kind == MeshKind::Triangles ? 3 : primitive.kind == MeshKind::Lines ? 2 : 1;
+    }
+    /// One value per corner.
+    template <typename T>
+    std::array<T, 3> gather(const auto& value) const {
+        return {value(primitive.vertex[0]), value(primitive.vertex[1]), value(primitive.vertex[2])};
+    }
+    std::array<double, 3> w() const {
+        return gather<double>([&](std::uint32_t v) { return op().set->w[v]; });
+    }
+    std::span<const double> used(const std::array<double, 3>& a) const {
+        return std::span(a).first(corners());
+    }
+
+    TilePlane denominator() const { return frame.plane(denominators(used(w()))); }
+
+    /// The gradients before they wrap.
+    std::array<int128, 2> exact(const TilePlane& p, const Values& a) const {
+        if (p.sliver) return frame.exact_gradients(a);
+        return {p.gx, p.gy};
+    }
+
+    void constant(ColorPlanes& out, const Rgba& color) const {
+        for (std::size_t c = 0; c < 4; ++c) out.color[c] = PrimitiveFrame::constant(color[c]);
+    }
+    Rgba id_color() const {
+        const Draw& d = *op().draw;
+        const std::uint32_t id = (d.id_base + d.mesh->polygon_id(primitive.polygon)) >> d.id_shift;
+        return {std::uint16_t(id & 255), std::uint16_t(id >> 8 & 255), std::uint16_t(id >> 16 & 255),
+                std::uint16_t(max_of_bits(op().state.bits))};
+    }
+
+    const std::vector<Rgba>& vertex_colors() const {
+        const VertexColors& colors = *op().colors;
+        return primitive.front || colors.back.empty() ? colors.front : colors.back;
+    }
+    Rgba flat() const {
+        return state().color_source == ColorSource::PolygonId ? id_color()
+                                                              : vertex_colors()[primitive.provoking];
+    }
+
+    void color(ColorPlanes& out) const {
+        out.perspective = false;
+        if (state().color_source == ColorSource::PolygonId || state().shade_model == ShadeModel::Flat)
+            return constant(out, flat());
+        const std::vector<Rgba>& from = vertex_colors();
+        out.perspective = op().perspective_color;
+        for (std::size_t c = 0; c < 4; ++c) {
+            const Values a = gather<std::int64_t>([&](std::uint32_t v) { return std::int64_t{from[v][c]}; });
+            if (out.perspective)
+                perspective(out, c, a);
+            else
+                out.color[c] = frame.plane(a);
+        }
+    }
+    void perspective(ColorPlanes& out, std::size_t c, const Values& a) const {
+        const double max = max_of_bits(op().state.bits);
+        std::array<double, 3> fractions{};
+        for (std::size_t i = 0; i < corners(); ++i) fractions[i] = double(a[i]) / max;
+        const auto [low, high] = std::minmax_element(a.begin(), a.begin() + std::ptrdiff_t(corners()));
+        out.low[c] = std::uint32_t(*low), out.high[c] = std::uint32_t(*high);
+        out.color[c] = frame.plane(numerators(used(fractions), used(w()), 0).at);
+    }
+
+    void fog(ColorPlanes& out) const {
+        const auto f = gather<double>([&](std::uint32_t v) { return op().fog->value[v]; });
+        if (!op().fog_table) {
+            out.fog = frame.plane({std::int64_t(round_even(f[0])), std::int64_t(round_even(f[1])),
+                                   std::int64_t(round_even(f[2]))});
+            return;
+        }
+        const Numerators n = numerators(used(f), used(w()), 0, largest_fog_exponent);
+        out.fog = frame.plane(n.at);
+        out.fog_scale = float(std::ldexp(1.0, n.exponent + fog_table_log2(op().state.bits) + 8));
+    }
+
+    static double integer_part(std::span<const double> s, Wrap wrap) {
+        const double k = std::floor(*std::min_element(s.begin(), s.end()));
+        return wrap == Wrap::Repeat ? k : std::clamp(k, -1024.0, 1023.0);
+    }
+    TexturePlane texture_plane(const Numerators& n, Wrap wrap) const {
+        return {frame.plane(n.at), n.exponent, wrap == Wrap::Repeat ? 0 : std::int32_t(n.offset), {}};
+    }
+    Numerators coordinate(int c, Wrap wrap) const {
+        const auto s = gather<double>([&](std::uint32_t v) { return op().texcoords->strq[v][c]; });
+        return numerators(used(s), used(w()), integer_part(used(s), wrap));
+    }
+
+    void texture(TexturePlanes& out) const {
+        const TextureState& ts = state().texture;
+        Numerators s, t;
+        Values q;
+        if (ts.gen == TexGen::EyeLinear) {
+            const auto strq = gather<dvec4>([&](std::uint32_t v) { return op().texcoords->strq[v]; });
+            const Projective p = projective(std::span(strq).first(corners()), used(w()));
+            q = p.denominator;
+            s = p.numerator[0], t = p.numerator[1];
+            out.r = texture_plane(p.numerator[2], Wrap::Repeat);
+        } else {
+            q = denominators(used(w()));
+            s = coordinate(0, ts.wrap_s), t = coordinate(1, ts.wrap_t);
+            out.r = {};
+        }
+        out.q = frame.plane(q);
+        out.s = texture_plane(s, ts.wrap_s);
+        out.t = texture_plane(t, ts.wrap_t);
+        if (needs_rho(ts)) slopes(out, q, s.at, t.at);
+    }
+
+    /// The exact value of a plane at the pixel of its base vertex, and its gradients before they wrap.
+    PlaneSlope slope_of(const TilePlane& p, const Values& a) const {
+        const auto g = exact(p, a);
+        const int128 step = (g[0] * frame.ax + g[1] * frame.ay) >> frame.s;
+        return {double(g[0]), double(g[1]),
+                double(std::int64_t(((int128{a[frame.base]} << 16) + (1 << 15) + step) >> 16))};
+    }
+    void slopes(TexturePlanes& out, const Values& q, const Values& s, const Values& t) const {
+        out.slope_x = draw.tile.x - int(frame.to_x), out.slope_y = draw.tile.y - int(frame.to_y);
+        const PlaneSlope base = slope_of(out.q, q);
+        out.s.slope = coordinate_slope(slope_of(out.s.plane, s), base);
+        out.t.slope = coordinate_slope(slope_of(out.t.plane, t), base);
+    }
+};
+
+}  // namespace
+
+DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame) {
+    const Maker make{draw, primitive, frame};
+    const Values z =
+        make.gather<std::int64_t>([&](std::uint32_t v) { return std::int64_t{draw.op->set->at[v].z}; });
+    DepthPlane out{frame.plane(z), 0};
+    const PolygonOffsetState& offset = make.state().polygon_offset;
+    if (!offset.enable || primitive.kind != MeshKind::Triangles) return out;
+    const double limit = double(max_of_bits(draw.profile->depth_bits)) + 1;
+    const auto g = make.exact(out.plane, z);
+    const auto steep = [](int128 v) { return v < 0 ? -v : v; };
+    const double m = double(std::min(std::max(steep(g[0]), steep(g[1])), int128{1} << 62));
+    out.offset =
+        to_integer(round_even(double(offset.factor) * m / 65536) + round_even(offset.units), -limit, limit);
+    return out;
+}
+
+void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame,
+                       ColorPlanes& out) {
+    const Maker make{draw, primitive, frame};
+    make.color(out);
+    if (make.state().color_source == ColorSource::PolygonId) return;
+    if (out.perspective || draw.op->fog_table) out.q = make.denominator();
+    if (make.state().fog.enable) make.fog(out);
+}
+
+Rgba flat_color(const TileDraw& draw, const SetupPrimitive& primitive) {
+    static const PrimitiveFrame none{};
+    return Maker{draw, primitive, none}.flat();
+}
+
+void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame,
+                         TexturePlanes& out) {
+    Maker{draw, primitive, frame}.texture(out);
+}
+
+}  // namespace gw::fast

@@ -1,0 +1,93 @@
+// One primitive's planes in a tile, as one draw wants them. docs/manual.md, "Planes", "Perspective".
+// Does not evaluate planes over blocks: the kernels do.
+#pragma once
+
+#include "gw/fast/kernels.h"
+#include "gw/fast/raster/setup.h"
+#include "gw/stages/perspective.h"
+
+namespace gw::fast {
+
+/// Colour and fog.
+struct ColorPlanes {
+    TilePlane color[4];  ///< numerators where `perspective`
+    bool perspective = false;
+    std::uint32_t low[4] = {}, high[4] = {};
+    TilePlane q;    ///< denominator, where colour or fog needs one
+    TilePlane fog;  ///< factor, or numerator of the coordinate
+    float fog_scale = 1;
+};
+
+/// Primitives that are set up together.
+inline constexpr std::size_t batch_room = 16;
+
+/// Triangles of a set by ordinal, a lane each; lanes from `count` to `room` repeat the first.
+struct Corners {
+    std::size_t count = 0, room = batch_room;
+    int s = 3;
+    std::uint32_t ordinal[batch_room];
+    const SetupPrimitive* primitive[batch_room];
+    alignas(64) std::int32_t x[3][batch_room], y[3][batch_room];  ///< jittered
+    alignas(64) std::uint32_t z[3][batch_room];
+    alignas(64) std::int32_t to_x[batch_room], to_y[batch_room];  ///< pixels from corner 0's to the tile
+    alignas(64) double dx1[batch_room], dy1[batch_room], dx2[batch_room], dy2[batch_room], area2[batch_room];
+    alignas(64) double ax[batch_room], ay[batch_room];  ///< from corner 0 to the centre of its pixel
+};
+
+/// Planes of at most 16 bits, modulo 2^32, of a batch: R, G, B, A and the fog factor at the vertices.
+struct NarrowBatch {
+    alignas(64) std::uint32_t c[5][batch_room], gx[5][batch_room], gy[5][batch_room];
+    std::uint32_t black =
+        0;  ///< triangles whose R, G and B are 0 at all vertices, a bit each; not all are known
+};
+
+/// A block's texture coordinates after the division, each lane of its own primitive.
+struct TextureLanes {
+    alignas(64) float u[block_pixels], v[block_pixels];  ///< U / Q 2^e
+    alignas(64) float rho[block_pixels];
+    alignas(64) std::int32_t u_k[block_pixels], v_k[block_pixels];
+};
+
+/// A texture coordinate: numerator / q * 2^exponent + k.
+struct TexturePlane {
+    TilePlane plane;
+    int exponent = 0;
+    std::int32_t k = 0;  ///< 0 under Repeat
+    CoordinateSlope slope;
+};
+
+struct TexturePlanes {
+    TilePlane q;
+    TexturePlane s, t, r;
+    int slope_x = 0, slope_y = 0;  ///< window pixel that the slopes are given at
+};
+
+/// Where a batch's planes stand while it is drawn: one a worker.
+struct BatchRoom {
+    ColorPlanes color[batch_room];
+    TexturePlanes texture[batch_room];
+};
+
+struct DepthPlane {
+    TilePlane plane;
+    std::int64_t offset = 0;
+};
+
+DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame);
+void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame,
+                       ColorPlanes& out);
+/// The one colour of a primitive: its identifier's, or its provoking vertex's.
+Rgba flat_color(const TileDraw& draw, const SetupPrimitive& primitive);
+void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame,
+                         TexturePlanes& out);
+
+/// Whether a draw's texture is looked up pixel by pixel: projective coordinates and the shadow comparison.
+inline bool textures_by_pixel(const TextureState& s) {
+    return s.gen == TexGen::EyeLinear || s.shadow_compare;
+}
+
+/// Lanes of `mask` in block (bx, by), one by one.
+void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by, std::uint32_t mask,
+                     ColorBlock& out);
+
+}  // namespace gw::fast

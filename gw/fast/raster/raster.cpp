@@ -1,0 +1,99 @@
+// Drawing a bin of primitives in a tile: block by block through the fragment stages.
+// docs/manual.md, "Stages"; scalar twin: gw/reference/primitives.cpp. Does not plan or bin.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "gw/fast/raster/raster.cpp"
+#include <hwy/foreach_target.h>
+
+#include "gw/fast/kernels.h"
+#include "gw/fast/raster/lines_and_points-inl.h"
+#include "gw/fast/uniform/uniform_draw-inl.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+/// A covered block of primitive i on its way through the stages, which ask for the colour when they need it.
+HWY_INLINE void paint_block(BatchPlanes& planes, std::size_t i, const DepthBlock& depth, int bx, int by,
+                            const LaneSet& lanes, OpCounts& counts) {
+    const TileDraw& draw = planes.draw;
+    const std::uint32_t covered = lanes.bits();
+    run_fragments(draw.op->state, planes.corners.primitive[i]->front != 0, depth, draw.tile,
+                  draw.tile.block(bx, by), covered, counts,
+                  [&]() -> const ColorBlock& { return planes.color_of(i, bx, by, covered); });
+}
+
+void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, OpCounts& counts) {
+    Triangles t;
+    const BoxLanes box(draw);
+    set_up_triangles(draw, bin, needs_depth(*draw.op), t);
+    BatchPlanes planes(draw, t.corners);
+    for (std::size_t i = 0; i < t.count(); ++i) {
+        if (t.empty(i)) continue;
+        const DepthPlane plane = depth_of(draw, t, i);
+        DepthWalk walk(plane, max_of_bits(draw.profile->depth_bits));
+        const auto paint = [&](int bx, int by, const LaneSet& lanes) {
+            DepthBlock depth;
+            walk.store(depth);
+            paint_block(planes, i, depth, bx, by, lanes, counts);
+        };
+        LargeTriangle::visit(box, t, i, walk, paint);
+    }
+}
+
+void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& counts) {
+    Corners corners;
+    gather_corners(draw, {&ordinal, 1}, corners);
+    BatchPlanes planes(draw, corners);
+    const PrimitiveFrame frame = frame_of(draw, ordinal);
+    const DepthPlane plane = depth_plane(draw, *corners.primitive[0], frame);
+    visit_line_or_point(draw, frame, [&](int bx, int by, const LaneSet& lanes) {
+        DepthBlock depth;
+        shade_depth(plane, max_of_bits(draw.profile->depth_bits), bx, by, depth);
+        paint_block(planes, 0, depth, bx, by, lanes, counts);
+    });
+}
+
+/// Draws the primitives of a bin in order.
+void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
+    OpCounts counts;
+    const bool uniform = draws_uniform(*draw.op, bin, draw.profile->subpixel_bits),
+               plain = is_plain(draw.op->state);
+    if (!uniform) settle_tile(draw.tile, touched_planes(*draw.op));
+    walk_bin(
+        draw, bin,
+        [&](std::span<const std::uint32_t> batch) {
+            uniform ? draw_uniform(draw, batch, counts)
+            : plain ? draw_plain(draw, batch, counts)
+                    : draw_triangles(draw, batch, counts);
+        },
+        [&](std::uint32_t ordinal) { draw_line_or_point(draw, ordinal, counts); });
+    *draw.counts += counts;
+}
+
+void process_block(const BlockFragments& f, const ColorBlock& color, const DepthBlock& depth,
+                   const Tile& tile, OpCounts& counts) {
+    run_fragments(*f.state, f.front, depth, tile, f.block, f.mask, counts,
+                  [&]() -> const ColorBlock& { return color; });
+}
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gw::fast {
+
+HWY_EXPORT(draw_all);
+HWY_EXPORT(process_block);
+
+void draw_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin) {
+    HWY_DYNAMIC_DISPATCH(draw_all)(draw, bin);
+}
+
+void process_fragments(const BlockFragments& f, const ColorBlock& color, const DepthBlock& depth,
+                       const Tile& tile, OpCounts& counts) {
+    HWY_DYNAMIC_DISPATCH(process_block)(f, color, depth, tile, counts);
+}
+
+}  // namespace gw::fast
+#endif  // HWY_ONCE

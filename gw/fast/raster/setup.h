@@ -1,0 +1,98 @@
+// A primitive's integer planes, relative to a tile. docs/manual.md, "Planes": closed form modulo 2^64.
+// Does not evaluate them: the kernels do, a block at a time.
+#pragma once
+
+#include "gw/base/arithmetic.h"
+#include "gw/fast/vertices/geometry.h"
+#include "gw/fast/frame/tile_plane.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace gw::fast {
+
+__extension__ using int128 = __int128;
+
+/// Nearest integer to num * 2^shift / den, ties to even. Double only guesses, integers decide.
+int128 exact_gradient(std::int64_t num, int shift, std::int64_t den);
+
+inline std::int64_t gradient(std::int64_t num, int shift, std::int64_t den, bool& sliver) {
+    if (num == 0) return 0;
+    const double scaled = double(num) * double(std::int64_t{1} << shift);
+    const double q = scaled / double(den);
+    if (!(std::abs(q) < 1125899906842624.0)) {                      // 2^50
+        sliver = sliver || !(std::abs(q) < 2305843009213693952.0);  // 2^61
+        return static_cast<std::int64_t>(exact_gradient(num, shift, den));
+    }
+    std::int64_t g = static_cast<std::int64_t>(round_even(q));
+    if (std::abs(scaled) < 4503599627370496.0) return g;  // 2^52: a rational is no closer to a half than 1/2D
+    const std::int64_t r =
+        static_cast<std::int64_t>((std::uint64_t(num) << shift) - std::uint64_t(g) * std::uint64_t(den));
+    if (2 * r > den || (2 * r == den && (g & 1)))
+        g += 1;
+    else if (2 * r < -den || (2 * r == -den && (g & 1)))
+        g -= 1;
+    return g;
+}
+
+/// One primitive in one tile: what every plane of it shares.
+struct PrimitiveFrame {
+    MeshKind kind = MeshKind::Triangles;
+    int s = 3;
+    std::array<std::int64_t, 3> x{}, y{};                        ///< jittered
+    std::int64_t dx1 = 0, dy1 = 0, dx2 = 0, dy2 = 0, area2 = 1;  ///< triangles
+    bool x_major = true;                                         ///< lines
+    std::int64_t length = 1;                                     ///< lines: of the major axis
+    std::size_t base = 0;                                        ///< vertex that planes start from
+    std::int64_t ax = 0, ay = 0, to_x = 0,
+                 to_y = 0;  ///< to the centre of the base's pixel, from there to the tile
+
+    /// Plane through values at the primitive's vertices (1, 2 or 3 of them).
+    TilePlane plane(const std::array<std::int64_t, 3>& a) const {
+        switch (kind) {
+            case MeshKind::Triangles: return triangle_plane(a);
+            case MeshKind::Lines: return line_plane(a);
+            case MeshKind::Points: break;
+        }
+        return constant(a[0]);
+    }
+    static TilePlane constant(std::int64_t a) { return {(std::uint64_t(a) << 16) + (1u << 15)}; }
+
+    /// The gradients before they wrap, for the level of detail and the polygon offset.
+    std::array<int128, 2> exact_gradients(const std::array<std::int64_t, 3>& a) const;
+
+private:
+    TilePlane triangle_plane(const std::array<std::int64_t, 3>& a) const {
+        const std::int64_t da1 = a[1] - a[0], da2 = a[2] - a[0];
+        if ((da1 | da2) == 0) return constant(a[0]);
+        bool sliver = false;
+        const std::int64_t gx = gradient(da1 * dy2 - da2 * dy1, 16 + s, area2, sliver);
+        const std::int64_t gy = gradient(da2 * dx1 - da1 * dx2, 16 + s, area2, sliver);
+        return at_tile(a[0], gx, gy, sliver);
+    }
+    TilePlane line_plane(const std::array<std::int64_t, 3>& a) const {
+        bool sliver = false;
+        const std::int64_t g = gradient(a[1 - base] - a[base], 16 + s, length, sliver);
+        return at_tile(a[base], x_major ? g : 0, x_major ? 0 : g, sliver);
+    }
+    TilePlane at_tile(std::int64_t a0, std::int64_t gx, std::int64_t gy, bool sliver) const {
+        const auto u = [](std::int64_t v) { return static_cast<std::uint64_t>(v); };
+        const std::int64_t to_center = static_cast<std::int64_t>(u(gx) * u(ax) + u(gy) * u(ay)) >> s;
+        return {(u(a0) << 16) + (1u << 15) + u(to_center) + u(gx) * u(to_x) + u(gy) * u(to_y), gx, gy,
+                sliver};
+    }
+};
+
+PrimitiveFrame primitive_frame(const GeometrySet& set, const SetupPrimitive& p, const JitterState& jitter,
+                               int subpixel_bits, const Tile& tile);
+
+/// Edge functions of a triangle at the tile's pixels: inside where c + a i + b j >= 0 for all three, in 32
+/// bits.
+struct TileEdges {
+    std::array<std::int32_t, 3> c{}, a{}, b{};
+};
+TileEdges tile_edges(const PrimitiveFrame& frame, const Tile& tile);
+
+}  // namespace gw::fast

@@ -1,0 +1,67 @@
+// A batch's colours, made when the first of its fragments needs them. Does not test or write.
+// Included once per Highway target.
+#if defined(GW_FAST_BATCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_BATCH_INL_H_
+#undef GW_FAST_BATCH_INL_H_
+#else
+#define GW_FAST_BATCH_INL_H_
+#endif
+
+#include "gw/fast/shade/modulate-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+struct BatchPlanes {
+    const TileDraw& draw;
+    const Corners& corners;
+    BatchRoom& room;
+    bool narrow, flat, modulates, made = false;
+    std::size_t channels;
+    NarrowBatch narrow_color;
+    ShadeInputs in;
+    std::size_t flat_in = batch_room;  ///< whose one colour stands in the inputs
+    ModulatedTexels modulated;
+
+    HWY_INLINE BatchPlanes(const TileDraw& d, const Corners& c)
+        : draw(d),
+          corners(c),
+          room(*d.room),
+          narrow(is_narrow(*d.op)),
+          flat(narrow && is_flat(*d.op) && !has_fog(d.op->state.state)),
+          modulates(ModulatedTexels::serves(*d.op)),
+          channels(has_fog(d.op->state.state) ? 5 : 4) {}
+
+    HWY_INLINE void make() {
+        if (!made) make_all();
+    }
+    HWY_NOINLINE void make_all() {
+        made = true;
+        if (narrow)
+            set_up_narrow(draw, corners, narrow_color);
+        else
+            set_up_colors(draw, corners, room.color);
+        if (draw.op->texels) set_up_textures(draw, corners, room.texture);
+    }
+    /// The colours of triangle i in a block, of the lanes of `mask`.
+    HWY_NOINLINE const ColorBlock& color_of(std::size_t i, int bx, int by, std::uint32_t mask) {
+        make();
+        if (modulates) {
+            modulated.write(draw, narrow_color, room.texture[i], i, bx, by, in.out);
+            return in.out;
+        }
+        if (flat && flat_in == i)
+            ;
+        else if (narrow)
+            narrow_colors(narrow_color, i, channels, bx, by, in), flat_in = i;
+        else
+            wide_colors(room.color[i], *draw.op, bx, by, mask, in);
+        if (draw.op->texels) look_up(room.texture[i], draw, bx, by, mask, in);
+        return shaded(draw, in.texel, in);
+    }
+};
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target

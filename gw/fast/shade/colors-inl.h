@@ -1,0 +1,196 @@
+// Colour and fog planes of up to 16 triangles at once, as gw/fast/raster/primitive.cpp makes them one by one: that
+// is the twin, and the way for what is rare. docs/manual.md, "Planes". Does not evaluate them. Included once
+// per Highway target.
+#if defined(GW_FAST_COLORS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_COLORS_INL_H_
+#undef GW_FAST_COLORS_INL_H_
+#else
+#define GW_FAST_COLORS_INL_H_
+#endif
+
+#include "gw/fast/raster/corners-inl.h"
+#include "gw/fast/simd/lanes-inl.h"
+
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+/// Whether colours (and fog) are planes of their own, without a denominator.
+HWY_INLINE bool is_narrow(const DrawOp& op) { return !op.perspective_color && !op.fog_table; }
+
+/// Whether a primitive has one colour.
+HWY_INLINE bool is_flat(const DrawOp& op) {
+    const State& s = op.state.state;
+    return s.color_source == ColorSource::PolygonId || s.shade_model == ShadeModel::Flat ||
+           (op.colors && op.colors->uniform);
+}
+HWY_INLINE bool has_fog(const State& s) { return s.fog.enable && s.color_source != ColorSource::PolygonId; }
+
+HWY_NOINLINE inline void color_one(const TileDraw& draw, const Corners& t, std::size_t i, ColorPlanes& out) {
+    make_color_planes(draw, *t.primitive[i], frame_of(draw, t.ordinal[i]), out);
+}
+
+HWY_NOINLINE inline void narrow_one(const TileDraw& draw, const Corners& t, std::size_t i, NarrowBatch& out) {
+    ColorPlanes wide;
+    color_one(draw, t, i, wide);
+    for (std::size_t k = 0; k < 5; ++k) {
+        const TilePlane& p = k < 4 ? wide.color[k] : wide.fog;
+        out.c[k][i] = std::uint32_t(p.c), out.gx[k][i] = std::uint32_t(p.gx),
+        out.gy[k][i] = std::uint32_t(p.gy);
+    }
+}
+
+#if HWY_HAVE_FLOAT64
+
+/// The vertices' colours, four channels of 16 bits in a word.
+struct ColorWords {
+    alignas(64) std::uint64_t at[3][batch_room];
+};
+HWY_INLINE void gather_colors(const TileDraw& draw, const Corners& t, ColorWords& out) {
+    const VertexColors& colors = *draw.op->colors;
+    for (std::size_t i = 0; i < t.room; ++i) {
+        const bool front = t.primitive[i]->front || colors.back.empty();
+        const Rgba* from = (front ? colors.front : colors.back).data();
+        for (std::size_t k = 0; k < 3; ++k)
+            std::memcpy(&out.at[k][i], from + t.primitive[i]->vertex[k], sizeof(Rgba));
+    }
+}
+
+/// Integers below 2^52 as doubles.
+HWY_INLINE V64 to_double(hn::Vec<U64ForD64> v) {
+    const D64 d;
+    const auto magic = hn::Set(d, 4503599627370496.0);  // 2^52: its lowest bits are what is ored in
+    return hn::Sub(hn::BitCast(d, hn::Or(v, hn::BitCast(U64ForD64(), magic))), magic);
+}
+
+/// One channel of the vertex colours: planes for all lanes.
+HWY_NOINLINE inline void channel_planes(const Corners& t, const ColorWords& colors, std::size_t c,
+                                        PlaneBatch& out) {
+    const U64ForD64 u;
+    set_up_planes(
+        t,
+        [&](std::size_t k, std::size_t i) {
+            const auto word = hn::ShiftRightSame(hn::Load(u, colors.at[k] + i), int(16 * c));
+            return to_double(hn::And(word, hn::Set(u, 0xFFFFu)));
+        },
+        out);
+}
+
+HWY_INLINE void fog_planes(const TileDraw& draw, const Corners& t, PlaneBatch& out) {
+    alignas(64) double factor[3][batch_room];
+    gather(t, factor, [&](std::uint32_t v) { return draw.op->fog->value[v]; });
+    set_up_planes(
+        t, [&](std::size_t k, std::size_t i) { return nearest(hn::Load(D64(), factor[k] + i)); }, out);
+}
+
+/// Bits in which some triangle's corners differ: a channel without any has one value on each triangle, as
+/// most alphas do, ambient and dark light.
+HWY_INLINE std::uint64_t differing_bits(const Corners& t, const ColorWords& colors) {
+    const U64ForD64 u;
+    auto any = hn::Zero(u);
+    for (std::size_t i = 0; i < t.room; i += hn::Lanes(u)) {
+        const auto first = hn::Load(u, colors.at[0] + i);
+        any = hn::Or(any, hn::Or(hn::Xor(first, hn::Load(u, colors.at[1] + i)),
+                                 hn::Xor(first, hn::Load(u, colors.at[2] + i))));
+    }
+    alignas(64) std::uint64_t lanes[8];
+    hn::Store(any, u, lanes);
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < hn::Lanes(u); ++i) bits |= lanes[i];
+    return bits;
+}
+/// Triangles without R, G and B.
+HWY_INLINE std::uint32_t black_lanes(const Corners& t, const ColorWords& colors) {
+    const U64ForD64 u;
+    const auto rgb = hn::Set(u, 0xFFFFFFFFFFFFu);
+    std::uint32_t black = 0;
+    for (std::size_t i = 0; i < t.room; i += hn::Lanes(u)) {
+        const auto corner = [&](std::size_t k) { return hn::Load(u, colors.at[k] + i); };
+        const auto any = hn::And(hn::Or(hn::Or(corner(0), corner(1)), corner(2)), rgb);
+        black |= bits_of(u, hn::Eq(any, hn::Zero(u)), hn::Lanes(u)) << i;
+    }
+    return black;
+}
+HWY_INLINE void put_constant(const Corners& t, const ColorWords& colors, std::size_t k, NarrowBatch& out) {
+    for (std::size_t i = 0; i < t.room; ++i) {
+        out.c[k][i] = std::uint32_t(colors.at[0][i] >> (16 * k) & 0xFFFF) * 65536u + 32768u;
+        out.gx[k][i] = out.gy[k][i] = 0;
+    }
+}
+
+/// Puts a batch's plane of one channel where it belongs, modulo 2^32.
+HWY_INLINE void put_channel(const Corners& t, const PlaneBatch& plane, std::size_t k, NarrowBatch& out) {
+    const auto low = [&](const std::int64_t* from, std::uint32_t* to) {
+        for (std::size_t i = 0; i < t.room; i += hn::Lanes(D64()))
+            hn::Store(hn::TruncateTo(U32ForD64(), hn::BitCast(U64ForD64(), hn::Load(I64ForD64(), from + i))),
+                      U32ForD64(), to + i);
+    };
+    low(plane.c, out.c[k]), low(plane.gx, out.gx[k]), low(plane.gy, out.gy[k]);
+}
+
+/// Smooth colours of a batch; the lanes that are sure.
+HWY_INLINE std::uint32_t smooth_colors(const TileDraw& draw, const Corners& t, NarrowBatch& out) {
+    ColorWords colors;
+    PlaneBatch plane;
+    gather_colors(draw, t, colors);
+    out.black = black_lanes(t, colors);
+    std::uint32_t sure = ~0u;
+    const std::uint64_t differing = differing_bits(t, colors);
+    for (std::size_t k = 0; k < 4; ++k) {
+        if ((differing >> (16 * k) & 0xFFFF) == 0) {
+            put_constant(t, colors, k, out);
+            continue;
+        }
+        channel_planes(t, colors, k, plane);
+        put_channel(t, plane, k, out);
+        sure &= plane.sure;
+    }
+    return sure;
+}
+
+HWY_INLINE std::uint32_t fog_factors(const TileDraw& draw, const Corners& t, NarrowBatch& out) {
+    PlaneBatch plane;
+    fog_planes(draw, t, plane);
+    put_channel(t, plane, 4, out);
+    return plane.sure;
+}
+
+#endif  // HWY_HAVE_FLOAT64
+
+/// Flat colours of a batch, without its fog.
+HWY_INLINE void flat_colors(const TileDraw& draw, const Corners& t, NarrowBatch& out) {
+    for (std::size_t i = 0; i < t.count; ++i) {
+        const Rgba color = flat_color(draw, *t.primitive[i]);
+        for (std::size_t k = 0; k < 4; ++k)
+            out.c[k][i] = (std::uint32_t{color[k]} << 16) + (1u << 15), out.gx[k][i] = out.gy[k][i] = 0;
+        out.black |= (color[0] | color[1] | color[2]) == 0 ? 1u << i : 0;
+    }
+}
+
+/// Narrow planes of a batch.
+inline void set_up_narrow(const TileDraw& draw, const Corners& t, NarrowBatch& out) {
+    const State& s = draw.op->state.state;
+    std::uint32_t sure = ~0u;
+    out.black = 0;
+    if (is_flat(*draw.op)) flat_colors(draw, t, out);
+    if (is_flat(*draw.op) && !has_fog(s)) return;
+#if HWY_HAVE_FLOAT64
+    if (!is_flat(*draw.op)) sure = smooth_colors(draw, t, out);
+    if (has_fog(s)) sure &= fog_factors(draw, t, out);
+#else
+    sure = 0;
+#endif
+    for (std::size_t i = 0; i < t.count; ++i)
+        if (!(sure >> i & 1)) narrow_one(draw, t, i, out);
+}
+
+/// Colour planes of a batch where narrow ones do not serve, out[0 .. count - 1].
+inline void set_up_colors(const TileDraw& draw, const Corners& t, ColorPlanes* out) {
+    for (std::size_t i = 0; i < t.count; ++i) color_one(draw, t, i, out[i]);
+}
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target

@@ -1,0 +1,118 @@
+// Looking a texture up at 16 pixels' coordinates: addressing, and the filters of one level. docs/manual.md,
+// "Textures"; scalar twin: gw/stages/texels.cpp. Does not choose levels. Included once per Highway target.
+#if defined(GW_FAST_SAMPLER_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_SAMPLER_INL_H_
+#undef GW_FAST_SAMPLER_INL_H_
+#else
+#define GW_FAST_SAMPLER_INL_H_
+#endif
+
+#include "gw/fast/shade/texels-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+/// A part of a block's coordinates, in vectors.
+struct Coordinates {
+    VF u, v;  ///< U W 2^e: at most 1024
+    VI u_k, v_k;
+};
+
+/// One draw's texture as the lanes see it.
+struct Sampler {
+    const FastTexels& texels;
+    const TexelPairs* pairs;  ///< null: more than 8 bits
+    const TextureState& state;
+    int bits;
+
+    const TexelLevel& base() const { return texels.texels.levels[0]; }
+
+    /// u + k in 1/256 texels of the lanes' own levels, whose sides are 2^log2_size; u 2^.. at most 2^30.
+    HWY_INLINE static VI coordinate(VF u, VI k, VI log2_size) {
+        const I32 i;
+        const F32 f;
+        const auto shift = hn::Add(log2_size, hn::Set(i, 8));
+        const auto scale = hn::BitCast(f, hn::ShiftLeft<23>(hn::Add(shift, hn::Set(i, 127))));
+        const auto scaled = hn::Max(hn::Zero(f), hn::Min(hn::Mul(u, scale), hn::Set(f, 1073741824.0f)));
+        return hn::Add(hn::ConvertTo(i, scaled), hn::Shl(k, shift));
+    }
+
+    /// Wraps texel indices of levels with `last` + 1 texels a side.
+    HWY_INLINE static VI wrapped(Wrap wrap, VI index, VI last) {
+        return wrap == Wrap::Repeat ? hn::And(index, last) : hn::Min(hn::Max(index, hn::Zero(I32())), last);
+    }
+
+    /// How far a texel's right or upper neighbour counts, in 256ths. The first texel's neighbours beyond a
+    /// clamped side are itself: there its weight is as good as none.
+    HWY_INLINE static V32 weight(Wrap wrap, VI position, VI texel) {
+        const I32 i;
+        auto fraction = hn::And(position, hn::Set(i, 255));
+        if (wrap == Wrap::Clamp) fraction = hn::IfThenZeroElse(hn::Lt(texel, hn::Zero(i)), fraction);
+        return hn::BitCast(D32(), fraction);
+    }
+
+    /// The lanes' levels: sides 2^log2_w x 2^log2_h, where their texels and their pairs start.
+    struct Level {
+        VI log2_w, log2_h, first, first_pair;
+    };
+    HWY_INLINE Level base_level() const {
+        const I32 i;
+        return {hn::Set(i, base().log2_width), hn::Set(i, base().log2_height), hn::Zero(i), hn::Zero(i)};
+    }
+    HWY_INLINE Level level(VI index) const {
+        const I32 i;
+        const auto zero = hn::Zero(i);
+        const auto first = hn::GatherIndex(i, texels.first.data(), index);
+        return {hn::Max(hn::Sub(hn::Set(i, base().log2_width), index), zero),
+                hn::Max(hn::Sub(hn::Set(i, base().log2_height), index), zero), first,
+                pairs ? hn::GatherIndex(i, pairs->first.data(), index) : first};
+    }
+
+    /// lookup() of gw/stages/texels.h in the lanes' own levels.
+    HWY_INLINE TexelLanes lookup(const Coordinates& at, const Level& level, bool linear) const {
+        const auto u = coordinate(at.u, at.u_k, level.log2_w), v = coordinate(at.v, at.v_k, level.log2_h);
+        if (linear) return mean(u, v, level);
+        const auto row = hn::Shl(row_of(level, hn::ShiftRight<8>(v)), level.log2_w);
+        return fetch(texels, hn::Add(hn::Add(level.first, row), column_of(level, hn::ShiftRight<8>(u))));
+    }
+
+private:
+    HWY_INLINE VI column_of(const Level& level, VI x) const {
+        const auto one = hn::Set(I32(), 1);
+        return wrapped(state.wrap_s, x, hn::Sub(hn::Shl(one, level.log2_w), one));
+    }
+    HWY_INLINE VI row_of(const Level& level, VI y) const {
+        const auto one = hn::Set(I32(), 1);
+        return wrapped(state.wrap_t, y, hn::Sub(hn::Shl(one, level.log2_h), one));
+    }
+    /// Of the four texels around a position.
+    HWY_INLINE TexelLanes mean(VI u, VI v, const Level& level) const {
+        const I32 i;
+        u = hn::Sub(u, hn::Set(i, 128)), v = hn::Sub(v, hn::Set(i, 128));
+        const auto x = hn::ShiftRight<8>(u), y = hn::ShiftRight<8>(v);
+        const auto wx = weight(state.wrap_s, u, x), wy = weight(state.wrap_t, v, y);
+        const auto left = column_of(level, x), low = row_of(level, y);
+        if (pairs) {
+            const auto row = hn::Add(hn::Shl(low, level.log2_w), low);
+            const auto index = hn::Add(hn::Add(level.first_pair, row), left);
+            return bilinear_bytes(load_corners(pairs->pairs.data(), index), wx, wy).channels();
+        }
+        const auto one = hn::Set(i, 1);
+        const auto right = column_of(level, hn::Add(x, one)), high = row_of(level, hn::Add(y, one));
+        const auto start = [&](VI row) { return hn::Add(level.first, hn::Shl(row, level.log2_w)); };
+        return mean_of_wide(left, right, start(low), start(high), wx, wy);
+    }
+    HWY_INLINE TexelLanes mean_of_wide(VI left, VI right, VI low, VI high, V32 wx, V32 wy) const {
+        const TexelLanes a = fetch(texels, hn::Add(low, left)), b = fetch(texels, hn::Add(low, right));
+        const TexelLanes c = fetch(texels, hn::Add(high, left)), e = fetch(texels, hn::Add(high, right));
+        TexelLanes out;
+        for (std::size_t k = 0; k < 4; ++k)
+            out.channel[k] = bilinear_wide(a.channel[k], b.channel[k], c.channel[k], e.channel[k], wx, wy);
+        return out;
+    }
+};
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target

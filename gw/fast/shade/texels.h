@@ -1,0 +1,38 @@
+// Textures as the fast machine's kernels read them: all levels in one array, and for the bilinear filter the
+// four texels that a pixel mixes side by side. Does not filter.
+#pragma once
+
+#include "gw/stages/texels.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace gw::fast {
+
+/// Texels (i, j) and (i, j + 1) of one level, wrapped. Rows of pairs end with the first one of the row again,
+/// or the last where coordinates are clamped: two side by side are what a bilinear filter mixes.
+struct TexelPair {
+    std::uint32_t lower, upper;
+};
+
+/// A texture's pairs, level behind level.
+struct TexelPairs {
+    std::array<std::int32_t, 16> first{};  ///< of each level; a row is one longer than the level is wide
+    std::vector<TexelPair> pairs;
+};
+
+struct FastTexels {
+    Texels texels;
+    std::array<std::int32_t, 16> first{};  ///< of each level, in texels
+    std::vector<std::uint32_t> packed;     ///< 8 bits a channel, R lowest; where bits == 8.
+    std::vector<Rgba> wide;                ///< else
+    std::array<TexelPairs, 4> pairs;       ///< by both wraps; made when asked for
+};
+
+FastTexels make_fast_texels(Texels texels);
+
+/// The texture's pairs where its coordinates wrap like this; null where it has more than 8 bits.
+const TexelPairs* texel_pairs(FastTexels& texels, Wrap wrap_s, Wrap wrap_t);
+
+}  // namespace gw::fast

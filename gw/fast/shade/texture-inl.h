@@ -1,0 +1,204 @@
+// Textures on a block of 16 pixels: coordinates and level of detail. docs/manual.md, "Textures";
+// scalar twins: gw/stages/texels.cpp, gw/reference/texture_unit.cpp. Does not combine with the fragment's colour.
+// Included once per Highway target.
+#if defined(GW_FAST_TEXTURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_TEXTURE_INL_H_
+#undef GW_FAST_TEXTURE_INL_H_
+#else
+#define GW_FAST_TEXTURE_INL_H_
+#endif
+
+#include "gw/fast/raster/primitive.h"
+#include "gw/fast/shade/sampler-inl.h"
+
+#include <bit>
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+/// 2^e, a normal number.
+inline double power_of_two(int e) { return std::bit_cast<double>(std::uint64_t(e + 1023) << 52); }
+
+/// What the texture unit needs of 16 pixels, each of its own primitive: planes' values and how to scale them.
+struct TextureInputs {
+    alignas(64) std::uint32_t q[block_pixels], u[block_pixels], v[block_pixels];
+    alignas(64) std::int32_t u_exponent[block_pixels],
+        v_exponent[block_pixels], u_k[block_pixels], v_k[block_pixels];
+    alignas(64) float slope[block_pixels];  ///< rho Q^2 2^16
+};
+
+/// What rho is made of: the larger slope of each row and column. docs/manual.md, "Level of detail".
+HWY_NOINLINE inline void store_slopes(const Sampler& s, const TexturePlanes& p, const Tile& tile, int bx,
+                                      int by, std::uint32_t mask, float* slope) {
+    const double scale_s = power_of_two(p.s.exponent + s.base().log2_width);
+    const double scale_t = power_of_two(p.t.exponent + s.base().log2_height);
+    const CoordinateSlope &u = p.s.slope, &v = p.t.slope;
+    float row[block_side], column[block_side];
+    for (int i = 0; i < block_side; ++i) {
+        const int dx = tile.x + bx * block_side + i - p.slope_x,
+                  dy = tile.y + by * block_side + i - p.slope_y;
+        const double row_u = std::abs(u.a + double(u.k) * dy), row_v = std::abs(v.a + double(v.k) * dy);
+        const double column_u = std::abs(u.b - double(u.k) * dx), column_v = std::abs(v.b - double(v.k) * dx);
+        row[i] = static_cast<float>(std::max(row_u * scale_s, row_v * scale_t));
+        column[i] = static_cast<float>(std::max(column_u * scale_s, column_v * scale_t));
+    }
+    for (; mask != 0; mask &= mask - 1) {
+        const auto lane = std::size_t(std::countr_zero(mask));
+        slope[lane] = std::max(row[lane / block_side], column[lane % block_side]);
+    }
+}
+
+/// Puts the lanes of `mask`, which one primitive covers, into the inputs.
+HWY_NOINLINE inline void texture_inputs(const Sampler& s, const TexturePlanes& p, const Tile& tile, int bx,
+                                        int by, std::uint32_t mask, TextureInputs& out) {
+    const D32 d;
+    const I32 i32;
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        const Pixels at = pixels_of(bx, by, i);
+        const auto lanes = lanes_of(d, mask, i);
+        const auto signed_lanes = hn::RebindMask(i32, lanes);
+        store_lanes(wide_plane(p.q, at), lanes, d, out.q + i);
+        store_lanes(wide_plane(p.s.plane, at), lanes, d, out.u + i);
+        store_lanes(wide_plane(p.t.plane, at), lanes, d, out.v + i);
+        store_lanes(hn::Set(i32, p.s.exponent), signed_lanes, i32, out.u_exponent + i);
+        store_lanes(hn::Set(i32, p.t.exponent), signed_lanes, i32, out.v_exponent + i);
+        store_lanes(hn::Set(i32, p.s.k), signed_lanes, i32, out.u_k + i);
+        store_lanes(hn::Set(i32, p.t.k), signed_lanes, i32, out.v_k + i);
+    }
+    if (needs_rho(s.state)) store_slopes(s, p, tile, bx, by, mask, out.slope);
+}
+
+/// choose_level() of gw/stages/texels.h, lane by lane.
+struct LevelLanes {
+    hn::Mask<I32> magnify;
+    VI level, next;
+    V32 weight;
+};
+
+HWY_INLINE LevelLanes choose_levels(const Sampler& s, VF rho) {
+    const I32 i;
+    const auto bits = hn::BitCast(i, rho);
+    const bool later =
+        s.state.mag_filter == MagFilter::Linear && (s.state.min_filter == MinFilter::NearestMipmapNearest ||
+                                                    s.state.min_filter == MinFilter::NearestMipmapLinear);
+    LevelLanes out{hn::Not(hn::Gt(bits, hn::Set(i, later ? 0x3FB504F3 : 0x3F800000))), hn::Zero(i),
+                   hn::Zero(i), hn::Zero(D32())};
+    const auto last = hn::Set(i, int(s.texels.texels.levels.size()) - 1);
+    const auto level_from = [&](int origin) { return hn::ShiftRight<23>(hn::Sub(bits, hn::Set(i, origin))); };
+    switch (s.state.min_filter) {
+        case MinFilter::Nearest:
+        case MinFilter::Linear: break;
+        case MinFilter::NearestMipmapNearest:
+        case MinFilter::LinearMipmapNearest:
+            out.level = hn::Min(hn::Max(level_from(0x3F3504F4), hn::Zero(i)), last);
+            break;
+        case MinFilter::NearestMipmapLinear:
+        case MinFilter::LinearMipmapLinear: {
+            const auto level = level_from(0x3F800000);
+            const auto inside = hn::Lt(level, last);
+            const auto mantissa = hn::And(hn::ShiftRight<15>(bits), hn::Set(i, 255));
+            const auto weight = hn::GatherIndex(D32(), mantissa_levels().data(), mantissa);
+            out.level = hn::Min(hn::Max(level, hn::Zero(i)), last);
+            out.weight = hn::IfThenElseZero(hn::RebindMask(D32(), inside), weight);
+            break;
+        }
+    }
+    out.level = hn::IfThenZeroElse(out.magnify, out.level);
+    out.weight = hn::IfThenZeroElse(hn::RebindMask(D32(), out.magnify), out.weight);
+    out.next = hn::Min(hn::Add(out.level, hn::Set(i, 1)), last);
+    return out;
+}
+
+/// The lanes' texels at one level each, magnified and minified lanes by their own filters.
+HWY_INLINE TexelLanes sample_level(const Sampler& s, const Coordinates& at, VI index, hn::Mask<I32> magnify) {
+    const bool small = is_linear(s.state, false), large = is_linear(s.state, true);
+    const Sampler::Level level = s.level(index);
+    TexelLanes out = s.lookup(at, level, small);
+    if (small == large) return out;
+    const TexelLanes other = s.lookup(at, level, large);
+    const auto chosen = hn::RebindMask(D32(), magnify);
+    for (std::size_t k = 0; k < 4; ++k)
+        out.channel[k] = hn::IfThenElse(chosen, other.channel[k], out.channel[k]);
+    return out;
+}
+
+/// between_levels() of gw/stages/texels.h.
+HWY_INLINE void mix_levels(TexelLanes& a, const TexelLanes& b, V32 weight) {
+    const I32 i;
+    const auto f = hn::BitCast(i, weight), half = hn::Set(i, 128);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto from = hn::BitCast(i, a.channel[k]), to = hn::BitCast(i, b.channel[k]);
+        const auto step = hn::ShiftRight<8>(hn::Add(hn::Mul(hn::Sub(to, from), f), half));
+        a.channel[k] = hn::BitCast(D32(), hn::Add(from, step));
+    }
+}
+
+HWY_INLINE VF rho_lanes(VF slope, VF w) {
+    return hn::Mul(hn::Mul(slope, hn::Mul(w, w)), hn::Set(F32(), 1.0f / 65536));
+}
+
+/// Divides: what depends on the pixels and the texture's size, but not on its texels.
+HWY_NOINLINE inline void divide_block(const Sampler& s, const TextureInputs& in, TextureLanes& out) {
+    const D32 u;
+    const I32 d;
+    const F32 f;
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        const auto w = hn::Div(hn::Set(f, 1.0f), to_floats(hn::Load(u, in.q + i)));
+        const auto over = [&](const std::uint32_t* p, const std::int32_t* exponent) {
+            const auto biased = hn::Add(hn::Load(d, exponent + i), hn::Set(d, 127));
+            return hn::Mul(hn::Mul(to_floats(hn::Load(u, p + i)), w),
+                           hn::BitCast(f, hn::ShiftLeft<23>(biased)));
+        };
+        hn::Store(over(in.u, in.u_exponent), f, out.u + i);
+        hn::Store(over(in.v, in.v_exponent), f, out.v + i);
+        hn::Store(hn::Load(d, in.u_k + i), d, out.u_k + i);
+        hn::Store(hn::Load(d, in.v_k + i), d, out.v_k + i);
+        if (!needs_rho(s.state)) continue;
+        hn::Store(rho_lanes(hn::Load(f, in.slope + i), w), f, out.rho + i);
+    }
+}
+
+/// The same where one primitive covers the lanes of `mask`.
+HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p, const Tile& tile, int bx,
+                                      int by, std::uint32_t mask, TextureLanes& out) {
+    const I32 d;
+    const F32 f;
+    alignas(64) float slope[block_pixels] = {};
+    if (needs_rho(s.state)) store_slopes(s, p, tile, bx, by, mask, slope);
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        const Pixels at = pixels_of(bx, by, i);
+        const auto w = reciprocal_lanes(p.q, at);
+        const auto over = [&](const TexturePlane& t) {
+            return hn::Mul(hn::Mul(to_floats(wide_plane(t.plane, at)), w),
+                           hn::Set(f, static_cast<float>(power_of_two(t.exponent))));
+        };
+        hn::Store(over(p.s), f, out.u + i), hn::Store(over(p.t), f, out.v + i);
+        hn::Store(hn::Set(d, p.s.k), d, out.u_k + i), hn::Store(hn::Set(d, p.t.k), d, out.v_k + i);
+        if (needs_rho(s.state)) hn::Store(rho_lanes(hn::Load(f, slope + i), w), f, out.rho + i);
+    }
+}
+
+/// The texels of all lanes: where the coordinates are anything, so are they.
+HWY_NOINLINE inline void sample_block(const Sampler& s, const TextureLanes& in, ColorBlock& out) {
+    const I32 d;
+    const F32 f;
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        const Coordinates at{hn::Load(f, in.u + i), hn::Load(f, in.v + i), hn::Load(d, in.u_k + i),
+                             hn::Load(d, in.v_k + i)};
+        TexelLanes texel;
+        if (!needs_rho(s.state)) {
+            texel = s.lookup(at, s.base_level(), s.state.mag_filter == MagFilter::Linear);
+        } else {
+            const LevelLanes l = choose_levels(s, hn::Load(f, in.rho + i));
+            texel = sample_level(s, at, l.level, l.magnify);
+            const auto mixed = hn::Gt(hn::BitCast(d, l.weight), hn::Zero(d));
+            if (!hn::AllFalse(d, mixed)) mix_levels(texel, sample_level(s, at, l.next, l.magnify), l.weight);
+        }
+        for (std::size_t k = 0; k < 4; ++k) store16(texel.channel[k], out.channel[k] + i);
+    }
+}
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target

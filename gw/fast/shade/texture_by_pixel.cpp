@@ -1,0 +1,99 @@
+// Texturing lane by lane where lanes may differ in level: mipmaps, projective coordinates, shadow comparison.
+// docs/manual.md, "Textures". Shares the integer filters of gw/stages/texels.h with the reference machine.
+#include "gw/fast/raster/primitive.h"
+
+#include "gw/base/arithmetic.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace gw::fast {
+namespace {
+
+std::int32_t value_at(const TilePlane& p, int i, int j) {
+    const std::uint64_t v =
+        p.c + std::uint64_t(p.gx) * std::uint64_t(i) + std::uint64_t(p.gy) * std::uint64_t(j);
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> 16));
+}
+
+int level_coordinate(const TexturePlane& t, float uw, int log2_size) {
+    constexpr float limit = 1073741824.0f;
+    const float u = std::floor(std::clamp(std::ldexp(uw, t.exponent + log2_size + 8), -limit, limit));
+    return static_cast<int>(u) + t.k * (1 << (log2_size + 8));
+}
+
+/// One pixel of the tile.
+struct PixelSampler {
+    const TexturePlanes& p;
+    const TileDraw& draw;
+    const TextureState& state;
+    const Texels& texels;
+    int i, j;
+    float w = 1;
+
+    float over_q(const TexturePlane& t) const { return static_cast<float>(value_at(t.plane, i, j)) * w; }
+
+    Rgba grey(bool lit) const {
+        const auto c = static_cast<std::uint16_t>(lit ? max_of_bits(texels.bits) : 0);
+        return {c, c, c, c};
+    }
+
+    bool is_lit() const {
+        const TexelLevel& level = texels.levels[0];
+        const int bits = draw.profile->depth_bits;
+        const int u = level_coordinate(p.s, over_q(p.s), level.log2_width) >> 8;
+        const int v = level_coordinate(p.t, over_q(p.t), level.log2_height) >> 8;
+        const double r = std::ldexp(double(over_q(p.r)), p.r.exponent + bits);
+        const auto incoming = to_integer(std::floor(r), 0, max_of_bits(bits));
+        const int index = wrap_index(state.wrap_t, v, level.height) * level.width +
+                          wrap_index(state.wrap_s, u, level.width);
+        return incoming <= texels.depths[std::size_t(index)];
+    }
+
+    float rho() const {
+        const int dx = draw.tile.x + i - p.slope_x, dy = draw.tile.y + j - p.slope_y;
+        const TexelLevel& base = texels.levels[0];
+        const double s = std::ldexp(p.s.slope.at(dx, dy), p.s.exponent + base.log2_width);
+        const double t = std::ldexp(p.t.slope.at(dx, dy), p.t.exponent + base.log2_height);
+        return (static_cast<float>(std::max(s, t)) * (w * w)) * (1.0f / 65536);
+    }
+
+    Rgba sample(int index, bool linear) const {
+        const TexelLevel& level = texels.levels[std::size_t(index)];
+        return lookup(level, linear, state.wrap_s, state.wrap_t,
+                      level_coordinate(p.s, over_q(p.s), level.log2_width),
+                      level_coordinate(p.t, over_q(p.t), level.log2_height), texels.bits);
+    }
+
+    Rgba texel() {
+        const std::int32_t q = value_at(p.q, i, j);
+        if (state.gen == TexGen::EyeLinear && q < 1) return grey(true);
+        w = 1.0f / static_cast<float>(q);
+        if (state.shadow_compare) return grey(is_lit());
+        LevelChoice choice{.magnify = true};
+        if (needs_rho(state)) choice = choose_level(state, rho(), int(texels.levels.size()));
+        const Rgba first = sample(choice.level, is_linear(state, choice.magnify));
+        if (choice.weight == 0) return first;
+        return between_levels(first, sample(choice.next, is_linear(state, false)), choice.weight);
+    }
+};
+
+}  // namespace
+
+void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by, std::uint32_t mask,
+                     ColorBlock& out) {
+    for (; mask != 0; mask &= mask - 1) {
+        const int lane = std::countr_zero(mask);
+        PixelSampler pixel{planes,
+                           draw,
+                           draw.op->state.state.texture,
+                           draw.op->texels->texels,
+                           bx * block_side + lane % block_side,
+                           by * block_side + lane / block_side};
+        const Rgba texel = pixel.texel();
+        for (std::size_t c = 0; c < 4; ++c) out.channel[c][lane] = texel[c];
+    }
+}
+
+}  // namespace gw::fast

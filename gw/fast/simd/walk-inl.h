@@ -1,0 +1,187 @@
+// Linear functions over the blocks of a tile: evaluated at one block, then stepped from block to block and
+// row to row by additions modulo 2^32. Increments equal the closed form; docs/manual.md, "Planes". Does not
+// know what is walked over. Included once per Highway target.
+#if defined(GW_FAST_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_WALK_INL_H_
+#undef GW_FAST_WALK_INL_H_
+#else
+#define GW_FAST_WALK_INL_H_
+#endif
+
+#include "gw/fast/simd/planes-inl.h"
+
+// What is done with a block is compiled into each place that visits blocks where it is short. In 128-bit
+// lanes it is four times as long: called there, which halves the time that compiling takes.
+#undef GW_PER_BLOCK
+#if HWY_MAX_BYTES >= 32
+#define GW_PER_BLOCK HWY_INLINE
+#else
+#define GW_PER_BLOCK HWY_NOINLINE
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+/// Vectors that a block's 16 lanes fill.
+inline constexpr std::size_t parts = block_pixels / lanes32;
+
+/// Some of a block's lanes.
+struct LaneSet {
+    M32 part[parts];
+
+    HWY_INLINE bool none() const {
+        bool empty = true;
+        for (std::size_t i = 0; i < parts; ++i) empty = empty && hn::AllFalse(D32(), part[i]);
+        return empty;
+    }
+    HWY_INLINE std::uint32_t bits() const {
+        std::uint32_t mask = 0;
+        for (std::size_t i = 0; i < parts; ++i) mask |= bits_of(D32(), part[i], lanes32) << (i * lanes32);
+        return mask;
+    }
+};
+
+/// All of a block's lanes, known where the code is compiled.
+struct AllLanes {};
+
+/// Those of a part's lanes that are in the set.
+HWY_INLINE M32 among(const LaneSet& lanes, std::size_t part, M32 mask) {
+    return hn::And(lanes.part[part], mask);
+}
+HWY_INLINE M32 among(AllLanes, std::size_t, M32 mask) { return mask; }
+
+HWY_INLINE LaneSet lane_set(std::uint32_t mask) {
+    LaneSet s;
+    for (std::size_t i = 0; i < parts; ++i) s.part[i] = lanes_of(D32(), mask, i * lanes32);
+    return s;
+}
+
+/// How often each lane was in a set; blocks of all lanes are counted apart.
+struct LaneCounter {
+    V32 count[parts];
+    std::uint64_t whole = 0;
+
+    HWY_INLINE void clear() {
+        whole = 0;
+        for (auto& part : count) part = hn::Zero(D32());
+    }
+    HWY_INLINE void add(const LaneSet& s) {
+        for (std::size_t i = 0; i < parts; ++i)
+            count[i] = hn::IfThenElse(s.part[i], hn::Add(count[i], hn::Set(D32(), 1u)), count[i]);
+    }
+    HWY_INLINE void add(AllLanes) { whole += 1; }
+    HWY_INLINE void add(const LaneCounter& other) {
+        whole += other.whole;
+        for (std::size_t i = 0; i < parts; ++i) count[i] = hn::Add(count[i], other.count[i]);
+    }
+    HWY_INLINE std::uint64_t total() const {
+        alignas(64) std::uint32_t lane[block_pixels];
+        for (std::size_t i = 0; i < parts; ++i) hn::Store(count[i], D32(), lane + i * lanes32);
+        std::uint64_t sum = whole * block_pixels;
+        for (const std::uint32_t n : lane) sum += n;
+        return sum;
+    }
+};
+
+/// c + gx i + gy j, modulo 2^32, at any block.
+struct LinearLanes {
+    std::uint32_t c, gx, gy;
+    V32 lane[parts];
+
+    HWY_INLINE void aim(std::uint32_t c_, std::uint32_t gx_, std::uint32_t gy_) {
+        const D32 d;
+        c = c_, gx = gx_, gy = gy_;
+        const auto x = hn::Set(d, gx), y = hn::Set(d, gy);
+        for (std::size_t i = 0; i < parts; ++i)
+            lane[i] = hn::Add(hn::Mul(x, hn::Load(d, lane_x + i * lanes32)),
+                              hn::Mul(y, hn::Load(d, lane_y + i * lanes32)));
+    }
+    HWY_INLINE V32 at(int bx, int by, std::size_t part) const {
+        const std::uint32_t corner =
+            c + gx * std::uint32_t(bx * block_side) + gy * std::uint32_t(by * block_side);
+        return hn::Add(hn::Set(D32(), corner), lane[part]);
+    }
+};
+
+/// The same at a block that moves: aimed once, started at any block; from a range's first block on by steps.
+struct Linear {
+    LinearLanes lanes;
+    V32 at[parts], row[parts], right, up;
+
+    HWY_INLINE void aim(std::uint32_t c, std::uint32_t gx, std::uint32_t gy) {
+        const D32 d;
+        lanes.aim(c, gx, gy);
+        right = hn::Set(d, gx * std::uint32_t(block_side)), up = hn::Set(d, gy * std::uint32_t(block_side));
+    }
+    HWY_INLINE void start(int bx, int by) {
+        for (std::size_t i = 0; i < parts; ++i) at[i] = lanes.at(bx, by, i);
+    }
+    HWY_INLINE void start_rows(int bx, int by) {
+        for (std::size_t i = 0; i < parts; ++i) at[i] = row[i] = lanes.at(bx, by, i);
+    }
+    HWY_INLINE void next_block() {
+        for (auto& part : at) part = hn::Add(part, right);
+    }
+    HWY_INLINE void next_row() {
+        for (std::size_t i = 0; i < parts; ++i) at[i] = row[i] = hn::Add(row[i], up);
+    }
+};
+
+/// A value of up to 32 bits, as wide_plane() has it, in two halves that are each linear.
+template <class Half>
+struct WideHalves {
+    Half high, low;
+
+    HWY_INLINE void aim(const TilePlane& p) {
+        const auto upper = [](std::int64_t v) { return std::uint32_t(v >> 16); };
+        const auto lower = [](std::int64_t v) { return std::uint32_t(v & 0xFFFF); };
+        high.aim(upper(std::int64_t(p.c)), upper(p.gx), upper(p.gy));
+        low.aim(lower(std::int64_t(p.c)), lower(p.gx), lower(p.gy));
+    }
+};
+struct WidePlaneLanes : WideHalves<LinearLanes> {
+    HWY_INLINE V32 at(int bx, int by, std::size_t part) const {
+        return hn::Add(high.at(bx, by, part), hn::ShiftRight<16>(low.at(bx, by, part)));
+    }
+};
+struct WidePlaneWalk : WideHalves<Linear> {
+    HWY_INLINE void start(int bx, int by) { high.start(bx, by), low.start(bx, by); }
+    HWY_INLINE void start_rows(int bx, int by) { high.start_rows(bx, by), low.start_rows(bx, by); }
+    HWY_INLINE void next_block() { high.next_block(), low.next_block(); }
+    HWY_INLINE void next_row() { high.next_row(), low.next_row(); }
+    HWY_INLINE V32 at(std::size_t part) const {
+        return hn::Add(high.at[part], hn::ShiftRight<16>(low.at[part]));
+    }
+};
+
+/// A triangle's depth, moving with the blocks that it covers.
+struct DepthWalk {
+    const DepthPlane& plane;
+    std::uint32_t max_depth;
+    WidePlaneWalk walk;  ///< not set before aim()
+
+    HWY_INLINE explicit DepthWalk(const DepthPlane& p, std::uint32_t max = 0) : plane(p), max_depth(max) {}
+    HWY_INLINE void aim() { walk.aim(plane.plane); }
+    HWY_INLINE void start(int bx, int by) { walk.start(bx, by); }
+    HWY_INLINE void start_rows(int bx, int by) { walk.start_rows(bx, by); }
+    HWY_INLINE void next_block() { walk.next_block(); }
+    HWY_INLINE void next_row() { walk.next_row(); }
+    HWY_INLINE void store(DepthBlock& out) const {
+        for (std::size_t i = 0; i < parts; ++i) hn::Store(walk.at(i), D32(), out.value + i * lanes32);
+        if (plane.offset != 0) offset_depths(plane.offset, max_depth, out);
+    }
+};
+
+/// Nothing that would change from block to block.
+struct Standing {
+    HWY_INLINE void aim() {}
+    HWY_INLINE void start(int, int) {}
+    HWY_INLINE void start_rows(int, int) {}
+    HWY_INLINE void next_block() {}
+    HWY_INLINE void next_row() {}
+};
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target

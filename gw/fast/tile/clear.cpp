@@ -1,0 +1,98 @@
+// Clearing a tile's colours and depths, and writing out what is kept of uniform blocks. docs/manual.md,
+// "Pixels"; scalar twin: gw/reference/pixels.cpp. Does not clear stencils or sums.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "gw/fast/tile/clear.cpp"
+#include <hwy/foreach_target.h>
+
+#include "gw/fast/kernels.h"
+#include "gw/fast/uniform/uniform-inl.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+/// The lanes of `mask` of one block's values; whole blocks are the rule.
+template <class D, class T>
+HWY_INLINE void fill(D d, T (&values)[block_pixels], T value, std::uint32_t mask) {
+    const auto v = hn::Set(d, value);
+    for (std::size_t i = 0; i < block_pixels; i += hn::Lanes(d)) {
+        if (mask == all_lanes)
+            hn::Store(v, d, values + i);
+        else
+            store_lanes(v, lanes_of(d, mask, i), d, values + i);
+    }
+}
+
+/// A block's colour: whole ones stay uniform.
+HWY_INLINE void clear_color(const ClearBlocks& clear, int bx, int by, std::uint32_t mask) {
+    UniformGroup& group = clear.tile.group(bx, by);
+    const std::uint32_t i = clear.tile.in_group(bx, by);
+    if (mask == all_lanes && clear.clears_color()) {
+        group.color[i] = std::bit_cast<std::uint64_t>(clear.color);
+        group.one_color = std::uint16_t(group.one_color | 1u << i);
+        return;
+    }
+    settle_color(clear.tile, bx, by);
+    ColorBlock& block = clear.tile.color[clear.tile.block(bx, by)];
+    for (std::size_t c = 0; c < 4; ++c)
+        if (clear.channel[c]) fill(D16(), block.channel[c], clear.color[c], mask);
+}
+
+HWY_INLINE void clear_depth(const ClearBlocks& clear, int bx, int by, std::uint32_t mask) {
+    UniformGroup& group = clear.tile.group(bx, by);
+    const std::uint32_t i = clear.tile.in_group(bx, by);
+    if (mask == all_lanes) {
+        group.depth[i] = clear.depth;
+        group.one_depth = std::uint16_t(group.one_depth | 1u << i);
+        group.one_plane = std::uint16_t(group.one_plane & ~(1u << i));
+        return;
+    }
+    settle_depth(clear.tile, bx, by);
+    fill(D32(), clear.tile.depth[clear.tile.block(bx, by)].value, clear.depth, mask);
+}
+
+/// Groups' colours and depths, where the box has whole groups only.
+HWY_INLINE void clear_groups(const ClearBlocks& clear) {
+    constexpr int side = group_blocks * block_side;
+    UniformGroup group;
+    std::fill(std::begin(group.color), std::end(group.color), std::bit_cast<std::uint64_t>(clear.color));
+    std::fill(std::begin(group.depth), std::end(group.depth), clear.depth);
+    group.one_color = group.one_depth = all_lanes;
+    for (int y = clear.box.y0; y < clear.box.y1; y += side)
+        for (int x = clear.box.x0; x < clear.box.x1; x += side)
+            clear.tile.group(x / block_side, y / block_side) = group;
+}
+
+void clear_all(const ClearBlocks& clear) {
+    const BlockBox& box = clear.box;
+    const bool color = clear.channel != std::array<bool, 4>{};
+    clear.tile.has_uniform->color |= clear.clears_color();
+    clear.tile.has_uniform->depth |= clear.clears_depth;
+    if (box.whole(clear.tile) && clear.clears_depth) clear.tile.held->clear();
+    const bool groups = (box.x0 | box.y0 | box.x1 | box.y1) % (group_blocks * block_side) == 0;
+    if (groups && clear.clears_color() && clear.clears_depth) return clear_groups(clear);
+    for (int by = box.y0 / block_side; by * block_side < box.y1; ++by)
+        for (int bx = box.x0 / block_side; bx * block_side < box.x1; ++bx) {
+            const std::uint32_t mask = box.mask(bx, by);
+            if (color) clear_color(clear, bx, by, mask);
+            if (clear.clears_depth) clear_depth(clear, bx, by, mask);
+        }
+}
+
+void settle_all(const Tile& tile, UniformPlanes which) { settle_tile(tile, which); }
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gw::fast {
+
+HWY_EXPORT(clear_all);
+HWY_EXPORT(settle_all);
+
+void clear_blocks(const ClearBlocks& clear) { HWY_DYNAMIC_DISPATCH(clear_all)(clear); }
+void settle_blocks(const Tile& tile, UniformPlanes which) { HWY_DYNAMIC_DISPATCH(settle_all)(tile, which); }
+
+}  // namespace gw::fast
+#endif  // HWY_ONCE

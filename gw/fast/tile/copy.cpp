@@ -1,0 +1,67 @@
+// Copies between segments, on the host's planes: the only commands that move pixels across tiles.
+#include "gw/fast/tile/tile_run.h"
+
+#include "gw/base/arithmetic.h"
+
+#include <bit>
+
+namespace gw::fast {
+namespace {
+
+/// Calls move(to, from) for each pixel of a copy's destination box.
+std::uint64_t for_each_copied(const Copy& c, const Rect& pixel_box, const Planes& planes, const auto& move) {
+    const int dx = c.x - c.source.x, dy = c.y - c.source.y;
+    const Rect inside = intersect(c.source, {0, 0, planes.width, planes.height});
+    const Rect box = intersect(pixel_box, {inside.x + dx, inside.y + dy, inside.width, inside.height});
+    for (int y = box.y; y < box.y + box.height; ++y)
+        for (int x = box.x; x < box.x + box.width; ++x)
+            move(planes.index(x, y), planes.index(x - dx, y - dy));
+    return std::uint64_t(box.width) * std::uint64_t(box.height);
+}
+
+}  // namespace
+
+std::uint64_t copy_pixels(const Copy& command, const Resolved& r, Planes& planes) {
+    if (command.plane == Plane::Color) {
+        const auto before = planes.color;
+        const ColorMask& m = r.state.color_mask;
+        const bool channel[4] = {m.r, m.g, m.b, m.a};
+        return for_each_copied(command, r.pixel_box, planes, [&](std::size_t to, std::size_t from) {
+            for (std::size_t c = 0; c < 4; ++c)
+                if (channel[c]) planes.color[to][c] = before[from][c];
+        });
+    }
+    if (command.plane == Plane::Depth) {
+        const auto before = planes.depth;
+        return for_each_copied(command, r.pixel_box, planes, [&](std::size_t to, std::size_t from) {
+            if (r.depth_mask) planes.depth[to] = before[from];
+        });
+    }
+    const auto before = planes.stencil;
+    const std::uint32_t write = r.state.stencil.write_mask & r.stencil_max;
+    return for_each_copied(command, r.pixel_box, planes, [&](std::size_t to, std::size_t from) {
+        planes.stencil[to] = std::uint8_t((planes.stencil[to] & ~write) | (before[from] & write));
+    });
+}
+
+Texels copied_texels(const CopyTexture& command, const Planes& planes, const Profile& profile) {
+    const Rect& rect = command.rect;
+    Texels t{profile.color_bits, {}, {}};
+    TexelLevel level{rect.width,
+                     rect.height,
+                     std::countr_zero(unsigned(rect.width)),
+                     std::countr_zero(unsigned(rect.height)),
+                     {}};
+    for (int y = rect.y; y < rect.y + rect.height; ++y)
+        for (int x = rect.x; x < rect.x + rect.width; ++x) {
+            const std::size_t i = planes.index(x, y);
+            const auto grey = std::uint16_t(rescale(planes.depth[i], profile.depth_bits, profile.color_bits));
+            level.texels.push_back(command.plane == Plane::Color ? planes.color[i]
+                                                                 : Rgba{grey, grey, grey, grey});
+            if (command.plane == Plane::Depth) t.depths.push_back(planes.depth[i]);
+        }
+    t.levels.push_back(std::move(level));
+    return t;
+}
+
+}  // namespace gw::fast

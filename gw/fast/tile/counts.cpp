@@ -1,0 +1,71 @@
+// From counts of fragments and pixels to a pass's counters: bytes and texels are linear in them.
+#include "gw/fast/tile/tile_run.h"
+#include "gw/stages/tables.h"
+
+#include <bit>
+
+namespace gw::fast {
+namespace {
+
+Counters fragment_counters(const OpCounts& n, const FragmentBytes& bytes) {
+    Counters c;
+    c.fragments = n.fragments;
+    c.alpha_killed = n.alpha_killed;
+    c.stencil_killed = n.stencil_killed;
+    c.depth_killed = n.depth_killed;
+    c.written = n.written;
+    c.bytes = (n.fragments - n.alpha_killed) * bytes.after_alpha +
+              (n.depth_killed + n.written) * bytes.after_stencil + n.written * bytes.written;
+    return c;
+}
+
+Counters pixel_counters(const OpCounts& n, std::uint64_t bytes) {
+    Counters c;
+    c.pixels = n.pixels;
+    c.accum_overflows = n.accum_overflows;
+    c.bytes = n.pixels * bytes;
+    return c;
+}
+
+std::uint64_t bytes_of(Plane plane, const Profile& profile) { return plane_bytes(int(plane), profile); }
+
+struct Count {
+    const OpCounts& n;
+    const Profile& profile;
+
+    Counters operator()(const DrawOp& op) const {
+        Counters c = fragment_counters(n, op.bytes);
+        if (op.texels_counted)
+            c.texels = n.fragments * std::uint64_t(texel_count(op.state.state.texture.min_filter));
+        return c;
+    }
+    Counters operator()(const SpansOp& op) const { return fragment_counters(n, op.bytes); }
+    Counters operator()(const PixelsOp& op) const {
+        Counters c = fragment_counters(n, op.bytes);
+        c += pixel_counters(n, bytes_of(op.write->plane, profile));
+        return c;
+    }
+    Counters operator()(const ClearOp& op) const {
+        Counters c;
+        const std::uint64_t planes = std::uint64_t(std::popcount(op.clear->planes));
+        if (planes == 0) return c;
+        c.pixels = n.pixels;
+        for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
+            if (op.clear->planes & mask_of(plane)) c.bytes += n.pixels / planes * bytes_of(plane, profile);
+        return c;
+    }
+    Counters operator()(const AccumulateOp&) const {
+        return pixel_counters(n, bytes_of(Plane::Accum, profile) + bytes_of(Plane::Color, profile));
+    }
+    Counters operator()(const ReadOp& op) const {
+        return pixel_counters(n, bytes_of(op.read->plane, profile));
+    }
+};
+
+}  // namespace
+
+Counters counters_of(const TileOp& op, const OpCounts& counts, const Profile& profile) {
+    return std::visit(Count{counts, profile}, op.op);
+}
+
+}  // namespace gw::fast

@@ -1,0 +1,265 @@
+// One tile's way through all operations.
+#include "gw/fast/tile/tile_run.h"
+
+#include "gw/fast/visible/visible_record.h"
+#include "gw/fast/kernels.h"
+#include "gw/fast/shade/repeated_texels.h"
+#include "gw/base/parallel.h"
+#include "gw/stages/tables.h"
+
+#include <bit>
+
+namespace gw::fast {
+
+OpCounts& OpCounts::operator+=(const OpCounts& o) {
+    fragments += o.fragments;
+    alpha_killed += o.alpha_killed;
+    stencil_killed += o.stencil_killed;
+    depth_killed += o.depth_killed;
+    written += o.written;
+    pixels += o.pixels;
+    accum_overflows += o.accum_overflows;
+    return *this;
+}
+
+struct WorkerRoom {
+    std::vector<Coverage> coverages;
+    BatchRoom batch;
+    RepeatedTexels texels;
+};
+void DeleteRoom::operator()(WorkerRoom* room) const { delete room; }
+
+namespace {
+
+constexpr std::uint32_t every_lane = 0xFFFF;
+
+/// Whole blocks are the rule, and counting bits is a call on processors of any age.
+std::uint64_t lane_count(std::uint32_t mask) {
+    return mask == every_lane ? block_pixels : std::uint64_t(std::popcount(mask));
+}
+
+/// Calls visit(block, bx, by, mask) for each block of a box that has lanes inside.
+template <typename Visit>
+void for_each_block(const Tile& tile, const BlockBox& box, const Visit& visit) {
+    if (box.empty()) return;
+    for (int by = box.y0 / block_side; by <= (box.y1 - 1) / block_side; ++by)
+        for (int bx = box.x0 / block_side; bx <= (box.x1 - 1) / block_side; ++bx)
+            visit(tile.block(bx, by), bx, by, box.mask(bx, by));
+}
+
+/// Calls visit(lane, x, y) for the lanes of a mask; x, y in the window.
+template <typename Visit>
+void for_each_lane(const Tile& tile, int bx, int by, std::uint32_t mask, const Visit& visit) {
+    for (; mask != 0; mask &= mask - 1) {
+        const auto lane = std::size_t(std::countr_zero(mask));
+        visit(lane, tile.x + bx * block_side + int(lane % block_side),
+              tile.y + by * block_side + int(lane / block_side));
+    }
+}
+
+/// The channels of a block's pixels side by side.
+auto pixels_of(const AccumBlock& block) {
+    std::array<std::array<std::int32_t, 4>, block_pixels> out;
+    for (std::size_t i = 0; i < block_pixels; ++i)
+        for (std::size_t c = 0; c < 4; ++c) out[i][c] = block.channel[c][i];
+    return out;
+}
+
+struct TileRun {
+    const Profile& profile;
+    Tile tile;
+    std::size_t index;
+    OpCounts* counts = nullptr;
+    WorkerRoom& room;
+
+    BlockBox box(const Rect& rect) const { return block_box(rect, tile); }
+
+    void run(const DrawOp& op) {
+        if (op.set->tile_bin(index).empty()) return;
+        const TileDraw draw{&op, &profile, tile, box(op.state.draw_box), counts, &room.batch, &room.texels};
+        if (draw.box.empty()) return;
+        if (op.coverage < 0) return draw_primitives(draw, op.set->tile_bin(index));
+        settle_blocks(tile, touched_planes(op));
+        Coverage& record = room.coverages[std::size_t(op.coverage)];
+        if (op.state.state.depth.func != DepthFunc::Equal)
+            return draw_recording(draw, op.set->tile_bin(index), record);
+        if (!record.made) record_primitives(draw, op.set->tile_bin(index), record);
+        replay_primitives(draw, record);
+    }
+
+    void run(const ClearOp& op) {
+        const Resolved& r = op.state;
+        const BlockBox inside = box(r.pixel_box);
+        if (inside.empty()) return;
+        counts->pixels += pixels_in(inside) * std::uint64_t(std::popcount(op.clear->planes));
+        const auto wants = [&](Plane plane) { return (op.clear->planes & mask_of(plane)) != 0; };
+        ClearBlocks clear{tile, inside};
+        const ColorMask& m = r.state.color_mask;
+        if (wants(Plane::Color)) clear.channel = {m.r, m.g, m.b, m.a};
+        clear.clears_depth = wants(Plane::Depth) && r.depth_mask;
+        clear.color = quantize_color(op.clear->color, r.bits);
+        clear.depth = quantize(op.clear->depth, profile.depth_bits);
+        if (wants(Plane::Color) || clear.clears_depth) clear_blocks(clear);
+        if (wants(Plane::Stencil) || wants(Plane::Accum))
+            clear_rest(r, inside, wants(Plane::Stencil), std::uint32_t(op.clear->stencil) & r.stencil_max,
+                       wants(Plane::Accum));
+    }
+    void clear_rest(const Resolved& r, const BlockBox& inside, bool stencil, std::uint32_t value,
+                    bool accum) const {
+        for_each_block(tile, inside, [&](std::size_t b, int, int, std::uint32_t mask) {
+            if (stencil) clear_stencil(r, value, tile.stencil[b], mask);
+            if (accum)
+                for (auto& channel : tile.accum[b].channel) fill_lanes(channel, 0, mask);
+        });
+    }
+    static std::uint64_t pixels_in(const BlockBox& b) {
+        return std::uint64_t(b.x1 - b.x0) * std::uint64_t(b.y1 - b.y0);
+    }
+
+    static void clear_stencil(const Resolved& r, std::uint32_t value, StencilBlock& block,
+                              std::uint32_t mask) {
+        if ((r.state.stencil.write_mask & r.stencil_max) == r.stencil_max)
+            fill_lanes(block.value, value, mask);
+        else
+            write_stencil(r, block, mask, [&](std::size_t) { return value; });
+    }
+    template <typename T>
+    static void fill_lanes(T (&values)[block_pixels], std::uint32_t value, std::uint32_t mask) {
+        if (mask == every_lane) return void(std::fill_n(values, block_pixels, static_cast<T>(value)));
+        for (std::size_t i = 0; i < block_pixels; ++i)
+            values[i] = mask >> i & 1 ? static_cast<T>(value) : values[i];
+    }
+    static void write_stencil(const Resolved& r, StencilBlock& block, std::uint32_t mask, const auto& value) {
+        const std::uint32_t write = r.state.stencil.write_mask & r.stencil_max;
+        if (write == 0) return;
+        for (std::size_t i = 0; i < block_pixels; ++i)
+            if (mask >> i & 1) block.value[i] = std::uint8_t((block.value[i] & ~write) | (value(i) & write));
+    }
+
+    void run(const SpansOp& op) {
+        settle_blocks(tile);
+        DepthBlock depth;
+        ColorBlock color;
+        std::fill(std::begin(depth.value), std::end(depth.value), op.write->depth);
+        for (const Span& span : op.write->spans) {
+            const Rect rect =
+                intersect({span.x, span.y, span.length, 1}, {tile.x, tile.y, tile.side, tile.side});
+            if (rect.width == 0) continue;
+            for_each_block(
+                tile, box(intersect(rect, op.state.pixel_box)),
+                [&](std::size_t b, int bx, int by, std::uint32_t mask) {
+                    for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int) {
+                        set_lane(color, lane,
+                                 op.write->colors[span.first + (span.flat ? 0 : std::uint32_t(x - span.x))]);
+                    });
+                    process_fragments({&op.state, b, mask, true}, color, depth, tile, *counts);
+                });
+        }
+    }
+
+    static void set_lane(ColorBlock& block, std::size_t lane, const Rgba& color) {
+        for (std::size_t c = 0; c < 4; ++c) block.channel[c][lane] = color[c];
+    }
+
+    void run(const PixelsOp& op) {
+        settle_blocks(tile);
+        const WritePixels& w = *op.write;
+        const Resolved& r = op.state;
+        DepthBlock depth;
+        ColorBlock color;
+        std::fill(std::begin(depth.value), std::end(depth.value), w.depth);
+        const auto source = [&](int x, int y) {
+            return std::size_t(y - w.rect.y) * std::size_t(w.rect.width) + std::size_t(x - w.rect.x);
+        };
+        for_each_block(tile, box(intersect(r.pixel_box, w.rect)),
+                       [&](std::size_t b, int bx, int by, std::uint32_t mask) {
+                           if (w.plane == Plane::Color) {
+                               for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
+                                   set_lane(color, lane, w.colors[source(x, y)]);
+                               });
+                               process_fragments({&r, b, mask, true}, color, depth, tile, *counts);
+                               return;
+                           }
+                           counts->pixels += lane_count(mask);
+                           for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
+                               const std::uint32_t value = w.values[source(x, y)];
+                               if (w.plane == Plane::Depth && r.depth_mask) tile.depth[b].value[lane] = value;
+                               if (w.plane == Plane::Stencil)
+                                   write_stencil(r, tile.stencil[b], 1u << lane,
+                                                 [&](std::size_t) { return value; });
+                           });
+                       });
+    }
+
+    void run(const AccumulateOp& op) {
+        settle_blocks(tile);
+        for_each_block(tile, box(op.state.pixel_box), [&](std::size_t b, int, int, std::uint32_t mask) {
+            counts->pixels += lane_count(mask);
+            counts->accum_overflows += accumulate_block(op, profile, tile.accum[b], tile.color[b], mask);
+        });
+    }
+
+    void run(const ReadOp& op) {
+        const BlockBox inside = box(op.read->rect);
+        if (inside.empty()) return;
+        counts->pixels += pixels_in(inside);
+        if (op.read->plane == Plane::Color)
+            return read_colors({tile, inside, op.read->rect, op.out->color.data(),
+                                op.read->packed ? op.out->values.data() : nullptr});
+        settle_blocks(tile);
+        for_each_block(tile, inside, [&](std::size_t b, int bx, int by, std::uint32_t mask) {
+            switch (op.read->plane) {
+                case Plane::Color: return;
+                case Plane::Depth: return read_block(op, bx, by, mask, tile.depth[b].value, op.out->values);
+                case Plane::Stencil:
+                    return read_block(op, bx, by, mask, tile.stencil[b].value, op.out->values);
+                case Plane::Accum:
+                    return read_block(op, bx, by, mask, pixels_of(tile.accum[b]), op.out->accum);
+            }
+        });
+    }
+    /// Copies the lanes of `mask`, a row at a time where they are all there.
+    template <typename From, typename To>
+    void read_block(const ReadOp& op, int bx, int by, std::uint32_t mask, const From& from, To& to) const {
+        const Rect& rect = op.read->rect;
+        const auto at = [&](int x, int y) {
+            return to.begin() + std::ptrdiff_t(y - rect.y) * rect.width + (x - rect.x);
+        };
+        if (mask != every_lane)
+            return for_each_lane(tile, bx, by, mask,
+                                 [&](std::size_t lane, int x, int y) { *at(x, y) = from[lane]; });
+        const int x = tile.x + bx * block_side, y = tile.y + by * block_side;
+        for (int row = 0; row < block_side; ++row)
+            std::copy_n(std::begin(from) + row * block_side, block_side, at(x, y + row));
+    }
+};
+
+}  // namespace
+
+std::vector<OpCounts> run_tiles(const Segment& segment, Frame& frame, const Profile& profile, int threads,
+                                WorkerRooms& rooms) {
+    const std::size_t tiles = frame.grid().count();
+    std::vector<std::vector<OpCounts>> by_worker(std::size_t(threads),
+                                                 std::vector<OpCounts>(segment.ops.size()));
+    if (rooms.size() < std::size_t(threads)) rooms.resize(std::size_t(threads));
+    for (auto& room : rooms) {
+        if (!room) room.reset(new WorkerRoom);
+        if (room->coverages.size() < std::size_t(segment.coverages))
+            room->coverages.resize(std::size_t(segment.coverages));
+    }
+    parallel_for(tiles, threads, [&](std::size_t i, int worker) {
+        TileRun run{profile, frame.tile(i), i, nullptr, *rooms[std::size_t(worker)]};
+        for (Coverage& record : run.room.coverages) record.clear();
+        run.room.texels.clear();
+        for (std::size_t k = 0; k < segment.ops.size(); ++k) {
+            run.counts = &by_worker[std::size_t(worker)][k];
+            std::visit([&](const auto& op) { run.run(op); }, segment.ops[k].op);
+        }
+    });
+    std::vector<OpCounts> totals(segment.ops.size());
+    for (const auto& counts : by_worker)
+        for (std::size_t k = 0; k < totals.size(); ++k) totals[k] += counts[k];
+    return totals;
+}
+
+}  // namespace gw::fast

@@ -1,0 +1,74 @@
+// Blocks whose pixels all have one colour, or one depth or the depths of one plane: what a Clear leaves, and
+// a triangle of one colour that covers them. While they have, that is kept and the planes are not written.
+// Such blocks are made by clear_blocks() and by draws of draws_uniform(), and known to these and to
+// read_colors(); everything else settles the planes that it touches first. Included once per Highway target.
+#if defined(GW_FAST_UNIFORM_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_UNIFORM_INL_H_
+#undef GW_FAST_UNIFORM_INL_H_
+#else
+#define GW_FAST_UNIFORM_INL_H_
+#endif
+
+#include "gw/fast/simd/planes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+HWY_INLINE void settle_color(const Tile& tile, int bx, int by) {
+    UniformGroup& group = tile.group(bx, by);
+    const std::uint32_t i = tile.in_group(bx, by);
+    if ((group.one_color >> i & 1) == 0) return;
+    const D16 d;
+    const Rgba color = group.color_of(i);
+    ColorBlock& block = tile.color[tile.block(bx, by)];
+    for (std::size_t c = 0; c < 4; ++c)
+        for (std::size_t k = 0; k < block_pixels; k += lanes16)
+            hn::Store(hn::Set(d, color[c]), d, block.channel[c] + k);
+    group.one_color = std::uint16_t(group.one_color & ~(1u << i));
+}
+
+/// Depths of block (bx, by), which are all `depth` or those of a plane.
+HWY_INLINE void write_depth(const Tile& tile, std::uint32_t depth, int bx, int by) {
+    const D32 d;
+    for (std::size_t k = 0; k < block_pixels; k += lanes32)
+        hn::Store(hn::Set(d, depth), d, tile.depth[tile.block(bx, by)].value + k);
+}
+HWY_NOINLINE inline void write_depth(const Tile& tile, const TilePlane& plane, int bx, int by) {
+    for (std::size_t k = 0; k < block_pixels; k += lanes32)
+        hn::Store(wide_plane(plane, pixels_of(bx, by, k)), D32(), tile.depth[tile.block(bx, by)].value + k);
+}
+
+HWY_INLINE void settle_depth(const Tile& tile, int bx, int by) {
+    UniformGroup& group = tile.group(bx, by);
+    const std::uint32_t i = tile.in_group(bx, by), bit = 1u << i;
+    if (group.one_depth & bit) write_depth(tile, group.depth[i], bx, by);
+    if (group.one_plane & bit) write_depth(tile, (*tile.held)[group.depth[i]], bx, by);
+    group.one_depth = std::uint16_t(group.one_depth & ~bit);
+    group.one_plane = std::uint16_t(group.one_plane & ~bit);
+}
+
+/// Calls settle(bx, by) for all blocks of a tile.
+template <class Settle>
+HWY_INLINE void settle_all_blocks(const Tile& tile, const Settle& settle) {
+    const int side = tile.side / block_side;
+    for (int by = 0; by < side; ++by)
+        for (int bx = 0; bx < side; ++bx) settle(bx, by);
+}
+
+HWY_INLINE void settle_tile(const Tile& tile, UniformPlanes which) {
+    UniformPlanes& has = *tile.has_uniform;
+    if (which.color && has.color) {
+        settle_all_blocks(tile, [&](int bx, int by) { settle_color(tile, bx, by); });
+        has.color = false;
+    }
+    if (which.depth && has.depth) {
+        settle_all_blocks(tile, [&](int bx, int by) { settle_depth(tile, bx, by); });
+        has.depth = false;
+        tile.held->clear();
+    }
+}
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target

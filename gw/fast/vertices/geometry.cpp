@@ -1,0 +1,250 @@
+// Geometry sets: vertices, then primitives.
+#include "gw/fast/vertices/geometry.h"
+
+#include "gw/stages/fan.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace gw::fast {
+
+namespace {
+
+std::uint32_t planes_on(const std::array<ClipPlane, max_clip_planes>& user) {
+    std::uint32_t planes = all_clip_planes;
+    for (std::size_t k = 0; k < user.size(); ++k)
+        if (!user[k].enable) planes &= ~(4u << k);
+    return planes;
+}
+
+struct Builder {
+    const Mesh& mesh;
+    const State& state;
+    const Projection& projection;
+    GeometrySet& set;
+    std::vector<Outcode> outcode{};
+    PositionClipper clipper{};
+    std::vector<SnappedPoint> fan_corners{};
+    std::uint32_t planes = planes_on(state.clip_planes);  ///< those that can cut
+    bool filled = state.polygon_mode == PolygonMode::Fill;
+    std::array<bool, 2> culled{is_culled(state.cull, false), is_culled(state.cull, true)};  ///< back, front
+
+    static bool is_culled(const CullState& cull, bool front) {
+        return cull.enable && (cull.face == Face::FrontAndBack || (cull.face == Face::Front) == front);
+    }
+
+    void push_vertices() {
+        const std::span<const vec3> positions(mesh.data().positions);
+        set.at.resize(positions.size()), set.w.resize(positions.size()), outcode.resize(positions.size());
+        project(projection, {positions, outcode.data(), set.at.data(), set.w.data()});
+    }
+
+    SnappedPoint point(std::uint32_t v) const { return {set.at[v].x, set.at[v].y}; }
+    std::int64_t area_of(const std::array<std::uint32_t, 3>& v) const {
+        return area2(point(v[0]), point(v[1]), point(v[2]));
+    }
+
+    /// Whether all corners lie outside the first plane that cuts any: clipping would leave exactly nothing.
+    static bool all_outside(Outcode all, Outcode any) {
+        const Outcode planes = any & all_clip_planes;
+        return planes != 0 && (all >> std::countr_zero(planes) & 1) != 0;
+    }
+
+    /// Clips for good; false where nothing is left. New vertices go to the end of the arrays.
+    bool cut(std::array<std::uint32_t, 3> corners, std::uint32_t sides, Cut& out) {
+        std::vector<ClipPosition>& vertices = clipper.vertices;
+        vertices.clear();
+        Outcode any = 0;
+        for (std::uint32_t k = 0; k < sides; ++k) {
+            place_position(projection, mesh.data().positions[corners[k]], vertices.emplace_back());
+            any |= outcode[corners[k]];
+        }
+        // The planes before the first that cuts anything change nothing, nor do those that are off.
+        const bool changed = clipper.clip(projection.viewport, planes & ~((any & (0u - any)) - 1));
+        if (vertices.empty()) return false;
+        out.first = std::uint32_t(set.at.size()), out.count = std::uint32_t(vertices.size());
+        set.at.resize(out.first + out.count);
+        to_window(projection, vertices, &set.at[out.first]);
+        for (const ClipPosition& v : vertices) set.w.push_back(v.clip.w);
+        set.counters.clipped += changed ? 1 : 0;
+        Cut& kept = set.cuts.emplace_back();  // by members: a copy of `out` would wait for its parts
+        for (std::size_t k = 0; k < 3; ++k) kept.vertex[k] = corners[k];
+        kept.sides = sides, kept.first = out.first, kept.count = out.count;
+        return true;
+    }
+
+    /// Takes back a cut whose primitive is not drawn.
+    void drop(const Cut& c) {
+        set.cuts.pop_back();
+        set.at.resize(c.first), set.w.resize(c.first);
+    }
+
+    /// Counter-clockwise, from the lowest vertex (of those, the leftmost); without branches, which would be
+    /// taken at random. No two vertices stand at one point.
+    std::array<std::uint32_t, 3> canonical(const std::array<std::uint32_t, 3>& v, bool clockwise) const {
+        const std::array<std::uint32_t, 5> turned{v[0], v[clockwise ? 2 : 1], v[clockwise ? 1 : 2], v[0],
+                                                  v[clockwise ? 2 : 1]};
+        std::array<std::int64_t, 3> key;
+        for (std::size_t k = 0; k < 3; ++k)
+            key[k] = std::int64_t{set.at[turned[k]].y} * (std::int64_t{1} << 32) + set.at[turned[k]].x;
+        const auto less = [&](std::size_t a, std::size_t b) { return std::size_t{key[a] < key[b]}; };
+        const std::size_t first = (less(1, 0) & less(1, 2)) + 2 * (less(2, 0) & less(2, 1));
+        return {turned[first], turned[first + 1], turned[first + 2]};
+    }
+
+    void push_piece(const std::array<std::uint32_t, 3>& v, SetupPrimitive p, bool counter_clockwise) {
+        const std::int64_t area = area_of(v);
+        if (area == 0 || (area > 0) != counter_clockwise) return;
+        p.vertex = canonical(v, area < 0);
+        set.primitives.push_back(p);
+    }
+
+    /// The pieces of a polygon: of a whole triangle, or of what clipping left.
+    Fan fan(const Triangle& t, const Cut& piece) {
+        if (piece.count == 0) return {area_of(t.vertex), 0};
+        fan_corners.clear();
+        for (std::uint32_t k = 0; k < piece.count; ++k) fan_corners.push_back(point(piece.first + k));
+        return fan_of(fan_corners);
+    }
+
+    void push_pieces(const Triangle& t, const Cut& piece, const Fan& pieces, const SetupPrimitive& p) {
+        if (piece.count == 0) return push_piece(t.vertex, p, pieces.area2 > 0);
+        const auto at = [&](std::size_t k) {
+            return piece.first + std::uint32_t((pieces.first + k) % piece.count);
+        };
+        for (std::uint32_t k = 1; k + 1 < piece.count; ++k)
+            push_piece({at(0), at(k), at(k + 1)}, p, pieces.area2 > 0);
+    }
+
+    /// A triangle that no plane touches.
+    void push_whole(const Triangle& t, std::uint32_t ordinal) {
+        const std::int64_t area = area_of(t.vertex);
+        const bool front = (area > 0) == (state.cull.front == Winding::CCW);
+        if (area == 0 || culled[front]) {
+            (area == 0 ? set.counters.degenerate : set.counters.culled) += 1;
+            return;
+        }
+        set.counters.drawn += 1;
+        set.primitives.push_back({canonical(t.vertex, area < 0), ordinal, t.polygon, t.provoking,
+                                  std::uint8_t(front), MeshKind::Triangles});
+    }
+
+    void push_triangle(const Triangle& t, std::uint32_t ordinal) {
+        const Outcode a = outcode[t.vertex[0]], b = outcode[t.vertex[1]], c = outcode[t.vertex[2]];
+        const Outcode any = a | b | c;
+        if (any == 0 && filled) return push_whole(t, ordinal);
+        Cut piece{t.vertex, 3, 0, 0};
+        if (any != 0 &&
+            ((any & not_finite) != 0 || all_outside(a & b & c, any) || !cut(t.vertex, 3, piece))) {
+            set.counters.rejected += 1;
+            return;
+        }
+        const Fan pieces = fan(t, piece);
+        const bool front = (pieces.area2 > 0) == (state.cull.front == Winding::CCW);
+        const bool drawn = pieces.area2 != 0 && !culled[front];
+        (pieces.area2 == 0 ? set.counters.degenerate : drawn ? set.counters.drawn : set.counters.culled) += 1;
+        if (piece.count != 0 && (!drawn || !filled)) drop(piece);
+        if (!drawn) return;
+        const SetupPrimitive p{{}, ordinal, t.polygon, t.provoking, std::uint8_t(front), MeshKind::Triangles};
+        filled ? push_pieces(t, piece, pieces, p) : push_outline(t, p);
+    }
+
+    void push_outline(const Triangle& t, const SetupPrimitive& p) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!(t.edges >> k & 1)) continue;
+            if (state.polygon_mode == PolygonMode::Line)
+                push_line(t.vertex[k], t.vertex[(k + 1) % 3], p, false);
+            else
+                push_point(t.vertex[k], p, false);
+        }
+    }
+
+    void push_line(std::uint32_t a, std::uint32_t b, SetupPrimitive p, bool counted) {
+        const Counters before = set.counters;
+        Cut piece{};
+        p.kind = MeshKind::Lines;
+        p.vertex = {a, b, b};
+        const Outcode any = outcode[a] | outcode[b];
+        bool left = (any & not_finite) == 0;
+        if (left && any != 0) {
+            left = cut({a, b, b}, 2, piece);
+            if (left) p.vertex = {piece.first, piece.first + 1, piece.first + 1};
+        }
+        const bool degenerate = left && set.at[p.vertex[0]].x == set.at[p.vertex[1]].x &&
+                                set.at[p.vertex[0]].y == set.at[p.vertex[1]].y;
+        if (degenerate && piece.count != 0) drop(piece);
+        if (left && !degenerate) set.primitives.push_back(p);
+        if (!counted) {
+            set.counters = before;
+            return;
+        }
+        (!left ? set.counters.rejected : degenerate ? set.counters.degenerate : set.counters.drawn) += 1;
+    }
+
+    void push_point(std::uint32_t v, SetupPrimitive p, bool counted) {
+        const bool left = outcode[v] == 0;
+        if (counted) (left ? set.counters.drawn : set.counters.rejected) += 1;
+        p.kind = MeshKind::Points;
+        p.vertex = {v, v, v};
+        if (left) set.primitives.push_back(p);
+    }
+};
+
+void push_primitives(Builder& b) {
+    const Mesh& mesh = b.mesh;
+    b.set.primitives.reserve(mesh.triangles().size() + mesh.lines().size() + mesh.points().size());
+    std::uint32_t ordinal = 0;
+    for (const Triangle& t : mesh.triangles()) b.push_triangle(t, ordinal++);
+    if (b.filled) b.set.triangle_count = std::uint32_t(b.set.primitives.size());
+    for (const auto& line : mesh.lines()) {
+        b.push_line(line[0], line[1], {{}, ordinal, ordinal, line[1]}, true);
+        ++ordinal;
+    }
+    for (const std::uint32_t v : mesh.points()) {
+        b.push_point(v, {{}, ordinal, ordinal, v}, true);
+        ++ordinal;
+    }
+}
+
+/// Lists the mesh vertices that primitives look at, by the side that they show.
+void list_used_vertices(GeometrySet& set, std::uint32_t mesh_vertices) {
+    std::vector<std::uint8_t> sides(mesh_vertices);
+    for (const SetupPrimitive& p : set.primitives)
+        for (const std::uint32_t v : {p.vertex[0], p.vertex[1], p.vertex[2], p.provoking})
+            if (v < mesh_vertices) sides[v] = std::uint8_t(sides[v] | (p.front ? 1 : 2));
+    for (std::uint32_t v = 0; v < mesh_vertices; ++v) {
+        if (sides[v] != 0) set.used.push_back(v);
+        if (sides[v] & 1) set.used_front.push_back(v);
+        if (sides[v] & 2) set.used_back.push_back(v);
+    }
+}
+
+void build(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile, int width,
+           int height) {
+    set.state = resolve(state, profile, width, height);
+    const Projection projection{product(state.projection, draw.eye_from_object),
+                                draw.eye_from_object,
+                                set.state.viewport,
+                                state.depth_range,
+                                state.clip_planes,
+                                profile};
+    Builder b{*draw.mesh, state, projection, set};
+    b.push_vertices();
+    push_primitives(b);
+    Counters& c = set.counters;
+    c.draws = 1;
+    c.vertices = b.mesh.vertex_count();
+    c.primitives = b.mesh.triangles().size() + b.mesh.lines().size() + b.mesh.points().size();
+}
+
+}  // namespace
+
+void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile, int width,
+                   int height) {
+    if (!set.made) build(set, state, draw, profile, width, height);
+    set.made = true;
+    if (set.lists_used && set.used.empty()) list_used_vertices(set, draw.mesh->vertex_count());
+}
+
+}  // namespace gw::fast

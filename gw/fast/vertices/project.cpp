@@ -1,0 +1,193 @@
+// Projection, a vector of vertices at a time.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "gw/fast/vertices/project.cpp"
+#include <hwy/foreach_target.h>
+
+#include "gw/base/arithmetic.h"
+#include "gw/fast/simd/doubles-inl.h"
+#include "gw/fast/vertices/project.h"
+
+#include <hwy/highway.h>
+
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+#if HWY_HAVE_FLOAT64
+
+constexpr std::size_t most_lanes = 8;
+
+/// floor(v 2^s + 1/2) kept inside the guard band; to_integer() of gw/base/arithmetic.h puts NaN at the low end.
+inline V64 snapped(V64 v, int s) {
+    const double scale = double(1 << s);
+    const auto low = all(guard_low * scale), high = all(guard_high * scale - 1);
+    const auto f = hn::Floor(hn::Add(hn::Mul(v, all(scale)), all(0.5)));
+    return hn::IfThenElse(hn::Gt(f, low), hn::IfThenElse(hn::Lt(f, high), f, high), low);
+}
+
+struct ClipLanes {
+    V64 x, y, z, w;
+};
+
+using U64 = hn::RebindToUnsigned<D64>;
+
+/// Outcodes, plane by plane; a distance that is no number is outside.
+struct OutcodeLanes {
+    hn::Vec<U64> bits;
+
+    void add(hn::Mask<D64> inside, Outcode bit) {
+        bits = hn::Or(bits, hn::IfThenZeroElse(hn::RebindMask(U64(), inside), hn::Set(U64(), bit)));
+    }
+    void plane(int i, V64 distance) { add(hn::Ge(distance, hn::Zero(D64())), Outcode{1} << i); }
+};
+
+/// clip_distance() of gw/stages/clip.h: near, far, guard band.
+inline void classify_fixed(const ClipLanes& c, const ViewportTransform& v, OutcodeLanes& out) {
+    const auto times = [](double a, V64 b) { return hn::Mul(all(a), b); };
+    out.plane(0, hn::Add(c.z, c.w));
+    out.plane(1, hn::Sub(c.w, c.z));
+    out.plane(8, hn::Add(times(v.half_width, c.x), times(v.center_x - guard_low, c.w)));
+    out.plane(9, hn::Sub(times(guard_high - v.center_x, c.w), times(v.half_width, c.x)));
+    out.plane(10, hn::Add(times(v.half_height, c.y), times(v.center_y - guard_low, c.w)));
+    out.plane(11, hn::Sub(times(guard_high - v.center_y, c.w), times(v.half_height, c.y)));
+}
+
+/// The user planes that are on: the distances of run_vertex().
+inline void classify_user(const Projection& p, const Vec3& at, OutcodeLanes& out) {
+    const dmat4& m = p.eye_from_object;
+    for (int k = 0; k < max_clip_planes; ++k) {
+        const ClipPlane& plane = p.clip_planes[std::size_t(k)];
+        if (!plane.enable) continue;
+        const dvec4& n = plane.plane;
+        const auto xy = hn::Add(hn::Mul(all(n.x), row(m, 0, at)), hn::Mul(all(n.y), row(m, 1, at)));
+        const auto zw = hn::Add(hn::Mul(all(n.z), row(m, 2, at)), hn::Mul(all(n.w), row(m, 3, at)));
+        out.plane(2 + k, hn::Add(xy, zw));
+    }
+}
+
+inline hn::Vec<U64> outcodes(const Projection& p, const Vec3& at, const ClipLanes& c) {
+    const D64 d;
+    OutcodeLanes out{hn::Zero(U64())};
+    classify_fixed(c, p.viewport, out);
+    classify_user(p, at, out);
+    out.add(hn::Gt(c.w, hn::Zero(d)), not_in_front);
+    auto finite = hn::Eq(hn::Sub(c.x, c.x), hn::Zero(d));
+    for (const V64 component : {c.y, c.z, c.w})
+        finite = hn::And(finite, hn::Eq(hn::Sub(component, component), hn::Zero(d)));
+    return hn::IfThenElse(hn::RebindMask(U64(), finite), out.bits, hn::Set(U64(), not_finite));
+}
+
+/// Window coordinates of up to a vector of vertices.
+HWY_INLINE void put_window(const Projection& p, const ClipLanes& c, SnappedVertex* at, std::size_t count) {
+    const D64 d;
+    const double n = clamp01(p.depth_range.near_value), f = clamp01(p.depth_range.far_value);
+    const auto window = [&](V64 v, double half, double center) {
+        return hn::Add(hn::Mul(hn::Div(v, c.w), all(half)), all(center));
+    };
+    const int bits = p.profile.subpixel_bits;
+    alignas(64) double x[most_lanes], y[most_lanes], z[most_lanes];
+    hn::Store(snapped(window(c.x, p.viewport.half_width, p.viewport.center_x), bits), d, x);
+    hn::Store(snapped(window(c.y, p.viewport.half_height, p.viewport.center_y), bits), d, y);
+    hn::Store(quantized(window(c.z, (f - n) / 2, (f + n) / 2), p.profile.depth_bits), d, z);
+    for (std::size_t i = 0; i < count; ++i)
+        at[i] = {static_cast<std::int32_t>(x[i]), static_cast<std::int32_t>(y[i]),
+                 static_cast<std::uint32_t>(static_cast<std::int64_t>(z[i]))};
+}
+
+HWY_INLINE float component_of(const vec3& p, int c) { return p[c]; }
+HWY_INLINE double component_of(const ClipPosition& p, int c) { return p.clip[c]; }
+/// Component c of up to a vector of points; the first's again where there are no more.
+template <class Point>
+HWY_INLINE V64 component(std::span<const Point> points, int c) {
+    alignas(64) double values[most_lanes];
+    for (std::size_t i = 0; i < hn::Lanes(D64()); ++i)
+        values[i] = component_of(points[i < points.size() ? i : 0], c);
+    return hn::Load(D64(), values);
+}
+
+void project_all(const Projection& p, const ProjectedVertices& v) {
+    const D64 d;
+    const dmat4& m = p.clip_from_object;
+    alignas(64) std::uint64_t codes[most_lanes];
+    alignas(64) double w[most_lanes];
+    for (std::size_t first = 0; first < v.positions.size(); first += hn::Lanes(d)) {
+        const std::size_t count = HWY_MIN(hn::Lanes(d), v.positions.size() - first);
+        const auto points = v.positions.subspan(first, count);
+        const Vec3 at{component(points, 0), component(points, 1), component(points, 2)};
+        const ClipLanes c{row(m, 0, at), row(m, 1, at), row(m, 2, at), row(m, 3, at)};
+        const auto outside = outcodes(p, at, c);
+        const auto drawable = hn::RebindMask(d, hn::Eq(outside, hn::Zero(U64())));
+        hn::Store(outside, U64(), codes);
+        hn::Store(hn::IfThenElse(drawable, c.w, all(1)), d, w);
+        put_window(p, c, v.at + first, count);
+        for (std::size_t i = 0; i < count; ++i) {
+            v.outcode[first + i] = static_cast<Outcode>(codes[i]);
+            v.w[first + i] = w[i];
+        }
+    }
+}
+
+void window_all(const Projection& p, std::span<const ClipPosition> vertices, SnappedVertex* at) {
+    for (std::size_t first = 0; first < vertices.size(); first += hn::Lanes(D64())) {
+        const auto points = vertices.subspan(first, HWY_MIN(hn::Lanes(D64()), vertices.size() - first));
+        put_window(p,
+                   {component(points, 0), component(points, 1), component(points, 2), component(points, 3)},
+                   at + first, points.size());
+    }
+}
+
+#else  // no vectors of doubles here
+
+Outcode outcode_of(const ClipPosition& v, const ViewportTransform& viewport) {
+    const dvec4& c = v.clip;
+    for (int i = 0; i < 4; ++i)
+        if (!std::isfinite(c[i])) return not_finite;
+    Outcode code = c.w > 0 ? 0 : not_in_front;
+    for (int plane = 0; plane < clip_plane_count; ++plane)
+        if (!(clip_distance(v, plane, viewport) >= 0)) code |= Outcode{1} << plane;
+    return code;
+}
+
+SnappedVertex snapped(const Projection& p, const ClipPosition& v) {
+    const WindowVertex at = gw::to_window(v, p.viewport, p.depth_range, p.profile);
+    return {std::int32_t(at.x), std::int32_t(at.y), at.z};
+}
+
+void project_all(const Projection& p, const ProjectedVertices& v) {
+    for (std::size_t i = 0; i < v.positions.size(); ++i) {
+        ClipPosition at;
+        place_position(p, v.positions[i], at);
+        v.outcode[i] = outcode_of(at, p.viewport);
+        v.w[i] = 1;
+        if (v.outcode[i] != 0) continue;
+        v.at[i] = snapped(p, at);
+        v.w[i] = at.clip.w;
+    }
+}
+
+void window_all(const Projection& p, std::span<const ClipPosition> vertices, SnappedVertex* at) {
+    for (std::size_t i = 0; i < vertices.size(); ++i) at[i] = snapped(p, vertices[i]);
+}
+
+#endif
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gw::fast {
+
+HWY_EXPORT(project_all);
+HWY_EXPORT(window_all);
+
+void project(const Projection& projection, const ProjectedVertices& vertices) {
+    HWY_DYNAMIC_DISPATCH(project_all)(projection, vertices);
+}
+
+void to_window(const Projection& projection, std::span<const ClipPosition> vertices, SnappedVertex* at) {
+    HWY_DYNAMIC_DISPATCH(window_all)(projection, vertices, at);
+}
+
+}  // namespace gw::fast
+#endif  // HWY_ONCE

@@ -1,0 +1,56 @@
+// Many vertices to the window at once: transform, classify, divide, snap, in vectors of doubles.
+// docs/manual.md, "Vertices", "Window coordinates"; scalar twins: gw/stages/vertex.cpp, gw/stages/window.h. Does not clip.
+#pragma once
+
+#include "gw/stages/clip.h"
+#include "gw/stages/window.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace gw::fast {
+
+/// What takes positions to the window.
+struct Projection {
+    dmat4 clip_from_object{1}, eye_from_object{1};
+    ViewportTransform viewport;
+    DepthRangeState depth_range;
+    std::array<ClipPlane, max_clip_planes> clip_planes{};
+    Profile profile;
+};
+
+/// The position part of run_vertex().
+inline void place_position(const Projection& projection, const vec3& position, ClipPosition& v) {
+    const dvec4 p_object(dvec3(position), 1);
+    v.clip = transform(projection.clip_from_object, p_object);
+    for (std::size_t k = 0; k < max_clip_planes; ++k)
+        if (projection.clip_planes[k].enable)
+            v.distance[k] =
+                dot4(projection.clip_planes[k].plane, transform(projection.eye_from_object, p_object));
+}
+
+/// Bit per clip plane that a vertex is outside of; the high bits reject it whatever the planes say. A vertex
+/// that is not finite has that bit alone.
+using Outcode = std::uint32_t;
+inline constexpr Outcode not_finite = 1u << 30, not_in_front = 1u << 31;
+
+/// A vertex in the window: sub-pixels and depth units, together in memory.
+struct alignas(16) SnappedVertex {
+    std::int32_t x = 0, y = 0;
+    std::uint32_t z = 0;
+};
+
+/// Vertices of a mesh. Where the outcode is not 0, `at` is of no meaning and w is 1.
+struct ProjectedVertices {
+    std::span<const vec3> positions;
+    Outcode* outcode;
+    SnappedVertex* at;
+    double* w;
+};
+void project(const Projection& projection, const ProjectedVertices& vertices);
+
+/// Vertices that no plane cuts.
+void to_window(const Projection& projection, std::span<const ClipPosition> vertices, SnappedVertex* at);
+
+}  // namespace gw::fast

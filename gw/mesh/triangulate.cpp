@@ -1,0 +1,93 @@
+#include "gw/mesh/triangulate.h"
+
+#include "gw/mesh/ear_clipper.h"
+#include "gw/mesh/orient.h"
+
+#include <glm/common.hpp>
+
+namespace gw {
+namespace {
+
+// Newell's normal and the sum of its terms' magnitudes, which still tells the plane where the normal is zero.
+struct Newell {
+    dvec3 normal{0}, magnitude{0};
+};
+
+Newell newell(std::span<const vec3> corners) {
+    Newell sum;
+    const dvec3 origin = corners[0];
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        const dvec3 a = dvec3(corners[i]) - origin, b = dvec3(corners[i + 1]) - origin;
+        const dvec3 term{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+        sum.normal += term;
+        sum.magnitude += glm::abs(term);
+    }
+    return sum;
+}
+
+// The largest component; z, then y, where components are equal.
+int main_axis(const dvec3& v) {
+    if (v.z >= v.x && v.z >= v.y) return 2;
+    return v.y >= v.x ? 1 : 0;
+}
+
+bool rightward(vec2 a, vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+
+// Turns left or goes straight at every corner, and round only once: x and then y grows in one run of sides.
+bool convex(std::span<const vec2> corners) {
+    const std::size_t n = corners.size();
+    int reversals = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const vec2 &a = corners[i], &b = corners[(i + 1) % n], &c = corners[(i + 2) % n];
+        if (a == b || orient(a, b, c) < 0) return false;
+        reversals += rightward(a, b) != rightward(b, c);
+    }
+    return reversals == 2;
+}
+
+bool fan_has_area(std::span<const vec2> corners) {
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+        if (orient(corners[0], corners[i], corners[i + 1]) <= 0) return false;
+    return true;
+}
+
+std::vector<PolygonTriangle> fan(std::uint32_t n) {
+    std::vector<PolygonTriangle> triangles;
+    triangles.reserve(n - 2);
+    for (std::uint32_t i = 1; i + 1 < n; ++i) triangles.push_back({{0, i, i + 1}});
+    return triangles;
+}
+
+void flag_sides(std::vector<PolygonTriangle>& triangles, std::uint32_t n) {
+    for (PolygonTriangle& t : triangles)
+        for (unsigned k = 0; k < 3; ++k)
+            if ((t.corner[k] + 1) % n == t.corner[(k + 1) % 3]) t.edges |= static_cast<std::uint8_t>(1u << k);
+}
+
+}  // namespace
+
+std::vector<vec2> project_polygon(std::span<const vec3> corners) {
+    const auto [normal, magnitude] = newell(corners);
+    const int axis = main_axis(normal == dvec3(0) ? magnitude : glm::abs(normal));
+    const bool flip = normal[axis] < 0;
+    const int first = flip ? (axis + 2) % 3 : (axis + 1) % 3;
+    const int second = flip ? (axis + 1) % 3 : (axis + 2) % 3;
+    std::vector<vec2> points;
+    points.reserve(corners.size());
+    for (const vec3& p : corners) points.emplace_back(p[first], p[second]);
+    return points;
+}
+
+std::vector<PolygonTriangle> triangulate(std::span<const vec2> corners) {
+    const auto n = static_cast<std::uint32_t>(corners.size());
+    const bool simple = n == 3 || (convex(corners) && fan_has_area(corners));
+    std::vector<PolygonTriangle> triangles = simple ? fan(n) : clip_ears(corners);
+    flag_sides(triangles, n);
+    return triangles;
+}
+
+std::vector<PolygonTriangle> triangulate(std::span<const vec3> corners) {
+    return triangulate(std::span<const vec2>(project_polygon(corners)));
+}
+
+}  // namespace gw

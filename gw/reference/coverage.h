@@ -1,0 +1,48 @@
+// Snapped primitives and the pixels they cover. docs/manual.md, "Coverage".
+// Does not interpolate, texture or test.
+#pragma once
+
+#include "gw/base/types.h"
+#include "gw/stages/window.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+namespace gw::reference {
+
+/// Canonical: counter-clockwise (y up), vertex 0 has the smallest (y, x). A function of the unordered
+/// vertices.
+struct SnappedTriangle {
+    std::array<std::int64_t, 3> x{}, y{};
+    std::array<std::size_t, 3> source{0, 1, 2};  ///< which given vertex each one is
+    std::int64_t area2 = 0;                      ///< twice the area in square sub-pixels, > 0
+    int subpixel_bits = 3;
+};
+
+struct SnappedLine {
+    std::array<std::int64_t, 2> x{}, y{};  ///< in the line's direction
+    bool x_major = true;                   ///< |dx| >= |dy|
+    int subpixel_bits = 3;
+};
+
+/// Twice the signed area, > 0 where counter-clockwise with y up.
+std::int64_t area2(const WindowVertex& a, const WindowVertex& b, const WindowVertex& c);
+
+/// Precondition: area2 is not 0. The jitter is added after the snap.
+SnappedTriangle snapped_triangle(const std::array<WindowVertex, 3>& v, const JitterState& jitter,
+                                 int subpixel_bits);
+SnappedLine snapped_line(const WindowVertex& a, const WindowVertex& b, const JitterState& jitter,
+                         int subpixel_bits);
+
+using PixelSink = std::function<void(int x, int y)>;
+
+/// Calls `pixel` for each pixel of `box` whose centre is inside, by the top-left rule, rows upwards.
+void cover_triangle(const SnappedTriangle& triangle, const Rect& box, const PixelSink& pixel);
+/// A line of `width` pixels across its minor axis; the last point is left out.
+void cover_line(const SnappedLine& line, int width, const Rect& box, const PixelSink& pixel);
+/// A square of `size` pixels around a snapped point.
+void cover_point(std::int64_t x, std::int64_t y, int size, int subpixel_bits, const Rect& box,
+                 const PixelSink& pixel);
+
+}  // namespace gw::reference

@@ -1,0 +1,191 @@
+// Primitive by primitive, in the mesh's order.
+#include "gw/reference/primitives.h"
+
+#include "gw/stages/fan.h"
+#include "gw/reference/shade.h"
+
+#include <algorithm>
+
+namespace gw::reference {
+namespace {
+
+/// A draw in progress: its context and its transformed vertices.
+struct Drawing {
+    const DrawContext& context;
+    std::vector<Vertex> vertices;
+
+    const State& state() const { return context.state.state; }
+    Counters& counters() const { return *context.target.counters; }
+    int subpixel_bits() const { return context.profile->subpixel_bits; }
+    WindowVertex window(const Vertex& v) const {
+        return to_window(v, context.state.viewport, state().depth_range, *context.profile);
+    }
+};
+
+/// A primitive on its way down: which one, and what its colour comes from.
+struct Source {
+    std::uint32_t primitive = 0;
+    std::uint32_t polygon = 0;
+    std::uint32_t provoking = 0;
+    bool front = true;
+    bool counter_clockwise = true;  ///< the whole polygon, after the snap
+};
+
+std::array<std::int64_t, 4> integers(const std::array<double, 4>& c) {
+    return {std::int64_t(c[0]), std::int64_t(c[1]), std::int64_t(c[2]), std::int64_t(c[3])};
+}
+
+/// R, G, B = the low three bytes of the identifier, whatever color_bits is.
+std::array<std::int64_t, 4> id_color(const Drawing& d, std::uint32_t polygon) {
+    const Draw& draw = *d.context.draw;
+    const std::uint32_t id = (draw.id_base + draw.mesh->polygon_id(polygon)) >> draw.id_shift;
+    return {id & 255, (id >> 8) & 255, (id >> 16) & 255, max_of_bits(d.context.profile->color_bits)};
+}
+
+std::array<std::int64_t, 4> corner_color(const Drawing& d, const Vertex& v, const Source& s) {
+    if (d.state().color_source == ColorSource::PolygonId) return id_color(d, s.polygon);
+    const Vertex& from = d.state().shade_model == ShadeModel::Flat ? d.vertices[s.provoking] : v;
+    return integers(s.front ? from.color : from.back_color);
+}
+
+Corner corner(const Drawing& d, const Vertex& v, const Source& s) {
+    return {d.window(v), v.texcoord, corner_color(d, v, s), v.fog};
+}
+
+Shader shader(const Drawing& d, std::span<const Corner> corners, const PlaneMaker& plane, const Source& s) {
+    const DrawContext& c = d.context;
+    return {c, interpolants(corners, plane, c.state, *c.profile, c.texels != nullptr), s.primitive, s.front};
+}
+
+void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const Source& s) {
+    const std::array<WindowVertex, 3> window{corners[0].window, corners[1].window, corners[2].window};
+    // A piece that the snap has turned over lies inside its neighbours: it makes no fragments.
+    const std::int64_t area = area2(window[0], window[1], window[2]);
+    if (area == 0 || (area > 0) != s.counter_clockwise) return;
+    const SnappedTriangle t = snapped_triangle(window, d.state().jitter, d.subpixel_bits());
+    const auto plane = [&](const std::array<std::int64_t, 3>& a) {
+        return plane_through(t, {a[t.source[0]], a[t.source[1]], a[t.source[2]]});
+    };
+    Shader shade = shader(d, corners, plane, s);
+    shade.set_depth_offset(d.state().polygon_offset);
+    cover_triangle(t, d.context.state.draw_box, [&](int x, int y) { shade.pixel(x, y); });
+}
+
+/// A line's two corners, clipped by itself: which polygon it edges does not matter.
+void draw_line(const Drawing& d, const Vertex& a, const Vertex& b, const Source& s, bool counted) {
+    const Clipped clipped = clip({a, b}, d.context.state.viewport);
+    const bool left = !clipped.vertices.empty();
+    if (counted && !left) d.counters().rejected += 1;
+    if (!left) return;
+    if (counted && clipped.cut) d.counters().clipped += 1;
+    const std::array<Corner, 2> corners{corner(d, clipped.vertices[0], s), corner(d, clipped.vertices[1], s)};
+    const SnappedLine line =
+        snapped_line(corners[0].window, corners[1].window, d.state().jitter, d.subpixel_bits());
+    const bool degenerate = line.x[0] == line.x[1] && line.y[0] == line.y[1];
+    if (counted) (degenerate ? d.counters().degenerate : d.counters().drawn) += 1;
+    if (degenerate) return;
+    const auto plane = [&](const std::array<std::int64_t, 3>& v) { return plane_along(line, v[0], v[1]); };
+    Shader shade = shader(d, corners, plane, s);
+    cover_line(line, d.state().line_width, d.context.state.draw_box,
+               [&](int x, int y) { shade.pixel(x, y); });
+}
+
+void draw_point(const Drawing& d, const Vertex& v, const Source& s, bool counted) {
+    const bool left = !clip({v}, d.context.state.viewport).vertices.empty();
+    if (counted) (left ? d.counters().drawn : d.counters().rejected) += 1;
+    if (!left) return;
+    const std::array<Corner, 1> corners{corner(d, v, s)};
+    const JitterState& j = d.state().jitter;
+    const std::int64_t x = corners[0].window.x + j.x, y = corners[0].window.y + j.y;
+    const auto plane = [&](const std::array<std::int64_t, 3>& a) {
+        PlaneEquation p = plane_constant(a[0], d.subpixel_bits());
+        p.x0 = x;
+        p.y0 = y;
+        return p;
+    };
+    Shader shade = shader(d, corners, plane, s);
+    cover_point(x, y, d.state().point_size, d.subpixel_bits(), d.context.state.draw_box,
+                [&](int i, int k) { shade.pixel(i, k); });
+}
+
+bool is_culled(const CullState& cull, bool front) {
+    return cull.enable && (cull.face == Face::FrontAndBack || (cull.face == Face::Front) == front);
+}
+
+/// The clipped polygon's pieces.
+void fill(const Drawing& d, const std::vector<Vertex>& polygon, const Fan& fan, const Source& s) {
+    const auto at = [&](std::size_t k) { return corner(d, polygon[(fan.first + k) % polygon.size()], s); };
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) fill_piece(d, {at(0), at(k), at(k + 1)}, s);
+}
+
+/// PolygonMode Line and Point: the sides that are edges of the mesh's polygon, unclipped.
+void outline(const Drawing& d, const Triangle& t, const Source& s) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!(t.edges >> k & 1)) continue;
+        const Vertex &a = d.vertices[t.vertex[k]], &b = d.vertices[t.vertex[(k + 1) % 3]];
+        d.state().polygon_mode == PolygonMode::Line ? draw_line(d, a, b, s, false)
+                                                    : draw_point(d, a, s, false);
+    }
+}
+
+/// The polygon's facing, however it was cut, and its pieces.
+Fan fan(const Drawing& d, const std::vector<Vertex>& polygon) {
+    std::vector<SnappedPoint> points;
+    for (const Vertex& v : polygon) {
+        const WindowVertex w = d.window(v);
+        points.push_back({w.x, w.y});
+    }
+    return fan_of(points);
+}
+
+void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal) {
+    Counters& count = d.counters();
+    const Clipped clipped = clip({d.vertices[t.vertex[0]], d.vertices[t.vertex[1]], d.vertices[t.vertex[2]]},
+                                 d.context.state.viewport);
+    if (clipped.vertices.empty()) {
+        count.rejected += 1;
+        return;
+    }
+    count.clipped += clipped.cut ? 1 : 0;
+    const Fan pieces = fan(d, clipped.vertices);
+    const bool front = (pieces.area2 > 0) == (d.state().cull.front == Winding::CCW);
+    if (pieces.area2 == 0) {
+        count.degenerate += 1;
+        return;
+    }
+    if (is_culled(d.state().cull, front)) {
+        count.culled += 1;
+        return;
+    }
+    count.drawn += 1;
+    const Source source{ordinal, t.polygon, t.provoking, front, pieces.area2 > 0};
+    d.state().polygon_mode == PolygonMode::Fill ? fill(d, clipped.vertices, pieces, source)
+                                                : outline(d, t, source);
+}
+
+}  // namespace
+
+void draw_mesh(const DrawContext& context) {
+    const Mesh& mesh = *context.draw->mesh;
+    Drawing d{context, {}};
+    const VertexProgram program = vertex_program(context.state.state, *context.draw, *context.profile);
+    for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) d.vertices.push_back(run_vertex(program, i));
+
+    Counters& count = d.counters();
+    count.draws += 1;
+    count.vertices += mesh.vertex_count();
+    count.primitives += mesh.triangles().size() + mesh.lines().size() + mesh.points().size();
+    std::uint32_t ordinal = 0;
+    for (const Triangle& t : mesh.triangles()) draw_triangle(d, t, ordinal++);
+    for (const auto& line : mesh.lines()) {
+        const Source s{ordinal, ordinal, line[1]};
+        draw_line(d, d.vertices[line[0]], d.vertices[line[1]], s, true);
+        ++ordinal;
+    }
+    for (const std::uint32_t v : mesh.points()) {
+        draw_point(d, d.vertices[v], {ordinal, ordinal, v}, true);
+        ++ordinal;
+    }
+}
+
+}  // namespace gw::reference

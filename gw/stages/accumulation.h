@@ -1,0 +1,43 @@
+// The accumulation buffer's arithmetic: integers in units of the frame buffer, wrapped. docs/manual.md,
+// "Accumulation". Does not loop over pixels.
+#pragma once
+
+#include "gw/base/arithmetic.h"
+#include "gw/command_list.h"
+
+namespace gw {
+
+/// The low `bits` of v as a signed number; `overflow` is set where that changes v.
+constexpr std::int32_t wrap_accum(std::int64_t v, int bits, bool& overflow) {
+    const int unused = 64 - bits;
+    const std::int64_t wrapped = static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << unused) >> unused;
+    overflow = wrapped != v;
+    return static_cast<std::int32_t>(wrapped);
+}
+
+/// Nearest integer to a * v; beyond 2^40 nothing but the overflow matters.
+inline std::int64_t weighted(std::int64_t a, float v) {
+    constexpr double limit = 1099511627776.0;
+    return to_integer(round_even(double(a) * double(v)), -limit, limit);
+}
+
+/// Accum, Load, Add, Mult: the new value of one channel, before it is wrapped.
+inline std::int64_t accumulated(AccumOp op, std::int32_t stored, std::uint16_t color, float v,
+                                int color_bits) {
+    switch (op) {
+        case AccumOp::Accum: return stored + weighted(color, v);
+        case AccumOp::Load: return weighted(color, v);
+        case AccumOp::Add: return stored + weighted(max_of_bits(color_bits), v);
+        case AccumOp::Mult: return weighted(stored, v);
+        case AccumOp::Return: return stored;
+    }
+    return stored;
+}
+
+/// Return: one rounding, then clamped to the colour's range.
+inline std::uint16_t returned(std::int32_t stored, float v, int color_bits) {
+    return static_cast<std::uint16_t>(
+        std::clamp<std::int64_t>(weighted(stored, v), 0, max_of_bits(color_bits)));
+}
+
+}  // namespace gw

@@ -1,0 +1,80 @@
+// Set-up of perspective values.
+#include "gw/stages/perspective.h"
+
+#include "gw/base/arithmetic.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw {
+namespace {
+
+constexpr double unit = 1073741824.0;  // 2^30
+
+double power_of_two(int e) { return std::ldexp(1.0, e); }
+
+/// Least e in [low, high] with 2^e >= v.
+int exponent_above(double v, int low, int high) {
+    int e = low;
+    while (e < high && power_of_two(e) < v) ++e;
+    return e;
+}
+
+float to_float(double v) { return static_cast<float>(v); }
+
+/// float32 of a gradient or value. Only slivers have gradients beyond 2^62: kept there, nothing overflows.
+double slope_factor(double v) { return to_float(bounded(v, 4611686018427387904.0)); }
+
+}  // namespace
+
+std::array<std::int64_t, 3> denominators(std::span<const double> w) {
+    const double w_min = *std::min_element(w.begin(), w.end());
+    std::array<std::int64_t, 3> q{};
+    for (std::size_t i = 0; i < w.size(); ++i) q[i] = to_integer(round_even(unit * (w_min / w[i])), 1, unit);
+    return q;
+}
+
+Numerators numerators(std::span<const double> s, std::span<const double> w, double k, int largest_exponent) {
+    const double w_min = *std::min_element(w.begin(), w.end());
+    Numerators n;
+    n.offset = k;
+    n.exponent = exponent_above(*std::max_element(s.begin(), s.end()) - k, 0, largest_exponent);
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        const double f = clamp01((s[i] - k) / power_of_two(n.exponent));
+        n.at[i] = to_integer(round_even((unit * f) * (w_min / w[i])), 0, unit);
+    }
+    return n;
+}
+
+Projective projective(std::span<const dvec4> strq, std::span<const double> w) {
+    double h = 0;
+    for (std::size_t i = 0; i < w.size(); ++i) h = std::max(h, std::abs(strq[i].w / w[i]));
+    Projective p;
+    if (!(h > 0) || !std::isfinite(h)) return p;  // denominators 0: outside everywhere
+    for (std::size_t i = 0; i < w.size(); ++i)
+        p.denominator[i] = to_integer(round_even(unit * ((strq[i].w / w[i]) / h)), -unit, unit);
+    for (int c = 0; c < 3; ++c) {
+        Numerators& n = p.numerator[std::size_t(c)];
+        double largest = 0;
+        for (std::size_t i = 0; i < w.size(); ++i)
+            largest = std::max(largest, std::abs(strq[i][c] / w[i]) / h);
+        n.exponent = exponent_above(largest, -60, 60);
+        for (std::size_t i = 0; i < w.size(); ++i)
+            n.at[i] = to_integer(round_even(unit * (((strq[i][c] / w[i]) / h) / power_of_two(n.exponent))),
+                                 -unit, unit);
+    }
+    return p;
+}
+
+CoordinateSlope coordinate_slope(const PlaneSlope& u, const PlaneSlope& q) {
+    // float32 factors: their products are exact in double, so each line below rounds once.
+    const double ux = slope_factor(u.gx), uy = slope_factor(u.gy), u0 = slope_factor(u.value);
+    const double qx = slope_factor(q.gx), qy = slope_factor(q.gy), q0 = slope_factor(q.value);
+    return {ux * q0 - u0 * qx, uy * q0 - u0 * qy, to_float((ux * qy - uy * qx) / 65536)};
+}
+
+double CoordinateSlope::at(int dx, int dy) const {
+    return std::max(std::abs(a + double(k) * dy), std::abs(b - double(k) * dx));
+}
+
+}  // namespace gw

@@ -1,0 +1,102 @@
+// Normalising state.
+#include "gw/stages/resolve.h"
+
+#include "gw/base/arithmetic.h"
+#include "gw/stages/fog.h"
+#include "gw/planes.h"
+
+#include <algorithm>
+
+namespace gw {
+
+Rect intersect(const Rect& a, const Rect& b) {
+    // In 64 bits: a rectangle of the user may reach beyond int.
+    const std::int64_t x0 = std::max(a.x, b.x), y0 = std::max(a.y, b.y);
+    const std::int64_t x1 = std::min(std::int64_t{a.x} + a.width, std::int64_t{b.x} + b.width);
+    const std::int64_t y1 = std::min(std::int64_t{a.y} + a.height, std::int64_t{b.y} + b.height);
+    if (x1 <= x0 || y1 <= y0) return {};
+    return {int(x0), int(y0), int(x1 - x0), int(y1 - y0)};
+}
+
+Rgba quantize_color(const vec4& color, int bits) {
+    Rgba out;
+    for (int i = 0; i < 4; ++i) out[std::size_t(i)] = static_cast<std::uint16_t>(quantize(color[i], bits));
+    return out;
+}
+
+namespace {
+
+StencilFace stencil_face(const StencilFace& face, bool test, std::uint32_t max) {
+    if (!test) return {.write_mask = 0};
+    StencilFace out = face;
+    out.mask &= max;
+    out.write_mask &= max;
+    return out;
+}
+
+ViewportTransform viewport_transform(const Rect& v) {
+    return {v.width / 2.0, v.height / 2.0, v.x + v.width / 2.0, v.y + v.height / 2.0};
+}
+
+}  // namespace
+
+Resolved resolve(const State& state, const Profile& profile, int width, int height) {
+    Resolved r;
+    r.state = state;
+    r.bits = profile.color_bits;
+    r.stencil_max = max_of_bits(profile.stencil_bits);
+
+    const Rect window{0, 0, width, height};
+    const ViewportState& v = state.viewport;
+    const Rect viewport = v.width == 0 && v.height == 0 ? window : Rect{v.x, v.y, v.width, v.height};
+    r.pixel_box = state.scissor.test ? intersect(window, state.scissor.box) : window;
+    r.draw_box = intersect(viewport, r.pixel_box);
+    r.viewport = viewport_transform(viewport);
+
+    r.depth_mask = state.depth.mask;
+    if (!state.depth.test) r.state.depth = {.func = DepthFunc::Always, .mask = false};
+    if (!state.alpha.test) r.state.alpha.func = AlphaFunc::Always;
+    r.alpha_ref = quantize(state.alpha.ref, r.bits);
+
+    const StencilState& s = state.stencil;
+    r.front =
+        stencil_face({s.func, s.ref, s.mask, s.fail, s.zfail, s.zpass, s.write_mask}, s.test, r.stencil_max);
+    r.back = s.two_side ? stencil_face(s.back, s.test, r.stencil_max) : r.front;
+
+    r.fog_color = quantize_color(state.fog.color, r.bits);
+    r.env_color = quantize_color(state.texture.env_color, r.bits);
+    r.fragment_fog = fog_is_per_fragment(state.fog, profile);
+    const ColorMask& m = state.color_mask;
+    r.writes_color = m.r || m.g || m.b || m.a;
+    return r;
+}
+
+std::uint64_t plane_bytes(int plane, const Profile& profile) {
+    const auto whole = [](int bits) { return static_cast<std::uint64_t>((bits + 7) / 8); };
+    switch (static_cast<Plane>(plane)) {
+        case Plane::Color: return 4 * whole(profile.color_bits);
+        case Plane::Depth: return whole(profile.depth_bits);
+        case Plane::Stencil: return 1;
+        case Plane::Accum: return 4 * whole(profile.accum_bits);
+    }
+    return 0;
+}
+
+FragmentBytes fragment_bytes(const Resolved& r, const Profile& profile) {
+    const auto bytes = [&](Plane plane) { return plane_bytes(static_cast<int>(plane), profile); };
+    const auto writes = [](const StencilFace& f) {
+        return f.write_mask != 0 &&
+               (f.fail != StencilOp::Keep || f.zfail != StencilOp::Keep || f.zpass != StencilOp::Keep);
+    };
+    const ColorMask& m = r.state.color_mask;
+    const bool reads_color = r.writes_color && (r.state.blend.enable || !(m.r && m.g && m.b && m.a));
+    FragmentBytes b;
+    if (r.state.stencil.test)
+        b.after_alpha = bytes(Plane::Stencil) * (writes(r.front) || writes(r.back) ? 2 : 1);
+    if (r.state.depth.func != DepthFunc::Always) b.after_stencil = bytes(Plane::Depth);
+    if (r.state.depth.mask) b.written += bytes(Plane::Depth);
+    if (r.writes_color) b.written += bytes(Plane::Color) * (reads_color ? 2 : 1);
+    return b;
+}
+
+}  // namespace gw

@@ -1,0 +1,51 @@
+// State normalised once per draw, so that the fragment stages stop asking. docs/manual.md, "State".
+// Does not change what a state means: a test that is off becomes one that always passes and writes nothing.
+#pragma once
+
+#include "gw/stages/clip.h"
+#include "gw/profile.h"
+#include "gw/state.h"
+
+namespace gw {
+
+struct Resolved {
+    State state;     ///< with depth, stencil and alpha tests normalised
+    int bits = 8;    ///< of a colour channel
+    Rect pixel_box;  ///< scissor and window: where pixels may change
+    Rect draw_box;   ///< ... and viewport: where primitives make fragments
+    ViewportTransform viewport;
+    StencilFace front, back;  ///< masks cut to stencil_bits; Always and Keep where the test is off
+    std::uint32_t stencil_max = 255;
+    std::uint32_t alpha_ref = 0;
+    Rgba fog_color{}, env_color{};
+    bool fragment_fog = false;
+    bool writes_color = true;  ///< some channel is
+    bool depth_mask = true;    ///< as given: for clears and pixel rectangles, which no depth test guards
+};
+
+Resolved resolve(const State& state, const Profile& profile, int width, int height);
+
+/// Whether a face's operations leave every stencil value as it is.
+inline bool keeps(const StencilFace& f) {
+    return f.write_mask == 0 ||
+           (f.fail == StencilOp::Keep && f.zfail == StencilOp::Keep && f.zpass == StencilOp::Keep);
+}
+
+/// An empty intersection has width or height 0.
+Rect intersect(const Rect& a, const Rect& b);
+
+/// A colour as plane values: clamped, times 2^bits - 1, to nearest.
+Rgba quantize_color(const vec4& color, int bits);
+
+/// Bytes one fragment moves, by the manual's model; totals are linear in the kill counters.
+struct FragmentBytes {
+    std::uint64_t after_alpha = 0;    ///< stencil read and write
+    std::uint64_t after_stencil = 0;  ///< depth read
+    std::uint64_t written = 0;        ///< depth write, colour read and write
+};
+FragmentBytes fragment_bytes(const Resolved& resolved, const Profile& profile);
+
+/// Bytes of one pixel of a plane.
+std::uint64_t plane_bytes(int plane, const Profile& profile);
+
+}  // namespace gw

@@ -1,0 +1,124 @@
+// The tables of the fragment operations, each written once, in the specification's polarity.
+// docs/manual.md, "Alpha, stencil and depth tests", "Blending". Does not decide when a table applies.
+#pragma once
+
+#include "gw/base/arithmetic.h"
+#include "gw/state.h"
+#include "gw/base/types.h"
+
+#include <array>
+#include <cstdint>
+
+namespace gw {
+
+/// [GL11] 4.1.3 to 4.1.5: the incoming value (fragment, reference) `func` the stored one (plane; alpha:
+/// reference).
+constexpr bool compare(CompareFunc func, std::uint32_t incoming, std::uint32_t stored) {
+    switch (func) {
+        case CompareFunc::Never: return false;
+        case CompareFunc::Less: return incoming < stored;
+        case CompareFunc::Equal: return incoming == stored;
+        case CompareFunc::LEqual: return incoming <= stored;
+        case CompareFunc::Greater: return incoming > stored;
+        case CompareFunc::NotEqual: return incoming != stored;
+        case CompareFunc::GEqual: return incoming >= stored;
+        case CompareFunc::Always: return true;
+    }
+    return false;
+}
+
+/// [GL11] 4.1.4: the new stencil value, before the write mask; `max` is 2^stencil_bits - 1.
+constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::uint32_t ref,
+                                       std::uint32_t max) {
+    switch (op) {
+        case StencilOp::Keep: return stored;
+        case StencilOp::Zero: return 0;
+        case StencilOp::Replace: return ref & max;
+        case StencilOp::Incr: return stored < max ? stored + 1 : max;
+        case StencilOp::Decr: return stored > 0 ? stored - 1 : 0;
+        case StencilOp::Invert: return ~stored & max;
+        case StencilOp::IncrWrap: return (stored + 1) & max;
+        case StencilOp::DecrWrap: return (stored - 1) & max;
+    }
+    return stored;
+}
+
+/// [GL11] 4.1.6, tables 4.1 and 4.2: the factor of channel `c` (3 is alpha); 1.0 is `max`.
+constexpr std::uint32_t blend_factor(BlendFactor factor, const Rgba& src, const Rgba& dst, int c,
+                                     std::uint32_t max) {
+    const auto i = static_cast<std::size_t>(c);
+    switch (factor) {
+        case BlendFactor::Zero: return 0;
+        case BlendFactor::One: return max;
+        case BlendFactor::SrcColor: return src[i];
+        case BlendFactor::OneMinusSrcColor: return max - src[i];
+        case BlendFactor::DstColor: return dst[i];
+        case BlendFactor::OneMinusDstColor: return max - dst[i];
+        case BlendFactor::SrcAlpha: return src[3];
+        case BlendFactor::OneMinusSrcAlpha: return max - src[3];
+        case BlendFactor::DstAlpha: return dst[3];
+        case BlendFactor::OneMinusDstAlpha: return max - dst[3];
+        case BlendFactor::SrcAlphaSaturate:
+            return c == 3 ? max : std::min<std::uint32_t>(src[3], max - dst[3]);
+    }
+    return 0;
+}
+
+/// Two roundings and a saturating sum: what 16-bit lanes hold, and One/One adds exactly.
+constexpr Rgba blend(const BlendState& state, const Rgba& src, const Rgba& dst, int bits) {
+    const std::uint32_t max = max_of_bits(bits);
+    Rgba out{};
+    for (int c = 0; c < 4; ++c) {
+        const auto i = static_cast<std::size_t>(c);
+        const std::uint32_t s = mul(src[i], blend_factor(state.src, src, dst, c, max), bits);
+        const std::uint32_t d = mul(dst[i], blend_factor(state.dst, src, dst, c, max), bits);
+        out[i] = static_cast<std::uint16_t>(std::min(max, s + d));
+    }
+    return out;
+}
+
+/// [GL11] table 3.11 for RGBA textures: `f` the fragment's colour, `t` the texture's, `env` the constant.
+constexpr Rgba texture_environment(TexEnv mode, const Rgba& f, const Rgba& t, const Rgba& env, int bits) {
+    const std::uint32_t max = max_of_bits(bits);
+    Rgba out = f;
+    for (std::size_t i = 0; i < 4; ++i) {
+        std::uint32_t v = f[i];
+        switch (mode) {
+            case TexEnv::Modulate: v = mul(f[i], t[i], bits); break;
+            case TexEnv::Decal:
+                v = i == 3 ? f[3] : mul(f[i], max - t[3], bits) + mul(t[i], t[3], bits);
+                break;
+            case TexEnv::Blend:
+                v = i == 3 ? mul(f[3], t[3], bits) : mul(f[i], max - t[i], bits) + mul(env[i], t[i], bits);
+                break;
+            case TexEnv::Replace: v = t[i]; break;
+        }
+        out[i] = static_cast<std::uint16_t>(v);
+    }
+    return out;
+}
+
+/// Fog factor `f` blends R, G, B towards the fog's colour: black fog plus fogged black is exactly one-pass
+/// fog [K3.5].
+constexpr Rgba apply_fog(const Rgba& color, std::uint32_t f, const Rgba& fog, int bits) {
+    const std::uint32_t max = max_of_bits(bits);
+    Rgba out = color;
+    for (std::size_t i = 0; i < 3; ++i)
+        out[i] = static_cast<std::uint16_t>(mul(f, color[i], bits) + mul(max - f, fog[i], bits));
+    return out;
+}
+
+/// Look-ups of a filter for one texel value.
+constexpr int texel_count(MinFilter filter) {
+    switch (filter) {
+        case MinFilter::Nearest: return 1;
+        case MinFilter::Linear: return 4;
+        case MinFilter::NearestMipmapNearest: return 1;
+        case MinFilter::LinearMipmapNearest: return 4;
+        case MinFilter::NearestMipmapLinear: return 2;
+        case MinFilter::LinearMipmapLinear: return 8;
+    }
+    return 1;
+}
+
+}  // namespace gw

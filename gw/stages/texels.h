@@ -1,0 +1,75 @@
+// A texture in the machine's own bits, its addressing and filters on integers. docs/manual.md, "Textures".
+// Does not interpolate coordinates: each machine does.
+#pragma once
+
+#include "gw/state.h"
+#include "gw/texture.h"
+#include "gw/base/types.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace gw {
+
+struct TexelLevel {
+    int width = 1, height = 1, log2_width = 0, log2_height = 0;
+    std::vector<Rgba> texels;  ///< of color_bits
+    const Rgba& at(int i, int j) const {
+        return texels[static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(i)];
+    }
+};
+
+/// What a draw looks up: colours, or depths for shadow_compare.
+struct Texels {
+    int bits = 8;
+    std::vector<TexelLevel> levels;
+    std::vector<std::uint32_t> depths;  ///< of a depth slot, as large as level 0; else empty
+};
+
+/// Levels rounded from 16 bits to `bits`.
+Texels make_texels(const Texture& texture, int bits);
+
+/// A texel index folded into 0 .. size - 1.
+constexpr int wrap_index(Wrap wrap, int i, int size) {
+    return wrap == Wrap::Repeat ? i & (size - 1) : i < 0 ? 0 : i < size ? i : size - 1;
+}
+
+/// Bilinear mean of a b (lower row) and c d (upper row), weights wx, wy in 0 .. 255 of 256.
+std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t wx,
+                       std::uint32_t wy, int bits);
+
+/// The texel nearest to u, v (1/256 texels, texel i is [256 i, 256 i + 256)), or the mean of the four around
+/// it.
+Rgba lookup(const TexelLevel& level, bool linear, Wrap wrap_s, Wrap wrap_t, int u, int v, int bits);
+
+/// The mean of two levels, weight f in 0 .. 255 of 256 for `b`.
+Rgba between_levels(const Rgba& a, const Rgba& b, std::uint32_t f);
+
+/// By the high 8 bits of rho's mantissa: 256ths of a level, round(256 log2(1 + i / 256)), at most 255.
+const std::array<std::uint32_t, 256>& mantissa_levels();
+
+/// Which levels a minification by the factor rho (texels per pixel, >= 0) looks at. [GL11] 3.8.1
+struct LevelChoice {
+    bool magnify = false;
+    int level = 0;             ///< first level
+    int next = 0;              ///< second level of a mipmap-linear filter
+    std::uint32_t weight = 0;  ///< of `next`, 0 .. 255
+};
+LevelChoice choose_level(const TextureState& state, float rho, int level_count);
+
+/// Whether the filter for this side mixes four texels of a level.
+constexpr bool is_linear(const TextureState& s, bool magnify) {
+    if (magnify) return s.mag_filter == MagFilter::Linear;
+    return s.min_filter == MinFilter::Linear || s.min_filter == MinFilter::LinearMipmapNearest ||
+           s.min_filter == MinFilter::LinearMipmapLinear;
+}
+
+/// Whether a filter needs rho at all.
+constexpr bool needs_rho(const TextureState& s) {
+    return !(s.min_filter == MinFilter::Linear && s.mag_filter == MagFilter::Linear) &&
+           !(s.min_filter == MinFilter::Nearest && s.mag_filter == MagFilter::Nearest);
+}
+
+}  // namespace gw

@@ -1,0 +1,65 @@
+// The vertex stages: transform, lighting, texture coordinates and fog at one vertex. docs/manual.md,
+// "Vertices". Does not clip, divide or snap. All in double, in the order of operations written here; no libm.
+#pragma once
+
+#include "gw/command_list.h"
+#include "gw/profile.h"
+#include "gw/base/types.h"
+
+#include <array>
+#include <cmath>
+
+namespace gw {
+
+/// What decides where a vertex is clipped.
+struct ClipPosition {
+    dvec4 clip{0};                                   ///< clip coordinates
+    std::array<double, max_clip_planes> distance{};  ///< to the user clip planes that are enabled
+};
+
+/// A vertex after the vertex stages, before clipping.
+struct Vertex : ClipPosition {
+    dvec4 texcoord{0, 0, 0, 1};          ///< s, t, r, q
+    std::array<double, 4> color{};       ///< integers 0 .. 2^color_bits - 1
+    std::array<double, 4> back_color{};  ///< of a back face, where lighting.two_side
+    double fog =
+        0;  ///< factor 0 .. 2^color_bits - 1 (fog at the vertex) or coordinate >= 0 in units of the fog table
+};
+
+/// Texture coordinates and the fog distance are kept within this (2^200): no later sum or product overflows.
+inline constexpr double largest_coordinate = 0x1p200;
+
+/// What the vertex stages need of a draw, worked out once.
+struct VertexProgram {
+    const State* state = nullptr;
+    const Draw* draw = nullptr;
+    const Profile* profile = nullptr;
+    dmat4 clip_from_object{1};
+    dmat3 normal_eye_from_object{1};  ///< inverse transpose up to a positive factor
+    bool fragment_fog = false;
+    double fog_depth = 1;  ///< eye distance at the end of the fog table
+};
+
+VertexProgram vertex_program(const State& state, const Draw& draw, const Profile& profile);
+
+/// Runs the vertex stages on vertex `index` of the draw's mesh.
+Vertex run_vertex(const VertexProgram& program, std::uint32_t index);
+
+/// The fog value of a vertex at this z in eye space: see Vertex::fog.
+double fog_of(const VertexProgram& program, double z_eye);
+
+/// m * v, each component ((m0 x + m1 y) + (m2 z + m3 w)).
+inline dvec4 transform(const dmat4& m, const dvec4& v) {
+    dvec4 out;
+    for (int i = 0; i < 4; ++i) out[i] = (m[0][i] * v.x + m[1][i] * v.y) + (m[2][i] * v.z + m[3][i] * v.w);
+    return out;
+}
+/// The product whose columns are transform(a, column of b).
+dmat4 product(const dmat4& a, const dmat4& b);
+/// v / |v|; the zero vector stays.
+inline dvec3 normalized(const dvec3& v) {
+    const double length = std::sqrt(dot3(v, v));
+    return length > 0 ? dvec3(v.x / length, v.y / length, v.z / length) : dvec3(0);
+}
+
+}  // namespace gw

@@ -1,0 +1,35 @@
+// From clip coordinates to the window: division, viewport, snap. docs/manual.md, "Window coordinates".
+// Does not clip and does not jitter.
+#pragma once
+
+#include "gw/base/arithmetic.h"
+#include "gw/stages/clip.h"
+
+#include <cstdint>
+
+namespace gw {
+
+/// A snapped vertex: x, y in 1/2^subpixel_bits of a pixel, z in units of the depth plane, w the clip w (> 0).
+struct WindowVertex {
+    std::int64_t x = 0, y = 0;
+    std::uint32_t z = 0;
+    double w = 1;
+};
+
+/// floor(v * 2^s + 1/2), kept inside the guard band.
+inline std::int64_t snap(double v, int subpixel_bits) {
+    const double scale = double(1 << subpixel_bits);
+    return to_integer(std::floor(v * scale + 0.5), guard_low * scale, guard_high * scale - 1);
+}
+
+inline WindowVertex to_window(const ClipPosition& v, const ViewportTransform& viewport,
+                              const DepthRangeState& range, const Profile& profile) {
+    const double w = v.clip.w;
+    const double n = clamp01(range.near_value), f = clamp01(range.far_value);
+    const double z = (v.clip.z / w) * ((f - n) / 2) + (f + n) / 2;
+    return {snap((v.clip.x / w) * viewport.half_width + viewport.center_x, profile.subpixel_bits),
+            snap((v.clip.y / w) * viewport.half_height + viewport.center_y, profile.subpixel_bits),
+            quantize(z, profile.depth_bits), w};
+}
+
+}  // namespace gw

@@ -1,0 +1,61 @@
+// Faces by scan lines, from the top down: which begin at a line, and from where to where each active one
+// reaches on it. One step of integers per edge and line [L7]. Does not sort in x or compare depths.
+#pragma once
+
+#include "hiddensurface/model/face.h"
+#include "hiddensurface/structures/scan_conversion.h"
+
+#include <memory>
+
+namespace gw::hiddensurface {
+
+/// A face's segment of the line: pixels x0 .. x1 - 1, none where x0 >= x1.
+struct ActiveFace {
+    const Face* face = nullptr;
+    int x0 = 0, x1 = 0;
+    bool done = false;                  ///< its last line is past
+    std::vector<EdgeWalk> left, right;  ///< the lowest first
+};
+
+class ActiveFaces {
+public:
+    /// Refers to the faces.
+    ActiveFaces(const std::vector<Face>& faces, const Input& input);
+
+    /// To the line below the last one, the first time the top line: every active face's ends, `done` where it
+    /// has none.
+    void next_line();
+    /// Those that begin at this line. They stay where they are.
+    const std::vector<ActiveFace*>& begun() const { return begun_; }
+    std::uint64_t bytes() const;
+
+private:
+    void step(ActiveFace& active) const;
+
+    int width_ = 0, y_ = 0;
+    std::vector<std::vector<std::unique_ptr<ActiveFace>>> waiting_;  ///< by their first line
+    std::vector<std::unique_ptr<ActiveFace>> active_;
+    std::vector<ActiveFace*> begun_;
+};
+
+/// Sorts a list that was sorted on the line above by exchanges of neighbours, as few as changed places;
+/// `more`, at the end of the list, are new. Counts crossings and swaps.
+template <class T, class Before>
+void sort_again(std::vector<T>& list, std::size_t more, Counts& counts, const Before& before) {
+    counts.sorts += 1;
+    const auto counted = [&](const T& a, const T& b) {
+        counts.crossings += 1;
+        return before(a, b);
+    };
+    const std::size_t old = list.size() - more;
+    for (std::size_t i = 1; i < old; ++i)
+        for (std::size_t k = i; k > 0 && counted(list[k], list[k - 1]); --k) {
+            std::swap(list[k], list[k - 1]);
+            counts.swaps += 1;
+        }
+    const auto middle = list.begin() + std::ptrdiff_t(old);
+    std::stable_sort(middle, list.end(), counted);
+    std::inplace_merge(list.begin(), middle, list.end(), counted);
+}
+
+}  // namespace gw::hiddensurface

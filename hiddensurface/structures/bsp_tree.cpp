@@ -1,0 +1,156 @@
+#include "hiddensurface/structures/bsp_tree.h"
+
+#include "hiddensurface/model/normal.h"
+#include "hiddensurface/model/piece.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+class Builder {
+public:
+    Builder(const std::vector<Polygon>& polygons, std::size_t candidates, const SplitSink& on_split)
+        : polygons_(polygons), candidates_(candidates), on_split_(on_split) {
+        tolerance_ = world_tolerance(polygons);
+    }
+
+    Tree build(const std::vector<std::size_t>& order) {
+        tree_.root = node(pieces_of(polygons_, order));
+        return std::move(tree_);
+    }
+
+private:
+    dvec4 plane(FacetIndex i) const { return unit_plane(polygons_[i.polygon].world_facets[i.facet]); }
+
+    Place place(const TreePiece& piece, const dvec4& cut) {
+        tree_.plane_tests += 1;
+        return place_of(piece, cut, tolerance_);
+    }
+
+    std::size_t best(const std::vector<TreePiece>& pieces) {
+        std::size_t best = 0, fewest = pieces.size();
+        const std::size_t tried = std::min(candidates_, pieces.size());
+        for (std::size_t c = 0; c < tried && tried > 1; ++c) {
+            const std::size_t i = c * pieces.size() / tried;
+            const dvec4 candidate = plane(pieces[i].of);
+            std::size_t splits = 0;
+            for (const TreePiece& piece : pieces) splits += place(piece, candidate) == Place::Both ? 1 : 0;
+            if (splits < fewest) {
+                fewest = splits;
+                best = i;
+            }
+        }
+        return best;
+    }
+
+    std::unique_ptr<TreeNode> node(std::vector<TreePiece> pieces) {
+        if (pieces.empty()) return nullptr;
+        auto out = std::make_unique<TreeNode>();
+        tree_.nodes += 1;
+        const std::size_t first = best(pieces);
+        const FacetIndex by = pieces[first].of;
+        out->plane = plane(by);
+        out->pieces.push_back(std::move(pieces[first]));
+        pieces.erase(pieces.begin() + std::ptrdiff_t(first));
+        std::vector<TreePiece> front, back;
+        for (TreePiece& piece : pieces) sort_in(std::move(piece), by, *out, front, back);
+        tree_.pieces += out->pieces.size();
+        pieces = std::vector<TreePiece>();  // = {} would keep the memory, at every level
+        out->front = node(std::move(front));
+        out->back = node(std::move(back));
+        return out;
+    }
+
+    void sort_in(TreePiece piece, FacetIndex by, TreeNode& at, std::vector<TreePiece>& front,
+                 std::vector<TreePiece>& back) {
+        switch (place(piece, at.plane)) {
+            case Place::On: at.pieces.push_back(std::move(piece)); return;
+            case Place::Front: front.push_back(std::move(piece)); return;
+            case Place::Back: back.push_back(std::move(piece)); return;
+            case Place::Both: break;
+        }
+        auto [behind, before] = cut_piece(piece, by, at.plane);
+        tree_.splits += 1;
+        if (on_split_) on_split_(piece, by, behind.parts, before.parts);
+        front.push_back(std::move(before));
+        back.push_back(std::move(behind));
+    }
+
+    const std::vector<Polygon>& polygons_;
+    std::size_t candidates_;
+    const SplitSink& on_split_;
+    double tolerance_ = 0;
+    Tree tree_;
+};
+
+std::uint64_t walk(const TreeNode* node, const dvec4& eye,
+                   const std::function<void(const TreePiece&)>& visit) {
+    if (!node) return 0;
+    const bool in_front = dot4(node->plane, eye) >= 0;
+    std::uint64_t compared = 1 + walk((in_front ? node->back : node->front).get(), eye, visit);
+    // Of pieces in one plane the first is drawn last and stays, as in a Z-buffer that keeps z < Z.
+    for (auto piece = node->pieces.rbegin(); piece != node->pieces.rend(); ++piece) visit(*piece);
+    compared += walk((in_front ? node->front : node->back).get(), eye, visit);
+    return compared;
+}
+
+}  // namespace
+
+Place place_of(const TreePiece& piece, const dvec4& plane, double tolerance) {
+    bool front = false, back = false;
+    for (const Loop& part : piece.parts)
+        for (const dvec3& p : part) {
+            front = front || side(plane, p) > tolerance;
+            back = back || side(plane, p) < -tolerance;
+        }
+    return front && back ? Place::Both : front ? Place::Front : back ? Place::Back : Place::On;
+}
+
+std::pair<TreePiece, TreePiece> cut_piece(const TreePiece& piece, FacetIndex by, const dvec4& plane) {
+    auto [behind, before] = divide(piece.parts, plane);
+    std::pair<TreePiece, TreePiece> halves{{piece.of, std::move(behind), piece.cuts},
+                                           {piece.of, std::move(before), piece.cuts}};
+    halves.first.cuts.emplace_back(by, false);
+    halves.second.cuts.emplace_back(by, true);
+    return halves;
+}
+
+std::vector<TreePiece> pieces_of(const std::vector<Polygon>& polygons,
+                                 const std::vector<std::size_t>& order) {
+    std::vector<TreePiece> pieces;
+    for (const std::size_t i : order)
+        for (std::size_t k = 0; k < polygons[i].world_facets.size(); ++k)
+            if (const WorldFacet& facet = polygons[i].world_facets[k]; unit_plane(facet) != dvec4(0))
+                pieces.push_back({{i, k}, facet.parts, {}});
+    return pieces;
+}
+
+dvec4 unit_plane(const WorldFacet& facet) {
+    dvec3 n(0);
+    for (const Loop& part : facet.parts) n += polygon_normal(part);
+    const double length = std::sqrt(dot3(n, n));
+    return length > 0 ? plane_of(n / length, facet.parts[0][0]) : dvec4(0);
+}
+
+double world_tolerance(const std::vector<Polygon>& polygons) {
+    double reach = 0;
+    for (const Polygon& polygon : polygons)
+        for (const dvec3& p : polygon.world)
+            reach = std::max({reach, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return reach * 1e-6;
+}
+
+Tree build_tree(const std::vector<Polygon>& polygons, const std::vector<std::size_t>& order,
+                std::size_t candidates, const SplitSink& on_split) {
+    return Builder(polygons, candidates, on_split).build(order);
+}
+
+std::uint64_t far_to_near(const Tree& tree, const dvec4& eye,
+                          const std::function<void(const TreePiece&)>& visit) {
+    return walk(tree.root.get(), eye, visit);
+}
+
+}  // namespace gw::hiddensurface

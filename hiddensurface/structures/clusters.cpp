@@ -1,0 +1,263 @@
+#include "hiddensurface/structures/clusters.h"
+
+#include "hiddensurface/model/normal.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+namespace gw::hiddensurface {
+
+namespace {
+
+constexpr std::size_t largest_cluster = 512;  ///< faces: each is compared with each
+constexpr std::size_t candidates = 16;        ///< planes of faces tried before all of them
+
+/// Whether a piece has points in front of a face's plane and behind it.
+struct Reach {
+    bool front = false, back = false;
+};
+
+class Priorities {
+public:
+    Priorities(const std::vector<TreePiece>& pieces, const std::vector<dvec4>& planes, double tolerance,
+               std::uint64_t& tests)
+        : n_(pieces.size()), reach_(n_ * n_) {
+        for (const dvec4& plane : planes) normals_.push_back(dvec3(plane));
+        for (std::size_t i = 0; i < n_; ++i)
+            for (std::size_t k = 0; k < i; ++k) {
+                tests += 2;
+                reach_[i * n_ + k] = reach_of(place_of(pieces[i], planes[k], tolerance));
+                reach_[k * n_ + i] = reach_of(place_of(pieces[k], planes[i], tolerance));
+                cyclic_ = across(reach_[i * n_ + k]) && across(reach_[k * n_ + i]);
+                if (cyclic_) return;  // they pierce, or would if they were larger
+            }
+    }
+
+    /// None: some sides are in a cycle.
+    std::optional<std::vector<RankedSide>> ranked() const {
+        if (cyclic_) return std::nullopt;
+        std::vector<std::size_t> hiders(2 * n_), priority(2 * n_, 1), free;
+        for (std::size_t a = 0; a < 2 * n_; ++a)
+            for (std::size_t b = 0; b < 2 * n_; ++b) hiders[b] += may_hide(a, b) ? 1 : 0;
+        for (std::size_t a = 0; a < 2 * n_; ++a)
+            if (hiders[a] == 0) free.push_back(a);
+        for (std::size_t next = 0; next < free.size(); ++next) {
+            const std::size_t a = free[next];
+            for (std::size_t b = 0; b < 2 * n_; ++b) {
+                if (!may_hide(a, b)) continue;
+                priority[b] = std::max(priority[b], priority[a] + 1);
+                if (--hiders[b] == 0) free.push_back(b);
+            }
+        }
+        if (free.size() < 2 * n_) return std::nullopt;
+        return in_order(priority);
+    }
+
+    std::vector<RankedSide> in_order(const std::vector<std::size_t>& priority) const {
+        std::vector<RankedSide> sides;
+        for (std::size_t a = 2 * n_; a-- > 0;) sides.push_back({a / 2, a % 2 == 0, priority[a]});
+        std::stable_sort(sides.begin(), sides.end(),
+                         [](const RankedSide& a, const RankedSide& b) { return a.priority > b.priority; });
+        return sides;
+    }
+
+private:
+    static Reach reach_of(Place place) {
+        return {place == Place::Front || place == Place::Both, place == Place::Back || place == Place::Both};
+    }
+    static bool across(const Reach& reach) { return reach.front && reach.back; }
+
+    /// Sides are numbered 2 i (front) and 2 i + 1. From some eye that sees both, a is before b: a has a point
+    /// in front of b's side, and b one behind a's. The line from the one point to the other leads to such an
+    /// eye. In one plane, the scene's first is seen.
+    bool may_hide(std::size_t a, std::size_t b) const {
+        const std::size_t i = a / 2, k = b / 2;
+        if (i == k) return false;
+        const Reach &of_a = reach_[i * n_ + k], &of_b = reach_[k * n_ + i];
+        const bool a_front = a % 2 == 0, b_front = b % 2 == 0;
+        if (!of_a.front && !of_a.back && !of_b.front && !of_b.back)
+            return i < k && (dot3(normals_[i], normals_[k]) > 0) == (a_front == b_front);
+        return (b_front ? of_a.front : of_a.back) && (a_front ? of_b.back : of_b.front);
+    }
+
+    std::size_t n_;
+    std::vector<Reach> reach_;  ///< of piece i at the plane of k: i n + k
+    std::vector<dvec3> normals_;
+    bool cyclic_ = false;  ///< found at once: two faces, each across the other's plane
+};
+
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+struct Separation {
+    dvec4 plane{0};
+    std::optional<FacetIndex> by;  ///< whose plane it is; none: it lies between faces and cuts nothing
+    std::size_t cost = none;
+};
+
+class Builder {
+public:
+    Builder(const std::vector<Polygon>& polygons, const SplitSink& on_split)
+        : polygons_(polygons), on_split_(on_split), tolerance_(world_tolerance(polygons)) {}
+
+    ClusterTree build() {
+        std::vector<std::size_t> order(polygons_.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        tree_.root = node(pieces_of(polygons_, order));
+        return std::move(tree_);
+    }
+
+private:
+    dvec4 plane(const TreePiece& piece) const {
+        return unit_plane(polygons_[piece.of.polygon].world_facets[piece.of.facet]);
+    }
+
+    std::unique_ptr<ClusterNode> node(std::vector<TreePiece> pieces) {
+        auto out = std::make_unique<ClusterNode>();
+        if (pieces.size() <= largest_cluster && make_cluster(pieces, *out)) return out;
+        Separation best = between(pieces);
+        if (best.cost == none) best = by_a_face(pieces);
+        if (best.cost == none) {
+            // Every face has all others behind it: one convex solid, or rounding.
+            if (!make_cluster(pieces, *out)) force_cluster(pieces, *out);
+            return out;
+        }
+        tree_.separations += 1;
+        std::vector<TreePiece> front, back;
+        for (TreePiece& piece : pieces) sort_in(std::move(piece), best, front, back);
+        pieces = std::vector<TreePiece>();  // = {} would keep the memory, at every level
+        out->plane = best.plane;
+        out->front = node(std::move(front));
+        out->back = node(std::move(back));
+        return out;
+    }
+
+    Priorities priorities(const std::vector<TreePiece>& pieces) {
+        std::vector<dvec4> planes;
+        for (const TreePiece& piece : pieces) planes.push_back(plane(piece));
+        return {pieces, planes, tolerance_, tree_.plane_tests};
+    }
+
+    bool make_cluster(std::vector<TreePiece>& pieces, ClusterNode& out) {
+        auto sides = priorities(pieces).ranked();
+        if (!sides) return false;
+        finish(pieces, std::move(*sides), out);
+        return true;
+    }
+
+    void force_cluster(std::vector<TreePiece>& pieces, ClusterNode& out) {
+        tree_.cyclic += 1;
+        finish(pieces, priorities(pieces).in_order(std::vector<std::size_t>(2 * pieces.size(), 1)), out);
+    }
+
+    void finish(std::vector<TreePiece>& pieces, std::vector<RankedSide> sides, ClusterNode& out) {
+        tree_.clusters += 1;
+        tree_.pieces += pieces.size();
+        out.pieces = std::move(pieces);
+        out.sides = std::move(sides);
+    }
+
+    /// A plane across an axis in a gap between faces: the one that leaves most even halves.
+    Separation between(const std::vector<TreePiece>& pieces) {
+        Separation best;
+        for (int axis = 0; axis < 3; ++axis) {
+            std::vector<std::pair<double, double>> reach;
+            for (const TreePiece& piece : pieces) reach.push_back(extent(piece, axis));
+            std::stable_sort(reach.begin(), reach.end());
+            double high = reach[0].second;
+            for (std::size_t i = 1; i < reach.size(); high = std::max(high, reach[i].second), ++i) {
+                tree_.plane_tests += 1;
+                const std::size_t cost = std::max(i, reach.size() - i);
+                if (reach[i].first <= high + 2 * tolerance_ || cost >= best.cost) continue;
+                dvec3 n(0);
+                n[axis] = 1;
+                best = {dvec4(n, -0.5 * (high + reach[i].first)), std::nullopt, cost};
+            }
+        }
+        return best;
+    }
+
+    static std::pair<double, double> extent(const TreePiece& piece, int axis) {
+        std::pair<double, double> reach{piece.parts[0][0][axis], piece.parts[0][0][axis]};
+        for (const Loop& part : piece.parts)
+            for (const dvec3& p : part)
+                reach = {std::min(reach.first, p[axis]), std::max(reach.second, p[axis])};
+        return reach;
+    }
+
+    /// The plane of a face that cuts few others and leaves even halves, of some faces, or where none of these
+    /// divides, of all.
+    Separation by_a_face(const std::vector<TreePiece>& pieces) {
+        Separation best;
+        const std::size_t tried = std::min(candidates, pieces.size());
+        for (std::size_t c = 0; c < tried; ++c) consider(pieces, c * pieces.size() / tried, best);
+        for (std::size_t i = 0; i < pieces.size() && best.cost == none; ++i) consider(pieces, i, best);
+        return best;
+    }
+
+    void consider(const std::vector<TreePiece>& pieces, std::size_t face, Separation& best) {
+        const dvec4 by = plane(pieces[face]);
+        std::size_t front = 0, back = 0, cut = 0;
+        for (const TreePiece& piece : pieces) {
+            const Place place = place_of(piece, by, tolerance_);
+            tree_.plane_tests += 1;
+            front += place == Place::Front ? 1 : 0;
+            cut += place == Place::Both ? 1 : 0;
+            back += place == Place::Back || place == Place::On ? 1 : 0;
+        }
+        const std::size_t cost = 8 * cut + std::max(front, back);
+        if (front + cut > 0 && back + cut > 0 && cost < best.cost) best = {by, pieces[face].of, cost};
+    }
+
+    /// What lies in the plane goes behind: whatever the eye, it is drawn after the far and before the near
+    /// side.
+    void sort_in(TreePiece piece, const Separation& at, std::vector<TreePiece>& front,
+                 std::vector<TreePiece>& back) {
+        tree_.plane_tests += 1;
+        const Place place = place_of(piece, at.plane, tolerance_);
+        if (place != Place::Both) {
+            (place == Place::Front ? front : back).push_back(std::move(piece));
+            return;
+        }
+        auto [behind, before] = cut_piece(piece, at.by.value(), at.plane);
+        tree_.splits += 1;
+        if (on_split_) on_split_(piece, at.by.value(), behind.parts, before.parts);
+        front.push_back(std::move(before));
+        back.push_back(std::move(behind));
+    }
+
+    const std::vector<Polygon>& polygons_;
+    const SplitSink& on_split_;
+    double tolerance_;
+    ClusterTree tree_;
+};
+
+std::uint64_t walk(const ClusterNode& node, const std::vector<Polygon>& polygons, const dvec4& eye,
+                   const std::function<void(const TreePiece&, const RankedSide&)>& visit) {
+    if (node.front) {
+        const bool in_front = dot4(node.plane, eye) >= 0;
+        return 1 + walk(in_front ? *node.back : *node.front, polygons, eye, visit) +
+               walk(in_front ? *node.front : *node.back, polygons, eye, visit);
+    }
+    std::vector<bool> before;
+    for (const TreePiece& piece : node.pieces)
+        before.push_back(dot4(unit_plane(polygons[piece.of.polygon].world_facets[piece.of.facet]), eye) >= 0);
+    for (const RankedSide& side : node.sides)
+        if (side.front == before[side.piece]) visit(node.pieces[side.piece], side);
+    return node.pieces.size();
+}
+
+}  // namespace
+
+ClusterTree build_clusters(const std::vector<Polygon>& polygons, const SplitSink& on_split) {
+    return Builder(polygons, on_split).build();
+}
+
+std::uint64_t far_to_near(const ClusterTree& tree, const std::vector<Polygon>& polygons, const dvec4& eye,
+                          const std::function<void(const TreePiece&, const RankedSide&)>& visit) {
+    return walk(*tree.root, polygons, eye, visit);
+}
+
+}  // namespace gw::hiddensurface

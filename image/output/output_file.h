@@ -1,0 +1,49 @@
+// A file that appears whole or not at all: written under a temporary name beside its target, then renamed.
+// Does not know what is in it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace gw::image {
+
+/// Throws Error where a file of this name cannot be written: no such folder, a folder of that name, no
+/// permission. To be asked before long work.
+void check_target(const std::filesystem::path& target);
+
+/// Between construction and commit the bytes lie in `temporary()`, in the target's folder. Without a commit,
+/// on an exception and on a signal (image/output/temporaries.h) that file is removed and the target is as it was. A
+/// link is followed. A target that is no regular file (a device, a pipe) is written to directly. Throws Error
+/// "out.png: cannot be written: No space left on device".
+class OutputFile {
+public:
+    explicit OutputFile(const std::filesystem::path& target);
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    /// As the user named it.
+    const std::filesystem::path& target() const { return asked_; }
+    /// Empty where the target is written to directly.
+    const std::filesystem::path& temporary() const { return temporary_; }
+    void write(std::span<const std::uint8_t> bytes);
+    void write_text(std::string_view text);
+    void commit();
+
+private:
+    [[noreturn]] void fail(int error) const;
+    void open_temporary();
+    void close();
+
+    std::filesystem::path asked_;
+    std::filesystem::path target_;  ///< links followed
+    std::filesystem::path temporary_;
+    int descriptor_ = -1;
+};
+
+/// A whole file at once.
+void write_file(const std::filesystem::path& target, std::string_view bytes);
+
+}  // namespace gw::image

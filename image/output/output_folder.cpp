@@ -1,0 +1,102 @@
+#include "image/output/output_folder.h"
+
+#include "gw/error.h"
+#include "image/output/temporaries.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+
+namespace gw::image {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void refuse(const fs::path& target, const std::string& why) {
+    throw Error(target.string(), 0, why);
+}
+
+/// Links followed, without a slash at its end.
+fs::path real_target(const fs::path& target) {
+    std::error_code error;
+    if (const fs::path real = fs::canonical(target, error); !error) return real;
+    const fs::path whole = fs::absolute(target).lexically_normal();
+    return whole.has_filename() ? whole : whole.parent_path();
+}
+
+fs::path unused_name(const fs::path& folder) {
+    static std::atomic<unsigned> count = 0;
+    return folder / (".gw-" + std::to_string(::getpid()) + "-folder-" + std::to_string(count++) + ".tmp");
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> known)
+    : asked_(target), target_(real_target(target)), known_(std::move(known)) {
+    const fs::path parent = target_.parent_path();
+    std::error_code error;
+    if (!fs::is_directory(parent, error))
+        refuse(asked_, "cannot be made: folder " + parent.string() + " does not exist; expected one");
+    if (::access(parent.c_str(), W_OK) != 0)
+        refuse(asked_, std::string("cannot be made: ") + std::strerror(errno) +
+                           "; expected a name in a folder that can be written into");
+    check_replaceable();
+    temporary_ = unused_name(parent);
+    register_temporary_tree(temporary_);
+    if (!fs::create_directory(temporary_, error)) {
+        forget_temporary(temporary_);
+        refuse(asked_, "cannot be made: " + error.message());
+    }
+}
+
+OutputFolder::~OutputFolder() {
+    if (temporary_.empty()) return;
+    std::error_code ignored;
+    fs::remove_all(temporary_, ignored);
+    forget_temporary(temporary_);
+}
+
+void OutputFolder::check_replaceable() const {
+    std::error_code error;
+    if (!fs::exists(target_, error)) return;
+    if (!fs::is_directory(target_, error)) refuse(asked_, "is not a folder; expected a name for a new one");
+    std::string stranger;
+    bool empty = true, marked = false;
+    for (const auto& entry : fs::directory_iterator(target_, error)) {
+        const std::string name = entry.path().filename().string();
+        empty = false;
+        marked = marked || name == known_.front();
+        if (std::ranges::find(known_, name) == known_.end()) stranger = name;
+    }
+    if (!empty && (!marked || !stranger.empty()))
+        refuse(asked_, (stranger.empty() ? "has no " + known_.front() + " of this command"
+                                         : "holds " + stranger + ", which is not of this command") +
+                           "; expected a new name, an empty folder or an earlier output to replace");
+    if (error) refuse(asked_, "cannot be read: " + error.message());
+}
+
+void OutputFolder::commit() {
+    std::error_code error;
+    fs::path old;
+    if (fs::exists(target_, error)) {
+        check_replaceable();
+        old = unused_name(target_.parent_path());
+        fs::rename(target_, old, error);
+        if (error) refuse(asked_, "cannot be replaced: " + error.message());
+    }
+    fs::rename(temporary_, target_, error);
+    if (error) {
+        std::error_code ignored;
+        if (!old.empty()) fs::rename(old, target_, ignored);
+        refuse(asked_, "cannot be made: " + error.message());
+    }
+    forget_temporary(temporary_);
+    temporary_.clear();
+    if (!old.empty()) fs::remove_all(old, error);
+}
+
+}  // namespace gw::image

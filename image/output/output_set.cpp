@@ -1,0 +1,64 @@
+#include "image/output/output_set.h"
+
+#include "gw/error.h"
+#include "image/output/temporaries.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace gw::image {
+
+namespace fs = std::filesystem;
+
+OutputSet::~OutputSet() {
+    files_.clear();
+    std::error_code ignored;
+    for (const fs::path& folder : made_) {
+        fs::remove(folder, ignored);
+        forget_temporary(folder);
+    }
+}
+
+void OutputSet::make_folder(const fs::path& folder) {
+    std::error_code error;
+    if (fs::is_directory(folder, error)) {
+        if (::access(folder.c_str(), W_OK) != 0)
+            throw Error(folder.string(), 0,
+                        std::string("folder cannot be written into: ") + std::strerror(errno) +
+                            "; expected one that can");
+        return;
+    }
+    if (fs::exists(folder, error)) {
+        throw Error(folder.string(), 0, "is not a folder; expected one, or a name for a new one");
+    }
+    register_temporary(folder);
+    if (!fs::create_directory(folder, error)) {
+        forget_temporary(folder);
+        throw Error(folder.string(), 0,
+                    "folder cannot be made: " + error.message() +
+                        "; expected a name in a folder that can be written into");
+    }
+    made_.push_back(folder);
+}
+
+OutputFile& OutputSet::add(const fs::path& target) {
+    files_.push_back(std::make_unique<OutputFile>(target));
+    return *files_.back();
+}
+
+std::vector<fs::path> OutputSet::targets() const {
+    std::vector<fs::path> names;
+    for (const auto& file : files_) names.push_back(file->target());
+    return names;
+}
+
+void OutputSet::commit() {
+    for (const auto& file : files_) file->commit();
+    for (const fs::path& folder : made_) forget_temporary(folder);
+    files_.clear();
+    made_.clear();
+}
+
+}  // namespace gw::image

@@ -1,0 +1,90 @@
+#include "inspect/compare/result_difference.h"
+
+#include "inspect/text/plural.h"
+#include "inspect/replay/pixel_report.h"
+#include "inspect/replay/player.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace gw::inspect {
+namespace {
+
+Planes planes_of(const Recording& recording, const MachineMaker& make, std::size_t pass) {
+    const auto machine = make(recording);
+    Player(recording, *machine).play_to(pass_ranges(recording).at(pass).end);
+    return machine->planes();
+}
+
+bool same_event(const PixelEvent& a, const PixelEvent& b) {
+    const auto fragment = [](const PixelEvent& e) {
+        return e.fragment ? std::tuple(e.fragment->color, e.fragment->depth, e.fragment->primitive)
+                          : std::tuple<Rgba, std::uint32_t, std::uint32_t>();
+    };
+    return a.pass_name == b.pass_name && std::string_view(a.command_name) == b.command_name &&
+           a.draw == b.draw && a.fragment.has_value() == b.fragment.has_value() &&
+           fragment(a) == fragment(b) && a.fate == b.fate && a.after == b.after;
+}
+
+std::string event_line(const std::vector<PixelEvent>& events, std::size_t i) {
+    if (i >= events.size()) return "nothing more";
+    const auto rows = history_rows({events[i]});
+    std::string line;
+    for (std::size_t column = 0; column < rows[0].size(); ++column)
+        if (rows[1][column] != "-") line += (column ? ", " : "") + rows[0][column] + " " + rows[1][column];
+    return line;
+}
+
+}  // namespace
+
+ResultDifference located(Finding finding, Planes a, Planes b) {
+    ResultDifference result{std::move(finding), Plane::Color, std::move(a), std::move(b)};
+    for (const Plane plane : planes_in_order) {
+        const auto wrong = wrong_pixels(result.a, result.b, plane);
+        if (wrong.empty()) continue;
+        const auto [x, y, distance] = wrong.front();
+        result.plane = plane;
+        result.finding.what = fmt::format("plane {}, {}, the worst one", name_of(plane),
+                                          counted(wrong.size(), "pixel", "pixels"));
+        result.finding.pixel = ivec2(x, y);
+        result.finding.expected = value_at(result.a, plane, x, y);
+        result.finding.actual = value_at(result.b, plane, x, y);
+        break;
+    }
+    return result;
+}
+
+std::optional<ResultDifference> first_result_difference(const Recording& a, const Recording& b,
+                                                        const MachineMaker& make) {
+    const auto p = reports_of(a, make), q = reports_of(b, make);
+    for (std::size_t i = 0; i < std::min(p.size(), q.size()); ++i) {
+        if (p[i].digests == q[i].digests) continue;
+        Finding finding{.pass = i, .pass_name = p[i].name, .stage = stage_of(p[i].counters, q[i].counters)};
+        return located(std::move(finding), planes_of(a, make, i), planes_of(b, make, i));
+    }
+    return {};
+}
+
+std::string first_event_difference(const Recording& a, const Recording& b, int x, int y) {
+    const auto p = pixel_history(a, x, y), q = pixel_history(b, x, y);
+    std::size_t i = 0;
+    while (i < p.size() && i < q.size() && same_event(p[i], q[i])) ++i;
+    if (i == p.size() && i == q.size()) return "";
+    return "A: " + event_line(p, i) + "\nB: " + event_line(q, i) + "\n";
+}
+
+std::string wrong_pixel_lines(const ResultDifference& d, std::size_t most) {
+    std::string lines;
+    const auto wrong = wrong_pixels(d.a, d.b, d.plane);
+    for (std::size_t i = 0; i < std::min(most, wrong.size()); ++i) {
+        const auto [x, y, distance] = wrong[i];
+        lines += fmt::format("{} {}: {}, {}\n", x, d.a.height - 1 - y, value_at(d.a, d.plane, x, y),
+                             value_at(d.b, d.plane, x, y));
+    }
+    if (wrong.size() > most) lines += fmt::format("... and {} more\n", wrong.size() - most);
+    return lines;
+}
+
+}  // namespace gw::inspect

@@ -1,0 +1,131 @@
+#include "inspect/compare/verify.h"
+
+#include "inspect/text/plural.h"
+#include "inspect/replay/digesting_machine.h"
+#include "inspect/replay/player.h"
+#include "inspect/manifest/profile_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gw::inspect {
+namespace {
+
+std::optional<Finding> head_difference(const Manifest& expected, const Manifest& actual) {
+    const auto differs = [](const char* what, const auto& a, const auto& b) {
+        return Finding{.what = what, .expected = a, .actual = b};
+    };
+    if (expected.profile != actual.profile)
+        return differs("profile", json_of(expected.profile).dump(), json_of(actual.profile).dump());
+    const auto size = [](const Manifest& m) { return fmt::format("{}x{}", m.width, m.height); };
+    if (size(expected) != size(actual)) return differs("window", size(expected), size(actual));
+    return {};
+}
+
+/// Of two lists of fields, the first that is not in both with the same value.
+std::optional<Finding> state_difference(const std::vector<Field>& expected,
+                                        const std::vector<Field>& actual) {
+    const auto value_in = [](const std::vector<Field>& list, const std::string& name) {
+        const auto found =
+            std::find_if(list.begin(), list.end(), [&](const Field& f) { return f.name == name; });
+        return found == list.end() ? std::string("as the pass before") : found->value;
+    };
+    for (const auto* list : {&expected, &actual})
+        for (const Field& field : *list) {
+            const std::string a = value_in(expected, field.name), b = value_in(actual, field.name);
+            if (a != b) return Finding{.what = "state " + field.name, .expected = a, .actual = b};
+        }
+    return {};
+}
+
+/// Of two passes at place `i`.
+std::optional<Finding> pass_difference(const ManifestPass& expected, const ManifestPass& actual,
+                                       std::size_t i) {
+    std::optional<Finding> finding = first_difference(expected.report, actual.report, i);
+    std::optional<Finding> cause = state_difference(expected.state, actual.state);
+    if (!cause && expected.set != actual.set)
+        cause = Finding{.what = "parameter set", .expected = expected.set, .actual = actual.set};
+    if (cause) {
+        cause->pass = i;
+        cause->pass_name = expected.report.name;
+    }
+    if (!finding) return cause;
+    if (cause)
+        finding->notes.push_back(
+            fmt::format("{}: expected {}, got {}", cause->what, cause->expected, cause->actual));
+    return finding;
+}
+
+Planes played(const Recording& recording, const MachineMaker& make, std::size_t pass) {
+    const auto machine = make(recording);
+    Player(recording, *machine).play_to(pass_ranges(recording).at(pass).end);
+    return machine->planes();
+}
+
+bool is_as_said(const Planes& planes, const ManifestPass& pass) {
+    return std::all_of(planes_in_order.begin(), planes_in_order.end(), [&](Plane plane) {
+        return digest(planes, plane) == pass.report.digests[std::size_t(plane)];
+    });
+}
+
+/// Names the first pixel of the finding's plane, both values where they are known.
+void find_pixel(Finding& finding, const std::optional<Planes>& expected, const Planes& actual) {
+    if (!expected) {
+        finding.notes.push_back(
+            "which pixel is not known: there is no file of values beside the manifest that fits it");
+        return;
+    }
+    for (const Plane plane : planes_in_order) {
+        const auto pixel = first_difference(*expected, actual, plane);
+        if (!pixel) continue;
+        finding.what = std::string("plane ") + name_of(plane);
+        finding.pixel = pixel;
+        finding.expected = value_at(*expected, plane, pixel->x, pixel->y);
+        finding.actual = value_at(actual, plane, pixel->x, pixel->y);
+        finding.notes.push_back(counted(wrong_pixels(*expected, actual, plane).size(),
+                                        "pixel of this plane differs", "pixels of this plane differ"));
+        return;
+    }
+}
+
+}  // namespace
+
+Manifest replayed_manifest(const Recording& recording, const MachineMaker& make, ValuesWriter* values) {
+    const auto machine = make(recording);
+    DigestingMachine digesting(*machine);
+    play_by_pass(recording, digesting, [&](std::size_t) {
+        if (values) values->add(machine->planes());
+    });
+    return manifest_of(recording, machine->passes());
+}
+
+std::optional<Finding> first_difference(const Manifest& expected, const Manifest& actual) {
+    if (auto finding = head_difference(expected, actual)) return finding;
+    for (std::size_t i = 0; i < std::min(expected.passes.size(), actual.passes.size()); ++i)
+        if (auto finding = pass_difference(expected.passes[i], actual.passes[i], i)) return finding;
+    if (expected.passes.size() != actual.passes.size())
+        return Finding{.what = "number of passes",
+                       .expected = std::to_string(expected.passes.size()),
+                       .actual = std::to_string(actual.passes.size())};
+    return {};
+}
+
+Verification verify(const Recording& recording, const Manifest& manifest,
+                    std::span<const std::uint8_t> values, const MachineMaker& make,
+                    const MachineMaker& other) {
+    const Manifest actual = replayed_manifest(recording, make, nullptr);
+    Verification v{.finding = first_difference(manifest, actual),
+                   .same_commands = manifest.commands_hash == actual.commands_hash,
+                   .same_scene = manifest.scene_hash == actual.scene_hash};
+    if (!v.finding || !v.finding->pass || !v.finding->what.starts_with("plane ")) return v;
+    const std::size_t pass = *v.finding->pass;
+    v.actual_planes = played(recording, make, pass);
+    Planes expected = values.empty() ? played(recording, other, pass)
+                                     : planes_after(values, recording.width, recording.height, pass);
+    if (is_as_said(expected, manifest.passes[pass])) v.expected_planes = std::move(expected);
+    find_pixel(*v.finding, v.expected_planes, *v.actual_planes);
+    return v;
+}
+
+}  // namespace gw::inspect

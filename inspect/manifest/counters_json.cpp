@@ -1,0 +1,39 @@
+#include "inspect/manifest/counters_json.h"
+
+#include "gw/counter_names.h"
+
+#include <map>
+
+namespace gw::inspect {
+
+nlohmann::ordered_json json_of(const Counters& counters) {
+    nlohmann::ordered_json json;
+    for (const auto& [name, count] : counter_names()) json[name] = counters.*count;
+    return json;
+}
+
+nlohmann::ordered_json totals_json(const std::vector<PassReport>& passes) {
+    struct Total {
+        std::string name;
+        int runs = 0;
+        Counters counters;
+    };
+    std::vector<Total> totals;
+    std::map<std::string, std::size_t> places;
+    Counters sum;
+    for (const PassReport& pass : passes) {
+        const auto [place, is_new] = places.try_emplace(pass.name, totals.size());
+        if (is_new) totals.push_back({pass.name});
+        Total& total = totals[place->second];
+        ++total.runs;
+        total.counters += pass.counters;
+        sum += pass.counters;
+    }
+    auto by_name = nlohmann::ordered_json::array();
+    for (const Total& total : totals)
+        by_name.push_back(
+            {{"name", total.name}, {"runs", total.runs}, {"counters", json_of(total.counters)}});
+    return {{"passes", passes.size()}, {"by_name", by_name}, {"sum", json_of(sum)}};
+}
+
+}  // namespace gw::inspect

@@ -1,0 +1,45 @@
+// What a recording must give, pass by pass: JSON that people read and `gw verify` checks. The schema is in
+// docs/recordings.md. Names neither the machine nor its threads: they make no difference.
+#pragma once
+
+#include "gw/counters.h"
+#include "inspect/recording/recording.h"
+#include "inspect/text/state_fields.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gw::inspect {
+
+struct ManifestPass {
+    std::string set;           ///< the paper's parameter set; "" where the driver added the pass
+    std::vector<Field> state;  ///< what differs from the pass before (of the first: from GL's initial state)
+    PassReport report;         ///< with digests of all planes
+    bool operator==(const ManifestPass&) const = default;
+};
+
+struct Manifest {
+    std::string producer;
+    std::string scene;     ///< the name of the scene's file
+    Digest scene_hash;     ///< of its meshes and maps
+    Digest commands_hash;  ///< of everything that entered the machine
+    std::string renderer;
+    Profile profile;
+    int width = 0, height = 0;
+    std::vector<ManifestPass> passes;
+    std::string values;  ///< the name of the file of planes beside it; "": none
+    bool operator==(const Manifest&) const = default;
+};
+
+inline constexpr int manifest_version = 1;
+
+/// `reports`: of all of its passes, with digests of all planes.
+Manifest manifest_of(const Recording& recording, const std::vector<PassReport>& reports);
+
+/// A line for each pass, so that files compare line by line.
+std::string to_json(const Manifest& manifest);
+/// Throws Error naming the member that is missing or wrong. Unknown members are refused.
+Manifest manifest_from_json(std::string_view text);
+
+}  // namespace gw::inspect

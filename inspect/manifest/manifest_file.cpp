@@ -1,0 +1,40 @@
+#include "inspect/manifest/manifest_file.h"
+
+#include "gw/error.h"
+#include "inspect/recording/read_bytes.h"
+
+namespace gw::inspect {
+
+namespace fs = std::filesystem;
+
+ManifestFile load_manifest(const fs::path& file) {
+    const std::vector<std::uint8_t> bytes = read_bytes(file);
+    ManifestFile result;
+    try {
+        result.manifest = manifest_from_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    } catch (const Error& error) {
+        throw Error(file.string(), 0, error.what());
+    }
+    const std::string& name = result.manifest.values;
+    if (name != fs::path(name).filename())
+        throw Error(file.string(), 0, "'values' is no name of a file beside it");
+    if (!name.empty() && fs::exists(file.parent_path() / name))
+        result.values = read_bytes(file.parent_path() / name);
+    return result;
+}
+
+fs::path values_file(const fs::path& manifest_file) {
+    return fs::path(manifest_file).replace_extension(".values");
+}
+
+ManifestFile replayed_manifest_file(const Recording& recording, const MachineMaker& make,
+                                    const fs::path& file, bool with_values) {
+    if (!with_values) return {replayed_manifest(recording, make, nullptr), {}};
+    ValuesWriter values(recording.width, recording.height);
+    ManifestFile result{replayed_manifest(recording, make, &values), {}};
+    result.manifest.values = values_file(file).filename().string();
+    result.values = values.finish();
+    return result;
+}
+
+}  // namespace gw::inspect

@@ -1,0 +1,133 @@
+#include "inspect/manifest/values.h"
+
+#include "gw/error.h"
+#include "values_generated.h"
+
+#include <fmt/format.h>
+
+namespace gw::inspect {
+namespace {
+
+constexpr std::uint32_t values_version = 1;
+
+template <typename T>
+using Vector = flatbuffers::Vector<T>;
+using Runs = Vector<const gwt::Run*>;
+
+/// The numbers of one pixel.
+std::span<const std::uint32_t> numbers(const std::uint32_t& v) { return {&v, 1}; }
+std::span<const std::uint8_t> numbers(const std::uint8_t& v) { return {&v, 1}; }
+template <typename T>
+std::span<const T> numbers(const std::array<T, 4>& v) {
+    return v;
+}
+std::span<std::uint32_t> numbers(std::uint32_t& v) { return {&v, 1}; }
+std::span<std::uint8_t> numbers(std::uint8_t& v) { return {&v, 1}; }
+template <typename T>
+std::span<T> numbers(std::array<T, 4>& v) {
+    return v;
+}
+
+/// What differs, as runs and the numbers in them.
+template <typename Number>
+struct Changes {
+    std::vector<gwt::Run> runs;
+    std::vector<Number> values;
+};
+template <typename T>
+auto changes(const std::vector<T>& before, const std::vector<T>& now) {
+    Changes<std::remove_cvref_t<decltype(numbers(now[0])[0])>> c;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (now[i] == before[i]) continue;
+        const auto at = static_cast<std::uint32_t>(i);
+        const bool follows = !c.runs.empty() && c.runs.back().first() + c.runs.back().count() == at;
+        if (follows)
+            c.runs.back() = gwt::Run(c.runs.back().first(), c.runs.back().count() + 1);
+        else
+            c.runs.emplace_back(at, 1u);
+        const auto pixel = numbers(now[i]);
+        c.values.insert(c.values.end(), pixel.begin(), pixel.end());
+    }
+    return c;
+}
+
+/// Overwrites the runs' pixels.
+template <typename T, typename Number>
+void apply(const Runs* runs, const Vector<Number>* values, std::vector<T>& plane) {
+    if (!runs) return;
+    std::size_t next = 0;
+    for (const gwt::Run* run : *runs) {
+        const std::size_t first = run->first(), count = run->count();
+        const std::size_t needed = count * numbers(plane[0]).size();
+        if (first > plane.size() || count > plane.size() - first || !values || needed > values->size() - next)
+            throw Error("values outside the planes; expected those that gw wrote");
+        for (std::size_t i = first; i < first + count; ++i)
+            for (auto& number : numbers(plane[i])) number = values->Get(static_cast<unsigned>(next++));
+    }
+}
+
+}  // namespace
+
+struct ValuesWriter::Parts {
+    Planes before;
+    flatbuffers::FlatBufferBuilder out;
+    std::vector<flatbuffers::Offset<gwt::PassValues>> passes;
+};
+
+ValuesWriter::ValuesWriter(int width, int height) : parts_(std::make_unique<Parts>()) {
+    parts_->before = Planes(width, height);
+}
+ValuesWriter::~ValuesWriter() = default;
+
+void ValuesWriter::add(const Planes& planes) {
+    const Planes& before = parts_->before;
+    const auto color = changes(before.color, planes.color);
+    const auto depth = changes(before.depth, planes.depth);
+    const auto stencil = changes(before.stencil, planes.stencil);
+    const auto accum = changes(before.accum, planes.accum);
+    const auto size = [](const auto& c) {
+        return c.runs.size() * sizeof(gwt::Run) + c.values.size() * sizeof(c.values[0]);
+    };
+    auto& out = parts_->out;
+    if (out.GetSize() + size(color) + size(depth) + size(stencil) + size(accum) >
+        (std::uint64_t{1} << 31) - (1 << 20))
+        throw Error("values of more than 2 GB; expected less: a smaller window, or no values");
+    parts_->passes.push_back(gwt::CreatePassValuesDirect(out, &color.runs, &color.values, &depth.runs,
+                                                         &depth.values, &stencil.runs, &stencil.values,
+                                                         &accum.runs, &accum.values));
+    parts_->before = planes;
+}
+
+std::vector<std::uint8_t> ValuesWriter::finish() {
+    auto& out = parts_->out;
+    out.Finish(gwt::CreateValuesDirect(out, values_version, parts_->before.width, parts_->before.height,
+                                       &parts_->passes),
+               gwt::ValuesIdentifier());
+    return {out.GetBufferPointer(), out.GetBufferPointer() + out.GetSize()};
+}
+
+Planes planes_after(std::span<const std::uint8_t> bytes, int width, int height, std::size_t pass) {
+    flatbuffers::Verifier verifier(bytes.data(), bytes.size());
+    if (bytes.size() < 8 || bytes.size() >= FLATBUFFERS_MAX_BUFFER_SIZE ||
+        !gwt::ValuesBufferHasIdentifier(bytes.data()) || !gwt::VerifyValuesBuffer(verifier))
+        throw Error("values that are cut short or damaged; expected a file as gw wrote it");
+    const gwt::Values& values = *gwt::GetValues(bytes.data());
+    if (values.version() != values_version || values.width() != width || values.height() != height)
+        throw Error(fmt::format("values of {} x {} pixels, version {}; expected {} x {}, version {}",
+                                values.width(), values.height(), values.version(), width, height,
+                                values_version));
+    const std::size_t count = values.passes() ? values.passes()->size() : 0;
+    if (pass >= count)
+        throw Error(fmt::format("values of {} passes; expected those of pass {}", count, pass));
+    Planes planes(width, height);
+    for (unsigned i = 0; i <= pass; ++i) {
+        const gwt::PassValues& p = *values.passes()->Get(i);
+        apply(p.color_runs(), p.color(), planes.color);
+        apply(p.depth_runs(), p.depth(), planes.depth);
+        apply(p.stencil_runs(), p.stencil(), planes.stencil);
+        apply(p.accum_runs(), p.accum(), planes.accum);
+    }
+    return planes;
+}
+
+}  // namespace gw::inspect

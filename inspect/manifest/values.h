@@ -1,0 +1,32 @@
+// The values of all planes after every pass, as bytes beside a manifest (inspect/manifest/values.fbs): a pass stores
+// what differs from the pass before. Does not read or write files.
+#pragma once
+
+#include "gw/planes.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gw::inspect {
+
+class ValuesWriter {
+public:
+    ValuesWriter(int width, int height);
+    ~ValuesWriter();
+    /// The planes after the next pass.
+    void add(const Planes& planes);
+    /// Once, after all passes. Throws Error where there is more than 2 GB.
+    std::vector<std::uint8_t> finish();
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// The planes after pass `pass`, from bytes that nobody vouches for. Throws Error where they are damaged, of
+/// another size, or hold no such pass.
+Planes planes_after(std::span<const std::uint8_t> bytes, int width, int height, std::size_t pass);
+
+}  // namespace gw::inspect

@@ -1,0 +1,132 @@
+// Matrices, fog and vertices of a draw.
+#include "inspect/peer/draw.h"
+
+#include "gw/base/arithmetic.h"
+#include "gw/error.h"
+#include "gw/stages/fog.h"
+#include "gw/stages/vertex.h"
+#include "inspect/peer/gl.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace gw::peer {
+namespace {
+
+/// Jitter as a translation of clip coordinates: a whole number of the profile's sub-pixel units.
+dmat4 jittered(const State& s, int subpixel_bits, int width, int height) {
+    const bool whole = s.viewport.width == 0 && s.viewport.height == 0;
+    const double scale = double(1 << subpixel_bits);
+    dmat4 translation{1};
+    translation[3][0] = 2 * s.jitter.x / (scale * (whole ? width : s.viewport.width));
+    translation[3][1] = 2 * s.jitter.y / (scale * (whole ? height : s.viewport.height));
+    return product(translation, s.projection);
+}
+
+void load(GLenum mode, const dmat4& m) {
+    gl().MatrixMode(mode);
+    gl().LoadMatrixd(&m[0][0]);
+}
+
+/// Factors found at the vertices go by way of a linear fog of distance 1 - f.
+void apply(const FogState& fog, bool per_fragment, bool on) {
+    enable(GL_FOG, on);
+    gl().Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
+    gl().Fogi(GL_FOG_MODE, static_cast<GLint>(per_fragment ? token(fog.mode) : GL_LINEAR));
+    gl().Fogf(GL_FOG_DENSITY, fog.density);
+    gl().Fogf(GL_FOG_START, per_fragment ? fog.start : 0);
+    gl().Fogf(GL_FOG_END, per_fragment ? fog.end : 1);
+    gl().Fogfv(GL_FOG_COLOR, &fog.color[0]);
+}
+
+/// A draw between glBegin and glEnd.
+class Emitter {
+public:
+    Emitter(const Draw& draw, const State& state, const Profile& profile)
+        : draw_(draw), state_(state), profile_(profile), program_(vertex_program(state, draw, profile)) {
+        for (std::uint32_t i = 0; i < draw.mesh->vertex_count(); ++i)
+            vertices_.push_back(run_vertex(program_, i));
+    }
+
+    bool fragment_fog() const { return program_.fragment_fog; }
+
+    void triangles() const {
+        gl().Begin(GL_TRIANGLES);
+        for (const Triangle& t : draw_.mesh->triangles())
+            for (std::size_t k = 0; k < 3; ++k) {
+                gl().EdgeFlag((t.edges >> k & 1) != 0);
+                vertex(t.vertex[k], t.provoking, t.polygon);
+            }
+        gl().End();
+    }
+    void lines() const {
+        gl().Begin(GL_LINES);
+        std::uint32_t ordinal = 0;
+        for (const auto& line : draw_.mesh->lines()) {
+            for (const std::uint32_t v : line) vertex(v, line[1], ordinal);
+            ++ordinal;
+        }
+        gl().End();
+    }
+    void points() const {
+        gl().Begin(GL_POINTS);
+        std::uint32_t ordinal = 0;
+        for (const std::uint32_t v : draw_.mesh->points()) vertex(v, v, ordinal++);
+        gl().End();
+    }
+
+private:
+    void vertex(std::uint32_t index, std::uint32_t provoking, std::uint32_t polygon) const {
+        const Vertex& v = vertices_[index];
+        const vec3& p = draw_.mesh->data().positions[index];
+        color(state_.shade_model == ShadeModel::Flat ? vertices_[provoking] : v, polygon);
+        gl().TexCoord4d(v.texcoord.x, v.texcoord.y, v.texcoord.z, v.texcoord.w);
+        gl().FogCoordd(fog_coordinate(v, p));
+        gl().Vertex3f(p.x, p.y, p.z);
+    }
+    void color(const Vertex& v, std::uint32_t polygon) const {
+        if (state_.color_source == ColorSource::PolygonId) {
+            const std::uint32_t id = (draw_.id_base + draw_.mesh->polygon_id(polygon)) >> draw_.id_shift;
+            gl().Color4ub(id & 255, (id >> 8) & 255, (id >> 16) & 255, 255);
+            return;
+        }
+        std::array<GLubyte, 4> c{};
+        std::transform(v.color.begin(), v.color.end(), c.begin(), [](double x) { return GLubyte(x); });
+        gl().Color4ubv(c.data());
+    }
+    double fog_coordinate(const Vertex& v, const vec3& p) const {
+        if (!program_.fragment_fog) return 1 - v.fog / max_of_bits(profile_.color_bits);
+        return std::max(-transform(draw_.eye_from_object, dvec4(dvec3(p), 1)).z, 0.0);
+    }
+
+    const Draw& draw_;
+    const State& state_;
+    const Profile& profile_;
+    VertexProgram program_;
+    std::vector<Vertex> vertices_;
+};
+
+}  // namespace
+
+void draw(const Draw& draw, const State& state, const Profile& profile, int width, int height,
+          bool textured) {
+    if (state.color_source == ColorSource::Lighting && state.lighting.two_side)
+        throw Error(
+            "lighting.two_side: OpenGL chooses the side after clipping; the player hands over one colour");
+    const bool shaded = state.color_source != ColorSource::PolygonId;
+    const Emitter emitter(draw, state, profile);
+    load(GL_PROJECTION, jittered(state, profile.subpixel_bits, width, height));
+    load(GL_MODELVIEW, draw.eye_from_object);
+    apply(state.fog, emitter.fragment_fog(), shaded && state.fog.enable);
+    enable(GL_TEXTURE_2D, shaded && textured);
+    switch (draw.mesh->kind()) {
+        case MeshKind::Triangles: emitter.triangles(); break;
+        case MeshKind::Lines: emitter.lines(); break;
+        case MeshKind::Points: emitter.points(); break;
+    }
+    gl().Disable(GL_TEXTURE_2D);
+    gl().Disable(GL_FOG);
+}
+
+}  // namespace gw::peer

@@ -1,0 +1,135 @@
+#include "inspect/peer/pixels.h"
+
+#include "inspect/peer/gl.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace gw::peer {
+namespace {
+
+/// Puts the state back at the end of the scope.
+struct SavedState {
+    SavedState() { gl().PushAttrib(GL_ALL_ATTRIB_BITS); }
+    ~SavedState() { gl().PopAttrib(); }
+    SavedState(const SavedState&) = delete;
+    SavedState& operator=(const SavedState&) = delete;
+};
+
+/// Nothing but the plane's mask and the scissor between a value and its plane: OpenGL runs rectangles through
+/// every test.
+void write_only(Plane plane, const DepthState& depth) {
+    gl().Disable(GL_ALPHA_TEST);
+    gl().Disable(GL_STENCIL_TEST);
+    gl().Disable(GL_BLEND);
+    enable(GL_DEPTH_TEST, plane == Plane::Depth && depth.mask);
+    gl().DepthFunc(GL_ALWAYS);
+    gl().DepthRange(0, 1);
+    if (plane != Plane::Color) gl().ColorMask(false, false, false, false);
+}
+
+std::vector<GLubyte> bytes(const Rgba* first, std::size_t count) {
+    std::vector<GLubyte> result;
+    for (const Rgba* c = first; c != first + count; ++c)
+        for (const std::uint16_t channel : *c) result.push_back(static_cast<GLubyte>(channel));
+    return result;
+}
+
+/// A depth of 24 bits as OpenGL's window z.
+double window_z(std::uint32_t depth) { return depth / 16777215.0; }
+
+/// ... and as a 32-bit fraction, the 24 bits repeated.
+std::uint32_t fraction32(std::uint32_t depth) { return depth << 8 | depth >> 16; }
+
+void draw_colors(int x, int y, int width, int height, std::uint32_t depth, const std::vector<GLubyte>& rgba) {
+    gl().DepthRange(0, 1);
+    gl().WindowPos3d(x, y, window_z(depth));
+    gl().DrawPixels(width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+}
+
+void draw_depths(const WritePixels& c) {
+    std::vector<std::uint32_t> wide(c.values.size());
+    std::transform(c.values.begin(), c.values.end(), wide.begin(), fraction32);
+    gl().WindowPos2i(c.rect.x, c.rect.y);
+    gl().DrawPixels(c.rect.width, c.rect.height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, wide.data());
+}
+
+void draw_stencil(const WritePixels& c) {
+    const std::vector<GLubyte> values(c.values.begin(), c.values.end());
+    gl().WindowPos2i(c.rect.x, c.rect.y);
+    gl().DrawPixels(c.rect.width, c.rect.height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, values.data());
+}
+
+GLenum copied(Plane plane) {
+    return plane == Plane::Color ? GL_COLOR : plane == Plane::Depth ? GL_DEPTH : GL_STENCIL;
+}
+
+GLbitfield buffers(PlaneMask planes) {
+    const auto bit = [&](Plane plane, GLbitfield buffer) { return planes & mask_of(plane) ? buffer : 0; };
+    return bit(Plane::Color, GL_COLOR_BUFFER_BIT) | bit(Plane::Depth, GL_DEPTH_BUFFER_BIT) |
+           bit(Plane::Stencil, GL_STENCIL_BUFFER_BIT) | bit(Plane::Accum, GL_ACCUM_BUFFER_BIT);
+}
+
+}  // namespace
+
+void clear(const Clear& c) {
+    gl().ClearColor(c.color.r, c.color.g, c.color.b, c.color.a);
+    gl().ClearDepth(c.depth);
+    gl().ClearStencil(c.stencil);
+    gl().ClearAccum(0, 0, 0, 0);
+    gl().Clear(buffers(c.planes));
+}
+
+void write(const WriteSpans& command) {
+    const SavedState saved;
+    for (const Span& s : command.spans) {
+        if (s.length <= 0) continue;
+        const auto length = static_cast<std::size_t>(s.length);
+        const std::vector<Rgba> run(s.flat ? length : 0, command.colors[s.first]);
+        draw_colors(s.x, s.y, s.length, 1, command.depth,
+                    bytes(s.flat ? run.data() : &command.colors[s.first], length));
+    }
+}
+
+void write(const WritePixels& c, const DepthState& depth) {
+    const SavedState saved;
+    if (c.plane == Plane::Color) {
+        draw_colors(c.rect.x, c.rect.y, c.rect.width, c.rect.height, c.depth,
+                    bytes(c.colors.data(), c.colors.size()));
+        return;
+    }
+    write_only(c.plane, depth);
+    c.plane == Plane::Depth ? draw_depths(c) : draw_stencil(c);
+}
+
+void copy(const Copy& c, const DepthState& depth) {
+    const SavedState saved;
+    write_only(c.plane, depth);
+    gl().WindowPos2i(c.x, c.y);
+    gl().CopyPixels(c.source.x, c.source.y, c.source.width, c.source.height, copied(c.plane));
+}
+
+void accumulate(const Accumulate& command) {
+    constexpr float scale = 128;
+    switch (command.op) {
+        case AccumOp::Accum:
+        case AccumOp::Load:
+        case AccumOp::Add: gl().Accum(token(command.op), command.value / scale); break;
+        case AccumOp::Mult: gl().Accum(GL_MULT, command.value); break;
+        case AccumOp::Return: gl().Accum(GL_RETURN, command.value * scale); break;
+    }
+}
+
+Planes read_planes(int width, int height) {
+    Planes planes(width, height);
+    std::vector<GLubyte> rgba(4 * planes.color.size());
+    gl().ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    for (std::size_t i = 0; i < rgba.size(); ++i) planes.color[i / 4][i % 4] = rgba[i];
+    gl().ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, planes.depth.data());
+    for (std::uint32_t& depth : planes.depth) depth >>= 8;
+    gl().ReadPixels(0, 0, width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, planes.stencil.data());
+    return planes;
+}
+
+}  // namespace gw::peer

@@ -1,0 +1,93 @@
+// One function per group of the state.
+#include "inspect/peer/state.h"
+
+#include "gw/error.h"
+#include "inspect/peer/gl.h"
+
+#include <fmt/format.h>
+
+namespace gw::peer {
+namespace {
+
+void apply(const ViewportState& viewport, const DepthRangeState& range, int width, int height) {
+    const bool whole = viewport.width == 0 && viewport.height == 0;
+    if (whole)
+        gl().Viewport(0, 0, width, height);
+    else
+        gl().Viewport(viewport.x, viewport.y, viewport.width, viewport.height);
+    gl().DepthRange(range.near_value, range.far_value);
+}
+
+/// Planes are given in eye space.
+void apply(const std::array<ClipPlane, max_clip_planes>& planes) {
+    gl().MatrixMode(GL_MODELVIEW);
+    gl().LoadIdentity();
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        const GLenum name = GL_CLIP_PLANE0 + static_cast<GLenum>(i);
+        gl().ClipPlane(name, &planes[i].plane[0]);
+        enable(name, planes[i].enable);
+    }
+}
+
+void apply(const CullState& cull) {
+    enable(GL_CULL_FACE, cull.enable);
+    gl().CullFace(token(cull.face));
+    gl().FrontFace(cull.front == Winding::CCW ? GL_CCW : GL_CW);
+}
+
+void require_size(GLenum range, int size, const char* what) {
+    GLint limits[2] = {1, 1};
+    gl().GetIntegerv(range, limits);
+    if (size > limits[1])
+        throw Error(fmt::format("{} = {}; expected at most {}, OpenGL's limit here", what, size, limits[1]));
+}
+
+void apply_primitives(const State& s) {
+    require_size(GL_ALIASED_POINT_SIZE_RANGE, s.point_size, "point_size");
+    require_size(GL_ALIASED_LINE_WIDTH_RANGE, s.line_width, "line_width");
+    gl().PointSize(static_cast<float>(s.point_size));
+    gl().LineWidth(static_cast<float>(s.line_width));
+    gl().PolygonMode(GL_FRONT_AND_BACK, token(s.polygon_mode));
+    gl().PolygonOffset(s.polygon_offset.factor, s.polygon_offset.units);
+    enable(GL_POLYGON_OFFSET_FILL, s.polygon_offset.enable);
+    const bool flat = s.shade_model == ShadeModel::Flat || s.color_source == ColorSource::PolygonId;
+    gl().ShadeModel(flat ? GL_FLAT : GL_SMOOTH);
+}
+
+void apply_face(GLenum side, const auto& face) {
+    gl().StencilFuncSeparate(side, token(face.func), face.ref, face.mask);
+    gl().StencilOpSeparate(side, token(face.fail), token(face.zfail), token(face.zpass));
+    gl().StencilMaskSeparate(side, face.write_mask);
+}
+
+void apply(const StencilState& stencil) {
+    enable(GL_STENCIL_TEST, stencil.test);
+    apply_face(GL_FRONT_AND_BACK, stencil);
+    if (stencil.two_side) apply_face(GL_BACK, stencil.back);
+}
+
+void apply_fragments(const State& s) {
+    enable(GL_SCISSOR_TEST, s.scissor.test);
+    gl().Scissor(s.scissor.box.x, s.scissor.box.y, s.scissor.box.width, s.scissor.box.height);
+    enable(GL_ALPHA_TEST, s.alpha.test);
+    gl().AlphaFunc(token(s.alpha.func), s.alpha.ref);
+    enable(GL_DEPTH_TEST, s.depth.test);
+    gl().DepthFunc(token(s.depth.func));
+    gl().DepthMask(s.depth.mask);
+    enable(GL_BLEND, s.blend.enable);
+    gl().BlendFunc(token(s.blend.src), token(s.blend.dst));
+    gl().ColorMask(s.color_mask.r, s.color_mask.g, s.color_mask.b, s.color_mask.a);
+}
+
+}  // namespace
+
+void apply(const State& state, int width, int height) {
+    apply(state.viewport, state.depth_range, width, height);
+    apply(state.clip_planes);
+    apply(state.cull);
+    apply_primitives(state);
+    apply(state.stencil);
+    apply_fragments(state);
+}
+
+}  // namespace gw::peer

@@ -1,0 +1,25 @@
+// Textures and texture slots as OpenGL's texture objects. Does not choose where a texture is looked up.
+#pragma once
+
+#include "gw/command_list.h"
+
+#include <cstdint>
+#include <map>
+
+namespace gw::peer {
+
+class Textures {
+public:
+    /// Binds what the draw uses, made on its first use, with the state's filters, wrap and environment;
+    /// returns whether there is any.
+    bool bind(const TextureBinding& binding, const TextureState& state);
+    /// glCopyTexImage2D from the current planes.
+    void copy(const CopyTexture& command);
+
+private:
+    unsigned object(const TextureBinding& binding);
+    std::map<TextureRef, unsigned> made_;  ///< by identity; keeps them alive, so that no address comes twice
+    std::map<std::uint32_t, unsigned> slots_;
+};
+
+}  // namespace gw::peer

@@ -1,0 +1,11 @@
+// What a recording's lists may ask of a machine. Does not know how they are stored.
+#pragma once
+
+#include "inspect/recording/recording.h"
+
+namespace gw::inspect {
+
+/// Throws Error where a list is not valid after those before it, or where the limits are exceeded.
+void check_lists(const Recording& recording, const Limits& limits);
+
+}  // namespace gw::inspect

@@ -1,0 +1,269 @@
+// From bytes that nobody vouches for to a recording: the verifier of FlatBuffers, then checks of our own,
+// then gw's `validate`.
+#include "gw/machine.h"
+#include "inspect/recording/check_lists.h"
+#include "inspect/recording/file_state.h"
+#include "inspect/recording/file_values.h"
+#include "inspect/recording/recording.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace gw::inspect {
+namespace {
+
+using inspect::from_file;
+
+Light from_file(const gwt::Light& l) {
+    return {.position = from_file(l.position()),
+            .Ia = from_file(l.Ia()),
+            .Id = from_file(l.Id()),
+            .Is = from_file(l.Is()),
+            .spot_direction = from_file(l.spot_direction()),
+            .spot_exponent = l.spot_exponent(),
+            .spot_cos_cutoff = l.spot_cos_cutoff(),
+            .constant_attenuation = l.constant_attenuation(),
+            .linear_attenuation = l.linear_attenuation(),
+            .quadratic_attenuation = l.quadratic_attenuation()};
+}
+Material from_file(const gwt::Material& m) {
+    return {.Ka = from_file(m.Ka()),
+            .Kd = from_file(m.Kd()),
+            .Ks = from_file(m.Ks()),
+            .Ke = from_file(m.Ke()),
+            .Ns = m.Ns(),
+            .alpha = m.alpha()};
+}
+Span from_file(const gwt::Span& s) { return {s.x(), s.y(), s.length(), s.first(), s.flat()}; }
+
+/// All but its name.
+Profile from_file(const gwt::Profile& p) {
+    return {.color_bits = p.color_bits(),
+            .depth_bits = p.depth_bits(),
+            .stencil_bits = p.stencil_bits(),
+            .accum_bits = p.accum_bits(),
+            .subpixel_bits = p.subpixel_bits(),
+            .lit_bits = p.lit_bits(),
+            .max_lights = p.max_lights(),
+            .fragment_fog = p.fragment_fog(),
+            .perspective_color = p.perspective_color(),
+            .extensions = {p.polygon_offset(), p.shadow_texture(), p.stencil_wrap(), p.two_sided_stencil()}};
+}
+
+class Decoder {
+public:
+    Decoder(const gwt::Recording& file, const Limits& limits) : file_(file), limits_(limits) {}
+    Recording decode();
+
+private:
+    /// The same bytes of a file may be referred to many times: what counts is what they become.
+    void charge(std::uint64_t bytes) {
+        charged_ += bytes;
+        if (charged_ > limits_.decoded_bytes)
+            throw Error(fmt::format("commands, meshes and maps of more than {} MB; expected less",
+                                    limits_.decoded_bytes >> 20));
+    }
+    std::string text(const flatbuffers::String* stored) {
+        if (!stored) return "";
+        charge(stored->size());
+        return stored->str();
+    }
+    template <typename Ours, typename File>
+    std::vector<Ours> structs(const flatbuffers::Vector<const File*>* stored) {
+        std::vector<Ours> values;
+        if (!stored) return values;
+        charge(std::uint64_t{stored->size()} * sizeof(Ours));
+        values.reserve(stored->size());
+        for (const File* value : *stored) values.push_back(from_file(*value));
+        return values;
+    }
+    template <typename T>
+    std::vector<T> numbers(const flatbuffers::Vector<T>* stored) {
+        if (!stored) return {};
+        charge(std::uint64_t{stored->size()} * sizeof(T));
+        return {stored->begin(), stored->end()};
+    }
+    template <typename T>
+    const T& at(const std::vector<T>& values, std::uint32_t place, const char* what) const {
+        if (place >= values.size())
+            throw Error(fmt::format("{} {}; there are {}", what, place, values.size()));
+        return values[place];
+    }
+
+    MeshRef mesh(const gwt::Mesh& m);
+    TextureRef texture(const gwt::Texture& t);
+    template <typename File>
+    auto all(const flatbuffers::Vector<flatbuffers::Offset<File>>* stored, const char* what,
+             const auto& decode_one);
+
+    Command command(const gwt::BeginPass& c) { return BeginPass{text(c.name()), c.digests()}; }
+    Command command(const gwt::Clear& c) {
+        Clear clear{.planes = c.planes(), .depth = c.depth(), .stencil = c.stencil()};
+        if (c.color()) clear.color = from_file(*c.color());
+        return clear;
+    }
+    Command command(const gwt::SetState& c) { return SetState{at(states_, c.state(), "state")}; }
+    Command command(const gwt::Draw& c);
+    Command command(const gwt::WriteSpans& c) {
+        return WriteSpans{structs<Span>(c.spans()), structs<Rgba>(c.colors()), c.depth()};
+    }
+    Command command(const gwt::WritePixels& c) {
+        return WritePixels{rect(c.rect()), our_enum<Plane>(c.plane()), structs<Rgba>(c.colors()),
+                           numbers(c.values()), c.depth()};
+    }
+    Command command(const gwt::Accumulate& c) { return Accumulate{our_enum<AccumOp>(c.op()), c.value()}; }
+    Command command(const gwt::Copy& c) {
+        return Copy{our_enum<Plane>(c.plane()), rect(c.source()), c.x(), c.y()};
+    }
+    Command command(const gwt::CopyTexture& c) {
+        return CopyTexture{c.slot(), our_enum<Plane>(c.plane()), rect(c.rect())};
+    }
+    Command command(const gwt::Read& c) {
+        return Read{c.key(), our_enum<Plane>(c.plane()), rect(c.rect()), c.packed()};
+    }
+    static Rect rect(const gwt::Rect* stored) { return stored ? from_file(*stored) : Rect{}; }
+    Command command(gwt::Command type, const void* stored);
+    CommandList list(const gwt::CommandList& stored);
+
+    const gwt::Recording& file_;
+    const Limits& limits_;
+    std::uint64_t charged_ = 0;
+    std::vector<MeshRef> meshes_;
+    std::vector<TextureRef> textures_;
+    std::vector<LightsRef> light_sets_;
+    std::vector<State> states_;
+};
+
+MeshRef Decoder::mesh(const gwt::Mesh& m) {
+    MeshData data{.primitive = our_enum<Primitive>(m.primitive()),
+                  .positions = structs<vec3>(m.positions()),
+                  .normals = structs<vec3>(m.normals()),
+                  .texcoords = structs<vec2>(m.texcoords()),
+                  .colors = structs<vec4>(m.colors()),
+                  .indices = numbers(m.indices()),
+                  .polygon_sizes = numbers(m.polygon_sizes()),
+                  .polygon_ids = numbers(m.polygon_ids())};
+    charge(sizeof(Mesh) + std::max(data.positions.size(), data.indices.size()) * sizeof(Triangle));
+    return make_mesh(std::move(data));
+}
+
+TextureRef Decoder::texture(const gwt::Texture& t) {
+    const std::vector<std::uint8_t> texels8 = numbers(t.texels8());
+    const std::vector<std::uint16_t> texels16 = numbers(t.texels16());
+    if (!texels8.empty() && !texels16.empty()) throw Error("both texels8 and texels16; expected one of them");
+    charge((texels8.size() + texels16.size()) * 4);  // its levels, and the machine's
+    for (const int side : {t.width(), t.height()})
+        if (side < 1 || (side & (side - 1)) != 0)
+            throw Error(fmt::format("{} x {} texels; expected powers of two", t.width(), t.height()));
+    return texels16.empty() ? make_texture8(text(t.name()), t.width(), t.height(), texels8)
+                            : make_texture(text(t.name()), t.width(), t.height(), texels16);
+}
+
+Command Decoder::command(const gwt::Draw& c) {
+    Draw draw{.mesh = at(meshes_, c.mesh(), "mesh"), .id_base = c.id_base(), .id_shift = c.id_shift()};
+    if (c.eye_from_object()) draw.eye_from_object = from_file(*c.eye_from_object());
+    if (c.material()) draw.material = from_file(*c.material());
+    if (c.lights()) draw.lights = at(light_sets_, *c.lights(), "lights");
+    if (c.texture()) draw.map.texture = at(textures_, *c.texture(), "texture");
+    if (c.slot()) draw.map.slot = *c.slot();
+    if (c.texture() && c.slot()) throw Error("both a texture and a slot; expected one of them");
+    return draw;
+}
+
+Command Decoder::command(gwt::Command type, const void* stored) {
+    if (!stored) throw Error("empty");
+    switch (type) {
+        case gwt::Command::BeginPass: return command(*static_cast<const gwt::BeginPass*>(stored));
+        case gwt::Command::Clear: return command(*static_cast<const gwt::Clear*>(stored));
+        case gwt::Command::SetState: return command(*static_cast<const gwt::SetState*>(stored));
+        case gwt::Command::Draw: return command(*static_cast<const gwt::Draw*>(stored));
+        case gwt::Command::WriteSpans: return command(*static_cast<const gwt::WriteSpans*>(stored));
+        case gwt::Command::WritePixels: return command(*static_cast<const gwt::WritePixels*>(stored));
+        case gwt::Command::Accumulate: return command(*static_cast<const gwt::Accumulate*>(stored));
+        case gwt::Command::Copy: return command(*static_cast<const gwt::Copy*>(stored));
+        case gwt::Command::CopyTexture: return command(*static_cast<const gwt::CopyTexture*>(stored));
+        case gwt::Command::Read: return command(*static_cast<const gwt::Read*>(stored));
+        case gwt::Command::NONE: break;
+    }
+    throw Error(fmt::format("of the unknown kind {}", int(type)));
+}
+
+/// Decodes every element; an error names which one it is.
+template <typename File>
+auto Decoder::all(const flatbuffers::Vector<flatbuffers::Offset<File>>* stored, const char* what,
+                  const auto& decode_one) {
+    std::vector<decltype(decode_one(*stored->Get(0)))> values;
+    if (!stored) return values;
+    charge(std::uint64_t{stored->size()} * sizeof(values[0]));
+    for (unsigned i = 0; i < stored->size(); ++i) {
+        try {
+            values.push_back(decode_one(*stored->Get(i)));
+        } catch (const Error& error) {
+            throw Error(fmt::format("{} {}: {}", what, i, error.what()));
+        }
+    }
+    return values;
+}
+
+CommandList Decoder::list(const gwt::CommandList& stored) {
+    CommandList result;
+    if (!stored.commands()) return result;
+    const auto& commands = *stored.commands();
+    const auto* types = stored.commands_type();
+    charge(std::uint64_t{commands.size()} * sizeof(Command));
+    result.commands.reserve(commands.size());
+    for (unsigned i = 0; i < commands.size(); ++i) {
+        const auto type = static_cast<gwt::Command>(types->Get(i));
+        try {
+            result.add(command(type, commands.Get(i)));
+        } catch (const Error& error) {
+            throw Error(fmt::format("command {} ({}): {}", i, gwt::EnumNameCommand(type), error.what()));
+        }
+    }
+    return result;
+}
+
+Recording Decoder::decode() {
+    if (file_.version() != recording_version)
+        throw Error(fmt::format("a recording of version {}; expected version {}", file_.version(),
+                                recording_version));
+    if (!file_.profile()) throw Error("a recording without a profile");
+    Recording r{.producer = text(file_.producer()),
+                .scene = text(file_.scene()),
+                .renderer = text(file_.renderer()),
+                .profile = from_file(*file_.profile()),
+                .width = file_.width(),
+                .height = file_.height()};
+    r.profile.name = text(file_.profile()->name());
+    validate(r.profile);
+    check_window(r.width, r.height);
+    r.sets = all(file_.sets(), "parameter set", [this](const gwt::ParameterSet& s) {
+        return ParameterSet{text(s.pass()), text(s.set())};
+    });
+    meshes_ = all(file_.meshes(), "mesh", [this](const gwt::Mesh& m) { return mesh(m); });
+    textures_ = all(file_.textures(), "texture", [this](const gwt::Texture& t) { return texture(t); });
+    light_sets_ = all(file_.light_sets(), "lights", [this](const gwt::Lights& l) {
+        return LightsRef(std::make_shared<const std::vector<Light>>(structs<Light>(l.lights())));
+    });
+    states_ = all(file_.states(), "state", [](const gwt::State& s) { return from_file(s); });
+    r.lists = all(file_.lists(), "list", [this](const gwt::CommandList& l) { return list(l); });
+    check_lists(r, limits_);
+    return r;
+}
+
+}  // namespace
+
+Recording decode(std::span<const std::uint8_t> bytes, const Limits& limits) {
+    constexpr std::size_t identifier_end = 8, alignment = 8;
+    if (reinterpret_cast<std::uintptr_t>(bytes.data()) % alignment != 0)
+        return decode(std::vector<std::uint8_t>(bytes.begin(), bytes.end()), limits);
+    if (bytes.size() < identifier_end || !gwt::RecordingBufferHasIdentifier(bytes.data()))
+        throw Error("not a recording; expected a file that gw record wrote");
+    // The verifier counts a table as often as it is referred to, so that this bounds its own time too.
+    flatbuffers::Verifier verifier(bytes.data(), bytes.size(), 16, 1 << 24);
+    if (bytes.size() >= FLATBUFFERS_MAX_BUFFER_SIZE || !gwt::VerifyRecordingBuffer(verifier))
+        throw Error("a recording that is cut short or damaged; expected a file as gw record wrote it");
+    return Decoder(*gwt::GetRecording(bytes.data()), limits).decode();
+}
+
+}  // namespace gw::inspect

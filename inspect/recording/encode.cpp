@@ -1,0 +1,232 @@
+// From a recording to bytes: what draws refer to once, then the commands.
+#include "inspect/recording/content.h"
+#include "inspect/recording/file_state.h"
+#include "inspect/recording/file_values.h"
+
+#include <algorithm>
+#include <map>
+
+namespace gw::inspect {
+namespace {
+
+using flatbuffers::FlatBufferBuilder;
+using flatbuffers::Offset;
+
+/// Room for what the builder adds to an array: its length, alignment, tables around it.
+constexpr std::uint64_t largest_file = (std::uint64_t{1} << 31) - (1 << 20);
+
+gwt::Light to_file(const Light& l) {
+    using inspect::to_file;
+    return {to_file(l.position),       to_file(l.Ia),          to_file(l.Id),     to_file(l.Is),
+            to_file(l.spot_direction), l.spot_exponent,        l.spot_cos_cutoff, l.constant_attenuation,
+            l.linear_attenuation,      l.quadratic_attenuation};
+}
+gwt::Material to_file(const Material& m) {
+    using inspect::to_file;
+    return {to_file(m.Ka), to_file(m.Kd), to_file(m.Ks), to_file(m.Ke), m.Ns, m.alpha};
+}
+gwt::Span to_file(const Span& s) { return {s.x, s.y, s.length, s.first, s.flat}; }
+using inspect::to_file;
+
+/// Places of values that were stored: by address, then by content.
+template <typename Ref>
+class Places {
+public:
+    /// The place of `ref`, and whether it is a new one.
+    std::pair<std::uint32_t, bool> place(const Ref& ref, const auto& digest_of) {
+        const auto known = by_address_.find(ref.get());
+        if (known != by_address_.end()) return {known->second, false};
+        const auto [found, is_new] =
+            by_content_.try_emplace(digest_of(*ref), static_cast<std::uint32_t>(by_content_.size()));
+        by_address_[ref.get()] = found->second;
+        return {found->second, is_new};
+    }
+
+private:
+    std::map<const void*, std::uint32_t> by_address_;
+    std::map<Digest, std::uint32_t> by_content_;
+};
+
+class Encoder {
+public:
+    std::vector<std::uint8_t> encode(const Recording& recording);
+
+private:
+    void need(std::uint64_t bytes) const {
+        if (out_.GetSize() + bytes > largest_file)
+            throw Error("a recording of more than 2 GB; expected less: a smaller window or fewer samples");
+    }
+
+    template <typename File, typename T>
+    auto structs(const std::vector<T>& values) {
+        need(values.size() * sizeof(File));
+        return values.empty() ? Offset<flatbuffers::Vector<const File*>>()
+                              : out_.CreateVectorOfStructs<File>(values.size(), [&](std::size_t i, File* to) {
+                                    *to = to_file(values[i]);
+                                });
+    }
+    template <typename T>
+    auto numbers(const std::vector<T>& values) {
+        need(values.size() * sizeof(T));
+        return values.empty() ? Offset<flatbuffers::Vector<T>>() : out_.CreateVector(values);
+    }
+
+    std::uint32_t mesh(const MeshRef& ref);
+    std::uint32_t texture(const TextureRef& ref);
+    std::uint32_t lights(const LightsRef& ref);
+    std::uint32_t state(const State& state);
+
+    Offset<void> command(const BeginPass& c) {
+        return gwt::CreateBeginPass(out_, out_.CreateString(c.name), c.digests).Union();
+    }
+    Offset<void> command(const Clear& c) {
+        const auto color = to_file(c.color);
+        return gwt::CreateClear(out_, c.planes, &color, c.depth, c.stencil).Union();
+    }
+    Offset<void> command(const SetState& c) { return gwt::CreateSetState(out_, state(c.state)).Union(); }
+    Offset<void> command(const Draw& c);
+    Offset<void> command(const WriteSpans& c) {
+        const auto spans = structs<gwt::Span>(c.spans);
+        return gwt::CreateWriteSpans(out_, spans, structs<gwt::Rgba>(c.colors), c.depth).Union();
+    }
+    Offset<void> command(const WritePixels& c) {
+        const auto rect = to_file(c.rect);
+        const auto colors = structs<gwt::Rgba>(c.colors);
+        return gwt::CreateWritePixels(out_, &rect, file_enum<gwt::Plane>(c.plane), colors, numbers(c.values),
+                                      c.depth)
+            .Union();
+    }
+    Offset<void> command(const Accumulate& c) {
+        return gwt::CreateAccumulate(out_, file_enum<gwt::AccumOp>(c.op), c.value).Union();
+    }
+    Offset<void> command(const Copy& c) {
+        const auto source = to_file(c.source);
+        return gwt::CreateCopy(out_, file_enum<gwt::Plane>(c.plane), &source, c.x, c.y).Union();
+    }
+    Offset<void> command(const CopyTexture& c) {
+        const auto rect = to_file(c.rect);
+        return gwt::CreateCopyTexture(out_, c.slot, file_enum<gwt::Plane>(c.plane), &rect).Union();
+    }
+    Offset<void> command(const Read& c) {
+        const auto rect = to_file(c.rect);
+        return gwt::CreateRead(out_, c.key, file_enum<gwt::Plane>(c.plane), &rect, c.packed).Union();
+    }
+    Offset<gwt::CommandList> list(const CommandList& list);
+    Offset<gwt::Profile> profile(const Profile& p);
+
+    FlatBufferBuilder out_{1 << 16};
+    Places<MeshRef> mesh_places_;
+    Places<TextureRef> texture_places_;
+    std::vector<Offset<gwt::Mesh>> meshes_;
+    std::vector<Offset<gwt::Texture>> textures_;
+    std::vector<std::vector<Light>> light_sets_;
+    std::vector<State> states_;
+};
+
+std::uint32_t Encoder::mesh(const MeshRef& ref) {
+    const auto [place, is_new] =
+        mesh_places_.place(ref, [](const Mesh& mesh) { return content(mesh.data()); });
+    if (!is_new) return place;
+    const MeshData& m = ref->data();
+    const auto positions = structs<gwt::Vec3>(m.positions);
+    const auto normals = structs<gwt::Vec3>(m.normals);
+    const auto texcoords = structs<gwt::Vec2>(m.texcoords);
+    const auto colors = structs<gwt::Vec4>(m.colors);
+    const auto indices = numbers(m.indices);
+    const auto sizes = numbers(m.polygon_sizes);
+    meshes_.push_back(gwt::CreateMesh(out_, file_enum<gwt::Primitive>(m.primitive), positions, normals,
+                                      texcoords, colors, indices, sizes, numbers(m.polygon_ids)));
+    return place;
+}
+
+std::uint32_t Encoder::texture(const TextureRef& ref) {
+    const auto [place, is_new] = texture_places_.place(ref, [](const Texture& t) { return content(t); });
+    if (!is_new) return place;
+    const TextureLevel& level = ref->levels.front();
+    const bool bytes =
+        std::all_of(level.rgba.begin(), level.rgba.end(), [](std::uint16_t v) { return v % 257 == 0; });
+    std::vector<std::uint8_t> texels8;
+    if (bytes)
+        for (const std::uint16_t v : level.rgba) texels8.push_back(static_cast<std::uint8_t>(v / 257));
+    const auto name = out_.CreateString(ref->name);
+    const auto stored8 = numbers(texels8);
+    const auto stored16 = numbers(bytes ? std::vector<std::uint16_t>() : level.rgba);
+    textures_.push_back(gwt::CreateTexture(out_, name, level.width, level.height, stored8, stored16));
+    return place;
+}
+
+/// Where an equal value was stored among the last ones; else it is stored. Looking farther back would cost
+/// more than it saves.
+template <typename T>
+std::uint32_t place_of(std::vector<T>& stored, const T& value) {
+    constexpr std::ptrdiff_t farthest = 64;
+    const auto end = stored.rbegin() + std::min(std::ptrdiff_t(stored.size()), farthest);
+    const auto found = std::find(stored.rbegin(), end, value);
+    if (found != end) return static_cast<std::uint32_t>(stored.rend() - found - 1);
+    stored.push_back(value);
+    return static_cast<std::uint32_t>(stored.size() - 1);
+}
+
+std::uint32_t Encoder::lights(const LightsRef& ref) { return place_of(light_sets_, *ref); }
+std::uint32_t Encoder::state(const State& state) { return place_of(states_, state); }
+
+Offset<void> Encoder::command(const Draw& c) {
+    const std::uint32_t mesh_place = mesh(c.mesh);
+    const auto optional = [](bool there, auto place) {
+        return there ? flatbuffers::Optional<std::uint32_t>(place()) : flatbuffers::nullopt;
+    };
+    const auto lights_place = optional(c.lights != nullptr, [&] { return lights(c.lights); });
+    const auto texture_place = optional(c.map.texture != nullptr, [&] { return texture(c.map.texture); });
+    const auto slot = optional(c.map.slot.has_value(), [&] { return *c.map.slot; });
+    const auto matrix = to_file(c.eye_from_object);
+    const auto material = to_file(c.material);
+    return gwt::CreateDraw(out_, mesh_place, &matrix, &material, lights_place, texture_place, slot, c.id_base,
+                           c.id_shift)
+        .Union();
+}
+
+Offset<gwt::CommandList> Encoder::list(const CommandList& list) {
+    std::vector<gwt::Command> types;
+    std::vector<Offset<void>> commands;
+    for (const Command& c : list.commands) {
+        need(sizeof(gwt::Matrix) + 256);
+        types.push_back(static_cast<gwt::Command>(c.index() + 1));  // the union's 0 is "none"
+        commands.push_back(std::visit([this](const auto& value) { return command(value); }, c));
+    }
+    return gwt::CreateCommandListDirect(out_, &types, &commands);
+}
+
+Offset<gwt::Profile> Encoder::profile(const Profile& p) {
+    const Extensions& e = p.extensions;
+    return gwt::CreateProfile(out_, out_.CreateString(p.name), p.color_bits, p.depth_bits, p.stencil_bits,
+                              p.accum_bits, p.subpixel_bits, p.lit_bits, p.max_lights, p.fragment_fog,
+                              p.perspective_color, e.polygon_offset, e.shadow_texture, e.stencil_wrap,
+                              e.two_sided_stencil);
+}
+
+std::vector<std::uint8_t> Encoder::encode(const Recording& r) {
+    static_assert(std::variant_size_v<Command> == std::size_t(gwt::Command::MAX));
+    std::vector<Offset<gwt::CommandList>> lists;
+    for (const CommandList& l : r.lists) lists.push_back(list(l));
+    std::vector<Offset<gwt::State>> states;
+    for (const State& s : states_) states.push_back(to_file(out_, s));
+    std::vector<Offset<gwt::Lights>> light_sets;
+    for (const auto& set : light_sets_)
+        light_sets.push_back(gwt::CreateLights(out_, structs<gwt::Light>(set)));
+    std::vector<Offset<gwt::ParameterSet>> sets;
+    for (const ParameterSet& s : r.sets)
+        sets.push_back(gwt::CreateParameterSetDirect(out_, s.pass.c_str(), s.set.c_str()));
+    need(8 * (lists.size() + states.size() + meshes_.size()) + (1 << 16));
+    const auto stored_profile = profile(r.profile);
+    out_.Finish(gwt::CreateRecordingDirect(out_, recording_version, r.producer.c_str(), r.scene.c_str(),
+                                           r.renderer.c_str(), stored_profile, r.width, r.height, &sets,
+                                           &meshes_, &textures_, &light_sets, &states, &lists),
+                gwt::RecordingIdentifier());
+    return {out_.GetBufferPointer(), out_.GetBufferPointer() + out_.GetSize()};
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode(const Recording& recording) { return Encoder().encode(recording); }
+
+}  // namespace gw::inspect

@@ -1,0 +1,52 @@
+// A recording: everything that entered one machine, as a value, and its form as bytes. docs/recordings.md.
+// Does not read or write files, and does not execute: replay.h does.
+#pragma once
+
+#include "gw/command_list.h"
+#include "gw/profile.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gw::inspect {
+
+/// The paper's parameter set of the passes of this name.
+struct ParameterSet {
+    std::string pass, set;
+    bool operator==(const ParameterSet&) const = default;
+};
+
+struct Recording {
+    std::string producer;  ///< the program and its version
+    std::string scene;     ///< the name of the scene's file
+    std::string renderer;  ///< what made the lists
+    Profile profile;
+    int width = 0, height = 0;
+    std::vector<ParameterSet> sets;
+    std::vector<CommandList> lists;  ///< as they were executed, one after the other
+};
+
+/// The parameter set of a pass; "" where none is known.
+std::string set_of(const Recording& recording, const std::string& pass);
+
+/// The version of the schema that `encode` writes and `decode` reads.
+inline constexpr std::uint32_t recording_version = 1;
+
+/// As inspect/recording/recording.fbs says. Meshes, maps, lights and states that are equal are stored once. Throws
+/// Error where it would be larger than 2 GB, which is as much as the format holds.
+std::vector<std::uint8_t> encode(const Recording& recording);
+
+/// What a recording may ask of this process; more is refused. docs/recordings.md, "Limits".
+struct Limits {
+    std::uint64_t decoded_bytes = std::uint64_t{4} << 30;  ///< of commands, meshes, maps in memory
+    std::uint64_t machine_bytes = std::uint64_t{1} << 30;  ///< of texture slots and read-backs
+    std::uint64_t geometry = std::uint64_t{1} << 31;       ///< primitives of a draw times 64x64 tiles
+};
+
+/// Bytes that nobody vouches for. Whatever they are: a recording whose lists are valid on its profile and
+/// window, or an Error that says what is wrong.
+Recording decode(std::span<const std::uint8_t> bytes, const Limits& limits = {});
+
+}  // namespace gw::inspect

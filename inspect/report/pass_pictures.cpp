@@ -1,0 +1,120 @@
+#include "inspect/report/pass_pictures.h"
+
+#include "gw/base/arithmetic.h"
+#include "image/false_color.h"
+#include "image/planes.h"
+#include "image/downscale.h"
+#include "inspect/compare/plane_values.h"
+#include "scene/draw/draw_commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+
+namespace gw::report {
+
+/// A plane of the machine, or one of the two that are made of identifiers.
+struct PassPictures::Shown {
+    const char* name;
+    std::optional<Plane> plane;
+    std::vector<std::uint32_t> (*ids)(const Snapshot&) = nullptr;
+};
+
+namespace {
+
+constexpr int small_side = 240;
+
+std::vector<std::uint32_t> polygons_of(const Snapshot& s) { return s.polygons; }
+
+std::vector<std::uint32_t> colors_as_ids(const Snapshot& s) {
+    std::vector<std::uint32_t> ids;
+    for (const Rgba& color : s.planes.color) ids.push_back(scene::id_of(color));
+    return ids;
+}
+
+constexpr PassPictures::Shown usual_planes[] = {{"color", Plane::Color},
+                                                {"depth", Plane::Depth},
+                                                {"stencil", Plane::Stencil},
+                                                {"accum", Plane::Accum},
+                                                {"polygons", {}, polygons_of}};
+constexpr PassPictures::Shown identifiers{"identifiers", {}, colors_as_ids};
+
+image::Picture picture_of(const PassPictures::Shown& shown, const Snapshot& s, const Profile& profile) {
+    if (shown.plane) return image::plane_picture(s.planes, *shown.plane, profile);
+    return image::id_colors(shown.ids(s), s.planes.width, s.planes.height, 0);
+}
+
+std::vector<std::uint64_t> distances(const PassPictures::Shown& shown, const Snapshot& before,
+                                     const Snapshot& after) {
+    if (shown.plane) return inspect::distances(before.planes, after.planes, *shown.plane);
+    const auto a = shown.ids(before), b = shown.ids(after);
+    std::vector<std::uint64_t> apart;
+    for (std::size_t i = 0; i < a.size(); ++i) apart.push_back(a[i] != b[i]);
+    return apart;
+}
+
+/// Every channel's distance, times as much as goes without clamping; at least once.
+image::Picture color_change(const image::Picture& before, const image::Picture& after, int& times) {
+    image::Picture change = after;
+    int greatest = 1;
+    for (std::size_t i = 0; i < change.values.size(); ++i) {
+        const int apart = std::abs(int(after.values[i]) - int(before.values[i]));
+        change.values[i] = static_cast<std::uint16_t>(apart);
+        greatest = std::max(greatest, apart);
+    }
+    times = static_cast<int>(max_of_bits(change.bits)) / greatest;
+    for (std::uint16_t& value : change.values) value = static_cast<std::uint16_t>(value * times);
+    return change;
+}
+
+}  // namespace
+
+PassPictures::PassPictures(ReportFolder& folder, const Profile& profile, Snapshot start)
+    : folder_(folder),
+      profile_(profile),
+      reduction_((std::max(start.planes.width, start.planes.height) + small_side - 1) / small_side),
+      last_(std::move(start)) {}
+
+std::string PassPictures::put(const std::string& name, const image::Picture& picture) {
+    folder_.write("pictures/" + name + ".png", picture);
+    if (with_small()) folder_.write("pictures/" + name + "_small.png", image::reduced(picture, reduction_));
+    return name;
+}
+
+nlohmann::ordered_json PassPictures::plane_json(const Shown& shown, std::size_t pass, const Snapshot& after) {
+    std::string& file = files_[shown.name];
+    const std::string name = fmt::format("{:04}_{}", pass, shown.name);
+    if (file.empty()) file = put(name + "_before", picture_of(shown, last_, profile_));
+    nlohmann::ordered_json json{{"before", file}};
+    const auto apart = distances(shown, last_, after);
+    const auto changed = std::ranges::count_if(apart, [](std::uint64_t d) { return d != 0; });
+    if (changed > 0) {
+        const image::Picture picture = picture_of(shown, after, profile_);
+        image::Picture change = image::distance_picture(apart, after.planes.width, after.planes.height);
+        if (shown.plane == Plane::Color) {
+            int times = 1;
+            change = color_change(picture_of(shown, last_, profile_), picture, times);
+            json["times"] = times;
+        }
+        file = put(name, picture);
+        json["change"] = put(name + "_change", change);
+        json["pixels"] = changed;
+    }
+    json["after"] = file;
+    return json;
+}
+
+nlohmann::ordered_json PassPictures::add(std::size_t pass, Snapshot after, bool with_identifiers) {
+    nlohmann::ordered_json all;
+    for (const Shown& shown : usual_planes) all[shown.name] = plane_json(shown, pass, after);
+    if (with_identifiers)
+        all[identifiers.name] = plane_json(identifiers, pass, after);
+    else
+        files_.erase(identifiers.name);
+    last_ = std::move(after);
+    return all;
+}
+
+}  // namespace gw::report

@@ -1,0 +1,35 @@
+// A price list: what the counters of a pass would have cost in time on a machine of 1991. Estimates, and
+// labelled so; every price has its source. Does not count.
+#pragma once
+
+#include "gw/counter_names.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gw::report {
+
+struct Price {
+    CounterName counter{};
+    std::string stage;       ///< "geometry" or "pixels": stages work at the same time
+    double nanoseconds = 0;  ///< for one
+    bool estimate = false;   ///< not read in a document
+    std::string source;
+};
+
+struct PriceList {
+    std::string machine;
+    std::vector<Price> prices;
+};
+
+/// Throws Error "file:line: what; expected what".
+PriceList read_prices(const std::filesystem::path& file);
+
+/// inspect/report/prices/vgx.toml, built in.
+PriceList vgx_prices();
+
+/// Estimated, of one pass: the time of its slowest stage. Passes do not overlap: their times add up.
+double estimated_seconds(const Counters& counters, const PriceList& list);
+
+}  // namespace gw::report

@@ -1,0 +1,61 @@
+// A recording as a page that opens from disk: for every pass its parameter set, what it changed in state and
+// planes, counters and estimated time; and the histories of all pixels. docs/inspect.md. Does not choose
+// where the folder is.
+#pragma once
+
+#include "inspect/report/prices.h"
+
+#include "inspect/recording/recording.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace gw::report {
+
+/// Places of passes, from 0, both included.
+struct PassSpan {
+    std::size_t first = 0, last = 0;
+};
+
+enum class Language { English, Japanese };
+
+struct ReportOptions {
+    std::string file;                 ///< the recording's name, as the page shows it
+    std::string command;              ///< that makes the report
+    std::optional<PassSpan> passes;   ///< all, at most the first `most_passes`
+    std::optional<PassSpan> history;  ///< as many from the first as make no more than `history_fragments`
+    bool with_history = true;
+    bool identifiers = false;  ///< the recording's colours are identifiers, even where no state says so
+    std::uint64_t most_bytes = 500'000'000;
+    PriceList prices;
+    Language language = Language::English;  ///< which the page begins with
+    std::function<void(const std::string&)> progress = [](const std::string&) {};
+};
+
+/// On one page.
+inline constexpr std::size_t most_passes = 1000;
+/// Fragments whose histories are kept where nothing is said: some 45 bytes each.
+inline constexpr std::uint64_t history_fragments = 3'000'000;
+
+/// What was written.
+struct ReportSummary {
+    std::size_t passes = 0, passes_of_recording = 0;
+    std::optional<PassSpan> history;
+    std::uint64_t bytes = 0;
+};
+
+/// The names that a report's folder holds.
+std::vector<std::string> report_files();
+
+/// Throws Error where the recording has no pass, `passes` are not of the recording or more than
+/// `most_passes`, or `history` is not of the passes that are shown.
+void check_spans(const inspect::Recording& recording, const ReportOptions& options);
+
+/// Into a folder that is empty. Throws Error where check_spans does, and where the files would be more than
+/// `most_bytes`.
+ReportSummary write_report(const inspect::Recording& recording, const std::filesystem::path& folder,
+                           const ReportOptions& options);
+
+}  // namespace gw::report

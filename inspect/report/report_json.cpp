@@ -1,0 +1,86 @@
+#include "inspect/report/report_json.h"
+
+#include "inspect/manifest/counters_json.h"
+#include "inspect/replay/player.h"
+#include "inspect/manifest/profile_json.h"
+#include "inspect/report/tile_history.h"
+
+namespace gw::report {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json prices_json(const PriceList& list) {
+    Json prices = Json::array();
+    for (const Price& price : list.prices)
+        prices.push_back({{"count", price.counter.name},
+                          {"stage", price.stage},
+                          {"nanoseconds", price.nanoseconds},
+                          {"estimate", price.estimate},
+                          {"source", price.source}});
+    return {{"machine", list.machine}, {"prices", prices}};
+}
+
+Json span_json(const std::optional<PassSpan>& span) {
+    return span ? Json{{"first", span->first}, {"last", span->last}} : Json();
+}
+
+Json pass_json(const ReportFacts& facts, std::size_t i, const inspect::PassRange& range) {
+    const inspect::ManifestPass& pass = facts.manifest.passes[i];
+    Json state = Json::array();
+    for (const inspect::Field& field : pass.state) state.push_back({field.name, field.value});
+    return {{"pass", i},
+            {"name", pass.report.name},
+            {"set", pass.set},
+            {"first", range.first},
+            {"end", range.end},
+            {"state", state},
+            {"counters", inspect::json_of(pass.report.counters)},
+            {"estimated_seconds", estimated_seconds(pass.report.counters, facts.options.prices)},
+            {"identifiers", bool(facts.identifiers[i])},
+            {"planes", facts.pictures[i - facts.shown.first]}};
+}
+
+/// Commands by their places: a history names them.
+Json commands_json(const ReportFacts& facts, const std::vector<inspect::PassRange>& ranges) {
+    Json names = Json::array();
+    if (!facts.history) return names;
+    std::size_t index = 0;
+    for (const CommandList& list : facts.recording.lists)
+        for (const Command& command : list.commands) {
+            if (index >= ranges[facts.history->first].first && index < ranges[facts.history->last].end)
+                names.push_back(inspect::name_of(command));
+            ++index;
+        }
+    return names;
+}
+
+}  // namespace
+
+std::string report_json(const ReportFacts& facts) {
+    const auto ranges = inspect::pass_ranges(facts.recording);
+    Json passes = Json::array();
+    for (std::size_t i = facts.shown.first; i <= facts.shown.last; ++i)
+        passes.push_back(pass_json(facts, i, ranges[i]));
+    const Json report{{"version", 1},
+                      {"file", facts.options.file},
+                      {"command", facts.options.command},
+                      {"language", facts.options.language == Language::Japanese ? "ja" : "en"},
+                      {"producer", facts.recording.producer},
+                      {"scene", facts.recording.scene},
+                      {"renderer", facts.recording.renderer},
+                      {"profile", inspect::json_of(facts.recording.profile)},
+                      {"width", facts.recording.width},
+                      {"height", facts.recording.height},
+                      {"passes_of_recording", facts.manifest.passes.size()},
+                      {"small", facts.with_small},
+                      {"time", prices_json(facts.options.prices)},
+                      {"history", span_json(facts.history)},
+                      {"tile", TileHistory::side},
+                      {"commands", commands_json(facts, ranges)},
+                      {"passes", passes}};
+    return report.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace gw::report

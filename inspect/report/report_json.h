@@ -1,0 +1,24 @@
+// What a report's page shows, as JSON. docs/inspect.md, "The files", has its members.
+#pragma once
+
+#include "inspect/manifest/manifest.h"
+#include "inspect/report/report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace gw::report {
+
+struct ReportFacts {
+    const inspect::Recording& recording;
+    const inspect::Manifest& manifest;
+    PassSpan shown;
+    std::optional<PassSpan> history;
+    const nlohmann::ordered_json& pictures;  ///< of every pass that is shown
+    const std::vector<bool>& identifiers;    ///< of every pass of the recording: writes them for colours
+    bool with_small = false;                 ///< pictures have small ones beside them
+    const ReportOptions& options;
+};
+
+std::string report_json(const ReportFacts& facts);
+
+}  // namespace gw::report

@@ -1,0 +1,63 @@
+#include "inspect/testing/expect_passes.h"
+
+#include "gw/error.h"
+#include "inspect/manifest/manifest_file.h"
+#include "inspect/testing/failure_pictures.h"
+
+namespace gw::testing {
+namespace {
+
+using ::testing::AssertionFailure;
+using ::testing::AssertionResult;
+using ::testing::AssertionSuccess;
+
+AssertionResult failure_of(const inspect::Verification& v, const inspect::Recording& recording,
+                           const std::filesystem::path& golden) {
+    AssertionResult failure = AssertionFailure();
+    failure << golden.string() << ": " << text(*v.finding, recording.height);
+    if (!v.same_commands) failure << "the golden was made of another command list\n";
+    if (!v.actual_planes) return failure;
+    const std::string name = golden.stem().string() + "-pass" + std::to_string(*v.finding->pass);
+    return failure << write_failure_pictures(name, v.expected_planes, *v.actual_planes, recording.profile);
+}
+
+AssertionResult compared(const inspect::Recording& recording, const std::filesystem::path& golden) {
+    const inspect::ManifestFile expected = inspect::load_manifest(golden);
+    const auto fast = inspect::maker_of("fast"), reference = inspect::maker_of("reference");
+    const auto v = verify(recording, expected.manifest, expected.values, reference, fast);
+    if (v.finding) return failure_of(v, recording, golden);
+    if (const auto finding = compare_machines(recording, reference, fast))
+        return AssertionFailure() << "the two machines differ: " << text(*finding, recording.height);
+    return AssertionSuccess();
+}
+
+AssertionResult compared_or_updated(const inspect::Recording& recording,
+                                    const std::filesystem::path& golden) {
+    if (!updates_goldens()) return compared(recording, golden);
+    write_golden(recording, golden);
+    return AssertionSuccess() << golden.string() << ": written, because GW_UPDATE_GOLDENS is set";
+}
+
+}  // namespace
+
+AssertionResult passes_eq(const inspect::Recording& recording, const std::filesystem::path& golden) {
+    try {
+        return compared_or_updated(recording, golden);
+    } catch (const Error& error) {
+        return AssertionFailure() << error.what();
+    }
+}
+
+AssertionResult passes_eq(const CommandList& list, const std::filesystem::path& golden) {
+    try {
+        const inspect::Manifest manifest = inspect::load_manifest(golden).manifest;
+        return passes_eq(recording_of(list, manifest.profile, manifest.width, manifest.height), golden);
+    } catch (const Error& error) {
+        return AssertionFailure()
+               << error.what()
+               << "\nA list takes its profile and window from the golden; the first one is "
+                  "made by gw::testing::write_golden";
+    }
+}
+
+}  // namespace gw::testing

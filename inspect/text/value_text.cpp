@@ -1,0 +1,56 @@
+#include "inspect/text/value_text.h"
+
+#include "inspect/recording/file_values.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace gw::inspect {
+
+std::string text(bool v) { return v ? "on" : "off"; }
+std::string text(int v) { return std::to_string(v); }
+std::string text(std::uint32_t v) { return std::to_string(v); }
+std::string text(float v) { return fmt::format("{}", v); }
+std::string text(double v) { return fmt::format("{}", v); }
+std::string text(const std::string& v) { return "'" + v + "'"; }
+
+std::string text(const vec2& v) { return fmt::format("{} {}", v.x, v.y); }
+std::string text(const vec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
+std::string text(const vec4& v) { return fmt::format("{} {} {} {}", v.x, v.y, v.z, v.w); }
+std::string text(const dvec4& v) { return fmt::format("{} {} {} {}", v.x, v.y, v.z, v.w); }
+std::string text(const dmat4& m) {
+    std::string rows;
+    for (int row = 0; row < 4; ++row)
+        rows += (row ? "; " : "") + text(dvec4(m[0][row], m[1][row], m[2][row], m[3][row]));
+    return rows;
+}
+std::string text(const Rgba& c) { return fmt::format("{}", fmt::join(c, " ")); }
+std::string text(const Rect& r) { return fmt::format("{} {} {} {}", r.x, r.y, r.width, r.height); }
+std::string text(const Span& s) {
+    return fmt::format("x {} y {} length {} first {}{}", s.x, s.y, s.length, s.first, s.flat ? " flat" : "");
+}
+std::string text(const ColorMask& m) {
+    return std::string(m.r ? "r" : "-") + (m.g ? "g" : "-") + (m.b ? "b" : "-") + (m.a ? "a" : "-");
+}
+std::string text(const std::optional<std::uint32_t>& v) { return v ? std::to_string(*v) : "none"; }
+
+std::string text(Primitive v) { return gwt::EnumNamePrimitive(file_enum<gwt::Primitive>(v)); }
+std::string text(Plane v) { return gwt::EnumNamePlane(file_enum<gwt::Plane>(v)); }
+std::string text(AccumOp v) { return gwt::EnumNameAccumOp(file_enum<gwt::AccumOp>(v)); }
+std::string text(CompareFunc v) { return gwt::EnumNameCompareFunc(file_enum<gwt::CompareFunc>(v)); }
+std::string text(StencilOp v) { return gwt::EnumNameStencilOp(file_enum<gwt::StencilOp>(v)); }
+std::string text(BlendFactor v) { return gwt::EnumNameBlendFactor(file_enum<gwt::BlendFactor>(v)); }
+std::string text(Face v) { return gwt::EnumNameFace(file_enum<gwt::Face>(v)); }
+std::string text(Winding v) { return gwt::EnumNameWinding(file_enum<gwt::Winding>(v)); }
+std::string text(PolygonMode v) { return gwt::EnumNamePolygonMode(file_enum<gwt::PolygonMode>(v)); }
+std::string text(ShadeModel v) { return gwt::EnumNameShadeModel(file_enum<gwt::ShadeModel>(v)); }
+std::string text(ColorSource v) { return gwt::EnumNameColorSource(file_enum<gwt::ColorSource>(v)); }
+std::string text(FogMode v) { return gwt::EnumNameFogMode(file_enum<gwt::FogMode>(v)); }
+std::string text(FogCoordinate v) { return gwt::EnumNameFogCoordinate(file_enum<gwt::FogCoordinate>(v)); }
+std::string text(MinFilter v) { return gwt::EnumNameMinFilter(file_enum<gwt::MinFilter>(v)); }
+std::string text(MagFilter v) { return gwt::EnumNameMagFilter(file_enum<gwt::MagFilter>(v)); }
+std::string text(Wrap v) { return gwt::EnumNameWrap(file_enum<gwt::Wrap>(v)); }
+std::string text(TexEnv v) { return gwt::EnumNameTexEnv(file_enum<gwt::TexEnv>(v)); }
+std::string text(TexGen v) { return gwt::EnumNameTexGen(file_enum<gwt::TexGen>(v)); }
+
+}  // namespace gw::inspect

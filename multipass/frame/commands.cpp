@@ -1,0 +1,141 @@
+// One step as commands.
+#include "multipass/frame/commands.h"
+
+#include "multipass/ties/one_winner.h"
+
+#include <utility>
+
+namespace gw::multipass {
+namespace {
+
+/// The map of this part in this step; none: it is drawn as if the map was white.
+const MappedMesh* map_of(const Step& step, const Part& part) {
+    const auto& maps = part.maps_for(step.pass.material.Map);
+    return step.map < maps.size() ? &maps[step.map] : nullptr;
+}
+
+void set_fog(State& state, PassFog fog, const scene::Scene& scene) {
+    if (fog == PassFog::None || !scene.fog) return;
+    const scene::Fog& f = *scene.fog;
+    const vec3 color = fog == PassFog::Black ? vec3(0) : f.color;
+    state.fog = {.enable = true,
+                 .mode = f.mode,
+                 .density = f.density,
+                 .start = f.start,
+                 .end = f.end,
+                 .color = vec4(color, 1)};
+}
+
+/// SetState where it differs from the one before.
+class StateWriter {
+public:
+    explicit StateWriter(CommandList& list) : list_(&list) {}
+    void set(const State& state) {
+        if (last_ && *last_ == state) return;
+        list_->add(SetState{state});
+        last_ = state;
+    }
+    /// Others have set it.
+    void forget() { last_.reset(); }
+
+private:
+    CommandList* list_;
+    std::optional<State> last_;
+};
+
+/// Whole parts, or far to near in pieces where a translucent pass wants an order.
+std::vector<Portion> portions(const Stage& stage, const Step& step) {
+    const bool sorted =
+        step.pass.objects == PassObjects::Translucent && step.pass.depth.func != DepthFunc::Equal;
+    std::vector<Portion> result;
+    if (sorted && !stage.far_to_near.empty()) {
+        result = stage.far_to_near;
+    } else {
+        for (std::size_t i = 0; i < stage.model->parts.size(); ++i) result.push_back({.part = i});
+    }
+    std::erase_if(
+        result, [&](const Portion& p) { return !concerns(step, stage.model->parts[p.part], *stage.model); });
+    return result;
+}
+
+}  // namespace
+
+void begin_pass(CommandList& list, const std::string& name, const State& state) {
+    list.add(BeginPass{.name = name});
+    list.add(SetState{state});
+}
+
+State state_of(const Stage& stage, const Step& step) {
+    State state = stage.state;
+    const Pass& pass = step.pass;
+    state.depth = pass.depth;
+    state.stencil = pass.stencil;
+    state.blend = pass.blend;
+    // What dims what is behind it leaves the picture as opaque as it is.
+    const bool dims = pass.blend.enable && pass.blend.dst == BlendFactor::OneMinusSrcAlpha;
+    state.color_mask = {pass.color, pass.color, pass.color, pass.color && !dims};
+    set_fog(state, pass.fog, *stage.model->scene);
+    return state;
+}
+
+TextureState lookup_of(const Stage& stage, const Step& step, std::size_t index) {
+    const Part& part = stage.model->parts[index];
+    const MappedMesh* map = adds(step, part, *stage.model) ? map_of(step, part) : nullptr;
+    return map ? map->lookup : TextureState{};
+}
+
+Draw draw_of(const Stage& stage, const Step& step, const Portion& portion) {
+    const Part& part = stage.model->parts[portion.part];
+    if (!adds(step, part, *stage.model)) return black_draw(stage, portion);
+    const MappedMesh* map = map_of(step, part);
+    Draw draw{.mesh = portion.of(map ? map->mesh : part.mesh),
+              .eye_from_object = stage.eye_from_object[portion.part]};
+    draw.material = material_for(step.pass.material, *part.material);
+    if (step.light) draw.lights = stage.lights[*step.light];
+    if (step.pass.lights == PassLights::All) draw.lights = lights_of(stage, part);
+    if (map) draw.map.texture = map->texture;
+    if (step.pass.objects == PassObjects::Glaring) {
+        draw.eye_from_object[3] += dvec4(stage.glare[portion.part], 0);
+        draw.material.Ke *= part.object->glare->strength;
+    }
+    return draw;
+}
+
+Draw black_draw(const Stage& stage, const Portion& portion) {
+    const Part& part = stage.model->parts[portion.part];
+    Draw draw{.mesh = portion.of(part.mesh), .eye_from_object = stage.eye_from_object[portion.part]};
+    draw.material = material_for({}, *part.material);
+    return draw;
+}
+
+void add_step(CommandList& list, const Stage& stage, const Step& step, const FrameRules& rules) {
+    if (!is_needed(step, *stage.model)) return;
+    list.add(BeginPass{.name = name_of(step, *stage.model)});
+    StateWriter states(list);
+    State state = state_of(stage, step);
+    if (step.pass.clear) {
+        State all = state;
+        all.color_mask = {};
+        all.depth.mask = true;
+        all.stencil.write_mask = ~0u;
+        states.set(all);
+        list.add(Clear{.planes = step.pass.clear, .color = vec4(rules.background, 1)});
+    }
+    const bool one_winner =
+        rules.one_winner && is_additive(step.pass) && step.pass.objects != PassObjects::Translucent;
+    const bool by_ties = one_winner && rules.tied && can_leave_ties_out(stage, step, rules.stencil_bits);
+    if (one_winner && !by_ties) return add_one_winner_step(list, stage, step, rules.stencil_bits);
+    if (by_ties) {
+        mark_ties(list, stage, *rules.tied, rules.stencil_bits);
+        state.stencil = beside_ties(state.stencil, rules.stencil_bits);
+        states.forget();
+    }
+    for (const Portion& portion : portions(stage, step)) {
+        state.texture = lookup_of(stage, step, portion.part);
+        states.set(state);
+        list.add(draw_of(stage, step, portion));
+    }
+    if (by_ties) draw_ties(list, stage, step, *rules.tied, rules.stencil_bits);
+}
+
+}  // namespace gw::multipass

@@ -1,0 +1,79 @@
+// Pictures from frames.
+#include "multipass/frame/driver.h"
+
+#include "multipass/frame/frame_drawer.h"
+#include "multipass/maps/scene_maps.h"
+
+#include <algorithm>
+
+namespace gw::multipass {
+
+/// The scene with its maps, and what is made of it.
+struct Drawer::Ready {
+    scene::Scene scene;
+    Picture picture;
+
+    Ready(Machine& machine, scene::Scene with_maps, const PassList& passes, const Options& options)
+        : scene(std::move(with_maps)), picture(machine, scene, passes, options, scene.background) {}
+};
+
+Drawer::Drawer(Machine& machine, scene::Scene scene, const Options& options)
+    : machine_(machine), scene_(std::move(scene)), options_(options), passes_(pass_list(scene_, options)) {
+    check_lights(scene_, passes_, machine.profile());
+}
+
+Drawer::~Drawer() = default;
+
+Superposition Drawer::draw(const scene::View& view) {
+    if (!ready_ || has_scene_maps(scene_, options_))
+        ready_ = std::make_unique<Ready>(machine_, with_scene_maps(machine_, scene_, view, options_), passes_,
+                                         options_);
+    const int samples = std::max(options_.samples, samples_of(scene_));
+    return superpose(
+        machine_, samples, ready_->picture.images(),
+        [&](const Sample& sample) { ready_->picture.draw(view, sample); },
+        weights_of(samples, options_.weighted, machine_.profile()));
+}
+
+PassList pass_list(const scene::Scene& scene, const Options& options) {
+    return options.passes ? *options.passes : passes_for(scene, options.renderer, options.translucency);
+}
+
+Superposition render(Machine& machine, const scene::Scene& scene, const scene::View& view,
+                     const Options& options) {
+    return Drawer(machine, scene, options).draw(view);
+}
+
+CommandList frame_list(const scene::Scene& scene, const scene::View& view, const PassList& passes,
+                       const vec3& background, bool one_winner, int stencil_bits) {
+    const Model model = make_model(scene);
+    const Shadows shadows = find_volumes(model, topologies(model));
+    const Stage stage = make_stage(model, enclosing(view, model, shadows));
+    const Frame frame{stage,
+                      shadows,
+                      schedule(passes, model),
+                      {.background = background, .one_winner = one_winner, .stencil_bits = stencil_bits}};
+    return commands(frame, 0, frame.steps.size());
+}
+
+std::vector<ComponentImage> render_components(Machine& machine, const scene::Scene& scene,
+                                              const scene::View& view, const Options& options) {
+    std::vector<ComponentImage> images;
+    scene::Scene ready = with_scene_maps(machine, scene, view, options);
+    for (const ComponentList& component : component_lists(scene, pass_list(scene, options))) {
+        Options of_component = options;
+        of_component.passes = component.passes;
+        ready.background = component.background ? scene.background : vec3(0);
+        render(machine, ready, view, of_component);
+        images.push_back({component.name, machine.planes().color});
+    }
+    return images;
+}
+
+std::string print_passes(const PassList& passes) {
+    std::string text;
+    for (const Pass& pass : passes) text += to_string(pass) + "\n";
+    return text;
+}
+
+}  // namespace gw::multipass

@@ -1,0 +1,133 @@
+// Frames: the passes that clear and find Z, the count of winners, then all others, layers among them.
+#include "multipass/frame/frame_drawer.h"
+
+#include "gw/error.h"
+#include "multipass/translucency/far_to_near.h"
+#include "multipass/translucency/layers.h"
+#include "multipass/ties/one_winner.h"
+#include "multipass/shadow/shadow_passes.h"
+#include "multipass/frame/superpose.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+namespace gw::multipass {
+namespace {
+
+/// The view that is drawn: the far plane behind all shadow volumes, what lies behind its own cut off.
+Stage staged(const Model& model, const scene::View& view, const Shadows& shadows) {
+    Stage stage = make_stage(model, enclosing(view, model, shadows));
+    const double far_plane = view.camera.far_plane;
+    const bool moved = far_plane < stage.view.camera.far_plane;
+    const double farthest = scene::depth_interval(scene::bounds(*model.scene), view.eye_from_world).farthest;
+    if (moved && farthest > far_plane) stage.state.clip_planes[0] = {true, dvec4(0, 0, 1, far_plane)};
+    return stage;
+}
+
+bool traces(const std::vector<Step>& steps) {
+    return std::any_of(steps.begin(), steps.end(),
+                       [](const Step& s) { return s.pass.action == PassAction::Trace; });
+}
+
+/// Whether a step before `end` leaves something of its own in the stencil, which counting would clear.
+bool uses_stencil(const std::vector<Step>& steps, std::size_t end) {
+    return std::any_of(steps.begin(), steps.begin() + std::ptrdiff_t(end),
+                       [](const Step& s) { return s.pass.stencil.test && !keeps_stencil(s.pass.stencil); });
+}
+
+}  // namespace
+
+Picture::Picture(Machine& machine, const scene::Scene& scene, PassList passes, const Options& options,
+                 const vec3& background)
+    : machine_(machine),
+      still_(scene),
+      now_(scene),
+      options_(options),
+      background_(background),
+      model_(make_model(now_)),
+      steps_(schedule(passes, model_)),
+      topologies_(topologies(model_)),
+      shadows_(find_volumes(model_, topologies_)) {}
+
+void Picture::move(const scene::View& view, const Sample& sample) {
+    move_to(now_, still_, sample);
+    if (moves(still_)) shadows_ = find_volumes(model_, topologies_);
+    stage_ = staged(model_, view_at(view, sample), shadows_);
+    stage_.state.jitter = jitter_of(sample, machine_.profile().subpixel_bits);
+    for (std::size_t i = 0; i < stage_.glare.size(); ++i)
+        if (const auto& glare = now_.objects[i].glare) stage_.glare[i] = glare_displacement(*glare, sample);
+    if (options_.translucency == Translucency::Sorted) stage_.far_to_near = far_to_near(stage_);
+    find_masks(shadows_, machine_, model_, stage_.view, stage_.state.jitter);
+    if (options_.trace && traces(steps_))
+        traced_ = options_.trace(machine_, now_, stage_.view, stage_.state.jitter);
+}
+
+void Picture::draw(const scene::View& view, const Sample& sample) {
+    move(view, sample);
+    shadows_.one_by_one = false;
+    if (attempt()) return;
+    shadows_.one_by_one = true;
+    if (!attempt())
+        throw Error(fmt::format(
+            "an object's shadow volume is deeper than {} stencil bits count; use shadow = \"map\"",
+            machine_.profile().stencil_bits));
+}
+
+bool Picture::wants_count() const {
+    const bool opaque =
+        std::any_of(model_.parts.begin(), model_.parts.end(), [](const Part& p) { return !p.translucent; });
+    return options_.one_winner == OneWinner::Auto && opaque &&
+           std::any_of(steps_.begin(), steps_.end(), [](const Step& s) { return is_additive(s.pass); }) &&
+           !uses_stencil(steps_, end_of_depth(steps_));
+}
+
+/// False: a shadow count may have overflowed.
+bool Picture::attempt() {
+    const std::size_t before = machine_.passes().size();
+    Frame frame{stage_, shadows_, steps_, {.background = background_}, traced_};
+    frame.rules.one_winner = options_.one_winner == OneWinner::Always;
+    frame.rules.stencil_bits = machine_.profile().stencil_bits;
+    frame.rules.most_images = most_pictures(machine_.profile());
+    TiedPixels tied;
+    std::size_t next = 0;
+    if (wants_count()) {
+        next = end_of_depth(steps_);
+        count_winners_of(frame, next, tied);
+    }
+    const LayerSteps layers = layer_steps(steps_);
+    run(frame, next, layers.first);
+    run_layers(frame, layers);
+    run(frame, layers.last, steps_.size());
+    return !any_overflow(std::span(machine_.passes()).subspan(before));
+}
+
+/// Draws the steps before `end` and says to the frame's rules what the count finds.
+void Picture::count_winners_of(Frame& frame, std::size_t end, TiedPixels& tied) {
+    CommandList list = commands(frame, 0, end);
+    list.append(count_winners(stage_));
+    machine_.execute(list);
+    frame.rules.one_winner = surplus_winners(std::span(machine_.passes()).last(2)) > 0;
+    if (!frame.rules.one_winner || !can_mark_ties(stage_, frame.rules.stencil_bits)) return;
+    tied = tied_pixels(stage_, machine_.readbacks().at(winners_key).values);
+    frame.rules.tied = &tied;
+}
+
+void Picture::run(const Frame& frame, std::size_t first, std::size_t last) {
+    if (first < last) machine_.execute(commands(frame, first, last));
+}
+
+void Picture::run_layers(const Frame& frame, const LayerSteps& steps) {
+    if (steps.first == steps.last) return;
+    const Layers layers = find_layers(machine_, stage_);
+    CommandList list;
+    for (std::size_t r = 0; r < layers.depth.size(); ++r) {
+        begin_layer(list, stage_, layers, r);
+        list.append(commands(frame, steps.first, steps.last));
+    }
+    end_layers(list, stage_, layers);
+    machine_.execute(list);
+}
+
+}  // namespace gw::multipass

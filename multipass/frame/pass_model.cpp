@@ -1,0 +1,118 @@
+// Maps by component, meshes by map.
+#include "multipass/frame/pass_model.h"
+
+#include "scene/draw/components.h"
+#include "scene/draw/draw_commands.h"
+
+#include <algorithm>
+
+namespace gw::multipass {
+namespace {
+
+using scene::Component;
+
+/// Meshes that a map's scale and offset changed, each made once.
+struct MeshCache {
+    struct Entry {
+        MeshRef from;
+        vec2 scale, offset;
+        MeshRef to;
+    };
+    std::vector<Entry> entries;
+
+    MeshRef mapped(const MeshRef& mesh, const scene::Map& map) {
+        for (const Entry& e : entries)
+            if (e.from == mesh && e.scale == map.scale && e.offset == map.offset) return e.to;
+        entries.push_back({mesh, map.scale, map.offset, scene::mapped_mesh(mesh, map)});
+        return entries.back().to;
+    }
+};
+
+TextureState lookup_of(const scene::Map& map, PassMap kind, const scene::Material& material) {
+    TextureState state = scene::texture_state(map);
+    if (kind == PassMap::Reflection) state.gen = TexGen::SphereMap;
+    if (kind == PassMap::Refraction) {
+        state.gen = TexGen::RefractionMap;
+        state.eta = material.Ni > 0 ? 1.0 / material.Ni : 1.0;
+    }
+    if (state.gen != TexGen::None) state.wrap_s = state.wrap_t = Wrap::Clamp;
+    return state;
+}
+
+Component component_of(PassMap map) {
+    switch (map) {
+        case PassMap::None: break;
+        case PassMap::Ambient: return Component::Ambient;
+        case PassMap::Diffuse: return Component::Diffuse;
+        case PassMap::Specular: return Component::Specular;
+        case PassMap::Emission: return Component::Emission;
+        case PassMap::Reflection: return Component::Reflection;
+        case PassMap::Refraction: return Component::Refraction;
+        case PassMap::Object: break;
+    }
+    return Component::Diffuse;
+}
+
+void add_map(Part& part, PassMap kind, const scene::Map& map, MeshCache& cache) {
+    auto& list = part.maps[static_cast<std::size_t>(kind)];
+    list.push_back({cache.mapped(part.object->mesh, map), map.texture, lookup_of(map, kind, *part.material)});
+}
+
+void add_maps(Part& part, MeshCache& cache) {
+    for (const PassMap kind : {PassMap::Ambient, PassMap::Diffuse, PassMap::Specular, PassMap::Emission,
+                               PassMap::Reflection, PassMap::Refraction})
+        for (const scene::Map& map : scene::maps(*part.material, component_of(kind)))
+            add_map(part, kind, map, cache);
+    if (const scene::Map* map = scene::hardware_map(*part.material))
+        add_map(part, PassMap::Object, *map, cache);
+}
+
+/// One mesh for all passes where the maps allow it: passes that share a mesh share its geometry.
+MeshRef mesh_of(const Part& part) {
+    for (const auto& list : part.maps)
+        for (const MappedMesh& map : list)
+            if (map.mesh != part.object->mesh) return map.mesh;
+    return part.object->mesh;
+}
+
+vec3 value_of(const Parameter& p, const vec3& objects, const scene::Material& m) {
+    switch (p.kind) {
+        case Parameter::Kind::Value: return {p.value[0], p.value[1], p.value[2]};
+        case Parameter::Kind::Object: return objects;
+        case Parameter::Kind::ObjectKs: return m.Ks;
+        case Parameter::Kind::ObjectTf: return m.Tf;
+    }
+    return objects;
+}
+
+}  // namespace
+
+Model make_model(const scene::Scene& scene) {
+    Model model{.scene = &scene};
+    MeshCache cache;
+    for (const scene::Object& item : scene.objects) {
+        Part part{.object = &item, .material = &scene.materials.at(item.material)};
+        part.translucent = part.material->d < 1;
+        add_maps(part, cache);
+        part.mesh = mesh_of(part);
+        model.parts.push_back(std::move(part));
+    }
+    return model;
+}
+
+Material material_for(const PassMaterial& set, const scene::Material& m) {
+    return {.Ka = value_of(set.Ka, m.Ka, m),
+            .Kd = value_of(set.Kd, m.Kd, m),
+            .Ks = value_of(set.Ks, m.Ks, m),
+            .Ke = value_of(set.Ke, m.Ke, m),
+            .Ns = m.Ns,
+            .alpha = m.d};
+}
+
+std::size_t repetitions(const Model& model, PassMap map) {
+    std::size_t most = 1;
+    for (const Part& part : model.parts) most = std::max(most, part.maps_for(map).size());
+    return most;
+}
+
+}  // namespace gw::multipass

@@ -1,0 +1,73 @@
+// Passes as text, in the paper's notation and GL's words.
+#include "multipass/passes/pass.h"
+
+#include "multipass/passes/tokens.h"
+
+#include <fmt/format.h>
+
+namespace gw::multipass {
+namespace {
+
+std::string to_string(const Parameter& p) {
+    if (p.kind != Parameter::Kind::Value) return std::string(word(p.kind));
+    const auto& v = p.value;
+    if (v[0] == v[1] && v[1] == v[2]) return fmt::format("{}", v[0]);
+    return fmt::format("({}, {}, {})", v[0], v[1], v[2]);
+}
+
+std::string depth_text(const DepthState& depth) {
+    if (!depth.test) return "";
+    return fmt::format("; depth {}{}", word(depth.func), depth.mask ? ", update" : ", no update");
+}
+
+std::string stencil_text(const StencilState& s) {
+    if (!s.test) return "";
+    std::string text = fmt::format("; stencil {} {}", word(s.func), s.ref);
+    const bool keeps = s.fail == StencilOp::Keep && s.zfail == StencilOp::Keep && s.zpass == StencilOp::Keep;
+    if (!keeps) text += fmt::format(" ({} {} {})", word(s.fail), word(s.zfail), word(s.zpass));
+    return text;
+}
+
+std::string objects_text(const Pass& pass) {
+    if (pass.objects == PassObjects::All) return "";
+    if (pass.objects != PassObjects::Named) return fmt::format("; objects {}", word(pass.objects));
+    return fmt::format("; objects {}", fmt::join(pass.names, ", "));
+}
+
+std::string clear_text(PlaneMask planes) {
+    std::string text;
+    for (const auto& [plane, name] : words(Plane{}))
+        if (planes & mask_of(plane)) text += (text.empty() ? "; clear " : ", ") + std::string(name);
+    return text;
+}
+
+std::string action_text(const Pass& pass) {
+    switch (pass.action) {
+        case PassAction::Draw: return to_string(pass.material);
+        case PassAction::Shadow: return "stencil := in the light's shadow";
+        case PassAction::Add: return "accumulation += frame buffer, colour := 0";
+        case PassAction::Trace: return "pixels := reflection and transmission by rays";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string to_string(const PassMaterial& m) {
+    return fmt::format("(Ka={}, Kd={}, Ks={}, Ke={}, Map={})", to_string(m.Ka), to_string(m.Kd),
+                       to_string(m.Ks), to_string(m.Ke), word(m.Map));
+}
+
+std::string to_string(const Pass& pass) {
+    std::string text = fmt::format("{:<11} ", pass.name.view());
+    text += action_text(pass);
+    if (pass.lights != PassLights::None) text += fmt::format("; lights {}", word(pass.lights));
+    text += objects_text(pass) + depth_text(pass.depth) + stencil_text(pass.stencil);
+    if (pass.blend.enable) text += fmt::format("; blend {} {}", word(pass.blend.src), word(pass.blend.dst));
+    if (pass.fog != PassFog::None) text += fmt::format("; fog {}", word(pass.fog));
+    text += clear_text(pass.clear);
+    if (!pass.color) text += "; no colour";
+    return text;
+}
+
+}  // namespace gw::multipass

@@ -1,0 +1,167 @@
+// Lists from the catalogue.
+#include "multipass/passes/passes.h"
+
+#include "gw/error.h"
+#include "multipass/passes/catalogue.h"
+#include "multipass/ties/one_winner.h"
+#include "scene/draw/draw_commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gw::multipass {
+namespace {
+
+/// Draws light of its own kind: what Fig. 4 shows as an image.
+bool is_component(const Pass& pass) {
+    return is_additive(pass) || (pass.blend.enable && pass.blend.src != BlendFactor::Zero);
+}
+
+bool any_glare(const scene::Scene& scene) {
+    return std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [](const scene::Object& item) { return item.glare.has_value(); });
+}
+
+/// The reflection map where the first light that casts a shadow arrives [K3.2].
+void keep_reflection_out_of_shadow(PassList& list) {
+    const auto reflection =
+        std::find_if(list.begin(), list.end(), [](const Pass& p) { return p.name == reflection_pass.name; });
+    reflection->stencil = outside_shadow;
+    reflection->lights = PassLights::First;
+    Pass shadow = shadow_pass;
+    shadow.lights = PassLights::First;
+    list.insert(reflection, shadow);
+}
+
+/// The passes of opaque objects.
+PassList opaque_passes(const scene::Scene& scene) {
+    PassList list{depth_pass,    shadow_pass,     ambient_pass,    diffuse_pass,
+                  specular_pass, reflection_pass, refraction_pass, emission_pass};
+    if (any_glare(scene)) list.push_back(glare_pass);
+    if (!scene.reflection_in_shadow) keep_reflection_out_of_shadow(list);
+    list[0].color = scene.background != vec3(0);
+    for (Pass& pass : list) {
+        const bool draws_all = pass.action == PassAction::Draw && pass.objects == PassObjects::All;
+        if (has_translucent(scene) && draws_all) pass.objects = PassObjects::Opaque;
+        if (scene.fog && is_component(pass)) pass.fog = PassFog::Black;
+    }
+    return list;
+}
+
+Pass fog_pass_for(const scene::Scene& scene) {
+    Pass pass = fog_pass;
+    if (has_translucent(scene)) pass.objects = PassObjects::Opaque;
+    return pass;
+}
+
+/// The same over each layer of the picture instead of over all of them at once.
+Pass in_layers(Pass pass) {
+    pass.depth = seen;
+    pass.stencil = in_layer;
+    if (pass.blend == over) pass.blend.dst = BlendFactor::One;
+    return pass;
+}
+
+/// The components of translucent objects, without their fog.
+PassList translucent_components(const scene::Scene& scene) {
+    PassList list{translucent_ambient_pass,    translucent_diffuse_pass,    translucent_specular_pass,
+                  translucent_reflection_pass, translucent_refraction_pass, translucent_emission_pass};
+    for (Pass& pass : list)
+        if (scene.fog) pass.fog = PassFog::Black;
+    return list;
+}
+
+/// Each component an image of its own, added in the accumulation buffer.
+void add_images(PassList& list, const scene::Scene& scene) {
+    list.push_back(veil_pass);
+    list.push_back(add_pass);
+    for (const Pass& pass : translucent_components(scene)) {
+        list.push_back(pass);
+        list.push_back(add_pass);
+        list.back().lights = pass.lights;
+    }
+    if (!scene.fog) return;
+    list.push_back(fog_pass_for(scene));
+    list.push_back(translucent_fog_pass);
+    list.push_back(add_pass);
+}
+
+/// Layer after layer in the frame buffer: dim what is behind, add the layer's components.
+void add_layers(PassList& list, const scene::Scene& scene) {
+    if (scene.fog) list.push_back(fog_pass_for(scene));
+    list.push_back(in_layers(veil_pass));
+    for (const Pass& pass : translucent_components(scene)) list.push_back(in_layers(pass));
+    if (scene.fog) list.push_back(in_layers(translucent_fog_pass));
+}
+
+PassList multipass_list(const scene::Scene& scene, Translucency translucency) {
+    PassList list = opaque_passes(scene);
+    if (!has_translucent(scene)) {
+        if (scene.fog) list.push_back(fog_pass);
+    } else if (translucency == Translucency::Layers) {
+        add_layers(list, scene);
+    } else {
+        add_images(list, scene);
+    }
+    return list;
+}
+
+PassList hardware_list(const scene::Scene& scene) {
+    PassList list{hardware_pass};
+    if (has_translucent(scene)) {
+        list[0].objects = PassObjects::Opaque;
+        list.push_back(translucent_hardware_pass);
+    }
+    for (Pass& pass : list)
+        if (scene.fog) pass.fog = PassFog::Scene;
+    return list;
+}
+
+/// The list that draws one component alone: what is no component, and this pass, if there is one.
+PassList alone(const PassList& passes, const Pass* component) {
+    PassList list;
+    for (const Pass& pass : passes)
+        if (pass.action != PassAction::Add && (!is_component(pass) || &pass == component))
+            list.push_back(pass);
+    return list;
+}
+
+std::size_t lights_on(const scene::Scene& scene, const scene::Object& object) {
+    return static_cast<std::size_t>(
+        std::count_if(scene.lights.begin(), scene.lights.end(),
+                      [&](const scene::Light& light) { return scene::lights_object(light, object); }));
+}
+
+}  // namespace
+
+bool has_translucent(const scene::Scene& scene) {
+    return std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [&](const scene::Object& item) { return scene.materials[item.material].d < 1; });
+}
+
+PassList passes_for(const scene::Scene& scene, Renderer renderer, Translucency translucency) {
+    return renderer == Renderer::Hardware ? hardware_list(scene) : multipass_list(scene, translucency);
+}
+
+std::vector<ComponentList> component_lists(const scene::Scene& scene, const PassList& passes) {
+    std::vector<ComponentList> lists;
+    if (scene.background != vec3(0)) lists.push_back({"background", alone(passes, nullptr), true});
+    for (const Pass& pass : passes)
+        if (is_component(pass)) lists.push_back({pass.name.str(), alone(passes, &pass), false});
+    return lists;
+}
+
+void check_lights(const scene::Scene& scene, const PassList& passes, const Profile& profile) {
+    const bool all =
+        std::any_of(passes.begin(), passes.end(), [](const Pass& p) { return p.lights == PassLights::All; });
+    if (!all) return;
+    for (const scene::Object& item : scene.objects)
+        if (lights_on(scene, item) > static_cast<std::size_t>(profile.max_lights))
+            throw Error(
+                fmt::format("{} lights on object '{}'; profile {} knows {} in one pass. "
+                            "--renderer multipass has no limit",
+                            lights_on(scene, item), item.name, profile.name, profile.max_lights));
+}
+
+}  // namespace gw::multipass

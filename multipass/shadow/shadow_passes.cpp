@@ -1,0 +1,129 @@
+// Increments, overflow, decrements.
+#include "multipass/shadow/shadow_passes.h"
+
+#include "multipass/frame/commands.h"
+#include "multipass/frame/whole_window.h"
+
+#include <algorithm>
+
+namespace gw::multipass {
+namespace {
+
+/// Counts faces: nothing but the stencil changes.
+State counting_state(const Stage& stage, Face culled, const StencilState& stencil) {
+    State state = stage.state;
+    state.clip_planes = {};  // those of the picture are not the volumes'
+    state.color_source = ColorSource::Vertex;
+    state.color_mask = {false, false, false, false};
+    state.depth = {.test = true, .func = DepthFunc::Less, .mask = false};
+    state.cull = {.enable = true, .face = culled, .front = Winding::CCW};
+    state.stencil = stencil;
+    return state;
+}
+StencilState behind(StencilOp op) { return {.test = true, .func = StencilFunc::Always, .zfail = op}; }
+StencilState before(StencilOp op) { return {.test = true, .func = StencilFunc::Always, .zpass = op}; }
+
+/// Fragments on the whole window that pass where `ref` func stored.
+State window_state(const Stage& stage, StencilFunc func, int ref, StencilOp op) {
+    State state = stage.state;
+    state.color_mask = {false, false, false, false};
+    state.depth = {};
+    state.stencil = {.test = true, .func = func, .ref = ref, .zpass = op};
+    return state;
+}
+
+struct VolumeWriter {
+    CommandList& list;
+    const Stage& stage;
+    const std::vector<ShadowVolume>& volumes;
+    const CountRules& rules;
+    std::vector<bool> outside{};  ///< by volume: counted in front of what is seen
+
+    VolumeWriter(CommandList& l, const Stage& s, const std::vector<ShadowVolume>& v, const CountRules& r)
+        : list(l), stage(s), volumes(v), rules(r) {
+        for (std::size_t i = 0; i < volumes.size(); ++i)
+            outside.push_back(rules.in_front && !rules.one_by_one && volumes[i].caps &&
+                              is_outside(volumes[i], stage.eye_from_object[i], stage.view));
+    }
+
+    std::vector<MeshRef> drawn(std::size_t i) const {
+        if (outside[i]) return {volumes[i].sides};
+        return {volumes[i].caps, volumes[i].sides};
+    }
+
+    void draw(const State& state, bool in_front, std::size_t first, std::size_t last) {
+        bool set = false;
+        for (std::size_t i = first; i < last; ++i) {
+            if (outside[i] != in_front) continue;
+            for (const MeshRef& mesh : drawn(i)) {
+                if (!mesh) continue;
+                if (!set) list.add(SetState{state});
+                set = true;
+                list.add(Draw{.mesh = mesh, .eye_from_object = stage.eye_from_object[i]});
+            }
+        }
+    }
+    void draw(StencilOp op, Face culled_behind, Face culled_before, std::size_t first, std::size_t last) {
+        draw(counting_state(stage, culled_behind, behind(op)), false, first, last);
+        draw(counting_state(stage, culled_before, before(op)), true, first, last);
+    }
+
+    /// In front of the background there is all of a volume: its caps are missing.
+    void clear_background() {
+        if (std::find(outside.begin(), outside.end(), true) == outside.end()) return;
+        State state = window_state(stage, StencilFunc::Always, 0, StencilOp::Zero);
+        state.depth = {.test = true, .func = DepthFunc::Equal, .mask = false};
+        add_whole_window(list, state);
+    }
+
+    void check_overflow(const std::string& name, std::size_t first, std::size_t last) {
+        const int stencil_max = (1 << rules.stencil_bits) - 1;
+        std::size_t triangles = 0;
+        for (std::size_t i = first; i < last; ++i)
+            for (const MeshRef& mesh : drawn(i)) triangles += mesh ? mesh->triangles().size() : 0;
+        if (triangles < static_cast<std::size_t>(stencil_max)) return;
+        list.add(BeginPass{.name = name + std::string(overflow_suffix)});
+        add_whole_window(list, window_state(stage, StencilFunc::Equal, stencil_max, StencilOp::Keep));
+        list.add(BeginPass{.name = name});
+    }
+
+    /// Faces that count up, then those that count down: out of a volume behind what is seen, into it before.
+    void count(const std::string& name, std::size_t first, std::size_t last) {
+        draw(StencilOp::Incr, Face::Front, Face::Back, first, last);
+        clear_background();
+        check_overflow(name, first, last);
+        draw(StencilOp::Decr, Face::Back, Face::Front, first, last);
+    }
+
+    /// 1 where the stencil is not 0.
+    void reduce() { add_whole_window(list, window_state(stage, StencilFunc::LEqual, 1, StencilOp::Replace)); }
+};
+
+}  // namespace
+
+void add_shadow_volumes(CommandList& list, const Stage& stage, const std::string& name,
+                        const std::vector<ShadowVolume>& volumes, const CountRules& rules) {
+    VolumeWriter writer(list, stage, volumes, rules);
+    begin_pass(list, name, stage.state);
+    list.add(Clear{.planes = mask_of(Plane::Stencil)});
+    const std::size_t group = rules.one_by_one ? 1 : volumes.size();
+    for (std::size_t i = 0; i < volumes.size(); i += group) {
+        writer.count(name, i, i + group);
+        if (rules.one_by_one || rules.zero_or_one) writer.reduce();
+    }
+}
+
+bool any_overflow(std::span<const PassReport> passes) {
+    return std::any_of(passes.begin(), passes.end(), [](const PassReport& p) {
+        return p.name.ends_with(overflow_suffix) && p.counters.written > 0;
+    });
+}
+
+void add_shadow_mask(CommandList& list, const Stage& stage, const std::string& name,
+                     const std::vector<std::uint32_t>& mask) {
+    begin_pass(list, name, stage.state);
+    list.add(WritePixels{
+        .rect = {0, 0, stage.view.width, stage.view.height}, .plane = Plane::Stencil, .values = mask});
+}
+
+}  // namespace gw::multipass

@@ -1,0 +1,60 @@
+// One entry per light.
+#include "multipass/shadow/shadows.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace gw::multipass {
+
+std::vector<Topology> topologies(const Model& model) {
+    const auto& lights = model.scene->lights;
+    const auto casts = [](const scene::Light& light) { return light.shadow == scene::Shadow::Volume; };
+    if (std::none_of(lights.begin(), lights.end(), casts)) return {};
+    std::vector<Topology> result;
+    for (const Part& part : model.parts) {
+        const auto same =
+            std::find_if(model.parts.begin(), model.parts.begin() + std::ptrdiff_t(result.size()),
+                         [&](const Part& p) { return p.mesh == part.mesh; });
+        const auto index = static_cast<std::size_t>(same - model.parts.begin());
+        result.push_back(index < result.size() ? result[index] : topology(*part.mesh));
+    }
+    return result;
+}
+
+Shadows find_volumes(const Model& model, const std::vector<Topology>& topologies) {
+    const auto& lights = model.scene->lights;
+    Shadows shadows;
+    shadows.volumes.resize(lights.size());
+    shadows.maps.resize(lights.size());
+    shadows.masks.resize(lights.size());
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (lights[i].shadow == scene::Shadow::Volume)
+            shadows.volumes[i] = shadow_volumes(model, topologies, i);
+    return shadows;
+}
+
+void find_masks(Shadows& shadows, Machine& machine, const Model& model, const scene::View& view,
+                const JitterState& jitter) {
+    const auto& lights = model.scene->lights;
+    std::vector<std::uint32_t> ids;
+    std::optional<scene::WorldTriangles> polygons;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (lights[i].shadow != scene::Shadow::Map) continue;
+        const int size = shadow_map_size(view.width, view.height);
+        if (shadows.maps[i].empty())
+            shadows.maps[i] =
+                draw_shadow_maps(machine, model, light_views(lights[i], scene::bounds(*model.scene), size),
+                                 view.width, view.height);
+        if (ids.empty()) ids = draw_ids(machine, model, view, jitter);
+        if (!polygons) polygons.emplace(*model.scene);
+        shadows.masks[i] =
+            shadow_mask(*polygons, lights[i], shadows.maps[i], ids, view, jitter, machine.profile());
+    }
+}
+
+scene::View enclosing(scene::View view, const Model& model, const Shadows& shadows) {
+    for (const auto& volumes : shadows.volumes) view = enclosing(view, model, volumes);
+    return view;
+}
+
+}  // namespace gw::multipass

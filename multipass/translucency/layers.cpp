@@ -1,0 +1,120 @@
+// Count, draw by ordinal, sort.
+#include "multipass/translucency/layers.h"
+
+#include "gw/error.h"
+#include "multipass/frame/commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gw::multipass {
+namespace {
+
+Rect window(const Stage& stage) { return {0, 0, stage.view.width, stage.view.height}; }
+
+/// Every translucent fragment, nothing drawn but what the stencil and Z state say.
+State fragment_state(const Stage& stage, const StencilState& stencil, bool update_depth) {
+    State state = stage.state;
+    state.color_source = ColorSource::Vertex;
+    state.color_mask = {false, false, false, false};
+    state.depth = {.test = true, .func = DepthFunc::Always, .mask = update_depth};
+    state.stencil = stencil;
+    return state;
+}
+
+void draw_translucent(CommandList& list, const Stage& stage) {
+    for (std::size_t i = 0; i < stage.model->parts.size(); ++i)
+        if (stage.model->parts[i].translucent) list.add(black_draw(stage, {.part = i}));
+}
+
+void clear(CommandList& list, PlaneMask planes) { list.add(Clear{.planes = planes, .depth = 0}); }
+
+/// How many translucent fragments every pixel gets; Z of the opaque picture is read besides.
+std::vector<std::uint32_t> count_fragments(Machine& machine, const Stage& stage,
+                                           std::vector<std::uint32_t>& opaque) {
+    CommandList list;
+    list.add(BeginPass{.name = "count layers"});
+    list.add(SetState{fragment_state(stage, {.test = true, .zpass = StencilOp::Incr}, false)});
+    clear(list, mask_of(Plane::Stencil));
+    draw_translucent(list, stage);
+    list.add(Read{.key = 0, .plane = Plane::Depth, .rect = window(stage)});
+    list.add(Read{.key = 1, .plane = Plane::Stencil, .rect = window(stage)});
+    machine.execute(list);
+    const auto& depth = machine.readbacks().at(0).values;
+    const auto& counts = machine.readbacks().at(1).values;
+    opaque.assign(depth.begin(), depth.end());
+    return {counts.begin(), counts.end()};
+}
+
+/// Z of every pixel's fragment number `ordinal`: the stencil counts those before it.
+void draw_fragment(CommandList& list, const Stage& stage, std::uint32_t ordinal) {
+    const StencilState stencil{.test = true,
+                               .func = StencilFunc::Equal,
+                               .ref = int(ordinal),
+                               .fail = StencilOp::Incr,
+                               .zfail = StencilOp::Incr,
+                               .zpass = StencilOp::Incr};
+    begin_pass(list, "layer Z " + std::to_string(ordinal + 1), fragment_state(stage, stencil, true));
+    clear(list, PlaneMask(mask_of(Plane::Stencil) | mask_of(Plane::Depth)));
+    draw_translucent(list, stage);
+    list.add(Read{.key = ordinal, .plane = Plane::Depth, .rect = window(stage)});
+}
+
+/// The Z of one pixel's visible layers, far to near.
+std::vector<std::uint32_t> sorted_layers(const std::map<std::uint32_t, Readback>& fragments,
+                                         std::uint32_t count, std::size_t pixel, std::uint32_t opaque) {
+    std::vector<std::uint32_t> z;
+    for (std::uint32_t k = 0; k < count; ++k) z.push_back(fragments.at(k).values[pixel]);
+    std::erase_if(z, [&](std::uint32_t v) { return v >= opaque; });
+    std::sort(z.begin(), z.end(), std::greater<>());
+    z.erase(std::unique(z.begin(), z.end()), z.end());
+    return z;
+}
+
+void add_pixel(Layers& layers, std::size_t pixel, const std::vector<std::uint32_t>& z) {
+    while (layers.depth.size() < z.size()) {
+        layers.depth.emplace_back(layers.opaque.size());
+        layers.present.emplace_back(layers.opaque.size());
+    }
+    for (std::size_t r = 0; r < z.size(); ++r) {
+        layers.depth[r][pixel] = z[r];
+        layers.present[r][pixel] = 1;
+    }
+}
+
+void write(CommandList& list, const Stage& stage, Plane plane, const std::vector<std::uint32_t>& values) {
+    list.add(WritePixels{.rect = window(stage), .plane = plane, .values = values});
+}
+
+}  // namespace
+
+Layers find_layers(Machine& machine, const Stage& stage) {
+    Layers layers;
+    const auto counts = count_fragments(machine, stage, layers.opaque);
+    const std::uint32_t most = *std::max_element(counts.begin(), counts.end());
+    const std::uint32_t limit = (1u << machine.profile().stencil_bits) - 1;
+    if (most >= limit)
+        throw Error(fmt::format("{} or more translucent faces at a pixel; {} stencil bits count fewer", most,
+                                machine.profile().stencil_bits));
+    CommandList list;
+    for (std::uint32_t k = 0; k < most; ++k) draw_fragment(list, stage, k);
+    machine.execute(list);
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        add_pixel(layers, i, sorted_layers(machine.readbacks(), counts[i], i, layers.opaque[i]));
+    return layers;
+}
+
+void begin_layer(CommandList& list, const Stage& stage, const Layers& layers, std::size_t index) {
+    begin_pass(list, "layer " + std::to_string(index + 1), stage.state);
+    write(list, stage, Plane::Depth, layers.depth[index]);
+    write(list, stage, Plane::Stencil, layers.present[index]);
+}
+
+void end_layers(CommandList& list, const Stage& stage, const Layers& layers) {
+    begin_pass(list, "end layers", stage.state);
+    write(list, stage, Plane::Depth, layers.opaque);
+    list.add(Clear{.planes = mask_of(Plane::Stencil)});
+}
+
+}  // namespace gw::multipass

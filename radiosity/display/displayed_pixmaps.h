@@ -1,0 +1,40 @@
+// The colours that pixmaps show [F2.3], with a border of one texel, so that filters have neighbours
+// everywhere. Does not draw.
+#pragma once
+
+#include "radiosity/solver/solution.h"
+
+namespace gw::radiosity {
+
+/// Of all pixmaps, each (width + 2) x (height + 2).
+class Shown {
+public:
+    explicit Shown(const Model& model);
+
+    /// Of a pixmap, by its number: -1 <= x <= width, -1 <= y <= height.
+    dvec3& at(std::uint32_t pixmap, int x, int y) { return colors_[index(pixmap, x, y)]; }
+    const dvec3& at(std::uint32_t pixmap, int x, int y) const { return colors_[index(pixmap, x, y)]; }
+
+    /// Bilinear between the texels' middles, at texel coordinates inside the pixmap.
+    dvec3 at(std::uint32_t pixmap, const dvec2& uv) const;
+
+private:
+    struct Place {
+        std::size_t first = 0;
+        int width = 0, height = 0;
+    };
+    std::size_t index(std::uint32_t pixmap, int x, int y) const {
+        const Place& p = places_[pixmap];
+        return p.first + static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(p.width + 2) +
+               static_cast<std::size_t>(x + 1);
+    }
+    std::vector<Place> places_;
+    std::vector<dvec3> colors_;
+};
+
+/// What is shown at each texel: radiosity, with the estimate of what is yet to come where `with_ambient`
+/// [F1c]. Beyond a figure's border its nearest texel is repeated, so that nothing leaks in; where a smooth
+/// surface goes on in another pixmap, what that one shows (seams.h).
+Shown shown(const Model& model, const Solution& solution, bool with_ambient);
+
+}  // namespace gw::radiosity

@@ -1,0 +1,125 @@
+#include "radiosity/hemicube/form_factors.h"
+
+#include "gw/error.h"
+#include "gw/base/parallel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gw::radiosity {
+
+namespace {
+
+constexpr std::size_t slots = 8;  ///< hemicubes at a time; does not depend on the threads
+
+/// Where the near plane is, in parts of what the point stands for; Gauss' points are a fifth of it from its
+/// border.
+constexpr double near_part = 1.0 / 64;
+constexpr double least_near = 1e-6;  ///< in parts of the scene's extent
+
+/// SplitMix64: a well-mixed number from (seed, number).
+std::uint64_t mixed(std::uint64_t v) {
+    v += 0x9e3779b97f4a7c15u;
+    v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9u;
+    v = (v ^ (v >> 27)) * 0x94d049bb133111ebu;
+    return v ^ (v >> 31);
+}
+
+/// Degrees, in steps that a double holds exactly.
+double turn_of(std::uint64_t seed, std::uint64_t which, std::uint64_t point) {
+    return static_cast<double>(mixed(mixed(mixed(seed) ^ which) ^ point) >> 40) * (360.0 / (1 << 24));
+}
+
+}  // namespace
+
+void check(const FormFactorOptions& options) {
+    if (options.hemicube < 8 || options.hemicube > max_window_size || options.hemicube % 2 != 0)
+        throw Error(fmt::format("hemicube of {} pixels; expected an even number, 8..{}", options.hemicube,
+                                max_window_size));
+    if (options.scan.most_parts < 1 || options.scan.most_parts > 1024)
+        throw Error(fmt::format("pixels in {} parts; expected 1..1024", options.scan.most_parts));
+    if (!(options.points.nearness > 0) || !(options.points.smallest_part > 0) ||
+        !(options.points.smallest_of_pixmap > 0) || !(options.points.emitter_part > 0))
+        throw Error("options of a patch's points that are not above 0; expected positive numbers");
+}
+
+FormFactors::FormFactors(const Model& model, const FormFactorOptions& options)
+    : model_(model), options_(options) {
+    check(options);
+    delta_ = delta_form_factors(options.hemicube);
+    painters_.resize(static_cast<std::size_t>(options.threads > 0 ? options.threads : hardware_threads()));
+    slots_.resize(slots);
+    factors_.resize(model.texel_count());
+}
+
+Row FormFactors::from_patch(std::size_t patch) {
+    return from_points(points_of(model_, model_.patches[patch], options_.points), patch);
+}
+
+Row FormFactors::from_points(const std::vector<ShootPoint>& points, std::uint64_t turns) {
+    Row row;
+    row.hemicubes = static_cast<int>(points.size());
+    std::fill(factors_.begin(), factors_.end(), 0.0);
+    for (std::size_t first = 0; first < points.size(); first += slots) {
+        const std::size_t count = std::min(slots, points.size() - first);
+        draw(points, first, count, turns);
+        scan(count);
+        sum(points, first, count, row);
+    }
+    for (std::size_t t = 0; t < factors_.size(); ++t) {
+        if (factors_[t] == 0) continue;
+        row.texels.push_back(static_cast<std::uint32_t>(t));
+        row.factors.push_back(factors_[t]);
+    }
+    return row;
+}
+
+// [F4] (1): the ID buffers are drawn in parallel.
+void FormFactors::draw(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count,
+                       std::uint64_t turns) {
+    parallel_for(count, options_.threads, [&](std::size_t i, int worker) {
+        if (options_.cancel && *options_.cancel) return;
+        const ShootPoint& point = points[first + i];
+        Slot& slot = slots_[i];
+        const double near_plane = std::max(point.size * near_part, model_.extent * least_near);
+        slot.hemicube = hemicube_at(point.position, point.normal, turn_of(options_.seed, turns, first + i),
+                                    near_plane, model_.extent * 1.01 + near_plane, options_.hemicube);
+        auto& painter = painters_[static_cast<std::size_t>(worker)];
+        if (!painter)
+            painter = options_.make_machine
+                          ? std::make_unique<HemicubePainter>(options_.make_machine(options_.hemicube))
+                          : std::make_unique<HemicubePainter>(options_.hemicube);
+        painter->draw(model_, slot.hemicube, slot.buffers);
+        slot.escaped = escaping(slot.buffers, delta_);
+        slot.factors.assign(model_.texel_count(), 0.0);
+        slot.backs.assign(model_.pixmaps.size(), 0.0);
+    });
+    if (options_.cancel && *options_.cancel) throw Canceled{};
+}
+
+// [F4] (2): the pixmaps are computed in parallel.
+void FormFactors::scan(std::size_t count) {
+    const std::size_t pixmaps = model_.pixmaps.size();
+    parallel_for(count * pixmaps, options_.threads, [&](std::size_t i, int) {
+        Slot& slot = slots_[i / pixmaps];
+        const auto pixmap = static_cast<std::uint32_t>(i % pixmaps);
+        slot.backs[pixmap] =
+            scan_pixmap(model_, pixmap, slot.hemicube, slot.buffers, delta_, options_.scan, slot.factors);
+    });
+}
+
+void FormFactors::sum(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count, Row& row) {
+    parallel_for(model_.pixmaps.size(), options_.threads, [&](std::size_t i, int) {
+        const Pixmap& pixmap = model_.pixmaps[i];
+        for (std::size_t k = 0; k < count; ++k)
+            for (std::size_t t = pixmap.first; t < pixmap.first + pixmap.count(); ++t)
+                factors_[t] += points[first + k].share * slots_[k].factors[t];
+    });
+    for (std::size_t k = 0; k < count; ++k) {
+        row.escaped += points[first + k].share * slots_[k].escaped;
+        for (double backs : slots_[k].backs) row.backs += points[first + k].share * backs;
+    }
+}
+
+}  // namespace gw::radiosity

@@ -1,0 +1,73 @@
+// Form factors from a patch to all texels, by hemicubes [F2.2]. Knows no energy.
+// The same bits for any number of threads: hemicubes are drawn in parallel, pixmaps scanned in parallel, and
+// what a texel receives is summed in the order of the points [F2.2p, F4].
+#pragma once
+
+#include "radiosity/hemicube/scan.h"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace gw::radiosity {
+
+struct FormFactorOptions {
+    int hemicube = 128;  ///< pixels across, even, 8 .. 4096
+    ScanOptions scan;
+    PointOptions points;
+    std::uint64_t seed = 0;  ///< of the turns of the hemicubes about their normals: each has its own
+    int threads = 0;         ///< 0: all
+    const std::atomic<bool>* cancel = nullptr;  ///< looked at between hemicubes
+    /// Makes a machine of id_profile() for hemicubes of this size; none: the fast one, on one thread.
+    std::function<std::unique_ptr<Machine>(int size)> make_machine;
+};
+
+/// Throws Error naming the option that is out of its range.
+void check(const FormFactorOptions& options);
+
+/// What a patch (or point) sends where. texels + backs + escaped = 1.
+struct Row {
+    std::vector<std::uint32_t> texels;  ///< elements (Model) that receive anything, ascending
+    std::vector<double> factors;        ///< form factor to each
+    double backs = 0;                   ///< to sides of figures that neither emit nor reflect
+    double escaped = 0;                 ///< out of the scene
+    int hemicubes = 0;
+};
+
+class FormFactors {
+public:
+    FormFactors(const Model& model, const FormFactorOptions& options);
+
+    /// Throws Canceled when asked to stop.
+    Row from_patch(std::size_t patch);
+    /// From differential elements, each with its share of the whole. `turns`: a number that names them.
+    Row from_points(const std::vector<ShootPoint>& points, std::uint64_t turns);
+
+    struct Canceled {};
+
+private:
+    void draw(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count,
+              std::uint64_t turns);
+    void scan(std::size_t count);
+    void sum(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count, Row& row);
+
+    const Model& model_;
+    FormFactorOptions options_;
+    DeltaFormFactors delta_;
+    std::vector<std::unique_ptr<HemicubePainter>> painters_;  ///< one for each thread
+
+    /// A hemicube with what was found in it.
+    struct Slot {
+        Hemicube hemicube;
+        IdBuffers buffers;
+        std::vector<double> factors;  ///< for all texels
+        std::vector<double> backs;    ///< for each pixmap
+        double escaped = 0;
+    };
+    std::vector<Slot> slots_;
+    std::vector<double> factors_;
+};
+
+}  // namespace gw::radiosity

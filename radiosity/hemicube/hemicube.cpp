@@ -1,0 +1,103 @@
+#include "radiosity/hemicube/hemicube.h"
+
+#include "gw/base/elementary.h"
+#include "radiosity/hemicube/present_ids.h"
+#include "scene/draw/draw_commands.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::radiosity {
+
+namespace {
+
+/// Of cube_views: +y is the top, the others are the sides.
+constexpr std::array<std::size_t, hemicube_faces> cube_face{2, 0, 1, 4, 5};
+
+/// What lies lower over the horizon, in parts of the scene's extent, is not seen: the rest of the own plane.
+constexpr double horizon = 1e-7;
+
+/// cube_from_world: +y becomes the normal.
+dmat4 turned(const dvec3& position, const dvec3& normal, double turn) {
+    const dvec3 any = std::abs(normal.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
+    dvec3 a = cross3(any, normal);
+    a /= std::sqrt(dot3(a, a));
+    const dvec3 b = cross3(normal, a);
+    const dvec3 x = cos_degrees(turn) * a + sin_degrees(turn) * b, z = cross3(x, normal);
+    dmat4 m(1);
+    for (int k = 0; k < 3; ++k) m[k] = dvec4(x[k], normal[k], z[k], 0);
+    m[3] = dvec4(-transform3(dmat3(m), position), 1);
+    return m;
+}
+
+dmat4 after(const dmat4& eye_from_cube, const dmat4& cube_from_world) {
+    dmat4 m(1);
+    for (int k = 0; k < 4; ++k)
+        m[k] = dvec4(transform3(dmat3(eye_from_cube), dvec3(cube_from_world[k])), cube_from_world[k].w);
+    return m;
+}
+
+/// A face's pixels for what the machine has read back of it, or lent for what it will read.
+void exchange(Machine& machine, std::uint32_t face, IdBuffer& buffer) {
+    Readback read;
+    read.values.swap(buffer.pixels);
+    machine.exchange_readback(face, read);
+    buffer.pixels.swap(read.values);
+}
+
+void take(Machine& machine, std::uint32_t face, std::size_t identifiers, int size, IdBuffer& buffer) {
+    exchange(machine, face, buffer);
+    buffer.size = size;
+    buffer.rows = face == 0 ? size : size / 2;
+    buffer.seen.assign(identifiers, 0);
+    mark_seen(buffer.pixels, std::size_t(size), buffer.seen.data());
+}
+
+}  // namespace
+
+Hemicube hemicube_at(const dvec3& position, const dvec3& normal, double turn, double near_plane,
+                     double far_plane, int size) {
+    const std::array<scene::View, 6> cube = scene::cube_views(dvec3(0), near_plane, far_plane, size);
+    const dmat4 cube_from_world = turned(position, normal, turn);
+    Hemicube hemicube{.position = position, .normal = normal, .views = {}};
+    for (std::size_t face = 0; face < hemicube_faces; ++face) {
+        scene::View& view = hemicube.views[face] = cube[cube_face[face]];
+        view.eye_from_world = after(view.eye_from_world, cube_from_world);
+    }
+    return hemicube;
+}
+
+Profile id_profile() {
+    Profile profile = ideal();
+    profile.name = "identifiers";
+    profile.color_bits = profile.lit_bits = 8;
+    return profile;
+}
+
+HemicubePainter::HemicubePainter(int size)
+    : HemicubePainter(make_fast(id_profile(), size, size, {.threads = 1})) {}
+HemicubePainter::HemicubePainter(std::unique_ptr<Machine> machine) : machine_(std::move(machine)) {}
+
+void HemicubePainter::draw(const Model& model, const Hemicube& hemicube, IdBuffers& buffers) {
+    CommandList list;
+    list.commands.reserve(hemicube_faces * (4 + model.joined.objects.size()));
+    for (std::uint32_t face = 0; face < hemicube_faces; ++face) {
+        const scene::View& view = hemicube.views[face];
+        const int size = view.width, first_row = face == 0 ? 0 : size / 2;
+        const Rect rect{0, first_row, size, size - first_row};
+        const dvec4 above = face == 0 ? dvec4(0, 0, -1, 0) : dvec4(0, 1, 0, 0);
+        scene::IdPass options;
+        options.scissor = {.test = true, .box = rect};
+        options.clip = {.enable = true, .plane = above - dvec4(0, 0, 0, horizon * model.extent)};
+        for (Command& command : scene::id_pass(model.joined, view, options).commands)
+            list.commands.push_back(std::move(command));
+        list.add(Read{.key = face, .plane = Plane::Color, .rect = rect, .packed = true});
+    }
+    for (std::uint32_t face = 0; face < hemicube_faces; ++face) exchange(*machine_, face, buffers[face]);
+    machine_->execute(list);
+    machine_->reset_passes();
+    for (std::uint32_t face = 0; face < hemicube_faces; ++face)
+        take(*machine_, face, model.facets.size() + 1, hemicube.views[face].width, buffers[face]);
+}
+
+}  // namespace gw::radiosity

@@ -1,0 +1,51 @@
+#include "radiosity/model/clip.h"
+
+#include <cmath>
+
+namespace gw::radiosity {
+
+namespace {
+
+double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+}  // namespace
+
+Polygon2 cut(const Polygon2& polygon, int axis, double limit, double sign) {
+    Polygon2 inside;
+    for (int i = 0; i < polygon.n; ++i) {
+        const dvec2 &a = polygon[i], &b = polygon[i + 1 < polygon.n ? i + 1 : 0];
+        const double da = (a[axis] - limit) * sign, db = (b[axis] - limit) * sign;
+        if (da >= 0) inside.add(a);
+        if ((da >= 0) == (db >= 0)) continue;
+        dvec2 on = a + (b - a) * (da / (da - db));
+        on[axis] = limit;
+        inside.add(on);
+    }
+    return inside;
+}
+
+Polygon2 cut_to_box(const Polygon2& polygon, const dvec2& low, const dvec2& high) {
+    Polygon2 inside = polygon;
+    for (int axis : {0, 1}) inside = cut(cut(inside, axis, low[axis], 1), axis, high[axis], -1);
+    return inside;
+}
+
+double area(const Polygon2& polygon) {
+    double twice = 0;
+    for (int i = 2; i < polygon.n; ++i) twice += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    return std::abs(twice) / 2;
+}
+
+dvec2 centroid(const Polygon2& polygon) {
+    dvec2 sum(0);
+    double twice = 0;
+    for (int i = 2; i < polygon.n; ++i) {
+        const dvec2 a = polygon[i - 1] - polygon[0], b = polygon[i] - polygon[0];
+        const double t = cross(a, b);
+        twice += t;
+        sum += t * (a + b);
+    }
+    return polygon[0] + sum / (3 * twice);
+}
+
+}  // namespace gw::radiosity

@@ -1,0 +1,30 @@
+// Convex polygons in a plane: cut by a line or a box, their area and centroid. Does not know what they stand
+// for.
+#pragma once
+
+#include "gw/base/types.h"
+
+#include <array>
+
+namespace gw::radiosity {
+
+/// Up to 12 corners: a triangle or quad cut by up to eight lines.
+struct Polygon2 {
+    std::array<dvec2, 12> p{};
+    int n = 0;
+    void add(const dvec2& q) { p[static_cast<std::size_t>(n++)] = q; }
+    const dvec2& operator[](int i) const { return p[static_cast<std::size_t>(i)]; }
+};
+
+/// The part with p[axis] * sign >= limit * sign.
+Polygon2 cut(const Polygon2& polygon, int axis, double limit, double sign);
+
+/// The part inside low .. high.
+Polygon2 cut_to_box(const Polygon2& polygon, const dvec2& low, const dvec2& high);
+
+/// Positive whatever the orientation.
+double area(const Polygon2& polygon);
+/// Of a polygon with an area.
+dvec2 centroid(const Polygon2& polygon);
+
+}  // namespace gw::radiosity

@@ -1,0 +1,99 @@
+// Given ST [F2, F2.1]: rotated, sheared, mirrored, triangular, several figures in one pixmap.
+#include "radiosity/model/facet.h"
+#include "radiosity/model/model_builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::radiosity {
+
+namespace {
+
+void check_st(const ModelBuilder& builder) {
+    const MeshData& data = builder.object().mesh->data();
+    if (data.texcoords.empty())
+        builder.fail("its vertices have no texture coordinates; expected some beside st = \"texcoords\"");
+    for (const vec2& st : data.texcoords)
+        if (!(st.x >= -1e-6f && st.x <= 1 + 1e-6f && st.y >= -1e-6f && st.y <= 1 + 1e-6f))
+            builder.fail(fmt::format("ST ({}, {}) lie outside its pixmap; expected 0 to 1", st.x, st.y));
+}
+
+class Given {
+public:
+    explicit Given(ModelBuilder& builder) : builder_(builder) {}
+
+    void add() {
+        const std::uint32_t figure = builder_.add_figure(builder_.add_shared_pixmap());
+        const auto triangles = builder_.object().mesh->triangles();
+        std::size_t added = 0;
+        for (std::uint32_t t = 0; t < triangles.size();) {
+            std::uint32_t end = t + 1;
+            while (end < triangles.size() && triangles[end].polygon == triangles[t].polygon) ++end;
+            added += add_polygon(t, end, figure);
+            t = end;
+        }
+        if (added == 0) builder_.fail_without_area();
+    }
+
+private:
+    Triangle2 uv_of(std::uint32_t t) const {
+        const Pixmap& pixmap = builder_.model.pixmaps[builder_.model.figures.back().pixmap];
+        const Mesh& mesh = *builder_.object().mesh;
+        Triangle2 uv;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const vec2 st = mesh.data().texcoords[mesh.triangles()[t].vertex[k]];
+            uv[k] = {std::clamp(double(st.x), 0.0, 1.0) * pixmap.width,
+                     std::clamp(double(st.y), 0.0, 1.0) * pixmap.height};
+        }
+        return uv;
+    }
+
+    // One facet where the whole polygon has one affine map, else one for each triangle.
+    std::size_t add_polygon(std::uint32_t first, std::uint32_t end, std::uint32_t figure) {
+        std::vector<std::uint32_t> solid;
+        for (std::uint32_t t = first; t < end; ++t)
+            if (builder_.surface().solid(t)) solid.push_back(t);
+        if (solid.empty()) return 0;
+        if (std::optional<Facet> facet = one_map(solid)) {
+            for (std::uint32_t t : solid) facet->triangles.push_back(uv_of(t));
+            builder_.add_facet(std::move(*facet), solid, figure);
+        } else {
+            for (std::uint32_t t : solid) builder_.add_triangle(t, uv_of(t), figure);
+        }
+        return solid.size();
+    }
+
+    std::optional<Facet> one_map(const std::vector<std::uint32_t>& solid) const {
+        const auto by_area = [&](std::uint32_t a, std::uint32_t b) {
+            const dvec3 m = builder_.surface().cross(a), n = builder_.surface().cross(b);
+            return dot3(m, m) < dot3(n, n);
+        };
+        const std::uint32_t largest = *std::max_element(solid.begin(), solid.end(), by_area);
+        std::optional<Facet> facet = facet_of(builder_.corners(largest), uv_of(largest));
+        for (std::uint32_t t : solid) {
+            const std::array<dvec3, 3> p = builder_.corners(t);
+            const Triangle2 uv = uv_of(t);
+            for (std::size_t k = 0; facet && k < 3; ++k) {
+                const dvec2 off = facet->texel_of(p[k]) - uv[k];
+                const bool same =
+                    std::abs(off.x) < 1e-3 && std::abs(off.y) < 1e-3 &&
+                    std::abs(dot3(facet->normal, p[k]) - facet->offset) < 1e-6 * builder_.model.extent;
+                if (!same) facet.reset();
+            }
+        }
+        return facet;
+    }
+
+    ModelBuilder& builder_;
+};
+
+}  // namespace
+
+void add_given(ModelBuilder& builder) {
+    check_st(builder);
+    Given(builder).add();
+}
+
+}  // namespace gw::radiosity

@@ -1,0 +1,172 @@
+#include "radiosity/model/patches.h"
+
+#include "radiosity/model/clip.h"
+#include "radiosity/model/triangle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::radiosity {
+
+namespace {
+
+double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
+
+/// A rectangle in a pixmap.
+struct Part {
+    dvec2 low, high;
+    double whole() const { return (high.x - low.x) * (high.y - low.y); }
+};
+
+/// What figures cover of a part: its world area, and the middle of the facet that covers most.
+struct Covered {
+    const Facet* facet = nullptr;
+    double area = 0;         ///< world, all facets
+    double facet_share = 0;  ///< of the part, in texels, by `facet`
+    dvec2 middle{0};
+    bool whole(const Part& part) const { return facet && facet_share >= part.whole() * (1 - 1e-9); }
+};
+
+Covered covered(const Model& model, const Pixmap& pixmap, const Part& part) {
+    Covered best;
+    for (std::uint32_t number : pixmap.facets) {
+        const Facet& facet = model.facets[number];
+        if (facet.low.x >= part.high.x || facet.high.x <= part.low.x || facet.low.y >= part.high.y ||
+            facet.high.y <= part.low.y)
+            continue;
+        double share = 0, largest = 0;
+        dvec2 sum(0), middle_of_largest(0);
+        for (const Triangle2& triangle : facet.triangles) {
+            Polygon2 polygon;
+            for (const dvec2& uv : triangle) polygon.add(uv);
+            polygon = cut_to_box(polygon, part.low, part.high);
+            const double a = polygon.n < 3 ? 0 : area(polygon);
+            if (!(a > 1e-12)) continue;
+            const dvec2 c = centroid(polygon);
+            share += a;
+            sum += a * c;
+            if (a > largest) middle_of_largest = c;
+            largest = std::max(largest, a);
+        }
+        best.area += share * facet.texel_area;
+        if (share <= best.facet_share) continue;
+        best.facet = &facet;
+        best.facet_share = share;
+        // The mean of several pieces may lie outside the figure.
+        best.middle = largest > 0.5 * share ? middle_of_largest : sum / share;
+    }
+    return best;
+}
+
+/// In texels. Curved figures touch others in points, where no part would be small enough: their texels are.
+double smallest_part(const Pixmap& pixmap, const PointOptions& options) {
+    if (pixmap.facets.size() > 1) return options.smallest_part;
+    return (pixmap.whole ? 1 : 0.5) * std::min(options.smallest_part, std::min(pixmap.width, pixmap.height) *
+                                                                          options.smallest_of_pixmap);
+}
+
+class Points {
+public:
+    Points(const Model& model, const Patch& patch, const PointOptions& options)
+        : model_(model),
+          patch_(patch),
+          pixmap_(model.pixmaps[patch.pixmap]),
+          options_(options),
+          smallest_part_(smallest_part(pixmap_, options)) {
+        const Part whole{{patch.x, patch.y}, {patch.x + patch.width, patch.y + patch.height}};
+        add(whole, covered(model, pixmap_, whole));
+    }
+    std::vector<ShootPoint> points;
+
+private:
+    void add(const Part& part, const Covered& found) {
+        if (!found.facet) return;
+        const dvec2 size = part.high - part.low, middle = (part.low + part.high) / 2.0;
+        const double extent = std::max(length(found.facet->du) * size.x, length(found.facet->dv) * size.y);
+        const bool split = divided(part, found, extent);
+        const dvec2 offset = size / (2 * std::sqrt(3.0));
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            const dvec2 sign(quarter & 1 ? 1 : -1, quarter & 2 ? 1 : -1);
+            const Part q{{quarter & 1 ? middle.x : part.low.x, quarter & 2 ? middle.y : part.low.y},
+                         {quarter & 1 ? part.high.x : middle.x, quarter & 2 ? part.high.y : middle.y}};
+            const Covered in_quarter = covered(model_, pixmap_, q);
+            if (!in_quarter.facet) continue;
+            if (split) {
+                add(q, in_quarter);
+                continue;
+            }
+            const dvec2 uv = found.whole(part) ? middle + sign * offset : in_quarter.middle;
+            add_point(in_quarter, uv, in_quarter.area,
+                      extent * std::sqrt(in_quarter.facet_share / q.whole()));
+        }
+    }
+
+    void add_point(const Covered& found, const dvec2& uv, double area, double size) {
+        points.push_back({found.facet->at(uv), found.facet->normal, area / patch_.area, size});
+    }
+
+    bool divided(const Part& part, const Covered& found, double extent) const {
+        const double texels = std::max(part.high.x - part.low.x, part.high.y - part.low.y);
+        if (texels / 2 < smallest_part_) return false;
+        if (patch_.emits && texels > options_.emitter_part) return true;
+        return near_something(found.facet->at(found.middle), *found.facet, extent);
+    }
+
+    bool near_something(const dvec3& p, const Facet& own, double extent) const {
+        for (const Facet& facet : model_.facets) {
+            if (&facet == &own || length(facet.center - p) - facet.radius > extent / options_.nearness)
+                continue;
+            if (dot3(facet.normal, p) - facet.offset <= 0) continue;  // shows its back
+            double high = 0;
+            for (int k = 0; k < facet.corner_count; ++k)
+                high = std::max(high, dot3(own.normal, facet.corners[static_cast<std::size_t>(k)] - p));
+            if (high <= 1e-6 * model_.extent) continue;
+            for (const Triangle2& t : facet.triangles) {
+                const double d = length(p - nearest_point(p, facet.at(t[0]), facet.at(t[1]), facet.at(t[2])));
+                const double seen = extent > d ? 1 : std::min(1.0, high / d);
+                if (extent * seen > options_.nearness * d) return true;
+            }
+        }
+        return false;
+    }
+
+    const Model& model_;
+    const Patch& patch_;
+    const Pixmap& pixmap_;
+    const PointOptions& options_;
+    const double smallest_part_;
+};
+
+}  // namespace
+
+std::vector<Patch> patches_of(const Model& model, int side) {
+    std::vector<Patch> patches;
+    for (std::uint32_t i = 0; i < model.pixmaps.size(); ++i) {
+        const Pixmap& pixmap = model.pixmaps[i];
+        for (int y = 0; y < pixmap.height; y += side)
+            for (int x = 0; x < pixmap.width; x += side) {
+                Patch patch{i, x, y, std::min(side, pixmap.width - x), std::min(side, pixmap.height - y)};
+                for (int j = y; j < y + patch.height; ++j)
+                    for (int k = x; k < x + patch.width; ++k) {
+                        const std::size_t t =
+                            pixmap.first +
+                            static_cast<std::size_t>(j) * static_cast<std::size_t>(pixmap.width) +
+                            static_cast<std::size_t>(k);
+                        patch.area += model.area[t];
+                        patch.emits = patch.emits || (model.area[t] > 0 && model.E[t] != dvec3(0));
+                    }
+                if (patch.area > 0) patches.push_back(patch);
+            }
+    }
+    return patches;
+}
+
+std::vector<ShootPoint> points_of(const Model& model, const Patch& patch, const PointOptions& options) {
+    std::vector<ShootPoint> points = Points(model, patch, options).points;
+    double sum = 0;
+    for (const ShootPoint& point : points) sum += point.share;
+    for (ShootPoint& point : points) point.share /= sum;
+    return points;
+}
+
+}  // namespace gw::radiosity

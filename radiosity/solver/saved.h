@@ -1,0 +1,44 @@
+// A solution as rectangles of float32 values, and back, bit for bit [F4]: pixmaps are resources that are
+// drawn at another time, and a computation goes on later. Does not read or write files.
+#pragma once
+
+#include "radiosity/hemicube/form_factors.h"
+#include "radiosity/solver/solution.h"
+
+#include <map>
+#include <string>
+
+namespace gw::radiosity {
+
+/// One pixmap's texels, bottom row first. Channels: R, G, B (B = E + rho H, to look at), then H and unshot of
+/// each channel as head and rest (solution.h, storable).
+struct SavedPixmap {
+    std::string name;
+    int width = 0, height = 0;
+    std::vector<float> values;
+};
+const std::vector<std::string>& saved_channels();
+
+struct Saved {
+    std::map<std::string, std::string>
+        facts;  ///< kind, version, scene, model, method, shots, escaped, backs, contents
+    std::vector<SavedPixmap> pixmaps;
+};
+
+/// Two of these agree where going on gives the same bits: figures, pixmaps, materials; and how form factors
+/// are found.
+std::string fingerprint(const Model& model);
+std::string fingerprint(const FormFactorOptions& options);
+
+Saved save(const Model& model, const FormFactorOptions& options, const Solution& solution);
+
+/// Throws Error saying what differs: another kind of file, version, scene or method, or contents that are
+/// damaged. `file`: for the message.
+Solution load(const Saved& saved, const Model& model, const FormFactorOptions& options,
+              const std::string& file);
+
+/// Whether `saved` was computed for this model: what `load` throws about, without the values.
+void check_saved(const Saved& saved, const Model& model, const FormFactorOptions& options,
+                 const std::string& file);
+
+}  // namespace gw::radiosity

@@ -1,0 +1,46 @@
+// The light in the pixmaps [F1c, F2.2]: what has arrived at each texel, what it has still to send on, and the
+// books. Plain data and sums; does not shoot (solver.h does).
+#pragma once
+
+#include "radiosity/model/pixmap_model.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace gw::radiosity {
+
+/// Every channel by itself. H and unshot are densities: flux by area.
+struct Solution {
+    std::vector<dvec3> H;       ///< received so far (irradiance) at each texel
+    std::vector<dvec3> unshot;  ///< of the texel's radiosity B = E + rho H, the part that it has not sent on
+    dvec3 escaped{0};           ///< flux that left the scene
+    dvec3 backs{0};             ///< flux absorbed by sides of figures that are no surface
+    std::uint64_t shots = 0;
+    bool operator==(const Solution&) const = default;
+};
+
+/// Before the first shot: all that is emitted is unshot.
+Solution initial_solution(const Model& model);
+
+dvec3 radiosity_at(const Model& model, const Solution& solution, std::size_t texel);
+
+/// The nearest value that two float32 hold, a head and a rest. All H and unshot are such values, so that
+/// files of float32 hold a solution bit for bit.
+double storable(double v);
+
+/// Energy by channel [F1c]. absorbed + unshot + escaped = emitted, but for rounding.
+struct Books {
+    dvec3 emitted{0}, absorbed{0}, unshot{0}, escaped{0};
+    dvec3 unshot_size{0};  ///< unshot without its signs: after an update some of it is negative
+    /// The largest |absorbed + unshot + escaped - emitted| / emitted.
+    double imbalance() const;
+    /// unshot_size by what is emitted, all channels together.
+    double unshot_share() const;
+};
+Books books(const Model& model, const Solution& solution);
+
+/// Cohen's estimate of the light that is yet to come, for display only [F1c]: as if the unshot energy were
+/// spread evenly and reflected by the mean surface for ever.
+dvec3 ambient(const Model& model, const Solution& solution);
+
+}  // namespace gw::radiosity

@@ -1,0 +1,79 @@
+// Progressive refinement [F1c]: the patch with the most unshot energy shoots, step by step.
+//
+//     Solver solver(make_model(scene), {.form_factors = {.hemicube = 256}});
+//     while (books(solver.model(), solver.solution()).unshot_share() > 0.01) solver.shoot();
+//
+// Does not draw pictures (display.h) and does not save (saved.h). docs/radiosity.md has a worked example.
+#pragma once
+
+#include "radiosity/model/figures.h"
+#include "radiosity/hemicube/form_factors.h"
+#include "radiosity/solver/solution.h"
+
+#include <optional>
+#include <unordered_map>
+
+namespace gw::radiosity {
+
+struct SolverOptions {
+    FormFactorOptions form_factors;
+    std::size_t row_memory = std::size_t{512} << 20;  ///< bytes of form factors that are kept for later shots
+};
+
+/// What one shot was.
+struct Shot {
+    std::size_t patch = 0;
+    dvec3 flux{0};
+    int hemicubes = 0;  ///< drawn; 0: the form factors were known
+};
+
+/// What an update did (update.cpp).
+struct Update {
+    int hemicubes = 0;
+    std::size_t patches = 0;  ///< whose light was taken back and sent anew
+};
+
+class Solver {
+public:
+    /// Throws Error where an option is out of range.
+    explicit Solver(Model model, const SolverOptions& options = {});
+    Solver(const Solver&) = delete;
+    Solver& operator=(const Solver&) = delete;
+
+    /// One shot; none where nothing is unshot. Throws FormFactors::Canceled, and nothing has changed then.
+    std::optional<Shot> shoot();
+
+    const Model& model() const { return *model_; }
+    const Solution& solution() const { return solution_; }
+    /// Continues another one, of the same model. Throws Error where its arrays have other lengths.
+    void resume(Solution solution);
+
+    /// The patch that is next, and its unshot flux.
+    std::pair<std::size_t, dvec3> brightest() const;
+
+    /// Goes on with a model in which emitters were dimmed or recoloured, reflectances changed or figures
+    /// moved: only the difference is shot [F4]. The pixmaps must be the same in number and size. After a move
+    /// the light of a patch is sent anew if it met the moved figure; patches whose part in this is, all
+    /// together, below `tolerance` of the emitted energy are left as they are. Throws Error for another
+    /// scene, Canceled as shoot does (then the model is the new one, and some light is still where it fell
+    /// before).
+    Update update(Model model, double tolerance = 0.002);
+
+private:
+    Row row_of(std::size_t patch, int* drawn);
+    void forget_row(std::size_t patch);
+    void receive(const Row& row, const dvec3& flux);
+    dvec3 unshot_flux(const Patch& patch) const;
+    dvec3 shot_flux(const Patch& patch) const;
+    void change_materials(const Model& to);
+    Update move(Model to, double tolerance);
+
+    std::unique_ptr<Model> model_;  ///< stays where it is: form_factors_ refers to it
+    SolverOptions options_;
+    std::unique_ptr<FormFactors> form_factors_;
+    Solution solution_;
+    std::unordered_map<std::size_t, Row> rows_;
+    std::size_t row_bytes_ = 0;
+};
+
+}  // namespace gw::radiosity

@@ -1,0 +1,142 @@
+// Changes of a solved scene [F4]: shoot the difference.
+#include "radiosity/solver/solver.h"
+
+#include "gw/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::radiosity {
+
+namespace {
+
+double magnitude(const dvec3& flux) { return (std::abs(flux.x) + std::abs(flux.y)) + std::abs(flux.z); }
+
+bool same_pixmaps(const Model& a, const Model& b) {
+    return std::equal(
+               a.pixmaps.begin(), a.pixmaps.end(), b.pixmaps.begin(), b.pixmaps.end(),
+               [](const Pixmap& p, const Pixmap& q) { return p.width == q.width && p.height == q.height; }) &&
+           a.facets.size() == b.facets.size() && a.patches.size() == b.patches.size();
+}
+
+/// Moved, not resized; positions are float32.
+bool same_areas(const Model& a, const Model& b) {
+    return std::equal(
+        a.patches.begin(), a.patches.end(), b.patches.begin(), b.patches.end(),
+        [](const Patch& p, const Patch& q) { return std::abs(p.area - q.area) <= 1e-4 * p.area; });
+}
+
+bool same_place(const Facet& a, const Facet& b) {
+    return a.origin == b.origin && a.du == b.du && a.dv == b.dv;
+}
+
+/// At most so much of a patch's light goes to a sphere: the form factor of a disc that hides it.
+double most_to_sphere(const dvec3& from, const dvec3& center, double radius) {
+    const dvec3 to = center - from;
+    const double d2 = dot3(to, to);
+    return d2 > radius * radius ? radius * radius / d2 : 1;
+}
+
+/// The facets that are elsewhere now, in both models.
+std::vector<const Facet*> moved_facets(const Model& a, const Model& b) {
+    std::vector<const Facet*> moved;
+    for (std::size_t i = 0; i < a.facets.size(); ++i)
+        if (!same_place(a.facets[i], b.facets[i])) moved.insert(moved.end(), {&a.facets[i], &b.facets[i]});
+    return moved;
+}
+
+dvec3 middle(const Model& model, const Patch& patch) {
+    const Facet& facet = model.facets[model.pixmaps[patch.pixmap].facets.front()];
+    return facet.at({patch.x + patch.width / 2.0, patch.y + patch.height / 2.0});
+}
+
+}  // namespace
+
+Update Solver::update(Model to, double tolerance) {
+    if (!same_pixmaps(*model_, to) || !same_areas(*model_, to))
+        throw Error(
+            "the changed scene has other figures or pixmaps; expected the same, moved or of other materials");
+    change_materials(to);
+    if (moved_facets(*model_, to).empty()) {
+        // Form factors stay; only what depends on materials is new.
+        for (std::size_t p = 0; p < to.patches.size(); ++p) {
+            if (model_->patches[p].emits != to.patches[p].emits) forget_row(p);
+            model_->patches[p].emits = to.patches[p].emits;
+        }
+        return {};
+    }
+    return move(std::move(to), tolerance);
+}
+
+// B = E + rho H: what it changes by has not been sent.
+void Solver::change_materials(const Model& to) {
+    for (std::size_t t = 0; t < to.texel_count(); ++t) {
+        const dvec3 before = radiosity_at(*model_, solution_, t);
+        model_->E[t] = to.E[t];
+        model_->rho[t] = to.rho[t];
+        const dvec3 more = radiosity_at(*model_, solution_, t) - before;
+        for (int c = 0; c < 3; ++c) solution_.unshot[t][c] = storable(solution_.unshot[t][c] + more[c]);
+    }
+    model_->figures = to.figures;
+}
+
+Update Solver::move(Model to, double tolerance) {
+    struct Affected {
+        std::size_t patch;
+        double most;  ///< flux, all channels, that may go elsewhere now
+        dvec3 flux;
+    };
+    const std::vector<const Facet*> moved = moved_facets(*model_, to);
+    std::vector<Affected> affected;
+    double sum = 0;
+    for (std::size_t p = 0; p < model_->patches.size(); ++p) {
+        const Patch& patch = model_->patches[p];
+        const dvec3 flux = shot_flux(patch);
+        if (flux == dvec3(0)) continue;
+        const bool itself = !same_place(model_->facets[model_->pixmaps[patch.pixmap].facets.front()],
+                                        to.facets[to.pixmaps[patch.pixmap].facets.front()]);
+        double part = itself ? 1 : 0;
+        for (const Facet* facet : moved)
+            part += most_to_sphere(middle(*model_, patch), facet->center, facet->radius);
+        affected.push_back({p, magnitude(flux) * std::min(part, 1.0), flux});
+        sum += affected.back().most;
+    }
+    std::stable_sort(affected.begin(), affected.end(),
+                     [](const Affected& a, const Affected& b) { return a.most > b.most; });
+    const dvec3 emitted = books(*model_, solution_).emitted;
+    double left = sum;
+    std::size_t count = 0;
+    while (count < affected.size() && left > tolerance * magnitude(emitted)) left -= affected[count++].most;
+    affected.resize(count);
+
+    // A patch's light is taken back with its old form factors and sent with the new ones in one go: books
+    // balance whenever this is canceled.
+    auto next = std::make_unique<Model>(std::move(to));
+    auto next_factors = std::make_unique<FormFactors>(*next, options_.form_factors);
+    Update done;
+    const auto send_anew = [&] {
+        for (const Affected& a : affected) {
+            const Row before = row_of(a.patch, &done.hemicubes), now = next_factors->from_patch(a.patch);
+            receive(before, -a.flux);
+            receive(now, a.flux);
+            done.hemicubes += now.hemicubes;
+            ++done.patches;
+        }
+    };
+    const auto change_over = [&] {
+        model_ = std::move(next);
+        form_factors_ = std::move(next_factors);
+        rows_.clear();
+        row_bytes_ = 0;
+    };
+    try {
+        send_anew();
+    } catch (...) {
+        change_over();
+        throw;
+    }
+    change_over();
+    return done;
+}
+
+}  // namespace gw::radiosity

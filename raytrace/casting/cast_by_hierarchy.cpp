@@ -1,0 +1,76 @@
+// Boxes in boxes [L12], halved at the middle of the longest side.
+#include "raytrace/casting/cast_methods.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace gw::raytrace {
+namespace {
+
+class BoxHierarchy : public RayCaster {
+public:
+    explicit BoxHierarchy(const Asker& asker) : asker_(asker), order_(asker.shapes().size()) {
+        std::iota(order_.begin(), order_.end(), std::size_t{0});
+        for (const CastShape& s : asker.shapes()) boxes_.push_back(box_of(s));
+        if (!order_.empty()) build(0, order_.size());
+    }
+    std::optional<CastHit> nearest(const Ray& ray, CastCounts& counts) const override {
+        ++counts.rays;
+        std::optional<CastHit> hit;
+        if (!nodes_.empty()) search(0, ray, hit, counts);
+        return hit;
+    }
+
+private:
+    static constexpr std::size_t most_in_leaf = 4;
+    struct Node {
+        Box box;
+        std::size_t first = 0, last = 0;
+        std::size_t left = 0, right = 0;  ///< 0: a leaf
+    };
+
+    std::size_t build(std::size_t first, std::size_t last) {
+        const std::size_t index = nodes_.size();
+        nodes_.push_back({{}, first, last});
+        Box box;
+        for (std::size_t i = first; i < last; ++i) box.add(boxes_[order_[i]]);
+        nodes_[index].box = box;
+        if (last - first <= most_in_leaf) return index;
+        int axis = 0;
+        for (int k = 1; k < 3; ++k)
+            if (box.high[k] - box.low[k] > box.high[axis] - box.low[axis]) axis = k;
+        const auto middle = [&](std::size_t i) { return boxes_[i].low[axis] + boxes_[i].high[axis]; };
+        std::stable_sort(order_.begin() + std::ptrdiff_t(first), order_.begin() + std::ptrdiff_t(last),
+                         [&](std::size_t a, std::size_t b) { return middle(a) < middle(b); });
+        const std::size_t left = build(first, (first + last) / 2), right = build((first + last) / 2, last);
+        nodes_[index].left = left;
+        nodes_[index].right = right;
+        return index;
+    }
+
+    void search(std::size_t index, const Ray& ray, std::optional<CastHit>& hit, CastCounts& counts) const {
+        const Node& node = nodes_[index];
+        ++counts.boxes;
+        const auto in = through(node.box, ray);
+        if (!in || (hit && in->from > hit->t)) return;
+        if (node.left == 0) {
+            for (std::size_t i = node.first; i < node.last; ++i) asker_.ask(ray, order_[i], hit, counts);
+            return;
+        }
+        search(node.left, ray, hit, counts);
+        search(node.right, ray, hit, counts);
+    }
+
+    Asker asker_;
+    std::vector<std::size_t> order_;
+    std::vector<Box> boxes_;
+    std::vector<Node> nodes_;
+};
+
+}  // namespace
+
+std::unique_ptr<RayCaster> cast_by_hierarchy(const Asker& asker) {
+    return std::make_unique<BoxHierarchy>(asker);
+}
+
+}  // namespace gw::raytrace

@@ -1,0 +1,69 @@
+// Ray casting as it is taught [L9, L12]: the nearest of all intersections, with every intersection test
+// counted, by brute force or by one of the lecture's accelerations. In double, one ray at a time, to be read
+// and compared; hierarchy.h is the fast one. Does not shade.
+#pragma once
+
+#include "raytrace/casting/intersect_polygon.h"
+#include "raytrace/casting/sphere.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gw::raytrace {
+
+/// A polygon, or a sphere, world space, of an object.
+struct CastShape {
+    std::variant<PlanePolygon, Sphere> shape;
+    std::size_t object = 0;
+};
+
+/// All polygons of a scene as their meshes have them: quads as quads, concave ones whole. A mesh whose
+/// vertices lie on a sphere around its origin and have its normals (shapes `sphere` and `icosphere`), scaled
+/// the same in all directions, is the sphere itself.
+std::vector<CastShape> cast_shapes(const scene::Scene& scene);
+
+/// How the nearest is found.
+///   BruteForce        every shape is asked
+///   BoundingVolumes   a box around every object; its shapes are asked where the box is met
+///   Hierarchy         boxes in boxes, halved at the middle of the longest side
+///   Grid              a voxel grid; voxels are walked along the ray (Amanatides, Woo 1987)
+enum class CastMethod { BruteForce, BoundingVolumes, Hierarchy, Grid };
+
+struct CastCounts {
+    std::uint64_t rays = 0;
+    std::uint64_t shapes = 0;  ///< intersection tests with polygons and spheres
+    std::uint64_t boxes = 0;   ///< tests with bounding volumes
+    std::uint64_t voxels = 0;  ///< walked through
+
+    std::uint64_t all() const { return shapes + boxes + voxels; }
+    void add(const CastCounts& c) {
+        rays += c.rays;
+        shapes += c.shapes;
+        boxes += c.boxes;
+        voxels += c.voxels;
+    }
+    bool operator==(const CastCounts&) const = default;
+};
+
+struct CastHit {
+    std::size_t shape = 0;
+    double t = 0;
+    bool operator==(const CastHit&) const = default;
+};
+
+class RayCaster {
+public:
+    virtual ~RayCaster() = default;
+    /// Of shapes equally near the first. Any number of threads may ask.
+    virtual std::optional<CastHit> nearest(const Ray& ray, CastCounts& counts) const = 0;
+};
+
+/// Refers to the shapes, which must outlive it.
+std::unique_ptr<RayCaster> make_caster(CastMethod method, const std::vector<CastShape>& shapes,
+                                       InsideTest test = InsideTest::Crossings);
+
+}  // namespace gw::raytrace

@@ -1,0 +1,136 @@
+#include "raytrace/hierarchy/build_tree.h"
+
+#include "gw/base/parallel.h"
+#include "raytrace/hierarchy/binary_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gw::raytrace {
+namespace {
+
+/// Items, or packets, that a thread makes at a time.
+constexpr std::size_t portion = 1 << 12;
+
+/// make(i) for each i < count, in parallel.
+template <class Make>
+void in_portions(std::size_t count, int threads, const Make& make) {
+    parallel_for((count + portion - 1) / portion, threads, [&](std::size_t part, int) {
+        for (std::size_t i = part * portion; i < std::min(count, (part + 1) * portion); ++i) make(i);
+    });
+}
+
+Item item_of(const HierarchyTriangle& t, std::size_t index) {
+    Item item{.triangle = static_cast<std::uint32_t>(index)};
+    for (const vec3& c : t.corner) item.box.add(c);
+    for (int k = 0; k < 3; ++k) item.center[k] = item.box.low[k] * 0.5f + item.box.high[k] * 0.5f;
+    return item;
+}
+
+/// Nodes of the binary tree that become the children of one wide node.
+struct Children {
+    std::array<std::uint32_t, width_of_tree> node{};
+    std::size_t count = 1;
+};
+
+/// Up to eight descendants of a node, the largest opened first.
+Children wide_children(const BinaryTree& tree, std::uint32_t index) {
+    Children children{{index}, 1};
+    std::array<float, width_of_tree> area{};  // of those that can be opened; -1 of leaves
+    const auto area_of = [&](std::uint32_t node) { return tree[node].left ? tree[node].box.area() : -1.0f; };
+    area[0] = area_of(index);
+    while (children.count < std::size_t(width_of_tree)) {
+        const auto end = area.begin() + std::ptrdiff_t(children.count);
+        const auto at = std::size_t(std::max_element(area.begin(), end) - area.begin());
+        if (area[at] < 0) break;
+        const std::uint32_t left = tree[children.node[at]].left;
+        for (std::size_t i = children.count; i > at + 1; --i) {
+            children.node[i] = children.node[i - 1];
+            area[i] = area[i - 1];
+        }
+        for (const std::size_t side : {0u, 1u}) {
+            children.node[at + side] = left + static_cast<std::uint32_t>(side);
+            area[at + side] = area_of(children.node[at + side]);
+        }
+        ++children.count;
+    }
+    return children;
+}
+
+/// Two units in the last place more on either side: a ray may run in a box's face.
+void set_bounds(WideNode& node, std::size_t child, const Box3& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const float low = box.low[axis], high = box.high[axis];
+        const bool empty = low > high;
+        node.bound[axis][0][child] = empty ? low : (low - std::abs(low) * 0x1p-22f) - 0x1p-100f;
+        node.bound[axis][1][child] = empty ? high : (high + std::abs(high) * 0x1p-22f) + 0x1p-100f;
+    }
+}
+
+void fill_packet(std::span<const HierarchyTriangle> triangles, std::span<const Item> items,
+                 TrianglePacket& packet) {
+    for (std::size_t i = 0; i < std::size_t(width_of_tree); ++i) {
+        packet.triangle[i] = packet.polygon[i] = no_polygon;
+        if (i >= items.size()) continue;
+        const HierarchyTriangle& t = triangles[items[i].triangle];
+        packet.triangle[i] = items[i].triangle;
+        packet.polygon[i] = t.polygon;
+        for (int c = 0; c < 3; ++c)
+            for (int axis = 0; axis < 3; ++axis) packet.corner[c][axis][i] = t.corner[std::size_t(c)][axis];
+    }
+}
+
+/// The nodes of a wide tree, and which leaf of the binary one each packet is.
+struct Widened {
+    std::vector<WideNode> nodes;
+    std::vector<std::uint32_t> leaves;
+};
+
+Widened widen(const BinaryTree& tree) {
+    Widened wide;
+    wide.nodes.reserve(tree.size() / 5);
+    wide.leaves.reserve(tree.size() / 2 + 1);
+    wide.nodes.emplace_back();
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> open{{0, 0}};  // binary node, its wide node
+    const auto child_of = [&](std::uint32_t index) {
+        if (tree[index].left) {
+            wide.nodes.emplace_back();
+            return static_cast<std::uint32_t>(wide.nodes.size() - 1);
+        }
+        wide.leaves.push_back(index);
+        return leaf_of(wide.leaves.size() - 1, tree[index].last - tree[index].first);
+    };
+    while (!open.empty()) {
+        const auto [from, to] = open.back();
+        open.pop_back();
+        const Children children = wide_children(tree, from);
+        for (std::size_t i = 0; i < std::size_t(width_of_tree); ++i) {
+            const bool used = i < children.count;
+            set_bounds(wide.nodes[to], i, used ? tree[children.node[i]].box : Box3{});
+            const std::uint32_t child = used ? child_of(children.node[i]) : 0;
+            wide.nodes[to].child[i] = child;
+            if (used && !(child & leaf_bit)) open.emplace_back(children.node[i], child);
+        }
+    }
+    return wide;
+}
+
+}  // namespace
+
+WideTree build_tree(std::span<const HierarchyTriangle> triangles, int threads) {
+    if (triangles.empty()) return {};
+    std::vector<Item> items(triangles.size());
+    in_portions(items.size(), threads, [&](std::size_t i) { items[i] = item_of(triangles[i], i); });
+    const BinaryTree tree = binary_tree(items, threads);
+    Widened wide = widen(tree);
+    WideTree result{std::move(wide.nodes), std::vector<TrianglePacket>(wide.leaves.size())};
+    in_portions(wide.leaves.size(), threads, [&](std::size_t i) {
+        const BinaryNode& leaf = tree[wide.leaves[i]];
+        fill_packet(triangles, std::span(items).subspan(leaf.first, leaf.last - leaf.first),
+                    result.packets[i]);
+    });
+    return result;
+}
+
+}  // namespace gw::raytrace

@@ -1,0 +1,59 @@
+// Our own hierarchy of bounding volumes [L12]: triangles in a tree of eight children a node, found by
+// vectors. Every ray gives the same bits whatever the vectors' width and the number of threads: of all
+// triangles that the ray meets the nearest, of equally near ones the one with the smallest number. Does not
+// know scenes (world.h does) and does not shade.
+//
+// What a ray meets is decided triangle by triangle by the watertight test of Woop, Benthin and Wald 2013: the
+// sign of each side's edge function is exact, so neighbours that share a side leave no gap. The boxes are met
+// with a margin wider than the rounding of both tests (Ize 2013), so the tree decides nothing.
+#pragma once
+
+#include "raytrace/hierarchy/wide_tree.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace gw::raytrace {
+
+/// A triangle, world space. Rays pass through the polygon that they start from: `polygon`.
+struct HierarchyTriangle {
+    std::array<vec3, 3> corner;
+    std::uint32_t polygon = 0;
+};
+
+inline constexpr std::uint32_t no_polygon = 0xffffffffu;
+
+/// Meets what lies at low < t < high of origin + t direction, but for polygon `skip`.
+struct HierarchyRay {
+    vec3 origin{0};
+    float low = 0;
+    vec3 direction{0};  ///< of any length but 0
+    float high = 0;
+    std::uint32_t skip = no_polygon;
+};
+
+struct HierarchyHit {
+    float t = 0;
+    std::uint32_t triangle = 0;  ///< index into the triangles that the hierarchy was made of
+    bool operator==(const HierarchyHit&) const = default;
+};
+
+class Hierarchy {
+public:
+    Hierarchy() = default;
+    /// Corners are finite. Built by the surface area heuristic in bins (Wald 2007); `threads` as in
+    /// parallel_for.
+    explicit Hierarchy(std::span<const HierarchyTriangle> triangles, int threads = 0);
+
+    std::optional<HierarchyHit> nearest(const HierarchyRay& ray) const;
+    /// Whether the ray meets anything at all: for shadows.
+    bool occluded(const HierarchyRay& ray) const;
+
+    const WideTree& tree() const { return tree_; }
+
+private:
+    WideTree tree_;
+};
+
+}  // namespace gw::raytrace

@@ -1,0 +1,110 @@
+#include "raytrace/tracer/render.h"
+
+#include "gw/base/arithmetic.h"
+#include "gw/stages/fog.h"
+#include "gw/base/parallel.h"
+#include "gw/stages/vertex.h"
+#include "scene/draw/pixel_rays.h"
+
+#include <algorithm>
+
+namespace gw::raytrace {
+namespace {
+
+/// Everything that one pixel needs.
+struct Frame {
+    const Tracer& tracer;
+    const scene::Scene& scene;
+    const scene::View& view;
+    const Profile& profile;
+    scene::PixelRays rays;
+    dvec2 place;
+};
+
+Ray ray_of(const Frame& f, double x, double y) {
+    const scene::PixelRay ray = f.rays.through(x + f.place.x, y + f.place.y);
+    return {ray.o, ray.d};
+}
+
+dvec3 color_at(const Frame& f, const scene::TrianglePoint& at, int x, int y, const Ray& ray,
+               RayCounts& counts) {
+    const scene::WorldTriangles& triangles = f.tracer.world().triangles();
+    Surface s = surface(triangles, at, normalized(ray.direction), f.view);
+    if (f.tracer.looks_up_maps(at.triangle))
+        add_footprint(s, triangles, ray_of(f, x + 1, y), ray_of(f, x, y + 1));
+    return seen_color(f.tracer, s, f.scene, f.profile, counts);
+}
+
+void trace_pixel(const Frame& f, int x, int y, RaytracedPicture& picture, RayCounts& counts) {
+    const std::size_t i = std::size_t(y) * std::size_t(f.view.width) + std::size_t(x);
+    const Ray ray = ray_of(f, x, y);
+    ++counts.primary;
+    const auto at = f.tracer.world().nearest(ray, 1);
+    const dvec3 color = at ? color_at(f, *at, x, y, ray, counts) : dvec3(f.scene.background);
+    picture.ids[i] = at ? f.tracer.world().triangles().id_of(at->triangle) : 0;
+    picture.color[i] = stored(color, f.profile.color_bits);
+}
+
+}  // namespace
+
+Rgba stored(const dvec3& color, int bits) {
+    const auto store = [bits](double v) { return static_cast<std::uint16_t>(quantize(v, bits)); };
+    return {store(color.x), store(color.y), store(color.z), store(1)};
+}
+
+RaytracedPicture raytraced_picture(const Tracer& tracer, const scene::Scene& scene, const scene::View& view,
+                                   const JitterState& jitter, const Profile& profile) {
+    const std::size_t pixels = std::size_t(view.width) * std::size_t(view.height);
+    RaytracedPicture picture{std::vector<Rgba>(pixels), std::vector<std::uint32_t>(pixels), {}};
+    const Frame frame{tracer,
+                      scene,
+                      view,
+                      profile,
+                      scene::PixelRays(view),
+                      scene::place_in_pixel(jitter, profile.subpixel_bits)};
+    picture.counts =
+        for_pixels(view.width, view.height, tracer.options().threads,
+                   [&](int x, int y, RayCounts& counts) { trace_pixel(frame, x, y, picture, counts); });
+    return picture;
+}
+
+CommandList commands(const RaytracedPicture& picture, const scene::View& view) {
+    CommandList list;
+    list.add(BeginPass{.name = "ray tracing"});
+    list.add(SetState{});
+    list.add(WritePixels{.rect = {0, 0, view.width, view.height}, .colors = picture.color});
+    return list;
+}
+
+dvec3 seen_color(const Tracer& tracer, const Surface& surface, const scene::Scene& scene,
+                 const Profile& profile, RayCounts& counts) {
+    const dvec3 color = tracer.local(surface, counts) + tracer.traced(surface, counts);
+    if (!scene.fog) return color;
+    const double seen = seen_through_fog(scene, surface.point.p, profile);
+    return seen * color + (1 - seen) * dvec3(scene.fog->color);
+}
+
+double seen_through_fog(const scene::Scene& scene, const dvec3& p_eye, const Profile& profile) {
+    if (!scene.fog) return 1;
+    const scene::Fog& fog = *scene.fog;
+    const FogState state{
+        .enable = true, .mode = fog.mode, .density = fog.density, .start = fog.start, .end = fog.end};
+    return double(fog_factor(state, -p_eye.z, profile.color_bits)) / max_of_bits(profile.color_bits);
+}
+
+RayCounts for_pixels(int width, int height, int threads,
+                     const std::function<void(int, int, RayCounts&)>& body) {
+    constexpr int side = 16;
+    const int columns = (width + side - 1) / side, rows = (height + side - 1) / side;
+    std::vector<RayCounts> squares(std::size_t(columns) * std::size_t(rows));
+    parallel_for(squares.size(), threads, [&](std::size_t i, int) {
+        const int x0 = int(i) % columns * side, y0 = int(i) / columns * side;
+        for (int y = y0; y < std::min(y0 + side, height); ++y)
+            for (int x = x0; x < std::min(x0 + side, width); ++x) body(x, y, squares[i]);
+    });
+    RayCounts sum;
+    for (const RayCounts& square : squares) sum.add(square);
+    return sum;
+}
+
+}  // namespace gw::raytrace

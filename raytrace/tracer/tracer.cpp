@@ -1,0 +1,153 @@
+#include "raytrace/tracer/tracer.h"
+
+#include "gw/stages/texgen.h"
+#include "gw/stages/vertex.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gw::raytrace {
+namespace {
+
+/// Reflected and transmitted parts and their directions at a surface.
+struct Parting {
+    dvec3 reflect{0}, transmit{0};
+    dvec3 reflected{0}, transmitted{0};
+};
+
+/// A reflected ray of a smooth-shaded facet may point below its plane: then it grazes it.
+dvec3 above(const dvec3& d, const dvec3& plane_normal) {
+    constexpr double least = 1e-3;
+    const double height = dot3(d, plane_normal);
+    return height >= least ? d : normalized(d + (least - height) * plane_normal);
+}
+
+/// The direction behind the surface, eta = n1 / n2; none: total reflection.
+std::optional<dvec3> bent(const dvec3& d, const dvec3& n, double eta) {
+    const double c = -dot3(d, n), k = 1 - eta * eta * (1 - c * c);
+    if (k < 0) return std::nullopt;
+    return normalized(eta * d + (eta * c - std::sqrt(k)) * n);
+}
+
+/// Schlick 1994, from the cosine in the thinner medium.
+dvec3 schlick(const dvec3& Ks, double cosine) {
+    const double m = std::clamp(1 - cosine, 0.0, 1.0);
+    return Ks + (dvec3(1) - Ks) * ((m * m) * (m * m) * m);
+}
+
+Parting parting(const TracedMaterial& material, const Surface& s) {
+    Parting p{.reflect = material.reflect,
+              .transmit = material.transmit,
+              .reflected = above(reflected(s.direction, s.normal), s.plane_normal)};
+    const double eta = s.front ? 1 / material.Ni : material.Ni;
+    const auto behind = material.transmit != dvec3(0) ? bent(s.direction, s.normal, eta) : std::nullopt;
+    if (material.fresnel) {
+        const bool from_thin = eta <= 1 || !behind;
+        p.reflect =
+            schlick(material.reflect, from_thin ? -dot3(s.direction, s.normal) : -dot3(*behind, s.normal));
+        p.transmit = (dvec3(1) - p.reflect) * material.transmit;
+    }
+    if (material.transmit == dvec3(0)) return p;
+    if (!behind) {
+        p.reflect += p.transmit;
+        p.transmit = dvec3(0);
+    } else {
+        p.transmitted = -above(-*behind, s.plane_normal);
+    }
+    return p;
+}
+
+double largest(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+}  // namespace
+
+Tracer::Tracer(const scene::Scene& scene, const World& world, const scene::View& view, TraceOptions options)
+    : world_(world),
+      view_(view),
+      drawn_(drawn_scene(scene)),
+      options_(std::move(options)),
+      materials_(scene.materials) {
+    for (const scene::Material& m : materials_) traced_.push_back(traced_material(m));
+    for (const scene::Object& object : scene.objects) {
+        const TracedMaterial& traced = traced_[object.material];
+        looks_.push_back({&drawn_.materials[object.material], &traced, traced.any(), {}});
+        for (std::size_t i = 0; i < scene.lights.size(); ++i)
+            if (scene::lights_object(scene.lights[i], object))
+                looks_.back().lights.push_back({scene::eye_light(scene.lights[i], view), i});
+    }
+}
+
+bool Tracer::looks_up_maps(std::uint32_t triangle) const {
+    const scene::Material& m = *look_of(triangle).drawn;
+    return !(m.map_Ka.empty() && m.map_Kd.empty() && m.map_Ks.empty() && m.map_Ke.empty());
+}
+
+dvec3 Tracer::local(const Surface& surface, RayCounts& counts) const { return shaded(surface, true, counts); }
+
+dvec3 Tracer::traced(const Surface& surface, RayCounts& counts) const {
+    return followed(surface, {options_.depth - 1, 1}, counts);
+}
+
+dvec3 Tracer::followed(const Surface& surface, const Path& path, RayCounts& counts) const {
+    const Look& look = look_of(surface.at.triangle);
+    if (!look.is_traced) return dvec3(0);
+    const TracedMaterial& material = *look.traced;
+    const Parting p = parting(material, surface);
+    dvec3 sum(0);
+    const auto follow = [&](const dvec3& part, const dvec3& direction, FarMaps far, std::uint64_t& count) {
+        const Path next{path.rays_left - 1, path.weight * largest(part)};
+        if (next.weight < least_weight) return;
+        if (path.rays_left > 0) ++count;
+        sum += part * (path.rays_left > 0 ? arriving(surface, direction, far, next, counts)
+                       : far              ? far_away(direction, far)
+                                          : dvec3(0));
+    };
+    follow(p.reflect, p.reflected, material.reflection_far, counts.reflected);
+    follow(p.transmit, p.transmitted, material.refraction_far, counts.transmitted);
+    return sum;
+}
+
+dvec3 Tracer::arriving(const Surface& from, const dvec3& direction, FarMaps far, const Path& path,
+                       RayCounts& counts) const {
+    const auto at = world_.nearest({from.at.p, direction}, std::numeric_limits<double>::infinity(),
+                                   world_.triangles().id_of(from.at.triangle));
+    if (!at) return far_away(direction, far);
+    const Surface hit = surface(world_.triangles(), *at, direction, view_);
+    return shaded(hit, !options_.in_shadow, counts) + followed(hit, path, counts);
+}
+
+dvec3 Tracer::far_away(const dvec3& direction, FarMaps far) const {
+    if (!far) return dvec3(drawn_.background);
+    return scene::far_color(*far, transform3(dmat3(view_.eye_from_world), direction));
+}
+
+dvec3 Tracer::shaded(const Surface& surface, bool by_rays, RayCounts& counts) const {
+    ++counts.shaded;
+    const Look& look = look_of(surface.at.triangle);
+    const scene::Material& material = *look.drawn;
+    scene::MapColors maps(material, surface.point);
+    dvec3 sum = scene::own_color(material, surface.point);
+    const bool dull = material.Kd == vec3(0) && material.Ks == vec3(0);
+    for (const LightSource& light : look.lights)
+        sum += scene::light_color(material, light.eye, surface.point, maps,
+                                  !dull && arrives(light, surface, by_rays, counts) ? 1 : 0);
+    return sum;
+}
+
+/// Light on a face whose plane looks away from it is in shadow although interpolated normals catch it: as
+/// shadow volumes have it [K3.2].
+bool Tracer::arrives(const LightSource& source, const Surface& s, bool by_rays, RayCounts& counts) const {
+    const scene::Light& light = drawn_.lights[source.number];
+    const bool directional = light.kind == scene::LightKind::Directional;
+    const dvec3 way = directional ? -dvec3(light.direction) : dvec3(light.position) - s.at.p;
+    if (!(dot3(way, s.normal) > 0)) return false;
+    if (light.shadow == scene::Shadow::None) return true;
+    if (!(dot3(way, s.plane_normal) > 0)) return false;
+    if (!by_rays) return !options_.in_shadow(source.number, s.at);
+    ++counts.shadow;
+    return !world_.occluded({s.at.p, way}, directional ? std::numeric_limits<double>::infinity() : 1,
+                            world_.triangles().id_of(s.at.triangle));
+}
+
+}  // namespace gw::raytrace

@@ -1,0 +1,182 @@
+#include "scene/geometry/normals.h"
+
+#include "gw/base/elementary.h"
+#include "scene/geometry/weld.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace gw::scene {
+
+namespace {
+
+double dot(const dvec3& a, const dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+dvec3 cross(const dvec3& a, const dvec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// Square root and division are exactly rounded everywhere. Zero stays zero.
+dvec3 unit(const dvec3& v) {
+    const double length = std::sqrt(dot(v, v));
+    return length > 0 ? v / length : dvec3(0);
+}
+bool is_zero(const dvec3& v) { return v == dvec3(0); }
+
+// Twice the area times the normal of the polygon's mean plane, concave ones included (Newell's sum about its
+// first corner).
+dvec3 area_vector(const ObjData& obj, const Element& face) {
+    const auto position = [&](std::uint32_t i) {
+        return dvec3(obj.positions[obj.corners[face.first + i].v]);
+    };
+    const dvec3 origin = position(0);
+    dvec3 sum(0);
+    for (std::uint32_t i = 1; i + 1 < face.count; ++i)
+        sum += cross(position(i) - origin, position(i + 1) - origin);
+    return sum;
+}
+
+struct Face {
+    dvec3 area, normal;  ///< normal: unit, or 0 for a face without area
+    std::int32_t smoothing;
+};
+
+// A corner that meets others at one point.
+struct Meeting {
+    std::uint32_t corner, face;
+};
+
+class Normals {
+public:
+    Normals(ObjData& obj, double crease)
+        : obj_(obj), cos_crease_(cos_degrees(crease)), cos_half_crease_(cos_degrees(crease / 2)) {}
+
+    void add() {
+        if (!find_corners()) return;
+        find_faces();
+        meet();
+        for (std::size_t i = 0; i + 1 < begin_.size(); ++i)
+            if (begin_[i] < begin_[i + 1])
+                smooth(std::span(meetings_).subspan(begin_[i], begin_[i + 1] - begin_[i]));
+    }
+
+private:
+    static bool is_face(const Element& element) { return element.count >= 3; }
+
+    // Forgets normals of length 0; says whether any corner of a face is without one.
+    bool find_corners() {
+        bool any = false;
+        for (const Element& element : obj_.elements)
+            for (Corner& corner : std::span(obj_.corners).subspan(element.first, element.count)) {
+                if (corner.vn != absent && obj_.normals[corner.vn] == vec3(0)) corner.vn = absent;
+                any |= is_face(element) && corner.vn == absent;
+            }
+        return any;
+    }
+
+    void find_faces() {
+        faces_.reserve(obj_.elements.size());
+        for (const Element& element : obj_.elements) {
+            const dvec3 area = is_face(element) ? area_vector(obj_, element) : dvec3(0);
+            faces_.push_back({area, unit(area), element.smoothing});
+        }
+    }
+
+    // Lists the corners of faces by the point they are at: [begin_[p], begin_[p + 1]) of meetings_, in file
+    // order.
+    void meet() {
+        const std::vector<std::uint32_t> point = weld(obj_.positions);
+        begin_.assign(point.size() + 1, 0);
+        for_each_corner(
+            [&](std::uint32_t, std::uint32_t corner) { ++begin_[point[obj_.corners[corner].v] + 1]; });
+        for (std::size_t p = 0; p < point.size(); ++p) begin_[p + 1] += begin_[p];
+        std::vector<std::uint32_t> at = begin_;
+        meetings_.resize(begin_.back());
+        for_each_corner([&](std::uint32_t face, std::uint32_t corner) {
+            meetings_[at[point[obj_.corners[corner].v]]++] = {corner, face};
+        });
+    }
+    template <typename Visit>
+    void for_each_corner(const Visit& visit) const {
+        for (std::uint32_t e = 0; e < obj_.elements.size(); ++e)
+            for (std::uint32_t i = 0; is_face(obj_.elements[e]) && i < obj_.elements[e].count; ++i)
+                visit(e, obj_.elements[e].first + i);
+    }
+
+    bool smooth_together(const Face& a, const Face& b) const {
+        if (a.smoothing != b.smoothing || a.smoothing == smooth_off) return false;
+        return a.smoothing != smooth_by_angle || dot(a.normal, b.normal) >= cos_crease_;
+    }
+
+    // Where the faces at a point are one smooth surface, the one sum of all corners; else 0. Spares the
+    // pairs: faces within half the crease angle of their mean are within the angle of each other.
+    dvec3 common_sum(std::span<const Meeting> meetings) const {
+        const std::int32_t smoothing = faces_[meetings[0].face].smoothing;
+        dvec3 sum(0);
+        for (const Meeting& m : meetings) {
+            if (faces_[m.face].smoothing != smoothing || smoothing == smooth_off) return dvec3(0);
+            sum += faces_[m.face].area;
+        }
+        const dvec3 mean = unit(sum);
+        for (const Meeting& m : meetings)
+            if (smoothing == smooth_by_angle && !(dot(faces_[m.face].normal, mean) >= cos_half_crease_))
+                return dvec3(0);
+        return sum;
+    }
+
+    dvec3 sum_at(std::span<const Meeting> meetings, std::uint32_t own) const {
+        const bool takes_all = is_zero(faces_[own].normal);
+        if (faces_[own].smoothing == smooth_off && !takes_all) return faces_[own].area;
+        dvec3 sum(0);
+        for (const Meeting& other : meetings)
+            if (takes_all || other.face == own || smooth_together(faces_[own], faces_[other.face]))
+                sum += faces_[other.face].area;
+        return sum;
+    }
+
+    // Where the sum is 0, opposite faces cancelled out: each has its own.
+    vec3 normal_of(const dvec3& sum, std::uint32_t own) const {
+        dvec3 normal = unit(sum);
+        if (is_zero(normal)) normal = faces_[own].normal;
+        if (is_zero(normal)) normal = {0, 0, 1};
+        return vec3(normal);
+    }
+
+    void smooth(std::span<const Meeting> meetings) {
+        const std::size_t first = obj_.normals.size();
+        const dvec3 common = unit(common_sum(meetings));
+        std::uint32_t common_index = absent;
+        for (const Meeting& meeting : meetings) {
+            Corner& corner = obj_.corners[meeting.corner];
+            if (corner.vn != absent) continue;
+            if (is_zero(common)) {
+                corner.vn = index_of(normal_of(sum_at(meetings, meeting.face), meeting.face), first);
+                continue;
+            }
+            if (common_index == absent) common_index = index_of(vec3(common), first);
+            corner.vn = common_index;
+        }
+    }
+
+    // Equal normals at one point (which begin at `first`) are one vn, so that the corners stay one vertex.
+    // Where there are very many, the latest are looked through only.
+    std::uint32_t index_of(const vec3& normal, std::size_t first) {
+        const std::size_t size = obj_.normals.size();
+        for (std::size_t i = std::max(first, size - std::min<std::size_t>(size, 64)); i < size; ++i)
+            if (obj_.normals[i] == normal) return static_cast<std::uint32_t>(i);
+        obj_.normals.push_back(normal);
+        return static_cast<std::uint32_t>(size);
+    }
+
+    ObjData& obj_;
+    double cos_crease_, cos_half_crease_;
+    std::vector<Face> faces_;
+    std::vector<std::uint32_t> begin_;
+    std::vector<Meeting> meetings_;
+};
+
+}  // namespace
+
+void add_normals(ObjData& obj, double crease) { Normals(obj, crease).add(); }
+
+}  // namespace gw::scene

@@ -1,0 +1,14 @@
+// Positions that are the same point. Does not change them: only bit-equal ones (0 and -0 alike) are the same.
+#pragma once
+
+#include "gw/base/types.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace gw::scene {
+
+/// For each position the index of the first one equal to it.
+std::vector<std::uint32_t> weld(const std::vector<vec3>& positions);
+
+}  // namespace gw::scene

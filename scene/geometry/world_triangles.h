@@ -1,0 +1,78 @@
+// All triangles of a scene in world space, numbered through: object by object, polygon by polygon. What rays
+// are met with, and what an item buffer's identifiers mean [K4i]. Does not search (raytrace/ does).
+#pragma once
+
+#include "scene/draw/draw_commands.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace gw::scene {
+
+/// Where a ray o + t d meets the plane of a triangle.
+struct TrianglePoint {
+    std::uint32_t triangle = 0;
+    dvec3 p{0};
+    dvec3 normal{0};  ///< of the plane, counter-clockwise from outside; of any length
+    bool operator==(const TrianglePoint&) const = default;
+};
+
+class WorldTriangles {
+public:
+    explicit WorldTriangles(const Scene& scene);
+
+    std::uint32_t size() const { return static_cast<std::uint32_t>(places_.size()); }
+    std::uint32_t object_of(std::uint32_t triangle) const { return places_[triangle].object; }
+    /// The identifier of its polygon: polygon_ids of scene/draw/draw_commands.h, of meshes numbered without gaps.
+    std::uint32_t id_of(std::uint32_t triangle) const { return places_[triangle].id; }
+    /// The first triangle of a polygon; none: no triangle has this identifier.
+    std::optional<std::uint32_t> first_of(std::uint32_t id) const {
+        if (std::size_t(id) + 1 >= first_.size() || first_[id] == first_[id + 1]) return std::nullopt;
+        return first_[id];
+    }
+
+    std::array<dvec3, 3> corners(std::uint32_t triangle) const {
+        const auto& v = places_[triangle].vertex;
+        return {vertices_[v[0]].p, vertices_[v[1]].p, vertices_[v[2]].p};
+    }
+    /// Of length 1, or 0; the plane's where the mesh has none.
+    std::array<dvec3, 3> normals(std::uint32_t triangle) const {
+        const auto& v = places_[triangle].vertex;
+        if (!has_normals_[object_of(triangle)]) return plane_normals(triangle);
+        return {vertices_[v[0]].n, vertices_[v[1]].n, vertices_[v[2]].n};
+    }
+    /// 0 where the mesh has none.
+    std::array<dvec2, 3> texcoords(std::uint32_t triangle) const {
+        const auto& v = places_[triangle].vertex;
+        return {dvec2(vertices_[v[0]].st), dvec2(vertices_[v[1]].st), dvec2(vertices_[v[2]].st)};
+    }
+
+    /// The point of polygon `id` that the ray sees: on the plane of that of its triangles which the ray goes
+    /// through, or least misses (a fragment's centre lies in the snapped triangle, which may be a sixteenth
+    /// of a pixel beside the true one). None: no polygon has this identifier, or the ray runs along it.
+    std::optional<TrianglePoint> meet(std::uint32_t id, const dvec3& o, const dvec3& d) const;
+
+private:
+    struct Place {
+        std::uint32_t object = 0, id = 0;
+        std::array<std::uint32_t, 3> vertex{};  ///< of all objects' vertices, numbered through
+    };
+    void add_vertices(const Object& object);
+    std::array<dvec3, 3> plane_normals(std::uint32_t triangle) const;
+
+    /// World space; together in one line of the cache, since what meets a triangle asks for all of it.
+    struct alignas(64) PlacedVertex {
+        dvec3 p{0}, n{0};  ///< n: 0 where the mesh has no normals
+        vec2 st{0};
+    };
+
+    std::vector<bool> has_normals_;  ///< by object
+    std::vector<Place> places_;      ///< by triangle
+    std::vector<PlacedVertex> vertices_;
+    std::vector<std::uint32_t> first_;  ///< triangle of each identifier; one more at the end
+};
+
+}  // namespace gw::scene

@@ -1,0 +1,110 @@
+#include "scene/obj/obj_parts.h"
+
+#include "gw/error.h"
+
+namespace gw::scene {
+
+std::string index_fault(std::string_view kind, long long index, std::size_t count) {
+    const std::string text = std::string(kind) + " index " + std::to_string(index) + " is out of range; ";
+    if (count == 0) return text + "the file has no " + std::string(kind);
+    const std::string n = std::to_string(count);
+    return text + "expected 1 .. " + n + " or -" + n + " .. -1";
+}
+
+void check_indices(const ObjData& obj) {
+    for (const Element& element : obj.elements) {
+        const auto check = [&](std::string_view kind, std::uint32_t index, std::size_t count) {
+            if (index != absent && index >= count)
+                throw Error(obj.file, element.line, index_fault(kind, index + 1LL, count));
+        };
+        for (std::uint32_t i = 0; i < element.count; ++i) {
+            const Corner& corner = obj.corners[element.first + i];
+            check("v", corner.v, obj.positions.size());
+            check("vt", corner.vt, obj.texcoords.size());
+            check("vn", corner.vn, obj.normals.size());
+        }
+    }
+}
+
+namespace {
+
+// Numbers the different corners of one part in the order they come. Each position heads a list of its
+// vertices.
+class Vertices {
+public:
+    explicit Vertices(std::size_t positions) : head_(positions, absent) {}
+
+    std::uint32_t index_of(const Corner& corner) {
+        for (std::uint32_t i = head_[corner.v]; i != absent; i = next_[i])
+            if (corners_[i] == corner) return i;
+        corners_.push_back(corner);
+        next_.push_back(head_[corner.v]);
+        return head_[corner.v] = static_cast<std::uint32_t>(corners_.size() - 1);
+    }
+    const std::vector<Corner>& corners() const { return corners_; }
+    void clear() {
+        for (const Corner& corner : corners_) head_[corner.v] = absent;
+        corners_.clear();
+        next_.clear();
+    }
+
+private:
+    std::vector<std::uint32_t> head_, next_;
+    std::vector<Corner> corners_;
+};
+
+// The elements of each part, in the order of the file: part p has [begin[p], begin[p + 1]).
+struct PartOrder {
+    std::vector<std::uint32_t> begin, elements;
+};
+
+PartOrder order_by_part(const ObjData& obj) {
+    PartOrder order{std::vector<std::uint32_t>(obj.parts.size() + 1),
+                    std::vector<std::uint32_t>(obj.elements.size())};
+    for (std::size_t p = 0; p < obj.parts.size(); ++p)
+        order.begin[p + 1] = order.begin[p] + obj.parts[p].elements;
+    std::vector<std::uint32_t> at(order.begin);
+    for (std::uint32_t e = 0; e < obj.elements.size(); ++e) order.elements[at[obj.elements[e].part]++] = e;
+    return order;
+}
+
+void gather_vertices(const ObjData& obj, const std::vector<Corner>& corners, MeshData& mesh) {
+    bool any_texcoord = false, any_normal = false;
+    mesh.positions.reserve(corners.size());
+    for (const Corner& corner : corners) {
+        mesh.positions.push_back(obj.positions[corner.v]);
+        if (!obj.colors.empty()) mesh.colors.push_back(obj.colors[corner.v]);
+        any_texcoord |= corner.vt != absent;
+        any_normal |= corner.vn != absent;
+    }
+    if (any_texcoord)
+        for (const Corner& corner : corners)
+            mesh.texcoords.push_back(corner.vt == absent ? vec2(0, 0) : obj.texcoords[corner.vt]);
+    if (any_normal)
+        for (const Corner& corner : corners)
+            mesh.normals.push_back(corner.vn == absent ? vec3(0, 0, 1) : obj.normals[corner.vn]);
+}
+
+}  // namespace
+
+std::vector<MeshData> make_meshes(const ObjData& obj) {
+    std::vector<MeshData> meshes(obj.parts.size());
+    const PartOrder order = order_by_part(obj);
+    Vertices vertices(obj.positions.size());
+    for (std::size_t p = 0; p < obj.parts.size(); ++p) {
+        MeshData& mesh = meshes[p];
+        mesh.primitive = obj.parts[p].primitive;
+        mesh.indices.reserve(obj.parts[p].corners);
+        for (std::uint32_t i = order.begin[p]; i < order.begin[p + 1]; ++i) {
+            const Element& element = obj.elements[order.elements[i]];
+            if (mesh.primitive == Primitive::Polygons) mesh.polygon_sizes.push_back(element.count);
+            for (std::uint32_t k = 0; k < element.count; ++k)
+                mesh.indices.push_back(vertices.index_of(obj.corners[element.first + k]));
+        }
+        gather_vertices(obj, vertices.corners(), mesh);
+        vertices.clear();
+    }
+    return meshes;
+}
+
+}  // namespace gw::scene

@@ -1,0 +1,226 @@
+#include "scene/obj/read_mtl.h"
+
+#include "scene/obj/map_options.h"
+#include "scene/obj/obj_tokens.h"
+#include "scene/text/suggest.h"
+#include "scene/text/text_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace gw::scene {
+
+namespace {
+
+// Files differ in the case of keywords, so these tables are in lower case.
+struct ColorWord {
+    std::string_view name;
+    vec3 Material::*field;
+};
+constexpr std::array colors{
+    ColorWord{"ka", &Material::Ka}, ColorWord{"kd", &Material::Kd}, ColorWord{"ks", &Material::Ks},
+    ColorWord{"ke", &Material::Ke}, ColorWord{"tf", &Material::Tf},
+};
+
+struct MapWord {
+    std::string_view name;
+    std::vector<Map> Material::*field;
+};
+constexpr std::array maps{
+    MapWord{"map_ka", &Material::map_Ka}, MapWord{"map_kd", &Material::map_Kd},
+    MapWord{"map_ks", &Material::map_Ks}, MapWord{"map_ke", &Material::map_Ke},
+    MapWord{"refl", &Material::refl},
+};
+
+// Understood, but nothing is drawn differently for them: surface detail, cut-outs, other programs' materials.
+constexpr std::array not_honoured = std::to_array<std::string_view>({
+    "bump",    "map_bump", "disp",   "map_disp", "decal",     "map_decal", "map_d",  "map_tr",  "map_opacity",
+    "map_ns",  "map_ni",   "norm",   "map_aat",  "sharpness", "pr",        "pm",     "ps",      "pc",
+    "pcr",     "aniso",    "anisor", "map_pr",   "map_pm",    "map_ps",    "map_pc", "map_pcr", "map_refl",
+    "map_rma", "map_orm",  "map_kn", "km",       "it",        "kt",
+});
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return result;
+}
+
+class MtlReader {
+public:
+    MtlReader(const std::filesystem::path& path, std::string_view text, Warnings& warnings)
+        : folder_(path.parent_path()), in_(path.string(), text), warnings_(warnings) {}
+
+    std::vector<Material> read() {
+        while (in_.next()) {
+            keyword_ = lower(in_.keyword());
+            if (keyword_ == "newmtl")
+                new_material();
+            else if (materials_.empty())
+                in_.fail("'" + printable(in_.keyword()) + "' before any material; expected newmtl NAME");
+            else
+                statement();
+        }
+        drop_repeated();
+        return std::move(materials_);
+    }
+
+private:
+    void new_material() {
+        if (in_.rest().empty()) in_.fail("newmtl has no name; expected newmtl NAME");
+        materials_.emplace_back().name = in_.rest();
+        lines_.push_back(in_.line());
+        has_d_ = has_Tr_ = false;
+    }
+
+    // The first material of a name counts, as the first of several libraries does.
+    void drop_repeated() {
+        std::set<std::string> names;
+        std::vector<Material> first;
+        for (std::size_t i = 0; i < materials_.size(); ++i) {
+            const std::string name = materials_[i].name;
+            if (names.insert(name).second)
+                first.push_back(std::move(materials_[i]));
+            else
+                warnings_.add(in_.file(), lines_[i], "newmtl " + name,
+                              "material '" + printable(name) + "' again; the first one counts");
+        }
+        materials_ = std::move(first);
+    }
+
+    void statement() {
+        Material& material = materials_.back();
+        for (const ColorWord& word : colors)
+            if (keyword_ == word.name) return void(material.*word.field = color());
+        for (const MapWord& word : maps)
+            if (keyword_ == word.name) return add_map(material.*word.field);
+        if (keyword_ == "ns")
+            material.Ns = number(in_.rest(), 0, 10000, "Ns 0 .. 10000");
+        else if (keyword_ == "ni")
+            material.Ni = refraction();
+        else if (keyword_ == "d")
+            dissolve(material);
+        else if (keyword_ == "tr")
+            transparency(material);
+        else if (keyword_ == "illum")
+            material.illum = illumination();
+        else
+            other();
+    }
+
+    void other() {
+        for (const std::string_view name : not_honoured)
+            if (keyword_ == name) return warn(name, std::string(in_.keyword()) + " is not honoured");
+        std::vector<std::string> known{"newmtl", "Ka",     "Kd",     "Ks",  "Ke",    "Tf",
+                                       "Ns",     "Ni",     "d",      "Tr",  "illum", "map_Ka",
+                                       "map_Kd", "map_Ks", "map_Ke", "refl"};
+        known.insert(known.end(), not_honoured.begin(), not_honoured.end());
+        in_.fail(unknown("statement", in_.keyword(), known));
+    }
+
+    void warn(std::string_view kind, std::string_view text) {
+        warnings_.add(in_.file(), in_.line(), std::string(kind), text);
+    }
+
+    // Files in the wild overstep the ranges; the nearest value in range stands in, with a warning.
+    float limit(float value, float low, float high, std::string_view form) {
+        if (value < low || value > high)
+            warn(std::string(keyword_) + " range",
+                 std::string(in_.keyword()) + " is out of range and limited to " + std::string(form));
+        return std::clamp(value, low, high);
+    }
+
+    float number(std::string_view text, float low, float high, std::string_view form) {
+        std::array<float, 1> n{};
+        if (read_numbers(in_, text, n, form) != 1) fail_count(in_, 0, form);
+        return limit(n[0], low, high, form);
+    }
+
+    vec3 color() {
+        const std::string form = std::string(in_.keyword()) + " r g b";
+        std::string_view rest = in_.rest();
+        const std::string_view first = take_word(rest);
+        if (first == "spectral" || first == "xyz")
+            in_.fail(std::string(in_.keyword()) + " " + std::string(first) + " is not supported; expected " +
+                     form);
+        std::array<float, 3> n{};
+        const std::size_t count = read_numbers(in_, in_.rest(), n, form);
+        if (count != 1 && count != 3) fail_count(in_, count, form);
+        if (count == 1) n[1] = n[2] = n[0];
+        for (float& c : n) c = limit(c, 0, 1e6f, form + " from 0");
+        return {n[0], n[1], n[2]};
+    }
+
+    float refraction() {
+        const float Ni = number(in_.rest(), 0, 100, "Ni 0 .. 100");
+        return Ni == 0 ? 1 : Ni;
+    }
+
+    int illumination() {
+        const std::string_view rest = in_.rest();
+        const float model = number(in_.rest(), 0, 10, "illum 0 .. 10");
+        if (model != std::floor(model))
+            in_.fail("illum is '" + printable(rest) + "'; expected a whole number 0 .. 10");
+        return static_cast<int>(model);
+    }
+
+    // "d 0.5" and "d -halo 0.5": the latter fades with the angle, which is not honoured.
+    void dissolve(Material& material) {
+        constexpr std::string_view halo = "-halo";
+        std::string_view text = in_.rest();
+        if (text.starts_with(halo)) {
+            warn(halo, "d -halo is read as d");
+            text.remove_prefix(halo.size());
+        }
+        const float d = number(text, 0, 1, "d 0 .. 1");
+        if (has_Tr_) compare(d, material.d);
+        material.d = d;
+        has_d_ = true;
+    }
+
+    // Where a material has both, d counts, in whatever order they come.
+    void transparency(Material& material) {
+        const float d = 1 - number(in_.rest(), 0, 1, "Tr 0 .. 1");
+        if (has_d_) return compare(material.d, d);
+        material.d = d;
+        has_Tr_ = true;
+    }
+    void compare(float d, float from_Tr) {
+        if (std::abs(d - from_Tr) > 1.0f / 256)
+            warn("Tr", "d and Tr disagree (Tr should be 1 - d); d counts");
+    }
+
+    void add_map(std::vector<Map>& list) {
+        const MapStatement statement = read_map(in_, folder_, warnings_);
+        if (keyword_ == "refl" && !statement.type.empty() && statement.type != "sphere")
+            in_.fail("refl -type " + printable(statement.type) +
+                     " is not supported; expected refl -type sphere");
+        const Map& map = statement.map;
+        const auto same = [&](const Map& m) {
+            return m.file == map.file && m.wrap == map.wrap && m.offset == map.offset && m.scale == map.scale;
+        };
+        if (std::ranges::any_of(list, same))
+            return warn("map again", std::string(in_.keyword()) + " again with the same map; it counts once");
+        list.push_back(map);
+    }
+
+    const std::filesystem::path folder_;
+    Statements in_;
+    Warnings& warnings_;
+    std::string keyword_;
+    std::vector<Material> materials_;
+    std::vector<int> lines_;
+    bool has_d_ = false, has_Tr_ = false;
+};
+
+}  // namespace
+
+std::vector<Material> read_mtl(const std::filesystem::path& path, Warnings& warnings) {
+    const std::string text = read_text(path);
+    return MtlReader(path, text, warnings).read();
+}
+
+}  // namespace gw::scene

@@ -1,0 +1,191 @@
+#include "scene/obj/read_obj.h"
+
+#include "scene/geometry/normals.h"
+#include "scene/obj/obj_builder.h"
+#include "scene/obj/obj_parts.h"
+#include "scene/obj/obj_tokens.h"
+#include "scene/obj/read_mtl.h"
+#include "scene/text/suggest.h"
+#include "scene/text/text_file.h"
+
+#include <array>
+#include <charconv>
+#include <set>
+
+namespace gw::scene {
+
+namespace {
+
+// Statements of the format that nothing is drawn for: free-form geometry, display hints, superseded ones.
+constexpr std::array not_honoured = std::to_array<std::string_view>({
+    "cstype",     "deg",       "bmat", "step", "curv", "curv2", "surf",   "parm",   "trim",
+    "hole",       "scrv",      "sp",   "end",  "con",  "vp",    "ctech",  "stech",  "bevel",
+    "c_interp",   "d_interp",  "lod",  "mg",   "call", "csh",   "usemap", "maplib", "res",
+    "shadow_obj", "trace_obj", "bsp",  "bzp",  "cdc",  "cdp",
+});
+
+class ObjReader {
+public:
+    ObjReader(const std::filesystem::path& path, std::string_view text, Warnings& warnings)
+        : folder_(path.parent_path()), in_(path.string(), text), warnings_(warnings) {
+        build_.obj.file = in_.file();
+    }
+
+    ObjData read() {
+        while (in_.next()) statement();
+        if (build_.obj.elements.empty())
+            throw Error(in_.file(), 0, "has nothing to draw; expected f, l or p statements");
+        check_indices(build_.obj);
+        return std::move(build_.obj);
+    }
+    std::vector<Material> take_materials() { return std::move(materials_); }
+
+private:
+    struct Keyword {
+        std::string_view name;
+        void (ObjReader::*read)();
+    };
+    static const std::array<Keyword, 12> keywords;
+
+    void statement() {
+        for (const Keyword& keyword : keywords)
+            if (in_.keyword() == keyword.name) return (this->*keyword.read)();
+        for (const std::string_view name : not_honoured)
+            if (in_.keyword() == name) return warn(name, std::string(name) + " statements are not drawn");
+        std::vector<std::string> known(not_honoured.begin(), not_honoured.end());
+        for (const Keyword& keyword : keywords) known.emplace_back(keyword.name);
+        in_.fail(unknown("statement", in_.keyword(), known));
+    }
+
+    void warn(std::string_view kind, std::string_view text) {
+        warnings_.add(in_.file(), in_.line(), std::string(kind), text);
+    }
+
+    void position() {
+        constexpr std::string_view form = "v x y z, v x y z w, v x y z r g b or v x y z r g b a";
+        std::array<float, 7> n{0, 0, 0, 1, 1, 1, 1};
+        const std::size_t count = read_numbers(in_, in_.rest(), n, form);
+        if (count < 3 || count == 5) fail_count(in_, count, form);
+        if (count == 4 && n[3] != 1) warn("w", "the weight w of v is not used");
+        ObjData& obj = build_.obj;
+        obj.positions.emplace_back(n[0], n[1], n[2]);
+        if (count < 6 && obj.colors.empty()) return;
+        obj.colors.resize(obj.positions.size(), vec4(1, 1, 1, 1));
+        if (count >= 6) obj.colors.back() = {n[3], n[4], n[5], n[6]};
+    }
+
+    void texcoord() {
+        constexpr std::string_view form = "vt s, vt s t or vt s t r";
+        std::array<float, 3> n{};
+        if (const std::size_t count = read_numbers(in_, in_.rest(), n, form); count < 1)
+            fail_count(in_, count, form);
+        build_.obj.texcoords.emplace_back(n[0], n[1]);
+    }
+
+    void normal() {
+        constexpr std::string_view form = "vn x y z";
+        std::array<float, 3> n{};
+        if (const std::size_t count = read_numbers(in_, in_.rest(), n, form); count < 3)
+            fail_count(in_, count, form);
+        if (n == std::array<float, 3>{}) warn("vn", "vn of length 0: the faces' own normals stand in");
+        build_.obj.normals.emplace_back(n[0], n[1], n[2]);
+    }
+
+    // Appends the statement's corners; returns how many.
+    std::uint32_t corners(std::uint32_t least) {
+        std::uint32_t count = 0;
+        std::string_view rest = in_.rest();
+        for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest), ++count)
+            build_.obj.corners.push_back(read_corner(in_, word, build_.obj));
+        if (count < least)
+            in_.fail(std::string(in_.keyword()) + " has " + std::to_string(count) +
+                     (count == 1 ? " corner" : " corners") + "; expected at least " + std::to_string(least));
+        return count;
+    }
+    void face() { build_.add_face(corners(3), in_.line()); }
+    void line() { build_.add_segments(corners(2), in_.line()); }
+    void point() { build_.add_points(corners(1), in_.line()); }
+
+    void object() { build_.set_object(in_.rest()); }
+    void group() { build_.set_group(in_.rest()); }
+    void material() {
+        build_.set_material(in_.rest() == "(null)" ? std::string_view() : in_.rest(), in_.line());
+    }
+
+    void smoothing() {
+        std::string_view rest = in_.rest();
+        const std::string_view word = take_word(rest);
+        std::uint32_t group = word == "on";
+        const auto result = std::from_chars(word.data(), word.data() + word.size(), group);
+        const bool number =
+            result.ec == std::errc{} && result.ptr == word.data() + word.size() && group <= 0x7fffffff;
+        if (!number && word != "on" && word != "off")
+            in_.fail("s has '" + printable(word) + "'; expected off, on or a number from 0");
+        build_.smoothing = static_cast<std::int32_t>(group);
+    }
+
+    // File names may hold blanks, and several may stand on a line: the longest names that exist are taken.
+    void library() {
+        std::string_view rest = in_.rest();
+        if (rest.empty()) in_.fail("mtllib names no file; expected one or more");
+        while (!rest.empty()) {
+            const auto [name, path] = longest_file(rest);
+            rest = trim(rest.substr(name.size()));
+            if (!libraries_.insert(path).second) continue;
+            for (Material& material : read_mtl(path, warnings_)) materials_.push_back(std::move(material));
+        }
+    }
+    std::pair<std::string_view, std::filesystem::path> longest_file(std::string_view names) {
+        for (std::size_t size = names.size(); size != names.npos; size = names.find_last_of(" \t", size - 1))
+            if (const auto path = existing_file(folder_, trim(names.substr(0, size))))
+                return {names.substr(0, size), *path};
+        const std::filesystem::path path = find_file(folder_, names);
+        if (!file_exists(path))
+            in_.fail("mtllib '" + printable(names) + "' does not exist; expected an MTL file");
+        return {names, path};
+    }
+
+    const std::filesystem::path folder_;
+    Statements in_;
+    Warnings& warnings_;
+    ObjBuilder build_;
+    std::vector<Material> materials_;
+    std::set<std::filesystem::path> libraries_;  ///< read already
+};
+
+const std::array<ObjReader::Keyword, 12> ObjReader::keywords{{
+    {"v", &ObjReader::position},
+    {"f", &ObjReader::face},
+    {"vn", &ObjReader::normal},
+    {"vt", &ObjReader::texcoord},
+    {"s", &ObjReader::smoothing},
+    {"g", &ObjReader::group},
+    {"o", &ObjReader::object},
+    {"usemtl", &ObjReader::material},
+    {"mtllib", &ObjReader::library},
+    {"l", &ObjReader::line},
+    {"p", &ObjReader::point},
+    {"fo", &ObjReader::face},
+}};
+
+}  // namespace
+
+ObjFile read_obj(const std::filesystem::path& path, const ObjOptions& options, Warnings& warnings) {
+    const std::string text = read_text(path);
+    ObjReader reader(path, text, warnings);
+    ObjData obj = reader.read();
+    if (options.crease)
+        for (Element& element : obj.elements) element.smoothing = smooth_by_angle;
+    add_normals(obj, options.crease.value_or(default_crease));
+
+    ObjFile file{path.string(), {}, reader.take_materials()};
+    std::vector<MeshData> meshes = make_meshes(obj);
+    for (std::size_t p = 0; p < meshes.size(); ++p) {
+        const Part& part = obj.parts[p];
+        const std::string name = part.name.empty() ? path.stem().string() : part.name;
+        file.parts.push_back({name, part.material, part.material_line, std::move(meshes[p])});
+    }
+    return file;
+}
+
+}  // namespace gw::scene

@@ -1,0 +1,39 @@
+// Wavefront OBJ, read strictly: what is wrong is an error with its line. docs/scenes.md says what is
+// understood. Does not triangulate (make_mesh does) and does not read textures.
+#pragma once
+
+#include "scene/scene.h"
+#include "scene/text/warnings.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gw::scene {
+
+struct ObjOptions {
+    /// Degrees. Given: faces without normals are smoothed by this angle, whatever the `s` statements say.
+    /// Absent: `s` statements are honoured, and faces before any of them are smoothed by 60 degrees.
+    std::optional<double> crease;
+};
+
+/// Elements of one kind with one name and one material.
+struct ObjPart {
+    std::string name;      ///< `g`, else `o`, else the file's stem
+    std::string material;  ///< `usemtl`; empty: none
+    int material_line = 0;
+    MeshData mesh;  ///< Polygons, Lines or Points, without polygon_ids
+};
+
+struct ObjFile {
+    std::string file;
+    std::vector<ObjPart> parts;       ///< in the order of their first elements; at least one
+    std::vector<Material> materials;  ///< of every mtllib, in order
+};
+
+/// Throws Error "file:line: what; expected what", for its MTL files as well.
+/// Whether a part's material is among `materials` is not checked: a scene may bring its own.
+ObjFile read_obj(const std::filesystem::path& path, const ObjOptions& options, Warnings& warnings);
+
+}  // namespace gw::scene

@@ -1,0 +1,57 @@
+#include "scene/text/statements.h"
+
+#include "gw/error.h"
+
+#include <cstring>
+
+namespace gw::scene {
+
+Statements::Statements(std::string file, std::string_view text)
+    : file_(std::move(file)), at_(text.data()), end_(text.data() + text.size()) {}
+
+void Statements::fail(std::string_view what) const { throw Error(file_, line_, what); }
+
+std::string_view trim(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+namespace {
+
+std::string_view physical_line(const char*& at, const char* end) {
+    const auto* newline = static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at)));
+    const char* const stop = newline ? newline : end;
+    const std::string_view line = trim({at, static_cast<std::size_t>(stop - at)});
+    at = newline ? newline + 1 : end;
+    return line;
+}
+
+}  // namespace
+
+// A line whose last character is '\' goes on in the next; a comment does not.
+std::string_view Statements::logical_line() {
+    line_ = next_line_++;
+    std::string_view line = physical_line(at_, end_);
+    if (!line.ends_with('\\') || line.starts_with('#')) return line;
+    joined_.clear();
+    while (line.ends_with('\\') && at_ < end_) {
+        joined_.append(line, 0, line.size() - 1).append(1, ' ');
+        line = physical_line(at_, end_);
+        ++next_line_;
+    }
+    if (line.ends_with('\\')) line.remove_suffix(1);
+    return trim(joined_.append(line));
+}
+
+bool Statements::next() {
+    while (at_ < end_) {
+        rest_ = logical_line();
+        keyword_ = take_word(rest_);
+        rest_ = trim(rest_);
+        if (!keyword_.empty()) return true;
+    }
+    return false;
+}
+
+}  // namespace gw::scene

@@ -1,0 +1,107 @@
+#include "scene/toml/read_toml.h"
+
+#include "scene/obj/read_mtl.h"
+#include "scene/text/suggest.h"
+#include "scene/text/text_file.h"
+#include "scene/toml/toml_objects.h"
+
+#include <algorithm>
+
+namespace gw::scene {
+
+namespace {
+
+/// The tables of [[light]], [[object]] or [[pass]]; also one, [light].
+std::vector<const TomlValue*> tables(const TomlValue& value) {
+    if (value.kind == TomlKind::Table) return {&value};
+    if (value.kind != TomlKind::Array) value.fail_expected("[[" + value.name + "]]");
+    std::vector<const TomlValue*> list;
+    for (const TomlValue& element : value.elements) list.push_back(&element);
+    return list;
+}
+
+// Those of [material.NAME], then those of the mtllib files.
+class Library {
+public:
+    explicit Library(Warnings& warnings) : warnings_(warnings) {}
+    std::vector<Material> materials;
+
+    void add_table(const TomlValue& table) {
+        if (table.kind != TomlKind::Table) table.fail_expected("[material.NAME]");
+        for (const TomlValue& value : table.elements) {
+            Material material{.name = value.key};
+            read_material(value, material);
+            materials.push_back(std::move(material));
+        }
+    }
+    void add_files(const TomlValue& value) {
+        for (const std::string& name : to_strings(value)) {
+            const std::filesystem::path path =
+                find_file(std::filesystem::path(*value.file).parent_path(), name);
+            if (!file_exists(path))
+                value.fail("mtllib '" + printable(name) + "' does not exist; expected an MTL file");
+            for (Material& material : read_mtl(path, warnings_)) materials.push_back(std::move(material));
+        }
+    }
+
+private:
+    Warnings& warnings_;
+};
+
+// A light that lights chosen parts only, a pass that draws chosen parts only [K3.3], must name parts there
+// are.
+void check_names(const TomlValue& list, const std::set<std::string>& names) {
+    for (const std::string& name : to_strings(list))
+        if (!names.contains(name)) list.fail(unknown("object", name, {names.begin(), names.end()}));
+}
+
+void check_passes(const std::vector<TomlValue>& passes, const std::set<std::string>& names) {
+    for (const TomlValue& pass : passes)
+        if (const TomlValue* objects = pass.find("objects"))
+            if (objects->kind == TomlKind::Array) check_names(*objects, names);
+}
+
+}  // namespace
+
+SceneFile read_toml(const std::filesystem::path& path) {
+    const TomlValue file = read_toml_file(path);
+    SceneBuilder builder;
+    Scene& scene = builder.scene;
+    scene.name = path.stem().string();
+    Warnings warnings;
+    std::vector<const TomlValue*> lights, objects, passes;
+    const TomlValue *materials = nullptr, *mtllib = nullptr;
+
+    // Sections may come in any order, so what refers to others is read after them.
+    read_table(file, {
+                         key("name", scene.name),
+                         color_key("background", scene.background),
+                         key("texels", scene.texels_per_unit, {1e-9, 1e9}),
+                         key("reflection_in_shadow", scene.reflection_in_shadow),
+                         {"camera", [&](const TomlValue& value) { scene.camera = to_camera(value); }},
+                         {"fog", [&](const TomlValue& value) { scene.fog = to_fog(value); }},
+                         {"mtllib", [&](const TomlValue& value) { mtllib = &value; }},
+                         {"material", [&](const TomlValue& value) { materials = &value; }},
+                         {"light", [&](const TomlValue& value) { lights = tables(value); }},
+                         {"object", [&](const TomlValue& value) { objects = tables(value); }},
+                         {"pass", [&](const TomlValue& value) { passes = tables(value); }},
+                     });
+    Library library(warnings);
+    if (materials) library.add_table(*materials);
+    if (mtllib) library.add_files(*mtllib);
+
+    TomlObjects reader(builder, library.materials, warnings);
+    for (const TomlValue* object : objects) reader.add(*object);
+    if (scene.objects.empty())
+        throw Error(path.string(), 0, "has nothing to draw; expected an [[object]] that is visible");
+    for (const TomlValue* light : lights) {
+        scene.lights.push_back(to_light(*light));
+        if (const TomlValue* only = light->find("only")) check_names(*only, reader.names());
+    }
+    SceneFile result{std::move(scene), warnings.lines(), {}};
+    for (const TomlValue* pass : passes) result.passes.push_back(*pass);
+    check_passes(result.passes, reader.names());
+    return result;
+}
+
+}  // namespace gw::scene

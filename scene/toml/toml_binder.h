@@ -1,0 +1,75 @@
+// Binds the keys of a TOML table to the fields of a struct: one line for each key.
+//     read_table(table, {key("eye", camera.eye), key("fov", camera.fov, {0.1, 179})});
+// Every key that is not in the list, every wrong type and every number out of range is an Error with file and
+// line.
+#pragma once
+
+#include "gw/base/types.h"
+#include "scene/toml/toml_value.h"
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gw::scene {
+
+struct Key {
+    std::string name;
+    std::function<void(const TomlValue&)> read;
+};
+
+/// Throws Error for a value that is not a table and for an unknown key, naming the nearest known one.
+void read_table(const TomlValue& table, const std::vector<Key>& keys);
+
+/// Numbers that a key takes, ends included.
+struct Range {
+    double low = std::numeric_limits<double>::lowest(), high = std::numeric_limits<double>::max();
+};
+inline constexpr Range not_negative{0, std::numeric_limits<double>::max()};
+
+/// One value as a C++ type. A float is the float32 nearest to the text.
+float to_float(const TomlValue& value, Range range = {});
+double to_double(const TomlValue& value, Range range = {});
+int to_int(const TomlValue& value, Range range);
+bool to_bool(const TomlValue& value);
+std::string to_string(const TomlValue& value);
+std::vector<std::string> to_strings(const TomlValue& value);  ///< one string, or an array of them
+vec2 to_vec2(const TomlValue& value);
+vec3 to_vec3(const TomlValue& value);
+dvec3 to_dvec3(const TomlValue& value);
+/// Three numbers from 0, or one for all three.
+vec3 to_color(const TomlValue& value);
+
+/// Throws Error unless the value is an array of `count` numbers.
+void expect_numbers(const TomlValue& value, std::size_t count);
+
+Key key(std::string name, float& field, Range range = {});
+Key key(std::string name, double& field, Range range = {});
+Key key(std::string name, int& field, Range range);
+Key key(std::string name, bool& field);
+Key key(std::string name, std::string& field);
+Key key(std::string name, std::vector<std::string>& field);
+Key key(std::string name, vec2& field);
+Key key(std::string name, vec3& field);
+Key key(std::string name, dvec3& field);
+Key color_key(std::string name, vec3& field);
+
+/// A key that is one of several words.
+template <typename Enum>
+Key key(std::string name, Enum& field, std::vector<std::pair<std::string, Enum>> words);
+
+/// Throws Error naming the words where the value is none of them; else the word's ordinal.
+std::size_t to_word(const TomlValue& value, const std::vector<std::string>& words);
+
+template <typename Enum>
+Key key(std::string name, Enum& field, std::vector<std::pair<std::string, Enum>> words) {
+    return {std::move(name), [&field, words = std::move(words)](const TomlValue& value) {
+                std::vector<std::string> names;
+                for (const auto& word : words) names.push_back(word.first);
+                field = words[to_word(value, names)].second;
+            }};
+}
+
+}  // namespace gw::scene

@@ -1,0 +1,26 @@
+// The sections of a TOML scene that stand for themselves: camera, lights, fog, materials, placements.
+// docs/scenes.md has every key. Objects, which bring files and shapes, are in toml_objects.h.
+#pragma once
+
+#include "scene/scene.h"
+#include "scene/toml/toml_binder.h"
+
+namespace gw::scene {
+
+/// All of them throw Error with file and line.
+Camera to_camera(const TomlValue& table);
+Light to_light(const TomlValue& table);
+Fog to_fog(const TomlValue& table);
+
+/// Changes the fields of `material` whose keys the table has.
+void read_material(const TomlValue& table, Material& material);
+
+/// An object's place: `matrix`, or `scale`, then `rotate`, then `translate`.
+struct Placement {
+    const TomlValue *translate = nullptr, *rotate = nullptr, *scale = nullptr, *matrix = nullptr;
+};
+/// Appends the four keys that fill a placement in.
+void add_placement_keys(std::vector<Key>& keys, Placement& placement);
+dmat4 world_from_object(const Placement& placement);
+
+}  // namespace gw::scene

@@ -1,0 +1,128 @@
+#include "scene/toml/toml_text.h"
+
+#include "gw/error.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace gw::scene {
+
+namespace {
+
+bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+/// Passes over the text once, string by string and comment by comment.
+class Walk {
+public:
+    Walk(const std::string& file, std::string& text) : file_(file), text_(text) {}
+
+    void run() {
+        while (at_ < text_.size()) {
+            const char c = text_[at_];
+            if (c == '#')
+                comment();
+            else if ((c == '"' || c == '\'') && may_begin_string())
+                string(c);
+            else
+                outside(c);
+        }
+    }
+
+private:
+    /// As a key, a part of one, or a value. In a wrong number or word toml++ takes a quotation mark for a
+    /// part of it.
+    bool may_begin_string() const {
+        const std::string_view before = value_ ? "=[,\n" : "[{,.\n";
+        return !word_ && before.find(before_) != std::string_view::npos;
+    }
+
+    void outside(char c) {
+        if (is_beyond_ascii(c))
+            fail("a character beyond ASCII outside of a string; expected quotation marks around it");
+        if (is_space(c) || c == ',' || c == ']' || c == '}') word_ = false;
+        if (!word_) structure(c);
+        if (c != ' ' && c != '\t' && c != '\r') before_ = c;
+        ++at_;
+    }
+
+    void structure(char c) {
+        switch (c) {
+            case ' ':
+            case '\t':
+            case '\r': break;
+            case '\n': value_ = value_ && !open_.empty(); break;
+            case ',': value_ = !open_.empty() && open_.back() == '['; break;
+            case '[':
+            case '{':
+                if (value_) open_ += c;
+                value_ = value_ && c == '[';
+                break;
+            case ']':
+            case '}':
+                value_ = !open_.empty();
+                if (value_) open_.pop_back();
+                break;
+            default: word_ = value_; value_ = value_ || c == '=';
+        }
+    }
+
+    void comment() {
+        for (; at_ < text_.size() && text_[at_] != '\n'; ++at_)
+            if (is_beyond_ascii(text_[at_])) text_[at_] = '?';
+    }
+
+    void string(char quote) {
+        const std::string three(3, quote);
+        const bool lines = stands_here(three);
+        const std::string_view end = std::string_view(three).substr(0, lines ? 3 : 1);
+        at_ += end.size();
+        before_ = quote;
+        while (at_ < text_.size() && (lines || text_[at_] != '\n')) {
+            if (stands_here(end)) return close(quote, end.size());
+            if (quote == '"' && text_[at_] == '\\')
+                escape(lines);
+            else
+                ++at_;
+        }
+    }
+
+    /// Three quotation marks may come after up to two that belong to the string.
+    void close(char quote, std::size_t marks) {
+        at_ += marks;
+        for (int more = 0; marks == 3 && more < 2 && at_ < text_.size() && text_[at_] == quote; ++more) ++at_;
+    }
+
+    void escape(bool lines) {
+        ++at_;
+        const std::size_t next = at_;
+        while (lines && at_ < text_.size() && is_space(text_[at_])) ++at_;
+        if (lines && at_ < text_.size() && is_beyond_ascii(text_[at_]))
+            fail("a character beyond ASCII after a backslash; expected it in the line before");
+        if (at_ == next && at_ < text_.size() && text_[at_] != '\n') ++at_;
+    }
+
+    bool stands_here(std::string_view word) const { return text_.compare(at_, word.size(), word) == 0; }
+
+    [[noreturn]] void fail(std::string_view what) const {
+        const auto here = text_.begin() + std::ptrdiff_t(at_);
+        throw Error(file_, 1 + static_cast<int>(std::count(text_.begin(), here, '\n')), what);
+    }
+
+    const std::string& file_;
+    std::string& text_;
+    std::size_t at_ = 0;
+    char before_ = '\n';  ///< the last character outside of comments that is not a blank
+    std::string open_;    ///< brackets of arrays and inline tables
+    bool value_ = false;  ///< what comes next is a value, not a key
+    bool word_ = false;   ///< within a value without quotation marks
+};
+
+}  // namespace
+
+std::string toml_text(const std::string& file, std::string text) {
+    Walk(file, text).run();
+    return text;
+}
+
+}  // namespace gw::scene
