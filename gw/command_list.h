@@ -1,5 +1,5 @@
-// A command list: everything a machine can be told, as a value that is built, printed, stored, replayed,
-// compared. Does not execute anything and holds no pixels of a machine.
+// A command list: everything a machine can be told, as a value that is built, printed, stored,
+// replayed, compared. Does not execute anything and holds no pixels of a machine.
 #pragma once
 
 #include "gw/material.h"
@@ -22,16 +22,16 @@ constexpr PlaneMask mask_of(Plane plane) {
 }
 inline constexpr PlaneMask all_planes = 15;
 
-/// Opens a pass: commands up to the next one are counted under this name. `digests`: digests of these planes
-/// are taken when the pass ends.
+/// Opens a pass: commands up to the next one are counted under this name. `digests`: digests of
+/// these planes are taken when the pass ends.
 struct BeginPass {
     std::string name;
     PlaneMask digests = 0;
     bool operator==(const BeginPass&) const = default;
 };
 
-/// Clears planes inside the scissor box, through the colour mask, depth mask and stencil write mask, as
-/// glClear. Accumulation is cleared to 0.
+/// Clears planes inside the scissor box, through the colour mask, depth mask and stencil write
+/// mask, as glClear. Accumulation is cleared to 0.
 struct Clear {
     PlaneMask planes = 0;
     vec4 color{0, 0, 0, 0};  ///< clamped to [0,1], times 2^color_bits - 1, to nearest
@@ -46,8 +46,8 @@ struct SetState {
     bool operator==(const SetState&) const = default;
 };
 
-/// A texture that is a value, or the machine's texture slot that CopyTexture filled; neither: texturing is
-/// off.
+/// A texture that is a value, or the machine's texture slot that CopyTexture filled; neither:
+/// texturing is off.
 struct TextureBinding {
     TextureRef texture;
     std::optional<std::uint32_t> slot;
@@ -62,17 +62,19 @@ struct Draw {
     Material material;
     LightsRef lights;
     TextureBinding map;
-    std::uint32_t id_base = 0;  ///< ColorSource::PolygonId: id = id_base + mesh polygon id (modulo 2^32) ...
-    int id_shift = 0;           ///< ... shifted right by this: 0 .. 31
+    /// ColorSource::PolygonId: id = id_base + mesh polygon id (modulo 2^32) ...
+    std::uint32_t id_base = 0;
+    int id_shift = 0;  ///< ... shifted right by this: 0 .. 31
     bool operator==(const Draw&) const = default;
 };
 
-/// Runs of pixels on one row; window coordinates; fragments go through scissor, alpha, stencil, depth, blend,
-/// masks.
+/// Runs of pixels on one row; window coordinates; fragments go through scissor, alpha, stencil,
+/// depth, blend, masks.
 struct Span {
     int x = 0, y = 0, length = 0;  ///< x, y -4096 .. 4096
     std::uint32_t first = 0;       ///< index of its first colour
-    bool flat = true;              ///< all pixels have colour `first`; else pixel i has colour `first + i`
+    /// all pixels have colour `first`; else pixel i has colour `first + i`
+    bool flat = true;
     bool operator==(const Span&) const = default;
 };
 struct WriteSpans {
@@ -82,9 +84,9 @@ struct WriteSpans {
     bool operator==(const WriteSpans&) const = default;
 };
 
-/// A rectangle of pixels from the host, bottom row first. Colour makes fragments of depth `depth` that go
-/// through scissor, alpha, stencil, depth, blend and masks; depth and stencil values are written through
-/// scissor and masks only.
+/// A rectangle of pixels from the host, bottom row first. Colour makes fragments of depth `depth`
+/// that go through scissor, alpha, stencil, depth, blend and masks; depth and stencil values are
+/// written through scissor and masks only.
 struct WritePixels {
     Rect rect;
     Plane plane = Plane::Color;         ///< Color, Depth or Stencil
@@ -102,9 +104,9 @@ struct Accumulate {
     bool operator==(const Accumulate&) const = default;
 };
 
-/// Copies a rectangle of one plane to another place of the same plane (glCopyPixels), through scissor and
-/// masks. Source pixels outside the window are skipped. Overlapping rectangles copy as if the source were
-/// read first.
+/// Copies a rectangle of one plane to another place of the same plane (glCopyPixels), through
+/// scissor and masks. Source pixels outside the window are skipped. Overlapping rectangles copy as
+/// if the source were read first.
 struct Copy {
     Plane plane = Plane::Color;  ///< Color, Depth or Stencil
     Rect source;
@@ -112,8 +114,8 @@ struct Copy {
     bool operator==(const Copy&) const = default;
 };
 
-/// Makes a texture slot from a rectangle of the colour or depth plane (glCopyTexImage2D); sides powers of
-/// two, inside the window. A depth slot serves shadow_compare, or is read as grey.
+/// Makes a texture slot from a rectangle of the colour or depth plane (glCopyTexImage2D); sides
+/// powers of two, inside the window. A depth slot serves shadow_compare, or is read as grey.
 struct CopyTexture {
     std::uint32_t slot = 0;  ///< 0 .. 255
     Plane plane = Plane::Color;
@@ -130,11 +132,11 @@ struct Read {
     bool operator==(const Read&) const = default;
 };
 
-using Command = std::variant<BeginPass, Clear, SetState, Draw, WriteSpans, WritePixels, Accumulate, Copy,
-                             CopyTexture, Read>;
+using Command = std::variant<BeginPass, Clear, SetState, Draw, WriteSpans, WritePixels, Accumulate,
+                             Copy, CopyTexture, Read>;
 
-/// Commands in order. A value: meshes, maps and lights are shared, immutable, compared by content in
-/// `same_list`.
+/// Commands in order. A value: meshes, maps and lights are shared, immutable, compared by content
+/// in `same_list`.
 struct CommandList {
     std::vector<Command> commands;
 

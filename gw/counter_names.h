@@ -1,4 +1,5 @@
-// The names of the counters, for tables and files. docs/manual.md, "Counters", says what they count.
+// The names of the counters, for tables and files. docs/manual.md, "Counters", says what they
+// count.
 #pragma once
 
 #include "gw/counters.h"

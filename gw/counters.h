@@ -17,8 +17,9 @@ struct Counters {
     std::uint64_t draws = 0;
     std::uint64_t vertices = 0;  ///< of the meshes drawn
     std::uint64_t primitives = 0;
-    std::uint64_t rejected = 0;    ///< nothing left after clipping
-    std::uint64_t clipped = 0;     ///< cut, but something left (counted again in one of the following)
+    std::uint64_t rejected = 0;  ///< nothing left after clipping
+    /// cut, but something left (counted again in one of the following)
+    std::uint64_t clipped = 0;
     std::uint64_t degenerate = 0;  ///< zero area after the snap (all of its pieces together)
     std::uint64_t culled = 0;
     std::uint64_t drawn = 0;
@@ -28,7 +29,8 @@ struct Counters {
     std::uint64_t depth_killed = 0;
     std::uint64_t written = 0;  ///< passed every test (masks may still keep every plane)
     std::uint64_t texels = 0;   ///< fragments made times the look-ups of the minification filter
-    std::uint64_t pixels = 0;   ///< touched by clear, depth/stencil pixel writes, accumulate, copy, read
+    /// touched by clear, depth/stencil pixel writes, accumulate, copy, read
+    std::uint64_t pixels = 0;
     std::uint64_t accum_overflows = 0;  ///< channels that wrapped
     std::uint64_t bytes = 0;            ///< of frame buffer traffic by the manual's model
 
@@ -36,8 +38,8 @@ struct Counters {
     bool operator==(const Counters&) const = default;
 };
 
-/// One pass: from a BeginPass to the next. Commands before the first BeginPass are counted in a pass named
-/// "".
+/// One pass: from a BeginPass to the next. Commands before the first BeginPass are counted in a
+/// pass named "".
 struct PassReport {
     std::string name;
     Counters counters;

@@ -12,8 +12,8 @@ class Error : public std::runtime_error {
 public:
     explicit Error(const std::string& message) : std::runtime_error(message) {}
 
-    // "rings.mtl:12: Kd has two numbers; expected three". Lines count from 1; line 0 means the file as a
-    // whole: "rings.mtl: ...".
+    // "rings.mtl:12: Kd has two numbers; expected three". Lines count from 1; line 0 means the file
+    // as a whole: "rings.mtl: ...".
     Error(std::string_view file, int line, std::string_view what);
 };
 

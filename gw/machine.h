@@ -1,10 +1,11 @@
-// The machine: command lists in, planes and counters out. Two of them, one contract: docs/manual.md.
+// The machine: command lists in, planes and counters out. Two of them, one contract:
+// docs/manual.md.
 // Does not read files and does not know scenes.
 #pragma once
 
+#include "gw/base/cache_aligned_vector.h"
 #include "gw/command_list.h"
 #include "gw/counters.h"
-#include "gw/base/cache_aligned_vector.h"
 #include "gw/planes.h"
 #include "gw/profile.h"
 
@@ -41,10 +42,12 @@ public:
     virtual const std::vector<PassReport>& passes() = 0;
     virtual void reset_passes() = 0;
     virtual const std::map<std::uint32_t, Readback>& readbacks() = 0;
-    /// Puts into `other` what the last Read of this key left, where there was one; the next Read of the key
-    /// may fill the memory that `other` had, and until then readbacks() says nothing of the key.
+    /// Puts into `other` what the last Read of this key left, where there was one; the next Read of
+    /// the key may fill the memory that `other` had, and until then readbacks() says nothing of the
+    /// key.
     virtual void exchange_readback(std::uint32_t key, Readback& other) {
-        if (const auto found = readbacks().find(key); found != readbacks().end()) other = found->second;
+        if (const auto found = readbacks().find(key); found != readbacks().end())
+            other = found->second;
     }
     virtual const Profile& profile() const = 0;
 };
@@ -63,11 +66,12 @@ void validate(const CommandList& list, const Profile& profile, int width, int he
 /// Throws Error for a window outside 1 .. max_window_size.
 void check_window(int width, int height);
 
-/// The manual in code: one fragment at a time. Throws Error for a window outside 1 .. max_window_size.
+/// The manual in code: one fragment at a time. Throws Error for a window outside 1 ..
+/// max_window_size.
 std::unique_ptr<Machine> make_reference(const Profile& profile, int width, int height);
 
-/// The vector instruction set that the fast machine uses on this processor, in Highway's words ("AVX3",
-/// "SCALAR").
+/// The vector instruction set that the fast machine uses on this processor, in Highway's words
+/// ("AVX3", "SCALAR").
 std::string simd_target();
 
 struct FastOptions {

@@ -28,8 +28,8 @@ struct Light {
     vec3 Is{1, 1, 1};
     vec3 spot_direction{0, 0, -1};
     float spot_exponent = 0;  ///< 0 .. 128
-    float spot_cos_cutoff =
-        -1;  ///< cosine of the cone's half angle; -1: no cone. A cosine, so that no libm is needed
+    /// cosine of the cone's half angle; -1: no cone. A cosine, so that no libm is needed
+    float spot_cos_cutoff = -1;
     float constant_attenuation = 1, linear_attenuation = 0, quadratic_attenuation = 0;
     bool operator==(const Light&) const = default;
 };

@@ -1,7 +1,7 @@
 #include "gw/mesh.h"
 
-#include "gw/mesh/decompose.h"
 #include "gw/error.h"
+#include "gw/mesh/decompose.h"
 
 #include <cmath>
 #include <numeric>
@@ -50,8 +50,8 @@ void check_indices(const MeshData& data) {
         fail(std::to_string(data.indices.size()) + " indices are too many");
     for (std::size_t i = 0; i < data.indices.size(); ++i)
         if (data.indices[i] >= n)
-            fail("index " + std::to_string(i) + " is " + std::to_string(data.indices[i]) + "; there are " +
-                 count(n, "position", "positions"));
+            fail("index " + std::to_string(i) + " is " + std::to_string(data.indices[i]) +
+                 "; there are " + count(n, "position", "positions"));
 }
 
 void check_polygon_sizes(const MeshData& data, std::size_t corners) {
@@ -150,7 +150,8 @@ MeshRef make_mesh(MeshData data) {
             break;
         case MeshKind::Triangles:
             mesh->triangles_ = decompose_triangles(data, corners);
-            mesh->polygon_count_ = mesh->triangles_.empty() ? 0 : mesh->triangles_.back().polygon + 1;
+            mesh->polygon_count_ =
+                mesh->triangles_.empty() ? 0 : mesh->triangles_.back().polygon + 1;
             break;
     }
     if (mesh->triangles_.size() > max_mesh_size)

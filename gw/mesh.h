@@ -1,4 +1,5 @@
-// A mesh: immutable vertices and primitives, checked and decomposed once. docs/manual.md, "Primitives".
+// A mesh: immutable vertices and primitives, checked and decomposed once. docs/manual.md,
+// "Primitives".
 // Does not know materials, files or transforms.
 #pragma once
 
@@ -12,13 +13,24 @@
 namespace gw {
 
 /// GL's glBegin modes. Polygons may be concave: they are triangulated.
-enum class Primitive { Points, Lines, LineStrip, Triangles, TriangleStrip, TriangleFan, Quads, Polygons };
+enum class Primitive {
+    Points,
+    Lines,
+    LineStrip,
+    Triangles,
+    TriangleStrip,
+    TriangleFan,
+    Quads,
+    Polygons
+};
 
-/// What a mesh is made of, all in object space. Vertex arrays are either empty or as long as `positions`.
+/// What a mesh is made of, all in object space. Vertex arrays are either empty or as long as
+/// `positions`.
 struct MeshData {
     Primitive primitive = Primitive::Triangles;
     std::vector<vec3> positions;
-    std::vector<vec3> normals;           ///< of any length; normalised by the machine. Empty: (0,0,1)
+    /// of any length; normalised by the machine. Empty: (0,0,1)
+    std::vector<vec3> normals;
     std::vector<vec2> texcoords;         ///< s, t. Empty: (0,0)
     std::vector<vec4> colors;            ///< used where lighting is off. Empty: (1,1,1,1)
     std::vector<std::uint32_t> indices;  ///< into the vertices. Empty: 0, 1, 2, ...
@@ -34,9 +46,11 @@ struct MeshData {
 struct Triangle {
     std::array<std::uint32_t, 3> vertex;
     std::uint32_t
-        provoking;  ///< the vertex whose colour a flat-shaded face has (GL: the last; a polygon's first)
-    std::uint32_t polygon;   ///< ordinal of the polygon it came from
-    std::uint8_t edges = 7;  ///< bit k: the side from vertex[k] to vertex[k+1] is an edge of the polygon
+        /// the vertex whose colour a flat-shaded face has (GL: the last; a polygon's first)
+        provoking;
+    std::uint32_t polygon;  ///< ordinal of the polygon it came from
+    /// bit k: the side from vertex[k] to vertex[k+1] is an edge of the polygon
+    std::uint8_t edges = 7;
     bool operator==(const Triangle&) const = default;
 };
 
@@ -58,7 +72,9 @@ public:
     std::uint32_t polygon_id(std::uint32_t ordinal) const {
         return data_.polygon_ids.empty() ? ordinal : data_.polygon_ids[ordinal];
     }
-    std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(data_.positions.size()); }
+    std::uint32_t vertex_count() const {
+        return static_cast<std::uint32_t>(data_.positions.size());
+    }
 
 private:
     friend std::shared_ptr<const Mesh> make_mesh(MeshData data);
@@ -75,9 +91,9 @@ using MeshRef = std::shared_ptr<const Mesh>;
 /// The largest number of vertices, and of triangles, of one mesh.
 inline constexpr std::uint32_t max_mesh_size = 1u << 28;
 
-/// Throws Error when an array has the wrong length, an index is out of range, a value is not finite, a
-/// polygon has fewer than 3 vertices or the counts do not fit the primitive. Zero-area polygons are kept:
-/// they draw nothing.
+/// Throws Error when an array has the wrong length, an index is out of range, a value is not
+/// finite, a polygon has fewer than 3 vertices or the counts do not fit the primitive. Zero-area
+/// polygons are kept: they draw nothing.
 MeshRef make_mesh(MeshData data);
 
 }  // namespace gw

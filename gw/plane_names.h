@@ -1,4 +1,5 @@
-// Planes and their values as people read them, in tables, files and messages. Does not compare planes.
+// Planes and their values as people read them, in tables, files and messages. Does not compare
+// planes.
 #pragma once
 
 #include "gw/planes.h"

@@ -42,7 +42,8 @@ Digest plane_digest(const std::vector<T>& plane, const Planes& p) {
             XXH128_canonicalFromHash(&canonical, block_digest(plane, p, x, y));
             digests.push_back(canonical);
         }
-    const XXH128_hash_t hash = XXH3_128bits(digests.data(), digests.size() * sizeof(XXH128_canonical_t));
+    const XXH128_hash_t hash =
+        XXH3_128bits(digests.data(), digests.size() * sizeof(XXH128_canonical_t));
     return {hash.high64, hash.low64};
 }
 
@@ -58,6 +59,8 @@ Digest digest(const Planes& planes, Plane plane) {
     return {};
 }
 
-std::string to_string(const Digest& digest) { return fmt::format("{:016x}{:016x}", digest.high, digest.low); }
+std::string to_string(const Digest& digest) {
+    return fmt::format("{:016x}{:016x}", digest.high, digest.low);
+}
 
 }  // namespace gw

@@ -10,7 +10,8 @@ namespace gw {
 Profile vgx() { return {}; }
 
 Profile reality() {
-    Profile p{.name = "reality", .color_bits = 12, .depth_bits = 32, .accum_bits = 24, .lit_bits = 12};
+    Profile p{
+        .name = "reality", .color_bits = 12, .depth_bits = 32, .accum_bits = 24, .lit_bits = 12};
     p.fragment_fog = true;
     p.extensions = {.polygon_offset = true, .shadow_texture = true};
     return p;
@@ -44,8 +45,8 @@ const Profile& profile_named(std::string_view name) {
 void validate(const Profile& p) {
     const auto check = [&](const char* field, int value, int low, int high) {
         if (value < low || value > high)
-            throw Error(
-                fmt::format("profile '{}': {} = {}; expected {} to {}", p.name, field, value, low, high));
+            throw Error(fmt::format("profile '{}': {} = {}; expected {} to {}", p.name, field,
+                                    value, low, high));
     };
     check("color_bits", p.color_bits, 8, 16);
     check("depth_bits", p.depth_bits, 16, 32);

@@ -1,4 +1,5 @@
-// A machine's profile: how many bits each of its values has, and which extensions it knows. Pure data.
+// A machine's profile: how many bits each of its values has, and which extensions it knows. Pure
+// data.
 // Does not say how anything is computed: docs/manual.md does, in terms of these numbers.
 #pragma once
 
@@ -8,10 +9,12 @@
 
 namespace gw {
 
-/// What OpenGL 1.1 (and the VGX) lacked; a list that uses one on a profile without it is refused by name.
+/// What OpenGL 1.1 (and the VGX) lacked; a list that uses one on a profile without it is refused by
+/// name.
 struct Extensions {
     bool polygon_offset = false;
-    bool shadow_texture = false;     ///< depth textures compared with r (the RealityEngine's shadow maps)
+    /// depth textures compared with r (the RealityEngine's shadow maps)
+    bool shadow_texture = false;
     bool stencil_wrap = false;       ///< StencilOp::IncrWrap, DecrWrap
     bool two_sided_stencil = false;  ///< other stencil state for back faces
     bool operator==(const Extensions&) const = default;
@@ -20,15 +23,17 @@ struct Extensions {
 /// Bits are per value; allowed ranges are checked by `validate`.
 struct Profile {
     std::string name = "vgx";
-    int color_bits = 8;         ///< per channel R, G, B, A: 8 .. 16
-    int depth_bits = 24;        ///< 16 .. 32
-    int stencil_bits = 8;       ///< 1 .. 8
-    int accum_bits = 16;        ///< per channel, signed, in units of the frame buffer: 16 .. 32
-    int subpixel_bits = 3;      ///< 1 .. 8; 3 is the VGX's 8x8 grid
-    int lit_bits = 8;           ///< of a lit vertex colour: 4 .. color_bits
-    int max_lights = 8;         ///< in one pass: 1 .. 1024
-    bool fragment_fog = false;  ///< fog factor per fragment by default (else at the vertex, as [K] Fig. 2)
-    bool perspective_color = false;  ///< Gouraud in perspective (else screen-linear, as the hardware did)
+    int color_bits = 8;     ///< per channel R, G, B, A: 8 .. 16
+    int depth_bits = 24;    ///< 16 .. 32
+    int stencil_bits = 8;   ///< 1 .. 8
+    int accum_bits = 16;    ///< per channel, signed, in units of the frame buffer: 16 .. 32
+    int subpixel_bits = 3;  ///< 1 .. 8; 3 is the VGX's 8x8 grid
+    int lit_bits = 8;       ///< of a lit vertex colour: 4 .. color_bits
+    int max_lights = 8;     ///< in one pass: 1 .. 1024
+    /// fog factor per fragment by default (else at the vertex, as [K] Fig. 2)
+    bool fragment_fog = false;
+    /// Gouraud in perspective (else screen-linear, as the hardware did)
+    bool perspective_color = false;
     Extensions extensions;
     bool operator==(const Profile&) const = default;
 };

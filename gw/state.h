@@ -10,7 +10,16 @@
 
 namespace gw {
 
-enum class CompareFunc : std::uint8_t { Never, Less, Equal, LEqual, Greater, NotEqual, GEqual, Always };
+enum class CompareFunc : std::uint8_t {
+    Never,
+    Less,
+    Equal,
+    LEqual,
+    Greater,
+    NotEqual,
+    GEqual,
+    Always
+};
 enum class StencilOp : std::uint8_t { Keep, Zero, Replace, Incr, Decr, Invert, IncrWrap, DecrWrap };
 enum class BlendFactor : std::uint8_t {
     Zero,
@@ -66,7 +75,8 @@ struct PolygonOffsetState {
     bool operator==(const PolygonOffsetState&) const = default;
 };
 
-/// Moves everything drawn by whole sub-pixel units after the snap; |x|, |y| < 2^subpixel_bits. [K4a]
+/// Moves everything drawn by whole sub-pixel units after the snap; |x|, |y| < 2^subpixel_bits.
+/// [K4a]
 struct JitterState {
     int x = 0, y = 0;
     bool operator==(const JitterState&) const = default;
@@ -74,12 +84,14 @@ struct JitterState {
 
 enum class ShadeModel : std::uint8_t { Flat, Smooth };
 
-/// Where a primitive's colour comes from: lighting, the mesh's colours, or the polygon's identifier.
+/// Where a primitive's colour comes from: lighting, the mesh's colours, or the polygon's
+/// identifier.
 enum class ColorSource : std::uint8_t {
-    Vertex,     ///< mesh colours (lighting off)
-    Lighting,   ///< the lighting equation at the vertices
-    PolygonId,  ///< R, G, B = 8 bits each of (id_base + polygon id) >> id_shift; exact: neither texture nor
-                ///< fog touches it
+    Vertex,    ///< mesh colours (lighting off)
+    Lighting,  ///< the lighting equation at the vertices
+    /// R, G, B = 8 bits each of (id_base + polygon id) >> id_shift; exact: neither texture nor
+    PolygonId,
+    ///< fog touches it
 };
 
 struct LightingState {
@@ -126,8 +138,8 @@ struct TextureState {
     TexGen gen = TexGen::None;
     double eta = 1;       ///< RefractionMap: n1 / n2
     dmat4 eye_linear{1};  ///< EyeLinear: rows give s, t, r, q
-    bool shadow_compare =
-        false;  ///< extension shadow_texture: 1 where r <= texel, else 0, as colour and alpha
+    /// extension shadow_texture: 1 where r <= texel, else 0, as colour and alpha
+    bool shadow_compare = false;
     bool operator==(const TextureState&) const = default;
 };
 
@@ -140,7 +152,8 @@ struct ScissorState {
 struct AlphaState {
     bool test = false;
     AlphaFunc func = AlphaFunc::Always;
-    float ref = 0;  ///< clamped to [0, 1], compared as round to nearest of ref * (2^color_bits - 1)
+    /// clamped to [0, 1], compared as round to nearest of ref * (2^color_bits - 1)
+    float ref = 0;
     bool operator==(const AlphaState&) const = default;
 };
 
@@ -166,8 +179,8 @@ struct StencilState {
     bool operator==(const StencilState&) const = default;
 };
 
-/// Compare and update switch separately [K2]: `func = Always` compares nothing, `mask = false` updates
-/// nothing; `test = false` does neither, as in GL, and the depth plane is not even read.
+/// Compare and update switch separately [K2]: `func = Always` compares nothing, `mask = false`
+/// updates nothing; `test = false` does neither, as in GL, and the depth plane is not even read.
 struct DepthState {
     bool test = false;
     DepthFunc func = DepthFunc::Less;

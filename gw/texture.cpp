@@ -13,15 +13,16 @@ void check(const std::string& name, int width, int height, std::size_t values) {
     if (width < 1 || height < 1 || width > max_texture_size || height > max_texture_size)
         throw Error("texture " + name + ": " + size + " texels; expected sides of 1 to " +
                     std::to_string(max_texture_size));
-    if (values != std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+    if (values !=
+        std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
         throw Error("texture " + name + ": " + std::to_string(values) + " values for " + size +
                     " texels of 4");
 }
 
 int power_of_two(int side) { return static_cast<int>(std::bit_ceil(static_cast<unsigned>(side))); }
 
-// Where texel centre i of `to` texels lies among `from` texels: between `low` and `high`, `weight` of 2 `to`
-// parts from low to high. Clamped at the ends, so that opposite sides never mix.
+// Where texel centre i of `to` texels lies among `from` texels: between `low` and `high`, `weight`
+// of 2 `to` parts from low to high. Clamped at the ends, so that opposite sides never mix.
 struct Place {
     int low, high;
     std::uint64_t weight;
@@ -34,7 +35,8 @@ Place place(int i, int from, int to) {
     return {low, std::min(low + 1, from - 1), static_cast<std::uint64_t>(position % twice)};
 }
 
-// Bilinear, one rounding to nearest (ties up): the four weights add up to 4 * width * height of the result.
+// Bilinear, one rounding to nearest (ties up): the four weights add up to 4 * width * height of the
+// result.
 TextureLevel resample(int width, int height, std::span<const std::uint16_t> rgba) {
     TextureLevel level{power_of_two(width), power_of_two(height), {}};
     if (level.width == width && level.height == height) {
@@ -49,21 +51,25 @@ TextureLevel resample(int width, int height, std::span<const std::uint16_t> rgba
         for (int x = 0; x < level.width; ++x) {
             const Place px = place(x, width, level.width), py = place(y, height, level.height);
             const auto texel = [&](int column, int row, int channel) {
-                return std::uint64_t{rgba[static_cast<std::size_t>(4 * (row * width + column) + channel)]};
+                return std::uint64_t{
+                    rgba[static_cast<std::size_t>(4 * (row * width + column) + channel)]};
             };
             for (int c = 0; c < 4; ++c) {
                 const auto along = [&](int row) {
-                    return texel(px.low, row, c) * (parts_x - px.weight) + texel(px.high, row, c) * px.weight;
+                    return texel(px.low, row, c) * (parts_x - px.weight) +
+                           texel(px.high, row, c) * px.weight;
                 };
-                const std::uint64_t sum = along(py.low) * (parts_y - py.weight) + along(py.high) * py.weight;
-                level.rgba.push_back(
-                    static_cast<std::uint16_t>((sum + parts_x * parts_y / 2) / (parts_x * parts_y)));
+                const std::uint64_t sum =
+                    along(py.low) * (parts_y - py.weight) + along(py.high) * py.weight;
+                level.rgba.push_back(static_cast<std::uint16_t>((sum + parts_x * parts_y / 2) /
+                                                                (parts_x * parts_y)));
             }
         }
     return level;
 }
 
-// Means of 2x2 texels, (a + b + c + d + 2) / 4; of a single row or column, of 2 texels, which is the same.
+// Means of 2x2 texels, (a + b + c + d + 2) / 4; of a single row or column, of 2 texels, which is
+// the same.
 TextureLevel half(const TextureLevel& level) {
     TextureLevel result{std::max(1, level.width / 2), std::max(1, level.height / 2), {}};
     const int dx = level.width > 1, dy = level.height > 1;
@@ -75,8 +81,8 @@ TextureLevel half(const TextureLevel& level) {
                         level.rgba[static_cast<std::size_t>(4 * (row * level.width + column) + c)]};
                 };
                 const int column = x << dx, row = y << dy;
-                const unsigned sum = texel(column, row) + texel(column + dx, row) + texel(column, row + dy) +
-                                     texel(column + dx, row + dy);
+                const unsigned sum = texel(column, row) + texel(column + dx, row) +
+                                     texel(column, row + dy) + texel(column + dx, row + dy);
                 result.rgba.push_back(static_cast<std::uint16_t>((sum + 2) / 4));
             }
     return result;
@@ -84,7 +90,8 @@ TextureLevel half(const TextureLevel& level) {
 
 }  // namespace
 
-TextureRef make_texture(std::string name, int width, int height, std::span<const std::uint16_t> rgba) {
+TextureRef make_texture(std::string name, int width, int height,
+                        std::span<const std::uint16_t> rgba) {
     check(name, width, height, rgba.size());
     auto texture = std::make_shared<Texture>();
     texture->name = std::move(name);
@@ -94,7 +101,8 @@ TextureRef make_texture(std::string name, int width, int height, std::span<const
     return texture;
 }
 
-TextureRef make_texture8(std::string name, int width, int height, std::span<const std::uint8_t> rgba) {
+TextureRef make_texture8(std::string name, int width, int height,
+                         std::span<const std::uint8_t> rgba) {
     std::vector<std::uint16_t> wide(rgba.size());
     std::transform(rgba.begin(), rgba.end(), wide.begin(),
                    [](std::uint8_t v) { return static_cast<std::uint16_t>(257 * v); });

@@ -1,4 +1,5 @@
-// Checking a command list before anything is drawn: extensions by name, values in range, sizes that fit.
+// Checking a command list before anything is drawn: extensions by name, values in range, sizes that
+// fit.
 // Does not look at meshes or textures: make_mesh and make_texture have checked those.
 #include "gw/machine.h"
 
@@ -28,12 +29,15 @@ struct Checker {
         if (!ok) fail(fmt::format("{} = {}; expected {}", what, value, expected));
     }
     void extension(bool used, bool present, const char* extension) const {
-        if (used && !present) fail(fmt::format("extension {} is not in profile {}", extension, profile.name));
+        if (used && !present)
+            fail(fmt::format("extension {} is not in profile {}", extension, profile.name));
     }
     void position(const char* what, int v) const {
         require(v >= -max_window_size && v <= max_window_size, what, v, "-4096 to 4096");
     }
-    void finite(const char* what, double v) const { require(std::isfinite(v), what, v, "a finite number"); }
+    void finite(const char* what, double v) const {
+        require(std::isfinite(v), what, v, "a finite number");
+    }
     void finite(const char* what, const vec4& v) const {
         for (int i = 0; i < 4; ++i) finite(what, double(v[i]));
     }
@@ -72,8 +76,10 @@ void check_fog(const Checker& c, const FogState& fog) {
 
 void check_rasterization(const Checker& c, const State& s) {
     const int units = 1 << c.profile.subpixel_bits;
-    c.require(s.jitter.x > -units && s.jitter.x < units, "jitter.x", s.jitter.x, "less than a pixel");
-    c.require(s.jitter.y > -units && s.jitter.y < units, "jitter.y", s.jitter.y, "less than a pixel");
+    c.require(s.jitter.x > -units && s.jitter.x < units, "jitter.x", s.jitter.x,
+              "less than a pixel");
+    c.require(s.jitter.y > -units && s.jitter.y < units, "jitter.y", s.jitter.y,
+              "less than a pixel");
     c.require(s.point_size >= 1 && s.point_size <= 128, "point_size", s.point_size, "1 to 128");
     c.require(s.line_width >= 1 && s.line_width <= 128, "line_width", s.line_width, "1 to 128");
     c.finite("polygon_offset.factor", s.polygon_offset.factor);
@@ -82,7 +88,8 @@ void check_rasterization(const Checker& c, const State& s) {
 
 /// [GL11] tables 4.1 and 4.2: a colour is a factor for the other side only.
 void check_blend(const Checker& c, const BlendState& b) {
-    const auto refuse = [&](const char* field, BlendFactor given, BlendFactor factor, const char* word) {
+    const auto refuse = [&](const char* field, BlendFactor given, BlendFactor factor,
+                            const char* word) {
         if (given == factor)
             c.fail(fmt::format("blend.{} = {}; expected a {} factor", field, word,
                                field[0] == 's' ? "source" : "destination"));
@@ -100,7 +107,8 @@ void check(const Checker& c, const SetState& command) {
     c.finite("projection", s.projection);
     const ViewportState& v = s.viewport;
     const bool whole = v.width == 0 && v.height == 0;
-    c.require(whole || (v.width >= 1 && v.width <= max_window_size), "viewport.width", v.width, "1 to 4096");
+    c.require(whole || (v.width >= 1 && v.width <= max_window_size), "viewport.width", v.width,
+              "1 to 4096");
     c.require(whole || (v.height >= 1 && v.height <= max_window_size), "viewport.height", v.height,
               "1 to 4096");
     c.position("viewport.x", v.x);
@@ -112,8 +120,8 @@ void check(const Checker& c, const SetState& command) {
     check_rasterization(c, s);
     check_blend(c, s.blend);
     check_fog(c, s.fog);
-    c.require(s.scissor.box.width >= 0 && s.scissor.box.height >= 0, "scissor.box.width", s.scissor.box.width,
-              "0 or more");
+    c.require(s.scissor.box.width >= 0 && s.scissor.box.height >= 0, "scissor.box.width",
+              s.scissor.box.width, "0 or more");
     c.require(std::isfinite(s.alpha.ref), "alpha.ref", s.alpha.ref, "a finite number");
     c.finite("lighting.model_ambient", s.lighting.model_ambient);
     c.finite("texture.eta", s.texture.eta);
@@ -131,7 +139,8 @@ void check_light(const Checker& c, const Light& light) {
               light.spot_exponent, "0 to 128");
     c.require(light.spot_cos_cutoff >= -1 && light.spot_cos_cutoff <= 1, "light.spot_cos_cutoff",
               light.spot_cos_cutoff, "-1 to 1");
-    for (const float a : {light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation})
+    for (const float a :
+         {light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation})
         c.require(a >= 0 && std::isfinite(a), "light attenuation", a, "0 or more");
 }
 
@@ -139,16 +148,18 @@ void check(const Checker& c, const Draw& draw) {
     c.require(draw.mesh != nullptr, "mesh", "null", "a mesh");
     c.finite("eye_from_object", draw.eye_from_object);
     const dmat4& m = draw.eye_from_object;
-    c.require(m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1, "eye_from_object's last row",
-              "not 0 0 0 1", "an affine matrix");
+    c.require(m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1,
+              "eye_from_object's last row", "not 0 0 0 1", "an affine matrix");
     for (const vec3& v : {draw.material.Ka, draw.material.Kd, draw.material.Ks, draw.material.Ke})
         c.finite("material", v);
     c.require(draw.material.Ns >= 0 && draw.material.Ns <= 10000, "material.Ns", draw.material.Ns,
               "0 to 10000");
-    c.require(std::isfinite(draw.material.alpha), "material.alpha", draw.material.alpha, "a finite number");
+    c.require(std::isfinite(draw.material.alpha), "material.alpha", draw.material.alpha,
+              "a finite number");
     c.require(draw.id_shift >= 0 && draw.id_shift < 32, "id_shift", draw.id_shift, "0 to 31");
     if (!draw.lights) return;
-    c.require(int(draw.lights->size()) <= c.profile.max_lights, "lights in one pass", draw.lights->size(),
+    c.require(int(draw.lights->size()) <= c.profile.max_lights, "lights in one pass",
+              draw.lights->size(),
               fmt::format("at most {} (profile {})", c.profile.max_lights, c.profile.name).c_str());
     for (const Light& light : *draw.lights) check_light(c, light);
 }
@@ -158,20 +169,22 @@ void check_colors(const Checker& c, const std::vector<Rgba>& colors) {
     for (const Rgba& color : colors)
         for (const std::uint16_t v : color)
             if (v > max)
-                c.fail(
-                    fmt::format("colour value {}; expected at most {} (profile {})", v, max, c.profile.name));
+                c.fail(fmt::format("colour value {}; expected at most {} (profile {})", v, max,
+                                   c.profile.name));
 }
 
 void check(const Checker& c, const WriteSpans& w) {
     check_colors(c, w.colors);
-    c.require(w.depth <= max_of_bits(c.profile.depth_bits), "depth", w.depth, "a value of the depth plane");
+    c.require(w.depth <= max_of_bits(c.profile.depth_bits), "depth", w.depth,
+              "a value of the depth plane");
     for (const Span& s : w.spans) {
         c.position("span x", s.x);
         c.position("span y", s.y);
         c.require(s.length >= 0, "span length", s.length, "0 or more");
         const std::uint64_t last =
             std::uint64_t{s.first} + (s.flat || s.length == 0 ? 1 : std::uint64_t(s.length));
-        c.require(last <= w.colors.size(), "span's last colour", last, "at most the number of colours");
+        c.require(last <= w.colors.size(), "span's last colour", last,
+                  "at most the number of colours");
     }
 }
 
@@ -192,23 +205,26 @@ void check(const Checker& c, const WritePixels& w) {
     c.require(given == area(w.rect), "pixels given", given, "width times height");
     const std::uint32_t max =
         max_of_bits(w.plane == Plane::Stencil ? c.profile.stencil_bits : c.profile.depth_bits);
-    c.require(w.depth <= max_of_bits(c.profile.depth_bits), "depth", w.depth, "a value of the depth plane");
+    c.require(w.depth <= max_of_bits(c.profile.depth_bits), "depth", w.depth,
+              "a value of the depth plane");
     for (const std::uint32_t v : w.values)
         if (v > max)
-            c.fail(fmt::format("pixel value {}; expected at most {} (profile {})", v, max, c.profile.name));
+            c.fail(fmt::format("pixel value {}; expected at most {} (profile {})", v, max,
+                               c.profile.name));
 }
 
 void check_inside(const Checker& c, const Rect& r) {
     check_size(c, r);
     if (r.x < 0 || r.y < 0 || r.x > c.width - r.width || r.y > c.height - r.height)
-        c.fail(
-            fmt::format("rect = {} {} {} {}; expected one inside the window", r.x, r.y, r.width, r.height));
+        c.fail(fmt::format("rect = {} {} {} {}; expected one inside the window", r.x, r.y, r.width,
+                           r.height));
 }
 
 void check(const Checker& c, const Copy& copy) {
     check_size(c, copy.source);
     c.require(copy.plane != Plane::Accum, "plane", "Accum", "Color, Depth or Stencil");
-    for (const int v : {copy.source.x, copy.source.y, copy.x, copy.y}) c.position("copy position", v);
+    for (const int v : {copy.source.x, copy.source.y, copy.x, copy.y})
+        c.position("copy position", v);
 }
 
 void check(const Checker& c, const CopyTexture& copy) {
@@ -226,7 +242,8 @@ void check(const Checker& c, const Read& read) {
     check_inside(c, read.rect);
     if (!read.packed) return;
     c.require(read.plane == Plane::Color, "plane of packed pixels", int(read.plane), "Color");
-    c.require(c.profile.color_bits <= 8, "color_bits of packed pixels", c.profile.color_bits, "at most 8");
+    c.require(c.profile.color_bits <= 8, "color_bits of packed pixels", c.profile.color_bits,
+              "at most 8");
 }
 void check(const Checker& c, const Accumulate& a) { c.finite("value", a.value); }
 void check(const Checker&, const BeginPass&) {}
@@ -235,7 +252,8 @@ void check(const Checker& c, const Clear& clear) {
     c.finite("depth", clear.depth);
 }
 
-/// What only the order of commands can get wrong: textures from slots that hold the wrong plane, or nothing.
+/// What only the order of commands can get wrong: textures from slots that hold the wrong plane, or
+/// nothing.
 void check_slot(const Checker& c, const Draw& draw, const ListContext& context) {
     if (!draw.map.enabled()) return;
     const bool compares = context.state.texture.shadow_compare;
@@ -247,16 +265,21 @@ void check_slot(const Checker& c, const Draw& draw, const ListContext& context) 
     }
     const auto slot = context.slots.find(*draw.map.slot);
     if (slot == context.slots.end())
-        c.fail(fmt::format("texture slot {} is empty; expected a CopyTexture before", *draw.map.slot));
-    if (compares && slot->second != Plane::Depth)
         c.fail(
-            fmt::format("texture.shadow_compare with slot {} of the colour plane; expected the depth plane",
-                        *draw.map.slot));
+            fmt::format("texture slot {} is empty; expected a CopyTexture before", *draw.map.slot));
+    if (compares && slot->second != Plane::Depth)
+        c.fail(fmt::format(
+            "texture.shadow_compare with slot {} of the colour plane; expected the depth plane",
+            *draw.map.slot));
 }
 
 void follow(const Checker&, const auto&, ListContext&) {}
-void follow(const Checker& c, const Draw& draw, ListContext& context) { check_slot(c, draw, context); }
-void follow(const Checker&, const SetState& set, ListContext& context) { context.state = set.state; }
+void follow(const Checker& c, const Draw& draw, ListContext& context) {
+    check_slot(c, draw, context);
+}
+void follow(const Checker&, const SetState& set, ListContext& context) {
+    context.state = set.state;
+}
 void follow(const Checker&, const CopyTexture& copy, ListContext& context) {
     context.slots[copy.slot] = copy.plane;
 }
@@ -265,11 +288,12 @@ void follow(const Checker&, const CopyTexture& copy, ListContext& context) {
 
 void check_window(int width, int height) {
     if (width < 1 || height < 1 || width > max_window_size || height > max_window_size)
-        throw Error(
-            fmt::format("window of {} x {} pixels; expected 1 to {} each", width, height, max_window_size));
+        throw Error(fmt::format("window of {} x {} pixels; expected 1 to {} each", width, height,
+                                max_window_size));
 }
 
-void validate(const CommandList& list, const Profile& profile, int width, int height, ListContext context) {
+void validate(const CommandList& list, const Profile& profile, int width, int height,
+              ListContext context) {
     Checker checker{profile, width, height};
     for (const Command& command : list.commands) {
         checker.name = command_name(command);

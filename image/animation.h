@@ -1,4 +1,5 @@
-// Several pictures as one moving picture. GIF, which OpenImageIO writes with a palette for each picture.
+// Several pictures as one moving picture. GIF, which OpenImageIO writes with a palette for each
+// picture.
 // Does not choose pictures or speed.
 #pragma once
 

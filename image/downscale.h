@@ -5,8 +5,8 @@
 
 namespace gw::image {
 
-/// Every square of `factor` x `factor` pixels as their mean, to nearest; squares at the right and top may be
-/// cut.
+/// Every square of `factor` x `factor` pixels as their mean, to nearest; squares at the right and
+/// top may be cut.
 Picture reduced(const Picture& picture, int factor);
 
 }  // namespace gw::image

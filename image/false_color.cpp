@@ -24,7 +24,9 @@ Picture painted(const Values& values, int width, int height, const Paint& paint)
 
 // 0 red, 1/4 yellow, 1/2 green, 3/4 cyan, 1 blue; linear between.
 Color ramp(double t) {
-    const auto channel = [](double v) { return static_cast<std::uint16_t>(clamp01(v) * 255 + 0.5); };
+    const auto channel = [](double v) {
+        return static_cast<std::uint16_t>(clamp01(v) * 255 + 0.5);
+    };
     return {channel(2 - 4 * t), channel(t < 0.5 ? 4 * t : 4 - 4 * t), channel(4 * t - 2)};
 }
 
@@ -40,7 +42,9 @@ Color stencil_color(std::uint8_t value) {
     constexpr int hues[7] = {1, 2, 4, 3, 6, 5, 7};  // bit 0 red, bit 1 green, bit 2 blue
     const int hue = hues[(value - 1) % 7];
     const int light = 255 - std::min(192, (value - 1) / 7 * 48);
-    const auto channel = [&](int bit) { return static_cast<std::uint16_t>(hue >> bit & 1 ? light : 0); };
+    const auto channel = [&](int bit) {
+        return static_cast<std::uint16_t>(hue >> bit & 1 ? light : 0);
+    };
     return {channel(0), channel(1), channel(2)};
 }
 
@@ -64,7 +68,8 @@ Picture stencil_colors(const std::vector<std::uint8_t>& stencil, int width, int 
     return painted(stencil, width, height, stencil_color);
 }
 
-Picture id_colors(const std::vector<std::uint32_t>& ids, int width, int height, std::uint32_t none) {
+Picture id_colors(const std::vector<std::uint32_t>& ids, int width, int height,
+                  std::uint32_t none) {
     return painted(ids, width, height, [&](std::uint32_t id) {
         return id == none ? Color{0, 0, 0} : id_color(id);
     });

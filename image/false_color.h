@@ -7,11 +7,12 @@
 
 namespace gw::image {
 
-/// Nearest red, then yellow, green, cyan, farthest blue, over the range that occurs; the largest value of
-/// `bits` bits (nothing there) is black.
+/// Nearest red, then yellow, green, cyan, farthest blue, over the range that occurs; the largest
+/// value of `bits` bits (nothing there) is black.
 Picture depth_colors(const std::vector<std::uint32_t>& depth, int width, int height, int bits);
 
-/// 0 is black; 1, 2, 3, ... are red, green, blue, yellow, cyan, magenta, white, then the same darker.
+/// 0 is black; 1, 2, 3, ... are red, green, blue, yellow, cyan, magenta, white, then the same
+/// darker.
 Picture stencil_colors(const std::vector<std::uint8_t>& stencil, int width, int height);
 
 /// Every identifier a colour of its own, as far as there are that many; `none` is black.

@@ -1,6 +1,6 @@
-// What OpenImageIO does for this folder, behind one table: it is the module libgw_formats.so, which who asks
-// first loads, since the libraries below it take a fifth of a second. Internal to image/. PNG does without
-// (image/png/png.h).
+// What OpenImageIO does for this folder, behind one table: it is the module libgw_formats.so, which
+// who asks first loads, since the libraries below it take a fifth of a second. Internal to image/.
+// PNG does without (image/png/png.h).
 #pragma once
 
 #include "image/layers.h"

@@ -1,4 +1,5 @@
-// A picture on its way to a file: the frame buffer's integers as they are. Tone is an explicit step.
+// A picture on its way to a file: the frame buffer's integers as they are. Tone is an explicit
+// step.
 // Does not read or write files.
 #pragma once
 
@@ -18,11 +19,12 @@ struct Picture {
     bool operator==(const Picture&) const = default;
 };
 
-/// R, G, B of a colour plane of `bits` bits. Its alpha belongs to blending and is not part of the picture.
+/// R, G, B of a colour plane of `bits` bits. Its alpha belongs to blending and is not part of the
+/// picture.
 Picture picture_of(const std::vector<Rgba>& color, int width, int height, int bits);
 
-/// Display adjustments, done only where asked for: v becomes (v 2^exposure) ^ (1/gamma), v in 0 .. 1,
-/// clamped.
+/// Display adjustments, done only where asked for: v becomes (v 2^exposure) ^ (1/gamma), v in 0 ..
+/// 1, clamped.
 struct Tone {
     double exposure = 0;  ///< stops
     double gamma = 1;     ///< > 0

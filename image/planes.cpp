@@ -40,7 +40,9 @@ Picture distance_picture(const std::vector<std::uint64_t>& distances, int width,
     Picture picture{width, height, 1, 16, {}};
     for (const std::uint64_t distance : distances)
         picture.values.push_back(
-            distance == 0 ? 0 : static_cast<std::uint16_t>(16384.0 + 49151.0 * double(distance) / greatest));
+            distance == 0
+                ? 0
+                : static_cast<std::uint16_t>(16384.0 + 49151.0 * double(distance) / greatest));
     return picture;
 }
 
@@ -56,12 +58,13 @@ void put_planes(OutputSet& files, const std::filesystem::path& folder, const Pla
     put("depth.png", Plane::Depth);
     put_values(files.add(folder / "stencil.exr"), {w, h, {"S"}, widened(planes.stencil)});
     put("stencil.png", Plane::Stencil);
-    put_values(files.add(folder / "accum.exr"), {w, h, {"R", "G", "B", "A"}, as_floats(planes.accum)});
+    put_values(files.add(folder / "accum.exr"),
+               {w, h, {"R", "G", "B", "A"}, as_floats(planes.accum)});
     put("accum.png", Plane::Accum);
 }
 
-void put_ids(OutputSet& files, const std::filesystem::path& folder, const std::vector<std::uint32_t>& ids,
-             int width, int height, std::uint32_t none) {
+void put_ids(OutputSet& files, const std::filesystem::path& folder,
+             const std::vector<std::uint32_t>& ids, int width, int height, std::uint32_t none) {
     put_values(files.add(folder / "ids.exr"), {width, height, {"id"}, ids});
     put_picture(files.add(folder / "ids.png"), id_colors(ids, width, height, none));
 }

@@ -9,7 +9,9 @@ namespace gw::image {
 namespace {
 
 void check_file(const std::filesystem::path& file) {
-    const auto refuse = [](const char* why) { throw Error(std::string(why) + "; expected a picture file"); };
+    const auto refuse = [](const char* why) {
+        throw Error(std::string(why) + "; expected a picture file");
+    };
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status)) refuse("no such file");
@@ -17,10 +19,12 @@ void check_file(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(status)) refuse("it is not a regular file");
 }
 
-TextureRef texture_of(std::string name, int width, int height, const std::vector<std::uint8_t>& rgba) {
+TextureRef texture_of(std::string name, int width, int height,
+                      const std::vector<std::uint8_t>& rgba) {
     return make_texture8(std::move(name), width, height, rgba);
 }
-TextureRef texture_of(std::string name, int width, int height, const std::vector<std::uint16_t>& rgba) {
+TextureRef texture_of(std::string name, int width, int height,
+                      const std::vector<std::uint16_t>& rgba) {
     return make_texture(std::move(name), width, height, rgba);
 }
 

@@ -34,8 +34,9 @@ void load_textures(scene::Scene& scene) {
     Cache cache;
     for (scene::Material& material : scene.materials) {
         const std::pair<std::string_view, std::vector<scene::Map>*> lists[] = {
-            {"map_Ka", &material.map_Ka}, {"map_Kd", &material.map_Kd}, {"map_Ks", &material.map_Ks},
-            {"map_Ke", &material.map_Ke}, {"refl", &material.refl},     {"refraction", &material.refraction},
+            {"map_Ka", &material.map_Ka}, {"map_Kd", &material.map_Kd},
+            {"map_Ks", &material.map_Ks}, {"map_Ke", &material.map_Ke},
+            {"refl", &material.refl},     {"refraction", &material.refraction},
         };
         for (const auto& [statement, maps] : lists) {
             for (scene::Map& map : *maps) load(map, statement, cache);

@@ -13,7 +13,8 @@ void check_extension(const std::filesystem::path& file) {
     const std::string extension = file.extension().string();
     throw Error(
         file.string(), 0,
-        (extension.empty() ? "has no extension" : "no picture format has the extension " + extension) +
+        (extension.empty() ? "has no extension"
+                           : "no picture format has the extension " + extension) +
             "; expected .png, .exr, .tif, .jpg, .ppm, .tga or another that OpenImageIO writes");
 }
 

@@ -13,8 +13,8 @@ namespace gw::itembuffer {
 namespace {
 
 /// Identifiers of a pixel and its neighbours, each once, in order.
-std::vector<std::uint32_t> around(const std::vector<std::uint32_t>& ids, const scene::View& view, int x,
-                                  int y) {
+std::vector<std::uint32_t> around(const std::vector<std::uint32_t>& ids, const scene::View& view,
+                                  int x, int y) {
     std::vector<std::uint32_t> found;
     for (int j = std::max(y - 1, 0); j <= std::min(y + 1, view.height - 1); ++j)
         for (int i = std::max(x - 1, 0); i <= std::min(x + 1, view.width - 1); ++i)
@@ -36,7 +36,8 @@ struct Sampler {
         return dot3(p - ray.o, ray.d) / dot3(ray.d, ray.d);
     }
     bool goes_through(const scene::TrianglePoint& at, const scene::PixelRay& ray) const {
-        const auto w = scene::weights_at(tracer.world().triangles().corners(at.triangle), ray.o, ray.d);
+        const auto w =
+            scene::weights_at(tracer.world().triangles().corners(at.triangle), ray.o, ray.d);
         return std::min({w[0], w[1], w[2]}) >= 0;
     }
 
@@ -46,7 +47,8 @@ struct Sampler {
         std::optional<scene::TrianglePoint> best;
         for (const std::uint32_t id : ids) {
             const auto at = tracer.world().triangles().meet(id, ray.o, ray.d);
-            if (at && goes_through(*at, ray) && (!best || depth(ray, at->p) < depth(ray, best->p))) best = at;
+            if (at && goes_through(*at, ray) && (!best || depth(ray, at->p) < depth(ray, best->p)))
+                best = at;
         }
         return best;
     }
@@ -83,9 +85,10 @@ struct Sampler {
 }  // namespace
 
 AdaptivePicture adaptive_picture(const raytrace::Tracer& tracer, const scene::Scene& scene,
-                                 const scene::View& view, const std::vector<std::uint32_t>& ids, int samples,
-                                 const Profile& profile) {
-    AdaptivePicture out{{std::vector<Rgba>(ids.size()), ids, {}}, std::vector<std::uint8_t>(ids.size())};
+                                 const scene::View& view, const std::vector<std::uint32_t>& ids,
+                                 int samples, const Profile& profile) {
+    AdaptivePicture out{{std::vector<Rgba>(ids.size()), ids, {}},
+                        std::vector<std::uint8_t>(ids.size())};
     const Sampler sampler{tracer, scene, view, profile, scene::PixelRays(view)};
     const auto draw = [&](int x, int y, raytrace::RayCounts& counts) {
         const std::size_t i = std::size_t(y) * std::size_t(view.width) + std::size_t(x);
@@ -95,16 +98,19 @@ AdaptivePicture adaptive_picture(const raytrace::Tracer& tracer, const scene::Sc
                                            : sampler.at_centre(ids[i], x, y, counts);
         out.picture.color[i] = raytrace::stored(color, profile.color_bits);
     };
-    out.picture.counts = raytrace::for_pixels(view.width, view.height, tracer.options().threads, draw);
+    out.picture.counts =
+        raytrace::for_pixels(view.width, view.height, tracer.options().threads, draw);
     return out;
 }
 
-void render_adaptive(Machine& machine, const scene::Scene& scene, const scene::View& view, int samples,
-                     const Options& options) {
+void render_adaptive(Machine& machine, const scene::Scene& scene, const scene::View& view,
+                     int samples, const Options& options) {
     const raytrace::World world(scene, options.threads);
-    const raytrace::Tracer tracer(scene, world, view, {.depth = options.depth, .threads = options.threads});
+    const raytrace::Tracer tracer(scene, world, view,
+                                  {.depth = options.depth, .threads = options.threads});
     const auto ids = draw_item_buffer(machine, raytrace::drawn_scene(scene), view, {});
-    const AdaptivePicture drawn = adaptive_picture(tracer, scene, view, ids, samples, machine.profile());
+    const AdaptivePicture drawn =
+        adaptive_picture(tracer, scene, view, ids, samples, machine.profile());
     if (options.counts) options.counts->add(drawn.picture.counts);
     machine.execute(raytrace::commands(drawn.picture, view));
 }

@@ -1,7 +1,8 @@
-// Adaptive sampling on one item buffer [K4a]: what the paper warns of. A pixel whose eight neighbours show
-// its own polygon gets one ray, any other a number of them, each cut with the polygons that the item buffer
-// has there: what it has not seen, no ray finds. So polygons smaller than a pixel, and needles, are missed
-// (Fig. 7) where several item buffers find them (Fig. 8). Does not superpose pictures.
+// Adaptive sampling on one item buffer [K4a]: what the paper warns of. A pixel whose eight
+// neighbours show its own polygon gets one ray, any other a number of them, each cut with the
+// polygons that the item buffer has there: what it has not seen, no ray finds. So polygons smaller
+// than a pixel, and needles, are missed (Fig. 7) where several item buffers find them (Fig. 8).
+// Does not superpose pictures.
 #pragma once
 
 #include "gw/machine.h"
@@ -18,14 +19,14 @@ struct AdaptivePicture {
     std::vector<std::uint8_t> divided;   ///< 1: the pixel got `samples` rays
 };
 
-/// `ids`: the item buffer of the view, without jitter. First hits are shaded by eq. 3 with shadow rays, then
-/// traced.
+/// `ids`: the item buffer of the view, without jitter. First hits are shaded by eq. 3 with shadow
+/// rays, then traced.
 AdaptivePicture adaptive_picture(const raytrace::Tracer& tracer, const scene::Scene& scene,
-                                 const scene::View& view, const std::vector<std::uint32_t>& ids, int samples,
-                                 const Profile& profile);
+                                 const scene::View& view, const std::vector<std::uint32_t>& ids,
+                                 int samples, const Profile& profile);
 
 /// Leaves the picture in the machine's colour plane.
-void render_adaptive(Machine& machine, const scene::Scene& scene, const scene::View& view, int samples,
-                     const Options& options);
+void render_adaptive(Machine& machine, const scene::Scene& scene, const scene::View& view,
+                     int samples, const Options& options);
 
 }  // namespace gw::itembuffer

@@ -19,12 +19,13 @@ struct Pair {
     raytrace::RaytracedPicture by_rays;
 };
 
-Pair draw_both(Machine& machine, const scene::Scene& scene, const scene::View& view, const Options& options,
-               const raytrace::World& world) {
+Pair draw_both(Machine& machine, const scene::Scene& scene, const scene::View& view,
+               const Options& options, const raytrace::World& world) {
     Pair pair;
     render(machine, scene, view, {}, options);
     pair.by_passes = machine.planes().color;
-    const raytrace::Tracer tracer(scene, world, view, {.depth = options.depth, .threads = options.threads});
+    const raytrace::Tracer tracer(scene, world, view,
+                                  {.depth = options.depth, .threads = options.threads});
     pair.by_rays = raytrace::raytraced_picture(tracer, scene, view, {}, machine.profile());
     return pair;
 }
@@ -64,7 +65,8 @@ int adding_passes(const scene::Scene& scene) {
     }));
 }
 
-/// The lights in whose shadow the first hit of a pixel lies, a bit each (the 65th shares the first's).
+/// The lights in whose shadow the first hit of a pixel lies, a bit each (the 65th shares the
+/// first's).
 std::uint64_t shadows_at(const scene::Scene& scene, const raytrace::World& world,
                          const scene::PixelRay& ray) {
     const auto at = world.nearest({ray.o, ray.d}, 1);
@@ -95,15 +97,19 @@ std::vector<std::uint64_t> shadows_of(const scene::Scene& scene, const raytrace:
     return shadows;
 }
 
-/// Whether the values of a pixel and its neighbours are all the same; beyond the border there are none.
+/// Whether the values of a pixel and its neighbours are all the same; beyond the border there are
+/// none.
 template <class Value>
-bool is_even(const std::vector<Value>& values, const scene::View& view, std::size_t i, bool corners) {
+bool is_even(const std::vector<Value>& values, const scene::View& view, std::size_t i,
+             bool corners) {
     const int x = int(i % std::size_t(view.width)), y = int(i / std::size_t(view.width));
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) {
             if (!corners && dx != 0 && dy != 0) continue;
-            const int a = std::clamp(x + dx, 0, view.width - 1), b = std::clamp(y + dy, 0, view.height - 1);
-            if (values[std::size_t(b) * std::size_t(view.width) + std::size_t(a)] != values[i]) return false;
+            const int a = std::clamp(x + dx, 0, view.width - 1),
+                      b = std::clamp(y + dy, 0, view.height - 1);
+            if (values[std::size_t(b) * std::size_t(view.width) + std::size_t(a)] != values[i])
+                return false;
         }
     return true;
 }

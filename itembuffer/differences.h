@@ -1,5 +1,5 @@
-// The two renderers of eq. 5's scenes beside each other: passes with an item buffer, and ordinary ray
-// tracing. What differs, pixel by pixel, and why. Does not write files.
+// The two renderers of eq. 5's scenes beside each other: passes with an item buffer, and ordinary
+// ray tracing. What differs, pixel by pixel, and why. Does not write files.
 #pragma once
 
 #include "gw/machine.h"
@@ -30,12 +30,13 @@ struct Differences {
     std::vector<Reason> reason;            ///< by pixel
     std::vector<int> units;                ///< by pixel: the largest difference of a channel
     int passes = 0;                        ///< that add colours: what rounding may come to
-    /// Pixels whose four neighbours show the same polygon, and those of them where rays meet another.
+    /// Pixels whose four neighbours show the same polygon, and those of them where rays meet
+    /// another.
     std::size_t away_from_edges = 0, another_polygon_there = 0;
 };
 
-/// One picture of each: without lens, motion, soft lights and glare. Of the options `depth`, `shadow_maps`,
-/// `threads`.
+/// One picture of each: without lens, motion, soft lights and glare. Of the options `depth`,
+/// `shadow_maps`, `threads`.
 Differences differences(Machine& machine, const scene::Scene& scene, const scene::View& view,
                         const Options& options);
 

@@ -1,5 +1,5 @@
-// Eq. 5 for one view after the other [K4]: what no view decides is made once, hierarchies and shadow maps of
-// reflected hits too. Does not choose views.
+// Eq. 5 for one view after the other [K4]: what no view decides is made once, hierarchies and
+// shadow maps of reflected hits too. Does not choose views.
 #pragma once
 
 #include "itembuffer/render.h"
@@ -10,6 +10,7 @@ namespace gw::itembuffer {
 
 /// What `render` draws with; the machine must outlive it.
 std::unique_ptr<multipass::Drawer> make_drawer(Machine& machine, const scene::Scene& scene,
-                                               const multipass::Options& passes, const Options& options = {});
+                                               const multipass::Options& passes,
+                                               const Options& options = {});
 
 }  // namespace gw::itembuffer

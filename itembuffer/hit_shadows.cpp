@@ -4,7 +4,9 @@
 
 namespace gw::itembuffer {
 
-int HitShadows::size(int width, int height) { return multipass::shadow_map_size(width, height) / 2; }
+int HitShadows::size(int width, int height) {
+    return multipass::shadow_map_size(width, height) / 2;
+}
 
 HitShadows::HitShadows(Machine& machine, const scene::Scene& scene, int width, int height) {
     const multipass::Model model = multipass::make_model(scene);

@@ -1,6 +1,6 @@
-// Shadow maps for the hits of traced rays [K4i, K3.2 a]: instead of a shadow ray each, every light's
-// Z-buffer, drawn by the machine as for the passes. Sees no better than the maps' texels. Does not serve
-// first hits: the passes do.
+// Shadow maps for the hits of traced rays [K4i, K3.2 a]: instead of a shadow ray each, every
+// light's Z-buffer, drawn by the machine as for the passes. Sees no better than the maps' texels.
+// Does not serve first hits: the passes do.
 #pragma once
 
 #include "gw/machine.h"
@@ -11,8 +11,8 @@
 
 namespace gw::itembuffer {
 
-/// The maps of all lights that cast shadows. They serve every view: made once for as long as neither lights
-/// nor objects move.
+/// The maps of all lights that cast shadows. They serve every view: made once for as long as
+/// neither lights nor objects move.
 class HitShadows {
 public:
     /// `scene` is the drawn one; the machine's planes are used, and left as they come.
@@ -24,7 +24,8 @@ public:
         return lookups_[light].in_shadow(at);
     }
 
-    /// The side of a map for a picture of this size: the power of two that is at least its longer side.
+    /// The side of a map for a picture of this size: the power of two that is at least its longer
+    /// side.
     /// Reflections mostly show things smaller than they are seen directly.
     static int size(int width, int height);
 

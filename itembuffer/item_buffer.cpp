@@ -3,7 +3,8 @@
 namespace gw::itembuffer {
 
 std::vector<std::uint32_t> draw_item_buffer(Machine& machine, const scene::Scene& scene,
-                                            const scene::View& view, const JitterState& jitter, int bits) {
+                                            const scene::View& view, const JitterState& jitter,
+                                            int bits) {
     std::vector<std::uint32_t> ids(std::size_t(view.width) * std::size_t(view.height));
     const std::uint32_t mask = (1u << bits) - 1, last = scene::polygon_ids(scene).end - 1;
     for (int shift = 0; shift < 32 && (last >> shift) != 0; shift += bits) {
@@ -12,7 +13,8 @@ std::vector<std::uint32_t> draw_item_buffer(Machine& machine, const scene::Scene
         list.add(Read{.key = 0, .plane = Plane::Color, .rect = {0, 0, view.width, view.height}});
         machine.execute(list);
         const auto& color = machine.readbacks().at(0).color;
-        for (std::size_t i = 0; i < ids.size(); ++i) ids[i] |= (scene::id_of(color[i]) & mask) << shift;
+        for (std::size_t i = 0; i < ids.size(); ++i)
+            ids[i] |= (scene::id_of(color[i]) & mask) << shift;
     }
     return ids;
 }

@@ -16,8 +16,8 @@ using multipass::Pass;
 
 /// Whether what the traced component is added to must have been drawn before this pass.
 bool comes_after(const Pass& pass) {
-    return pass.objects == multipass::PassObjects::Translucent || pass.fog == multipass::PassFog::Scene ||
-           pass.action == multipass::PassAction::Add;
+    return pass.objects == multipass::PassObjects::Translucent ||
+           pass.fog == multipass::PassFog::Scene || pass.action == multipass::PassAction::Add;
 }
 
 bool same_places(const scene::Scene& a, const scene::Scene& b) {
@@ -31,8 +31,9 @@ bool same_places(const scene::Scene& a, const scene::Scene& b) {
 bool same_lights(const scene::Scene& a, const scene::Scene& b) {
     return std::equal(a.lights.begin(), a.lights.end(), b.lights.begin(), b.lights.end(),
                       [](const scene::Light& x, const scene::Light& y) {
-                          return x.kind == y.kind && x.position == y.position && x.direction == y.direction &&
-                                 x.cone_angle == y.cone_angle && x.shadow == y.shadow;
+                          return x.kind == y.kind && x.position == y.position &&
+                                 x.direction == y.direction && x.cone_angle == y.cone_angle &&
+                                 x.shadow == y.shadow;
                       });
 }
 
@@ -56,11 +57,13 @@ struct Kept {
 
 }  // namespace
 
-multipass::PassList passes_with_tracing(const scene::Scene& scene, multipass::Translucency translucency) {
+multipass::PassList passes_with_tracing(const scene::Scene& scene,
+                                        multipass::Translucency translucency) {
     if (!raytrace::any_traced(scene))
         return multipass::passes_for(scene, multipass::Renderer::Multipass, translucency);
     const scene::Scene drawn = raytrace::drawn_scene(scene);
-    multipass::PassList list = multipass::passes_for(drawn, multipass::Renderer::Multipass, translucency);
+    multipass::PassList list =
+        multipass::passes_for(drawn, multipass::Renderer::Multipass, translucency);
     Pass pass = multipass::trace_pass;
     if (scene.fog) pass.fog = multipass::PassFog::Black;
     list.insert(std::find_if(list.begin(), list.end(), comes_after), pass);
@@ -82,23 +85,27 @@ multipass::Trace tracing(const scene::Scene& scene, const Options& options) {
                 return kept->shadows->in_shadow(light, at);
             };
         const raytrace::Tracer tracer(kept->scene, *kept->world, view, rays);
-        TracedComponent traced = traced_component(tracer, now, view, ids, jitter, machine.profile());
+        TracedComponent traced =
+            traced_component(tracer, now, view, ids, jitter, machine.profile());
         if (kept->options.counts) kept->options.counts->add(traced.counts);
         return std::move(traced.color);
     };
 }
 
 std::unique_ptr<multipass::Drawer> make_drawer(Machine& machine, const scene::Scene& scene,
-                                               const multipass::Options& passes, const Options& options) {
-    if (!raytrace::any_traced(scene)) return std::make_unique<multipass::Drawer>(machine, scene, passes);
+                                               const multipass::Options& passes,
+                                               const Options& options) {
+    if (!raytrace::any_traced(scene))
+        return std::make_unique<multipass::Drawer>(machine, scene, passes);
     multipass::Options all = passes;
     if (!all.passes) all.passes = passes_with_tracing(scene, passes.translucency);
     all.trace = tracing(scene, options);
     return std::make_unique<multipass::Drawer>(machine, raytrace::drawn_scene(scene), all);
 }
 
-multipass::Superposition render(Machine& machine, const scene::Scene& scene, const scene::View& view,
-                                const multipass::Options& passes, const Options& options) {
+multipass::Superposition render(Machine& machine, const scene::Scene& scene,
+                                const scene::View& view, const multipass::Options& passes,
+                                const Options& options) {
     return make_drawer(machine, scene, passes, options)->draw(view);
 }
 

@@ -8,8 +8,9 @@
 
 namespace gw::itembuffer {
 
-multipass::Superposition render_by_rays(Machine& machine, const scene::Scene& scene, const scene::View& view,
-                                        int samples, const Options& options, bool weighted) {
+multipass::Superposition render_by_rays(Machine& machine, const scene::Scene& scene,
+                                        const scene::View& view, int samples,
+                                        const Options& options, bool weighted) {
     scene::Scene now = scene;
     std::optional<raytrace::World> world;
     const auto draw = [&](const multipass::Sample& sample) {
@@ -19,7 +20,8 @@ multipass::Superposition render_by_rays(Machine& machine, const scene::Scene& sc
         const raytrace::Tracer tracer(now, *world, through,
                                       {.depth = options.depth, .threads = options.threads});
         const JitterState jitter = multipass::jitter_of(sample, machine.profile().subpixel_bits);
-        const auto picture = raytrace::raytraced_picture(tracer, now, through, jitter, machine.profile());
+        const auto picture =
+            raytrace::raytraced_picture(tracer, now, through, jitter, machine.profile());
         if (options.counts) options.counts->add(picture.counts);
         machine.execute(raytrace::commands(picture, through));
     };

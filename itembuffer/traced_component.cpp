@@ -30,7 +30,8 @@ TracedComponent traced_component(const raytrace::Tracer& tracer, const scene::Sc
         color = raytrace::stored(seen * tracer.traced(s, counts), profile.color_bits);
         color[3] = 0;
     };
-    component.counts = raytrace::for_pixels(view.width, view.height, tracer.options().threads, trace);
+    component.counts =
+        raytrace::for_pixels(view.width, view.height, tracer.options().threads, trace);
     return component;
 }
 

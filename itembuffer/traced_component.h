@@ -1,6 +1,7 @@
-// I_raytracing(x, y) of eq. 5 [K4]: at every pixel the ray from the eye is cut with the plane of the polygon
-// that the item buffer names, never searched for, and what the polygon reflects and lets through is traced
-// from there [K4i]. Pixels whose polygon does neither are not traced at all. Does not draw and does not add.
+// I_raytracing(x, y) of eq. 5 [K4]: at every pixel the ray from the eye is cut with the plane of
+// the polygon that the item buffer names, never searched for, and what the polygon reflects and
+// lets through is traced from there [K4i]. Pixels whose polygon does neither are not traced at all.
+// Does not draw and does not add.
 #pragma once
 
 #include "gw/profile.h"
@@ -12,13 +13,14 @@
 namespace gw::itembuffer {
 
 struct TracedComponent {
-    std::vector<Rgba> color;     ///< through the first hit's black fog [K3.5]; alpha 0: nothing is covered
+    /// through the first hit's black fog [K3.5]; alpha 0: nothing is covered
+    std::vector<Rgba> color;
     raytrace::RayCounts counts;  ///< primary: rays cut with their one polygon
 };
 
-/// `ids` and `jitter` are the item buffer's. Vertices are snapped before the machine fills a polygon, so a
-/// pixel's centre may lie a little outside the true one; its plane extends there, and weights of texture
-/// coordinates and normals end at the border.
+/// `ids` and `jitter` are the item buffer's. Vertices are snapped before the machine fills a
+/// polygon, so a pixel's centre may lie a little outside the true one; its plane extends there, and
+/// weights of texture coordinates and normals end at the border.
 TracedComponent traced_component(const raytrace::Tracer& tracer, const scene::Scene& scene,
                                  const scene::View& view, const std::vector<std::uint32_t>& ids,
                                  const JitterState& jitter, const Profile& profile);

@@ -8,9 +8,9 @@
 
 namespace gw::scene {
 
-/// What the file does not say is as in its `base` (vgx, reality or ideal; vgx where absent). The name is the
-/// file's where absent. Throws Error "file:line: what; expected what"; an unknown key names the nearest known
-/// one.
+/// What the file does not say is as in its `base` (vgx, reality or ideal; vgx where absent). The
+/// name is the file's where absent. Throws Error "file:line: what; expected what"; an unknown key
+/// names the nearest known one.
 Profile read_profile(const std::filesystem::path& path);
 
 }  // namespace gw::scene

@@ -1,10 +1,10 @@
 #include "scene/read_scene.h"
 
 #include "scene/obj/read_obj.h"
-#include "scene/toml/read_toml.h"
 #include "scene/scene_builder.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
+#include "scene/toml/read_toml.h"
 
 namespace gw::scene {
 
@@ -36,7 +36,8 @@ SceneFile read_scene(const std::filesystem::path& path) {
     if (extension == ".toml") return read_toml(path);
     if (extension == ".obj") return read_bare_obj(path);
     read_text(path);
-    throw Error(path.string(), 0, "has the extension '" + printable(extension) + "'; expected .toml or .obj");
+    throw Error(path.string(), 0,
+                "has the extension '" + printable(extension) + "'; expected .toml or .obj");
 }
 
 }  // namespace gw::scene

@@ -13,14 +13,16 @@ namespace gw::scene {
 
 struct SceneFile {
     Scene scene;
-    /// What was read but is not honoured: "file:line: text", one line per kind of statement and file.
+    /// What was read but is not honoured: "file:line: text", one line per kind of statement and
+    /// file.
     std::vector<std::string> warnings;
-    /// The tables of [[pass]] as they stand; multipass/passes/pass_toml.h makes passes of them. Objects that they
-    /// name do exist.
+    /// The tables of [[pass]] as they stand; multipass/passes/pass_toml.h makes passes of them.
+    /// Objects that they name do exist.
     std::vector<TomlValue> passes;
 };
 
-/// Reads a TOML scene (.toml) or a bare Wavefront OBJ (.obj; no lights, no camera), by the file's extension.
+/// Reads a TOML scene (.toml) or a bare Wavefront OBJ (.obj; no lights, no camera), by the file's
+/// extension.
 /// Throws Error "file:line: what; expected what".
 SceneFile read_scene(const std::filesystem::path& path);
 

@@ -1,11 +1,13 @@
-// A scene as plain data: objects, materials, lights, camera, fog. World space: right-handed, any unit, y up.
-// Knows texture files by name and line only (image::load_textures fills the texels in). Does not draw.
+// A scene as plain data: objects, materials, lights, camera, fog. World space: right-handed, any
+// unit, y up.
+// Knows texture files by name and line only (image::load_textures fills the texels in). Does not
+// draw.
 #pragma once
 
+#include "gw/base/types.h"
 #include "gw/mesh.h"
 #include "gw/state.h"
 #include "gw/texture.h"
-#include "gw/base/types.h"
 
 #include <array>
 #include <filesystem>
@@ -23,17 +25,19 @@ struct Origin {
 
 /// A map: file, who asked for it, how it is looked up, and (after image::load_textures) its texels.
 struct Map {
-    std::filesystem::path file;  ///< absolute or relative to the working directory; separators are '/'
+    /// absolute or relative to the working directory; separators are '/'
+    std::filesystem::path file;
     Origin origin;
     Wrap wrap = Wrap::Repeat;  ///< MTL -clamp on: Clamp
     vec2 offset{0, 0};         ///< MTL -o: added to s, t after scale
     vec2 scale{1, 1};          ///< MTL -s
-    int from_scene = 0;        ///< above 0: no file, generated from the scene, so many texels a side [K3.1]
-    TextureRef texture;        ///< null until loaded, or generated (multipass/maps/scene_maps.h)
+    /// above 0: no file, generated from the scene, so many texels a side [K3.1]
+    int from_scene = 0;
+    TextureRef texture;  ///< null until loaded, or generated (multipass/maps/scene_maps.h)
 };
 
-/// MTL's material in MTL's words [K2, K3]. A component may have several maps: its pass is repeated for each
-/// [K3.1].
+/// MTL's material in MTL's words [K2, K3]. A component may have several maps: its pass is repeated
+/// for each [K3.1].
 struct Material {
     std::string name;
     vec3 Ka{0.2f, 0.2f, 0.2f}, Kd{0.8f, 0.8f, 0.8f}, Ks{0, 0, 0}, Ke{0, 0, 0};
@@ -47,8 +51,8 @@ struct Material {
     std::vector<Map> refraction;  ///< sphere maps looked up by the refracted ray [K1]
 };
 
-/// Light around a self-luminous object: its picture, superposed moved over a range in the picture's plane
-/// [K3.3].
+/// Light around a self-luminous object: its picture, superposed moved over a range in the picture's
+/// plane [K3.3].
 struct Glare {
     double radius = 0.5;    ///< of the range, world units
     float strength = 0.5f;  ///< of the moved emission, in parts of the object's own
@@ -56,10 +60,11 @@ struct Glare {
     int samples = 32;       ///< superposed pictures, at least
 };
 
-/// The pixmap that holds an object's radiosity [F2.1]. Where nothing is said, planar parts get a pixmap each
-/// by projection, curved ones a pixmap for each chart.
+/// The pixmap that holds an object's radiosity [F2.1]. Where nothing is said, planar parts get a
+/// pixmap each by projection, curved ones a pixmap for each chart.
 struct PixmapChoice {
-    std::string name;              ///< objects of one name share a pixmap; empty: the object's own
+    /// objects of one name share a pixmap; empty: the object's own
+    std::string name;
     int width = 0, height = 0;     ///< texels; 0: by texels_per_unit
     double texels_per_unit = 0;    ///< 0: the scene's
     bool given_st = false;         ///< ST are the mesh's texcoords; else they are made
@@ -83,8 +88,8 @@ struct Object {
 enum class LightKind { Directional, Point, Spot };
 enum class Shadow { None, Volume, Map };
 
-/// The shape a light's positions (or an emitter's displacements) range over, for soft shadows and glare
-/// [K3.3].
+/// The shape a light's positions (or an emitter's displacements) range over, for soft shadows and
+/// glare [K3.3].
 struct AreaLight {
     enum class Shape { None, Disc, Rectangle, Line } shape = Shape::None;
     vec3 u{0, 0, 0}, v{0, 0, 0};  ///< half axes in world units (Line uses u only)
@@ -111,8 +116,9 @@ struct Camera {
     double fov = 40;                       ///< vertical, degrees
     double near_plane = 0, far_plane = 0;  ///< distances; 0: fitted to the scene
     double ortho_height = 0;               ///< > 0: orthographic, this many world units high
-    double aperture = 0;                   ///< radius of the lens, world units; 0: all is sharp [K1]
-    double focus = 0;                      ///< distance that is sharp; 0: that of `at`
+    /// radius of the lens, world units; 0: all is sharp [K1]
+    double aperture = 0;
+    double focus = 0;  ///< distance that is sharp; 0: that of `at`
 };
 
 struct Fog {
@@ -129,7 +135,8 @@ struct Scene {
     std::optional<Camera> camera;  ///< absent: fit_camera
     std::optional<Fog> fog;
     vec3 background{0, 0, 0};
-    double texels_per_unit = 0;        ///< of pixmaps that do not say; 0: fitted to the scene [F2.1]
+    /// of pixmaps that do not say; 0: fitted to the scene [F2.1]
+    double texels_per_unit = 0;
     bool reflection_in_shadow = true;  ///< reflection maps are drawn in shadow too [K3.2]
 };
 

@@ -6,7 +6,8 @@
 
 namespace gw::scene {
 
-void SceneBuilder::add(Object object, MeshData mesh, const Material& material, const Origin& origin) {
+void SceneBuilder::add(Object object, MeshData mesh, const Material& material,
+                       const Origin& origin) {
     try {
         object.mesh = make_numbered_mesh(std::move(mesh), next_polygon_);
     } catch (const Error& error) {

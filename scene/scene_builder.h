@@ -1,4 +1,5 @@
-// Puts a scene together: numbers its polygons, and takes each material once, when an object first uses it.
+// Puts a scene together: numbers its polygons, and takes each material once, when an object first
+// uses it.
 // Does not read files.
 #pragma once
 
@@ -14,8 +15,8 @@ class SceneBuilder {
 public:
     Scene scene;
 
-    /// Fills in the object's mesh and material. `material` must stay where it is; `origin` is what an error
-    /// of make_mesh is said to come from.
+    /// Fills in the object's mesh and material. `material` must stay where it is; `origin` is what
+    /// an error of make_mesh is said to come from.
     void add(Object object, MeshData mesh, const Material& material, const Origin& origin);
 
 private:
@@ -25,10 +26,12 @@ private:
     std::uint32_t next_polygon_ = 0;
 };
 
-/// What a surface is made of where nobody says: gw::Material's initial values, by the name "default".
+/// What a surface is made of where nobody says: gw::Material's initial values, by the name
+/// "default".
 const Material& default_material();
 
-/// The first material of this name in the lists, in their order; the default one where the name is empty.
+/// The first material of this name in the lists, in their order; the default one where the name is
+/// empty.
 /// Throws Error from `origin`, naming the nearest material, where there is none.
 const Material& find_material(std::initializer_list<const std::vector<Material>*> lists,
                               std::string_view name, const Origin& origin);

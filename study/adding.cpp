@@ -1,8 +1,8 @@
 #include "study/adding.h"
 
 #include "gw/base/elementary.h"
-#include "multipass/passes/catalogue.h"
 #include "multipass/frame/driver.h"
+#include "multipass/passes/catalogue.h"
 
 #include <fmt/format.h>
 
@@ -15,15 +15,17 @@ namespace {
 /// Of all lights together: no vertex reaches white, where one pass would clamp what several do not.
 constexpr double brightness = 0.6;
 
-/// n directional lights, evenly over the half sphere behind the viewer's left shoulder, `strength` in all.
+/// n directional lights, evenly over the half sphere behind the viewer's left shoulder, `strength`
+/// in all.
 std::vector<scene::Light> lights_around(int n, double strength) {
     std::vector<scene::Light> lights;
     for (int i = 0; i < n; ++i) {
         const double up = 0.25 + 0.7 * (i + 0.5) / n, turn = 2 * pi * 0.6180339887498949 * i;
         const double side = std::sqrt(1 - up * up);
         const vec3 to_light(dvec3(-0.4 + side * gw::cos(turn), up, 0.6 + side * gw::sin(turn)));
-        lights.push_back(
-            {.name = fmt::format("{}", i + 1), .direction = -to_light, .Id = vec3(float(strength / n))});
+        lights.push_back({.name = fmt::format("{}", i + 1),
+                          .direction = -to_light,
+                          .Id = vec3(float(strength / n))});
     }
     return lights;
 }
@@ -78,7 +80,8 @@ struct Study {
 
     double saturated(int n) const {
         const Fractions values = draw(lit(scene, n, n * brightness), {});
-        const auto lit_ones = std::count_if(values.begin(), values.end(), [](double v) { return v > 0; });
+        const auto lit_ones =
+            std::count_if(values.begin(), values.end(), [](double v) { return v > 0; });
         return double(std::count(values.begin(), values.end(), 1.0)) / double(lit_ones);
     }
 };
@@ -94,8 +97,9 @@ Profile exact(Profile profile) {
 }  // namespace
 
 std::vector<Adding> adding(scene::Scene scene, const std::vector<int>& lights,
-                           const std::vector<Profile>& profiles, const MachineMaker& make, int width,
-                           int height, const std::function<void(const std::string&)>& say) {
+                           const std::vector<Profile>& profiles, const MachineMaker& make,
+                           int width, int height,
+                           const std::function<void(const std::string&)>& say) {
     scene.background = vec3(0);
     const scene::View view = scene::make_view(scene, width, height);
     std::vector<Adding> rows;
@@ -104,8 +108,8 @@ std::vector<Adding> adding(scene::Scene scene, const std::vector<int>& lights,
         const Study study{scene, view, *machine}, truth_study{scene, view, *exact_machine};
         for (const int n : lights) {
             say(fmt::format("{}, {} lights", profile.name, n));
-            const Fractions truth =
-                truth_study.draw(lit(scene, n, brightness), {.renderer = multipass::Renderer::Hardware});
+            const Fractions truth = truth_study.draw(lit(scene, n, brightness),
+                                                     {.renderer = multipass::Renderer::Hardware});
             rows.push_back({profile.name, n, difference(study.in_frame_buffer(n), truth),
                             difference(study.in_accumulation(n), truth),
                             difference(study.at_full_strength(n), truth), study.saturated(n)});

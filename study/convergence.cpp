@@ -9,15 +9,16 @@
 namespace gw::study {
 namespace {
 
-Fractions picture(const scene::Scene& scene, const Profile& profile, const MachineMaker& make, int samples,
-                  const ConvergenceOptions& options) {
+Fractions picture(const scene::Scene& scene, const Profile& profile, const MachineMaker& make,
+                  int samples, const ConvergenceOptions& options) {
     const auto machine = make(profile);
     const scene::View view = scene::make_view(scene, options.width, options.height);
     multipass::render(*machine, scene, view, {.samples = samples});
     return fractions(*machine);
 }
 
-/// The converged pictures, by the number of sub-pixel bits: vertices lie on that grid, and so do samples.
+/// The converged pictures, by the number of sub-pixel bits: vertices lie on that grid, and so do
+/// samples.
 class Truths {
 public:
     Truths(const scene::Scene& scene, const MachineMaker& make, const ConvergenceOptions& options)
@@ -28,7 +29,8 @@ public:
         if (found != pictures_.end()) return found->second;
         Profile profile = ideal();
         profile.subpixel_bits = subpixel_bits;
-        return pictures_[subpixel_bits] = picture(scene_, profile, make_, options_.reference, options_);
+        return pictures_[subpixel_bits] =
+                   picture(scene_, profile, make_, options_.reference, options_);
     }
 
 private:
@@ -93,7 +95,8 @@ plot::Plot convergence_plot(const std::vector<ProfileError>& errors, const std::
     for (const ProfileError& e : errors)
         plot.series.push_back({fmt::format("{}: N^{:.2f}", e.profile, e.law.exponent), e.rms});
     const double exponent = -0.5 - 0.5 / dimensions;
-    plot.series.push_back(law_line(errors.back(), exponent, fmt::format("well spread: N^{:.3g}", exponent)));
+    plot.series.push_back(
+        law_line(errors.back(), exponent, fmt::format("well spread: N^{:.3g}", exponent)));
     plot.series.push_back(law_line(errors.back(), -0.5, "random: N^-0.5"));
     return plot;
 }

@@ -1,12 +1,12 @@
-// The error of N superposed pictures [K1, K3.3, K4a] against many more, for N = 2, 4, 8, ... Theory: N random
-// samples of an edge err like N^(-1/2); N well spread ones like N^(-1/2 - 1/(2d)), d the number of dimensions
-// that they are spread in (Mitchell 1996): N^(-3/4) for the place in the pixel, N^(-5/8) where the place on
-// the lamp varies too.
+// The error of N superposed pictures [K1, K3.3, K4a] against many more, for N = 2, 4, 8, ...
+// Theory: N random samples of an edge err like N^(-1/2); N well spread ones like N^(-1/2 - 1/(2d)),
+// d the number of dimensions that they are spread in (Mitchell 1996): N^(-3/4) for the place in the
+// pixel, N^(-5/8) where the place on the lamp varies too.
 #pragma once
 
-#include "study/plot/plot.h"
 #include "scene/scene.h"
 #include "study/difference.h"
+#include "study/plot/plot.h"
 
 #include <functional>
 #include <string>
@@ -23,12 +23,14 @@ struct ConvergenceOptions {
 struct ProfileError {
     std::string profile;
     std::vector<dvec2> rms;  ///< (N, rms in 255ths of white)
-    double grid = 0;         ///< distance of its converged picture from that of a 256x256 sub-pixel grid
-    plot::PowerLaw law;      ///< nearest to those of fewer samples than the sub-pixel grid has places
+    /// distance of its converged picture from that of a 256x256 sub-pixel grid
+    double grid = 0;
+    /// nearest to those of fewer samples than the sub-pixel grid has places
+    plot::PowerLaw law;
 };
 
-/// One for each profile. `say` is told what is being drawn. Lights' and emitters' own numbers of samples do
-/// not count.
+/// One for each profile. `say` is told what is being drawn. Lights' and emitters' own numbers of
+/// samples do not count.
 std::vector<ProfileError> convergence(scene::Scene scene, const std::vector<Profile>& profiles,
                                       const MachineMaker& make, const ConvergenceOptions& options,
                                       const std::function<void(const std::string&)>& say);

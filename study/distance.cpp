@@ -14,8 +14,8 @@ namespace {
 
 MeshData torus(const Rings& rings, int sides) {
     const auto& all = scene::shapes();
-    const auto shape =
-        std::find_if(all.begin(), all.end(), [](const scene::Shape& s) { return s.name == "torus"; });
+    const auto shape = std::find_if(all.begin(), all.end(),
+                                    [](const scene::Shape& s) { return s.name == "torus"; });
     return shape->make({rings.radius, rings.tube, 2.0 * sides, double(sides)});
 }
 
@@ -41,8 +41,9 @@ Distance distance(const scene::Scene& scene, int sides, Machine& machine, const 
 }  // namespace
 
 std::vector<Distance> distances(const Rings& rings, const std::vector<int>& sides,
-                                const std::vector<Profile>& profiles, const MachineMaker& make, int width,
-                                int height, const std::function<void(const std::string&)>& say) {
+                                const std::vector<Profile>& profiles, const MachineMaker& make,
+                                int width, int height,
+                                const std::function<void(const std::string&)>& say) {
     std::vector<Distance> rows;
     const scene::View view = scene::make_view(rings.scene, width, height);
     for (const Profile& profile : profiles)

@@ -1,7 +1,7 @@
 #include "study/growth.h"
 
-#include "hiddensurface/run/compare.h"
 #include "hiddensurface/lines/draw_lines.h"
+#include "hiddensurface/run/compare.h"
 #include "scene/draw/fit.h"
 #include "study/growth_scenes.h"
 
@@ -85,22 +85,27 @@ std::vector<std::uint32_t> order_of(const hs::Input& input, const hs::Result& re
     return ids;
 }
 
-std::map<std::string, double> measured(const hs::Algorithm& algorithm, Stage& stage, Stage* before) {
+std::map<std::string, double> measured(const hs::Algorithm& algorithm, Stage& stage,
+                                       Stage* before) {
     hs::StepLog none;
     std::map<std::string, double> values;
-    values["seconds"] = seconds_of([&] { stage.machine->execute(algorithm.run(stage.input, none).list); });
+    values["seconds"] =
+        seconds_of([&] { stage.machine->execute(algorithm.run(stage.input, none).list); });
     const hs::Result result = hs::run_on(*stage.machine, algorithm, stage.input, none);
     for (const auto& [name, count] : hs::count_names()) values[name] = double(result.counts.*count);
     if (!before) return values;
     const hs::Result earlier = hs::run_on(*before->machine, algorithm, before->input, none);
     double changed = 0;
-    for (std::size_t i = 0; i < result.ids.size(); ++i) changed += result.ids[i] != earlier.ids[i] ? 1 : 0;
+    for (std::size_t i = 0; i < result.ids.size(); ++i)
+        changed += result.ids[i] != earlier.ids[i] ? 1 : 0;
     values["changed"] = changed;
-    values["moved"] = double(moves_between(order_of(before->input, earlier), order_of(stage.input, result)));
+    values["moved"] =
+        double(moves_between(order_of(before->input, earlier), order_of(stage.input, result)));
     return values;
 }
 
-std::map<std::string, double> measured(const hs::LineAlgorithm& algorithm, Stage& stage, Stage* before) {
+std::map<std::string, double> measured(const hs::LineAlgorithm& algorithm, Stage& stage,
+                                       Stage* before) {
     hs::StepLog none;
     std::map<std::string, double> values;
     values["seconds"] = seconds_of([&] {
@@ -108,11 +113,13 @@ std::map<std::string, double> measured(const hs::LineAlgorithm& algorithm, Stage
         stage.machine->execute(hs::draw_lines(stage.input, algorithm.name, output.lines));
     });
     const hs::LineResult result = hs::run_on(*stage.machine, algorithm, stage.input, none);
-    for (const auto& [name, count] : hs::line_count_names()) values[name] = double(result.counts.*count);
+    for (const auto& [name, count] : hs::line_count_names())
+        values[name] = double(result.counts.*count);
     if (!before) return values;
     const hs::LineResult earlier = hs::run_on(*before->machine, algorithm, before->input, none);
     double changed = 0;
-    for (std::size_t i = 0; i < result.lit.size(); ++i) changed += result.lit[i] != earlier.lit[i] ? 1 : 0;
+    for (std::size_t i = 0; i < result.lit.size(); ++i)
+        changed += result.lit[i] != earlier.lit[i] ? 1 : 0;
     values["changed"] = changed;
     return values;
 }
@@ -126,14 +133,16 @@ public:
     void run(const std::string& axis, bool lines, std::vector<Algorithm> algorithms) {
         std::erase_if(algorithms, [&](const Algorithm& algorithm) {
             const auto& only = options_.only;
-            return !only.empty() && std::find(only.begin(), only.end(), algorithm.name) == only.end();
+            return !only.empty() &&
+                   std::find(only.begin(), only.end(), algorithm.name) == only.end();
         });
         if (algorithms.empty()) return;
         std::map<std::string, std::vector<double>> times;
         for (const Place& place : places(axis, lines)) {
-            const bool all_cut = std::all_of(
-                algorithms.begin(), algorithms.end(),
-                [&](const auto& algorithm) { return next(times[algorithm.name]) > options_.limit; });
+            const bool all_cut =
+                std::all_of(algorithms.begin(), algorithms.end(), [&](const auto& algorithm) {
+                    return next(times[algorithm.name]) > options_.limit;
+                });
             if (all_cut) {
                 for (const auto& algorithm : algorithms)
                     cut(axis, algorithm.name, times[algorithm.name].back());
@@ -218,13 +227,15 @@ Growth growth(const GrowthOptions& options, const std::function<void(const std::
     return study.take();
 }
 
-std::size_t moves_between(const std::vector<std::uint32_t>& before, const std::vector<std::uint32_t>& after) {
+std::size_t moves_between(const std::vector<std::uint32_t>& before,
+                          const std::vector<std::uint32_t>& after) {
     // Equal ones (pieces of one polygon) are told apart by how many came before.
     std::map<std::pair<std::uint32_t, int>, std::size_t> place;
     std::map<std::uint32_t, int> seen;
     for (std::size_t i = 0; i < before.size(); ++i) place[{before[i], seen[before[i]]++}] = i;
     seen.clear();
-    std::vector<std::size_t> ends;  // of the ascending sequences of each length, the least last place
+    // of the ascending sequences of each length, the least last place
+    std::vector<std::size_t> ends;
     for (const std::uint32_t id : after) {
         const auto found = place.find({id, seen[id]++});
         if (found == place.end()) continue;

@@ -18,13 +18,14 @@ std::vector<std::string> algorithms_of(const Growth& growth, bool lines) {
 }
 
 /// What is above 0: the axes are logarithmic.
-std::vector<dvec2> points_of(const Growth& growth, const std::string& axis, const std::string& algorithm,
-                             const std::string& value) {
+std::vector<dvec2> points_of(const Growth& growth, const std::string& axis,
+                             const std::string& algorithm, const std::string& value) {
     std::vector<dvec2> points;
     for (const GrowthPoint& p : growth.points) {
         if (p.axis != axis || p.algorithm != algorithm) continue;
         const auto found = p.values.find(value);
-        if (found != p.values.end() && found->second > 0 && p.x > 0) points.push_back({p.x, found->second});
+        if (found != p.values.end() && found->second > 0 && p.x > 0)
+            points.push_back({p.x, found->second});
     }
     return points;
 }
@@ -37,7 +38,8 @@ std::string caption_of(const Growth& growth, const GrowthAxis& axis, bool lines)
     for (const GrowthCut& cut : growth.cuts) {
         const std::vector<std::string> names = algorithms_of(growth, lines);
         if (cut.axis == axis.name && std::count(names.begin(), names.end(), cut.algorithm) > 0)
-            text += fmt::format(". {} was stopped after {:.6g}: {:.2g} s", cut.algorithm, cut.x, cut.seconds);
+            text += fmt::format(". {} was stopped after {:.6g}: {:.2g} s", cut.algorithm, cut.x,
+                                cut.seconds);
     }
     return text + ".";
 }
@@ -49,19 +51,20 @@ std::vector<GrowthPlot> growth_plots(const Growth& growth) {
     for (const GrowthAxis& axis : growth_axes())
         for (const bool lines : {false, true})
             for (const std::string& value : growth_values(lines)) {
-                plot::Plot plot{
-                    .title = fmt::format("{}{} against {}", lines ? "Lines: " : "", value, axis.name),
-                    .caption = caption_of(growth, axis, lines),
-                    .command = "",
-                    .x = {axis.label, axis.log},
-                    .y = {value, 10},
-                    .series = {}};
+                plot::Plot plot{.title = fmt::format("{}{} against {}", lines ? "Lines: " : "",
+                                                     value, axis.name),
+                                .caption = caption_of(growth, axis, lines),
+                                .command = "",
+                                .x = {axis.label, axis.log},
+                                .y = {value, 10},
+                                .series = {}};
                 for (const std::string& name : algorithms_of(growth, lines))
                     if (auto points = points_of(growth, axis.name, name, value); !points.empty())
                         plot.series.push_back({.name = name, .points = std::move(points)});
                 if (!plot.series.empty())
-                    plots.push_back({fmt::format("{}{}_{}", lines ? "lines_" : "", axis.name, value),
-                                     axis.name, value, lines, std::move(plot)});
+                    plots.push_back(
+                        {fmt::format("{}{}_{}", lines ? "lines_" : "", axis.name, value), axis.name,
+                         value, lines, std::move(plot)});
             }
     return plots;
 }
@@ -74,8 +77,8 @@ std::vector<GrowthLaw> growth_laws(const Growth& growth) {
                 for (const std::string& value : growth_values(lines)) {
                     const std::vector<dvec2> points = points_of(growth, axis.name, name, value);
                     if (points.size() >= 3)
-                        laws.push_back(
-                            {axis.name, name, value, lines, plot::power_law(points), points.size()});
+                        laws.push_back({axis.name, name, value, lines, plot::power_law(points),
+                                        points.size()});
                 }
     return laws;
 }

@@ -1,8 +1,8 @@
 // The growth study as plots, tables and fitted power laws. Does not measure.
 #pragma once
 
-#include "study/plot/plot.h"
 #include "study/growth.h"
+#include "study/plot/plot.h"
 
 namespace gw::study {
 
@@ -12,8 +12,8 @@ struct GrowthPlot {
     bool lines = false;
     plot::Plot plot;
 };
-/// One for every axis and value in which something is counted, all algorithms together; surfaces and lines
-/// apart.
+/// One for every axis and value in which something is counted, all algorithms together; surfaces
+/// and lines apart.
 std::vector<GrowthPlot> growth_plots(const Growth& growth);
 
 /// value = factor axis^exponent, fitted to an algorithm's points above 0.

@@ -25,8 +25,10 @@ scene::Scene scene_of(MeshData data, const dvec3& eye, double degrees) {
     scene::Scene scene;
     scene.materials.push_back({});
     scene.objects.push_back({.name = "polygons", .mesh = make_mesh(std::move(data))});
-    const double angle = degrees * 3.14159265358979323846 / 180, c = gw::cos(angle), s = gw::sin(angle);
-    scene.camera = scene::Camera{.eye = {c * eye.x + s * eye.z, eye.y, c * eye.z - s * eye.x}, .fov = 40};
+    const double angle = degrees * 3.14159265358979323846 / 180, c = gw::cos(angle),
+                 s = gw::sin(angle);
+    scene.camera =
+        scene::Camera{.eye = {c * eye.x + s * eye.z, eye.y, c * eye.z - s * eye.x}, .fov = 40};
     return scene;
 }
 
@@ -34,8 +36,8 @@ scene::Scene scene_of(MeshData data, const dvec3& eye, double degrees) {
 
 scene::Scene triangle_soup(int count, double depth, double degrees) {
     Random random;
-    // Measured on 256: 4 over the pixels that show one at depth 4. Deeper, much of the large ones is outside
-    // the window.
+    // Measured on 256: 4 over the pixels that show one at depth 4. Deeper, much of the large ones
+    // is outside the window.
     const double size = 6 * std::sqrt(depth / count);
     MeshData data;
     for (int i = 0; i < count; ++i) {
@@ -54,8 +56,8 @@ scene::Scene hill_grid(int count, double height, double degrees) {
     for (int i = 0; i <= n; ++i)
         for (int k = 0; k <= n; ++k) {
             const double x = 4.0 * i / n - 2, z = 4.0 * k / n - 2;
-            data.positions.push_back(
-                vec3(dvec3(x, 0.25 * gw::sin(5 * x + 1) * gw::cos(4 * z) + 0.1 * gw::sin(9 * z), z)));
+            data.positions.push_back(vec3(
+                dvec3(x, 0.25 * gw::sin(5 * x + 1) * gw::cos(4 * z) + 0.1 * gw::sin(9 * z), z)));
         }
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < n; ++k)

@@ -1,8 +1,8 @@
 #include "study/hemicube.h"
 
 #include "gw/base/elementary.h"
-#include "radiosity/model/figures.h"
 #include "radiosity/hemicube/form_factors.h"
+#include "radiosity/model/figures.h"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,8 @@ radiosity::Model wall() {
     return radiosity::make_model(scene, {.texels_per_unit = texels});
 }
 
-/// Howell B-4 as an indefinite integral: a point's form factor to a rectangle at distance 1 parallel to it.
+/// Howell B-4 as an indefinite integral: a point's form factor to a rectangle at distance 1
+/// parallel to it.
 double corner(double x, double y) {
     const double a = std::sqrt(1 + x * x), b = std::sqrt(1 + y * y);
     return (x / a * atan2(y / a, 1) + y / b * atan2(x / b, 1)) / (2 * pi);
@@ -37,8 +38,8 @@ std::vector<double> exact(const radiosity::Model& model) {
     for (int y = 0; y < model.pixmaps[0].height; ++y)
         for (int x = 0; x < model.pixmaps[0].width; ++x) {
             const dvec3 p = facet.at(dvec2(x, y)), q = facet.at(dvec2(x + 1, y + 1));
-            factors[model.pixmaps[0].texel(x, y)] =
-                std::abs((corner(q.x, q.z) - corner(p.x, q.z)) - (corner(q.x, p.z) - corner(p.x, p.z)));
+            factors[model.pixmaps[0].texel(x, y)] = std::abs((corner(q.x, q.z) - corner(p.x, q.z)) -
+                                                             (corner(q.x, p.z) - corner(p.x, p.z)));
         }
     return factors;
 }
@@ -47,10 +48,11 @@ struct Deviation {
     double squares = 0, missed = 0;
 };
 
-Deviation deviation(const radiosity::Model& model, const std::vector<double>& truth, int size, int parts,
-                    int turn) {
-    radiosity::FormFactors factors(
-        model, {.hemicube = size, .scan = {.most_parts = parts}, .seed = static_cast<std::uint64_t>(turn)});
+Deviation deviation(const radiosity::Model& model, const std::vector<double>& truth, int size,
+                    int parts, int turn) {
+    radiosity::FormFactors factors(model, {.hemicube = size,
+                                           .scan = {.most_parts = parts},
+                                           .seed = static_cast<std::uint64_t>(turn)});
     const radiosity::Row row = factors.from_points({{{0, 0, 0}, {0, 1, 0}, 1, 0.1}}, 0);
     std::vector<double> found(truth.size());
     for (std::size_t i = 0; i < row.texels.size(); ++i) found[row.texels[i]] = row.factors[i];
@@ -62,7 +64,8 @@ Deviation deviation(const radiosity::Model& model, const std::vector<double>& tr
     return d;
 }
 
-plot::Series series(const std::vector<HemicubeError>& rows, const char* name, double HemicubeError::*value) {
+plot::Series series(const std::vector<HemicubeError>& rows, const char* name,
+                    double HemicubeError::*value) {
     plot::Series line{.name = name, .points = {}};
     for (const HemicubeError& row : rows)
         if (row.*value > 0) line.points.push_back({double(row.size), row.*value});
@@ -96,17 +99,18 @@ std::vector<HemicubeError> hemicube_errors(const std::vector<int>& sizes, int tu
 }
 
 plot::Plot hemicube_plot(const std::vector<HemicubeError>& rows) {
-    plot::Plot plot{
-        .title = "Form factors of texels: error against hemicube resolution",
-        .caption = fmt::format("A point before a wall of {0} x {0} texels at distance 1; n = {1:.0f} "
-                               "pixels across a texel at the right end.",
-                               int(2 * half * texels), rows.back().pixels),
-        .x = {.label = "pixels across the hemicube", .log = 2},
-        .y = {.label = "share", .log = 10}};
-    for (const auto& [name, value] : {std::pair{"rms error, as drawn", &HemicubeError::rms_drawn},
-                                      {"rms error, oversampled", &HemicubeError::rms_oversampled},
-                                      {"texels missed, as drawn", &HemicubeError::missed_drawn},
-                                      {"texels missed, oversampled", &HemicubeError::missed_oversampled}}) {
+    plot::Plot plot{.title = "Form factors of texels: error against hemicube resolution",
+                    .caption = fmt::format(
+                        "A point before a wall of {0} x {0} texels at distance 1; n = {1:.0f} "
+                        "pixels across a texel at the right end.",
+                        int(2 * half * texels), rows.back().pixels),
+                    .x = {.label = "pixels across the hemicube", .log = 2},
+                    .y = {.label = "share", .log = 10}};
+    for (const auto& [name, value] :
+         {std::pair{"rms error, as drawn", &HemicubeError::rms_drawn},
+          {"rms error, oversampled", &HemicubeError::rms_oversampled},
+          {"texels missed, as drawn", &HemicubeError::missed_drawn},
+          {"texels missed, oversampled", &HemicubeError::missed_oversampled}}) {
         plot::Series line = series(rows, name, value);
         if (!line.points.empty()) plot.series.push_back(std::move(line));
     }

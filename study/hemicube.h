@@ -1,5 +1,5 @@
-// The error of a hemicube's form factors against its resolution, as drawn and oversampled [F2.2, F2.2o]:
-// from a point to each texel of a wall, whose form factors have a closed form.
+// The error of a hemicube's form factors against its resolution, as drawn and oversampled [F2.2,
+// F2.2o]: from a point to each texel of a wall, whose form factors have a closed form.
 #pragma once
 
 #include "study/plot/plot.h"
@@ -12,9 +12,11 @@ namespace gw::study {
 
 /// Means over the turns of the hemicube.
 struct HemicubeError {
-    int size = 0;                                     ///< pixels across the hemicube
-    double pixels = 0;                                ///< of the top, across a texel: n = R s / (2 d)
-    double rms_drawn = 0, rms_oversampled = 0;        ///< error of a texel, in parts of its form factor
+    int size = 0;  ///< pixels across the hemicube
+    /// of the top, across a texel: n = R s / (2 d)
+    double pixels = 0;
+    /// error of a texel, in parts of its form factor
+    double rms_drawn = 0, rms_oversampled = 0;
     double missed_drawn = 0, missed_oversampled = 0;  ///< share of the texels that get nothing
 };
 std::vector<HemicubeError> hemicube_errors(const std::vector<int>& sizes, int turns,

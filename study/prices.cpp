@@ -21,7 +21,8 @@ constexpr double seconds_a_month = 30.0 * 24 * 3600, megabyte = 1048576;
 /// A table's arrays of tables of one name.
 Key tables_key(const std::string& name, const std::function<void(const TomlValue&)>& read) {
     return {name, [read](const TomlValue& value) {
-                if (value.kind != scene::TomlKind::Array) value.fail_expected("tables [[" + value.key + "]]");
+                if (value.kind != scene::TomlKind::Array)
+                    value.fail_expected("tables [[" + value.key + "]]");
                 for (const TomlValue& table : value.elements) read(table);
             }};
 }
@@ -33,10 +34,11 @@ void read_price(const TomlValue& table, PriceList& list) {
     names.insert(names.end(), {"machine", "memory"});
     const TomlValue* named = table.find("what");
     if (!named) table.fail("a price without 'what'; expected what = \"add\" or another operation");
-    scene::read_table(table, {{"what", [&](const TomlValue& value) { what = scene::to_word(value, names); }},
-                              key("value", price.value, scene::Range{1e-12, 1e12}),
-                              key("estimate", price.estimate),
-                              key("source", price.source)});
+    scene::read_table(
+        table, {{"what", [&](const TomlValue& value) { what = scene::to_word(value, names); }},
+                key("value", price.value, scene::Range{1e-12, 1e12}),
+                key("estimate", price.estimate),
+                key("source", price.source)});
     if (price.value == 0)
         table.fail("the price of '" + names[what] + "' has no value; expected value = a number");
     if (price.source.empty())
@@ -61,7 +63,8 @@ void read_recipe(const TomlValue& table, Recipes& recipes) {
     std::vector<Key> keys{
         {"count", [&](const TomlValue& value) { counter = scene::to_word(value, counters); }},
         key("why", why)};
-    for (const std::string& name : operations) keys.push_back(key(name, recipe[name], scene::Range{0, 1e6}));
+    for (const std::string& name : operations)
+        keys.push_back(key(name, recipe[name], scene::Range{0, 1e6}));
     scene::read_table(table, keys);
     if (!recipes.emplace(counters[counter], recipe).second)
         table.fail("a second recipe for '" + counters[counter] + "'; expected one");
@@ -85,21 +88,23 @@ const Cost* cost_in(const Ranking& ranking, const std::string& name) {
 PriceList read_prices(const std::filesystem::path& file) {
     const TomlValue toml = scene::read_toml_file(file);
     PriceList list;
-    scene::read_table(toml, {key("name", list.name), key("machine", list.machine),
-                             tables_key("price", [&](const TomlValue& table) { read_price(table, list); })});
+    scene::read_table(
+        toml, {key("name", list.name), key("machine", list.machine),
+               tables_key("price", [&](const TomlValue& table) { read_price(table, list); })});
     if (list.name.empty()) toml.fail("no name; expected name = \"...\"");
     std::vector<std::string> names = operations;
     names.insert(names.end(), {"machine", "memory"});
     for (const std::string& name : names)
-        if (list.prices.count(name) == 0) toml.fail("no price of '" + name + "'; expected a [[price]] of it");
+        if (list.prices.count(name) == 0)
+            toml.fail("no price of '" + name + "'; expected a [[price]] of it");
     return list;
 }
 
 Recipes read_recipes(const std::filesystem::path& file) {
     Recipes recipes;
     const TomlValue toml = scene::read_toml_file(file);
-    scene::read_table(toml,
-                      {tables_key("recipe", [&](const TomlValue& table) { read_recipe(table, recipes); })});
+    scene::read_table(
+        toml, {tables_key("recipe", [&](const TomlValue& table) { read_recipe(table, recipes); })});
     if (recipes.empty()) toml.fail("no recipe; expected [[recipe]]");
     return recipes;
 }
@@ -129,8 +134,9 @@ std::vector<Ranking> rankings(const Growth& growth, const std::string& axis, boo
         all.back().algorithms.emplace_back(p.algorithm, cost_of(p, list, recipes));
     }
     for (Ranking& ranking : all)
-        std::stable_sort(ranking.algorithms.begin(), ranking.algorithms.end(),
-                         [](const auto& a, const auto& b) { return a.second.dollars < b.second.dollars; });
+        std::stable_sort(
+            ranking.algorithms.begin(), ranking.algorithms.end(),
+            [](const auto& a, const auto& b) { return a.second.dollars < b.second.dollars; });
     return all;
 }
 
@@ -139,15 +145,18 @@ std::vector<Flip> flips(const std::vector<Ranking>& rankings, std::size_t places
     for (std::size_t i = 0; i + 1 < rankings.size(); ++i) {
         const Ranking &from = rankings[i], &to = rankings[i + 1];
         const auto in_front = [&](const Ranking& r, const std::string& name) {
-            const auto end = r.algorithms.begin() + std::ptrdiff_t(std::min(places, r.algorithms.size()));
-            return std::any_of(r.algorithms.begin(), end, [&](const auto& a) { return a.first == name; });
+            const auto end =
+                r.algorithms.begin() + std::ptrdiff_t(std::min(places, r.algorithms.size()));
+            return std::any_of(r.algorithms.begin(), end,
+                               [&](const auto& a) { return a.first == name; });
         };
         for (std::size_t a = 0; a < from.algorithms.size(); ++a)
             for (std::size_t b = a + 1; b < from.algorithms.size(); ++b) {
                 const auto& [name_a, cost_a] = from.algorithms[a];
                 const auto& [name_b, cost_b] = from.algorithms[b];
                 const Cost *later_a = cost_in(to, name_a), *later_b = cost_in(to, name_b);
-                if (!later_a || !later_b || later_b->dollars >= later_a->dollars || cost_a.dollars <= 0)
+                if (!later_a || !later_b || later_b->dollars >= later_a->dollars ||
+                    cost_a.dollars <= 0)
                     continue;
                 if ((in_front(from, name_a) && in_front(from, name_b)) ||
                     (in_front(to, name_a) && in_front(to, name_b)))
@@ -156,21 +165,23 @@ std::vector<Flip> flips(const std::vector<Ranking>& rankings, std::size_t places
                                              {cost_b.dollars, later_b->dollars})});
             }
     }
-    std::stable_sort(found.begin(), found.end(), [](const Flip& a, const Flip& b) { return a.x < b.x; });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Flip& a, const Flip& b) { return a.x < b.x; });
     return found;
 }
 
-plot::Plot cost_plot(const std::vector<Ranking>& rankings, const GrowthAxis& axis, const PriceList& list,
-                     bool lines) {
-    plot::Plot plot{.title = fmt::format("{}cost of a picture against {}, prices of {}",
-                                         lines ? "Lines: " : "", axis.name, list.name),
-                    .caption = list.machine +
-                               ". Estimated: counters times operations times prices; machine and memory "
-                               "rented for the time of a picture.",
-                    .command = "",
-                    .x = {axis.label, axis.log},
-                    .y = {"dollars", 10},
-                    .series = {}};
+plot::Plot cost_plot(const std::vector<Ranking>& rankings, const GrowthAxis& axis,
+                     const PriceList& list, bool lines) {
+    plot::Plot plot{
+        .title = fmt::format("{}cost of a picture against {}, prices of {}", lines ? "Lines: " : "",
+                             axis.name, list.name),
+        .caption = list.machine +
+                   ". Estimated: counters times operations times prices; machine and memory "
+                   "rented for the time of a picture.",
+        .command = "",
+        .x = {axis.label, axis.log},
+        .y = {"dollars", 10},
+        .series = {}};
     for (const Ranking& ranking : rankings)
         for (const auto& algorithm : ranking.algorithms) {
             const std::string& name = algorithm.first;

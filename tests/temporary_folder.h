@@ -1,4 +1,5 @@
-// A folder of a test's own, gone at its end. No two are the same, so that tests may run beside each other.
+// A folder of a test's own, gone at its end. No two are the same, so that tests may run beside each
+// other.
 #pragma once
 
 #include <sys/xattr.h>
@@ -18,7 +19,8 @@ class TemporaryFolder {
 public:
     TemporaryFolder() {
         std::string name = (std::filesystem::temp_directory_path() / "gw-test-XXXXXX").string();
-        if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder can be made: " + name);
+        if (!::mkdtemp(name.data()))
+            throw std::runtime_error("no temporary folder can be made: " + name);
         path_ = name;
     }
     ~TemporaryFolder() { std::filesystem::remove_all(path_); }
@@ -45,7 +47,9 @@ public:
     }
 
     /// Whether its file system keeps extended attributes, asked without our own code.
-    bool keeps_attributes() const { return ::setxattr(path_.c_str(), "user.probe", "1", 1, 0) == 0; }
+    bool keeps_attributes() const {
+        return ::setxattr(path_.c_str(), "user.probe", "1", 1, 0) == 0;
+    }
 
 private:
     std::filesystem::path path_;

@@ -1,4 +1,5 @@
-// CLI11's application, for declarations: its own header takes a compiler seconds. Does not define it.
+// CLI11's application, for declarations: its own header takes a compiler seconds. Does not define
+// it.
 #pragma once
 
 namespace CLI {

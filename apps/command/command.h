@@ -1,5 +1,5 @@
-// What the files of the subcommands and main have in common. One file per subcommand: info.cpp, render.cpp,
-// ... Does not know what any of them does.
+// What the files of the subcommands and main have in common. One file per subcommand: info.cpp,
+// render.cpp, ... Does not know what any of them does.
 #pragma once
 
 #include "apps/command/cli_fwd.h"
@@ -13,7 +13,8 @@ namespace gw::apps {
 
 enum ExitCode { done = 0, failed = 1, usage = 2, differs = 3 };
 
-/// The command line is wrong, whatever the files hold: exit code 2. Readers and writers throw gw::Error: 1.
+/// The command line is wrong, whatever the files hold: exit code 2. Readers and writers throw
+/// gw::Error: 1.
 class UsageError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

@@ -24,7 +24,9 @@ std::vector<inspect::ParameterSet> noted;
 class TapedMachine : public inspect::Recorder {
 public:
     TapedMachine(std::unique_ptr<Machine> machine, std::shared_ptr<Track> track)
-        : Recorder(*machine, track->lists), machine_(std::move(machine)), track_(std::move(track)) {}
+        : Recorder(*machine, track->lists),
+          machine_(std::move(machine)),
+          track_(std::move(track)) {}
 
 private:
     std::unique_ptr<Machine> machine_;

@@ -1,4 +1,5 @@
-// What a command executes on its machines, kept: a command runs for its recordings. Does not write files.
+// What a command executes on its machines, kept: a command runs for its recordings. Does not write
+// files.
 #pragma once
 
 #include "inspect/recording/recording.h"
@@ -14,8 +15,8 @@ class Machine;
 
 namespace gw::apps {
 
-/// While one lives, all that is executed on machines that `taped` returns is kept. One at a time; the
-/// machines may be used by one thread each.
+/// While one lives, all that is executed on machines that `taped` returns is kept. One at a time;
+/// the machines may be used by one thread each.
 class Tape {
 public:
     Tape();
@@ -23,8 +24,10 @@ public:
     Tape(const Tape&) = delete;
     Tape& operator=(const Tape&) = delete;
 
-    /// Of every machine, in the order in which they were made; those that executed nothing are left out.
-    /// `scene` and `renderer` are names for the recordings. Gives them away: the tape is empty afterwards.
+    /// Of every machine, in the order in which they were made; those that executed nothing are left
+    /// out.
+    /// `scene` and `renderer` are names for the recordings. Gives them away: the tape is empty
+    /// afterwards.
     std::vector<inspect::Recording> take(const std::string& scene, const std::string& renderer);
 };
 

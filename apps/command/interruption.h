@@ -6,8 +6,8 @@
 
 namespace gw::apps {
 
-/// While one lives, SIGINT, SIGTERM and SIGHUP write the last text to stderr before they end the process as
-/// they would have without it.
+/// While one lives, SIGINT, SIGTERM and SIGHUP write the last text to stderr before they end the
+/// process as they would have without it.
 class Interruption {
 public:
     Interruption();

@@ -8,8 +8,8 @@
 
 namespace gw::apps {
 
-/// After parsing with allow_extras: "unknown option --siez of gw render; the nearest known is --size", or
-/// none.
+/// After parsing with allow_extras: "unknown option --siez of gw render; the nearest known is
+/// --size", or none.
 std::optional<std::string> mistyped(const CLI::App& app);
 
 }  // namespace gw::apps

@@ -15,7 +15,8 @@ namespace gw::apps {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& option, const std::string& word, const std::string& expected) {
+[[noreturn]] void refuse(const std::string& option, const std::string& word,
+                         const std::string& expected) {
     throw UsageError(fmt::format("{} '{}': expected {}", option, scene::printable(word), expected));
 }
 
@@ -33,9 +34,12 @@ Size size_from(const std::string& option, const std::string& word) {
     const std::size_t x = std::min(word.find('x'), word.size());
     const auto width = parse<int>(std::string_view(word).substr(0, x));
     const auto height = parse<int>(std::string_view(word).substr(std::min(x + 1, word.size())));
-    const auto fits = [](std::optional<int> side) { return side && *side >= 1 && *side <= max_window_size; };
+    const auto fits = [](std::optional<int> side) {
+        return side && *side >= 1 && *side <= max_window_size;
+    };
     if (!fits(width) || !fits(height)) {
-        refuse(option, word, fmt::format("WIDTHxHEIGHT, both 1..{}, such as 640x480", max_window_size));
+        refuse(option, word,
+               fmt::format("WIDTHxHEIGHT, both 1..{}, such as 640x480", max_window_size));
     }
     return {*width, *height};
 }
@@ -48,10 +52,12 @@ int whole_number_from(const std::string& option, const std::string& word, int lo
     return *number;
 }
 
-std::pair<int, int> range_from(const std::string& option, const std::string& word, int low, int high) {
+std::pair<int, int> range_from(const std::string& option, const std::string& word, int low,
+                               int high) {
     const std::size_t dash = std::min(word.find('-'), word.size());
     const auto first = parse<int>(std::string_view(word).substr(0, dash));
-    const auto last = dash < word.size() ? parse<int>(std::string_view(word).substr(dash + 1)) : first;
+    const auto last =
+        dash < word.size() ? parse<int>(std::string_view(word).substr(dash + 1)) : first;
     if (!first || !last || *first < low || *last < *first || *last > high)
         refuse(option, word, fmt::format("A-B, such as {}-{}, both {}..{}", low, high, low, high));
     return {*first, *last};
@@ -70,7 +76,8 @@ dvec3 point_from(const std::string& option, const std::string& word) {
     std::string_view rest = word;
     for (int i = 0; i < 3; ++i) {
         const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
-        const auto number = comma == rest.npos ? std::nullopt : parse<double>(rest.substr(0, comma));
+        const auto number =
+            comma == rest.npos ? std::nullopt : parse<double>(rest.substr(0, comma));
         if (!number || !std::isfinite(*number)) refuse(option, word, "X,Y,Z, such as 0,1.5,-4");
         point[i] = *number;
         if (i < 2) rest.remove_prefix(comma + 1);

@@ -1,5 +1,5 @@
-// Words of the command line as values. Each throws UsageError "--size 0x0: expected ...", which is exit
-// code 2. Does not know the options: they pass their names for the message.
+// Words of the command line as values. Each throws UsageError "--size 0x0: expected ...", which is
+// exit code 2. Does not know the options: they pass their names for the message.
 #pragma once
 
 #include "gw/base/types.h"
@@ -19,12 +19,14 @@ Size size_from(const std::string& option, const std::string& word);
 
 int whole_number_from(const std::string& option, const std::string& word, int low, int high);
 /// "3-7" or "3": first and last, low <= first <= last <= high.
-std::pair<int, int> range_from(const std::string& option, const std::string& word, int low, int high);
+std::pair<int, int> range_from(const std::string& option, const std::string& word, int low,
+                               int high);
 /// Finite, low .. high.
 double number_from(const std::string& option, const std::string& word, double low, double high);
 /// "1,2.5,-3"
 dvec3 point_from(const std::string& option, const std::string& word);
 /// One of `known`; else the message lists them.
-std::string one_of(const std::string& option, const std::string& word, const std::vector<std::string>& known);
+std::string one_of(const std::string& option, const std::string& word,
+                   const std::vector<std::string>& known);
 
 }  // namespace gw::apps

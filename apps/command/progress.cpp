@@ -32,8 +32,8 @@ void Progress::show() {
             if (seconds > 1) print_error(to_line_start_and_clear);
             return;
         }
-        print_error(std::string(to_line_start_and_clear) + "gw: " + what_ + ", " + std::to_string(seconds) +
-                    " s");
+        print_error(std::string(to_line_start_and_clear) + "gw: " + what_ + ", " +
+                    std::to_string(seconds) + " s");
     }
 }
 

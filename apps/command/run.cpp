@@ -26,9 +26,10 @@ int report(ExitCode code, std::string what) {
 }
 
 void add_commands(CLI::App& app, std::vector<Command>& commands) {
-    for (auto add : {add_render,  add_passes,  add_record, add_replay, add_verify, add_diff,    add_pixel,
-                     add_maps,    add_inspect, add_hidden, add_styles, add_cast,   add_compare, add_radiosity,
-                     add_figures, add_index,   add_study,  add_golden, add_info,   add_describe}) {
+    for (auto add :
+         {add_render,  add_passes,  add_record, add_replay, add_verify, add_diff,    add_pixel,
+          add_maps,    add_inspect, add_hidden, add_styles, add_cast,   add_compare, add_radiosity,
+          add_figures, add_index,   add_study,  add_golden, add_info,   add_describe}) {
         commands.push_back(add(app));
         commands.back().app->allow_extras();  // so that `mistyped` sees the word
     }

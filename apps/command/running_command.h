@@ -1,5 +1,5 @@
-// The command line that is being run, for captions: of folders (folder_index.h), and noted on every file that
-// is written meanwhile (image/output/origin.h). Does not parse or run it.
+// The command line that is being run, for captions: of folders (folder_index.h), and noted on every
+// file that is written meanwhile (image/output/origin.h). Does not parse or run it.
 #pragma once
 
 #include <string>

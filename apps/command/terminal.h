@@ -17,7 +17,8 @@ public:
 /// Throws Error when something printed did not arrive.
 void flush_output();
 
-/// Where the process was started with closed standard streams: a file of ours must not become one of them.
+/// Where the process was started with closed standard streams: a file of ours must not become one
+/// of them.
 void hold_standard_streams();
 
 void print_error(std::string_view text);

@@ -28,8 +28,8 @@ std::string value_cases(const std::vector<DescribedCommand>& commands) {
     for (const DescribedCommand& command : commands)
         for (const DescribedOption& option : command.options)
             if (!option.positional && !option.values.empty())
-                lines += fmt::format("        {}:{}) words=\"{}\" ;;\n", command.name, option.words.back(),
-                                     fmt::join(option.values, " "));
+                lines += fmt::format("        {}:{}) words=\"{}\" ;;\n", command.name,
+                                     option.words.back(), fmt::join(option.values, " "));
     return lines;
 }
 
@@ -48,7 +48,8 @@ std::string zsh_text(const std::string& text) {
 }
 
 std::string zsh_argument(const DescribedOption& option) {
-    if (!option.values.empty()) return fmt::format(":{}:({})", option.type, fmt::join(option.values, " "));
+    if (!option.values.empty())
+        return fmt::format(":{}:({})", option.type, fmt::join(option.values, " "));
     return fmt::format(":{}:_files", zsh_text(option.type.empty() ? "file" : option.type));
 }
 
@@ -56,8 +57,9 @@ std::string zsh_option(const DescribedOption& option) {
     if (option.positional) return fmt::format("        '{}'", zsh_argument(option));
     std::string lines;
     for (const std::string& word : option.words)
-        lines += fmt::format("{}        '{}[{}]{}'", lines.empty() ? "" : " \\\n", word,
-                             zsh_text(option.about), option.type.empty() ? "" : zsh_argument(option));
+        lines +=
+            fmt::format("{}        '{}[{}]{}'", lines.empty() ? "" : " \\\n", word,
+                        zsh_text(option.about), option.type.empty() ? "" : zsh_argument(option));
     return lines;
 }
 
@@ -73,7 +75,8 @@ std::string bash_completion(const CLI::App& root) {
     const auto commands = described_commands(root);
     std::string options;
     for (const DescribedCommand& command : commands)
-        options += fmt::format("            {}) words=\"{}\" ;;\n", command.name, dashed_words(command));
+        options +=
+            fmt::format("            {}) words=\"{}\" ;;\n", command.name, dashed_words(command));
     return fmt::format(R"(# bash completion of gw; made by gw describe bash
 _gw() {{
     local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} command=${{COMP_WORDS[1]}} words=

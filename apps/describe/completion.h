@@ -1,4 +1,5 @@
-// Scripts with which bash and zsh complete commands, options, their words and files. Does not run anything.
+// Scripts with which bash and zsh complete commands, options, their words and files. Does not run
+// anything.
 #pragma once
 
 #include "apps/command/cli_fwd.h"

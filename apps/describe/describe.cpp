@@ -1,10 +1,10 @@
-// gw describe: the command's own words for a shell that completes them and for man. Built from the same
-// options as --help.
+// gw describe: the command's own words for a shell that completes them and for man. Built from the
+// same options as --help.
 #include "apps/command/command.h"
+#include "apps/command/option_values.h"
+#include "apps/command/terminal.h"
 #include "apps/describe/completion.h"
 #include "apps/describe/man_page.h"
-#include "apps/command/terminal.h"
-#include "apps/command/option_values.h"
 
 #include <CLI/CLI.hpp>
 
@@ -21,7 +21,8 @@ std::string described(const CLI::App& root, const std::string& form) {
 }  // namespace
 
 Command add_describe(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("describe", "Completion for bash and zsh, and the man page");
+    CLI::App* command =
+        app.add_subcommand("describe", "Completion for bash and zsh, and the man page");
     const auto form = std::make_shared<std::string>();
     command
         ->add_option_function<std::string>(

@@ -1,4 +1,5 @@
-// The commands and options of gw as plain data, for whatever describes them. Reads what CLI11 was told.
+// The commands and options of gw as plain data, for whatever describes them. Reads what CLI11 was
+// told.
 #pragma once
 
 #include "apps/command/cli_fwd.h"

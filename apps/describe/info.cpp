@@ -16,10 +16,11 @@ namespace {
 
 std::string extensions_of(const Profile& profile) {
     std::string names;
-    for (const auto& [has, name] : {std::pair(profile.extensions.polygon_offset, "polygon_offset"),
-                                    std::pair(profile.extensions.shadow_texture, "shadow_texture"),
-                                    std::pair(profile.extensions.stencil_wrap, "stencil_wrap"),
-                                    std::pair(profile.extensions.two_sided_stencil, "two_sided_stencil")}) {
+    for (const auto& [has, name] :
+         {std::pair(profile.extensions.polygon_offset, "polygon_offset"),
+          std::pair(profile.extensions.shadow_texture, "shadow_texture"),
+          std::pair(profile.extensions.stencil_wrap, "stencil_wrap"),
+          std::pair(profile.extensions.two_sided_stencil, "two_sided_stencil")}) {
         if (has) names += (names.empty() ? "" : " ") + std::string(name);
     }
     return names.empty() ? "none" : names;
@@ -51,19 +52,21 @@ std::string text() {
     for (const Row& row : rows) {
         out += line(row.title, [&](const Profile& p) { return std::to_string(p.*row.bits); });
     }
-    out += line("fog factor", [](const Profile& p) { return p.fragment_fog ? "fragment" : "vertex"; });
+    out +=
+        line("fog factor", [](const Profile& p) { return p.fragment_fog ? "fragment" : "vertex"; });
     out += line("Gouraud colour, linear in",
                 [](const Profile& p) { return p.perspective_color ? "space" : "screen"; });
     for (const Profile& p : profiles())
         out += fmt::format("  extensions of {:<26}{}\n", p.name, extensions_of(p));
-    out += fmt::format("\nwindow {0} x {0} at most\nthreads {1}\nvectors {2}\n\nmade with\n", max_window_size,
-                       std::thread::hardware_concurrency(), simd_target());
+    out += fmt::format("\nwindow {0} x {0} at most\nthreads {1}\nvectors {2}\n\nmade with\n",
+                       max_window_size, std::thread::hardware_concurrency(), simd_target());
     for (const auto& [name, number] : versions()) out += fmt::format("  {:<16}{}\n", name, number);
     return out;
 }
 
 std::string json() {
-    nlohmann::ordered_json json{{"version", version()}, {"profiles", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json{{"version", version()},
+                                {"profiles", nlohmann::ordered_json::array()}};
     for (const Profile& profile : profiles()) json["profiles"].push_back(inspect::json_of(profile));
     json["max_window_size"] = max_window_size;
     json["threads"] = std::thread::hardware_concurrency();

@@ -1,7 +1,7 @@
 #include "apps/describe/man_page.h"
 
-#include "apps/describe/described.h"
 #include "apps/command/versions.h"
+#include "apps/describe/described.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -44,7 +44,8 @@ std::string option_entry(const DescribedOption& option) {
 }
 
 std::string command_section(const DescribedCommand& command) {
-    std::string section = fmt::format(".SS gw {}\n{}\n", roff(command.name), roff_lines(command.about));
+    std::string section =
+        fmt::format(".SS gw {}\n{}\n", roff(command.name), roff_lines(command.about));
     for (const DescribedOption& option : command.options) section += option_entry(option);
     return section + fmt::format(".PP\n{}\n", roff_lines(command.footer));
 }
@@ -57,7 +58,8 @@ std::string man_page(const CLI::App& root) {
         "SYNOPSIS\n"
         ".B gw\n\\fICOMMAND\\fR [\\fIOPTION\\fR]...\n.SH COMMANDS\n",
         version(), roff("graphics workstation of 1991 in software, exact to the bit"));
-    for (const DescribedCommand& command : described_commands(root)) page += command_section(command);
+    for (const DescribedCommand& command : described_commands(root))
+        page += command_section(command);
     return page + fmt::format(".SH EXIT STATUS AND EXAMPLE\n{}\n", roff_lines(root.get_footer()));
 }
 

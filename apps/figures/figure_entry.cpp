@@ -24,10 +24,13 @@ std::string counts_of(const std::filesystem::path& file) {
     if (!stream) throw Error(file.string() + ": cannot be read");
     const auto json = nlohmann::json::parse(stream);
     const auto passes = json["passes"].get<std::uint64_t>();
-    const auto sum = [&](const char* name) { return grouped(json["sum"][name].get<std::uint64_t>()); };
-    return fmt::format("{} {}; {} triangles and lines drawn, {} fragments, {} written, {} texels, {} bytes",
-                       grouped(passes), passes == 1 ? "pass" : "passes", sum("drawn"), sum("fragments"),
-                       sum("written"), sum("texels"), sum("bytes"));
+    const auto sum = [&](const char* name) {
+        return grouped(json["sum"][name].get<std::uint64_t>());
+    };
+    return fmt::format(
+        "{} {}; {} triangles and lines drawn, {} fragments, {} written, {} texels, {} bytes",
+        grouped(passes), passes == 1 ? "pass" : "passes", sum("drawn"), sum("fragments"),
+        sum("written"), sum("texels"), sum("bytes"));
 }
 
 }  // namespace

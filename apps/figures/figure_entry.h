@@ -1,4 +1,5 @@
-// A figure as an entry of its folder's index: pictures, commands, what these counted. Does not draw.
+// A figure as an entry of its folder's index: pictures, commands, what these counted. Does not
+// draw.
 #pragma once
 
 #include "apps/figures/figure_table.h"

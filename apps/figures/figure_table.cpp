@@ -9,10 +9,11 @@ const std::vector<Figure>& figures() {
          "K2 K3",
          "Figure 1: a red map and a white gloss",
          "One pass of the hardware multiplies everything by the map, the gloss too: it turns red, and the "
-         "rings look dull. "
-         "Multi-pass adds the gloss by a pass of its own.",
-         {{"render scenes/rings_plain.toml --renderer hardware -o @a.png", {{"a.png", "(a) no map"}}},
-          {"render scenes/rings.toml --renderer hardware -o @b.png", {{"b.png", "(b) one pass: equation 1"}}},
+         "rings look dull. Multi-pass adds the gloss by a pass of its own.",
+         {{"render scenes/rings_plain.toml --renderer hardware -o @a.png",
+           {{"a.png", "(a) no map"}}},
+          {"render scenes/rings.toml --renderer hardware -o @b.png",
+           {{"b.png", "(b) one pass: equation 1"}}},
           {"render scenes/rings.toml -o @c.png", {{"c.png", "(c) multi-pass: equation 2"}}}}},
         {"fig4",
          "K3.1 K3.2",
@@ -32,8 +33,7 @@ const std::vector<Figure>& figures() {
          "Fog in every pass would leave shadows black. So all components are drawn through black fog; then "
          "all objects, "
          "black and without shadows, through fog of its colour, and that is added: what lies in shadow gets "
-         "its fog, and "
-         "the glass its share.",
+         "its fog, and the glass its share.",
          {{"render scenes/fog.toml -o @fog.png --components @components",
            {{"components/ambient.png", "step 1: ambient, in black fog"},
             {"components/diffuse.png", "step 1: diffuse, in black fog"},
@@ -64,10 +64,10 @@ const std::vector<Figure>& figures() {
          "K3.2",
          "Shadows both ways",
          "Three lights, each with its shadow: a pixel loses the light that does not reach it. By volumes "
-         "counted in the "
-         "stencil buffer, and by the Z-buffers of the lights.",
+         "counted in the stencil buffer, and by the Z-buffers of the lights.",
          {{"render scenes/columns.toml --shadow none -o @none.png", {{"none.png", "no shadows"}}},
-          {"render scenes/columns.toml --shadow volume -o @volume.png", {{"volume.png", "shadow volumes"}}},
+          {"render scenes/columns.toml --shadow volume -o @volume.png",
+           {{"volume.png", "shadow volumes"}}},
           {"render scenes/columns.toml --shadow map -o @map.png", {{"map.png", "shadow maps"}}}}},
         {"soft",
          "K3.3",
@@ -81,7 +81,8 @@ const std::vector<Figure>& figures() {
          "K3.3",
          "Glare",
          "Self-luminous shapes, superposed moved over a disc, or over the rays of a star.",
-         {{"render scenes/glare.toml -o @glare.png", {{"glare.png", "discs and stars around emitters"}}}}},
+         {{"render scenes/glare.toml -o @glare.png",
+           {{"glare.png", "discs and stars around emitters"}}}}},
         {"selective",
          "K3.3",
          "Selective lighting",
@@ -107,20 +108,21 @@ const std::vector<Figure>& figures() {
          "K3.3",
          "A building with 100 lamps",
          "A hundred point lights with attenuation, twelve of them with shadows, on a machine that knows "
-         "eight in one pass: "
-         "multi-pass has no limit.",
+         "eight in one pass: multi-pass has no limit.",
          {{"render scenes/lamps.toml -o @lamps.png", {{"lamps.png", "100 lamps"}}}},
          Size{800, 600}},
         {"focus",
          "K1",
          "Depth of field",
          "The eye moved over a lens, the pictures superposed.",
-         {{"render scenes/focus.toml -o @focus.png --samples 64", {{"focus.png", "sharp in the middle"}}}}},
+         {{"render scenes/focus.toml -o @focus.png --samples 64",
+           {{"focus.png", "sharp in the middle"}}}}},
         {"motion",
          "K1",
          "Motion blur",
          "Objects moved while the shutter is open, with their shadows.",
-         {{"render scenes/motion.toml -o @motion.png --samples 64", {{"motion.png", "64 moments"}}}}},
+         {{"render scenes/motion.toml -o @motion.png --samples 64",
+           {{"motion.png", "64 moments"}}}}},
         {"edges",
          "K1 K4a",
          "Anti-aliasing",
@@ -128,7 +130,8 @@ const std::vector<Figure>& figures() {
          "enlarged.",
          {{"render scenes/edges.toml --size 96x72 -o @1.png", {{"1.png", "1 sample"}}},
           {"render scenes/edges.toml --size 96x72 --samples 4 -o @4.png", {{"4.png", "4 samples"}}},
-          {"render scenes/edges.toml --size 96x72 --samples 64 -o @64.png", {{"64.png", "64 samples"}}}},
+          {"render scenes/edges.toml --size 96x72 --samples 64 -o @64.png",
+           {{"64.png", "64 samples"}}}},
          {}},
         {"convergence",
          "K1 K3.3",
@@ -162,7 +165,8 @@ const std::vector<Figure>& figures() {
          "The Cornell box, by passes",
          "From its published measurements; a soft shadow from the lamp, and ambient light where radiosity "
          "will compute it.",
-         {{"render scenes/cornell.toml -o @cornell.png", {{"cornell.png", "direct light and a constant"}}}},
+         {{"render scenes/cornell.toml -o @cornell.png",
+           {{"cornell.png", "direct light and a constant"}}}},
          Size{480, 480}},
         {"radiosity",
          "F2.2",
@@ -179,8 +183,7 @@ const std::vector<Figure>& figures() {
          "F2.2o",
          "Texels that a coarse ID buffer misses",
          "Figure 3 of the paper: hemicubes of 32 pixels. Where a pixel covers several texels, most of them "
-         "get "
-         "no energy; divided virtually, all of them do.",
+         "get no energy; divided virtually, all of them do.",
          {{"radiosity scenes/radiosity/cornell.toml -o @missed --shots 4 --hemicube 32 --parts 1 --gamma 2.2 "
            "--size 480x480",
            {{"missed/picture.png", "(a) a pixel is one texel"}}},
@@ -203,7 +206,8 @@ const std::vector<Figure>& figures() {
          "K4f",
          "The scene of Figure 9, with maps",
          "444 matte and 77,184 glossy polygons; the studio is a map.",
-         {{"render scenes/fig9.toml --reflections maps -o @fig9.png", {{"fig9.png", "reflection maps"}}}}},
+         {{"render scenes/fig9.toml --reflections maps -o @fig9.png",
+           {{"fig9.png", "reflection maps"}}}}},
         {"fig9",
          "K4 K4i K4f",
          "Figure 9: reflections traced from an item buffer",
@@ -239,8 +243,10 @@ const std::vector<Figure>& figures() {
          "K4 L9",
          "Mirror in mirror",
          "Two mirrors face to face; every further ray shows one more of the other.",
-         {{"render scenes/facing_mirrors.toml --depth 16 -o @mirrors.png", {{"mirrors.png", "sixteen rays"}}},
-          {"render scenes/facing_mirrors.toml -o @second.png", {{"second.png", "to the second ray"}}}}},
+         {{"render scenes/facing_mirrors.toml --depth 16 -o @mirrors.png",
+           {{"mirrors.png", "sixteen rays"}}},
+          {"render scenes/facing_mirrors.toml -o @second.png",
+           {{"second.png", "to the second ray"}}}}},
     };
     return all;
 }

@@ -1,9 +1,9 @@
-// The figures of the papers that this program makes, as a table: one entry each in figure_table.cpp. A new
-// figure is a new entry. Does not draw: figures.cpp runs the commands.
+// The figures of the papers that this program makes, as a table: one entry each in
+// figure_table.cpp. A new figure is a new entry. Does not draw: figures.cpp runs the commands.
 #pragma once
 
-#include "apps/figures/folder_index.h"
 #include "apps/command/option_values.h"
+#include "apps/figures/folder_index.h"
 
 #include <optional>
 #include <string>
@@ -11,10 +11,9 @@
 
 namespace gw::apps {
 
-/// One command, as typed after "gw", and the pictures of it that are shown, in the figure's folder. "@"
-/// stands for the figure's folder, so that
-/// "-o @a.png" becomes "-o DIR/fig1/a.png". For the command render, the size and a file of counters are
-/// added.
+/// One command, as typed after "gw", and the pictures of it that are shown, in the figure's folder.
+/// "@" stands for the figure's folder, so that "-o @a.png" becomes "-o DIR/fig1/a.png". For the
+/// command render, the size and a file of counters are added.
 struct Panel {
     std::string command;
     std::vector<Shown> pictures;

@@ -1,11 +1,11 @@
 // gw figures: the papers' figures into a folder, with a page that shows them.
 #include "apps/command/command.h"
+#include "apps/command/progress.h"
+#include "apps/command/terminal.h"
+#include "apps/describe/shell_words.h"
 #include "apps/figures/figure_entry.h"
 #include "apps/figures/index_page.h"
 #include "apps/figures/panel_words.h"
-#include "apps/command/progress.h"
-#include "apps/describe/shell_words.h"
-#include "apps/command/terminal.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
 
@@ -63,9 +63,10 @@ void add_to_index(const fs::path& folder, IndexEntry entry) {
     image::OutputSet output;
     output.add(folder / index_file).write_text(to_json(index));
     output.add(folder / "index.html")
-        .write_text(index_page(index, {"The figures",
-                                       "Each command works from the root of the repository. Rows in brackets "
-                                       "are those of docs/papers.md."}));
+        .write_text(index_page(
+            index, {"The figures",
+                    "Each command works from the root of the repository. Rows in brackets "
+                    "are those of docs/papers.md."}));
     output.commit();
 }
 
@@ -75,8 +76,8 @@ void make_figure(const Figure& figure, const FiguresOptions& options, Progress& 
     make_folder(folder);
     std::vector<RanPanel> panels;
     for (const Panel& panel : figure.panels) {
-        progress.at(
-            fmt::format("{}, {}, {} of {}", which, figure.name, panels.size() + 1, figure.panels.size()));
+        progress.at(fmt::format("{}, {}, {} of {}", which, figure.name, panels.size() + 1,
+                                figure.panels.size()));
         panels.push_back(run_panel(panel, options, figure, panels.size()));
     }
     add_to_index(options.folder, figure_entry(figure, options.folder, panels));
@@ -107,11 +108,13 @@ Command add_figures(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("figures", "The figures of the papers, with a page that shows them");
     const auto options = std::make_shared<FiguresOptions>();
-    command->add_option("DIR", options->folder, "Where to; made where it is missing")->type_name("DIR");
+    command->add_option("DIR", options->folder, "Where to; made where it is missing")
+        ->type_name("DIR");
     add_only_option(*command, options->only);
     command
         ->add_option_function<std::string>(
-            "--size", [options](const std::string& word) { options->size = size_from("--size", word); },
+            "--size",
+            [options](const std::string& word) { options->size = size_from("--size", word); },
             "Pixels of each picture (default: what suits the figure)")
         ->type_name("WxH");
     command->add_flag("--list", options->list, "Print names, rows and titles, and draw nothing");

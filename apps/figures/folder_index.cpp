@@ -1,8 +1,8 @@
 #include "apps/figures/folder_index.h"
 
-#include "apps/figures/index_page.h"
 #include "apps/command/running_command.h"
 #include "apps/describe/shell_words.h"
+#include "apps/figures/index_page.h"
 #include "gw/error.h"
 
 #include <nlohmann/json.hpp>
@@ -24,9 +24,11 @@ Json json_of(const IndexEntry& entry) {
     for (const Shown& shown : entry.pictures)
         pictures.push_back({{"file", shown.file}, {"label", shown.label}});
     for (const IndexedCommand& c : entry.commands)
-        commands.push_back({{"command", c.command}, {"counts", c.counts}, {"counters", c.counters}});
-    return {{"name", entry.name},   {"title", entry.title}, {"row", entry.row},   {"text", entry.text},
-            {"pictures", pictures}, {"files", entry.files}, {"page", entry.page}, {"commands", commands}};
+        commands.push_back(
+            {{"command", c.command}, {"counts", c.counts}, {"counters", c.counters}});
+    return {{"name", entry.name}, {"title", entry.title}, {"row", entry.row},
+            {"text", entry.text}, {"pictures", pictures}, {"files", entry.files},
+            {"page", entry.page}, {"commands", commands}};
 }
 
 IndexEntry entry_from(const Json& json) {
@@ -85,12 +87,13 @@ FolderIndex read_index(const fs::path& folder) {
     try {
         const Json json = Json::parse(std::ifstream(file, std::ios::binary));
         if (json.at("format") != format_name || json.at("version") != 1)
-            throw Error(file.string(), 0, "is of another kind; expected the index of a folder that gw wrote");
+            throw Error(file.string(), 0,
+                        "is of another kind; expected the index of a folder that gw wrote");
         for (const Json& entry : json.at("entries")) index.push_back(entry_from(entry));
     } catch (const Json::exception& error) {
-        throw Error(
-            file.string(), 0,
-            std::string("is not an index that gw wrote (") + error.what() + "); expected none or one");
+        throw Error(file.string(), 0,
+                    std::string("is not an index that gw wrote (") + error.what() +
+                        "); expected none or one");
     }
     return index;
 }
@@ -113,14 +116,16 @@ void add_entry(FolderIndex& index, IndexEntry entry) {
     } else {
         index.push_back(std::move(entry));
     }
-    std::erase_if(
-        index, [](const IndexEntry& e) { return e.pictures.empty() && e.files.empty() && e.page.empty(); });
+    std::erase_if(index, [](const IndexEntry& e) {
+        return e.pictures.empty() && e.files.empty() && e.page.empty();
+    });
 }
 
 IndexEntry entry_of(const std::vector<fs::path>& files, const fs::path& folder) {
     IndexEntry entry;
     for (const fs::path& file : files) {
-        const fs::path relative = file.lexically_normal().lexically_relative(folder.lexically_normal());
+        const fs::path relative =
+            file.lexically_normal().lexically_relative(folder.lexically_normal());
         const std::string name = relative.generic_string();
         if (relative.empty() || name.starts_with("..")) continue;
         if (name == "index.html")
@@ -136,7 +141,8 @@ IndexEntry entry_of(const std::vector<fs::path>& files, const fs::path& folder) 
 void caption(IndexEntry& entry, const std::string& command) {
     const std::vector<std::string> words = shell_words(command);
     if (!words.empty()) entry.title = fs::path(words[0]).filename().string();
-    for (std::size_t i = 1; i < std::min<std::size_t>(words.size(), 3) && !words[i].starts_with("-"); ++i)
+    for (std::size_t i = 1;
+         i < std::min<std::size_t>(words.size(), 3) && !words[i].starts_with("-"); ++i)
         entry.title += " " + words[i];
     entry.commands = {{command, "", ""}};
 }

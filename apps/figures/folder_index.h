@@ -1,5 +1,5 @@
-// What commands wrote into a folder: pictures and plots with the command that made each. Kept in the folder's
-// index.json; index_page.h shows it. Does not draw.
+// What commands wrote into a folder: pictures and plots with the command that made each. Kept in
+// the folder's index.json; index_page.h shows it. Does not draw.
 #pragma once
 
 #include "image/output/output_set.h"
@@ -43,20 +43,22 @@ inline constexpr const char* index_file = "index.json";
 FolderIndex read_index(const std::filesystem::path& folder);
 std::string to_json(const FolderIndex& index);
 
-/// A file belongs to the entry that wrote it last: from the others it is taken, and an entry that has none
-/// any more goes away. An entry of the same commands is replaced where it stands but keeps its other files.
+/// A file belongs to the entry that wrote it last: from the others it is taken, and an entry that
+/// has none any more goes away. An entry of the same commands is replaced where it stands but keeps
+/// its other files.
 void add_entry(FolderIndex& index, IndexEntry entry);
 
 /// Of files in a folder: what can be looked at is shown, the rest is named.
-IndexEntry entry_of(const std::vector<std::filesystem::path>& files, const std::filesystem::path& folder);
+IndexEntry entry_of(const std::vector<std::filesystem::path>& files,
+                    const std::filesystem::path& folder);
 
 /// As made by this command, and named after it: "gw maps rings.gwt".
 void caption(IndexEntry& entry, const std::string& command);
 
-/// Adds to the folder's index.json and index.html what `output` is about to write there, as made by the
-/// command that runs. An index.html of another kind stays, and the folder is left alone where its index.json
-/// is of another kind: what was drawn is worth more than its index. Nothing where the command runs inside
-/// another, which says itself what it made.
+/// Adds to the folder's index.json and index.html what `output` is about to write there, as made by
+/// the command that runs. An index.html of another kind stays, and the folder is left alone where
+/// its index.json is of another kind: what was drawn is worth more than its index. Nothing where
+/// the command runs inside another, which says itself what it made.
 void put_index(image::OutputSet& output, const std::filesystem::path& folder);
 
 }  // namespace gw::apps

@@ -1,15 +1,16 @@
-// gw golden: every pass of every figure, on each profile, against manifests that are kept in a folder.
+// gw golden: every pass of every figure, on each profile, against manifests that are kept in a
+// folder.
 #include "apps/command/command.h"
-#include "apps/figures/golden_run.h"
-#include "apps/recordings/machine_options.h"
-#include "apps/figures/panel_words.h"
 #include "apps/command/progress.h"
-#include "apps/recordings/recording_files.h"
 #include "apps/command/terminal.h"
+#include "apps/figures/golden_run.h"
+#include "apps/figures/panel_words.h"
+#include "apps/recordings/machine_options.h"
+#include "apps/recordings/recording_files.h"
 #include "gw/error.h"
 #include "image/write.h"
-#include "inspect/text/plural.h"
 #include "inspect/manifest/merge_runs.h"
+#include "inspect/text/plural.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -56,17 +57,21 @@ void keep(const GoldenOptions& options, const GoldenRecording& golden) {
     output.commit();
 }
 
-std::optional<inspect::Finding> difference(const inspect::Manifest& expected, const GoldenRecording& golden,
-                                           const GoldenOptions& options, inspect::Manifest& actual) {
+std::optional<inspect::Finding> difference(const inspect::Manifest& expected,
+                                           const GoldenRecording& golden,
+                                           const GoldenOptions& options,
+                                           inspect::Manifest& actual) {
     const inspect::Recording recording = reread(golden.recording);
     actual = merge_runs(replayed_manifest(recording, options.machine.make(), nullptr));
     auto finding = first_difference(expected, actual);
     if (finding)
-        finding->notes.push_back(expected.commands_hash == actual.commands_hash
-                                     ? "the commands are the same: the machine is another one"
-                                     : "the commands are others: what makes the passes has changed");
+        finding->notes.push_back(
+            expected.commands_hash == actual.commands_hash
+                ? "the commands are the same: the machine is another one"
+                : "the commands are others: what makes the passes has changed");
     if (!finding && options.machine.both())
-        finding = compare_machines(recording, inspect::maker_of("reference"), options.machine.make());
+        finding =
+            compare_machines(recording, inspect::maker_of("reference"), options.machine.make());
     return finding;
 }
 
@@ -108,7 +113,8 @@ void check_unknown(const Figure& figure, const GoldenOptions& options, Tally& ta
     }
 }
 
-void run_figure(const Figure& figure, const GoldenOptions& options, Progress& progress, Tally& tally) {
+void run_figure(const Figure& figure, const GoldenOptions& options, Progress& progress,
+                Tally& tally) {
     for (std::size_t i = 0; i < figure.panels.size(); ++i) {
         progress.at(fmt::format("{}, {} of {}", figure.name, i + 1, figure.panels.size()));
         for (const GoldenRecording& golden : run_golden_panel(figure, i, options.profiles)) {
@@ -125,25 +131,28 @@ int golden(const GoldenOptions& options) {
         throw Error("scenes: does not exist; expected to be run from the repository's root");
     if (options.update) make_folder(options.folder);
     if (!fs::is_directory(options.folder))
-        throw Error(options.folder.string(), 0, "is no folder; expected goldens, which --update makes");
+        throw Error(options.folder.string(), 0,
+                    "is no folder; expected goldens, which --update makes");
     if (!options.recordings.empty()) make_folder(options.recordings);
     Progress progress("goldens", options.machine.quiet);
     Tally tally;
-    for (const Figure* figure : wanted_figures(options.only)) run_figure(*figure, options, progress, tally);
-    print(fmt::format(
-        "{}, {}: {}\n", inspect::counted(std::uint64_t(tally.manifests), "manifest", "manifests"),
-        inspect::counted(std::uint64_t(tally.passes), "pass", "passes"),
-        options.update         ? "written"
-        : tally.different == 0 ? "all as they were"
-                               : inspect::counted(std::uint64_t(tally.different), "differs", "differ")));
+    for (const Figure* figure : wanted_figures(options.only))
+        run_figure(*figure, options, progress, tally);
+    print(fmt::format("{}, {}: {}\n",
+                      inspect::counted(std::uint64_t(tally.manifests), "manifest", "manifests"),
+                      inspect::counted(std::uint64_t(tally.passes), "pass", "passes"),
+                      options.update ? "written"
+                      : tally.different == 0
+                          ? "all as they were"
+                          : inspect::counted(std::uint64_t(tally.different), "differs", "differ")));
     return tally.different == 0 ? done : differs;
 }
 
 }  // namespace
 
 Command add_golden(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("golden", "Every pass of every figure against the manifests that are kept");
+    CLI::App* command = app.add_subcommand(
+        "golden", "Every pass of every figure against the manifests that are kept");
     const auto options = std::make_shared<GoldenOptions>();
     command->add_option("DIR", options->folder, "The folder of manifests, tests/golden")
         ->required()
@@ -160,7 +169,8 @@ Command add_golden(CLI::App& app) {
             "On this profile only")
         ->type_name("NAME");
     add_machine_options(*command, options->machine);
-    command->add_flag("--update", options->update, "Instead of checking them, write the manifests anew");
+    command->add_flag("--update", options->update,
+                      "Instead of checking them, write the manifests anew");
     command
         ->add_option("--recordings", options->recordings,
                      "Also recordings of what differs, for gw replay and pixel")

@@ -1,9 +1,9 @@
 #include "apps/figures/golden_run.h"
 
 #include "apps/command/command.h"
-#include "apps/figures/panel_words.h"
 #include "apps/command/command_recorder.h"
 #include "apps/command/terminal.h"
+#include "apps/figures/panel_words.h"
 #include "gw/error.h"
 #include "gw/profile.h"
 
@@ -23,7 +23,8 @@ class Scratch {
 public:
     Scratch() {
         std::string name = (fs::temp_directory_path() / "gw-golden-XXXXXX").string();
-        if (!::mkdtemp(name.data())) throw Error(name + ": cannot be made; expected a folder for pictures");
+        if (!::mkdtemp(name.data()))
+            throw Error(name + ": cannot be made; expected a folder for pictures");
         folder_ = name;
     }
     ~Scratch() {
@@ -38,7 +39,8 @@ private:
     fs::path folder_;
 };
 
-std::vector<std::string> small_words(const Panel& panel, const Profile& profile, const fs::path& folder) {
+std::vector<std::string> small_words(const Panel& panel, const Profile& profile,
+                                     const fs::path& folder) {
     std::vector<std::string> words = words_of(panel, folder);
     words.push_back("--quiet");
     if (words[0] == "study") {

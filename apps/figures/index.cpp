@@ -1,8 +1,8 @@
 // gw index: one page for all pictures and plots below a folder, with the commands that made them.
 #include "apps/command/command.h"
+#include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/figures/index_page.h"
-#include "apps/command/terminal.h"
 #include "gw/error.h"
 #include "image/output/origin.h"
 #include "study/plot/plot.h"
@@ -34,8 +34,9 @@ std::vector<fs::path> files_below(const fs::path& folder) {
             files.push_back(at->path().lexically_relative(folder));
         }
         if (files.size() > most_files)
-            throw Error(folder.string(), 0,
-                        fmt::format("has more than {} files; expected a folder of pictures", most_files));
+            throw Error(
+                folder.string(), 0,
+                fmt::format("has more than {} files; expected a folder of pictures", most_files));
     }
     if (error) throw Error(folder.string(), 0, "cannot be read: " + error.message());
     std::ranges::sort(files);
@@ -61,7 +62,8 @@ FolderIndex moved(FolderIndex index, const fs::path& below) {
         if (!name.empty()) name = (below / name).lexically_normal().generic_string();
     };
     for (IndexEntry& entry : index) {
-        if (!below.empty() && !entry.name.empty()) entry.name = below.generic_string() + "/" + entry.name;
+        if (!below.empty() && !entry.name.empty())
+            entry.name = below.generic_string() + "/" + entry.name;
         for (Shown& shown : entry.pictures) move(shown.file);
         for (std::string& file : entry.files) move(file);
         for (IndexedCommand& command : entry.commands) move(command.counters);
@@ -96,13 +98,14 @@ std::string command_of(const fs::path& file) {
     return command.empty() ? image::origin_of(file) : command;
 }
 
-/// Pictures and plots that no folder's index has, by the commands that they name, and last those that name
-/// none. Not those of reports, which show them themselves.
+/// Pictures and plots that no folder's index has, by the commands that they name, and last those
+/// that name none. Not those of reports, which show them themselves.
 void add_single(FolderIndex& index, const fs::path& folder, const std::vector<fs::path>& files,
                 const std::vector<fs::path>& reports) {
     std::vector<fs::path> single;
     for (const fs::path& file : files)
-        if (!is_inside(file, reports) && !is_known(index, file.generic_string())) single.push_back(file);
+        if (!is_inside(file, reports) && !is_known(index, file.generic_string()))
+            single.push_back(file);
     IndexEntry others{.title = "Others", .text = "Which command made these was not noted."};
     const std::size_t before = index.size();
     for (Shown& shown : entry_of(single, "").pictures) {
@@ -112,7 +115,9 @@ void add_single(FolderIndex& index, const fs::path& folder, const std::vector<fs
         const auto same =
             std::find_if(index.begin() + std::ptrdiff_t(before), index.end(),
                          [&](const IndexEntry& other) { return other.commands == entry.commands; });
-        IndexEntry& into = command.empty() ? others : same == index.end() ? index.emplace_back(entry) : *same;
+        IndexEntry& into = command.empty()       ? others
+                           : same == index.end() ? index.emplace_back(entry)
+                                                 : *same;
         into.pictures.push_back(std::move(shown));
     }
     if (!others.pictures.empty()) index.push_back(std::move(others));
@@ -146,7 +151,8 @@ int make_index(const fs::path& folder) {
     const fs::path page = folder / "index.html";
     image::check_target(page);
     if (fs::exists(page) && !is_index_page(page))
-        throw Error(page.string(), 0, "is not a page of gw index; expected none, or one to replace");
+        throw Error(page.string(), 0,
+                    "is not a page of gw index; expected none, or one to replace");
     const FolderIndex index = index_of(folder);
     if (index.empty()) throw Error(folder.string(), 0, "has no pictures or plots; expected some");
     image::write_file(page, index_page(index, page_of_folder(folder)));
@@ -158,7 +164,8 @@ int make_index(const fs::path& folder) {
 
 Command add_index(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
-        "index", "One page for all pictures and plots below a folder, with the commands that made them");
+        "index",
+        "One page for all pictures and plots below a folder, with the commands that made them");
     const auto folder = std::make_shared<fs::path>();
     command->add_option("DIR", *folder, "The folder; its index.html is written")
         ->required()

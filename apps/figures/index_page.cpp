@@ -62,7 +62,8 @@ std::string command(const IndexedCommand& made) {
 }
 
 std::string section(const IndexEntry& entry, const std::string& name) {
-    std::string text = fmt::format("<section id=\"{}\"><h2>{}", escaped(name), escaped(entry.title));
+    std::string text =
+        fmt::format("<section id=\"{}\"><h2>{}", escaped(name), escaped(entry.title));
     if (!entry.row.empty()) text += " <small>[" + escaped(entry.row) + "]</small>";
     text += "</h2>\n";
     if (!entry.text.empty()) text += "<p>" + escaped(entry.text) + "</p>\n";
@@ -80,13 +81,15 @@ std::string section(const IndexEntry& entry, const std::string& name) {
 }  // namespace
 
 PageWords page_of_folder(const std::filesystem::path& folder) {
-    return {folder.lexically_normal().string(), "Under the pictures stand the commands that made them."};
+    return {folder.lexically_normal().string(),
+            "Under the pictures stand the commands that made them."};
 }
 
 std::string index_page(const FolderIndex& index, const PageWords& words) {
     std::string links, sections;
     for (std::size_t i = 0; i < index.size(); ++i) {
-        const std::string name = index[i].name.empty() ? fmt::format("entry-{}", i + 1) : index[i].name;
+        const std::string name =
+            index[i].name.empty() ? fmt::format("entry-{}", i + 1) : index[i].name;
         links += fmt::format("<a href=\"#{}\">{}</a>\n", escaped(name), escaped(index[i].title));
         sections += section(index[i], name);
     }
@@ -94,7 +97,8 @@ std::string index_page(const FolderIndex& index, const PageWords& words) {
         "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\">{}\n<meta name=\"viewport\" "
         "content=\"width=device-width\">\n<title>GW: {}</title>\n{}<h1>{}</h1>\n<p>{}</p>\n"
         "<nav>{}</nav>\n{}</html>\n",
-        mark, escaped(words.title), style, escaped(words.title), escaped(words.text), links, sections);
+        mark, escaped(words.title), style, escaped(words.title), escaped(words.text), links,
+        sections);
 }
 
 bool is_index_page(const std::filesystem::path& file) {

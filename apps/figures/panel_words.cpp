@@ -19,7 +19,8 @@ const std::string* option_in(const std::vector<std::string>& words, const std::s
     return found == words.end() || found + 1 == words.end() ? nullptr : &found[1];
 }
 
-void set_option(std::vector<std::string>& words, const std::string& name, const std::string& value) {
+void set_option(std::vector<std::string>& words, const std::string& name,
+                const std::string& value) {
     const auto found = std::find(words.begin(), words.end(), name);
     if (found == words.end())
         words.insert(words.end(), {name, value});
@@ -46,7 +47,8 @@ void add_only_option(CLI::App& command, std::vector<std::string>& only) {
 std::vector<const Figure*> wanted_figures(const std::vector<std::string>& only) {
     std::vector<const Figure*> found;
     for (const Figure& figure : figures())
-        if (only.empty() || std::count(only.begin(), only.end(), figure.name) > 0) found.push_back(&figure);
+        if (only.empty() || std::count(only.begin(), only.end(), figure.name) > 0)
+            found.push_back(&figure);
     return found;
 }
 

@@ -1,4 +1,5 @@
-// A panel's command as words of the command line, and which figures are asked for. Does not run anything.
+// A panel's command as words of the command line, and which figures are asked for. Does not run
+// anything.
 #pragma once
 
 #include "apps/command/cli_fwd.h"

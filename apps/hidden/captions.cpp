@@ -33,14 +33,18 @@ TextLine question_of(const hs::Step& step) {
 }  // namespace
 
 std::vector<TextLine> caption_of_step(const std::string& algorithm, const hs::Replay& replay) {
-    const TextLine head{{algorithm}, {fmt::format("{} of {}", replay.position(), replay.size()), grey}};
+    const TextLine head{{algorithm},
+                        {fmt::format("{} of {}", replay.position(), replay.size()), grey}};
     if (replay.position() == 0) return {head, {}, {}};
     const hs::Step& step = replay.step(replay.position() - 1);
     return {head, subject_of(step), question_of(step)};
 }
 
-std::array<std::vector<TextLine>, 3> captions_of(const std::string& algorithm, const hs::Counts& counts) {
-    const auto count = [](const char* name, std::uint64_t n) { return fmt::format("{} {}", n, name); };
+std::array<std::vector<TextLine>, 3> captions_of(const std::string& algorithm,
+                                                 const hs::Counts& counts) {
+    const auto count = [](const char* name, std::uint64_t n) {
+        return fmt::format("{} {}", n, name);
+    };
     TextLine times;
     for (std::size_t i = 0; i < colors_of_counts.size(); ++i)
         times.push_back({std::to_string(i), i == 0 ? grey : colors_of_counts[i]});

@@ -1,8 +1,8 @@
 #include "apps/hidden/files.h"
 
+#include "apps/command/table.h"
 #include "apps/hidden/captions.h"
 #include "apps/hidden/pictures.h"
-#include "apps/command/table.h"
 #include "hiddensurface/run/pieces_svg.h"
 #include "image/animation.h"
 #include "image/write.h"
@@ -29,22 +29,24 @@ std::string lines_of(const std::vector<hs::Step>& steps) {
     return text;
 }
 
-void put_frames(image::OutputSet& output, const std::filesystem::path& folder, const hs::Input& input,
-                const std::string& algorithm, const std::vector<hs::Step>& steps, const Colors& colors,
-                int pictures) {
+void put_frames(image::OutputSet& output, const std::filesystem::path& folder,
+                const hs::Input& input, const std::string& algorithm,
+                const std::vector<hs::Step>& steps, const Colors& colors, int pictures) {
     hs::Replay replay(steps, input.view.width, input.view.height);
     std::vector<image::Picture> frames;
     for (const std::size_t place : places(steps.size(), pictures)) {
         replay.go_to(place);
-        frames.push_back(
-            captioned(enlarged(picture_of_step(input, replay, colors)), caption_of_step(algorithm, replay)));
-        image::put_picture(output.add(folder / fmt::format("step_{:04}.png", frames.size())), frames.back());
+        frames.push_back(captioned(enlarged(picture_of_step(input, replay, colors)),
+                                   caption_of_step(algorithm, replay)));
+        image::put_picture(output.add(folder / fmt::format("step_{:04}.png", frames.size())),
+                           frames.back());
     }
     image::put_animation(output.add(folder / "steps.gif"), frames, frames_per_second);
 }
 
-void put_pieces(image::OutputSet& output, const std::filesystem::path& folder, const hs::Input& input,
-                const std::vector<hs::Piece>& pieces, const Colors& colors) {
+void put_pieces(image::OutputSet& output, const std::filesystem::path& folder,
+                const hs::Input& input, const std::vector<hs::Piece>& pieces,
+                const Colors& colors) {
     std::vector<std::string> hex;
     for (const hs::Polygon& polygon : input.polygons) hex.push_back(hex_of(colors.at(polygon.id)));
     output.add(folder / "pieces.svg").write_text(hs::pieces_svg(input, pieces, hex));
@@ -75,7 +77,8 @@ std::vector<image::Picture> sheet_row(std::vector<image::Picture> pictures, cons
 /// As many to a row as make the sheet about as high as it is wide.
 std::vector<std::vector<image::Picture>> in_rows(std::vector<std::vector<image::Picture>> all) {
     const image::Picture& one = all.front().front();
-    const std::size_t width = all.front().size() * std::size_t(one.width), height = std::size_t(one.height);
+    const std::size_t width = all.front().size() * std::size_t(one.width),
+                      height = std::size_t(one.height);
     std::size_t abreast = 1;
     while (abreast * width < (all.size() + abreast - 1) / abreast * height) ++abreast;
     std::vector<std::vector<image::Picture>> rows;
@@ -90,10 +93,11 @@ constexpr const char* kinds[] = {"", "_difference", "_writes"};
 
 std::string html_row(const Compared& run) {
     const hs::Counts& c = run.result.counts;
-    std::string row = fmt::format("<tr><th>{}<br>{}</th>", run.algorithm->name, run.algorithm->title);
+    std::string row =
+        fmt::format("<tr><th>{}<br>{}</th>", run.algorithm->name, run.algorithm->title);
     for (const char* kind : kinds)
-        row += fmt::format("<td><img src=\"{}{}.png\" alt=\"{}{}\"></td>", run.algorithm->name, kind,
-                           run.algorithm->name, kind);
+        row += fmt::format("<td><img src=\"{}{}.png\" alt=\"{}{}\"></td>", run.algorithm->name,
+                           kind, run.algorithm->name, kind);
     return row +
            fmt::format(
                "<td>{} ties<br>{} edges<br>{} snapped<br>{} wrong<br>{} splits<br>{} overdraw</td></tr>\n",
@@ -115,8 +119,7 @@ std::string html(const hs::Input& input, const std::vector<Compared>& all) {
            "</table>\n<p>Polygons over each pixel:</p>\n<img src=\"complexity.png\" alt=\"depth "
            "complexity\">\n"
            "<p><a href=\"counts.csv\">counts.csv</a> <a href=\"counts.json\">counts.json</a> <a "
-           "href=\"sheet.png\">"
-           "sheet.png</a></p>\n</html>\n";
+           "href=\"sheet.png\">sheet.png</a></p>\n</html>\n";
 }
 
 }  // namespace
@@ -124,7 +127,8 @@ std::string html(const hs::Input& input, const std::vector<Compared>& all) {
 std::vector<std::size_t> places(std::size_t steps, int pictures) {
     const auto count = std::min(steps + 1, static_cast<std::size_t>(pictures));
     std::vector<std::size_t> at;
-    for (std::size_t i = 1; i <= count; ++i) at.push_back(count == 1 ? steps : (i - 1) * steps / (count - 1));
+    for (std::size_t i = 1; i <= count; ++i)
+        at.push_back(count == 1 ? steps : (i - 1) * steps / (count - 1));
     return at;
 }
 
@@ -164,14 +168,16 @@ std::string counts_json(const std::vector<Compared>& all) {
     for (const Compared& run : all) {
         nlohmann::ordered_json counts;
         for (const auto& [name, count] : hs::count_names()) counts[name] = run.result.counts.*count;
-        list.push_back(
-            {{"algorithm", run.algorithm->name}, {"title", run.algorithm->title}, {"counts", counts}});
+        list.push_back({{"algorithm", run.algorithm->name},
+                        {"title", run.algorithm->title},
+                        {"counts", counts}});
     }
     return list.dump(2) + "\n";
 }
 
-void put_steps(image::OutputSet& output, const std::filesystem::path& folder, const hs::Input& input,
-               const Compared& run, const std::vector<hs::Step>& steps, int pictures) {
+void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
+               const hs::Input& input, const Compared& run, const std::vector<hs::Step>& steps,
+               int pictures) {
     const Colors colors = flat_colors(input);
     output.add(folder / "steps.jsonl").write_text(lines_of(steps));
     put_frames(output, folder, input, run.algorithm->name, steps, colors, pictures);
@@ -183,20 +189,23 @@ void put_steps(image::OutputSet& output, const std::filesystem::path& folder, co
     put_shares(output, folder / "smooth.png", input, run.result, colors);
 }
 
-void put_comparison(image::OutputSet& output, const std::filesystem::path& folder, const hs::Input& input,
-                    const std::vector<Compared>& all) {
+void put_comparison(image::OutputSet& output, const std::filesystem::path& folder,
+                    const hs::Input& input, const std::vector<Compared>& all) {
     const Colors colors = flat_colors(input);
     std::vector<std::vector<image::Picture>> rows;
     for (const Compared& run : all) {
         const auto pictures = pictures_of(input, run.result, colors);
         for (std::size_t k = 0; k < pictures.size(); ++k)
-            image::put_picture(output.add(folder / (run.algorithm->name + kinds[k] + ".png")), pictures[k]);
-        put_shares(output, folder / (run.algorithm->name + "_smooth.png"), input, run.result, colors);
+            image::put_picture(output.add(folder / (run.algorithm->name + kinds[k] + ".png")),
+                               pictures[k]);
+        put_shares(output, folder / (run.algorithm->name + "_smooth.png"), input, run.result,
+                   colors);
         rows.push_back(sheet_row(pictures, run));
     }
     image::put_picture(output.add(folder / "sheet.png"), sheet_of(in_rows(std::move(rows))));
-    image::put_picture(output.add(folder / "complexity.png"),
-                       picture_of_counts(hs::depth_complexity(input), input.view.width, input.view.height));
+    image::put_picture(
+        output.add(folder / "complexity.png"),
+        picture_of_counts(hs::depth_complexity(input), input.view.width, input.view.height));
     output.add(folder / "counts.csv").write_text(counts_csv(all));
     output.add(folder / "counts.json").write_text(counts_json(all));
     output.add(folder / "index.html").write_text(html(input, all));

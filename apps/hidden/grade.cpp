@@ -1,10 +1,11 @@
-// gw hidden --grade and --fragments: what students hand in, against the key and against the Z-buffer.
+// gw hidden --grade and --fragments: what students hand in, against the key and against the
+// Z-buffer.
 #include "apps/command/command.h"
-#include "apps/hidden/options.h"
-#include "apps/hidden/pictures.h"
 #include "apps/command/progress.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
+#include "apps/hidden/options.h"
+#include "apps/hidden/pictures.h"
 #include "gw/error.h"
 #include "hiddensurface/quiz/fragments.h"
 #include "hiddensurface/quiz/quiz.h"
@@ -31,12 +32,14 @@ Json read_json(const std::filesystem::path& file) {
     try {
         return Json::parse(text);
     } catch (const nlohmann::json::exception& error) {
-        fail(file, scene::printable(error.what(), 200) + "; expected JSON that gw hidden --quiz wrote");
+        fail(file,
+             scene::printable(error.what(), 200) + "; expected JSON that gw hidden --quiz wrote");
     }
 }
 
 /// "b", 3, [1, 4] as it is compared.
-std::string answer_of(const std::filesystem::path& file, const std::string& number, const Json& value) {
+std::string answer_of(const std::filesystem::path& file, const std::string& number,
+                      const Json& value) {
     if (value.is_string()) return hs::canonical_answer(value);
     if (value.is_number_integer()) return hs::canonical_answer(value.dump());
     std::string words;
@@ -66,7 +69,8 @@ std::vector<Key> read_key(const std::filesystem::path& file, Json& seed) {
         if (key.empty()) fail(file, "no answers; expected a key that gw hidden --quiz wrote");
         return key;
     } catch (const nlohmann::json::exception& error) {
-        fail(file, scene::printable(error.what(), 200) + "; expected a key that gw hidden --quiz wrote");
+        fail(file,
+             scene::printable(error.what(), 200) + "; expected a key that gw hidden --quiz wrote");
     }
 }
 
@@ -76,13 +80,14 @@ std::map<std::string, std::string> read_answers(const std::filesystem::path& fil
     if (!json.is_object() || !json.contains("answers") || !json["answers"].is_object())
         fail(file, "no answers; expected {\"seed\": ..., \"answers\": {\"1\": \"b\", ...}}");
     if (!json.contains("seed") || json["seed"] != seed)
-        fail(file, fmt::format("seed {}; expected {}, the key's",
-                               json.contains("seed") ? scene::printable(json["seed"].dump()) : "missing",
-                               seed.dump()));
+        fail(file,
+             fmt::format("seed {}; expected {}, the key's",
+                         json.contains("seed") ? scene::printable(json["seed"].dump()) : "missing",
+                         seed.dump()));
     std::map<std::string, std::string> answers;
     for (const auto& [number, value] : json["answers"].items()) {
-        const bool known =
-            std::any_of(key.begin(), key.end(), [&, n = number](const Key& k) { return k.number == n; });
+        const bool known = std::any_of(key.begin(), key.end(),
+                                       [&, n = number](const Key& k) { return k.number == n; });
         if (!known)
             fail(file, "an answer to question '" + scene::printable(number) + "'; expected 1.." +
                            key.back().number);
@@ -93,23 +98,26 @@ std::map<std::string, std::string> read_answers(const std::filesystem::path& fil
 
 std::string text_of(const hs::FragmentGrade& grade, const std::string& name) {
     constexpr std::size_t most = 20;
-    std::string text =
-        fmt::format("expected {}\nright {}\nmissing {}\ndoubled {}\nmisplaced {}\nwrong {}\n", grade.expected,
-                    grade.right, grade.missing, grade.doubled, grade.misplaced, grade.wrong);
+    std::string text = fmt::format(
+        "expected {}\nright {}\nmissing {}\ndoubled {}\nmisplaced {}\nwrong {}\n", grade.expected,
+        grade.right, grade.missing, grade.doubled, grade.misplaced, grade.wrong);
     for (std::size_t i = 0; i < grade.mistakes.size() && i < most; ++i) {
         const hs::FragmentMistake& m = grade.mistakes[i];
         text += m.line > 0 ? fmt::format("{}:{}: ", name, m.line) : name + ": ";
         text += fmt::format("{}: {},{}", hs::name_of(m.mistake), m.x, m.y);
         if (m.given != 0) text += fmt::format(" polygon {}", m.given);
-        text += m.expected != 0 ? fmt::format("; expected polygon {}\n", m.expected) : "; expected none\n";
+        text += m.expected != 0 ? fmt::format("; expected polygon {}\n", m.expected)
+                                : "; expected none\n";
     }
-    if (grade.mistakes.size() > most) text += fmt::format("and {} more\n", grade.mistakes.size() - most);
+    if (grade.mistakes.size() > most)
+        text += fmt::format("and {} more\n", grade.mistakes.size() - most);
     return text;
 }
 
 std::string json_of(const hs::FragmentGrade& grade) {
-    Json json{{"expected", grade.expected}, {"right", grade.right},         {"missing", grade.missing},
-              {"doubled", grade.doubled},   {"misplaced", grade.misplaced}, {"wrong", grade.wrong}};
+    Json json{{"expected", grade.expected},   {"right", grade.right},
+              {"missing", grade.missing},     {"doubled", grade.doubled},
+              {"misplaced", grade.misplaced}, {"wrong", grade.wrong}};
     json["mistakes"] = Json::array();
     for (const hs::FragmentMistake& m : grade.mistakes)
         json["mistakes"].push_back({{"mistake", hs::name_of(m.mistake)},
@@ -121,8 +129,8 @@ std::string json_of(const hs::FragmentGrade& grade) {
     return json.dump(2) + "\n";
 }
 
-/// The picture darker, mistakes in the colours that --compare uses too: wrong red, doubled yellow, misplaced
-/// cyan, missing blue.
+/// The picture darker, mistakes in the colours that --compare uses too: wrong red, doubled yellow,
+/// misplaced cyan, missing blue.
 image::Picture marked(image::Picture picture, const hs::FragmentGrade& grade) {
     for (std::uint16_t& v : picture.values) v = static_cast<std::uint16_t>(v / 3);
     for (const hs::FragmentMistake& m : grade.mistakes) {
@@ -130,7 +138,8 @@ image::Picture marked(image::Picture picture, const hs::FragmentGrade& grade) {
                             : m.mistake == hs::Mistake::Doubled   ? yellow
                             : m.mistake == hs::Mistake::Misplaced ? cyan
                                                                   : blue;
-        put(picture, std::size_t(picture.height - 1 - m.y) * std::size_t(picture.width) + std::size_t(m.x),
+        put(picture,
+            std::size_t(picture.height - 1 - m.y) * std::size_t(picture.width) + std::size_t(m.x),
             color);
     }
     return picture;
@@ -150,8 +159,8 @@ int hidden_grade(const HiddenOptions& options) {
         const std::string given = found == answers.end() ? "" : found->second;
         const char* grade = given.empty() ? "missing" : given == k.answer ? "right" : "wrong";
         right += given == k.answer ? 1 : 0;
-        rows.push_back(
-            {k.number, k.kind, given.empty() ? "-" : given, grade, given == k.answer ? "" : k.answer});
+        rows.push_back({k.number, k.kind, given.empty() ? "-" : given, grade,
+                        given == k.answer ? "" : k.answer});
         list.push_back({{"number", k.number},
                         {"kind", k.kind},
                         {"given", given},
@@ -177,12 +186,15 @@ int hidden_fragments(const HiddenOptions& options) {
     Progress progress("reading", options.picture.quiet);
     const Profile profile = load_profile(options.picture);
     const scene::Scene scene = load_scene(options.picture);
-    const scene::View view = scene::make_view(scene, options.picture.size.width, options.picture.size.height);
+    const scene::View view =
+        scene::make_view(scene, options.picture.size.width, options.picture.size.height);
     const hs::Input input = hs::make_input(scene, view, profile);
     hs::StepLog none;
-    const auto z_buffer =
-        hs::run_on(*make_machine(options.picture, profile), hs::algorithm_named("z-buffer"), input, none).ids;
-    if (!options.truth.empty()) image::write_file(options.truth, hs::fragments_text(z_buffer, input));
+    const auto z_buffer = hs::run_on(*make_machine(options.picture, profile),
+                                     hs::algorithm_named("z-buffer"), input, none)
+                              .ids;
+    if (!options.truth.empty())
+        image::write_file(options.truth, hs::fragments_text(z_buffer, input));
     if (options.fragments.empty()) return done;
     const std::string name = options.fragments.string();
     const auto grade = hs::grade_fragments(

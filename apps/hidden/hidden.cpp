@@ -1,10 +1,11 @@
-// gw hidden: the lecture's hidden-surface algorithms, one or all, with counts, steps and comparisons.
+// gw hidden: the lecture's hidden-surface algorithms, one or all, with counts, steps and
+// comparisons.
 #include "apps/command/command.h"
+#include "apps/command/progress.h"
+#include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/hidden/files.h"
 #include "apps/hidden/options.h"
-#include "apps/command/progress.h"
-#include "apps/command/terminal.h"
 #include "gw/error.h"
 #include "hiddensurface/lines/line_algorithm.h"
 #include "hiddensurface/quiz/quiz.h"
@@ -30,7 +31,8 @@ std::string algorithms_help() {
 
 std::vector<std::string> all_names() {
     std::vector<std::string> names = hs::algorithm_names();
-    for (const hs::LineAlgorithm& algorithm : hs::line_algorithms()) names.push_back(algorithm.name);
+    for (const hs::LineAlgorithm& algorithm : hs::line_algorithms())
+        names.push_back(algorithm.name);
     return names;
 }
 
@@ -42,8 +44,9 @@ hs::Level level_from(const std::string& word) {
 
 void add_output_options(CLI::App& command, HiddenOptions& options) {
     command
-        .add_option("--steps", options.steps,
-                    "Of one algorithm: step log, numbered pictures, animated GIF, SVG of the pieces")
+        .add_option(
+            "--steps", options.steps,
+            "Of one algorithm: step log, numbered pictures, animated GIF, SVG of the pieces")
         ->type_name("DIR");
     command
         .add_option_function<std::string>(
@@ -95,7 +98,9 @@ void add_exercise_options(CLI::App& command, HiddenOptions& options) {
     command
         .add_option_function<std::string>(
             "--kind",
-            [&](const std::string& word) { options.kind = one_of("--kind", word, hs::quiz_kinds()); },
+            [&](const std::string& word) {
+                options.kind = one_of("--kind", word, hs::quiz_kinds());
+            },
             "Of the quiz: all questions of one kind (default: all kinds in turn)")
         ->type_name("NAME")
         ->needs(quiz);
@@ -106,7 +111,8 @@ void add_exercise_options(CLI::App& command, HiddenOptions& options) {
         .add_option("--fragments", options.fragments,
                     "A list x,y,polygon of what is seen, against the Z-buffer's picture")
         ->type_name("FILE.csv");
-    command.add_option("--truth", options.truth, "Writes the list as it should be")->type_name("FILE.csv");
+    command.add_option("--truth", options.truth, "Writes the list as it should be")
+        ->type_name("FILE.csv");
     command.add_option("--marked", options.marked, "Of --fragments: a picture of the mistakes")
         ->type_name("IMAGE");
 }
@@ -119,7 +125,9 @@ void add_options(CLI::App& command, HiddenOptions& options) {
     command
         .add_option_function<std::string>(
             "--algorithm",
-            [&](const std::string& word) { options.algorithm = one_of("--algorithm", word, all_names()); },
+            [&](const std::string& word) {
+                options.algorithm = one_of("--algorithm", word, all_names());
+            },
             algorithms_help())
         ->type_name("NAME");
     add_output_options(command, options);
@@ -138,7 +146,8 @@ void check(const HiddenOptions& options) {
     if (!options.quiz.empty() && !options.grade.empty())
         throw UsageError("--quiz and --grade exclude each other; expected one of them");
     if (exercises && !options.picture.scene.empty())
-        throw UsageError("SCENE: --quiz makes its own scenes and --grade needs none; expected no SCENE");
+        throw UsageError(
+            "SCENE: --quiz makes its own scenes and --grade needs none; expected no SCENE");
     if (!exercises && options.picture.scene.empty())
         throw UsageError(
             "SCENE is required; expected a TOML scene or a Wavefront OBJ file, or --quiz DIR or --grade KEY "
@@ -165,7 +174,8 @@ int surfaces(const HiddenOptions& options) {
     Progress progress("reading", options.picture.quiet);
     const Profile profile = load_profile(options.picture);
     const scene::Scene scene = load_scene(options.picture);
-    const scene::View view = scene::make_view(scene, options.picture.size.width, options.picture.size.height);
+    const scene::View view =
+        scene::make_view(scene, options.picture.size.width, options.picture.size.height);
     const auto machine = make_machine(options.picture, profile);
     const hs::Input input = hs::make_input(scene, view, profile);
     hs::StepLog none;
@@ -202,7 +212,8 @@ int hidden(const HiddenOptions& options) {
 }  // namespace
 
 Command add_hidden(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("hidden", "Hidden-surface algorithms, step by step and compared");
+    CLI::App* command =
+        app.add_subcommand("hidden", "Hidden-surface algorithms, step by step and compared");
     const auto options = std::make_shared<HiddenOptions>();
     add_options(*command, *options);
     command->footer(

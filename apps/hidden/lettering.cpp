@@ -70,16 +70,16 @@ static_assert(glyphs.size() == 6 * glyph_height * line_length);
 bool is_ink(char letter, int x, int y) {
     const int code = letter >= ' ' && letter <= '~' ? letter : 127;
     const int row = (code - ' ') / glyphs_in_row, column = (code - ' ') % glyphs_in_row;
-    return glyphs[std::size_t((row * glyph_height + y) * line_length + column * (glyph_width + 1) + x)] ==
-           '#';
+    return glyphs[std::size_t((row * glyph_height + y) * line_length + column * (glyph_width + 1) +
+                              x)] == '#';
 }
 
 void put_square(image::Picture& picture, int left, int top, int size, const Color& color) {
     for (int y = std::max(top, 0); y < std::min(top + size, picture.height); ++y)
         for (int x = std::max(left, 0); x < std::min(left + size, picture.width); ++x)
-            std::copy(
-                color.begin(), color.end(),
-                picture.values.begin() + std::ptrdiff_t(3 * ((picture.height - 1 - y) * picture.width + x)));
+            std::copy(color.begin(), color.end(),
+                      picture.values.begin() +
+                          std::ptrdiff_t(3 * ((picture.height - 1 - y) * picture.width + x)));
 }
 
 int length_of(const TextLine& line) {
@@ -105,7 +105,8 @@ image::Picture captioned(const image::Picture& picture, const std::vector<TextLi
     const int largest = std::max(picture.width / 160, 1), step = line_height * largest;
     image::Picture out = picture;
     out.height += int(lines.size()) * step + 2 * largest;
-    out.values.resize(std::size_t(3 * out.width * out.height), ground);  // the last rows are the upper ones
+    // the last rows are the upper ones
+    out.values.resize(std::size_t(3 * out.width * out.height), ground);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const int fits = picture.width / (letter_width * length_of(lines[i]));
         const int scale = std::clamp(fits, 1, largest);

@@ -1,11 +1,11 @@
 // gw hidden --algorithm of hidden lines: the drawing, its counts and steps.
 #include "apps/command/command.h"
+#include "apps/command/progress.h"
+#include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/hidden/files.h"
 #include "apps/hidden/options.h"
 #include "apps/hidden/pictures.h"
-#include "apps/command/progress.h"
-#include "apps/command/terminal.h"
 #include "hiddensurface/lines/draw_lines.h"
 #include "hiddensurface/lines/lines_svg.h"
 #include "image/animation.h"
@@ -50,7 +50,8 @@ public:
     image::Picture of_step(std::size_t count) {
         const std::vector<hs::Line> first(lines_.begin(), lines_.begin() + std::ptrdiff_t(count));
         std::vector<hs::Line> last;
-        if (count > 0) last.push_back({.a = first.back().a, .b = first.back().b, .visible = {{0, 1}}});
+        if (count > 0)
+            last.push_back({.a = first.back().a, .b = first.back().b, .visible = {{0, 1}}});
         const std::vector<bool> seen = lit(first), at = lit(last);
         image::Picture picture = blank(input_.view.width, input_.view.height);
         for (std::size_t i = 0; i < seen.size(); ++i)
@@ -66,13 +67,16 @@ private:
         return found;
     }
     std::vector<TextLine> caption(std::size_t count) const {
-        const TextLine head{{algorithm_.name}, {fmt::format("{} of {}", count, lines_.size()), grey}};
+        const TextLine head{{algorithm_.name},
+                            {fmt::format("{} of {}", count, lines_.size()), grey}};
         if (count == 0) return {head, {}};
         const hs::Line& line = lines_[count - 1];
         std::string seen;
-        for (const auto& [from, to] : line.visible) seen += fmt::format(" {:.3g}..{:.3g}", from, to);
+        for (const auto& [from, to] : line.visible)
+            seen += fmt::format(" {:.3g}..{:.3g}", from, to);
         return {head,
-                {{fmt::format("polygon {}:", line.id), grey}, {seen.empty() ? "hidden" : "visible" + seen}}};
+                {{fmt::format("polygon {}:", line.id), grey},
+                 {seen.empty() ? "hidden" : "visible" + seen}}};
     }
 
     Machine& machine_;
@@ -86,13 +90,15 @@ image::Picture picture_of(const hs::Input& input, const hs::LineResult& result, 
     for (std::size_t i = 0; i < result.lit.size(); ++i) {
         const bool ours = result.lit[i], other = result.z_buffer[i];
         if (!difference && ours) put(picture, i, white);
-        if (difference && (ours || other)) put(picture, i, ours && other ? grey : ours ? yellow : red);
+        if (difference && (ours || other))
+            put(picture, i, ours && other ? grey : ours ? yellow : red);
     }
     return picture;
 }
 
 void put_line_steps(image::OutputSet& output, const HiddenOptions& options, const hs::Input& input,
-                    const hs::LineResult& result, const std::vector<hs::Step>& steps, Pictures pictures) {
+                    const hs::LineResult& result, const std::vector<hs::Step>& steps,
+                    Pictures pictures) {
     const auto& folder = options.steps;
     std::string log;
     for (const hs::Step& step : steps) log += hs::to_json(step) + "\n";
@@ -100,7 +106,8 @@ void put_line_steps(image::OutputSet& output, const HiddenOptions& options, cons
     std::vector<image::Picture> frames;
     for (const std::size_t place : places(result.lines.size(), options.pictures)) {
         frames.push_back(pictures.of_step(place));
-        image::put_picture(output.add(folder / fmt::format("step_{:04}.png", frames.size())), frames.back());
+        image::put_picture(output.add(folder / fmt::format("step_{:04}.png", frames.size())),
+                           frames.back());
     }
     image::put_animation(output.add(folder / "steps.gif"), frames, 4);
     image::put_picture(output.add(folder / "picture.png"), picture_of(input, result, false));
@@ -116,7 +123,8 @@ int hidden_lines(const HiddenOptions& options) {
     Progress progress("reading", options.picture.quiet);
     const Profile profile = load_profile(options.picture);
     const scene::Scene scene = load_scene(options.picture);
-    const scene::View view = scene::make_view(scene, options.picture.size.width, options.picture.size.height);
+    const scene::View view =
+        scene::make_view(scene, options.picture.size.width, options.picture.size.height);
     const auto machine = make_machine(options.picture, profile);
     const hs::Input input = hs::make_input(scene, view, profile);
     const hs::LineAlgorithm& algorithm = *hs::line_algorithm_named(options.algorithm);

@@ -21,7 +21,8 @@ struct HiddenOptions {
     std::string kind;                          ///< of questions; empty: all in turn
     std::vector<std::filesystem::path> grade;  ///< key, answers
     std::filesystem::path fragments;           ///< a student's list
-    std::filesystem::path truth, marked;       ///< files to write: the list as it should be, the mistakes
+    /// files to write: the list as it should be, the mistakes
+    std::filesystem::path truth, marked;
 };
 
 /// `algorithm` is one of hidden lines: draws them, with counts and steps (hidden_lines.cpp).

@@ -28,13 +28,15 @@ double turned(const hs::Polygon& polygon, const dvec3& eye) {
 }
 
 /// Pixels of the polygon with a neighbour that is not.
-void draw_border(image::Picture& picture, const hs::Input& input, std::uint32_t id, const Color& color) {
+void draw_border(image::Picture& picture, const hs::Input& input, std::uint32_t id,
+                 const Color& color) {
     const int width = picture.width, height = picture.height;
     std::vector<bool> inside(std::size_t(width) * std::size_t(height));
     for (const hs::Polygon& polygon : input.polygons) {
         if (polygon.id != id) continue;
         for (const hs::WindowTriangle& t : polygon.triangles)
-            for (const hs::Run& run : hs::scan_convert(t.corners, input.subpixel_bits(), input.window()))
+            for (const hs::Run& run :
+                 hs::scan_convert(t.corners, input.subpixel_bits(), input.window()))
                 for (int x = run.x0; x < run.x1; ++x) inside[std::size_t(run.y * width + x)] = true;
     }
     const auto at = [&](int x, int y) {
@@ -72,7 +74,8 @@ void draw_window(image::Picture& picture, const Rect& w) {
 }  // namespace
 
 image::Picture blank(int width, int height) {
-    return {width, height, 3, 8, std::vector<std::uint16_t>(std::size_t(width) * std::size_t(height) * 3)};
+    return {width, height, 3, 8,
+            std::vector<std::uint16_t>(std::size_t(width) * std::size_t(height) * 3)};
 }
 
 void put(image::Picture& picture, std::size_t pixel, const Color& color) {
@@ -126,7 +129,8 @@ image::Picture picture_of_step(const hs::Input& input, const hs::Replay& replay,
     return picture;
 }
 
-image::Picture picture_of_difference(image::Picture picture, const std::vector<hs::Difference>& difference) {
+image::Picture picture_of_difference(image::Picture picture,
+                                     const std::vector<hs::Difference>& difference) {
     for (std::uint16_t& v : picture.values) v = static_cast<std::uint16_t>(v / 4);
     for (std::size_t i = 0; i < difference.size(); ++i) {
         switch (difference[i]) {
@@ -167,7 +171,8 @@ image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows) {
     constexpr int gap = 4;
     const image::Picture& one = rows.front().front();
     const int columns = int(rows.front().size()), lines = int(rows.size());
-    image::Picture sheet = blank(columns * (one.width + gap) - gap, lines * (one.height + gap) - gap);
+    image::Picture sheet =
+        blank(columns * (one.width + gap) - gap, lines * (one.height + gap) - gap);
     for (std::uint16_t& v : sheet.values) v = 255;
     for (int r = 0; r < lines; ++r)
         for (int c = 0; c < int(rows[std::size_t(r)].size()); ++c)
@@ -175,9 +180,9 @@ image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows) {
                 const auto row = std::size_t(one.width) * 3;
                 const std::uint16_t* from =
                     rows[std::size_t(r)][std::size_t(c)].values.data() + std::size_t(y) * row;
-                const auto to =
-                    std::size_t((lines - 1 - r) * (one.height + gap) + y) * std::size_t(sheet.width) +
-                    std::size_t(c * (one.width + gap));
+                const auto to = std::size_t((lines - 1 - r) * (one.height + gap) + y) *
+                                    std::size_t(sheet.width) +
+                                std::size_t(c * (one.width + gap));
                 std::copy(from, from + row, sheet.values.begin() + std::ptrdiff_t(to * 3));
             }
     return sheet;

@@ -1,5 +1,5 @@
-// Pictures that show what a hidden-surface algorithm does: polygons in flat colours, steps with highlights,
-// differences, counts. 3 channels of 8 bits. Does not run algorithms or write files.
+// Pictures that show what a hidden-surface algorithm does: polygons in flat colours, steps with
+// highlights, differences, counts. 3 channels of 8 bits. Does not run algorithms or write files.
 #pragma once
 
 #include "apps/hidden/lettering.h"
@@ -10,8 +10,8 @@
 
 namespace gw::apps {
 
-inline constexpr Color white{255, 255, 255}, yellow{255, 230, 0}, grey{150, 150, 150}, red{230, 20, 20},
-    cyan{0, 210, 230}, blue{70, 90, 255};
+inline constexpr Color white{255, 255, 255}, yellow{255, 230, 0}, grey{150, 150, 150},
+    red{230, 20, 20}, cyan{0, 210, 230}, blue{70, 90, 255};
 
 /// 0, 1, 2, 3, 4, 5 times; more times is this red towards white.
 inline constexpr std::array<Color, 6> colors_of_counts{
@@ -22,11 +22,12 @@ image::Picture blank(int width, int height);
 /// `pixel`: row by row from the bottom left one, 0.
 void put(image::Picture& picture, std::size_t pixel, const Color& color);
 
-/// A colour for each identifier: Kd of its material, darker the more it is turned from the eye; 0 is the
-/// background.
+/// A colour for each identifier: Kd of its material, darker the more it is turned from the eye; 0
+/// is the background.
 std::map<std::uint32_t, Color> flat_colors(const hiddensurface::Input& input);
 
-image::Picture picture_of_ids(const hiddensurface::Input& input, const std::vector<std::uint32_t>& ids,
+image::Picture picture_of_ids(const hiddensurface::Input& input,
+                              const std::vector<std::uint32_t>& ids,
                               const std::map<std::uint32_t, Color>& colors);
 
 /// Each pixel the sum of its polygons' colours by their parts; the background has the rest.
@@ -34,9 +35,10 @@ image::Picture picture_of_shares(const hiddensurface::Input& input,
                                  const std::vector<hiddensurface::Share>& shares,
                                  const std::map<std::uint32_t, Color>& colors);
 
-/// The replay's picture, and in it the last step: the border of its first polygon white, of the second
-/// yellow, of others grey; its scan line lighter; its span white.
-image::Picture picture_of_step(const hiddensurface::Input& input, const hiddensurface::Replay& replay,
+/// The replay's picture, and in it the last step: the border of its first polygon white, of the
+/// second yellow, of others grey; its scan line lighter; its span white.
+image::Picture picture_of_step(const hiddensurface::Input& input,
+                               const hiddensurface::Replay& replay,
                                const std::map<std::uint32_t, Color>& colors);
 
 /// Dark where equal; ties yellow, edges cyan, snapped blue, wrong pixels red.

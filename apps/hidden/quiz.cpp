@@ -1,11 +1,11 @@
 // gw hidden --quiz: a handout of questions with pictures and scenes, and apart from it the key.
+#include "hiddensurface/quiz/quiz.h"
 #include "apps/command/command.h"
+#include "apps/command/progress.h"
+#include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/hidden/options.h"
 #include "apps/hidden/pictures.h"
-#include "apps/command/progress.h"
-#include "apps/command/terminal.h"
-#include "hiddensurface/quiz/quiz.h"
 #include "hiddensurface/run/styles.h"
 #include "image/output/output_set.h"
 #include "image/write.h"
@@ -23,10 +23,12 @@ namespace {
 /// How far each pixel is, along its row and column, from one of another polygon or the border.
 std::vector<int> room_around(const std::vector<std::uint32_t>& ids) {
     std::vector<int> room(ids.size(), hs::quiz_width);
-    for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
+    for (const auto& [dx, dy] :
+         {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
         std::vector<int> reach(ids.size());
         for (int k = 0; k < int(ids.size()); ++k) {
-            const int i = dx + dy > 0 ? k : int(ids.size()) - 1 - k;  // what is behind comes first
+            // what is behind comes first
+            const int i = dx + dy > 0 ? k : int(ids.size()) - 1 - k;
             const int x = i % hs::quiz_width - dx, y = i / hs::quiz_width - dy;
             const bool inside = x >= 0 && y >= 0 && x < hs::quiz_width && y < hs::quiz_height;
             const auto at = std::size_t(i), behind = std::size_t(y * hs::quiz_width + x);
@@ -47,8 +49,9 @@ void write_numbers(image::Picture& picture, const std::vector<std::uint32_t>& id
     }
     widest.erase(0);
     for (const auto& [id, i] : widest)
-        write_text(picture, int(i) % hs::quiz_width - 5, hs::quiz_height - 1 - int(i) / hs::quiz_width - 7, 2,
-                   {0, 0, 0}, std::to_string(id));
+        write_text(picture, int(i) % hs::quiz_width - 5,
+                   hs::quiz_height - 1 - int(i) / hs::quiz_width - 7, 2, {0, 0, 0},
+                   std::to_string(id));
 }
 
 void mark(image::Picture& picture, const hs::Question& question) {
@@ -61,12 +64,13 @@ void mark(image::Picture& picture, const hs::Question& question) {
     if (!question.point) return;
     const int x = int(question.point->x), y = int(question.point->y);
     for (int d = 3; d <= 8; ++d)
-        for (const auto& [i, k] : {std::pair(d, 0), std::pair(-d, 0), std::pair(0, d), std::pair(0, -d)})
+        for (const auto& [i, k] :
+             {std::pair(d, 0), std::pair(-d, 0), std::pair(0, d), std::pair(0, -d)})
             at(x + i, y + k, white);
 }
 
-/// Surfaces in flat colours, numbered; of a question about lines all sides over them; of one about faces that
-/// look away the sides alone, for what is seen does not.
+/// Surfaces in flat colours, numbered; of a question about lines all sides over them; of one about
+/// faces that look away the sides alone, for what is seen does not.
 image::Picture picture_of(const hs::Question& question) {
     const Profile profile = vgx();
     const scene::View view = scene::make_view(question.scene, hs::quiz_width, hs::quiz_height);
@@ -75,12 +79,13 @@ image::Picture picture_of(const hs::Question& question) {
     hs::StepLog none;
     const auto ids = hs::run_on(*machine, hs::algorithm_named("z-buffer"), input, none).ids;
     const bool sides = question.kind == "facing";
-    image::Picture picture =
-        sides ? blank(hs::quiz_width, hs::quiz_height) : picture_of_ids(input, ids, flat_colors(input));
+    image::Picture picture = sides ? blank(hs::quiz_width, hs::quiz_height)
+                                   : picture_of_ids(input, ids, flat_colors(input));
     if (sides || question.kind == "invisibility") {
         machine->execute(hs::wireframe(question.scene, view));
         for (std::size_t i = 0; i < ids.size(); ++i)
-            if (machine->planes().color[i][0] > 0) put(picture, i, sides ? white : Color{30, 30, 30});
+            if (machine->planes().color[i][0] > 0)
+                put(picture, i, sides ? white : Color{30, 30, 30});
     }
     if (!sides) write_numbers(picture, ids);
     mark(picture, question);
@@ -90,8 +95,8 @@ image::Picture picture_of(const hs::Question& question) {
 std::string mtl_of(const scene::Scene& scene) {
     std::string text;
     for (const scene::Material& m : scene.materials)
-        text += fmt::format("newmtl {0}\nKa {1:.9g} {2:.9g} {3:.9g}\nKd {1:.9g} {2:.9g} {3:.9g}\n", m.name,
-                            m.Kd.x, m.Kd.y, m.Kd.z);
+        text += fmt::format("newmtl {0}\nKa {1:.9g} {2:.9g} {3:.9g}\nKd {1:.9g} {2:.9g} {3:.9g}\n",
+                            m.name, m.Kd.x, m.Kd.y, m.Kd.z);
     return text;
 }
 
@@ -100,9 +105,11 @@ std::string obj_of(const scene::Scene& scene, const std::string& mtl) {
     for (const scene::Object& object : scene.objects) {
         const auto& corners = object.mesh->data().positions;
         text += "o " + object.name + "\nusemtl " + scene.materials[object.material].name + "\n";
-        for (const vec3& p : corners) text += fmt::format("v {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);
+        for (const vec3& p : corners)
+            text += fmt::format("v {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);
         text += "f";
-        for (std::size_t k = 0; k < corners.size(); ++k) text += fmt::format(" -{}", corners.size() - k);
+        for (std::size_t k = 0; k < corners.size(); ++k)
+            text += fmt::format(" -{}", corners.size() - k);
         text += "\n";
     }
     return text;
@@ -112,11 +119,12 @@ std::string toml_of(const hs::Question& question, const std::string& obj) {
     const scene::Camera& c = *question.scene.camera;
     const vec3& b = question.scene.background;
     std::string text = fmt::format(
-        "background = [{:.9g}, {:.9g}, {:.9g}]\n\n[camera]\neye = [{}, {}, {}]\nat = [{}, {}, {}]\n", b.x,
-        b.y, b.z, c.eye.x, c.eye.y, c.eye.z, c.at.x, c.at.y, c.at.z);
-    text +=
-        c.ortho_height > 0 ? fmt::format("ortho = {}\n", c.ortho_height) : fmt::format("fov = {}\n", c.fov);
-    return text + "\n[[light]]\ndirection = [-0.4, -0.5, -0.8]\nIa = 0.4\nId = 0.6\n\n[[object]]\nfile = \"" +
+        "background = [{:.9g}, {:.9g}, {:.9g}]\n\n[camera]\neye = [{}, {}, {}]\nat = [{}, {}, {}]\n",
+        b.x, b.y, b.z, c.eye.x, c.eye.y, c.eye.z, c.at.x, c.at.y, c.at.z);
+    text += c.ortho_height > 0 ? fmt::format("ortho = {}\n", c.ortho_height)
+                               : fmt::format("fov = {}\n", c.fov);
+    return text +
+           "\n[[light]]\ndirection = [-0.4, -0.5, -0.8]\nIa = 0.4\nId = 0.6\n\n[[object]]\nfile = \"" +
            obj + "\"\n";
 }
 
@@ -127,10 +135,13 @@ struct Handout {
 
 void add_question(const hs::Question& q, std::size_t number, const std::string& picture,
                   const std::string& scene, Handout& out) {
-    out.text +=
-        fmt::format("{}. ({}) {}\n   Picture: {}; scene: {}\n", number, q.kind, q.text, picture, scene);
-    Json json{
-        {"number", number}, {"kind", q.kind}, {"question", q.text}, {"picture", picture}, {"scene", scene}};
+    out.text += fmt::format("{}. ({}) {}\n   Picture: {}; scene: {}\n", number, q.kind, q.text,
+                            picture, scene);
+    Json json{{"number", number},
+              {"kind", q.kind},
+              {"question", q.text},
+              {"picture", picture},
+              {"scene", scene}};
     for (std::size_t i = 0; i < q.choices.size(); ++i) {
         out.text += fmt::format("   {}) {}\n", char('a' + i), q.choices[i]);
         json["choices"][std::string(1, char('a' + i))] = q.choices[i];
@@ -161,7 +172,8 @@ int hidden_quiz(const HiddenOptions& options) {
         output.add(handout / (scene + ".mtl")).write_text(mtl_of(quiz[i].scene));
         add_question(quiz[i], i + 1, picture, scene + ".toml", all);
     }
-    const Json head{{"seed", options.seed}, {"size", fmt::format("{}x{}", hs::quiz_width, hs::quiz_height)}};
+    const Json head{{"seed", options.seed},
+                    {"size", fmt::format("{}x{}", hs::quiz_width, hs::quiz_height)}};
     Json questions = head, form{{"seed", options.seed}, {"answers", all.form}},
          key{{"seed", options.seed}, {"answers", all.key}};
     questions["questions"] = all.questions;

@@ -1,10 +1,10 @@
 // gw styles: one object six ways [L1 a to f], one figure.
 #include "hiddensurface/run/styles.h"
 #include "apps/command/command.h"
-#include "apps/hidden/pictures.h"
-#include "apps/render/picture_options.h"
 #include "apps/command/progress.h"
 #include "apps/command/terminal.h"
+#include "apps/hidden/pictures.h"
+#include "apps/render/picture_options.h"
 #include "gw/error.h"
 #include "image/output/output_file.h"
 #include "image/write.h"
@@ -27,7 +27,8 @@ struct StylesOptions {
 /// No maps, and each light with shadows or none.
 scene::Scene plain(scene::Scene scene, scene::Shadow shadow) {
     for (scene::Material& m : scene.materials)
-        for (auto* maps : {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.refl, &m.refraction}) maps->clear();
+        for (auto* maps : {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.refl, &m.refraction})
+            maps->clear();
     for (scene::Light& light : scene.lights) light.shadow = shadow;
     return scene;
 }
@@ -51,9 +52,10 @@ public:
 
 private:
     image::Picture picture() {
-        image::Picture shown =
-            image::picture_of(machine_->planes().color, view_.width, view_.height, profile_.color_bits);
-        for (std::uint16_t& v : shown.values) v = static_cast<std::uint16_t>(v >> (profile_.color_bits - 8));
+        image::Picture shown = image::picture_of(machine_->planes().color, view_.width,
+                                                 view_.height, profile_.color_bits);
+        for (std::uint16_t& v : shown.values)
+            v = static_cast<std::uint16_t>(v >> (profile_.color_bits - 8));
         shown.bits = 8;
         return shown;
     }
@@ -86,15 +88,18 @@ int styles(const StylesOptions& options) {
 }  // namespace
 
 Command add_styles(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("styles",
-                                           "One scene six ways: wireframe, depth cueing, hidden lines "
-                                           "removed; shaded, with shadows, with texture");
+    CLI::App* command =
+        app.add_subcommand("styles",
+                           "One scene six ways: wireframe, depth cueing, hidden lines "
+                           "removed; shaded, with shadows, with texture");
     const auto options = std::make_shared<StylesOptions>();
     add_picture_options(*command, options->picture);
     remove_pass_options(*command);
     command->get_option("--size")->description(
         "Pixels of each of the six, both sides 1..4096 (default 320x240)");
-    command->add_option("-o,--output", options->output, "The figure")->required()->type_name("IMAGE");
+    command->add_option("-o,--output", options->output, "The figure")
+        ->required()
+        ->type_name("IMAGE");
     command->footer("Example:\n  build/release/bin/gw styles scenes/styles.toml -o styles.png");
     return {command, [options] { return styles(*options); }};
 }

@@ -12,22 +12,24 @@ namespace {
 image::Layers layers_of(const radiosity::Saved& saved) {
     image::Layers layers{saved.facts, {}};
     for (const radiosity::SavedPixmap& p : saved.pixmaps)
-        layers.layers.push_back({fmt::format("{:05} {}", layers.layers.size(), p.name), p.width, p.height,
-                                 radiosity::saved_channels(), p.values});
+        layers.layers.push_back({fmt::format("{:05} {}", layers.layers.size(), p.name), p.width,
+                                 p.height, radiosity::saved_channels(), p.values});
     return layers;
 }
 
 }  // namespace
 
-void put_solution(image::OutputSet& files, const std::filesystem::path& file, const radiosity::Model& model,
-                  const radiosity::FormFactorOptions& options, const radiosity::Solution& solution) {
+void put_solution(image::OutputSet& files, const std::filesystem::path& file,
+                  const radiosity::Model& model, const radiosity::FormFactorOptions& options,
+                  const radiosity::Solution& solution) {
     image::put_layers(files.add(file), layers_of(radiosity::save(model, options, solution)));
 }
 
 radiosity::Solution load_solution(const std::filesystem::path& file, const radiosity::Model& model,
                                   const radiosity::FormFactorOptions& options) {
     // What it is for is said before what is wrong with its values.
-    radiosity::check_saved({image::read_layer_facts(file).facts, {}}, model, options, file.string());
+    radiosity::check_saved({image::read_layer_facts(file).facts, {}}, model, options,
+                           file.string());
     radiosity::Saved saved;
     image::Layers layers = image::read_layers(file);
     saved.facts = std::move(layers.facts);

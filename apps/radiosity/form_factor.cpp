@@ -11,9 +11,11 @@ namespace gw::apps {
 
 namespace {
 
-/// The mean over a figure's patches of what they send to another figure, and what the first one's area is.
-std::pair<double, double> form_factor(const radiosity::Model& model, radiosity::FormFactors& factors,
-                                      const std::string& from, const std::string& to, Progress& progress) {
+/// The mean over a figure's patches of what they send to another figure, and what the first one's
+/// area is.
+std::pair<double, double> form_factor(const radiosity::Model& model,
+                                      radiosity::FormFactors& factors, const std::string& from,
+                                      const std::string& to, Progress& progress) {
     std::set<std::uint32_t> sources, targets;
     for (const radiosity::Figure& figure : model.figures) {
         if (figure.name == from) sources.insert(figure.pixmap);
@@ -46,15 +48,16 @@ void check_figure(const radiosity::Model& model, const std::string& name) {
 
 }  // namespace
 
-void print_form_factor(const RadiosityOptions& options, const radiosity::Model& model, Progress& progress) {
+void print_form_factor(const RadiosityOptions& options, const radiosity::Model& model,
+                       Progress& progress) {
     const std::string &a = options.form_factor[0], &b = options.form_factor[1];
     check_figure(model, a);
     check_figure(model, b);
     radiosity::FormFactors factors(model, options.solver.form_factors);
     const auto [ab, area_a] = form_factor(model, factors, a, b, progress);
     const auto [ba, area_b] = form_factor(model, factors, b, a, progress);
-    print(fmt::format("F({} -> {}) = {:.9f}   area {:.9g}\nF({} -> {}) = {:.9f}   area {:.9g}\n", a, b, ab,
-                      area_a, b, a, ba, area_b));
+    print(fmt::format("F({} -> {}) = {:.9f}   area {:.9g}\nF({} -> {}) = {:.9f}   area {:.9g}\n", a,
+                      b, ab, area_a, b, a, ba, area_b));
     if (ab > 0 && ba > 0)
         print(fmt::format("reciprocity: A F / (A F) = {:.6f}\n", area_a * ab / (area_b * ba)));
 }

@@ -9,7 +9,8 @@ namespace gw::apps {
 namespace {
 
 template <class Number>
-void add_whole(CLI::App& command, const char* name, Number& to, int low, int high, const char* help) {
+void add_whole(CLI::App& command, const char* name, Number& to, int low, int high,
+               const char* help) {
     command
         .add_option_function<std::string>(
             name,
@@ -20,11 +21,12 @@ void add_whole(CLI::App& command, const char* name, Number& to, int low, int hig
         ->type_name("N");
 }
 
-void add_number(CLI::App& command, const char* name, double& to, double low, double high, const char* type,
-                const char* help) {
+void add_number(CLI::App& command, const char* name, double& to, double low, double high,
+                const char* type, const char* help) {
     command
         .add_option_function<std::string>(
-            name, [=, &to](const std::string& word) { to = number_from(name, word, low, high); }, help)
+            name, [=, &to](const std::string& word) { to = number_from(name, word, low, high); },
+            help)
         ->type_name(type);
 }
 
@@ -32,7 +34,8 @@ void add_number(CLI::App& command, const char* name, double& to, double low, dou
 std::pair<dvec3, dvec3> view_from(const std::string& word) {
     const std::size_t bar = word.find('/');
     if (bar == word.npos)
-        throw UsageError("--view '" + word + "': expected EX,EY,EZ/AX,AY,AZ, the eye and what it looks at");
+        throw UsageError("--view '" + word +
+                         "': expected EX,EY,EZ/AX,AY,AZ, the eye and what it looks at");
     const std::pair view{point_from("--view", word.substr(0, bar)),
                          point_from("--view", word.substr(bar + 1))};
     if (view.first == view.second)
@@ -41,7 +44,8 @@ std::pair<dvec3, dvec3> view_from(const std::string& word) {
 }
 
 void add_computation(CLI::App& command, RadiosityOptions& o) {
-    add_whole(command, "--shots", o.shots, 0, 1000000000, "Shots in all (default: as many as --until takes)");
+    add_whole(command, "--shots", o.shots, 0, 1000000000,
+              "Shots in all (default: as many as --until takes)");
     add_number(command, "--until", o.until, 1e-9, 1, "SHARE",
                "Go on until so much of the emitted energy is unshot (default 0.01)");
     command
@@ -57,7 +61,8 @@ void add_computation(CLI::App& command, RadiosityOptions& o) {
         ->type_name("N");
     add_number(command, "--texels", o.model.texels_per_unit, 1e-9, 1e9, "T",
                "Texels per unit length (default: the scene's)");
-    add_whole(command, "--patch", o.model.patch, 1, 64, "A patch is a block of NxN texels (default 4)");
+    add_whole(command, "--patch", o.model.patch, 1, 64,
+              "A patch is a block of NxN texels (default 4)");
     add_whole(command, "--parts", o.solver.form_factors.scan.most_parts, 1, 1024,
               "Oversampling: a pixel is divided at most so often each way; 1: never (default 64)");
     add_whole(command, "--seed", o.solver.form_factors.seed, 0, 2147483647,
@@ -77,7 +82,8 @@ void add_computation(CLI::App& command, RadiosityOptions& o) {
             "Then change an object and shoot the difference: emission=R,G,B, dim=FACTOR, Kd=R,G,B or "
             "move=X,Y,Z. May be repeated; the picture is DIR/changed.png")
         ->type_name("NAME:WHAT=VALUE");
-    command.add_flag("--anew", o.anew, "With --change: also solve the changed scene anew, to compare");
+    command.add_flag("--anew", o.anew,
+                     "With --change: also solve the changed scene anew, to compare");
     command
         .add_option("--form-factor", o.form_factor,
                     "Print the form factors between two figures, and do no more")
@@ -104,10 +110,13 @@ void add_display(CLI::App& command, RadiosityOptions& o) {
             "again")
         ->type_name("EYE/AT");
     add_whole(command, "--every", o.every, 1, 1000000000, "Also a picture after each N shots");
-    command.add_flag("--no-ambient", o.no_ambient, "Do not show the estimate of light that is yet to come");
-    command.add_flag("--specular", o.specular,
-                     "Add the specular and reflection passes, and rays where a material asks for them");
-    add_number(command, "--exposure", o.exposure, -32, 32, "STOPS", "Radiosity times 2^STOPS (default 0)");
+    command.add_flag("--no-ambient", o.no_ambient,
+                     "Do not show the estimate of light that is yet to come");
+    command.add_flag(
+        "--specular", o.specular,
+        "Add the specular and reflection passes, and rays where a material asks for them");
+    add_number(command, "--exposure", o.exposure, -32, 32, "STOPS",
+               "Radiosity times 2^STOPS (default 0)");
     add_number(command, "--gamma", o.gamma, 0.1, 10, "G", "The picture as v^(1/G) (default 1)");
 }
 
@@ -115,11 +124,15 @@ void add_display(CLI::App& command, RadiosityOptions& o) {
 
 void add_radiosity_options(CLI::App& command, RadiosityOptions& options) {
     add_picture_options(command, options.picture);
-    for (const char* option : {"--renderer", "--samples"}) command.remove_option(command.get_option(option));
-    command.get_option("--size")->description("Pixels of a picture, both sides 1..4096 (default 512x512)");
+    for (const char* option : {"--renderer", "--samples"})
+        command.remove_option(command.get_option(option));
+    command.get_option("--size")->description(
+        "Pixels of a picture, both sides 1..4096 (default 512x512)");
     command.get_option("--profile")
         ->description("vgx, reality, ideal or a TOML file (default ideal), of the pictures");
-    command.add_option("-o,--output", options.output, "The folder for pictures, pixmaps and the report")
+    command
+        .add_option("-o,--output", options.output,
+                    "The folder for pictures, pixmaps and the report")
         ->type_name("DIR");
     add_computation(command, options);
     add_display(command, options);
@@ -135,7 +148,8 @@ void check(const RadiosityOptions& options) {
     if (options.specular && options.display != "texture")
         throw UsageError("--specular draws pixmaps as textures; expected no --display beside it");
     if (!options.changes.empty() && options.save)
-        throw UsageError("--change: the pixmaps of the changed scene are not saved; expected no --save");
+        throw UsageError(
+            "--change: the pixmaps of the changed scene are not saved; expected no --save");
     if (options.anew && options.changes.empty())
         throw UsageError("--anew compares with a changed scene; expected --change beside it");
     if (!options.changes.empty() && !options.form_factor.empty())

@@ -1,8 +1,8 @@
 // The options of gw radiosity and what they mean together. Does not compute.
 #pragma once
 
-#include "apps/render/picture_options.h"
 #include "apps/radiosity/changes.h"
+#include "apps/render/picture_options.h"
 #include "radiosity/solver/solver.h"
 
 #include <filesystem>

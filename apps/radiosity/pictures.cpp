@@ -20,7 +20,8 @@ namespace gw::apps {
 namespace {
 
 /// Eight bits are what pictures are looked at with.
-image::Picture to_picture(const std::vector<Rgba>& color, const scene::View& view, int bits, double gamma) {
+image::Picture to_picture(const std::vector<Rgba>& color, const scene::View& view, int bits,
+                          double gamma) {
     image::Picture picture =
         image::toned(image::picture_of(color, view.width, view.height, bits), {.gamma = gamma});
     for (std::uint16_t& v : picture.values) v = static_cast<std::uint16_t>(rescale(v, bits, 8));
@@ -35,9 +36,10 @@ struct Difference {
     int others = 0;  ///< pixels where they do not
 };
 
-/// Vertices are snapped: a strip's outline may be a 256th of a pixel beside its triangle's, so that a pixel
-/// whose centre lies between them shows something else. `others`: whether, by pixel.
-Difference difference(const image::Picture& a, const image::Picture& b, const std::vector<bool>& others) {
+/// Vertices are snapped: a strip's outline may be a 256th of a pixel beside its triangle's, so that
+/// a pixel whose centre lies between them shows something else. `others`: whether, by pixel.
+Difference difference(const image::Picture& a, const image::Picture& b,
+                      const std::vector<bool>& others) {
     Difference d{.picture = a};
     double sum = 0;
     for (std::size_t i = 0; i < a.values.size(); ++i) {
@@ -53,11 +55,14 @@ Difference difference(const image::Picture& a, const image::Picture& b, const st
     return d;
 }
 
-std::filesystem::path with_ending(std::filesystem::path stem, const char* ending) { return stem += ending; }
+std::filesystem::path with_ending(std::filesystem::path stem, const char* ending) {
+    return stem += ending;
+}
 
 std::vector<bool> other_figures(const std::vector<Rgba>& a, const std::vector<Rgba>& b) {
     std::vector<bool> others;
-    for (std::size_t i = 0; i < a.size(); ++i) others.push_back(scene::id_of(a[i]) != scene::id_of(b[i]));
+    for (std::size_t i = 0; i < a.size(); ++i)
+        others.push_back(scene::id_of(a[i]) != scene::id_of(b[i]));
     return others;
 }
 
@@ -68,20 +73,21 @@ RadiosityPictures::RadiosityPictures(const RadiosityOptions& options, const scen
       scene_(scene),
       profile_(load_profile(options.picture)),
       machine_(make_machine(options.picture, profile_)) {
-    std::vector<scene::Camera> cameras(std::max<std::size_t>(1, options.views.size()), *scene.camera);
+    std::vector<scene::Camera> cameras(std::max<std::size_t>(1, options.views.size()),
+                                       *scene.camera);
     for (std::size_t i = 0; i < options.views.size(); ++i) {
         std::tie(cameras[i].eye, cameras[i].at) = options.views[i];
         cameras[i].near_plane = cameras[i].far_plane = 0;  // fitted to the scene
     }
     const scene::Bounds bounds = scene::bounds(scene);
     for (const scene::Camera& camera : cameras)
-        views_.push_back(
-            scene::make_view(camera, bounds, options.picture.size.width, options.picture.size.height));
+        views_.push_back(scene::make_view(camera, bounds, options.picture.size.width,
+                                          options.picture.size.height));
 }
 
 RadiosityPictures::Image RadiosityPictures::draw(const radiosity::Model& model,
-                                                 const radiosity::Shown& colors, const scene::View& view,
-                                                 bool strips) {
+                                                 const radiosity::Shown& colors,
+                                                 const scene::View& view, bool strips) {
     const radiosity::Brightness brightness{pow(2, options_.exposure), scene_.background};
     const CommandList list =
         strips ? radiosity::strip_list(model, colors, view, brightness, options_.picture.threads)
@@ -108,12 +114,14 @@ std::vector<Rgba> RadiosityPictures::with_components(const radiosity::Model& mod
     if (raytrace::any_traced(all)) {
         world.emplace(all, options_.picture.threads);
         passes.passes = itembuffer::passes_with_tracing(seen, passes.translucency);
-        // First hits are those of the drawn scene; second rays meet what turns its back to the eye too.
+        // First hits are those of the drawn scene; second rays meet what turns its back to the eye
+        // too.
         passes.trace = [&](Machine& machine, const scene::Scene& now, const scene::View& at,
                            const JitterState& jitter) {
             const auto ids = itembuffer::draw_item_buffer(machine, now, at, jitter);
             const raytrace::Tracer tracer(all, *world, at, {.threads = options_.picture.threads});
-            return itembuffer::traced_component(tracer, now, at, ids, jitter, machine.profile()).color;
+            return itembuffer::traced_component(tracer, now, at, ids, jitter, machine.profile())
+                .color;
         };
     }
     multipass::render(*machine_, raytrace::drawn_scene(seen), view, passes);
@@ -122,8 +130,10 @@ std::vector<Rgba> RadiosityPictures::with_components(const radiosity::Model& mod
 }
 
 std::string RadiosityPictures::put_view(const radiosity::Solver& solver, const scene::View& view,
-                                        const std::filesystem::path& stem, image::OutputSet& files) {
-    const radiosity::Shown colors = radiosity::shown(solver.model(), solver.solution(), !options_.no_ambient);
+                                        const std::filesystem::path& stem,
+                                        image::OutputSet& files) {
+    const radiosity::Shown colors =
+        radiosity::shown(solver.model(), solver.solution(), !options_.no_ambient);
     const auto picture = [&](const Image& image) {
         return to_picture(image.color, view, profile_.color_bits, options_.gamma);
     };
@@ -134,8 +144,8 @@ std::string RadiosityPictures::put_view(const radiosity::Solver& solver, const s
     }
     const Image texture = draw(solver.model(), colors, view, false),
                 strips = draw(solver.model(), colors, view, true);
-    const Difference d =
-        difference(picture(texture), picture(strips), other_figures(texture.figures, strips.figures));
+    const Difference d = difference(picture(texture), picture(strips),
+                                    other_figures(texture.figures, strips.figures));
     image::put_picture(files.add(with_ending(stem, "_texture.png")), picture(texture));
     image::put_picture(files.add(with_ending(stem, "_strips.png")), picture(strips));
     image::put_picture(files.add(with_ending(stem, "_difference.png")), d.picture);
@@ -149,9 +159,10 @@ std::string RadiosityPictures::put(const radiosity::Solver& solver, const std::s
                                    image::OutputSet& files) {
     std::string text;
     for (std::size_t i = 0; i < views_.size(); ++i)
-        text +=
-            put_view(solver, views_[i],
-                     options_.output / (views_.size() > 1 ? fmt::format("{}_{}", name, i + 1) : name), files);
+        text += put_view(
+            solver, views_[i],
+            options_.output / (views_.size() > 1 ? fmt::format("{}_{}", name, i + 1) : name),
+            files);
     return text;
 }
 

@@ -11,16 +11,17 @@ class RadiosityPictures {
 public:
     RadiosityPictures(const RadiosityOptions& options, const scene::Scene& scene);
 
-    /// DIR/NAME.png, or NAME_1.png ... for several views; --display both: NAME_texture.png, NAME_strips.png
-    /// and NAME_difference.png. Returns what is to be printed: how the two differ.
-    std::string put(const radiosity::Solver& solver, const std::string& name, image::OutputSet& files);
+    /// DIR/NAME.png, or NAME_1.png ... for several views; --display both: NAME_texture.png,
+    /// NAME_strips.png and NAME_difference.png. Returns what is to be printed: how the two differ.
+    std::string put(const radiosity::Solver& solver, const std::string& name,
+                    image::OutputSet& files);
 
 private:
     struct Image {
         std::vector<Rgba> color, figures;  ///< figures: only where two pictures are compared
     };
-    Image draw(const radiosity::Model& model, const radiosity::Shown& colors, const scene::View& view,
-               bool strips);
+    Image draw(const radiosity::Model& model, const radiosity::Shown& colors,
+               const scene::View& view, bool strips);
     std::vector<Rgba> with_components(const radiosity::Model& model, const radiosity::Shown& colors,
                                       const scene::View& view);
     std::string put_view(const radiosity::Solver& solver, const scene::View& view,

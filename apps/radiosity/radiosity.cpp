@@ -1,15 +1,15 @@
 // gw radiosity: pixmaps are solved, saved, shown, changed [F].
 #include "apps/command/command.h"
-#include "apps/figures/folder_index.h"
+#include "apps/command/command_recorder.h"
 #include "apps/command/interruption.h"
 #include "apps/command/progress.h"
+#include "apps/command/terminal.h"
+#include "apps/figures/folder_index.h"
 #include "apps/radiosity/files.h"
 #include "apps/radiosity/form_factor.h"
 #include "apps/radiosity/options.h"
 #include "apps/radiosity/pictures.h"
 #include "apps/radiosity/report.h"
-#include "apps/command/command_recorder.h"
-#include "apps/command/terminal.h"
 #include "inspect/text/plural.h"
 
 #include <fmt/format.h>
@@ -64,7 +64,10 @@ class Run {
 public:
     Run(const RadiosityOptions& options, const scene::Scene& scene, radiosity::Model model,
         Progress& progress)
-        : options_(options), progress_(progress), scene_(scene), solver_(std::move(model), options.solver) {}
+        : options_(options),
+          progress_(progress),
+          scene_(scene),
+          solver_(std::move(model), options.solver) {}
 
     int run() {
         image::OutputSet folder;
@@ -75,7 +78,8 @@ public:
         for (const char* name : {"hemicubes", "pictures"})
             if (options_.record) image::check_target(recording_file(options_, name));
         if (options_.resume)
-            solver_.resume(load_solution(saved_file(), solver_.model(), options_.solver.form_factors));
+            solver_.resume(
+                load_solution(saved_file(), solver_.model(), options_.solver.form_factors));
         if (options_.resume) saved_shots_ = solver_.solution().shots;
         steps_.push_back(step_of(solver_, 0, 0));
         folder.commit();
@@ -100,8 +104,8 @@ private:
         if (!shot) return false;
         hemicubes_ += shot->hemicubes;
         steps_.push_back(step_of(solver_, seconds_since(begin_), hemicubes_));
-        progress_.at(
-            fmt::format("shot {}, {:.2f} % unshot", steps_.back().shots, 100 * steps_.back().unshot));
+        progress_.at(fmt::format("shot {}, {:.2f} % unshot", steps_.back().shots,
+                                 100 * steps_.back().unshot));
         return true;
     }
 
@@ -124,16 +128,20 @@ private:
         say_what_is_there();
     }
 
-    // Whatever ends the process, the last complete save is there: files are renamed when they are whole.
+    // Whatever ends the process, the last complete save is there: files are renamed when they are
+    // whole.
     void say_what_is_there() {
-        const std::string shots = fmt::format("gw: stopped after {} shots; ", solver_.solution().shots);
-        interruption_.say(saved_shots_ ? fmt::format("{}{} has the first {}: --resume goes on from there\n",
-                                                     shots, saved_file().string(), *saved_shots_)
-                                       : shots + "nothing was saved\n");
+        const std::string shots =
+            fmt::format("gw: stopped after {} shots; ", solver_.solution().shots);
+        interruption_.say(saved_shots_
+                              ? fmt::format("{}{} has the first {}: --resume goes on from there\n",
+                                            shots, saved_file().string(), *saved_shots_)
+                              : shots + "nothing was saved\n");
     }
 
     void put_saved(image::OutputSet& files) {
-        put_solution(files, saved_file(), solver_.model(), options_.solver.form_factors, solver_.solution());
+        put_solution(files, saved_file(), solver_.model(), options_.solver.form_factors,
+                     solver_.solution());
     }
 
     void finish() {
@@ -145,16 +153,17 @@ private:
         files.commit();
         const Step& last = steps_.back();
         const radiosity::Model& model = solver_.model();
-        print(fmt::format("{}, {}, {}, {}\n", inspect::counted(model.figures.size(), "figure", "figures"),
+        print(fmt::format("{}, {}, {}, {}\n",
+                          inspect::counted(model.figures.size(), "figure", "figures"),
                           inspect::counted(model.pixmaps.size(), "pixmap", "pixmaps"),
                           inspect::counted(std::uint64_t(model.texel_count()), "texel", "texels"),
                           inspect::counted(model.patches.size(), "patch", "patches")));
-        print(
-            fmt::format("{}, {}, {:.1f} s: absorbed {:.4f}, unshot {:.4f}, escaped {:.4f} of what is "
-                        "emitted; books off by {:.1e}\n{}",
-                        inspect::counted(std::uint64_t(last.shots), "shot", "shots"),
-                        inspect::counted(std::uint64_t(last.hemicubes), "hemicube", "hemicubes"),
-                        last.seconds, last.absorbed, last.unshot, last.escaped, last.imbalance, text));
+        print(fmt::format(
+            "{}, {}, {:.1f} s: absorbed {:.4f}, unshot {:.4f}, escaped {:.4f} of what is "
+            "emitted; books off by {:.1e}\n{}",
+            inspect::counted(std::uint64_t(last.shots), "shot", "shots"),
+            inspect::counted(std::uint64_t(last.hemicubes), "hemicube", "hemicubes"), last.seconds,
+            last.absorbed, last.unshot, last.escaped, last.imbalance, text));
     }
 
     // [F4] Shoots the difference; with --anew beside solving the changed scene from nothing.
@@ -163,13 +172,15 @@ private:
         for (const Change& c : options_.changes) apply(c, changed);
         progress_.at("changing");
         const auto begin = Clock::now();
-        const radiosity::Update update = solver_.update(radiosity::make_model(changed, options_.model));
+        const radiosity::Update update =
+            solver_.update(radiosity::make_model(changed, options_.model));
         const int more = update.hemicubes + solve(solver_);
         print(fmt::format(
             "changed: the light of {} patches sent anew, {} hemicubes, {:.2f} s to {:.4f} unshot\n",
             update.patches, more, seconds_since(begin), unshot(solver_)));
         image::OutputSet files;
-        const std::string text = RadiosityPictures(options_, changed).put(solver_, "changed", files);
+        const std::string text =
+            RadiosityPictures(options_, changed).put(solver_, "changed", files);
         put_index(files, options_.output);
         files.commit();
         print(text);

@@ -20,8 +20,8 @@ namespace {
 std::string report(const std::vector<Step>& steps) {
     std::string text = "shots,seconds,hemicubes,unshot,absorbed,escaped,imbalance\n";
     for (const Step& s : steps)
-        text += fmt::format("{},{:.3f},{},{:.9g},{:.9g},{:.9g},{:.3g}\n", s.shots, s.seconds, s.hemicubes,
-                            s.unshot, s.absorbed, s.escaped, s.imbalance);
+        text += fmt::format("{},{:.3f},{},{:.9g},{:.9g},{:.9g},{:.3g}\n", s.shots, s.seconds,
+                            s.hemicubes, s.unshot, s.absorbed, s.escaped, s.imbalance);
     return text;
 }
 
@@ -44,9 +44,11 @@ void put_report(const std::vector<Step>& steps, const std::filesystem::path& fol
                 image::OutputSet& files) {
     files.add(folder / "convergence.csv").write_text(report(steps));
     put_plot(
-        steps, "convergence.svg", "shots", [](const Step& s) { return double(s.shots); }, folder, files);
+        steps, "convergence.svg", "shots", [](const Step& s) { return double(s.shots); }, folder,
+        files);
     put_plot(
-        steps, "convergence_seconds.svg", "seconds", [](const Step& s) { return s.seconds; }, folder, files);
+        steps, "convergence_seconds.svg", "seconds", [](const Step& s) { return s.seconds; },
+        folder, files);
 }
 
 }  // namespace gw::apps

@@ -20,6 +20,7 @@ struct Step {
 Step step_of(const radiosity::Solver& solver, double seconds, int hemicubes);
 
 /// convergence.csv, convergence.svg and convergence_seconds.svg in a folder.
-void put_report(const std::vector<Step>& steps, const std::filesystem::path& folder, image::OutputSet& files);
+void put_report(const std::vector<Step>& steps, const std::filesystem::path& folder,
+                image::OutputSet& files);
 
 }  // namespace gw::apps

@@ -1,16 +1,17 @@
-// gw diff: two recordings or two manifests, and the first difference in what they say and in what comes out.
+// gw diff: two recordings or two manifests, and the first difference in what they say and in what
+// comes out.
 #include "apps/command/command.h"
-#include "apps/recordings/machine_options.h"
-#include "apps/command/progress.h"
-#include "apps/recordings/recording_files.h"
-#include "apps/command/terminal.h"
 #include "apps/command/option_values.h"
+#include "apps/command/progress.h"
+#include "apps/command/terminal.h"
+#include "apps/recordings/machine_options.h"
+#include "apps/recordings/recording_files.h"
 #include "gw/error.h"
 #include "image/planes.h"
 #include "image/write.h"
 #include "inspect/compare/command_difference.h"
-#include "inspect/recording/read_bytes.h"
 #include "inspect/compare/result_difference.h"
+#include "inspect/recording/read_bytes.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -29,7 +30,8 @@ struct DiffOptions {
 
 bool is_manifest(const std::filesystem::path& file) {
     const auto bytes = inspect::read_bytes(file);
-    const auto first = std::find_if(bytes.begin(), bytes.end(), [](std::uint8_t c) { return c > ' '; });
+    const auto first =
+        std::find_if(bytes.begin(), bytes.end(), [](std::uint8_t c) { return c > ' '; });
     return first != bytes.end() && *first == '{';
 }
 
@@ -38,17 +40,20 @@ image::Picture picture_of(const inspect::ResultDifference& d) {
 }
 
 int diff_manifests(const DiffOptions& options) {
-    const inspect::ManifestFile a = inspect::load_manifest(options.a), b = inspect::load_manifest(options.b);
+    const inspect::ManifestFile a = inspect::load_manifest(options.a),
+                                b = inspect::load_manifest(options.b);
     const auto finding = inspect::first_difference(a.manifest, b.manifest);
     if (!finding) {
         print("the same profile, window, passes, states, counters and planes\n");
         return done;
     }
     print(inspect::text(*finding, a.manifest.height));
-    if (!finding->pass || !finding->what.starts_with("plane ") || a.values.empty() || b.values.empty())
+    if (!finding->pass || !finding->what.starts_with("plane ") || a.values.empty() ||
+        b.values.empty())
         return differs;
     inspect::ResultDifference d = inspect::located(
-        *finding, inspect::planes_after(a.values, a.manifest.width, a.manifest.height, *finding->pass),
+        *finding,
+        inspect::planes_after(a.values, a.manifest.width, a.manifest.height, *finding->pass),
         inspect::planes_after(b.values, b.manifest.width, b.manifest.height, *finding->pass));
     print(inspect::text(d.finding, a.manifest.height) +
           inspect::wrong_pixel_lines(d, std::size_t(options.pixels)));
@@ -88,18 +93,22 @@ int diff(const DiffOptions& options) {
     Progress progress("reading", options.quiet);
     const bool a = is_manifest(options.a), b = is_manifest(options.b);
     if (a != b)
-        throw Error((a ? options.b : options.a).string(), 0,
-                    "is a recording, the other file a manifest; expected two of a kind (gw verify compares a "
-                    "recording with a manifest)");
+        throw Error(
+            (a ? options.b : options.a).string(), 0,
+            "is a recording, the other file a manifest; expected two of a kind (gw verify compares a "
+            "recording with a manifest)");
     return a ? diff_manifests(options) : diff_recordings(options, progress);
 }
 
 }  // namespace
 
 Command add_diff(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("diff", "The first difference of two recordings or manifests");
+    CLI::App* command =
+        app.add_subcommand("diff", "The first difference of two recordings or manifests");
     const auto options = std::make_shared<DiffOptions>();
-    command->add_option("A", options->a, "A recording or a manifest")->required()->type_name("FILE");
+    command->add_option("A", options->a, "A recording or a manifest")
+        ->required()
+        ->type_name("FILE");
     command->add_option("B", options->b, "Another of the same kind")->required()->type_name("FILE");
     command
         ->add_option(
@@ -117,8 +126,7 @@ Command add_diff(CLI::App& app) {
     command->add_flag("--quiet", options->quiet, "No progress");
     command->footer(
         "Exit code 3 where they differ.\nExample:\n  build/release/bin/gw record scenes/rings.toml -o "
-        "rings.gwt "
-        "--size 160x120 && build/release/bin/gw diff rings.gwt rings.gwt");
+        "rings.gwt --size 160x120 && build/release/bin/gw diff rings.gwt rings.gwt");
     return {command, [options] { return diff(*options); }};
 }
 

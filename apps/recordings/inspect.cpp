@@ -1,15 +1,15 @@
 // gw inspect: a recording as a page to look at: passes, planes, counters, time, pixel histories.
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
-#include "apps/recordings/recording_files.h"
-#include "apps/describe/shell_words.h"
-#include "apps/command/terminal.h"
 #include "apps/command/option_values.h"
+#include "apps/command/progress.h"
+#include "apps/command/terminal.h"
+#include "apps/describe/shell_words.h"
+#include "apps/recordings/recording_files.h"
 #include "gw/error.h"
 #include "hiddensurface/run/algorithm.h"
 #include "image/output/output_folder.h"
-#include "inspect/text/plural.h"
 #include "inspect/report/report.h"
+#include "inspect/text/plural.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -56,7 +56,8 @@ void add_choices(CLI::App& command, InspectOptions& options) {
         });
     add("--limit", "MB", "The report may have this many megabytes, 1..100000 (default 500)",
         [](auto& report, auto name, auto& word) {
-            report.most_bytes = 1'000'000 * std::uint64_t(whole_number_from(name, word, 1, 100'000));
+            report.most_bytes =
+                1'000'000 * std::uint64_t(whole_number_from(name, word, 1, 100'000));
         });
     add("--lang", "NAME", "The language that the page begins with; it can be switched there",
         [](auto& report, auto name, auto& word) {
@@ -110,19 +111,21 @@ void expect_passes(const inspect::Recording& recording, const report::ReportOpti
 
 void print_summary(const InspectOptions& options, const report::ReportSummary& summary) {
     std::string text = (options.folder / "index.html").string() + "\n";
-    text += fmt::format("{} of {}, {:.1f} MB", summary.passes,
-                        inspect::counted(std::uint64_t(summary.passes_of_recording), "pass", "passes"),
-                        double(summary.bytes) / 1e6);
+    text +=
+        fmt::format("{} of {}, {:.1f} MB", summary.passes,
+                    inspect::counted(std::uint64_t(summary.passes_of_recording), "pass", "passes"),
+                    double(summary.bytes) / 1e6);
     if (summary.history)
-        text +=
-            fmt::format(", pixel histories of passes {}-{}", summary.history->first, summary.history->last);
+        text += fmt::format(", pixel histories of passes {}-{}", summary.history->first,
+                            summary.history->last);
     else
         text += ", no pixel histories";
     print(text + "\n");
 }
 
 int inspect_recording(InspectOptions& options) {
-    if (options.folder.empty()) throw UsageError("--output is empty; expected the name of a folder");
+    if (options.folder.empty())
+        throw UsageError("--output is empty; expected the name of a folder");
     image::OutputFolder folder(options.folder, report::report_files());
     options.report.prices =
         options.prices.empty() ? report::vgx_prices() : report::read_prices(options.prices);
@@ -131,7 +134,8 @@ int inspect_recording(InspectOptions& options) {
     options.report.file = options.recording.string();
     options.report.identifiers = writes_identifiers(recording);
     expect_passes(recording, options.report);
-    std::vector<std::string> words{"inspect", options.recording.string(), "-o", options.folder.string()};
+    std::vector<std::string> words{"inspect", options.recording.string(), "-o",
+                                   options.folder.string()};
     words.insert(words.end(), options.words.begin(), options.words.end());
     options.report.command = shell_command(words);
     options.report.progress = [&](const std::string& what) { progress.at(what); };
@@ -149,7 +153,8 @@ int inspect_recording(InspectOptions& options) {
 
 Command add_inspect(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
-        "inspect", "A recording as a page: passes, planes, counters, estimated time, pixel histories");
+        "inspect",
+        "A recording as a page: passes, planes, counters, estimated time, pixel histories");
     const auto options = std::make_shared<InspectOptions>();
     add_options(*command, *options);
     command->footer(

@@ -10,7 +10,9 @@ void add_threads_option(CLI::App& command, int& threads, const char* about) {
     command
         .add_option_function<std::string>(
             "--threads",
-            [&threads](const std::string& word) { threads = whole_number_from("--threads", word, 1, 1024); },
+            [&threads](const std::string& word) {
+                threads = whole_number_from("--threads", word, 1, 1024);
+            },
             about)
         ->type_name("N");
 }

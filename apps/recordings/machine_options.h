@@ -15,7 +15,9 @@ struct MachineOptions {
 
     bool both() const { return machine == "both"; }
     /// The machine that is asked for; the fast one where it is both.
-    inspect::MachineMaker make() const { return inspect::maker_of(both() ? "fast" : machine, threads); }
+    inspect::MachineMaker make() const {
+        return inspect::maker_of(both() ? "fast" : machine, threads);
+    }
     /// The other one.
     inspect::MachineMaker make_other() const {
         return inspect::maker_of(machine == "reference" ? "fast" : "reference", threads);

@@ -1,9 +1,9 @@
 // gw maps: what happened to the fragments of every pixel of a recording, as pictures.
 #include "apps/command/command.h"
-#include "apps/figures/folder_index.h"
-#include "apps/command/progress.h"
-#include "apps/recordings/recording_files.h"
 #include "apps/command/option_values.h"
+#include "apps/command/progress.h"
+#include "apps/figures/folder_index.h"
+#include "apps/recordings/recording_files.h"
 #include "gw/error.h"
 #include "image/false_color.h"
 #include "image/planes.h"
@@ -27,7 +27,8 @@ struct MapsOptions {
 };
 
 /// The pass that is asked for: by its name, the first of this name, else by its place.
-std::optional<std::size_t> pass_named(const inspect::Recording& recording, const std::string& word) {
+std::optional<std::size_t> pass_named(const inspect::Recording& recording,
+                                      const std::string& word) {
     if (word.empty()) return {};
     const auto passes = inspect::pass_ranges(recording);
     const auto found =
@@ -36,8 +37,8 @@ std::optional<std::size_t> pass_named(const inspect::Recording& recording, const
     if (word.find_first_not_of("0123456789") == word.npos && word.size() < 8 &&
         std::stoul(word) < passes.size())
         return std::stoul(word);
-    throw UsageError(
-        fmt::format("--pass '{}': expected the name of a pass or its place, 0..{}", word, passes.size() - 1));
+    throw UsageError(fmt::format("--pass '{}': expected the name of a pass or its place, 0..{}",
+                                 word, passes.size() - 1));
 }
 
 /// Red where there are most, over green to blue for the fewest; black where there is none.
@@ -46,8 +47,8 @@ image::Picture count_colors(std::vector<std::uint32_t> counts, int width, int he
     return image::depth_colors(counts, width, height, 32);
 }
 
-/// White: all fragments were written. Red, green, blue: most of those killed died of the alpha, stencil,
-/// depth test; the earlier test where as many. Black: no fragment.
+/// White: all fragments were written. Red, green, blue: most of those killed died of the alpha,
+/// stencil, depth test; the earlier test where as many. Black: no fragment.
 image::Picture why_killed(const inspect::FragmentMaps& maps, int width, int height) {
     constexpr std::uint8_t white = 7;
     std::vector<std::uint8_t> codes(maps.made.size());
@@ -72,15 +73,18 @@ void put_maps(const inspect::Recording& recording, const inspect::FragmentMaps& 
     for (std::size_t i = 0; i < maps.made.size(); ++i)
         values.insert(values.end(), {maps.made[i], maps.written[i], maps.alpha_killed[i],
                                      maps.stencil_killed[i], maps.depth_killed[i]});
-    image::put_values(
-        output.add(folder / "fragments.exr"),
-        {w, h, {"made", "written", "alpha_killed", "stencil_killed", "depth_killed"}, std::move(values)});
+    image::put_values(output.add(folder / "fragments.exr"),
+                      {w,
+                       h,
+                       {"made", "written", "alpha_killed", "stencil_killed", "depth_killed"},
+                       std::move(values)});
     put_index(output, folder);
     output.commit();
 }
 
 int make_maps(const MapsOptions& options) {
-    if (options.folder.empty()) throw UsageError("--output is empty; expected the name of a folder");
+    if (options.folder.empty())
+        throw UsageError("--output is empty; expected the name of a folder");
     Progress progress("reading", options.quiet);
     const inspect::Recording recording = load_recording(options.recording);
     const auto pass = pass_named(recording, options.pass);
@@ -92,18 +96,20 @@ int make_maps(const MapsOptions& options) {
 }  // namespace
 
 Command add_maps(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("maps", "Overdraw, depth complexity and why fragments died, as pictures");
+    CLI::App* command = app.add_subcommand(
+        "maps", "Overdraw, depth complexity and why fragments died, as pictures");
     const auto options = std::make_shared<MapsOptions>();
     command->add_option("RECORDING", options->recording, "What gw record wrote")
         ->required()
         ->type_name("FILE.gwt");
     command
-        ->add_option("-o,--output", options->folder,
-                     "overdraw.png, depth_complexity.png, why_killed.png, and all counts in fragments.exr")
+        ->add_option(
+            "-o,--output", options->folder,
+            "overdraw.png, depth_complexity.png, why_killed.png, and all counts in fragments.exr")
         ->required()
         ->type_name("DIR");
-    command->add_option("--pass", options->pass, "Of one pass, by its name or place (default: of all)")
+    command
+        ->add_option("--pass", options->pass, "Of one pass, by its name or place (default: of all)")
         ->type_name("NAME|N");
     command->add_flag("--quiet", options->quiet, "No progress");
     command->footer(

@@ -2,8 +2,8 @@
 
 #include "apps/command/table.h"
 #include "inspect/compare/classify.h"
-#include "inspect/replay/player.h"
 #include "inspect/peer/player.h"
+#include "inspect/replay/player.h"
 
 #include <fmt/format.h>
 
@@ -32,8 +32,8 @@ private:
     std::map<std::uint32_t, Readback> readbacks_;
 };
 
-/// OpenGL chooses the lit side after clipping, which cannot be handed over as one colour: without it, for
-/// both.
+/// OpenGL chooses the lit side after clipping, which cannot be handed over as one colour: without
+/// it, for both.
 bool without_two_side(inspect::Recording& recording) {
     bool changed = false;
     for (CommandList& list : recording.lists)

@@ -7,9 +7,10 @@
 
 namespace gw::apps {
 
-/// A table: of every pass, how many pixels of colour, Z and stencil differ, and how (inspect/compare/classify.h).
-/// Says in its first line what played it. Lighting of two sides is switched off for both first, and that is
-/// said. Throws Error where OpenGL cannot play it.
+/// A table: of every pass, how many pixels of colour, Z and stencil differ, and how
+/// (inspect/compare/classify.h).
+/// Says in its first line what played it. Lighting of two sides is switched off for both first, and
+/// that is said. Throws Error where OpenGL cannot play it.
 std::string compare_with_osmesa(inspect::Recording recording, const inspect::MachineMaker& make);
 
 }  // namespace gw::apps

@@ -1,10 +1,10 @@
 // gw pixel: everything that happened to one pixel of a recording.
 #include "apps/command/command.h"
+#include "apps/command/option_values.h"
 #include "apps/command/progress.h"
-#include "apps/recordings/recording_files.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
-#include "apps/command/option_values.h"
+#include "apps/recordings/recording_files.h"
 #include "inspect/replay/pixel_report.h"
 
 #include <fmt/format.h>
@@ -45,16 +45,18 @@ int show_pixel(const PixelOptions& options) {
     Progress progress("reading", options.quiet);
     const inspect::Recording recording = load_recording(options.recording);
     if (options.x >= recording.width || options.y >= recording.height)
-        throw UsageError(fmt::format("pixel {} {} is outside the picture of {} x {}; expected 0..{} 0..{}",
-                                     options.x, options.y, recording.width, recording.height,
-                                     recording.width - 1, recording.height - 1));
+        throw UsageError(
+            fmt::format("pixel {} {} is outside the picture of {} x {}; expected 0..{} 0..{}",
+                        options.x, options.y, recording.width, recording.height,
+                        recording.width - 1, recording.height - 1));
     progress.at("replaying on the reference machine");
     const int y = recording.height - 1 - options.y;
     const auto events = inspect::pixel_history(recording, options.x, y);
-    print(options.json ? history_json(recording, options.x, y, events)
-                                 .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-                             "\n"
-                       : table(history_rows(events)));
+    print(options.json
+              ? history_json(recording, options.x, y, events)
+                        .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                    "\n"
+              : table(history_rows(events)));
     return done;
 }
 

@@ -32,12 +32,14 @@ void add_options(CLI::App& command, RecordOptions& options) {
             "Instead of a renderer, a hidden-surface algorithm of gw hidden")
         ->type_name("NAME");
     command
-        .add_option("--manifest", options.manifest,
-                    "Also what gw verify checks: state, counters and digests of every pass, as JSON, and the "
-                    "values of the planes beside it")
+        .add_option(
+            "--manifest", options.manifest,
+            "Also what gw verify checks: state, counters and digests of every pass, as JSON, and the "
+            "values of the planes beside it")
         ->type_name("FILE.json");
-    command.add_flag("!--no-values", options.values,
-                     "With --manifest: no values; gw verify then names no pixel of another recording");
+    command.add_flag(
+        "!--no-values", options.values,
+        "With --manifest: no values; gw verify then names no pixel of another recording");
 }
 
 int record_scene(const RecordOptions& options) {
@@ -54,8 +56,8 @@ int record_scene(const RecordOptions& options) {
     image::OutputSet output;
     output.add(options.output).write(inspect::encode(recording));
     if (!options.manifest.empty())
-        put_manifest(output, options.manifest, recording, inspect::maker_of(options.picture.machine),
-                     options.values);
+        put_manifest(output, options.manifest, recording,
+                     inspect::maker_of(options.picture.machine), options.values);
     output.commit();
     return done;
 }

@@ -1,7 +1,7 @@
 #include "apps/recordings/recording_files.h"
 
-#include "apps/render/parameter_sets.h"
 #include "apps/command/versions.h"
+#include "apps/render/parameter_sets.h"
 #include "gw/error.h"
 #include "hiddensurface/run/algorithm.h"
 #include "inspect/recording/read_bytes.h"
@@ -11,9 +11,11 @@ namespace gw::apps {
 
 namespace {
 
-CommandList hidden_surface_list(const Drawing& drawing, const scene::View& view, const std::string& name) {
+CommandList hidden_surface_list(const Drawing& drawing, const scene::View& view,
+                                const std::string& name) {
     hiddensurface::StepLog none;
-    const hiddensurface::Input input = hiddensurface::make_input(drawing.scene, view, drawing.profile);
+    const hiddensurface::Input input =
+        hiddensurface::make_input(drawing.scene, view, drawing.profile);
     return hiddensurface::algorithm_named(name).run(input, none).list;
 }
 
@@ -36,7 +38,8 @@ inspect::Recording record(const Drawing& drawing, const std::string& algorithm) 
     const Size size = drawing.options.size;
     const scene::View view = scene::make_view(drawing.scene, size.width, size.height);
     if (!algorithm.empty()) {
-        inspect::Recording recording = recording_of(drawing, {hidden_surface_list(drawing, view, algorithm)});
+        inspect::Recording recording =
+            recording_of(drawing, {hidden_surface_list(drawing, view, algorithm)});
         recording.renderer = algorithm;
         recording.sets.clear();
         return recording;
@@ -58,7 +61,8 @@ inspect::Recording load_recording(const std::filesystem::path& file) {
 }
 
 void put_manifest(image::OutputSet& output, const std::filesystem::path& file,
-                  const inspect::Recording& recording, const inspect::MachineMaker& make, bool with_values) {
+                  const inspect::Recording& recording, const inspect::MachineMaker& make,
+                  bool with_values) {
     const auto written = replayed_manifest_file(recording, make, file, with_values);
     if (with_values) output.add(inspect::values_file(file)).write(written.values);
     output.add(file).write_text(to_json(written.manifest));

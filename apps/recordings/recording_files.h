@@ -13,16 +13,17 @@ namespace gw::apps {
 /// What was executed while a drawing was drawn, with its names.
 inspect::Recording recording_of(const Drawing& drawing, std::vector<CommandList> lists);
 
-/// Everything that entered the machine while the drawing was drawn, or while a hidden-surface algorithm of
-/// this name drew the scene ("": none).
+/// Everything that entered the machine while the drawing was drawn, or while a hidden-surface
+/// algorithm of this name drew the scene ("": none).
 inspect::Recording record(const Drawing& drawing, const std::string& algorithm = "");
 
 /// Throws Error "T.gwt: what is wrong".
 inspect::Recording load_recording(const std::filesystem::path& file);
 
-/// Replays the recording and adds what came out to the files of `output`: the manifest and, where wanted, its
-/// values beside it, "M.values" for "M.json".
+/// Replays the recording and adds what came out to the files of `output`: the manifest and, where
+/// wanted, its values beside it, "M.values" for "M.json".
 void put_manifest(image::OutputSet& output, const std::filesystem::path& file,
-                  const inspect::Recording& recording, const inspect::MachineMaker& make, bool with_values);
+                  const inspect::Recording& recording, const inspect::MachineMaker& make,
+                  bool with_values);
 
 }  // namespace gw::apps

@@ -1,18 +1,18 @@
 // gw replay: a recording on a machine of this process, without the scene that it was made of.
 #include "apps/command/command.h"
+#include "apps/command/option_values.h"
+#include "apps/command/progress.h"
+#include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/recordings/machine_options.h"
 #include "apps/recordings/osmesa.h"
-#include "apps/command/progress.h"
 #include "apps/recordings/recording_files.h"
-#include "apps/command/terminal.h"
-#include "apps/command/option_values.h"
 #include "gw/error.h"
 #include "image/planes.h"
 #include "image/write.h"
 #include "inspect/compare/compare_machines.h"
-#include "inspect/text/plural.h"
 #include "inspect/replay/player.h"
+#include "inspect/text/plural.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -34,7 +34,8 @@ void add_options(CLI::App& command, ReplayOptions& options) {
     command.add_option("-o,--output", options.picture, "The colour plane at the end, as a picture")
         ->type_name("IMAGE");
     command
-        .add_option("--planes", options.planes, "The planes at the end: values as EXR, false colours as PNG")
+        .add_option("--planes", options.planes,
+                    "The planes at the end: values as EXR, false colours as PNG")
         ->type_name("DIR");
     add_machine_options(command, options.machine);
 #ifdef GW_WITH_OSMESA
@@ -50,8 +51,10 @@ void add_options(CLI::App& command, ReplayOptions& options) {
 }
 
 void check(const ReplayOptions& options) {
-    if (options.on_osmesa && (options.machine.both() || !options.picture.empty() || !options.planes.empty()))
-        throw UsageError("--on osmesa only prints; expected no --output, --planes or --machine both");
+    if (options.on_osmesa &&
+        (options.machine.both() || !options.picture.empty() || !options.planes.empty()))
+        throw UsageError(
+            "--on osmesa only prints; expected no --output, --planes or --machine both");
     if (options.picture.empty()) return;
     image::check_target(options.picture);
     try {
@@ -61,16 +64,17 @@ void check(const ReplayOptions& options) {
     }
 }
 
-void write_files(const ReplayOptions& options, const inspect::Recording& recording, const Planes& planes) {
+void write_files(const ReplayOptions& options, const inspect::Recording& recording,
+                 const Planes& planes) {
     image::OutputSet output;
     if (!options.planes.empty()) {
         output.make_folder(options.planes);
         image::put_planes(output, options.planes, planes, recording.profile);
     }
     if (!options.picture.empty())
-        image::put_picture(
-            output.add(options.picture),
-            image::picture_of(planes.color, planes.width, planes.height, recording.profile.color_bits));
+        image::put_picture(output.add(options.picture),
+                           image::picture_of(planes.color, planes.width, planes.height,
+                                             recording.profile.color_bits));
     if (!options.planes.empty()) put_index(output, options.planes);
     output.commit();
 }

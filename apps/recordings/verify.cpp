@@ -1,9 +1,9 @@
 // gw verify: a recording against its manifest.
 #include "apps/command/command.h"
-#include "apps/recordings/machine_options.h"
 #include "apps/command/progress.h"
-#include "apps/recordings/recording_files.h"
 #include "apps/command/terminal.h"
+#include "apps/recordings/machine_options.h"
+#include "apps/recordings/recording_files.h"
 #include "image/output/output_set.h"
 #include "inspect/text/plural.h"
 
@@ -25,7 +25,8 @@ void add_options(CLI::App& command, VerifyOptions& options) {
         ->required()
         ->type_name("FILE.gwt");
     command
-        .add_option("MANIFEST", options.manifest, "What gw record --manifest or gw render --manifest wrote")
+        .add_option("MANIFEST", options.manifest,
+                    "What gw record --manifest or gw render --manifest wrote")
         ->required()
         ->type_name("FILE.json");
     add_machine_options(command, options.machine);
@@ -48,8 +49,10 @@ int report(const inspect::Verification& verification, const VerifyOptions& optio
     else if (!verification.same_commands)
         print("  the recording's commands are not those of the manifest\n");
     else
-        print("  the commands are those of the manifest: the machine is not the one that wrote it\n");
-    print(fmt::format("{}: not as {} says\n", options.recording.string(), options.manifest.string()));
+        print(
+            "  the commands are those of the manifest: the machine is not the one that wrote it\n");
+    print(
+        fmt::format("{}: not as {} says\n", options.recording.string(), options.manifest.string()));
     return differs;
 }
 

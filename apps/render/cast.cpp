@@ -1,9 +1,10 @@
-// gw cast: ray casting as it is taught, by the method that is asked for, with what it cost. [L9 to L12]
+// gw cast: ray casting as it is taught, by the method that is asked for, with what it cost. [L9 to
+// L12]
 #include "apps/command/command.h"
-#include "apps/render/picture_options.h"
 #include "apps/command/progress.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
+#include "apps/render/picture_options.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
 #include "image/write.h"
@@ -25,9 +26,10 @@ constexpr std::pair<const char*, CastMethod> methods[] = {{"brute-force", CastMe
                                                           {"volumes", CastMethod::BoundingVolumes},
                                                           {"hierarchy", CastMethod::Hierarchy},
                                                           {"grid", CastMethod::Grid}};
-constexpr std::pair<const char*, InsideTest> inside_tests[] = {{"crossings", InsideTest::Crossings},
-                                                               {"products", InsideTest::CrossProducts},
-                                                               {"angles", InsideTest::Angles}};
+constexpr std::pair<const char*, InsideTest> inside_tests[] = {
+    {"crossings", InsideTest::Crossings},
+    {"products", InsideTest::CrossProducts},
+    {"angles", InsideTest::Angles}};
 
 struct CastOptions {
     PictureOptions picture{.size = {320, 240}};
@@ -66,7 +68,8 @@ void check_picture(const std::string& option, const std::filesystem::path& file)
 
 /// Tests of a pixel from black to white, the dearest pixel white.
 image::Picture picture_of_tests(const std::vector<std::uint32_t>& tests, const Size& size) {
-    const std::uint64_t most = std::max<std::uint32_t>(1, *std::max_element(tests.begin(), tests.end()));
+    const std::uint64_t most =
+        std::max<std::uint32_t>(1, *std::max_element(tests.begin(), tests.end()));
     std::vector<Rgba> color;
     for (const std::uint32_t n : tests) {
         const auto v = static_cast<std::uint16_t>((n * std::uint64_t{255} + most / 2) / most);
@@ -99,8 +102,9 @@ int cast(const CastOptions& options) {
     const Size size = options.picture.size;
     const auto shapes = raytrace::cast_shapes(scene);
     const auto caster = raytrace::make_caster(options.method, shapes, options.inside);
-    const auto picture = raytrace::cast_picture(
-        *caster, shapes, scene, scene::make_view(scene, size.width, size.height), options.picture.threads);
+    const auto picture = raytrace::cast_picture(*caster, shapes, scene,
+                                                scene::make_view(scene, size.width, size.height),
+                                                options.picture.threads);
     image::OutputSet output;
     image::put_picture(output.add(options.output),
                        image::picture_of(picture.color, size.width, size.height, 8));
@@ -114,19 +118,23 @@ int cast(const CastOptions& options) {
 }  // namespace
 
 Command add_cast(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("cast", "Ray casting as it is taught: methods, inside tests, their counts");
+    CLI::App* command = app.add_subcommand(
+        "cast", "Ray casting as it is taught: methods, inside tests, their counts");
     const auto options = std::make_shared<CastOptions>();
     add_picture_options(*command, options->picture);
     remove_pass_options(*command);
-    for (const char* unused : {"--machine", "--profile"}) command->remove_option(command->get_option(unused));
+    for (const char* unused : {"--machine", "--profile"})
+        command->remove_option(command->get_option(unused));
     command->get_option("--size")->description("Pixels, both sides 1..4096 (default 320x240)");
     command->get_option("--threads")->description("Processors that share the rows (default: all)");
     add_choice(*command, "--method", methods, options->method,
                "How the nearest shape is found: brute-force, volumes, hierarchy (default) or grid");
-    add_choice(*command, "--inside", inside_tests, options->inside,
-               "Ray and polygon: crossings (default), products or angles; they differ on concave polygons");
-    command->add_option("-o,--output", options->output, "The picture")->required()->type_name("IMAGE");
+    add_choice(
+        *command, "--inside", inside_tests, options->inside,
+        "Ray and polygon: crossings (default), products or angles; they differ on concave polygons");
+    command->add_option("-o,--output", options->output, "The picture")
+        ->required()
+        ->type_name("IMAGE");
     command
         ->add_option("--tests", options->tests,
                      "Also a picture of the tests that each pixel cost, the dearest white")

@@ -1,10 +1,10 @@
 // gw compare: item buffer and ordinary ray tracing on one scene, what differs and why. [K4, K4f]
 #include "apps/command/command.h"
-#include "apps/figures/folder_index.h"
-#include "apps/render/picture_options.h"
 #include "apps/command/progress.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
+#include "apps/figures/folder_index.h"
+#include "apps/render/picture_options.h"
 #include "image/output/output_set.h"
 #include "image/write.h"
 #include "inspect/text/plural.h"
@@ -51,7 +51,8 @@ std::string_view color_name(Reason reason) {
 }
 
 std::string counts_table(const itembuffer::Differences& d) {
-    std::vector<std::vector<std::string>> rows{{"why", "pixels", "share", "mean", "largest", "reasons.png"}};
+    std::vector<std::vector<std::string>> rows{
+        {"why", "pixels", "share", "mean", "largest", "reasons.png"}};
     for (const Reason reason : itembuffer::reasons) {
         const itembuffer::ReasonCount c = count_of(d, reason);
         rows.push_back({std::string(name_of(reason)), std::to_string(c.pixels),
@@ -59,11 +60,12 @@ std::string counts_table(const itembuffer::Differences& d) {
                         fmt::format("{:.2f}", c.mean), std::to_string(c.largest),
                         std::string(color_name(reason))});
     }
-    return table(rows) + fmt::format(
-                             "\nmean and largest in units of the frame buffer; colours are added by {}\n"
-                             "away from edges {} pixels, of them another polygon: {}\n",
-                             inspect::counted(std::uint64_t(d.passes), "pass", "passes"), d.away_from_edges,
-                             d.another_polygon_there);
+    return table(rows) +
+           fmt::format(
+               "\nmean and largest in units of the frame buffer; colours are added by {}\n"
+               "away from edges {} pixels, of them another polygon: {}\n",
+               inspect::counted(std::uint64_t(d.passes), "pass", "passes"), d.away_from_edges,
+               d.another_polygon_there);
 }
 
 std::string counts_csv(const itembuffer::Differences& d) {
@@ -76,7 +78,8 @@ std::string counts_csv(const itembuffer::Differences& d) {
 }
 
 int compare(const CompareOptions& options) {
-    if (options.folder.empty()) throw UsageError("--output is empty; expected the name of a folder");
+    if (options.folder.empty())
+        throw UsageError("--output is empty; expected the name of a folder");
     const Progress progress("drawing both ways", options.picture.quiet);
     const Profile profile = load_profile(options.picture);
     const scene::Scene scene = load_scene(options.picture);
@@ -112,15 +115,17 @@ int compare(const CompareOptions& options) {
 }  // namespace
 
 Command add_compare(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("compare", "Item buffer and ordinary ray tracing: what differs, and why");
+    CLI::App* command = app.add_subcommand(
+        "compare", "Item buffer and ordinary ray tracing: what differs, and why");
     const auto options = std::make_shared<CompareOptions>();
     add_picture_options(*command, options->picture);
-    for (const char* unused : {"--renderer", "--samples", "--averaging", "--translucency", "--reflections"})
+    for (const char* unused :
+         {"--renderer", "--samples", "--averaging", "--translucency", "--reflections"})
         command->remove_option(command->get_option(unused));
     command
-        ->add_option("-o,--output", options->folder,
-                     "Folder of both pictures, sixteen times their difference, its reasons, the table as CSV")
+        ->add_option(
+            "-o,--output", options->folder,
+            "Folder of both pictures, sixteen times their difference, its reasons, the table as CSV")
         ->required()
         ->type_name("DIR");
     command->footer("Example:\n  build/release/bin/gw compare scenes/fig9.toml -o differences");

@@ -1,14 +1,14 @@
 #include "apps/render/frame_files.h"
 
-#include "apps/figures/folder_index.h"
-#include "apps/render/parameter_sets.h"
-#include "apps/recordings/recording_files.h"
 #include "apps/command/command_recorder.h"
+#include "apps/figures/folder_index.h"
+#include "apps/recordings/recording_files.h"
+#include "apps/render/parameter_sets.h"
 #include "image/planes.h"
 #include "image/write.h"
 #include "inspect/manifest/counters_json.h"
-#include "inspect/replay/digesting_machine.h"
 #include "inspect/manifest/manifest.h"
+#include "inspect/replay/digesting_machine.h"
 #include "inspect/replay/recorder.h"
 #include "multipass/frame/driver.h"
 #include "multipass/maps/scene_maps.h"
@@ -21,9 +21,11 @@ namespace gw::apps {
 
 namespace {
 
-image::Picture picture_of(const Drawing& drawing, const std::vector<Rgba>& color, const image::Tone& tone) {
+image::Picture picture_of(const Drawing& drawing, const std::vector<Rgba>& color,
+                          const image::Tone& tone) {
     const Size size = drawing.options.size;
-    return image::toned(image::picture_of(color, size.width, size.height, drawing.profile.color_bits), tone);
+    return image::toned(
+        image::picture_of(color, size.width, size.height, drawing.profile.color_bits), tone);
 }
 
 // A component's name as the name of a file: "diffuse lamp 1" becomes "diffuse_lamp_1".
@@ -39,7 +41,8 @@ std::string file_name(std::string name, std::set<std::string>& taken) {
 // The scene's own passes are in place of multipass's.
 DrawOptions options_of(const Drawing& drawing) {
     DrawOptions options = draw_options(drawing.options);
-    if (drawing.renderer.passes == multipass::Renderer::Multipass) options.passes.passes = drawing.own_passes;
+    if (drawing.renderer.passes == multipass::Renderer::Multipass)
+        options.passes.passes = drawing.own_passes;
     return options;
 }
 
@@ -50,10 +53,11 @@ scene::Scene with_maps(const Drawing& drawing, const scene::View& view, Machine&
     return multipass::with_scene_maps(machine, drawing.scene, view, options);
 }
 
-// The component's passes as the picture's, on black where the background is a component of its own. The
-// scene's maps are there already: they show everything.
-std::vector<Rgba> component(const Drawing& drawing, scene::Scene scene, const multipass::ComponentList& list,
-                            const scene::View& view, Machine& machine) {
+// The component's passes as the picture's, on black where the background is a component of its own.
+// The scene's maps are there already: they show everything.
+std::vector<Rgba> component(const Drawing& drawing, scene::Scene scene,
+                            const multipass::ComponentList& list, const scene::View& view,
+                            Machine& machine) {
     if (!list.background) scene.background = vec3(0);
     DrawOptions options = options_of(drawing);
     options.passes.passes = list.passes;
@@ -68,14 +72,15 @@ void put_components(const Drawing& drawing, Machine& machine, const scene::View&
     std::set<std::string> taken{"sum"};
     const scene::Scene ready = with_maps(drawing, view, machine);
     for (const auto& list : multipass::component_lists(drawing.scene, passes_of(drawing))) {
-        image::put_picture(output.add(files.components / (file_name(list.name, taken) + extension)),
-                           picture_of(drawing, component(drawing, ready, list, view, machine), files.tone));
+        image::put_picture(
+            output.add(files.components / (file_name(list.name, taken) + extension)),
+            picture_of(drawing, component(drawing, ready, list, view, machine), files.tone));
     }
     image::put_picture(output.add(files.components / ("sum" + extension)), sum);
 }
 
-void put_planes(const Drawing& drawing, Machine& machine, const scene::View& view, const FrameFiles& files,
-                image::OutputSet& output) {
+void put_planes(const Drawing& drawing, Machine& machine, const scene::View& view,
+                const FrameFiles& files, image::OutputSet& output) {
     image::put_planes(output, files.planes, machine.planes(), drawing.profile);
     machine.execute(scene::id_pass(drawing.scene, view));
     std::vector<std::uint32_t> ids;
@@ -120,7 +125,8 @@ void draw_frame(const Drawing& drawing, const FrameFiles& files) {
         output.add(files.manifest).write_text(to_json(manifest_of(recording, machine->passes())));
     }
     if (!files.counters.empty())
-        output.add(files.counters).write_text(inspect::totals_json(machine->passes()).dump(2) + "\n");
+        output.add(files.counters)
+            .write_text(inspect::totals_json(machine->passes()).dump(2) + "\n");
     const image::Picture picture = picture_of(drawing, machine->planes().color, files.tone);
     image::put_picture(output.add(files.picture), picture);
     if (!files.planes.empty()) put_planes(drawing, *machine, view, files, output);

@@ -1,4 +1,5 @@
-// One frame of a drawing, and the files that are asked for: picture, components, planes, manifest, counters.
+// One frame of a drawing, and the files that are asked for: picture, components, planes, manifest,
+// counters.
 // All or none appear. Does not parse options.
 #pragma once
 

@@ -1,16 +1,16 @@
 // gw passes: the parameter sets of a scene as the paper writes them, with what the machine counted.
 #include "apps/command/command.h"
-#include "apps/render/frame_files.h"
-#include "apps/render/parameter_sets.h"
 #include "apps/command/progress.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
+#include "apps/render/frame_files.h"
+#include "apps/render/parameter_sets.h"
 #include "gw/counter_names.h"
-#include "inspect/text/plural.h"
 #include "inspect/manifest/counters_json.h"
+#include "inspect/report/prices.h"
+#include "inspect/text/plural.h"
 #include "multipass/frame/driver.h"
 #include "multipass/passes/pass_toml.h"
-#include "inspect/report/prices.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -51,7 +51,8 @@ Printout run_passes(const PassesOptions& wanted) {
     Printout printout{passes_of(drawing), std::move(prices), {}, {}};
     const auto sets = parameter_sets(drawing);
     const auto machine = make_machine(options, drawing.profile);
-    draw(drawing, scene::make_view(drawing.scene, options.size.width, options.size.height), *machine);
+    draw(drawing, scene::make_view(drawing.scene, options.size.width, options.size.height),
+         *machine);
     for (const PassReport& report : machine->passes()) {
         const auto set = sets.find(report.name);
         const double seconds = estimated_seconds(report.counters, printout.prices);
@@ -78,8 +79,10 @@ std::string text(const Printout& printout) {
             rows.back().push_back(std::to_string(counters.*counter.count));
         rows.back().push_back(fmt::format("{:.4f} s", seconds));
     };
-    for (const RunPass& run : printout.runs) add_row(run.report.name, run.report.counters, run.seconds);
-    add_row(inspect::counted(printout.runs.size(), "pass", "passes"), printout.sum, printout.seconds);
+    for (const RunPass& run : printout.runs)
+        add_row(run.report.name, run.report.counters, run.seconds);
+    add_row(inspect::counted(printout.runs.size(), "pass", "passes"), printout.sum,
+            printout.seconds);
     return multipass::print_passes(printout.list) + "\n" + table(rows) +
            fmt::format("\nestimated: time by a price list, of {}\n", printout.prices.machine);
 }
@@ -115,7 +118,8 @@ std::string csv(const Printout& printout) {
     out += ",estimated_seconds\n";
     for (const auto& [report, set, seconds] : printout.runs) {
         out += quoted(report.name) + "," + quoted(set);
-        for (const auto& [name, count] : counter_names()) out += fmt::format(",{}", report.counters.*count);
+        for (const auto& [name, count] : counter_names())
+            out += fmt::format(",{}", report.counters.*count);
         out += fmt::format(",{}\n", seconds);
     }
     return out;
@@ -140,7 +144,8 @@ int print_passes(const PassesOptions& options) {
 }  // namespace
 
 Command add_passes(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("passes", "The parameter sets that make a picture, with counters");
+    CLI::App* command =
+        app.add_subcommand("passes", "The parameter sets that make a picture, with counters");
     const auto options = std::make_shared<PassesOptions>();
     add_picture_options(*command, options->picture);
     const auto add_form = [&](const char* name, Form form, const char* help) {
@@ -148,7 +153,8 @@ Command add_passes(CLI::App& app) {
             name, [options, form] { options->form = form; }, help);
     };
     CLI::Option* json_flag = add_form("--json", Form::Json, "As JSON");
-    CLI::Option* csv_flag = add_form("--csv", Form::Csv, "As comma-separated values")->excludes(json_flag);
+    CLI::Option* csv_flag =
+        add_form("--csv", Form::Csv, "As comma-separated values")->excludes(json_flag);
     add_form("--toml", Form::Toml, "The list alone, as a scene file holds it; nothing is drawn")
         ->excludes(json_flag)
         ->excludes(csv_flag);

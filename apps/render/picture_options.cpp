@@ -1,13 +1,13 @@
 #include "apps/render/picture_options.h"
 
 #include "apps/command/command.h"
-#include "apps/recordings/machine_options.h"
-#include "apps/render/renderers.h"
 #include "apps/command/command_recorder.h"
 #include "apps/command/terminal.h"
+#include "apps/recordings/machine_options.h"
+#include "apps/render/renderers.h"
 #include "image/textures.h"
-#include "multipass/passes/pass_toml.h"
 #include "multipass/frame/superpose.h"
+#include "multipass/passes/pass_toml.h"
 #include "scene/read_profile.h"
 #include "scene/read_scene.h"
 
@@ -34,7 +34,9 @@ void add_camera_options(CLI::App& command, PictureOptions& options) {
     command
         .add_option_function<std::string>(
             "--fov",
-            [&camera](const std::string& word) { camera.fov = number_from("--fov", word, 0.1, 179); },
+            [&camera](const std::string& word) {
+                camera.fov = number_from("--fov", word, 0.1, 179);
+            },
             "Vertical angle of view")
         ->type_name("DEGREES");
 }
@@ -43,7 +45,9 @@ void add_machine_options(CLI::App& command, PictureOptions& options) {
     command
         .add_option_function<std::string>(
             "--machine",
-            [&](const std::string& word) { options.machine = one_of("--machine", word, machines()); },
+            [&](const std::string& word) {
+                options.machine = one_of("--machine", word, machines());
+            },
             "Which machine draws: the same bits (default " + machines().front() + ")")
         ->type_name("NAME");
     add_threads_option(command, options.threads);
@@ -56,7 +60,9 @@ void add_machine_options(CLI::App& command, PictureOptions& options) {
             "Pictures superposed against jagged edges (default 1; beyond what the accumulation buffer holds, "
             "in groups)")
         ->type_name("N");
-    command.add_option("--profile", options.profile, "vgx, reality, ideal or a TOML file (default vgx)")
+    command
+        .add_option("--profile", options.profile,
+                    "vgx, reality, ideal or a TOML file (default vgx)")
         ->type_name("NAME|FILE.toml");
 }
 
@@ -68,7 +74,8 @@ void add_choice(CLI::App& command, const std::string& name, std::map<std::string
     for (const auto& [word, value] : words) known.push_back(word);
     command
         .add_option_function<std::string>(
-            name, [=, &target](const std::string& word) { target = words.at(one_of(name, word, known)); },
+            name,
+            [=, &target](const std::string& word) { target = words.at(one_of(name, word, known)); },
             help)
         ->type_name("NAME");
 }
@@ -81,11 +88,12 @@ void add_effect_options(CLI::App& command, PictureOptions& options) {
             {"sorted", Sorted}, {"unsorted", Unsorted}, {"layers", Layers}},
         options.translucency,
         "Translucent faces: sorted by distance (default), unsorted, or in exact layers pixel by pixel");
-    add_choice(
-        command, "--shadow",
-        std::map<std::string, scene::Shadow>{
-            {"none", scene::Shadow::None}, {"volume", scene::Shadow::Volume}, {"map", scene::Shadow::Map}},
-        options.shadow, "none, volume or map, for all lights that cast shadows (default: the scene's)");
+    add_choice(command, "--shadow",
+               std::map<std::string, scene::Shadow>{{"none", scene::Shadow::None},
+                                                    {"volume", scene::Shadow::Volume},
+                                                    {"map", scene::Shadow::Map}},
+               options.shadow,
+               "none, volume or map, for all lights that cast shadows (default: the scene's)");
     add_choice(
         command, "--averaging", std::map<std::string, bool>{{"simple", false}, {"weighted", true}},
         options.weighted,
@@ -104,14 +112,17 @@ void add_ray_options(CLI::App& command, PictureOptions& options) {
     command
         .add_option_function<std::string>(
             "--depth",
-            [&](const std::string& word) { options.rays.depth = whole_number_from("--depth", word, 1, 64); },
+            [&](const std::string& word) {
+                options.rays.depth = whole_number_from("--depth", word, 1, 64);
+            },
             "Rays in a path, the one from the eye counted (default 2; glass wants 6 or so)")
         ->type_name("N");
     command
         .add_option_function<std::string>(
             "--reflected-shadows",
             [&](const std::string& word) {
-                options.rays.shadow_maps = one_of("--reflected-shadows", word, {"rays", "maps"}) == "maps";
+                options.rays.shadow_maps =
+                    one_of("--reflected-shadows", word, {"rays", "maps"}) == "maps";
             },
             "What finds shadows in reflections: shadow rays (default), or the lights' shadow maps")
         ->type_name("rays|maps");
@@ -132,7 +143,9 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     command
         .add_option_function<std::string>(
             "--renderer",
-            [&](const std::string& word) { options.renderer = one_of("--renderer", word, renderer_names()); },
+            [&](const std::string& word) {
+                options.renderer = one_of("--renderer", word, renderer_names());
+            },
             renderers_help())
         ->type_name("NAME");
     command
@@ -148,8 +161,8 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
 }
 
 void remove_pass_options(CLI::App& command) {
-    for (const char* option : {"--renderer", "--samples", "--averaging", "--translucency", "--shadow",
-                               "--reflections", "--depth", "--reflected-shadows"})
+    for (const char* option : {"--renderer", "--samples", "--averaging", "--translucency",
+                               "--shadow", "--reflections", "--depth", "--reflected-shadows"})
         command.remove_option(command.get_option(option));
 }
 
@@ -160,7 +173,8 @@ SceneWithPasses load_scene_with_passes(const PictureOptions& options) {
     }
     scene::SceneFile file = scene::read_scene(options.scene);
     if (!options.quiet) {
-        for (const std::string& warning : file.warnings) print_error("gw: warning: " + warning + "\n");
+        for (const std::string& warning : file.warnings)
+            print_error("gw: warning: " + warning + "\n");
     }
     scene::Scene& scene = file.scene;
     std::optional<multipass::PassList> passes;
@@ -174,7 +188,9 @@ SceneWithPasses load_scene_with_passes(const PictureOptions& options) {
     return {std::move(scene), std::move(passes)};
 }
 
-scene::Scene load_scene(const PictureOptions& options) { return load_scene_with_passes(options).scene; }
+scene::Scene load_scene(const PictureOptions& options) {
+    return load_scene_with_passes(options).scene;
+}
 
 DrawOptions draw_options(const PictureOptions& options) {
     DrawOptions draw{.passes = {.translucency = options.translucency,
@@ -188,14 +204,16 @@ DrawOptions draw_options(const PictureOptions& options) {
 
 Profile load_profile(const PictureOptions& options) {
     const bool from_file = std::filesystem::path(options.profile).extension() == ".toml";
-    const Profile profile = from_file ? scene::read_profile(options.profile)
-                                      : profile_named(one_of("--profile", options.profile, profile_names()));
+    const Profile profile =
+        from_file ? scene::read_profile(options.profile)
+                  : profile_named(one_of("--profile", options.profile, profile_names()));
     // Groups that fit, and as many groups; with weights one.
-    const int group = multipass::most_pictures(profile), most = options.weighted ? group : group * group;
+    const int group = multipass::most_pictures(profile),
+              most = options.weighted ? group : group * group;
     if (options.samples > most) {
-        throw UsageError(fmt::format("--samples '{}': more than profile {} superposes{}; expected 1..{}",
-                                     options.samples, profile.name, options.weighted ? " with weights" : "",
-                                     most));
+        throw UsageError(fmt::format(
+            "--samples '{}': more than profile {} superposes{}; expected 1..{}", options.samples,
+            profile.name, options.weighted ? " with weights" : "", most));
     }
     return profile;
 }

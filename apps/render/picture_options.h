@@ -1,15 +1,15 @@
-// The options that gw render and gw passes share: which scene, seen how, drawn by what; and the scene they
-// give. Does not draw.
+// The options that gw render and gw passes share: which scene, seen how, drawn by what; and the
+// scene they give. Does not draw.
 #pragma once
 
 #include "apps/command/cli_fwd.h"
-#include "apps/render/renderers.h"
 #include "apps/command/option_values.h"
+#include "apps/render/renderers.h"
 #include "gw/machine.h"
 #include "multipass/frame/options.h"
 #include "scene/draw/fit.h"
-#include "scene/scene.h"
 #include "scene/draw/view.h"
+#include "scene/scene.h"
 
 #include <filesystem>
 #include <memory>
@@ -41,8 +41,8 @@ void add_picture_options(CLI::App& command, PictureOptions& options);
 /// For a command that chooses renderer and passes itself: takes their options away again.
 void remove_pass_options(CLI::App& command);
 
-/// Reads the scene and its textures, fits what it leaves open, applies the camera options. Warnings of the
-/// readers go to stderr unless quiet. Throws Error.
+/// Reads the scene and its textures, fits what it leaves open, applies the camera options. Warnings
+/// of the readers go to stderr unless quiet. Throws Error.
 scene::Scene load_scene(const PictureOptions& options);
 
 /// The same, with the pass list that the scene brings, if it does.
@@ -55,8 +55,8 @@ SceneWithPasses load_scene_with_passes(const PictureOptions& options);
 /// What of the options a renderer asks for.
 DrawOptions draw_options(const PictureOptions& options);
 
-/// A built-in profile by name, or one from a TOML file. Throws UsageError where it cannot hold so many
-/// samples.
+/// A built-in profile by name, or one from a TOML file. Throws UsageError where it cannot hold so
+/// many samples.
 Profile load_profile(const PictureOptions& options);
 
 /// "fast", "reference": those that this build has, the default first.

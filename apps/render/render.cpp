@@ -1,9 +1,9 @@
 // gw render: a picture of a scene, and what else of the drawing is asked for.
 #include "apps/command/command.h"
-#include "apps/render/frame_files.h"
 #include "apps/command/peak_memory.h"
-#include "apps/render/picture_options.h"
 #include "apps/command/progress.h"
+#include "apps/render/frame_files.h"
+#include "apps/render/picture_options.h"
 #include "apps/render/renderers.h"
 #include "apps/render/turntable.h"
 #include "gw/error.h"
@@ -28,13 +28,17 @@ void add_tone_options(CLI::App& command, image::Tone& tone) {
     command
         .add_option_function<std::string>(
             "--gamma",
-            [&tone](const std::string& word) { tone.gamma = number_from("--gamma", word, 0.1, 10); },
+            [&tone](const std::string& word) {
+                tone.gamma = number_from("--gamma", word, 0.1, 10);
+            },
             "The picture as v^(1/G) (default 1: as the frame buffer holds it)")
         ->type_name("G");
     command
         .add_option_function<std::string>(
             "--exposure",
-            [&tone](const std::string& word) { tone.exposure = number_from("--exposure", word, -32, 32); },
+            [&tone](const std::string& word) {
+                tone.exposure = number_from("--exposure", word, -32, 32);
+            },
             "The picture times 2^STOPS (default 0)")
         ->type_name("STOPS");
 }
@@ -55,19 +59,22 @@ void add_options(CLI::App& command, RenderOptions& options) {
             "N pictures IMAGE_001 ... around the scene")
         ->type_name("N");
     command
-        .add_option("--frames", options.frames,
-                    "Of a turntable pictures A to B only: processes share the work, and make the same files")
+        .add_option(
+            "--frames", options.frames,
+            "Of a turntable pictures A to B only: processes share the work, and make the same files")
         ->type_name("A-B");
     command
         .add_option("--components", options.files.components,
                     "Also a picture of each component, and their sum")
         ->type_name("DIR");
     command
-        .add_option("--planes", options.files.planes,
-                    "Also Z, stencil, identifiers, accumulation: values as EXR, false colours as PNG")
+        .add_option(
+            "--planes", options.files.planes,
+            "Also Z, stencil, identifiers, accumulation: values as EXR, false colours as PNG")
         ->type_name("DIR");
     command
-        .add_option("--manifest", options.files.manifest, "Also counters and digests of every pass, as JSON")
+        .add_option("--manifest", options.files.manifest,
+                    "Also counters and digests of every pass, as JSON")
         ->type_name("FILE");
     command
         .add_option("--counters", options.files.counters,
@@ -79,7 +86,9 @@ void add_options(CLI::App& command, RenderOptions& options) {
 
 void check_different(const FrameFiles& files) {
     const std::pair<const char*, const std::filesystem::path&> all[] = {
-        {"--output", files.picture}, {"--manifest", files.manifest}, {"--counters", files.counters}};
+        {"--output", files.picture},
+        {"--manifest", files.manifest},
+        {"--counters", files.counters}};
     for (auto a = std::begin(all); a != std::end(all); ++a)
         for (auto b = std::begin(all); b != a; ++b)
             if (!a->second.empty() && a->second == b->second)
@@ -93,21 +102,23 @@ std::pair<int, int> frames_of(const RenderOptions& options) {
     return range_from("--frames", options.frames, 1, options.turntable);
 }
 
-// What is wrong with the words alone is usage. Files that cannot be written are found before long work.
+// What is wrong with the words alone is usage. Files that cannot be written are found before long
+// work.
 void check(const RenderOptions& options) {
     if (!options.frames.empty() && options.turntable == 0)
         throw UsageError("--frames without --turntable; expected both, or neither for one picture");
     if (options.turntable > 0) frames_of(options);
     const FrameFiles& files = options.files;
-    if (files.picture.empty()) throw UsageError("--output is empty; expected the name of a picture");
+    if (files.picture.empty())
+        throw UsageError("--output is empty; expected the name of a picture");
     image::check_target(files.picture);
     try {
         image::check_extension(files.picture);
     } catch (const Error& error) {
         throw UsageError(error.what());
     }
-    const bool more_files = !files.components.empty() || !files.planes.empty() || !files.manifest.empty() ||
-                            !files.counters.empty();
+    const bool more_files = !files.components.empty() || !files.planes.empty() ||
+                            !files.manifest.empty() || !files.counters.empty();
     if (options.turntable > 0 && more_files) {
         throw UsageError(
             "--turntable cannot go with --components, --planes, --manifest or --counters; expected one "

@@ -32,13 +32,14 @@ void draw_scan_lines(Machine& machine, const scene::Scene& scene, const scene::V
     scene::Scene now = scene;
     const auto draw = [&](const multipass::Sample& sample) {
         multipass::move_to(now, scene, sample);
-        machine.execute(
-            hiddensurface::scan_line_picture(now, multipass::view_at(view, sample), machine.profile(),
-                                             multipass::jitter_of(sample, machine.profile().subpixel_bits)));
+        machine.execute(hiddensurface::scan_line_picture(
+            now, multipass::view_at(view, sample), machine.profile(),
+            multipass::jitter_of(sample, machine.profile().subpixel_bits)));
     };
     const int samples = options.passes.samples;
-    multipass::superpose(machine, samples, 0, draw,
-                         multipass::weights_of(samples, options.passes.weighted, machine.profile()));
+    multipass::superpose(
+        machine, samples, 0, draw,
+        multipass::weights_of(samples, options.passes.weighted, machine.profile()));
 }
 
 void draw_rays(Machine& machine, const scene::Scene& scene, const scene::View& view,
@@ -56,12 +57,20 @@ void draw_adaptive(Machine& machine, const scene::Scene& scene, const scene::Vie
 
 const std::vector<Renderer>& renderers() {
     static const std::vector<Renderer> all{
-        {"hardware", "equation 1, everything in one pass", draw_hardware, multipass::Renderer::Hardware},
-        {"multipass", "equations 2, 4 and 5, a pass for each component, reflections by rays (default)",
+        {"hardware", "equation 1, everything in one pass", draw_hardware,
+         multipass::Renderer::Hardware},
+        {"multipass",
+         "equations 2, 4 and 5, a pass for each component, reflections by rays (default)",
          draw_multipass, multipass::Renderer::Multipass},
-        {"scanline", "equation 3 at every pixel of a scan line's spans; no shadows", draw_scan_lines, {}},
+        {"scanline",
+         "equation 3 at every pixel of a scan line's spans; no shadows",
+         draw_scan_lines,
+         {}},
         {"raytrace", "the ordinary ray tracer", draw_rays, {}},
-        {"adaptive", "one item buffer, and more rays only where its neighbours differ", draw_adaptive, {}},
+        {"adaptive",
+         "one item buffer, and more rays only where its neighbours differ",
+         draw_adaptive,
+         {}},
     };
     return all;
 }
@@ -87,7 +96,8 @@ multipass::PassList pass_list(const Renderer& renderer, const scene::Scene& scen
 
 std::string renderers_help() {
     std::string help;
-    for (const Renderer& r : renderers()) help += (help.empty() ? "" : "; ") + r.name + ": " + r.about;
+    for (const Renderer& r : renderers())
+        help += (help.empty() ? "" : "; ") + r.name + ": " + r.about;
     return help;
 }
 

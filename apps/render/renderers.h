@@ -1,12 +1,12 @@
-// The renderers that gw knows, as a table: each draws a scene on a machine. To add one, add a row in
-// renderers.cpp. Does not draw itself.
+// The renderers that gw knows, as a table: each draws a scene on a machine. To add one, add a row
+// in renderers.cpp. Does not draw itself.
 #pragma once
 
 #include "gw/machine.h"
 #include "itembuffer/render.h"
 #include "multipass/frame/options.h"
-#include "scene/scene.h"
 #include "scene/draw/view.h"
+#include "scene/scene.h"
 
 #include <functional>
 #include <optional>
@@ -17,9 +17,11 @@ namespace gw::apps {
 
 /// What the renderers are asked for besides the scene.
 struct DrawOptions {
-    multipass::Options passes;  ///< `renderer` is the renderer's own; `passes`: in place of its list
+    /// `renderer` is the renderer's own; `passes`: in place of its list
+    multipass::Options passes;
     itembuffer::Options rays;
-    bool traced = true;  ///< eq. 5: reflections of illum 3 and up by rays; false: reflection maps only
+    /// eq. 5: reflections of illum 3 and up by rays; false: reflection maps only
+    bool traced = true;
 };
 
 struct Renderer {
@@ -27,7 +29,8 @@ struct Renderer {
     std::string about;  ///< a few words for --help
     /// The picture is in the machine's colour plane afterwards; the view is as large as its window.
     std::function<void(Machine&, const scene::Scene&, const scene::View&, const DrawOptions&)> draw;
-    /// Whose pass list it draws, where it draws one: only then there are passes and components to show.
+    /// Whose pass list it draws, where it draws one: only then there are passes and components to
+    /// show.
     std::optional<multipass::Renderer> passes;
 };
 

@@ -21,12 +21,13 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number) {
     return file.parent_path() / name;
 }
 
-// Draws views of the scene. Passes keep from view to view what no view decides, unless maps are generated
-// from the scene: those hold for one.
+// Draws views of the scene. Passes keep from view to view what no view decides, unless maps are
+// generated from the scene: those hold for one.
 std::function<void(const scene::View&)> drawer_of(const Drawing& drawing, Machine& machine) {
     DrawOptions options = draw_options(drawing.options);
     if (drawing.renderer.passes) options.passes.passes = passes_of(drawing);
-    const bool by_passes = drawing.renderer.passes == multipass::Renderer::Multipass && options.traced &&
+    const bool by_passes = drawing.renderer.passes == multipass::Renderer::Multipass &&
+                           options.traced &&
                            !multipass::has_scene_maps(drawing.scene, options.passes);
     if (!by_passes) return [&](const scene::View& view) { draw(drawing, view, machine); };
     const std::shared_ptr<multipass::Drawer> drawer =
@@ -36,8 +37,8 @@ std::function<void(const scene::View&)> drawer_of(const Drawing& drawing, Machin
 
 }  // namespace
 
-void draw_turntable(Drawing& drawing, const FrameFiles& files, int pictures, std::pair<int, int> first_last,
-                    Progress& progress) {
+void draw_turntable(Drawing& drawing, const FrameFiles& files, int pictures,
+                    std::pair<int, int> first_last, Progress& progress) {
     const Size size = drawing.options.size;
     const scene::Camera camera = *drawing.scene.camera;
     const auto machine = make_machine(drawing.options, drawing.profile);
@@ -47,9 +48,10 @@ void draw_turntable(Drawing& drawing, const FrameFiles& files, int pictures, std
         drawing.scene.camera = scene::turntable(camera, 360.0 * (number - 1) / pictures);
         draw_view(scene::make_view(drawing.scene, size.width, size.height));
         image::OutputSet output;
-        const image::Picture picture =
-            image::picture_of(machine->planes().color, size.width, size.height, drawing.profile.color_bits);
-        image::put_picture(output.add(numbered(files.picture, number)), image::toned(picture, files.tone));
+        const image::Picture picture = image::picture_of(machine->planes().color, size.width,
+                                                         size.height, drawing.profile.color_bits);
+        image::put_picture(output.add(numbered(files.picture, number)),
+                           image::toned(picture, files.tone));
         output.commit();
     }
 }

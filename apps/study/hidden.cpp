@@ -1,14 +1,14 @@
 #include "apps/study/hidden.h"
 
 #include "apps/command/command.h"
-#include "apps/figures/folder_index.h"
 #include "apps/command/progress.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
+#include "apps/figures/folder_index.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
-#include "study/plot/markup.h"
 #include "study/growth_plots.h"
+#include "study/plot/markup.h"
 #include "study/prices.h"
 
 #include <fmt/format.h>
@@ -38,7 +38,8 @@ std::vector<study::PriceList> read_lists(const std::filesystem::path& folder) {
 }
 
 /// Values down, algorithms across: the exponents.
-std::string exponents(const std::vector<study::GrowthLaw>& laws, const std::string& axis, bool lines) {
+std::string exponents(const std::vector<study::GrowthLaw>& laws, const std::string& axis,
+                      bool lines) {
     std::vector<std::string> algorithms;
     for (const study::GrowthLaw& law : laws)
         if (law.axis == axis && law.lines == lines &&
@@ -52,7 +53,8 @@ std::string exponents(const std::vector<study::GrowthLaw>& laws, const std::stri
         bool any = false;
         for (const std::string& name : algorithms) {
             const auto law = std::find_if(laws.begin(), laws.end(), [&](const study::GrowthLaw& l) {
-                return l.axis == axis && l.lines == lines && l.algorithm == name && l.value == value;
+                return l.axis == axis && l.lines == lines && l.algorithm == name &&
+                       l.value == value;
             });
             any = any || law != laws.end();
             row.push_back(law == laws.end() ? "-" : fmt::format("{:.2f}", law->law.exponent));
@@ -95,29 +97,33 @@ std::string ranking_text(const std::vector<study::Ranking>& rankings, const stud
                               : "");
         rows.push_back(std::move(row));
     }
-    std::string text = fmt::format("{} at prices of {} ({}), estimated:\n",
-                                   lines ? "Hidden lines" : "Hidden surfaces", list.name, list.machine) +
-                       table(rows);
+    std::string text =
+        fmt::format("{} at prices of {} ({}), estimated:\n",
+                    lines ? "Hidden lines" : "Hidden surfaces", list.name, list.machine) +
+        table(rows);
     for (const study::Flip& flip : study::flips(rankings))
-        text += fmt::format("from {} {:.3g} on {} is cheaper than {}\n", axis.name, flip.x, flip.after,
-                            flip.before);
+        text += fmt::format("from {} {:.3g} on {} is cheaper than {}\n", axis.name, flip.x,
+                            flip.after, flip.before);
     return text + "\n";
 }
 
 class Sheet {
 public:
-    Sheet(const HiddenStudyOptions& options, image::OutputSet& output) : options_(options), output_(output) {}
+    Sheet(const HiddenStudyOptions& options, image::OutputSet& output)
+        : options_(options), output_(output) {}
 
     void add(const std::string& name, const std::string& heading, plot::Plot plot) {
         plot.command = options_.command;
         output_.add(options_.output / (name + ".svg")).write_text(plot::svg(plot));
         if (heading != heading_) page_ += "<h2>" + plot::escaped(heading) + "</h2>\n";
         heading_ = heading;
-        page_ += fmt::format("<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\" width=\"480\"></a>\n",
-                             name, plot::escaped(plot.title));
+        page_ +=
+            fmt::format("<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\" width=\"480\"></a>\n",
+                        name, plot::escaped(plot.title));
     }
     void add_text(const std::string& heading, const std::string& text) {
-        page_ += "<h2>" + plot::escaped(heading) + "</h2>\n<pre>" + plot::escaped(text) + "</pre>\n";
+        page_ +=
+            "<h2>" + plot::escaped(heading) + "</h2>\n<pre>" + plot::escaped(text) + "</pre>\n";
     }
     void finish() {
         output_.add(options_.output / "index.html")
@@ -162,12 +168,12 @@ int study_hidden(const HiddenStudyOptions& options) {
                 ranking_texts += ranking_text(rankings, axis, list, lines);
                 for (const study::Ranking& ranking : rankings)
                     for (std::size_t i = 0; i < ranking.algorithms.size(); ++i)
-                        costs +=
-                            fmt::format("{},{},{},{},{},{},{}\n", list.name, axis.name, ranking.x, i + 1,
-                                        ranking.algorithms[i].first, ranking.algorithms[i].second.seconds,
-                                        ranking.algorithms[i].second.dollars);
-                sheet.add(fmt::format("{}cost_{}_{}", lines ? "lines_" : "", list.name, axis.name), "Costs",
-                          study::cost_plot(rankings, axis, list, lines));
+                        costs += fmt::format("{},{},{},{},{},{},{}\n", list.name, axis.name,
+                                             ranking.x, i + 1, ranking.algorithms[i].first,
+                                             ranking.algorithms[i].second.seconds,
+                                             ranking.algorithms[i].second.dollars);
+                sheet.add(fmt::format("{}cost_{}_{}", lines ? "lines_" : "", list.name, axis.name),
+                          "Costs", study::cost_plot(rankings, axis, list, lines));
             }
     sheet.add_text("Rankings", ranking_texts);
     sheet.finish();

@@ -1,4 +1,5 @@
-// gw study hidden: how the hidden-surface algorithms grow, and what they cost. Does not parse options.
+// gw study hidden: how the hidden-surface algorithms grow, and what they cost. Does not parse
+// options.
 #pragma once
 
 #include <filesystem>
@@ -8,16 +9,17 @@ namespace gw::apps {
 
 struct HiddenStudyOptions {
     std::filesystem::path output;
-    std::filesystem::path prices = "scenes/hidden/prices";  ///< a folder: recipes.toml, and price lists
-    double limit = 0.5;                                     ///< seconds of one run
-    std::string axis;                                       ///< empty: all
+    /// a folder: recipes.toml, and price lists
+    std::filesystem::path prices = "scenes/hidden/prices";
+    double limit = 0.5;  ///< seconds of one run
+    std::string axis;    ///< empty: all
     int threads = 1;
     bool quiet = false;
     std::string command;  ///< as it was called, for the plots
 };
 
-/// growth.csv, laws.csv, costs.csv, a plot for every counter and axis, index.html; prints exponents and
-/// rankings.
+/// growth.csv, laws.csv, costs.csv, a plot for every counter and axis, index.html; prints exponents
+/// and rankings.
 int study_hidden(const HiddenStudyOptions& options);
 
 }  // namespace gw::apps

@@ -1,13 +1,13 @@
 // gw study: measurements of pictures, as plots with their numbers.
 #include "apps/command/command.h"
+#include "apps/command/command_recorder.h"
+#include "apps/command/progress.h"
+#include "apps/command/table.h"
+#include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/recordings/machine_options.h"
 #include "apps/render/picture_options.h"
-#include "apps/command/progress.h"
 #include "apps/study/hidden.h"
-#include "apps/command/table.h"
-#include "apps/command/command_recorder.h"
-#include "apps/command/terminal.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
 #include "study/adding.h"
@@ -56,7 +56,8 @@ void check(const StudyOptions& options) {
 
 void put_plot(image::OutputSet& output, const StudyOptions& options, const std::string& name,
               const std::string& study, plot::Plot plot) {
-    plot.command = fmt::format("build/release/bin/gw study {} -o {}", study, options.output.string());
+    plot.command =
+        fmt::format("build/release/bin/gw study {} -o {}", study, options.output.string());
     if (options.samples != StudyOptions{}.samples)
         plot.command += fmt::format(" --samples {}", options.samples);
     output.add(options.output / (name + ".svg")).write_text(plot::svg(plot));
@@ -77,12 +78,13 @@ int study_convergence(const StudyOptions& options) {
     for (const Case& c :
          {Case{"antialiasing", "scenes/edges.toml", "Anti-aliasing: error against samples", 2},
           Case{"soft_shadow", "scenes/penumbra.toml", "Soft shadow: error against samples", 4}}) {
-        const auto errors = study::convergence(study_scene(c.scene), profiles(), maker(options, size),
-                                               {.largest = options.samples,
-                                                .reference = 8 * options.samples,
-                                                .width = size.width,
-                                                .height = size.height},
-                                               say);
+        const auto errors =
+            study::convergence(study_scene(c.scene), profiles(), maker(options, size),
+                               {.largest = options.samples,
+                                .reference = 8 * options.samples,
+                                .width = size.width,
+                                .height = size.height},
+                               say);
         put_plot(output, options, c.name, "convergence",
                  study::convergence_plot(errors, c.title, c.dimensions));
         rows.push_back({c.name});
@@ -110,13 +112,15 @@ std::string adding_table(const std::vector<study::Adding>& rows) {
         lines.push_back({row.profile, std::to_string(row.lights), text_of(row.frame_buffer),
                          text_of(row.accumulation), text_of(row.full_strength),
                          fmt::format("{:.1f} %", 100 * row.saturated)});
-    return "Adding the passes of lights: rms, mean and largest error in 255ths of white\n" + table(lines);
+    return "Adding the passes of lights: rms, mean and largest error in 255ths of white\n" +
+           table(lines);
 }
 
 std::string distance_table(const std::vector<study::Distance>& rows) {
     std::vector<std::vector<std::string>> lines{{"profile", "sides", "hardware", "multi-pass"}};
     for (const study::Distance& row : rows)
-        lines.push_back({row.profile, std::to_string(row.sides), fmt::format("{:.3f}", row.hardware),
+        lines.push_back({row.profile, std::to_string(row.sides),
+                         fmt::format("{:.3f}", row.hardware),
                          fmt::format("{:.3f}", row.multipass)});
     return "Distance from the scan-line picture: rms in 255ths of white\n" + table(lines);
 }
@@ -127,8 +131,9 @@ int study_precision(const StudyOptions& options) {
     const auto say = [&](const std::string& what) { progress.at(what); };
     const auto added = study::adding(study_scene("scenes/columns.toml"), {1, 4, 16, 64}, profiles(),
                                      maker(options, large), large.width, large.height, say);
-    const auto apart = study::distances({study_scene("scenes/rings.toml")}, {8, 16, 32, 64, 128}, profiles(),
-                                        maker(options, large), large.width, large.height, say);
+    const auto apart =
+        study::distances({study_scene("scenes/rings.toml")}, {8, 16, 32, 64, 128}, profiles(),
+                         maker(options, large), large.width, large.height, say);
     image::OutputSet output;
     output.make_folder(options.output);
     put_plot(output, options, "adding", "precision", study::adding_plot(added));
@@ -145,7 +150,8 @@ int study_hidden_surfaces(const StudyOptions& options) {
     hidden.output = options.output;
     if (options.threads > 0) hidden.threads = options.threads;
     hidden.quiet = options.quiet;
-    hidden.command = fmt::format("build/release/bin/gw study hidden -o {}", options.output.string());
+    hidden.command =
+        fmt::format("build/release/bin/gw study hidden -o {}", options.output.string());
     if (!hidden.axis.empty()) hidden.command += " --axis " + hidden.axis;
     if (hidden.limit != HiddenStudyOptions{}.limit)
         hidden.command += fmt::format(" --limit {}", hidden.limit);
@@ -166,8 +172,9 @@ int study_hemicube(const StudyOptions& options) {
         {"hemicube", "pixels a texel", "rms drawn", "oversampled", "missed drawn", "oversampled"}};
     const auto percent = [](double v) { return fmt::format("{:.2f} %", 100 * v); };
     for (const study::HemicubeError& r : rows)
-        lines.push_back({std::to_string(r.size), fmt::format("{:g}", r.pixels), percent(r.rms_drawn),
-                         percent(r.rms_oversampled), percent(r.missed_drawn), percent(r.missed_oversampled)});
+        lines.push_back({std::to_string(r.size), fmt::format("{:g}", r.pixels),
+                         percent(r.rms_drawn), percent(r.rms_oversampled), percent(r.missed_drawn),
+                         percent(r.missed_oversampled)});
     print(table(lines));
     return done;
 }
@@ -175,8 +182,8 @@ int study_hemicube(const StudyOptions& options) {
 }  // namespace
 
 Command add_study(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("study", "Measurements of pictures, as plots (SVG) with their numbers (CSV)");
+    CLI::App* command = app.add_subcommand(
+        "study", "Measurements of pictures, as plots (SVG) with their numbers (CSV)");
     const auto options = std::make_shared<StudyOptions>();
     const auto which = std::make_shared<std::string>();
     const std::vector<std::string> known{"convergence", "precision", "hidden", "hemicube"};
@@ -190,10 +197,13 @@ Command add_study(CLI::App& app) {
             "resolution")
         ->required()
         ->type_name("NAME");
-    command->add_option("-o,--output", options->output, "Folder of the plots; made where it is missing")
+    command
+        ->add_option("-o,--output", options->output,
+                     "Folder of the plots; made where it is missing")
         ->required()
         ->type_name("DIR");
-    add_threads_option(*command, options->threads, "Threads of the fast machine (default: all; hidden: 1)");
+    add_threads_option(*command, options->threads,
+                       "Threads of the fast machine (default: all; hidden: 1)");
     command
         ->add_option_function<std::string>(
             "--samples",
@@ -215,21 +225,25 @@ Command add_study(CLI::App& app) {
             "--axis",
             [=](const std::string& word) {
                 std::vector<std::string> axes;
-                for (const study::GrowthAxis& axis : study::growth_axes()) axes.push_back(axis.name);
+                for (const study::GrowthAxis& axis : study::growth_axes())
+                    axes.push_back(axis.name);
                 options->hidden.axis = one_of("--axis", word, axes);
             },
             "hidden: polygons, depth, resolution or frames only (default: all)")
         ->type_name("NAME");
     command
-        ->add_option("--prices", options->hidden.prices,
-                     "hidden: folder of recipes.toml and price lists (default scenes/hidden/prices)")
+        ->add_option(
+            "--prices", options->hidden.prices,
+            "hidden: folder of recipes.toml and price lists (default scenes/hidden/prices)")
         ->type_name("DIR");
     command->add_flag("--quiet", options->quiet, "No progress");
-    command->footer("Example:\n  build/release/bin/gw study convergence --samples 16 -o convergence");
+    command->footer(
+        "Example:\n  build/release/bin/gw study convergence --samples 16 -o convergence");
     return {command, [=] {
                 if (*which == "hidden") return study_hidden_surfaces(*options);
                 if (*which == "hemicube") return study_hemicube(*options);
-                return *which == "convergence" ? study_convergence(*options) : study_precision(*options);
+                return *which == "convergence" ? study_convergence(*options)
+                                               : study_precision(*options);
             }};
 }
 

@@ -1,4 +1,5 @@
-// What the folders' benchmarks work on: the Fig. 9 class scene, or another, ready to draw at 640x480.
+// What the folders' benchmarks work on: the Fig. 9 class scene, or another, ready to draw at
+// 640x480.
 #pragma once
 
 #include "image/textures.h"

@@ -19,8 +19,9 @@ void solve(benchmark::State& state, const hiddensurface::Algorithm& algorithm) {
 
 [[maybe_unused]] const bool registered = [] {
     for (const hiddensurface::Algorithm& algorithm : hiddensurface::algorithms())
-        benchmark::RegisterBenchmark(("hiddensurface/" + algorithm.name).c_str(),
-                                     [&algorithm](benchmark::State& state) { solve(state, algorithm); })
+        benchmark::RegisterBenchmark(
+            ("hiddensurface/" + algorithm.name).c_str(),
+            [&algorithm](benchmark::State& state) { solve(state, algorithm); })
             ->Unit(benchmark::kMillisecond);
     return true;
 }();

@@ -8,8 +8,9 @@ namespace gw::bench {
 namespace {
 
 radiosity::Model cornell() {
-    return radiosity::make_model(scene::read_scene(GW_SOURCE_DIR "/scenes/radiosity/cornell.toml").scene,
-                                 {.texels_per_unit = 64 / 559.2});
+    return radiosity::make_model(
+        scene::read_scene(GW_SOURCE_DIR "/scenes/radiosity/cornell.toml").scene,
+        {.texels_per_unit = 64 / 559.2});
 }
 
 void drawn(benchmark::State& state) {
@@ -17,7 +18,8 @@ void drawn(benchmark::State& state) {
     const int size = int(state.range(0));
     radiosity::HemicubePainter painter(size);
     radiosity::IdBuffers buffers;
-    const radiosity::Hemicube cube = radiosity::hemicube_at({278, 540, 278}, {0, -1, 0}, 30, 0.1, 1000, size);
+    const radiosity::Hemicube cube =
+        radiosity::hemicube_at({278, 540, 278}, {0, -1, 0}, 30, 0.1, 1000, size);
     for (auto _ : state) painter.draw(model, cube, buffers);
 }
 BENCHMARK(drawn)->Name("radiosity/hemicube")->Arg(128)->Arg(512)->Unit(benchmark::kMicrosecond);

@@ -25,8 +25,10 @@ void nearest(benchmark::State& state) {
         for (int y = 0; y < height; y += 4)
             for (int x = 0; x < width; x += 4, ++rays) {
                 const dvec3 eye((x + 0.5) / width - 0.5, (y + 0.5) / height - 0.5, -1);
-                const raytrace::Ray ray{dvec3(world_from_eye[3]), transform3(dmat3(world_from_eye), eye)};
-                benchmark::DoNotOptimize(world.nearest(ray, std::numeric_limits<double>::infinity()));
+                const raytrace::Ray ray{dvec3(world_from_eye[3]),
+                                        transform3(dmat3(world_from_eye), eye)};
+                benchmark::DoNotOptimize(
+                    world.nearest(ray, std::numeric_limits<double>::infinity()));
             }
     state.SetItemsProcessed(rays);
 }

@@ -1,5 +1,5 @@
-// How the machine's time grows: bench_growth prints a table with fitted exponents and writes plots. With
-// --largest it draws the largest frame once and prints the memory it took.
+// How the machine's time grows: bench_growth prints a table with fitted exponents and writes plots.
+// With --largest it draws the largest frame once and prints the memory it took.
 #include "bench/growth/sweeps.h"
 #include "bench/peers/ours.h"
 #include "gw/machine.h"
@@ -24,8 +24,8 @@ struct Options {
     bool largest = false;
 };
 
-/// The least wall time of some runs after one that warms up, in milliseconds: other processes only add. Every
-/// frame has another view.
+/// The least wall time of some runs after one that warms up, in milliseconds: other processes only
+/// add. Every frame has another view.
 double milliseconds(const Step& step, int repeats) {
     const peers::Frame frame = step.frame();
     const auto machine = make_fast(vgx(), frame.width, frame.height, {.threads = step.threads});
@@ -35,7 +35,8 @@ double milliseconds(const Step& step, int repeats) {
         list = peers::moved(std::move(list));
         const auto start = std::chrono::steady_clock::now();
         machine->execute(list), machine->reset_passes();
-        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+        const std::chrono::duration<double, std::milli> took =
+            std::chrono::steady_clock::now() - start;
         if (i == 1 || took.count() < least) least = took.count();
     }
     return least;
@@ -59,13 +60,15 @@ void print_law(const Sweep& sweep, const std::vector<dvec2>& points) {
 }
 
 void write_plot(const Sweep& sweep, const std::vector<dvec2>& points, const Options& options) {
-    const plot::Plot plot{.title = fmt::format("Time of a frame by {}", sweep.name),
-                          .caption = fmt::format("Fitted exponent {:.2f}.", plot::power_law(points).exponent),
-                          .command = fmt::format("build/release/bin/bench_growth --only {}", sweep.name),
-                          .x = {sweep.name, 2},
-                          .y = {"milliseconds", 10},
-                          .series = {{"measured", points}}};
-    const std::filesystem::path base = std::filesystem::path(options.folder) / ("growth-" + sweep.name);
+    const plot::Plot plot{
+        .title = fmt::format("Time of a frame by {}", sweep.name),
+        .caption = fmt::format("Fitted exponent {:.2f}.", plot::power_law(points).exponent),
+        .command = fmt::format("build/release/bin/bench_growth --only {}", sweep.name),
+        .x = {sweep.name, 2},
+        .y = {"milliseconds", 10},
+        .series = {{"measured", points}}};
+    const std::filesystem::path base =
+        std::filesystem::path(options.folder) / ("growth-" + sweep.name);
     image::write_file(base.string() + ".svg", plot::svg(plot));
     image::write_file(base.string() + ".csv", plot::csv(plot));
 }
@@ -75,9 +78,10 @@ void draw_largest(const Options& options) {
     const double took = milliseconds(step, 1);
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    fmt::print("{:.0f} triangles, 4096x4096 pixels, {} passes, {} threads: {:.0f} ms, {:.2f} GiB at most\n",
-               step.amount, step.workload.passes.size() - 1, step.threads, took,
-               double(usage.ru_maxrss) / (1024 * 1024));
+    fmt::print(
+        "{:.0f} triangles, 4096x4096 pixels, {} passes, {} threads: {:.0f} ms, {:.2f} GiB at most\n",
+        step.amount, step.workload.passes.size() - 1, step.threads, took,
+        double(usage.ru_maxrss) / (1024 * 1024));
 }
 
 void run(const Options& options) {
@@ -101,7 +105,8 @@ int main(int argc, char** argv) {
         "Example: bench_growth --only passes"};
     app.add_option("--scene", options.scene, "whose geometry is drawn")->capture_default_str();
     app.add_option("-o,--output", options.folder, "folder for the plots")->capture_default_str();
-    app.add_option("--only", options.only, "one of triangles, pixels, passes, samples, lights, threads")
+    app.add_option("--only", options.only,
+                   "one of triangles, pixels, passes, samples, lights, threads")
         ->check(CLI::IsMember({"triangles", "pixels", "passes", "samples", "lights", "threads"}));
     app.add_option("--repeats", options.repeats, "timed repeats")->check(CLI::Range(1, 1000));
     app.add_flag("--largest", options.largest, "draw the largest frame and print its memory");

@@ -16,8 +16,8 @@ struct Subdivider {
         if (!values.empty()) values.push_back((values[a] + values[b]) * 0.5f);
     }
     std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
-        const auto [at, is_new] =
-            middles.try_emplace({std::min(a, b), std::max(a, b)}, std::uint32_t(data.positions.size()));
+        const auto [at, is_new] = middles.try_emplace({std::min(a, b), std::max(a, b)},
+                                                      std::uint32_t(data.positions.size()));
         if (is_new) {
             add_middle(data.positions, a, b), add_middle(data.normals, a, b);
             add_middle(data.texcoords, a, b), add_middle(data.colors, a, b);
@@ -25,7 +25,8 @@ struct Subdivider {
         return at->second;
     }
     void cut(const std::array<std::uint32_t, 3>& v) {
-        const std::uint32_t ab = middle(v[0], v[1]), bc = middle(v[1], v[2]), ca = middle(v[2], v[0]);
+        const std::uint32_t ab = middle(v[0], v[1]), bc = middle(v[1], v[2]),
+                            ca = middle(v[2], v[0]);
         for (const std::uint32_t i : {v[0], ab, ca, ab, v[1], bc, ca, bc, v[2], ab, bc, ca})
             data.indices.push_back(i);
     }

@@ -5,8 +5,8 @@
 
 namespace gw::growth {
 
-/// Every triangle cut in four at its sides' middles, which neighbours share. Positions, normals and texture
-/// coordinates are averaged; polygons become their triangles.
+/// Every triangle cut in four at its sides' middles, which neighbours share. Positions, normals and
+/// texture coordinates are averaged; polygons become their triangles.
 MeshRef subdivided(const Mesh& mesh);
 
 }  // namespace gw::growth

@@ -57,14 +57,17 @@ Workload samples(int count) {
 
 std::vector<Sweep> sweeps(const std::string& scene) {
     const auto usual = [scene] { return peers::scene_frame(scene.c_str()); };
-    Sweep triangles{"triangles", {}}, pixels{"pixels", {}}, pass{"passes", {}}, sample{"samples", {}},
-        light{"lights", {}}, threads{"threads", {}};
+    Sweep triangles{"triangles", {}}, pixels{"pixels", {}}, pass{"passes", {}},
+        sample{"samples", {}}, light{"lights", {}}, threads{"threads", {}};
     for (int times = 0; times <= 3; ++times)
         triangles.steps.push_back({77628 * std::pow(4.0, times), 1,
-                                   [=] { return divided_frame(scene, 640, 480, times); }, passes(3)});
-    for (const auto& [w, h] : {std::pair{320, 240}, {640, 480}, {1280, 960}, {2560, 1920}, {4096, 4096}})
-        pixels.steps.push_back(
-            {double(w) * h, 1, [=, w = w, h = h] { return divided_frame(scene, w, h, 0); }, passes(3)});
+                                   [=] { return divided_frame(scene, 640, 480, times); },
+                                   passes(3)});
+    for (const auto& [w, h] :
+         {std::pair{320, 240}, {640, 480}, {1280, 960}, {2560, 1920}, {4096, 4096}})
+        pixels.steps.push_back({double(w) * h, 1,
+                                [=, w = w, h = h] { return divided_frame(scene, w, h, 0); },
+                                passes(3)});
     for (int n = 1; n <= 128; n *= 2) pass.steps.push_back({double(n), 1, usual, passes(n)});
     for (int n = 1; n <= 256; n *= 4) sample.steps.push_back({double(n), 1, usual, samples(n)});
     for (int n = 1; n <= many_lights; n *= 2)

@@ -1,5 +1,5 @@
-// The frames whose time is taken as one quantity grows, the rest as in workload d of bench/peers. Does not
-// time.
+// The frames whose time is taken as one quantity grows, the rest as in workload d of bench/peers.
+// Does not time.
 #pragma once
 
 #include "bench/peers/frame.h"
@@ -24,8 +24,8 @@ struct Sweep {
     std::vector<Step> steps;
 };
 
-/// Triangles 1x .. 64x, pixels 320x240 .. 4096x4096, passes 1 .. 128, samples 1 .. 256, lights 1 .. 128,
-/// threads 1 and 2.
+/// Triangles 1x .. 64x, pixels 320x240 .. 4096x4096, passes 1 .. 128, samples 1 .. 256, lights 1 ..
+/// 128, threads 1 and 2.
 std::vector<Sweep> sweeps(const std::string& scene);
 
 /// 64x the triangles (5 millions) in 4096x4096 pixels with 64 passes: what must stay below 4 GiB.

@@ -4,8 +4,8 @@
 #include "gw/texture.h"
 #include "scene/draw/draw_commands.h"
 #include "scene/draw/fit.h"
-#include "scene/read_scene.h"
 #include "scene/draw/view.h"
+#include "scene/read_scene.h"
 
 #include <array>
 #include <cmath>
@@ -45,9 +45,11 @@ MeshRef volume_boxes() {
     for (int j = 0; j < 13; ++j)
         for (int i = 0; i < 13; ++i) {
             const auto first = std::uint32_t(data.positions.size());
-            const vec3 low(-3.9f + 0.6f * float(i), -2.6f + 0.4f * float(j), -12.0f + 0.1f * float(i));
+            const vec3 low(-3.9f + 0.6f * float(i), -2.6f + 0.4f * float(j),
+                           -12.0f + 0.1f * float(i));
             for (std::uint32_t c = 0; c < 8; ++c)
-                data.positions.push_back(low + vec3(c & 1 ? 0.25f : 0, c & 2 ? 0.15f : 0, c & 4 ? 7.0f : 0));
+                data.positions.push_back(
+                    low + vec3(c & 1 ? 0.25f : 0, c & 2 ? 0.15f : 0, c & 4 ? 7.0f : 0));
             for (const auto& face : box_faces)
                 for (const std::uint32_t corner : face) data.indices.push_back(first + corner);
         }
@@ -83,8 +85,8 @@ Frame scene_frame(const char* path, int width, int height) {
     f.view.cull.enable = true;
     for (const scene::Object& object : scene.objects) {
         const Draw draw = scene::placed(object, view);
-        f.scene.push_back(
-            {draw.mesh, draw.eye_from_object, scene::machine_material(scene.materials[object.material])});
+        f.scene.push_back({draw.mesh, draw.eye_from_object,
+                           scene::machine_material(scene.materials[object.material])});
     }
     f.volumes.mesh = volume_boxes();
     f.texture = checks("checks", 256);

@@ -1,5 +1,6 @@
-// What every workload draws: the Fig. 9 class scene [K4f] (444 quads and 77,184 triangles), a texture, a
-// sphere map, lights and shadow volumes, the same for all peers. Does not say in which passes: workload.h.
+// What every workload draws: the Fig. 9 class scene [K4f] (444 quads and 77,184 triangles), a
+// texture, a sphere map, lights and shadow volumes, the same for all peers. Does not say in which
+// passes: workload.h.
 #pragma once
 
 #include "gw/command_list.h"

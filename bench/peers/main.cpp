@@ -1,6 +1,6 @@
-// The machine and Mesa's OpenGL on the same frames, in one run: bench_peers. scripts/compare-peers runs it
-// for each driver and number of threads. Times are medians of interleaved repeats; the pictures of both sides
-// are compared.
+// The machine and Mesa's OpenGL on the same frames, in one run: bench_peers. scripts/compare-peers
+// runs it for each driver and number of threads. Times are medians of interleaved repeats; the
+// pictures of both sides are compared.
 #include "bench/peers/opengl.h"
 #include "bench/peers/ours.h"
 #include "gw/machine.h"
@@ -61,7 +61,8 @@ double differing(const Planes& ours, const std::vector<unsigned char>& theirs, i
 /// One workload's row.
 struct Row {
     const Workload* workload = nullptr;
-    Time ours, first, buffers, lists, strips;  ///< first: ours where the frame before had another view
+    /// first: ours where the frame before had another view
+    Time ours, first, buffers, lists, strips;
     double differing = 0;
 
     Time theirs() const {
@@ -91,7 +92,9 @@ Row measure(const Workload& w, Window& window, const Options& options) {
     const auto draw = [&](const CommandList& l) {
         return time_of([&] { window.machine->execute(l), window.machine->reset_passes(); });
     };
-    const auto peer = [&](OpenGl& gl) { return options.alone ? Time{} : time_of([&] { gl.run(w); }); };
+    const auto peer = [&](OpenGl& gl) {
+        return options.alone ? Time{} : time_of([&] { gl.run(w); });
+    };
     std::vector<Time> ours, first, buffers, lists, strips;
     for (int i = 0; i <= options.repeats; ++i) {  // the first time round warms up
         draw(other);
@@ -101,10 +104,12 @@ Row measure(const Workload& w, Window& window, const Options& options) {
         first.push_back(a), ours.push_back(again);
         buffers.push_back(b), lists.push_back(c), strips.push_back(d);
     }
-    const double differs = options.alone || (w.passes.front().shade == Shade::None && w.passes.size() == 1)
-                               ? 0
-                               : differing(window.machine->planes(), window.lists.picture(), 8);
-    return {&w, median(ours), median(first), median(buffers), median(lists), median(strips), differs};
+    const double differs =
+        options.alone || (w.passes.front().shade == Shade::None && w.passes.size() == 1)
+            ? 0
+            : differing(window.machine->planes(), window.lists.picture(), 8);
+    return {&w,     median(ours), median(first), median(buffers), median(lists), median(strips),
+            differs};
 }
 
 void print_row(const Row& r) {
@@ -118,28 +123,39 @@ void print_row(const Row& r) {
 }
 
 nlohmann::json to_json(const Row& r) {
-    return {{"key", r.workload->key},         {"name", r.workload->name}, {"ours_ms", r.ours.wall},
-            {"ours_cpu_ms", r.ours.cpu},      {"first_ms", r.first.wall}, {"first_ratio", r.first_ratio()},
-            {"buffers_ms", r.buffers.wall},   {"lists_ms", r.lists.wall}, {"strips_ms", r.strips.wall},
-            {"peer_cpu_ms", r.theirs().cpu},  {"ratio", r.ratio()},       {"wanted", r.workload->wanted},
+    return {{"key", r.workload->key},
+            {"name", r.workload->name},
+            {"ours_ms", r.ours.wall},
+            {"ours_cpu_ms", r.ours.cpu},
+            {"first_ms", r.first.wall},
+            {"first_ratio", r.first_ratio()},
+            {"buffers_ms", r.buffers.wall},
+            {"lists_ms", r.lists.wall},
+            {"strips_ms", r.strips.wall},
+            {"peer_cpu_ms", r.theirs().cpu},
+            {"ratio", r.ratio()},
+            {"wanted", r.workload->wanted},
             {"pixels_differing", r.differing}};
 }
 
 /// How often our frames fit into the peer's, by workload.
-plot::Plot ratios(const std::vector<Row>& rows, const std::string& renderer, const Options& options) {
+plot::Plot ratios(const std::vector<Row>& rows, const std::string& renderer,
+                  const Options& options) {
     plot::Series first{"a view's first frame", {}}, again{"the same view again", {}},
         wanted{"wanted", {}, false};
     for (const Row& r : rows) {
         const double place = 1 + r.workload->key[0] - 'a';
-        first.points.push_back({place, r.first_ratio()}), again.points.push_back({place, r.ratio()});
+        first.points.push_back({place, r.first_ratio()}),
+            again.points.push_back({place, r.ratio()});
         wanted.points.push_back({place, r.workload->wanted});
     }
-    return {.title = fmt::format("The machine beside {}, {} thread(s)", renderer, options.threads),
-            .caption = "The peer's time over ours, pictures compared. Workloads 1 to 14 are a to n.",
-            .command = "scripts/compare-peers",
-            .x = {"workload"},
-            .y = {"ratio of times", 2},
-            .series = {first, again, wanted}};
+    return {
+        .title = fmt::format("The machine beside {}, {} thread(s)", renderer, options.threads),
+        .caption = "The peer's time over ours, pictures compared. Workloads 1 to 14 are a to n.",
+        .command = "scripts/compare-peers",
+        .x = {"workload"},
+        .y = {"ratio of times", 2},
+        .series = {first, again, wanted}};
 }
 
 int run(const Options& options) {
@@ -150,8 +166,9 @@ int run(const Options& options) {
     const std::string renderer = scene.lists.renderer();
     fmt::print("{}, {} thread(s), {}; milliseconds, medians of {}\n", renderer, options.threads,
                simd_target(), options.repeats);
-    fmt::print("{:<36}{:>8}{:>8}{:>8}{:>9}{:>9}{:>9}{:>9}{:>7}{:>7}{:>8}{:>11}\n", "workload", "first",
-               "again", "cpu", "buffers", "lists", "strips", "cpu", "ratio", "again", "wanted", "pixels off");
+    fmt::print("{:<36}{:>8}{:>8}{:>8}{:>9}{:>9}{:>9}{:>9}{:>7}{:>7}{:>8}{:>11}\n", "workload",
+               "first", "again", "cpu", "buffers", "lists", "strips", "cpu", "ratio", "again",
+               "wanted", "pixels off");
     nlohmann::json json = nlohmann::json::array();
     std::vector<Row> rows;
     for (const Workload& w : workloads()) {
@@ -160,7 +177,8 @@ int run(const Options& options) {
         print_row(rows.back());
         json.push_back(to_json(rows.back()));
     }
-    if (!options.plot.empty()) image::write_file(options.plot, plot::svg(ratios(rows, renderer, options)));
+    if (!options.plot.empty())
+        image::write_file(options.plot, plot::svg(ratios(rows, renderer, options)));
     if (options.json.empty()) return 0;
     const nlohmann::json table{{"renderer", renderer},
                                {"threads", options.threads},
@@ -178,7 +196,8 @@ int main(int argc, char** argv) {
     gw::peers::Options options;
     CLI::App app{
         "The machine and Mesa's OpenGL on the same frames, in one run.\nExample: bench_peers --only abcd"};
-    app.add_option("--scene", options.scene, "the scene of workloads a to h")->capture_default_str();
+    app.add_option("--scene", options.scene, "the scene of workloads a to h")
+        ->capture_default_str();
     app.add_option("--only", options.only, "letters of the workloads to run");
     app.add_option("--repeats", options.repeats, "timed repeats")->check(CLI::Range(1, 1000));
     app.add_option("--threads", options.threads, "of the machine")->check(CLI::Range(1, 256));

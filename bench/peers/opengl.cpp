@@ -29,7 +29,8 @@ unsigned make_texture_object(const TextureRef& texture) {
     if (!texture) return 0;
     unsigned name = 0;
     std::vector<unsigned char> rgba;
-    for (const std::uint16_t v : texture->levels.front().rgba) rgba.push_back((unsigned char)(v >> 8));
+    for (const std::uint16_t v : texture->levels.front().rgba)
+        rgba.push_back((unsigned char)(v >> 8));
     glGenTextures(1, &name);
     glBindTexture(GL_TEXTURE_2D, name);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -143,7 +144,9 @@ struct OpenGl::Context {
     }
     ~Context() { OSMesaDestroyContext(mesa); }
 
-    void use() { OSMesaMakeCurrent(mesa, buffer.data(), GL_UNSIGNED_BYTE, frame.width, frame.height); }
+    void use() {
+        OSMesaMakeCurrent(mesa, buffer.data(), GL_UNSIGNED_BYTE, frame.width, frame.height);
+    }
 
     void set_projection(const JitterState& jitter) {
         glMatrixMode(GL_PROJECTION);
@@ -178,7 +181,8 @@ struct OpenGl::Context {
     }
     void draw(const Pass& pass) {
         set_pass(pass);
-        if (pass.geometry == Geometry::Volumes) return draw_part(pass, frame.volumes, volumes.front());
+        if (pass.geometry == Geometry::Volumes)
+            return draw_part(pass, frame.volumes, volumes.front());
         if (pass.geometry == Geometry::Quad) {
             Part part = frame.quad;
             part.eye_from_object = pass.eye_from_quad;
@@ -207,7 +211,8 @@ struct OpenGl::Context {
     }
 };
 
-OpenGl::OpenGl(const Frame& frame, Store store) : context_(std::make_unique<Context>(frame, store)) {}
+OpenGl::OpenGl(const Frame& frame, Store store)
+    : context_(std::make_unique<Context>(frame, store)) {}
 OpenGl::~OpenGl() = default;
 
 void OpenGl::run(const Workload& workload) {

@@ -1,5 +1,5 @@
-// A workload through Mesa's OpenGL 1.1, as fast as we know how: vertices in buffers or display lists,
-// fixed-function lighting, texture coordinate generation and fog. Does not measure.
+// A workload through Mesa's OpenGL 1.1, as fast as we know how: vertices in buffers or display
+// lists, fixed-function lighting, texture coordinate generation and fog. Does not measure.
 #pragma once
 
 #include "bench/peers/frame.h"

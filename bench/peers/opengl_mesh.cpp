@@ -37,8 +37,9 @@ std::vector<IdVertex> id_vertices(const Mesh& mesh, unsigned base) {
     for (const Triangle& t : mesh.triangles()) {
         const unsigned id = base + mesh.polygon_id(t.polygon);
         for (const std::uint32_t v : t.vertex)
-            out.push_back({mesh.data().positions[v],
-                           {(unsigned char)(id), (unsigned char)(id >> 8), (unsigned char)(id >> 16), 255}});
+            out.push_back(
+                {mesh.data().positions[v],
+                 {(unsigned char)(id), (unsigned char)(id >> 8), (unsigned char)(id >> 16), 255}});
     }
     return out;
 }
@@ -54,7 +55,9 @@ unsigned make_buffer(GLenum target, const std::vector<T>& data) {
 
 const void* at(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
-void enable_array(GLenum array, bool on) { on ? glEnableClientState(array) : glDisableClientState(array); }
+void enable_array(GLenum array, bool on) {
+    on ? glEnableClientState(array) : glDisableClientState(array);
+}
 
 constexpr int attribute_sets = 5;
 
@@ -87,7 +90,8 @@ void GlMesh::draw(Attributes attributes) const {
 }
 
 void GlMesh::draw_buffers(Attributes attributes) const {
-    const bool ids = attributes == Attributes::Ids, texture = attributes == Attributes::NormalsAndTexture,
+    const bool ids = attributes == Attributes::Ids,
+               texture = attributes == Attributes::NormalsAndTexture,
                colors = attributes == Attributes::Colors;
     enable_array(GL_VERTEX_ARRAY, true);
     enable_array(GL_NORMAL_ARRAY, attributes == Attributes::Normals || texture);
@@ -105,8 +109,8 @@ void GlMesh::draw_buffers(Attributes attributes) const {
     glTexCoordPointer(2, GL_FLOAT, sizeof(GlVertex), at(offsetof(GlVertex, texcoord)));
     glColorPointer(4, GL_FLOAT, sizeof(GlVertex), at(offsetof(GlVertex, color)));
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
-    glDrawElements(store_ == Store::Strips ? GL_TRIANGLE_STRIP : GL_TRIANGLES, index_count_, GL_UNSIGNED_INT,
-                   nullptr);
+    glDrawElements(store_ == Store::Strips ? GL_TRIANGLE_STRIP : GL_TRIANGLES, index_count_,
+                   GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace gw::peers

@@ -1,5 +1,5 @@
-// A mesh in OpenGL's hands: vertex and index buffers, of triangles or of one strip, or display lists of the
-// former.
+// A mesh in OpenGL's hands: vertex and index buffers, of triangles or of one strip, or display
+// lists of the former.
 #pragma once
 
 #include "bench/peers/opengl.h"

@@ -38,7 +38,8 @@ State pass_state(const Pass& pass, const Frame& frame, const JitterState& jitter
     s.color_source = pass.shade == Shade::Id            ? ColorSource::PolygonId
                      : pass.shade == Shade::VertexColor ? ColorSource::Vertex
                                                         : ColorSource::Lighting;
-    if (pass.shade == Shade::VertexColor || pass.shade == Shade::Id) s.shade_model = ShadeModel::Flat;
+    if (pass.shade == Shade::VertexColor || pass.shade == Shade::Id)
+        s.shade_model = ShadeModel::Flat;
     if (pass.shade == Shade::Reflection) s.texture.gen = TexGen::SphereMap;
     if (pass.stencil == Stencil::Decrement) s.cull.face = Face::Front;
     if (pass.fog != Fog::Off) {
@@ -59,7 +60,8 @@ struct Writer {
         if (pass.shade != Shade::None && !frame.lights.empty())
             d.lights = std::make_shared<const std::vector<Light>>(
                 std::vector<Light>{frame.lights[std::size_t(pass.light)]});
-        if (pass.textured) d.map.texture = pass.shade == Shade::Reflection ? frame.sphere_map : frame.texture;
+        if (pass.textured)
+            d.map.texture = pass.shade == Shade::Reflection ? frame.sphere_map : frame.texture;
         d.id_base = id_base;
         list.commands.emplace_back(std::move(d));
     }
@@ -79,8 +81,9 @@ struct Writer {
     }
     void sample(const Workload& w, const JitterState& jitter) {
         list.commands.emplace_back(SetState{frame.view});
-        list.commands.emplace_back(Clear{
-            .planes = PlaneMask(mask_of(Plane::Color) | mask_of(Plane::Depth) | mask_of(Plane::Stencil))});
+        list.commands.emplace_back(
+            Clear{.planes = PlaneMask(mask_of(Plane::Color) | mask_of(Plane::Depth) |
+                                      mask_of(Plane::Stencil))});
         for (const Pass& pass : w.passes) draw(pass, jitter);
     }
 };

@@ -12,7 +12,9 @@ struct Walk {
         across{};  ///< directed edge -> the triangle it belongs to
     std::vector<bool> taken{};
 
-    static std::uint64_t edge(std::uint32_t a, std::uint32_t b) { return std::uint64_t{a} << 32 | b; }
+    static std::uint64_t edge(std::uint32_t a, std::uint32_t b) {
+        return std::uint64_t{a} << 32 | b;
+    }
 
     explicit Walk(std::span<const Triangle> t) : triangles(t), taken(t.size()) {
         for (std::uint32_t i = 0; i < t.size(); ++i)
@@ -36,7 +38,8 @@ struct Walk {
         for (std::uint32_t next = 0;; strip.push_back(next)) {
             const std::size_t n = strip.size();
             const bool turned = n % 2 != 0;
-            if (!step(strip[turned ? n - 1 : n - 2], strip[turned ? n - 2 : n - 1], next)) return strip;
+            if (!step(strip[turned ? n - 1 : n - 2], strip[turned ? n - 2 : n - 1], next))
+                return strip;
         }
     }
 };

@@ -7,8 +7,8 @@
 
 namespace gw::peers {
 
-/// Indices of one GL_TRIANGLE_STRIP that draws the mesh's triangles with their winding: strips as long as a
-/// walk across shared edges finds them, joined by triangles without area.
+/// Indices of one GL_TRIANGLE_STRIP that draws the mesh's triangles with their winding: strips as
+/// long as a walk across shared edges finds them, joined by triangles without area.
 std::vector<unsigned> one_strip(const Mesh& mesh);
 
 }  // namespace gw::peers

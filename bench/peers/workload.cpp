@@ -10,7 +10,8 @@ constexpr int fill_quads = 100;
 
 Pass z_pass() { return {.shade = Shade::None, .depth = first_pass, .blend = replace}; }
 
-/// Z, then ambient, diffuse, specular for each light, then the reflection map; every colour textured.
+/// Z, then ambient, diffuse, specular for each light, then the reflection map; every colour
+/// textured.
 std::vector<Pass> multi_pass(int lights, Stencil stencil = Stencil::Off, Fog fog = Fog::Off) {
     std::vector<Pass> passes{z_pass()};
     if (stencil != Stencil::Off)
@@ -34,7 +35,8 @@ std::vector<Pass> multi_pass(int lights, Stencil stencil = Stencil::Off, Fog fog
 /// Each quad nearer than the last.
 std::vector<Pass> quads(const Pass& pass) {
     std::vector<Pass> passes(fill_quads, pass);
-    for (int i = 0; i < fill_quads; ++i) passes[std::size_t(i)].eye_from_quad[3].z = 0.8 - 0.016 * i;
+    for (int i = 0; i < fill_quads; ++i)
+        passes[std::size_t(i)].eye_from_quad[3].z = 0.8 - 0.016 * i;
     return passes;
 }
 /// The same where no quad's texels are those of the last: larger than the window, each elsewhere.
@@ -63,10 +65,12 @@ std::vector<Pass> quads_over(const Pass& picture, const Pass& pass) {
 std::vector<Workload> make_workloads() {
     const Pass id{.shade = Shade::Id, .depth = first_pass, .blend = replace};
     const Pass lit{.shade = Shade::Lit, .depth = first_pass, .blend = replace};
-    Pass textured{.geometry = Geometry::Quad, .shade = Shade::VertexColor, .textured = true, .depth = {}};
+    Pass textured{
+        .geometry = Geometry::Quad, .shade = Shade::VertexColor, .textured = true, .depth = {}};
     textured.blend = {true, BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha};
     const Pass flat{.geometry = Geometry::Quad, .shade = Shade::VertexColor, .depth = {}};
-    const Pass z{.geometry = Geometry::Quad, .shade = Shade::None, .depth = first_pass, .blend = replace};
+    const Pass z{
+        .geometry = Geometry::Quad, .shade = Shade::None, .depth = first_pass, .blend = replace};
     return {
         {"a", "depth only", 4, false, {z_pass()}},
         {"b", "item buffer: flat 24-bit ids", 4, false, {id}},

@@ -1,13 +1,14 @@
-// bench_radiosity -o DIR: hemicubes per second against resolution, texels and polygons, with the exponents of
-// growth; beside the same five ID buffers drawn and read back through llvmpipe, where OSMesa is, with as many
-// threads as LP_NUM_THREADS says; and the Cornell box with 64 texels along a wall to 1 % unshot, with the
-// shares of drawing and scanning. Times are the least of interleaved repeats. Does not compare results.
-#include "gw/error.h"
+// bench_radiosity -o DIR: hemicubes per second against resolution, texels and polygons, with the
+// exponents of growth; beside the same five ID buffers drawn and read back through llvmpipe, where
+// OSMesa is, with as many threads as LP_NUM_THREADS says; and the Cornell box with 64 texels along
+// a wall to 1 % unshot, with the shares of drawing and scanning. Times are the least of interleaved
+// repeats. Does not compare results.
 #include "gw/base/parallel.h"
+#include "gw/error.h"
 #include "image/output/output_set.h"
-#include "study/plot/plot.h"
 #include "radiosity/solver/solver.h"
 #include "scene/read_scene.h"
+#include "study/plot/plot.h"
 
 #ifdef GW_WITH_OSMESA
 #include "bench/radiosity/opengl_hemicube.h"
@@ -33,7 +34,8 @@ struct Options {
     bool cornell = false;
 };
 
-/// The scene of the sphere in a box, with a bumpy sheet of 2 segments^2 triangles in place of the sphere.
+/// The scene of the sphere in a box, with a bumpy sheet of 2 segments^2 triangles in place of the
+/// sphere.
 scene::Scene box_with(int segments) {
     scene::Scene scene = scene::read_scene(GW_SOURCE_DIR "/scenes/radiosity/sphere.toml").scene;
     std::vector<vec3> positions;
@@ -46,8 +48,8 @@ scene::Scene box_with(int segments) {
     const auto at = [&](int i, int j) { return std::uint32_t(j * (segments + 1) + i); };
     for (int j = 0; j < segments; ++j)
         for (int i = 0; i < segments; ++i)
-            indices.insert(indices.end(), {at(i, j), at(i, j + 1), at(i + 1, j), at(i + 1, j), at(i, j + 1),
-                                           at(i + 1, j + 1)});
+            indices.insert(indices.end(), {at(i, j), at(i, j + 1), at(i + 1, j), at(i + 1, j),
+                                           at(i, j + 1), at(i + 1, j + 1)});
     scene.objects[1].mesh = make_mesh({.positions = positions, .indices = indices});
     scene.objects[1].world_from_object = dmat4(1);
     return scene;
@@ -56,7 +58,8 @@ scene::Scene box_with(int segments) {
 double milliseconds(const auto& run) {
     const auto begin = std::chrono::steady_clock::now();
     run();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+        .count();
 }
 
 /// Milliseconds for a hemicube.
@@ -70,7 +73,8 @@ struct Row {
 class Painters {
 public:
     Painters(int size, int threads) : threads_(threads), buffers_(std::size_t(threads)) {
-        for (int i = 0; i < threads; ++i) all_.push_back(std::make_unique<radiosity::HemicubePainter>(size));
+        for (int i = 0; i < threads; ++i)
+            all_.push_back(std::make_unique<radiosity::HemicubePainter>(size));
     }
     void draw(const radiosity::Model& model, const std::vector<radiosity::Hemicube>& cubes) {
         parallel_for(cubes.size(), threads_, [&](std::size_t i, int worker) {
@@ -86,16 +90,18 @@ private:
 };
 
 Row measure(double x, int size, double texels, int segments, const Options& options) {
-    const radiosity::Model model = radiosity::make_model(box_with(segments), {.texels_per_unit = texels});
+    const radiosity::Model model =
+        radiosity::make_model(box_with(segments), {.texels_per_unit = texels});
     radiosity::FormFactors factors(model, {.hemicube = size, .threads = options.threads});
     Painters painters(size, options.threads);
     constexpr int at_once = 32;  // four times what a solution draws before it scans
     std::vector<radiosity::ShootPoint> points;
     std::vector<radiosity::Hemicube> cubes;  // each from elsewhere, as a solution's are
-    for (int k = 0; k < at_once; ++k) points.push_back({{0.01 * k, 1.9, 0}, {0, -1, 0}, 1.0 / at_once, 0.1});
     for (int k = 0; k < at_once; ++k)
-        cubes.push_back(radiosity::hemicube_at(points[std::size_t(k)].position, {0, -1, 0}, 30 + 5 * k,
-                                               0.1 / 64, 5, size));
+        points.push_back({{0.01 * k, 1.9, 0}, {0, -1, 0}, 1.0 / at_once, 0.1});
+    for (int k = 0; k < at_once; ++k)
+        cubes.push_back(radiosity::hemicube_at(points[std::size_t(k)].position, {0, -1, 0},
+                                               30 + 5 * k, 0.1 / 64, 5, size));
 #ifdef GW_WITH_OSMESA
     OpenGlHemicube peer(model, size);
 #endif
@@ -118,8 +124,8 @@ Row measure(double x, int size, double texels, int segments, const Options& opti
 void report(const std::string& name, const std::string& label, const std::vector<Row>& rows,
             const Options& options) {
     plot::Plot plot{.title = "Time of a hemicube against " + label,
-                    .command = fmt::format("bench_radiosity -o {} --threads {}", options.folder.string(),
-                                           options.threads),
+                    .command = fmt::format("bench_radiosity -o {} --threads {}",
+                                           options.folder.string(), options.threads),
                     .x = {.label = label, .log = 2},
                     .y = {.label = "milliseconds", .log = 10}};
     fmt::print("\n{:<10}{:>10}{:>10}{:>14}{:>10}\n", name, "drawn", "whole", "llvmpipe", "ratio");
@@ -148,7 +154,8 @@ void report(const std::string& name, const std::string& label, const std::vector
     files.commit();
 }
 
-/// Milliseconds for a hemicube in the mean over every 40th patch: drawn and read; scanned and summed too.
+/// Milliseconds for a hemicube in the mean over every 40th patch: drawn and read; scanned and
+/// summed too.
 struct Shares {
     double drawn = 0, whole = 0;
 };
@@ -165,8 +172,8 @@ Shares shares_of(const radiosity::Model& model) {
         sum.drawn += milliseconds([&] {
             for (const radiosity::ShootPoint& point : points)
                 painter.draw(model,
-                             radiosity::hemicube_at(point.position, point.normal, 30, point.size / 64,
-                                                    1.01 * model.extent, 128),
+                             radiosity::hemicube_at(point.position, point.normal, 30,
+                                                    point.size / 64, 1.01 * model.extent, 128),
                              buffers);
         });
         sum.whole += milliseconds([&] { factors.from_points(points, p); });
@@ -198,8 +205,8 @@ int run(const Options& options) {
     const char* const workers = std::getenv("LP_NUM_THREADS");
     fmt::print("threads: {}; llvmpipe's LP_NUM_THREADS: {}\n", options.threads,
                workers ? workers : "not set");
-    const auto sweep = [&](const std::string& name, const std::string& label, const std::vector<int>& values,
-                           const auto& row) {
+    const auto sweep = [&](const std::string& name, const std::string& label,
+                           const std::vector<int>& values, const auto& row) {
         std::vector<Row> rows;
         for (const int v : values) rows.push_back(row(v));
         report(name, label, rows, options);
@@ -219,7 +226,8 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     gw::bench::Options options;
-    CLI::App app{"Hemicubes per second, beside llvmpipe.\nExample: bench_radiosity -o hemicubes --cornell"};
+    CLI::App app{
+        "Hemicubes per second, beside llvmpipe.\nExample: bench_radiosity -o hemicubes --cornell"};
     app.add_option("-o,--output", options.folder, "folder of plots and their numbers");
     app.add_option("--repeats", options.repeats, "timed repeats")->check(CLI::Range(1, 1000));
     app.add_option("--threads", options.threads, "that draw, each its own hemicubes")

@@ -10,8 +10,13 @@ namespace gw::bench {
 namespace {
 
 OSMesaContext make_context() {
-    const int attributes[] = {
-        OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_DEPTH_BITS,
+                              24,
+                              OSMESA_PROFILE,
+                              OSMESA_COMPAT_PROFILE,
+                              0};
     OSMesaContext context = OSMesaCreateContextAttribs(attributes, nullptr);
     if (!context) throw Error("OSMesa makes no context");
     return context;

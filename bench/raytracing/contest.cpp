@@ -1,8 +1,8 @@
 #include "contest.h"
 
 #include "gw/machine.h"
-#include "itembuffer/superposed_ray_tracer.h"
 #include "itembuffer/render.h"
+#include "itembuffer/superposed_ray_tracer.h"
 #include "ray_set.h"
 #include "raytrace/tracer/render.h"
 
@@ -35,7 +35,8 @@ struct Frame {
         : drawn(raytrace::drawn_scene(scene)), view(scene::make_view(scene, width, height)) {
         options.samples = samples;
         options.passes = itembuffer::passes_with_tracing(scene, options.translucency);
-        const auto trace = itembuffer::tracing(scene, {.shadow_maps = maps, .threads = 1, .counts = &counts});
+        const auto trace =
+            itembuffer::tracing(scene, {.shadow_maps = maps, .threads = 1, .counts = &counts});
         options.trace = [this, trace](Machine& m, const scene::Scene& now, const scene::View& v,
                                       const JitterState& jitter) {
             std::vector<Rgba> color;
@@ -48,8 +49,8 @@ struct Frame {
         drawer->draw(view);
     }
 
-    /// From elsewhere than the last, by so little that no picture changes: nothing kept of a frame serves the
-    /// next.
+    /// From elsewhere than the last, by so little that no picture changes: nothing kept of a frame
+    /// serves the next.
     double draw() {
         view.eye_from_world[3][0] += 1e-12;
         traced = 0;
@@ -90,8 +91,8 @@ void time_ray_tracing(const scene::Scene& scene, int samples, int runs, Contest&
     c.ray_tracing = 1e30;
     for (int run = 0; run < runs; ++run) {
         c.ray_tracing_rays = {};
-        c.ray_tracing =
-            std::min(c.ray_tracing, seconds([&] { multipass::superpose(*machine, samples, 0, frame); }));
+        c.ray_tracing = std::min(
+            c.ray_tracing, seconds([&] { multipass::superpose(*machine, samples, 0, frame); }));
     }
 }
 

@@ -12,9 +12,10 @@ namespace gw::bench {
 inline constexpr int width = 640, height = 480;
 
 struct Contest {
-    double item_buffer = 0;  ///< processor seconds of a frame: passes, item buffer, traced component; what
-                             ///< no view decides (hierarchy, shadow volumes) was made before
-    double traced = 0;       ///< of these, the item buffer and the traced component
+    /// processor seconds of a frame: passes, item buffer, traced component; what no view decides
+    /// (hierarchy, shadow volumes) was made before
+    double item_buffer = 0;
+    double traced = 0;            ///< of these, the item buffer and the traced component
     double item_buffer_maps = 0;  ///< a frame where reflected hits read shadow maps, drawn before
     double maps_drawn = 0;        ///< to draw these maps, once for all views
     double ray_tracing = 0;       ///< of the ordinary ray tracer's frame

@@ -1,7 +1,7 @@
-// bench_raytracing -o DIR: pass count against ray tracing [K4f]. Frames of eq. 5 with an item buffer, the
-// ordinary ray tracer's, and Embree on the same rays, on one thread, in processor time; swept over lights,
-// glossy share, polygons and samples. Writes DIR/NAME.svg and .csv of each sweep, and prints tables. `rays`:
-// rays by kind and the building of hierarchies, beside Embree.
+// bench_raytracing -o DIR: pass count against ray tracing [K4f]. Frames of eq. 5 with an item
+// buffer, the ordinary ray tracer's, and Embree on the same rays, on one thread, in processor time;
+// swept over lights, glossy share, polygons and samples. Writes DIR/NAME.svg and .csv of each
+// sweep, and prints tables. `rays`: rays by kind and the building of hierarchies, beside Embree.
 #include "apps/command/peak_memory.h"
 #include "image/output/output_set.h"
 #include "report.h"
@@ -47,7 +47,8 @@ void run(const Sweep& sweep, const Options& options) {
     output.make_folder(options.folder);
     output.add(options.folder / (sweep.name + ".csv")).write_text(csv(rows));
     if (rows.size() > 1) {
-        output.add(options.folder / (sweep.name + "_seconds.svg")).write_text(times_plot(sweep, rows));
+        output.add(options.folder / (sweep.name + "_seconds.svg"))
+            .write_text(times_plot(sweep, rows));
         output.add(options.folder / (sweep.name + "_gain.svg")).write_text(gain_plot(sweep, rows));
     }
     output.commit();
@@ -59,7 +60,8 @@ void run_races(const Options& options) {
     const auto run_race = [&](const std::string& name, const scene::Scene& scene) {
         const raytrace::World world(scene, 1);
         const RayRaces races =
-            race(rays_of_picture(scene, world, scene::make_view(scene, width, height)), world, options.runs);
+            race(rays_of_picture(scene, world, scene::make_view(scene, width, height)), world,
+                 options.runs);
         say(race_lines(name, world.triangles().size(), races));
         text += race_csv(name, world.triangles().size(), races);
     };

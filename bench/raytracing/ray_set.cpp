@@ -26,7 +26,8 @@ public:
     void follow(const raytrace::Ray& ray, double high, std::uint32_t from, int rays_left) {
         const bool first = from == raytrace::no_polygon;
         (first ? set.primary : set.reflected)
-            .push_back({vec3(ray.origin), first ? 0 : skin, vec3(ray.direction), float(high), from});
+            .push_back(
+                {vec3(ray.origin), first ? 0 : skin, vec3(ray.direction), float(high), from});
         const auto at = world_.nearest(ray, high, from);
         if (!at) return;
         const auto s = raytrace::surface(world_.triangles(), *at, normalized(ray.direction), view_);
@@ -57,10 +58,10 @@ public:
         : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
         rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
         RTCGeometry mesh = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0,
-                                                              RTC_FORMAT_FLOAT3, 12, triangles.size() * 3));
-        auto* index = static_cast<unsigned*>(
-            rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, triangles.size()));
+        auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(
+            mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, triangles.size() * 3));
+        auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+            mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, triangles.size()));
         for (const auto& t : triangles)
             for (const vec3& c : t.corner)
                 for (int k = 0; k < 3; ++k) *v++ = c[k];
@@ -95,8 +96,18 @@ public:
 
 private:
     static RTCRay embree_ray(const HierarchyRay& r) {
-        return {r.origin.x, r.origin.y, r.origin.z, r.low, r.direction.x, r.direction.y, r.direction.z, 0,
-                r.high,     ~0u,        0,          0};
+        return {r.origin.x,
+                r.origin.y,
+                r.origin.z,
+                r.low,
+                r.direction.x,
+                r.direction.y,
+                r.direction.z,
+                0,
+                r.high,
+                ~0u,
+                0,
+                0};
     }
     RTCDevice device_;
     RTCScene scene_;
@@ -128,7 +139,8 @@ double processor_seconds() {
     return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
-RaySet rays_of_picture(const scene::Scene& scene, const raytrace::World& world, const scene::View& view) {
+RaySet rays_of_picture(const scene::Scene& scene, const raytrace::World& world,
+                       const scene::View& view) {
     Recorder recorder(scene, world, view);
     const scene::PixelRays rays(view);
     for (int y = 0; y < view.height; ++y)
@@ -152,7 +164,9 @@ RayRaces race(const RaySet& rays, const raytrace::World& world, int runs) {
         embree.emplace(triangles);
         out.build.embree = std::min(out.build.embree, processor_seconds() - start);
     }
-    const auto nearest = [&](const HierarchyRay& r) { return world.hierarchy().nearest(r).has_value(); };
+    const auto nearest = [&](const HierarchyRay& r) {
+        return world.hierarchy().nearest(r).has_value();
+    };
     const auto any = [&](const HierarchyRay& r) { return world.hierarchy().occluded(r); };
     const auto their_nearest = [&](const HierarchyRay& r) { return embree->nearest(r); };
     const auto their_any = [&](const HierarchyRay& r) { return embree->occluded(r); };

@@ -1,4 +1,5 @@
-// The rays of the ordinary ray tracer's picture, written down, so that others can be asked the same.
+// The rays of the ordinary ray tracer's picture, written down, so that others can be asked the
+// same.
 #pragma once
 
 #include "raytrace/tracer/tracer.h"
@@ -12,10 +13,11 @@ struct RaySet {
 };
 
 /// To the second ray.
-RaySet rays_of_picture(const scene::Scene& scene, const raytrace::World& world, const scene::View& view);
+RaySet rays_of_picture(const scene::Scene& scene, const raytrace::World& world,
+                       const scene::View& view);
 
-/// Processor seconds of one thread, ours and Embree's (robust, one ray at a time), the best of some runs, and
-/// how many hits differ in whether there is one.
+/// Processor seconds of one thread, ours and Embree's (robust, one ray at a time), the best of some
+/// runs, and how many hits differ in whether there is one.
 struct Race {
     double ours = 1e30, embree = 1e30;
     std::size_t rays = 0, differ = 0;
@@ -24,9 +26,10 @@ struct RayRaces {
     Race primary, reflected, shadow;
     Race build;  ///< of the hierarchies
     Race all() const {
-        return {
-            primary.ours + reflected.ours + shadow.ours, primary.embree + reflected.embree + shadow.embree,
-            primary.rays + reflected.rays + shadow.rays, primary.differ + reflected.differ + shadow.differ};
+        return {primary.ours + reflected.ours + shadow.ours,
+                primary.embree + reflected.embree + shadow.embree,
+                primary.rays + reflected.rays + shadow.rays,
+                primary.differ + reflected.differ + shadow.differ};
     }
 };
 RayRaces race(const RaySet& rays, const raytrace::World& world, int runs);

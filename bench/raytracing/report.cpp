@@ -12,7 +12,8 @@ namespace {
 plot::Plot times(const Sweep& sweep, const std::vector<Row>& rows) {
     plot::Plot p{
         .title = "Seconds of a frame, by " + sweep.x_label,
-        .caption = "Processor seconds of one thread, 640x480, to the second ray; hierarchies built before.",
+        .caption =
+            "Processor seconds of one thread, 640x480, to the second ray; hierarchies built before.",
         .command = "build/release/bin/bench_raytracing --sweep " + sweep.name + " -o DIR",
         .x = {sweep.x_label, sweep.log},
         .y = {"seconds", 10}};
@@ -25,7 +26,8 @@ plot::Plot times(const Sweep& sweep, const std::vector<Row>& rows) {
     add("item buffer, shadow rays", [](const Row& r) { return r.c.item_buffer; });
     add("item buffer, shadow maps", [](const Row& r) { return r.c.item_buffer_maps; });
     add("ordinary ray tracing", [](const Row& r) { return r.c.ray_tracing; });
-    add("its rays only", [&](const Row& r) { return r.rays.all().ours * (sweep.samples ? r.x : samples); });
+    add("its rays only",
+        [&](const Row& r) { return r.rays.all().ours * (sweep.samples ? r.x : samples); });
     add("Embree, the same rays",
         [&](const Row& r) { return r.rays.all().embree * (sweep.samples ? r.x : samples); });
     return p;
@@ -34,7 +36,8 @@ plot::Plot times(const Sweep& sweep, const std::vector<Row>& rows) {
 plot::Plot gains(const Sweep& sweep, const std::vector<Row>& rows) {
     plot::Plot p{
         .title = "Ordinary ray tracing over item buffer, by " + sweep.x_label,
-        .caption = "The paper says 3 to 5 [K4f]. The bound holds for exact shadow rays, were passes free.",
+        .caption =
+            "The paper says 3 to 5 [K4f]. The bound holds for exact shadow rays, were passes free.",
         .command = "build/release/bin/bench_raytracing --sweep " + sweep.name + " -o DIR",
         .x = {sweep.x_label, sweep.log},
         .y = {"times faster", 0}};
@@ -58,7 +61,10 @@ struct Kind {
     Race race;
 };
 std::vector<Kind> kinds(const RayRaces& r) {
-    return {{"primary", r.primary}, {"reflected", r.reflected}, {"shadow", r.shadow}, {"build", r.build}};
+    return {{"primary", r.primary},
+            {"reflected", r.reflected},
+            {"shadow", r.shadow},
+            {"build", r.build}};
 }
 
 }  // namespace
@@ -83,18 +89,20 @@ std::string csv(const std::vector<Row>& rows) {
         text += fmt::format(
             "{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},{:.3f},{:.3f},{:.3f},"
             "{},{},{},{},{},{:.5f},{:.4f},{}\n",
-            r.x, r.c.triangles, r.c.share, r.c.item_buffer, r.c.traced, r.c.item_buffer_maps, r.c.maps_drawn,
-            r.c.ray_tracing, r.c.hierarchy, rays.ours, rays.embree, rays.differ, r.c.gain(), r.c.gain_maps(),
-            r.c.bound(), a.reflected + a.transmitted, a.shadow, b.primary, b.reflected + b.transmitted,
-            b.shadow, r.c.maps_differ, r.c.maps_error, r.megabytes);
+            r.x, r.c.triangles, r.c.share, r.c.item_buffer, r.c.traced, r.c.item_buffer_maps,
+            r.c.maps_drawn, r.c.ray_tracing, r.c.hierarchy, rays.ours, rays.embree, rays.differ,
+            r.c.gain(), r.c.gain_maps(), r.c.bound(), a.reflected + a.transmitted, a.shadow,
+            b.primary, b.reflected + b.transmitted, b.shadow, r.c.maps_differ, r.c.maps_error,
+            r.megabytes);
     }
     return text;
 }
 
 std::string heading(const Sweep& sweep) {
-    return fmt::format("{}\n{:>9} {:>9} {:>6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>7} {:>7} {:>7} {:>6} {:>6}\n",
-                       sweep.name, "x", "triangles", "g %", "item s", "traced s", "maps s", "rays s",
-                       "Embree s", "gain", "by maps", "1+1/g", "E/ours", "MB");
+    return fmt::format(
+        "{}\n{:>9} {:>9} {:>6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>7} {:>7} {:>7} {:>6} {:>6}\n",
+        sweep.name, "x", "triangles", "g %", "item s", "traced s", "maps s", "rays s", "Embree s",
+        "gain", "by maps", "1+1/g", "E/ours", "MB");
 }
 
 std::string line(const Row& r) {
@@ -103,8 +111,8 @@ std::string line(const Row& r) {
         "{:>9} {:>9} {:>6.1f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>7.2f} {:>7.2f} {:>7.2f} "
         "{:>6.2f} {:>6}\n",
         r.x, r.c.triangles, 100 * r.c.share, r.c.item_buffer, r.c.traced, r.c.item_buffer_maps,
-        r.c.ray_tracing, rays.embree, r.c.gain(), r.c.gain_maps(), r.c.bound(), rays.embree / rays.ours,
-        r.megabytes);
+        r.c.ray_tracing, rays.embree, r.c.gain(), r.c.gain_maps(), r.c.bound(),
+        rays.embree / rays.ours, r.megabytes);
 }
 
 std::string crossings(const Sweep& sweep, const std::vector<Row>& rows) {
@@ -113,7 +121,8 @@ std::string crossings(const Sweep& sweep, const std::vector<Row>& rows) {
         const double a = rows[i - 1].c.gain() - 1, b = rows[i].c.gain() - 1;
         if ((a < 0) != (b < 0))
             text += fmt::format("  the curves cross at about {:.3g} {}\n",
-                                rows[i - 1].x + (rows[i].x - rows[i - 1].x) * a / (a - b), sweep.x_label);
+                                rows[i - 1].x + (rows[i].x - rows[i - 1].x) * a / (a - b),
+                                sweep.x_label);
     }
     if (text.empty() && rows.size() > 1)
         text = fmt::format("  the curves do not cross: the item buffer is {} everywhere\n",
@@ -122,16 +131,16 @@ std::string crossings(const Sweep& sweep, const std::vector<Row>& rows) {
 }
 
 std::string race_heading() {
-    return fmt::format("rays\n{:>9} {:>9} {:>10} {:>9} {:>9} {:>9} {:>7} {:>7}\n", "scene", "triangles",
-                       "kind", "rays", "ours s", "Embree s", "E/ours", "differ");
+    return fmt::format("rays\n{:>9} {:>9} {:>10} {:>9} {:>9} {:>9} {:>7} {:>7}\n", "scene",
+                       "triangles", "kind", "rays", "ours s", "Embree s", "E/ours", "differ");
 }
 
 std::string race_lines(const std::string& scene, std::size_t triangles, const RayRaces& races) {
     std::string text;
     for (const Kind& k : kinds(races))
-        text += fmt::format("{:>9} {:>9} {:>10} {:>9} {:>9.4f} {:>9.4f} {:>7.2f} {:>7}\n", scene, triangles,
-                            k.name, k.race.rays, k.race.ours, k.race.embree, k.race.embree / k.race.ours,
-                            k.race.differ);
+        text += fmt::format("{:>9} {:>9} {:>10} {:>9} {:>9.4f} {:>9.4f} {:>7.2f} {:>7}\n", scene,
+                            triangles, k.name, k.race.rays, k.race.ours, k.race.embree,
+                            k.race.embree / k.race.ours, k.race.differ);
     return text;
 }
 

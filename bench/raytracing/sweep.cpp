@@ -66,13 +66,15 @@ void set_share(scene::Scene& scene, double wanted) {
 /// Twelve balls of about `polygons` triangles together in the room, instead of what lies there.
 void set_polygons(scene::Scene& scene, double polygons) {
     const auto& shapes = scene::shapes();
-    const auto sphere =
-        std::find_if(shapes.begin(), shapes.end(), [](const auto& s) { return s.name == "sphere"; });
+    const auto sphere = std::find_if(shapes.begin(), shapes.end(),
+                                     [](const auto& s) { return s.name == "sphere"; });
     const double slices = std::max(4.0, std::round(std::sqrt(polygons / 12)));
     std::uint32_t next = 0;
     std::vector<double> values;
     for (const auto& p : sphere->parameters)
-        values.push_back(p.name == "radius" ? 0.62 : p.name == "slices" ? slices : std::max(2.0, slices / 2));
+        values.push_back(p.name == "radius"   ? 0.62
+                         : p.name == "slices" ? slices
+                                              : std::max(2.0, slices / 2));
     const MeshRef mesh = scene::make_numbered_mesh(sphere->make(values), next);
     for (scene::Object& object : scene.objects)
         if (raytrace::is_traced(scene.materials[object.material])) {

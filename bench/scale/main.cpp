@@ -1,8 +1,9 @@
-// bench_scale -o DIR: large scenes. A sheet of waves of 10,000 to 5,000,000 triangles, written as OBJ, drawn
-// by `gw render` as a user would: by passes with shadow volumes, by passes with shadow maps, with an item
-// buffer and traced reflections, by the ordinary ray tracer; seconds of processor time and the most memory
-// that the process held. And how fast the OBJ is read, beside tinyobjloader where that is installed. Writes
-// DIR/seconds.svg, memory.svg and their numbers. Does not compare pictures.
+// bench_scale -o DIR: large scenes. A sheet of waves of 10,000 to 5,000,000 triangles, written as
+// OBJ, drawn by `gw render` as a user would: by passes with shadow volumes, by passes with shadow
+// maps, with an item buffer and traced reflections, by the ordinary ray tracer; seconds of
+// processor time and the most memory that the process held. And how fast the OBJ is read, beside
+// tinyobjloader where that is installed. Writes DIR/seconds.svg, memory.svg and their numbers. Does
+// not compare pictures.
 #include "apps/command/peak_memory.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
@@ -88,8 +89,11 @@ Used run_program(std::vector<std::string> words) {
     rusage usage{};
     wait4(child, &status, 0, &usage);
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw Error(words[0], 0, "failed");
-    const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
-    return {seconds(usage.ru_utime) + seconds(usage.ru_stime), double(peak_memory(usage)) / (1 << 20)};
+    const auto seconds = [](const timeval& t) {
+        return double(t.tv_sec) + 1e-6 * double(t.tv_usec);
+    };
+    return {seconds(usage.ru_utime) + seconds(usage.ru_stime),
+            double(peak_memory(usage)) / (1 << 20)};
 }
 
 Used draw(const Renderer& renderer, const std::filesystem::path& folder) {
@@ -97,8 +101,9 @@ Used draw(const Renderer& renderer, const std::filesystem::path& folder) {
     image::OutputSet files;
     files.add(scene).write_text(scene_text(renderer));
     files.commit();
-    std::vector<std::string> words{GW_BIN_DIR "/gw", "render",  scene,       "-o", folder / "sheet.png",
-                                   "--size",         "640x480", "--threads", "1",  "--quiet"};
+    std::vector<std::string> words{
+        GW_BIN_DIR "/gw", "render",  scene,       "-o", folder / "sheet.png",
+        "--size",         "640x480", "--threads", "1",  "--quiet"};
     words.insert(words.end(), renderer.words.begin(), renderer.words.end());
     return run_program(words);
 }
@@ -129,15 +134,16 @@ void draw_all(const Options& options) {
         seconds.push_back({.name = r.name, .points = {}});
         memory.push_back({.name = r.name, .points = {}});
     }
-    fmt::print("{:<34}{:>12}{:>10}{:>10}{:>18}\n", "drawn from the OBJ, 640x480", "triangles", "seconds",
-               "MB", "bytes a triangle*");
+    fmt::print("{:<34}{:>12}{:>10}{:>10}{:>18}\n", "drawn from the OBJ, 640x480", "triangles",
+               "seconds", "MB", "bytes a triangle*");
     for (const double wanted : {1e4, 1e5, 1e6, 5e6}) {
         if (wanted > options.up_to) break;
         const double triangles = double(write_sheet(options.folder / "sheet.obj", wanted, false));
         for (std::size_t i = 0; i < renderers().size(); ++i) {
             const Used used = draw(renderers()[i], options.folder);
-            fmt::print("{:<34}{:>12.0f}{:>10.2f}{:>10.0f}{:>18.0f}\n", renderers()[i].name, triangles,
-                       used.seconds, used.megabytes, bytes_a_triangle(memory[i], triangles, used));
+            fmt::print("{:<34}{:>12.0f}{:>10.2f}{:>10.0f}{:>18.0f}\n", renderers()[i].name,
+                       triangles, used.seconds, used.megabytes,
+                       bytes_a_triangle(memory[i], triangles, used));
             std::fflush(stdout);
             seconds[i].points.push_back({triangles, used.seconds});
             memory[i].points.push_back({triangles, used.megabytes});
@@ -149,8 +155,8 @@ void draw_all(const Options& options) {
 }
 
 void read_all(const Options& options) {
-    fmt::print("\n{:<34}{:>12}{:>8}{:>14}{:>22}{:>8}\n", "OBJ read", "triangles", "MB", "ours, MB/s",
-               "tinyobjloader, MB/s", "ratio");
+    fmt::print("\n{:<34}{:>12}{:>8}{:>14}{:>22}{:>8}\n", "OBJ read", "triangles", "MB",
+               "ours, MB/s", "tinyobjloader, MB/s", "ratio");
     for (const bool full : {false, true})
         for (const double wanted : {1e5, 1e6, 5e6}) {
             if (wanted > options.up_to) continue;
@@ -185,8 +191,10 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     gw::bench::Options options;
-    CLI::App app{"Large scenes: seconds, memory, and OBJ read.\nExample: bench_scale -o scale --up-to 1e6"};
-    app.add_option("-o,--output", options.folder, "Folder of the plots and their numbers")->required();
+    CLI::App app{
+        "Large scenes: seconds, memory, and OBJ read.\nExample: bench_scale -o scale --up-to 1e6"};
+    app.add_option("-o,--output", options.folder, "Folder of the plots and their numbers")
+        ->required();
     app.add_option("--up-to", options.up_to, "Sheets of at most so many triangles");
     app.add_option("--repeats", options.repeats, "Timed readings, of which the best counts")
         ->check(CLI::Range(1, 100));

@@ -65,15 +65,17 @@ std::size_t write_sheet(const std::filesystem::path& path, double triangles, boo
     for (std::size_t j = 0; full && j <= n; ++j)
         for (std::size_t i = 0; i <= n; ++i) {
             const double step = 1e-3, x = at(i), z = at(j), y = height(x, z);
-            text.add("vt {:.6f} {:.6f}\nvn {:.4f} 1 {:.4f}\n", double(i) / double(n), double(j) / double(n),
-                     (y - height(x + step, z)) / step, (y - height(x, z + step)) / step);
+            text.add("vt {:.6f} {:.6f}\nvn {:.4f} 1 {:.4f}\n", double(i) / double(n),
+                     double(j) / double(n), (y - height(x + step, z)) / step,
+                     (y - height(x, z + step)) / step);
         }
     for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i) {
             const std::size_t a = j * (n + 1) + i + 1, b = a + 1, c = a + n + 1, d = c + 1;
             if (full)
-                text.add("f {0}/{0}/{0} {2}/{2}/{2} {1}/{1}/{1}\nf {1}/{1}/{1} {2}/{2}/{2} {3}/{3}/{3}\n", a,
-                         b, c, d);
+                text.add(
+                    "f {0}/{0}/{0} {2}/{2}/{2} {1}/{1}/{1}\nf {1}/{1}/{1} {2}/{2}/{2} {3}/{3}/{3}\n",
+                    a, b, c, d);
             else
                 text.add("f {0} {2} {1}\nf {1} {2} {3}\n", a, b, c, d);
         }

@@ -1,5 +1,5 @@
-// The renderer under test: a lit pyramid in two passes [K3.3]. Depth and ambient light first, then diffuse
-// light added where the same faces are visible.
+// The renderer under test: a lit pyramid in two passes [K3.3]. Depth and ambient light first, then
+// diffuse light added where the same faces are visible.
 #pragma once
 
 #include <gw/command_list.h>

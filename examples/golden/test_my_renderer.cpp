@@ -18,10 +18,14 @@ gw::inspect::Recording recording(int turn) {
 
 }  // namespace
 
-// The whole picture, pass by pass. After a wanted change: GW_UPDATE_GOLDENS=1 ctest --test-dir build
-TEST(MyRenderer, DrawsThePyramidAsTheGoldenSays) { EXPECT_PASSES_EQ(recording(0), "goldens/pyramid.json"); }
+// The whole picture, pass by pass. After a wanted change: GW_UPDATE_GOLDENS=1 ctest --test-dir
+// build
+TEST(MyRenderer, DrawsThePyramidAsTheGoldenSays) {
+    EXPECT_PASSES_EQ(recording(0), "goldens/pyramid.json");
+}
 
-// Another claim, without a golden: a square pyramid under a lamp at the eye is the same from all four sides.
+// Another claim, without a golden: a square pyramid under a lamp at the eye is the same from all
+// four sides.
 TEST(MyRenderer, DrawsTheSamePictureFromEverySide) {
     const auto front = gw::make_fast(gw::vgx(), 64, 64), side = gw::make_fast(gw::vgx(), 64, 64);
     front->execute(my_renderer::pyramid(0));

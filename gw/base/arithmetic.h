@@ -1,4 +1,5 @@
-// The manual's scalar arithmetic: rounding, clamping, products of fractions. docs/manual.md, "Numbers".
+// The manual's scalar arithmetic: rounding, clamping, products of fractions. docs/manual.md,
+// "Numbers".
 // Does not hold anything that depends on a stage.
 #pragma once
 
@@ -9,7 +10,9 @@
 namespace gw {
 
 /// The largest value of n bits, which stands for 1.0; n <= 32.
-constexpr std::uint32_t max_of_bits(int n) { return static_cast<std::uint32_t>((std::uint64_t{1} << n) - 1); }
+constexpr std::uint32_t max_of_bits(int n) {
+    return static_cast<std::uint32_t>((std::uint64_t{1} << n) - 1);
+}
 
 /// Nearest integer, ties to even: the IEEE mode that every thread of a machine runs in.
 inline double round_even(double v) {
@@ -21,7 +24,9 @@ inline double round_even(double v) {
 constexpr double clamp01(double v) { return v > 0 ? (v < 1 ? v : 1) : 0; }
 
 /// v in [-limit, limit]; NaN becomes -limit.
-constexpr double bounded(double v, double limit) { return v > -limit ? (v < limit ? v : limit) : -limit; }
+constexpr double bounded(double v, double limit) {
+    return v > -limit ? (v < limit ? v : limit) : -limit;
+}
 
 /// A fraction as an n-bit integer: nearest to v * (2^n - 1), v clamped to [0, 1].
 inline std::uint32_t quantize(double v, int n) {
@@ -40,7 +45,8 @@ constexpr std::uint32_t rescale(std::uint32_t v, int n, int m) {
     return static_cast<std::uint32_t>((v * to * 2 + from) / (from * 2));
 }
 
-/// Any double as an integer in [low, high]; NaN becomes low. Floats are clamped before they become integers.
+/// Any double as an integer in [low, high]; NaN becomes low. Floats are clamped before they become
+/// integers.
 inline std::int64_t to_integer(double v, double low, double high) {
     return static_cast<std::int64_t>(v > low ? (v < high ? v : high) : low);
 }

@@ -1,6 +1,6 @@
-// Each function: reduce the argument to a node of a table and a small rest, take a few terms of the Taylor
-// series of the rest. Where a rounding would show, a value is carried as a Sum of two doubles. Not written
-// for speed: set-up, vertices and tables use it.
+// Each function: reduce the argument to a node of a table and a small rest, take a few terms of the
+// Taylor series of the rest. Where a rounding would show, a value is carried as a Sum of two
+// doubles. Not written for speed: set-up, vertices and tables use it.
 #include "gw/base/elementary.h"
 
 #include <bit>
@@ -26,8 +26,8 @@ Sum two_sum(double a, double b) noexcept {
     return {hi, (a - (hi - b_part)) + (b - b_part)};
 }
 
-// Exact: hi + lo = a * b while nothing underflows and |a|, |b| < 2^990. [Dekker 1971: each factor split into
-// halves of 26 bits]
+// Exact: hi + lo = a * b while nothing underflows and |a|, |b| < 2^990. [Dekker 1971: each factor
+// split into halves of 26 bits]
 Sum two_product(double a, double b) noexcept {
     const double a_up = a * 134217729.0, b_up = b * 134217729.0;  // 2^27 + 1
     const double a_hi = a_up - (a_up - a), b_hi = b_up - (b_up - b);
@@ -68,8 +68,8 @@ double scale(double x, int e) noexcept {
     return x * power_of_two(e);
 }
 
-// e^(x.hi + x.lo) for any x.hi, |x.lo| < 2^-40: with 64 x / ln 2 = 64 e + i + rest, 2^e * exp2_node[i] *
-// e^rest.
+// e^(x.hi + x.lo) for any x.hi, |x.lo| < 2^-40: with 64 x / ln 2 = 64 e + i + rest, 2^e *
+// exp2_node[i] * e^rest.
 double exp_of_sum(Sum x) noexcept {
     if (x.hi > 710) return infinity;
     if (x.hi < -746) return 0;
@@ -83,8 +83,8 @@ double exp_of_sum(Sum x) noexcept {
     return scale(node.hi + (node.lo + node.hi * p), (static_cast<int>(k) - index) / 64);
 }
 
-// x = m * 2^k with m in [45.25/64, 90.5/64): around 1, so that x just below 1 has k = 0 and log x keeps its
-// precision.
+// x = m * 2^k with m in [45.25/64, 90.5/64): around 1, so that x just below 1 has k = 0 and log x
+// keeps its precision.
 struct Scaled {
     double m;
     int k;
@@ -100,8 +100,8 @@ Scaled mantissa_around_one(double x) noexcept {
     return {std::bit_cast<double>(bits - (k << 52)), static_cast<int>(k)};
 }
 
-// log x for finite x > 0, to about 2^-66 of itself. With node c = i/64 near m: k ln 2 + log c + 2 atanh s, s
-// = (m-c)/(m+c).
+// log x for finite x > 0, to about 2^-66 of itself. With node c = i/64 near m: k ln 2 + log c + 2
+// atanh s, s = (m-c)/(m+c).
 Sum log_as_sum(double x) noexcept {
     const auto [m, k] = mantissa_around_one(x);
     const int i = static_cast<int>(nearest(m * 64));
@@ -145,8 +145,9 @@ Reduced reduce_degrees(double x) noexcept {
 
 // sin and cos on [-pi/4, pi/4]: Taylor series to x^17 and x^18, what comes before x^4 as a Sum.
 Sum sin_of_rest(Sum x) noexcept {
-    constexpr double terms[] = {1 / 120.0,        -1 / 5040.0,          1 / 362880.0,         -1 / 39916800.0,
-                                1 / 6227020800.0, -1 / 1307674368000.0, 1 / 355687428096000.0};
+    constexpr double terms[] = {
+        1 / 120.0,        -1 / 5040.0,          1 / 362880.0,         -1 / 39916800.0,
+        1 / 6227020800.0, -1 / 1307674368000.0, 1 / 355687428096000.0};
     const Sum z = two_product(x.hi, x.hi);
     const Sum cube = two_product(x.hi, z.hi);
     const Sum sixth = divide({cube.hi, cube.lo + x.hi * z.lo}, {6, 0});
@@ -188,8 +189,8 @@ double odd(double x, double value_at_magnitude) noexcept {
     return x < 0 ? 0 - value_at_magnitude : value_at_magnitude;
 }
 
-// atan q for q in [0, 1], node c = i/32: atan c + atan t, t = (q - c) / (1 + q c), |t| <= 1/64; Taylor series
-// to t^11.
+// atan q for q in [0, 1], node c = i/32: atan c + atan t, t = (q - c) / (1 + q c), |t| <= 1/64;
+// Taylor series to t^11.
 Sum atan_as_sum(double q) noexcept {
     const int i = static_cast<int>(nearest(q * 32));
     const double c = i / 32.0;
@@ -232,14 +233,20 @@ double pow(double x, double y) noexcept {
     return exp_of_sum({product.hi, product.lo + y * log_x.lo});
 }
 
-double sin(double x) noexcept { return in_range(x) ? odd(x, sin_of(reduce_radians(std::fabs(x)))) : nan; }
+double sin(double x) noexcept {
+    return in_range(x) ? odd(x, sin_of(reduce_radians(std::fabs(x)))) : nan;
+}
 double cos(double x) noexcept { return in_range(x) ? cos_of(reduce_radians(std::fabs(x))) : nan; }
-double tan(double x) noexcept { return in_range(x) ? odd(x, tan_of(reduce_radians(std::fabs(x)))) : nan; }
+double tan(double x) noexcept {
+    return in_range(x) ? odd(x, tan_of(reduce_radians(std::fabs(x)))) : nan;
+}
 
 double sin_degrees(double x) noexcept {
     return in_range(x) ? odd(x, sin_of(reduce_degrees(std::fabs(x)))) : nan;
 }
-double cos_degrees(double x) noexcept { return in_range(x) ? cos_of(reduce_degrees(std::fabs(x))) : nan; }
+double cos_degrees(double x) noexcept {
+    return in_range(x) ? cos_of(reduce_degrees(std::fabs(x))) : nan;
+}
 double tan_degrees(double x) noexcept {
     return in_range(x) ? odd(x, tan_of(reduce_degrees(std::fabs(x)))) : nan;
 }

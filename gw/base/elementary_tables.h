@@ -4,8 +4,8 @@
 
 namespace gw::elementary {
 
-// A number as the unevaluated sum of two doubles, |lo| at most half a unit in the last place of hi unless
-// stated.
+// A number as the unevaluated sum of two doubles, |lo| at most half a unit in the last place of hi
+// unless stated.
 struct Sum {
     double hi, lo;
 };

@@ -31,8 +31,8 @@ int hardware_threads() {
 
 namespace {
 
-/// Whether it is as programs begin, but for flags, where one register says so: saving and restoring takes as
-/// long as a small body.
+/// Whether it is as programs begin, but for flags, where one register says so: saving and restoring
+/// takes as long as a small body.
 bool is_default_environment() {
 #ifdef __SSE2_MATH__
     constexpr unsigned flags = 0x3F, initial = 0x1F80;
@@ -76,7 +76,8 @@ void allow_threads(int threads) {
     allowed = std::make_unique<Control>(Control::max_allowed_parallelism, most);
 }
 
-/// Arenas that no call uses now. Made anew for each call, oneTBB's threads often came too late, or never.
+/// Arenas that no call uses now. Made anew for each call, oneTBB's threads often came too late, or
+/// never.
 class Arenas {
 public:
     using Arena = std::unique_ptr<tbb::task_arena>;
@@ -99,7 +100,8 @@ private:
     std::map<int, std::vector<Arena>> free_;
 };
 
-void threaded_for(std::size_t count, int threads, const std::function<void(std::size_t, int)>& body) {
+void threaded_for(std::size_t count, int threads,
+                  const std::function<void(std::size_t, int)>& body) {
     static Arenas arenas;
     allow_threads(threads);
     Arenas::Arena arena = arenas.take(threads);
@@ -137,10 +139,12 @@ struct Work {
     }
 };
 
-void threaded_for(std::size_t count, int threads, const std::function<void(std::size_t, int)>& body) {
+void threaded_for(std::size_t count, int threads,
+                  const std::function<void(std::size_t, int)>& body) {
     Work work{count, body};
     std::vector<std::thread> pool;
-    for (int worker = 1; worker < threads; ++worker) pool.emplace_back([&work, worker] { work.run(worker); });
+    for (int worker = 1; worker < threads; ++worker)
+        pool.emplace_back([&work, worker] { work.run(worker); });
     work.run(0);
     for (std::thread& thread : pool) thread.join();
     if (work.failure) std::rethrow_exception(work.failure);
@@ -150,7 +154,8 @@ void threaded_for(std::size_t count, int threads, const std::function<void(std::
 
 }  // namespace
 
-void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t, int)>& body) {
+void parallel_for(std::size_t count, int threads,
+                  const std::function<void(std::size_t, int)>& body) {
     if (threads <= 0) threads = hardware_threads();
     if (threads == 1 || count <= 1) return serial_for(count, body);
     threaded_for(count, threads, body);

@@ -10,10 +10,12 @@ namespace gw {
 /// Threads that are worth using here.
 int hardware_threads();
 
-/// Calls body(i, worker) once for each i in 0 .. count - 1 on up to `threads` threads (0: all); `worker` in
-/// 0 .. threads - 1 names the calling thread. Returns when all are done; the first exception is rethrown.
+/// Calls body(i, worker) once for each i in 0 .. count - 1 on up to `threads` threads (0: all);
+/// `worker` in 0 .. threads - 1 names the calling thread. Returns when all are done; the first
+/// exception is rethrown.
 /// Every body runs with nearest-even rounding and gradual underflow.
-void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t, int)>& body);
+void parallel_for(std::size_t count, int threads,
+                  const std::function<void(std::size_t, int)>& body);
 
 /// Nearest-even rounding and gradual underflow while it lives; restores what was before.
 class FloatEnvironment {

@@ -1,5 +1,6 @@
 // Vectors and matrices of the machine: GLM's, by the names used everywhere else.
-// Does not use GLM's transcendental functions (rotate, perspective, pow): they call libm, and libm differs.
+// Does not use GLM's transcendental functions (rotate, perspective, pow): they call libm, and libm
+// differs.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -23,9 +24,11 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
-/// Products in one fixed order of operations: (x + y) + z, (x + y) + (z + w). GLM's own order is not
-/// promised.
-constexpr double dot3(const dvec3& a, const dvec3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+/// Products in one fixed order of operations: (x + y) + z, (x + y) + (z + w). GLM's own order is
+/// not promised.
+constexpr double dot3(const dvec3& a, const dvec3& b) {
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
 constexpr double dot4(const dvec4& a, const dvec4& b) {
     return (a.x * b.x + a.y * b.y) + (a.z * b.z + a.w * b.w);
 }
@@ -33,7 +36,8 @@ constexpr dvec3 cross3(const dvec3& a, const dvec3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 constexpr dvec3 transform3(const dmat3& m, const dvec3& v) {
-    return {(m[0].x * v.x + m[1].x * v.y) + m[2].x * v.z, (m[0].y * v.x + m[1].y * v.y) + m[2].y * v.z,
+    return {(m[0].x * v.x + m[1].x * v.y) + m[2].x * v.z,
+            (m[0].y * v.x + m[1].y * v.y) + m[2].y * v.z,
             (m[0].z * v.x + m[1].z * v.y) + m[2].z * v.z};
 }
 

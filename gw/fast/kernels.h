@@ -1,5 +1,7 @@
-// The vector kernels, behind run-time dispatch: one entry for drawing, one for fragments that the host made.
-// Does not plan. Every target computes the same bits: docs/manual.md is the scalar twin of each line.
+// The vector kernels, behind run-time dispatch: one entry for drawing, one for fragments that the
+// host made.
+// Does not plan. Every target computes the same bits: docs/manual.md is the scalar twin of each
+// line.
 #pragma once
 
 #include "gw/fast/frame/box.h"
@@ -46,8 +48,8 @@ struct BlockFragments {
     std::uint32_t mask = 0;
     bool front = true;
 };
-void process_fragments(const BlockFragments& fragments, const ColorBlock& color, const DepthBlock& depth,
-                       const Tile& tile, OpCounts& counts);
+void process_fragments(const BlockFragments& fragments, const ColorBlock& color,
+                       const DepthBlock& depth, const Tile& tile, OpCounts& counts);
 
 /// One accumulation command on the lanes of `mask` of a block; how many channels overflowed.
 std::uint64_t accumulate_block(const AccumulateOp& op, const Profile& profile, AccumBlock& accum,
@@ -82,8 +84,8 @@ void read_colors(const ReadColors& read);
 /// The vector instruction set in use, in Highway's words, and all that this processor has.
 std::string simd_target();
 std::vector<std::string> simd_targets();
-/// Uses only the named target from now on (tests); "" goes back to the best. False where there is no such
-/// target.
+/// Uses only the named target from now on (tests); "" goes back to the best. False where there is
+/// no such target.
 bool use_simd_target(const std::string& name);
 
 }  // namespace gw::fast

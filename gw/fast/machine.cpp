@@ -1,10 +1,10 @@
 // The fast machine: segments between barriers, each run tile by tile on all threads.
 #include "gw/machine.h"
 
+#include "gw/base/parallel.h"
 #include "gw/fast/kernels.h"
 #include "gw/fast/plan/plan.h"
 #include "gw/fast/tile/tile_run.h"
-#include "gw/base/parallel.h"
 #include "gw/stages/tables.h"
 
 #include <bit>
@@ -24,7 +24,8 @@ public:
 
     void execute(const CommandList& list) override {
         const FloatEnvironment environment;
-        validate(list, profile_, grid().width, grid().height, {machine_.state, machine_.slot_planes});
+        validate(list, profile_, grid().width, grid().height,
+                 {machine_.state, machine_.slot_planes});
         std::span<const Command> rest(list.commands);
         while (!rest.empty()) {
             std::size_t done = 0;
@@ -63,7 +64,8 @@ private:
         planes_are_current_ = false;
         std::vector<OpCounts> totals = run_tiles(segment, frame_, profile_, threads_, rooms_);
         for (std::size_t i = 0; i < totals.size(); ++i)
-            machine_.passes[segment.ops[i].pass].counters += counters_of(segment.ops[i], totals[i], profile_);
+            machine_.passes[segment.ops[i].pass].counters +=
+                counters_of(segment.ops[i], totals[i], profile_);
         retire(std::move(segment), machine_);
     }
 
@@ -71,7 +73,8 @@ private:
         if (machine_.passes.empty() || machine_.passes.back().digested == 0) return;
         PassReport& pass = machine_.passes.back();
         for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
-            if (pass.digested & mask_of(plane)) pass.digests[std::size_t(plane)] = digest(planes(), plane);
+            if (pass.digested & mask_of(plane))
+                pass.digests[std::size_t(plane)] = digest(planes(), plane);
     }
 
     void run_barrier(const BeginPass& command) {

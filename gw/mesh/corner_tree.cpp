@@ -13,7 +13,8 @@ constexpr std::uint32_t leaf_size = 8;
 // True only where the whole box lies to the right of the line from a to b, rounding allowed for.
 bool right_of(vec2 a, vec2 b, vec2 low, vec2 high) {
     const dvec2 along = dvec2(b) - dvec2(a);
-    const dvec2 corner{along.y > 0 ? low.x : high.x, along.x > 0 ? high.y : low.y};  // the box's leftmost
+    // the box's leftmost
+    const dvec2 corner{along.y > 0 ? low.x : high.x, along.x > 0 ? high.y : low.y};
     const double left = along.x * (corner.y - a.y), right = along.y * (corner.x - a.x);
     return left - right < -8 * 0x1p-53 * (std::abs(left) + std::abs(right));
 }
@@ -27,8 +28,10 @@ CornerTree::CornerTree(std::span<const vec2> points, std::vector<std::uint32_t> 
 
 std::uint32_t CornerTree::build(std::uint32_t first, std::uint32_t last, std::uint32_t parent) {
     const auto index = static_cast<std::uint32_t>(nodes_.size());
-    Node node{
-        .low = points_[corners_[first]], .high = points_[corners_[first]], .first = first, .last = last};
+    Node node{.low = points_[corners_[first]],
+              .high = points_[corners_[first]],
+              .first = first,
+              .last = last};
     for (std::uint32_t i = first; i < last; ++i) {
         node.low = glm::min(node.low, points_[corners_[i]]);
         node.high = glm::max(node.high, points_[corners_[i]]);
@@ -48,8 +51,9 @@ void CornerTree::split(std::uint32_t index) {
     const Node node = nodes_[index];
     const int axis = node.high.x - node.low.x >= node.high.y - node.low.y ? 0 : 1;
     const std::uint32_t middle = node.first + (node.last - node.first) / 2;
-    std::nth_element(corners_.begin() + node.first, corners_.begin() + middle, corners_.begin() + node.last,
-                     [&](std::uint32_t a, std::uint32_t b) { return points_[a][axis] < points_[b][axis]; });
+    std::nth_element(
+        corners_.begin() + node.first, corners_.begin() + middle, corners_.begin() + node.last,
+        [&](std::uint32_t a, std::uint32_t b) { return points_[a][axis] < points_[b][axis]; });
     const std::uint32_t left = build(node.first, middle, index);
     const std::uint32_t right = build(middle, node.last, index);
     nodes_[index].left = left;

@@ -1,4 +1,5 @@
-// The corners of a polygon that can stand in an ear's way, found by place: a k-d tree that only loses points.
+// The corners of a polygon that can stand in an ear's way, found by place: a k-d tree that only
+// loses points.
 // Does not decide what stands in the way: the caller does, exactly.
 #pragma once
 
@@ -18,8 +19,8 @@ public:
     /// Takes a corner out; nothing happens where it is not in.
     void remove(std::uint32_t corner);
 
-    /// True as soon as `blocks(corner)` is, for the corners inside or near the counter-clockwise triangle;
-    /// those near its tip, triangle[1], come first: they are most often in the way.
+    /// True as soon as `blocks(corner)` is, for the corners inside or near the counter-clockwise
+    /// triangle; those near its tip, triangle[1], come first: they are most often in the way.
     template <class Blocks>
     bool any(const std::array<vec2, 3>& triangle, Blocks blocks) const {
         return !nodes_.empty() && any_below(0, triangle, blocks);
@@ -44,8 +45,8 @@ private:
         const Node& node = nodes_[index];
         if (node.alive == 0 || apart(node, triangle)) return false;
         if (node.left != 0) {
-            const bool swap =
-                distance(nodes_[node.right], triangle[1]) < distance(nodes_[node.left], triangle[1]);
+            const bool swap = distance(nodes_[node.right], triangle[1]) <
+                              distance(nodes_[node.left], triangle[1]);
             return any_below(swap ? node.right : node.left, triangle, blocks) ||
                    any_below(swap ? node.left : node.right, triangle, blocks);
         }

@@ -17,7 +17,8 @@ std::vector<Triangle> separate_triangles(Corners c) {
     return triangles;
 }
 
-// [GL11] 2.6.1: every second triangle swaps its first two vertices, so that all turn as the first does.
+// [GL11] 2.6.1: every second triangle swaps its first two vertices, so that all turn as the first
+// does.
 std::vector<Triangle> strip(Corners c) {
     std::vector<Triangle> triangles;
     for (std::uint32_t i = 0; i + 2 < c.size(); ++i) {
@@ -34,8 +35,8 @@ std::vector<Triangle> fan(Corners c) {
     return triangles;
 }
 
-void add_polygon(std::vector<Triangle>& triangles, const MeshData& data, Corners c, std::uint32_t provoking,
-                 std::uint32_t polygon) {
+void add_polygon(std::vector<Triangle>& triangles, const MeshData& data, Corners c,
+                 std::uint32_t provoking, std::uint32_t polygon) {
     if (c.size() == 3) {
         triangles.push_back({{c[0], c[1], c[2]}, provoking, polygon});
         return;
@@ -44,7 +45,8 @@ void add_polygon(std::vector<Triangle>& triangles, const MeshData& data, Corners
     positions.reserve(c.size());
     for (const std::uint32_t vertex : c) positions.push_back(data.positions[vertex]);
     for (const auto& [corner, edges] : triangulate(std::span<const vec3>(positions)))
-        triangles.push_back({{c[corner[0]], c[corner[1]], c[corner[2]]}, provoking, polygon, edges});
+        triangles.push_back(
+            {{c[corner[0]], c[corner[1]], c[corner[2]]}, provoking, polygon, edges});
 }
 
 // [GL11] table 2.12: a quad has the colour of its last vertex, a polygon that of its first.

@@ -6,8 +6,8 @@
 namespace gw {
 namespace {
 
-// What may be cut off, from best to last resort. The first three keep a polygon that does not cross itself
-// so.
+// What may be cut off, from best to last resort. The first three keep a polygon that does not cross
+// itself so.
 enum class Cut {
     Ear,          // a triangle inside the polygon, no corner on its open diagonal
     TouchingEar,  // the same, corners on the diagonal allowed
@@ -16,8 +16,8 @@ enum class Cut {
     Any,
 };
 
-// Whether c lies strictly inside the angle from `right` counter-clockwise to `left` (less than 180 degrees)
-// at p.
+// Whether c lies strictly inside the angle from `right` counter-clockwise to `left` (less than 180
+// degrees) at p.
 bool in_angle(vec2 right, vec2 p, vec2 left, vec2 c) {
     return orient(p, right, c) > 0 && orient(left, p, c) > 0;
 }
@@ -43,7 +43,8 @@ public:
           tree_(points, link()) {}
 
     std::vector<PolygonTriangle> run() {
-        // A pass that cuts something is repeated, a few times at least: then the next sort of cut is allowed.
+        // A pass that cuts something is repeated, a few times at least: then the next sort of cut
+        // is allowed.
         for (int cut = 0; remaining_ > 3; ++cut)
             for (int passes = 0; passes < 8; ++passes) {
                 const std::uint32_t before = remaining_;
@@ -56,7 +57,8 @@ public:
     }
 
 private:
-    // Closes the ring; returns the corners that do not turn left, the only ones that can be in an ear's way.
+    // Closes the ring; returns the corners that do not turn left, the only ones that can be in an
+    // ear's way.
     std::vector<std::uint32_t> link() {
         std::vector<std::uint32_t> in_the_way;
         const std::uint32_t n = remaining_;
@@ -69,8 +71,8 @@ private:
         return in_the_way;
     }
 
-    // Looks at every corner once, and again at the neighbours of a cut, later: neighbours wait, so that ears
-    // are cut all around and not as one fan of slivers.
+    // Looks at every corner once, and again at the neighbours of a cut, later: neighbours wait, so
+    // that ears are cut all around and not as one fan of slivers.
     void pass(Cut allowed) {
         queue_.clear();
         for (std::uint32_t i = 0, corner = head_; i < remaining_; ++i, corner = next_[corner])
@@ -95,7 +97,8 @@ private:
     bool is_ear(std::uint32_t corner, Cut allowed) const {
         const std::uint32_t p = previous_[corner], n = next_[corner];
         const std::array<vec2, 3> t{points_[p], points_[corner], points_[n]};
-        bool met = false;  // another corner at this place: the border may lie along both sides, inside out
+        // another corner at this place: the border may lie along both sides, inside out
+        bool met = false;
         const bool blocked = tree_.any(t, [&](std::uint32_t q) {
             if (q == p || q == corner || q == n) return false;
             met = met || points_[q] == t[1];
@@ -108,7 +111,8 @@ private:
     bool encloses(dvec2 point) const {
         int winding = 0;
         for (std::uint32_t i = 0, corner = head_; i < remaining_; ++i, corner = next_[corner]) {
-            const dvec2 a = dvec2(points_[corner]) - point, b = dvec2(points_[next_[corner]]) - point;
+            const dvec2 a = dvec2(points_[corner]) - point,
+                        b = dvec2(points_[next_[corner]]) - point;
             const double side = a.x * b.y - a.y * b.x;
             if (a.y <= 0 && b.y > 0 && side > 0) ++winding;
             if (b.y <= 0 && a.y > 0 && side < 0) --winding;
@@ -162,6 +166,8 @@ private:
 
 }  // namespace
 
-std::vector<PolygonTriangle> clip_ears(std::span<const vec2> corners) { return EarClipper(corners).run(); }
+std::vector<PolygonTriangle> clip_ears(std::span<const vec2> corners) {
+    return EarClipper(corners).run();
+}
 
 }  // namespace gw

@@ -7,8 +7,8 @@ namespace {
 
 int sign(double x) { return (x > 0) - (x < 0); }
 
-// Adds b to an expansion (a sum of non-overlapping doubles, smallest first) without rounding: Shewchuk's
-// Grow-Expansion. The largest component that is not 0 has the sign of the sum.
+// Adds b to an expansion (a sum of non-overlapping doubles, smallest first) without rounding:
+// Shewchuk's Grow-Expansion. The largest component that is not 0 has the sign of the sum.
 template <std::size_t N>
 void grow(std::array<double, N>& expansion, std::size_t size, double b) {
     for (std::size_t i = 0; i < size; ++i) {
@@ -41,7 +41,8 @@ int exact(dvec2 a, dvec2 b, dvec2 c) {
 int orient(vec2 a, vec2 b, vec2 c) {
     const dvec2 u = dvec2(b) - dvec2(a), v = dvec2(c) - dvec2(a);
     const double left = u.x * v.y, right = u.y * v.x;
-    // Each product carries three roundings of 2^-53, their difference one more: 4 would do, 8 is safe.
+    // Each product carries three roundings of 2^-53, their difference one more: 4 would do, 8 is
+    // safe.
     const double error = 8 * 0x1p-53 * (std::abs(left) + std::abs(right));
     if (std::abs(left - right) > error) return sign(left - right);
     return exact(a, b, c);

@@ -8,7 +8,8 @@
 namespace gw {
 namespace {
 
-// Newell's normal and the sum of its terms' magnitudes, which still tells the plane where the normal is zero.
+// Newell's normal and the sum of its terms' magnitudes, which still tells the plane where the
+// normal is zero.
 struct Newell {
     dvec3 normal{0}, magnitude{0};
 };
@@ -33,7 +34,8 @@ int main_axis(const dvec3& v) {
 
 bool rightward(vec2 a, vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-// Turns left or goes straight at every corner, and round only once: x and then y grows in one run of sides.
+// Turns left or goes straight at every corner, and round only once: x and then y grows in one run
+// of sides.
 bool convex(std::span<const vec2> corners) {
     const std::size_t n = corners.size();
     int reversals = 0;
@@ -61,7 +63,8 @@ std::vector<PolygonTriangle> fan(std::uint32_t n) {
 void flag_sides(std::vector<PolygonTriangle>& triangles, std::uint32_t n) {
     for (PolygonTriangle& t : triangles)
         for (unsigned k = 0; k < 3; ++k)
-            if ((t.corner[k] + 1) % n == t.corner[(k + 1) % 3]) t.edges |= static_cast<std::uint8_t>(1u << k);
+            if ((t.corner[k] + 1) % n == t.corner[(k + 1) % 3])
+                t.edges |= static_cast<std::uint8_t>(1u << k);
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ SnappedTriangle snapped_triangle(const std::array<WindowVertex, 3>& v, const Jit
     const auto before = [&](std::size_t a, std::size_t b) {
         return std::pair(v[a].y, v[a].x) < std::pair(v[b].y, v[b].x);
     };
-    std::rotate(t.source.begin(), std::min_element(t.source.begin(), t.source.end(), before), t.source.end());
+    std::rotate(t.source.begin(), std::min_element(t.source.begin(), t.source.end(), before),
+                t.source.end());
     for (std::size_t i = 0; i < 3; ++i) {
         t.x[i] = v[t.source[i]].x + jitter.x;
         t.y[i] = v[t.source[i]].y + jitter.y;
@@ -35,7 +36,8 @@ SnappedTriangle snapped_triangle(const std::array<WindowVertex, 3>& v, const Jit
 
 SnappedLine snapped_line(const WindowVertex& a, const WindowVertex& b, const JitterState& jitter,
                          int subpixel_bits) {
-    SnappedLine l{{a.x + jitter.x, b.x + jitter.x}, {a.y + jitter.y, b.y + jitter.y}, true, subpixel_bits};
+    SnappedLine l{
+        {a.x + jitter.x, b.x + jitter.x}, {a.y + jitter.y, b.y + jitter.y}, true, subpixel_bits};
     l.x_major = std::abs(l.x[1] - l.x[0]) >= std::abs(l.y[1] - l.y[0]);
     return l;
 }
@@ -43,11 +45,16 @@ SnappedLine snapped_line(const WindowVertex& a, const WindowVertex& b, const Jit
 namespace {
 
 /// Floor of a / b, b > 0.
-std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+std::int64_t floor_div(std::int64_t a, std::int64_t b) {
+    return a >= 0 ? a / b : -((-a + b - 1) / b);
+}
 
-std::int64_t center(std::int64_t pixel, int s) { return (pixel << s) + (std::int64_t{1} << (s - 1)); }
+std::int64_t center(std::int64_t pixel, int s) {
+    return (pixel << s) + (std::int64_t{1} << (s - 1));
+}
 
-/// e(P) = A (PX - a.X) + B (PY - a.Y); an edge that is neither left nor top does not own its points.
+/// e(P) = A (PX - a.X) + B (PY - a.Y); an edge that is neither left nor top does not own its
+/// points.
 bool inside_edge(const SnappedTriangle& t, std::size_t i, std::int64_t px, std::int64_t py) {
     const std::size_t j = (i + 1) % 3;
     const std::int64_t dx = t.x[j] - t.x[i], dy = t.y[j] - t.y[i];
@@ -55,7 +62,8 @@ bool inside_edge(const SnappedTriangle& t, std::size_t i, std::int64_t px, std::
     return -dy * (px - t.x[i]) + dx * (py - t.y[i]) - (top_left ? 0 : 1) >= 0;
 }
 
-/// First pixel and one past the last whose centre may lie in [low, high], kept inside [from, from + size).
+/// First pixel and one past the last whose centre may lie in [low, high], kept inside [from, from +
+/// size).
 std::pair<int, int> pixel_range(std::int64_t low, std::int64_t high, int s, int from, int size) {
     const std::int64_t first = std::max<std::int64_t>(low >> s, from);
     const std::int64_t last = std::min<std::int64_t>((high >> s) + 1, std::int64_t{from} + size);
@@ -84,14 +92,17 @@ void cover_line(const SnappedLine& line, int width, const Rect& box, const Pixel
     const auto& v = line.x_major ? line.y : line.x;
     const std::int64_t du = u[1] - u[0], dv = v[1] - v[0];
     if (du == 0) return;  // |du| >= |dv|: no length
-    const auto [u0, u1] = pixel_range(std::min(u[0], u[1]), std::max(u[0], u[1]), s,
-                                      line.x_major ? box.x : box.y, line.x_major ? box.width : box.height);
-    const int v_low = line.x_major ? box.y : box.x, v_high = v_low + (line.x_major ? box.height : box.width);
+    const auto [u0, u1] =
+        pixel_range(std::min(u[0], u[1]), std::max(u[0], u[1]), s, line.x_major ? box.x : box.y,
+                    line.x_major ? box.width : box.height);
+    const int v_low = line.x_major ? box.y : box.x,
+              v_high = v_low + (line.x_major ? box.height : box.width);
     for (int i = u0; i < u1; ++i) {
         // The centre lies in [first, last): the last point is left out, in either direction.
         const std::int64_t p = center(i, s);
         if (du > 0 ? p < u[0] || p >= u[1] : p > u[0] || p <= u[1]) continue;
-        // Rows from floor((v(p) - (width - 1) 2^(s-1)) / 2^s), v(p) = v0 + dv (p - u0) / du exactly.
+        // Rows from floor((v(p) - (width - 1) 2^(s-1)) / 2^s), v(p) = v0 + dv (p - u0) / du
+        // exactly.
         const std::int64_t d = std::abs(du);
         const std::int64_t v_times_d = v[0] * d + (du > 0 ? dv : -dv) * (p - u[0]);
         const std::int64_t first = floor_div(v_times_d - (width - 1) * (d << s) / 2, d << s);
@@ -100,7 +111,8 @@ void cover_line(const SnappedLine& line, int width, const Rect& box, const Pixel
     }
 }
 
-void cover_point(std::int64_t x, std::int64_t y, int size, int s, const Rect& box, const PixelSink& pixel) {
+void cover_point(std::int64_t x, std::int64_t y, int size, int s, const Rect& box,
+                 const PixelSink& pixel) {
     const std::int64_t shift = (size - 1) * (std::int64_t{1} << (s - 1));
     const std::int64_t x0 = (x - shift) >> s, y0 = (y - shift) >> s;
     for (std::int64_t j = std::max<std::int64_t>(y0, box.y);

@@ -11,8 +11,8 @@
 
 namespace gw::reference {
 
-/// Canonical: counter-clockwise (y up), vertex 0 has the smallest (y, x). A function of the unordered
-/// vertices.
+/// Canonical: counter-clockwise (y up), vertex 0 has the smallest (y, x). A function of the
+/// unordered vertices.
 struct SnappedTriangle {
     std::array<std::int64_t, 3> x{}, y{};
     std::array<std::size_t, 3> source{0, 1, 2};  ///< which given vertex each one is
@@ -37,7 +37,8 @@ SnappedLine snapped_line(const WindowVertex& a, const WindowVertex& b, const Jit
 
 using PixelSink = std::function<void(int x, int y)>;
 
-/// Calls `pixel` for each pixel of `box` whose centre is inside, by the top-left rule, rows upwards.
+/// Calls `pixel` for each pixel of `box` whose centre is inside, by the top-left rule, rows
+/// upwards.
 void cover_triangle(const SnappedTriangle& triangle, const Rect& box, const PixelSink& pixel);
 /// A line of `width` pixels across its minor axis; the last point is left out.
 void cover_line(const SnappedLine& line, int width, const Rect& box, const PixelSink& pixel);

@@ -7,8 +7,10 @@ namespace gw::reference {
 namespace {
 
 /// [GL11] 4.1.4: bits outside the write mask keep their value.
-void update_stencil(const StencilFace& face, StencilOp op, std::uint32_t max, std::uint8_t& stored) {
-    const std::uint32_t result = stencil_result(op, stored, static_cast<std::uint32_t>(face.ref), max);
+void update_stencil(const StencilFace& face, StencilOp op, std::uint32_t max,
+                    std::uint8_t& stored) {
+    const std::uint32_t result =
+        stencil_result(op, stored, static_cast<std::uint32_t>(face.ref), max);
     stored = static_cast<std::uint8_t>((stored & ~face.write_mask) | (result & face.write_mask));
 }
 
@@ -71,7 +73,8 @@ void write_color(const ColorMask& mask, const Rgba& color, Rgba& stored) {
     if (mask.a) stored[3] = color[3];
 }
 
-void process_fragment(const Resolved& state, const FragmentTarget& target, const Fragment& fragment) {
+void process_fragment(const Resolved& state, const FragmentTarget& target,
+                      const Fragment& fragment) {
     Planes& planes = *target.planes;
     const std::size_t i = planes.index(fragment.x, fragment.y);
     const PixelValues before = target.observer ? values_at(planes, i) : PixelValues{};

@@ -18,7 +18,8 @@ struct FragmentTarget {
 };
 
 /// `fragment` lies inside the pixel box.
-void process_fragment(const Resolved& state, const FragmentTarget& target, const Fragment& fragment);
+void process_fragment(const Resolved& state, const FragmentTarget& target,
+                      const Fragment& fragment);
 
 /// Writes a colour through the colour mask.
 void write_color(const ColorMask& mask, const Rgba& color, Rgba& stored);

@@ -27,14 +27,15 @@ PlaneSlope slope_of(const PlaneEquation& p, int x, int y) {
     return {static_cast<double>(p.gx), static_cast<double>(p.gy), static_cast<double>(p.at(x, y))};
 }
 
-void set_color(Interpolants& v, std::span<const Corner> corners, const PlaneMaker& plane, bool in_perspective,
-               int bits) {
+void set_color(Interpolants& v, std::span<const Corner> corners, const PlaneMaker& plane,
+               bool in_perspective, int bits) {
     v.perspective_color = in_perspective;
     const auto w = gather_doubles(corners, [](const Corner& c) { return c.window.w; });
     const double max = max_of_bits(bits);
     for (std::size_t i = 0; i < 4; ++i) {
         const auto a = gather(corners, [i](const Corner& c) { return c.color[i]; });
-        const auto [low, high] = std::minmax_element(a.begin(), a.begin() + std::ptrdiff_t(corners.size()));
+        const auto [low, high] =
+            std::minmax_element(a.begin(), a.begin() + std::ptrdiff_t(corners.size()));
         v.color_range[i] = {*low, *high};
         if (!in_perspective) {
             v.color[i] = plane(a);
@@ -46,8 +47,8 @@ void set_color(Interpolants& v, std::span<const Corner> corners, const PlaneMake
     }
 }
 
-/// k: the least integer of the coordinate. Repeat needs it nowhere else; Clamp adds it back, so there it is
-/// bounded.
+/// k: the least integer of the coordinate. Repeat needs it nowhere else; Clamp adds it back, so
+/// there it is bounded.
 double integer_part(const std::vector<double>& s, Wrap wrap) {
     const double k = std::floor(*std::min_element(s.begin(), s.end()));
     return wrap == Wrap::Repeat ? k : std::clamp(k, -1024.0, 1023.0);
@@ -79,25 +80,30 @@ void set_texture(Interpolants& v, std::span<const Corner> corners, const PlaneMa
 
 }  // namespace
 
-float reciprocal(const PlaneEquation& q, int x, int y) { return 1.0f / static_cast<float>(q.at(x, y)); }
+float reciprocal(const PlaneEquation& q, int x, int y) {
+    return 1.0f / static_cast<float>(q.at(x, y));
+}
 
-float PerspectiveValue::at(int x, int y, float w) const { return static_cast<float>(plane.at(x, y)) * w; }
+float PerspectiveValue::at(int x, int y, float w) const {
+    return static_cast<float>(plane.at(x, y)) * w;
+}
 
-Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& plane, const Resolved& r,
-                          const Profile& profile, bool textured) {
+Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& plane,
+                          const Resolved& r, const Profile& profile, bool textured) {
     Interpolants v;
     v.depth = plane(gather(corners, [](const Corner& c) { return std::int64_t{c.window.z}; }));
     const auto w = gather_doubles(corners, [](const Corner& c) { return c.window.w; });
     v.q = plane(denominators(w));
     v.slope_x = static_cast<int>(v.depth.x0 >> profile.subpixel_bits);
     v.slope_y = static_cast<int>(v.depth.y0 >> profile.subpixel_bits);
-    set_color(v, corners, plane, profile.perspective_color && r.state.shade_model == ShadeModel::Smooth,
-              r.bits);
+    set_color(v, corners, plane,
+              profile.perspective_color && r.state.shade_model == ShadeModel::Smooth, r.bits);
     if (r.state.fog.enable && r.fragment_fog) {
         const auto f = gather_doubles(corners, [](const Corner& c) { return c.fog; });
         v.fog_coordinate = perspective_value(numerators(f, w, 0, largest_fog_exponent), plane);
     } else if (r.state.fog.enable) {
-        v.fog = plane(gather(corners, [](const Corner& c) { return std::int64_t(round_even(c.fog)); }));
+        v.fog =
+            plane(gather(corners, [](const Corner& c) { return std::int64_t(round_even(c.fog)); }));
     }
     if (textured) set_texture(v, corners, plane, r.state.texture);
     return v;

@@ -1,9 +1,10 @@
-// The values of one primitive at each of its pixels: depth, colour, fog, texture coordinates, as planes.
+// The values of one primitive at each of its pixels: depth, colour, fog, texture coordinates, as
+// planes.
 // docs/manual.md, "Planes", "Perspective". Does not look up texels or test fragments.
 #pragma once
 
-#include "gw/stages/perspective.h"
 #include "gw/reference/plane_equation.h"
+#include "gw/stages/perspective.h"
 #include "gw/stages/resolve.h"
 
 #include <functional>
@@ -19,8 +20,8 @@ struct Corner {
     double fog = 0;
 };
 
-/// Makes the plane through values at the corners (in the corners' order): of a triangle, along a line,
-/// constant.
+/// Makes the plane through values at the corners (in the corners' order): of a triangle, along a
+/// line, constant.
 using PlaneMaker = std::function<PlaneEquation(const std::array<std::int64_t, 3>&)>;
 
 /// numerator / denominator at a pixel, times 2^exponent, plus the offset k.
@@ -48,8 +49,8 @@ struct Interpolants {
     int slope_x = 0, slope_y = 0;  ///< the pixel that the slopes are given at
 };
 
-Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& plane, const Resolved& state,
-                          const Profile& profile, bool textured);
+Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& plane,
+                          const Resolved& state, const Profile& profile, bool textured);
 
 /// 1 / Q: the one division of a pixel.
 float reciprocal(const PlaneEquation& q, int x, int y);

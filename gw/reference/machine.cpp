@@ -1,11 +1,11 @@
 // The reference machine: the manual in code, one command, one primitive, one fragment at a time.
 #include "gw/machine.h"
 
-#include "gw/stages/fog.h"
 #include "gw/base/parallel.h"
-#include "gw/reference/primitives.h"
 #include "gw/reference/make.h"
 #include "gw/reference/pixels.h"
+#include "gw/reference/primitives.h"
+#include "gw/stages/fog.h"
 #include "gw/stages/tables.h"
 
 #include <map>

@@ -14,7 +14,8 @@ PixelValues values_at(const Planes& p, std::size_t i) {
 
 /// Runs `change(index, x, y)` on each pixel of a box, counted and observed.
 template <typename Change>
-void for_pixels(const Rect& box, const FragmentTarget& target, std::uint64_t bytes, const Change& change) {
+void for_pixels(const Rect& box, const FragmentTarget& target, std::uint64_t bytes,
+                const Change& change) {
     Planes& planes = *target.planes;
     for (int y = box.y; y < box.y + box.height; ++y)
         for (int x = box.x; x < box.x + box.width; ++x) {
@@ -27,7 +28,9 @@ void for_pixels(const Rect& box, const FragmentTarget& target, std::uint64_t byt
         }
 }
 
-std::uint64_t bytes_of(Plane plane, const Profile& profile) { return plane_bytes(int(plane), profile); }
+std::uint64_t bytes_of(Plane plane, const Profile& profile) {
+    return plane_bytes(int(plane), profile);
+}
 
 void write_stencil(const Resolved& state, std::uint32_t value, std::uint8_t& stored) {
     const std::uint32_t mask = state.state.stencil.write_mask & state.stencil_max;
@@ -35,7 +38,8 @@ void write_stencil(const Resolved& state, std::uint32_t value, std::uint8_t& sto
 }
 
 /// One plane's value at a pixel, through the masks.
-void write_plane(Plane plane, const Resolved& r, Planes& planes, std::size_t i, const PixelValues& value) {
+void write_plane(Plane plane, const Resolved& r, Planes& planes, std::size_t i,
+                 const PixelValues& value) {
     switch (plane) {
         case Plane::Color: write_color(r.state.color_mask, value.color, planes.color[i]); break;
         case Plane::Depth:
@@ -48,15 +52,18 @@ void write_plane(Plane plane, const Resolved& r, Planes& planes, std::size_t i, 
 
 }  // namespace
 
-void run(const Clear& command, const Resolved& r, const FragmentTarget& target, const Profile& profile) {
+void run(const Clear& command, const Resolved& r, const FragmentTarget& target,
+         const Profile& profile) {
     PixelValues value;
     value.color = quantize_color(command.color, r.bits);
     value.depth = quantize(command.depth, profile.depth_bits);
-    value.stencil = static_cast<std::uint8_t>(static_cast<std::uint32_t>(command.stencil) & r.stencil_max);
+    value.stencil =
+        static_cast<std::uint8_t>(static_cast<std::uint32_t>(command.stencil) & r.stencil_max);
     for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
         if (command.planes & mask_of(plane))
-            for_pixels(r.pixel_box, target, bytes_of(plane, profile),
-                       [&](std::size_t i, int, int) { write_plane(plane, r, *target.planes, i, value); });
+            for_pixels(r.pixel_box, target, bytes_of(plane, profile), [&](std::size_t i, int, int) {
+                write_plane(plane, r, *target.planes, i, value);
+            });
 }
 
 void run(const WriteSpans& command, const Resolved& r, const FragmentTarget& target) {
@@ -65,7 +72,8 @@ void run(const WriteSpans& command, const Resolved& r, const FragmentTarget& tar
         const Rect box = intersect(r.pixel_box, {span.x, span.y, span.length, 1});
         for (int x = box.x; x < box.x + box.width; ++x) {
             const std::uint32_t i = span.first + (span.flat ? 0 : std::uint32_t(x - span.x));
-            process_fragment(r, target, {x, span.y, command.colors[i], command.depth, true, ordinal});
+            process_fragment(r, target,
+                             {x, span.y, command.colors[i], command.depth, true, ordinal});
         }
         ++ordinal;
     }
@@ -81,9 +89,9 @@ void run(const WritePixels& command, const Resolved& r, const FragmentTarget& ta
     if (command.plane == Plane::Color) {
         for (int y = box.y; y < box.y + box.height; ++y)
             for (int x = box.x; x < box.x + box.width; ++x)
-                process_fragment(
-                    r, target,
-                    {x, y, command.colors[source(x, y)], command.depth, true, std::uint32_t(source(x, y))});
+                process_fragment(r, target,
+                                 {x, y, command.colors[source(x, y)], command.depth, true,
+                                  std::uint32_t(source(x, y))});
         return;
     }
     for_pixels(box, target, bytes_of(command.plane, profile), [&](std::size_t i, int x, int y) {
@@ -94,7 +102,8 @@ void run(const WritePixels& command, const Resolved& r, const FragmentTarget& ta
     });
 }
 
-void run(const Accumulate& command, const Resolved& r, const FragmentTarget& target, const Profile& profile) {
+void run(const Accumulate& command, const Resolved& r, const FragmentTarget& target,
+         const Profile& profile) {
     Planes& planes = *target.planes;
     const std::uint64_t bytes = bytes_of(Plane::Accum, profile) + bytes_of(Plane::Color, profile);
     for_pixels(r.pixel_box, target, bytes, [&](std::size_t i, int, int) {
@@ -114,36 +123,41 @@ void run(const Accumulate& command, const Resolved& r, const FragmentTarget& tar
     });
 }
 
-void run(const Copy& command, const Resolved& r, const FragmentTarget& target, const Profile& profile) {
+void run(const Copy& command, const Resolved& r, const FragmentTarget& target,
+         const Profile& profile) {
     const Planes before = *target.planes;
     const int dx = command.x - command.source.x, dy = command.y - command.source.y;
     const Rect inside = intersect(command.source, {0, 0, before.width, before.height});
-    const Rect box = intersect(r.pixel_box, {inside.x + dx, inside.y + dy, inside.width, inside.height});
+    const Rect box =
+        intersect(r.pixel_box, {inside.x + dx, inside.y + dy, inside.width, inside.height});
     for_pixels(box, target, 2 * bytes_of(command.plane, profile), [&](std::size_t i, int x, int y) {
-        write_plane(command.plane, r, *target.planes, i, values_at(before, before.index(x - dx, y - dy)));
+        write_plane(command.plane, r, *target.planes, i,
+                    values_at(before, before.index(x - dx, y - dy)));
     });
 }
 
 Readback run(const Read& command, const FragmentTarget& target, const Profile& profile) {
     Readback out{command.plane, command.rect, {}, {}, {}};
-    for_pixels(command.rect, target, bytes_of(command.plane, profile), [&](std::size_t i, int, int) {
-        const PixelValues v = values_at(*target.planes, i);
-        switch (command.plane) {
-            case Plane::Color:
-                if (command.packed)
-                    out.values.push_back(packed(v.color));
-                else
-                    out.color.push_back(v.color);
-                break;
-            case Plane::Depth: out.values.push_back(v.depth); break;
-            case Plane::Stencil: out.values.push_back(v.stencil); break;
-            case Plane::Accum: out.accum.push_back(v.accum); break;
-        }
-    });
+    for_pixels(command.rect, target, bytes_of(command.plane, profile),
+               [&](std::size_t i, int, int) {
+                   const PixelValues v = values_at(*target.planes, i);
+                   switch (command.plane) {
+                       case Plane::Color:
+                           if (command.packed)
+                               out.values.push_back(packed(v.color));
+                           else
+                               out.color.push_back(v.color);
+                           break;
+                       case Plane::Depth: out.values.push_back(v.depth); break;
+                       case Plane::Stencil: out.values.push_back(v.stencil); break;
+                       case Plane::Accum: out.accum.push_back(v.accum); break;
+                   }
+               });
     return out;
 }
 
-Texels copied_texels(const CopyTexture& command, const FragmentTarget& target, const Profile& profile) {
+Texels copied_texels(const CopyTexture& command, const FragmentTarget& target,
+                     const Profile& profile) {
     const Rect& rect = command.rect;
     Texels t{profile.color_bits, {}, {}};
     TexelLevel level{rect.width,
@@ -155,7 +169,8 @@ Texels copied_texels(const CopyTexture& command, const FragmentTarget& target, c
         const PixelValues v = values_at(*target.planes, i);
         const auto grey =
             static_cast<std::uint16_t>(rescale(v.depth, profile.depth_bits, profile.color_bits));
-        level.texels.push_back(command.plane == Plane::Color ? v.color : Rgba{grey, grey, grey, grey});
+        level.texels.push_back(command.plane == Plane::Color ? v.color
+                                                             : Rgba{grey, grey, grey, grey});
         if (command.plane == Plane::Depth) t.depths.push_back(v.depth);
     });
     t.levels.push_back(std::move(level));

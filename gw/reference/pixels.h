@@ -1,4 +1,5 @@
-// Commands on whole pixels: clear, spans and rectangles from the host, accumulation, copies, read-back.
+// Commands on whole pixels: clear, spans and rectangles from the host, accumulation, copies,
+// read-back.
 // docs/manual.md, "Pixels". Does not make fragments except where a command says so.
 #pragma once
 
@@ -10,16 +11,19 @@
 namespace gw::reference {
 
 /// `state` is resolved; `target` the planes and counters.
-void run(const Clear& command, const Resolved& state, const FragmentTarget& target, const Profile& profile);
+void run(const Clear& command, const Resolved& state, const FragmentTarget& target,
+         const Profile& profile);
 void run(const WriteSpans& command, const Resolved& state, const FragmentTarget& target);
 void run(const WritePixels& command, const Resolved& state, const FragmentTarget& target,
          const Profile& profile);
 void run(const Accumulate& command, const Resolved& state, const FragmentTarget& target,
          const Profile& profile);
-void run(const Copy& command, const Resolved& state, const FragmentTarget& target, const Profile& profile);
+void run(const Copy& command, const Resolved& state, const FragmentTarget& target,
+         const Profile& profile);
 Readback run(const Read& command, const FragmentTarget& target, const Profile& profile);
 
 /// The texels of a slot: a rectangle of the colour or depth plane.
-Texels copied_texels(const CopyTexture& command, const FragmentTarget& target, const Profile& profile);
+Texels copied_texels(const CopyTexture& command, const FragmentTarget& target,
+                     const Profile& profile);
 
 }  // namespace gw::reference

@@ -22,7 +22,8 @@ std::int64_t PlaneEquation::at(int x, int y) const {
 }
 
 PlaneEquation plane_through(const SnappedTriangle& t, const std::array<std::int64_t, 3>& a) {
-    const int128 dx1 = t.x[1] - t.x[0], dy1 = t.y[1] - t.y[0], dx2 = t.x[2] - t.x[0], dy2 = t.y[2] - t.y[0];
+    const int128 dx1 = t.x[1] - t.x[0], dy1 = t.y[1] - t.y[0], dx2 = t.x[2] - t.x[0],
+                 dy2 = t.y[2] - t.y[0];
     const int128 da1 = a[1] - a[0], da2 = a[2] - a[0];
     const int128 one = int128{1} << (16 + t.subpixel_bits);
     return {divide_round_even((da1 * dy2 - da2 * dy1) * one, t.area2),
@@ -44,6 +45,8 @@ PlaneEquation plane_along(const SnappedLine& l, std::int64_t a_first, std::int64
     return p;
 }
 
-PlaneEquation plane_constant(std::int64_t a, int subpixel_bits) { return {0, 0, a, 0, 0, subpixel_bits}; }
+PlaneEquation plane_constant(std::int64_t a, int subpixel_bits) {
+    return {0, 0, a, 0, 0, subpixel_bits};
+}
 
 }  // namespace gw::reference

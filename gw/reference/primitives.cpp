@@ -1,8 +1,8 @@
 // Primitive by primitive, in the mesh's order.
 #include "gw/reference/primitives.h"
 
-#include "gw/stages/fan.h"
 #include "gw/reference/shade.h"
+#include "gw/stages/fan.h"
 
 #include <algorithm>
 
@@ -39,7 +39,8 @@ std::array<std::int64_t, 4> integers(const std::array<double, 4>& c) {
 std::array<std::int64_t, 4> id_color(const Drawing& d, std::uint32_t polygon) {
     const Draw& draw = *d.context.draw;
     const std::uint32_t id = (draw.id_base + draw.mesh->polygon_id(polygon)) >> draw.id_shift;
-    return {id & 255, (id >> 8) & 255, (id >> 16) & 255, max_of_bits(d.context.profile->color_bits)};
+    return {id & 255, (id >> 8) & 255, (id >> 16) & 255,
+            max_of_bits(d.context.profile->color_bits)};
 }
 
 std::array<std::int64_t, 4> corner_color(const Drawing& d, const Vertex& v, const Source& s) {
@@ -52,13 +53,16 @@ Corner corner(const Drawing& d, const Vertex& v, const Source& s) {
     return {d.window(v), v.texcoord, corner_color(d, v, s), v.fog};
 }
 
-Shader shader(const Drawing& d, std::span<const Corner> corners, const PlaneMaker& plane, const Source& s) {
+Shader shader(const Drawing& d, std::span<const Corner> corners, const PlaneMaker& plane,
+              const Source& s) {
     const DrawContext& c = d.context;
-    return {c, interpolants(corners, plane, c.state, *c.profile, c.texels != nullptr), s.primitive, s.front};
+    return {c, interpolants(corners, plane, c.state, *c.profile, c.texels != nullptr), s.primitive,
+            s.front};
 }
 
 void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const Source& s) {
-    const std::array<WindowVertex, 3> window{corners[0].window, corners[1].window, corners[2].window};
+    const std::array<WindowVertex, 3> window{corners[0].window, corners[1].window,
+                                             corners[2].window};
     // A piece that the snap has turned over lies inside its neighbours: it makes no fragments.
     const std::int64_t area = area2(window[0], window[1], window[2]);
     if (area == 0 || (area > 0) != s.counter_clockwise) return;
@@ -78,13 +82,16 @@ void draw_line(const Drawing& d, const Vertex& a, const Vertex& b, const Source&
     if (counted && !left) d.counters().rejected += 1;
     if (!left) return;
     if (counted && clipped.cut) d.counters().clipped += 1;
-    const std::array<Corner, 2> corners{corner(d, clipped.vertices[0], s), corner(d, clipped.vertices[1], s)};
+    const std::array<Corner, 2> corners{corner(d, clipped.vertices[0], s),
+                                        corner(d, clipped.vertices[1], s)};
     const SnappedLine line =
         snapped_line(corners[0].window, corners[1].window, d.state().jitter, d.subpixel_bits());
     const bool degenerate = line.x[0] == line.x[1] && line.y[0] == line.y[1];
     if (counted) (degenerate ? d.counters().degenerate : d.counters().drawn) += 1;
     if (degenerate) return;
-    const auto plane = [&](const std::array<std::int64_t, 3>& v) { return plane_along(line, v[0], v[1]); };
+    const auto plane = [&](const std::array<std::int64_t, 3>& v) {
+        return plane_along(line, v[0], v[1]);
+    };
     Shader shade = shader(d, corners, plane, s);
     cover_line(line, d.state().line_width, d.context.state.draw_box,
                [&](int x, int y) { shade.pixel(x, y); });
@@ -114,8 +121,11 @@ bool is_culled(const CullState& cull, bool front) {
 
 /// The clipped polygon's pieces.
 void fill(const Drawing& d, const std::vector<Vertex>& polygon, const Fan& fan, const Source& s) {
-    const auto at = [&](std::size_t k) { return corner(d, polygon[(fan.first + k) % polygon.size()], s); };
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) fill_piece(d, {at(0), at(k), at(k + 1)}, s);
+    const auto at = [&](std::size_t k) {
+        return corner(d, polygon[(fan.first + k) % polygon.size()], s);
+    };
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+        fill_piece(d, {at(0), at(k), at(k + 1)}, s);
 }
 
 /// PolygonMode Line and Point: the sides that are edges of the mesh's polygon, unclipped.
@@ -140,8 +150,9 @@ Fan fan(const Drawing& d, const std::vector<Vertex>& polygon) {
 
 void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal) {
     Counters& count = d.counters();
-    const Clipped clipped = clip({d.vertices[t.vertex[0]], d.vertices[t.vertex[1]], d.vertices[t.vertex[2]]},
-                                 d.context.state.viewport);
+    const Clipped clipped =
+        clip({d.vertices[t.vertex[0]], d.vertices[t.vertex[1]], d.vertices[t.vertex[2]]},
+             d.context.state.viewport);
     if (clipped.vertices.empty()) {
         count.rejected += 1;
         return;
@@ -168,8 +179,10 @@ void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal) {
 void draw_mesh(const DrawContext& context) {
     const Mesh& mesh = *context.draw->mesh;
     Drawing d{context, {}};
-    const VertexProgram program = vertex_program(context.state.state, *context.draw, *context.profile);
-    for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) d.vertices.push_back(run_vertex(program, i));
+    const VertexProgram program =
+        vertex_program(context.state.state, *context.draw, *context.profile);
+    for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i)
+        d.vertices.push_back(run_vertex(program, i));
 
     Counters& count = d.counters();
     count.draws += 1;

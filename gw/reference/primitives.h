@@ -1,5 +1,5 @@
-// Drawing a mesh: vertices, assembly, clipping, culling, coverage, shading, fragments. docs/manual.md,
-// "Stages". Each stage has its own file; this one is their order.
+// Drawing a mesh: vertices, assembly, clipping, culling, coverage, shading, fragments.
+// docs/manual.md, "Stages". Each stage has its own file; this one is their order.
 #pragma once
 
 #include "gw/command_list.h"

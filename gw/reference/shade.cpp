@@ -1,8 +1,8 @@
 // [GL11] 3.8 to 3.10: texture, then fog.
 #include "gw/reference/shade.h"
 
-#include "gw/stages/fog.h"
 #include "gw/reference/texture_unit.h"
+#include "gw/stages/fog.h"
 #include "gw/stages/tables.h"
 
 #include <algorithm>
@@ -31,8 +31,8 @@ Rgba shaded_color(const Shader& s, int x, int y) {
     Rgba color = color_at(s.values, x, y, r.bits);
     if (r.state.color_source == ColorSource::PolygonId) return color;  // identifiers are exact
     if (s.context.texels) {
-        const Rgba texel =
-            texel_at(s.values, *s.context.texels, r.state.texture, s.context.profile->depth_bits, x, y);
+        const Rgba texel = texel_at(s.values, *s.context.texels, r.state.texture,
+                                    s.context.profile->depth_bits, x, y);
         color = texture_environment(r.state.texture.env, color, texel, r.env_color, r.bits);
     }
     if (r.state.fog.enable) color = apply_fog(color, fog_factor_at(s, x, y), r.fog_color, r.bits);
@@ -47,14 +47,14 @@ void Shader::set_depth_offset(const PolygonOffsetState& offset) {
     const int128 gx = values.depth.gx < 0 ? -values.depth.gx : values.depth.gx;
     const int128 gy = values.depth.gy < 0 ? -values.depth.gy : values.depth.gy;
     const double m = static_cast<double>(std::min(std::max(gx, gy), int128{1} << 62));
-    depth_offset =
-        to_integer(round_even(double(offset.factor) * m / 65536) + round_even(offset.units), -limit, limit);
+    depth_offset = to_integer(
+        round_even(double(offset.factor) * m / 65536) + round_even(offset.units), -limit, limit);
 }
 
 void Shader::pixel(int x, int y) const {
     const std::int64_t z = values.depth.at(x, y) + depth_offset;
-    const auto depth =
-        static_cast<std::uint32_t>(std::clamp<std::int64_t>(z, 0, max_of_bits(context.profile->depth_bits)));
+    const auto depth = static_cast<std::uint32_t>(
+        std::clamp<std::int64_t>(z, 0, max_of_bits(context.profile->depth_bits)));
     process_fragment(context.state, context.target,
                      {x, y, shaded_color(*this, x, y), depth, front, primitive});
 }

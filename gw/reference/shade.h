@@ -1,9 +1,9 @@
-// Shading one pixel of a primitive: colour, texture, fog, depth; then the fragment's way. docs/manual.md,
-// "Stages". Does not decide coverage.
+// Shading one pixel of a primitive: colour, texture, fog, depth; then the fragment's way.
+// docs/manual.md, "Stages". Does not decide coverage.
 #pragma once
 
-#include "gw/reference/primitives.h"
 #include "gw/reference/interpolants.h"
+#include "gw/reference/primitives.h"
 
 namespace gw::reference {
 

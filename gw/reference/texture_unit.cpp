@@ -9,7 +9,8 @@ namespace {
 
 constexpr float largest_coordinate = 1073741824.0f;  // 2^30 units of 1/256 texel
 
-/// U W 2^e in units of 1/256 texel of a level whose side is 2^log2_size. Scaling by powers of two is exact.
+/// U W 2^e in units of 1/256 texel of a level whose side is 2^log2_size. Scaling by powers of two
+/// is exact.
 int level_coordinate(const PerspectiveValue& value, float uw, int log2_size, Wrap wrap) {
     const float scaled = std::ldexp(uw, value.exponent + log2_size + 8);
     const float u = std::floor(std::clamp(scaled, -largest_coordinate, largest_coordinate));
@@ -30,9 +31,10 @@ Rgba grey(std::uint32_t v) {
     return {c, c, c, c};
 }
 
-/// 1 where r <= the stored depth, 0 in shadow; the nearest texel. What lies behind the projector is lit.
-bool is_lit(const Interpolants& v, const Texels& texels, const TextureState& s, int depth_bits, int x, int y,
-            float w) {
+/// 1 where r <= the stored depth, 0 in shadow; the nearest texel. What lies behind the projector is
+/// lit.
+bool is_lit(const Interpolants& v, const Texels& texels, const TextureState& s, int depth_bits,
+            int x, int y, float w) {
     const TexelLevel& level = texels.levels[0];
     const int i = level_coordinate(v.s, v.s.at(x, y, w), level.log2_width, s.wrap_s) >> 8;
     const int j = level_coordinate(v.t, v.t.at(x, y, w), level.log2_height, s.wrap_t) >> 8;
@@ -45,8 +47,8 @@ bool is_lit(const Interpolants& v, const Texels& texels, const TextureState& s, 
 
 }  // namespace
 
-Rgba texel_at(const Interpolants& v, const Texels& texels, const TextureState& s, int depth_bits, int x,
-              int y) {
+Rgba texel_at(const Interpolants& v, const Texels& texels, const TextureState& s, int depth_bits,
+              int x, int y) {
     const std::uint32_t one = max_of_bits(texels.bits);
     if (v.projective && v.texture_q.at(x, y) < 1) return grey(one);
     const float w = reciprocal(v.texture_q, x, y);

@@ -1,5 +1,5 @@
-// The accumulation buffer's arithmetic: integers in units of the frame buffer, wrapped. docs/manual.md,
-// "Accumulation". Does not loop over pixels.
+// The accumulation buffer's arithmetic: integers in units of the frame buffer, wrapped.
+// docs/manual.md, "Accumulation". Does not loop over pixels.
 #pragma once
 
 #include "gw/base/arithmetic.h"
@@ -10,7 +10,8 @@ namespace gw {
 /// The low `bits` of v as a signed number; `overflow` is set where that changes v.
 constexpr std::int32_t wrap_accum(std::int64_t v, int bits, bool& overflow) {
     const int unused = 64 - bits;
-    const std::int64_t wrapped = static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << unused) >> unused;
+    const std::int64_t wrapped =
+        static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << unused) >> unused;
     overflow = wrapped != v;
     return static_cast<std::int32_t>(wrapped);
 }

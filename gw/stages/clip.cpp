@@ -90,8 +90,8 @@ void clip_plane(const std::vector<V>& in, const std::vector<double>& d, std::vec
 
 /// Leaves none where the whole is rejected; whether anything was cut. `d` and `left` are room.
 template <class V>
-bool clip_by_planes(std::vector<V>& vertices, const ViewportTransform& viewport, std::uint32_t planes,
-                    std::vector<double>& d, std::vector<V>& left) {
+bool clip_by_planes(std::vector<V>& vertices, const ViewportTransform& viewport,
+                    std::uint32_t planes, std::vector<double>& d, std::vector<V>& left) {
     const std::size_t least = vertices.size() < 3 ? vertices.size() : 3;
     const auto reject = [&](bool cut) {
         vertices.clear();

@@ -1,5 +1,5 @@
-// Corners of a convex polygon may be a trifle reflex after the snap: the fan from such a corner is still
-// right.
+// Corners of a convex polygon may be a trifle reflex after the snap: the fan from such a corner is
+// still right.
 #include "gw/stages/fan.h"
 
 namespace gw {

@@ -15,10 +15,12 @@ constexpr std::int64_t area2(const SnappedPoint& a, const SnappedPoint& b, const
     return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
 }
 
-/// The pieces are first, first + k, first + k + 1 (modulo the number of corners), k = 1 .. corners - 2.
+/// The pieces are first, first + k, first + k + 1 (modulo the number of corners), k = 1 .. corners
+/// - 2.
 struct Fan {
     std::int64_t area2 = 0;  ///< of the polygon: the sum of its pieces'
-    std::size_t first = 0;   ///< the first corner from which the snap has turned no piece over; else 0
+    /// the first corner from which the snap has turned no piece over; else 0
+    std::size_t first = 0;
 };
 
 /// A piece whose area has another sign than the polygon's makes no fragments.

@@ -18,7 +18,9 @@ std::uint32_t fog_factor(const FogState& fog, double z, int bits) {
     const double depth = double(fog.density) * z;
     double f = 0;
     switch (fog.mode) {
-        case FogMode::Linear: f = (double(fog.end) - z) / (double(fog.end) - double(fog.start)); break;
+        case FogMode::Linear:
+            f = (double(fog.end) - z) / (double(fog.end) - double(fog.start));
+            break;
         case FogMode::Exp: f = exp(-depth); break;
         case FogMode::Exp2: f = exp(-(depth * depth)); break;
     }
@@ -29,7 +31,8 @@ double fog_table_depth(const FogState& fog, int bits) {
     constexpr double ln2 = 0.693147180559945309417;
     switch (fog.mode) {
         case FogMode::Linear: return std::max({double(fog.start), double(fog.end), 1e-30});
-        case FogMode::Exp: return ((bits + 1) * ln2) / fog.density;  // exp(-that) is below half a unit
+        // exp(-that) is below half a unit
+        case FogMode::Exp: return ((bits + 1) * ln2) / fog.density;
         case FogMode::Exp2: return std::sqrt((bits + 1) * ln2) / fog.density;
     }
     return 1;

@@ -10,7 +10,8 @@
 
 namespace gw {
 
-/// Whether the factor is found per fragment: what the state says, or the profile's default [K] Fig. 2.
+/// Whether the factor is found per fragment: what the state says, or the profile's default [K] Fig.
+/// 2.
 bool fog_is_per_fragment(const FogState& fog, const Profile& profile);
 
 /// 1 at no fog .. 0, as an n-bit fraction, at eye distance z >= 0.

@@ -1,4 +1,5 @@
-// I = Ke + model Ka + sum_i att_i spot_i (Ia_i Ka + Id_i Kd cos(theta) + Is_i Ks cos(alpha)^n), clamped once.
+// I = Ke + model Ka + sum_i att_i spot_i (Ia_i Ka + Id_i Kd cos(theta) + Is_i Ks cos(alpha)^n),
+// clamped once.
 #include "gw/stages/lighting.h"
 
 #include "gw/base/arithmetic.h"
@@ -32,14 +33,17 @@ Incident incident(const Light& light, const dvec3& p_eye) {
     const dvec3 v(position.x / w - p_eye.x, position.y / w - p_eye.y, position.z / w - p_eye.z);
     const double d = std::sqrt(dot3(v, v));
     const dvec3 direction = normalized(v);
-    const double fall =
-        (light.constant_attenuation + light.linear_attenuation * d) + light.quadratic_attenuation * (d * d);
-    return {direction, spot_factor(light, direction) / (fall > least_attenuation ? fall : least_attenuation)};
+    const double fall = (light.constant_attenuation + light.linear_attenuation * d) +
+                        light.quadratic_attenuation * (d * d);
+    return {direction,
+            spot_factor(light, direction) / (fall > least_attenuation ? fall : least_attenuation)};
 }
 
-/// cos(alpha)^n, alpha between the normal and the half-way vector (GL, IRIS GL); 0 where the light is behind.
+/// cos(alpha)^n, alpha between the normal and the half-way vector (GL, IRIS GL); 0 where the light
+/// is behind.
 double highlight(const dvec3& n_eye, const dvec3& to_light, const dvec3& to_eye, double n) {
-    const dvec3 half = normalized(dvec3(to_light.x + to_eye.x, to_light.y + to_eye.y, to_light.z + to_eye.z));
+    const dvec3 half =
+        normalized(dvec3(to_light.x + to_eye.x, to_light.y + to_eye.y, to_light.z + to_eye.z));
     const double c = dot3(n_eye, half);
     return pow(c > 0 ? (c < 1 ? c : 1) : 0, n);
 }
@@ -73,14 +77,14 @@ void add_light(const Light& light, const Material& m, const dvec3& p_eye, const 
 
 }  // namespace
 
-LightTerms light_terms(const Light& light, const dvec3& p_eye, const dvec3& n_eye, const dvec3& to_eye,
-                       double exponent, bool gloss) {
+LightTerms light_terms(const Light& light, const dvec3& p_eye, const dvec3& n_eye,
+                       const dvec3& to_eye, double exponent, bool gloss) {
     const Factors f = factors(light, p_eye, n_eye, to_eye, exponent, gloss);
     return {f.strength, f.strength * f.diffuse, f.strength * f.specular};
 }
 
-std::array<double, 4> lit_color(const Draw& draw, const LightingState& state, const Profile& profile,
-                                const dvec3& p_eye, const dvec3& n_eye) {
+std::array<double, 4> lit_color(const Draw& draw, const LightingState& state,
+                                const Profile& profile, const dvec3& p_eye, const dvec3& n_eye) {
     const Material& m = draw.material;
     const dvec3 to_eye = state.local_viewer ? normalized(-p_eye) : dvec3(0, 0, 1);
     dvec3 sum;

@@ -22,7 +22,8 @@ int exponent_above(double v, int low, int high) {
 
 float to_float(double v) { return static_cast<float>(v); }
 
-/// float32 of a gradient or value. Only slivers have gradients beyond 2^62: kept there, nothing overflows.
+/// float32 of a gradient or value. Only slivers have gradients beyond 2^62: kept there, nothing
+/// overflows.
 double slope_factor(double v) { return to_float(bounded(v, 4611686018427387904.0)); }
 
 }  // namespace
@@ -30,11 +31,13 @@ double slope_factor(double v) { return to_float(bounded(v, 4611686018427387904.0
 std::array<std::int64_t, 3> denominators(std::span<const double> w) {
     const double w_min = *std::min_element(w.begin(), w.end());
     std::array<std::int64_t, 3> q{};
-    for (std::size_t i = 0; i < w.size(); ++i) q[i] = to_integer(round_even(unit * (w_min / w[i])), 1, unit);
+    for (std::size_t i = 0; i < w.size(); ++i)
+        q[i] = to_integer(round_even(unit * (w_min / w[i])), 1, unit);
     return q;
 }
 
-Numerators numerators(std::span<const double> s, std::span<const double> w, double k, int largest_exponent) {
+Numerators numerators(std::span<const double> s, std::span<const double> w, double k,
+                      int largest_exponent) {
     const double w_min = *std::min_element(w.begin(), w.end());
     Numerators n;
     n.offset = k;
@@ -60,8 +63,9 @@ Projective projective(std::span<const dvec4> strq, std::span<const double> w) {
             largest = std::max(largest, std::abs(strq[i][c] / w[i]) / h);
         n.exponent = exponent_above(largest, -60, 60);
         for (std::size_t i = 0; i < w.size(); ++i)
-            n.at[i] = to_integer(round_even(unit * (((strq[i][c] / w[i]) / h) / power_of_two(n.exponent))),
-                                 -unit, unit);
+            n.at[i] = to_integer(
+                round_even(unit * (((strq[i][c] / w[i]) / h) / power_of_two(n.exponent))), -unit,
+                unit);
     }
     return p;
 }

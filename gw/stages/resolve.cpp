@@ -2,8 +2,8 @@
 #include "gw/stages/resolve.h"
 
 #include "gw/base/arithmetic.h"
-#include "gw/stages/fog.h"
 #include "gw/planes.h"
+#include "gw/stages/fog.h"
 
 #include <algorithm>
 
@@ -20,7 +20,8 @@ Rect intersect(const Rect& a, const Rect& b) {
 
 Rgba quantize_color(const vec4& color, int bits) {
     Rgba out;
-    for (int i = 0; i < 4; ++i) out[std::size_t(i)] = static_cast<std::uint16_t>(quantize(color[i], bits));
+    for (int i = 0; i < 4; ++i)
+        out[std::size_t(i)] = static_cast<std::uint16_t>(quantize(color[i], bits));
     return out;
 }
 
@@ -48,7 +49,8 @@ Resolved resolve(const State& state, const Profile& profile, int width, int heig
 
     const Rect window{0, 0, width, height};
     const ViewportState& v = state.viewport;
-    const Rect viewport = v.width == 0 && v.height == 0 ? window : Rect{v.x, v.y, v.width, v.height};
+    const Rect viewport =
+        v.width == 0 && v.height == 0 ? window : Rect{v.x, v.y, v.width, v.height};
     r.pixel_box = state.scissor.test ? intersect(window, state.scissor.box) : window;
     r.draw_box = intersect(viewport, r.pixel_box);
     r.viewport = viewport_transform(viewport);
@@ -59,8 +61,8 @@ Resolved resolve(const State& state, const Profile& profile, int width, int heig
     r.alpha_ref = quantize(state.alpha.ref, r.bits);
 
     const StencilState& s = state.stencil;
-    r.front =
-        stencil_face({s.func, s.ref, s.mask, s.fail, s.zfail, s.zpass, s.write_mask}, s.test, r.stencil_max);
+    r.front = stencil_face({s.func, s.ref, s.mask, s.fail, s.zfail, s.zpass, s.write_mask}, s.test,
+                           r.stencil_max);
     r.back = s.two_side ? stencil_face(s.back, s.test, r.stencil_max) : r.front;
 
     r.fog_color = quantize_color(state.fog.color, r.bits);
@@ -85,11 +87,12 @@ std::uint64_t plane_bytes(int plane, const Profile& profile) {
 FragmentBytes fragment_bytes(const Resolved& r, const Profile& profile) {
     const auto bytes = [&](Plane plane) { return plane_bytes(static_cast<int>(plane), profile); };
     const auto writes = [](const StencilFace& f) {
-        return f.write_mask != 0 &&
-               (f.fail != StencilOp::Keep || f.zfail != StencilOp::Keep || f.zpass != StencilOp::Keep);
+        return f.write_mask != 0 && (f.fail != StencilOp::Keep || f.zfail != StencilOp::Keep ||
+                                     f.zpass != StencilOp::Keep);
     };
     const ColorMask& m = r.state.color_mask;
-    const bool reads_color = r.writes_color && (r.state.blend.enable || !(m.r && m.g && m.b && m.a));
+    const bool reads_color =
+        r.writes_color && (r.state.blend.enable || !(m.r && m.g && m.b && m.a));
     FragmentBytes b;
     if (r.state.stencil.test)
         b.after_alpha = bytes(Plane::Stencil) * (writes(r.front) || writes(r.back) ? 2 : 1);

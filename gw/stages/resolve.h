@@ -1,9 +1,10 @@
 // State normalised once per draw, so that the fragment stages stop asking. docs/manual.md, "State".
-// Does not change what a state means: a test that is off becomes one that always passes and writes nothing.
+// Does not change what a state means: a test that is off becomes one that always passes and writes
+// nothing.
 #pragma once
 
-#include "gw/stages/clip.h"
 #include "gw/profile.h"
+#include "gw/stages/clip.h"
 #include "gw/state.h"
 
 namespace gw {
@@ -14,13 +15,15 @@ struct Resolved {
     Rect pixel_box;  ///< scissor and window: where pixels may change
     Rect draw_box;   ///< ... and viewport: where primitives make fragments
     ViewportTransform viewport;
-    StencilFace front, back;  ///< masks cut to stencil_bits; Always and Keep where the test is off
+    /// masks cut to stencil_bits; Always and Keep where the test is off
+    StencilFace front, back;
     std::uint32_t stencil_max = 255;
     std::uint32_t alpha_ref = 0;
     Rgba fog_color{}, env_color{};
     bool fragment_fog = false;
     bool writes_color = true;  ///< some channel is
-    bool depth_mask = true;    ///< as given: for clears and pixel rectangles, which no depth test guards
+    /// as given: for clears and pixel rectangles, which no depth test guards
+    bool depth_mask = true;
 };
 
 Resolved resolve(const State& state, const Profile& profile, int width, int height);

@@ -1,18 +1,19 @@
 // The tables of the fragment operations, each written once, in the specification's polarity.
-// docs/manual.md, "Alpha, stencil and depth tests", "Blending". Does not decide when a table applies.
+// docs/manual.md, "Alpha, stencil and depth tests", "Blending". Does not decide when a table
+// applies.
 #pragma once
 
 #include "gw/base/arithmetic.h"
-#include "gw/state.h"
 #include "gw/base/types.h"
+#include "gw/state.h"
 
 #include <array>
 #include <cstdint>
 
 namespace gw {
 
-/// [GL11] 4.1.3 to 4.1.5: the incoming value (fragment, reference) `func` the stored one (plane; alpha:
-/// reference).
+/// [GL11] 4.1.3 to 4.1.5: the incoming value (fragment, reference) `func` the stored one (plane;
+/// alpha: reference).
 constexpr bool compare(CompareFunc func, std::uint32_t incoming, std::uint32_t stored) {
     switch (func) {
         case CompareFunc::Never: return false;
@@ -77,8 +78,10 @@ constexpr Rgba blend(const BlendState& state, const Rgba& src, const Rgba& dst, 
     return out;
 }
 
-/// [GL11] table 3.11 for RGBA textures: `f` the fragment's colour, `t` the texture's, `env` the constant.
-constexpr Rgba texture_environment(TexEnv mode, const Rgba& f, const Rgba& t, const Rgba& env, int bits) {
+/// [GL11] table 3.11 for RGBA textures: `f` the fragment's colour, `t` the texture's, `env` the
+/// constant.
+constexpr Rgba texture_environment(TexEnv mode, const Rgba& f, const Rgba& t, const Rgba& env,
+                                   int bits) {
     const std::uint32_t max = max_of_bits(bits);
     Rgba out = f;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -89,7 +92,8 @@ constexpr Rgba texture_environment(TexEnv mode, const Rgba& f, const Rgba& t, co
                 v = i == 3 ? f[3] : mul(f[i], max - t[3], bits) + mul(t[i], t[3], bits);
                 break;
             case TexEnv::Blend:
-                v = i == 3 ? mul(f[3], t[3], bits) : mul(f[i], max - t[i], bits) + mul(env[i], t[i], bits);
+                v = i == 3 ? mul(f[3], t[3], bits)
+                           : mul(f[i], max - t[i], bits) + mul(env[i], t[i], bits);
                 break;
             case TexEnv::Replace: v = t[i]; break;
         }
@@ -98,8 +102,8 @@ constexpr Rgba texture_environment(TexEnv mode, const Rgba& f, const Rgba& t, co
     return out;
 }
 
-/// Fog factor `f` blends R, G, B towards the fog's colour: black fog plus fogged black is exactly one-pass
-/// fog [K3.5].
+/// Fog factor `f` blends R, G, B towards the fog's colour: black fog plus fogged black is exactly
+/// one-pass fog [K3.5].
 constexpr Rgba apply_fog(const Rgba& color, std::uint32_t f, const Rgba& fog, int bits) {
     const std::uint32_t max = max_of_bits(bits);
     Rgba out = color;

@@ -34,8 +34,8 @@ const std::array<std::uint32_t, 256>& mantissa_levels() {
         constexpr double ln2 = 0.693147180559945309417;
         std::array<std::uint32_t, 256> t{};
         for (std::size_t i = 0; i < 256; ++i)
-            t[i] = std::min<std::uint32_t>(255,
-                                           std::uint32_t(round_even(256 * (log(1 + double(i) / 256) / ln2))));
+            t[i] = std::min<std::uint32_t>(
+                255, std::uint32_t(round_even(256 * (log(1 + double(i) / 256) / ln2))));
         return t;
     }();
     return table;
@@ -47,48 +47,53 @@ Texels make_texels(const Texture& texture, int bits) {
     return t;
 }
 
-std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t wx,
-                       std::uint32_t wy, int bits) {
+std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
+                       std::uint32_t wx, std::uint32_t wy, int bits) {
     if (bits == 8) {  // two roundings in 15-bit products, as 16-bit lanes do it; error <= 0.516
         const auto row = [wx](std::uint32_t p, std::uint32_t q) {
             return std::int32_t(64 * p) +
                    (((std::int32_t(q) - std::int32_t(p)) * 64 * std::int32_t(wx) + 128) >> 8);
         };
         const std::int32_t t0 = row(a, b), t1 = row(c, d);
-        return static_cast<std::uint16_t>((t0 + (((t1 - t0) * std::int32_t(wy) + 128) >> 8) + 32) >> 6);
+        return static_cast<std::uint16_t>((t0 + (((t1 - t0) * std::int32_t(wy) + 128) >> 8) + 32) >>
+                                          6);
     }
     const std::uint32_t low = a * (256 - wx) + b * wx, high = c * (256 - wx) + d * wx;
     return static_cast<std::uint16_t>((low * (256 - wy) + high * wy + (1u << 15)) >> 16);
 }
 
-Rgba lookup(const TexelLevel& level, bool linear, Wrap wrap_s, Wrap wrap_t, int u, int v, int bits) {
+Rgba lookup(const TexelLevel& level, bool linear, Wrap wrap_s, Wrap wrap_t, int u, int v,
+            int bits) {
     if (!linear)
-        return level.at(wrap_index(wrap_s, u >> 8, level.width), wrap_index(wrap_t, v >> 8, level.height));
+        return level.at(wrap_index(wrap_s, u >> 8, level.width),
+                        wrap_index(wrap_t, v >> 8, level.height));
     const int us = u - 128, vs = v - 128;  // to the lower left of the four centres
     const int i0 = wrap_index(wrap_s, us >> 8, level.width),
               i1 = wrap_index(wrap_s, (us >> 8) + 1, level.width);
     const int j0 = wrap_index(wrap_t, vs >> 8, level.height),
               j1 = wrap_index(wrap_t, (vs >> 8) + 1, level.height);
-    const Rgba &a = level.at(i0, j0), &b = level.at(i1, j0), &c = level.at(i0, j1), &d = level.at(i1, j1);
+    const Rgba &a = level.at(i0, j0), &b = level.at(i1, j0), &c = level.at(i0, j1),
+               &d = level.at(i1, j1);
     Rgba out;
     for (std::size_t k = 0; k < 4; ++k)
-        out[k] = bilinear(a[k], b[k], c[k], d[k], std::uint32_t(us & 255), std::uint32_t(vs & 255), bits);
+        out[k] = bilinear(a[k], b[k], c[k], d[k], std::uint32_t(us & 255), std::uint32_t(vs & 255),
+                          bits);
     return out;
 }
 
 Rgba between_levels(const Rgba& a, const Rgba& b, std::uint32_t f) {
     Rgba out;
     for (std::size_t k = 0; k < 4; ++k)
-        out[k] =
-            static_cast<std::uint16_t>(a[k] + (((std::int32_t(b[k]) - a[k]) * std::int32_t(f) + 128) >> 8));
+        out[k] = static_cast<std::uint16_t>(
+            a[k] + (((std::int32_t(b[k]) - a[k]) * std::int32_t(f) + 128) >> 8));
     return out;
 }
 
 LevelChoice choose_level(const TextureState& s, float rho, int level_count) {
     const auto bits = std::bit_cast<std::uint32_t>(rho);
     const bool later =
-        s.mag_filter == MagFilter::Linear &&
-        (s.min_filter == MinFilter::NearestMipmapNearest || s.min_filter == MinFilter::NearestMipmapLinear);
+        s.mag_filter == MagFilter::Linear && (s.min_filter == MinFilter::NearestMipmapNearest ||
+                                              s.min_filter == MinFilter::NearestMipmapLinear);
     if (bits <= (later ? root_two_bits : one_bits)) return {.magnify = true};
 
     const int last = level_count - 1;
@@ -107,7 +112,8 @@ LevelChoice choose_level(const TextureState& s, float rho, int level_count) {
         case MinFilter::LinearMipmapLinear: {
             const int level = level_from(one_bits);
             if (level >= last) return {.level = last, .next = last};
-            return {.level = level, .next = level + 1, .weight = mantissa_levels()[(bits >> 15) & 255]};
+            return {
+                .level = level, .next = level + 1, .weight = mantissa_levels()[(bits >> 15) & 255]};
         }
     }
     return {};

@@ -1,10 +1,11 @@
-// A texture in the machine's own bits, its addressing and filters on integers. docs/manual.md, "Textures".
+// A texture in the machine's own bits, its addressing and filters on integers. docs/manual.md,
+// "Textures".
 // Does not interpolate coordinates: each machine does.
 #pragma once
 
+#include "gw/base/types.h"
 #include "gw/state.h"
 #include "gw/texture.h"
-#include "gw/base/types.h"
 
 #include <array>
 #include <cstdint>
@@ -37,17 +38,18 @@ constexpr int wrap_index(Wrap wrap, int i, int size) {
 }
 
 /// Bilinear mean of a b (lower row) and c d (upper row), weights wx, wy in 0 .. 255 of 256.
-std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t wx,
-                       std::uint32_t wy, int bits);
+std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
+                       std::uint32_t wx, std::uint32_t wy, int bits);
 
-/// The texel nearest to u, v (1/256 texels, texel i is [256 i, 256 i + 256)), or the mean of the four around
-/// it.
+/// The texel nearest to u, v (1/256 texels, texel i is [256 i, 256 i + 256)), or the mean of the
+/// four around it.
 Rgba lookup(const TexelLevel& level, bool linear, Wrap wrap_s, Wrap wrap_t, int u, int v, int bits);
 
 /// The mean of two levels, weight f in 0 .. 255 of 256 for `b`.
 Rgba between_levels(const Rgba& a, const Rgba& b, std::uint32_t f);
 
-/// By the high 8 bits of rho's mantissa: 256ths of a level, round(256 log2(1 + i / 256)), at most 255.
+/// By the high 8 bits of rho's mantissa: 256ths of a level, round(256 log2(1 + i / 256)), at most
+/// 255.
 const std::array<std::uint32_t, 256>& mantissa_levels();
 
 /// Which levels a minification by the factor rho (texels per pixel, >= 0) looks at. [GL11] 3.8.1

@@ -26,10 +26,12 @@ dvec3 refracted(const dvec3& u, const dvec3& n, double eta) {
     return {eta * u.x + k * n.x, eta * u.y + k * n.y, eta * u.z + k * n.z};
 }
 
-dvec4 texture_coordinates(const TextureState& state, const vec2& st, const dvec4& p_eye, const dvec3& n_eye) {
+dvec4 texture_coordinates(const TextureState& state, const vec2& st, const dvec4& p_eye,
+                          const dvec3& n_eye) {
     switch (state.gen) {
         case TexGen::None: return {st.x, st.y, 0, 1};
-        case TexGen::SphereMap: return {sphere_map(reflected(normalized(dvec3(p_eye)), n_eye)), 0, 1};
+        case TexGen::SphereMap:
+            return {sphere_map(reflected(normalized(dvec3(p_eye)), n_eye)), 0, 1};
         case TexGen::RefractionMap:
             return {sphere_map(refracted(normalized(dvec3(p_eye)), n_eye, state.eta)), 0, 1};
         case TexGen::EyeLinear: return transform(state.eye_linear, p_eye);

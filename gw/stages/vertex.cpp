@@ -16,7 +16,8 @@ dmat4 product(const dmat4& a, const dmat4& b) {
 
 namespace {
 
-/// Cofactors of the upper 3x3, signed by the determinant: the inverse transpose up to a positive factor.
+/// Cofactors of the upper 3x3, signed by the determinant: the inverse transpose up to a positive
+/// factor.
 dmat3 normal_matrix(const dmat4& m) {
     const dvec3 x(m[0]), y(m[1]), z(m[2]);
     const dvec3 yz = cross3(y, z), zx = cross3(z, x), xy = cross3(x, y);
@@ -71,7 +72,8 @@ Vertex run_vertex(const VertexProgram& p, std::uint32_t index) {
     const dvec3 n_eye = normalized(transform3(p.normal_eye_from_object, n_object));
     if (state.color_source == ColorSource::Vertex) out.color = mesh_color(p, index);
     if (state.color_source == ColorSource::Lighting) light(p, p_eye, n_eye, out);
-    if (!(state.color_source == ColorSource::Lighting && state.lighting.two_side)) out.back_color = out.color;
+    if (!(state.color_source == ColorSource::Lighting && state.lighting.two_side))
+        out.back_color = out.color;
 
     const vec2 st = mesh.texcoords.empty() ? vec2(0) : mesh.texcoords[index];
     if (p.draw->map.enabled()) {

@@ -1,10 +1,11 @@
-// The vertex stages: transform, lighting, texture coordinates and fog at one vertex. docs/manual.md,
-// "Vertices". Does not clip, divide or snap. All in double, in the order of operations written here; no libm.
+// The vertex stages: transform, lighting, texture coordinates and fog at one vertex.
+// docs/manual.md, "Vertices". Does not clip, divide or snap. All in double, in the order of
+// operations written here; no libm.
 #pragma once
 
+#include "gw/base/types.h"
 #include "gw/command_list.h"
 #include "gw/profile.h"
-#include "gw/base/types.h"
 
 #include <array>
 #include <cmath>
@@ -22,11 +23,13 @@ struct Vertex : ClipPosition {
     dvec4 texcoord{0, 0, 0, 1};          ///< s, t, r, q
     std::array<double, 4> color{};       ///< integers 0 .. 2^color_bits - 1
     std::array<double, 4> back_color{};  ///< of a back face, where lighting.two_side
-    double fog =
-        0;  ///< factor 0 .. 2^color_bits - 1 (fog at the vertex) or coordinate >= 0 in units of the fog table
+    /// factor 0 .. 2^color_bits - 1 (fog at the vertex) or coordinate >= 0 in units of the fog
+    /// table
+    double fog = 0;
 };
 
-/// Texture coordinates and the fog distance are kept within this (2^200): no later sum or product overflows.
+/// Texture coordinates and the fog distance are kept within this (2^200): no later sum or product
+/// overflows.
 inline constexpr double largest_coordinate = 0x1p200;
 
 /// What the vertex stages need of a draw, worked out once.
@@ -51,7 +54,8 @@ double fog_of(const VertexProgram& program, double z_eye);
 /// m * v, each component ((m0 x + m1 y) + (m2 z + m3 w)).
 inline dvec4 transform(const dmat4& m, const dvec4& v) {
     dvec4 out;
-    for (int i = 0; i < 4; ++i) out[i] = (m[0][i] * v.x + m[1][i] * v.y) + (m[2][i] * v.z + m[3][i] * v.w);
+    for (int i = 0; i < 4; ++i)
+        out[i] = (m[0][i] * v.x + m[1][i] * v.y) + (m[2][i] * v.z + m[3][i] * v.w);
     return out;
 }
 /// The product whose columns are transform(a, column of b).

@@ -1,4 +1,5 @@
-// From clip coordinates to the window: division, viewport, snap. docs/manual.md, "Window coordinates".
+// From clip coordinates to the window: division, viewport, snap. docs/manual.md, "Window
+// coordinates".
 // Does not clip and does not jitter.
 #pragma once
 
@@ -9,7 +10,8 @@
 
 namespace gw {
 
-/// A snapped vertex: x, y in 1/2^subpixel_bits of a pixel, z in units of the depth plane, w the clip w (> 0).
+/// A snapped vertex: x, y in 1/2^subpixel_bits of a pixel, z in units of the depth plane, w the
+/// clip w (> 0).
 struct WindowVertex {
     std::int64_t x = 0, y = 0;
     std::uint32_t z = 0;

@@ -1,18 +1,18 @@
-// The A-buffer. L. Carpenter: The A-buffer, an Antialiased Hidden Surface Method, SIGGRAPH 1984. A pixel
-// is a list of fragments, sorted by their nearest depth: each has a mask of the 4 x 8 points of the pixel
-// that its face covers, and the nearest and farthest depth of the face there. What lies behind a fragment
-// that covers all is dropped. At the end the masks say what part of the pixel each face has: front to
-// back, each takes the points that are left; where two fragments' depths overlap, the paper's estimate of
-// the visible part of the front one. The picture is that of the point in the middle of the pixel; `shares`
-// is the parts, for smooth edges.
+// The A-buffer. L. Carpenter: The A-buffer, an Antialiased Hidden Surface Method, SIGGRAPH 1984. A
+// pixel is a list of fragments, sorted by their nearest depth: each has a mask of the 4 x 8 points
+// of the pixel that its face covers, and the nearest and farthest depth of the face there. What
+// lies behind a fragment that covers all is dropped. At the end the masks say what part of the
+// pixel each face has: front to back, each takes the points that are left; where two fragments'
+// depths overlap, the paper's estimate of the visible part of the front one. The picture is that of
+// the point in the middle of the pixel; `shares` is the parts, for smooth edges.
 //
-// Does not claim: exact parts where faces pierce each other (an estimate) or where three overlap in depth
-// (two at a time).
+// Does not claim: exact parts where faces pierce each other (an estimate) or where three overlap in
+// depth (two at a time).
 //
 // Left out: translucency.
 //
-// Ours: points at multiples of 1/8 and 1/4 of a pixel, so that one is its middle, and at the middle the
-// nearest on the exact planes.
+// Ours: points at multiples of 1/8 and 1/4 of a pixel, so that one is its middle, and at the middle
+// the nearest on the exact planes.
 #include "hiddensurface/model/face.h"
 #include "hiddensurface/structures/scan_conversion.h"
 
@@ -39,9 +39,11 @@ struct Fragment {
 /// z of the plane at the pixel's corners, no farther than the face reaches.
 Fragment make_fragment(const Face& face, int x, int y, std::uint32_t mask) {
     const double n = double(face.plane.n), middle = double(face.plane.scaled(x, y)) / n;
-    const double reach = 0.5 * (std::abs(double(face.plane.x)) + std::abs(double(face.plane.y))) / n;
+    const double reach =
+        0.5 * (std::abs(double(face.plane.x)) + std::abs(double(face.plane.y))) / n;
     const double low = double(face.nearest), high = double(face.farthest);
-    return {&face, mask, std::clamp(middle - reach, low, high), std::clamp(middle + reach, low, high)};
+    return {&face, mask, std::clamp(middle - reach, low, high),
+            std::clamp(middle + reach, low, high)};
 }
 
 class ABuffer {
@@ -76,7 +78,8 @@ private:
             if (run.y / down != y) flush(face, y);
             y = run.y / down;
             for (int x = run.x0; x < run.x1; ++x)
-                row_[std::size_t(x / across)] |= std::uint32_t{1} << (run.y % down * across + x % across);
+                row_[std::size_t(x / across)] |= std::uint32_t{1}
+                                                 << (run.y % down * across + x % across);
         }
         flush(face, y);
         if (log_.on())
@@ -91,7 +94,8 @@ private:
         if (y < 0) return;
         const int end = std::min(face.bounds.x + face.bounds.width, input_.view.width);
         for (int x = std::max(face.bounds.x - 1, 0); x < end; ++x)
-            if (const std::uint32_t mask = std::exchange(row_[std::size_t(x)], 0)) insert(x, y, face, mask);
+            if (const std::uint32_t mask = std::exchange(row_[std::size_t(x)], 0))
+                insert(x, y, face, mask);
     }
 
     std::vector<Fragment>& pixel(int x, int y) {
@@ -110,9 +114,10 @@ private:
             return;
         }
         list.insert(list.begin() + std::ptrdiff_t(place), made);
-        const std::size_t hidden = made.mask != all_points ? 0 : std::erase_if(list, [&](const Fragment& f) {
-            return f.nearest > made.farthest;
-        });
+        const std::size_t hidden =
+            made.mask != all_points
+                ? 0
+                : std::erase_if(list, [&](const Fragment& f) { return f.nearest > made.farthest; });
         output_.counts.rejected += hidden;
         held_ += 1 - hidden;
         most_ = std::max(most_, held_);
@@ -162,7 +167,8 @@ private:
         if (log_.wants(Level::Pixel)) log_pixel(x, y, list, points);
     }
 
-    void log_pixel(int x, int y, const std::vector<Fragment>& list, const std::vector<double>& points) {
+    void log_pixel(int x, int y, const std::vector<Fragment>& list,
+                   const std::vector<double>& points) {
         Step step{Level::Pixel, Action::Compare, {}, "points of 32", "", y};
         for (std::size_t i = 0; i < list.size(); ++i) {
             step.polygons.push_back(input_.polygons[list[i].face->polygon].id);

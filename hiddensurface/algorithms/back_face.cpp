@@ -1,7 +1,8 @@
-// Back-face culling alone [L3]: draws every polygon that faces the eye, in the scene's order. Right for one
-// convex object; of several, or a concave one, it shows what is drawn last, not what is nearest.
-#include "hiddensurface/run/algorithm.h"
+// Back-face culling alone [L3]: draws every polygon that faces the eye, in the scene's order. Right
+// for one convex object; of several, or a concave one, it shows what is drawn last, not what is
+// nearest.
 #include "hiddensurface/model/normal.h"
+#include "hiddensurface/run/algorithm.h"
 
 namespace gw::hiddensurface {
 

@@ -1,13 +1,13 @@
-// Bouknight's scan-line algorithm. W. J. Bouknight: A Procedure for Generation of Three-Dimensional Half-
-// Toned Computer Graphics Presentations, CACM 13(9), 1970. The edges that cross the line, sorted in x: the
-// order of the line above, mended by exchanges of neighbours. From left to right an edge switches its face
-// on or off. Between two edges the nearest of the faces switched on is looked for at both ends: one face,
-// and it is seen; two, and they pierce each other: the edge that they imply is found and the span divided
-// there.
+// Bouknight's scan-line algorithm. W. J. Bouknight: A Procedure for Generation of Three-Dimensional
+// Half- Toned Computer Graphics Presentations, CACM 13(9), 1970. The edges that cross the line,
+// sorted in x: the order of the line above, mended by exchanges of neighbours. From left to right
+// an edge switches its face on or off. Between two edges the nearest of the faces switched on is
+// looked for at both ends: one face, and it is seen; two, and they pierce each other: the edge that
+// they imply is found and the span divided there.
 //
-// Does not claim: to make use of the line above for anything but the order; every edge, hidden or not,
-// ends a span, and every face switched on is compared in every span: work grows with faces times depth
-// complexity.
+// Does not claim: to make use of the line above for anything but the order; every edge, hidden or
+// not, ends a span, and every face switched on is compared in every span: work grows with faces
+// times depth complexity.
 //
 // Ours: pixels instead of points of the line; the implied edge by halving.
 #include "hiddensurface/structures/active_faces.h"
@@ -71,7 +71,8 @@ private:
     void span(const Run& run) {
         output_.counts.spans += 1;
         const Face *left = nearest(run.x0, run.y), *right = nearest(run.x1 - 1, run.y);
-        if (log_.wants(Level::Span)) log_span(run, left == right ? "one at both ends" : "two: they pierce");
+        if (log_.wants(Level::Span))
+            log_span(run, left == right ? "one at both ends" : "two: they pierce");
         if (left == right) return add_run(painted_, run, input_.polygons[left->polygon].id);
         const int x = implied_edge(run, *left, *right);
         span({run.y, run.x0, x});

@@ -1,15 +1,15 @@
-// Hierarchical Z. N. Greene, M. Kass, G. Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993. The
-// scene's polygons are in an octree, walked near to far; the depths drawn so far are in a pyramid, each
-// cell the farthest of the four below. A cube, and with it all that is inside, or a polygon, is hidden
-// where the pyramid is nearer everywhere over its bounding rectangle: mostly one comparison, with the
-// smallest cell that has all of it. What is left is drawn as in a Z-buffer.
+// Hierarchical Z. N. Greene, M. Kass, G. Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993.
+// The scene's polygons are in an octree, walked near to far; the depths drawn so far are in a
+// pyramid, each cell the farthest of the four below. A cube, and with it all that is inside, or a
+// polygon, is hidden where the pyramid is nearer everywhere over its bounding rectangle: mostly one
+// comparison, with the smallest cell that has all of it. What is left is drawn as in a Z-buffer.
 //
 // Does not claim: to gain anything where little is hidden.
 //
 // Left out: the list of cubes seen in the picture before (temporal coherence).
 //
-// Ours: rectangle and nearest depth of a cube instead of its faces; polygons across a cube's middle planes
-// stay in the cube.
+// Ours: rectangle and nearest depth of a cube instead of its faces; polygons across a cube's middle
+// planes stay in the cube.
 #include "hiddensurface/run/algorithm.h"
 #include "hiddensurface/structures/depth_pyramid.h"
 #include "hiddensurface/structures/octree.h"
@@ -41,21 +41,23 @@ public:
         : input_(input),
           log_(log),
           output_{.list = begin_picture(input, "hierarchical Z")},
-          pyramid_(input.view.width, input.view.height, (std::int64_t{1} << input.profile.depth_bits) - 1),
+          pyramid_(input.view.width, input.view.height,
+                   (std::int64_t{1} << input.profile.depth_bits) - 1),
           first_(std::size_t(input.view.width) * std::size_t(input.view.height)) {}
 
     Output run() {
         const std::unique_ptr<Cube> root = build_octree(input_.polygons);
         if (root) draw(*root);
-        output_.counts.peak_bytes =
-            pyramid_.bytes() + first_.size() * sizeof(std::size_t) + output_.counts.nodes * sizeof(Cube);
+        output_.counts.peak_bytes = pyramid_.bytes() + first_.size() * sizeof(std::size_t) +
+                                    output_.counts.nodes * sizeof(Cube);
         return std::move(output_);
     }
 
 private:
     void draw(const Cube& cube) {
         output_.counts.nodes += 1;
-        if (hidden(window_box(cube.low, cube.high, input_.view, input_.profile), {}, "cube")) return;
+        if (hidden(window_box(cube.low, cube.high, input_.view, input_.profile), {}, "cube"))
+            return;
         for (const std::size_t i : cube.polygons) draw(i);
         for (const std::size_t part : near_to_far(cube, eye_of(input_.view)))
             if (cube.parts[part]) draw(*cube.parts[part]);
@@ -85,14 +87,17 @@ private:
         output_.counts.spans += painted.size();
         add_painted(output_.list, painted);
         if (log_.on())
-            log_.add({Level::Polygon, Action::Draw, {polygon.id}, "z < Z", "", -1, std::move(painted)});
+            log_.add(
+                {Level::Polygon, Action::Draw, {polygon.id}, "z < Z", "", -1, std::move(painted)});
     }
 
     /// Of equal depths the scene's first is seen, as where polygons come in the scene's order.
-    void draw(const Run& run, const DepthPlane& depth, std::size_t index, std::vector<Painted>& painted) {
+    void draw(const Run& run, const DepthPlane& depth, std::size_t index,
+              std::vector<Painted>& painted) {
         DepthWalk walk(depth, run.x0, run.y);
         for (int x = run.x0; x < run.x1; ++x, walk.right()) {
-            std::size_t& first = first_[std::size_t(run.y) * std::size_t(input_.view.width) + std::size_t(x)];
+            std::size_t& first =
+                first_[std::size_t(run.y) * std::size_t(input_.view.width) + std::size_t(x)];
             const std::int64_t z = walk.z(), stored = pyramid_.at(x, run.y);
             output_.counts.depths += 1;
             if (z > stored || (z == stored && index >= first)) continue;
@@ -112,11 +117,12 @@ private:
 }  // namespace
 
 Algorithm hierarchical_z() {
-    return {.place = 87,
-            .name = "hierarchical-z",
-            .title = "Hierarchical Z: octree and pyramid of depths (1993)",
-            .claim = Claim::Always,
-            .run = [](const Input& input, StepLog& log) { return HierarchicalZ(input, log).run(); }};
+    return {
+        .place = 87,
+        .name = "hierarchical-z",
+        .title = "Hierarchical Z: octree and pyramid of depths (1993)",
+        .claim = Claim::Always,
+        .run = [](const Input& input, StepLog& log) { return HierarchicalZ(input, log).run(); }};
 }
 
 }  // namespace gw::hiddensurface

@@ -1,9 +1,10 @@
-// Newell, Newell and Sancha's algorithm [L5]: sorted by the farthest corner; five tests whether the farthest
-// polygon may be drawn before those it overlaps in depth; an exchange where they say the other must be first;
-// and a split by the other's plane where neither may. Decides in the window, after perspective, on facets: a
-// quadrilateral that the snap has bent is the two triangles that the machine draws.
-#include "hiddensurface/run/algorithm.h"
+// Newell, Newell and Sancha's algorithm [L5]: sorted by the farthest corner; five tests whether the
+// farthest polygon may be drawn before those it overlaps in depth; an exchange where they say the
+// other must be first; and a split by the other's plane where neither may. Decides in the window,
+// after perspective, on facets: a quadrilateral that the snap has bent is the two triangles that
+// the machine draws.
 #include "hiddensurface/model/overlap.h"
+#include "hiddensurface/run/algorithm.h"
 
 #include <algorithm>
 
@@ -29,7 +30,9 @@ bool nearer(const Item& a, const Item& b) { return a.extents[2].second < b.exten
 class Newell {
 public:
     Newell(const Input& input, StepLog& log)
-        : input_(input), log_(log), output_{.list = begin_picture(input, "Newell, Newell, Sancha")} {
+        : input_(input),
+          log_(log),
+          output_{.list = begin_picture(input, "Newell, Newell, Sancha")} {
         for (std::size_t i = 0; i < input.polygons.size(); ++i)
             for (const Facet& facet : input.polygons[i].facets)
                 list_.push_back(make_item(whole(i, facet), facet));
@@ -43,14 +46,16 @@ public:
             if (!farthest_may_be_drawn()) continue;
             draw_piece(input_, list_.back().piece, output_, log_);
             list_.pop_back();
-            if (std::any_of(list_.begin(), list_.end(), [](const Item& item) { return item.moved; }))
+            if (std::any_of(list_.begin(), list_.end(),
+                            [](const Item& item) { return item.moved; }))
                 settle();
         }
         return std::move(output_);
     }
 
 private:
-    /// Something was drawn or cut: a chain of moved polygons is broken, all go back to their places.
+    /// Something was drawn or cut: a chain of moved polygons is broken, all go back to their
+    /// places.
     void settle() {
         for (Item& item : list_) item.moved = false;
         sort();
@@ -92,12 +97,14 @@ private:
 
     /// The five tests whether p may be drawn before q.
     bool may_precede(const Item& p, const Item& q) {
-        return apart(p, q, 0, "1: x extents") || apart(p, q, 1, "2: y extents") || behind(p, q, "3: ") ||
-               before(q, p, "4: ") || disjoint(p, q);
+        return apart(p, q, 0, "1: x extents") || apart(p, q, 1, "2: y extents") ||
+               behind(p, q, "3: ") || before(q, p, "4: ") || disjoint(p, q);
     }
 
     /// Tests 3 and 4 the other way round: whether q may be drawn before p.
-    bool other_first(const Item& p, const Item& q) { return behind(q, p, "3': ") || before(p, q, "4': "); }
+    bool other_first(const Item& p, const Item& q) {
+        return behind(q, p, "3': ") || before(p, q, "4': ");
+    }
 
     bool apart(const Item& p, const Item& q, std::size_t axis, const char* test) {
         output_.counts.extents += 1;
@@ -133,15 +140,16 @@ private:
         output_.counts.swaps += 1;
         if (log_.on()) decide({list_[q]}, "order", "to the far end");
         list_[q].moved = true;
-        std::rotate(list_.begin() + std::ptrdiff_t(q), list_.begin() + std::ptrdiff_t(q) + 1, list_.end());
+        std::rotate(list_.begin() + std::ptrdiff_t(q), list_.begin() + std::ptrdiff_t(q) + 1,
+                    list_.end());
         log_order();
         return false;
     }
 
-    /// p and the facets moved before it form a cycle, though each pair may have an order. Some facet of it
-    /// crosses the plane of another: were there none, a BSP tree of the cycle would cut nothing and its order
-    /// would satisfy every pair; no cycle then. So a cut is always found, but for rounding, whose limits are
-    /// Facet::tolerance and `border`.
+    /// p and the facets moved before it form a cycle, though each pair may have an order. Some
+    /// facet of it crosses the plane of another: were there none, a BSP tree of the cycle would cut
+    /// nothing and its order would satisfy every pair; no cycle then. So a cut is always found, but
+    /// for rounding, whose limits are Facet::tolerance and `border`.
     bool cut_in_cycle(std::size_t p) {
         std::vector<std::size_t> cycle{p};
         for (std::size_t i = p; i-- > 0;)
@@ -177,15 +185,16 @@ private:
 
     const Polygon& polygon(const Item& item) const { return input_.polygons[item.piece.polygon]; }
 
-    void log(std::initializer_list<std::reference_wrapper<const Item>> items, const std::string& test,
-             const char* result) {
+    void log(std::initializer_list<std::reference_wrapper<const Item>> items,
+             const std::string& test, const char* result) {
         if (log_.on()) log_.add({Level::Polygon, Action::Compare, ids(items), test, result});
     }
     void decide(std::initializer_list<std::reference_wrapper<const Item>> items, const char* test,
                 const char* result) {
         log_.add({Level::Polygon, Action::Decide, ids(items), test, result});
     }
-    std::vector<std::uint32_t> ids(std::initializer_list<std::reference_wrapper<const Item>> items) const {
+    std::vector<std::uint32_t> ids(
+        std::initializer_list<std::reference_wrapper<const Item>> items) const {
         std::vector<std::uint32_t> found;
         for (const Item& item : items) found.push_back(polygon(item).id);
         return found;

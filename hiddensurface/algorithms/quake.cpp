@@ -1,19 +1,19 @@
-// Sorted spans, as in Quake. M. Abrash: Graphics Programming Black Book, 1997, chapters 66 and 67, after
-// J. Carmack. The BSP tree gives every surface a key: its place near to far. The edges of all surfaces are
-// in one table, by their first lines; those that cross the line are sorted in x, the order of the line
-// above mended by exchanges of neighbours. From left to right a leading edge puts its surface on a stack
-// sorted by key, a trailing one takes it off; where the top changes, a span of the old top ends. No pixel
-// is drawn twice, and no depth is ever compared.
+// Sorted spans, as in Quake. M. Abrash: Graphics Programming Black Book, 1997, chapters 66 and 67,
+// after J. Carmack. The BSP tree gives every surface a key: its place near to far. The edges of all
+// surfaces are in one table, by their first lines; those that cross the line are sorted in x, the
+// order of the line above mended by exchanges of neighbours. From left to right a leading edge puts
+// its surface on a stack sorted by key, a trailing one takes it off; where the top changes, a span
+// of the old top ends. No pixel is drawn twice, and no depth is ever compared.
 //
-// Does not claim: an order without the tree; so surfaces that pierce each other are cut by it, and what
-// the snap turns over stays as the scene has it.
+// Does not claim: an order without the tree; so surfaces that pierce each other are cut by it, and
+// what the snap turns over stays as the scene has it.
 //
-// Left out: edges shared by two surfaces, keys by 1/z for moving models. The stack is a sorted list: work
-// grows with the surfaces open at once.
+// Left out: edges shared by two surfaces, keys by 1/z for moving models. The stack is a sorted
+// list: work grows with the surfaces open at once.
 //
 // Ours: both ends of a surface on every line are worked out ahead, since cuts lie between pixels.
-#include "hiddensurface/structures/active_faces.h"
 #include "hiddensurface/model/world_piece.h"
+#include "hiddensurface/structures/active_faces.h"
 
 #include <algorithm>
 #include <numeric>
@@ -41,17 +41,19 @@ struct Edge {
     int x(int y) const { return leading ? of->on(y).first : of->on(y).second; }
 };
 
-/// Of one facet: left to right on every line they touch, but for a facet that the snap has bent inwards,
-/// which gets more than one surface.
+/// Of one facet: left to right on every line they touch, but for a facet that the snap has bent
+/// inwards, which gets more than one surface.
 std::vector<Surface> surfaces_of(std::vector<Run> runs, std::size_t key, std::uint32_t id) {
-    std::stable_sort(runs.begin(), runs.end(),
-                     [](const Run& a, const Run& b) { return a.y != b.y ? a.y > b.y : a.x0 < b.x0; });
+    std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
+        return a.y != b.y ? a.y > b.y : a.x0 < b.x0;
+    });
     std::vector<Surface> surfaces;
     for (const Run& run : runs) {
         const auto at = std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& s) {
             return s.ends_above(run.y) || s.on(run.y).second == run.x0;
         });
-        Surface& s = at != surfaces.end() ? *at : surfaces.emplace_back(Surface{key, id, run.y, {}});
+        Surface& s =
+            at != surfaces.end() ? *at : surfaces.emplace_back(Surface{key, id, run.y, {}});
         if (!s.ends_above(run.y)) {
             s.lines.back().second = run.x1;
             continue;
@@ -88,25 +90,27 @@ private:
         std::iota(order.begin(), order.end(), std::size_t{0});
         const Tree tree =
             build_tree(input_.polygons, order, candidates,
-                       [&](const TreePiece& piece, FacetIndex by, const auto& back, const auto& front) {
-                           log_split(input_, piece, by, back, front, log_);
-                       });
+                       [&](const TreePiece& piece, FacetIndex by, const auto& back,
+                           const auto& front) { log_split(input_, piece, by, back, front, log_); });
         output_.counts.planes = tree.plane_tests;
         output_.counts.nodes = tree.nodes;
         output_.counts.splits = tree.splits;
         std::size_t key = tree.pieces;
-        output_.counts.facings = far_to_near(tree, eye_of(input_.view), [&](const TreePiece& piece) {
-            key -= 1;
-            Piece drawn = window_piece(input_, piece);
-            const Polygon& polygon = input_.polygons[drawn.polygon];
-            for (Surface& s : surfaces_of(runs_of(drawn, polygon, input_.subpixel_bits(), input_.window()),
-                                          key, polygon.id)) {
-                output_.counts.peak_bytes += sizeof(Surface) + s.lines.size() * sizeof(s.lines[0]);
-                const int top = s.top;
-                table_[std::size_t(top)].push_back(std::move(s));
-            }
-            if (drawn.count > 0) output_.pieces.push_back(std::move(drawn));
-        });
+        output_.counts.facings =
+            far_to_near(tree, eye_of(input_.view), [&](const TreePiece& piece) {
+                key -= 1;
+                Piece drawn = window_piece(input_, piece);
+                const Polygon& polygon = input_.polygons[drawn.polygon];
+                for (Surface& s :
+                     surfaces_of(runs_of(drawn, polygon, input_.subpixel_bits(), input_.window()),
+                                 key, polygon.id)) {
+                    output_.counts.peak_bytes +=
+                        sizeof(Surface) + s.lines.size() * sizeof(s.lines[0]);
+                    const int top = s.top;
+                    table_[std::size_t(top)].push_back(std::move(s));
+                }
+                if (drawn.count > 0) output_.pieces.push_back(std::move(drawn));
+            });
     }
 
     void update_edges(int y) {
@@ -146,8 +150,12 @@ private:
     }
 
     void log_stack(int x, int y) {
-        Step step{
-            Level::Span, Action::Decide, {}, "surface stack", stack_.empty() ? "empty" : "another on top", y};
+        Step step{Level::Span,
+                  Action::Decide,
+                  {},
+                  "surface stack",
+                  stack_.empty() ? "empty" : "another on top",
+                  y};
         for (const Surface* surface : stack_) step.polygons.push_back(surface->id);
         step.before = {{dvec3(x, y, 0), dvec3(std::min(x + 1, input_.view.width), y, 0)}};
         log_.add(std::move(step));

@@ -1,5 +1,5 @@
-// The scan-line algorithm [L6] as one of many: its visible spans, drawn. Beside the edge table it remembers
-// one line.
+// The scan-line algorithm [L6] as one of many: its visible spans, drawn. Beside the edge table it
+// remembers one line.
 #include "hiddensurface/structures/visible_spans.h"
 
 namespace gw::hiddensurface {
@@ -10,7 +10,8 @@ Output run(const Input& input, StepLog& log) {
     Output output{.list = begin_picture(input, "scan-line")};
     for_visible_spans(input, output.counts, log, [&](const std::vector<VisibleSpan>& line) {
         std::vector<Painted> painted;
-        for (const VisibleSpan& span : line) painted.push_back({span.run, input.polygons[span.polygon].id});
+        for (const VisibleSpan& span : line)
+            painted.push_back({span.run, input.polygons[span.polygon].id});
         if (!line.empty()) draw_line(line.front().run.y, std::move(painted), output, log);
     });
     return output;

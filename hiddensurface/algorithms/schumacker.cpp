@@ -1,19 +1,19 @@
-// Schumacker's clusters and a-priori order. R. A. Schumacker, B. Brand, M. Gilliland, W. Sharp: Study for
-// Applying Computer-Generated Images to Visual Simulation, US Air Force AFHRL-TR-69-14, 1969. Faces that
-// can have priorities that hold for every eye, back faces apart, are a cluster: a face that hides another
-// from any eye has the smaller number. Clusters are separated by planes; the eye's side of each plane
-// gives their order, as later in the BSP tree. All of it is worked out before the eye is known; for an eye
-// nothing is sorted.
+// Schumacker's clusters and a-priori order. R. A. Schumacker, B. Brand, M. Gilliland, W. Sharp:
+// Study for Applying Computer-Generated Images to Visual Simulation, US Air Force AFHRL-TR-69-14,
+// 1969. Faces that can have priorities that hold for every eye, back faces apart, are a cluster: a
+// face that hides another from any eye has the smaller number. Clusters are separated by planes;
+// the eye's side of each plane gives their order, as later in the BSP tree. All of it is worked out
+// before the eye is known; for an eye nothing is sorted.
 //
-// Does not claim: priorities where faces hide each other in a cycle, or pierce. The original left it to
-// the scene's author to keep such faces in different clusters; here a set without priorities is divided by
-// a plane between its faces, or where there is none by the plane of a face, which cuts others (counted:
-// splits). Every face of a cluster is compared with every other: quadratic, so clusters are of 512 faces
-// at most, but for convex solids.
+// Does not claim: priorities where faces hide each other in a cycle, or pierce. The original left
+// it to the scene's author to keep such faces in different clusters; here a set without priorities
+// is divided by a plane between its faces, or where there is none by the plane of a face, which
+// cuts others (counted: splits). Every face of a cluster is compared with every other: quadratic,
+// so clusters are of 512 faces at most, but for convex solids.
 //
 // Ours: both sides of every face, since the machine draws both.
-#include "hiddensurface/structures/clusters.h"
 #include "hiddensurface/model/world_piece.h"
+#include "hiddensurface/structures/clusters.h"
 
 #include <fmt/format.h>
 
@@ -25,27 +25,27 @@ Output run(const Input& input, StepLog& log) {
     Output output{.list = begin_picture(input, "Schumacker's clusters")};
     if (input.polygons.empty()) return output;
     const ClusterTree tree = build_clusters(
-        input.polygons, [&](const TreePiece& piece, FacetIndex by, const auto& back, const auto& front) {
-            log_split(input, piece, by, back, front, log);
-        });
+        input.polygons, [&](const TreePiece& piece, FacetIndex by, const auto& back,
+                            const auto& front) { log_split(input, piece, by, back, front, log); });
     output.counts.planes = tree.plane_tests;
     output.counts.nodes = tree.clusters + tree.separations;
     output.counts.splits = tree.splits;
     output.counts.undecided = tree.cyclic;
     output.counts.peak_bytes = output.counts.nodes * sizeof(ClusterNode) +
                                tree.pieces * (sizeof(TreePiece) + 2 * sizeof(RankedSide));
-    output.counts.facings = far_to_near(tree, input.polygons, eye_of(input.view),
-                                        [&](const TreePiece& piece, const RankedSide& side) {
-                                            const Piece drawn = window_piece(input, piece);
-                                            if (drawn.count == 0) return;
-                                            if (log.on())
-                                                log.add({Level::Polygon,
-                                                         Action::Decide,
-                                                         {input.polygons[drawn.polygon].id},
-                                                         side.front ? "front side" : "back side",
-                                                         fmt::format("priority {}", side.priority)});
-                                            draw_piece(input, drawn, output, log);
-                                        });
+    output.counts.facings =
+        far_to_near(tree, input.polygons, eye_of(input.view),
+                    [&](const TreePiece& piece, const RankedSide& side) {
+                        const Piece drawn = window_piece(input, piece);
+                        if (drawn.count == 0) return;
+                        if (log.on())
+                            log.add({Level::Polygon,
+                                     Action::Decide,
+                                     {input.polygons[drawn.polygon].id},
+                                     side.front ? "front side" : "back side",
+                                     fmt::format("priority {}", side.priority)});
+                        draw_piece(input, drawn, output, log);
+                    });
     return output;
 }
 

@@ -1,13 +1,13 @@
-// Warnock's area subdivision. J. E. Warnock: A Hidden Surface Algorithm for Computer Generated Halftone
-// Pictures, University of Utah TR 4-15, 1969. A window in which the picture is simple is drawn; another is
-// cut into four, down to the pixel. Simple is: nothing in it; one face; or a face around all of the window
-// that is nearer than all others at its four corners. Windows are of pixels' centres, so the last one, the
-// pixel, is decided at its centre. Faces that pierce each other need nothing special: their windows are
-// cut to pixels.
+// Warnock's area subdivision. J. E. Warnock: A Hidden Surface Algorithm for Computer Generated
+// Halftone Pictures, University of Utah TR 4-15, 1969. A window in which the picture is simple is
+// drawn; another is cut into four, down to the pixel. Simple is: nothing in it; one face; or a face
+// around all of the window that is nearer than all others at its four corners. Windows are of
+// pixels' centres, so the last one, the pixel, is decided at its centre. Faces that pierce each
+// other need nothing special: their windows are cut to pixels.
 //
-// Does not claim: to find edges finer than a pixel (Warnock's line drawings went on below), or few windows
-// where coplanar faces overlap or faces pierce: along those lines all windows are pixels. Work grows with
-// the length of the visible edges, not with the square of the faces.
+// Does not claim: to find edges finer than a pixel (Warnock's line drawings went on below), or few
+// windows where coplanar faces overlap or faces pierce: along those lines all windows are pixels.
+// Work grows with the length of the visible edges, not with the square of the faces.
 #include "hiddensurface/model/face.h"
 
 #include <algorithm>
@@ -36,8 +36,8 @@ public:
     }
 
 private:
-    /// Warnock's looker. `around`: faces that surround the window that this one was cut from, and so this
-    /// one; `others`: those that reached into it.
+    /// Warnock's looker. `around`: faces that surround the window that this one was cut from, and
+    /// so this one; `others`: those that reached into it.
     void look(const Rect& window, FaceList around, const FaceList& others) {
         output_.counts.nodes += 1;
         FaceList inside;
@@ -49,7 +49,8 @@ private:
         }
         drop_what_is_behind(window, around, inside);
         held_ += around.size() + inside.size();
-        output_.counts.peak_bytes = std::max<std::uint64_t>(output_.counts.peak_bytes, held_ * sizeof(Face*));
+        output_.counts.peak_bytes =
+            std::max<std::uint64_t>(output_.counts.peak_bytes, held_ * sizeof(Face*));
         think(window, around, inside);
         held_ -= around.size() + inside.size();
     }
@@ -57,7 +58,8 @@ private:
     /// The thinker: draws, or asks for four looks.
     void think(const Rect& w, const FaceList& around, const FaceList& inside) {
         if (around.empty() && inside.empty()) return log(w, {}, "empty");
-        if (around.size() == 1 && inside.empty()) return fill(w, *around[0], "surrounded, before all others");
+        if (around.size() == 1 && inside.empty())
+            return fill(w, *around[0], "surrounded, before all others");
         if (around.empty() && inside.size() == 1) return fill(w, *inside[0], "one face");
         if (w.width == 1 && w.height == 1) return one_pixel(w, around, inside);
         log(w, inside.empty() ? around : inside, "not simple");

@@ -1,16 +1,17 @@
-// Watkins' scan-line algorithm. G. S. Watkins: A Real Time Visible Surface Algorithm, University of Utah
-// UTEC-CSc-70-101, 1970. Segments of the line, sorted by their left ends: the order of the line above,
-// mended by exchanges of neighbours. Sample spans are guessed: where the line above had the end of a
-// visible span, this one probably has too. In a span, the segment nearest at its left end is the
-// candidate; each other one is behind it by the boxes of their depths, or by depths at both ends; or it
-// comes into view, and the span ends there. So only edges that are seen end spans, and a span that is
-// guessed well takes one look.
+// Watkins' scan-line algorithm. G. S. Watkins: A Real Time Visible Surface Algorithm, University of
+// Utah UTEC-CSc-70-101, 1970. Segments of the line, sorted by their left ends: the order of the
+// line above, mended by exchanges of neighbours. Sample spans are guessed: where the line above had
+// the end of a visible span, this one probably has too. In a span, the segment nearest at its left
+// end is the candidate; each other one is behind it by the boxes of their depths, or by depths at
+// both ends; or it comes into view, and the span ends there. So only edges that are seen end spans,
+// and a span that is guessed well takes one look.
 //
-// Does not claim: anything for pictures whose lines differ much from line to line; its worst case is all
-// segments in every span. Segments that pierce each other are handled, by the search for where they do.
+// Does not claim: anything for pictures whose lines differ much from line to line; its worst case
+// is all segments in every span. Segments that pierce each other are handled, by the search for
+// where they do.
 //
-// Ours: pixels; the two ends of a face are one segment where Watkins joined edges; a guess too short is
-// joined to its neighbour.
+// Ours: pixels; the two ends of a face are one segment where Watkins joined edges; a guess too
+// short is joined to its neighbour.
 #include "hiddensurface/structures/active_faces.h"
 
 #include <algorithm>
@@ -33,9 +34,10 @@ public:
             active_.next_line();
             update_segments();
             line(y);
-            output_.counts.peak_bytes = std::max<std::uint64_t>(
-                output_.counts.peak_bytes,
-                active_.bytes() + segments_.size() * sizeof(ActiveFace*) + ends_.size() * sizeof(int));
+            output_.counts.peak_bytes =
+                std::max<std::uint64_t>(output_.counts.peak_bytes,
+                                        active_.bytes() + segments_.size() * sizeof(ActiveFace*) +
+                                            ends_.size() * sizeof(int));
             keep_ends();
             draw_line(y, std::move(painted_), output_, log_);
             painted_ = {};
@@ -102,8 +104,9 @@ private:
         for (const int x : {common.x0, common.x1 - 1}) {
             output_.counts.depths += 1;
             if (!is_nearer(*other.face, *candidate.face, x, run.y)) continue;
-            return x == common.x0 ? x
-                                  : first_nearer(*other.face, *candidate.face, common, output_.counts.depths);
+            return x == common.x0
+                       ? x
+                       : first_nearer(*other.face, *candidate.face, common, output_.counts.depths);
         }
         return run.x1;
     }
@@ -118,12 +121,16 @@ private:
     }
 
     void log_span(const Run& run, const ActiveFace* candidate) {
-        Step step{
-            Level::Span, Action::Compare, {}, "nearest at the left end", candidate ? "seen so far" : "none",
-            run.y};
+        Step step{Level::Span,
+                  Action::Compare,
+                  {},
+                  "nearest at the left end",
+                  candidate ? "seen so far" : "none",
+                  run.y};
         if (candidate) step.polygons.push_back(input_.polygons[candidate->face->polygon].id);
         for (const ActiveFace* other : over_)
-            if (other != candidate) step.polygons.push_back(input_.polygons[other->face->polygon].id);
+            if (other != candidate)
+                step.polygons.push_back(input_.polygons[other->face->polygon].id);
         step.before = {{dvec3(run.x0, run.y, 0), dvec3(run.x1, run.y, 0)}};
         log_.add(std::move(step));
     }
@@ -133,9 +140,10 @@ private:
     Output output_;
     std::vector<Face> faces_;
     ActiveFaces active_;
-    std::vector<const ActiveFace*> segments_;  ///< sorted by their left ends, kept from line to line
-    std::vector<const ActiveFace*> over_;      ///< those in the span
-    std::vector<int> ends_;                    ///< of the visible spans of the line above
+    /// sorted by their left ends, kept from line to line
+    std::vector<const ActiveFace*> segments_;
+    std::vector<const ActiveFace*> over_;  ///< those in the span
+    std::vector<int> ends_;                ///< of the visible spans of the line above
     std::vector<Painted> painted_;
 };
 

@@ -1,16 +1,17 @@
-// Weiler and Atherton's algorithm. K. Weiler, P. Atherton: Hidden Surface Removal Using Polygon Area
-// Sorting, SIGGRAPH 1977. In the window, after perspective: the polygon with the nearest corner is the
-// clip polygon, and all others are clipped by its outline, whole though parts of it may be hidden already.
-// What falls inside and lies behind it is hidden. Where some of the inside lies before it, the inside is
-// sorted out in the same way first, clipped by one of those; a polygon that was the clip polygon on the
-// way there is not taken again, so that cyclic overlap ends. Then the outside is next. The result is
-// polygons, of any outline and with holes; each pixel is drawn once. Polygons that pierce are cut where
-// their planes meet.
+// Weiler and Atherton's algorithm. K. Weiler, P. Atherton: Hidden Surface Removal Using Polygon
+// Area Sorting, SIGGRAPH 1977. In the window, after perspective: the polygon with the nearest
+// corner is the clip polygon, and all others are clipped by its outline, whole though parts of it
+// may be hidden already.
+// What falls inside and lies behind it is hidden. Where some of the inside lies before it, the
+// inside is sorted out in the same way first, clipped by one of those; a polygon that was the clip
+// polygon on the way there is not taken again, so that cyclic overlap ends. Then the outside is
+// next. The result is polygons, of any outline and with holes; each pixel is drawn once. Polygons
+// that pierce are cut where their planes meet.
 //
-// Does not claim: to be fast. Every clip polygon looks at all that is left: inherently quadratic in what
-// is seen (76,460 polygons of scenes/fig9.toml in 320 x 240: 983 million boxes, 435 thousand polygons
-// clipped). The paper sorts the scene into a coarse raster first; that is left out. Clip polygons are
-// convex here: faces.
+// Does not claim: to be fast. Every clip polygon looks at all that is left: inherently quadratic in
+// what is seen (76,460 polygons of scenes/fig9.toml in 320 x 240: 983 million boxes, 435 thousand
+// polygons clipped). The paper sorts the scene into a coarse raster first; that is left out. Clip
+// polygons are convex here: faces.
 #include "hiddensurface/structures/region.h"
 
 #include <algorithm>
@@ -50,7 +51,8 @@ public:
             return faces_[a->face].nearest < faces_[b->face].nearest;
         });
         sort_out(std::move(all));
-        output_.counts.peak_bytes = fragments_.size() * sizeof(Fragment) + sides_ * sizeof(std::size_t);
+        output_.counts.peak_bytes =
+            fragments_.size() * sizeof(Fragment) + sides_ * sizeof(std::size_t);
         return std::move(output_);
     }
 
@@ -70,12 +72,13 @@ private:
         return &fragments_.back();
     }
 
-    /// Nearest first, and all of it inside the clip polygons on the way here. What was clipped by a face
-    /// never meets it again: all its fragments in the list are inside then.
+    /// Nearest first, and all of it inside the clip polygons on the way here. What was clipped by a
+    /// face never meets it again: all its fragments in the list are inside then.
     void sort_out(FragmentList list) {
         while (!list.empty()) {
-            const auto nearest = std::find_if(list.begin(), list.end(),
-                                              [this](const Fragment* f) { return !on_the_way_[f->face]; });
+            const auto nearest = std::find_if(list.begin(), list.end(), [this](const Fragment* f) {
+                return !on_the_way_[f->face];
+            });
             if (nearest == list.end()) break;
             const std::size_t clip = (*nearest)->face;
             FragmentList inside, outside;
@@ -89,7 +92,8 @@ private:
         for (const Fragment* fragment : list) show(*fragment);
     }
 
-    void sort_in(Fragment& fragment, std::size_t clip, FragmentList& inside, FragmentList& outside) {
+    void sort_in(Fragment& fragment, std::size_t clip, FragmentList& inside,
+                 FragmentList& outside) {
         if (fragment.face == clip) return inside.push_back(&fragment);
         if (misses(fragment, clip)) return outside.push_back(&fragment);
         output_.counts.overlaps += 1;
@@ -108,14 +112,14 @@ private:
         const Rect& b = faces_[clip].bounds;
         const double one = double(1 << input_.subpixel_bits());
         output_.counts.extents += 1;
-        if (f.low.x >= (b.x + b.width) * one || f.high.x <= b.x * one || f.low.y >= (b.y + b.height) * one ||
-            f.high.y <= b.y * one)
+        if (f.low.x >= (b.x + b.width) * one || f.high.x <= b.x * one ||
+            f.low.y >= (b.y + b.height) * one || f.high.y <= b.y * one)
             return true;
         return lines_.separates(outlines_[clip], f.region);
     }
 
-    /// What of the region, of a face, lies before the clip polygon's plane; where the two are one, the
-    /// scene's first is before.
+    /// What of the region, of a face, lies before the clip polygon's plane; where the two are one,
+    /// the scene's first is before.
     Region before(std::size_t face, Region region, std::size_t clip) {
         output_.counts.planes += 1;
         const dvec3 apart = farther(face) - farther(clip);
@@ -123,8 +127,8 @@ private:
         for (const Contour& contour : region)
             for (const dvec2& p : lines_.corners(contour)) {
                 const double d = apart.x * p.x + apart.y * p.y + apart.z;
-                const double rounding =
-                    0x1p-44 * (std::abs(apart.x * p.x) + std::abs(apart.y * p.y) + std::abs(apart.z) + 1);
+                const double rounding = 0x1p-44 * (std::abs(apart.x * p.x) +
+                                                   std::abs(apart.y * p.y) + std::abs(apart.z) + 1);
                 if (d < -rounding) low = std::min(low, d);
                 if (d > rounding) high = std::max(high, d);
             }
@@ -151,7 +155,9 @@ private:
     /// apart < 0, in integers: off by less than 2^-10 of a grid unit in a window.
     static LineEquation where_nearer(const dvec3& apart) {
         const double scale = 0x1p28 / std::max(std::abs(apart.x), std::abs(apart.y));
-        const auto integer = [scale](double v) { return -static_cast<std::int64_t>(std::round(v * scale)); };
+        const auto integer = [scale](double v) {
+            return -static_cast<std::int64_t>(std::round(v * scale));
+        };
         return {integer(apart.x), integer(apart.y), integer(apart.z)};
     }
 
@@ -214,11 +220,12 @@ private:
 }  // namespace
 
 Algorithm weiler_atherton() {
-    return {.place = 84,
-            .name = "weiler-atherton",
-            .title = "Weiler and Atherton: polygons clipped by polygons (1977)",
-            .claim = Claim::Always,
-            .run = [](const Input& input, StepLog& log) { return WeilerAtherton(input, log).run(); }};
+    return {
+        .place = 84,
+        .name = "weiler-atherton",
+        .title = "Weiler and Atherton: polygons clipped by polygons (1977)",
+        .claim = Claim::Always,
+        .run = [](const Input& input, StepLog& log) { return WeilerAtherton(input, log).run(); }};
 }
 
 }  // namespace gw::hiddensurface

@@ -1,5 +1,6 @@
-// The Z-buffer [L8]: the machine's own. The list draws the scene's meshes; the step log and the comparisons
-// are worked out beside it, by scan conversion and increments of z, and come out the same.
+// The Z-buffer [L8]: the machine's own. The list draws the scene's meshes; the step log and the
+// comparisons are worked out beside it, by scan conversion and increments of z, and come out the
+// same.
 #include "hiddensurface/run/algorithm.h"
 #include "hiddensurface/structures/scan_conversion.h"
 #include "scene/draw/draw_commands.h"
@@ -24,14 +25,17 @@ public:
             for (const Run& run : scan_convert(t.corners, input_.subpixel_bits(), input_.window()))
                 draw(run, t.depth, polygon.id, painted);
         if (log_.on() && !log_.wants(Level::Pixel) && !painted.empty())
-            log_.add({Level::Polygon, Action::Draw, {polygon.id}, "z < Z", "", -1, std::move(painted)});
+            log_.add(
+                {Level::Polygon, Action::Draw, {polygon.id}, "z < Z", "", -1, std::move(painted)});
     }
 
 private:
-    void draw(const Run& run, const DepthPlane& depth, std::uint32_t id, std::vector<Painted>& painted) {
+    void draw(const Run& run, const DepthPlane& depth, std::uint32_t id,
+              std::vector<Painted>& painted) {
         DepthWalk walk(depth, run.x0, run.y);
         for (int x = run.x0; x < run.x1; ++x, walk.right()) {
-            std::int64_t& stored = z_[std::size_t(run.y) * std::size_t(input_.view.width) + std::size_t(x)];
+            std::int64_t& stored =
+                z_[std::size_t(run.y) * std::size_t(input_.view.width) + std::size_t(x)];
             const bool passes = walk.z() < stored;
             compared_ += 1;
             if (passes) stored = walk.z();

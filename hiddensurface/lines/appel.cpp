@@ -19,7 +19,8 @@ Box box_of(std::initializer_list<GridPoint> points) {
     Box box{*points.begin(), *points.begin()};
     for (const GridPoint& p : points) {
         box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y),
+                    std::max(box.high.z, p.z)};
     }
     return box;
 }
@@ -41,7 +42,10 @@ struct Change {
 class Appel {
 public:
     Appel(const Input& input, StepLog& log)
-        : scene_(window_lines(input)), log_(log), known_(scene_.corners.size()), seen_(scene_.sides.size()) {
+        : scene_(window_lines(input)),
+          log_(log),
+          known_(scene_.corners.size()),
+          seen_(scene_.sides.size()) {
         for (const WindowFace& f : scene_.faces)
             face_boxes_.push_back(box_of({at(f.corner[0]), at(f.corner[1]), at(f.corner[2])}));
         for (std::size_t s = 0; s < scene_.sides.size(); ++s) {
@@ -97,7 +101,8 @@ private:
         if (!begins || !ends || !contours_crossed(s, from, to, changes) ||
             !faces_pierced(s, from, to, changes))
             return false;
-        std::sort(changes.begin(), changes.end(), [](const Change& x, const Change& y) { return x.t < y.t; });
+        std::sort(changes.begin(), changes.end(),
+                  [](const Change& x, const Change& y) { return x.t < y.t; });
         int number = *known_[from] + *begins;
         std::vector<Part> hidden;
         double since = 0;
@@ -144,13 +149,15 @@ private:
         if (carries_b && at_b) known_[side.b] = ends - *at_b;
     }
 
-    /// The corner, not the face's own, lies on its border in the window and not before it, or on the face.
+    /// The corner, not the face's own, lies on its border in the window and not before it, or on
+    /// the face.
     bool touches(std::size_t f, std::size_t corner) {
         const WindowFace& face = scene_.faces[f];
         if (has_corner(face, corner)) return false;
         bool border = false;
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::int64_t t = turn(at(face.corner[k]), at(face.corner[(k + 1) % 3]), at(corner));
+            const std::int64_t t =
+                turn(at(face.corner[k]), at(face.corner[(k + 1) % 3]), at(corner));
             if (t < 0) return false;
             border = border || t == 0;
         }
@@ -161,8 +168,8 @@ private:
         return std::find(face.corner.begin(), face.corner.end(), corner) != face.corner.end();
     }
 
-    /// How many of the faces at a corner hide the beginning of the side from there to `to`; none: the side
-    /// runs along one of them in the window, behind it.
+    /// How many of the faces at a corner hide the beginning of the side from there to `to`; none:
+    /// the side runs along one of them in the window, behind it.
     std::optional<int> hiding_at(std::size_t corner, std::size_t to) {
         int count = 0;
         for (const std::size_t f : scene_.faces_at[corner]) {
@@ -170,8 +177,8 @@ private:
             if (has_corner(face, to)) continue;
             output_.counts.planes += 1;
             if (behind(scene_, face, at(to)) <= 0) continue;
-            const auto k =
-                std::size_t(std::find(face.corner.begin(), face.corner.end(), corner) - face.corner.begin());
+            const auto k = std::size_t(std::find(face.corner.begin(), face.corner.end(), corner) -
+                                       face.corner.begin());
             const std::int64_t right = turn(at(corner), at(face.corner[(k + 1) % 3]), at(to)),
                                left = turn(at(face.corner[(k + 2) % 3]), at(corner), at(to));
             if (right < 0 || left < 0) continue;
@@ -182,7 +189,8 @@ private:
     }
 
     /// False: they touch in the window, and the number cannot be told from the crossings alone.
-    bool contours_crossed(std::size_t s, std::size_t from, std::size_t to, std::vector<Change>& changes) {
+    bool contours_crossed(std::size_t s, std::size_t from, std::size_t to,
+                          std::vector<Change>& changes) {
         const GridPoint &a = at(from), &b = at(to);
         for (const std::size_t c : contours_) {
             if (c == s) continue;
@@ -201,7 +209,8 @@ private:
             } else if (!cross(contour, a, b, changes)) {
                 return false;
             }
-            if (changes.size() > before) log_change(s, contour.id, "passes behind a contour", changes.back());
+            if (changes.size() > before)
+                log_change(s, contour.id, "passes behind a contour", changes.back());
         }
         return true;
     }
@@ -231,7 +240,8 @@ private:
         // z of both at the crossing, times positive (oa - ob) (oc - od).
         const int128 of_line = a.z * (oa - ob) + (b.z - a.z) * oa,
                      of_contour = c.z * (oc - od) + (d.z - c.z) * oc;
-        const int order = sign(of_contour * (oa - ob) - of_line * (oc - od)) * sign(oa - ob) * sign(oc - od);
+        const int order =
+            sign(of_contour * (oa - ob) - of_line * (oc - od)) * sign(oa - ob) * sign(oc - od);
         if (order == 0) return false;
         const int delta = oa > 0 ? contour.right - contour.left : contour.left - contour.right;
         if (order < 0) changes.push_back({double(oa) / double(oa - ob), delta});
@@ -239,14 +249,17 @@ private:
     }
 
     /// False: the line touches a face's border, or the face with its end.
-    bool faces_pierced(std::size_t s, std::size_t from, std::size_t to, std::vector<Change>& changes) {
+    bool faces_pierced(std::size_t s, std::size_t from, std::size_t to,
+                       std::vector<Change>& changes) {
         const GridPoint &a = at(from), &b = at(to);
         for (std::size_t f = 0; f < scene_.faces.size(); ++f) {
             output_.counts.extents += 1;
-            if (!may_hide(face_boxes_[f], side_boxes_[s]) || face_boxes_[f].high.z < side_boxes_[s].low.z)
+            if (!may_hide(face_boxes_[f], side_boxes_[s]) ||
+                face_boxes_[f].high.z < side_boxes_[s].low.z)
                 continue;
             const WindowFace& face = scene_.faces[f];
-            if (has_corner(face, from) || has_corner(face, to)) continue;  // meets the plane at that corner
+            // meets the plane at that corner
+            if (has_corner(face, from) || has_corner(face, to)) continue;
             output_.counts.planes += 1;
             const int128 ga = behind(scene_, face, a), gb = behind(scene_, face, b);
             if (sign(ga) * sign(gb) > 0 || (ga == 0 && gb == 0)) continue;
@@ -260,7 +273,8 @@ private:
     }
 
     /// Where the line goes through the plane: 1 inside the face, 0 on its border, -1 outside.
-    int place(const WindowFace& face, const GridPoint& a, const GridPoint& b, int128 ga, int128 gb) const {
+    int place(const WindowFace& face, const GridPoint& a, const GridPoint& b, int128 ga,
+              int128 gb) const {
         int least = 1;
         for (std::size_t k = 0; k < 3; ++k) {
             const GridPoint &p = at(face.corner[k]), &q = at(face.corner[(k + 1) % 3]);
@@ -287,7 +301,8 @@ LineAlgorithm appel() {
     return {
         .name = "appel",
         .title = "Appel 1967: quantitative invisibility",
-        .claim = "right for any faces, also where they go through each other; draws no lines where they do",
+        .claim =
+            "right for any faces, also where they go through each other; draws no lines where they do",
         .run = [](const Input& input, StepLog& log) { return Appel(input, log).run(); }};
 }
 

@@ -1,9 +1,9 @@
 #include "hiddensurface/lines/bodies.h"
 
-#include "hiddensurface/structures/bsp_tree.h"
 #include "hiddensurface/lines/world_lines.h"
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/model/piece.h"
+#include "hiddensurface/structures/bsp_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,8 @@ dvec3 middle_of(const Loop& loop) {
     return sum / double(loop.size());
 }
 
-/// Whether a solid is convex takes time with the square of these; larger ones are taken piece by piece.
+/// Whether a solid is convex takes time with the square of these; larger ones are taken piece by
+/// piece.
 constexpr std::size_t most_facets = 4096;
 
 /// A plane piece of a polygon that belongs to a figure.
@@ -52,7 +53,10 @@ struct Figure {
 class Maker {
 public:
     Maker(const Input& input, LineCounts& counts)
-        : input_(input), counts_(counts), eye_(eye_of(input.view)), near_(unit(near_plane_of(input.view))) {
+        : input_(input),
+          counts_(counts),
+          eye_(eye_of(input.view)),
+          near_(unit(near_plane_of(input.view))) {
         out_.tolerance = world_tolerance(input.polygons);
         for (const std::vector<std::size_t>& figure : figures()) add(figure);
     }
@@ -70,8 +74,10 @@ private:
         std::map<std::pair<std::size_t, Key>, std::size_t> first;
         for (std::size_t i = 0; i < parent.size(); ++i)
             for (const dvec3& p : input_.polygons[i].world) {
-                const auto [found, is_new] = first.try_emplace({input_.polygons[i].object, key_of(p)}, i);
-                parent[std::max(root(i), root(found->second))] = std::min(root(i), root(found->second));
+                const auto [found, is_new] =
+                    first.try_emplace({input_.polygons[i].object, key_of(p)}, i);
+                parent[std::max(root(i), root(found->second))] =
+                    std::min(root(i), root(found->second));
             }
         std::vector<std::vector<std::size_t>> found(parent.size());
         for (std::size_t i = 0; i < parent.size(); ++i) found[root(i)].push_back(i);
@@ -123,7 +129,8 @@ private:
     bool turn_outwards(Figure& figure) const {
         const dvec3 middle = middle_of(*figure.facets[0].loop);
         double least = 0;
-        for (const Facet3& facet : figure.facets) least = std::min(least, side(facet.plane, middle));
+        for (const Facet3& facet : figure.facets)
+            least = std::min(least, side(facet.plane, middle));
         for (Facet3& facet : figure.facets) {
             if (least >= -out_.tolerance) facet.plane = -facet.plane;
             for (const Facet3& other : figure.facets)
@@ -146,7 +153,9 @@ private:
         out_.bodies.push_back(std::move(body));
     }
 
-    static dvec3 point(const Key& key) { return {std::get<0>(key), std::get<1>(key), std::get<2>(key)}; }
+    static dvec3 point(const Key& key) {
+        return {std::get<0>(key), std::get<1>(key), std::get<2>(key)};
+    }
 
     /// The plane through the eye and p -> q, `inside` on its positive side.
     void add_contour(const dvec3& p, const dvec3& q, const dvec3& inside, Body& body) const {
@@ -173,7 +182,8 @@ private:
             for (std::size_t k = 0; k < loop.size(); ++k) {
                 const dvec3 &p = loop[k], &q = loop[(k + 1) % loop.size()];
                 const SideKey key = key_of(p, q);
-                if (p == q || !done_.insert({{input_.polygons[i].object, key}, true}).second) continue;
+                if (p == q || !done_.insert({{input_.polygons[i].object, key}, true}).second)
+                    continue;
                 WorldSide side{p, q, input_.polygons[i].id, solid ? solids_ : 0};
                 const auto facets = figure.facets_of.find(key);
                 side.back = solid && facets != figure.facets_of.end() &&

@@ -1,5 +1,6 @@
-// Convex bodies of a scene, as what Roberts' algorithm compares lines with: a closed convex solid is one
-// body; every other plane convex piece of a polygon is a (flat) body by itself. Does not compare.
+// Convex bodies of a scene, as what Roberts' algorithm compares lines with: a closed convex solid
+// is one body; every other plane convex piece of a polygon is a (flat) body by itself. Does not
+// compare.
 #pragma once
 
 #include "hiddensurface/lines/line_algorithm.h"
@@ -14,8 +15,8 @@ struct WorldSide {
     bool back = false;      ///< of a solid, both faces look away
 };
 
-/// Hides what lies on the positive side of all its planes. `planes`: of faces that look at the eye (behind
-/// them), and through the eye and the contour (inside it); normals of length 1.
+/// Hides what lies on the positive side of all its planes. `planes`: of faces that look at the eye
+/// (behind them), and through the eye and the contour (inside it); normals of length 1.
 struct Body {
     std::vector<dvec4> planes;
     std::size_t solid = 0;  ///< as WorldSide::solid

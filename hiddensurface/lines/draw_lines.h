@@ -12,11 +12,14 @@ CommandList draw_lines(const Input& input, const std::string& name, const std::v
 struct LineResult {
     LineCounts counts;
     std::vector<Line> lines;
-    std::vector<bool> lit, z_buffer;  ///< of every pixel, bottom row first: this picture, hidden_lines()'
+    /// of every pixel, bottom row first: this picture, hidden_lines()'
+    std::vector<bool> lit, z_buffer;
 };
-/// Runs the algorithm, draws its lines on a machine of the view's size, and compares the pixels with those of
-/// the Z-buffer's hidden-line picture: `missing` and `extra` in the counts. That picture has faces a little
-/// behind their own sides (styles.h), so it is not the truth to the pixel.
-LineResult run_on(Machine& machine, const LineAlgorithm& algorithm, const Input& input, StepLog& log);
+/// Runs the algorithm, draws its lines on a machine of the view's size, and compares the pixels
+/// with those of the Z-buffer's hidden-line picture: `missing` and `extra` in the counts. That
+/// picture has faces a little behind their own sides (styles.h), so it is not the truth to the
+/// pixel.
+LineResult run_on(Machine& machine, const LineAlgorithm& algorithm, const Input& input,
+                  StepLog& log);
 
 }  // namespace gw::hiddensurface

@@ -13,7 +13,8 @@ namespace gw::hiddensurface {
 
 namespace {
 
-/// On the upright picture plane, and how far along the sweep from the eye (1 where sight is parallel).
+/// On the upright picture plane, and how far along the sweep from the eye (1 where sight is
+/// parallel).
 struct Upright {
     dvec2 at;
     double depth = 1;
@@ -26,7 +27,8 @@ public:
 
     LineOutput run() {
         const std::size_t strips = field_.strips.size() - 1;
-        const bool ascending = eye_.w == 0 ? eye_[field_.sweep] < 0 : eye_[field_.sweep] < field_.strips[0];
+        const bool ascending =
+            eye_.w == 0 ? eye_[field_.sweep] < 0 : eye_[field_.sweep] < field_.strips[0];
         for (std::size_t i = 0; i < strips; ++i)
             for (const std::size_t column : columns_in_order()) {
                 draw(field_.at(ascending ? i : strips - 1 - i, column));
@@ -37,8 +39,8 @@ public:
     }
 
 private:
-    /// Of a strip, the cells from near to far: away from the eye to both sides; where sight is parallel, the
-    /// way it goes.
+    /// Of a strip, the cells from near to far: away from the eye to both sides; where sight is
+    /// parallel, the way it goes.
     std::vector<std::size_t> columns_in_order() const {
         std::vector<std::size_t> order(field_.columns.size() - 1);
         const double e = eye_[field_.across];
@@ -55,7 +57,8 @@ private:
     Upright upright(const dvec3& p) const {
         const double e_across = eye_[field_.across], e_sweep = eye_[field_.sweep];
         const double across = p[field_.across], sweep = p[field_.sweep];
-        if (eye_.w == 0) return {{across - sweep * e_across / e_sweep, p.y - sweep * eye_.y / e_sweep}, 1};
+        if (eye_.w == 0)
+            return {{across - sweep * e_across / e_sweep, p.y - sweep * eye_.y / e_sweep}, 1};
         const double depth = std::abs(sweep - e_sweep);
         return {{(across - e_across) / depth, (p.y - eye_.y) / depth}, depth};
     }
@@ -69,9 +72,11 @@ private:
                 for (std::size_t k = 0; k < loop.size(); ++k) {
                     const dvec3 &p = loop[k], &q = loop[(k + 1) % loop.size()];
                     if (is_near_side(loop, p, q) != near || !is_new(p, q)) continue;
-                    const bool drawn = std::any_of(cell.sides.begin(), cell.sides.end(), [&](const auto& s) {
-                        return (s.first == p && s.second == q) || (s.first == q && s.second == p);
-                    });
+                    const bool drawn =
+                        std::any_of(cell.sides.begin(), cell.sides.end(), [&](const auto& s) {
+                            return (s.first == p && s.second == q) ||
+                                   (s.first == q && s.second == p);
+                        });
                     draw(p, q, drawn ? cell.id : 0);
                 }
     }
@@ -162,7 +167,8 @@ private:
     LineOutput output_;
     Horizon upper_{true}, lower_{false};
     std::size_t largest_ = 0;
-    std::set<std::pair<std::tuple<double, double, double>, std::tuple<double, double, double>>> done_;
+    std::set<std::pair<std::tuple<double, double, double>, std::tuple<double, double, double>>>
+        done_;
 };
 
 }  // namespace
@@ -171,7 +177,8 @@ LineAlgorithm floating_horizon() {
     return {
         .name = "floating-horizon",
         .title = "Floating horizon (Williamson 1972, Wright 1973), for height fields",
-        .claim = "right for height fields over a grid along x and z, seen from beside; refuses other scenes",
+        .claim =
+            "right for height fields over a grid along x and z, seen from beside; refuses other scenes",
         .run = [](const Input& input, StepLog& log) { return FloatingHorizon(input, log).run(); }};
 }
 

@@ -27,7 +27,8 @@ std::vector<double> coordinates(const std::vector<Polygon>& polygons, int axis) 
 }
 
 /// Which cell along an axis the polygon spans; none: not exactly one.
-std::optional<std::size_t> cell_along(const std::vector<double>& values, const Loop& loop, int axis) {
+std::optional<std::size_t> cell_along(const std::vector<double>& values, const Loop& loop,
+                                      int axis) {
     double low = loop[0][axis], high = low;
     for (const dvec3& p : loop) {
         low = std::min(low, p[axis]);
@@ -59,7 +60,8 @@ void add_polygon(const Polygon& polygon, FieldCell& cell) {
 int sweep_axis(const dvec4& eye, const std::vector<double>& xs, const std::vector<double>& zs) {
     if (eye.w == 0) {
         if (eye.x == 0 && eye.z == 0)
-            throw Error("the eye looks straight down" + std::string(expected) + ", seen from beside");
+            throw Error("the eye looks straight down" + std::string(expected) +
+                        ", seen from beside");
         return std::abs(eye.z) >= std::abs(eye.x) ? 2 : 0;
     }
     const auto beyond = [](double e, const std::vector<double>& v) {
@@ -78,15 +80,16 @@ void check_heights(const std::vector<Polygon>& polygons) {
         for (const dvec3& p : polygon.world) {
             const auto [found, is_new] = heights.try_emplace({p.x, p.z}, p.y);
             if (!is_new && found->second != p.y)
-                throw Error(fmt::format("there are heights {} and {} at x {}, z {}{}", found->second, p.y,
-                                        p.x, p.z, expected));
+                throw Error(fmt::format("there are heights {} and {} at x {}, z {}{}",
+                                        found->second, p.y, p.x, p.z, expected));
         }
 }
 
 }  // namespace
 
 HeightField height_field(const Input& input) {
-    const std::vector<double> xs = coordinates(input.polygons, 0), zs = coordinates(input.polygons, 2);
+    const std::vector<double> xs = coordinates(input.polygons, 0),
+                              zs = coordinates(input.polygons, 2);
     if (xs.size() < 2 || zs.size() < 2)
         throw Error("the scene has no polygon seen from above" + std::string(expected));
     check_heights(input.polygons);
@@ -101,19 +104,21 @@ HeightField height_field(const Input& input) {
         const auto column = cell_along(field.columns, polygon.world, field.across),
                    strip = cell_along(field.strips, polygon.world, field.sweep);
         if (!column || !strip)
-            throw Error(fmt::format("polygon {} is not within one cell of the grid{}", polygon.id, expected));
+            throw Error(fmt::format("polygon {} is not within one cell of the grid{}", polygon.id,
+                                    expected));
         const std::size_t cell = *strip * (field.columns.size() - 1) + *column;
         covered[cell] += area_from_above(polygon.world);
         add_polygon(polygon, field.cells[cell]);
     }
     for (std::size_t i = 0; i < covered.size(); ++i) {
-        const std::size_t strip = i / (field.columns.size() - 1), column = i % (field.columns.size() - 1);
+        const std::size_t strip = i / (field.columns.size() - 1),
+                          column = i % (field.columns.size() - 1);
         const double area = (field.columns[column + 1] - field.columns[column]) *
                             (field.strips[strip + 1] - field.strips[strip]);
         if (std::abs(covered[i] - area) > 1e-6 * area)
-            throw Error(fmt::format("its cell at {} {}, {} {} is not covered once{}", "xyz"[field.across],
-                                    field.columns[column], "xyz"[field.sweep], field.strips[strip],
-                                    expected));
+            throw Error(fmt::format("its cell at {} {}, {} {} is not covered once{}",
+                                    "xyz"[field.across], field.columns[column], "xyz"[field.sweep],
+                                    field.strips[strip], expected));
     }
     return field;
 }

@@ -1,4 +1,5 @@
-// A height field found in a scene: y over a grid of x and z, every cell a quadrilateral or two triangles.
+// A height field found in a scene: y over a grid of x and z, every cell a quadrilateral or two
+// triangles.
 // Does not draw.
 #pragma once
 
@@ -8,8 +9,10 @@ namespace gw::hiddensurface {
 
 /// A cell between neighbouring columns and strips.
 struct FieldCell {
-    std::vector<Loop> loops;                     ///< convex: one quadrilateral or two triangles, in the world
-    std::vector<std::pair<dvec3, dvec3>> sides;  ///< of its polygons; a loop's other sides are not drawn
+    /// convex: one quadrilateral or two triangles, in the world
+    std::vector<Loop> loops;
+    /// of its polygons; a loop's other sides are not drawn
+    std::vector<std::pair<dvec3, dvec3>> sides;
     std::uint32_t id = 0;
 };
 
@@ -22,8 +25,9 @@ struct HeightField {
     }
 };
 
-/// All polygons of the scene as one height field, swept along z or x: from an eye beside it the strips are
-/// met one after the other. Throws Error where the polygons are no height field, or the eye is above it.
+/// All polygons of the scene as one height field, swept along z or x: from an eye beside it the
+/// strips are met one after the other. Throws Error where the polygons are no height field, or the
+/// eye is above it.
 HeightField height_field(const Input& input);
 
 }  // namespace gw::hiddensurface

@@ -46,7 +46,8 @@ std::vector<Part> Horizon::beyond(const dvec2& a, const dvec2& b, LineCounts& co
         counts.crossings += 1;
         const double from = std::max(u, piece.a.x), to = std::min(b.x, piece.b.x);
         add(u, from);
-        const double size = std::abs(piece.a.y) + std::abs(piece.b.y) + std::abs(a.y) + std::abs(b.y);
+        const double size =
+            std::abs(piece.a.y) + std::abs(piece.b.y) + std::abs(a.y) + std::abs(b.y);
         const double over_from = sign_ * (line.at(from) - piece.at(from)) - tolerance * size,
                      over_to = sign_ * (line.at(to) - piece.at(to)) - tolerance * size;
         if (over_from > 0 || over_to > 0) {
@@ -72,7 +73,8 @@ void Horizon::raise(const dvec2& a, const dvec2& b) {
     if (parts.empty()) return;
     std::vector<std::pair<double, double>> over;
     for (const auto& [from, to] : parts)
-        over.emplace_back(from == 0 ? a.x : a.x + from * (b.x - a.x), to == 1 ? b.x : a.x + to * (b.x - a.x));
+        over.emplace_back(from == 0 ? a.x : a.x + from * (b.x - a.x),
+                          to == 1 ? b.x : a.x + to * (b.x - a.x));
     // What is left of the old pieces between the parts of the new line, in order.
     for (; last < pieces_.size() && pieces_[last].a.x < b.x; ++last) {
         double u = pieces_[last].a.x;
@@ -84,7 +86,8 @@ void Horizon::raise(const dvec2& a, const dvec2& b) {
         put(pieces_[last], u, pieces_[last].b.x);
     }
     for (const auto& [from, to] : over) put(line, from, to);
-    std::sort(merged.begin(), merged.end(), [](const Piece& p, const Piece& q) { return p.a.x < q.a.x; });
+    std::sort(merged.begin(), merged.end(),
+              [](const Piece& p, const Piece& q) { return p.a.x < q.a.x; });
     pieces_.erase(pieces_.begin() + std::ptrdiff_t(first), pieces_.begin() + std::ptrdiff_t(last));
     pieces_.insert(pieces_.begin() + std::ptrdiff_t(first), merged.begin(), merged.end());
 }

@@ -1,4 +1,5 @@
-// A horizon: the highest (or lowest) v so far over u, linear in pieces. Does not know where lines come from.
+// A horizon: the highest (or lowest) v so far over u, linear in pieces. Does not know where lines
+// come from.
 #pragma once
 
 #include "hiddensurface/lines/line_algorithm.h"
@@ -10,7 +11,8 @@ public:
     /// `up`: the highest; else the lowest.
     explicit Horizon(bool up) : sign_(up ? 1 : -1) {}
 
-    /// The parts of a -> b (u, v), a.x < b.x, that lie beyond the horizon, and where there is none yet.
+    /// The parts of a -> b (u, v), a.x < b.x, that lie beyond the horizon, and where there is none
+    /// yet.
     /// Counts one crossing for every piece of the horizon compared.
     std::vector<Part> beyond(const dvec2& a, const dvec2& b, LineCounts& counts) const;
     /// Raises (lowers) the horizon to a -> b where that is beyond.

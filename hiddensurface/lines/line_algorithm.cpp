@@ -26,7 +26,8 @@ std::span<const LineCountName> line_count_names() {
         {"parts", &LineCounts::parts},     {"pixels", &LineCounts::pixels},
         {"missing", &LineCounts::missing}, {"extra", &LineCounts::extra},
     };
-    static_assert(sizeof(names) / sizeof(LineCountName) * sizeof(std::uint64_t) == sizeof(LineCounts));
+    static_assert(sizeof(names) / sizeof(LineCountName) * sizeof(std::uint64_t) ==
+                  sizeof(LineCounts));
     return names;
 }
 
@@ -61,7 +62,8 @@ void log_line(const Line& line, StepLog& log) {
     std::string seen;
     for (const auto& [from, to] : line.visible)
         seen += fmt::format("{}{:.6g}..{:.6g}", seen.empty() ? "" : ", ", from, to);
-    Step step{Level::Polygon, Action::Draw, {line.id}, "visible parts", seen.empty() ? "none" : seen};
+    Step step{
+        Level::Polygon, Action::Draw, {line.id}, "visible parts", seen.empty() ? "none" : seen};
     step.before = {{line.a, line.b}};
     log.add(std::move(step));
 }

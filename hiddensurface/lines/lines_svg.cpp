@@ -19,7 +19,8 @@ std::string path_of(const Input& input, const Line& line, const std::vector<Part
 }
 
 std::string layer(const std::string& path, const char* stroke) {
-    return fmt::format("<path d=\"{}\" fill=\"none\" stroke-linecap=\"round\" {}/>\n", path, stroke);
+    return fmt::format("<path d=\"{}\" fill=\"none\" stroke-linecap=\"round\" {}/>\n", path,
+                       stroke);
 }
 
 }  // namespace

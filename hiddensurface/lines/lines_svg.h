@@ -1,5 +1,5 @@
-// A line drawing as SVG: what is visible in full lines, what is hidden in thin broken ones. Does not hide
-// lines.
+// A line drawing as SVG: what is visible in full lines, what is hidden in thin broken ones. Does
+// not hide lines.
 #pragma once
 
 #include "hiddensurface/lines/line_algorithm.h"

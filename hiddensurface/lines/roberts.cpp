@@ -10,8 +10,10 @@ namespace gw::hiddensurface {
 
 namespace {
 
-/// Where p + t (q - p) is farther than the tolerance on the positive side of all planes of the body.
-std::optional<Part> hidden_by(const Body& body, const WorldSide& line, double tolerance, LineCounts& counts) {
+/// Where p + t (q - p) is farther than the tolerance on the positive side of all planes of the
+/// body.
+std::optional<Part> hidden_by(const Body& body, const WorldSide& line, double tolerance,
+                              LineCounts& counts) {
     Part part{0, 1};
     for (const dvec4& plane : body.planes) {
         counts.planes += 1;
@@ -29,8 +31,10 @@ std::vector<Part> visible_parts(const Bodies& scene, const WorldSide& line, Line
     counts.starts += 1;
     std::vector<Part> hidden;
     for (const Body& body : scene.bodies) {
-        if (body.solid != 0 && body.solid == line.solid) continue;  // a solid's front lines are before it
-        if (const auto part = hidden_by(body, line, scene.tolerance, counts)) hidden.push_back(*part);
+        // a solid's front lines are before it
+        if (body.solid != 0 && body.solid == line.solid) continue;
+        if (const auto part = hidden_by(body, line, scene.tolerance, counts))
+            hidden.push_back(*part);
     }
     return rest_of(std::move(hidden));
 }
@@ -58,12 +62,13 @@ LineOutput run(const Input& input, StepLog& log) {
 }  // namespace
 
 LineAlgorithm roberts() {
-    return {.name = "roberts",
-            .title = "Roberts 1963: every line against every convex body",
-            .claim =
-                "right for any polygons, best for convex solids; draws no lines where solids go through each "
-                "other",
-            .run = run};
+    return {
+        .name = "roberts",
+        .title = "Roberts 1963: every line against every convex body",
+        .claim =
+            "right for any polygons, best for convex solids; draws no lines where solids go through each "
+            "other",
+        .run = run};
 }
 
 }  // namespace gw::hiddensurface

@@ -10,11 +10,13 @@ namespace {
 
 class Builder {
 public:
-    explicit Builder(const Input& input) : largest_((std::int64_t{1} << input.profile.depth_bits) - 1) {
+    explicit Builder(const Input& input)
+        : largest_((std::int64_t{1} << input.profile.depth_bits) - 1) {
         for (std::size_t p = 0; p < input.polygons.size(); ++p)
-            for (const WindowTriangle& t : input.polygons[p].triangles) add(t, p, input.polygons[p].id);
-        // A side of two triangles of one polygon is the polygon's inside; one between the near or far plane
-        // and itself was made by clipping.
+            for (const WindowTriangle& t : input.polygons[p].triangles)
+                add(t, p, input.polygons[p].id);
+        // A side of two triangles of one polygon is the polygon's inside; one between the near or
+        // far plane and itself was made by clipping.
         for (const auto& [of, times] : inside_) {
             WindowSide& s = scene_.sides[of.first];
             s.drawn = s.drawn || (times == 1 && !is_clipped(s));
@@ -31,9 +33,10 @@ public:
 
 private:
     void add(const WindowTriangle& t, std::size_t polygon, std::uint32_t id) {
-        WindowFace face{.corner = {corner(t.corners[0]), corner(t.corners[1]), corner(t.corners[2])},
-                        .id = id};
-        if (turn(t.corners[0], t.corners[1], t.corners[2]) < 0) std::swap(face.corner[1], face.corner[2]);
+        WindowFace face{
+            .corner = {corner(t.corners[0]), corner(t.corners[1]), corner(t.corners[2])}, .id = id};
+        if (turn(t.corners[0], t.corners[1], t.corners[2]) < 0)
+            std::swap(face.corner[1], face.corner[2]);
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t from = face.corner[k], to = face.corner[(k + 1) % 3];
             const std::size_t s = side(std::min(from, to), std::max(from, to), id);
@@ -70,7 +73,8 @@ bool keep_positive(int128 at_a, int128 at_b, Part& part) {
     if (at_a <= 0 && at_b <= 0) return false;
     if (at_a >= 0 && at_b >= 0) return true;
     const double t = double(at_a) / double(at_a - at_b);
-    (at_a < 0 ? part.first : part.second) = at_a < 0 ? std::max(part.first, t) : std::min(part.second, t);
+    (at_a < 0 ? part.first : part.second) =
+        at_a < 0 ? std::max(part.first, t) : std::min(part.second, t);
     return part.first < part.second;
 }
 
@@ -91,11 +95,12 @@ int128 behind(const WindowLines& scene, const WindowFace& face, const GridPoint&
            (ux * vy - uy * vx) * (p.z - p0.z);
 }
 
-std::optional<Part> hidden_part(const WindowLines& scene, const WindowFace& face, const GridPoint& a,
-                                const GridPoint& b) {
+std::optional<Part> hidden_part(const WindowLines& scene, const WindowFace& face,
+                                const GridPoint& a, const GridPoint& b) {
     Part part{0, 1};
     for (std::size_t k = 0; k < 3; ++k) {
-        const GridPoint &p = scene.corners[face.corner[k]], &q = scene.corners[face.corner[(k + 1) % 3]];
+        const GridPoint &p = scene.corners[face.corner[k]],
+                        &q = scene.corners[face.corner[(k + 1) % 3]];
         std::int64_t at_a = turn(p, q, a), at_b = turn(p, q, b);
         if (at_a == 0 && at_b == 0)  // along the outline
             at_a = at_b = (q.x - p.x) * (b.x - a.x) + (q.y - p.y) * (b.y - a.y);

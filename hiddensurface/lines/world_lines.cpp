@@ -10,7 +10,9 @@ namespace gw::hiddensurface {
 
 namespace {
 
-dmat4 clip_from_world(const scene::View& view) { return product(view.clip_from_eye, view.eye_from_world); }
+dmat4 clip_from_world(const scene::View& view) {
+    return product(view.clip_from_eye, view.eye_from_world);
+}
 
 /// Of 0 .. 1, where a value that is `at_a` at 0 and `at_b` at 1 is above 0.
 void cut_at(double at_a, double at_b, Part& part) {
@@ -38,7 +40,8 @@ dvec3 WorldLines::on_grid(const dvec4& c) const {
 
 std::optional<Line> WorldLines::to_window(std::uint32_t id, const dvec3& p, const dvec3& q,
                                           const std::vector<Part>& visible) const {
-    const dvec4 a = transform(clip_from_world_, dvec4(p, 1)), b = transform(clip_from_world_, dvec4(q, 1));
+    const dvec4 a = transform(clip_from_world_, dvec4(p, 1)),
+                b = transform(clip_from_world_, dvec4(q, 1));
     Part inside{0, 1};
     cut_at(a.z + a.w, b.z + b.w, inside);
     cut_at(a.w - a.z, b.w - b.z, inside);

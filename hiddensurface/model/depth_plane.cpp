@@ -18,9 +18,11 @@ int128 divide_round_even(int128 n, int128 d) {
     return q;
 }
 
-/// Counter-clockwise, from the lowest corner (of those the leftmost): the corner that rounding starts from.
+/// Counter-clockwise, from the lowest corner (of those the leftmost): the corner that rounding
+/// starts from.
 std::array<GridPoint, 3> canonical(std::array<GridPoint, 3> p) {
-    const std::int64_t area2 = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
+    const std::int64_t area2 =
+        (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
     if (area2 < 0) std::swap(p[1], p[2]);
     const auto lower = [](const GridPoint& a, const GridPoint& b) {
         return std::pair(a.y, a.x) < std::pair(b.y, b.x);
@@ -51,16 +53,23 @@ DepthPlane depth_plane(const std::array<GridPoint, 3>& triangle, int s, int dept
     const std::array<GridPoint, 3> p = canonical(triangle);
     const Normal n = normal_of(p);
     const int128 one = int128{1} << (16 + s);
-    return {divide_round_even(-n.x * one, n.z), divide_round_even(-n.y * one, n.z), p[0].z, p[0].x, p[0].y, s,
+    return {divide_round_even(-n.x * one, n.z),
+            divide_round_even(-n.y * one, n.z),
+            p[0].z,
+            p[0].x,
+            p[0].y,
+            s,
             (std::int64_t{1} << depth_bits) - 1};
 }
 
-int exact_order(const std::array<GridPoint, 3>& a, const std::array<GridPoint, 3>& b, int x, int y, int s) {
+int exact_order(const std::array<GridPoint, 3>& a, const std::array<GridPoint, 3>& b, int x, int y,
+                int s) {
     const std::array<GridPoint, 3> pa = canonical(a), pb = canonical(b);
     const Normal na = normal_of(pa), nb = normal_of(pb);
     const std::int64_t px = center(x, s), py = center(y, s);
     // Below 2^120 on windows of 4096 pixels with 8 sub-pixel bits and 32 of depth.
-    const int128 za = scaled_depth(pa[0], na, px, py) * nb.z, zb = scaled_depth(pb[0], nb, px, py) * na.z;
+    const int128 za = scaled_depth(pa[0], na, px, py) * nb.z,
+                 zb = scaled_depth(pb[0], nb, px, py) * na.z;
     return za < zb ? -1 : za > zb ? 1 : 0;
 }
 

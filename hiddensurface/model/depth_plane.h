@@ -1,5 +1,5 @@
-// z over a triangle from its plane, and by increments. [L8] dz/dx = -n_x / n_z, with the machine's rounding:
-// docs/manual.md, "Planes". Does not compare depths.
+// z over a triangle from its plane, and by increments. [L8] dz/dx = -n_x / n_z, with the machine's
+// rounding: docs/manual.md, "Planes". Does not compare depths.
 #pragma once
 
 #include "hiddensurface/model/grid.h"
@@ -10,11 +10,12 @@ namespace gw::hiddensurface {
 
 __extension__ using int128 = __int128;
 
-/// z = floor(value / 2^16), kept in 0 .. largest; value(x, y) = a0 2^16 + 2^15 + floor((gx (PX - x0) + gy
-/// (PY - y0)) / 2^s) at the centre (PX, PY) of pixel x, y.
+/// z = floor(value / 2^16), kept in 0 .. largest; value(x, y) = a0 2^16 + 2^15 + floor((gx (PX -
+/// x0) + gy (PY - y0)) / 2^s) at the centre (PX, PY) of pixel x, y.
 struct DepthPlane {
     int128 gx = 0,
-           gy = 0;  ///< per pixel, 16 fraction bits: -n_x / n_z and -n_y / n_z to nearest, ties to even
+           /// per pixel, 16 fraction bits: -n_x / n_z and -n_y / n_z to nearest, ties to even
+        gy = 0;
     std::int64_t a0 = 0, x0 = 0, y0 = 0;
     int subpixel_bits = 3;
     std::int64_t largest = 0;  ///< of the depth plane
@@ -29,8 +30,8 @@ struct DepthPlane {
 /// Corners in any order, not on one line.
 DepthPlane depth_plane(const std::array<GridPoint, 3>& triangle, int subpixel_bits, int depth_bits);
 
-/// Sign of z_a - z_b at the centre of pixel x, y, on the exact planes through the corners: no rounding at
-/// all.
+/// Sign of z_a - z_b at the centre of pixel x, y, on the exact planes through the corners: no
+/// rounding at all.
 int exact_order(const std::array<GridPoint, 3>& a, const std::array<GridPoint, 3>& b, int x, int y,
                 int subpixel_bits);
 

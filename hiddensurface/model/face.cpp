@@ -20,8 +20,8 @@ std::array<GridPoint, 3> counter_clockwise(std::array<GridPoint, 3> t) {
     return t;
 }
 
-/// The sides of the triangles that no other has the other way round, joined; empty where they are not one
-/// convex outline of all the triangles' area.
+/// The sides of the triangles that no other has the other way round, joined; empty where they are
+/// not one convex outline of all the triangles' area.
 std::vector<GridPoint> convex_outline(std::span<const WindowTriangle> triangles) {
     std::map<Corner, std::vector<std::pair<GridPoint, GridPoint>>> from;
     std::int64_t area = 0;
@@ -31,8 +31,8 @@ std::vector<GridPoint> convex_outline(std::span<const WindowTriangle> triangles)
         for (std::size_t i = 0; i < 3; ++i) {
             const GridPoint &a = t[i], &b = t[(i + 1) % 3];
             auto& back = from[{b.x, b.y}];
-            const auto twin =
-                std::find_if(back.begin(), back.end(), [&](const auto& side) { return side.second == a; });
+            const auto twin = std::find_if(back.begin(), back.end(),
+                                           [&](const auto& side) { return side.second == a; });
             if (twin != back.end())
                 back.erase(twin);
             else
@@ -62,7 +62,8 @@ std::vector<GridPoint> convex_outline(std::span<const WindowTriangle> triangles)
 std::vector<GridPoint> without_straight_corners(const std::vector<GridPoint>& p) {
     std::vector<GridPoint> kept;
     for (std::size_t i = 0; i < p.size(); ++i)
-        if (turn(p[(i + p.size() - 1) % p.size()], p[i], p[(i + 1) % p.size()]) != 0) kept.push_back(p[i]);
+        if (turn(p[(i + p.size() - 1) % p.size()], p[i], p[(i + 1) % p.size()]) != 0)
+            kept.push_back(p[i]);
     return kept;
 }
 
@@ -103,7 +104,8 @@ Face make_face(const Input& input, std::size_t polygon, std::vector<GridPoint> o
     const int s = input.subpixel_bits();
     Face face{.polygon = polygon, .corners = without_straight_corners(outline)};
     for (std::size_t i = 0; i < face.corners.size(); ++i)
-        face.sides.push_back(side_of(face.corners[i], face.corners[(i + 1) % face.corners.size()], s));
+        face.sides.push_back(
+            side_of(face.corners[i], face.corners[(i + 1) % face.corners.size()], s));
     face.plane = plane_of(counter_clockwise(triangle.corners), s);
     face.bounds = bounds_of(face.corners, s, input.window());
     face.nearest = face.farthest = face.corners[0].z;
@@ -115,7 +117,9 @@ Face make_face(const Input& input, std::size_t polygon, std::vector<GridPoint> o
 }
 
 /// Floor of a / b, b > 0.
-std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+std::int64_t floor_div(std::int64_t a, std::int64_t b) {
+    return a >= 0 ? a / b : -((-a + b - 1) / b);
+}
 
 }  // namespace
 
@@ -146,7 +150,8 @@ bool covers(const Face& face, int x, int y) {
 
 Cover cover_of(const Face& face, const Rect& w) {
     const Rect& b = face.bounds;
-    if (b.x >= w.x + w.width || w.x >= b.x + b.width || b.y >= w.y + w.height || w.y >= b.y + b.height)
+    if (b.x >= w.x + w.width || w.x >= b.x + b.width || b.y >= w.y + w.height ||
+        w.y >= b.y + b.height)
         return Cover::Disjoint;
     bool surrounds = true;
     for (const Side& side : face.sides) {

@@ -1,6 +1,6 @@
-// A convex face in the window, exactly: sides and plane in integers, asked at the centres of pixels. Linear
-// in x and y, so an answer that holds at the four corner pixels of a window, or at both ends of a span, holds
-// in between. Does not draw.
+// A convex face in the window, exactly: sides and plane in integers, asked at the centres of
+// pixels. Linear in x and y, so an answer that holds at the four corner pixels of a window, or at
+// both ends of a span, holds in between. Does not draw.
 #pragma once
 
 #include "hiddensurface/run/algorithm.h"
@@ -46,7 +46,8 @@ bool is_nearer(const Face& a, const Face& b, int x, int y);
 /// At every pixel of the window: asked at the corners, one comparison each, till one says no.
 bool is_nearer(const Face& a, const Face& b, const Rect& window, std::uint64_t& compared);
 
-/// a is not nearer than b at the run's first pixel and is at its last: the first at which it is, by halving.
+/// a is not nearer than b at the run's first pixel and is at its last: the first at which it is, by
+/// halving.
 int first_nearer(const Face& a, const Face& b, const Run& run, std::uint64_t& compared);
 
 /// The face's pixels of row y from x0 up to x1; empty: x0 >= x1.

@@ -9,7 +9,8 @@
 
 namespace gw::hiddensurface {
 
-/// A snapped vertex: x, y in 1/2^subpixel_bits of a pixel, z in units of the depth plane (smaller is nearer).
+/// A snapped vertex: x, y in 1/2^subpixel_bits of a pixel, z in units of the depth plane (smaller
+/// is nearer).
 struct GridPoint {
     std::int64_t x = 0, y = 0, z = 0;
     bool operator==(const GridPoint&) const = default;

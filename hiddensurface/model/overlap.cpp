@@ -1,4 +1,5 @@
-// Separating lines: two convex polygons are apart exactly where a side of one of them separates them.
+// Separating lines: two convex polygons are apart exactly where a side of one of them separates
+// them.
 #include "hiddensurface/model/overlap.h"
 
 #include <algorithm>

@@ -12,8 +12,8 @@ namespace gw::hiddensurface {
 
 namespace {
 
-/// Sutherland-Hodgman against one plane; `sign` -1 keeps what is before it. A new corner always starts from
-/// the corner before the plane, so both halves get the same.
+/// Sutherland-Hodgman against one plane; `sign` -1 keeps what is before it. A new corner always
+/// starts from the corner before the plane, so both halves get the same.
 Loop half_of(const Loop& loop, const dvec4& plane, double sign) {
     Loop half;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -21,7 +21,8 @@ Loop half_of(const Loop& loop, const dvec4& plane, double sign) {
         const double da = side(plane, a), db = side(plane, b);
         if (sign * da >= 0) half.push_back(a);
         if ((da < 0 && db > 0) || (da > 0 && db < 0))
-            half.push_back(da < 0 ? a + (da / (da - db)) * (b - a) : b + (db / (db - da)) * (a - b));
+            half.push_back(da < 0 ? a + (da / (da - db)) * (b - a)
+                                  : b + (db / (db - da)) * (a - b));
     }
     return half;
 }
@@ -81,7 +82,8 @@ std::pair<double, double> sides(const Piece& piece, const dvec4& plane) {
     return {low, high};
 }
 
-std::pair<std::vector<Loop>, std::vector<Loop>> divide(const std::vector<Loop>& parts, const dvec4& plane) {
+std::pair<std::vector<Loop>, std::vector<Loop>> divide(const std::vector<Loop>& parts,
+                                                       const dvec4& plane) {
     std::pair<std::vector<Loop>, std::vector<Loop>> halves;
     for (const Loop& part : parts) {
         Loop before = half_of(part, plane, -1), behind = half_of(part, plane, 1);
@@ -110,8 +112,9 @@ std::vector<CutEdge> edges_made(const Piece& piece) {
     for (const Loop& part : piece.parts)
         for (std::size_t i = 0; i < part.size(); ++i) {
             const dvec2 a(part[i]), b(part[(i + 1) % part.size()]);
-            if (std::any_of(piece.cuts.begin(), piece.cuts.end(),
-                            [&](const Cut& cut) { return is_on(cut.line, a) && is_on(cut.line, b); }))
+            if (std::any_of(piece.cuts.begin(), piece.cuts.end(), [&](const Cut& cut) {
+                    return is_on(cut.line, a) && is_on(cut.line, b);
+                }))
                 made.emplace_back(a, b);
         }
     return made;

@@ -1,5 +1,6 @@
-// Pieces of polygons made by splitting. A cut is never snapped: it is a line that divides pixel centres, so
-// that the pieces of a polygon have every one of its pixels exactly once. Does not choose where to cut.
+// Pieces of polygons made by splitting. A cut is never snapped: it is a line that divides pixel
+// centres, so that the pieces of a polygon have every one of its pixels exactly once. Does not
+// choose where to cut.
 #pragma once
 
 #include "hiddensurface/model/polygon.h"
@@ -19,7 +20,8 @@ struct Cut {
 struct Piece {
     std::size_t polygon = 0;           ///< index
     std::size_t first = 0, count = 0;  ///< of the polygon's triangles
-    std::vector<Loop> parts;           ///< convex, on the window grid: for deciding, not for drawing
+    /// convex, on the window grid: for deciding, not for drawing
+    std::vector<Loop> parts;
     std::vector<Cut> cuts;
 };
 
@@ -35,10 +37,11 @@ dvec3 cut_line(const dvec4& piece, const dvec4& by);
 std::pair<double, double> sides(const Piece& piece, const dvec4& plane);
 
 /// Parts of convex loops with side(plane) <= 0, and those with >= 0.
-std::pair<std::vector<Loop>, std::vector<Loop>> divide(const std::vector<Loop>& parts, const dvec4& plane);
+std::pair<std::vector<Loop>, std::vector<Loop>> divide(const std::vector<Loop>& parts,
+                                                       const dvec4& plane);
 
-/// The piece, of facet `of`, before the plane of `by` and the piece behind it; none where it does not reach
-/// farther than the tolerance on both sides.
+/// The piece, of facet `of`, before the plane of `by` and the piece behind it; none where it does
+/// not reach farther than the tolerance on both sides.
 std::optional<std::pair<Piece, Piece>> split(const Piece& piece, const Facet& of, const Facet& by);
 
 /// A side in the window.
@@ -47,6 +50,7 @@ using CutEdge = std::pair<dvec2, dvec2>;
 std::vector<CutEdge> edges_made(const Piece& piece);
 
 /// The pixels of a piece, by scan conversion of its polygon's triangles [L7].
-std::vector<Run> runs_of(const Piece& piece, const Polygon& polygon, int subpixel_bits, const Rect& window);
+std::vector<Run> runs_of(const Piece& piece, const Polygon& polygon, int subpixel_bits,
+                         const Rect& window);
 
 }  // namespace gw::hiddensurface

@@ -45,7 +45,8 @@ std::vector<GridPoint> window_corners(const Placed& p, std::span<const std::uint
     for (const std::uint32_t i : corners) vertices.push_back(p.vertices[i]);
     std::vector<GridPoint> out;
     for (const Vertex& v : clip(std::move(vertices), p.resolved.viewport).vertices) {
-        const WindowVertex w = to_window(v, p.resolved.viewport, p.resolved.state.depth_range, p.profile);
+        const WindowVertex w =
+            to_window(v, p.resolved.viewport, p.resolved.state.depth_range, p.profile);
         out.push_back({w.x + p.jitter.x, w.y + p.jitter.y, std::int64_t{w.z}});
     }
     return out;
@@ -111,7 +112,8 @@ dvec3 world_point(const scene::Object& object, std::uint32_t i) {
 void set_distances(Polygon& polygon, const dmat4& eye_from_world) {
     double sum = 0;
     for (std::size_t i = 0; i < polygon.world.size(); ++i) {
-        const double d = -(transform3(dmat3(eye_from_world), polygon.world[i]).z + eye_from_world[3].z);
+        const double d =
+            -(transform3(dmat3(eye_from_world), polygon.world[i]).z + eye_from_world[3].z);
         polygon.nearest = i == 0 ? d : std::min(polygon.nearest, d);
         polygon.farthest = i == 0 ? d : std::max(polygon.farthest, d);
         sum += d;
@@ -127,8 +129,9 @@ Loop to_loop(std::span<const GridPoint> corners) {
 
 bool in_one_plane(const std::vector<WindowTriangle>& triangles) {
     return std::all_of(triangles.begin(), triangles.end(), [&](const WindowTriangle& t) {
-        return std::all_of(t.corners.begin(), t.corners.end(),
-                           [&](const GridPoint& p) { return is_on_plane(triangles[0].corners, p); });
+        return std::all_of(t.corners.begin(), t.corners.end(), [&](const GridPoint& p) {
+            return is_on_plane(triangles[0].corners, p);
+        });
     });
 }
 
@@ -140,7 +143,8 @@ void set_plane(Facet& facet, const WindowTriangle& t) {
     double reach = std::abs(facet.plane.w);
     for (const Loop& part : facet.parts)
         for (const dvec3& q : part)
-            reach = std::max({reach, std::abs(facet.plane.x * q.x), std::abs(facet.plane.y * q.y), q.z});
+            reach = std::max(
+                {reach, std::abs(facet.plane.x * q.x), std::abs(facet.plane.y * q.y), q.z});
     facet.tolerance = reach * 0x1p-46;
 }
 
@@ -158,7 +162,8 @@ void set_facets(Polygon& polygon, const Loop& outline) {
     for (Facet& facet : polygon.facets) set_plane(facet, t[facet.first]);
 }
 
-/// Positions are float32: the corners of a plane polygon lie this near to its plane, as a part of its size.
+/// Positions are float32: the corners of a plane polygon lie this near to its plane, as a part of
+/// its size.
 bool is_plane(const Loop& p) {
     const dvec3 n = polygon_normal(p);
     double off = 0, size = 0;
@@ -170,8 +175,8 @@ bool is_plane(const Loop& p) {
     return off <= 1e-6 * size * std::sqrt(dot3(n, n));
 }
 
-/// The polygon's plane pieces in the world. `t`: the triangles that the machine draws, the first of them
-/// number `first`.
+/// The polygon's plane pieces in the world. `t`: the triangles that the machine draws, the first of
+/// them number `first`.
 void set_world_facets(Polygon& polygon, const scene::Object& object, std::span<const Triangle> t,
                       std::uint32_t first) {
     const bool plane = is_plane(polygon.world), convex = is_convex(polygon.world);
@@ -179,7 +184,8 @@ void set_world_facets(Polygon& polygon, const scene::Object& object, std::span<c
         if (i == 0 || !plane) polygon.world_facets.push_back({.first = first + i});
         WorldFacet& facet = polygon.world_facets.back();
         facet.parts.emplace_back();
-        for (const std::uint32_t k : t[i].vertex) facet.parts.back().push_back(world_point(object, k));
+        for (const std::uint32_t k : t[i].vertex)
+            facet.parts.back().push_back(world_point(object, k));
         facet.count += 1;
     }
     if (plane && convex && !t.empty()) polygon.world_facets[0].parts = {polygon.world};
@@ -187,8 +193,8 @@ void set_world_facets(Polygon& polygon, const scene::Object& object, std::span<c
 
 }  // namespace
 
-std::vector<Polygon> project(const scene::Scene& scene, const scene::View& view, const Profile& profile,
-                             const JitterState& jitter) {
+std::vector<Polygon> project(const scene::Scene& scene, const scene::View& view,
+                             const Profile& profile, const JitterState& jitter) {
     std::vector<Polygon> all;
     const scene::PolygonIds ids = scene::polygon_ids(scene);
     for (std::size_t o = 0; o < scene.objects.size(); ++o) {
@@ -202,7 +208,8 @@ std::vector<Polygon> project(const scene::Scene& scene, const scene::View& view,
             const std::size_t first = t;
             for (; t < mesh.triangles().size() && mesh.triangles()[t].polygon == k; ++t)
                 add_triangles(placed, mesh.triangles()[t], static_cast<std::uint32_t>(t), polygon);
-            for (const std::uint32_t i : corners[k]) polygon.world.push_back(world_point(placed.object, i));
+            for (const std::uint32_t i : corners[k])
+                polygon.world.push_back(world_point(placed.object, i));
             set_world_facets(polygon, placed.object, mesh.triangles().subspan(first, t - first),
                              static_cast<std::uint32_t>(first));
             const bool convex = is_convex(polygon.world);
@@ -224,13 +231,15 @@ bool is_before(const dvec4& world_plane, const scene::View& view) {
 }
 
 dvec4 to_window(const dvec4& world_plane, const scene::View& view, const Profile& profile) {
-    const double scale = double(1 << profile.subpixel_bits), depth = max_of_bits(profile.depth_bits);
+    const double scale = double(1 << profile.subpixel_bits),
+                 depth = max_of_bits(profile.depth_bits);
     dmat4 grid_from_clip(1);
     grid_from_clip[0].x = view.width / 2.0 * scale;
     grid_from_clip[1].y = view.height / 2.0 * scale;
     grid_from_clip[2].z = depth / 2;
     grid_from_clip[3] = dvec4(grid_from_clip[0].x, grid_from_clip[1].y, depth / 2, 1);
-    const dmat4 grid_from_world = product(grid_from_clip, product(view.clip_from_eye, view.eye_from_world));
+    const dmat4 grid_from_world =
+        product(grid_from_clip, product(view.clip_from_eye, view.eye_from_world));
     return transform(glm::transpose(glm::inverse(grid_from_world)), world_plane);
 }
 

@@ -32,7 +32,8 @@ Surfaces::Surfaces(const scene::Scene& scene, const scene::View& view) : view_(v
         for (const vec3& p : data.positions)
             placed.p_eye.push_back(dvec3(transform(draw.eye_from_object, dvec4(dvec3(p), 1))));
         for (const vec3& n : data.normals)
-            placed.n_eye.push_back(normalized(transform3(program.normal_eye_from_object, dvec3(n))));
+            placed.n_eye.push_back(
+                normalized(transform3(program.normal_eye_from_object, dvec3(n))));
         placed_.push_back(std::move(placed));
     }
 }
@@ -53,7 +54,8 @@ scene::SurfacePoint Surfaces::at(std::size_t object, std::uint32_t triangle, con
     for (std::size_t k = 0; k < 3; ++k) {
         p[k] = placed.p_eye[vertex[k]];
         n[k] = placed.n_eye.empty() ? dvec3(0, 0, 1) : placed.n_eye[vertex[k]];
-        if (!placed.mesh->data().texcoords.empty()) st[k] = dvec2(placed.mesh->data().texcoords[vertex[k]]);
+        if (!placed.mesh->data().texcoords.empty())
+            st[k] = dvec2(placed.mesh->data().texcoords[vertex[k]]);
     }
     const auto weights = [&](double i, double j) {
         const Sight s = sight(i, j);

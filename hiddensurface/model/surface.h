@@ -1,5 +1,5 @@
-// What lies under a pixel of a polygon: position, normal and texture coordinates in perspective, from the ray
-// through the pixel's centre. Does not shade.
+// What lies under a pixel of a polygon: position, normal and texture coordinates in perspective,
+// from the ray through the pixel's centre. Does not shade.
 #pragma once
 
 #include "hiddensurface/model/polygon.h"
@@ -12,9 +12,11 @@ class Surfaces {
 public:
     Surfaces(const scene::Scene& scene, const scene::View& view);
 
-    /// The point of the triangle that the ray through `p`, in pixels, meets; beyond its border by rounding,
-    /// the nearest point. `front`: which side is seen, by the triangle's winding in the window.
-    scene::SurfacePoint at(std::size_t object, std::uint32_t triangle, const dvec2& p, bool front) const;
+    /// The point of the triangle that the ray through `p`, in pixels, meets; beyond its border by
+    /// rounding, the nearest point. `front`: which side is seen, by the triangle's winding in the
+    /// window.
+    scene::SurfacePoint at(std::size_t object, std::uint32_t triangle, const dvec2& p,
+                           bool front) const;
 
 private:
     struct Placed {

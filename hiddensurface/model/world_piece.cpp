@@ -17,8 +17,8 @@ std::pair<std::size_t, std::size_t> triangles_of(const Polygon& polygon, const W
     return {first, count};
 }
 
-/// A facet's plane on the grid, negative before it, where the eye is. Without the snap: that tilts the plane
-/// of a narrow facet, and its cuts reach far beyond it.
+/// A facet's plane on the grid, negative before it, where the eye is. Without the snap: that tilts
+/// the plane of a narrow facet, and its cuts reach far beyond it.
 dvec4 window_plane(const Input& input, FacetIndex i) {
     const dvec4 world = unit_plane(facet_of(input, i));
     const dvec4 plane = to_window(world, input.view, input.profile);
@@ -45,8 +45,8 @@ Piece window_piece(const Input& input, const TreePiece& piece) {
     return out;
 }
 
-void log_split(const Input& input, const TreePiece& piece, FacetIndex by, const std::vector<Loop>& back,
-               const std::vector<Loop>& front, StepLog& log) {
+void log_split(const Input& input, const TreePiece& piece, FacetIndex by,
+               const std::vector<Loop>& back, const std::vector<Loop>& front, StepLog& log) {
     if (!log.on()) return;
     log.add({Level::Polygon,
              Action::Split,

@@ -1,5 +1,5 @@
-// Pieces of polygons that were cut in the world, on the window grid. A cut is drawn as a line between pixels,
-// so every polygon keeps its pixels. Does not build trees.
+// Pieces of polygons that were cut in the world, on the window grid. A cut is drawn as a line
+// between pixels, so every polygon keeps its pixels. Does not build trees.
 #pragma once
 
 #include "hiddensurface/run/algorithm.h"
@@ -14,8 +14,9 @@ inline const WorldFacet& facet_of(const Input& input, FacetIndex i) {
 /// Of no triangles where nothing of the facet is in the window.
 Piece window_piece(const Input& input, const TreePiece& piece);
 
-/// A Split step: the piece, the facet whose plane cuts it, its parts behind that plane and before it.
-void log_split(const Input& input, const TreePiece& piece, FacetIndex by, const std::vector<Loop>& back,
-               const std::vector<Loop>& front, StepLog& log);
+/// A Split step: the piece, the facet whose plane cuts it, its parts behind that plane and before
+/// it.
+void log_split(const Input& input, const TreePiece& piece, FacetIndex by,
+               const std::vector<Loop>& back, const std::vector<Loop>& front, StepLog& log);
 
 }  // namespace gw::hiddensurface

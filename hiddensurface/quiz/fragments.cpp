@@ -1,8 +1,8 @@
 #include "hiddensurface/quiz/fragments.h"
 
 #include "gw/error.h"
-#include "hiddensurface/run/difference.h"
 #include "hiddensurface/quiz/answer_coverage.h"
+#include "hiddensurface/run/difference.h"
 #include "scene/text/suggest.h"
 
 #include <fmt/format.h>
@@ -52,7 +52,8 @@ const char* name_of(Mistake mistake) {
     return "";
 }
 
-std::vector<Fragment> read_fragments(const std::string& name, std::string_view text, const Input& input) {
+std::vector<Fragment> read_fragments(const std::string& name, std::string_view text,
+                                     const Input& input) {
     std::set<std::uint32_t> known;
     for (const Polygon& polygon : input.polygons) known.insert(polygon.id);
     std::vector<Fragment> list;
@@ -66,32 +67,35 @@ std::vector<Fragment> read_fragments(const std::string& name, std::string_view t
         if (line.empty() || line[0] == '#' || (list.empty() && line == header)) continue;
         const auto values = numbers_of(line);
         if (!values)
-            fail(
-                name, number,
-                "'" + scene::printable(line) + "' is no fragment; expected x,y,polygon: three whole numbers");
+            fail(name, number,
+                 "'" + scene::printable(line) +
+                     "' is no fragment; expected x,y,polygon: three whole numbers");
         const auto [x, y, id] = *values;
         if (x < 0 || y < 0 || x >= input.view.width || y >= input.view.height)
-            fail(name, number,
-                 fmt::format(
-                     "pixel {},{} is outside the window; expected x 0..{} and y 0..{} from the top left", x,
-                     y, input.view.width - 1, input.view.height - 1));
+            fail(
+                name, number,
+                fmt::format(
+                    "pixel {},{} is outside the window; expected x 0..{} and y 0..{} from the top left",
+                    x, y, input.view.width - 1, input.view.height - 1));
         if (id <= 0 || id > 0xffffffffL || known.count(std::uint32_t(id)) == 0)
             fail(name, number,
                  fmt::format("the scene has no polygon {}; expected {}", id,
-                             known.empty() ? "none: the scene has no polygons"
-                                           : fmt::format("{}..{}", *known.begin(), *known.rbegin())));
+                             known.empty()
+                                 ? "none: the scene has no polygons"
+                                 : fmt::format("{}..{}", *known.begin(), *known.rbegin())));
         list.push_back({int(x), int(y), std::uint32_t(id), number});
     }
     return list;
 }
 
-FragmentGrade grade_fragments(const std::vector<Fragment>& list, const std::vector<std::uint32_t>& z_buffer,
-                              const Input& input) {
+FragmentGrade grade_fragments(const std::vector<Fragment>& list,
+                              const std::vector<std::uint32_t>& z_buffer, const Input& input) {
     const auto over = polygons_over(input);
     const Differences differences(input, {});
     std::vector<bool> taken(z_buffer.size());
     FragmentGrade grade;
-    const auto add = [&](Mistake mistake, std::uint64_t& count, const Fragment& f, std::uint32_t expected) {
+    const auto add = [&](Mistake mistake, std::uint64_t& count, const Fragment& f,
+                         std::uint32_t expected) {
         count += 1;
         grade.mistakes.push_back({mistake, f.x, f.y, f.line, f.id, expected});
     };
@@ -115,7 +119,8 @@ FragmentGrade grade_fragments(const std::vector<Fragment>& list, const std::vect
     for (int y = 0; y < input.view.height; ++y)
         for (int x = 0; x < input.view.width; ++x) {
             const std::size_t at =
-                std::size_t(input.view.height - 1 - y) * std::size_t(input.view.width) + std::size_t(x);
+                std::size_t(input.view.height - 1 - y) * std::size_t(input.view.width) +
+                std::size_t(x);
             if (z_buffer[at] == 0) continue;
             grade.expected += 1;
             if (!taken[at]) add(Mistake::Missing, grade.missing, {x, y, 0, 0}, z_buffer[at]);
@@ -128,7 +133,8 @@ std::string fragments_text(const std::vector<std::uint32_t>& z_buffer, const Inp
     for (int y = 0; y < input.view.height; ++y)
         for (int x = 0; x < input.view.width; ++x) {
             const std::size_t at =
-                std::size_t(input.view.height - 1 - y) * std::size_t(input.view.width) + std::size_t(x);
+                std::size_t(input.view.height - 1 - y) * std::size_t(input.view.width) +
+                std::size_t(x);
             if (z_buffer[at] != 0) text += fmt::format("{},{},{}\n", x, y, z_buffer[at]);
         }
     return text;

@@ -1,6 +1,7 @@
-// A student's fragment list against the truth, the Z-buffer's picture. A list is text: a line "x,y,polygon"
-// for each fragment that should be seen, x from the left and y from the top, 0 first, polygon its identifier;
-// lines that are empty or begin with '#', and a first line "x,y,polygon", are skipped. Does not draw.
+// A student's fragment list against the truth, the Z-buffer's picture. A list is text: a line
+// "x,y,polygon" for each fragment that should be seen, x from the left and y from the top, 0 first,
+// polygon its identifier; lines that are empty or begin with '#', and a first line "x,y,polygon",
+// are skipped. Does not draw.
 #pragma once
 
 #include "hiddensurface/run/algorithm.h"
@@ -15,13 +16,15 @@ struct Fragment {
     int line = 0;  ///< of the list
 };
 
-/// Throws Error "name:line: what; expected what": not three whole numbers, a pixel outside the window, a
-/// polygon that the scene does not have.
-std::vector<Fragment> read_fragments(const std::string& name, std::string_view text, const Input& input);
+/// Throws Error "name:line: what; expected what": not three whole numbers, a pixel outside the
+/// window, a polygon that the scene does not have.
+std::vector<Fragment> read_fragments(const std::string& name, std::string_view text,
+                                     const Input& input);
 
 enum class Mistake : std::uint8_t {
     None,
-    Missing,    ///< a pixel shows a polygon, and the list has no fragment of a polygon that is over it
+    /// a pixel shows a polygon, and the list has no fragment of a polygon that is over it
+    Missing,
     Doubled,    ///< a second fragment at one pixel, of polygons that are over it
     Misplaced,  ///< its polygon is not over the pixel
     Wrong       ///< its polygon is over the pixel, and hidden there
@@ -35,15 +38,16 @@ struct FragmentMistake {
 };
 
 struct FragmentGrade {
-    std::uint64_t expected = 0, right = 0;  ///< pixels that show a polygon; fragments that are right
+    /// pixels that show a polygon; fragments that are right
+    std::uint64_t expected = 0, right = 0;
     std::uint64_t missing = 0, doubled = 0, misplaced = 0, wrong = 0;
     std::vector<FragmentMistake> mistakes;  ///< in the order of the list, the missing ones last
     bool all_right() const { return mistakes.empty(); }
 };
-/// `z_buffer`: identifiers, bottom row first. Where the depth plane cannot tell two polygons apart, either is
-/// right.
-FragmentGrade grade_fragments(const std::vector<Fragment>& list, const std::vector<std::uint32_t>& z_buffer,
-                              const Input& input);
+/// `z_buffer`: identifiers, bottom row first. Where the depth plane cannot tell two polygons apart,
+/// either is right.
+FragmentGrade grade_fragments(const std::vector<Fragment>& list,
+                              const std::vector<std::uint32_t>& z_buffer, const Input& input);
 
 /// The truth as such a list.
 std::string fragments_text(const std::vector<std::uint32_t>& z_buffer, const Input& input);

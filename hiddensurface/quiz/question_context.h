@@ -2,15 +2,16 @@
 #pragma once
 
 #include "gw/machine.h"
-#include "hiddensurface/run/compare.h"
 #include "hiddensurface/quiz/quiz.h"
+#include "hiddensurface/run/compare.h"
 
 namespace gw::hiddensurface {
 
 /// Refers to the scene, which must stay.
 struct QuizStage {
     explicit QuizStage(const scene::Scene& scene)
-        : view(scene::make_view(scene, quiz_width, quiz_height)), input(make_input(scene, view, vgx())) {}
+        : view(scene::make_view(scene, quiz_width, quiz_height)),
+          input(make_input(scene, view, vgx())) {}
     QuizStage(const QuizStage&) = delete;
     scene::View view;
     Input input;

@@ -1,5 +1,5 @@
-// The questions of a quiz, one function each: a random scene and what is asked about it; none where this
-// scene is not worth asking about. Each answer is what the algorithm itself does or counts.
+// The questions of a quiz, one function each: a random scene and what is asked about it; none where
+// this scene is not worth asking about. Each answer is what the algorithm itself does or counts.
 #pragma once
 
 #include "hiddensurface/quiz/quiz.h"

@@ -1,7 +1,7 @@
 // Questions about orders: painting, Newell's tests and pieces.
 #include "hiddensurface/quiz/answer_coverage.h"
-#include "hiddensurface/quiz/questions.h"
 #include "hiddensurface/quiz/question_context.h"
+#include "hiddensurface/quiz/questions.h"
 
 #include <fmt/format.h>
 
@@ -36,8 +36,8 @@ std::string words_of(const std::vector<std::uint32_t>& ids) {
     return text;
 }
 
-/// Four orders, one of them right. A right one may be wrong by a few pixels of rounding, a wrong one is
-/// plainly so.
+/// Four orders, one of them right. A right one may be wrong by a few pixels of rounding, a wrong
+/// one is plainly so.
 std::optional<Question> ask_order(QuizRandom& random) {
     constexpr std::size_t rounding = 2, plain = 150;
     Question q{.scene = tilted_polygons(random, 4, 4)};
@@ -67,8 +67,7 @@ std::optional<Question> ask_order(QuizRandom& random) {
     q.kind = "order";
     q.text =
         "The polygons are painted one over the other, the first of the order first. Which of these orders "
-        "gives the "
-        "picture?";
+        "gives the picture?";
     q.answer = std::string(1, char('a' + place));
     q.why = "Painted in the order " + chosen +
             " no polygon covers one that lies before it; the other orders differ from the "
@@ -85,7 +84,8 @@ std::optional<Question> ask_test(QuizRandom& random) {
         char decides = 0;
         std::vector<std::uint32_t> pair;
         for (const Step& step : stage.steps("newell", Level::Polygon)) {
-            if (step.action != Action::Compare || step.test.size() < 2 || step.test[1] != ':') continue;
+            if (step.action != Action::Compare || step.test.size() < 2 || step.test[1] != ':')
+                continue;
             if (pair.empty()) pair = step.polygons;
             if (step.test[0] <= decides) break;  // the next pair
             decides = step.test[0];
@@ -96,8 +96,7 @@ std::optional<Question> ask_test(QuizRandom& random) {
         q.kind = "test";
         q.text = fmt::format(
             "Polygon {} reaches farthest. By which of Newell's tests may it be drawn before polygon {}? The "
-            "tests "
-            "are asked in this order; name the first that says yes.",
+            "tests are asked in this order; name the first that says yes.",
             pair[0], pair[1]);
         q.choices = {"1: their x extents are disjoint",
                      "2: their y extents are disjoint",

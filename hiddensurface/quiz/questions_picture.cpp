@@ -2,8 +2,8 @@
 #include "hiddensurface/lines/window_lines.h"
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/quiz/answer_coverage.h"
-#include "hiddensurface/quiz/questions.h"
 #include "hiddensurface/quiz/question_context.h"
+#include "hiddensurface/quiz/questions.h"
 
 #include <fmt/format.h>
 
@@ -28,8 +28,7 @@ std::optional<Question> ask_facing(QuizRandom& random) {
     std::vector<std::uint32_t> back;
     q.text = fmt::format(
         "The eye is at ({:g}, {:g}, {:g}). Which faces of this solid look away from it, by the sign of D_f? "
-        "Corners run "
-        "counter-clockwise seen from outside:",
+        "Corners run counter-clockwise seen from outside:",
         eye.x, eye.y, eye.z);
     for (const Polygon& polygon : stage.input.polygons) {
         const double d_f = facing(eye, polygon.world[0], polygon_normal(polygon.world));
@@ -66,8 +65,7 @@ std::optional<Question> ask_writes(QuizRandom& random) {
         q.text += fmt::format("{} {} (number {})", i == 0 ? "" : ",", distances[i], i + 1);
     q.text += fmt::format(
         ". The Z-buffer draws them in the order of their numbers. Rectangles {} lie over the marked pixel. "
-        "How often is it "
-        "written? Answer with a number.",
+        "How often is it written? Answer with a number.",
         words_of(over[at]));
     q.point = dvec2(x + 0.5, y + 0.5);
     q.answer = std::to_string(z_buffer.writes[at]);
@@ -117,7 +115,8 @@ std::optional<Question> ask_invisibility(QuizRandom& random) {
     if (number == 0 || !side.drawn) return std::nullopt;
     const double unit = double(1 << stage.input.subpixel_bits());
     q.point = dvec2(double(a.x + b.x) / 2 / unit, double(a.y + b.y) / 2 / unit);
-    if (q.point->x < 10 || q.point->y < 10 || q.point->x > quiz_width - 10 || q.point->y > quiz_height - 10)
+    if (q.point->x < 10 || q.point->y < 10 || q.point->x > quiz_width - 10 ||
+        q.point->y > quiz_height - 10)
         return std::nullopt;
     q.kind = "invisibility";
     q.text = fmt::format(

@@ -32,8 +32,9 @@ Question make_question(const Kind& kind, std::uint32_t seed, std::uint32_t numbe
     QuizRandom random(seed, number);
     for (int i = 0; i < most_tries; ++i)
         if (auto question = kind.make(random)) return std::move(*question);
-    throw Error(fmt::format("quiz: no scene for question {} ({}) of seed {}; expected one in {} tries",
-                            number, kind.name, seed, most_tries));
+    throw Error(
+        fmt::format("quiz: no scene for question {} ({}) of seed {}; expected one in {} tries",
+                    number, kind.name, seed, most_tries));
 }
 
 }  // namespace
@@ -52,7 +53,8 @@ std::vector<Question> make_quiz(std::uint32_t seed, int count, const std::string
     for (int i = 0; i < count; ++i) {
         std::size_t k = std::size_t(i) % std::size(kinds);
         if (!kind.empty())
-            k = std::size_t(std::find(quiz_kinds().begin(), quiz_kinds().end(), kind) - quiz_kinds().begin());
+            k = std::size_t(std::find(quiz_kinds().begin(), quiz_kinds().end(), kind) -
+                            quiz_kinds().begin());
         if (k >= std::size(kinds))
             throw Error("quiz: unknown kind '" + kind + "'; expected one of quiz_kinds()");
         quiz.push_back(make_question(kinds[k], seed, std::uint32_t(i + 1)));

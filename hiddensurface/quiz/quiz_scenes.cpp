@@ -9,9 +9,9 @@ namespace gw::hiddensurface {
 
 namespace {
 
-constexpr vec3 colors[quiz_colors] = {{0.90f, 0.45f, 0.35f}, {0.30f, 0.65f, 0.70f}, {0.85f, 0.78f, 0.45f},
-                                      {0.45f, 0.60f, 0.90f}, {0.55f, 0.75f, 0.40f}, {0.75f, 0.50f, 0.80f},
-                                      {0.80f, 0.80f, 0.80f}, {0.90f, 0.65f, 0.25f}};
+constexpr vec3 colors[quiz_colors] = {
+    {0.90f, 0.45f, 0.35f}, {0.30f, 0.65f, 0.70f}, {0.85f, 0.78f, 0.45f}, {0.45f, 0.60f, 0.90f},
+    {0.55f, 0.75f, 0.40f}, {0.75f, 0.50f, 0.80f}, {0.80f, 0.80f, 0.80f}, {0.90f, 0.65f, 0.25f}};
 
 /// Every polygon an object of its own, so that each has a colour.
 void add_polygon(scene::Scene& scene, std::vector<vec3> corners) {
@@ -19,8 +19,9 @@ void add_polygon(scene::Scene& scene, std::vector<vec3> corners) {
     const vec3 color = colors[scene.objects.size() % quiz_colors];
     scene.materials.push_back({.name = "color" + name, .Ka = color, .Kd = color});
     MeshData data{.primitive = Primitive::Polygons, .positions = std::move(corners)};
-    scene.objects.push_back(
-        {.name = "polygon" + name, .mesh = make_mesh(std::move(data)), .material = scene.objects.size()});
+    scene.objects.push_back({.name = "polygon" + name,
+                             .mesh = make_mesh(std::move(data)),
+                             .material = scene.objects.size()});
 }
 
 scene::Scene empty_scene(const dvec3& eye) {
@@ -39,7 +40,9 @@ QuizRandom::QuizRandom(std::uint32_t seed, std::uint32_t number) {
 double QuizRandom::operator()(double low, double high) {
     return low + (high - low) * (double(engine_()) / 4294967295.0);
 }
-int QuizRandom::whole(int low, int high) { return low + int(engine_() % std::uint32_t(high - low + 1)); }
+int QuizRandom::whole(int low, int high) {
+    return low + int(engine_() % std::uint32_t(high - low + 1));
+}
 
 scene::Scene tilted_polygons(QuizRandom& random, int count, int corners, double size) {
     scene::Scene scene = empty_scene({0, 0, 6});
@@ -51,8 +54,8 @@ scene::Scene tilted_polygons(QuizRandom& random, int count, int corners, double 
             v(-gw::sin(turn), gw::cos(turn), random(-0.9, 0.9));
         const double a = size * random(0.7, 1.5), b = size * random(0.4, 1.2);
         if (corners == 4)
-            add_polygon(scene, {vec3(c - a * u - b * v), vec3(c + a * u - b * v), vec3(c + a * u + b * v),
-                                vec3(c - a * u + b * v)});
+            add_polygon(scene, {vec3(c - a * u - b * v), vec3(c + a * u - b * v),
+                                vec3(c + a * u + b * v), vec3(c - a * u + b * v)});
         else
             add_polygon(scene, {vec3(c - a * u - b * v), vec3(c + a * u - b * v),
                                 vec3(c + random(-0.5, 0.5) * u + 1.2 * b * v)});
@@ -70,7 +73,8 @@ scene::Scene facing_rectangles(QuizRandom& random, int count, std::vector<int>& 
         const auto pick = std::size_t(random.whole(0, int(free.size()) - 1));
         distances.push_back(free[pick]);
         free.erase(free.begin() + std::ptrdiff_t(pick));
-        const double w = random(0.7, 1.6), h = random(0.6, 1.3), x = random(-1.2, 1.2), y = random(-0.7, 0.7);
+        const double w = random(0.7, 1.6), h = random(0.6, 1.3), x = random(-1.2, 1.2),
+                     y = random(-0.7, 0.7);
         const double z = 20 - distances.back();
         add_polygon(scene, {vec3(dvec3(x - w, y - h, z)), vec3(dvec3(x + w, y - h, z)),
                             vec3(dvec3(x + w, y + h, z)), vec3(dvec3(x - w, y + h, z))});
@@ -81,7 +85,8 @@ scene::Scene facing_rectangles(QuizRandom& random, int count, std::vector<int>& 
 scene::Scene whole_number_solid(QuizRandom& random) {
     dvec3 eye(0);
     while (std::abs(eye.x) + std::abs(eye.y) + std::abs(eye.z) < 9 || eye.z < 3)
-        eye = {double(random.whole(-7, 7)), double(random.whole(-5, 5)), double(random.whole(3, 8))};
+        eye = {double(random.whole(-7, 7)), double(random.whole(-5, 5)),
+               double(random.whole(3, 8))};
     scene::Scene scene = empty_scene(eye);
     // A prism over a triangle or a square, leaning.
     const int n = random.whole(3, 4);

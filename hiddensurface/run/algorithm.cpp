@@ -80,7 +80,8 @@ void draw_piece(const Input& input, const Piece& piece, Output& output, StepLog&
     output.counts.spans += painted.size();
     add_painted(output.list, painted);
     output.pieces.push_back(piece);
-    if (log.on()) log.add({Level::Polygon, Action::Draw, {polygon.id}, "", "", -1, std::move(painted)});
+    if (log.on())
+        log.add({Level::Polygon, Action::Draw, {polygon.id}, "", "", -1, std::move(painted)});
 }
 
 }  // namespace gw::hiddensurface

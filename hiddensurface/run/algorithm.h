@@ -1,10 +1,11 @@
-// What all algorithms have in common: a scene and a view go in; commands for the machine, counts and a step
-// log come out. One file per algorithm in hiddensurface/algorithms/. Does not execute anything.
+// What all algorithms have in common: a scene and a view go in; commands for the machine, counts
+// and a step log come out. One file per algorithm in hiddensurface/algorithms/. Does not execute
+// anything.
 #pragma once
 
 #include "gw/command_list.h"
-#include "hiddensurface/run/counts.h"
 #include "hiddensurface/model/piece.h"
+#include "hiddensurface/run/counts.h"
 #include "hiddensurface/run/steps.h"
 
 #include <functional>
@@ -49,7 +50,8 @@ struct Algorithm {
     std::string title;  ///< for people, with the lecture's row
     Claim claim = Claim::Sometimes;
     bool uses_depth_plane = false;
-    bool in_world = false;  ///< decides before the snap to the grid: may differ where that turns two over
+    /// decides before the snap to the grid: may differ where that turns two over
+    bool in_world = false;
     std::function<Output(const Input&, StepLog&)> run;
 };
 
@@ -59,7 +61,8 @@ std::vector<std::string> algorithm_names();
 /// Throws Error naming the known ones.
 const Algorithm& algorithm_named(const std::string& name);
 
-/// The beginning of every list without a depth buffer: a pass of this name, depth test off, colour cleared to
+/// The beginning of every list without a depth buffer: a pass of this name, depth test off, colour
+/// cleared to
 /// 0. Depth is neither cleared nor read nor written.
 CommandList begin_picture(const Input& input, const std::string& name);
 /// Pixels in the colours of identifiers, through the machine's spans.

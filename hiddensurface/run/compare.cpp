@@ -31,13 +31,15 @@ void add_machine_counts(const std::vector<PassReport>& passes, Counts& counts) {
 
 Result run_on(Machine& machine, const Algorithm& algorithm, const Input& input, StepLog& log) {
     Output output = algorithm.run(input, log);
-    Result result{
-        .counts = output.counts, .pieces = std::move(output.pieces), .shares = std::move(output.shares)};
+    Result result{.counts = output.counts,
+                  .pieces = std::move(output.pieces),
+                  .shares = std::move(output.shares)};
     machine.reset_passes();
     machine.execute(output.list);
     add_machine_counts(machine.passes(), result.counts);
     for (const Rgba& color : machine.planes().color) result.ids.push_back(scene::id_of(color));
-    for (const Polygon& polygon : input.polygons) result.counts.polygons += polygon.visible() ? 1 : 0;
+    for (const Polygon& polygon : input.polygons)
+        result.counts.polygons += polygon.visible() ? 1 : 0;
     for (const std::uint32_t id : result.ids) result.counts.pixels += id != 0 ? 1 : 0;
     result.counts.overdraw = result.counts.passed - result.counts.pixels;
     machine.execute(counting(std::move(output.list)));

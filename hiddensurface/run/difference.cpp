@@ -1,7 +1,7 @@
 #include "hiddensurface/run/difference.h"
 
-#include "hiddensurface/structures/bsp_tree.h"
 #include "hiddensurface/model/normal.h"
+#include "hiddensurface/structures/bsp_tree.h"
 #include "hiddensurface/structures/scan_conversion.h"
 
 #include <algorithm>
@@ -17,7 +17,8 @@ constexpr double reach = 1;
 double distance(const CutEdge& edge, const dvec2& p) {
     const dvec2 side = edge.second - edge.first, to = p - edge.first;
     const double length2 = side.x * side.x + side.y * side.y;
-    const double t = length2 > 0 ? std::clamp((to.x * side.x + to.y * side.y) / length2, 0.0, 1.0) : 0.0;
+    const double t =
+        length2 > 0 ? std::clamp((to.x * side.x + to.y * side.y) / length2, 0.0, 1.0) : 0.0;
     const dvec2 away = to - t * side;
     return std::sqrt(away.x * away.x + away.y * away.y);
 }
@@ -64,7 +65,8 @@ const WorldFacet& Differences::facet_of(std::uint32_t id, const WindowTriangle& 
     });
 }
 
-double Differences::scene_depth(const WorldFacet& facet, const dvec2& at, double towards_eye) const {
+double Differences::scene_depth(const WorldFacet& facet, const dvec2& at,
+                                double towards_eye) const {
     dvec4 plane = unit_plane(facet);
     plane.w -= is_before(plane, input_.view) ? towards_eye : -towards_eye;
     const dvec4 window = to_window(plane, input_.view, input_.profile);

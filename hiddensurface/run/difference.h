@@ -1,4 +1,5 @@
-// Why a pixel differs from the Z-buffer's: a tie of depths, an edge that splitting made, the snap, or wrong.
+// Why a pixel differs from the Z-buffer's: a tie of depths, an edge that splitting made, the snap,
+// or wrong.
 // Does not run algorithms.
 #pragma once
 
@@ -10,16 +11,18 @@ namespace gw::hiddensurface {
 
 enum class Difference : std::uint8_t {
     None,
-    Tie,   ///< the Z-buffer cannot tell: see depths_tie
-    Edge,  ///< the centre is within one sub-pixel unit of an edge that splitting made, of one of the two
-    Snap,  ///< in the scene the shown one is not behind; the snap to the grid turned them over: see
-           ///< snap_turned
+    Tie,  ///< the Z-buffer cannot tell: see depths_tie
+    /// the centre is within one sub-pixel unit of an edge that splitting made, of one of the two
+    Edge,
+    /// in the scene the shown one is not behind; the snap to the grid turned them over: see
+    Snap,
+    ///< snap_turned
     Wrong
 };
 
-/// Whether the depth plane cannot tell that `shown` is not the nearer one at a pixel that both cover: the
-/// stored depths are equal, or they are neighbours by rounding only, for on the exact planes through the
-/// snapped corners `shown` is not behind `other`.
+/// Whether the depth plane cannot tell that `shown` is not the nearer one at a pixel that both
+/// cover: the stored depths are equal, or they are neighbours by rounding only, for on the exact
+/// planes through the snapped corners `shown` is not behind `other`.
 bool depths_tie(const WindowTriangle& shown, const WindowTriangle& other, int x, int y);
 
 /// Compares pictures of identifiers pixel by pixel.
@@ -36,15 +39,15 @@ private:
         const Polygon* polygon = nullptr;
         std::vector<CutEdge> made;  ///< by splitting it
     };
-    /// Only an algorithm that decides in the world can have such pixels: a tree built before the view is
-    /// known knows nothing of the grid. Without the snap the shown one is not behind, or one of the two does
-    /// not cover the centre; and the snapped depths are no farther apart than half a unit at every corner
-    /// moves.
+    /// Only an algorithm that decides in the world can have such pixels: a tree built before the
+    /// view is known knows nothing of the grid. Without the snap the shown one is not behind, or
+    /// one of the two does not cover the centre; and the snapped depths are no farther apart than
+    /// half a unit at every corner moves.
     bool snap_turned(std::uint32_t id, const WindowTriangle& shown, std::uint32_t expected,
                      const WindowTriangle& other, int x, int y) const;
-    /// The depth drawn at a point is the scene's at another point, half a unit away in x and in y at most. So
-    /// this is how far the two are apart, by the slopes of the scene's plane: those of the snapped plane of a
-    /// facet that is seen almost from its edge are far smaller.
+    /// The depth drawn at a point is the scene's at another point, half a unit away in x and in y
+    /// at most. So this is how far the two are apart, by the slopes of the scene's plane: those of
+    /// the snapped plane of a facet that is seen almost from its edge are far smaller.
     double snap_reach(const WorldFacet& facet) const;
     const WorldFacet& facet_of(std::uint32_t id, const WindowTriangle& t) const;
     /// z on the grid at a point of the window, without the snap; the surface moved towards the eye.

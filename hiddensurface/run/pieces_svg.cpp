@@ -19,12 +19,13 @@ struct Paper {
 std::string outline(const std::vector<Loop>& parts, const Paper& paper, const std::string& color) {
     std::string path;
     for (const Loop& loop : parts) {
-        for (std::size_t i = 0; i < loop.size(); ++i) path += (i == 0 ? "M" : " L") + paper.at(loop[i]);
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            path += (i == 0 ? "M" : " L") + paper.at(loop[i]);
         path += "Z";
     }
     return fmt::format(
-        "<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"black\" stroke-width=\"0.5\"/>\n", path,
-        color);
+        "<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"black\" stroke-width=\"0.5\"/>\n",
+        path, color);
 }
 
 /// Even ones to the right of the middle: two middles may be one point.

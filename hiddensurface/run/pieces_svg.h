@@ -1,4 +1,5 @@
-// The pieces of an algorithm as a drawing: outlines in the window, numbered in the order drawn. Does not cut.
+// The pieces of an algorithm as a drawing: outlines in the window, numbered in the order drawn.
+// Does not cut.
 #pragma once
 
 #include "hiddensurface/run/algorithm.h"

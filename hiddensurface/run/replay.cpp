@@ -13,7 +13,8 @@ void check(const Step& step, int width, int height) {
         if (run.y < 0 || run.y >= height || run.x0 < 0 || run.x1 > width || run.x0 > run.x1)
             throw Error("a step paints outside the window; expected a log of this size");
     const Rect& w = step.window;
-    if (w.x < 0 || w.y < 0 || w.width < 0 || w.height < 0 || w.width > width - w.x || w.height > height - w.y)
+    if (w.x < 0 || w.y < 0 || w.width < 0 || w.height < 0 || w.width > width - w.x ||
+        w.height > height - w.y)
         throw Error("a step is about pixels outside the window; expected a log of this size");
 }
 
@@ -38,8 +39,9 @@ void Replay::for_painted(const Step& step, const Change& change) {
 void Replay::forward() {
     const Step& step = steps_.at(position());
     Undo undo;
-    for_painted(
-        step, [&](std::uint32_t& pixel, std::uint32_t id) { undo.ids.push_back(std::exchange(pixel, id)); });
+    for_painted(step, [&](std::uint32_t& pixel, std::uint32_t id) {
+        undo.ids.push_back(std::exchange(pixel, id));
+    });
     if (step.action == Action::Sort) undo.order = std::exchange(order_, step.polygons);
     undo_.push_back(std::move(undo));
 }

@@ -1,4 +1,5 @@
-// A step log played forwards and backwards: the picture, the order of the list and the step at any place.
+// A step log played forwards and backwards: the picture, the order of the list and the step at any
+// place.
 // Needs the log only. Does not draw.
 #pragma once
 

@@ -27,10 +27,10 @@ public:
         const Polygon& polygon = input_.polygons[span.polygon];
         const WindowTriangle& triangle = polygon.triangles[span.triangle];
         const scene::Object& object = input_.scene.objects[polygon.object];
-        const scene::SurfacePoint point =
-            surfaces_.at(polygon.object, triangle.source, dvec2(x, span.run.y) + center_, is_front(triangle));
-        const dvec3 sum =
-            scene::shade(input_.scene.materials.at(object.material), lights_[polygon.object], point);
+        const scene::SurfacePoint point = surfaces_.at(
+            polygon.object, triangle.source, dvec2(x, span.run.y) + center_, is_front(triangle));
+        const dvec3 sum = scene::shade(input_.scene.materials.at(object.material),
+                                       lights_[polygon.object], point);
         const auto store = [this](double v) {
             return static_cast<std::uint16_t>(quantize(v, input_.profile.color_bits));
         };
@@ -52,15 +52,16 @@ void add_line(CommandList& list, const Shader& shader, const std::vector<Visible
                                  .length = span.run.x1 - span.run.x0,
                                  .first = static_cast<std::uint32_t>(command.colors.size()),
                                  .flat = false});
-        for (int x = span.run.x0; x < span.run.x1; ++x) command.colors.push_back(shader.color(span, x));
+        for (int x = span.run.x0; x < span.run.x1; ++x)
+            command.colors.push_back(shader.color(span, x));
     }
     if (!line.empty()) list.add(std::move(command));
 }
 
 }  // namespace
 
-CommandList scan_line_picture(const scene::Scene& scene, const scene::View& view, const Profile& profile,
-                              const JitterState& jitter) {
+CommandList scan_line_picture(const scene::Scene& scene, const scene::View& view,
+                              const Profile& profile, const JitterState& jitter) {
     const Input input{scene, view, profile, project(scene, view, profile, jitter)};
     CommandList list = begin_picture(input, "scan-line, eq. 3");
     std::get<Clear>(list.commands.back()).color = vec4(scene.background, 1);

@@ -72,7 +72,8 @@ std::string to_json(const Step& step) {
     if (!step.test.empty()) json["test"] = step.test;
     if (!step.result.empty()) json["result"] = step.result;
     if (step.row >= 0) json["row"] = step.row;
-    for (const auto& [run, id] : step.painted) json["painted"].push_back({run.y, run.x0, run.x1, id});
+    for (const auto& [run, id] : step.painted)
+        json["painted"].push_back({run.y, run.x0, run.x1, id});
     if (!step.before.empty()) json["before"] = json_of(step.before);
     if (!step.behind.empty()) json["behind"] = json_of(step.behind);
     if (const Rect& w = step.window; w.width > 0) json["window"] = {w.x, w.y, w.width, w.height};

@@ -1,5 +1,5 @@
-// The step log: what an algorithm compared, decided, split and drew, in order. From it alone every state can
-// be rebuilt (hiddensurface/run/replay.h). Does not hold pictures.
+// The step log: what an algorithm compared, decided, split and drew, in order. From it alone every
+// state can be rebuilt (hiddensurface/run/replay.h). Does not hold pictures.
 #pragma once
 
 #include "hiddensurface/model/grid.h"
@@ -24,13 +24,14 @@ struct Painted {
 struct Step {
     Level level = Level::Polygon;
     Action action = Action::Compare;
-    std::vector<std::uint32_t> polygons;  ///< identifiers: what it is about; of a Sort, the whole order
-    std::string test;                     ///< "x extents", "behind the plane", "D_f", ...
-    std::string result;                   ///< "disjoint", "behind", "swapped", ...
-    int row = -1;                         ///< the scan line, where there is one
-    std::vector<Painted> painted;         ///< Draw only: all that changes in the picture
-    std::vector<Loop> before, behind;     ///< Split only: the pieces, in grid units
-    Rect window{};                        ///< pixels that it is about; of no width: none
+    /// identifiers: what it is about; of a Sort, the whole order
+    std::vector<std::uint32_t> polygons;
+    std::string test;                  ///< "x extents", "behind the plane", "D_f", ...
+    std::string result;                ///< "disjoint", "behind", "swapped", ...
+    int row = -1;                      ///< the scan line, where there is one
+    std::vector<Painted> painted;      ///< Draw only: all that changes in the picture
+    std::vector<Loop> before, behind;  ///< Split only: the pieces, in grid units
+    Rect window{};                     ///< pixels that it is about; of no width: none
     bool operator==(const Step&) const = default;
 };
 
@@ -44,7 +45,8 @@ public:
     bool wants(Level level) const { return on_ && level <= finest_; }
     /// Draw steps are recorded at any level, others where they are wanted.
     void add(Step step) {
-        if (wants(step.level) || (on_ && step.action == Action::Draw)) steps_.push_back(std::move(step));
+        if (wants(step.level) || (on_ && step.action == Action::Draw))
+            steps_.push_back(std::move(step));
     }
     void compare(std::vector<std::uint32_t> polygons, const char* test, const char* result) {
         if (on_) add({Level::Polygon, Action::Compare, std::move(polygons), test, result});

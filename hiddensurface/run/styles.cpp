@@ -32,7 +32,8 @@ std::pair<float, float> reach(const scene::Scene& scene, const scene::View& view
     for (const scene::Object& object : scene.objects) {
         const dmat4 eye_from_object = scene::placed(object, view).eye_from_object;
         for (const vec3& p : object.mesh->data().positions) {
-            const double d = -(transform3(dmat3(eye_from_object), dvec3(p)).z + eye_from_object[3].z);
+            const double d =
+                -(transform3(dmat3(eye_from_object), dvec3(p)).z + eye_from_object[3].z);
             nearest = std::min(nearest, d);
             farthest = std::max(farthest, d);
         }
@@ -63,7 +64,8 @@ CommandList depth_cueing(const scene::Scene& scene, const scene::View& view) {
     return list;
 }
 
-CommandList hidden_lines(const scene::Scene& scene, const scene::View& view, const Profile& profile) {
+CommandList hidden_lines(const scene::Scene& scene, const scene::View& view,
+                         const Profile& profile) {
     State faces = scene::view_state(view), sides = lines(view);
     faces.color_source = ColorSource::Vertex;
     faces.color_mask = {false, false, false, false};

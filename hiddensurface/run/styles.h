@@ -1,24 +1,26 @@
-// The lecture's line styles of one object [L1 a, b, c] as command lists: wireframe, depth cueing, hidden
-// lines removed. The shaded ones [L1 d, e, f] are passes: multipass/ draws them.
+// The lecture's line styles of one object [L1 a, b, c] as command lists: wireframe, depth cueing,
+// hidden lines removed. The shaded ones [L1 d, e, f] are passes: multipass/ draws them.
 #pragma once
 
 #include "gw/command_list.h"
 #include "gw/profile.h"
-#include "scene/scene.h"
 #include "scene/draw/view.h"
+#include "scene/scene.h"
 
 namespace gw::hiddensurface {
 
 /// [L1 a] Every polygon's sides, white on black; no depth test.
 CommandList wireframe(const scene::Scene& scene, const scene::View& view);
 
-/// [L1 b] The same, darker the farther: linear fog of black from the scene's nearest to its farthest point.
+/// [L1 b] The same, darker the farther: linear fog of black from the scene's nearest to its
+/// farthest point.
 CommandList depth_cueing(const scene::Scene& scene, const scene::View& view);
 
-/// [L1 c] Z of the faces first, then the sides under LEqual. Faces must lie a little behind their own sides:
-/// by polygon offset where the profile has it; else by the depth range, faces in the upper 1023/1024 of it,
-/// sides in the lower. That shifts by the same amount everywhere: on steep faces parts of sides may break,
-/// and sides nearer than the shift behind a face show through.
-CommandList hidden_lines(const scene::Scene& scene, const scene::View& view, const Profile& profile);
+/// [L1 c] Z of the faces first, then the sides under LEqual. Faces must lie a little behind their
+/// own sides: by polygon offset where the profile has it; else by the depth range, faces in the
+/// upper 1023/1024 of it, sides in the lower. That shifts by the same amount everywhere: on steep
+/// faces parts of sides may break, and sides nearer than the shift behind a face show through.
+CommandList hidden_lines(const scene::Scene& scene, const scene::View& view,
+                         const Profile& profile);
 
 }  // namespace gw::hiddensurface

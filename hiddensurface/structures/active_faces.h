@@ -1,5 +1,6 @@
-// Faces by scan lines, from the top down: which begin at a line, and from where to where each active one
-// reaches on it. One step of integers per edge and line [L7]. Does not sort in x or compare depths.
+// Faces by scan lines, from the top down: which begin at a line, and from where to where each
+// active one reaches on it. One step of integers per edge and line [L7]. Does not sort in x or
+// compare depths.
 #pragma once
 
 #include "hiddensurface/model/face.h"
@@ -22,8 +23,8 @@ public:
     /// Refers to the faces.
     ActiveFaces(const std::vector<Face>& faces, const Input& input);
 
-    /// To the line below the last one, the first time the top line: every active face's ends, `done` where it
-    /// has none.
+    /// To the line below the last one, the first time the top line: every active face's ends,
+    /// `done` where it has none.
     void next_line();
     /// Those that begin at this line. They stay where they are.
     const std::vector<ActiveFace*>& begun() const { return begun_; }
@@ -38,8 +39,8 @@ private:
     std::vector<ActiveFace*> begun_;
 };
 
-/// Sorts a list that was sorted on the line above by exchanges of neighbours, as few as changed places;
-/// `more`, at the end of the list, are new. Counts crossings and swaps.
+/// Sorts a list that was sorted on the line above by exchanges of neighbours, as few as changed
+/// places; `more`, at the end of the list, are new. Counts crossings and swaps.
 template <class T, class Before>
 void sort_again(std::vector<T>& list, std::size_t more, Counts& counts, const Before& before) {
     counts.sorts += 1;

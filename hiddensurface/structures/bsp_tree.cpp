@@ -23,7 +23,9 @@ public:
     }
 
 private:
-    dvec4 plane(FacetIndex i) const { return unit_plane(polygons_[i.polygon].world_facets[i.facet]); }
+    dvec4 plane(FacetIndex i) const {
+        return unit_plane(polygons_[i.polygon].world_facets[i.facet]);
+    }
 
     Place place(const TreePiece& piece, const dvec4& cut) {
         tree_.plane_tests += 1;
@@ -37,7 +39,8 @@ private:
             const std::size_t i = c * pieces.size() / tried;
             const dvec4 candidate = plane(pieces[i].of);
             std::size_t splits = 0;
-            for (const TreePiece& piece : pieces) splits += place(piece, candidate) == Place::Both ? 1 : 0;
+            for (const TreePiece& piece : pieces)
+                splits += place(piece, candidate) == Place::Both ? 1 : 0;
             if (splits < fewest) {
                 fewest = splits;
                 best = i;
@@ -109,7 +112,8 @@ Place place_of(const TreePiece& piece, const dvec4& plane, double tolerance) {
     return front && back ? Place::Both : front ? Place::Front : back ? Place::Back : Place::On;
 }
 
-std::pair<TreePiece, TreePiece> cut_piece(const TreePiece& piece, FacetIndex by, const dvec4& plane) {
+std::pair<TreePiece, TreePiece> cut_piece(const TreePiece& piece, FacetIndex by,
+                                          const dvec4& plane) {
     auto [behind, before] = divide(piece.parts, plane);
     std::pair<TreePiece, TreePiece> halves{{piece.of, std::move(behind), piece.cuts},
                                            {piece.of, std::move(before), piece.cuts}};
@@ -123,7 +127,8 @@ std::vector<TreePiece> pieces_of(const std::vector<Polygon>& polygons,
     std::vector<TreePiece> pieces;
     for (const std::size_t i : order)
         for (std::size_t k = 0; k < polygons[i].world_facets.size(); ++k)
-            if (const WorldFacet& facet = polygons[i].world_facets[k]; unit_plane(facet) != dvec4(0))
+            if (const WorldFacet& facet = polygons[i].world_facets[k];
+                unit_plane(facet) != dvec4(0))
                 pieces.push_back({{i, k}, facet.parts, {}});
     return pieces;
 }

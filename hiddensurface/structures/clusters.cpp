@@ -22,8 +22,8 @@ struct Reach {
 
 class Priorities {
 public:
-    Priorities(const std::vector<TreePiece>& pieces, const std::vector<dvec4>& planes, double tolerance,
-               std::uint64_t& tests)
+    Priorities(const std::vector<TreePiece>& pieces, const std::vector<dvec4>& planes,
+               double tolerance, std::uint64_t& tests)
         : n_(pieces.size()), reach_(n_ * n_) {
         for (const dvec4& plane : planes) normals_.push_back(dvec3(plane));
         for (std::size_t i = 0; i < n_; ++i)
@@ -59,20 +59,22 @@ public:
     std::vector<RankedSide> in_order(const std::vector<std::size_t>& priority) const {
         std::vector<RankedSide> sides;
         for (std::size_t a = 2 * n_; a-- > 0;) sides.push_back({a / 2, a % 2 == 0, priority[a]});
-        std::stable_sort(sides.begin(), sides.end(),
-                         [](const RankedSide& a, const RankedSide& b) { return a.priority > b.priority; });
+        std::stable_sort(sides.begin(), sides.end(), [](const RankedSide& a, const RankedSide& b) {
+            return a.priority > b.priority;
+        });
         return sides;
     }
 
 private:
     static Reach reach_of(Place place) {
-        return {place == Place::Front || place == Place::Both, place == Place::Back || place == Place::Both};
+        return {place == Place::Front || place == Place::Both,
+                place == Place::Back || place == Place::Both};
     }
     static bool across(const Reach& reach) { return reach.front && reach.back; }
 
-    /// Sides are numbered 2 i (front) and 2 i + 1. From some eye that sees both, a is before b: a has a point
-    /// in front of b's side, and b one behind a's. The line from the one point to the other leads to such an
-    /// eye. In one plane, the scene's first is seen.
+    /// Sides are numbered 2 i (front) and 2 i + 1. From some eye that sees both, a is before b: a
+    /// has a point in front of b's side, and b one behind a's. The line from the one point to the
+    /// other leads to such an eye. In one plane, the scene's first is seen.
     bool may_hide(std::size_t a, std::size_t b) const {
         const std::size_t i = a / 2, k = b / 2;
         if (i == k) return false;
@@ -93,7 +95,8 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 struct Separation {
     dvec4 plane{0};
-    std::optional<FacetIndex> by;  ///< whose plane it is; none: it lies between faces and cuts nothing
+    /// whose plane it is; none: it lies between faces and cuts nothing
+    std::optional<FacetIndex> by;
     std::size_t cost = none;
 };
 
@@ -149,7 +152,8 @@ private:
 
     void force_cluster(std::vector<TreePiece>& pieces, ClusterNode& out) {
         tree_.cyclic += 1;
-        finish(pieces, priorities(pieces).in_order(std::vector<std::size_t>(2 * pieces.size(), 1)), out);
+        finish(pieces, priorities(pieces).in_order(std::vector<std::size_t>(2 * pieces.size(), 1)),
+               out);
     }
 
     void finish(std::vector<TreePiece>& pieces, std::vector<RankedSide> sides, ClusterNode& out) {
@@ -187,13 +191,14 @@ private:
         return reach;
     }
 
-    /// The plane of a face that cuts few others and leaves even halves, of some faces, or where none of these
-    /// divides, of all.
+    /// The plane of a face that cuts few others and leaves even halves, of some faces, or where
+    /// none of these divides, of all.
     Separation by_a_face(const std::vector<TreePiece>& pieces) {
         Separation best;
         const std::size_t tried = std::min(candidates, pieces.size());
         for (std::size_t c = 0; c < tried; ++c) consider(pieces, c * pieces.size() / tried, best);
-        for (std::size_t i = 0; i < pieces.size() && best.cost == none; ++i) consider(pieces, i, best);
+        for (std::size_t i = 0; i < pieces.size() && best.cost == none; ++i)
+            consider(pieces, i, best);
         return best;
     }
 
@@ -208,11 +213,12 @@ private:
             back += place == Place::Back || place == Place::On ? 1 : 0;
         }
         const std::size_t cost = 8 * cut + std::max(front, back);
-        if (front + cut > 0 && back + cut > 0 && cost < best.cost) best = {by, pieces[face].of, cost};
+        if (front + cut > 0 && back + cut > 0 && cost < best.cost)
+            best = {by, pieces[face].of, cost};
     }
 
-    /// What lies in the plane goes behind: whatever the eye, it is drawn after the far and before the near
-    /// side.
+    /// What lies in the plane goes behind: whatever the eye, it is drawn after the far and before
+    /// the near side.
     void sort_in(TreePiece piece, const Separation& at, std::vector<TreePiece>& front,
                  std::vector<TreePiece>& back) {
         tree_.plane_tests += 1;
@@ -243,7 +249,8 @@ std::uint64_t walk(const ClusterNode& node, const std::vector<Polygon>& polygons
     }
     std::vector<bool> before;
     for (const TreePiece& piece : node.pieces)
-        before.push_back(dot4(unit_plane(polygons[piece.of.polygon].world_facets[piece.of.facet]), eye) >= 0);
+        before.push_back(
+            dot4(unit_plane(polygons[piece.of.polygon].world_facets[piece.of.facet]), eye) >= 0);
     for (const RankedSide& side : node.sides)
         if (side.front == before[side.piece]) visit(node.pieces[side.piece], side);
     return node.pieces.size();
@@ -255,7 +262,8 @@ ClusterTree build_clusters(const std::vector<Polygon>& polygons, const SplitSink
     return Builder(polygons, on_split).build();
 }
 
-std::uint64_t far_to_near(const ClusterTree& tree, const std::vector<Polygon>& polygons, const dvec4& eye,
+std::uint64_t far_to_near(const ClusterTree& tree, const std::vector<Polygon>& polygons,
+                          const dvec4& eye,
                           const std::function<void(const TreePiece&, const RankedSide&)>& visit) {
     return walk(*tree.root, polygons, eye, visit);
 }

@@ -1,12 +1,13 @@
-// Schumacker's clusters: a scene divided by planes into clusters of faces, each with priorities that hold for
-// every eye. Built in the world before any eye is known. Does not project or draw.
+// Schumacker's clusters: a scene divided by planes into clusters of faces, each with priorities
+// that hold for every eye. Built in the world before any eye is known. Does not project or draw.
 #pragma once
 
 #include "hiddensurface/structures/bsp_tree.h"
 
 namespace gw::hiddensurface {
 
-/// One side of a face, and its priority in the cluster: for no eye does it hide a side of a smaller number.
+/// One side of a face, and its priority in the cluster: for no eye does it hide a side of a smaller
+/// number.
 struct RankedSide {
     std::size_t piece = 0;
     bool front = true;
@@ -18,7 +19,8 @@ struct ClusterNode {
     dvec4 plane{0, 0, 0, 0};  ///< of length 1; of a cluster 0
     std::unique_ptr<ClusterNode> front, back;
     std::vector<TreePiece> pieces;
-    std::vector<RankedSide> sides;  ///< greatest number first; of one number the scene's first last
+    /// greatest number first; of one number the scene's first last
+    std::vector<RankedSide> sides;
 };
 
 struct ClusterTree {
@@ -31,7 +33,8 @@ struct ClusterTree {
 ClusterTree build_clusters(const std::vector<Polygon>& polygons, const SplitSink& on_split);
 
 /// The sides that the eye sees, every one before those that may hide it. Returns the signs asked.
-std::uint64_t far_to_near(const ClusterTree& tree, const std::vector<Polygon>& polygons, const dvec4& eye,
+std::uint64_t far_to_near(const ClusterTree& tree, const std::vector<Polygon>& polygons,
+                          const dvec4& eye,
                           const std::function<void(const TreePiece&, const RankedSide&)>& visit);
 
 }  // namespace gw::hiddensurface

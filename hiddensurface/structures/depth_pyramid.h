@@ -1,5 +1,5 @@
-// A pyramid of depths over the window: every cell of a level has the farthest of the four below it. Asks
-// whether a rectangle is hidden without looking at its pixels. Does not project.
+// A pyramid of depths over the window: every cell of a level has the farthest of the four below it.
+// Asks whether a rectangle is hidden without looking at its pixels. Does not project.
 #pragma once
 
 #include "gw/base/types.h"
@@ -16,8 +16,9 @@ public:
     std::int64_t at(int x, int y) const { return levels_[0].at(x, y); }
     /// A nearer depth than was there; the levels above follow as far as they change.
     void set(int x, int y, std::int64_t z);
-    /// Every pixel of `rect`, which is in the window and not empty, is nearer than `nearest`. Asked first of
-    /// the lowest cell that has all of it, then of the cells below that are not nearer. Counts cells asked.
+    /// Every pixel of `rect`, which is in the window and not empty, is nearer than `nearest`. Asked
+    /// first of the lowest cell that has all of it, then of the cells below that are not nearer.
+    /// Counts cells asked.
     bool hides(const Rect& rect, std::int64_t nearest, std::uint64_t& compared) const;
     std::uint64_t bytes() const;
 
@@ -25,7 +26,9 @@ private:
     struct Level {
         int width = 0, height = 0;
         std::vector<std::int64_t> z;
-        std::int64_t& at(int x, int y) { return z[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
+        std::int64_t& at(int x, int y) {
+            return z[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+        }
         std::int64_t at(int x, int y) const {
             return z[std::size_t(y) * std::size_t(width) + std::size_t(x)];
         }

@@ -15,7 +15,8 @@ constexpr int deepest = 10;
 
 class Builder {
 public:
-    Builder(const std::vector<Polygon>& polygons, std::size_t few) : polygons_(polygons), few_(few) {}
+    Builder(const std::vector<Polygon>& polygons, std::size_t few)
+        : polygons_(polygons), few_(few) {}
 
     std::unique_ptr<Cube> cube(const dvec3& low, const dvec3& high, std::vector<std::size_t> inside,
                                int depth) const {
@@ -83,17 +84,20 @@ std::unique_ptr<Cube> build_octree(const std::vector<Polygon>& polygons, std::si
 std::array<std::size_t, 8> near_to_far(const Cube& cube, const dvec4& eye) {
     std::size_t nearest = 0;
     for (int axis = 0; axis < 3; ++axis)
-        if (eye[axis] > 0.5 * (cube.low[axis] + cube.high[axis]) * eye.w) nearest += std::size_t{1} << axis;
+        if (eye[axis] > 0.5 * (cube.low[axis] + cube.high[axis]) * eye.w)
+            nearest += std::size_t{1} << axis;
     std::array<std::size_t, 8> order{0, 1, 2, 4, 3, 5, 6, 7};  // by the middle planes between
     for (std::size_t& part : order) part ^= nearest;
     return order;
 }
 
-WindowBox window_box(const dvec3& low, const dvec3& high, const scene::View& view, const Profile& profile) {
+WindowBox window_box(const dvec3& low, const dvec3& high, const scene::View& view,
+                     const Profile& profile) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double x0 = infinity, y0 = infinity, z0 = infinity, x1 = -infinity, y1 = -infinity;
     for (int k = 0; k < 8; ++k) {
-        const dvec4 world(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z, 1);
+        const dvec4 world(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z,
+                          1);
         const dvec4 p = transform(view.clip_from_eye, transform(view.eye_from_world, world));
         if (p.z < -p.w || p.w <= 0) return {{0, 0, view.width, view.height}, 0};
         x0 = std::min(x0, p.x / p.w);
@@ -104,12 +108,14 @@ WindowBox window_box(const dvec3& low, const dvec3& high, const scene::View& vie
     }
     // A pixel more on every side, and two units of depth: the snap and rounding move less.
     const auto pixel = [](double ndc, int size, int more) {
-        return static_cast<int>(std::clamp(std::floor((ndc + 1) / 2 * size) + more, 0.0, double(size)));
+        return static_cast<int>(
+            std::clamp(std::floor((ndc + 1) / 2 * size) + more, 0.0, double(size)));
     };
     const int left = pixel(x0, view.width, -1), bottom = pixel(y0, view.height, -1);
     const double largest = double((std::uint64_t{1} << profile.depth_bits) - 1);
     return {{left, bottom, pixel(x1, view.width, 2) - left, pixel(y1, view.height, 2) - bottom},
-            static_cast<std::int64_t>(std::clamp(std::floor((z0 + 1) / 2 * largest) - 2, 0.0, largest))};
+            static_cast<std::int64_t>(
+                std::clamp(std::floor((z0 + 1) / 2 * largest) - 2, 0.0, largest))};
 }
 
 }  // namespace gw::hiddensurface

@@ -1,5 +1,5 @@
-// The painter's algorithm [L5]: polygons sorted by one distance each and drawn far to near. Fails where the
-// distance of one point does not say which polygon hides which; never splits.
+// The painter's algorithm [L5]: polygons sorted by one distance each and drawn far to near. Fails
+// where the distance of one point does not say which polygon hides which; never splits.
 #pragma once
 
 #include "hiddensurface/run/algorithm.h"

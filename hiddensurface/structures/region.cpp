@@ -78,7 +78,8 @@ dvec2 Lines::corner(std::size_t i, std::size_t j) const {
 
 std::vector<dvec2> Lines::corners(const Contour& contour) const {
     std::vector<dvec2> points;
-    for (std::size_t k = 0; k < contour.size(); ++k) points.push_back(corner(contour[k], after(contour, k)));
+    for (std::size_t k = 0; k < contour.size(); ++k)
+        points.push_back(corner(contour[k], after(contour, k)));
     return points;
 }
 
@@ -107,15 +108,16 @@ bool Lines::is_inside(std::size_t i, std::size_t j, const Region& region) const 
     for (const Contour& contour : region)
         for (std::size_t k = 0; k < contour.size(); ++k) {
             const std::size_t line = contour[k];
-            const bool crosses = side(before(contour, k), line, j) != side(line, after(contour, k), j);
+            const bool crosses =
+                side(before(contour, k), line, j) != side(line, after(contour, k), j);
             if (crosses && side(line, j, i) > 0) inside = !inside;
         }
     return inside;
 }
 
-/// Weiler and Atherton: the two contours' crossings in order along both; the inside follows the region where
-/// it enters the clip polygon and the clip polygon where it leaves, forwards; the outside the other way
-/// about, the clip polygon backwards.
+/// Weiler and Atherton: the two contours' crossings in order along both; the inside follows the
+/// region where it enters the clip polygon and the clip polygon where it leaves, forwards; the
+/// outside the other way about, the clip polygon backwards.
 class Clipper {
 public:
     Clipper(const Lines& lines, const Region& region, const Contour& clip)
@@ -129,7 +131,8 @@ public:
                 order(on_region_[u][k], region_[u], k,
                       [this](const Crossing& c) { return clip_[c.clip_side]; });
         for (std::size_t j = 0; j < clip_.size(); ++j)
-            order(on_clip_[j], clip_, j, [this](const Crossing& c) { return region_[c.contour][c.side]; });
+            order(on_clip_[j], clip_, j,
+                  [this](const Crossing& c) { return region_[c.contour][c.side]; });
     }
 
     std::pair<Region, Region> run() {
@@ -162,7 +165,8 @@ private:
 
     /// a is before b where b is on the same side of a's line as the side's end.
     template <class Other>
-    void order(std::vector<std::size_t>& list, const Contour& contour, std::size_t k, const Other& other) {
+    void order(std::vector<std::size_t>& list, const Contour& contour, std::size_t k,
+               const Other& other) {
         const std::size_t line = contour[k];
         std::sort(list.begin(), list.end(), [&](std::size_t a, std::size_t b) {
             const std::size_t of_a = other(crossings_[a]), of_b = other(crossings_[b]);
@@ -233,7 +237,8 @@ private:
 
     /// No contour is longer than all sides, each as often as it is crossed.
     std::size_t limit() const {
-        return 4 * (crossings_.size() + 1) * (crossings_.size() + clip_.size() + region_.size() + 64);
+        return 4 * (crossings_.size() + 1) *
+               (crossings_.size() + clip_.size() + region_.size() + 64);
     }
 
     const Lines& lines_;
@@ -262,14 +267,16 @@ std::vector<Run> Lines::runs(const Region& region, int s, const Rect& window) co
     std::vector<std::vector<int>> rows(std::size_t(window.height));
     for (const Contour& contour : region)
         for (std::size_t k = 0; k < contour.size(); ++k) {
-            Height from = height(before(contour, k), contour[k]), to = height(contour[k], after(contour, k));
+            Height from = height(before(contour, k), contour[k]),
+                   to = height(contour[k], after(contour, k));
             const LineEquation& l = lines_[contour[k]];
             const std::int64_t a = l.a < 0 ? -l.a : l.a, turned = l.a < 0 ? -1 : 1;
             const auto row_of = [&](const Height& h) {
                 return std::clamp<int128>(floor_div(h.y, h.w * one), -1, window.height);
             };
             const int low = int(std::max<int128>(std::min(row_of(from), row_of(to)) - 1, 0));
-            const int high = int(std::min<int128>(std::max(row_of(from), row_of(to)) + 1, window.height - 1));
+            const int high =
+                int(std::min<int128>(std::max(row_of(from), row_of(to)) + 1, window.height - 1));
             for (int row = low; row <= high; ++row) {
                 const std::int64_t y = row * one + half;
                 if (from.is_above(y) == to.is_above(y)) continue;

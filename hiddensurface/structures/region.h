@@ -1,8 +1,8 @@
-// Regions of the window with straight sides, and Weiler and Atherton's clipping of one by a convex other. A
-// corner is where two lines meet, and every question (which side, which first) is the sign of a determinant
-// of three lines, in integers. Where that is 0, the lines are taken as moved outwards by amounts too small to
-// matter, smaller for every next line: no corner ever lies on a line, and no two sides on each other. Does
-// not know depth.
+// Regions of the window with straight sides, and Weiler and Atherton's clipping of one by a convex
+// other. A corner is where two lines meet, and every question (which side, which first) is the sign
+// of a determinant of three lines, in integers. Where that is 0, the lines are taken as moved
+// outwards by amounts too small to matter, smaller for every next line: no corner ever lies on a
+// line, and no two sides on each other. Does not know depth.
 #pragma once
 
 #include "hiddensurface/model/face.h"
@@ -14,7 +14,8 @@ struct LineEquation {
     std::int64_t a = 0, b = 0, c = 0;
 };
 
-/// Sides in order, as indices of lines; corner k is where sides k and k + 1 meet. Inside is to the left.
+/// Sides in order, as indices of lines; corner k is where sides k and k + 1 meet. Inside is to the
+/// left.
 using Contour = std::vector<std::size_t>;
 /// Any number of parts, with holes.
 using Region = std::vector<Contour>;
@@ -33,11 +34,12 @@ public:
     /// Some line of `clip` has all corners of the region on it or outside, before any is moved.
     bool separates(const Contour& clip, const Region& region) const;
 
-    /// What of the region is inside the convex `clip`, none of whose lines bounds the region, and what is
-    /// outside.
+    /// What of the region is inside the convex `clip`, none of whose lines bounds the region, and
+    /// what is outside.
     std::pair<Region, Region> clip(const Region& region, const Contour& clip) const;
 
-    /// The region's pixels, as scan conversion has them: left and top sides in, right and bottom sides out.
+    /// The region's pixels, as scan conversion has them: left and top sides in, right and bottom
+    /// sides out.
     std::vector<Run> runs(const Region& region, int subpixel_bits, const Rect& window) const;
 
 private:

@@ -7,10 +7,14 @@ namespace gw::hiddensurface {
 namespace {
 
 /// Floor of a / b, b > 0.
-std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+std::int64_t floor_div(std::int64_t a, std::int64_t b) {
+    return a >= 0 ? a / b : -((-a + b - 1) / b);
+}
 
 /// The highest row whose centre is not above y.
-int top_row(std::int64_t y, int s) { return static_cast<int>((y - (std::int64_t{1} << (s - 1))) >> s); }
+int top_row(std::int64_t y, int s) {
+    return static_cast<int>((y - (std::int64_t{1} << (s - 1))) >> s);
+}
 
 /// Edges from the highest down: those that begin at a row are added when it is reached. [L7]
 std::vector<EdgeWalk> sorted_edges(std::span<const GridPoint> p, int s, int highest) {

@@ -30,7 +30,8 @@ public:
         : input_(input), counts_(counts), log_(log), rows_(std::size_t(input.view.height)) {
         std::size_t order = 0;
         for (std::size_t p = 0; p < input.polygons.size(); ++p)
-            for (std::size_t t = 0; t < input.polygons[p].triangles.size(); ++t) begin(p, t, order++);
+            for (std::size_t t = 0; t < input.polygons[p].triangles.size(); ++t)
+                begin(p, t, order++);
     }
 
     void run(const SpanSink& sink) {
@@ -62,7 +63,8 @@ private:
     /// The scan segments of row y, one step down for every edge.
     std::vector<Segment> cut(int y) {
         std::erase_if(active_, [](const Active& a) {
-            return std::all_of(a.edges.begin(), a.edges.end(), [](const EdgeWalk& e) { return e.done(); });
+            return std::all_of(a.edges.begin(), a.edges.end(),
+                               [](const EdgeWalk& e) { return e.done(); });
         });
         std::vector<Segment> segments;
         for (Active& a : active_) {
@@ -102,15 +104,18 @@ private:
         std::size_t next = 0;
         for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
             std::erase_if(over, [&](const Segment* s) { return s->x1 <= ends[i]; });
-            while (next < by_start.size() && by_start[next]->x0 <= ends[i]) over.push_back(by_start[next++]);
+            while (next < by_start.size() && by_start[next]->x0 <= ends[i])
+                over.push_back(by_start[next++]);
             if (!over.empty()) resolve({y, ends[i], ends[i + 1]}, over, line);
         }
         return line;
     }
 
-    /// One segment nearest at both ends by more than rounding, or tied with later ones only, is nearest in
-    /// between: depths are linear. Otherwise segments cross here, and every pixel is asked, z by increments.
-    void resolve(const Run& run, const std::vector<const Segment*>& over, std::vector<VisibleSpan>& line) {
+    /// One segment nearest at both ends by more than rounding, or tied with later ones only, is
+    /// nearest in between: depths are linear. Otherwise segments cross here, and every pixel is
+    /// asked, z by increments.
+    void resolve(const Run& run, const std::vector<const Segment*>& over,
+                 std::vector<VisibleSpan>& line) {
         counts_.spans += 1;
         std::vector<DepthWalk> walks;
         for (const Segment* s : over) walks.emplace_back(*s->of->depth, run.x0, run.y);
@@ -127,7 +132,8 @@ private:
     }
 
     /// `walks`: the depths of the segments at one pixel.
-    const Segment* nearest(const std::vector<const Segment*>& over, const std::vector<DepthWalk>& walks) {
+    const Segment* nearest(const std::vector<const Segment*>& over,
+                           const std::vector<DepthWalk>& walks) {
         const Segment* best = over.front();
         std::int64_t z_best = walks.front().z();
         for (std::size_t i = 1; i < over.size(); ++i) {

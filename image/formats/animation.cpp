@@ -15,7 +15,8 @@ std::vector<std::uint8_t> top_row_first(const Picture& picture) {
     const auto row = static_cast<std::size_t>(picture.width) * 3;
     for (int y = picture.height - 1; y >= 0; --y)
         for (std::size_t i = 0; i < row; ++i)
-            bytes.push_back(static_cast<std::uint8_t>(picture.values[static_cast<std::size_t>(y) * row + i]));
+            bytes.push_back(
+                static_cast<std::uint8_t>(picture.values[static_cast<std::size_t>(y) * row + i]));
     return bytes;
 }
 
@@ -25,7 +26,8 @@ std::vector<std::uint8_t> top_row_first(const Picture& picture) {
 
 }  // namespace
 
-void put_animation(const Destination& file, const std::vector<Picture>& frames, float frames_per_second) {
+void put_animation(const Destination& file, const std::vector<Picture>& frames,
+                   float frames_per_second) {
     const Hush hush;
     const auto output = OIIO::ImageOutput::create("x.gif");
     if (!output) refuse(file, OIIO::geterror());
@@ -45,7 +47,8 @@ void put_animation(const Destination& file, const std::vector<Picture>& frames, 
     // The writer does not notice a full disk: a whole GIF ends with its trailer.
     std::ifstream written(name, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(written), {}};
-    if (bytes.empty() || bytes.back() != ';') refuse(file, "the disk may be full; the file is cut short");
+    if (bytes.empty() || bytes.back() != ';')
+        refuse(file, "the disk may be full; the file is cut short");
 }
 
 }  // namespace gw::image::oiio

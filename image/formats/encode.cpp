@@ -31,7 +31,8 @@ void write_samples(OIIO::ImageOutput& output, const Destination& file, const std
     const Samples samples = convert(output.spec().format);
     const auto row = static_cast<OIIO::stride_t>(samples.type.size()) * spec.nchannels * spec.width;
     const char* top_row = static_cast<const char*>(samples.first) + row * (spec.height - 1);
-    if (!output.write_image(samples.type, top_row, OIIO::AutoStride, -row)) refuse(file, output.geterror());
+    if (!output.write_image(samples.type, top_row, OIIO::AutoStride, -row))
+        refuse(file, output.geterror());
     if (!output.close()) refuse(file, output.geterror());
 }
 
@@ -41,9 +42,10 @@ void check_readable(const Destination& file, const std::string& name, const OIIO
     auto input = OIIO::ImageInput::create(format);
     OIIO::ImageSpec found;
     std::vector<float> row(static_cast<std::size_t>(spec.width) * 4);
-    const bool whole = input && input->open(name, found) && found.width == spec.width &&
-                       found.height == spec.height && found.nchannels <= 4 &&
-                       input->read_scanline(found.y + found.height - 1, 0, OIIO::TypeFloat, row.data());
+    const bool whole =
+        input && input->open(name, found) && found.width == spec.width &&
+        found.height == spec.height && found.nchannels <= 4 &&
+        input->read_scanline(found.y + found.height - 1, 0, OIIO::TypeFloat, row.data());
     if (!whole) refuse(file, "the disk may be full; what was written cannot be read back");
 }
 

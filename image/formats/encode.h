@@ -20,8 +20,8 @@ struct Samples {
     const void* first = nullptr;
 };
 
-/// Encodes into `file`. `convert` is called with the type the format will store and gives the samples; they
-/// must live until encode returns. Throws Error naming the target.
+/// Encodes into `file`. `convert` is called with the type the format will store and gives the
+/// samples; they must live until encode returns. Throws Error naming the target.
 void encode(const Destination& file, const OIIO::ImageSpec& spec,
             const std::function<Samples(OIIO::TypeDesc stored)>& convert);
 

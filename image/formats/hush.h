@@ -1,6 +1,6 @@
-// Nothing from the picture libraries on stderr: libpng and others print there what OpenImageIO reports as
-// well. For the time of a call into OpenImageIO on one thread; whoever else prints meanwhile is not heard
-// either.
+// Nothing from the picture libraries on stderr: libpng and others print there what OpenImageIO
+// reports as well. For the time of a call into OpenImageIO on one thread; whoever else prints
+// meanwhile is not heard either.
 #pragma once
 
 namespace gw::image::oiio {

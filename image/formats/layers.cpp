@@ -54,9 +54,11 @@ bool write_parts(OIIO::ImageOutput& output, const std::string& name, const Layer
     for (std::size_t i = 0; i < specs.size(); ++i) {
         const Layer& layer = all.layers[i];
         const auto row = row_bytes(layer);
-        const char* top_row = reinterpret_cast<const char*>(layer.values.data()) + row * (layer.height - 1);
+        const char* top_row =
+            reinterpret_cast<const char*>(layer.values.data()) + row * (layer.height - 1);
         if (i > 0 && !output.open(name, specs[i], OIIO::ImageOutput::AppendSubimage)) return false;
-        if (!output.write_image(OIIO::TypeDesc::FLOAT, top_row, OIIO::AutoStride, -row)) return false;
+        if (!output.write_image(OIIO::TypeDesc::FLOAT, top_row, OIIO::AutoStride, -row))
+            return false;
     }
     return output.close();
 }
@@ -80,10 +82,12 @@ void restore_order(Layer& layer, const std::string& order) {
     layer.channels = saved;
 }
 
-Layer read_part(OIIO::ImageInput& input, const std::filesystem::path& file, int index, bool with_values) {
+Layer read_part(OIIO::ImageInput& input, const std::filesystem::path& file, int index,
+                bool with_values) {
     const OIIO::ImageSpec spec = input.spec();
-    if (spec.width < 1 || spec.width > largest_side || spec.height < 1 || spec.height > largest_side ||
-        spec.nchannels > 64 || spec.format != OIIO::TypeDesc::FLOAT || spec.deep)
+    if (spec.width < 1 || spec.width > largest_side || spec.height < 1 ||
+        spec.height > largest_side || spec.nchannels > 64 || spec.format != OIIO::TypeDesc::FLOAT ||
+        spec.deep)
         refuse(file, "part " + std::to_string(index) + " is not a rectangle of float32 values");
     Layer layer{spec.get_string_attribute("oiio:subimagename").c_str(),
                 spec.width,
@@ -91,12 +95,12 @@ Layer read_part(OIIO::ImageInput& input, const std::filesystem::path& file, int 
                 spec.channelnames,
                 {}};
     if (!with_values) return layer;
-    layer.values.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
-                        layer.channels.size());
+    layer.values.resize(static_cast<std::size_t>(spec.width) *
+                        static_cast<std::size_t>(spec.height) * layer.channels.size());
     const auto row = row_bytes(layer);
     char* top_row = reinterpret_cast<char*>(layer.values.data()) + row * (layer.height - 1);
-    if (!input.read_image(index, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, top_row, OIIO::AutoStride,
-                          -row))
+    if (!input.read_image(index, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, top_row,
+                          OIIO::AutoStride, -row))
         refuse(file, "it cannot be read to its end: " + one_line(input.geterror()));
     restore_order(layer, spec.get_string_attribute(order_of_channels));
     return layer;
@@ -130,7 +134,8 @@ void put_layers(const Destination& file, const Layers& layers) {
     const auto refuse_target = [&](const std::string& why) {
         throw Error(file.target.string(), 0, "cannot be written: " + why);
     };
-    if (file.temporary.empty()) refuse_target("it is not a regular file; expected one for this format");
+    if (file.temporary.empty())
+        refuse_target("it is not a regular file; expected one for this format");
     {
         const Hush hush;
         const auto output = OIIO::ImageOutput::create("openexr");

@@ -1,4 +1,5 @@
-// What the module gives: the functions of image/formats.h, each documented where image/ declares it.
+// What the module gives: the functions of image/formats.h, each documented where image/ declares
+// it.
 #pragma once
 
 #include "image/formats.h"
@@ -8,7 +9,8 @@ namespace gw::image::oiio {
 std::string format_of(const std::filesystem::path& file);
 void put_picture(const Destination& file, const Picture& picture);
 void put_values(const Destination& file, const Values& values);
-void put_animation(const Destination& file, const std::vector<Picture>& frames, float frames_per_second);
+void put_animation(const Destination& file, const std::vector<Picture>& frames,
+                   float frames_per_second);
 void put_layers(const Destination& file, const Layers& layers);
 Layers read_layers(const std::filesystem::path& file, bool with_values);
 Texels read_texels(const std::filesystem::path& file);

@@ -53,7 +53,8 @@ void put_picture(const Destination& file, const Picture& picture) {
 void put_values(const Destination& file, const Values& values) {
     const bool integers = values.values.index() == 0;
     const OIIO::TypeDesc type = integers ? OIIO::TypeDesc::UINT32 : OIIO::TypeDesc::FLOAT;
-    OIIO::ImageSpec spec(values.width, values.height, static_cast<int>(values.channels.size()), type);
+    OIIO::ImageSpec spec(values.width, values.height, static_cast<int>(values.channels.size()),
+                         type);
     spec.channelnames = values.channels;
     spec.attribute("compression", "zip");
     encode(file, spec, [&](OIIO::TypeDesc) {

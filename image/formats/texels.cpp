@@ -32,9 +32,11 @@ std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& file) {
     return input;
 }
 
-// Some readers fill what is missing with grey and call that success; but cameras write odd bytes that matter
-// to nobody.
-bool harmless(const std::string& error) { return error.find("extraneous bytes before marker") != error.npos; }
+// Some readers fill what is missing with grey and call that success; but cameras write odd bytes
+// that matter to nobody.
+bool harmless(const std::string& error) {
+    return error.find("extraneous bytes before marker") != error.npos;
+}
 
 // Bottom row first, `channels` a pixel.
 template <class T>
@@ -45,7 +47,8 @@ std::vector<T> read_rows(OIIO::ImageInput& input, OIIO::TypeDesc type, int chann
     T* top_row = values.data() + row * static_cast<std::size_t>(spec.height - 1);
     const auto row_bytes = static_cast<OIIO::stride_t>(row * sizeof(T));
     input.geterror();  // what was odd about the header
-    const bool read = input.read_image(0, 0, 0, channels, type, top_row, OIIO::AutoStride, -row_bytes);
+    const bool read =
+        input.read_image(0, 0, 0, channels, type, top_row, OIIO::AutoStride, -row_bytes);
     const std::string error = input.geterror();
     if (!read || !(error.empty() || harmless(error))) {
         refuse("it cannot be read to its end: " + one_line(error), "a whole picture file");
@@ -61,8 +64,8 @@ std::vector<T> spread_to_rgba(const std::vector<T>& values, int channels, T opaq
         const T* v = &values[i];
         const bool grey = channels < 3;
         const bool alpha = channels == 2 || channels == 4;
-        rgba.insert(rgba.end(),
-                    {v[0], grey ? v[0] : v[1], grey ? v[0] : v[2], alpha ? v[channels - 1] : opaque});
+        rgba.insert(rgba.end(), {v[0], grey ? v[0] : v[1], grey ? v[0] : v[2],
+                                 alpha ? v[channels - 1] : opaque});
     }
     return rgba;
 }

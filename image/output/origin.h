@@ -1,6 +1,6 @@
-// The command that wrote a file, noted beside its bytes: as the extended attribute user.gw.command, so that
-// the same picture stays the same file. Does not know commands. Where a file system has no such attributes,
-// or a copy left them behind, nothing is known.
+// The command that wrote a file, noted beside its bytes: as the extended attribute user.gw.command,
+// so that the same picture stays the same file. Does not know commands. Where a file system has no
+// such attributes, or a copy left them behind, nothing is known.
 #pragma once
 
 #include <filesystem>

@@ -50,7 +50,8 @@ void check_target(const fs::path& target) {
     std::error_code error;
     const fs::path folder = folder_of(target);
     if (!target.has_filename()) refuse(target, "it names a folder; expected the name of a file");
-    if (fs::is_directory(target, error)) refuse(target, "it is a folder; expected the name of a file");
+    if (fs::is_directory(target, error))
+        refuse(target, "it is a folder; expected the name of a file");
     if (!fs::exists(folder, error)) {
         refuse(target, "folder " + folder.string() + " does not exist; expected one to write into");
     }

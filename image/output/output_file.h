@@ -1,4 +1,5 @@
-// A file that appears whole or not at all: written under a temporary name beside its target, then renamed.
+// A file that appears whole or not at all: written under a temporary name beside its target, then
+// renamed.
 // Does not know what is in it.
 #pragma once
 
@@ -9,14 +10,14 @@
 
 namespace gw::image {
 
-/// Throws Error where a file of this name cannot be written: no such folder, a folder of that name, no
-/// permission. To be asked before long work.
+/// Throws Error where a file of this name cannot be written: no such folder, a folder of that name,
+/// no permission. To be asked before long work.
 void check_target(const std::filesystem::path& target);
 
-/// Between construction and commit the bytes lie in `temporary()`, in the target's folder. Without a commit,
-/// on an exception and on a signal (image/output/temporaries.h) that file is removed and the target is as it was. A
-/// link is followed. A target that is no regular file (a device, a pipe) is written to directly. Throws Error
-/// "out.png: cannot be written: No space left on device".
+/// Between construction and commit the bytes lie in `temporary()`, in the target's folder. Without
+/// a commit, on an exception and on a signal (image/output/temporaries.h) that file is removed and
+/// the target is as it was. A link is followed. A target that is no regular file (a device, a pipe)
+/// is written to directly. Throws Error "out.png: cannot be written: No space left on device".
 class OutputFile {
 public:
     explicit OutputFile(const std::filesystem::path& target);

@@ -30,7 +30,8 @@ fs::path real_target(const fs::path& target) {
 
 fs::path unused_name(const fs::path& folder) {
     static std::atomic<unsigned> count = 0;
-    return folder / (".gw-" + std::to_string(::getpid()) + "-folder-" + std::to_string(count++) + ".tmp");
+    return folder /
+           (".gw-" + std::to_string(::getpid()) + "-folder-" + std::to_string(count++) + ".tmp");
 }
 
 }  // namespace
@@ -40,7 +41,8 @@ OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> know
     const fs::path parent = target_.parent_path();
     std::error_code error;
     if (!fs::is_directory(parent, error))
-        refuse(asked_, "cannot be made: folder " + parent.string() + " does not exist; expected one");
+        refuse(asked_,
+               "cannot be made: folder " + parent.string() + " does not exist; expected one");
     if (::access(parent.c_str(), W_OK) != 0)
         refuse(asked_, std::string("cannot be made: ") + std::strerror(errno) +
                            "; expected a name in a folder that can be written into");
@@ -63,7 +65,8 @@ OutputFolder::~OutputFolder() {
 void OutputFolder::check_replaceable() const {
     std::error_code error;
     if (!fs::exists(target_, error)) return;
-    if (!fs::is_directory(target_, error)) refuse(asked_, "is not a folder; expected a name for a new one");
+    if (!fs::is_directory(target_, error))
+        refuse(asked_, "is not a folder; expected a name for a new one");
     std::string stranger;
     bool empty = true, marked = false;
     for (const auto& entry : fs::directory_iterator(target_, error)) {
@@ -73,9 +76,10 @@ void OutputFolder::check_replaceable() const {
         if (std::ranges::find(known_, name) == known_.end()) stranger = name;
     }
     if (!empty && (!marked || !stranger.empty()))
-        refuse(asked_, (stranger.empty() ? "has no " + known_.front() + " of this command"
-                                         : "holds " + stranger + ", which is not of this command") +
-                           "; expected a new name, an empty folder or an earlier output to replace");
+        refuse(asked_,
+               (stranger.empty() ? "has no " + known_.front() + " of this command"
+                                 : "holds " + stranger + ", which is not of this command") +
+                   "; expected a new name, an empty folder or an earlier output to replace");
     if (error) refuse(asked_, "cannot be read: " + error.message());
 }
 

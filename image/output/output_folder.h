@@ -1,4 +1,5 @@
-// A folder that appears whole or not at all: filled under a temporary name beside its target, then renamed.
+// A folder that appears whole or not at all: filled under a temporary name beside its target, then
+// renamed.
 // For more files than an OutputSet holds at a time. Does not know what is in it.
 #pragma once
 
@@ -8,13 +9,14 @@
 
 namespace gw::image {
 
-/// Without a commit, on an exception and on a signal, the temporary folder goes away with all that is in it.
+/// Without a commit, on an exception and on a signal, the temporary folder goes away with all that
+/// is in it.
 class OutputFolder {
 public:
-    /// To be asked before long work. Throws Error where `target` cannot be made: its parent is missing or
-    /// cannot be written into, a file has that name, or a folder that is not empty and holds anything but
-    /// `known` names or not the first of them: an earlier folder of the same kind is replaced at commit,
-    /// others are left alone.
+    /// To be asked before long work. Throws Error where `target` cannot be made: its parent is
+    /// missing or cannot be written into, a file has that name, or a folder that is not empty and
+    /// holds anything but `known` names or not the first of them: an earlier folder of the same
+    /// kind is replaced at commit, others are left alone.
     OutputFolder(const std::filesystem::path& target, std::vector<std::string> known);
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;

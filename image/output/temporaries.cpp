@@ -20,8 +20,8 @@ namespace {
 std::array<std::atomic<char*>, 256> names{};
 std::array<std::atomic<char*>, 8> trees{};
 
-// By rm, because reading a folder is more than a signal handler may do; _Fork, because fork runs handlers of
-// its own.
+// By rm, because reading a folder is more than a signal handler may do; _Fork, because fork runs
+// handlers of its own.
 void remove_tree(const char* path) {
     const pid_t child = ::_Fork();
     if (child == 0) {
@@ -40,7 +40,8 @@ extern "C" void remove_and_die(int signal) {
     for (const std::atomic<char*>& tree : trees) {
         if (const char* path = tree.load()) remove_tree(path);
     }
-    // The handler was installed for one call: this one is delivered to the default action on return.
+    // The handler was installed for one call: this one is delivered to the default action on
+    // return.
     ::raise(signal);
 }
 
@@ -61,9 +62,9 @@ void add_to(std::span<std::atomic<char*>> slots, const std::filesystem::path& na
         if (slot.compare_exchange_strong(free_slot, copy)) return;
     }
     std::free(copy);
-    throw Error(
-        name.string(), 0,
-        "too many files are being written; expected at most " + std::to_string(slots.size()) + " at a time");
+    throw Error(name.string(), 0,
+                "too many files are being written; expected at most " +
+                    std::to_string(slots.size()) + " at a time");
 }
 
 void take_from(std::span<std::atomic<char*>> slots, const std::filesystem::path& name) {

@@ -6,16 +6,17 @@
 
 namespace gw::image {
 
-/// Announces a temporary file or folder before it is created. Throws Error when there are more than 256.
+/// Announces a temporary file or folder before it is created. Throws Error when there are more than
+/// 256.
 void register_temporary(const std::filesystem::path& name);
 /// The same of a folder that goes away with all that is in it.
 void register_temporary_tree(const std::filesystem::path& name);
 /// Forgets it, after it was renamed, removed or committed.
 void forget_temporary(const std::filesystem::path& name);
 
-/// From now on SIGINT, SIGTERM and SIGHUP remove the temporary files, trees and empty folders and then end
-/// the process as they do by default (the shell sees 130 for Ctrl-C); and a file grown beyond `ulimit -f` is
-/// an error, not a signal. A signal that is ignored stays ignored.
+/// From now on SIGINT, SIGTERM and SIGHUP remove the temporary files, trees and empty folders and
+/// then end the process as they do by default (the shell sees 130 for Ctrl-C); and a file grown
+/// beyond `ulimit -f` is an error, not a signal. A signal that is ignored stays ignored.
 void remove_temporaries_on_signals();
 
 }  // namespace gw::image

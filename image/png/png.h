@@ -18,7 +18,8 @@ bool holds_png(const std::filesystem::path& file);
 /// 8 bits a channel, 16 for a picture of more than 8. Throws Error naming the target.
 void put_png(OutputFile& file, const Picture& picture);
 
-/// Gamma and colour profiles are not looked at. Throws Error "what; expected what" without the file's name.
+/// Gamma and colour profiles are not looked at. Throws Error "what; expected what" without the
+/// file's name.
 Texels read_png(const std::filesystem::path& file);
 
 }  // namespace gw::image

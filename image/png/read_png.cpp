@@ -78,7 +78,8 @@ bool holds_png(const std::filesystem::path& file) {
 }
 
 Texels read_png(const std::filesystem::path& file) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> open(std::fopen(file.c_str(), "rb"), std::fclose);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> open(std::fopen(file.c_str(), "rb"),
+                                                               std::fclose);
     if (!open) throw Error("it cannot be opened; expected a picture file");
     std::string refusal;
     const Reader reader(refusal);

@@ -1,8 +1,8 @@
 #include "inspect/compare/command_difference.h"
 
 #include "inspect/compare/command_members.h"
-#include "inspect/replay/player.h"
 #include "inspect/manifest/profile_json.h"
+#include "inspect/replay/player.h"
 #include "inspect/text/state_fields.h"
 #include "inspect/text/value_text.h"
 
@@ -47,7 +47,8 @@ Parts difference(const Struct& a, const Struct& b) {
 Parts difference(const TextureBinding& a, const TextureBinding& b) {
     if (a.slot != b.slot) return difference("texture slot", a.slot, b.slot);
     if (a.texture == b.texture) return {};
-    if (a.texture && b.texture) return difference(a.texture->levels.front(), b.texture->levels.front());
+    if (a.texture && b.texture)
+        return difference(a.texture->levels.front(), b.texture->levels.front());
     const auto name = [](const TextureBinding& t) { return t.texture ? t.texture->name : "none"; };
     return Part{"map", name(a), name(b)};
 }
@@ -81,11 +82,13 @@ Parts difference(const SetState& a, const SetState& b) {
 Parts difference(const Command& a, const Command& b) {
     if (a.index() != b.index()) return Part{"kind", name_of(a), name_of(b)};
     return std::visit(
-        [&](const auto& c) { return difference(c, std::get<std::remove_cvref_t<decltype(c)>>(b)); }, a);
+        [&](const auto& c) { return difference(c, std::get<std::remove_cvref_t<decltype(c)>>(b)); },
+        a);
 }
 
 Parts head_difference(const Recording& a, const Recording& b) {
-    if (a.profile != b.profile) return Part{"profile", json_of(a.profile).dump(), json_of(b.profile).dump()};
+    if (a.profile != b.profile)
+        return Part{"profile", json_of(a.profile).dump(), json_of(b.profile).dump()};
     if (a.width != b.width) return difference("width", a.width, b.width);
     return difference("height", a.height, b.height);
 }
@@ -118,7 +121,8 @@ std::optional<Finding> first_command_difference(const Recording& a, const Record
         return Finding{.what = part->name, .expected = part->a, .actual = part->b};
     const auto p = commands_of(a), q = commands_of(b);
     for (std::size_t i = 0; i < std::min(p.size(), q.size()); ++i)
-        if (const auto part = difference(*p[i], *q[i])) return finding_at(a, i, name_of(*p[i]), *part);
+        if (const auto part = difference(*p[i], *q[i]))
+            return finding_at(a, i, name_of(*p[i]), *part);
     if (p.size() == q.size()) return {};
     return Finding{.what = "number of commands",
                    .expected = std::to_string(p.size()),

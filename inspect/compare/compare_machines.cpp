@@ -68,8 +68,7 @@ void locate(Finding& finding, const Recording& recording, const MachineMaker& ex
         if (!find_pixel(finding, a->planes(), b->planes())) continue;
         if (end > range.first)
             finding.notes.push_back(
-                fmt::format("after command {} of the recording ({}), the first whose "
-                            "planes differ",
+                fmt::format("after command {} of the recording ({}), the first whose planes differ",
                             end - 1, name_of(command_at(recording, end - 1))));
         return;
     }

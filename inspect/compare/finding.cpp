@@ -41,8 +41,9 @@ std::string text(const Finding& f, int height) {
     line += f.what;
     if (f.pixel) line += fmt::format(", pixel {} {}", f.pixel->x, height - 1 - f.pixel->y);
     if (!f.expected.empty() || !f.actual.empty())
-        line += fmt::format(": expected {}, got {}", f.expected.empty() ? "(not known)" : f.expected,
-                            f.actual.empty() ? "nothing" : f.actual);
+        line +=
+            fmt::format(": expected {}, got {}", f.expected.empty() ? "(not known)" : f.expected,
+                        f.actual.empty() ? "nothing" : f.actual);
     if (!f.stage.empty()) line += "; stage: " + f.stage;
     line += "\n";
     for (const std::string& note : f.notes) line += "  " + note + "\n";

@@ -56,8 +56,9 @@ std::vector<WrongPixel> wrong_pixels(const Planes& a, const Planes& b, Plane pla
     for (int y = a.height - 1; y >= 0; --y)
         for (int x = 0; x < a.width; ++x)
             if (const std::uint64_t d = distance(a, b, plane, x, y)) wrong.push_back({x, y, d});
-    std::stable_sort(wrong.begin(), wrong.end(),
-                     [](const WrongPixel& p, const WrongPixel& q) { return p.distance > q.distance; });
+    std::stable_sort(wrong.begin(), wrong.end(), [](const WrongPixel& p, const WrongPixel& q) {
+        return p.distance > q.distance;
+    });
     return wrong;
 }
 

@@ -1,8 +1,8 @@
 #include "inspect/compare/result_difference.h"
 
-#include "inspect/text/plural.h"
 #include "inspect/replay/pixel_report.h"
 #include "inspect/replay/player.h"
+#include "inspect/text/plural.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -33,7 +33,8 @@ std::string event_line(const std::vector<PixelEvent>& events, std::size_t i) {
     const auto rows = history_rows({events[i]});
     std::string line;
     for (std::size_t column = 0; column < rows[0].size(); ++column)
-        if (rows[1][column] != "-") line += (column ? ", " : "") + rows[0][column] + " " + rows[1][column];
+        if (rows[1][column] != "-")
+            line += (column ? ", " : "") + rows[0][column] + " " + rows[1][column];
     return line;
 }
 
@@ -61,7 +62,8 @@ std::optional<ResultDifference> first_result_difference(const Recording& a, cons
     const auto p = reports_of(a, make), q = reports_of(b, make);
     for (std::size_t i = 0; i < std::min(p.size(), q.size()); ++i) {
         if (p[i].digests == q[i].digests) continue;
-        Finding finding{.pass = i, .pass_name = p[i].name, .stage = stage_of(p[i].counters, q[i].counters)};
+        Finding finding{
+            .pass = i, .pass_name = p[i].name, .stage = stage_of(p[i].counters, q[i].counters)};
         return located(std::move(finding), planes_of(a, make, i), planes_of(b, make, i));
     }
     return {};

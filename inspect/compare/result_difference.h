@@ -1,4 +1,5 @@
-// Where the planes of two recordings first differ, pass by pass, and which draw and fragment made it so.
+// Where the planes of two recordings first differ, pass by pass, and which draw and fragment made
+// it so.
 // Does not draw pictures.
 #pragma once
 
@@ -13,7 +14,8 @@ struct ResultDifference {
     Planes a, b;  ///< after the pass
 };
 
-/// Two recordings of the same window, pass by pass in their order, each on a machine of its own profile.
+/// Two recordings of the same window, pass by pass in their order, each on a machine of its own
+/// profile.
 /// Nothing: the same planes after every pass.
 std::optional<ResultDifference> first_result_difference(const Recording& a, const Recording& b,
                                                         const MachineMaker& make);
@@ -21,7 +23,8 @@ std::optional<ResultDifference> first_result_difference(const Recording& a, cons
 /// The planes after the finding's pass, and the worst pixel of the first plane that differs.
 ResultDifference located(Finding finding, Planes a, Planes b);
 
-/// The first event in a pixel's two histories that is not the same, as two lines; "" where they agree.
+/// The first event in a pixel's two histories that is not the same, as two lines; "" where they
+/// agree.
 std::string first_event_difference(const Recording& a, const Recording& b, int x, int y);
 
 /// "12 40: 10 10 10 255, 11 10 10 255", worst first, at most `most` lines. Picture coordinates.

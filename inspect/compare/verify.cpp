@@ -1,9 +1,9 @@
 #include "inspect/compare/verify.h"
 
-#include "inspect/text/plural.h"
+#include "inspect/manifest/profile_json.h"
 #include "inspect/replay/digesting_machine.h"
 #include "inspect/replay/player.h"
-#include "inspect/manifest/profile_json.h"
+#include "inspect/text/plural.h"
 
 #include <fmt/format.h>
 
@@ -84,14 +84,16 @@ void find_pixel(Finding& finding, const std::optional<Planes>& expected, const P
         finding.expected = value_at(*expected, plane, pixel->x, pixel->y);
         finding.actual = value_at(actual, plane, pixel->x, pixel->y);
         finding.notes.push_back(counted(wrong_pixels(*expected, actual, plane).size(),
-                                        "pixel of this plane differs", "pixels of this plane differ"));
+                                        "pixel of this plane differs",
+                                        "pixels of this plane differ"));
         return;
     }
 }
 
 }  // namespace
 
-Manifest replayed_manifest(const Recording& recording, const MachineMaker& make, ValuesWriter* values) {
+Manifest replayed_manifest(const Recording& recording, const MachineMaker& make,
+                           ValuesWriter* values) {
     const auto machine = make(recording);
     DigestingMachine digesting(*machine);
     play_by_pass(recording, digesting, [&](std::size_t) {
@@ -121,8 +123,9 @@ Verification verify(const Recording& recording, const Manifest& manifest,
     if (!v.finding || !v.finding->pass || !v.finding->what.starts_with("plane ")) return v;
     const std::size_t pass = *v.finding->pass;
     v.actual_planes = played(recording, make, pass);
-    Planes expected = values.empty() ? played(recording, other, pass)
-                                     : planes_after(values, recording.width, recording.height, pass);
+    Planes expected = values.empty()
+                          ? played(recording, other, pass)
+                          : planes_after(values, recording.width, recording.height, pass);
     if (is_as_said(expected, manifest.passes[pass])) v.expected_planes = std::move(expected);
     find_pixel(*v.finding, v.expected_planes, *v.actual_planes);
     return v;

@@ -19,7 +19,8 @@ bool makes_fragments(const Command& command) {
            std::holds_alternative<WritePixels>(command);
 }
 
-/// The state of each pass: that of its first command that makes fragments; where it has none, its last one.
+/// The state of each pass: that of its first command that makes fragments; where it has none, its
+/// last one.
 std::vector<State> states_of(const Recording& recording, const std::vector<PassRange>& ranges) {
     std::vector<State> states(ranges.size());
     State state;

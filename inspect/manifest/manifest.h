@@ -1,5 +1,6 @@
-// What a recording must give, pass by pass: JSON that people read and `gw verify` checks. The schema is in
-// docs/recordings.md. Names neither the machine nor its threads: they make no difference.
+// What a recording must give, pass by pass: JSON that people read and `gw verify` checks. The
+// schema is in docs/recordings.md. Names neither the machine nor its threads: they make no
+// difference.
 #pragma once
 
 #include "gw/counters.h"
@@ -13,9 +14,10 @@
 namespace gw::inspect {
 
 struct ManifestPass {
-    std::string set;           ///< the paper's parameter set; "" where the driver added the pass
-    std::vector<Field> state;  ///< what differs from the pass before (of the first: from GL's initial state)
-    PassReport report;         ///< with digests of all planes
+    std::string set;  ///< the paper's parameter set; "" where the driver added the pass
+    /// what differs from the pass before (of the first: from GL's initial state)
+    std::vector<Field> state;
+    PassReport report;  ///< with digests of all planes
     bool operator==(const ManifestPass&) const = default;
 };
 

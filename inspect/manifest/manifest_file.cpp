@@ -11,7 +11,8 @@ ManifestFile load_manifest(const fs::path& file) {
     const std::vector<std::uint8_t> bytes = read_bytes(file);
     ManifestFile result;
     try {
-        result.manifest = manifest_from_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        result.manifest =
+            manifest_from_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     } catch (const Error& error) {
         throw Error(file.string(), 0, error.what());
     }

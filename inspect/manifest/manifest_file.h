@@ -1,4 +1,5 @@
-// A manifest as a file, and the file of values beside it. Reads; whoever writes files writes what is here.
+// A manifest as a file, and the file of values beside it. Reads; whoever writes files writes what
+// is here.
 #pragma once
 
 #include "inspect/compare/verify.h"
@@ -8,7 +9,8 @@
 
 namespace gw::inspect {
 
-/// A manifest, and the bytes of the file of values that it names; none where that file is not there.
+/// A manifest, and the bytes of the file of values that it names; none where that file is not
+/// there.
 struct ManifestFile {
     Manifest manifest;
     std::vector<std::uint8_t> values;

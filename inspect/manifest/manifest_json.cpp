@@ -1,5 +1,5 @@
-// Manifests as JSON. Reading is strict: a manifest is a claim, and a word that is not understood may be part
-// of it.
+// Manifests as JSON. Reading is strict: a manifest is a claim, and a word that is not understood
+// may be part of it.
 #include "inspect/manifest/manifest.h"
 
 #include "gw/counter_names.h"
@@ -67,15 +67,15 @@ public:
         const bool right = std::is_same_v<T, std::string> ? member.is_string()
                            : std::is_same_v<T, bool>      ? member.is_boolean()
                            : std::is_unsigned_v<T>        ? member.is_number_unsigned()
-                                                          : member.is_number_integer() && fits(member);
+                                                   : member.is_number_integer() && fits(member);
         if (!right) fail("'" + name + "' is " + printed(member) + "; expected " + expected<T>());
         return member.get<T>();
     }
     /// All have been taken.
     void finish() const {
         if (taken_ != json_.size())
-            fail(fmt::format("has {} members; expected {}, those that docs/recordings.md lists", json_.size(),
-                             taken_));
+            fail(fmt::format("has {} members; expected {}, those that docs/recordings.md lists",
+                             json_.size(), taken_));
     }
     [[noreturn]] void fail(const std::string& what) const { throw Error(where_ + " " + what); }
 
@@ -107,7 +107,8 @@ Digest digest_from(Members& members, const std::string& name) {
         return error == std::errc() && stop == end;
     };
     if (word.size() != 32 || !half(0, digest.high) || !half(16, digest.low))
-        members.fail("'" + name + "' is '" + word.substr(0, 40) + "'; expected 32 hexadecimal digits");
+        members.fail("'" + name + "' is '" + word.substr(0, 40) +
+                     "'; expected 32 hexadecimal digits");
     return digest;
 }
 

@@ -59,10 +59,12 @@ void apply(const Runs* runs, const Vector<Number>* values, std::vector<T>& plane
     for (const gwt::Run* run : *runs) {
         const std::size_t first = run->first(), count = run->count();
         const std::size_t needed = count * numbers(plane[0]).size();
-        if (first > plane.size() || count > plane.size() - first || !values || needed > values->size() - next)
+        if (first > plane.size() || count > plane.size() - first || !values ||
+            needed > values->size() - next)
             throw Error("values outside the planes; expected those that gw wrote");
         for (std::size_t i = first; i < first + count; ++i)
-            for (auto& number : numbers(plane[i])) number = values->Get(static_cast<unsigned>(next++));
+            for (auto& number : numbers(plane[i]))
+                number = values->Get(static_cast<unsigned>(next++));
     }
 }
 
@@ -92,16 +94,16 @@ void ValuesWriter::add(const Planes& planes) {
     if (out.GetSize() + size(color) + size(depth) + size(stencil) + size(accum) >
         (std::uint64_t{1} << 31) - (1 << 20))
         throw Error("values of more than 2 GB; expected less: a smaller window, or no values");
-    parts_->passes.push_back(gwt::CreatePassValuesDirect(out, &color.runs, &color.values, &depth.runs,
-                                                         &depth.values, &stencil.runs, &stencil.values,
-                                                         &accum.runs, &accum.values));
+    parts_->passes.push_back(
+        gwt::CreatePassValuesDirect(out, &color.runs, &color.values, &depth.runs, &depth.values,
+                                    &stencil.runs, &stencil.values, &accum.runs, &accum.values));
     parts_->before = planes;
 }
 
 std::vector<std::uint8_t> ValuesWriter::finish() {
     auto& out = parts_->out;
-    out.Finish(gwt::CreateValuesDirect(out, values_version, parts_->before.width, parts_->before.height,
-                                       &parts_->passes),
+    out.Finish(gwt::CreateValuesDirect(out, values_version, parts_->before.width,
+                                       parts_->before.height, &parts_->passes),
                gwt::ValuesIdentifier());
     return {out.GetBufferPointer(), out.GetBufferPointer() + out.GetSize()};
 }
@@ -113,9 +115,9 @@ Planes planes_after(std::span<const std::uint8_t> bytes, int width, int height, 
         throw Error("values that are cut short or damaged; expected a file as gw wrote it");
     const gwt::Values& values = *gwt::GetValues(bytes.data());
     if (values.version() != values_version || values.width() != width || values.height() != height)
-        throw Error(fmt::format("values of {} x {} pixels, version {}; expected {} x {}, version {}",
-                                values.width(), values.height(), values.version(), width, height,
-                                values_version));
+        throw Error(fmt::format(
+            "values of {} x {} pixels, version {}; expected {} x {}, version {}", values.width(),
+            values.height(), values.version(), width, height, values_version));
     const std::size_t count = values.passes() ? values.passes()->size() : 0;
     if (pass >= count)
         throw Error(fmt::format("values of {} passes; expected those of pass {}", count, pass));

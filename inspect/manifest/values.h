@@ -1,5 +1,6 @@
-// The values of all planes after every pass, as bytes beside a manifest (inspect/manifest/values.fbs): a pass stores
-// what differs from the pass before. Does not read or write files.
+// The values of all planes after every pass, as bytes beside a manifest
+// (inspect/manifest/values.fbs): a pass stores what differs from the pass before. Does not read or
+// write files.
 #pragma once
 
 #include "gw/planes.h"
@@ -25,8 +26,8 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-/// The planes after pass `pass`, from bytes that nobody vouches for. Throws Error where they are damaged, of
-/// another size, or hold no such pass.
+/// The planes after pass `pass`, from bytes that nobody vouches for. Throws Error where they are
+/// damaged, of another size, or hold no such pass.
 Planes planes_after(std::span<const std::uint8_t> bytes, int width, int height, std::size_t pass);
 
 }  // namespace gw::inspect

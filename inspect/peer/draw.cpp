@@ -44,7 +44,10 @@ void apply(const FogState& fog, bool per_fragment, bool on) {
 class Emitter {
 public:
     Emitter(const Draw& draw, const State& state, const Profile& profile)
-        : draw_(draw), state_(state), profile_(profile), program_(vertex_program(state, draw, profile)) {
+        : draw_(draw),
+          state_(state),
+          profile_(profile),
+          program_(vertex_program(state, draw, profile)) {
         for (std::uint32_t i = 0; i < draw.mesh->vertex_count(); ++i)
             vertices_.push_back(run_vertex(program_, i));
     }
@@ -87,12 +90,14 @@ private:
     }
     void color(const Vertex& v, std::uint32_t polygon) const {
         if (state_.color_source == ColorSource::PolygonId) {
-            const std::uint32_t id = (draw_.id_base + draw_.mesh->polygon_id(polygon)) >> draw_.id_shift;
+            const std::uint32_t id =
+                (draw_.id_base + draw_.mesh->polygon_id(polygon)) >> draw_.id_shift;
             gl().Color4ub(id & 255, (id >> 8) & 255, (id >> 16) & 255, 255);
             return;
         }
         std::array<GLubyte, 4> c{};
-        std::transform(v.color.begin(), v.color.end(), c.begin(), [](double x) { return GLubyte(x); });
+        std::transform(v.color.begin(), v.color.end(), c.begin(),
+                       [](double x) { return GLubyte(x); });
         gl().Color4ubv(c.data());
     }
     double fog_coordinate(const Vertex& v, const vec3& p) const {

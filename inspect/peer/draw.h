@@ -7,6 +7,7 @@
 namespace gw::peer {
 
 /// `textured`: a texture is bound. Throws Error for lighting of two sides.
-void draw(const Draw& draw, const State& state, const Profile& profile, int width, int height, bool textured);
+void draw(const Draw& draw, const State& state, const Profile& profile, int width, int height,
+          bool textured);
 
 }  // namespace gw::peer

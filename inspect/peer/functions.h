@@ -1,5 +1,5 @@
-// The functions of OpenGL and OSMesa that we call, found when the first is called: Mesa, and the compiler
-// that it brings, are only loaded by who plays a list on it. Does not know what they do.
+// The functions of OpenGL and OSMesa that we call, found when the first is called: Mesa, and the
+// compiler that it brings, are only loaded by who plays a list on it. Does not know what they do.
 #pragma once
 
 #include <GL/gl.h>
@@ -18,7 +18,8 @@
     X(TexCoord4d) X(TexEnvfv) X(TexEnvi) X(TexImage2D) X(TexParameteri) X(Vertex3f) X(Viewport) \
     X(WindowPos2i) X(WindowPos3d)
 // clang-format on
-#define GW_OSMESA_FUNCTIONS(X) X(OSMesaCreateContextAttribs) X(OSMesaDestroyContext) X(OSMesaMakeCurrent)
+#define GW_OSMESA_FUNCTIONS(X) \
+    X(OSMesaCreateContextAttribs) X(OSMesaDestroyContext) X(OSMesaMakeCurrent)
 
 namespace gw::peer {
 

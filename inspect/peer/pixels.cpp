@@ -17,8 +17,8 @@ struct SavedState {
     SavedState& operator=(const SavedState&) = delete;
 };
 
-/// Nothing but the plane's mask and the scissor between a value and its plane: OpenGL runs rectangles through
-/// every test.
+/// Nothing but the plane's mask and the scissor between a value and its plane: OpenGL runs
+/// rectangles through every test.
 void write_only(Plane plane, const DepthState& depth) {
     gl().Disable(GL_ALPHA_TEST);
     gl().Disable(GL_STENCIL_TEST);
@@ -42,7 +42,8 @@ double window_z(std::uint32_t depth) { return depth / 16777215.0; }
 /// ... and as a 32-bit fraction, the 24 bits repeated.
 std::uint32_t fraction32(std::uint32_t depth) { return depth << 8 | depth >> 16; }
 
-void draw_colors(int x, int y, int width, int height, std::uint32_t depth, const std::vector<GLubyte>& rgba) {
+void draw_colors(int x, int y, int width, int height, std::uint32_t depth,
+                 const std::vector<GLubyte>& rgba) {
     gl().DepthRange(0, 1);
     gl().WindowPos3d(x, y, window_z(depth));
     gl().DrawPixels(width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
@@ -66,7 +67,9 @@ GLenum copied(Plane plane) {
 }
 
 GLbitfield buffers(PlaneMask planes) {
-    const auto bit = [&](Plane plane, GLbitfield buffer) { return planes & mask_of(plane) ? buffer : 0; };
+    const auto bit = [&](Plane plane, GLbitfield buffer) {
+        return planes & mask_of(plane) ? buffer : 0;
+    };
     return bit(Plane::Color, GL_COLOR_BUFFER_BIT) | bit(Plane::Depth, GL_DEPTH_BUFFER_BIT) |
            bit(Plane::Stencil, GL_STENCIL_BUFFER_BIT) | bit(Plane::Accum, GL_ACCUM_BUFFER_BIT);
 }

@@ -19,10 +19,10 @@ namespace {
 
 void check_profile(const Profile& p) {
     if (p.color_bits == 8 && p.depth_bits == 24 && p.stencil_bits == 8) return;
-    throw Error(
-        fmt::format("profile {} has planes of {} colour, {} depth and {} stencil bits; OpenGL's here have "
-                    "8, 24 and 8",
-                    p.name, p.color_bits, p.depth_bits, p.stencil_bits));
+    throw Error(fmt::format(
+        "profile {} has planes of {} colour, {} depth and {} stencil bits; OpenGL's here have "
+        "8, 24 and 8",
+        p.name, p.color_bits, p.depth_bits, p.stencil_bits));
 }
 
 OSMesaContext new_context() {
@@ -130,7 +130,9 @@ Planes Player::planes() const {
 
 std::string Player::renderer() const {
     context_->make_current();
-    const auto text = [](GLenum name) { return reinterpret_cast<const char*>(gl().GetString(name)); };
+    const auto text = [](GLenum name) {
+        return reinterpret_cast<const char*>(gl().GetString(name));
+    };
     return fmt::format("{}, {}", text(GL_RENDERER), text(GL_VERSION));
 }
 

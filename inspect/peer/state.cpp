@@ -39,7 +39,8 @@ void require_size(GLenum range, int size, const char* what) {
     GLint limits[2] = {1, 1};
     gl().GetIntegerv(range, limits);
     if (size > limits[1])
-        throw Error(fmt::format("{} = {}; expected at most {}, OpenGL's limit here", what, size, limits[1]));
+        throw Error(fmt::format("{} = {}; expected at most {}, OpenGL's limit here", what, size,
+                                limits[1]));
 }
 
 void apply_primitives(const State& s) {

@@ -17,8 +17,8 @@ unsigned new_object() {
 void upload(const Texture& texture) {
     GLint level = 0;
     for (const TextureLevel& l : texture.levels)
-        gl().TexImage2D(GL_TEXTURE_2D, level++, GL_RGBA8, l.width, l.height, 0, GL_RGBA, GL_UNSIGNED_SHORT,
-                        l.rgba.data());
+        gl().TexImage2D(GL_TEXTURE_2D, level++, GL_RGBA8, l.width, l.height, 0, GL_RGBA,
+                        GL_UNSIGNED_SHORT, l.rgba.data());
 }
 
 /// A slot has one level.
@@ -68,7 +68,8 @@ void Textures::copy(const CopyTexture& c) {
     if (added) place->second = new_object();
     gl().BindTexture(GL_TEXTURE_2D, place->second);
     const GLenum format = c.plane == Plane::Depth ? GL_DEPTH_COMPONENT24 : GL_RGBA8;
-    gl().CopyTexImage2D(GL_TEXTURE_2D, 0, format, c.rect.x, c.rect.y, c.rect.width, c.rect.height, 0);
+    gl().CopyTexImage2D(GL_TEXTURE_2D, 0, format, c.rect.x, c.rect.y, c.rect.width, c.rect.height,
+                        0);
 }
 
 }  // namespace gw::peer

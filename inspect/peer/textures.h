@@ -1,4 +1,5 @@
-// Textures and texture slots as OpenGL's texture objects. Does not choose where a texture is looked up.
+// Textures and texture slots as OpenGL's texture objects. Does not choose where a texture is looked
+// up.
 #pragma once
 
 #include "gw/command_list.h"
@@ -10,15 +11,16 @@ namespace gw::peer {
 
 class Textures {
 public:
-    /// Binds what the draw uses, made on its first use, with the state's filters, wrap and environment;
-    /// returns whether there is any.
+    /// Binds what the draw uses, made on its first use, with the state's filters, wrap and
+    /// environment; returns whether there is any.
     bool bind(const TextureBinding& binding, const TextureState& state);
     /// glCopyTexImage2D from the current planes.
     void copy(const CopyTexture& command);
 
 private:
     unsigned object(const TextureBinding& binding);
-    std::map<TextureRef, unsigned> made_;  ///< by identity; keeps them alive, so that no address comes twice
+    /// by identity; keeps them alive, so that no address comes twice
+    std::map<TextureRef, unsigned> made_;
     std::map<std::uint32_t, unsigned> slots_;
 };
 

@@ -45,8 +45,9 @@ private:
         total_ += bytes - stored;
         stored = bytes;
         if (total_ > limits_.machine_bytes)
-            throw Error(fmt::format("texture slots and read-backs of more than {} MB; expected less",
-                                    limits_.machine_bytes >> 20));
+            throw Error(
+                fmt::format("texture slots and read-backs of more than {} MB; expected less",
+                            limits_.machine_bytes >> 20));
     }
     const Limits& limits_;
     std::uint64_t total_ = 0;
@@ -57,24 +58,27 @@ private:
 
 void check_geometry(const Draw& draw, std::uint64_t tiles, const Limits& limits) {
     const Mesh& mesh = *draw.mesh;
-    const std::uint64_t primitives = mesh.triangles().size() + mesh.lines().size() + mesh.points().size();
+    const std::uint64_t primitives =
+        mesh.triangles().size() + mesh.lines().size() + mesh.points().size();
     if (primitives * tiles > limits.geometry)
-        throw Error(fmt::format("{} primitives in one draw; expected at most {} in this window", primitives,
-                                limits.geometry / tiles));
+        throw Error(fmt::format("{} primitives in one draw; expected at most {} in this window",
+                                primitives, limits.geometry / tiles));
 }
 
 /// The context of the next list.
 void follow(const CommandList& list, ListContext& context) {
     for (const Command& command : list.commands) {
         if (const auto* set = std::get_if<SetState>(&command)) context.state = set->state;
-        if (const auto* copy = std::get_if<CopyTexture>(&command)) context.slots[copy->slot] = copy->plane;
+        if (const auto* copy = std::get_if<CopyTexture>(&command))
+            context.slots[copy->slot] = copy->plane;
     }
 }
 
 }  // namespace
 
 void check_lists(const Recording& r, const Limits& limits) {
-    const std::uint64_t tiles = std::uint64_t((r.width + 63) / 64) * std::uint64_t((r.height + 63) / 64);
+    const std::uint64_t tiles =
+        std::uint64_t((r.width + 63) / 64) * std::uint64_t((r.height + 63) / 64);
     Memory memory(limits);
     ListContext context;
     for (std::size_t i = 0; i < r.lists.size(); ++i) {
@@ -82,7 +86,8 @@ void check_lists(const Recording& r, const Limits& limits) {
             validate(r.lists[i], r.profile, r.width, r.height, context);
             for (const Command& command : r.lists[i].commands) {
                 std::visit([&](const auto& c) { memory.add(c); }, command);
-                if (const auto* draw = std::get_if<Draw>(&command)) check_geometry(*draw, tiles, limits);
+                if (const auto* draw = std::get_if<Draw>(&command))
+                    check_geometry(*draw, tiles, limits);
             }
         } catch (const Error& error) {
             throw Error(fmt::format("list {}: {}", i, error.what()));

@@ -5,7 +5,8 @@
 #include <bit>
 #include <set>
 
-static_assert(std::endian::native == std::endian::little, "content digests are of little-endian bytes");
+static_assert(std::endian::native == std::endian::little,
+              "content digests are of little-endian bytes");
 
 namespace gw::inspect {
 namespace {

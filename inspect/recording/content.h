@@ -13,8 +13,8 @@ namespace gw::inspect {
 Digest content(const MeshData& mesh);
 Digest content(const Texture& texture);
 
-/// What is drawn, wherever it is seen from: XXH3-128 over the digests of the meshes and maps of a recording's
-/// draws, each once, in increasing order.
+/// What is drawn, wherever it is seen from: XXH3-128 over the digests of the meshes and maps of a
+/// recording's draws, each once, in increasing order.
 Digest scene_content(const Recording& recording);
 
 /// XXH3-128 of bytes.

@@ -1,5 +1,5 @@
-// From bytes that nobody vouches for to a recording: the verifier of FlatBuffers, then checks of our own,
-// then gw's `validate`.
+// From bytes that nobody vouches for to a recording: the verifier of FlatBuffers, then checks of
+// our own, then gw's `validate`.
 #include "gw/machine.h"
 #include "inspect/recording/check_lists.h"
 #include "inspect/recording/file_state.h"
@@ -47,7 +47,8 @@ Profile from_file(const gwt::Profile& p) {
             .max_lights = p.max_lights(),
             .fragment_fog = p.fragment_fog(),
             .perspective_color = p.perspective_color(),
-            .extensions = {p.polygon_offset(), p.shadow_texture(), p.stencil_wrap(), p.two_sided_stencil()}};
+            .extensions = {p.polygon_offset(), p.shadow_texture(), p.stencil_wrap(),
+                           p.two_sided_stencil()}};
 }
 
 class Decoder {
@@ -111,7 +112,9 @@ private:
         return WritePixels{rect(c.rect()), our_enum<Plane>(c.plane()), structs<Rgba>(c.colors()),
                            numbers(c.values()), c.depth()};
     }
-    Command command(const gwt::Accumulate& c) { return Accumulate{our_enum<AccumOp>(c.op()), c.value()}; }
+    Command command(const gwt::Accumulate& c) {
+        return Accumulate{our_enum<AccumOp>(c.op()), c.value()};
+    }
     Command command(const gwt::Copy& c) {
         return Copy{our_enum<Plane>(c.plane()), rect(c.source()), c.x(), c.y()};
     }
@@ -150,17 +153,20 @@ MeshRef Decoder::mesh(const gwt::Mesh& m) {
 TextureRef Decoder::texture(const gwt::Texture& t) {
     const std::vector<std::uint8_t> texels8 = numbers(t.texels8());
     const std::vector<std::uint16_t> texels16 = numbers(t.texels16());
-    if (!texels8.empty() && !texels16.empty()) throw Error("both texels8 and texels16; expected one of them");
+    if (!texels8.empty() && !texels16.empty())
+        throw Error("both texels8 and texels16; expected one of them");
     charge((texels8.size() + texels16.size()) * 4);  // its levels, and the machine's
     for (const int side : {t.width(), t.height()})
         if (side < 1 || (side & (side - 1)) != 0)
-            throw Error(fmt::format("{} x {} texels; expected powers of two", t.width(), t.height()));
+            throw Error(
+                fmt::format("{} x {} texels; expected powers of two", t.width(), t.height()));
     return texels16.empty() ? make_texture8(text(t.name()), t.width(), t.height(), texels8)
                             : make_texture(text(t.name()), t.width(), t.height(), texels16);
 }
 
 Command Decoder::command(const gwt::Draw& c) {
-    Draw draw{.mesh = at(meshes_, c.mesh(), "mesh"), .id_base = c.id_base(), .id_shift = c.id_shift()};
+    Draw draw{
+        .mesh = at(meshes_, c.mesh(), "mesh"), .id_base = c.id_base(), .id_shift = c.id_shift()};
     if (c.eye_from_object()) draw.eye_from_object = from_file(*c.eye_from_object());
     if (c.material()) draw.material = from_file(*c.material());
     if (c.lights()) draw.lights = at(light_sets_, *c.lights(), "lights");
@@ -178,10 +184,12 @@ Command Decoder::command(gwt::Command type, const void* stored) {
         case gwt::Command::SetState: return command(*static_cast<const gwt::SetState*>(stored));
         case gwt::Command::Draw: return command(*static_cast<const gwt::Draw*>(stored));
         case gwt::Command::WriteSpans: return command(*static_cast<const gwt::WriteSpans*>(stored));
-        case gwt::Command::WritePixels: return command(*static_cast<const gwt::WritePixels*>(stored));
+        case gwt::Command::WritePixels:
+            return command(*static_cast<const gwt::WritePixels*>(stored));
         case gwt::Command::Accumulate: return command(*static_cast<const gwt::Accumulate*>(stored));
         case gwt::Command::Copy: return command(*static_cast<const gwt::Copy*>(stored));
-        case gwt::Command::CopyTexture: return command(*static_cast<const gwt::CopyTexture*>(stored));
+        case gwt::Command::CopyTexture:
+            return command(*static_cast<const gwt::CopyTexture*>(stored));
         case gwt::Command::Read: return command(*static_cast<const gwt::Read*>(stored));
         case gwt::Command::NONE: break;
     }
@@ -217,7 +225,8 @@ CommandList Decoder::list(const gwt::CommandList& stored) {
         try {
             result.add(command(type, commands.Get(i)));
         } catch (const Error& error) {
-            throw Error(fmt::format("command {} ({}): {}", i, gwt::EnumNameCommand(type), error.what()));
+            throw Error(
+                fmt::format("command {} ({}): {}", i, gwt::EnumNameCommand(type), error.what()));
         }
     }
     return result;
@@ -241,7 +250,8 @@ Recording Decoder::decode() {
         return ParameterSet{text(s.pass()), text(s.set())};
     });
     meshes_ = all(file_.meshes(), "mesh", [this](const gwt::Mesh& m) { return mesh(m); });
-    textures_ = all(file_.textures(), "texture", [this](const gwt::Texture& t) { return texture(t); });
+    textures_ =
+        all(file_.textures(), "texture", [this](const gwt::Texture& t) { return texture(t); });
     light_sets_ = all(file_.light_sets(), "lights", [this](const gwt::Lights& l) {
         return LightsRef(std::make_shared<const std::vector<Light>>(structs<Light>(l.lights())));
     });
@@ -259,10 +269,12 @@ Recording decode(std::span<const std::uint8_t> bytes, const Limits& limits) {
         return decode(std::vector<std::uint8_t>(bytes.begin(), bytes.end()), limits);
     if (bytes.size() < identifier_end || !gwt::RecordingBufferHasIdentifier(bytes.data()))
         throw Error("not a recording; expected a file that gw record wrote");
-    // The verifier counts a table as often as it is referred to, so that this bounds its own time too.
+    // The verifier counts a table as often as it is referred to, so that this bounds its own time
+    // too.
     flatbuffers::Verifier verifier(bytes.data(), bytes.size(), 16, 1 << 24);
     if (bytes.size() >= FLATBUFFERS_MAX_BUFFER_SIZE || !gwt::VerifyRecordingBuffer(verifier))
-        throw Error("a recording that is cut short or damaged; expected a file as gw record wrote it");
+        throw Error(
+            "a recording that is cut short or damaged; expected a file as gw record wrote it");
     return Decoder(*gwt::GetRecording(bytes.data()), limits).decode();
 }
 

@@ -17,9 +17,16 @@ constexpr std::uint64_t largest_file = (std::uint64_t{1} << 31) - (1 << 20);
 
 gwt::Light to_file(const Light& l) {
     using inspect::to_file;
-    return {to_file(l.position),       to_file(l.Ia),          to_file(l.Id),     to_file(l.Is),
-            to_file(l.spot_direction), l.spot_exponent,        l.spot_cos_cutoff, l.constant_attenuation,
-            l.linear_attenuation,      l.quadratic_attenuation};
+    return {to_file(l.position),
+            to_file(l.Ia),
+            to_file(l.Id),
+            to_file(l.Is),
+            to_file(l.spot_direction),
+            l.spot_exponent,
+            l.spot_cos_cutoff,
+            l.constant_attenuation,
+            l.linear_attenuation,
+            l.quadratic_attenuation};
 }
 gwt::Material to_file(const Material& m) {
     using inspect::to_file;
@@ -36,8 +43,8 @@ public:
     std::pair<std::uint32_t, bool> place(const Ref& ref, const auto& digest_of) {
         const auto known = by_address_.find(ref.get());
         if (known != by_address_.end()) return {known->second, false};
-        const auto [found, is_new] =
-            by_content_.try_emplace(digest_of(*ref), static_cast<std::uint32_t>(by_content_.size()));
+        const auto [found, is_new] = by_content_.try_emplace(
+            digest_of(*ref), static_cast<std::uint32_t>(by_content_.size()));
         by_address_[ref.get()] = found->second;
         return {found->second, is_new};
     }
@@ -54,16 +61,17 @@ public:
 private:
     void need(std::uint64_t bytes) const {
         if (out_.GetSize() + bytes > largest_file)
-            throw Error("a recording of more than 2 GB; expected less: a smaller window or fewer samples");
+            throw Error(
+                "a recording of more than 2 GB; expected less: a smaller window or fewer samples");
     }
 
     template <typename File, typename T>
     auto structs(const std::vector<T>& values) {
         need(values.size() * sizeof(File));
-        return values.empty() ? Offset<flatbuffers::Vector<const File*>>()
-                              : out_.CreateVectorOfStructs<File>(values.size(), [&](std::size_t i, File* to) {
-                                    *to = to_file(values[i]);
-                                });
+        return values.empty()
+                   ? Offset<flatbuffers::Vector<const File*>>()
+                   : out_.CreateVectorOfStructs<File>(
+                         values.size(), [&](std::size_t i, File* to) { *to = to_file(values[i]); });
     }
     template <typename T>
     auto numbers(const std::vector<T>& values) {
@@ -83,7 +91,9 @@ private:
         const auto color = to_file(c.color);
         return gwt::CreateClear(out_, c.planes, &color, c.depth, c.stencil).Union();
     }
-    Offset<void> command(const SetState& c) { return gwt::CreateSetState(out_, state(c.state)).Union(); }
+    Offset<void> command(const SetState& c) {
+        return gwt::CreateSetState(out_, state(c.state)).Union();
+    }
     Offset<void> command(const Draw& c);
     Offset<void> command(const WriteSpans& c) {
         const auto spans = structs<gwt::Span>(c.spans);
@@ -92,8 +102,8 @@ private:
     Offset<void> command(const WritePixels& c) {
         const auto rect = to_file(c.rect);
         const auto colors = structs<gwt::Rgba>(c.colors);
-        return gwt::CreateWritePixels(out_, &rect, file_enum<gwt::Plane>(c.plane), colors, numbers(c.values),
-                                      c.depth)
+        return gwt::CreateWritePixels(out_, &rect, file_enum<gwt::Plane>(c.plane), colors,
+                                      numbers(c.values), c.depth)
             .Union();
     }
     Offset<void> command(const Accumulate& c) {
@@ -109,7 +119,8 @@ private:
     }
     Offset<void> command(const Read& c) {
         const auto rect = to_file(c.rect);
-        return gwt::CreateRead(out_, c.key, file_enum<gwt::Plane>(c.plane), &rect, c.packed).Union();
+        return gwt::CreateRead(out_, c.key, file_enum<gwt::Plane>(c.plane), &rect, c.packed)
+            .Union();
     }
     Offset<gwt::CommandList> list(const CommandList& list);
     Offset<gwt::Profile> profile(const Profile& p);
@@ -134,29 +145,33 @@ std::uint32_t Encoder::mesh(const MeshRef& ref) {
     const auto colors = structs<gwt::Vec4>(m.colors);
     const auto indices = numbers(m.indices);
     const auto sizes = numbers(m.polygon_sizes);
-    meshes_.push_back(gwt::CreateMesh(out_, file_enum<gwt::Primitive>(m.primitive), positions, normals,
-                                      texcoords, colors, indices, sizes, numbers(m.polygon_ids)));
+    meshes_.push_back(gwt::CreateMesh(out_, file_enum<gwt::Primitive>(m.primitive), positions,
+                                      normals, texcoords, colors, indices, sizes,
+                                      numbers(m.polygon_ids)));
     return place;
 }
 
 std::uint32_t Encoder::texture(const TextureRef& ref) {
-    const auto [place, is_new] = texture_places_.place(ref, [](const Texture& t) { return content(t); });
+    const auto [place, is_new] =
+        texture_places_.place(ref, [](const Texture& t) { return content(t); });
     if (!is_new) return place;
     const TextureLevel& level = ref->levels.front();
-    const bool bytes =
-        std::all_of(level.rgba.begin(), level.rgba.end(), [](std::uint16_t v) { return v % 257 == 0; });
+    const bool bytes = std::all_of(level.rgba.begin(), level.rgba.end(),
+                                   [](std::uint16_t v) { return v % 257 == 0; });
     std::vector<std::uint8_t> texels8;
     if (bytes)
-        for (const std::uint16_t v : level.rgba) texels8.push_back(static_cast<std::uint8_t>(v / 257));
+        for (const std::uint16_t v : level.rgba)
+            texels8.push_back(static_cast<std::uint8_t>(v / 257));
     const auto name = out_.CreateString(ref->name);
     const auto stored8 = numbers(texels8);
     const auto stored16 = numbers(bytes ? std::vector<std::uint16_t>() : level.rgba);
-    textures_.push_back(gwt::CreateTexture(out_, name, level.width, level.height, stored8, stored16));
+    textures_.push_back(
+        gwt::CreateTexture(out_, name, level.width, level.height, stored8, stored16));
     return place;
 }
 
-/// Where an equal value was stored among the last ones; else it is stored. Looking farther back would cost
-/// more than it saves.
+/// Where an equal value was stored among the last ones; else it is stored. Looking farther back
+/// would cost more than it saves.
 template <typename T>
 std::uint32_t place_of(std::vector<T>& stored, const T& value) {
     constexpr std::ptrdiff_t farthest = 64;
@@ -176,12 +191,13 @@ Offset<void> Encoder::command(const Draw& c) {
         return there ? flatbuffers::Optional<std::uint32_t>(place()) : flatbuffers::nullopt;
     };
     const auto lights_place = optional(c.lights != nullptr, [&] { return lights(c.lights); });
-    const auto texture_place = optional(c.map.texture != nullptr, [&] { return texture(c.map.texture); });
+    const auto texture_place =
+        optional(c.map.texture != nullptr, [&] { return texture(c.map.texture); });
     const auto slot = optional(c.map.slot.has_value(), [&] { return *c.map.slot; });
     const auto matrix = to_file(c.eye_from_object);
     const auto material = to_file(c.material);
-    return gwt::CreateDraw(out_, mesh_place, &matrix, &material, lights_place, texture_place, slot, c.id_base,
-                           c.id_shift)
+    return gwt::CreateDraw(out_, mesh_place, &matrix, &material, lights_place, texture_place, slot,
+                           c.id_base, c.id_shift)
         .Union();
 }
 
@@ -198,10 +214,10 @@ Offset<gwt::CommandList> Encoder::list(const CommandList& list) {
 
 Offset<gwt::Profile> Encoder::profile(const Profile& p) {
     const Extensions& e = p.extensions;
-    return gwt::CreateProfile(out_, out_.CreateString(p.name), p.color_bits, p.depth_bits, p.stencil_bits,
-                              p.accum_bits, p.subpixel_bits, p.lit_bits, p.max_lights, p.fragment_fog,
-                              p.perspective_color, e.polygon_offset, e.shadow_texture, e.stencil_wrap,
-                              e.two_sided_stencil);
+    return gwt::CreateProfile(out_, out_.CreateString(p.name), p.color_bits, p.depth_bits,
+                              p.stencil_bits, p.accum_bits, p.subpixel_bits, p.lit_bits,
+                              p.max_lights, p.fragment_fog, p.perspective_color, e.polygon_offset,
+                              e.shadow_texture, e.stencil_wrap, e.two_sided_stencil);
 }
 
 std::vector<std::uint8_t> Encoder::encode(const Recording& r) {
@@ -218,10 +234,11 @@ std::vector<std::uint8_t> Encoder::encode(const Recording& r) {
         sets.push_back(gwt::CreateParameterSetDirect(out_, s.pass.c_str(), s.set.c_str()));
     need(8 * (lists.size() + states.size() + meshes_.size()) + (1 << 16));
     const auto stored_profile = profile(r.profile);
-    out_.Finish(gwt::CreateRecordingDirect(out_, recording_version, r.producer.c_str(), r.scene.c_str(),
-                                           r.renderer.c_str(), stored_profile, r.width, r.height, &sets,
-                                           &meshes_, &textures_, &light_sets, &states, &lists),
-                gwt::RecordingIdentifier());
+    out_.Finish(
+        gwt::CreateRecordingDirect(out_, recording_version, r.producer.c_str(), r.scene.c_str(),
+                                   r.renderer.c_str(), stored_profile, r.width, r.height, &sets,
+                                   &meshes_, &textures_, &light_sets, &states, &lists),
+        gwt::RecordingIdentifier());
     return {out_.GetBufferPointer(), out_.GetBufferPointer() + out_.GetSize()};
 }
 

@@ -42,7 +42,9 @@ CullState from_file(const gwt::Cull& c) {
 }
 
 gwt::PolygonOffset to_file(const PolygonOffsetState& o) { return {o.enable, o.factor, o.units}; }
-PolygonOffsetState from_file(const gwt::PolygonOffset& o) { return {o.enable(), o.factor(), o.units()}; }
+PolygonOffsetState from_file(const gwt::PolygonOffset& o) {
+    return {o.enable(), o.factor(), o.units()};
+}
 
 gwt::Jitter to_file(const JitterState& j) { return {j.x, j.y}; }
 JitterState from_file(const gwt::Jitter& j) { return {j.x(), j.y()}; }
@@ -139,7 +141,9 @@ gwt::Depth to_file(const DepthState& d) { return {d.test, to_file(d.func), d.mas
 DepthState from_file(const gwt::Depth& d) { return {d.test(), from_file(d.func()), d.mask()}; }
 
 gwt::Blend to_file(const BlendState& b) { return {b.enable, to_file(b.src), to_file(b.dst)}; }
-BlendState from_file(const gwt::Blend& b) { return {b.enable(), from_file(b.src()), from_file(b.dst())}; }
+BlendState from_file(const gwt::Blend& b) {
+    return {b.enable(), from_file(b.src()), from_file(b.dst())};
+}
 
 gwt::ColorMask to_file(const ColorMask& m) { return {m.r, m.g, m.b, m.a}; }
 ColorMask from_file(const gwt::ColorMask& m) { return {m.r(), m.g(), m.b(), m.a()}; }
@@ -155,7 +159,8 @@ flatbuffers::Offset<flatbuffers::Vector<const gwt::ClipPlane*>> clip_planes_to_f
 void read_clip_planes(const flatbuffers::Vector<const gwt::ClipPlane*>* planes, State& state) {
     if (!planes || planes->size() == 0) return;
     if (planes->size() != max_clip_planes)
-        throw Error(fmt::format("{} clip planes in a state; expected {}", planes->size(), max_clip_planes));
+        throw Error(
+            fmt::format("{} clip planes in a state; expected {}", planes->size(), max_clip_planes));
     for (unsigned i = 0; i < planes->size(); ++i) state.clip_planes[i] = from_file(*planes->Get(i));
 }
 

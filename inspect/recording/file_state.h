@@ -1,4 +1,5 @@
-// The pipeline's state to and from the recording's schema. A group at its initial value is not stored.
+// The pipeline's state to and from the recording's schema. A group at its initial value is not
+// stored.
 // Does not check numbers: gw's `validate` does.
 #pragma once
 

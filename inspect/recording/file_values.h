@@ -1,5 +1,5 @@
-// Small values to and from the recording's schema: vectors, rectangles, enumerations. Every value of an
-// enumeration that comes from a file is checked; numbers are not: gw's `validate` does.
+// Small values to and from the recording's schema: vectors, rectangles, enumerations. Every value
+// of an enumeration that comes from a file is checked; numbers are not: gw's `validate` does.
 #pragma once
 
 #include "gw/command_list.h"
@@ -17,7 +17,8 @@ inline gwt::DVec4 to_file(const dvec4& v) { return {v.x, v.y, v.z, v.w}; }
 inline gwt::Rect to_file(const Rect& r) { return {r.x, r.y, r.width, r.height}; }
 inline gwt::Rgba to_file(const Rgba& c) { return {c[0], c[1], c[2], c[3]}; }
 inline gwt::Matrix to_file(const dmat4& m) {
-    const std::array<gwt::DVec4, 4> columns{to_file(m[0]), to_file(m[1]), to_file(m[2]), to_file(m[3])};
+    const std::array<gwt::DVec4, 4> columns{to_file(m[0]), to_file(m[1]), to_file(m[2]),
+                                            to_file(m[3])};
     return gwt::Matrix(flatbuffers::make_span(columns));
 }
 

@@ -13,7 +13,8 @@ std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
     const auto kind = std::filesystem::status(file, code).type();
     using enum std::filesystem::file_type;
     if (kind == directory) throw Error(file.string(), 0, "is a folder; expected a file");
-    if (kind == character || kind == block) throw Error(file.string(), 0, "is a device; expected a file");
+    if (kind == character || kind == block)
+        throw Error(file.string(), 0, "is a device; expected a file");
     std::ifstream in(file, std::ios::binary);
     if (!in) throw Error(file.string(), 0, "cannot be opened; expected a file that can be read");
     std::vector<std::uint8_t> bytes;

@@ -7,7 +7,8 @@
 
 namespace gw::inspect {
 
-/// Throws Error naming the file where it is missing, a folder, a device, larger than 2 GB or cannot be read.
+/// Throws Error naming the file where it is missing, a folder, a device, larger than 2 GB or cannot
+/// be read.
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file);
 
 }  // namespace gw::inspect

@@ -1,4 +1,5 @@
-// A recording: everything that entered one machine, as a value, and its form as bytes. docs/recordings.md.
+// A recording: everything that entered one machine, as a value, and its form as bytes.
+// docs/recordings.md.
 // Does not read or write files, and does not execute: replay.h does.
 #pragma once
 
@@ -34,19 +35,22 @@ std::string set_of(const Recording& recording, const std::string& pass);
 /// The version of the schema that `encode` writes and `decode` reads.
 inline constexpr std::uint32_t recording_version = 1;
 
-/// As inspect/recording/recording.fbs says. Meshes, maps, lights and states that are equal are stored once. Throws
-/// Error where it would be larger than 2 GB, which is as much as the format holds.
+/// As inspect/recording/recording.fbs says. Meshes, maps, lights and states that are equal are
+/// stored once. Throws Error where it would be larger than 2 GB, which is as much as the format
+/// holds.
 std::vector<std::uint8_t> encode(const Recording& recording);
 
 /// What a recording may ask of this process; more is refused. docs/recordings.md, "Limits".
 struct Limits {
-    std::uint64_t decoded_bytes = std::uint64_t{4} << 30;  ///< of commands, meshes, maps in memory
+    /// of commands, meshes, maps in memory
+    std::uint64_t decoded_bytes = std::uint64_t{4} << 30;
     std::uint64_t machine_bytes = std::uint64_t{1} << 30;  ///< of texture slots and read-backs
-    std::uint64_t geometry = std::uint64_t{1} << 31;       ///< primitives of a draw times 64x64 tiles
+    /// primitives of a draw times 64x64 tiles
+    std::uint64_t geometry = std::uint64_t{1} << 31;
 };
 
-/// Bytes that nobody vouches for. Whatever they are: a recording whose lists are valid on its profile and
-/// window, or an Error that says what is wrong.
+/// Bytes that nobody vouches for. Whatever they are: a recording whose lists are valid on its
+/// profile and window, or an Error that says what is wrong.
 Recording decode(std::span<const std::uint8_t> bytes, const Limits& limits = {});
 
 }  // namespace gw::inspect

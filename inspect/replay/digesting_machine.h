@@ -1,4 +1,5 @@
-// A machine that takes digests of all planes after every pass and otherwise is the one it is made of.
+// A machine that takes digests of all planes after every pass and otherwise is the one it is made
+// of.
 // Does not execute anything itself.
 #pragma once
 
@@ -12,7 +13,8 @@ public:
 
     void execute(const CommandList& list) override {
         CommandList digesting;
-        // What comes before the first BeginPass is counted in a pass named "", which can ask for digests too.
+        // What comes before the first BeginPass is counted in a pass named "", which can ask for
+        // digests too.
         if (passes().empty() && opens_unnamed_pass(list)) digesting.add(BeginPass{});
         digesting.append(list);
         for (Command& command : digesting.commands)

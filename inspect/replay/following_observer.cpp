@@ -26,8 +26,9 @@ std::optional<std::uint32_t> FollowingObserver::polygon(const Fragment& fragment
     const auto* drawn = std::get_if<Draw>(&command());
     if (!drawn) return {};
     const Mesh& mesh = *drawn->mesh;
-    return mesh.polygon_id(mesh.kind() == MeshKind::Triangles ? mesh.triangles()[fragment.primitive].polygon
-                                                              : fragment.primitive);
+    return mesh.polygon_id(mesh.kind() == MeshKind::Triangles
+                               ? mesh.triangles()[fragment.primitive].polygon
+                               : fragment.primitive);
 }
 
 }  // namespace gw::inspect

@@ -1,4 +1,5 @@
-// A machine that is another one in everything; what is made of it changes one thing. Does not execute itself.
+// A machine that is another one in everything; what is made of it changes one thing. Does not
+// execute itself.
 #pragma once
 
 #include "gw/machine.h"

@@ -8,7 +8,8 @@ namespace {
 
 class PixelObserver : public FollowingObserver {
 public:
-    PixelObserver(const Recording& recording, int x, int y) : FollowingObserver(recording), x_(x), y_(y) {}
+    PixelObserver(const Recording& recording, int x, int y)
+        : FollowingObserver(recording), x_(x), y_(y) {}
 
     void fragment(const Fragment& f, Fate fate, const PixelValues& before,
                   const PixelValues& after) override {
@@ -68,7 +69,8 @@ private:
 };
 
 void observe(const Recording& recording, Observer& observer) {
-    const auto machine = reference::make(recording.profile, recording.width, recording.height, &observer);
+    const auto machine =
+        reference::make(recording.profile, recording.width, recording.height, &observer);
     Player(recording, *machine).play();
 }
 
@@ -91,7 +93,8 @@ const char* name_of(Fate fate) {
 }
 
 FragmentMaps fragment_maps(const Recording& recording, std::optional<std::size_t> pass) {
-    const std::vector<std::uint32_t> none(std::size_t(recording.width) * std::size_t(recording.height));
+    const std::vector<std::uint32_t> none(std::size_t(recording.width) *
+                                          std::size_t(recording.height));
     FragmentMaps maps{none, none, none, none, none};
     MapObserver observer(recording, pass, maps);
     observe(recording, observer);

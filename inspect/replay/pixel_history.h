@@ -1,4 +1,5 @@
-// Everything that happened to a pixel, in order; and what happened to the fragments of every pixel, counted.
+// Everything that happened to a pixel, in order; and what happened to the fragments of every pixel,
+// counted.
 // From the reference machine, exact, in one run. Does not draw pictures.
 #pragma once
 
@@ -11,15 +12,16 @@
 
 namespace gw::inspect {
 
-/// A fragment that reached the pixel, or a command that wrote to it without one (clear, copy, accumulate,
-/// rectangles of Z and stencil): then there is no `fragment`.
+/// A fragment that reached the pixel, or a command that wrote to it without one (clear, copy,
+/// accumulate, rectangles of Z and stencil): then there is no `fragment`.
 struct PixelEvent {
     std::size_t pass = 0;  ///< its place among the passes
     std::string pass_name;
-    std::size_t command = 0;               ///< through all lists, from 0
-    const char* command_name = "";         ///< "Draw"
-    std::optional<std::size_t> draw;       ///< its place among the draws of the pass
-    std::optional<std::uint32_t> polygon;  ///< of a draw: identifier of the fragment's polygon in its mesh
+    std::size_t command = 0;          ///< through all lists, from 0
+    const char* command_name = "";    ///< "Draw"
+    std::optional<std::size_t> draw;  ///< its place among the draws of the pass
+    /// of a draw: identifier of the fragment's polygon in its mesh
+    std::optional<std::uint32_t> polygon;
     std::optional<Fragment> fragment;
     Fate fate = Fate::Written;
     PixelValues before, after;

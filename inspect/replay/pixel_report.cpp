@@ -57,15 +57,17 @@ std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>
     const bool accum = std::any_of(events.begin(), events.end(), [&](const PixelEvent& e) {
         return e.before.accum != zero || e.after.accum != zero;
     });
-    std::vector<std::vector<std::string>> rows{{"pass", "command", "draw", "primitive", "polygon", "outcome",
-                                                "fragment's colour", "its Z", "colour", "Z", "stencil"}};
+    std::vector<std::vector<std::string>> rows{{"pass", "command", "draw", "primitive", "polygon",
+                                                "outcome", "fragment's colour", "its Z", "colour",
+                                                "Z", "stencil"}};
     if (accum) rows[0].push_back("accumulation");
     for (const PixelEvent& e : events) {
         const auto& f = e.fragment;
         rows.push_back({e.pass_name, std::to_string(e.command), optional_text(e.draw),
                         f ? text(f->primitive) : "-", optional_text(e.polygon), outcome(e),
                         f ? text(f->color) : "-", f ? text(f->depth) : "-",
-                        change(e.before.color, e.after.color), change(e.before.depth, e.after.depth),
+                        change(e.before.color, e.after.color),
+                        change(e.before.depth, e.after.depth),
                         change(e.before.stencil, e.after.stencil)});
         if (accum) rows.back().push_back(change(e.before.accum, e.after.accum));
     }

@@ -7,8 +7,9 @@
 
 namespace gw::inspect {
 
-/// Rows of words, the first of them the header: pass, command, what happened, values before and after. A
-/// plane whose values stay the same shows one value; accumulation is left out where it stays 0.
+/// Rows of words, the first of them the header: pass, command, what happened, values before and
+/// after. A plane whose values stay the same shows one value; accumulation is left out where it
+/// stays 0.
 std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>& events);
 
 /// {"x", "y", "profile", "width", "height", "events": [...]}

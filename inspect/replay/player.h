@@ -1,5 +1,5 @@
-// Executing a recording on a machine, whole or step by step. Commands are counted through all of its lists,
-// from 0. Does not compare.
+// Executing a recording on a machine, whole or step by step. Commands are counted through all of
+// its lists, from 0. Does not compare.
 #pragma once
 
 #include "gw/machine.h"
@@ -16,8 +16,8 @@ struct PassRange {
     std::size_t first = 0, end = 0;
 };
 
-/// The passes of a recording, in order. Commands before the first BeginPass are in a pass named "", where
-/// there is more among them than SetState.
+/// The passes of a recording, in order. Commands before the first BeginPass are in a pass named "",
+/// where there is more among them than SetState.
 std::vector<PassRange> pass_ranges(const Recording& recording);
 
 std::size_t command_count(const Recording& recording);
@@ -28,8 +28,10 @@ const char* name_of(const Command& command);
 
 class Player {
 public:
-    /// Refers to both, which must outlive it. The machine is new, of the recording's profile and size.
-    Player(const Recording& recording, Machine& machine) : recording_(recording), machine_(machine) {}
+    /// Refers to both, which must outlive it. The machine is new, of the recording's profile and
+    /// size.
+    Player(const Recording& recording, Machine& machine)
+        : recording_(recording), machine_(machine) {}
 
     /// Executes the commands up to and without command `end`.
     void play_to(std::size_t end);
@@ -43,7 +45,8 @@ private:
     std::size_t done_ = 0;
 };
 
-/// Executes all passes on a new machine of this recording and calls `after(pass)` at the end of each.
+/// Executes all passes on a new machine of this recording and calls `after(pass)` at the end of
+/// each.
 void play_by_pass(const Recording& recording, Machine& machine,
                   const std::function<void(std::size_t)>& after);
 

@@ -1,5 +1,6 @@
-// A machine that keeps every list that it is given and otherwise is the one it is made of. Whatever a host
-// computes from read-backs comes back in lists, so that these are all that entered the machine.
+// A machine that keeps every list that it is given and otherwise is the one it is made of. Whatever
+// a host computes from read-backs comes back in lists, so that these are all that entered the
+// machine.
 #pragma once
 
 #include "inspect/replay/forwarding_machine.h"
@@ -8,8 +9,10 @@ namespace gw::inspect {
 
 class Recorder : public ForwardingMachine {
 public:
-    /// Refers to both, which must outlive it. The machine is new: nothing executed before is in the lists.
-    Recorder(Machine& machine, std::vector<CommandList>& lists) : ForwardingMachine(machine), lists_(lists) {}
+    /// Refers to both, which must outlive it. The machine is new: nothing executed before is in the
+    /// lists.
+    Recorder(Machine& machine, std::vector<CommandList>& lists)
+        : ForwardingMachine(machine), lists_(lists) {}
 
     void execute(const CommandList& list) override {
         ForwardingMachine::execute(list);

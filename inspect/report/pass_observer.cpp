@@ -12,13 +12,14 @@ void PassObserver::fragment(const Fragment& fragment, Fate fate, const PixelValu
     if (const auto* draw = std::get_if<Draw>(&command()); draw && fate == Fate::Written)
         polygons_.written(fragment, *draw, *polygon(fragment), state_);
     if (history_)
-        history_->add({fragment.x, fragment.y, command_index(), before, after, &fragment, fate, draw(),
-                       polygon(fragment)});
+        history_->add({fragment.x, fragment.y, command_index(), before, after, &fragment, fate,
+                       draw(), polygon(fragment)});
 }
 
 void PassObserver::pixel(int x, int y, const PixelValues& before, const PixelValues& after) {
     const auto* clear = std::get_if<Clear>(&command());
-    if (clear && clear->planes & (mask_of(Plane::Color) | mask_of(Plane::Depth))) polygons_.cleared(x, y);
+    if (clear && clear->planes & (mask_of(Plane::Color) | mask_of(Plane::Depth)))
+        polygons_.cleared(x, y);
     if (history_) history_->add({x, y, command_index(), before, after});
 }
 

@@ -1,5 +1,5 @@
-// Hears what the reference machine does with every fragment and passes it on: to the plane of polygons, and
-// to the histories while they are kept.
+// Hears what the reference machine does with every fragment and passes it on: to the plane of
+// polygons, and to the histories while they are kept.
 #pragma once
 
 #include "inspect/replay/following_observer.h"

@@ -1,9 +1,9 @@
 #include "inspect/report/pass_pictures.h"
 
 #include "gw/base/arithmetic.h"
+#include "image/downscale.h"
 #include "image/false_color.h"
 #include "image/planes.h"
-#include "image/downscale.h"
 #include "inspect/compare/plane_values.h"
 #include "scene/draw/draw_commands.h"
 
@@ -41,7 +41,8 @@ constexpr PassPictures::Shown usual_planes[] = {{"color", Plane::Color},
                                                 {"polygons", {}, polygons_of}};
 constexpr PassPictures::Shown identifiers{"identifiers", {}, colors_as_ids};
 
-image::Picture picture_of(const PassPictures::Shown& shown, const Snapshot& s, const Profile& profile) {
+image::Picture picture_of(const PassPictures::Shown& shown, const Snapshot& s,
+                          const Profile& profile) {
     if (shown.plane) return image::plane_picture(s.planes, *shown.plane, profile);
     return image::id_colors(shown.ids(s), s.planes.width, s.planes.height, 0);
 }
@@ -79,11 +80,13 @@ PassPictures::PassPictures(ReportFolder& folder, const Profile& profile, Snapsho
 
 std::string PassPictures::put(const std::string& name, const image::Picture& picture) {
     folder_.write("pictures/" + name + ".png", picture);
-    if (with_small()) folder_.write("pictures/" + name + "_small.png", image::reduced(picture, reduction_));
+    if (with_small())
+        folder_.write("pictures/" + name + "_small.png", image::reduced(picture, reduction_));
     return name;
 }
 
-nlohmann::ordered_json PassPictures::plane_json(const Shown& shown, std::size_t pass, const Snapshot& after) {
+nlohmann::ordered_json PassPictures::plane_json(const Shown& shown, std::size_t pass,
+                                                const Snapshot& after) {
     std::string& file = files_[shown.name];
     const std::string name = fmt::format("{:04}_{}", pass, shown.name);
     if (file.empty()) file = put(name + "_before", picture_of(shown, last_, profile_));
@@ -92,7 +95,8 @@ nlohmann::ordered_json PassPictures::plane_json(const Shown& shown, std::size_t 
     const auto changed = std::ranges::count_if(apart, [](std::uint64_t d) { return d != 0; });
     if (changed > 0) {
         const image::Picture picture = picture_of(shown, after, profile_);
-        image::Picture change = image::distance_picture(apart, after.planes.width, after.planes.height);
+        image::Picture change =
+            image::distance_picture(apart, after.planes.width, after.planes.height);
         if (shown.plane == Plane::Color) {
             int times = 1;
             change = color_change(picture_of(shown, last_, profile_), picture, times);

@@ -10,7 +10,8 @@ namespace {
 std::uint32_t id_count(const Mesh& mesh) {
     const auto& ids = mesh.data().polygon_ids;
     if (!ids.empty()) return *std::ranges::max_element(ids) + 1;
-    return mesh.polygon_count() + static_cast<std::uint32_t>(mesh.lines().size() + mesh.points().size());
+    return mesh.polygon_count() +
+           static_cast<std::uint32_t>(mesh.lines().size() + mesh.points().size());
 }
 
 bool writes_color_or_depth(const State& s) {
@@ -31,7 +32,8 @@ PolygonPlane::PolygonPlane(const inspect::Recording& recording)
 
 void PolygonPlane::written(const Fragment& fragment, const Draw& draw, std::uint32_t polygon,
                            const State& state) {
-    if (writes_color_or_depth(state)) id_at(fragment.x, fragment.y) = first_.at(draw.mesh.get()) + polygon;
+    if (writes_color_or_depth(state))
+        id_at(fragment.x, fragment.y) = first_.at(draw.mesh.get()) + polygon;
 }
 
 }  // namespace gw::report

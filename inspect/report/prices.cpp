@@ -23,7 +23,9 @@ std::size_t counter_from(const TomlValue& value) {
 Price price_from(const TomlValue& table) {
     static const std::vector<std::string> stages{"geometry", "pixels"};
     Price price;
-    const auto counter = [&](const TomlValue& v) { price.counter = counter_names()[counter_from(v)]; };
+    const auto counter = [&](const TomlValue& v) {
+        price.counter = counter_names()[counter_from(v)];
+    };
     const auto stage = [&](const TomlValue& v) { price.stage = stages[scene::to_word(v, stages)]; };
     scene::read_table(table, {{"count", counter},
                               {"stage", stage},
@@ -31,7 +33,8 @@ Price price_from(const TomlValue& table) {
                               key("estimate", price.estimate),
                               key("source", price.source)});
     for (const char* name : {"count", "stage", "nanoseconds", "source"})
-        if (!table.find(name)) table.fail(std::string("a price without '") + name + "'; expected one");
+        if (!table.find(name))
+            table.fail(std::string("a price without '") + name + "'; expected one");
     return price;
 }
 
@@ -57,7 +60,9 @@ PriceList prices_from(const TomlValue& toml) {
 
 }  // namespace
 
-PriceList read_prices(const std::filesystem::path& file) { return prices_from(scene::read_toml_file(file)); }
+PriceList read_prices(const std::filesystem::path& file) {
+    return prices_from(scene::read_toml_file(file));
+}
 
 PriceList vgx_prices() {
     return prices_from(scene::read_toml_text(std::string(embedded("vgx.toml")), "vgx.toml"));

@@ -1,5 +1,5 @@
-// A price list: what the counters of a pass would have cost in time on a machine of 1991. Estimates, and
-// labelled so; every price has its source. Does not count.
+// A price list: what the counters of a pass would have cost in time on a machine of 1991.
+// Estimates, and labelled so; every price has its source. Does not count.
 #pragma once
 
 #include "gw/counter_names.h"
@@ -29,7 +29,8 @@ PriceList read_prices(const std::filesystem::path& file);
 /// inspect/report/prices/vgx.toml, built in.
 PriceList vgx_prices();
 
-/// Estimated, of one pass: the time of its slowest stage. Passes do not overlap: their times add up.
+/// Estimated, of one pass: the time of its slowest stage. Passes do not overlap: their times add
+/// up.
 double estimated_seconds(const Counters& counters, const PriceList& list);
 
 }  // namespace gw::report

@@ -18,7 +18,8 @@ namespace gw::report {
 
 namespace {
 
-constexpr const char* page_files[] = {"index.html", "report.css", "report.js", "history.js", "words.js"};
+constexpr const char* page_files[] = {"index.html", "report.css", "report.js", "history.js",
+                                      "words.js"};
 
 /// What comes out is counted before the slower machine is watched: both count the same.
 inspect::Manifest counted(const inspect::Recording& recording) {
@@ -45,7 +46,8 @@ std::optional<PassSpan> history_that_fits(const inspect::Manifest& manifest, Pas
 }
 
 /// Of every pass: it writes identifiers for colours, as an item buffer's does [K4i].
-std::vector<bool> passes_of_identifiers(const inspect::Recording& recording, const ReportOptions& options) {
+std::vector<bool> passes_of_identifiers(const inspect::Recording& recording,
+                                        const ReportOptions& options) {
     const auto ranges = inspect::pass_ranges(recording);
     std::vector<bool> found(ranges.size(), options.identifiers);
     State state;
@@ -54,7 +56,8 @@ std::vector<bool> passes_of_identifiers(const inspect::Recording& recording, con
         for (const Command& command : list.commands) {
             while (pass + 1 < ranges.size() && index >= ranges[pass].end) ++pass;
             if (const auto* set = std::get_if<SetState>(&command)) state = set->state;
-            if (std::holds_alternative<Draw>(command) && state.color_source == ColorSource::PolygonId)
+            if (std::holds_alternative<Draw>(command) &&
+                state.color_source == ColorSource::PolygonId)
                 found[pass] = true;
             ++index;
         }
@@ -69,7 +72,8 @@ public:
           ranges_(inspect::pass_ranges(recording)),
           folder_(folder),
           observer_(recording),
-          machine_(reference::make(recording.profile, recording.width, recording.height, &observer_)),
+          machine_(
+              reference::make(recording.profile, recording.width, recording.height, &observer_)),
           player_(recording, *machine_) {}
 
     /// The pictures of every pass.
@@ -136,8 +140,9 @@ void check_spans(const inspect::Recording& recording, const ReportOptions& optio
                                 shown.last - shown.first + 1, most_passes));
     const auto& kept = options.history;
     if (kept && (kept->first < shown.first || kept->last > shown.last))
-        throw Error(fmt::format("histories of passes {}-{} are not on the page; expected passes of {}-{}",
-                                kept->first, kept->last, shown.first, shown.last));
+        throw Error(
+            fmt::format("histories of passes {}-{} are not on the page; expected passes of {}-{}",
+                        kept->first, kept->last, shown.first, shown.last));
 }
 
 ReportSummary write_report(const inspect::Recording& recording, const std::filesystem::path& folder,

@@ -1,6 +1,6 @@
-// A recording as a page that opens from disk: for every pass its parameter set, what it changed in state and
-// planes, counters and estimated time; and the histories of all pixels. docs/inspect.md. Does not choose
-// where the folder is.
+// A recording as a page that opens from disk: for every pass its parameter set, what it changed in
+// state and planes, counters and estimated time; and the histories of all pixels. docs/inspect.md.
+// Does not choose where the folder is.
 #pragma once
 
 #include "inspect/report/prices.h"
@@ -22,12 +22,14 @@ struct PassSpan {
 enum class Language { English, Japanese };
 
 struct ReportOptions {
-    std::string file;                 ///< the recording's name, as the page shows it
-    std::string command;              ///< that makes the report
-    std::optional<PassSpan> passes;   ///< all, at most the first `most_passes`
-    std::optional<PassSpan> history;  ///< as many from the first as make no more than `history_fragments`
+    std::string file;                ///< the recording's name, as the page shows it
+    std::string command;             ///< that makes the report
+    std::optional<PassSpan> passes;  ///< all, at most the first `most_passes`
+    /// as many from the first as make no more than `history_fragments`
+    std::optional<PassSpan> history;
     bool with_history = true;
-    bool identifiers = false;  ///< the recording's colours are identifiers, even where no state says so
+    /// the recording's colours are identifiers, even where no state says so
+    bool identifiers = false;
     std::uint64_t most_bytes = 500'000'000;
     PriceList prices;
     Language language = Language::English;  ///< which the page begins with
@@ -53,8 +55,8 @@ std::vector<std::string> report_files();
 /// `most_passes`, or `history` is not of the passes that are shown.
 void check_spans(const inspect::Recording& recording, const ReportOptions& options);
 
-/// Into a folder that is empty. Throws Error where check_spans does, and where the files would be more than
-/// `most_bytes`.
+/// Into a folder that is empty. Throws Error where check_spans does, and where the files would be
+/// more than `most_bytes`.
 ReportSummary write_report(const inspect::Recording& recording, const std::filesystem::path& folder,
                            const ReportOptions& options);
 

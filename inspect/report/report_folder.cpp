@@ -25,10 +25,10 @@ void ReportFolder::make_folder(const std::string& name) {
 
 void ReportFolder::expect_room(std::uint64_t bytes) const {
     if (bytes > room())
-        throw Error(
-            fmt::format("the report needs more than {} MB; expected fewer passes (--passes A-B), histories "
-                        "of fewer passes (--history A-B or none), or a larger --limit",
-                        most_bytes_ / 1'000'000));
+        throw Error(fmt::format(
+            "the report needs more than {} MB; expected fewer passes (--passes A-B), histories "
+            "of fewer passes (--history A-B or none), or a larger --limit",
+            most_bytes_ / 1'000'000));
 }
 
 void ReportFolder::write(const std::string& name, std::string_view text) {
@@ -41,7 +41,8 @@ void ReportFolder::write(const std::string& name, std::string_view text) {
 void ReportFolder::append(const std::string& name, std::string_view text) {
     expect_room(text.size());
     bytes_ += text.size();
-    const int file = ::open((folder_ / name).c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    const int file =
+        ::open((folder_ / name).c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
     bool good = file >= 0;
     while (good && !text.empty()) {
         const ssize_t written = ::write(file, text.data(), text.size());
@@ -51,7 +52,8 @@ void ReportFolder::append(const std::string& name, std::string_view text) {
     const int error = errno;
     if (file >= 0) ::close(file);
     if (!good)
-        throw Error((folder_ / name).string(), 0, std::string("cannot be written: ") + std::strerror(error));
+        throw Error((folder_ / name).string(), 0,
+                    std::string("cannot be written: ") + std::strerror(error));
 }
 
 void ReportFolder::write(const std::string& name, const image::Picture& picture) {

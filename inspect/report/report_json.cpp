@@ -1,8 +1,8 @@
 #include "inspect/report/report_json.h"
 
 #include "inspect/manifest/counters_json.h"
-#include "inspect/replay/player.h"
 #include "inspect/manifest/profile_json.h"
+#include "inspect/replay/player.h"
 #include "inspect/report/tile_history.h"
 
 namespace gw::report {
@@ -49,7 +49,8 @@ Json commands_json(const ReportFacts& facts, const std::vector<inspect::PassRang
     std::size_t index = 0;
     for (const CommandList& list : facts.recording.lists)
         for (const Command& command : list.commands) {
-            if (index >= ranges[facts.history->first].first && index < ranges[facts.history->last].end)
+            if (index >= ranges[facts.history->first].first &&
+                index < ranges[facts.history->last].end)
                 names.push_back(inspect::name_of(command));
             ++index;
         }

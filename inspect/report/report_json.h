@@ -14,8 +14,9 @@ struct ReportFacts {
     PassSpan shown;
     std::optional<PassSpan> history;
     const nlohmann::ordered_json& pictures;  ///< of every pass that is shown
-    const std::vector<bool>& identifiers;    ///< of every pass of the recording: writes them for colours
-    bool with_small = false;                 ///< pictures have small ones beside them
+    /// of every pass of the recording: writes them for colours
+    const std::vector<bool>& identifiers;
+    bool with_small = false;  ///< pictures have small ones beside them
     const ReportOptions& options;
 };
 

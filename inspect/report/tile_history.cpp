@@ -27,17 +27,23 @@ PixelValues values_at(const Planes& planes, int x, int y) {
 }
 
 /// -1 where there is none.
-std::string number_text(const auto& optional) { return optional ? std::to_string(*optional) : "-1"; }
+std::string number_text(const auto& optional) {
+    return optional ? std::to_string(*optional) : "-1";
+}
 
 }  // namespace
 
 TileHistory::TileHistory(ReportFolder& folder, const Planes& start)
-    : folder_(folder), width_(start.width), height_(start.height), across_((start.width + side - 1) / side) {
+    : folder_(folder),
+      width_(start.width),
+      height_(start.height),
+      across_((start.width + side - 1) / side) {
     for (int y = 0; y < height_; y += side)
         for (int x = 0; x < width_; x += side) {
-            Tile tile{.name = fmt::format("{}_{}", x / side, y / side), .width = std::min(side, width_ - x)};
-            put(tile, fmt::format("gw_history(\"{}\",{{width:{},start:[{}],rows:[\n", tile.name, tile.width,
-                                  start_of(start, x, y)));
+            Tile tile{.name = fmt::format("{}_{}", x / side, y / side),
+                      .width = std::min(side, width_ - x)};
+            put(tile, fmt::format("gw_history(\"{}\",{{width:{},start:[{}],rows:[\n", tile.name,
+                                  tile.width, start_of(start, x, y)));
             tiles_.push_back(std::move(tile));
         }
 }
@@ -97,7 +103,8 @@ void TileHistory::add(const TileEvent& event) {
     const Fragment& f = *event.fragment;
     put(tile, fmt::format("[{},1,{},{},{},{},{},{},{},{},{}],\n", pixel, event.command, change,
                           number_text(event.draw), f.primitive, number_text(event.polygon),
-                          static_cast<int>(event.fate), f.front ? 1 : 0, fmt::join(f.color, ","), f.depth));
+                          static_cast<int>(event.fate), f.front ? 1 : 0, fmt::join(f.color, ","),
+                          f.depth));
 }
 
 void TileHistory::flush() {

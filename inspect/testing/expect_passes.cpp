@@ -18,7 +18,8 @@ AssertionResult failure_of(const inspect::Verification& v, const inspect::Record
     if (!v.same_commands) failure << "the golden was made of another command list\n";
     if (!v.actual_planes) return failure;
     const std::string name = golden.stem().string() + "-pass" + std::to_string(*v.finding->pass);
-    return failure << write_failure_pictures(name, v.expected_planes, *v.actual_planes, recording.profile);
+    return failure << write_failure_pictures(name, v.expected_planes, *v.actual_planes,
+                                             recording.profile);
 }
 
 AssertionResult compared(const inspect::Recording& recording, const std::filesystem::path& golden) {
@@ -27,7 +28,8 @@ AssertionResult compared(const inspect::Recording& recording, const std::filesys
     const auto v = verify(recording, expected.manifest, expected.values, reference, fast);
     if (v.finding) return failure_of(v, recording, golden);
     if (const auto finding = compare_machines(recording, reference, fast))
-        return AssertionFailure() << "the two machines differ: " << text(*finding, recording.height);
+        return AssertionFailure() << "the two machines differ: "
+                                  << text(*finding, recording.height);
     return AssertionSuccess();
 }
 
@@ -40,7 +42,8 @@ AssertionResult compared_or_updated(const inspect::Recording& recording,
 
 }  // namespace
 
-AssertionResult passes_eq(const inspect::Recording& recording, const std::filesystem::path& golden) {
+AssertionResult passes_eq(const inspect::Recording& recording,
+                          const std::filesystem::path& golden) {
     try {
         return compared_or_updated(recording, golden);
     } catch (const Error& error) {
@@ -51,7 +54,8 @@ AssertionResult passes_eq(const inspect::Recording& recording, const std::filesy
 AssertionResult passes_eq(const CommandList& list, const std::filesystem::path& golden) {
     try {
         const inspect::Manifest manifest = inspect::load_manifest(golden).manifest;
-        return passes_eq(recording_of(list, manifest.profile, manifest.width, manifest.height), golden);
+        return passes_eq(recording_of(list, manifest.profile, manifest.width, manifest.height),
+                         golden);
     } catch (const Error& error) {
         return AssertionFailure()
                << error.what()

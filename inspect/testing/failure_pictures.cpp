@@ -21,8 +21,8 @@ std::string name_of_test() {
 }
 
 Plane first_plane_that_differs(const Planes& a, const Planes& b) {
-    const auto found = std::ranges::find_if(inspect::planes_in_order,
-                                            [&](Plane plane) { return !inspect::same(a, b, plane); });
+    const auto found = std::ranges::find_if(
+        inspect::planes_in_order, [&](Plane plane) { return !inspect::same(a, b, plane); });
     return found == inspect::planes_in_order.end() ? Plane::Color : *found;
 }
 
@@ -31,19 +31,20 @@ std::string written(const std::filesystem::path& file, const image::Picture& pic
     return "  " + file.string() + "\n";
 }
 
-std::string write_all(const std::string& name, const std::optional<Planes>& expected, const Planes& actual,
-                      const Profile& profile) {
+std::string write_all(const std::string& name, const std::optional<Planes>& expected,
+                      const Planes& actual, const Profile& profile) {
     const Plane plane = expected ? first_plane_that_differs(*expected, actual) : Plane::Color;
     std::filesystem::create_directories(output_folder());
     const auto file = [&](const char* kind) {
-        return output_folder() / (name_of_test() + "-" + name + "-" + name_of(plane) + "-" + kind + ".png");
+        return output_folder() /
+               (name_of_test() + "-" + name + "-" + name_of(plane) + "-" + kind + ".png");
     };
     std::string lines = written(file("actual"), image::plane_picture(actual, plane, profile));
     if (!expected) return lines;
     lines += written(file("expected"), image::plane_picture(*expected, plane, profile));
-    return lines +
-           written(file("difference"), image::distance_picture(inspect::distances(*expected, actual, plane),
-                                                               actual.width, actual.height));
+    return lines + written(file("difference"),
+                           image::distance_picture(inspect::distances(*expected, actual, plane),
+                                                   actual.width, actual.height));
 }
 
 }  // namespace

@@ -10,13 +10,14 @@
 
 namespace gw::testing {
 
-/// Where pictures of failures go: the environment variable GW_TESTING_OUTPUT, or "gw-testing" in the current
-/// folder.
+/// Where pictures of failures go: the environment variable GW_TESTING_OUTPUT, or "gw-testing" in
+/// the current folder.
 std::filesystem::path output_folder();
 
-/// Of the first plane in a fragment's order that differs, PNG files "SUITE.TEST-NAME-PLANE-actual.png",
-/// -expected and -difference (black where equal, white where worst); without `expected` of the colours, and
-/// only the actual ones. Returns a line for each file; where it cannot be written, the line says why.
+/// Of the first plane in a fragment's order that differs, PNG files
+/// "SUITE.TEST-NAME-PLANE-actual.png", -expected and -difference (black where equal, white where
+/// worst); without `expected` of the colours, and only the actual ones. Returns a line for each
+/// file; where it cannot be written, the line says why.
 std::string write_failure_pictures(const std::string& name, const std::optional<Planes>& expected,
                                    const Planes& actual, const Profile& profile);
 

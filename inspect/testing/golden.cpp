@@ -19,7 +19,8 @@ inspect::Recording recording_of(CommandList list, const Profile& profile, int wi
 }
 
 void write_golden(const inspect::Recording& recording, const std::filesystem::path& golden) {
-    const auto made = replayed_manifest_file(recording, inspect::maker_of("reference"), golden, true);
+    const auto made =
+        replayed_manifest_file(recording, inspect::maker_of("reference"), golden, true);
     image::OutputSet files;
     files.add(inspect::values_file(golden)).write(made.values);
     files.add(golden).write_text(to_json(made.manifest));

@@ -1,8 +1,8 @@
 #include "inspect/testing/matchers.h"
 
-#include "inspect/text/plural.h"
 #include "inspect/compare/plane_values.h"
 #include "inspect/testing/failure_pictures.h"
+#include "inspect/text/plural.h"
 
 #include <fmt/format.h>
 
@@ -24,15 +24,19 @@ namespace {
 class Question : public ::testing::MatcherInterface<const Planes&> {
 public:
     using Answer = std::function<std::string(const Planes&)>;
-    Question(std::string says, Answer why_not) : says_(std::move(says)), why_not_(std::move(why_not)) {}
+    Question(std::string says, Answer why_not)
+        : says_(std::move(says)), why_not_(std::move(why_not)) {}
 
-    bool MatchAndExplain(const Planes& planes, ::testing::MatchResultListener* listener) const override {
+    bool MatchAndExplain(const Planes& planes,
+                         ::testing::MatchResultListener* listener) const override {
         const std::string why = why_not_(planes);
         if (!why.empty() && listener->IsInterested()) *listener << why;
         return why.empty();
     }
     void DescribeTo(std::ostream* out) const override { *out << "planes where " << says_; }
-    void DescribeNegationTo(std::ostream* out) const override { *out << "planes where not: " << says_; }
+    void DescribeNegationTo(std::ostream* out) const override {
+        *out << "planes where not: " << says_;
+    }
 
 private:
     std::string says_;
@@ -52,7 +56,8 @@ PlanesMatcher pixel_is(Plane plane, int x, int y, const Planes& one) {
     const std::string value = value_at(one, plane, 0, 0);
     const std::string says = fmt::format("{} at ({}, {}) is {}", name_of(plane), x, y, value);
     return asked(says, [=](const Planes& planes) {
-        if (!inside(planes, x, y)) return fmt::format("which are {} x {}", planes.width, planes.height);
+        if (!inside(planes, x, y))
+            return fmt::format("which are {} x {}", planes.width, planes.height);
         const std::string actual = value_at(planes, plane, x, y);
         return actual == value ? "" : "which is " + actual;
     });
@@ -62,13 +67,13 @@ Planes one_pixel() { return {1, 1}; }
 
 std::string difference(Plane plane, const Planes& expected, const Planes& actual) {
     if (expected.width != actual.width || expected.height != actual.height)
-        return fmt::format("which are {} x {}, expected {} x {}", actual.width, actual.height, expected.width,
-                           expected.height);
+        return fmt::format("which are {} x {}, expected {} x {}", actual.width, actual.height,
+                           expected.width, expected.height);
     const auto wrong = inspect::wrong_pixels(expected, actual, plane);
     if (wrong.empty()) return "";
     const auto [x, y, distance] = wrong.front();
-    return fmt::format("where {} differs at {}, worst at ({}, {}): expected {}, got {}", name_of(plane),
-                       inspect::counted(wrong.size(), "pixel", "pixels"), x, y,
+    return fmt::format("where {} differs at {}, worst at ({}, {}): expected {}, got {}",
+                       name_of(plane), inspect::counted(wrong.size(), "pixel", "pixels"), x, y,
                        value_at(expected, plane, x, y), value_at(actual, plane, x, y));
 }
 
@@ -78,7 +83,8 @@ PlanesMatcher equal(std::string says, std::vector<Plane> which, Planes expected,
         for (const Plane plane : which) {
             const std::string why = difference(plane, expected, actual);
             if (why.empty()) continue;
-            const bool same_size = expected.width == actual.width && expected.height == actual.height;
+            const bool same_size =
+                expected.width == actual.width && expected.height == actual.height;
             if (!profile || !same_size) return why;
             return why + "\n" + write_failure_pictures("planes", expected, actual, *profile);
         }
@@ -113,14 +119,14 @@ PlanesMatcher HasAccum(int x, int y, std::array<std::int32_t, 4> sum) {
 }
 
 PlanesMatcher PlaneEq(Plane plane, Planes expected, std::optional<Profile> profile) {
-    return equal(std::string(name_of(plane)) + " is as expected, bit for bit", {plane}, std::move(expected),
-                 std::move(profile));
+    return equal(std::string(name_of(plane)) + " is as expected, bit for bit", {plane},
+                 std::move(expected), std::move(profile));
 }
 
 PlanesMatcher PlanesEq(Planes expected, std::optional<Profile> profile) {
     return equal("all are as expected, bit for bit",
-                 {inspect::planes_in_order.begin(), inspect::planes_in_order.end()}, std::move(expected),
-                 std::move(profile));
+                 {inspect::planes_in_order.begin(), inspect::planes_in_order.end()},
+                 std::move(expected), std::move(profile));
 }
 
 PlanesMatcher HasDigest(Plane plane, std::string expected) {

@@ -27,7 +27,8 @@ std::string text(const dmat4& m) {
 std::string text(const Rgba& c) { return fmt::format("{}", fmt::join(c, " ")); }
 std::string text(const Rect& r) { return fmt::format("{} {} {} {}", r.x, r.y, r.width, r.height); }
 std::string text(const Span& s) {
-    return fmt::format("x {} y {} length {} first {}{}", s.x, s.y, s.length, s.first, s.flat ? " flat" : "");
+    return fmt::format("x {} y {} length {} first {}{}", s.x, s.y, s.length, s.first,
+                       s.flat ? " flat" : "");
 }
 std::string text(const ColorMask& m) {
     return std::string(m.r ? "r" : "-") + (m.g ? "g" : "-") + (m.b ? "b" : "-") + (m.a ? "a" : "-");
@@ -46,7 +47,9 @@ std::string text(PolygonMode v) { return gwt::EnumNamePolygonMode(file_enum<gwt:
 std::string text(ShadeModel v) { return gwt::EnumNameShadeModel(file_enum<gwt::ShadeModel>(v)); }
 std::string text(ColorSource v) { return gwt::EnumNameColorSource(file_enum<gwt::ColorSource>(v)); }
 std::string text(FogMode v) { return gwt::EnumNameFogMode(file_enum<gwt::FogMode>(v)); }
-std::string text(FogCoordinate v) { return gwt::EnumNameFogCoordinate(file_enum<gwt::FogCoordinate>(v)); }
+std::string text(FogCoordinate v) {
+    return gwt::EnumNameFogCoordinate(file_enum<gwt::FogCoordinate>(v));
+}
 std::string text(MinFilter v) { return gwt::EnumNameMinFilter(file_enum<gwt::MinFilter>(v)); }
 std::string text(MagFilter v) { return gwt::EnumNameMagFilter(file_enum<gwt::MagFilter>(v)); }
 std::string text(Wrap v) { return gwt::EnumNameWrap(file_enum<gwt::Wrap>(v)); }

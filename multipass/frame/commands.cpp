@@ -53,8 +53,9 @@ std::vector<Portion> portions(const Stage& stage, const Step& step) {
     } else {
         for (std::size_t i = 0; i < stage.model->parts.size(); ++i) result.push_back({.part = i});
     }
-    std::erase_if(
-        result, [&](const Portion& p) { return !concerns(step, stage.model->parts[p.part], *stage.model); });
+    std::erase_if(result, [&](const Portion& p) {
+        return !concerns(step, stage.model->parts[p.part], *stage.model);
+    });
     return result;
 }
 
@@ -103,7 +104,8 @@ Draw draw_of(const Stage& stage, const Step& step, const Portion& portion) {
 
 Draw black_draw(const Stage& stage, const Portion& portion) {
     const Part& part = stage.model->parts[portion.part];
-    Draw draw{.mesh = portion.of(part.mesh), .eye_from_object = stage.eye_from_object[portion.part]};
+    Draw draw{.mesh = portion.of(part.mesh),
+              .eye_from_object = stage.eye_from_object[portion.part]};
     draw.material = material_for({}, *part.material);
     return draw;
 }
@@ -123,7 +125,8 @@ void add_step(CommandList& list, const Stage& stage, const Step& step, const Fra
     }
     const bool one_winner =
         rules.one_winner && is_additive(step.pass) && step.pass.objects != PassObjects::Translucent;
-    const bool by_ties = one_winner && rules.tied && can_leave_ties_out(stage, step, rules.stencil_bits);
+    const bool by_ties =
+        one_winner && rules.tied && can_leave_ties_out(stage, step, rules.stencil_bits);
     if (one_winner && !by_ties) return add_one_winner_step(list, stage, step, rules.stencil_bits);
     if (by_ties) {
         mark_ties(list, stage, *rules.tied, rules.stencil_bits);

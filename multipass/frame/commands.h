@@ -4,8 +4,8 @@
 
 #include "gw/command_list.h"
 #include "gw/profile.h"
-#include "multipass/passes/schedule.h"
 #include "multipass/frame/placed_model.h"
+#include "multipass/passes/schedule.h"
 #include "multipass/ties/tied_pixels.h"
 
 namespace gw::multipass {
@@ -25,8 +25,8 @@ struct FrameRules {
 /// BeginPass and SetState.
 void begin_pass(CommandList& list, const std::string& name, const State& state = {});
 
-/// The commands of one step: BeginPass, SetState, Clear, Draw. None where no part is concerned and nothing is
-/// cleared.
+/// The commands of one step: BeginPass, SetState, Clear, Draw. None where no part is concerned and
+/// nothing is cleared.
 void add_step(CommandList& list, const Stage& stage, const Step& step, const FrameRules& rules);
 
 /// The pass's state in this view: what its fields say on top of the state that all passes share.
@@ -35,8 +35,8 @@ State state_of(const Stage& stage, const Step& step);
 /// How the part's map is looked up in a pass; the initial state where it has none.
 TextureState lookup_of(const Stage& stage, const Step& step, std::size_t part);
 
-/// The draw of a part, or of a portion of it, in a pass: with its material, lights and map; black where
-/// nothing is added.
+/// The draw of a part, or of a portion of it, in a pass: with its material, lights and map; black
+/// where nothing is added.
 Draw draw_of(const Stage& stage, const Step& step, const Portion& portion);
 /// Black, with the object's own alpha.
 Draw black_draw(const Stage& stage, const Portion& portion);

@@ -18,7 +18,10 @@ struct Drawer::Ready {
 };
 
 Drawer::Drawer(Machine& machine, scene::Scene scene, const Options& options)
-    : machine_(machine), scene_(std::move(scene)), options_(options), passes_(pass_list(scene_, options)) {
+    : machine_(machine),
+      scene_(std::move(scene)),
+      options_(options),
+      passes_(pass_list(scene_, options)) {
     check_lights(scene_, passes_, machine.profile());
 }
 
@@ -26,8 +29,8 @@ Drawer::~Drawer() = default;
 
 Superposition Drawer::draw(const scene::View& view) {
     if (!ready_ || has_scene_maps(scene_, options_))
-        ready_ = std::make_unique<Ready>(machine_, with_scene_maps(machine_, scene_, view, options_), passes_,
-                                         options_);
+        ready_ = std::make_unique<Ready>(
+            machine_, with_scene_maps(machine_, scene_, view, options_), passes_, options_);
     const int samples = std::max(options_.samples, samples_of(scene_));
     return superpose(
         machine_, samples, ready_->picture.images(),
@@ -36,7 +39,8 @@ Superposition Drawer::draw(const scene::View& view) {
 }
 
 PassList pass_list(const scene::Scene& scene, const Options& options) {
-    return options.passes ? *options.passes : passes_for(scene, options.renderer, options.translucency);
+    return options.passes ? *options.passes
+                          : passes_for(scene, options.renderer, options.translucency);
 }
 
 Superposition render(Machine& machine, const scene::Scene& scene, const scene::View& view,
@@ -49,10 +53,11 @@ CommandList frame_list(const scene::Scene& scene, const scene::View& view, const
     const Model model = make_model(scene);
     const Shadows shadows = find_volumes(model, topologies(model));
     const Stage stage = make_stage(model, enclosing(view, model, shadows));
-    const Frame frame{stage,
-                      shadows,
-                      schedule(passes, model),
-                      {.background = background, .one_winner = one_winner, .stencil_bits = stencil_bits}};
+    const Frame frame{
+        stage,
+        shadows,
+        schedule(passes, model),
+        {.background = background, .one_winner = one_winner, .stencil_bits = stencil_bits}};
     return commands(frame, 0, frame.steps.size());
 }
 

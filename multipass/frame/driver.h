@@ -1,13 +1,13 @@
 // The driver: a scene, a view and options become a picture on a machine.
-// Does not read or write files, and touches no pixel itself: what it needs from the planes it reads with
-// Read.
+// Does not read or write files, and touches no pixel itself: what it needs from the planes it reads
+// with Read.
 #pragma once
 
 #include "gw/machine.h"
 #include "multipass/frame/options.h"
 #include "multipass/frame/superpose.h"
-#include "scene/scene.h"
 #include "scene/draw/view.h"
+#include "scene/scene.h"
 
 #include <memory>
 #include <string>
@@ -15,8 +15,8 @@
 
 namespace gw::multipass {
 
-/// A scene drawn from one view after the other. What the view does not decide is made once: meshes of maps,
-/// shadow volumes, shadow maps.
+/// A scene drawn from one view after the other. What the view does not decide is made once: meshes
+/// of maps, shadow volumes, shadow maps.
 class Drawer {
 public:
     /// The machine must outlive it.
@@ -24,9 +24,10 @@ public:
     Drawer(const Drawer&) = delete;
     ~Drawer();
 
-    /// The picture is in the machine's colour plane afterwards. The view is as large as the machine's window.
-    /// Says how many pictures were superposed, in how many groups. Throws Error where the profile cannot do
-    /// what is asked for.
+    /// The picture is in the machine's colour plane afterwards. The view is as large as the
+    /// machine's window.
+    /// Says how many pictures were superposed, in how many groups. Throws Error where the profile
+    /// cannot do what is asked for.
     Superposition draw(const scene::View& view);
 
 private:
@@ -45,8 +46,8 @@ Superposition render(Machine& machine, const scene::Scene& scene, const scene::V
 /// The passes that `render` draws the scene with.
 PassList pass_list(const scene::Scene& scene, const Options& options);
 
-/// The list of one frame without effects that read pixels back (shadow maps, layers, counted winners): what
-/// `render` executes, in one piece.
+/// The list of one frame without effects that read pixels back (shadow maps, layers, counted
+/// winners): what `render` executes, in one piece.
 CommandList frame_list(const scene::Scene& scene, const scene::View& view, const PassList& passes,
                        const vec3& background, bool one_winner = false, int stencil_bits = 8);
 

@@ -8,18 +8,19 @@
 namespace gw::multipass {
 namespace {
 
-/// Whether Z is, at step `end`, that of all bodies that cast shadows: the first step cleared it and drew all
-/// of each, and no later one cleared it.
+/// Whether Z is, at step `end`, that of all bodies that cast shadows: the first step cleared it and
+/// drew all of each, and no later one cleared it.
 bool holds_casting_bodies(const Frame& frame, std::size_t end) {
     const Pass& first = frame.steps.front().pass;
-    const bool draws_all = first.action == PassAction::Draw && first.depth.test && first.depth.mask &&
-                           first.depth.func == DepthFunc::Less && !first.stencil.test &&
-                           (first.clear & mask_of(Plane::Depth)) != 0 &&
+    const bool draws_all = first.action == PassAction::Draw && first.depth.test &&
+                           first.depth.mask && first.depth.func == DepthFunc::Less &&
+                           !first.stencil.test && (first.clear & mask_of(Plane::Depth)) != 0 &&
                            !frame.stage.state.clip_planes[0].enable;
     const auto& parts = frame.stage.model->parts;
     const auto clears = [](const Step& s) { return (s.pass.clear & mask_of(Plane::Depth)) != 0; };
     return draws_all &&
-           std::none_of(frame.steps.begin() + 1, frame.steps.begin() + std::ptrdiff_t(end), clears) &&
+           std::none_of(frame.steps.begin() + 1, frame.steps.begin() + std::ptrdiff_t(end),
+                        clears) &&
            std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
                return part.translucent || concerns(frame.steps.front(), part, *frame.stage.model);
            });
@@ -39,8 +40,9 @@ void add_shadow(CommandList& list, const Frame& frame, std::size_t index) {
                             .one_by_one = frame.shadows.one_by_one});
 }
 
-/// The frame buffer into the accumulation buffer. After every `most` images, as many as it holds, the sum so
-/// far goes through the frame buffer, which saturates it: more light than white stays white.
+/// The frame buffer into the accumulation buffer. After every `most` images, as many as it holds,
+/// the sum so far goes through the frame buffer, which saturates it: more light than white stays
+/// white.
 void add_image(CommandList& list, const std::string& name, int image, int most) {
     begin_pass(list, name);
     list.add(Accumulate{AccumOp::Accum, 1});
@@ -58,8 +60,8 @@ void add_traced(CommandList& list, const Frame& frame, const Step& step) {
     state.blend = step.pass.blend;
     begin_pass(list, name_of(step, *frame.stage.model), state);
     const scene::View& view = frame.stage.view;
-    list.add(
-        WritePixels{.rect = {0, 0, view.width, view.height}, .plane = Plane::Color, .colors = frame.traced});
+    list.add(WritePixels{
+        .rect = {0, 0, view.width, view.height}, .plane = Plane::Color, .colors = frame.traced});
 }
 
 bool draws(const Step& step, const Model& model) {
@@ -97,8 +99,9 @@ CommandList commands(const Frame& frame, std::size_t first, std::size_t last) {
 }
 
 std::size_t end_of_depth(const std::vector<Step>& steps) {
-    const auto last = std::find_if(steps.rbegin(), steps.rend(),
-                                   [](const Step& s) { return s.pass.depth.test && s.pass.depth.mask; });
+    const auto last = std::find_if(steps.rbegin(), steps.rend(), [](const Step& s) {
+        return s.pass.depth.test && s.pass.depth.mask;
+    });
     return static_cast<std::size_t>(steps.rend() - last);
 }
 

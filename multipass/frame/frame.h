@@ -1,12 +1,12 @@
-// A frame: one view of one scene at one moment, all of its passes as commands. Does not execute them:
-// picture.h does.
+// A frame: one view of one scene at one moment, all of its passes as commands. Does not execute
+// them: picture.h does.
 #pragma once
 
 #include "gw/command_list.h"
 #include "multipass/frame/commands.h"
+#include "multipass/frame/placed_model.h"
 #include "multipass/passes/schedule.h"
 #include "multipass/shadow/shadows.h"
-#include "multipass/frame/placed_model.h"
 
 #include <vector>
 

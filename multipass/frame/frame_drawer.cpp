@@ -1,12 +1,13 @@
-// Frames: the passes that clear and find Z, the count of winners, then all others, layers among them.
+// Frames: the passes that clear and find Z, the count of winners, then all others, layers among
+// them.
 #include "multipass/frame/frame_drawer.h"
 
 #include "gw/error.h"
+#include "multipass/frame/superpose.h"
+#include "multipass/shadow/shadow_passes.h"
+#include "multipass/ties/one_winner.h"
 #include "multipass/translucency/far_to_near.h"
 #include "multipass/translucency/layers.h"
-#include "multipass/ties/one_winner.h"
-#include "multipass/shadow/shadow_passes.h"
-#include "multipass/frame/superpose.h"
 
 #include <fmt/format.h>
 
@@ -16,13 +17,16 @@
 namespace gw::multipass {
 namespace {
 
-/// The view that is drawn: the far plane behind all shadow volumes, what lies behind its own cut off.
+/// The view that is drawn: the far plane behind all shadow volumes, what lies behind its own cut
+/// off.
 Stage staged(const Model& model, const scene::View& view, const Shadows& shadows) {
     Stage stage = make_stage(model, enclosing(view, model, shadows));
     const double far_plane = view.camera.far_plane;
     const bool moved = far_plane < stage.view.camera.far_plane;
-    const double farthest = scene::depth_interval(scene::bounds(*model.scene), view.eye_from_world).farthest;
-    if (moved && farthest > far_plane) stage.state.clip_planes[0] = {true, dvec4(0, 0, 1, far_plane)};
+    const double farthest =
+        scene::depth_interval(scene::bounds(*model.scene), view.eye_from_world).farthest;
+    if (moved && farthest > far_plane)
+        stage.state.clip_planes[0] = {true, dvec4(0, 0, 1, far_plane)};
     return stage;
 }
 
@@ -31,16 +35,18 @@ bool traces(const std::vector<Step>& steps) {
                        [](const Step& s) { return s.pass.action == PassAction::Trace; });
 }
 
-/// Whether a step before `end` leaves something of its own in the stencil, which counting would clear.
+/// Whether a step before `end` leaves something of its own in the stencil, which counting would
+/// clear.
 bool uses_stencil(const std::vector<Step>& steps, std::size_t end) {
-    return std::any_of(steps.begin(), steps.begin() + std::ptrdiff_t(end),
-                       [](const Step& s) { return s.pass.stencil.test && !keeps_stencil(s.pass.stencil); });
+    return std::any_of(steps.begin(), steps.begin() + std::ptrdiff_t(end), [](const Step& s) {
+        return s.pass.stencil.test && !keeps_stencil(s.pass.stencil);
+    });
 }
 
 }  // namespace
 
-Picture::Picture(Machine& machine, const scene::Scene& scene, PassList passes, const Options& options,
-                 const vec3& background)
+Picture::Picture(Machine& machine, const scene::Scene& scene, PassList passes,
+                 const Options& options, const vec3& background)
     : machine_(machine),
       still_(scene),
       now_(scene),
@@ -57,7 +63,8 @@ void Picture::move(const scene::View& view, const Sample& sample) {
     stage_ = staged(model_, view_at(view, sample), shadows_);
     stage_.state.jitter = jitter_of(sample, machine_.profile().subpixel_bits);
     for (std::size_t i = 0; i < stage_.glare.size(); ++i)
-        if (const auto& glare = now_.objects[i].glare) stage_.glare[i] = glare_displacement(*glare, sample);
+        if (const auto& glare = now_.objects[i].glare)
+            stage_.glare[i] = glare_displacement(*glare, sample);
     if (options_.translucency == Translucency::Sorted) stage_.far_to_near = far_to_near(stage_);
     find_masks(shadows_, machine_, model_, stage_.view, stage_.state.jitter);
     if (options_.trace && traces(steps_))
@@ -76,10 +83,11 @@ void Picture::draw(const scene::View& view, const Sample& sample) {
 }
 
 bool Picture::wants_count() const {
-    const bool opaque =
-        std::any_of(model_.parts.begin(), model_.parts.end(), [](const Part& p) { return !p.translucent; });
+    const bool opaque = std::any_of(model_.parts.begin(), model_.parts.end(),
+                                    [](const Part& p) { return !p.translucent; });
     return options_.one_winner == OneWinner::Auto && opaque &&
-           std::any_of(steps_.begin(), steps_.end(), [](const Step& s) { return is_additive(s.pass); }) &&
+           std::any_of(steps_.begin(), steps_.end(),
+                       [](const Step& s) { return is_additive(s.pass); }) &&
            !uses_stencil(steps_, end_of_depth(steps_));
 }
 

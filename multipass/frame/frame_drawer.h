@@ -1,6 +1,6 @@
-// A scene on a machine: everything that is made once and serves all of its superposed frames, and the drawing
-// of one frame, with the read-backs that some effects need. Does not superpose (superpose.h) and does not
-// choose passes (passes.h).
+// A scene on a machine: everything that is made once and serves all of its superposed frames, and
+// the drawing of one frame, with the read-backs that some effects need. Does not superpose
+// (superpose.h) and does not choose passes (passes.h).
 #pragma once
 
 #include "gw/machine.h"

@@ -55,12 +55,13 @@ Component component_of(PassMap map) {
 
 void add_map(Part& part, PassMap kind, const scene::Map& map, MeshCache& cache) {
     auto& list = part.maps[static_cast<std::size_t>(kind)];
-    list.push_back({cache.mapped(part.object->mesh, map), map.texture, lookup_of(map, kind, *part.material)});
+    list.push_back(
+        {cache.mapped(part.object->mesh, map), map.texture, lookup_of(map, kind, *part.material)});
 }
 
 void add_maps(Part& part, MeshCache& cache) {
-    for (const PassMap kind : {PassMap::Ambient, PassMap::Diffuse, PassMap::Specular, PassMap::Emission,
-                               PassMap::Reflection, PassMap::Refraction})
+    for (const PassMap kind : {PassMap::Ambient, PassMap::Diffuse, PassMap::Specular,
+                               PassMap::Emission, PassMap::Reflection, PassMap::Refraction})
         for (const scene::Map& map : scene::maps(*part.material, component_of(kind)))
             add_map(part, kind, map, cache);
     if (const scene::Map* map = scene::hardware_map(*part.material))

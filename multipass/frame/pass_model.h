@@ -1,6 +1,6 @@
-// A scene made ready to be drawn in passes: every object with its maps by component, textures looked up,
-// meshes with their maps' scale and offset. Made once per scene. Does not place anything before an eye:
-// stage.h does.
+// A scene made ready to be drawn in passes: every object with its maps by component, textures
+// looked up, meshes with their maps' scale and offset. Made once per scene. Does not place anything
+// before an eye: stage.h does.
 #pragma once
 
 #include "gw/command_list.h"
@@ -27,7 +27,9 @@ struct Part {
     bool translucent = false;
     std::array<std::vector<MappedMesh>, 8> maps;  ///< by PassMap
 
-    const std::vector<MappedMesh>& maps_for(PassMap map) const { return maps[static_cast<std::size_t>(map)]; }
+    const std::vector<MappedMesh>& maps_for(PassMap map) const {
+        return maps[static_cast<std::size_t>(map)];
+    }
 };
 
 /// Refers to the scene, which must outlive it.
@@ -41,8 +43,8 @@ Model make_model(const scene::Scene& scene);
 /// The material that a pass sets for an object [K3p]; its alpha stays the object's.
 Material material_for(const PassMaterial& set, const scene::Material& material);
 
-/// The largest number of maps that any object has for a component, at least 1: so often is its pass repeated
-/// [K3.1].
+/// The largest number of maps that any object has for a component, at least 1: so often is its pass
+/// repeated [K3.1].
 std::size_t repetitions(const Model& model, PassMap map);
 
 }  // namespace gw::multipass

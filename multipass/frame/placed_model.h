@@ -1,4 +1,5 @@
-// A model before an eye: objects placed, lights in eye space, the state that all passes of the view share.
+// A model before an eye: objects placed, lights in eye space, the state that all passes of the view
+// share.
 // Does not choose passes and makes no commands.
 #pragma once
 

@@ -22,7 +22,8 @@ MeshRef pick(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
 
 }  // namespace
 
-Portion portion_of(const Stage& stage, std::size_t index, std::span<const std::uint32_t> triangles) {
+Portion portion_of(const Stage& stage, std::size_t index,
+                   std::span<const std::uint32_t> triangles) {
     Portion portion{.part = index};
     const auto add = [&](const MeshRef& mesh) {
         if (portion.of(mesh) == mesh) portion.meshes.emplace_back(mesh, pick(*mesh, triangles));

@@ -21,11 +21,12 @@ double mirrored(std::size_t i) {
     return value;
 }
 
-/// A number without common divisors with n, about 0.618 n for kind 0 and others for others: multiples of it
-/// mod n are an order of 0 .. n - 1 that jumps far.
+/// A number without common divisors with n, about 0.618 n for kind 0 and others for others:
+/// multiples of it mod n are an order of 0 .. n - 1 that jumps far.
 std::size_t stride(std::size_t n, unsigned kind) {
     const double golden = 0.6180339887498949 * (kind + 1);
-    std::size_t step = std::max<std::size_t>(1, std::size_t((golden - std::floor(golden)) * double(n)));
+    std::size_t step =
+        std::max<std::size_t>(1, std::size_t((golden - std::floor(golden)) * double(n)));
     while (std::gcd(step, n) != 1) ++step;
     return step;
 }
@@ -47,7 +48,8 @@ dvec3 area_point(const scene::AreaLight& area, const dvec2& square) {
 
 dvec2 spread(const Sample& sample, unsigned kind) {
     const std::size_t n = sample.count;
-    const std::size_t i = kind == Pixel ? sample.index : (sample.index * stride(n, kind) + kind) % n;
+    const std::size_t i =
+        kind == Pixel ? sample.index : (sample.index * stride(n, kind) + kind) % n;
     return {(double(i) + 0.5) / double(n), mirrored(i) + 0.5 / double(std::bit_ceil(n))};
 }
 
@@ -80,8 +82,9 @@ JitterState jitter_of(const Sample& sample, int subpixel_bits) {
 bool moves(const scene::Scene& scene) {
     return std::any_of(scene.objects.begin(), scene.objects.end(),
                        [](const scene::Object& o) { return o.move != dvec3(0); }) ||
-           std::any_of(scene.lights.begin(), scene.lights.end(),
-                       [](const scene::Light& l) { return l.area.shape != scene::AreaLight::Shape::None; });
+           std::any_of(scene.lights.begin(), scene.lights.end(), [](const scene::Light& l) {
+               return l.area.shape != scene::AreaLight::Shape::None;
+           });
 }
 
 void move_to(scene::Scene& now, const scene::Scene& still, const Sample& sample) {

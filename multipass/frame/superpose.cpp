@@ -45,7 +45,8 @@ void average(Machine& machine, const std::vector<std::vector<Rgba>>& pictures) {
     for (const auto& picture : pictures) {
         CommandList list;
         begin_pass(list, "add mean");
-        list.add(WritePixels{.rect = {0, 0, width, height}, .plane = Plane::Color, .colors = picture});
+        list.add(
+            WritePixels{.rect = {0, 0, width, height}, .plane = Plane::Color, .colors = picture});
         list.add(Accumulate{AccumOp::Accum, 1});
         machine.execute(list);
     }
@@ -63,9 +64,9 @@ Superposition superposition(const Profile& profile, int count, int images) {
     if (count < 1) throw Error(fmt::format("{} pictures to superpose; expected 1 or more", count));
     const int groups = (count + group - 1) / group;
     if (groups > most)
-        throw Error(
-            fmt::format("{} pictures are more than profile {} superposes, in groups too; expected at most {}",
-                        count, profile.name, most * group));
+        throw Error(fmt::format(
+            "{} pictures are more than profile {} superposes, in groups too; expected at most {}",
+            count, profile.name, most * group));
     return {(count + groups - 1) / groups * groups, groups};
 }
 
@@ -95,10 +96,12 @@ std::vector<int> weights_of(int samples, bool weighted, const Profile& profile) 
 }
 
 Superposition superpose(Machine& machine, int count, int images,
-                        const std::function<void(const Sample&)>& draw, const std::vector<int>& weights) {
+                        const std::function<void(const Sample&)>& draw,
+                        const std::vector<int>& weights) {
     const Superposition s = superposition(machine.profile(), count, images);
     if (!weights.empty() && (s.groups > 1 || images > 0))
-        throw Error("pictures with weights fit in one sum only; expected fewer samples, and no glare");
+        throw Error(
+            "pictures with weights fit in one sum only; expected fewer samples, and no glare");
     const int group = s.samples / s.groups;
     if (s.samples == 1 && images == 0) {
         draw({});
@@ -112,7 +115,8 @@ Superposition superpose(Machine& machine, int count, int images,
             const float weight = weights.empty() ? 1 : float(weights[std::size_t(k)]);
             if (images == 0) accumulate(machine, "accumulate", AccumOp::Accum, weight);
         }
-        const int sum = weights.empty() ? group : std::accumulate(weights.begin(), weights.end(), 0);
+        const int sum =
+            weights.empty() ? group : std::accumulate(weights.begin(), weights.end(), 0);
         accumulate(machine, "return", AccumOp::Return, 1.0f / float(sum));
         if (s.groups > 1) means.push_back(read_picture(machine));
     }

@@ -3,8 +3,8 @@
 
 #include "multipass/frame/commands.h"
 #include "multipass/frame/frame_drawer.h"
-#include "multipass/maps/sphere_map.h"
 #include "multipass/frame/superpose.h"
+#include "multipass/maps/sphere_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,8 @@ dvec3 center(const scene::Scene& s, std::size_t index) {
 std::array<scene::View, 6> views_from(const dvec3& p, const scene::Scene& s, int size) {
     const scene::Bounds b = scene::bounds(s);
     double farthest = 0;
-    for (int k = 0; k < 3; ++k) farthest += std::max(std::abs(b.low[k] - p[k]), std::abs(b.high[k] - p[k]));
+    for (int k = 0; k < 3; ++k)
+        farthest += std::max(std::abs(b.low[k] - p[k]), std::abs(b.high[k] - p[k]));
     farthest = std::max(farthest, 1e-6);
     return scene::cube_views(p, farthest * near_part, farthest, size);
 }
@@ -78,7 +79,8 @@ struct Painter {
     std::string what;
 
     void draw_window(const scene::View& window) {
-        superpose(machine, 1, picture.images(), [&](const Sample& sample) { picture.draw(window, sample); });
+        superpose(machine, 1, picture.images(),
+                  [&](const Sample& sample) { picture.draw(window, sample); });
     }
 
     const std::vector<Rgba>& read(const Rect& rect) {
@@ -90,7 +92,8 @@ struct Painter {
     }
 
     std::vector<Rgba> draw(const scene::View& view) {
-        const int size = view.width, width = machine.planes().width, height = machine.planes().height;
+        const int size = view.width, width = machine.planes().width,
+                  height = machine.planes().height;
         std::vector<Rgba> color(std::size_t(size) * std::size_t(size));
         for (int y = 0; y < size; y += height)
             for (int x = 0; x < size; x += width) {
@@ -115,7 +118,8 @@ CubePicture draw_around(Machine& machine, scene::Scene s, std::size_t index, int
     CubePicture around{.views = views_from(p, s, size * fineness)};
     Picture picture(machine, s, passes, options, s.background);
     Painter painter{machine, picture, what};
-    for (std::size_t face = 0; face < 6; ++face) around.colors[face] = painter.draw(around.views[face]);
+    for (std::size_t face = 0; face < 6; ++face)
+        around.colors[face] = painter.draw(around.views[face]);
     return around;
 }
 
@@ -131,8 +135,9 @@ bool looks_up(const scene::Scene& s, const Options& options) {
 
 bool has_scene_maps(const scene::Scene& s, const Options& options) {
     return looks_up(s, options) &&
-           std::any_of(s.objects.begin(), s.objects.end(),
-                       [&](const scene::Object& item) { return size_of(s.materials[item.material]) > 0; });
+           std::any_of(s.objects.begin(), s.objects.end(), [&](const scene::Object& item) {
+               return size_of(s.materials[item.material]) > 0;
+           });
 }
 
 scene::Scene with_scene_maps(Machine& machine, const scene::Scene& s, const scene::View& view,
@@ -148,9 +153,9 @@ scene::Scene with_scene_maps(Machine& machine, const scene::Scene& s, const scen
         for (auto* maps : looked_up_by_ray(material))
             for (scene::Map& map : *maps)
                 if (map.from_scene > 0 && !map.texture)
-                    map.texture =
-                        sphere_map("surroundings of " + s.objects[i].name, around, view.eye_from_world,
-                                   map.from_scene, machine.profile().color_bits);
+                    map.texture = sphere_map("surroundings of " + s.objects[i].name, around,
+                                             view.eye_from_world, map.from_scene,
+                                             machine.profile().color_bits);
         out.objects[i].material = out.materials.size();
         out.materials.push_back(std::move(material));
     }

@@ -43,8 +43,8 @@ dvec3 direction_of(double s, double t) {
     return {2 * z * x, 2 * z * y, 2 * z * z - 1};
 }
 
-TextureRef sphere_map(std::string name, const CubePicture& around, const dmat4& eye_from_world, int size,
-                      int color_bits) {
+TextureRef sphere_map(std::string name, const CubePicture& around, const dmat4& eye_from_world,
+                      int size, int color_bits) {
     const dmat3 world_from_eye = glm::transpose(dmat3(eye_from_world));
     const int fine = size * positions;
     const auto side = std::size_t(size);

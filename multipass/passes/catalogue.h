@@ -6,7 +6,8 @@
 
 namespace gw::multipass {
 
-/// Compare with the Z that the depth pass left, update nothing: what is drawn is what is seen [K3.3].
+/// Compare with the Z that the depth pass left, update nothing: what is drawn is what is seen
+/// [K3.3].
 inline constexpr DepthState seen{.test = true, .func = DepthFunc::Equal, .mask = false};
 /// Sum of the components in the frame buffer [K3 eq. 2].
 inline constexpr BlendState add{.enable = true, .src = BlendFactor::One, .dst = BlendFactor::One};
@@ -14,7 +15,8 @@ inline constexpr BlendState add{.enable = true, .src = BlendFactor::One, .dst = 
 inline constexpr StencilState outside_shadow{.test = true, .func = StencilFunc::Equal, .ref = 0};
 
 /// What a picture begins with.
-inline constexpr PlaneMask picture = mask_of(Plane::Color) | mask_of(Plane::Depth) | mask_of(Plane::Stencil);
+inline constexpr PlaneMask picture =
+    mask_of(Plane::Color) | mask_of(Plane::Depth) | mask_of(Plane::Stencil);
 
 /// Z of all shapes, before all else [K3.3].
 inline constexpr Pass depth_pass{
@@ -92,8 +94,8 @@ inline constexpr Pass trace_pass{
     .blend = add,
 };
 
-/// Fog, step 2 [K3.5]: black objects in fog of its colour, shadow or not. All passes before went through
-/// black fog.
+/// Fog, step 2 [K3.5]: black objects in fog of its colour, shadow or not. All passes before went
+/// through black fog.
 inline constexpr Pass fog_pass{
     .name = "fog",
     .material = {.Ka = 0, .Kd = 0, .Ks = 0, .Ke = 0},
@@ -105,8 +107,8 @@ inline constexpr Pass fog_pass{
 /// Sums what was drawn so far in the accumulation buffer; the next image begins black.
 inline constexpr Pass add_pass{.name = "add", .action = PassAction::Add};
 
-/// Light around emitters [K3.3]: each once more, moved, once a pixel; the mean of the superposed pictures
-/// glows.
+/// Light around emitters [K3.3]: each once more, moved, once a pixel; the mean of the superposed
+/// pictures glows.
 inline constexpr Pass glare_pass{
     .name = "glare",
     .clear = mask_of(Plane::Stencil),
@@ -144,8 +146,8 @@ inline constexpr Pass veil_pass{
     .objects = PassObjects::Translucent,
 };
 
-/// ... then each component is an image of its own: the component of all translucent objects, far to near, on
-/// black.
+/// ... then each component is an image of its own: the component of all translucent objects, far to
+/// near, on black.
 inline constexpr Pass translucent_ambient_pass{
     .name = "translucent ambient",
     .material = {.Ka = object, .Kd = 0, .Ks = 0, .Ke = 0, .Map = ambient_map},

@@ -23,7 +23,8 @@ std::string depth_text(const DepthState& depth) {
 std::string stencil_text(const StencilState& s) {
     if (!s.test) return "";
     std::string text = fmt::format("; stencil {} {}", word(s.func), s.ref);
-    const bool keeps = s.fail == StencilOp::Keep && s.zfail == StencilOp::Keep && s.zpass == StencilOp::Keep;
+    const bool keeps =
+        s.fail == StencilOp::Keep && s.zfail == StencilOp::Keep && s.zpass == StencilOp::Keep;
     if (!keeps) text += fmt::format(" ({} {} {})", word(s.fail), word(s.zfail), word(s.zpass));
     return text;
 }
@@ -63,7 +64,8 @@ std::string to_string(const Pass& pass) {
     text += action_text(pass);
     if (pass.lights != PassLights::None) text += fmt::format("; lights {}", word(pass.lights));
     text += objects_text(pass) + depth_text(pass.depth) + stencil_text(pass.stencil);
-    if (pass.blend.enable) text += fmt::format("; blend {} {}", word(pass.blend.src), word(pass.blend.dst));
+    if (pass.blend.enable)
+        text += fmt::format("; blend {} {}", word(pass.blend.src), word(pass.blend.dst));
     if (pass.fog != PassFog::None) text += fmt::format("; fog {}", word(pass.fog));
     text += clear_text(pass.clear);
     if (!pass.color) text += "; no colour";

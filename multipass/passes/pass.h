@@ -1,6 +1,6 @@
-// A pass as the paper writes one [K3p]: a set of parameters for the machine, (Ka, Kd, Ks, Ke, Map), with the
-// tests and the blending that go with it. Plain data. Does not say what the passes of a picture are
-// (catalogue.h) nor draw.
+// A pass as the paper writes one [K3p]: a set of parameters for the machine, (Ka, Kd, Ks, Ke, Map),
+// with the tests and the blending that go with it. Plain data. Does not say what the passes of a
+// picture are (catalogue.h) nor draw.
 #pragma once
 
 #include "gw/command_list.h"
@@ -28,7 +28,8 @@ struct Name {
     bool operator==(const Name&) const = default;
 };
 
-/// What a pass puts in place of one parameter of the material: the object's own value, 0, 1, or any other.
+/// What a pass puts in place of one parameter of the material: the object's own value, 0, 1, or any
+/// other.
 struct Parameter {
     enum class Kind : std::uint8_t { Value, Object, ObjectKs, ObjectTf };
     Kind kind = Kind::Value;
@@ -45,7 +46,8 @@ inline constexpr Parameter object{Parameter::Kind::Object};
 inline constexpr Parameter object_Ks{Parameter::Kind::ObjectKs};
 inline constexpr Parameter object_Tf{Parameter::Kind::ObjectTf};
 
-/// Which of the object's maps modulates the pass. Several maps: the pass is repeated for each [K3.1].
+/// Which of the object's maps modulates the pass. Several maps: the pass is repeated for each
+/// [K3.1].
 enum class PassMap : std::uint8_t {
     None,
     Ambient,
@@ -61,10 +63,12 @@ inline constexpr PassMap ambient_map = PassMap::Ambient;
 inline constexpr PassMap diffuse_map = PassMap::Diffuse;
 inline constexpr PassMap specular_map = PassMap::Specular;
 inline constexpr PassMap emission_map = PassMap::Emission;
-inline constexpr PassMap reflection_map =
-    PassMap::Reflection;  ///< sphere map; objects without one are not drawn
-inline constexpr PassMap refraction_map = PassMap::Refraction;  ///< the same, by the refracted ray
-inline constexpr PassMap object_map = PassMap::Object;          ///< the object's one map of eq. 1 [K2]
+/// sphere map; objects without one are not drawn
+inline constexpr PassMap reflection_map = PassMap::Reflection;
+/// the same, by the refracted ray
+inline constexpr PassMap refraction_map = PassMap::Refraction;
+/// the object's one map of eq. 1 [K2]
+inline constexpr PassMap object_map = PassMap::Object;
 
 /// The parameter set, in the paper's order.
 struct PassMaterial {
@@ -73,17 +77,19 @@ struct PassMaterial {
     bool operator==(const PassMaterial&) const = default;
 };
 
-/// How often a pass runs, and by which light. Neighbouring passes of `Each` are repeated together, light by
-/// light. First: once, by the first light that casts a shadow, if there is one.
+/// How often a pass runs, and by which light. Neighbouring passes of `Each` are repeated together,
+/// light by light. First: once, by the first light that casts a shadow, if there is one.
 enum class PassLights : std::uint8_t { None, Each, First, All };
-/// The objects that take part. Opaque: d = 1. Glaring: emitters with glare, moved [K3.3]. Casting: opaque
-/// ones that cast shadows.
+/// The objects that take part. Opaque: d = 1. Glaring: emitters with glare, moved [K3.3]. Casting:
+/// opaque ones that cast shadows.
 enum class PassObjects : std::uint8_t { All, Opaque, Translucent, Glaring, Casting, Named };
 /// The fog that a pass goes through [K3.5].
 enum class PassFog : std::uint8_t { None, Black, Scene };
-/// What a pass does. Draw: the objects. Shadow: stencil := not 0 in the light's shadow, 0 elsewhere [K3.2].
-/// Add: the frame buffer is added to the accumulation buffer, which gives the picture in the end, and its
-/// colour cleared to black. Trace: the traced component, a pixel rectangle from the host (eq. 5) [K4].
+/// What a pass does. Draw: the objects. Shadow: stencil := not 0 in the light's shadow, 0 elsewhere
+/// [K3.2].
+/// Add: the frame buffer is added to the accumulation buffer, which gives the picture in the end,
+/// and its colour cleared to black. Trace: the traced component, a pixel rectangle from the host
+/// (eq. 5) [K4].
 enum class PassAction : std::uint8_t { Draw, Shadow, Add, Trace };
 
 struct Pass {
@@ -107,8 +113,8 @@ using PassList = std::vector<Pass>;
 
 /// "(Ka=object, Kd=0, Ks=0, Ke=0, Map=ambient map)", as the paper writes it.
 std::string to_string(const PassMaterial& material);
-/// One line: name, set, lights, objects, and what of depth, stencil, blend and fog is not at its initial
-/// value.
+/// One line: name, set, lights, objects, and what of depth, stencil, blend and fog is not at its
+/// initial value.
 std::string to_string(const Pass& pass);
 
 }  // namespace gw::multipass

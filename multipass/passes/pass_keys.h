@@ -1,4 +1,5 @@
-// The keys of [[pass]], each named once: what reads them and what writes them go through the same functions.
+// The keys of [[pass]], each named once: what reads them and what writes them go through the same
+// functions.
 // Does neither itself: pass_toml.cpp does.
 #pragma once
 

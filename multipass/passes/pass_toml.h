@@ -10,8 +10,8 @@
 
 namespace gw::multipass {
 
-/// The list that the tables say. Throws Error with file and line for what is not a pass, and for a list that
-/// cannot draw a picture.
+/// The list that the tables say. Throws Error with file and line for what is not a pass, and for a
+/// list that cannot draw a picture.
 PassList read_passes(const std::vector<scene::TomlValue>& tables);
 
 /// The list as [[pass]] tables; read again they are the same list.

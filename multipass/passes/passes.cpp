@@ -25,8 +25,8 @@ bool any_glare(const scene::Scene& scene) {
 
 /// The reflection map where the first light that casts a shadow arrives [K3.2].
 void keep_reflection_out_of_shadow(PassList& list) {
-    const auto reflection =
-        std::find_if(list.begin(), list.end(), [](const Pass& p) { return p.name == reflection_pass.name; });
+    const auto reflection = std::find_if(
+        list.begin(), list.end(), [](const Pass& p) { return p.name == reflection_pass.name; });
     reflection->stencil = outside_shadow;
     reflection->lights = PassLights::First;
     Pass shadow = shadow_pass;
@@ -65,8 +65,9 @@ Pass in_layers(Pass pass) {
 
 /// The components of translucent objects, without their fog.
 PassList translucent_components(const scene::Scene& scene) {
-    PassList list{translucent_ambient_pass,    translucent_diffuse_pass,    translucent_specular_pass,
-                  translucent_reflection_pass, translucent_refraction_pass, translucent_emission_pass};
+    PassList list{translucent_ambient_pass,    translucent_diffuse_pass,
+                  translucent_specular_pass,   translucent_reflection_pass,
+                  translucent_refraction_pass, translucent_emission_pass};
     for (Pass& pass : list)
         if (scene.fog) pass.fog = PassFog::Black;
     return list;
@@ -128,20 +129,22 @@ PassList alone(const PassList& passes, const Pass* component) {
 }
 
 std::size_t lights_on(const scene::Scene& scene, const scene::Object& object) {
-    return static_cast<std::size_t>(
-        std::count_if(scene.lights.begin(), scene.lights.end(),
-                      [&](const scene::Light& light) { return scene::lights_object(light, object); }));
+    return static_cast<std::size_t>(std::count_if(
+        scene.lights.begin(), scene.lights.end(),
+        [&](const scene::Light& light) { return scene::lights_object(light, object); }));
 }
 
 }  // namespace
 
 bool has_translucent(const scene::Scene& scene) {
-    return std::any_of(scene.objects.begin(), scene.objects.end(),
-                       [&](const scene::Object& item) { return scene.materials[item.material].d < 1; });
+    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const scene::Object& item) {
+        return scene.materials[item.material].d < 1;
+    });
 }
 
 PassList passes_for(const scene::Scene& scene, Renderer renderer, Translucency translucency) {
-    return renderer == Renderer::Hardware ? hardware_list(scene) : multipass_list(scene, translucency);
+    return renderer == Renderer::Hardware ? hardware_list(scene)
+                                          : multipass_list(scene, translucency);
 }
 
 std::vector<ComponentList> component_lists(const scene::Scene& scene, const PassList& passes) {
@@ -153,8 +156,8 @@ std::vector<ComponentList> component_lists(const scene::Scene& scene, const Pass
 }
 
 void check_lights(const scene::Scene& scene, const PassList& passes, const Profile& profile) {
-    const bool all =
-        std::any_of(passes.begin(), passes.end(), [](const Pass& p) { return p.lights == PassLights::All; });
+    const bool all = std::any_of(passes.begin(), passes.end(),
+                                 [](const Pass& p) { return p.lights == PassLights::All; });
     if (!all) return;
     for (const scene::Object& item : scene.objects)
         if (lights_on(scene, item) > static_cast<std::size_t>(profile.max_lights))

@@ -1,5 +1,5 @@
-// Which passes make a picture: the two renderers of the paper as pass lists, and the list of each component's
-// image. Does not draw.
+// Which passes make a picture: the two renderers of the paper as pass lists, and the list of each
+// component's image. Does not draw.
 #pragma once
 
 #include "gw/profile.h"
@@ -13,14 +13,14 @@ namespace gw::multipass {
 
 enum class Renderer { Hardware, Multipass };
 
-/// How translucent objects (d < 1) are ordered [K3.4]. Sorted: their polygons, far to near, by their
-/// centroids. Unsorted: as the scene has them; wrong where they overlap. Layers: pixel by pixel, exactly
-/// (layers.h).
+/// How translucent objects (d < 1) are ordered [K3.4]. Sorted: their polygons, far to near, by
+/// their centroids. Unsorted: as the scene has them; wrong where they overlap. Layers: pixel by
+/// pixel, exactly (layers.h).
 enum class Translucency { Sorted, Unsorted, Layers };
 
-/// Eq. 1 in one pass [K2], or eq. 2 and 4 component by component [K3, K3.2]; with what the scene needs of
-/// translucent passes [K3.4] and fog [K3.5]. Where the scene's background is not black, the depth pass also
-/// draws all shapes black: components are added to it.
+/// Eq. 1 in one pass [K2], or eq. 2 and 4 component by component [K3, K3.2]; with what the scene
+/// needs of translucent passes [K3.4] and fog [K3.5]. Where the scene's background is not black,
+/// the depth pass also draws all shapes black: components are added to it.
 PassList passes_for(const scene::Scene& scene, Renderer renderer,
                     Translucency translucency = Translucency::Sorted);
 
@@ -33,13 +33,13 @@ struct ComponentList {
     bool background = false;  ///< on the scene's background; else on black
 };
 
-/// One per additive pass, in order, and first the background where that is not black. Their images, added
-/// with saturation, are the picture of the whole list bit for bit: adding in another order changes no
-/// saturated sum.
+/// One per additive pass, in order, and first the background where that is not black. Their images,
+/// added with saturation, are the picture of the whole list bit for bit: adding in another order
+/// changes no saturated sum.
 std::vector<ComponentList> component_lists(const scene::Scene& scene, const PassList& passes);
 
-/// Throws Error where a pass of all lights has more lights on one object than the profile knows in one pass,
-/// naming the limit and the multi-pass renderer, which has none [K3p].
+/// Throws Error where a pass of all lights has more lights on one object than the profile knows in
+/// one pass, naming the limit and the multi-pass renderer, which has none [K3p].
 void check_lights(const scene::Scene& scene, const PassList& passes, const Profile& profile);
 
 }  // namespace gw::multipass

@@ -1,9 +1,9 @@
 // Reading: one function per kind of value.
 #include "multipass/passes/pass_toml.h"
 
-#include "multipass/passes/validate_passes.h"
 #include "multipass/passes/pass_keys.h"
 #include "multipass/passes/tokens.h"
+#include "multipass/passes/validate_passes.h"
 #include "scene/toml/toml_binder.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,9 @@ namespace {
 using scene::TomlKind;
 using scene::TomlValue;
 
-bool is_source(BlendFactor f) { return f != BlendFactor::SrcColor && f != BlendFactor::OneMinusSrcColor; }
+bool is_source(BlendFactor f) {
+    return f != BlendFactor::SrcColor && f != BlendFactor::OneMinusSrcColor;
+}
 bool is_destination(BlendFactor f) {
     return f != BlendFactor::DstColor && f != BlendFactor::OneMinusDstColor &&
            f != BlendFactor::SrcAlphaSaturate;
@@ -35,7 +37,8 @@ Parameter to_parameter(const TomlValue& value) {
         return Parameter(words(Parameter::Kind{})[scene::to_word(value, known)].first);
     }
     if (!value.is_number() && value.kind != TomlKind::Array)
-        value.fail_expected("'object', 'object Ks', 'object Tf', a number or an array of 3 numbers");
+        value.fail_expected(
+            "'object', 'object Ks', 'object Tf', a number or an array of 3 numbers");
     const vec3 color = scene::to_color(value);
     return {color.x, color.y, color.z};
 }
@@ -43,7 +46,8 @@ Parameter to_parameter(const TomlValue& value) {
 Name to_name(const TomlValue& value) {
     const std::string text = scene::to_string(value);
     if (text.empty() || text.size() > Name::most)
-        value.fail(fmt::format("{} has {} bytes; expected 1 to {}", value.name, text.size(), Name::most));
+        value.fail(
+            fmt::format("{} has {} bytes; expected 1 to {}", value.name, text.size(), Name::most));
     return Name(text);
 }
 
@@ -69,7 +73,8 @@ struct Reading {
     /// References and masks: a stencil has at most 8 bits.
     void number(const char* key, auto& number) {
         read(key, [&number](const TomlValue& value) {
-            number = static_cast<std::remove_reference_t<decltype(number)>>(scene::to_int(value, {0, 255}));
+            number = static_cast<std::remove_reference_t<decltype(number)>>(
+                scene::to_int(value, {0, 255}));
         });
     }
     void parameter(const char* key, Parameter& parameter) {

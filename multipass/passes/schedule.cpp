@@ -39,7 +39,8 @@ bool selected(const Pass& pass, const Part& part) {
     return std::find(pass.names.begin(), pass.names.end(), part.object->name) != pass.names.end();
 }
 
-/// Without a map of the component: the first run draws it as if the map was white, where that makes sense.
+/// Without a map of the component: the first run draws it as if the map was white, where that makes
+/// sense.
 bool has_map(const Step& step, const Part& part) {
     const PassMap map = step.pass.material.Map;
     const bool by_map_only = map == PassMap::Reflection || map == PassMap::Refraction;
@@ -53,14 +54,17 @@ void add_runs(std::vector<Step>& steps, const Pass& pass, std::optional<std::siz
     if (pass.action == PassAction::Shadow && !casts) return;
     Step step{.pass = pass, .light = light};
     if (light && !casts && pass.stencil == outside_shadow) step.pass.stencil = {};
-    for (step.map = 0; step.map < repetitions(model, pass.material.Map); ++step.map) steps.push_back(step);
+    for (step.map = 0; step.map < repetitions(model, pass.material.Map); ++step.map)
+        steps.push_back(step);
 }
 
 /// Of a pass that runs once: its light, if it has one; none: it does not run at all.
 std::optional<std::optional<std::size_t>> light_of(const Pass& pass, const Model& model) {
     if (pass.lights != PassLights::First) return std::optional<std::size_t>{};
     const auto& lights = model.scene->lights;
-    const auto casts = [](const scene::Light& light) { return light.shadow != scene::Shadow::None; };
+    const auto casts = [](const scene::Light& light) {
+        return light.shadow != scene::Shadow::None;
+    };
     const auto first = std::find_if(lights.begin(), lights.end(), casts);
     if (first != lights.end()) return static_cast<std::size_t>(first - lights.begin());
     if (pass.action == PassAction::Shadow) return std::nullopt;
@@ -77,8 +81,8 @@ std::vector<Step> schedule(const PassList& passes, const Model& model) {
             ++pass;
             continue;
         }
-        const auto last =
-            std::find_if(pass, passes.end(), [](const Pass& p) { return p.lights != PassLights::Each; });
+        const auto last = std::find_if(pass, passes.end(),
+                                       [](const Pass& p) { return p.lights != PassLights::Each; });
         for (std::size_t light = 0; light < model.scene->lights.size(); ++light)
             std::for_each(pass, last, [&](const Pass& p) { add_runs(steps, p, light, model); });
         pass = last;
@@ -105,7 +109,8 @@ bool adds(const Step& step, const Part& part, const Model& model) {
 }
 
 bool concerns(const Step& step, const Part& part, const Model& model) {
-    const bool dims = step.pass.blend.enable && step.pass.blend.dst == BlendFactor::OneMinusSrcAlpha;
+    const bool dims =
+        step.pass.blend.enable && step.pass.blend.dst == BlendFactor::OneMinusSrcAlpha;
     if (dims || is_black(step.pass.material)) return selected(step.pass, part);
     return adds(step, part, model);
 }

@@ -20,22 +20,23 @@ struct Step {
     bool operator==(const Step&) const = default;
 };
 
-/// Neighbouring passes of PassLights::Each run light by light: shadow, ambient, diffuse, specular of the
-/// first light, then of the second. A pass whose component has several maps on some object runs once for
-/// each. A shadow pass is left out for a light without shadow, and its light's passes then need no stencil
-/// test.
+/// Neighbouring passes of PassLights::Each run light by light: shadow, ambient, diffuse, specular
+/// of the first light, then of the second. A pass whose component has several maps on some object
+/// runs once for each. A shadow pass is left out for a light without shadow, and its light's passes
+/// then need no stencil test.
 std::vector<Step> schedule(const PassList& passes, const Model& model);
 
 /// "diffuse lamp", with the light's name, and " map 2" for a repetition.
 std::string name_of(const Step& step, const Model& model);
 
-/// Whether the step adds anything to this part: it is among the pass's objects, lit by the light, has the map
-/// that is asked for, and the parameters that the pass sets, times what the light sends, are not all 0.
+/// Whether the step adds anything to this part: it is among the pass's objects, lit by the light,
+/// has the map that is asked for, and the parameters that the pass sets, times what the light
+/// sends, are not all 0.
 bool adds(const Step& step, const Part& part, const Model& model);
 
-/// Whether the step draws this part: what it adds to; in a pass whose parameters are all 0 (for Z, for fog,
-/// to dim) all of its objects; in a translucent pass too, since each dims what is behind it, black where
-/// nothing is added.
+/// Whether the step draws this part: what it adds to; in a pass whose parameters are all 0 (for Z,
+/// for fog, to dim) all of its objects; in a translucent pass too, since each dims what is behind
+/// it, black where nothing is added.
 bool concerns(const Step& step, const Part& part, const Model& model);
 
 /// Whether the step has anything to do at all.

@@ -12,13 +12,15 @@ constexpr Word<Parameter::Kind> parameter_words[] = {
     {Parameter::Kind::ObjectTf, "object Tf"},
 };
 constexpr Word<CompareFunc> compare_words[] = {
-    {CompareFunc::Never, "Never"},   {CompareFunc::Less, "Less"},       {CompareFunc::Equal, "Equal"},
-    {CompareFunc::LEqual, "LEqual"}, {CompareFunc::Greater, "Greater"}, {CompareFunc::NotEqual, "NotEqual"},
-    {CompareFunc::GEqual, "GEqual"}, {CompareFunc::Always, "Always"},
+    {CompareFunc::Never, "Never"},     {CompareFunc::Less, "Less"},
+    {CompareFunc::Equal, "Equal"},     {CompareFunc::LEqual, "LEqual"},
+    {CompareFunc::Greater, "Greater"}, {CompareFunc::NotEqual, "NotEqual"},
+    {CompareFunc::GEqual, "GEqual"},   {CompareFunc::Always, "Always"},
 };
 constexpr Word<StencilOp> stencil_words[] = {
-    {StencilOp::Keep, "Keep"},         {StencilOp::Zero, "Zero"},         {StencilOp::Replace, "Replace"},
-    {StencilOp::Incr, "Incr"},         {StencilOp::Decr, "Decr"},         {StencilOp::Invert, "Invert"},
+    {StencilOp::Keep, "Keep"},         {StencilOp::Zero, "Zero"},
+    {StencilOp::Replace, "Replace"},   {StencilOp::Incr, "Incr"},
+    {StencilOp::Decr, "Decr"},         {StencilOp::Invert, "Invert"},
     {StencilOp::IncrWrap, "IncrWrap"}, {StencilOp::DecrWrap, "DecrWrap"},
 };
 constexpr Word<BlendFactor> blend_words[] = {

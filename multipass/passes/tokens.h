@@ -1,4 +1,5 @@
-// The words that passes are written in: GL's tokens and the paper's, one table for printing and reading.
+// The words that passes are written in: GL's tokens and the paper's, one table for printing and
+// reading.
 // Does not read TOML (pass_toml.h does).
 #pragma once
 

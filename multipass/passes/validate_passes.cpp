@@ -20,11 +20,12 @@ bool needs_light(const Pass& pass) {
 
 /// What draws layer by layer (layers.h).
 bool in_layers(const Pass& pass) {
-    return pass.action == PassAction::Draw && pass.objects == PassObjects::Translucent && pass.depth.test &&
-           pass.depth.func == DepthFunc::Equal;
+    return pass.action == PassAction::Draw && pass.objects == PassObjects::Translucent &&
+           pass.depth.test && pass.depth.func == DepthFunc::Equal;
 }
 
-/// A pass that draws no objects has a name, an action and lights; a traced component is also blended.
+/// A pass that draws no objects has a name, an action and lights; a traced component is also
+/// blended.
 Fault fault_of_action(const Pass& pass, std::size_t i) {
     if (pass.action == PassAction::Draw) return std::nullopt;
     Pass bare{.name = pass.name, .action = pass.action};
@@ -34,12 +35,14 @@ Fault fault_of_action(const Pass& pass, std::size_t i) {
         bare.fog = pass.fog;
     }
     if (pass != bare)
-        return ListFault{i, "action",
-                         fmt::format("a pass of action '{}' draws nothing; expected name and lights only",
-                                     word(pass.action))};
+        return ListFault{
+            i, "action",
+            fmt::format("a pass of action '{}' draws nothing; expected name and lights only",
+                        word(pass.action))};
     const bool by_light = pass.lights == PassLights::Each || pass.lights == PassLights::First;
     if (pass.action == PassAction::Shadow && !by_light)
-        return ListFault{i, "lights", "a shadow pass has no light; expected lights = 'each' or 'first'"};
+        return ListFault{i, "lights",
+                         "a shadow pass has no light; expected lights = 'each' or 'first'"};
     return std::nullopt;
 }
 
@@ -47,10 +50,11 @@ Fault fault_of_pass(const Pass& pass, std::size_t i) {
     if (pass.name.view().empty()) return ListFault{i, "name", "pass has no name; expected one"};
     if (const Fault fault = fault_of_action(pass, i)) return fault;
     if (pass.lights == PassLights::None && needs_light(pass))
-        return ListFault{i, "lights",
-                         fmt::format("pass '{}' reflects light (Ka, Kd, Ks) but has none; expected lights = "
-                                     "'each', 'first' or 'all'",
-                                     pass.name.view())};
+        return ListFault{
+            i, "lights",
+            fmt::format("pass '{}' reflects light (Ka, Kd, Ks) but has none; expected lights = "
+                        "'each', 'first' or 'all'",
+                        pass.name.view())};
     return std::nullopt;
 }
 

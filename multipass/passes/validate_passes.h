@@ -15,8 +15,8 @@ struct ListFault {
     std::string what;  ///< with what was expected
 };
 
-/// None: the list draws the same picture whatever the planes hold before, every pass can do something, and
-/// the driver has a way to run it.
+/// None: the list draws the same picture whatever the planes hold before, every pass can do
+/// something, and the driver has a way to run it.
 std::optional<ListFault> fault_of(const PassList& passes);
 
 }  // namespace gw::multipass

@@ -46,7 +46,8 @@ struct Writing {
             if (planes & mask_of(plane)) names.push_back(toml_string(name));
         write(key, fmt::format("[{}]", fmt::join(names, ", ")));
     }
-    /// The first two keys, which say what the table is about, and what differs from the initial state.
+    /// The first two keys, which say what the table is about, and what differs from the initial
+    /// state.
     template <typename Fields>
     void table(const char* key, bool on, const Fields& fields, auto keys_of_it) {
         Writing inner, initial;

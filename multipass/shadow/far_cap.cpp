@@ -11,8 +11,9 @@
 namespace gw::multipass {
 namespace {
 
-/// The far cap of a point light that is moved by its reach is a polyhedron about it whose edges span at most
-/// 60 degrees; its faces are nearer to the light than its corners, by a factor of more than 0.8.
+/// The far cap of a point light that is moved by its reach is a polyhedron about it whose edges
+/// span at most 60 degrees; its faces are nearer to the light than its corners, by a factor of more
+/// than 0.8.
 constexpr double corner_reach = 1.3;
 
 double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
@@ -108,7 +109,8 @@ public:
                             dvec3(topology_.points[(*t)[(k + 1) % 3]])))
                     for (const std::uint32_t point : *t) way(point).move_to_end();
     }
-    /// Until every triangle is beyond one wall, or at the end: of its corners the one that has the least way.
+    /// Until every triangle is beyond one wall, or at the end: of its corners the one that has the
+    /// least way.
     void move_on() {
         for (bool moved = true; moved;) {
             moved = false;
@@ -146,7 +148,8 @@ private:
     }
     Way& way(std::uint32_t point) { return ways_[number_[point]]; }
     unsigned walls(const Triangle& t) const {
-        return ways_[number_[t[0]]].walls() & ways_[number_[t[1]]].walls() & ways_[number_[t[2]]].walls();
+        return ways_[number_[t[0]]].walls() & ways_[number_[t[1]]].walls() &
+               ways_[number_[t[2]]].walls();
     }
 
     const Topology& topology_;
@@ -166,11 +169,12 @@ LightInObject light_in_object(const scene::Light& light, const dmat4& world_from
         const dvec3 way = transform3(dmat3(object_from_world), dvec3(light.direction));
         out.position = way / length(way);
     } else {
-        out.position =
-            transform3(dmat3(object_from_world), dvec3(light.position)) + dvec3(object_from_world[3]);
+        out.position = transform3(dmat3(object_from_world), dvec3(light.position)) +
+                       dvec3(object_from_world[3]);
     }
     for (int i = 0; i < 8; ++i) {
-        const dvec3 p = transform3(dmat3(object_from_world), corner(bounds, i)) + dvec3(object_from_world[3]);
+        const dvec3 p =
+            transform3(dmat3(object_from_world), corner(bounds, i)) + dvec3(object_from_world[3]);
         const double r = out.directional ? dot3(out.position, p) : length(p - out.position);
         out.reach = i == 0 ? r : std::max(out.reach, r);
     }

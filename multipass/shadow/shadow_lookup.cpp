@@ -43,7 +43,8 @@ FacePlane face_plane(const Comparer& c, const scene::TrianglePoint& at) {
     if (plane.z == 0) return {.edge_on = true};
     const double texel = 2.0 / c.map.view.width, half = c.units / 2;
     const double corner = (plane.x + plane.y - plane.w) / plane.z;  // z at x = y = -1
-    return {(corner + 1) * half, -plane.x / plane.z * texel * half, -plane.y / plane.z * texel * half};
+    return {(corner + 1) * half, -plane.x / plane.z * texel * half,
+            -plane.y / plane.z * texel * half};
 }
 
 /// Whether the light's Z at texel (i, j) is nearer than the face there.
@@ -55,8 +56,8 @@ bool is_hidden(const Comparer& c, const FacePlane& face, int i, int j) {
     return double(c.map.depth[std::size_t(y) * std::size_t(size) + std::size_t(x)]) < z - bias;
 }
 
-/// The four texels around the point vote, each by its share in it: where two faces meet in a hollow edge, the
-/// nearest texel may be the other face's.
+/// The four texels around the point vote, each by its share in it: where two faces meet in a hollow
+/// edge, the nearest texel may be the other face's.
 bool is_hidden(const Comparer& c, const FacePlane& face, const dvec2& place) {
     const double x = place.x - 0.5, y = place.y - 0.5;
     const int i = int(std::floor(x)), j = int(std::floor(y));

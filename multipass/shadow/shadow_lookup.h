@@ -1,5 +1,5 @@
-// Shadow maps as a question [K3.2 a]: is this point in the light's shadow? For the pixels of a picture
-// (shadow_mask) and for hits of traced rays [K4i]. Does not draw the maps.
+// Shadow maps as a question [K3.2 a]: is this point in the light's shadow? For the pixels of a
+// picture (shadow_mask) and for hits of traced rays [K4i]. Does not draw the maps.
 #pragma once
 
 #include "gw/profile.h"

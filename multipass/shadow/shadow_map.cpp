@@ -4,9 +4,9 @@
 #include "gw/base/arithmetic.h"
 #include "gw/base/elementary.h"
 #include "gw/stages/vertex.h"
-#include "multipass/passes/catalogue.h"
 #include "multipass/frame/commands.h"
 #include "multipass/frame/placed_model.h"
+#include "multipass/passes/catalogue.h"
 #include "scene/draw/draw_commands.h"
 
 #include <algorithm>
@@ -32,7 +32,8 @@ dvec3 corner(const scene::Bounds& b, int i) {
 scene::DepthInterval distances(const scene::Bounds& bounds, const dvec3& p) {
     scene::DepthInterval d;
     dvec3 outside(0);
-    for (int k = 0; k < 3; ++k) outside[k] = std::max({0.0, bounds.low[k] - p[k], p[k] - bounds.high[k]});
+    for (int k = 0; k < 3; ++k)
+        outside[k] = std::max({0.0, bounds.low[k] - p[k], p[k] - bounds.high[k]});
     d.nearest = length(outside);
     for (int i = 0; i < 8; ++i) d.farthest = std::max(d.farthest, length(corner(bounds, i) - p));
     return d;
@@ -64,8 +65,8 @@ scene::View spot_view(const scene::Light& light, double near_plane, double far_p
     return view;
 }
 
-/// Whether the box around a part surely lies outside a window of the view: beyond one of its sides, or of its
-/// near and far planes. In pixels the window is [x, x + width] x [y, y + height].
+/// Whether the box around a part surely lies outside a window of the view: beyond one of its sides,
+/// or of its near and far planes. In pixels the window is [x, x + width] x [y, y + height].
 struct PartBox {
     std::array<dvec3, 8> corners;  ///< object space
 
@@ -89,8 +90,8 @@ struct PartBox {
         std::array<int, 6> beyond{};
         for (const dvec3& p : corners) {
             const dvec4 c = transform(clip_from_object, dvec4(p, 1));
-            const std::array<bool, 6> out{c.x<left * c.w, c.x> right * c.w, c.y<bottom * c.w, c.y> top * c.w,
-                                          c.z<-c.w, c.z> c.w};
+            const std::array<bool, 6> out{c.x<left * c.w, c.x> right * c.w,
+                                          c.y<bottom * c.w, c.y> top * c.w, c.z<-c.w, c.z> c.w};
             for (std::size_t k = 0; k < 6; ++k) beyond[k] += out[k];
         }
         return std::find(beyond.begin(), beyond.end(), 8) != beyond.end();
@@ -98,14 +99,16 @@ struct PartBox {
 };
 
 /// Z of the parts that cast shadows through a window of the map. False: there are none in it.
-bool add_tile(CommandList& list, const Stage& whole, const std::vector<PartBox>& boxes, const Rect& window) {
+bool add_tile(CommandList& list, const Stage& whole, const std::vector<PartBox>& boxes,
+              const Rect& window) {
     const Model& model = *whole.model;
     Model seen{.scene = model.scene};
     Stage stage = whole;
     stage.eye_from_object.clear();
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         const dmat4& eye_from_object = whole.eye_from_object[i];
-        if (boxes[i].misses(product(whole.state.projection, eye_from_object), whole.view, window)) continue;
+        if (boxes[i].misses(product(whole.state.projection, eye_from_object), whole.view, window))
+            continue;
         seen.parts.push_back(model.parts[i]);
         stage.eye_from_object.push_back(eye_from_object);
     }
@@ -131,13 +134,16 @@ void take(ShadowMap& map, const Readback& tile, int x, int y) {
 
 }  // namespace
 
-std::vector<scene::View> light_views(const scene::Light& light, const scene::Bounds& bounds, int size) {
+std::vector<scene::View> light_views(const scene::Light& light, const scene::Bounds& bounds,
+                                     int size) {
     if (light.kind == scene::LightKind::Directional) return {directional_view(light, bounds, size)};
     const auto [nearest, farthest] = distances(bounds, dvec3(light.position));
-    const double far_plane = farthest * 1.01, near_plane = std::max(nearest * 0.99, far_plane * least_near);
+    const double far_plane = farthest * 1.01,
+                 near_plane = std::max(nearest * 0.99, far_plane * least_near);
     if (light.kind == scene::LightKind::Spot && light.cone_angle <= widest_cone)
         return {spot_view(light, near_plane, far_plane, size)};
-    // A face's corners are farther along its axis than along themselves, never nearer than 1 / sqrt(3).
+    // A face's corners are farther along its axis than along themselves, never nearer than 1 /
+    // sqrt(3).
     const auto cube = scene::cube_views(dvec3(light.position), near_plane * 0.57, far_plane, size);
     return {cube.begin(), cube.end()};
 }
@@ -149,7 +155,8 @@ int shadow_map_size(int width, int height) {
 }
 
 std::vector<ShadowMap> draw_shadow_maps(Machine& machine, const Model& model,
-                                        const std::vector<scene::View>& views, int width, int height) {
+                                        const std::vector<scene::View>& views, int width,
+                                        int height) {
     std::vector<PartBox> boxes;
     for (const Part& part : model.parts) boxes.emplace_back(*part.mesh);
     const std::uint32_t farthest = max_of_bits(machine.profile().depth_bits);
@@ -157,15 +164,17 @@ std::vector<ShadowMap> draw_shadow_maps(Machine& machine, const Model& model,
     for (const scene::View& view : views) {
         const Stage stage = make_stage(model, view);
         const int size = view.width;
-        ShadowMap map{.view = view,
-                      .depth = std::vector<std::uint32_t>(std::size_t(size) * std::size_t(size), farthest)};
+        ShadowMap map{
+            .view = view,
+            .depth = std::vector<std::uint32_t>(std::size_t(size) * std::size_t(size), farthest)};
         CommandList list;
         std::vector<ivec2> tiles;
         for (int y = 0; y < size; y += height)
             for (int x = 0; x < size; x += width) {
                 const Rect rect{0, 0, std::min(width, size - x), std::min(height, size - y)};
                 if (!add_tile(list, stage, boxes, {x, y, rect.width, rect.height})) continue;
-                list.add(Read{.key = std::uint32_t(tiles.size()), .plane = Plane::Depth, .rect = rect});
+                list.add(
+                    Read{.key = std::uint32_t(tiles.size()), .plane = Plane::Depth, .rect = rect});
                 tiles.emplace_back(x, y);
             }
         if (!tiles.empty()) machine.execute(list);
@@ -181,8 +190,8 @@ std::vector<std::uint32_t> draw_ids(Machine& machine, const Model& model, const 
     std::vector<std::uint32_t> ids(std::size_t(view.width) * std::size_t(view.height));
     // Three bytes a pass.
     for (const int shift : {0, 24}) {
-        CommandList list =
-            scene::id_pass(*model.scene, view, {.shift = shift, .opaque_only = true, .jitter = jitter});
+        CommandList list = scene::id_pass(*model.scene, view,
+                                          {.shift = shift, .opaque_only = true, .jitter = jitter});
         list.add(Read{.key = 0, .plane = Plane::Color, .rect = {0, 0, view.width, view.height}});
         machine.execute(list);
         const auto& color = machine.readbacks().at(0).color;

@@ -1,12 +1,14 @@
-// Shadow maps [K3.2 a]: whether a visible point is seen from the light, by the light's own Z-buffer. Williams
+// Shadow maps [K3.2 a]: whether a visible point is seen from the light, by the light's own
+// Z-buffer. Williams
 // 1978. The machine draws the light's Z and the item buffer of the view; the host compares. Does not put the
 // result into the stencil (shadow_passes.h), and needs no shadow texture: the VGX has none.
 //
-// Compared is not the visible point itself but the point of its face that the map's sample saw: the light's
-// ray through the centre of the texel that the point falls into, cut with the plane of the polygon of the
-// item buffer. So a face does not shade itself, however oblique, and the bias has only rounding to cover: 2
-// units of Z, and the slope of Z times the sixteenth (half a sub-pixel unit) of a texel by which vertices are
-// moved when they are snapped; besides, the point is lifted a quarter of a pixel towards the light.
+// Compared is not the visible point itself but the point of its face that the map's sample saw: the
+// light's ray through the centre of the texel that the point falls into, cut with the plane of the
+// polygon of the item buffer. So a face does not shade itself, however oblique, and the bias has
+// only rounding to cover: 2 units of Z, and the slope of Z times the sixteenth (half a sub-pixel
+// unit) of a texel by which vertices are moved when they are snapped; besides, the point is lifted
+// a quarter of a pixel towards the light.
 #pragma once
 
 #include "gw/command_list.h"
@@ -26,27 +28,33 @@ struct ShadowMap {
     std::vector<std::uint32_t> depth;  ///< bottom row first
 };
 
-/// The views that a light's maps are drawn from: one for directional lights (the whole scene) and for spots
-/// of at most 60 degrees to the side; six for others.
-std::vector<scene::View> light_views(const scene::Light& light, const scene::Bounds& bounds, int size);
+/// The views that a light's maps are drawn from: one for directional lights (the whole scene) and
+/// for spots of at most 60 degrees to the side; six for others.
+std::vector<scene::View> light_views(const scene::Light& light, const scene::Bounds& bounds,
+                                     int size);
 
-/// The side of the maps for a window: the power of two that is at least twice its longer side, at most 4096.
+/// The side of the maps for a window: the power of two that is at least twice its longer side, at
+/// most 4096.
 int shadow_map_size(int width, int height);
 
-/// Draws the Z of all parts that cast shadows from these views and reads it back, window by window where the
-/// maps are larger. Windows get the parts that may be in them; those without any are not drawn.
+/// Draws the Z of all parts that cast shadows from these views and reads it back, window by window
+/// where the maps are larger. Windows get the parts that may be in them; those without any are not
+/// drawn.
 std::vector<ShadowMap> draw_shadow_maps(Machine& machine, const Model& model,
-                                        const std::vector<scene::View>& views, int width, int height);
+                                        const std::vector<scene::View>& views, int width,
+                                        int height);
 
-/// The polygon identifiers that a view shows, 0 where there is none. `jitter` as in the passes that the mask
-/// is for.
+/// The polygon identifiers that a view shows, 0 where there is none. `jitter` as in the passes that
+/// the mask is for.
 std::vector<std::uint32_t> draw_ids(Machine& machine, const Model& model, const scene::View& view,
                                     const JitterState& jitter);
 
 /// 1 where the point that a pixel shows is in shadow or on the dark side of its face, 0 elsewhere.
-std::vector<std::uint32_t> shadow_mask(const scene::WorldTriangles& polygons, const scene::Light& light,
+std::vector<std::uint32_t> shadow_mask(const scene::WorldTriangles& polygons,
+                                       const scene::Light& light,
                                        const std::vector<ShadowMap>& maps,
-                                       const std::vector<std::uint32_t>& ids, const scene::View& view,
-                                       const JitterState& jitter, const Profile& profile);
+                                       const std::vector<std::uint32_t>& ids,
+                                       const scene::View& view, const JitterState& jitter,
+                                       const Profile& profile);
 
 }  // namespace gw::multipass

@@ -10,7 +10,8 @@ namespace gw::multipass {
 namespace {
 
 dvec3 to_light(const scene::Light& light, const dvec3& p) {
-    return light.kind == scene::LightKind::Directional ? -dvec3(light.direction) : dvec3(light.position) - p;
+    return light.kind == scene::LightKind::Directional ? -dvec3(light.direction)
+                                                       : dvec3(light.position) - p;
 }
 
 bool is_dark_side(const scene::TrianglePoint& at, const scene::Light& light, const dvec3& ray) {
@@ -19,8 +20,8 @@ bool is_dark_side(const scene::TrianglePoint& at, const scene::Light& light, con
 
 double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
 
-/// What a pixel shows. A fragment's centre may lie a little beside its true triangle, in a hollow edge behind
-/// the next face: so the point is lifted towards the light by `lift` pixels.
+/// What a pixel shows. A fragment's centre may lie a little beside its true triangle, in a hollow
+/// edge behind the next face: so the point is lifted towards the light by `lift` pixels.
 constexpr double lift = 0.25;
 
 void lift_towards(scene::TrianglePoint& at, const scene::Light& light, const scene::PixelRay& ray,
@@ -33,10 +34,12 @@ void lift_towards(scene::TrianglePoint& at, const scene::Light& light, const sce
 
 }  // namespace
 
-std::vector<std::uint32_t> shadow_mask(const scene::WorldTriangles& polygons, const scene::Light& light,
+std::vector<std::uint32_t> shadow_mask(const scene::WorldTriangles& polygons,
+                                       const scene::Light& light,
                                        const std::vector<ShadowMap>& maps,
-                                       const std::vector<std::uint32_t>& ids, const scene::View& view,
-                                       const JitterState& jitter, const Profile& profile) {
+                                       const std::vector<std::uint32_t>& ids,
+                                       const scene::View& view, const JitterState& jitter,
+                                       const Profile& profile) {
     const scene::PixelRays rays(view);
     const ShadowLookup lookup(maps, profile);
     const dvec2 place = scene::place_in_pixel(jitter, profile.subpixel_bits);

@@ -20,8 +20,12 @@ State counting_state(const Stage& stage, Face culled, const StencilState& stenci
     state.stencil = stencil;
     return state;
 }
-StencilState behind(StencilOp op) { return {.test = true, .func = StencilFunc::Always, .zfail = op}; }
-StencilState before(StencilOp op) { return {.test = true, .func = StencilFunc::Always, .zpass = op}; }
+StencilState behind(StencilOp op) {
+    return {.test = true, .func = StencilFunc::Always, .zfail = op};
+}
+StencilState before(StencilOp op) {
+    return {.test = true, .func = StencilFunc::Always, .zpass = op};
+}
 
 /// Fragments on the whole window that pass where `ref` func stored.
 State window_state(const Stage& stage, StencilFunc func, int ref, StencilOp op) {
@@ -39,7 +43,8 @@ struct VolumeWriter {
     const CountRules& rules;
     std::vector<bool> outside{};  ///< by volume: counted in front of what is seen
 
-    VolumeWriter(CommandList& l, const Stage& s, const std::vector<ShadowVolume>& v, const CountRules& r)
+    VolumeWriter(CommandList& l, const Stage& s, const std::vector<ShadowVolume>& v,
+                 const CountRules& r)
         : list(l), stage(s), volumes(v), rules(r) {
         for (std::size_t i = 0; i < volumes.size(); ++i)
             outside.push_back(rules.in_front && !rules.one_by_one && volumes[i].caps &&
@@ -63,7 +68,8 @@ struct VolumeWriter {
             }
         }
     }
-    void draw(StencilOp op, Face culled_behind, Face culled_before, std::size_t first, std::size_t last) {
+    void draw(StencilOp op, Face culled_behind, Face culled_before, std::size_t first,
+              std::size_t last) {
         draw(counting_state(stage, culled_behind, behind(op)), false, first, last);
         draw(counting_state(stage, culled_before, before(op)), true, first, last);
     }
@@ -83,11 +89,13 @@ struct VolumeWriter {
             for (const MeshRef& mesh : drawn(i)) triangles += mesh ? mesh->triangles().size() : 0;
         if (triangles < static_cast<std::size_t>(stencil_max)) return;
         list.add(BeginPass{.name = name + std::string(overflow_suffix)});
-        add_whole_window(list, window_state(stage, StencilFunc::Equal, stencil_max, StencilOp::Keep));
+        add_whole_window(list,
+                         window_state(stage, StencilFunc::Equal, stencil_max, StencilOp::Keep));
         list.add(BeginPass{.name = name});
     }
 
-    /// Faces that count up, then those that count down: out of a volume behind what is seen, into it before.
+    /// Faces that count up, then those that count down: out of a volume behind what is seen, into
+    /// it before.
     void count(const std::string& name, std::size_t first, std::size_t last) {
         draw(StencilOp::Incr, Face::Front, Face::Back, first, last);
         clear_background();
@@ -96,7 +104,9 @@ struct VolumeWriter {
     }
 
     /// 1 where the stencil is not 0.
-    void reduce() { add_whole_window(list, window_state(stage, StencilFunc::LEqual, 1, StencilOp::Replace)); }
+    void reduce() {
+        add_whole_window(list, window_state(stage, StencilFunc::LEqual, 1, StencilOp::Replace));
+    }
 };
 
 }  // namespace
@@ -122,8 +132,9 @@ bool any_overflow(std::span<const PassReport> passes) {
 void add_shadow_mask(CommandList& list, const Stage& stage, const std::string& name,
                      const std::vector<std::uint32_t>& mask) {
     begin_pass(list, name, stage.state);
-    list.add(WritePixels{
-        .rect = {0, 0, stage.view.width, stage.view.height}, .plane = Plane::Stencil, .values = mask});
+    list.add(WritePixels{.rect = {0, 0, stage.view.width, stage.view.height},
+                         .plane = Plane::Stencil,
+                         .values = mask});
 }
 
 }  // namespace gw::multipass

@@ -1,8 +1,8 @@
 // Caps and sides.
 #include "multipass/shadow/shadow_volume.h"
 
-#include "gw/stages/clip.h"
 #include "gw/base/elementary.h"
+#include "gw/stages/clip.h"
 #include "gw/stages/vertex.h"
 #include "scene/draw/draw_commands.h"
 
@@ -20,12 +20,17 @@ double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
 
 constexpr int most_splits = 24;
 
-/// Grows one of the two meshes. Each point of the topology becomes at most two of its vertices: one where it
-/// is, one moved away from the light.
+/// Grows one of the two meshes. Each point of the topology becomes at most two of its vertices: one
+/// where it is, one moved away from the light.
 class VolumeBuilder {
 public:
-    VolumeBuilder(const Topology& topology, const LightInObject& light, const FarCap& far, bool mirrored)
-        : topology_(topology), light_(light), far_(far), mirrored_(mirrored), ends_(topology.points.size()) {}
+    VolumeBuilder(const Topology& topology, const LightInObject& light, const FarCap& far,
+                  bool mirrored)
+        : topology_(topology),
+          light_(light),
+          far_(far),
+          mirrored_(mirrored),
+          ends_(topology.points.size()) {}
 
     /// Corners of the topology's triangle, or of its other side.
     void cap(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -76,8 +81,8 @@ private:
         return multipass::is_wide(light_, dvec3(a.p), dvec3(b.p));
     }
 
-    /// To the border of the far cap. A wide border is split, and what opens between it and its halves is
-    /// closed.
+    /// To the border of the far cap. A wide border is split, and what opens between it and its
+    /// halves is closed.
     void side(const End& a, const End& b, int splits) {
         if (splits > 0 && is_wide(a, b)) {
             End m = middle(a, b);
@@ -114,14 +119,17 @@ private:
 };
 
 /// > 0: the light is on the front of the triangle.
-double facing(const Topology& t, const std::array<std::uint32_t, 3>& triangle, const LightInObject& light) {
+double facing(const Topology& t, const std::array<std::uint32_t, 3>& triangle,
+              const LightInObject& light) {
     const dvec3 a(t.points[triangle[0]]), b(t.points[triangle[1]]), c(t.points[triangle[2]]);
     const dvec3 normal = cross3(b - a, c - a);
     return light.directional ? -dot3(normal, light.position) : dot3(normal, light.position - a);
 }
 
-/// The part of the sphere about `p` that the triangle covers, with sign. Van Oosterom, Strackee 1983.
-double solid_angle(const Topology& t, const std::array<std::uint32_t, 3>& triangle, const dvec3& p) {
+/// The part of the sphere about `p` that the triangle covers, with sign. Van Oosterom, Strackee
+/// 1983.
+double solid_angle(const Topology& t, const std::array<std::uint32_t, 3>& triangle,
+                   const dvec3& p) {
     const dvec3 a = dvec3(t.points[triangle[0]]) - p, b = dvec3(t.points[triangle[1]]) - p,
                 c = dvec3(t.points[triangle[2]]) - p;
     const double la = length(a), lb = length(b), lc = length(c);
@@ -132,9 +140,11 @@ double solid_angle(const Topology& t, const std::array<std::uint32_t, 3>& triang
 /// Whether p is in the box around the points.
 bool is_among(const std::vector<vec3>& points, const dvec3& p) {
     for (int k = 0; k < 3; ++k) {
-        const auto [low, high] = std::minmax_element(
-            points.begin(), points.end(), [k](const vec3& a, const vec3& b) { return a[k] < b[k]; });
-        if (low == points.end() || p[k] < double((*low)[k]) || p[k] > double((*high)[k])) return false;
+        const auto [low, high] =
+            std::minmax_element(points.begin(), points.end(),
+                                [k](const vec3& a, const vec3& b) { return a[k] < b[k]; });
+        if (low == points.end() || p[k] < double((*low)[k]) || p[k] > double((*high)[k]))
+            return false;
     }
     return true;
 }
@@ -162,11 +172,13 @@ std::vector<int> front_cap(const Topology& t, const LightInObject& light) {
 std::vector<int> border(const Topology& t, const std::vector<int>& part) {
     std::vector<int> net(t.edges.size());
     for (std::size_t i = 0; i < part.size(); ++i)
-        for (const Topology::Side& side : t.sides[i]) net[side.edge] += side.forward ? part[i] : -part[i];
+        for (const Topology::Side& side : t.sides[i])
+            net[side.edge] += side.forward ? part[i] : -part[i];
     return net;
 }
 
-/// The near rectangle of a view, around, and a twentieth more on every side: snapping moves no vertex so far.
+/// The near rectangle of a view, around, and a twentieth more on every side: snapping moves no
+/// vertex so far.
 std::array<dvec3, 4> near_rectangle(const dmat4& eye_from_object, const scene::View& view) {
     const dmat4 object_from_clip = glm::inverse(view.clip_from_eye * eye_from_object);
     const auto at = [&](double x, double y) {
@@ -192,19 +204,21 @@ bool is_whole(const MeshRef& mesh, const dmat4& clip_from_object, const scene::V
     });
 }
 
-/// Whether nothing of the far cap is between a point of the rectangle and one of the scene: each of its
-/// triangles is beyond a wall that neither is beyond, or moved by the light's reach, which holds both.
+/// Whether nothing of the far cap is between a point of the rectangle and one of the scene: each of
+/// its triangles is beyond a wall that neither is beyond, or moved by the light's reach, which
+/// holds both.
 bool is_before_far_cap(const ShadowVolume& volume, const std::array<dvec3, 4>& rectangle) {
     const LightInObject& light = volume.light;
     unsigned passed = 0;
     bool reached = false;
     for (const dvec3& p : rectangle) {
         passed |= walls_before(light, p);
-        reached |=
-            !((light.directional ? dot3(light.position, p) : length(p - light.position)) < light.reach);
+        reached |= !((light.directional ? dot3(light.position, p) : length(p - light.position)) <
+                     light.reach);
     }
     for (unsigned walls = 0; walls < volume.far_walls.size(); ++walls)
-        if (volume.far_walls[walls] && (walls & ~passed) == 0 && (walls != 0 || reached)) return false;
+        if (volume.far_walls[walls] && (walls & ~passed) == 0 && (walls != 0 || reached))
+            return false;
     return true;
 }
 
@@ -235,21 +249,23 @@ ShadowVolume shadow_volume(const Topology& t, const LightInObject& light, bool m
     return volume;
 }
 
-std::vector<ShadowVolume> shadow_volumes(const Model& model, const std::vector<Topology>& topologies,
+std::vector<ShadowVolume> shadow_volumes(const Model& model,
+                                         const std::vector<Topology>& topologies,
                                          std::size_t light) {
     const scene::Bounds bounds = scene::bounds(*model.scene);
     std::vector<ShadowVolume> volumes(model.parts.size());
     for (std::size_t i = 0; i < volumes.size(); ++i) {
         if (model.parts[i].translucent || !model.parts[i].object->casts_shadow) continue;
         const dmat4& placement = model.parts[i].object->world_from_object;
-        volumes[i] =
-            shadow_volume(topologies[i], light_in_object(model.scene->lights[light], placement, bounds),
-                          glm::determinant(dmat3(placement)) < 0);
+        volumes[i] = shadow_volume(topologies[i],
+                                   light_in_object(model.scene->lights[light], placement, bounds),
+                                   glm::determinant(dmat3(placement)) < 0);
     }
     return volumes;
 }
 
-scene::View enclosing(scene::View view, const Model& model, const std::vector<ShadowVolume>& volumes) {
+scene::View enclosing(scene::View view, const Model& model,
+                      const std::vector<ShadowVolume>& volumes) {
     double farthest = 0;
     for (std::size_t i = 0; i < volumes.size(); ++i) {
         const dmat4 eye_from_object = scene::placed(*model.parts[i].object, view).eye_from_object;
@@ -265,7 +281,8 @@ scene::View enclosing(scene::View view, const Model& model, const std::vector<Sh
 bool is_outside(const ShadowVolume& volume, const dmat4& eye_from_object, const scene::View& view) {
     if (!is_before_far_cap(volume, near_rectangle(eye_from_object, view))) return false;
     const dmat4 clip_from_object = product(view.clip_from_eye, eye_from_object);
-    return is_whole(volume.caps, clip_from_object, view) && is_whole(volume.sides, clip_from_object, view);
+    return is_whole(volume.caps, clip_from_object, view) &&
+           is_whole(volume.sides, clip_from_object, view);
 }
 
 }  // namespace gw::multipass

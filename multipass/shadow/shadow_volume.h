@@ -1,15 +1,16 @@
-// Shadow volumes [K3.2 b]: the space that an object keeps from a light, as a closed surface to be counted in
-// the stencil buffer. Crow 1977; silhouettes of any mesh after Bergeron 1986. Geometry only: shadow_passes.h
-// draws and counts.
+// Shadow volumes [K3.2 b]: the space that an object keeps from a light, as a closed surface to be
+// counted in the stencil buffer. Crow 1977; silhouettes of any mesh after Bergeron 1986. Geometry
+// only: shadow_passes.h draws and counts.
 //
-// A set of triangles of the object, turned to face the light, is the front cap; the same, moved away from the
-// light beyond the whole scene, the far cap (far_cap.h); where the set has a border, sides join them. For a
-// mesh without border the set is the triangles that face the light; for any other (open, not manifold) it is
-// all triangles, each casting its own shadow, with sides only where neighbours do not cancel.
+// A set of triangles of the object, turned to face the light, is the front cap; the same, moved
+// away from the light beyond the whole scene, the far cap (far_cap.h); where the set has a border,
+// sides join them. For a mesh without border the set is the triangles that face the light; for any
+// other (open, not manifold) it is all triangles, each casting its own shadow, with sides only
+// where neighbours do not cancel.
 #pragma once
 
-#include "multipass/shadow/far_cap.h"
 #include "multipass/frame/pass_model.h"
+#include "multipass/shadow/far_cap.h"
 #include "multipass/shadow/topology.h"
 #include "scene/draw/view.h"
 
@@ -19,25 +20,29 @@ namespace gw::multipass {
 
 /// The volume's surface, counter-clockwise from outside, in two meshes that are closed together.
 struct ShadowVolume {
-    MeshRef caps;   ///< null: nothing faces the light. The front cap has the very positions of the mesh, so
-                    ///< that it has the same Z
+    /// null: nothing faces the light. The front cap has the very positions of the mesh, so that it
+    /// has the same Z
+    MeshRef caps;
     MeshRef sides;  ///< null: the front cap has no border
     LightInObject light;
     WallsOfCap far_walls{};  ///< of the far cap
 };
 ShadowVolume shadow_volume(const Topology& topology, const LightInObject& light, bool mirrored);
 
-/// The volumes of all opaque parts in one light, by part; without caps those that cast none. Translucent
-/// parts cast no shadow.
-std::vector<ShadowVolume> shadow_volumes(const Model& model, const std::vector<Topology>& topologies,
+/// The volumes of all opaque parts in one light, by part; without caps those that cast none.
+/// Translucent parts cast no shadow.
+std::vector<ShadowVolume> shadow_volumes(const Model& model,
+                                         const std::vector<Topology>& topologies,
                                          std::size_t light);
 
 /// The view with its far plane moved behind these volumes: they must not be cut there.
-scene::View enclosing(scene::View view, const Model& model, const std::vector<ShadowVolume>& volumes);
+scene::View enclosing(scene::View view, const Model& model,
+                      const std::vector<ShadowVolume>& volumes);
 
-/// Whether the sides alone tell what is in the volume. No plane or guard band cuts its surface, so that its
-/// faces add up to 0 on every pixel exactly, and the eye is outside; and the near rectangle, with a little
-/// around it, is on this side of the far cap, so that no cap lies before anything of the scene.
+/// Whether the sides alone tell what is in the volume. No plane or guard band cuts its surface, so
+/// that its faces add up to 0 on every pixel exactly, and the eye is outside; and the near
+/// rectangle, with a little around it, is on this side of the far cap, so that no cap lies before
+/// anything of the scene.
 bool is_outside(const ShadowVolume& volume, const dmat4& eye_from_object, const scene::View& view);
 
 }  // namespace gw::multipass

@@ -8,7 +8,9 @@ namespace gw::multipass {
 
 std::vector<Topology> topologies(const Model& model) {
     const auto& lights = model.scene->lights;
-    const auto casts = [](const scene::Light& light) { return light.shadow == scene::Shadow::Volume; };
+    const auto casts = [](const scene::Light& light) {
+        return light.shadow == scene::Shadow::Volume;
+    };
     if (std::none_of(lights.begin(), lights.end(), casts)) return {};
     std::vector<Topology> result;
     for (const Part& part : model.parts) {
@@ -42,13 +44,13 @@ void find_masks(Shadows& shadows, Machine& machine, const Model& model, const sc
         if (lights[i].shadow != scene::Shadow::Map) continue;
         const int size = shadow_map_size(view.width, view.height);
         if (shadows.maps[i].empty())
-            shadows.maps[i] =
-                draw_shadow_maps(machine, model, light_views(lights[i], scene::bounds(*model.scene), size),
-                                 view.width, view.height);
+            shadows.maps[i] = draw_shadow_maps(
+                machine, model, light_views(lights[i], scene::bounds(*model.scene), size),
+                view.width, view.height);
         if (ids.empty()) ids = draw_ids(machine, model, view, jitter);
         if (!polygons) polygons.emplace(*model.scene);
-        shadows.masks[i] =
-            shadow_mask(*polygons, lights[i], shadows.maps[i], ids, view, jitter, machine.profile());
+        shadows.masks[i] = shadow_mask(*polygons, lights[i], shadows.maps[i], ids, view, jitter,
+                                       machine.profile());
     }
 }
 

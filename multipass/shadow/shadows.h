@@ -19,18 +19,20 @@ namespace gw::multipass {
 struct Shadows {
     std::vector<std::vector<ShadowVolume>> volumes;  ///< by part
     std::vector<std::vector<ShadowMap>> maps;        ///< drawn once, serve every view
-    std::vector<std::vector<std::uint32_t>> masks;   ///< by pixel of the view: 0 where the light arrives
+    /// by pixel of the view: 0 where the light arrives
+    std::vector<std::vector<std::uint32_t>> masks;
     bool one_by_one = false;  ///< volumes are counted one by one, all of them behind what is seen
 };
 
-/// The topology of every part's mesh (each mesh worked out once); empty where no light casts a volume.
+/// The topology of every part's mesh (each mesh worked out once); empty where no light casts a
+/// volume.
 std::vector<Topology> topologies(const Model& model);
 
 /// Volumes of the lights that cast them; masks stay empty.
 Shadows find_volumes(const Model& model, const std::vector<Topology>& topologies);
 
-/// Finds the masks of the lights with shadow maps for a view. The machine's planes are used, and left as they
-/// come.
+/// Finds the masks of the lights with shadow maps for a view. The machine's planes are used, and
+/// left as they come.
 void find_masks(Shadows& shadows, Machine& machine, const Model& model, const scene::View& view,
                 const JitterState& jitter);
 

@@ -14,10 +14,12 @@ auto key(const vec3& p) { return std::tuple(p.x, p.y, p.z); }
 std::vector<std::uint32_t> weld(const std::vector<vec3>& positions, std::vector<vec3>& points) {
     std::vector<std::uint32_t> order(positions.size()), point_of(positions.size());
     std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return key(positions[a]) < key(positions[b]); });
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return key(positions[a]) < key(positions[b]);
+    });
     for (const std::uint32_t vertex : order) {
-        if (points.empty() || points.back() != positions[vertex]) points.push_back(positions[vertex]);
+        if (points.empty() || points.back() != positions[vertex])
+            points.push_back(positions[vertex]);
         point_of[vertex] = static_cast<std::uint32_t>(points.size() - 1);
     }
     return point_of;
@@ -48,9 +50,11 @@ std::vector<Use> uses_of(const Topology& t) {
     std::vector<std::uint32_t> next = first;
     for_each_use(t, [&](const Use& use) { uses[next[use.from]++] = use; });
     for (std::size_t from = 0; from < t.points.size(); ++from)
-        std::sort(uses.begin() + first[from], uses.begin() + first[from + 1], [](const Use& a, const Use& b) {
-            return std::tie(a.to, a.triangle, a.side) < std::tie(b.to, b.triangle, b.side);
-        });
+        std::sort(uses.begin() + first[from], uses.begin() + first[from + 1],
+                  [](const Use& a, const Use& b) {
+                      return std::tie(a.to, a.triangle, a.side) <
+                             std::tie(b.to, b.triangle, b.side);
+                  });
     return uses;
 }
 
@@ -64,7 +68,8 @@ void number_edges(Topology& t) {
             t.edges.push_back({use.from, use.to});
         }
         balance += use.forward ? 1 : -1;
-        t.sides[use.triangle][use.side] = {static_cast<std::uint32_t>(t.edges.size() - 1), use.forward};
+        t.sides[use.triangle][use.side] = {static_cast<std::uint32_t>(t.edges.size() - 1),
+                                           use.forward};
     }
     t.closed = t.closed && balance == 0;
 }
@@ -76,7 +81,8 @@ Topology topology(const Mesh& mesh) {
     if (mesh.kind() != MeshKind::Triangles) return t;
     const std::vector<std::uint32_t> point_of = weld(mesh.data().positions, t.points);
     for (const Triangle& triangle : mesh.triangles()) {
-        const std::array<std::uint32_t, 3> p{point_of[triangle.vertex[0]], point_of[triangle.vertex[1]],
+        const std::array<std::uint32_t, 3> p{point_of[triangle.vertex[0]],
+                                             point_of[triangle.vertex[1]],
                                              point_of[triangle.vertex[2]]};
         if (p[0] != p[1] && p[1] != p[2] && p[2] != p[0]) t.triangles.push_back(p);
     }

@@ -1,5 +1,5 @@
-// A mesh as a surface: vertices that lie on one point are one, edges know the triangles at them. For shadow
-// volumes. Does not know lights.
+// A mesh as a surface: vertices that lie on one point are one, edges know the triangles at them.
+// For shadow volumes. Does not know lights.
 #pragma once
 
 #include "gw/mesh.h"
@@ -20,11 +20,12 @@ struct Topology {
         bool forward = true;  ///< the triangle runs along it from `from` to `to`
     };
     std::vector<vec3> points;
-    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< into points, orientation as in the mesh
-    std::vector<std::array<Side, 3>> sides;               ///< by triangle: 0 to 1, 1 to 2, 2 to 0
+    /// into points, orientation as in the mesh
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::array<Side, 3>> sides;  ///< by triangle: 0 to 1, 1 to 2, 2 to 0
     std::vector<Edge> edges;
-    /// At every edge as many triangles run one way as the other: the surface has no border, and has two
-    /// sides.
+    /// At every edge as many triangles run one way as the other: the surface has no border, and has
+    /// two sides.
     bool closed = true;
 };
 

@@ -1,9 +1,9 @@
 // Counting winners, and taking pixels.
 #include "multipass/ties/one_winner.h"
 
-#include "multipass/passes/catalogue.h"
 #include "multipass/frame/commands.h"
 #include "multipass/frame/whole_window.h"
+#include "multipass/passes/catalogue.h"
 
 #include <algorithm>
 
@@ -32,7 +32,8 @@ std::uint32_t tie_of(int stencil_bits) { return 1u << (stencil_bits - 1); }
 std::uint32_t taken_of(int stencil_bits) { return 1u << (stencil_bits - 2); }
 
 /// Fragments on tied pixels only, for the stencil.
-void write_ties(CommandList& list, const Stage& stage, const TiedPixels& tied, const StencilState& stencil) {
+void write_ties(CommandList& list, const Stage& stage, const TiedPixels& tied,
+                const StencilState& stencil) {
     State state = stage.state;
     state.depth = {};
     state.color_mask = {false, false, false, false};
@@ -52,8 +53,9 @@ CommandList count_winners(const Stage& stage) {
     state.stencil = {.test = true, .func = StencilFunc::NotEqual, .ref = 0};
     list.add(BeginPass{.name = "count pixels"});
     add_whole_window(list, state);
-    list.add(Read{
-        .key = winners_key, .plane = Plane::Stencil, .rect = {0, 0, stage.view.width, stage.view.height}});
+    list.add(Read{.key = winners_key,
+                  .plane = Plane::Stencil,
+                  .rect = {0, 0, stage.view.width, stage.view.height}});
     list.add(Clear{.planes = mask_of(Plane::Stencil)});
     return list;
 }
@@ -83,7 +85,8 @@ void draw_first_come(CommandList& list, const Stage& stage, const Step& step, St
     }
 }
 
-void add_one_winner_step(CommandList& list, const Stage& stage, const Step& step, int stencil_bits) {
+void add_one_winner_step(CommandList& list, const Stage& stage, const Step& step,
+                         int stencil_bits) {
     State state = state_of(stage, step);
     state.stencil = taking(state.stencil, 1u << (stencil_bits - 1));
     list.add(SetState{state});
@@ -102,9 +105,10 @@ bool can_leave_ties_out(const Stage& stage, const Step& step, int stencil_bits) 
     const StencilState& s = step.pass.stencil;
     const bool fits =
         !s.test || (s.func == StencilFunc::Equal && std::uint32_t(s.ref) < taken_of(stencil_bits));
-    return fits && std::none_of(stage.model->parts.begin(), stage.model->parts.end(), [&](const Part& part) {
-               return part.translucent && concerns(step, part, *stage.model);
-           });
+    return fits && std::none_of(stage.model->parts.begin(), stage.model->parts.end(),
+                                [&](const Part& part) {
+                                    return part.translucent && concerns(step, part, *stage.model);
+                                });
 }
 
 void mark_ties(CommandList& list, const Stage& stage, const TiedPixels& tied, int stencil_bits) {

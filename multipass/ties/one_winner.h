@@ -1,19 +1,19 @@
-// Coincident faces: where two of them have the same Z at a pixel, both pass Equal, and an additive pass would
-// add twice. docs/passes.md, "One winner per pixel". Does not decide whether the scheme is needed: the driver
-// asks count_winners.
+// Coincident faces: where two of them have the same Z at a pixel, both pass Equal, and an additive
+// pass would add twice. docs/passes.md, "One winner per pixel". Does not decide whether the scheme
+// is needed: the driver asks count_winners.
 //
-// One pass tells: it counts the winners of every pixel in the stencil buffer. Where a pixel has two, every
-// additive pass is drawn so that the first face in the order of objects takes the pixel: the stencil's top
-// bit says that the pixel is taken. Every opaque object is drawn then, those that the pass does not concern
-// in black, so that the winner is the same in all passes. Few pixels tie in most pictures, so the count is
-// read back (tied_pixels.h): they get the scheme, with the few triangles near them, and all others the pass
-// as it is.
+// One pass tells: it counts the winners of every pixel in the stencil buffer. Where a pixel has
+// two, every additive pass is drawn so that the first face in the order of objects takes the pixel:
+// the stencil's top bit says that the pixel is taken. Every opaque object is drawn then, those that
+// the pass does not concern in black, so that the winner is the same in all passes. Few pixels tie
+// in most pictures, so the count is read back (tied_pixels.h): they get the scheme, with the few
+// triangles near them, and all others the pass as it is.
 #pragma once
 
 #include "gw/command_list.h"
 #include "gw/counters.h"
-#include "multipass/passes/schedule.h"
 #include "multipass/frame/placed_model.h"
+#include "multipass/passes/schedule.h"
 #include "multipass/ties/tied_pixels.h"
 
 #include <cstdint>
@@ -24,10 +24,12 @@ namespace gw::multipass {
 /// The key of the count's read-back: how many winners each pixel has.
 inline constexpr std::uint32_t winners_key = 0;
 
-/// Two passes to run after the depth pass (whose Z and the stencil, all 0, they leave as they were).
+/// Two passes to run after the depth pass (whose Z and the stencil, all 0, they leave as they
+/// were).
 CommandList count_winners(const Stage& stage);
 
-/// How many fragments too many an additive pass would write. `reports`: of the two passes, in order.
+/// How many fragments too many an additive pass would write. `reports`: of the two passes, in
+/// order.
 std::uint64_t surplus_winners(std::span<const PassReport> reports);
 
 /// Whether all operations are Keep.
@@ -39,15 +41,15 @@ bool is_additive(const Pass& pass);
 /// The draws of an additive step with one winner per pixel, stencil bit 2^(stencil_bits - 1).
 void add_one_winner_step(CommandList& list, const Stage& stage, const Step& step, int stencil_bits);
 
-/// Whether tied pixels can be told from others: two bits of the stencil are left, and a triangle drawn alone
-/// is drawn as in its mesh.
+/// Whether tied pixels can be told from others: two bits of the stencil are left, and a triangle
+/// drawn alone is drawn as in its mesh.
 bool can_mark_ties(const Stage& stage, int stencil_bits);
-/// Whether the step's test can be narrowed to them, and to all others (it has none, or Equal on other bits),
-/// and it draws nothing that was not counted.
+/// Whether the step's test can be narrowed to them, and to all others (it has none, or Equal on
+/// other bits), and it draws nothing that was not counted.
 bool can_leave_ties_out(const Stage& stage, const Step& step, int stencil_bits);
 
-/// An additive step in three parts: ties get the stencil's top bit; `beside_ties` is the step's test
-/// everywhere else; ties are drawn, first come first served, and the two top bits are 0 again.
+/// An additive step in three parts: ties get the stencil's top bit; `beside_ties` is the step's
+/// test everywhere else; ties are drawn, first come first served, and the two top bits are 0 again.
 void mark_ties(CommandList& list, const Stage& stage, const TiedPixels& tied, int stencil_bits);
 StencilState beside_ties(StencilState stencil, int stencil_bits);
 void draw_ties(CommandList& list, const Stage& stage, const Step& step, const TiedPixels& tied,

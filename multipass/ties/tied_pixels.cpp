@@ -36,7 +36,9 @@ public:
     }
 
 private:
-    std::size_t at(int x, int y) const { return std::size_t(y) * std::size_t(columns_) + std::size_t(x); }
+    std::size_t at(int x, int y) const {
+        return std::size_t(y) * std::size_t(columns_) + std::size_t(x);
+    }
     static int index(double v, int count) { return int(std::clamp(v / cell, 0.0, count - 1.0)); }
     int column(double x) const { return index(x, columns_); }
     int row(double y) const { return index(y, rows_); }
@@ -60,8 +62,8 @@ std::vector<Place> places(const Stage& stage, std::size_t part) {
         if (!(c.z > -c.w) || !(c.w > 0))
             out.push_back({.behind = true});
         else
-            out.push_back(
-                {{port.x + (c.x / c.w + 1) / 2 * port.width, port.y + (c.y / c.w + 1) / 2 * port.height}});
+            out.push_back({{port.x + (c.x / c.w + 1) / 2 * port.width,
+                            port.y + (c.y / c.w + 1) / 2 * port.height}});
     }
     return out;
 }
@@ -74,7 +76,8 @@ bool may_touch(const Cells& cells, const std::vector<Place>& at, const Triangle&
     return cells.any(low - slack, high + slack);
 }
 
-std::vector<std::uint32_t> triangles_near(const Cells& cells, const Stage& stage, std::size_t part) {
+std::vector<std::uint32_t> triangles_near(const Cells& cells, const Stage& stage,
+                                          std::size_t part) {
     const std::vector<Place> at = places(stage, part);
     const auto triangles = stage.model->parts[part].mesh->triangles();
     std::vector<std::uint32_t> near_ties;

@@ -55,7 +55,8 @@ void draw_fragment(CommandList& list, const Stage& stage, std::uint32_t ordinal)
                                .fail = StencilOp::Incr,
                                .zfail = StencilOp::Incr,
                                .zpass = StencilOp::Incr};
-    begin_pass(list, "layer Z " + std::to_string(ordinal + 1), fragment_state(stage, stencil, true));
+    begin_pass(list, "layer Z " + std::to_string(ordinal + 1),
+               fragment_state(stage, stencil, true));
     clear(list, PlaneMask(mask_of(Plane::Stencil) | mask_of(Plane::Depth)));
     draw_translucent(list, stage);
     list.add(Read{.key = ordinal, .plane = Plane::Depth, .rect = window(stage)});
@@ -63,7 +64,8 @@ void draw_fragment(CommandList& list, const Stage& stage, std::uint32_t ordinal)
 
 /// The Z of one pixel's visible layers, far to near.
 std::vector<std::uint32_t> sorted_layers(const std::map<std::uint32_t, Readback>& fragments,
-                                         std::uint32_t count, std::size_t pixel, std::uint32_t opaque) {
+                                         std::uint32_t count, std::size_t pixel,
+                                         std::uint32_t opaque) {
     std::vector<std::uint32_t> z;
     for (std::uint32_t k = 0; k < count; ++k) z.push_back(fragments.at(k).values[pixel]);
     std::erase_if(z, [&](std::uint32_t v) { return v >= opaque; });
@@ -83,7 +85,8 @@ void add_pixel(Layers& layers, std::size_t pixel, const std::vector<std::uint32_
     }
 }
 
-void write(CommandList& list, const Stage& stage, Plane plane, const std::vector<std::uint32_t>& values) {
+void write(CommandList& list, const Stage& stage, Plane plane,
+           const std::vector<std::uint32_t>& values) {
     list.add(WritePixels{.rect = window(stage), .plane = plane, .values = values});
 }
 
@@ -95,8 +98,9 @@ Layers find_layers(Machine& machine, const Stage& stage) {
     const std::uint32_t most = *std::max_element(counts.begin(), counts.end());
     const std::uint32_t limit = (1u << machine.profile().stencil_bits) - 1;
     if (most >= limit)
-        throw Error(fmt::format("{} or more translucent faces at a pixel; {} stencil bits count fewer", most,
-                                machine.profile().stencil_bits));
+        throw Error(
+            fmt::format("{} or more translucent faces at a pixel; {} stencil bits count fewer",
+                        most, machine.profile().stencil_bits));
     CommandList list;
     for (std::uint32_t k = 0; k < most; ++k) draw_fragment(list, stage, k);
     machine.execute(list);

@@ -1,8 +1,9 @@
-// Translucent objects in exact order, pixel by pixel: their faces as layers, each with its own Z [K3.4,
-// beyond the paper]. Everett 2001 peels depth with a second Z comparison; the VGX has one. Here the machine
-// draws the first, second, ... translucent fragment of every pixel in the order of drawing, told apart by
-// counting in the stencil; the host sorts their Z and writes the r-th farthest of every pixel back into the
-// Z-buffer, where a pass under Equal draws that layer. Does not draw the layers' colours.
+// Translucent objects in exact order, pixel by pixel: their faces as layers, each with its own Z
+// [K3.4, beyond the paper]. Everett 2001 peels depth with a second Z comparison; the VGX has one.
+// Here the machine draws the first, second, ... translucent fragment of every pixel in the order of
+// drawing, told apart by counting in the stencil; the host sorts their Z and writes the r-th
+// farthest of every pixel back into the Z-buffer, where a pass under Equal draws that layer. Does
+// not draw the layers' colours.
 #pragma once
 
 #include "gw/machine.h"
@@ -17,13 +18,14 @@ namespace gw::multipass {
 struct Layers {
     std::vector<std::vector<std::uint32_t>> depth;
     std::vector<std::vector<std::uint32_t>>
-        present;                        ///< 1 where the pixel has so many layers, else 0: for the stencil
+        /// 1 where the pixel has so many layers, else 0: for the stencil
+        present;
     std::vector<std::uint32_t> opaque;  ///< Z of the opaque picture
 };
 
-/// The visible layers of the machine's current picture, whose Z-buffer holds the opaque objects'. Z and
-/// stencil are used; colour is kept. Faces of equal Z at a pixel are one layer. Throws Error where a pixel
-/// has more translucent faces than the stencil counts.
+/// The visible layers of the machine's current picture, whose Z-buffer holds the opaque objects'. Z
+/// and stencil are used; colour is kept. Faces of equal Z at a pixel are one layer. Throws Error
+/// where a pixel has more translucent faces than the stencil counts.
 Layers find_layers(Machine& machine, const Stage& stage);
 
 /// Makes layer `index` what Equal draws, on pixels whose stencil is then 1.

@@ -11,7 +11,9 @@ namespace gw::radiosity {
 
 namespace {
 
-int texture_side(int texels) { return static_cast<int>(std::bit_ceil(static_cast<unsigned>(texels + 2))); }
+int texture_side(int texels) {
+    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(texels + 2)));
+}
 
 /// The triangles of an object that lie in one pixmap.
 MeshRef mesh_in(const Model& model, const Mesh& drawn, std::uint32_t number) {
@@ -46,7 +48,8 @@ TextureRef texture_of(const Model& model, std::uint32_t number, const Shown& col
     std::vector<std::uint16_t> rgba;
     for (int y = -1; y < height - 1; ++y)
         for (int x = -1; x < width - 1; ++x) {
-            const dvec3& color = colors.at(number, std::min(x, pixmap.width), std::min(y, pixmap.height));
+            const dvec3& color =
+                colors.at(number, std::min(x, pixmap.width), std::min(y, pixmap.height));
             for (int c = 0; c < 3; ++c)
                 rgba.push_back(static_cast<std::uint16_t>(quantize(color[c] * scale, 16)));
             rgba.push_back(65535);
@@ -66,7 +69,8 @@ State picture_state(const scene::View& view) {
     return state;
 }
 
-void begin_picture(CommandList& list, const char* name, const State& state, const vec3& background) {
+void begin_picture(CommandList& list, const char* name, const State& state,
+                   const vec3& background) {
     list.add(BeginPass{.name = name});
     list.add(SetState{state});
     list.add(Clear{.planes = PlaneMask(mask_of(Plane::Color) | mask_of(Plane::Depth)),

@@ -1,6 +1,6 @@
-// Solved pixmaps as pictures [F2.3], drawn by the machine from any view without solving again: as textures,
-// or as Gouraud-shaded triangle strips at the pixmaps' resolution. Does not write files; gamma is the
-// output's.
+// Solved pixmaps as pictures [F2.3], drawn by the machine from any view without solving again: as
+// textures, or as Gouraud-shaded triangle strips at the pixmaps' resolution. Does not write files;
+// gamma is the output's.
 #pragma once
 
 #include "gw/command_list.h"
@@ -11,22 +11,22 @@
 
 namespace gw::radiosity {
 
-/// `scale` times a radiosity is what the frame buffer holds, clamped to 1. Sides of figures that do not emit
-/// are not drawn. The colour plane is cleared to `background`.
+/// `scale` times a radiosity is what the frame buffer holds, clamped to 1. Sides of figures that do
+/// not emit are not drawn. The colour plane is cleared to `background`.
 struct Brightness {
     double scale = 1;
     vec3 background{0};
 };
 
-/// A pixmap is a texture, bilinear, with the border of Shown. In both lists the identifier of a draw's
-/// polygons, shifted right by figure_shift, is its pixmap's number + 1: drawn with ColorSource::PolygonId
-/// (figures_of) they say which figure a pixel shows.
+/// A pixmap is a texture, bilinear, with the border of Shown. In both lists the identifier of a
+/// draw's polygons, shifted right by figure_shift, is its pixmap's number + 1: drawn with
+/// ColorSource::PolygonId (figures_of) they say which figure a pixel shows.
 CommandList texture_list(const Model& model, const Shown& colors, const scene::View& view,
                          const Brightness& brightness);
 
-/// Each triangle as one strip of rows, divided at least as finely as the pixmap (Fig. 4), colours looked up
-/// bilinearly at the vertices. Triangles that share a side have the same vertices on it: no gaps. Strips are
-/// made in parallel.
+/// Each triangle as one strip of rows, divided at least as finely as the pixmap (Fig. 4), colours
+/// looked up bilinearly at the vertices. Triangles that share a side have the same vertices on it:
+/// no gaps. Strips are made in parallel.
 CommandList strip_list(const Model& model, const Shown& colors, const scene::View& view,
                        const Brightness& brightness, int threads = 0);
 

@@ -1,4 +1,5 @@
-// What pictures of pixmaps as textures and as strips have in common. For display.cpp and strips.cpp.
+// What pictures of pixmaps as textures and as strips have in common. For display.cpp and
+// strips.cpp.
 #pragma once
 
 #include "gw/command_list.h"

@@ -34,8 +34,8 @@ Shown shown(const Model& model, const Solution& solution, bool with_ambient) {
         const Pixmap& pixmap = model.pixmaps[p];
         for (int y = -1; y <= pixmap.height; ++y)
             for (int x = -1; x <= pixmap.width; ++x) {
-                const std::size_t t = model.nearest[pixmap.texel(std::clamp(x, 0, pixmap.width - 1),
-                                                                 std::clamp(y, 0, pixmap.height - 1))];
+                const std::size_t t = model.nearest[pixmap.texel(
+                    std::clamp(x, 0, pixmap.width - 1), std::clamp(y, 0, pixmap.height - 1))];
                 colors.at(p, x, y) = radiosity_at(model, solution, t) + model.rho[t] * light;
             }
     }

@@ -13,7 +13,9 @@ public:
 
     /// Of a pixmap, by its number: -1 <= x <= width, -1 <= y <= height.
     dvec3& at(std::uint32_t pixmap, int x, int y) { return colors_[index(pixmap, x, y)]; }
-    const dvec3& at(std::uint32_t pixmap, int x, int y) const { return colors_[index(pixmap, x, y)]; }
+    const dvec3& at(std::uint32_t pixmap, int x, int y) const {
+        return colors_[index(pixmap, x, y)];
+    }
 
     /// Bilinear between the texels' middles, at texel coordinates inside the pixmap.
     dvec3 at(std::uint32_t pixmap, const dvec2& uv) const;
@@ -32,9 +34,9 @@ private:
     std::vector<dvec3> colors_;
 };
 
-/// What is shown at each texel: radiosity, with the estimate of what is yet to come where `with_ambient`
-/// [F1c]. Beyond a figure's border its nearest texel is repeated, so that nothing leaks in; where a smooth
-/// surface goes on in another pixmap, what that one shows (seams.h).
+/// What is shown at each texel: radiosity, with the estimate of what is yet to come where
+/// `with_ambient` [F1c]. Beyond a figure's border its nearest texel is repeated, so that nothing
+/// leaks in; where a smooth surface goes on in another pixmap, what that one shows (seams.h).
 Shown shown(const Model& model, const Solution& solution, bool with_ambient);
 
 }  // namespace gw::radiosity

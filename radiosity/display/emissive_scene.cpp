@@ -6,14 +6,16 @@ namespace gw::radiosity {
 
 namespace {
 
-/// The triangles of one of the scene's objects that lie in a pixmap, every corner a vertex of its own.
+/// The triangles of one of the scene's objects that lie in a pixmap, every corner a vertex of its
+/// own.
 MeshRef part_in(const Model& model, std::size_t drawn, const Mesh& mesh, std::uint32_t pixmap) {
     const Source& source = model.sources[drawn];
     const std::vector<vec3>& world = model.drawn.objects[drawn].mesh->data().positions;
     const auto triangles = mesh.triangles();
     MeshData data;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        if (source.facets[t] == no_facet || model.facets[source.facets[t]].pixmap != pixmap) continue;
+        if (source.facets[t] == no_facet || model.facets[source.facets[t]].pixmap != pixmap)
+            continue;
         const Facet& facet = model.facets[source.facets[t]];
         for (std::uint32_t v : triangles[t].vertex) {
             data.positions.push_back(mesh.data().positions[v]);
@@ -41,7 +43,8 @@ bool faces(const scene::Camera& camera, const std::array<dvec3, 3>& p) {
 
 }  // namespace
 
-scene::Scene glowing(const scene::Scene& scene, const Model& model, const Shown& colors, double scale) {
+scene::Scene glowing(const scene::Scene& scene, const Model& model, const Shown& colors,
+                     double scale) {
     scene::Scene out = scene;
     out.objects.clear();
     for (scene::Light& light : out.lights) light.Is = light.Is.value_or(light.Id) * float(scale);
@@ -54,8 +57,8 @@ scene::Scene glowing(const scene::Scene& scene, const Model& model, const Shown&
             out.objects.push_back(object);
             out.objects.back().mesh = part_in(model, i, *object.mesh, pixmap);
             out.objects.back().material = out.materials.size();
-            out.materials.push_back(
-                glowing(scene.materials[object.material], texture_of(model, pixmap, colors, scale)));
+            out.materials.push_back(glowing(scene.materials[object.material],
+                                            texture_of(model, pixmap, colors, scale)));
         }
     }
     return out;
@@ -67,9 +70,11 @@ scene::Scene without_backs(scene::Scene scene, const scene::Camera& camera) {
         for (std::size_t i = 0; i + 2 < data.positions.size(); i += 3) {
             std::array<dvec3, 3> world;
             for (std::size_t k = 0; k < 3; ++k)
-                world[k] = transform3(dmat3(object.world_from_object), dvec3(data.positions[i + k])) +
-                           dvec3(object.world_from_object[3]);
-            if (!faces(camera, world)) data.positions[i + 1] = data.positions[i + 2] = data.positions[i];
+                world[k] =
+                    transform3(dmat3(object.world_from_object), dvec3(data.positions[i + k])) +
+                    dvec3(object.world_from_object[3]);
+            if (!faces(camera, world))
+                data.positions[i + 1] = data.positions[i + 2] = data.positions[i];
         }
         object.mesh = make_mesh(std::move(data));
     }

@@ -16,8 +16,9 @@ using Corner = std::array<float, 3>;
 
 Corner corner_of(const vec3& p) { return {p.x, p.y, p.z}; }
 
-/// Into how many parts the sides of triangles are divided: as many as the finest pixmap at one has texels
-/// along it. Triangles that share a side divide it alike, also where they belong to different objects.
+/// Into how many parts the sides of triangles are divided: as many as the finest pixmap at one has
+/// texels along it. Triangles that share a side divide it alike, also where they belong to
+/// different objects.
 class Sides {
 public:
     explicit Sides(const Model& model) {
@@ -42,7 +43,8 @@ private:
     static Key key(const vec3& a, const vec3& b) { return std::minmax(corner_of(a), corner_of(b)); }
 
     void add(const Facet& facet, const Mesh& mesh, const Triangle& t, std::size_t k) {
-        const vec3 &a = mesh.data().positions[t.vertex[k]], &b = mesh.data().positions[t.vertex[(k + 1) % 3]];
+        const vec3 &a = mesh.data().positions[t.vertex[k]],
+                   &b = mesh.data().positions[t.vertex[(k + 1) % 3]];
         const dvec2 side = facet.texel_of(dvec3(b)) - facet.texel_of(dvec3(a));
         const double texels = std::max(std::abs(side.x), std::abs(side.y));
         int& parts = parts_.try_emplace(key(a, b), 1).first->second;
@@ -52,16 +54,18 @@ private:
     std::map<Key, int> parts_;
 };
 
-/// One triangle as one strip: rows from the side v0 v1 to v2, joined by triangles without area. The side with
-/// the most parts decides how many rows there are; on the other sides vertices fall together.
+/// One triangle as one strip: rows from the side v0 v1 to v2, joined by triangles without area. The
+/// side with the most parts decides how many rows there are; on the other sides vertices fall
+/// together.
 class Strip {
 public:
-    Strip(const Model& model, const Shown& colors, double scale, const Mesh& drawn, const Triangle& triangle,
-          const Sides& sides)
+    Strip(const Model& model, const Shown& colors, double scale, const Mesh& drawn,
+          const Triangle& triangle, const Sides& sides)
         : facet_(model.facets[drawn.polygon_id(triangle.polygon)]), colors_(colors), scale_(scale) {
         data_.primitive = Primitive::TriangleStrip;
         for (std::size_t k = 0; k < 3; ++k) corner_[k] = drawn.data().positions[triangle.vertex[k]];
-        for (std::size_t k = 0; k < 3; ++k) parts_[k] = sides.parts(corner_[k], corner_[(k + 1) % 3]);
+        for (std::size_t k = 0; k < 3; ++k)
+            parts_[k] = sides.parts(corner_[k], corner_[(k + 1) % 3]);
         rows_ = std::max(std::max(parts_[0], parts_[1]), parts_[2]);
         for (int j = 0; j <= rows_; ++j)
             for (int i = 0; i + j <= rows_; ++i) add_vertex(position(i, j));
@@ -99,7 +103,8 @@ private:
     void add_row(int j) {
         const int m = rows_ - j;
         if (j > 0)  // twice: so that the row begins at an even place, and keeps its orientation
-            data_.indices.insert(data_.indices.end(), {data_.indices.back(), index(m, j), index(m, j)});
+            data_.indices.insert(data_.indices.end(),
+                                 {data_.indices.back(), index(m, j), index(m, j)});
         for (int i = m; i > 0; --i)
             data_.indices.insert(data_.indices.end(), {index(i, j), index(i - 1, j + 1)});
         data_.indices.push_back(index(0, j));
@@ -125,7 +130,8 @@ CommandList strip_list(const Model& model, const Shown& colors, const scene::Vie
         const auto triangles = object.mesh->triangles();
         std::vector<MeshRef> strips(triangles.size());
         parallel_for(triangles.size(), threads, [&](std::size_t i, int) {  // [F4] (3)
-            strips[i] = Strip(model, colors, brightness.scale, *object.mesh, triangles[i], sides).mesh();
+            strips[i] =
+                Strip(model, colors, brightness.scale, *object.mesh, triangles[i], sides).mesh();
         });
         for (std::size_t i = 0; i < strips.size(); ++i) {
             Draw draw = scene::placed(object, view);

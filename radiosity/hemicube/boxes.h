@@ -10,12 +10,13 @@ namespace gw::radiosity {
 /// What vector code may write, or read, behind the last of a list's values.
 inline constexpr std::size_t longest_vector = 64;
 
-/// A list of boxes, in the order in which texels receive what they carry. Each member has room for `count`
-/// boxes and a vector more.
+/// A list of boxes, in the order in which texels receive what they carry. Each member has room for
+/// `count` boxes and a vector more.
 struct Boxes {
     std::vector<double> u, v, width, height;  ///< the middle and the sides
     std::vector<double> value;
-    std::vector<std::int32_t> cells;  ///< 2, of boxes of at most a texel each way; 3, of at most two
+    /// 2, of boxes of at most a texel each way; 3, of at most two
+    std::vector<std::int32_t> cells;
     std::size_t count = 0;
 
     void make_room(std::size_t more) {

@@ -11,7 +11,8 @@ namespace {
 
 double atan(double t) { return atan2(t, 1); }
 
-// d2/dxdy = 1 / (pi (1 + x^2 + y^2)^2): the top, at height 1 (Howell's B-4 as an indefinite integral).
+// d2/dxdy = 1 / (pi (1 + x^2 + y^2)^2): the top, at height 1 (Howell's B-4 as an indefinite
+// integral).
 double top_integral(double x, double y) {
     const double a = std::sqrt(1 + x * x), b = std::sqrt(1 + y * y);
     return (x / a * atan(y / a) + y / b * atan(x / b)) / (2 * pi);
@@ -29,7 +30,8 @@ std::vector<double> pixels(int columns, int rows, double left, double bottom, In
     const double step = 2.0 / columns;
     std::vector<double> corner;
     for (int j = 0; j <= rows; ++j)
-        for (int i = 0; i <= columns; ++i) corner.push_back(integral(left + i * step, bottom + j * step));
+        for (int i = 0; i <= columns; ++i)
+            corner.push_back(integral(left + i * step, bottom + j * step));
     std::vector<double> values;
     const auto width = static_cast<std::size_t>(columns) + 1;
     for (std::size_t j = 0; j < static_cast<std::size_t>(rows); ++j)
@@ -43,7 +45,8 @@ std::vector<double> pixels(int columns, int rows, double left, double bottom, In
 }  // namespace
 
 DeltaFormFactors delta_form_factors(int size) {
-    return {size, pixels(size, size, -1, -1, top_integral), pixels(size, size / 2, -1, 0, side_integral)};
+    return {size, pixels(size, size, -1, -1, top_integral),
+            pixels(size, size / 2, -1, 0, side_integral)};
 }
 
 }  // namespace gw::radiosity

@@ -1,13 +1,14 @@
-// The form factor of every pixel of a hemicube: the exact integral of cos / (pi r^2) over the pixel, in
-// closed form. Of a hemicube of side 2 around a point: top at distance 1, sides 1 high. Knows no buffers and
-// no figures.
+// The form factor of every pixel of a hemicube: the exact integral of cos / (pi r^2) over the
+// pixel, in closed form. Of a hemicube of side 2 around a point: top at distance 1, sides 1 high.
+// Knows no buffers and no figures.
 #pragma once
 
 #include <vector>
 
 namespace gw::radiosity {
 
-/// `size` pixels across, even. Rows from the horizon up (sides) or from one side to the other (top).
+/// `size` pixels across, even. Rows from the horizon up (sides) or from one side to the other
+/// (top).
 struct DeltaFormFactors {
     int size = 0;
     std::vector<double> top;   ///< size x size

@@ -18,8 +18,8 @@ struct Range {
     int count() const { return end - first; }
 };
 
-/// The parts of a pixel along x or y. Beside a pixel that sees something else the facet may reach on, by half
-/// a pixel in the mean: without these parts, texels there would get nothing.
+/// The parts of a pixel along x or y. Beside a pixel that sees something else the facet may reach
+/// on, by half a pixel in the mean: without these parts, texels there would get nothing.
 Range reach(int count, bool ends_before, bool ends_after) {
     const int more = (count + 1) / 2;
     return {ends_before ? -more : 0, ends_after ? count + more : count};
@@ -32,8 +32,9 @@ FacetScan::FacetScan(int size, std::span<double> factors) : factors_(factors) {
     row_.make_room(static_cast<std::size_t>(size));
 }
 
-void FacetScan::front(const Model& model, std::uint32_t number, const Homography& map, const IdBuffer& buffer,
-                      const Region& region, const std::vector<double>& deltas, const ScanOptions& options) {
+void FacetScan::front(const Model& model, std::uint32_t number, const Homography& map,
+                      const IdBuffer& buffer, const Region& region,
+                      const std::vector<double>& deltas, const ScanOptions& options) {
     const Facet& facet = model.facets[number];
     const Pixmap& pixmap = model.pixmaps[facet.pixmap];
     const FacetMap facet_map{map,
@@ -41,7 +42,8 @@ void FacetScan::front(const Model& model, std::uint32_t number, const Homography
                              {facet.low.y, facet.high.y, pixmap.height},
                              options.most_parts};
     const std::uint32_t facet_pixel = pixel_of(number);
-    const TexelSums sums{factors_.data(), pixmap.first, pixmap.whole ? nullptr : model.nearest.data()};
+    const TexelSums sums{factors_.data(), pixmap.first,
+                         pixmap.whole ? nullptr : model.nearest.data()};
     for (std::size_t r = 0; r < region.spans.size(); ++r) {
         const int y = region.row + static_cast<int>(r);
         const std::size_t start = row_of(buffer, y);
@@ -84,7 +86,8 @@ void FacetScan::divide(const IdBuffer& buffer, std::uint32_t facet_pixel, int y)
                    above = row_above && row_above[x] != facet_pixel;
         if (nx * ny == 1 && !left && !right && !below && !above) continue;
         const Range columns = reach(nx, left, right), rows = reach(ny, below, above);
-        parts_.make_room(static_cast<std::size_t>(columns.count()) * static_cast<std::size_t>(rows.count()));
+        parts_.make_room(static_cast<std::size_t>(columns.count()) *
+                         static_cast<std::size_t>(rows.count()));
         divided_.push_back({i, parts_.count, 0});
         for (int j = rows.first; j < rows.end; ++j) {
             const double middle = y + (j + 0.5) / ny;
@@ -125,8 +128,8 @@ void FacetScan::back(std::uint32_t facet, const IdBuffer& buffer, const Region& 
                      const std::vector<double>& deltas, double& sum) {
     for (std::size_t r = 0; r < region.spans.size(); ++r) {
         const std::size_t start = row_of(buffer, region.row + static_cast<int>(r));
-        find_pixels(&buffer.pixels[start], region.spans[r].first, region.spans[r].end, pixel_of(facet),
-                    pixels_);
+        find_pixels(&buffer.pixels[start], region.spans[r].first, region.spans[r].end,
+                    pixel_of(facet), pixels_);
         for (std::size_t i = 0; i < pixels_.count; ++i)
             sum += deltas[start + static_cast<std::size_t>(pixels_.x[i])];
     }

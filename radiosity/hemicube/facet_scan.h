@@ -1,4 +1,5 @@
-// One facet in one face of a hemicube: its pixels, what they cover, and the texels that receive it [F2.2].
+// One facet in one face of a hemicube: its pixels, what they cover, and the texels that receive it
+// [F2.2].
 #pragma once
 
 #include "radiosity/hemicube/region.h"
@@ -12,9 +13,11 @@ public:
     /// For buffers of this size; `factors` as of scan_pixmap.
     FacetScan(int size, std::span<double> factors);
 
-    /// A facet's front. `deltas`: delta form factors of the buffer's pixels. `region`: where its pixels are.
-    void front(const Model& model, std::uint32_t facet, const Homography& map, const IdBuffer& buffer,
-               const Region& region, const std::vector<double>& deltas, const ScanOptions& options);
+    /// A facet's front. `deltas`: delta form factors of the buffer's pixels. `region`: where its
+    /// pixels are.
+    void front(const Model& model, std::uint32_t facet, const Homography& map,
+               const IdBuffer& buffer, const Region& region, const std::vector<double>& deltas,
+               const ScanOptions& options);
 
     /// A facet's back: adds the delta form factors of its pixels to `sum`.
     void back(std::uint32_t facet, const IdBuffer& buffer, const Region& region,

@@ -18,7 +18,8 @@ using V = hn::Vec<D>;
 inline V all(double v) { return hn::Set(D(), v); }
 inline V larger(V a, V b) { return hn::Max(hn::Abs(a), hn::Abs(b)); }
 
-void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel, SeenPixels& found) {
+void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel,
+                 SeenPixels& found) {
     const hn::ScalableTag<std::int32_t> d;
     const int lanes = int(hn::Lanes(d));
     const auto wanted = hn::Set(d, std::int32_t(pixel));
@@ -43,7 +44,8 @@ struct OnFacet {
 
     OnFacet(const Homography& map, V x, V y) {
         const auto of = [&](int c) {
-            const V part_x = hn::Mul(x, all(map.along_x[c])), part_y = hn::Mul(y, all(map.along_y[c]));
+            const V part_x = hn::Mul(x, all(map.along_x[c])),
+                    part_y = hn::Mul(y, all(map.along_y[c]));
             return hn::Add(all(map.at_zero[c]), hn::Add(part_x, part_y));
         };
         // A part of a pixel may reach over the plane's horizon: the texel is then far away.
@@ -64,13 +66,15 @@ struct Side {
 
 /// So many that a part covers at most a texel, and the box of two such sides two.
 inline V parts(V texels, double most) {
-    const V more = hn::IfThenElse(hn::Lt(texels, all(most)), hn::Add(hn::Trunc(texels), all(1)), all(most));
+    const V more =
+        hn::IfThenElse(hn::Lt(texels, all(most)), hn::Add(hn::Trunc(texels), all(1)), all(most));
     return hn::IfThenElse(hn::Le(texels, all(1)), all(1), more);
 }
 
 inline void store_int(V v, std::int32_t* to) { hn::StoreU(hn::DemoteTo(I(), v), I(), to); }
 
-bool find_footprints(const FacetMap& map, int y, const double* deltas, SeenPixels& pixels, Boxes& boxes) {
+bool find_footprints(const FacetMap& map, int y, const double* deltas, SeenPixels& pixels,
+                     Boxes& boxes) {
     const D d;
     const Homography& h = map.texel_from_pixel;
     const bool points = map.most_parts == 1;  // Fig. 3a
@@ -84,7 +88,8 @@ bool find_footprints(const FacetMap& map, int y, const double* deltas, SeenPixel
         const auto small = hn::Le(points ? hn::Zero(d) : hn::Max(long_a, long_b), all(0.5));
         const auto among = hn::FirstN(d, pixels.count - i);
         longer = hn::Or(longer, hn::And(among, hn::Not(small)));
-        const bool whole = hn::AllTrue(d, hn::Eq(hn::Max(nx, ny), all(1)));  // division by 1 is none
+        // division by 1 is none
+        const bool whole = hn::AllTrue(d, hn::Eq(hn::Max(nx, ny), all(1)));
         const auto box = [&](V along_x, V along_y) {
             if (points) return hn::Zero(d);
             if (!whole) along_x = hn::Div(along_x, nx), along_y = hn::Div(along_y, ny);
@@ -150,7 +155,9 @@ bool find_footprints(const FacetMap& map, int y, const double* deltas, SeenPixel
     return HWY_DYNAMIC_DISPATCH(find_footprints)(map, y, deltas, pixels, boxes);
 }
 
-void find_parts(const FacetMap& map, Parts& parts) noexcept { HWY_DYNAMIC_DISPATCH(find_parts)(map, parts); }
+void find_parts(const FacetMap& map, Parts& parts) noexcept {
+    HWY_DYNAMIC_DISPATCH(find_parts)(map, parts);
+}
 
 }  // namespace gw::radiosity
 

@@ -1,5 +1,6 @@
 // What pixels cover of a pixmap [F2.2o]: a vector of pixels, or of their parts, at a time.
-// Does not know what is in a texel (spread.h does), nor which pixels are divided (facet_scan.h does).
+// Does not know what is in a texel (spread.h does), nor which pixels are divided (facet_scan.h
+// does).
 #pragma once
 
 #include "radiosity/hemicube/boxes.h"
@@ -32,14 +33,15 @@ struct SeenPixels {
 void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel,
                  SeenPixels& found) noexcept;
 
-/// nx, ny, and the box of each pixel, or where it is to be divided, of one of its parts, about the pixel's
-/// middle; with its delta form factor. y: the row, whose `deltas` these are. `boxes` is overwritten, and has
-/// room. Returns whether a box may be longer than a texel, or a pixel is to be divided.
+/// nx, ny, and the box of each pixel, or where it is to be divided, of one of its parts, about the
+/// pixel's middle; with its delta form factor. y: the row, whose `deltas` these are. `boxes` is
+/// overwritten, and has room. Returns whether a box may be longer than a texel, or a pixel is to be
+/// divided.
 bool find_footprints(const FacetMap& map, int y, const double* deltas, SeenPixels& pixels,
                      Boxes& boxes) noexcept;
 
-/// Parts of pixels: where their middles are in the face, and in texels. Each member has room for `count`
-/// parts and a vector more.
+/// Parts of pixels: where their middles are in the face, and in texels. Each member has room for
+/// `count` parts and a vector more.
 struct Parts {
     std::vector<double> x, y, u, v;
     std::vector<std::int32_t> inside;  ///< 1: falls on the facet, 0

@@ -1,7 +1,7 @@
 #include "radiosity/hemicube/form_factors.h"
 
-#include "gw/error.h"
 #include "gw/base/parallel.h"
+#include "gw/error.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t slots = 8;  ///< hemicubes at a time; does not depend on the threads
 
-/// Where the near plane is, in parts of what the point stands for; Gauss' points are a fifth of it from its
-/// border.
+/// Where the near plane is, in parts of what the point stands for; Gauss' points are a fifth of it
+/// from its border.
 constexpr double near_part = 1.0 / 64;
 constexpr double least_near = 1e-6;  ///< in parts of the scene's extent
 
@@ -28,15 +28,16 @@ std::uint64_t mixed(std::uint64_t v) {
 
 /// Degrees, in steps that a double holds exactly.
 double turn_of(std::uint64_t seed, std::uint64_t which, std::uint64_t point) {
-    return static_cast<double>(mixed(mixed(mixed(seed) ^ which) ^ point) >> 40) * (360.0 / (1 << 24));
+    return static_cast<double>(mixed(mixed(mixed(seed) ^ which) ^ point) >> 40) *
+           (360.0 / (1 << 24));
 }
 
 }  // namespace
 
 void check(const FormFactorOptions& options) {
     if (options.hemicube < 8 || options.hemicube > max_window_size || options.hemicube % 2 != 0)
-        throw Error(fmt::format("hemicube of {} pixels; expected an even number, 8..{}", options.hemicube,
-                                max_window_size));
+        throw Error(fmt::format("hemicube of {} pixels; expected an even number, 8..{}",
+                                options.hemicube, max_window_size));
     if (options.scan.most_parts < 1 || options.scan.most_parts > 1024)
         throw Error(fmt::format("pixels in {} parts; expected 1..1024", options.scan.most_parts));
     if (!(options.points.nearness > 0) || !(options.points.smallest_part > 0) ||
@@ -48,7 +49,8 @@ FormFactors::FormFactors(const Model& model, const FormFactorOptions& options)
     : model_(model), options_(options) {
     check(options);
     delta_ = delta_form_factors(options.hemicube);
-    painters_.resize(static_cast<std::size_t>(options.threads > 0 ? options.threads : hardware_threads()));
+    painters_.resize(
+        static_cast<std::size_t>(options.threads > 0 ? options.threads : hardware_threads()));
     slots_.resize(slots);
     factors_.resize(model.texel_count());
 }
@@ -83,13 +85,15 @@ void FormFactors::draw(const std::vector<ShootPoint>& points, std::size_t first,
         const ShootPoint& point = points[first + i];
         Slot& slot = slots_[i];
         const double near_plane = std::max(point.size * near_part, model_.extent * least_near);
-        slot.hemicube = hemicube_at(point.position, point.normal, turn_of(options_.seed, turns, first + i),
-                                    near_plane, model_.extent * 1.01 + near_plane, options_.hemicube);
+        slot.hemicube =
+            hemicube_at(point.position, point.normal, turn_of(options_.seed, turns, first + i),
+                        near_plane, model_.extent * 1.01 + near_plane, options_.hemicube);
         auto& painter = painters_[static_cast<std::size_t>(worker)];
         if (!painter)
-            painter = options_.make_machine
-                          ? std::make_unique<HemicubePainter>(options_.make_machine(options_.hemicube))
-                          : std::make_unique<HemicubePainter>(options_.hemicube);
+            painter =
+                options_.make_machine
+                    ? std::make_unique<HemicubePainter>(options_.make_machine(options_.hemicube))
+                    : std::make_unique<HemicubePainter>(options_.hemicube);
         painter->draw(model_, slot.hemicube, slot.buffers);
         slot.escaped = escaping(slot.buffers, delta_);
         slot.factors.assign(model_.texel_count(), 0.0);
@@ -104,12 +108,13 @@ void FormFactors::scan(std::size_t count) {
     parallel_for(count * pixmaps, options_.threads, [&](std::size_t i, int) {
         Slot& slot = slots_[i / pixmaps];
         const auto pixmap = static_cast<std::uint32_t>(i % pixmaps);
-        slot.backs[pixmap] =
-            scan_pixmap(model_, pixmap, slot.hemicube, slot.buffers, delta_, options_.scan, slot.factors);
+        slot.backs[pixmap] = scan_pixmap(model_, pixmap, slot.hemicube, slot.buffers, delta_,
+                                         options_.scan, slot.factors);
     });
 }
 
-void FormFactors::sum(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count, Row& row) {
+void FormFactors::sum(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count,
+                      Row& row) {
     parallel_for(model_.pixmaps.size(), options_.threads, [&](std::size_t i, int) {
         const Pixmap& pixmap = model_.pixmaps[i];
         for (std::size_t k = 0; k < count; ++k)

@@ -1,6 +1,6 @@
 // Form factors from a patch to all texels, by hemicubes [F2.2]. Knows no energy.
-// The same bits for any number of threads: hemicubes are drawn in parallel, pixmaps scanned in parallel, and
-// what a texel receives is summed in the order of the points [F2.2p, F4].
+// The same bits for any number of threads: hemicubes are drawn in parallel, pixmaps scanned in
+// parallel, and what a texel receives is summed in the order of the points [F2.2p, F4].
 #pragma once
 
 #include "radiosity/hemicube/scan.h"
@@ -17,10 +17,12 @@ struct FormFactorOptions {
     int hemicube = 128;  ///< pixels across, even, 8 .. 4096
     ScanOptions scan;
     PointOptions points;
-    std::uint64_t seed = 0;  ///< of the turns of the hemicubes about their normals: each has its own
-    int threads = 0;         ///< 0: all
+    /// of the turns of the hemicubes about their normals: each has its own
+    std::uint64_t seed = 0;
+    int threads = 0;                            ///< 0: all
     const std::atomic<bool>* cancel = nullptr;  ///< looked at between hemicubes
-    /// Makes a machine of id_profile() for hemicubes of this size; none: the fast one, on one thread.
+    /// Makes a machine of id_profile() for hemicubes of this size; none: the fast one, on one
+    /// thread.
     std::function<std::unique_ptr<Machine>(int size)> make_machine;
 };
 
@@ -42,7 +44,8 @@ public:
 
     /// Throws Canceled when asked to stop.
     Row from_patch(std::size_t patch);
-    /// From differential elements, each with its share of the whole. `turns`: a number that names them.
+    /// From differential elements, each with its share of the whole. `turns`: a number that names
+    /// them.
     Row from_points(const std::vector<ShootPoint>& points, std::uint64_t turns);
 
     struct Canceled {};

@@ -14,7 +14,8 @@ namespace {
 /// Of cube_views: +y is the top, the others are the sides.
 constexpr std::array<std::size_t, hemicube_faces> cube_face{2, 0, 1, 4, 5};
 
-/// What lies lower over the horizon, in parts of the scene's extent, is not seen: the rest of the own plane.
+/// What lies lower over the horizon, in parts of the scene's extent, is not seen: the rest of the
+/// own plane.
 constexpr double horizon = 1e-7;
 
 /// cube_from_world: +y becomes the normal.
@@ -33,7 +34,8 @@ dmat4 turned(const dvec3& position, const dvec3& normal, double turn) {
 dmat4 after(const dmat4& eye_from_cube, const dmat4& cube_from_world) {
     dmat4 m(1);
     for (int k = 0; k < 4; ++k)
-        m[k] = dvec4(transform3(dmat3(eye_from_cube), dvec3(cube_from_world[k])), cube_from_world[k].w);
+        m[k] = dvec4(transform3(dmat3(eye_from_cube), dvec3(cube_from_world[k])),
+                     cube_from_world[k].w);
     return m;
 }
 
@@ -45,7 +47,8 @@ void exchange(Machine& machine, std::uint32_t face, IdBuffer& buffer) {
     buffer.pixels.swap(read.values);
 }
 
-void take(Machine& machine, std::uint32_t face, std::size_t identifiers, int size, IdBuffer& buffer) {
+void take(Machine& machine, std::uint32_t face, std::size_t identifiers, int size,
+          IdBuffer& buffer) {
     exchange(machine, face, buffer);
     buffer.size = size;
     buffer.rows = face == 0 ? size : size / 2;
@@ -57,7 +60,8 @@ void take(Machine& machine, std::uint32_t face, std::size_t identifiers, int siz
 
 Hemicube hemicube_at(const dvec3& position, const dvec3& normal, double turn, double near_plane,
                      double far_plane, int size) {
-    const std::array<scene::View, 6> cube = scene::cube_views(dvec3(0), near_plane, far_plane, size);
+    const std::array<scene::View, 6> cube =
+        scene::cube_views(dvec3(0), near_plane, far_plane, size);
     const dmat4 cube_from_world = turned(position, normal, turn);
     Hemicube hemicube{.position = position, .normal = normal, .views = {}};
     for (std::size_t face = 0; face < hemicube_faces; ++face) {
@@ -93,7 +97,8 @@ void HemicubePainter::draw(const Model& model, const Hemicube& hemicube, IdBuffe
             list.commands.push_back(std::move(command));
         list.add(Read{.key = face, .plane = Plane::Color, .rect = rect, .packed = true});
     }
-    for (std::uint32_t face = 0; face < hemicube_faces; ++face) exchange(*machine_, face, buffers[face]);
+    for (std::uint32_t face = 0; face < hemicube_faces; ++face)
+        exchange(*machine_, face, buffers[face]);
     machine_->execute(list);
     machine_->reset_passes();
     for (std::uint32_t face = 0; face < hemicube_faces; ++face)

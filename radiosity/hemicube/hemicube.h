@@ -3,8 +3,8 @@
 #pragma once
 
 #include "gw/machine.h"
-#include "radiosity/model/pixmap_model.h"
 #include "radiosity/model/patches.h"
+#include "radiosity/model/pixmap_model.h"
 #include "scene/draw/view.h"
 
 #include <memory>
@@ -24,7 +24,8 @@ Hemicube hemicube_at(const dvec3& position, const dvec3& normal, double turn, do
                      double far_plane, int size);
 
 /// The pixels of a face, as the machine reads them back: packed colours, whose low 24 bits are the
-/// identifier, facet + 1, 0 where nothing is. Rows from the bottom; of a side only those over the horizon.
+/// identifier, facet + 1, 0 where nothing is. Rows from the bottom; of a side only those over the
+/// horizon.
 struct IdBuffer {
     int size = 0, rows = 0;
     LineVector<std::uint32_t> pixels;
@@ -35,7 +36,8 @@ inline constexpr std::uint32_t nothing = 0;
 constexpr std::uint32_t pixel_of(std::uint32_t facet) { return 0xFF000000 | (facet + 1); }
 using IdBuffers = std::array<IdBuffer, hemicube_faces>;
 
-/// Draws with a machine of its own, the fast one where none is given. Not for two threads at a time.
+/// Draws with a machine of its own, the fast one where none is given. Not for two threads at a
+/// time.
 class HemicubePainter {
 public:
     /// size x size pixels, even, 2 .. max_window_size.
@@ -48,7 +50,8 @@ private:
     std::unique_ptr<Machine> machine_;
 };
 
-/// The machine that ID buffers are drawn with: ideal's 8 sub-pixel bits and 32 bits of Z, 8 bits of colour.
+/// The machine that ID buffers are drawn with: ideal's 8 sub-pixel bits and 32 bits of Z, 8 bits of
+/// colour.
 Profile id_profile();
 
 }  // namespace gw::radiosity

@@ -15,7 +15,8 @@ namespace gw::radiosity::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 constexpr std::uint32_t id_bits = 0xFFFFFF;
 
-/// Of an identifier's pixels only one that neither the next nor the one above has is marked: the last is one.
+/// Of an identifier's pixels only one that neither the next nor the one above has is marked: the
+/// last is one.
 void mark_all(std::span<const std::uint32_t> pixels, std::size_t row, char* seen) {
     const hn::ScalableTag<std::uint32_t> d;
     const std::uint32_t* const at = pixels.data();
@@ -23,9 +24,12 @@ void mark_all(std::span<const std::uint32_t> pixels, std::size_t row, char* seen
     std::size_t i = 0;
     for (; i + row + hn::Lanes(d) <= pixels.size(); i += hn::Lanes(d)) {
         const auto pixel = hn::LoadU(d, at + i);
-        const auto differs = [&](std::size_t by) { return hn::Ne(pixel, hn::LoadU(d, at + i + by)); };
+        const auto differs = [&](std::size_t by) {
+            return hn::Ne(pixel, hn::LoadU(d, at + i + by));
+        };
         std::uint64_t last = 0;
-        hn::StoreMaskBits(d, hn::And(differs(1), differs(row)), reinterpret_cast<std::uint8_t*>(&last));
+        hn::StoreMaskBits(d, hn::And(differs(1), differs(row)),
+                          reinterpret_cast<std::uint8_t*>(&last));
         for (; last != 0; last &= last - 1) mark(i + std::size_t(std::countr_zero(last)));
     }
     for (; i < pixels.size(); ++i)

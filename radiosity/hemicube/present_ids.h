@@ -6,7 +6,8 @@
 
 namespace gw::radiosity {
 
-/// seen[id] becomes 1 for the identifier, the low 24 bits, of every packed colour; `row` of them are a row.
+/// seen[id] becomes 1 for the identifier, the low 24 bits, of every packed colour; `row` of them
+/// are a row.
 void mark_seen(std::span<const std::uint32_t> pixels, std::size_t row, char* seen);
 
 }  // namespace gw::radiosity

@@ -32,20 +32,24 @@ Polygon3 cut(const Polygon3& polygon, const dvec3& plane) {
 Polygon3 clipped(const Facet& facet, const scene::View& view, bool top) {
     Polygon3 polygon;
     for (int k = 0; k < facet.corner_count; ++k) {
-        const dvec3 eye = transform3(dmat3(view.eye_from_world), facet.corners[static_cast<std::size_t>(k)]) +
-                          dvec3(view.eye_from_world[3]);
+        const dvec3 eye =
+            transform3(dmat3(view.eye_from_world), facet.corners[static_cast<std::size_t>(k)]) +
+            dvec3(view.eye_from_world[3]);
         polygon.p[static_cast<std::size_t>(polygon.n++)] = {eye.x, eye.y, -eye.z};
     }
     // A frustum's sides meet in the eye, so that they clip what is behind it too.
-    for (const dvec3& plane : {dvec3(1, 0, 1), dvec3(-1, 0, 1), dvec3(0, -1, 1), dvec3(0, 1, top ? 1 : 0)})
+    for (const dvec3& plane :
+         {dvec3(1, 0, 1), dvec3(-1, 0, 1), dvec3(0, -1, 1), dvec3(0, 1, top ? 1 : 0)})
         polygon = cut(polygon, plane);
     return polygon;
 }
 
 /// Whether the facet's sphere lies wholly beside the frustum.
 bool beside(const Facet& facet, const scene::View& view, bool top) {
-    const dvec3 eye = transform3(dmat3(view.eye_from_world), facet.center) + dvec3(view.eye_from_world[3]);
-    const double reach = facet.radius * 1.4142136, along = -eye.z + reach;  // the sides have slope 1
+    const dvec3 eye =
+        transform3(dmat3(view.eye_from_world), facet.center) + dvec3(view.eye_from_world[3]);
+    // the sides have slope 1
+    const double reach = facet.radius * 1.4142136, along = -eye.z + reach;
     return std::abs(eye.x) > along || eye.y > along || -eye.y > (top ? along : facet.radius);
 }
 
@@ -62,7 +66,8 @@ void find_region(const Facet& facet, const scene::View& view, bool top, Region& 
     double low = rows, high = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.n); ++i) {
         const dvec3& p = polygon.p[i];
-        const double w = std::max(p.z, 1e-300);  // the eye itself, on a facet's edge: far away, and clamped
+        // the eye itself, on a facet's edge: far away, and clamped
+        const double w = std::max(p.z, 1e-300);
         const auto on = [&](double v) { return std::clamp(v / w, -1.0, 1.0) * half; };
         pixel[i] = {on(p.x) + half, top ? on(p.y) + half : on(p.y)};
         low = std::min(low, pixel[i].y);
@@ -73,10 +78,12 @@ void find_region(const Facet& facet, const scene::View& view, bool top, Region& 
     for (int row = region.row; row < end; ++row) {
         double left = size, right = 0;
         for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.n); ++i) {
-            const dvec2 &a = pixel[i], &b = pixel[i + 1 < static_cast<std::size_t>(polygon.n) ? i + 1 : 0];
+            const dvec2 &a = pixel[i],
+                        &b = pixel[i + 1 < static_cast<std::size_t>(polygon.n) ? i + 1 : 0];
             const double bottom = row - 1, top_of_row = row + 2;
             if (std::max(a.y, b.y) < bottom || std::min(a.y, b.y) > top_of_row) continue;
-            for (double y : {std::clamp(a.y, bottom, top_of_row), std::clamp(b.y, bottom, top_of_row)}) {
+            for (double y :
+                 {std::clamp(a.y, bottom, top_of_row), std::clamp(b.y, bottom, top_of_row)}) {
                 const double x = a.y == b.y ? a.x : a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
                 left = std::min(left, x);
                 right = std::max(right, x);

@@ -5,8 +5,8 @@
 namespace gw::radiosity {
 
 double scan_pixmap(const Model& model, std::uint32_t pixmap, const Hemicube& hemicube,
-                   const IdBuffers& buffers, const DeltaFormFactors& delta, const ScanOptions& options,
-                   std::span<double> factors) {
+                   const IdBuffers& buffers, const DeltaFormFactors& delta,
+                   const ScanOptions& options, std::span<double> factors) {
     double backs = 0;
     Region region;
     FacetScan scan(buffers[0].size, factors);

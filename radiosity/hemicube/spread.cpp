@@ -1,4 +1,5 @@
-// No fused or approximate operation, and sums in the order of the boxes: every target gives the same bits.
+// No fused or approximate operation, and sums in the order of the boxes: every target gives the
+// same bits.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "radiosity/hemicube/spread.cpp"
 #include <hwy/foreach_target.h>
@@ -28,7 +29,8 @@ struct Cells {
     /// two: those in two texels at most, the others in three.
     Cells(V middle, V size, const FacetMap::Axis& axis, hn::Mask<D> two) {
         const V whole = all(axis.high - axis.low), cut = hn::Min(size, whole);
-        const V wanted = hn::Sub(middle, hn::Mul(cut, all(0.5))), end = hn::Sub(all(axis.high), cut);
+        const V wanted = hn::Sub(middle, hn::Mul(cut, all(0.5))),
+                end = hn::Sub(all(axis.high), cut);
         const V begin = hn::Max(hn::Min(wanted, end), all(axis.low));  // not below 0
         first = hn::Min(hn::Trunc(begin), all(axis.count - 1));
         part[0] = hn::Min(cut, hn::Sub(hn::Add(first, all(1)), begin));
@@ -44,13 +46,16 @@ struct Shares {
     HWY_ALIGN double value[most_cells * most_cells][HWY_LANES(double)];  ///< by rows of texels
     std::int32_t u[HWY_LANES(double)], v[HWY_LANES(double)];             ///< the first texel
     std::int32_t corner[HWY_LANES(double)];                              ///< v * width + u
-    std::int32_t inside[HWY_LANES(double)];  ///< Boxes::cells, or 0 where some are not the pixmap's
+    /// Boxes::cells, or 0 where some are not the pixmap's
+    std::int32_t inside[HWY_LANES(double)];
 };
 
 inline void share(const FacetMap& map, const Boxes& boxes, std::size_t i, Shares& shares) {
     const D d;
     constexpr double least = 1e-12;  // a point is a box too
-    const auto load = [&](const std::vector<double>& values) { return hn::LoadU(d, values.data() + i); };
+    const auto load = [&](const std::vector<double>& values) {
+        return hn::LoadU(d, values.data() + i);
+    };
     const V cells = hn::PromoteTo(d, hn::LoadU(I(), boxes.cells.data() + i));
     const auto two = hn::Eq(cells, all(2));
     const Cells u(load(boxes.u), hn::Add(load(boxes.width), all(least)), map.u, two),
@@ -61,18 +66,22 @@ inline void share(const FacetMap& map, const Boxes& boxes, std::size_t i, Shares
         for (int x = 0; x < most_cells; ++x)
             hn::Store(hn::Mul(in_row, u.part[x]), d, shares.value[y * most_cells + x]);
     }
-    const auto store = [](V values, std::int32_t* to) { hn::StoreU(hn::DemoteTo(I(), values), I(), to); };
+    const auto store = [](V values, std::int32_t* to) {
+        hn::StoreU(hn::DemoteTo(I(), values), I(), to);
+    };
     const auto fits = [&](V first, int count) { return hn::Le(hn::Add(first, cells), all(count)); };
     store(u.first, shares.u);
     store(v.first, shares.v);
     store(hn::Add(hn::Mul(v.first, all(map.u.count)), u.first), shares.corner);
-    store(hn::IfThenElseZero(hn::And(fits(u.first, map.u.count), fits(v.first, map.v.count)), cells),
-          shares.inside);
+    store(
+        hn::IfThenElseZero(hn::And(fits(u.first, map.u.count), fits(v.first, map.v.count)), cells),
+        shares.inside);
 }
 
 /// A box whose texels are all the pixmap's.
 template <int cells>
-inline void add_inside(const Shares& shares, std::size_t lane, std::ptrdiff_t width, const TexelSums& sums) {
+inline void add_inside(const Shares& shares, std::size_t lane, std::ptrdiff_t width,
+                       const TexelSums& sums) {
     const std::size_t corner = sums.first + std::size_t(shares.corner[lane]);
     double* const at = sums.factors + corner;
     const std::uint32_t* const nearest = sums.nearest ? sums.nearest + corner : nullptr;
@@ -83,14 +92,16 @@ inline void add_inside(const Shares& shares, std::size_t lane, std::ptrdiff_t wi
         }
 }
 
-HWY_NOINLINE void add_anywhere(const Shares& shares, std::size_t lane, int cells, const FacetMap& map,
-                               const TexelSums& sums) {
-    const auto at = [](int texel, int count) { return std::size_t(texel < count ? texel : count - 1); };
+HWY_NOINLINE void add_anywhere(const Shares& shares, std::size_t lane, int cells,
+                               const FacetMap& map, const TexelSums& sums) {
+    const auto at = [](int texel, int count) {
+        return std::size_t(texel < count ? texel : count - 1);
+    };
     for (int y = 0; y < cells; ++y)
         for (int x = 0; x < cells; ++x) {
-            const std::size_t texel = sums.first +
-                                      at(shares.v[lane] + y, map.v.count) * std::size_t(map.u.count) +
-                                      at(shares.u[lane] + x, map.u.count);
+            const std::size_t texel =
+                sums.first + at(shares.v[lane] + y, map.v.count) * std::size_t(map.u.count) +
+                at(shares.u[lane] + x, map.u.count);
             sums.factors[sums.nearest ? sums.nearest[texel] : texel] +=
                 shares.value[y * most_cells + x][lane];
         }
@@ -106,14 +117,16 @@ inline void add(const Shares& shares, std::size_t lane, int cells, const FacetMa
         add_anywhere(shares, lane, cells, map, sums);
 }
 
-/// Shares first, of some vectors: a division takes as long as many additions, and waits for none of them.
+/// Shares first, of some vectors: a division takes as long as many additions, and waits for none of
+/// them.
 void spread(const FacetMap& map, const Boxes& boxes, const TexelSums& sums) {
     constexpr std::size_t vectors = 8;
     const std::size_t lanes = hn::Lanes(D());
     Shares shares[vectors];
     for (std::size_t first = 0; first < boxes.count; first += vectors * lanes) {
         const std::size_t end = HWY_MIN(boxes.count, first + vectors * lanes);
-        for (std::size_t i = first; i < end; i += lanes) share(map, boxes, i, shares[(i - first) / lanes]);
+        for (std::size_t i = first; i < end; i += lanes)
+            share(map, boxes, i, shares[(i - first) / lanes]);
         for (std::size_t i = first; i < end; ++i)
             add(shares[(i - first) / lanes], (i - first) % lanes, boxes.cells[i], map, sums);
     }

@@ -12,8 +12,9 @@ struct TexelSums {
     const std::uint32_t* nearest = nullptr;  ///< null: every texel is an element
 };
 
-/// Adds the boxes' values to the texels, box by box, and empties `boxes`. A box that lies beside the facet,
-/// as a pixel on its border may, is moved, and where it is larger cut, into the facet's bounds.
+/// Adds the boxes' values to the texels, box by box, and empties `boxes`. A box that lies beside
+/// the facet, as a pixel on its border may, is moved, and where it is larger cut, into the facet's
+/// bounds.
 void spread(const FacetMap& map, Boxes& boxes, const TexelSums& sums) noexcept;
 
 /// Appends boxes first .. end - 1 of `from`. `to` has room.

@@ -15,12 +15,14 @@ Triangle2 mapped(const Facet& map, const std::array<dvec3, 3>& p) {
 }
 
 void add_planar(ModelBuilder& builder, const Chart& chart, Facet facet, std::uint32_t figure) {
-    for (std::uint32_t t : chart.triangles) facet.triangles.push_back(mapped(facet, builder.corners(t)));
+    for (std::uint32_t t : chart.triangles)
+        facet.triangles.push_back(mapped(facet, builder.corners(t)));
     builder.add_facet(std::move(facet), chart.triangles, figure);
 }
 
 void add_curved(ModelBuilder& builder, const Chart& chart, const Facet& map, std::uint32_t figure) {
-    for (std::uint32_t t : chart.triangles) builder.add_triangle(t, mapped(map, builder.corners(t)), figure);
+    for (std::uint32_t t : chart.triangles)
+        builder.add_triangle(t, mapped(map, builder.corners(t)), figure);
 }
 
 /// In the plane of a chart, from a point of it: the least and the largest coordinates.
@@ -51,8 +53,10 @@ void add_chart(ModelBuilder& builder, const Chart& chart, const std::string& nam
               height = choice.height ? choice.height : builder.texels(size.y);
     const std::uint32_t figure = builder.add_figure(builder.add_pixmap(name, width, height));
     const dvec3 corner = zero + (extent.low.x * along + extent.low.y * up);
-    const Facet map = facet_along(corner, along * (size.x / width), up * (size.y / height), chart.normal);
-    chart.planar ? add_planar(builder, chart, map, figure) : add_curved(builder, chart, map, figure);
+    const Facet map =
+        facet_along(corner, along * (size.x / width), up * (size.y / height), chart.normal);
+    chart.planar ? add_planar(builder, chart, map, figure)
+                 : add_curved(builder, chart, map, figure);
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ struct Side {
 
 class Charts {
 public:
-    explicit Charts(const Surface& surface) : surface_(surface), chart_(surface.triangles.size(), none) {
+    explicit Charts(const Surface& surface)
+        : surface_(surface), chart_(surface.triangles.size(), none) {
         for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
             const dvec3 cross = surface.cross(t);
             const double twice_area = length(cross);
@@ -29,7 +30,8 @@ public:
             normals_.push_back(solid ? cross / twice_area : dvec3(0));
             if (!solid) continue;
             for (std::size_t k = 0; k < 3; ++k) {
-                const auto [a, b] = std::minmax(surface.triangles[t][k], surface.triangles[t][(k + 1) % 3]);
+                const auto [a, b] =
+                    std::minmax(surface.triangles[t][k], surface.triangles[t][(k + 1) % 3]);
                 sides_.push_back({a, b, t});
             }
         }
@@ -56,7 +58,8 @@ private:
     template <class Visit>
     void for_each_neighbour(std::uint32_t t, Visit visit) const {
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto [a, b] = std::minmax(surface_.triangles[t][k], surface_.triangles[t][(k + 1) % 3]);
+            const auto [a, b] =
+                std::minmax(surface_.triangles[t][k], surface_.triangles[t][(k + 1) % 3]);
             for (auto s = std::lower_bound(sides_.begin(), sides_.end(), Side{a, b, 0});
                  s != sides_.end() && s->a == a && s->b == b; ++s)
                 if (s->triangle != t) visit(s->triangle, *s);
@@ -104,8 +107,8 @@ private:
                 if (dot3(side, side) <= dot3(longest, longest) * (1 + 1e-6)) continue;
                 bool inner = false;
                 for_each_neighbour(t, [&](std::uint32_t other, const Side& s) {
-                    inner =
-                        inner || (chart_[other] == number && s.a == std::min(a, b) && s.b == std::max(a, b));
+                    inner = inner || (chart_[other] == number && s.a == std::min(a, b) &&
+                                      s.b == std::max(a, b));
                 });
                 if (!inner) longest = side;
             }

@@ -32,7 +32,8 @@ Polygon2 cut_to_box(const Polygon2& polygon, const dvec2& low, const dvec2& high
 
 double area(const Polygon2& polygon) {
     double twice = 0;
-    for (int i = 2; i < polygon.n; ++i) twice += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    for (int i = 2; i < polygon.n; ++i)
+        twice += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
     return std::abs(twice) / 2;
 }
 

@@ -1,5 +1,5 @@
-// Convex polygons in a plane: cut by a line or a box, their area and centroid. Does not know what they stand
-// for.
+// Convex polygons in a plane: cut by a line or a box, their area and centroid. Does not know what
+// they stand for.
 #pragma once
 
 #include "gw/base/types.h"

@@ -51,13 +51,13 @@ void finish(Facet& facet) {
         for (std::size_t k = 0; k < 3; ++k) facet.corners[k] = facet.at(facet.triangles[0][k]);
     } else {
         facet.corner_count = 4;
-        facet.corners = {facet.at(facet.low), facet.at({facet.high.x, facet.low.y}), facet.at(facet.high),
-                         facet.at({facet.low.x, facet.high.y})};
+        facet.corners = {facet.at(facet.low), facet.at({facet.high.x, facet.low.y}),
+                         facet.at(facet.high), facet.at({facet.low.x, facet.high.y})};
     }
     facet.center = facet.at((facet.low + facet.high) / 2.0);
     for (int k = 0; k < facet.corner_count; ++k)
-        facet.radius =
-            std::max(facet.radius, length(facet.corners[static_cast<std::size_t>(k)] - facet.center));
+        facet.radius = std::max(facet.radius,
+                                length(facet.corners[static_cast<std::size_t>(k)] - facet.center));
 }
 
 }  // namespace gw::radiosity

@@ -7,7 +7,8 @@
 
 namespace gw::radiosity {
 
-/// The affine map that gives three points of a plane these texel coordinates; none where they have no area.
+/// The affine map that gives three points of a plane these texel coordinates; none where they have
+/// no area.
 std::optional<Facet> facet_of(const std::array<dvec3, 3>& p, const std::array<dvec2, 3>& uv);
 
 /// The map u = 0, v = 0 at `origin`, one texel along du and along dv.

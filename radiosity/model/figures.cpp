@@ -1,9 +1,9 @@
 #include "radiosity/model/figures.h"
 
 #include "gw/error.h"
-#include "radiosity/model/texel_coverage.h"
 #include "radiosity/model/model_builder.h"
 #include "radiosity/model/patches.h"
+#include "radiosity/model/texel_coverage.h"
 
 namespace gw::radiosity {
 
@@ -24,7 +24,8 @@ scene::Scene joined(const scene::Scene& drawn) {
         const auto first = static_cast<std::uint32_t>(whole.positions.size());
         const MeshData& mesh = object.mesh->data();
         whole.positions.insert(whole.positions.end(), mesh.positions.begin(), mesh.positions.end());
-        whole.polygon_ids.insert(whole.polygon_ids.end(), mesh.polygon_ids.begin(), mesh.polygon_ids.end());
+        whole.polygon_ids.insert(whole.polygon_ids.end(), mesh.polygon_ids.begin(),
+                                 mesh.polygon_ids.end());
         for (const std::uint32_t vertex : mesh.indices) whole.indices.push_back(first + vertex);
     }
     scene::Scene scene;
@@ -39,7 +40,8 @@ scene::Scene joined(const scene::Scene& drawn) {
 Model make_model(const scene::Scene& scene, const ModelOptions& options) {
     ModelBuilder builder(scene, options);
     for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
-        if (scene.objects[i].mesh->kind() != MeshKind::Triangles) continue;  // lines, points have no area
+        // lines, points have no area
+        if (scene.objects[i].mesh->kind() != MeshKind::Triangles) continue;
         builder.begin(i);
         scene.objects[i].pixmap.given_st ? add_given(builder) : add_automatic(builder);
         builder.end();

@@ -1,5 +1,5 @@
-// A scene's objects as figures with ST and pixmaps [F2.1]: given ST, or automatic ones where they are
-// missing. Does not compute areas of texels (coverage.h does).
+// A scene's objects as figures with ST and pixmaps [F2.1]: given ST, or automatic ones where they
+// are missing. Does not compute areas of texels (coverage.h does).
 #pragma once
 
 #include "radiosity/model/pixmap_model.h"
@@ -7,13 +7,15 @@
 namespace gw::radiosity {
 
 struct ModelOptions {
-    double texels_per_unit = 0;  ///< instead of the scene's; 0: the scene's, or 48 along its longest side
-    int patch = 4;               ///< a patch is a block of so many texels a side
+    /// instead of the scene's; 0: the scene's, or 48 along its longest side
+    double texels_per_unit = 0;
+    int patch = 4;  ///< a patch is a block of so many texels a side
 };
 
-/// Throws Error, from the file and line of the object's pixmap where there is one, for: ST that are missing,
-/// outside 0 .. 1, without area or covering a texel twice; a figure without area; a reflectance above 1; a
-/// pixmap that is larger than 4096 texels a side or shared with another size; a scene in which nothing emits.
+/// Throws Error, from the file and line of the object's pixmap where there is one, for: ST that are
+/// missing, outside 0 .. 1, without area or covering a texel twice; a figure without area; a
+/// reflectance above 1; a pixmap that is larger than 4096 texels a side or shared with another
+/// size; a scene in which nothing emits.
 Model make_model(const scene::Scene& scene, const ModelOptions& options = {});
 
 }  // namespace gw::radiosity

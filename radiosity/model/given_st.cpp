@@ -14,10 +14,12 @@ namespace {
 void check_st(const ModelBuilder& builder) {
     const MeshData& data = builder.object().mesh->data();
     if (data.texcoords.empty())
-        builder.fail("its vertices have no texture coordinates; expected some beside st = \"texcoords\"");
+        builder.fail(
+            "its vertices have no texture coordinates; expected some beside st = \"texcoords\"");
     for (const vec2& st : data.texcoords)
         if (!(st.x >= -1e-6f && st.x <= 1 + 1e-6f && st.y >= -1e-6f && st.y <= 1 + 1e-6f))
-            builder.fail(fmt::format("ST ({}, {}) lie outside its pixmap; expected 0 to 1", st.x, st.y));
+            builder.fail(
+                fmt::format("ST ({}, {}) lie outside its pixmap; expected 0 to 1", st.x, st.y));
 }
 
 class Given {
@@ -77,9 +79,9 @@ private:
             const Triangle2 uv = uv_of(t);
             for (std::size_t k = 0; facet && k < 3; ++k) {
                 const dvec2 off = facet->texel_of(p[k]) - uv[k];
-                const bool same =
-                    std::abs(off.x) < 1e-3 && std::abs(off.y) < 1e-3 &&
-                    std::abs(dot3(facet->normal, p[k]) - facet->offset) < 1e-6 * builder_.model.extent;
+                const bool same = std::abs(off.x) < 1e-3 && std::abs(off.y) < 1e-3 &&
+                                  std::abs(dot3(facet->normal, p[k]) - facet->offset) <
+                                      1e-6 * builder_.model.extent;
                 if (!same) facet.reset();
             }
         }

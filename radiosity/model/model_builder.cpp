@@ -56,7 +56,8 @@ void ModelBuilder::end() {
     for (const dvec3& p : surface_.points) mesh.positions.push_back(vec3(p));
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
         if (facet_of_triangle_[t] == no_facet) continue;
-        mesh.indices.insert(mesh.indices.end(), surface_.triangles[t].begin(), surface_.triangles[t].end());
+        mesh.indices.insert(mesh.indices.end(), surface_.triangles[t].begin(),
+                            surface_.triangles[t].end());
         mesh.polygon_ids.push_back(facet_of_triangle_[t]);
     }
     model.drawn.objects.push_back({.name = object().name, .mesh = make_mesh(std::move(mesh))});
@@ -83,8 +84,8 @@ std::uint32_t ModelBuilder::add_figure(std::uint32_t pixmap) {
     for (int c = 0; c < 3; ++c) {
         if (rho[c] > 1)
             fail(fmt::format(
-                "material '{}' reflects {} of the light that falls on it; expected Kd of at most 1", m.name,
-                m.Kd[c]));
+                "material '{}' reflects {} of the light that falls on it; expected Kd of at most 1",
+                m.name, m.Kd[c]));
         if (!(E[c] >= 0)) fail(fmt::format("emission is {}; expected 0 or more", E[c]));
     }
     model.figures.push_back({o.name, object_, pixmap, rho, E});
@@ -93,13 +94,15 @@ std::uint32_t ModelBuilder::add_figure(std::uint32_t pixmap) {
 
 std::uint32_t ModelBuilder::add_pixmap(std::string name, int width, int height) {
     if (std::max(width, height) > largest_pixmap)
-        fail(fmt::format("its pixmap has {}x{} texels; expected sides of at most {} (fewer texels a unit)",
-                         width, height, largest_pixmap));
+        fail(fmt::format(
+            "its pixmap has {}x{} texels; expected sides of at most {} (fewer texels a unit)",
+            width, height, largest_pixmap));
     const std::size_t first =
         model.pixmaps.empty() ? 0 : model.pixmaps.back().first + model.pixmaps.back().count();
     model.pixmaps.push_back({std::move(name), width, height, first, {}, false});
     if (first + model.pixmaps.back().count() > most_texels)
-        fail(fmt::format("more than {} texels in all pixmaps; expected fewer texels a unit", most_texels));
+        fail(fmt::format("more than {} texels in all pixmaps; expected fewer texels a unit",
+                         most_texels));
     return static_cast<std::uint32_t>(model.pixmaps.size() - 1);
 }
 
@@ -110,12 +113,13 @@ std::uint32_t ModelBuilder::add_shared_pixmap() {
     if (is_new) return found->second = add_pixmap(choice.name, choice.width, choice.height);
     const Pixmap& pixmap = model.pixmaps[found->second];
     if (pixmap.width != choice.width || pixmap.height != choice.height)
-        fail(fmt::format("pixmap '{}' is {}x{} here and {}x{} before; expected one size", choice.name,
-                         choice.width, choice.height, pixmap.width, pixmap.height));
+        fail(fmt::format("pixmap '{}' is {}x{} here and {}x{} before; expected one size",
+                         choice.name, choice.width, choice.height, pixmap.width, pixmap.height));
     return found->second;
 }
 
-void ModelBuilder::add_facet(Facet facet, const std::vector<std::uint32_t>& triangles, std::uint32_t figure) {
+void ModelBuilder::add_facet(Facet facet, const std::vector<std::uint32_t>& triangles,
+                             std::uint32_t figure) {
     constexpr std::size_t most = (1 << 24) - 1;  // 0 is a pixel that sees none
     if (model.facets.size() == most)
         throw Error(fmt::format("more than {} facets; an ID buffer tells no more apart", most));
@@ -131,7 +135,8 @@ void ModelBuilder::add_facet(Facet facet, const std::vector<std::uint32_t>& tria
 void ModelBuilder::add_triangle(std::uint32_t triangle, const Triangle2& uv, std::uint32_t figure) {
     std::optional<Facet> facet = facet_of(corners(triangle), uv);
     if (!facet)
-        fail("a triangle has an area, but its ST have none; expected ST that spread it in its pixmap");
+        fail(
+            "a triangle has an area, but its ST have none; expected ST that spread it in its pixmap");
     facet->triangles.push_back(uv);
     add_facet(std::move(*facet), {triangle}, figure);
 }
@@ -140,8 +145,9 @@ int ModelBuilder::texels(double length) const {
     const double per_unit = object().pixmap.texels_per_unit;
     const double n = length * (per_unit > 0 ? per_unit : texels_per_unit_);
     if (n > largest_pixmap)
-        fail(fmt::format("its pixmap would be {:.0f} texels long; expected at most {} (fewer texels a unit)",
-                         n, largest_pixmap));
+        fail(fmt::format(
+            "its pixmap would be {:.0f} texels long; expected at most {} (fewer texels a unit)", n,
+            largest_pixmap));
     return std::max(1, static_cast<int>(std::ceil(n - 1e-6)));
 }
 

@@ -1,5 +1,5 @@
-// What figures, pixmaps and facets of a model are added with, object after object. For figures.cpp and the
-// two ways to ST, automatic_st.cpp and given_st.cpp.
+// What figures, pixmaps and facets of a model are added with, object after object. For figures.cpp
+// and the two ways to ST, automatic_st.cpp and given_st.cpp.
 #pragma once
 
 #include "radiosity/model/charts.h"
@@ -18,7 +18,8 @@ public:
 
     Model model;
 
-    /// The object that is added now: its welded surface in the world, and the facets of its triangles.
+    /// The object that is added now: its welded surface in the world, and the facets of its
+    /// triangles.
     void begin(std::uint32_t object);
     const scene::Object& object() const { return scene_.objects[object_]; }
     const Surface& surface() const { return surface_; }

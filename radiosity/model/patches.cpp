@@ -31,8 +31,8 @@ Covered covered(const Model& model, const Pixmap& pixmap, const Part& part) {
     Covered best;
     for (std::uint32_t number : pixmap.facets) {
         const Facet& facet = model.facets[number];
-        if (facet.low.x >= part.high.x || facet.high.x <= part.low.x || facet.low.y >= part.high.y ||
-            facet.high.y <= part.low.y)
+        if (facet.low.x >= part.high.x || facet.high.x <= part.low.x ||
+            facet.low.y >= part.high.y || facet.high.y <= part.low.y)
             continue;
         double share = 0, largest = 0;
         dvec2 sum(0), middle_of_largest(0);
@@ -58,11 +58,13 @@ Covered covered(const Model& model, const Pixmap& pixmap, const Part& part) {
     return best;
 }
 
-/// In texels. Curved figures touch others in points, where no part would be small enough: their texels are.
+/// In texels. Curved figures touch others in points, where no part would be small enough: their
+/// texels are.
 double smallest_part(const Pixmap& pixmap, const PointOptions& options) {
     if (pixmap.facets.size() > 1) return options.smallest_part;
-    return (pixmap.whole ? 1 : 0.5) * std::min(options.smallest_part, std::min(pixmap.width, pixmap.height) *
-                                                                          options.smallest_of_pixmap);
+    return (pixmap.whole ? 1 : 0.5) *
+           std::min(options.smallest_part,
+                    std::min(pixmap.width, pixmap.height) * options.smallest_of_pixmap);
 }
 
 class Points {
@@ -82,13 +84,15 @@ private:
     void add(const Part& part, const Covered& found) {
         if (!found.facet) return;
         const dvec2 size = part.high - part.low, middle = (part.low + part.high) / 2.0;
-        const double extent = std::max(length(found.facet->du) * size.x, length(found.facet->dv) * size.y);
+        const double extent =
+            std::max(length(found.facet->du) * size.x, length(found.facet->dv) * size.y);
         const bool split = divided(part, found, extent);
         const dvec2 offset = size / (2 * std::sqrt(3.0));
         for (int quarter = 0; quarter < 4; ++quarter) {
             const dvec2 sign(quarter & 1 ? 1 : -1, quarter & 2 ? 1 : -1);
-            const Part q{{quarter & 1 ? middle.x : part.low.x, quarter & 2 ? middle.y : part.low.y},
-                         {quarter & 1 ? part.high.x : middle.x, quarter & 2 ? part.high.y : middle.y}};
+            const Part q{
+                {quarter & 1 ? middle.x : part.low.x, quarter & 2 ? middle.y : part.low.y},
+                {quarter & 1 ? part.high.x : middle.x, quarter & 2 ? part.high.y : middle.y}};
             const Covered in_quarter = covered(model_, pixmap_, q);
             if (!in_quarter.facet) continue;
             if (split) {
@@ -114,15 +118,18 @@ private:
 
     bool near_something(const dvec3& p, const Facet& own, double extent) const {
         for (const Facet& facet : model_.facets) {
-            if (&facet == &own || length(facet.center - p) - facet.radius > extent / options_.nearness)
+            if (&facet == &own ||
+                length(facet.center - p) - facet.radius > extent / options_.nearness)
                 continue;
             if (dot3(facet.normal, p) - facet.offset <= 0) continue;  // shows its back
             double high = 0;
             for (int k = 0; k < facet.corner_count; ++k)
-                high = std::max(high, dot3(own.normal, facet.corners[static_cast<std::size_t>(k)] - p));
+                high = std::max(high,
+                                dot3(own.normal, facet.corners[static_cast<std::size_t>(k)] - p));
             if (high <= 1e-6 * model_.extent) continue;
             for (const Triangle2& t : facet.triangles) {
-                const double d = length(p - nearest_point(p, facet.at(t[0]), facet.at(t[1]), facet.at(t[2])));
+                const double d =
+                    length(p - nearest_point(p, facet.at(t[0]), facet.at(t[1]), facet.at(t[2])));
                 const double seen = extent > d ? 1 : std::min(1.0, high / d);
                 if (extent * seen > options_.nearness * d) return true;
             }
@@ -145,7 +152,8 @@ std::vector<Patch> patches_of(const Model& model, int side) {
         const Pixmap& pixmap = model.pixmaps[i];
         for (int y = 0; y < pixmap.height; y += side)
             for (int x = 0; x < pixmap.width; x += side) {
-                Patch patch{i, x, y, std::min(side, pixmap.width - x), std::min(side, pixmap.height - y)};
+                Patch patch{i, x, y, std::min(side, pixmap.width - x),
+                            std::min(side, pixmap.height - y)};
                 for (int j = y; j < y + patch.height; ++j)
                     for (int k = x; k < x + patch.width; ++k) {
                         const std::size_t t =
@@ -161,7 +169,8 @@ std::vector<Patch> patches_of(const Model& model, int side) {
     return patches;
 }
 
-std::vector<ShootPoint> points_of(const Model& model, const Patch& patch, const PointOptions& options) {
+std::vector<ShootPoint> points_of(const Model& model, const Patch& patch,
+                                  const PointOptions& options) {
     std::vector<ShootPoint> points = Points(model, patch, options).points;
     double sum = 0;
     for (const ShootPoint& point : points) sum += point.share;

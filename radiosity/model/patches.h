@@ -13,21 +13,24 @@ std::vector<Patch> patches_of(const Model& model, int side);
 struct ShootPoint {
     dvec3 position{0}, normal{0};
     double share = 0;  ///< of the patch's area; the shares of a patch add up to 1
-    double size = 0;   ///< how far the part reaches: nothing that it sees is nearer than a fraction of this
+    /// how far the part reaches: nothing that it sees is nearer than a fraction of this
+    double size = 0;
 };
 
 struct PointOptions {
-    /// A part is divided while it is longer than `nearness` times its distance from what it can see; what is
-    /// farther than the part is long, but low over its plane, counts by its elevation ...
+    /// A part is divided while it is longer than `nearness` times its distance from what it can
+    /// see; what is farther than the part is long, but low over its plane, counts by its elevation
+    /// ...
     double nearness = 1;
-    /// ... but not into parts below so many texels, or so large a part of a narrow pixmap's side; half as
-    /// much where a plane figure covers texels in part. Parts of a patch that emits are divided down to
-    /// `emitter_part` texels.
+    /// ... but not into parts below so many texels, or so large a part of a narrow pixmap's side;
+    /// half as much where a plane figure covers texels in part. Parts of a patch that emits are
+    /// divided down to `emitter_part` texels.
     double smallest_part = 1, smallest_of_pixmap = 1.0 / 8, emitter_part = 2;
 };
 
-/// Four points for each undivided part: those of Gauss' rule, exact for cubic integrands, where the part is
-/// whole, and the middle of what is covered where it is not.
-std::vector<ShootPoint> points_of(const Model& model, const Patch& patch, const PointOptions& options = {});
+/// Four points for each undivided part: those of Gauss' rule, exact for cubic integrands, where the
+/// part is whole, and the middle of what is covered where it is not.
+std::vector<ShootPoint> points_of(const Model& model, const Patch& patch,
+                                  const PointOptions& options = {});
 
 }  // namespace gw::radiosity

@@ -1,10 +1,10 @@
 // Figures and their pixmaps [F2, F2.1]: what radiosity is computed on. Plain data, world space.
 // Holds no energy (solution.h does) and does not know how ST were found (figures.h does).
 //
-// A figure is a surface with one pixmap. It consists of facets: plane pieces on which ST are one affine map,
-// so that a pixel of an ID buffer maps to its texel by one homography: a planar figure is one facet, a curved
-// one has a facet for each triangle. A texel is an element, a block of texels a patch. The geometry is never
-// subdivided.
+// A figure is a surface with one pixmap. It consists of facets: plane pieces on which ST are one
+// affine map, so that a pixel of an ID buffer maps to its texel by one homography: a planar figure
+// is one facet, a curved one has a facet for each triangle. A texel is an element, a block of
+// texels a patch. The geometry is never subdivided.
 #pragma once
 
 #include "gw/base/types.h"
@@ -35,7 +35,9 @@ struct Facet {
     double radius = 0;
 
     dvec3 at(const dvec2& uv) const { return origin + (uv.x * du + uv.y * dv); }
-    dvec2 texel_of(const dvec3& p) const { return {dot3(grad_u, p - origin), dot3(grad_v, p - origin)}; }
+    dvec2 texel_of(const dvec3& p) const {
+        return {dot3(grad_u, p - origin), dot3(grad_v, p - origin)};
+    }
 };
 
 struct Pixmap {
@@ -44,7 +46,9 @@ struct Pixmap {
     std::size_t first = 0;              ///< of its texels in the arrays of Model; row 0 is t = 0
     std::vector<std::uint32_t> facets;  ///< that lie in it, ascending
     bool whole = false;                 ///< every texel is an element
-    std::size_t count() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+    std::size_t count() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
     /// Its number among all texels.
     std::size_t texel(int x, int y) const {
         return first + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -87,16 +91,18 @@ struct Model {
     std::vector<double> area, share;  ///< world area; how much of the texel is covered, 0 .. 1
     std::vector<dvec3> rho, E;        ///< means over what covers the texel
 
-    /// Elements [F2]: a texel at a figure's border, of which little is covered, receives light as one with
-    /// its nearest neighbour. Light that falls on texel t goes to element nearest[t], which is named after
-    /// its first texel; the others follow by next_of_element.
+    /// Elements [F2]: a texel at a figure's border, of which little is covered, receives light as
+    /// one with its nearest neighbour. Light that falls on texel t goes to element nearest[t],
+    /// which is named after its first texel; the others follow by next_of_element.
     std::vector<std::uint32_t> nearest, next_of_element;
     std::vector<double> element_area;  ///< at the first texel
 
-    scene::Scene drawn;           ///< the figures for id_pass: polygon identifier = facet, world coordinates
+    /// the figures for id_pass: polygon identifier = facet, world coordinates
+    scene::Scene drawn;
     std::vector<Source> sources;  ///< of drawn.objects
-    scene::Scene joined;          ///< drawn's objects as one, for hemicubes: planned once, not once an object
-    double extent = 0;            ///< diagonal of the scene's bounds
+    /// drawn's objects as one, for hemicubes: planned once, not once an object
+    scene::Scene joined;
+    double extent = 0;  ///< diagonal of the scene's bounds
 
     std::size_t texel_count() const { return area.size(); }
 };

@@ -59,7 +59,8 @@ private:
                 const double own = inside ? std::min(model_.share[pixmap.texel(x, y)], 1.0) : 0;
                 if (own > 1 - 1e-9) continue;
                 const auto other = beyond(pixmap, {x + 0.5, y + 0.5}, facets);
-                if (other) after_.at(number, x, y) = own_.at(number, x, y) * own + *other * (1 - own);
+                if (other)
+                    after_.at(number, x, y) = own_.at(number, x, y) * own + *other * (1 - own);
             }
     }
 
@@ -71,11 +72,13 @@ private:
         Place other;
         for (std::uint32_t number : facets) {
             const Facet& facet = model_.facets[number];
-            if (facet.pixmap == own.facet->pixmap || dot3(facet.normal, own.facet->normal) < least_cos ||
+            if (facet.pixmap == own.facet->pixmap ||
+                dot3(facet.normal, own.facet->normal) < least_cos ||
                 length(facet.center - own.p) - facet.radius > nearest)
                 continue;
             for (const Triangle2& t : facet.triangles) {
-                const dvec3 q = nearest_point(own.p, facet.at(t[0]), facet.at(t[1]), facet.at(t[2]));
+                const dvec3 q =
+                    nearest_point(own.p, facet.at(t[0]), facet.at(t[1]), facet.at(t[2]));
                 if (length(q - own.p) >= nearest) continue;
                 nearest = length(q - own.p);
                 other = {&facet, q};
@@ -85,7 +88,8 @@ private:
         return before_.at(other.facet->pixmap, other.facet->texel_of(other.p));
     }
 
-    /// Where a texel's middle lies in space, by the facet nearest to it; none where filters do not see it.
+    /// Where a texel's middle lies in space, by the facet nearest to it; none where filters do not
+    /// see it.
     Place place_of(const Pixmap& pixmap, const dvec2& uv) const {
         double nearest = reach;
         Place place;
@@ -95,8 +99,8 @@ private:
                 uv.y < facet.low.y - nearest || uv.y > facet.high.y + nearest)
                 continue;
             for (const Triangle2& t : facet.triangles) {
-                const double off =
-                    length(space(uv) - nearest_point(space(uv), space(t[0]), space(t[1]), space(t[2])));
+                const double off = length(
+                    space(uv) - nearest_point(space(uv), space(t[0]), space(t[1]), space(t[2])));
                 if (off >= nearest) continue;
                 nearest = off;
                 place = {&facet, facet.at(uv)};

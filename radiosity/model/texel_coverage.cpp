@@ -77,7 +77,8 @@ std::vector<char> covered_enough(const Model& model, const std::vector<double>& 
     std::vector<char> covered(share.size());
     for (const Pixmap& pixmap : model.pixmaps) {
         const auto first = share.begin() + static_cast<std::ptrdiff_t>(pixmap.first);
-        const auto fullest = std::max_element(first, first + static_cast<std::ptrdiff_t>(pixmap.count()));
+        const auto fullest =
+            std::max_element(first, first + static_cast<std::ptrdiff_t>(pixmap.count()));
         const double least = std::min(least_share, *fullest);
         for (std::size_t t = pixmap.first; t < pixmap.first + pixmap.count(); ++t)
             covered[t] = share[t] > 0 && share[t] >= least;
@@ -126,9 +127,10 @@ void cover_texels(Model& model) {
         const Figure& figure = model.figures[facet.figure];
         for (const Triangle2& triangle : facet.triangles)
             for_each_share(triangle, pixmap, [&](int x, int y, double part) {
-                const std::size_t t = pixmap.first +
-                                      static_cast<std::size_t>(y) * static_cast<std::size_t>(pixmap.width) +
-                                      static_cast<std::size_t>(x);
+                const std::size_t t =
+                    pixmap.first +
+                    static_cast<std::size_t>(y) * static_cast<std::size_t>(pixmap.width) +
+                    static_cast<std::size_t>(x);
                 const double a = part * facet.texel_area;
                 share[t] += part;
                 model.area[t] += a;

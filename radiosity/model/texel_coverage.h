@@ -1,13 +1,15 @@
-// How much of each texel the figures cover [F2.1], and what a texel at a figure's border belongs to.
+// How much of each texel the figures cover [F2.1], and what a texel at a figure's border belongs
+// to.
 #pragma once
 
 #include "radiosity/model/pixmap_model.h"
 
 namespace gw::radiosity {
 
-/// Fills in what Model has for texels, figures, facets and pixmaps being known. A texel of which less than
-/// half is covered is one element with its nearest neighbour: few pixels of an ID buffer fall on it, and a
-/// quotient by almost nothing is noise. Throws Error where figures cover a texel twice.
+/// Fills in what Model has for texels, figures, facets and pixmaps being known. A texel of which
+/// less than half is covered is one element with its nearest neighbour: few pixels of an ID buffer
+/// fall on it, and a quotient by almost nothing is noise. Throws Error where figures cover a texel
+/// twice.
 void cover_texels(Model& model);
 
 }  // namespace gw::radiosity

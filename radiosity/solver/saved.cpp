@@ -12,13 +12,15 @@ namespace gw::radiosity {
 namespace {
 
 constexpr const char* kind = "radiosity pixmaps";
-constexpr const char* version = "2";  ///< also of the form factors: going on must give the same bits
+constexpr const char* version =
+    "2";  ///< also of the form factors: going on must give the same bits
 
 /// FNV-1a over 64-bit words, twice with different beginnings.
 class Fingerprint {
 public:
     void add(std::uint64_t v) {
-        for (auto [state, odd] : {std::pair{&high_, 0x9e3779b97f4a7c15u}, std::pair{&low_, 0x100000001b3u}}) {
+        for (auto [state, odd] :
+             {std::pair{&high_, 0x9e3779b97f4a7c15u}, std::pair{&low_, 0x100000001b3u}}) {
             *state = (*state ^ v) * odd;
             *state ^= *state >> 29;
         }
@@ -117,14 +119,16 @@ std::string fingerprint(const Model& model) {
 }
 
 std::string fingerprint(const FormFactorOptions& options) {
-    return fmt::format("hemicube {} parts {} nearness {} smallest {} {} emitter {} seed {}", options.hemicube,
-                       options.scan.most_parts, options.points.nearness, options.points.smallest_part,
-                       options.points.smallest_of_pixmap, options.points.emitter_part, options.seed);
+    return fmt::format("hemicube {} parts {} nearness {} smallest {} {} emitter {} seed {}",
+                       options.hemicube, options.scan.most_parts, options.points.nearness,
+                       options.points.smallest_part, options.points.smallest_of_pixmap,
+                       options.points.emitter_part, options.seed);
 }
 
 Saved save(const Model& model, const FormFactorOptions& options, const Solution& solution) {
     Saved saved;
-    for (const Pixmap& pixmap : model.pixmaps) saved.pixmaps.push_back(pixmap_of(model, solution, pixmap));
+    for (const Pixmap& pixmap : model.pixmaps)
+        saved.pixmaps.push_back(pixmap_of(model, solution, pixmap));
     saved.facts = {{"kind", kind},
                    {"version", version},
                    {"scene", model.drawn.name},
@@ -153,7 +157,8 @@ void check_saved(const Saved& saved, const Model& model, const FormFactorOptions
                 "was computed for scene '{}' as it was then; expected one of '{}' with the same figures, "
                 "materials and pixmaps",
                 fact(saved, "scene"), model.drawn.name));
-    expect("method", fingerprint(options), fmt::format("was computed with {}", fact(saved, "method")));
+    expect("method", fingerprint(options),
+           fmt::format("was computed with {}", fact(saved, "method")));
 }
 
 Solution load(const Saved& saved, const Model& model, const FormFactorOptions& options,
@@ -163,7 +168,8 @@ Solution load(const Saved& saved, const Model& model, const FormFactorOptions& o
         return Error(file, 0, fmt::format("is damaged: {}; expected it as it was saved", what));
     };
     if (saved.pixmaps.size() != model.pixmaps.size()) throw damaged("pixmaps are missing");
-    if (contents(saved.pixmaps) != fact(saved, "contents")) throw damaged("its values have another checksum");
+    if (contents(saved.pixmaps) != fact(saved, "contents"))
+        throw damaged("its values have another checksum");
     Solution solution = initial_solution(model);
     solution.shots = std::strtoull(fact(saved, "shots").c_str(), nullptr, 10);
     solution.escaped = vector_from(fact(saved, "escaped"));

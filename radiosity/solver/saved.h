@@ -1,5 +1,5 @@
-// A solution as rectangles of float32 values, and back, bit for bit [F4]: pixmaps are resources that are
-// drawn at another time, and a computation goes on later. Does not read or write files.
+// A solution as rectangles of float32 values, and back, bit for bit [F4]: pixmaps are resources
+// that are drawn at another time, and a computation goes on later. Does not read or write files.
 #pragma once
 
 #include "radiosity/hemicube/form_factors.h"
@@ -10,8 +10,8 @@
 
 namespace gw::radiosity {
 
-/// One pixmap's texels, bottom row first. Channels: R, G, B (B = E + rho H, to look at), then H and unshot of
-/// each channel as head and rest (solution.h, storable).
+/// One pixmap's texels, bottom row first. Channels: R, G, B (B = E + rho H, to look at), then H and
+/// unshot of each channel as head and rest (solution.h, storable).
 struct SavedPixmap {
     std::string name;
     int width = 0, height = 0;
@@ -25,15 +25,15 @@ struct Saved {
     std::vector<SavedPixmap> pixmaps;
 };
 
-/// Two of these agree where going on gives the same bits: figures, pixmaps, materials; and how form factors
-/// are found.
+/// Two of these agree where going on gives the same bits: figures, pixmaps, materials; and how form
+/// factors are found.
 std::string fingerprint(const Model& model);
 std::string fingerprint(const FormFactorOptions& options);
 
 Saved save(const Model& model, const FormFactorOptions& options, const Solution& solution);
 
-/// Throws Error saying what differs: another kind of file, version, scene or method, or contents that are
-/// damaged. `file`: for the message.
+/// Throws Error saying what differs: another kind of file, version, scene or method, or contents
+/// that are damaged. `file`: for the message.
 Solution load(const Saved& saved, const Model& model, const FormFactorOptions& options,
               const std::string& file);
 

@@ -8,7 +8,8 @@ namespace gw::radiosity {
 Solution initial_solution(const Model& model) {
     Solution solution;
     solution.H.assign(model.texel_count(), dvec3(0));
-    for (const dvec3& E : model.E) solution.unshot.push_back({storable(E.x), storable(E.y), storable(E.z)});
+    for (const dvec3& E : model.E)
+        solution.unshot.push_back({storable(E.x), storable(E.y), storable(E.z)});
     return solution;
 }
 

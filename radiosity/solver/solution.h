@@ -1,5 +1,5 @@
-// The light in the pixmaps [F1c, F2.2]: what has arrived at each texel, what it has still to send on, and the
-// books. Plain data and sums; does not shoot (solver.h does).
+// The light in the pixmaps [F1c, F2.2]: what has arrived at each texel, what it has still to send
+// on, and the books. Plain data and sums; does not shoot (solver.h does).
 #pragma once
 
 #include "radiosity/model/pixmap_model.h"
@@ -11,10 +11,11 @@ namespace gw::radiosity {
 
 /// Every channel by itself. H and unshot are densities: flux by area.
 struct Solution {
-    std::vector<dvec3> H;       ///< received so far (irradiance) at each texel
-    std::vector<dvec3> unshot;  ///< of the texel's radiosity B = E + rho H, the part that it has not sent on
-    dvec3 escaped{0};           ///< flux that left the scene
-    dvec3 backs{0};             ///< flux absorbed by sides of figures that are no surface
+    std::vector<dvec3> H;  ///< received so far (irradiance) at each texel
+    /// of the texel's radiosity B = E + rho H, the part that it has not sent on
+    std::vector<dvec3> unshot;
+    dvec3 escaped{0};  ///< flux that left the scene
+    dvec3 backs{0};    ///< flux absorbed by sides of figures that are no surface
     std::uint64_t shots = 0;
     bool operator==(const Solution&) const = default;
 };
@@ -24,8 +25,8 @@ Solution initial_solution(const Model& model);
 
 dvec3 radiosity_at(const Model& model, const Solution& solution, std::size_t texel);
 
-/// The nearest value that two float32 hold, a head and a rest. All H and unshot are such values, so that
-/// files of float32 hold a solution bit for bit.
+/// The nearest value that two float32 hold, a head and a rest. All H and unshot are such values, so
+/// that files of float32 hold a solution bit for bit.
 double storable(double v);
 
 /// Energy by channel [F1c]. absorbed + unshot + escaped = emitted, but for rounding.
@@ -39,8 +40,8 @@ struct Books {
 };
 Books books(const Model& model, const Solution& solution);
 
-/// Cohen's estimate of the light that is yet to come, for display only [F1c]: as if the unshot energy were
-/// spread evenly and reflected by the mean surface for ever.
+/// Cohen's estimate of the light that is yet to come, for display only [F1c]: as if the unshot
+/// energy were spread evenly and reflected by the mean surface for ever.
 dvec3 ambient(const Model& model, const Solution& solution);
 
 }  // namespace gw::radiosity

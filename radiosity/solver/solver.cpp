@@ -10,7 +10,9 @@ namespace gw::radiosity {
 
 namespace {
 
-double magnitude(const dvec3& flux) { return (std::abs(flux.x) + std::abs(flux.y)) + std::abs(flux.z); }
+double magnitude(const dvec3& flux) {
+    return (std::abs(flux.x) + std::abs(flux.y)) + std::abs(flux.z);
+}
 
 void add(dvec3& stored, const dvec3& more) {
     for (int c = 0; c < 3; ++c) stored[c] = storable(stored[c] + more[c]);
@@ -25,7 +27,8 @@ void for_each_texel(const Model& model, const Patch& patch, Visit visit) {
     const Pixmap& pixmap = model.pixmaps[patch.pixmap];
     for (int y = patch.y; y < patch.y + patch.height; ++y)
         for (int x = patch.x; x < patch.x + patch.width; ++x)
-            visit(pixmap.first + static_cast<std::size_t>(y) * static_cast<std::size_t>(pixmap.width) +
+            visit(pixmap.first +
+                  static_cast<std::size_t>(y) * static_cast<std::size_t>(pixmap.width) +
                   static_cast<std::size_t>(x));
 }
 
@@ -38,15 +41,17 @@ Solver::Solver(Model model, const SolverOptions& options)
       solution_(initial_solution(*model_)) {}
 
 void Solver::resume(Solution solution) {
-    if (solution.H.size() != model_->texel_count() || solution.unshot.size() != model_->texel_count())
-        throw Error(
-            fmt::format("a solution of {} texels; expected {}", solution.H.size(), model_->texel_count()));
+    if (solution.H.size() != model_->texel_count() ||
+        solution.unshot.size() != model_->texel_count())
+        throw Error(fmt::format("a solution of {} texels; expected {}", solution.H.size(),
+                                model_->texel_count()));
     solution_ = std::move(solution);
 }
 
 dvec3 Solver::unshot_flux(const Patch& patch) const {
     dvec3 flux(0);
-    for_each_texel(*model_, patch, [&](std::size_t t) { flux += model_->area[t] * solution_.unshot[t]; });
+    for_each_texel(*model_, patch,
+                   [&](std::size_t t) { flux += model_->area[t] * solution_.unshot[t]; });
     return flux;
 }
 
@@ -72,13 +77,15 @@ std::optional<Shot> Solver::shoot() {
     if (flux == dvec3(0)) return std::nullopt;
     Shot shot{patch, flux, 0};
     const Row row = row_of(patch, &shot.hemicubes);
-    for_each_texel(*model_, model_->patches[patch], [&](std::size_t t) { solution_.unshot[t] = dvec3(0); });
+    for_each_texel(*model_, model_->patches[patch],
+                   [&](std::size_t t) { solution_.unshot[t] = dvec3(0); });
     receive(row, flux);
     ++solution_.shots;
     return shot;
 }
 
-// A row depends on the patch alone, so that a shot has the same bits whether the row was kept or not.
+// A row depends on the patch alone, so that a shot has the same bits whether the row was kept or
+// not.
 Row Solver::row_of(std::size_t patch, int* drawn) {
     const auto found = rows_.find(patch);
     if (found != rows_.end()) return found->second;

@@ -3,11 +3,12 @@
 //     Solver solver(make_model(scene), {.form_factors = {.hemicube = 256}});
 //     while (books(solver.model(), solver.solution()).unshot_share() > 0.01) solver.shoot();
 //
-// Does not draw pictures (display.h) and does not save (saved.h). docs/radiosity.md has a worked example.
+// Does not draw pictures (display.h) and does not save (saved.h). docs/radiosity.md has a worked
+// example.
 #pragma once
 
-#include "radiosity/model/figures.h"
 #include "radiosity/hemicube/form_factors.h"
+#include "radiosity/model/figures.h"
 #include "radiosity/solver/solution.h"
 
 #include <optional>
@@ -17,7 +18,8 @@ namespace gw::radiosity {
 
 struct SolverOptions {
     FormFactorOptions form_factors;
-    std::size_t row_memory = std::size_t{512} << 20;  ///< bytes of form factors that are kept for later shots
+    /// bytes of form factors that are kept for later shots
+    std::size_t row_memory = std::size_t{512} << 20;
 };
 
 /// What one shot was.
@@ -40,7 +42,8 @@ public:
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;
 
-    /// One shot; none where nothing is unshot. Throws FormFactors::Canceled, and nothing has changed then.
+    /// One shot; none where nothing is unshot. Throws FormFactors::Canceled, and nothing has
+    /// changed then.
     std::optional<Shot> shoot();
 
     const Model& model() const { return *model_; }
@@ -51,12 +54,12 @@ public:
     /// The patch that is next, and its unshot flux.
     std::pair<std::size_t, dvec3> brightest() const;
 
-    /// Goes on with a model in which emitters were dimmed or recoloured, reflectances changed or figures
-    /// moved: only the difference is shot [F4]. The pixmaps must be the same in number and size. After a move
-    /// the light of a patch is sent anew if it met the moved figure; patches whose part in this is, all
-    /// together, below `tolerance` of the emitted energy are left as they are. Throws Error for another
-    /// scene, Canceled as shoot does (then the model is the new one, and some light is still where it fell
-    /// before).
+    /// Goes on with a model in which emitters were dimmed or recoloured, reflectances changed or
+    /// figures moved: only the difference is shot [F4]. The pixmaps must be the same in number and
+    /// size. After a move the light of a patch is sent anew if it met the moved figure; patches
+    /// whose part in this is, all together, below `tolerance` of the emitted energy are left as
+    /// they are. Throws Error for another scene, Canceled as shoot does (then the model is the new
+    /// one, and some light is still where it fell before).
     Update update(Model model, double tolerance = 0.002);
 
 private:

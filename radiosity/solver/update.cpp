@@ -10,12 +10,15 @@ namespace gw::radiosity {
 
 namespace {
 
-double magnitude(const dvec3& flux) { return (std::abs(flux.x) + std::abs(flux.y)) + std::abs(flux.z); }
+double magnitude(const dvec3& flux) {
+    return (std::abs(flux.x) + std::abs(flux.y)) + std::abs(flux.z);
+}
 
 bool same_pixmaps(const Model& a, const Model& b) {
-    return std::equal(
-               a.pixmaps.begin(), a.pixmaps.end(), b.pixmaps.begin(), b.pixmaps.end(),
-               [](const Pixmap& p, const Pixmap& q) { return p.width == q.width && p.height == q.height; }) &&
+    return std::equal(a.pixmaps.begin(), a.pixmaps.end(), b.pixmaps.begin(), b.pixmaps.end(),
+                      [](const Pixmap& p, const Pixmap& q) {
+                          return p.width == q.width && p.height == q.height;
+                      }) &&
            a.facets.size() == b.facets.size() && a.patches.size() == b.patches.size();
 }
 
@@ -41,7 +44,8 @@ double most_to_sphere(const dvec3& from, const dvec3& center, double radius) {
 std::vector<const Facet*> moved_facets(const Model& a, const Model& b) {
     std::vector<const Facet*> moved;
     for (std::size_t i = 0; i < a.facets.size(); ++i)
-        if (!same_place(a.facets[i], b.facets[i])) moved.insert(moved.end(), {&a.facets[i], &b.facets[i]});
+        if (!same_place(a.facets[i], b.facets[i]))
+            moved.insert(moved.end(), {&a.facets[i], &b.facets[i]});
     return moved;
 }
 
@@ -75,7 +79,8 @@ void Solver::change_materials(const Model& to) {
         model_->E[t] = to.E[t];
         model_->rho[t] = to.rho[t];
         const dvec3 more = radiosity_at(*model_, solution_, t) - before;
-        for (int c = 0; c < 3; ++c) solution_.unshot[t][c] = storable(solution_.unshot[t][c] + more[c]);
+        for (int c = 0; c < 3; ++c)
+            solution_.unshot[t][c] = storable(solution_.unshot[t][c] + more[c]);
     }
     model_->figures = to.figures;
 }
@@ -93,8 +98,9 @@ Update Solver::move(Model to, double tolerance) {
         const Patch& patch = model_->patches[p];
         const dvec3 flux = shot_flux(patch);
         if (flux == dvec3(0)) continue;
-        const bool itself = !same_place(model_->facets[model_->pixmaps[patch.pixmap].facets.front()],
-                                        to.facets[to.pixmaps[patch.pixmap].facets.front()]);
+        const bool itself =
+            !same_place(model_->facets[model_->pixmaps[patch.pixmap].facets.front()],
+                        to.facets[to.pixmaps[patch.pixmap].facets.front()]);
         double part = itself ? 1 : 0;
         for (const Facet* facet : moved)
             part += most_to_sphere(middle(*model_, patch), facet->center, facet->radius);
@@ -106,17 +112,19 @@ Update Solver::move(Model to, double tolerance) {
     const dvec3 emitted = books(*model_, solution_).emitted;
     double left = sum;
     std::size_t count = 0;
-    while (count < affected.size() && left > tolerance * magnitude(emitted)) left -= affected[count++].most;
+    while (count < affected.size() && left > tolerance * magnitude(emitted))
+        left -= affected[count++].most;
     affected.resize(count);
 
-    // A patch's light is taken back with its old form factors and sent with the new ones in one go: books
-    // balance whenever this is canceled.
+    // A patch's light is taken back with its old form factors and sent with the new ones in one go:
+    // books balance whenever this is canceled.
     auto next = std::make_unique<Model>(std::move(to));
     auto next_factors = std::make_unique<FormFactors>(*next, options_.form_factors);
     Update done;
     const auto send_anew = [&] {
         for (const Affected& a : affected) {
-            const Row before = row_of(a.patch, &done.hemicubes), now = next_factors->from_patch(a.patch);
+            const Row before = row_of(a.patch, &done.hemicubes),
+                      now = next_factors->from_patch(a.patch);
             receive(before, -a.flux);
             receive(now, a.flux);
             done.hemicubes += now.hemicubes;

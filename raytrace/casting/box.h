@@ -1,5 +1,5 @@
-// An axis-aligned box in double, and a ray through it: the lecture's bounding volume [L12]. box3.h is the
-// fast hierarchy's, in float32.
+// An axis-aligned box in double, and a ray through it: the lecture's bounding volume [L12]. box3.h
+// is the fast hierarchy's, in float32.
 #pragma once
 
 #include "raytrace/casting/ray.h"
@@ -11,7 +11,8 @@
 namespace gw::raytrace {
 
 struct Box {
-    dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    dvec3 low{std::numeric_limits<double>::infinity()},
+        high{-std::numeric_limits<double>::infinity()};
 
     void add(const dvec3& p) {
         for (int k = 0; k < 3; ++k) {
@@ -25,15 +26,16 @@ struct Box {
     }
 };
 
-/// Where the ray is in the box, cut at t = 0. Slabs; parallel to one it is inside or not. The box is taken a
-/// little larger, so that rounding loses nothing that lies in its faces.
+/// Where the ray is in the box, cut at t = 0. Slabs; parallel to one it is inside or not. The box
+/// is taken a little larger, so that rounding loses nothing that lies in its faces.
 struct Interval {
     double from = 0, to = 0;
 };
 inline std::optional<Interval> through(const Box& box, const Ray& ray) {
     Interval in{0, std::numeric_limits<double>::infinity()};
     for (int k = 0; k < 3; ++k) {
-        const double slack = 1e-12 * (std::max(std::abs(box.low[k]), std::abs(box.high[k])) + 1e-300);
+        const double slack =
+            1e-12 * (std::max(std::abs(box.low[k]), std::abs(box.high[k])) + 1e-300);
         const double low = box.low[k] - slack, high = box.high[k] + slack;
         if (ray.direction[k] == 0) {
             if (ray.origin[k] < low || ray.origin[k] > high) return std::nullopt;

@@ -1,4 +1,5 @@
-// The nearest of all intersections, found by asking every polygon. [L9] Does not accelerate anything.
+// The nearest of all intersections, found by asking every polygon. [L9] Does not accelerate
+// anything.
 #pragma once
 
 #include "raytrace/casting/intersect_polygon.h"

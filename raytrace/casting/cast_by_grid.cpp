@@ -28,12 +28,14 @@ public:
         for (;;) {
             ++counts.voxels;
             for (const std::size_t i : voxels_[index(walk.at)]) asker_.ask(ray, i, hit, counts);
-            // A shape reaches into other voxels: what is met beyond this one may not be the nearest.
+            // A shape reaches into other voxels: what is met beyond this one may not be the
+            // nearest.
             const int axis = walk.next[0] < walk.next[1] ? (walk.next[0] < walk.next[2] ? 0 : 2)
                                                          : (walk.next[1] < walk.next[2] ? 1 : 2);
             if (hit && hit->t < walk.next[std::size_t(axis)]) return hit;
             walk.at[std::size_t(axis)] += walk.step[std::size_t(axis)];
-            if (walk.at[std::size_t(axis)] < 0 || walk.at[std::size_t(axis)] >= counts_[std::size_t(axis)])
+            if (walk.at[std::size_t(axis)] < 0 ||
+                walk.at[std::size_t(axis)] >= counts_[std::size_t(axis)])
                 return hit;
             walk.next[std::size_t(axis)] += walk.delta[std::size_t(axis)];
         }
@@ -72,7 +74,8 @@ private:
         return std::clamp(int((p - box_.low[k]) / voxel_[k]), 0, counts_[std::size_t(k)] - 1);
     }
     std::size_t index(const std::array<int, 3>& at) const {
-        return (std::size_t(at[2]) * std::size_t(counts_[1]) + std::size_t(at[1])) * std::size_t(counts_[0]) +
+        return (std::size_t(at[2]) * std::size_t(counts_[1]) + std::size_t(at[1])) *
+                   std::size_t(counts_[0]) +
                std::size_t(at[0]);
     }
 
@@ -113,6 +116,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<RayCaster> cast_by_grid(const Asker& asker) { return std::make_unique<Grid>(asker); }
+std::unique_ptr<RayCaster> cast_by_grid(const Asker& asker) {
+    return std::make_unique<Grid>(asker);
+}
 
 }  // namespace gw::raytrace

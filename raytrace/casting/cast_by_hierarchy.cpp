@@ -39,22 +39,28 @@ private:
         int axis = 0;
         for (int k = 1; k < 3; ++k)
             if (box.high[k] - box.low[k] > box.high[axis] - box.low[axis]) axis = k;
-        const auto middle = [&](std::size_t i) { return boxes_[i].low[axis] + boxes_[i].high[axis]; };
-        std::stable_sort(order_.begin() + std::ptrdiff_t(first), order_.begin() + std::ptrdiff_t(last),
+        const auto middle = [&](std::size_t i) {
+            return boxes_[i].low[axis] + boxes_[i].high[axis];
+        };
+        std::stable_sort(order_.begin() + std::ptrdiff_t(first),
+                         order_.begin() + std::ptrdiff_t(last),
                          [&](std::size_t a, std::size_t b) { return middle(a) < middle(b); });
-        const std::size_t left = build(first, (first + last) / 2), right = build((first + last) / 2, last);
+        const std::size_t left = build(first, (first + last) / 2),
+                          right = build((first + last) / 2, last);
         nodes_[index].left = left;
         nodes_[index].right = right;
         return index;
     }
 
-    void search(std::size_t index, const Ray& ray, std::optional<CastHit>& hit, CastCounts& counts) const {
+    void search(std::size_t index, const Ray& ray, std::optional<CastHit>& hit,
+                CastCounts& counts) const {
         const Node& node = nodes_[index];
         ++counts.boxes;
         const auto in = through(node.box, ray);
         if (!in || (hit && in->from > hit->t)) return;
         if (node.left == 0) {
-            for (std::size_t i = node.first; i < node.last; ++i) asker_.ask(ray, order_[i], hit, counts);
+            for (std::size_t i = node.first; i < node.last; ++i)
+                asker_.ask(ray, order_[i], hit, counts);
             return;
         }
         search(node.left, ray, hit, counts);

@@ -22,7 +22,8 @@ public:
             ++counts.boxes;
             const auto in = through(volume.box, ray);
             if (!in || (hit && in->from > hit->t)) continue;
-            for (std::size_t i = volume.first; i < volume.last; ++i) asker_.ask(ray, i, hit, counts);
+            for (std::size_t i = volume.first; i < volume.last; ++i)
+                asker_.ask(ray, i, hit, counts);
         }
         return hit;
     }

@@ -16,7 +16,8 @@ dvec3 normal_of(const CastShape& s, const dvec3& p) {
 
 /// Without its maps.
 scene::Material plain(scene::Material m) {
-    for (auto* maps : {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.refl, &m.refraction}) maps->clear();
+    for (auto* maps : {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.refl, &m.refraction})
+        maps->clear();
     return m;
 }
 
@@ -51,10 +52,12 @@ CastPicture cast_picture(const RayCaster& caster, const std::vector<CastShape>& 
                          const scene::Scene& scene, const scene::View& view, int threads) {
     Shader shader{shapes, scene, view, {}, {}};
     for (const scene::Material& m : scene.materials) shader.materials.push_back(plain(m));
-    for (const scene::Light& light : scene.lights) shader.lights.push_back(scene::eye_light(light, view));
+    for (const scene::Light& light : scene.lights)
+        shader.lights.push_back(scene::eye_light(light, view));
     const scene::PixelRays rays(view);
     const std::size_t width = std::size_t(view.width), height = std::size_t(view.height);
-    CastPicture picture{std::vector<Rgba>(width * height), std::vector<std::uint32_t>(width * height), {}};
+    CastPicture picture{
+        std::vector<Rgba>(width * height), std::vector<std::uint32_t>(width * height), {}};
     std::vector<CastCounts> rows(height);
     parallel_for(height, threads, [&](std::size_t y, int) {
         for (std::size_t x = 0; x < width; ++x) {
@@ -62,7 +65,8 @@ CastPicture cast_picture(const RayCaster& caster, const std::vector<CastShape>& 
             const Ray ray{pixel.o, pixel.d};
             CastCounts counts;
             const auto hit = caster.nearest(ray, counts);
-            picture.color[y * width + x] = stored(hit ? shader.color(*hit, ray) : dvec3(scene.background), 8);
+            picture.color[y * width + x] =
+                stored(hit ? shader.color(*hit, ray) : dvec3(scene.background), 8);
             picture.tests[y * width + x] = static_cast<std::uint32_t>(counts.all());
             rows[y].add(counts);
         }

@@ -17,7 +17,8 @@ std::vector<std::vector<std::uint32_t>> polygons_of(const Mesh& mesh) {
     if (data.primitive == Primitive::Quads || data.primitive == Primitive::Polygons) {
         std::size_t next = 0;
         for (std::uint32_t i = 0; i < mesh.polygon_count(); ++i) {
-            const std::size_t all = data.indices.empty() ? data.positions.size() : data.indices.size();
+            const std::size_t all =
+                data.indices.empty() ? data.positions.size() : data.indices.size();
             const std::size_t n = data.primitive == Primitive::Quads ? 4
                                   : data.polygon_sizes.empty()       ? all
                                                                      : data.polygon_sizes[i];
@@ -27,12 +28,13 @@ std::vector<std::vector<std::uint32_t>> polygons_of(const Mesh& mesh) {
         }
         return polygons;
     }
-    for (const Triangle& t : mesh.triangles()) polygons.push_back({t.vertex.begin(), t.vertex.end()});
+    for (const Triangle& t : mesh.triangles())
+        polygons.push_back({t.vertex.begin(), t.vertex.end()});
     return polygons;
 }
 
-/// The radius of the sphere around the origin that the mesh stands for: its vertices lie on it, and have its
-/// normals. None: it does not, or has too few vertices to say so.
+/// The radius of the sphere around the origin that the mesh stands for: its vertices lie on it, and
+/// have its normals. None: it does not, or has too few vertices to say so.
 std::optional<double> radius_of(const Mesh& mesh) {
     constexpr std::size_t fewest = 12;
     constexpr double rounding = 1e-5;
@@ -71,8 +73,8 @@ std::vector<CastShape> cast_shapes(const scene::Scene& scene) {
         for (const auto& polygon : polygons_of(*object.mesh)) {
             std::vector<dvec3> corners;
             for (const std::uint32_t v : polygon)
-                corners.push_back(dvec3(
-                    transform(object.world_from_object, dvec4(dvec3(object.mesh->data().positions[v]), 1))));
+                corners.push_back(dvec3(transform(
+                    object.world_from_object, dvec4(dvec3(object.mesh->data().positions[v]), 1))));
             shapes.push_back({plane_polygon(std::move(corners)), i});
         }
     }

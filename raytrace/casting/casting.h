@@ -1,6 +1,6 @@
-// Ray casting as it is taught [L9, L12]: the nearest of all intersections, with every intersection test
-// counted, by brute force or by one of the lecture's accelerations. In double, one ray at a time, to be read
-// and compared; hierarchy.h is the fast one. Does not shade.
+// Ray casting as it is taught [L9, L12]: the nearest of all intersections, with every intersection
+// test counted, by brute force or by one of the lecture's accelerations. In double, one ray at a
+// time, to be read and compared; hierarchy.h is the fast one. Does not shade.
 #pragma once
 
 #include "raytrace/casting/intersect_polygon.h"
@@ -21,9 +21,9 @@ struct CastShape {
     std::size_t object = 0;
 };
 
-/// All polygons of a scene as their meshes have them: quads as quads, concave ones whole. A mesh whose
-/// vertices lie on a sphere around its origin and have its normals (shapes `sphere` and `icosphere`), scaled
-/// the same in all directions, is the sphere itself.
+/// All polygons of a scene as their meshes have them: quads as quads, concave ones whole. A mesh
+/// whose vertices lie on a sphere around its origin and have its normals (shapes `sphere` and
+/// `icosphere`), scaled the same in all directions, is the sphere itself.
 std::vector<CastShape> cast_shapes(const scene::Scene& scene);
 
 /// How the nearest is found.

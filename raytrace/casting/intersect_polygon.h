@@ -9,14 +9,16 @@
 
 namespace gw::raytrace {
 
-/// A plane polygon made ready: its normal, and the axis along which it is projected for the inside test.
+/// A plane polygon made ready: its normal, and the axis along which it is projected for the inside
+/// test.
 struct PlanePolygon {
     std::vector<dvec3> corners;
     dvec3 normal{0};  ///< of any length
     int axis = 2;     ///< 0, 1, 2: x, y, z is left out; the normal is not 0 along it
 };
 
-/// The normal is the sum of the corners' cross products, the axis the one along which it is longest.
+/// The normal is the sum of the corners' cross products, the axis the one along which it is
+/// longest.
 PlanePolygon plane_polygon(std::vector<dvec3> corners);
 /// The same with an axis that is given: rays along it meet the projection exactly.
 PlanePolygon plane_polygon(std::vector<dvec3> corners, int axis);

@@ -13,13 +13,15 @@ Box box_of(const CastShape& s) {
     return box;
 }
 
-void Asker::ask(const Ray& ray, std::size_t i, std::optional<CastHit>& nearest, CastCounts& counts) const {
+void Asker::ask(const Ray& ray, std::size_t i, std::optional<CastHit>& nearest,
+                CastCounts& counts) const {
     ++counts.shapes;
     const auto* sphere = std::get_if<Sphere>(&shapes_[i].shape);
-    const auto t =
-        sphere ? intersect(ray, *sphere) : intersect(ray, std::get<PlanePolygon>(shapes_[i].shape), test_);
+    const auto t = sphere ? intersect(ray, *sphere)
+                          : intersect(ray, std::get<PlanePolygon>(shapes_[i].shape), test_);
     if (!t) return;
-    if (!nearest || *t < nearest->t || (*t == nearest->t && i < nearest->shape)) nearest = CastHit{i, *t};
+    if (!nearest || *t < nearest->t || (*t == nearest->t && i < nearest->shape))
+        nearest = CastHit{i, *t};
 }
 
 }  // namespace gw::raytrace

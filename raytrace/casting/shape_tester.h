@@ -1,5 +1,5 @@
-// What all methods of casting share: the box around a shape, asking one shape, keeping the nearest. Does not
-// choose whom to ask.
+// What all methods of casting share: the box around a shape, asking one shape, keeping the nearest.
+// Does not choose whom to ask.
 #pragma once
 
 #include "raytrace/casting/box.h"
@@ -16,8 +16,10 @@ class Asker {
 public:
     Asker(const std::vector<CastShape>& shapes, InsideTest test) : shapes_(shapes), test_(test) {}
 
-    /// Counts the test; `nearest` becomes the shape's hit where that is nearer, or as near and earlier.
-    void ask(const Ray& ray, std::size_t shape, std::optional<CastHit>& nearest, CastCounts& counts) const;
+    /// Counts the test; `nearest` becomes the shape's hit where that is nearer, or as near and
+    /// earlier.
+    void ask(const Ray& ray, std::size_t shape, std::optional<CastHit>& nearest,
+             CastCounts& counts) const;
 
     const std::vector<CastShape>& shapes() const { return shapes_; }
 

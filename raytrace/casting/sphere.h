@@ -13,8 +13,10 @@ struct Sphere {
     double radius = 1;
 };
 
-/// Where the ray enters the sphere, or leaves it if it starts inside; t > 0, in lengths of the direction.
-/// With |E| = 1: t^2 + 2 b t + c = 0, b = E.(P_E - S), c = |P_E - S|^2 - r^2; real where b^2 - c >= 0.
+/// Where the ray enters the sphere, or leaves it if it starts inside; t > 0, in lengths of the
+/// direction.
+/// With |E| = 1: t^2 + 2 b t + c = 0, b = E.(P_E - S), c = |P_E - S|^2 - r^2; real where b^2 - c >=
+/// 0.
 inline std::optional<double> intersect(const Ray& ray, const Sphere& sphere) {
     const double length = std::sqrt(dot3(ray.direction, ray.direction));
     const dvec3 from_center = ray.origin - sphere.center;
@@ -29,6 +31,8 @@ inline std::optional<double> intersect(const Ray& ray, const Sphere& sphere) {
 }
 
 /// N = (P - S) / r
-inline dvec3 normal_at(const Sphere& sphere, const dvec3& p) { return (p - sphere.center) / sphere.radius; }
+inline dvec3 normal_at(const Sphere& sphere, const dvec3& p) {
+    return (p - sphere.center) / sphere.radius;
+}
 
 }  // namespace gw::raytrace

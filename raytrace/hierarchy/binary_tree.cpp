@@ -12,8 +12,8 @@ namespace {
 
 /// What a node costs where a leaf, of up to eight triangles, costs 1.
 constexpr float node_cost = 0.5f;
-/// Ranges of at least this many triangles are halved level by level, those of a level in parallel; what is
-/// left then is halved to its end, in parallel too.
+/// Ranges of at least this many triangles are halved level by level, those of a level in parallel;
+/// what is left then is halved to its end, in parallel too.
 constexpr std::size_t large = 1 << 13;
 
 /// A node that may yet be halved.
@@ -24,7 +24,8 @@ struct Open {
 };
 
 BinaryNode node_of(const Range& range) {
-    return {range.box, static_cast<std::uint32_t>(range.first), static_cast<std::uint32_t>(range.last), 0};
+    return {range.box, static_cast<std::uint32_t>(range.first),
+            static_cast<std::uint32_t>(range.last), 0};
 }
 
 /// The two sides of a range, where that pays or it is too long for a leaf.
@@ -43,7 +44,8 @@ void add_children(BinaryTree& tree, const Open& parent, const std::array<Range, 
     const auto left = static_cast<std::uint32_t>(tree.size());
     tree[parent.node].left = left;
     for (const std::uint32_t side : {0u, 1u}) tree.push_back(node_of(sides[side]));
-    for (const std::uint32_t side : {1u, 0u}) open.push_back({sides[side], left + side, parent.depth + 1});
+    for (const std::uint32_t side : {1u, 0u})
+        open.push_back({sides[side], left + side, parent.depth + 1});
 }
 
 /// The tree down to ranges that are not large; `small`: these.
@@ -54,7 +56,8 @@ BinaryTree top_of_tree(std::span<Item> items, int threads, std::vector<Open>& sm
     while (!level.empty()) {
         std::vector<std::optional<std::array<Range, 2>>> sides(level.size());
         parallel_for(level.size(), threads, [&](std::size_t i, int) {
-            if (level[i].range.count() > large) sides[i] = halves(items, level[i].range, level[i].depth);
+            if (level[i].range.count() > large)
+                sides[i] = halves(items, level[i].range, level[i].depth);
         });
         std::vector<Open> next;
         for (std::size_t i = 0; i < level.size(); ++i)
@@ -75,7 +78,8 @@ BinaryTree branch_of(std::span<Item> items, const Open& root) {
     while (!open.empty()) {
         const Open next = open.back();
         open.pop_back();
-        if (const auto sides = halves(items, next.range, next.depth)) add_children(tree, next, *sides, open);
+        if (const auto sides = halves(items, next.range, next.depth))
+            add_children(tree, next, *sides, open);
     }
     return tree;
 }

@@ -15,7 +15,8 @@ struct BinaryNode {
 };
 using BinaryTree = std::vector<BinaryNode>;  ///< the first is the root
 
-/// Orders the items so that those of a node stand together. Leaves have at most width_of_tree items.
+/// Orders the items so that those of a node stand together. Leaves have at most width_of_tree
+/// items.
 BinaryTree binary_tree(std::span<Item> items, int threads);
 
 }  // namespace gw::raytrace

@@ -10,7 +10,8 @@
 namespace gw::raytrace {
 namespace {
 
-/// The scale is a little smaller than bins / extent, so that the last middle falls into the last bin.
+/// The scale is a little smaller than bins / extent, so that the last middle falls into the last
+/// bin.
 Bins bins_of(const Box3& centers, int axis, int bins) {
     const float extent = centers.high[axis] - centers.low[axis];
     const float scale = float(bins) * (1 - 0x1p-20f) / extent;
@@ -67,7 +68,8 @@ Split best_of(std::span<const Item> items, const Box3& centers) {
         if (where[axis].scale > 0) look_for_split<bins>(histogram[axis], where[axis], best);
     if (!std::isfinite(best.cost)) return best;
     const Histogram<bins>& h = histogram[std::size_t(best.bins.axis)];
-    for (int b = 0; b < bins; ++b) (b <= best.last ? best.left : best.right).add(h[std::size_t(b)].box);
+    for (int b = 0; b < bins; ++b)
+        (b <= best.last ? best.left : best.right).add(h[std::size_t(b)].box);
     return best;
 }
 
@@ -103,8 +105,10 @@ std::array<Range, 2> divide(std::span<Item> items, const Range& range, const Spl
     Box3 left, right;
     std::size_t i = range.first, j = range.last;
     for (;;) {
-        for (; i < j && split.bins.of(items[i].center) <= split.last; ++i) left.add(items[i].center);
-        for (; i < j && split.bins.of(items[j - 1].center) > split.last; --j) right.add(items[j - 1].center);
+        for (; i < j && split.bins.of(items[i].center) <= split.last; ++i)
+            left.add(items[i].center);
+        for (; i < j && split.bins.of(items[j - 1].center) > split.last; --j)
+            right.add(items[j - 1].center);
         if (i == j) break;
         std::swap(items[i], items[j - 1]);
     }

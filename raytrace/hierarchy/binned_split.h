@@ -36,7 +36,8 @@ struct Bins {
 
 /// The items whose middles fall into bins up to `last` go left.
 struct Split {
-    float cost = std::numeric_limits<float>::infinity();  ///< of both sides; infinity: there is none
+    /// of both sides; infinity: there is none
+    float cost = std::numeric_limits<float>::infinity();
     Bins bins;
     int last = 0;
     Box3 left, right;
@@ -45,8 +46,8 @@ struct Split {
 /// The cheapest of the splits between bins of the three axes; `items` are the range's.
 Split best_split(std::span<const Item> items, const Range& range);
 
-/// Orders the range's items left side first and returns the two sides. The order is the same on every
-/// machine. Without a split the range is halved by number.
+/// Orders the range's items left side first and returns the two sides. The order is the same on
+/// every machine. Without a split the range is halved by number.
 std::array<Range, 2> divide(std::span<Item> items, const Range& range, const Split& split);
 
 /// The range of all items.

@@ -1,5 +1,5 @@
-// Axis-aligned boxes of float32, four numbers a corner so that they are met a vector at a time; the fourth is
-// not looked at. Empty until something is added.
+// Axis-aligned boxes of float32, four numbers a corner so that they are met a vector at a time; the
+// fourth is not looked at. Empty until something is added.
 #pragma once
 
 #include "gw/base/types.h"

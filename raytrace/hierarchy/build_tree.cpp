@@ -17,7 +17,8 @@ constexpr std::size_t portion = 1 << 12;
 template <class Make>
 void in_portions(std::size_t count, int threads, const Make& make) {
     parallel_for((count + portion - 1) / portion, threads, [&](std::size_t part, int) {
-        for (std::size_t i = part * portion; i < std::min(count, (part + 1) * portion); ++i) make(i);
+        for (std::size_t i = part * portion; i < std::min(count, (part + 1) * portion); ++i)
+            make(i);
     });
 }
 
@@ -38,7 +39,9 @@ struct Children {
 Children wide_children(const BinaryTree& tree, std::uint32_t index) {
     Children children{{index}, 1};
     std::array<float, width_of_tree> area{};  // of those that can be opened; -1 of leaves
-    const auto area_of = [&](std::uint32_t node) { return tree[node].left ? tree[node].box.area() : -1.0f; };
+    const auto area_of = [&](std::uint32_t node) {
+        return tree[node].left ? tree[node].box.area() : -1.0f;
+    };
     area[0] = area_of(index);
     while (children.count < std::size_t(width_of_tree)) {
         const auto end = area.begin() + std::ptrdiff_t(children.count);
@@ -77,7 +80,8 @@ void fill_packet(std::span<const HierarchyTriangle> triangles, std::span<const I
         packet.triangle[i] = items[i].triangle;
         packet.polygon[i] = t.polygon;
         for (int c = 0; c < 3; ++c)
-            for (int axis = 0; axis < 3; ++axis) packet.corner[c][axis][i] = t.corner[std::size_t(c)][axis];
+            for (int axis = 0; axis < 3; ++axis)
+                packet.corner[c][axis][i] = t.corner[std::size_t(c)][axis];
     }
 }
 
@@ -92,7 +96,8 @@ Widened widen(const BinaryTree& tree) {
     wide.nodes.reserve(tree.size() / 5);
     wide.leaves.reserve(tree.size() / 2 + 1);
     wide.nodes.emplace_back();
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> open{{0, 0}};  // binary node, its wide node
+    // binary node, its wide node
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> open{{0, 0}};
     const auto child_of = [&](std::uint32_t index) {
         if (tree[index].left) {
             wide.nodes.emplace_back();

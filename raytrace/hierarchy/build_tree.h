@@ -1,5 +1,6 @@
-// Building: triangles are halved by the surface area heuristic in bins (Wald 2007) until eight or fewer are
-// left, and the binary tree is made wide by taking in the largest grandchildren (Wald, Benthin, Boulos 2008).
+// Building: triangles are halved by the surface area heuristic in bins (Wald 2007) until eight or
+// fewer are left, and the binary tree is made wide by taking in the largest grandchildren (Wald,
+// Benthin, Boulos 2008).
 // Does not search.
 #pragma once
 

@@ -1,5 +1,5 @@
-// A ray against eight boxes, or eight triangles, at a time. No fused or approximate operation: every target
-// gives the same bits.
+// A ray against eight boxes, or eight triangles, at a time. No fused or approximate operation:
+// every target gives the same bits.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raytrace/hierarchy/search.cpp"
 #include <hwy/foreach_target.h>
@@ -88,7 +88,8 @@ inline InLanes in_lanes(const Prepared& r) {
 }
 
 /// The boxes met: a bit for each, and where the ray enters them.
-inline unsigned meet_boxes(const WideNode& node, const Prepared& r, const InLanes& lanes, float* enter) {
+inline unsigned meet_boxes(const WideNode& node, const Prepared& r, const InLanes& lanes,
+                           float* enter) {
     const D d;
     const V high = all(r.high * margin);
     unsigned met = 0;
@@ -96,8 +97,10 @@ inline unsigned meet_boxes(const WideNode& node, const Prepared& r, const InLane
         V near[3], far[3];
         for (int k = 0; k < 3; ++k) {
             const int side = r.near_side[k];
-            near[k] = hn::Mul(hn::Sub(load(node.bound[k][side] + i), lanes.origin[k]), lanes.over[k]);
-            far[k] = hn::Mul(hn::Sub(load(node.bound[k][1 - side] + i), lanes.origin[k]), lanes.over_far[k]);
+            near[k] =
+                hn::Mul(hn::Sub(load(node.bound[k][side] + i), lanes.origin[k]), lanes.over[k]);
+            far[k] = hn::Mul(hn::Sub(load(node.bound[k][1 - side] + i), lanes.origin[k]),
+                             lanes.over_far[k]);
         }
         const V from = hn::Max(hn::Max(near[0], near[1]), hn::Max(near[2], lanes.low));
         const V to = hn::Min(hn::Min(far[0], far[1]), hn::Min(far[2], high));
@@ -107,8 +110,8 @@ inline unsigned meet_boxes(const WideNode& node, const Prepared& r, const InLane
     return met;
 }
 
-/// Edge functions of one triangle whose float values were 0: products of float32 are exact in double, so that
-/// the difference has the right sign.
+/// Edge functions of one triangle whose float values were 0: products of float32 are exact in
+/// double, so that the difference has the right sign.
 inline void edges_in_double(const float* x, const float* y, float* edge) {
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -134,9 +137,11 @@ inline bool meet_again(const V* x, const V* y, const V* z, const V* edge, int la
     return true;
 }
 
-/// Woop, Benthin, Wald 2013. Shrinks r.high and sets `found` to the nearest so far; any: the first will do.
+/// Woop, Benthin, Wald 2013. Shrinks r.high and sets `found` to the nearest so far; any: the first
+/// will do.
 template <bool any>
-inline bool meet_triangles(const TrianglePacket& packet, int count, Prepared& r, HierarchyHit& found) {
+inline bool meet_triangles(const TrianglePacket& packet, int count, Prepared& r,
+                           HierarchyHit& found) {
     const D d;
     const V zero = hn::Zero(d);
     for (int i = 0; i < count; i += int(hn::Lanes(d))) {
@@ -149,7 +154,9 @@ inline bool meet_triangles(const TrianglePacket& packet, int count, Prepared& r,
                            hn::Mul(all(r.sy), along));
             z[c] = hn::Mul(all(r.sz), along);
         }
-        const auto edge_of = [&](int a, int b) { return hn::Sub(hn::Mul(x[b], y[a]), hn::Mul(y[b], x[a])); };
+        const auto edge_of = [&](int a, int b) {
+            return hn::Sub(hn::Mul(x[b], y[a]), hn::Mul(y[b], x[a]));
+        };
         const V edge[3] = {edge_of(1, 2), edge_of(2, 0), edge_of(0, 1)};
         const V least = hn::Min(edge[0], hn::Min(edge[1], edge[2]));
         const V most = hn::Max(edge[0], hn::Max(edge[1], edge[2]));
@@ -157,8 +164,8 @@ inline bool meet_triangles(const TrianglePacket& packet, int count, Prepared& r,
         met &= (1u << (count - i)) - 1;
         if (met == 0) continue;
         const V sum = hn::Add(hn::Add(edge[0], edge[1]), edge[2]);
-        const V scaled =
-            hn::Add(hn::Add(hn::Mul(edge[0], z[0]), hn::Mul(edge[1], z[1])), hn::Mul(edge[2], z[2]));
+        const V scaled = hn::Add(hn::Add(hn::Mul(edge[0], z[0]), hn::Mul(edge[1], z[1])),
+                                 hn::Mul(edge[2], z[2]));
         alignas(32) float t_of[width_of_tree];
         hn::Store(hn::Div(scaled, sum), d, t_of);
         const auto is_zero = [&](const V& e) { return hn::Eq(e, zero); };
@@ -196,7 +203,9 @@ struct Later {
     Visit visit[stack_size];
     int count = 0;
 
-    void add(const WideNode& node, int i, const float* enter) { visit[count++] = {node.child[i], enter[i]}; }
+    void add(const WideNode& node, int i, const float* enter) {
+        visit[count++] = {node.child[i], enter[i]};
+    }
     /// Before those from `bottom` on that the ray enters earlier.
     void add_in_order(const WideNode& node, int i, const float* enter, int bottom) {
         int at = count++;
@@ -205,9 +214,10 @@ struct Later {
     }
 };
 
-/// The child to visit next, of those met, which are one at least; the others are visited later, the nearest
-/// first. Mostly there are one or two.
-inline std::uint32_t nearest_child(const WideNode& node, unsigned met, const float* enter, Later& later) {
+/// The child to visit next, of those met, which are one at least; the others are visited later, the
+/// nearest first. Mostly there are one or two.
+inline std::uint32_t nearest_child(const WideNode& node, unsigned met, const float* enter,
+                                   Later& later) {
     const int first = std::countr_zero(met);
     met &= met - 1;
     if (met == 0) return node.child[first];
@@ -229,7 +239,8 @@ inline std::uint32_t nearest_child(const WideNode& node, unsigned met, const flo
 }
 
 /// The same in any order.
-inline std::uint32_t last_child(const WideNode& node, unsigned met, const float* enter, Later& later) {
+inline std::uint32_t last_child(const WideNode& node, unsigned met, const float* enter,
+                                Later& later) {
     int last = std::countr_zero(met);
     for (met &= met - 1; met != 0; met &= met - 1) {
         later.add(node, last, enter);
@@ -249,12 +260,14 @@ inline HierarchyHit search(const WideTree& tree, const HierarchyRay& ray) {
     std::uint32_t child = 0;
     for (;;) {
         if (child & leaf_bit) {
-            if (meet_triangles<any>(tree.packets[packet_of_leaf(child)], count_of_leaf(child), r, found))
+            if (meet_triangles<any>(tree.packets[packet_of_leaf(child)], count_of_leaf(child), r,
+                                    found))
                 return {0, 0};
         } else {
             const WideNode& node = tree.nodes[child];
             if (const unsigned met = meet_boxes(node, r, lanes, enter); met != 0) {
-                child = any ? last_child(node, met, enter, later) : nearest_child(node, met, enter, later);
+                child = any ? last_child(node, met, enter, later)
+                            : nearest_child(node, met, enter, later);
                 continue;
             }
         }
@@ -266,7 +279,9 @@ inline HierarchyHit search(const WideTree& tree, const HierarchyRay& ray) {
     }
 }
 
-HierarchyHit nearest(const WideTree& tree, const HierarchyRay& ray) { return search<false>(tree, ray); }
+HierarchyHit nearest(const WideTree& tree, const HierarchyRay& ray) {
+    return search<false>(tree, ray);
+}
 bool any(const WideTree& tree, const HierarchyRay& ray) {
     return search<true>(tree, ray).triangle != no_polygon;
 }

@@ -1,8 +1,8 @@
 #include "raytrace/tracer/render.h"
 
 #include "gw/base/arithmetic.h"
-#include "gw/stages/fog.h"
 #include "gw/base/parallel.h"
+#include "gw/stages/fog.h"
 #include "gw/stages/vertex.h"
 #include "scene/draw/pixel_rays.h"
 
@@ -52,8 +52,9 @@ Rgba stored(const dvec3& color, int bits) {
     return {store(color.x), store(color.y), store(color.z), store(1)};
 }
 
-RaytracedPicture raytraced_picture(const Tracer& tracer, const scene::Scene& scene, const scene::View& view,
-                                   const JitterState& jitter, const Profile& profile) {
+RaytracedPicture raytraced_picture(const Tracer& tracer, const scene::Scene& scene,
+                                   const scene::View& view, const JitterState& jitter,
+                                   const Profile& profile) {
     const std::size_t pixels = std::size_t(view.width) * std::size_t(view.height);
     RaytracedPicture picture{std::vector<Rgba>(pixels), std::vector<std::uint32_t>(pixels), {}};
     const Frame frame{tracer,
@@ -62,9 +63,9 @@ RaytracedPicture raytraced_picture(const Tracer& tracer, const scene::Scene& sce
                       profile,
                       scene::PixelRays(view),
                       scene::place_in_pixel(jitter, profile.subpixel_bits)};
-    picture.counts =
-        for_pixels(view.width, view.height, tracer.options().threads,
-                   [&](int x, int y, RayCounts& counts) { trace_pixel(frame, x, y, picture, counts); });
+    picture.counts = for_pixels(
+        view.width, view.height, tracer.options().threads,
+        [&](int x, int y, RayCounts& counts) { trace_pixel(frame, x, y, picture, counts); });
     return picture;
 }
 
@@ -87,9 +88,13 @@ dvec3 seen_color(const Tracer& tracer, const Surface& surface, const scene::Scen
 double seen_through_fog(const scene::Scene& scene, const dvec3& p_eye, const Profile& profile) {
     if (!scene.fog) return 1;
     const scene::Fog& fog = *scene.fog;
-    const FogState state{
-        .enable = true, .mode = fog.mode, .density = fog.density, .start = fog.start, .end = fog.end};
-    return double(fog_factor(state, -p_eye.z, profile.color_bits)) / max_of_bits(profile.color_bits);
+    const FogState state{.enable = true,
+                         .mode = fog.mode,
+                         .density = fog.density,
+                         .start = fog.start,
+                         .end = fog.end};
+    return double(fog_factor(state, -p_eye.z, profile.color_bits)) /
+           max_of_bits(profile.color_bits);
 }
 
 RayCounts for_pixels(int width, int height, int threads,

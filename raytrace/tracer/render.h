@@ -1,5 +1,6 @@
-// The ordinary ray tracer [L9]: a ray from the eye through every pixel, the nearest of all triangles, eq. 3
-// with shadow rays, and what follows. The baseline of eq. 5 [K4f]. Does not superpose pictures.
+// The ordinary ray tracer [L9]: a ray from the eye through every pixel, the nearest of all
+// triangles, eq. 3 with shadow rays, and what follows. The baseline of eq. 5 [K4f]. Does not
+// superpose pictures.
 #pragma once
 
 #include "gw/command_list.h"
@@ -13,14 +14,17 @@ namespace gw::raytrace {
 
 /// Bottom row first.
 struct RaytracedPicture {
-    std::vector<Rgba> color;         ///< as a frame buffer of the profile holds it: clamped, to nearest
+    /// as a frame buffer of the profile holds it: clamped, to nearest
+    std::vector<Rgba> color;
     std::vector<std::uint32_t> ids;  ///< of the polygon seen; 0: the background
     RayCounts counts;
 };
 
-/// `jitter` moves the scene as the machine does [K4a]. Fog is that of the first hit, at its own distance.
-RaytracedPicture raytraced_picture(const Tracer& tracer, const scene::Scene& scene, const scene::View& view,
-                                   const JitterState& jitter, const Profile& profile);
+/// `jitter` moves the scene as the machine does [K4a]. Fog is that of the first hit, at its own
+/// distance.
+RaytracedPicture raytraced_picture(const Tracer& tracer, const scene::Scene& scene,
+                                   const scene::View& view, const JitterState& jitter,
+                                   const Profile& profile);
 
 /// The picture as a pixel rectangle, all tests off.
 CommandList commands(const RaytracedPicture& picture, const scene::View& view);
@@ -32,8 +36,8 @@ dvec3 seen_color(const Tracer& tracer, const Surface& surface, const scene::Scen
 /// 1 where nothing is lost in the scene's fog .. 0, at this eye-space point.
 double seen_through_fog(const scene::Scene& scene, const dvec3& p_eye, const Profile& profile);
 
-/// Calls body(x, y, counts) for every pixel on `threads` threads and sums the counts. Square by square:
-/// neighbouring rays meet the same nodes.
+/// Calls body(x, y, counts) for every pixel on `threads` threads and sums the counts. Square by
+/// square: neighbouring rays meet the same nodes.
 RayCounts for_pixels(int width, int height, int threads,
                      const std::function<void(int, int, RayCounts&)>& body);
 

@@ -28,7 +28,8 @@ void add_footprint(Surface& surface, const scene::WorldTriangles& triangles, con
     const auto corner = triangles.corners(surface.at.triangle);
     const auto st = triangles.texcoords(surface.at.triangle);
     const auto change = [&](const Ray& ray) {
-        return scene::mix(scene::weights_at(corner, ray.origin, ray.direction), st) - surface.point.st;
+        return scene::mix(scene::weights_at(corner, ray.origin, ray.direction), st) -
+               surface.point.st;
     };
     surface.point.st_dx = change(beside);
     surface.point.st_dy = change(above);

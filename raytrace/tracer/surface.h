@@ -12,9 +12,10 @@ struct Surface {
     scene::SurfacePoint point;  ///< eye space, for eq. 3
     scene::TrianglePoint at;    ///< world space
     dvec3 direction{0};         ///< of the ray, length 1, world space
-    dvec3 plane_normal{0};      ///< of the triangle, length 1, on the side that is seen, world space
-    dvec3 normal{0};            ///< interpolated, length 1, on the side that is seen, world space
-    bool front = true;          ///< the counter-clockwise side is seen
+    /// of the triangle, length 1, on the side that is seen, world space
+    dvec3 plane_normal{0};
+    dvec3 normal{0};    ///< interpolated, length 1, on the side that is seen, world space
+    bool front = true;  ///< the counter-clockwise side is seen
 };
 
 /// `direction` of length 1. The texture's footprint is left 0 (see add_footprint).

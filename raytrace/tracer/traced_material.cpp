@@ -26,8 +26,9 @@ TracedMaterial traced_material(const scene::Material& m) {
 bool is_traced(const scene::Material& material) { return traced_material(material).any(); }
 
 bool any_traced(const scene::Scene& scene) {
-    return std::any_of(scene.objects.begin(), scene.objects.end(),
-                       [&](const scene::Object& o) { return is_traced(scene.materials[o.material]); });
+    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const scene::Object& o) {
+        return is_traced(scene.materials[o.material]);
+    });
 }
 
 scene::Scene drawn_scene(const scene::Scene& scene) {

@@ -14,8 +14,9 @@ namespace gw::raytrace {
 ///   5, 7    F                      (1 - F) (1 - d) Tf, bent by Ni
 ///   others  not traced: reflection and refraction maps only
 ///
-/// F = Ks + (1 - Ks) (1 - cos theta)^5 (Schlick 1994), theta on the side of the thinner medium. Total
-/// reflection turns transmitted light into reflected light. Ni = 1, its default, bends nothing.
+/// F = Ks + (1 - Ks) (1 - cos theta)^5 (Schlick 1994), theta on the side of the thinner medium.
+/// Total reflection turns transmitted light into reflected light. Ni = 1, its default, bends
+/// nothing.
 struct TracedMaterial {
     dvec3 reflect{0}, transmit{0};
     double Ni = 1;
@@ -31,9 +32,9 @@ TracedMaterial traced_material(const scene::Material& material);
 bool is_traced(const scene::Material& material);
 bool any_traced(const scene::Scene& scene);
 
-/// The scene without what rays do [K4, K3.4]: traced materials lose their reflection (and, where they
-/// transmit, refraction) maps; those that transmit are drawn as opaque ones with d Ka and d Kd, and light
-/// goes through them unbent: they cast no shadow.
+/// The scene without what rays do [K4, K3.4]: traced materials lose their reflection (and, where
+/// they transmit, refraction) maps; those that transmit are drawn as opaque ones with d Ka and d
+/// Kd, and light goes through them unbent: they cast no shadow.
 scene::Scene drawn_scene(const scene::Scene& scene);
 
 }  // namespace gw::raytrace

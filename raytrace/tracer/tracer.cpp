@@ -41,11 +41,12 @@ Parting parting(const TracedMaterial& material, const Surface& s) {
               .transmit = material.transmit,
               .reflected = above(reflected(s.direction, s.normal), s.plane_normal)};
     const double eta = s.front ? 1 / material.Ni : material.Ni;
-    const auto behind = material.transmit != dvec3(0) ? bent(s.direction, s.normal, eta) : std::nullopt;
+    const auto behind =
+        material.transmit != dvec3(0) ? bent(s.direction, s.normal, eta) : std::nullopt;
     if (material.fresnel) {
         const bool from_thin = eta <= 1 || !behind;
-        p.reflect =
-            schlick(material.reflect, from_thin ? -dot3(s.direction, s.normal) : -dot3(*behind, s.normal));
+        p.reflect = schlick(material.reflect,
+                            from_thin ? -dot3(s.direction, s.normal) : -dot3(*behind, s.normal));
         p.transmit = (dvec3(1) - p.reflect) * material.transmit;
     }
     if (material.transmit == dvec3(0)) return p;
@@ -62,7 +63,8 @@ double largest(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 }  // namespace
 
-Tracer::Tracer(const scene::Scene& scene, const World& world, const scene::View& view, TraceOptions options)
+Tracer::Tracer(const scene::Scene& scene, const World& world, const scene::View& view,
+               TraceOptions options)
     : world_(world),
       view_(view),
       drawn_(drawn_scene(scene)),
@@ -83,7 +85,9 @@ bool Tracer::looks_up_maps(std::uint32_t triangle) const {
     return !(m.map_Ka.empty() && m.map_Kd.empty() && m.map_Ks.empty() && m.map_Ke.empty());
 }
 
-dvec3 Tracer::local(const Surface& surface, RayCounts& counts) const { return shaded(surface, true, counts); }
+dvec3 Tracer::local(const Surface& surface, RayCounts& counts) const {
+    return shaded(surface, true, counts);
+}
 
 dvec3 Tracer::traced(const Surface& surface, RayCounts& counts) const {
     return followed(surface, {options_.depth - 1, 1}, counts);
@@ -95,7 +99,8 @@ dvec3 Tracer::followed(const Surface& surface, const Path& path, RayCounts& coun
     const TracedMaterial& material = *look.traced;
     const Parting p = parting(material, surface);
     dvec3 sum(0);
-    const auto follow = [&](const dvec3& part, const dvec3& direction, FarMaps far, std::uint64_t& count) {
+    const auto follow = [&](const dvec3& part, const dvec3& direction, FarMaps far,
+                            std::uint64_t& count) {
         const Path next{path.rays_left - 1, path.weight * largest(part)};
         if (next.weight < least_weight) return;
         if (path.rays_left > 0) ++count;
@@ -135,9 +140,10 @@ dvec3 Tracer::shaded(const Surface& surface, bool by_rays, RayCounts& counts) co
     return sum;
 }
 
-/// Light on a face whose plane looks away from it is in shadow although interpolated normals catch it: as
-/// shadow volumes have it [K3.2].
-bool Tracer::arrives(const LightSource& source, const Surface& s, bool by_rays, RayCounts& counts) const {
+/// Light on a face whose plane looks away from it is in shadow although interpolated normals catch
+/// it: as shadow volumes have it [K3.2].
+bool Tracer::arrives(const LightSource& source, const Surface& s, bool by_rays,
+                     RayCounts& counts) const {
     const scene::Light& light = drawn_.lights[source.number];
     const bool directional = light.kind == scene::LightKind::Directional;
     const dvec3 way = directional ? -dvec3(light.direction) : dvec3(light.position) - s.at.p;
@@ -146,7 +152,8 @@ bool Tracer::arrives(const LightSource& source, const Surface& s, bool by_rays, 
     if (!(dot3(way, s.plane_normal) > 0)) return false;
     if (!by_rays) return !options_.in_shadow(source.number, s.at);
     ++counts.shadow;
-    return !world_.occluded({s.at.p, way}, directional ? std::numeric_limits<double>::infinity() : 1,
+    return !world_.occluded({s.at.p, way},
+                            directional ? std::numeric_limits<double>::infinity() : 1,
                             world_.triangles().id_of(s.at.triangle));
 }
 

@@ -1,6 +1,6 @@
-// Light along rays [L9]: eq. 3 where a ray ends, with shadows, and recursion into reflected and transmitted
-// rays. Serves the ordinary ray tracer, from the eye on, and eq. 5 [K4], from the first hit on. Does not find
-// the first hit.
+// Light along rays [L9]: eq. 3 where a ray ends, with shadows, and recursion into reflected and
+// transmitted rays. Serves the ordinary ray tracer, from the eye on, and eq. 5 [K4], from the first
+// hit on. Does not find the first hit.
 #pragma once
 
 #include "raytrace/tracer/ray_counts.h"
@@ -14,11 +14,12 @@
 namespace gw::raytrace {
 
 struct TraceOptions {
-    /// Rays in a path: the ray from the eye is the first, and with 2, as in Fig. 9 [K4f], what it meets
-    /// sends second rays, where paths end. 1: reflection maps only.
+    /// Rays in a path: the ray from the eye is the first, and with 2, as in Fig. 9 [K4f], what it
+    /// meets sends second rays, where paths end. 1: reflection maps only.
     int depth = 2;
     int threads = 0;  ///< 0: all
-    /// Whether a hit of a reflected ray is in the shadow of a light (by its number). Empty: shadow rays.
+    /// Whether a hit of a reflected ray is in the shadow of a light (by its number). Empty: shadow
+    /// rays.
     std::function<bool(std::size_t light, const scene::TrianglePoint&)> in_shadow;
 };
 
@@ -29,7 +30,8 @@ inline constexpr double least_weight = 1.0 / 2048;
 class Tracer {
 public:
     /// The world is that of the scene (its triangles are the same drawn or not).
-    Tracer(const scene::Scene& scene, const World& world, const scene::View& view, TraceOptions options);
+    Tracer(const scene::Scene& scene, const World& world, const scene::View& view,
+           TraceOptions options);
     Tracer(const Tracer&) = delete;
 
     const World& world() const { return world_; }
@@ -38,8 +40,9 @@ public:
     /// Eq. 3 of the drawn scene [K3s], lights that cast shadows found by shadow rays.
     dvec3 local(const Surface& surface, RayCounts& counts) const;
 
-    /// I_raytracing of eq. 5 [K4]: what the surface reflects and lets through of the light that arrives along
-    /// second rays and those that follow. Where a path ends, reflection maps stand for what is not traced.
+    /// I_raytracing of eq. 5 [K4]: what the surface reflects and lets through of the light that
+    /// arrives along second rays and those that follow. Where a path ends, reflection maps stand
+    /// for what is not traced.
     dvec3 traced(const Surface& surface, RayCounts& counts) const;
 
     /// Whether `traced` can be anything but black there.
@@ -74,16 +77,18 @@ private:
                    RayCounts& counts) const;
     dvec3 far_away(const dvec3& direction, FarMaps far) const;
     dvec3 shaded(const Surface& surface, bool by_rays, RayCounts& counts) const;
-    bool arrives(const LightSource& light, const Surface& surface, bool by_rays, RayCounts& counts) const;
+    bool arrives(const LightSource& light, const Surface& surface, bool by_rays,
+                 RayCounts& counts) const;
 
     const World& world_;
     const scene::View& view_;
     scene::Scene drawn_;
     TraceOptions options_;
 
-    std::vector<scene::Material> materials_;  ///< as the scene has them: traced_ refers to their maps
-    std::vector<TracedMaterial> traced_;      ///< by material
-    std::vector<Look> looks_;                 ///< by object
+    /// as the scene has them: traced_ refers to their maps
+    std::vector<scene::Material> materials_;
+    std::vector<TracedMaterial> traced_;  ///< by material
+    std::vector<Look> looks_;             ///< by object
 };
 
 }  // namespace gw::raytrace

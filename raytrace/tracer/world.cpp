@@ -56,7 +56,8 @@ HierarchyRay World::hierarchy_ray(const Ray& ray, double high, std::uint32_t fro
     return {vec3(ray.origin), float(low), vec3(ray.direction), float(std::min(high, 3e38)), from};
 }
 
-std::optional<scene::TrianglePoint> World::nearest(const Ray& ray, double high, std::uint32_t from) const {
+std::optional<scene::TrianglePoint> World::nearest(const Ray& ray, double high,
+                                                   std::uint32_t from) const {
     const auto hit = all_.nearest(hierarchy_ray(ray, high, from));
     if (!hit) return std::nullopt;
     const auto corner = triangles_.corners(hit->triangle);

@@ -41,11 +41,13 @@ std::span<const Map> maps(const Material& material, Component component) {
 
 bool has_component(const Material& material, Component component) {
     const bool by_map = component == Component::Reflection || component == Component::Refraction;
-    return coefficient(material, component) != vec3(0) && !(by_map && maps(material, component).empty());
+    return coefficient(material, component) != vec3(0) &&
+           !(by_map && maps(material, component).empty());
 }
 
 const Map* hardware_map(const Material& material) {
-    for (const auto* list : {&material.map_Kd, &material.map_Ka, &material.map_Ks, &material.map_Ke})
+    for (const auto* list :
+         {&material.map_Kd, &material.map_Ka, &material.map_Ks, &material.map_Ke})
         if (!list->empty()) return &list->front();
     return nullptr;
 }

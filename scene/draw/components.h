@@ -1,4 +1,5 @@
-// The components of an object's colour [K3]: which of the material's parameters each has, and which maps.
+// The components of an object's colour [K3]: which of the material's parameters each has, and which
+// maps.
 // Does not evaluate them: the machine, eq. 3's shading and the ray tracer do.
 #pragma once
 
@@ -18,19 +19,20 @@ inline constexpr std::array<Component, 6> components{Component::Ambient,    Comp
 /// "ambient" .. "emission": names of files and passes.
 std::string_view name_of(Component component);
 
-/// What multiplies the component's maps: Ka, Kd, Ks, Ks again for the reflection map [K3 eq. 2], Tf, Ke.
+/// What multiplies the component's maps: Ka, Kd, Ks, Ks again for the reflection map [K3 eq. 2],
+/// Tf, Ke.
 vec3 coefficient(const Material& material, Component component);
 
-/// The component's maps. The ambient component of a material without map_Ka has its map_Kd, as is usual
-/// [K3.1].
+/// The component's maps. The ambient component of a material without map_Ka has its map_Kd, as is
+/// usual [K3.1].
 std::span<const Map> maps(const Material& material, Component component);
 
-/// Whether the component can add anything: reflection and refraction exist through their maps only; the
-/// others without a map are as if theirs was white.
+/// Whether the component can add anything: reflection and refraction exist through their maps only;
+/// the others without a map are as if theirs was white.
 bool has_component(const Material& material, Component component);
 
-/// The one map of eq. 1 [K2], which modulates everything: the first of map_Kd, map_Ka, map_Ks, map_Ke; null:
-/// none.
+/// The one map of eq. 1 [K2], which modulates everything: the first of map_Kd, map_Ka, map_Ks,
+/// map_Ke; null: none.
 const Map* hardware_map(const Material& material);
 
 }  // namespace gw::scene

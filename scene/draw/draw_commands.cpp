@@ -91,7 +91,8 @@ TextureState texture_state(const Map& map) {
 }
 
 MeshRef mapped_mesh(const MeshRef& mesh, const Map& map) {
-    if ((map.scale == vec2(1) && map.offset == vec2(0)) || mesh->data().texcoords.empty()) return mesh;
+    if ((map.scale == vec2(1) && map.offset == vec2(0)) || mesh->data().texcoords.empty())
+        return mesh;
     MeshData data = mesh->data();
     for (vec2& st : data.texcoords) st = st * map.scale + map.offset;
     return make_mesh(std::move(data));

@@ -1,10 +1,11 @@
-// How a scene becomes draw commands: state of a view, placed meshes, lights in eye space, maps, identifiers.
+// How a scene becomes draw commands: state of a view, placed meshes, lights in eye space, maps,
+// identifiers.
 // Knows no passes (multipass/ does) and no pixels: it makes commands.
 #pragma once
 
 #include "gw/command_list.h"
-#include "scene/scene.h"
 #include "scene/draw/view.h"
+#include "scene/scene.h"
 
 #include <cstdint>
 #include <optional>
@@ -12,11 +13,12 @@
 
 namespace gw::scene {
 
-/// The state all passes of a view share: projection, Z compare Less with update, lighting at a local viewer,
-/// both sides of a face lit (found models know no inside).
+/// The state all passes of a view share: projection, Z compare Less with update, lighting at a
+/// local viewer, both sides of a face lit (found models know no inside).
 State view_state(const View& view);
 
-/// An object's mesh, placed before the eye. No material, no lights, no map: white light would not show it.
+/// An object's mesh, placed before the eye. No material, no lights, no map: white light would not
+/// show it.
 Draw placed(const Object& object, const View& view);
 
 /// A light in eye space. Its highlight colour is Is, or Id where it has none.
@@ -31,21 +33,21 @@ bool lights_object(const Light& light, const Object& object);
 /// How a map is looked up: mipmapped, modulating, wrapped as it says.
 TextureState texture_state(const Map& map);
 
-/// The mesh with texture coordinates scale * st + offset: the machine has no texture matrix. The same mesh
-/// where the map changes nothing.
+/// The mesh with texture coordinates scale * st + offset: the machine has no texture matrix. The
+/// same mesh where the map changes nothing.
 MeshRef mapped_mesh(const MeshRef& mesh, const Map& map);
 
-/// The identifiers of a scene's polygons [K4i]: object i has first[i], first[i] + 1, ... for its mesh's own
-/// identifiers lowest[i], lowest[i] + 1, ..., also where objects share a mesh. first[0] = 1; 0 is the
-/// background.
+/// The identifiers of a scene's polygons [K4i]: object i has first[i], first[i] + 1, ... for its
+/// mesh's own identifiers lowest[i], lowest[i] + 1, ..., also where objects share a mesh. first[0]
+/// = 1; 0 is the background.
 struct PolygonIds {
     std::vector<std::uint32_t> first, lowest;
     std::uint32_t end = 1;  ///< one more than the last identifier
 };
 PolygonIds polygon_ids(const Scene& scene);
 
-/// A polygon of a scene: its object, and its ordinal in the object's mesh (the readers number meshes without
-/// gaps).
+/// A polygon of a scene: its object, and its ordinal in the object's mesh (the readers number
+/// meshes without gaps).
 struct PolygonRef {
     std::size_t object = 0;
     std::uint32_t polygon = 0;
@@ -61,8 +63,8 @@ struct IdPass {
     ScissorState scissor;      ///< also of the clear
     ClipPlane clip;            ///< in eye space: a hemicube's horizon [F2.2]
 };
-/// The item buffer [K4i]: clears colour and depth and draws the identifier of every polygon instead of its
-/// colour. The low 24 bits of (id >> shift) come out as R, G, B: eight bits each.
+/// The item buffer [K4i]: clears colour and depth and draws the identifier of every polygon instead
+/// of its colour. The low 24 bits of (id >> shift) come out as R, G, B: eight bits each.
 CommandList id_pass(const Scene& scene, const View& view, const IdPass& options = {});
 
 /// What id_pass wrote to a pixel.

@@ -14,14 +14,15 @@ namespace {
 constexpr double seen_from[3] = {0.4, 0.35, 1};
 constexpr double margin = 1.05;
 
-/// The distance from the centre at which the corner `p` (relative to the centre, in eye axes) is just in the
-/// window.
+/// The distance from the centre at which the corner `p` (relative to the centre, in eye axes) is
+/// just in the window.
 double distance_for(const dvec3& p, double slope_x, double slope_y) {
     return p.z + std::max(std::abs(p.x) / slope_x, std::abs(p.y) / slope_y);
 }
 
 dvec3 corner_of(const dvec3& half, int corner) {
-    return {corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y, corner & 4 ? half.z : -half.z};
+    return {corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y,
+            corner & 4 ? half.z : -half.z};
 }
 
 bool emits(const Material& m) { return m.Ke != vec3(0) || !m.map_Ke.empty(); }
@@ -38,7 +39,8 @@ Camera fit_camera(const Bounds& bounds, int width, int height) {
     double distance = 0;
     for (int corner = 0; corner < 8; ++corner)
         distance = std::max(
-            distance, distance_for(transform3(eye_from_world, corner_of(half, corner)), slope_x, slope_y));
+            distance,
+            distance_for(transform3(eye_from_world, corner_of(half, corner)), slope_x, slope_y));
     if (distance == 0) distance = 1;  // a single point
     camera.at = center;
     camera.eye = center + toward * (margin * distance / std::sqrt(dot3(toward, toward)));

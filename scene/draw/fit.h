@@ -1,5 +1,5 @@
-// What a scene leaves open: a camera that sees all of it, a light, and the command line's changes to the
-// camera. Does not draw, and changes nothing that a scene says itself.
+// What a scene leaves open: a camera that sees all of it, a light, and the command line's changes
+// to the camera. Does not draw, and changes nothing that a scene says itself.
 #pragma once
 
 #include "scene/scene.h"
@@ -8,14 +8,16 @@
 
 namespace gw::scene {
 
-/// From in front, a little from the right and above, as near as the whole of `bounds` stays in the window.
+/// From in front, a little from the right and above, as near as the whole of `bounds` stays in the
+/// window.
 /// Any scale.
 Camera fit_camera(const Bounds& bounds, int width, int height);
 
 /// A directional light over the viewer's left shoulder: Ia = 0.25, Id = Is = 0.8.
 Light default_light(const Camera& camera);
 
-/// fit_camera where the scene has no camera; default_light where it has no light and nothing in it emits.
+/// fit_camera where the scene has no camera; default_light where it has no light and nothing in it
+/// emits.
 void add_defaults(Scene& scene, int width, int height);
 
 /// The command line's --eye --at --fov.

@@ -23,8 +23,8 @@ private:
     double width_, height_;
 };
 
-/// Where in its pixel a ray of a jittered picture goes through: the machine moves the scene by the jitter, so
-/// that a pixel's centre sees what lies as much the other way.
+/// Where in its pixel a ray of a jittered picture goes through: the machine moves the scene by the
+/// jitter, so that a pixel's centre sees what lies as much the other way.
 dvec2 place_in_pixel(const JitterState& jitter, int subpixel_bits);
 
 }  // namespace gw::scene

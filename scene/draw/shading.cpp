@@ -96,7 +96,8 @@ dvec3 far_color(std::span<const Map> maps, const dvec3& d) {
 
 dvec3 map_color(const Material& material, Component component, const SurfacePoint& point) {
     const auto list = maps(material, component);
-    if (component == Component::Reflection) return far_color(list, reflected(-point.to_eye, point.n));
+    if (component == Component::Reflection)
+        return far_color(list, reflected(-point.to_eye, point.n));
     if (component == Component::Refraction)
         return far_color(list, refracted(-point.to_eye, point.n, eta(material)));
     if (list.empty()) return dvec3(1);
@@ -115,20 +116,24 @@ const dvec3& MapColors::of(Component component) {
     return *color;
 }
 
-dvec3 light_color(const Material& m, const gw::Light& light, const SurfacePoint& point, MapColors& maps,
-                  double arrives) {
+dvec3 light_color(const Material& m, const gw::Light& light, const SurfacePoint& point,
+                  MapColors& maps, double arrives) {
     const bool gloss = arrives != 0 && m.Ks != vec3(0);
-    const LightTerms terms = light_terms(light, point.p, point.n, point.to_eye, double(m.Ns), gloss);
+    const LightTerms terms =
+        light_terms(light, point.p, point.n, point.to_eye, double(m.Ns), gloss);
     dvec3 sum = terms.ambient * dvec3(light.Ia) * dvec3(m.Ka) * maps.of(Component::Ambient);
     if (arrives == 0) return sum;
     if (terms.diffuse != 0)
-        sum += (arrives * terms.diffuse) * dvec3(light.Id) * dvec3(m.Kd) * maps.of(Component::Diffuse);
+        sum +=
+            (arrives * terms.diffuse) * dvec3(light.Id) * dvec3(m.Kd) * maps.of(Component::Diffuse);
     if (terms.specular != 0)
-        sum += (arrives * terms.specular) * dvec3(light.Is) * dvec3(m.Ks) * maps.of(Component::Specular);
+        sum += (arrives * terms.specular) * dvec3(light.Is) * dvec3(m.Ks) *
+               maps.of(Component::Specular);
     return sum;
 }
 
-dvec3 light_color(const Material& m, const gw::Light& light, const SurfacePoint& point, double arrives) {
+dvec3 light_color(const Material& m, const gw::Light& light, const SurfacePoint& point,
+                  double arrives) {
     MapColors maps(m, point);
     return light_color(m, light, point, maps, arrives);
 }
@@ -141,7 +146,8 @@ dvec3 own_color(const Material& material, const SurfacePoint& point) {
     return sum;
 }
 
-dvec3 shade(const Material& material, std::span<const gw::Light> lights, const SurfacePoint& point) {
+dvec3 shade(const Material& material, std::span<const gw::Light> lights,
+            const SurfacePoint& point) {
     dvec3 sum = own_color(material, point);
     MapColors maps(material, point);
     for (const gw::Light& light : lights) sum += light_color(material, light, point, maps);

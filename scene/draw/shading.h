@@ -1,6 +1,6 @@
 // Eq. 3 [K3s]: the sum of eq. 2 evaluated at one point, by renderers that shade every pixel or ray.
-// Does not find what is visible, does not follow rays and casts no shadow: the caller says how much light
-// arrives.
+// Does not find what is visible, does not follow rays and casts no shadow: the caller says how much
+// light arrives.
 #pragma once
 
 #include "gw/material.h"
@@ -13,22 +13,25 @@
 
 namespace gw::scene {
 
-/// A point of a surface as it is seen. Any space in which the lights are given too (the machine's: eye
-/// space).
+/// A point of a surface as it is seen. Any space in which the lights are given too (the machine's:
+/// eye space).
 struct SurfacePoint {
     dvec3 p{0};
     dvec3 n{0, 0, 1};       ///< length 1, on the side that is seen
     dvec3 to_eye{0, 0, 1};  ///< length 1
     dvec2 st{0};
-    dvec2 st_dx{0}, st_dy{0};  ///< change of st from one pixel to the next; 0: the finest level is looked up
+    /// change of st from one pixel to the next; 0: the finest level is looked up
+    dvec2 st_dx{0}, st_dy{0};
 };
 
-/// A map's colour at st, as it says it is looked up (scale, offset, wrap): the mean of the two pyramid levels
-/// around the footprint, four texels of each, in double. White where it has no texture.
-dvec3 sample(const Map& map, const dvec2& st, const dvec2& st_dx = dvec2(0), const dvec2& st_dy = dvec2(0));
+/// A map's colour at st, as it says it is looked up (scale, offset, wrap): the mean of the two
+/// pyramid levels around the footprint, four texels of each, in double. White where it has no
+/// texture.
+dvec3 sample(const Map& map, const dvec2& st, const dvec2& st_dx = dvec2(0),
+             const dvec2& st_dy = dvec2(0));
 
-/// The sum of the component's maps at the point [K3.1]; white without one. Reflection and refraction maps are
-/// looked up as sphere maps in eye space, and black without one.
+/// The sum of the component's maps at the point [K3.1]; white without one. Reflection and
+/// refraction maps are looked up as sphere maps in eye space, and black without one.
 dvec3 map_color(const Material& material, Component component, const SurfacePoint& point);
 
 /// What sphere maps show in direction `d` (eye space, length 1), summed: what is far away.
@@ -37,7 +40,8 @@ dvec3 far_color(std::span<const Map> maps, const dvec3& d);
 /// map_color of the components that lights have, each looked up at most once. Refers to both.
 class MapColors {
 public:
-    MapColors(const Material& material, const SurfacePoint& point) : material_(material), point_(point) {}
+    MapColors(const Material& material, const SurfacePoint& point)
+        : material_(material), point_(point) {}
     const dvec3& of(Component component);
 
 private:
@@ -46,7 +50,8 @@ private:
     std::optional<dvec3> ambient_, diffuse_, specular_;
 };
 
-/// One light's part: Ia Ka Mapa + arrives (Id Kd cos(theta) Mapd + Is Ks cos(alpha)^n Maps). [K3, K3.2]
+/// One light's part: Ia Ka Mapa + arrives (Id Kd cos(theta) Mapd + Is Ks cos(alpha)^n Maps). [K3,
+/// K3.2]
 dvec3 light_color(const Material& material, const gw::Light& light, const SurfacePoint& point,
                   double arrives = 1);
 /// The same, for several lights at one point. `maps` are of the same material and point.

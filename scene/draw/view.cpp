@@ -56,7 +56,8 @@ dmat4 projection(const Camera& camera, double aspect) {
 DepthInterval depth_interval(const Bounds& bounds, const dmat4& eye_from_world) {
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
     for (int corner = 0; corner < 8; ++corner) {
-        const dvec3 p(corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
+        const dvec3 p(corner & 1 ? bounds.high.x : bounds.low.x,
+                      corner & 2 ? bounds.high.y : bounds.low.y,
                       corner & 4 ? bounds.high.z : bounds.low.z);
         const double distance = -(transform3(dmat3(eye_from_world), p).z + eye_from_world[3].z);
         nearest = std::min(nearest, distance);
@@ -78,7 +79,8 @@ dmat4 look_at(const dvec3& eye, const dvec3& at, const dvec3& up) {
     return m;
 }
 
-dmat4 frustum(double left, double right, double bottom, double top, double near_plane, double far_plane) {
+dmat4 frustum(double left, double right, double bottom, double top, double near_plane,
+              double far_plane) {
     dmat4 m(0);
     m[0].x = 2 * near_plane / (right - left);
     m[1].y = 2 * near_plane / (top - bottom);
@@ -88,7 +90,8 @@ dmat4 frustum(double left, double right, double bottom, double top, double near_
     return m;
 }
 
-dmat4 ortho(double left, double right, double bottom, double top, double near_plane, double far_plane) {
+dmat4 ortho(double left, double right, double bottom, double top, double near_plane,
+            double far_plane) {
     dmat4 m(1);
     m[0].x = 2 / (right - left);
     m[1].y = 2 / (top - bottom);
@@ -100,7 +103,8 @@ dmat4 ortho(double left, double right, double bottom, double top, double near_pl
 
 View make_view(const Camera& camera, const Bounds& bounds, int width, int height) {
     if (width < 1 || height < 1) throw Error("a view needs a window of at least 1x1 pixels");
-    if (camera.eye == camera.at) throw Error("camera: eye and at are the same point; expected two points");
+    if (camera.eye == camera.at)
+        throw Error("camera: eye and at are the same point; expected two points");
     View view{.camera = camera, .width = width, .height = height};
     view.eye_from_world = look_at(camera.eye, camera.at, camera.up);
     fit_planes(view.camera, bounds, view.eye_from_world);
@@ -142,7 +146,8 @@ std::array<View, 6> cube_views(const dvec3& center, double near_plane, double fa
         // Rotation first: center + forward may round.
         view.eye_from_world = look_at(dvec3(0), forward, up);
         view.eye_from_world[3] = dvec4(-transform3(dmat3(view.eye_from_world), center), 1);
-        view.clip_from_eye = frustum(-near_plane, near_plane, -near_plane, near_plane, near_plane, far_plane);
+        view.clip_from_eye =
+            frustum(-near_plane, near_plane, -near_plane, near_plane, near_plane, far_plane);
     }
     return views;
 }

@@ -1,17 +1,19 @@
-// A camera at a window: where the world lies before the eye, and how it is projected. All in double, no libm.
-// Does not draw. Eye space: the eye at 0, looking along -z, y up. Clip space: GL's, -w <= x, y, z <= w.
+// A camera at a window: where the world lies before the eye, and how it is projected. All in
+// double, no libm.
+// Does not draw. Eye space: the eye at 0, looking along -z, y up. Clip space: GL's, -w <= x, y, z
+// <= w.
 #pragma once
 
-#include "gw/state.h"
 #include "gw/base/types.h"
+#include "gw/state.h"
 #include "scene/scene.h"
 
 #include <array>
 
 namespace gw::scene {
 
-/// What projects a scene into a window of width x height pixels. `camera` has its near and far plane filled
-/// in.
+/// What projects a scene into a window of width x height pixels. `camera` has its near and far
+/// plane filled in.
 struct View {
     Camera camera;
     int width = 0, height = 0;
@@ -19,16 +21,17 @@ struct View {
     dmat4 clip_from_eye{1};
 };
 
-/// The camera's view. A near or far plane of 0 is fitted to `bounds`: a little nearer and farther than
-/// anything in it, and near is never less than a 4096th of far. Throws Error where eye and at are one point,
-/// or the window has no pixels.
+/// The camera's view. A near or far plane of 0 is fitted to `bounds`: a little nearer and farther
+/// than anything in it, and near is never less than a 4096th of far. Throws Error where eye and at
+/// are one point, or the window has no pixels.
 View make_view(const Camera& camera, const Bounds& bounds, int width, int height);
 
 /// The same for a scene's own camera (which it must have: see add_defaults) and bounds.
 View make_view(const Scene& scene, int width, int height);
 
-/// Six views from `center` along +x, -x, +y, -y, +z, -z, size x size pixels each, whose frusta meet exactly:
-/// 90 degrees, matrices of 0, 1 and -1 (and near and far). Up is +y, for +y and -y it is -z and +z.
+/// Six views from `center` along +x, -x, +y, -y, +z, -z, size x size pixels each, whose frusta meet
+/// exactly: 90 degrees, matrices of 0, 1 and -1 (and near and far). Up is +y, for +y and -y it is
+/// -z and +z.
 /// Hemicubes, shadows of point lights and reflection maps share it.
 std::array<View, 6> cube_views(const dvec3& center, double near_plane, double far_plane, int size);
 
@@ -41,13 +44,15 @@ struct DepthInterval {
 };
 DepthInterval depth_interval(const Bounds& bounds, const dmat4& eye_from_world);
 
-/// World to eye: `eye` at 0, `at` on -z, `up` in the upper half of the yz plane (any up parallel to the line
-/// of sight is replaced by an axis that is not).
+/// World to eye: `eye` at 0, `at` on -z, `up` in the upper half of the yz plane (any up parallel to
+/// the line of sight is replaced by an axis that is not).
 dmat4 look_at(const dvec3& eye, const dvec3& at, const dvec3& up);
 
 /// Eye to clip for the frustum whose near rectangle is left .. right, bottom .. top (glFrustum).
-dmat4 frustum(double left, double right, double bottom, double top, double near_plane, double far_plane);
+dmat4 frustum(double left, double right, double bottom, double top, double near_plane,
+              double far_plane);
 /// Eye to clip for a box (glOrtho).
-dmat4 ortho(double left, double right, double bottom, double top, double near_plane, double far_plane);
+dmat4 ortho(double left, double right, double bottom, double top, double near_plane,
+            double far_plane);
 
 }  // namespace gw::scene

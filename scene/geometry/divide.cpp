@@ -11,13 +11,14 @@ using Corners = std::span<const std::uint32_t>;
 /// Weights of a quad's four corners, in units of 1 / (pieces * pieces).
 using Weights = std::array<double, 4>;
 
-// On a side only two terms are not 0, so its other face, which may take the corners in another order, adds
-// the same.
+// On a side only two terms are not 0, so its other face, which may take the corners in another
+// order, adds the same.
 template <class Vector>
 void add_point(std::vector<Vector>& values, Corners quad, const Weights& w, double whole) {
     if (values.empty()) return;
     glm::vec<Vector::length(), double> v[4];
-    for (std::size_t k = 0; k < 4; ++k) v[k] = glm::vec<Vector::length(), double>(values[quad[k]]) * w[k];
+    for (std::size_t k = 0; k < 4; ++k)
+        v[k] = glm::vec<Vector::length(), double>(values[quad[k]]) * w[k];
     values.push_back(Vector(((v[0] + v[1]) + (v[2] + v[3])) / whole));
 }
 
@@ -39,7 +40,8 @@ public:
 
     void add_whole(Corners face) {
         indices.insert(indices.end(), face.begin(), face.end());
-        if (mesh_.primitive == Primitive::Polygons) sizes.push_back(static_cast<std::uint32_t>(face.size()));
+        if (mesh_.primitive == Primitive::Polygons)
+            sizes.push_back(static_cast<std::uint32_t>(face.size()));
     }
 
     std::vector<std::uint32_t> indices, sizes;

@@ -23,8 +23,8 @@ dvec3 unit(const dvec3& v) {
 }
 bool is_zero(const dvec3& v) { return v == dvec3(0); }
 
-// Twice the area times the normal of the polygon's mean plane, concave ones included (Newell's sum about its
-// first corner).
+// Twice the area times the normal of the polygon's mean plane, concave ones included (Newell's sum
+// about its first corner).
 dvec3 area_vector(const ObjData& obj, const Element& face) {
     const auto position = [&](std::uint32_t i) {
         return dvec3(obj.positions[obj.corners[face.first + i].v]);
@@ -82,13 +82,14 @@ private:
         }
     }
 
-    // Lists the corners of faces by the point they are at: [begin_[p], begin_[p + 1]) of meetings_, in file
-    // order.
+    // Lists the corners of faces by the point they are at: [begin_[p], begin_[p + 1]) of meetings_,
+    // in file order.
     void meet() {
         const std::vector<std::uint32_t> point = weld(obj_.positions);
         begin_.assign(point.size() + 1, 0);
-        for_each_corner(
-            [&](std::uint32_t, std::uint32_t corner) { ++begin_[point[obj_.corners[corner].v] + 1]; });
+        for_each_corner([&](std::uint32_t, std::uint32_t corner) {
+            ++begin_[point[obj_.corners[corner].v] + 1];
+        });
         for (std::size_t p = 0; p < point.size(); ++p) begin_[p + 1] += begin_[p];
         std::vector<std::uint32_t> at = begin_;
         meetings_.resize(begin_.back());
@@ -108,8 +109,9 @@ private:
         return a.smoothing != smooth_by_angle || dot(a.normal, b.normal) >= cos_crease_;
     }
 
-    // Where the faces at a point are one smooth surface, the one sum of all corners; else 0. Spares the
-    // pairs: faces within half the crease angle of their mean are within the angle of each other.
+    // Where the faces at a point are one smooth surface, the one sum of all corners; else 0. Spares
+    // the pairs: faces within half the crease angle of their mean are within the angle of each
+    // other.
     dvec3 common_sum(std::span<const Meeting> meetings) const {
         const std::int32_t smoothing = faces_[meetings[0].face].smoothing;
         dvec3 sum(0);
@@ -119,7 +121,8 @@ private:
         }
         const dvec3 mean = unit(sum);
         for (const Meeting& m : meetings)
-            if (smoothing == smooth_by_angle && !(dot(faces_[m.face].normal, mean) >= cos_half_crease_))
+            if (smoothing == smooth_by_angle &&
+                !(dot(faces_[m.face].normal, mean) >= cos_half_crease_))
                 return dvec3(0);
         return sum;
     }
@@ -150,7 +153,8 @@ private:
             Corner& corner = obj_.corners[meeting.corner];
             if (corner.vn != absent) continue;
             if (is_zero(common)) {
-                corner.vn = index_of(normal_of(sum_at(meetings, meeting.face), meeting.face), first);
+                corner.vn =
+                    index_of(normal_of(sum_at(meetings, meeting.face), meeting.face), first);
                 continue;
             }
             if (common_index == absent) common_index = index_of(vec3(common), first);
@@ -158,7 +162,8 @@ private:
         }
     }
 
-    // Equal normals at one point (which begin at `first`) are one vn, so that the corners stay one vertex.
+    // Equal normals at one point (which begin at `first`) are one vn, so that the corners stay one
+    // vertex.
     // Where there are very many, the latest are looked through only.
     std::uint32_t index_of(const vec3& normal, std::size_t first) {
         const std::size_t size = obj_.normals.size();

@@ -30,7 +30,8 @@ dmat4 rotation(const dvec3& axis, double degrees) {
 }
 
 dmat4 rotation_xyz(const dvec3& degrees) {
-    return rotation({0, 0, 1}, degrees.z) * rotation({0, 1, 0}, degrees.y) * rotation({1, 0, 0}, degrees.x);
+    return rotation({0, 0, 1}, degrees.z) * rotation({0, 1, 0}, degrees.y) *
+           rotation({1, 0, 0}, degrees.x);
 }
 
 }  // namespace gw::scene

@@ -1,4 +1,5 @@
-// Placing an object: matrices whose bits are the same on every machine (gw/base/elementary.h, no libm).
+// Placing an object: matrices whose bits are the same on every machine (gw/base/elementary.h, no
+// libm).
 // Does not know TOML.
 #pragma once
 

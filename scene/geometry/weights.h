@@ -11,9 +11,10 @@ namespace gw::scene {
 /// Of three corners; they sum to 1.
 using Weights = std::array<double, 3>;
 
-/// Of the point where the line origin + t direction meets the triangle's plane; the first corner's where it
-/// runs along it, or the triangle has no area.
-inline Weights weights_at(const std::array<dvec3, 3>& corner, const dvec3& origin, const dvec3& direction) {
+/// Of the point where the line origin + t direction meets the triangle's plane; the first corner's
+/// where it runs along it, or the triangle has no area.
+inline Weights weights_at(const std::array<dvec3, 3>& corner, const dvec3& origin,
+                          const dvec3& direction) {
     const dvec3 u = corner[1] - corner[0], v = corner[2] - corner[0], n = cross3(u, v);
     const double slope = dot3(n, direction), size = dot3(n, n);
     if (slope == 0 || size == 0) return {1, 0, 0};

@@ -1,4 +1,5 @@
-// Positions that are the same point. Does not change them: only bit-equal ones (0 and -0 alike) are the same.
+// Positions that are the same point. Does not change them: only bit-equal ones (0 and -0 alike) are
+// the same.
 #pragma once
 
 #include "gw/base/types.h"

@@ -26,7 +26,9 @@ Meeting meet_triangle(const std::array<dvec3, 3>& corner, const dvec3& o, const 
     return {std::min({u, v, 1 - u - v}), {0, o + d * t, cross3(e1, e2)}};
 }
 
-dvec3 to_world(const dmat4& m, const vec3& v) { return transform3(dmat3(m), dvec3(v)) + dvec3(m[3]); }
+dvec3 to_world(const dmat4& m, const vec3& v) {
+    return transform3(dmat3(m), dvec3(v)) + dvec3(m[3]);
+}
 
 }  // namespace
 
@@ -66,7 +68,8 @@ std::array<dvec3, 3> WorldTriangles::plane_normals(std::uint32_t triangle) const
     return {plane, plane, plane};
 }
 
-std::optional<TrianglePoint> WorldTriangles::meet(std::uint32_t id, const dvec3& o, const dvec3& d) const {
+std::optional<TrianglePoint> WorldTriangles::meet(std::uint32_t id, const dvec3& o,
+                                                  const dvec3& d) const {
     if (std::size_t(id) + 1 >= first_.size()) return std::nullopt;
     Meeting best;
     for (std::uint32_t i = first_[id]; i < first_[id + 1]; ++i) {

@@ -1,5 +1,6 @@
-// All triangles of a scene in world space, numbered through: object by object, polygon by polygon. What rays
-// are met with, and what an item buffer's identifiers mean [K4i]. Does not search (raytrace/ does).
+// All triangles of a scene in world space, numbered through: object by object, polygon by polygon.
+// What rays are met with, and what an item buffer's identifiers mean [K4i]. Does not search
+// (raytrace/ does).
 #pragma once
 
 #include "scene/draw/draw_commands.h"
@@ -26,11 +27,13 @@ public:
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(places_.size()); }
     std::uint32_t object_of(std::uint32_t triangle) const { return places_[triangle].object; }
-    /// The identifier of its polygon: polygon_ids of scene/draw/draw_commands.h, of meshes numbered without gaps.
+    /// The identifier of its polygon: polygon_ids of scene/draw/draw_commands.h, of meshes numbered
+    /// without gaps.
     std::uint32_t id_of(std::uint32_t triangle) const { return places_[triangle].id; }
     /// The first triangle of a polygon; none: no triangle has this identifier.
     std::optional<std::uint32_t> first_of(std::uint32_t id) const {
-        if (std::size_t(id) + 1 >= first_.size() || first_[id] == first_[id + 1]) return std::nullopt;
+        if (std::size_t(id) + 1 >= first_.size() || first_[id] == first_[id + 1])
+            return std::nullopt;
         return first_[id];
     }
 
@@ -50,9 +53,10 @@ public:
         return {dvec2(vertices_[v[0]].st), dvec2(vertices_[v[1]].st), dvec2(vertices_[v[2]].st)};
     }
 
-    /// The point of polygon `id` that the ray sees: on the plane of that of its triangles which the ray goes
-    /// through, or least misses (a fragment's centre lies in the snapped triangle, which may be a sixteenth
-    /// of a pixel beside the true one). None: no polygon has this identifier, or the ray runs along it.
+    /// The point of polygon `id` that the ray sees: on the plane of that of its triangles which the
+    /// ray goes through, or least misses (a fragment's centre lies in the snapped triangle, which
+    /// may be a sixteenth of a pixel beside the true one). None: no polygon has this identifier, or
+    /// the ray runs along it.
     std::optional<TrianglePoint> meet(std::uint32_t id, const dvec3& o, const dvec3& d) const;
 
 private:
@@ -63,7 +67,8 @@ private:
     void add_vertices(const Object& object);
     std::array<dvec3, 3> plane_normals(std::uint32_t triangle) const;
 
-    /// World space; together in one line of the cache, since what meets a triangle asks for all of it.
+    /// World space; together in one line of the cache, since what meets a triangle asks for all of
+    /// it.
     struct alignas(64) PlacedVertex {
         dvec3 p{0}, n{0};  ///< n: 0 where the mesh has no normals
         vec2 st{0};

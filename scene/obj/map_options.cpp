@@ -13,8 +13,8 @@ namespace {
 
 enum class Argument { OnOff, Number, Base, Vector, Word };
 
-// `neutral` is the argument that leaves the picture as it is; others are warned about. Honoured options have
-// none.
+// `neutral` is the argument that leaves the picture as it is; others are warned about. Honoured
+// options have none.
 struct Option {
     std::string_view name;
     Argument argument;
@@ -44,12 +44,14 @@ std::optional<float> number(std::string_view word) {
 
 class MapReader {
 public:
-    MapReader(const Statements& in, Warnings& warnings) : in_(in), warnings_(warnings), rest_(in.rest()) {}
+    MapReader(const Statements& in, Warnings& warnings)
+        : in_(in), warnings_(warnings), rest_(in.rest()) {}
 
     MapStatement read(const std::filesystem::path& folder) {
         while (rest_.size() > 1 && rest_[0] == '-' && rest_[1] >= 'a' && rest_[1] <= 'z') option();
         if (rest_.empty())
-            in_.fail(std::string(in_.keyword()) + " names no file; expected options and a file name");
+            in_.fail(std::string(in_.keyword()) +
+                     " names no file; expected options and a file name");
         result_.map.file = find_file(folder, rest_);
         result_.map.origin = {in_.file(), in_.line()};
         return std::move(result_);
@@ -89,7 +91,8 @@ private:
     void on_off(const Option& option) {
         const std::string_view argument = word();
         if (argument != "on" && argument != "off") fail(option, argument, "on or off");
-        if (option.name == "-clamp") result_.map.wrap = argument == "on" ? Wrap::Clamp : Wrap::Repeat;
+        if (option.name == "-clamp")
+            result_.map.wrap = argument == "on" ? Wrap::Clamp : Wrap::Repeat;
     }
 
     void type(const Option& option) {
@@ -121,7 +124,8 @@ private:
         return values;
     }
 
-    [[noreturn]] void fail(const Option& option, std::string_view argument, std::string_view expected) {
+    [[noreturn]] void fail(const Option& option, std::string_view argument,
+                           std::string_view expected) {
         in_.fail(std::string(option.name) + " has '" + printable(argument) + "'; expected " +
                  std::string(expected));
     }
@@ -134,7 +138,8 @@ private:
 
 }  // namespace
 
-MapStatement read_map(const Statements& in, const std::filesystem::path& folder, Warnings& warnings) {
+MapStatement read_map(const Statements& in, const std::filesystem::path& folder,
+                      Warnings& warnings) {
     return MapReader(in, warnings).read(folder);
 }
 

@@ -19,6 +19,7 @@ struct MapStatement {
 /// Reads "map_Kd -s 2 2 -clamp on my wood.png"; the file is looked for in `folder` (find_file).
 /// Options that would change the picture but are not honoured are warned about.
 /// Throws Error for an unknown option, a wrong argument, no file name.
-MapStatement read_map(const Statements& in, const std::filesystem::path& folder, Warnings& warnings);
+MapStatement read_map(const Statements& in, const std::filesystem::path& folder,
+                      Warnings& warnings);
 
 }  // namespace gw::scene

@@ -1,4 +1,5 @@
-// The state that OBJ statements set (object, group, material, smoothing), and elements added under it.
+// The state that OBJ statements set (object, group, material, smoothing), and elements added under
+// it.
 // Does not read text.
 #pragma once
 
@@ -22,8 +23,8 @@ public:
     void set_group(std::string_view name);
     void set_material(std::string_view name, int line);
 
-    /// Of the corners at the end of obj.corners: one face of them all, segments between neighbours, or single
-    /// points.
+    /// Of the corners at the end of obj.corners: one face of them all, segments between neighbours,
+    /// or single points.
     void add_face(std::uint32_t corners, int line);
     void add_segments(std::uint32_t corners, int line);
     void add_points(std::uint32_t corners, int line);

@@ -2,8 +2,8 @@
 // Plain data between the steps read_obj.cpp -> normals.cpp -> obj_parts.cpp.
 #pragma once
 
-#include "gw/mesh.h"
 #include "gw/base/types.h"
+#include "gw/mesh.h"
 
 #include <cstdint>
 #include <string>
@@ -13,7 +13,8 @@ namespace gw::scene {
 
 inline constexpr std::uint32_t absent = 0xffffffff;
 
-/// A corner of a face: indices from 0 into positions, texcoords, normals; `absent` where the file gives none.
+/// A corner of a face: indices from 0 into positions, texcoords, normals; `absent` where the file
+/// gives none.
 struct Corner {
     std::uint32_t v = absent, vt = absent, vn = absent;
     bool operator==(const Corner&) const = default;
@@ -31,8 +32,8 @@ struct Element {
     std::int32_t line = 0;
 };
 
-/// What becomes one object: elements of one kind with one name and one material, wherever in the file they
-/// are.
+/// What becomes one object: elements of one kind with one name and one material, wherever in the
+/// file they are.
 struct Part {
     std::string name;      ///< `g`, else `o`, else empty
     std::string material;  ///< `usemtl`; empty: none

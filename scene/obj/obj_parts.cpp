@@ -5,7 +5,8 @@
 namespace gw::scene {
 
 std::string index_fault(std::string_view kind, long long index, std::size_t count) {
-    const std::string text = std::string(kind) + " index " + std::to_string(index) + " is out of range; ";
+    const std::string text =
+        std::string(kind) + " index " + std::to_string(index) + " is out of range; ";
     if (count == 0) return text + "the file has no " + std::string(kind);
     const std::string n = std::to_string(count);
     return text + "expected 1 .. " + n + " or -" + n + " .. -1";
@@ -28,8 +29,8 @@ void check_indices(const ObjData& obj) {
 
 namespace {
 
-// Numbers the different corners of one part in the order they come. Each position heads a list of its
-// vertices.
+// Numbers the different corners of one part in the order they come. Each position heads a list of
+// its vertices.
 class Vertices {
 public:
     explicit Vertices(std::size_t positions) : head_(positions, absent) {}
@@ -64,7 +65,8 @@ PartOrder order_by_part(const ObjData& obj) {
     for (std::size_t p = 0; p < obj.parts.size(); ++p)
         order.begin[p + 1] = order.begin[p] + obj.parts[p].elements;
     std::vector<std::uint32_t> at(order.begin);
-    for (std::uint32_t e = 0; e < obj.elements.size(); ++e) order.elements[at[obj.elements[e].part]++] = e;
+    for (std::uint32_t e = 0; e < obj.elements.size(); ++e)
+        order.elements[at[obj.elements[e].part]++] = e;
     return order;
 }
 

@@ -1,7 +1,7 @@
 #include "scene/obj/obj_tokens.h"
 
-#include "scene/text/number.h"
 #include "scene/obj/obj_parts.h"
+#include "scene/text/number.h"
 #include "scene/text/suggest.h"
 
 #include <charconv>
@@ -29,8 +29,8 @@ float read_number(const Statements& in, std::string_view word, std::string_view 
 }
 
 // One index at `at`: 1 is the first, -1 the last of the `count` read so far.
-std::uint32_t read_index(const Statements& in, std::string_view word, const char*& at, std::string_view kind,
-                         std::size_t count) {
+std::uint32_t read_index(const Statements& in, std::string_view word, const char*& at,
+                         std::string_view kind, std::size_t count) {
     int given = 0;
     const auto result = std::from_chars(at, word.data() + word.size(), given);
     if (result.ec != std::errc{}) fail_corner(in, word);
@@ -66,7 +66,8 @@ Corner read_corner(const Statements& in, std::string_view word, const ObjData& o
     corner.v = read_index(in, word, at, "v", obj.positions.size());
     if (at < end && *at == '/' && ++at < end && *at != '/')
         corner.vt = read_index(in, word, at, "vt", obj.texcoords.size());
-    if (at < end && *at == '/' && ++at < end) corner.vn = read_index(in, word, at, "vn", obj.normals.size());
+    if (at < end && *at == '/' && ++at < end)
+        corner.vn = read_index(in, word, at, "vn", obj.normals.size());
     if (at != end) fail_corner(in, word);
     return corner;
 }

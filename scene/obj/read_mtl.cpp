@@ -34,12 +34,14 @@ constexpr std::array maps{
     MapWord{"refl", &Material::refl},
 };
 
-// Understood, but nothing is drawn differently for them: surface detail, cut-outs, other programs' materials.
+// Understood, but nothing is drawn differently for them: surface detail, cut-outs, other programs'
+// materials.
 constexpr std::array not_honoured = std::to_array<std::string_view>({
-    "bump",    "map_bump", "disp",   "map_disp", "decal",     "map_decal", "map_d",  "map_tr",  "map_opacity",
-    "map_ns",  "map_ni",   "norm",   "map_aat",  "sharpness", "pr",        "pm",     "ps",      "pc",
-    "pcr",     "aniso",    "anisor", "map_pr",   "map_pm",    "map_ps",    "map_pc", "map_pcr", "map_refl",
-    "map_rma", "map_orm",  "map_kn", "km",       "it",        "kt",
+    "bump",    "map_bump",    "disp",   "map_disp", "decal",   "map_decal", "map_d",
+    "map_tr",  "map_opacity", "map_ns", "map_ni",   "norm",    "map_aat",   "sharpness",
+    "pr",      "pm",          "ps",     "pc",       "pcr",     "aniso",     "anisor",
+    "map_pr",  "map_pm",      "map_ps", "map_pc",   "map_pcr", "map_refl",  "map_rma",
+    "map_orm", "map_kn",      "km",     "it",       "kt",
 });
 
 std::string lower(std::string_view text) {
@@ -60,7 +62,8 @@ public:
             if (keyword_ == "newmtl")
                 new_material();
             else if (materials_.empty())
-                in_.fail("'" + printable(in_.keyword()) + "' before any material; expected newmtl NAME");
+                in_.fail("'" + printable(in_.keyword()) +
+                         "' before any material; expected newmtl NAME");
             else
                 statement();
         }
@@ -113,7 +116,8 @@ private:
 
     void other() {
         for (const std::string_view name : not_honoured)
-            if (keyword_ == name) return warn(name, std::string(in_.keyword()) + " is not honoured");
+            if (keyword_ == name)
+                return warn(name, std::string(in_.keyword()) + " is not honoured");
         std::vector<std::string> known{"newmtl", "Ka",     "Kd",     "Ks",  "Ke",    "Tf",
                                        "Ns",     "Ni",     "d",      "Tr",  "illum", "map_Ka",
                                        "map_Kd", "map_Ks", "map_Ke", "refl"};
@@ -128,8 +132,9 @@ private:
     // Files in the wild overstep the ranges; the nearest value in range stands in, with a warning.
     float limit(float value, float low, float high, std::string_view form) {
         if (value < low || value > high)
-            warn(std::string(keyword_) + " range",
-                 std::string(in_.keyword()) + " is out of range and limited to " + std::string(form));
+            warn(std::string(keyword_) + " range", std::string(in_.keyword()) +
+                                                       " is out of range and limited to " +
+                                                       std::string(form));
         return std::clamp(value, low, high);
     }
 
@@ -144,8 +149,8 @@ private:
         std::string_view rest = in_.rest();
         const std::string_view first = take_word(rest);
         if (first == "spectral" || first == "xyz")
-            in_.fail(std::string(in_.keyword()) + " " + std::string(first) + " is not supported; expected " +
-                     form);
+            in_.fail(std::string(in_.keyword()) + " " + std::string(first) +
+                     " is not supported; expected " + form);
         std::array<float, 3> n{};
         const std::size_t count = read_numbers(in_, in_.rest(), n, form);
         if (count != 1 && count != 3) fail_count(in_, count, form);
@@ -200,10 +205,12 @@ private:
                      " is not supported; expected refl -type sphere");
         const Map& map = statement.map;
         const auto same = [&](const Map& m) {
-            return m.file == map.file && m.wrap == map.wrap && m.offset == map.offset && m.scale == map.scale;
+            return m.file == map.file && m.wrap == map.wrap && m.offset == map.offset &&
+                   m.scale == map.scale;
         };
         if (std::ranges::any_of(list, same))
-            return warn("map again", std::string(in_.keyword()) + " again with the same map; it counts once");
+            return warn("map again",
+                        std::string(in_.keyword()) + " again with the same map; it counts once");
         list.push_back(map);
     }
 

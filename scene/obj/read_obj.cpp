@@ -16,7 +16,8 @@ namespace gw::scene {
 
 namespace {
 
-// Statements of the format that nothing is drawn for: free-form geometry, display hints, superseded ones.
+// Statements of the format that nothing is drawn for: free-form geometry, display hints, superseded
+// ones.
 constexpr std::array not_honoured = std::to_array<std::string_view>({
     "cstype",     "deg",       "bmat", "step", "curv", "curv2", "surf",   "parm",   "trim",
     "hole",       "scrv",      "sp",   "end",  "con",  "vp",    "ctech",  "stech",  "bevel",
@@ -51,7 +52,8 @@ private:
         for (const Keyword& keyword : keywords)
             if (in_.keyword() == keyword.name) return (this->*keyword.read)();
         for (const std::string_view name : not_honoured)
-            if (in_.keyword() == name) return warn(name, std::string(name) + " statements are not drawn");
+            if (in_.keyword() == name)
+                return warn(name, std::string(name) + " statements are not drawn");
         std::vector<std::string> known(not_honoured.begin(), not_honoured.end());
         for (const Keyword& keyword : keywords) known.emplace_back(keyword.name);
         in_.fail(unknown("statement", in_.keyword(), known));
@@ -87,7 +89,8 @@ private:
         std::array<float, 3> n{};
         if (const std::size_t count = read_numbers(in_, in_.rest(), n, form); count < 3)
             fail_count(in_, count, form);
-        if (n == std::array<float, 3>{}) warn("vn", "vn of length 0: the faces' own normals stand in");
+        if (n == std::array<float, 3>{})
+            warn("vn", "vn of length 0: the faces' own normals stand in");
         build_.obj.normals.emplace_back(n[0], n[1], n[2]);
     }
 
@@ -95,11 +98,13 @@ private:
     std::uint32_t corners(std::uint32_t least) {
         std::uint32_t count = 0;
         std::string_view rest = in_.rest();
-        for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest), ++count)
+        for (std::string_view word = take_word(rest); !word.empty();
+             word = take_word(rest), ++count)
             build_.obj.corners.push_back(read_corner(in_, word, build_.obj));
         if (count < least)
             in_.fail(std::string(in_.keyword()) + " has " + std::to_string(count) +
-                     (count == 1 ? " corner" : " corners") + "; expected at least " + std::to_string(least));
+                     (count == 1 ? " corner" : " corners") + "; expected at least " +
+                     std::to_string(least));
         return count;
     }
     void face() { build_.add_face(corners(3), in_.line()); }
@@ -117,14 +122,15 @@ private:
         const std::string_view word = take_word(rest);
         std::uint32_t group = word == "on";
         const auto result = std::from_chars(word.data(), word.data() + word.size(), group);
-        const bool number =
-            result.ec == std::errc{} && result.ptr == word.data() + word.size() && group <= 0x7fffffff;
+        const bool number = result.ec == std::errc{} && result.ptr == word.data() + word.size() &&
+                            group <= 0x7fffffff;
         if (!number && word != "on" && word != "off")
             in_.fail("s has '" + printable(word) + "'; expected off, on or a number from 0");
         build_.smoothing = static_cast<std::int32_t>(group);
     }
 
-    // File names may hold blanks, and several may stand on a line: the longest names that exist are taken.
+    // File names may hold blanks, and several may stand on a line: the longest names that exist are
+    // taken.
     void library() {
         std::string_view rest = in_.rest();
         if (rest.empty()) in_.fail("mtllib names no file; expected one or more");
@@ -132,11 +138,13 @@ private:
             const auto [name, path] = longest_file(rest);
             rest = trim(rest.substr(name.size()));
             if (!libraries_.insert(path).second) continue;
-            for (Material& material : read_mtl(path, warnings_)) materials_.push_back(std::move(material));
+            for (Material& material : read_mtl(path, warnings_))
+                materials_.push_back(std::move(material));
         }
     }
     std::pair<std::string_view, std::filesystem::path> longest_file(std::string_view names) {
-        for (std::size_t size = names.size(); size != names.npos; size = names.find_last_of(" \t", size - 1))
+        for (std::size_t size = names.size(); size != names.npos;
+             size = names.find_last_of(" \t", size - 1))
             if (const auto path = existing_file(folder_, trim(names.substr(0, size))))
                 return {names.substr(0, size), *path};
         const std::filesystem::path path = find_file(folder_, names);

@@ -1,5 +1,5 @@
-// Wavefront OBJ, read strictly: what is wrong is an error with its line. docs/scenes.md says what is
-// understood. Does not triangulate (make_mesh does) and does not read textures.
+// Wavefront OBJ, read strictly: what is wrong is an error with its line. docs/scenes.md says what
+// is understood. Does not triangulate (make_mesh does) and does not read textures.
 #pragma once
 
 #include "scene/scene.h"
@@ -13,8 +13,10 @@
 namespace gw::scene {
 
 struct ObjOptions {
-    /// Degrees. Given: faces without normals are smoothed by this angle, whatever the `s` statements say.
-    /// Absent: `s` statements are honoured, and faces before any of them are smoothed by 60 degrees.
+    /// Degrees. Given: faces without normals are smoothed by this angle, whatever the `s`
+    /// statements say.
+    /// Absent: `s` statements are honoured, and faces before any of them are smoothed by 60
+    /// degrees.
     std::optional<double> crease;
 };
 

@@ -15,9 +15,12 @@ MeshData face(dvec3 center, dvec3 right, dvec3 up, int columns, int rows) {
     return make_grid(
         columns, rows,
         [&](int column, int row) {
-            const dvec3 position = center + across(column, columns) * right + across(row, rows) * up;
+            const dvec3 position =
+                center + across(column, columns) * right + across(row, rows) * up;
             return GridVertex{
-                position, normal, {static_cast<double>(column) / columns, static_cast<double>(row) / rows}};
+                position,
+                normal,
+                {static_cast<double>(column) / columns, static_cast<double>(row) / rows}};
         },
         Primitive::Quads);
 }

@@ -25,14 +25,17 @@ void lay_flat(MeshData& disc, double radius) {
 
 MeshData cap(double radius, double y, bool up, int slices, int rings) {
     const dvec2 middle{0, y}, border{radius, y};
-    MeshData disc = revolve(up ? straight(border, middle, rings) : straight(middle, border, rings), slices);
+    MeshData disc =
+        revolve(up ? straight(border, middle, rings) : straight(middle, border, rings), slices);
     lay_flat(disc, radius);
     return disc;
 }
 
 }  // namespace
 
-MeshData make_disc(double radius, int slices, int rings) { return cap(radius, 0, true, slices, rings); }
+MeshData make_disc(double radius, int slices, int rings) {
+    return cap(radius, 0, true, slices, rings);
+}
 
 MeshData make_cylinder(double radius, double height, int slices, int stacks, bool capped) {
     MeshData mesh = revolve(straight({radius, -height / 2}, {radius, height / 2}, stacks), slices);

@@ -5,7 +5,8 @@
 
 namespace gw::scene {
 
-/// In the plane y = 0, facing up, in `rings` rings. s, t lay a picture over it: s along x, t along -z.
+/// In the plane y = 0, facing up, in `rings` rings. s, t lay a picture over it: s along x, t along
+/// -z.
 MeshData make_disc(double radius, int slices, int rings);
 
 /// Side and, where `capped`, two discs; s once round the side, t up it.

@@ -25,7 +25,8 @@ Net icosahedron() {
     net.points.push_back({0, 1, 0});
     for (int i = 0; i < 10; ++i) {
         const double degrees = 36 * i;  // even: upper ring, odd: lower ring
-        net.points.push_back({r * sin_degrees(degrees), i % 2 == 0 ? y : -y, r * cos_degrees(degrees)});
+        net.points.push_back(
+            {r * sin_degrees(degrees), i % 2 == 0 ? y : -y, r * cos_degrees(degrees)});
     }
     net.points.push_back({0, -1, 0});
     const auto ring = [](std::uint32_t i) { return 1 + i % 10; };
@@ -63,7 +64,8 @@ double turn(const dvec3& p) {
     return s < 0 ? s + 1 : s;
 }
 
-// s of a triangle's corners: one turn is added where it crosses the seam; a pole lies between the two others.
+// s of a triangle's corners: one turn is added where it crosses the seam; a pole lies between the
+// two others.
 std::array<double, 3> turns(const std::array<dvec3, 3>& p) {
     std::array<double, 3> s{turn(p[0]), turn(p[1]), turn(p[2])};
     double most = 0;
@@ -86,7 +88,8 @@ MeshData make_icosphere(double radius, int divisions) {
     MeshData mesh;
     std::map<std::pair<std::uint32_t, double>, std::uint32_t> vertices;  // by point and s
     for (const Corners& corners : net.triangles) {
-        const auto s = turns({net.points[corners[0]], net.points[corners[1]], net.points[corners[2]]});
+        const auto s =
+            turns({net.points[corners[0]], net.points[corners[1]], net.points[corners[2]]});
         for (std::size_t k = 0; k < 3; ++k) {
             const dvec3& p = net.points[corners[k]];
             const auto next = static_cast<std::uint32_t>(mesh.positions.size());

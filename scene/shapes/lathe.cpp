@@ -18,8 +18,8 @@ dvec2 point(const ProfileCurve& c, double t) {
 dvec2 direction(const ProfileCurve& c, double t) {
     const double u = 1 - t;
     if (c.straight) return c.to - c.from;
-    const dvec2 d =
-        u * u * (c.control1 - c.from) + 2 * u * t * (c.control2 - c.control1) + t * t * (c.to - c.control2);
+    const dvec2 d = u * u * (c.control1 - c.from) + 2 * u * t * (c.control2 - c.control1) +
+                    t * t * (c.to - c.control2);
     return d == dvec2(0) ? (t == 0 ? c.control2 - c.from : c.to - c.control1) : d;
 }
 

@@ -1,5 +1,5 @@
-// Turned vessels: a profile of cubic Bezier curves and straight lines, revolved. The profiles are in
-// profiles.h.
+// Turned vessels: a profile of cubic Bezier curves and straight lines, revolved. The profiles are
+// in profiles.h.
 #pragma once
 
 #include "gw/mesh.h"
@@ -17,8 +17,8 @@ struct ProfileCurve {
 /// Curves end to end, outside to their right, starting and ending on the axis.
 using Profile = std::vector<ProfileCurve>;
 
-/// `segments` rows of triangles on each curve, one on each line; edges are sharp where two curves meet at an
-/// angle. s once round, t along the profile by its length.
+/// `segments` rows of triangles on each curve, one on each line; edges are sharp where two curves
+/// meet at an angle. s once round, t along the profile by its length.
 MeshData make_lathe(const Profile& profile, int slices, int segments);
 
 }  // namespace gw::scene

@@ -8,7 +8,9 @@ class Pen {
 public:
     explicit Pen(dvec2 start) : at_(start) {}
     Pen& line(dvec2 to) { return add({at_, at_, to, to, true}); }
-    Pen& curve(dvec2 control1, dvec2 control2, dvec2 to) { return add({at_, control1, control2, to, false}); }
+    Pen& curve(dvec2 control1, dvec2 control2, dvec2 to) {
+        return add({at_, control1, control2, to, false});
+    }
     Profile done() { return std::move(profile_); }
 
 private:

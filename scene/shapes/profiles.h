@@ -1,4 +1,5 @@
-// The profiles of our turned vessels. All are 1 high and stand on y = 0; ours, drawn for these scenes.
+// The profiles of our turned vessels. All are 1 high and stand on y = 0; ours, drawn for these
+// scenes.
 #pragma once
 
 #include "scene/shapes/lathe.h"

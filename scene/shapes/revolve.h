@@ -1,5 +1,5 @@
-// Surfaces of revolution about the y axis. Does not know profiles: spheres, tori, cylinders and vases bring
-// theirs.
+// Surfaces of revolution about the y axis. Does not know profiles: spheres, tori, cylinders and
+// vases bring theirs.
 #pragma once
 
 #include "gw/mesh.h"
@@ -15,9 +15,9 @@ struct ProfilePoint {
     double t;      ///< texture coordinate along the curve
 };
 
-/// Turns a profile in steps of 360 / slices degrees. The curve runs so that outside is to its right: bottom,
-/// up along the outside, down along the inside. s runs once round, from z, over x, in steps of 1 / slices; at
-/// a point on the axis it lies between its triangle's two others.
+/// Turns a profile in steps of 360 / slices degrees. The curve runs so that outside is to its
+/// right: bottom, up along the outside, down along the inside. s runs once round, from z, over x,
+/// in steps of 1 / slices; at a point on the axis it lies between its triangle's two others.
 MeshData revolve(const std::vector<ProfilePoint>& profile, int slices);
 
 }  // namespace gw::scene

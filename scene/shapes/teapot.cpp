@@ -10,14 +10,15 @@ namespace {
 
 using Weights = std::array<double, 4>;
 
-// Bernstein polynomials at k / n, the same bits at k and n - k in mirrored order: patches that meet agree.
+// Bernstein polynomials at k / n, the same bits at k and n - k in mirrored order: patches that meet
+// agree.
 Weights weights(int k, int n) {
     const double t = static_cast<double>(k) / n, u = static_cast<double>(n - k) / n;
     return {u * u * u, 3 * (t * u * u), 3 * (t * t * u), t * t * t};
 }
 
-// Their derivatives, from the differences of the control points, so that equal points have a derivative of
-// exactly 0.
+// Their derivatives, from the differences of the control points, so that equal points have a
+// derivative of exactly 0.
 dvec3 differences(const std::array<dvec3, 4>& p, int k, int n) {
     const double t = static_cast<double>(k) / n, u = static_cast<double>(n - k) / n;
     return u * u * (p[1] - p[0]) + 2 * u * t * (p[2] - p[1]) + t * t * (p[3] - p[2]);
@@ -33,7 +34,8 @@ dvec3 control_point(int patch, std::size_t i) {
     return {p[0], p[2], -p[1]};
 }
 
-// The curve across the patch at row k of n, as four control points, and their derivative along the patch.
+// The curve across the patch at row k of n, as four control points, and their derivative along the
+// patch.
 struct Across {
     std::array<dvec3, 4> points, along;
 };
@@ -42,7 +44,8 @@ Across across(int patch, int row, int n) {
     Across curve;
     for (std::size_t j = 0; j < 4; ++j) {
         const std::array<dvec3, 4> column{control_point(patch, j), control_point(patch, 4 + j),
-                                          control_point(patch, 8 + j), control_point(patch, 12 + j)};
+                                          control_point(patch, 8 + j),
+                                          control_point(patch, 12 + j)};
         curve.points[j] = sum(column, weights(row, n));
         curve.along[j] = differences(column, row, n);
     }
@@ -61,8 +64,9 @@ constexpr Band bands[] = {
     {20, 4, 1, 0.55}, {24, 4, 0.55, 0},   {28, 4, 1, 0},                     // lid, bottom
 };
 
-// At the poles of lid and bottom all points of row 0 are one, its derivative across is 0, and the normal is
-// the limit of those beside it: there the derivative across grows as the mixed derivative.
+// At the poles of lid and bottom all points of row 0 are one, its derivative across is 0, and the
+// normal is the limit of those beside it: there the derivative across grows as the mixed
+// derivative.
 dvec3 normal(const Across& curve, int column, int n) {
     const dvec3 along = sum(curve.along, weights(column, n));
     const dvec3 cross = differences(curve.points, column, n);

@@ -1,8 +1,9 @@
 // The Utah teapot as published: 306 control points and 32 bicubic Bezier patches.
-// M. E. Newell, "The Utilization of Procedure Models in Digital Image Synthesis", PhD thesis, University of
-// Utah, 1975; printed with F. Crow, "The Origins of the Teapot", IEEE Computer Graphics and Applications
-// 7(1), 1987; in this form (with a bottom, patches 28 to 31) in the "teaset" files that have been passed on
-// since. Facts, not ours. Does not turn them into anything: teapot.cpp does.
+// M. E. Newell, "The Utilization of Procedure Models in Digital Image Synthesis", PhD thesis,
+// University of Utah, 1975; printed with F. Crow, "The Origins of the Teapot", IEEE Computer
+// Graphics and Applications 7(1), 1987; in this form (with a bottom, patches 28 to 31) in the
+// "teaset" files that have been passed on since. Facts, not ours. Does not turn them into anything:
+// teapot.cpp does.
 #pragma once
 
 #include <cstdint>
@@ -319,8 +320,8 @@ inline constexpr double teapot_points[306][3] = {
     {1.425, -0.798, 0},
 };
 
-// Four rows of four control points each. The rim is 0 to 3, the body 4 to 11, the handle 12 to 15, the spout
-// 16 to 19, the lid 20 to 27, the bottom 28 to 31.
+// Four rows of four control points each. The rim is 0 to 3, the body 4 to 11, the handle 12 to 15,
+// the spout 16 to 19, the lid 20 to 27, the bottom 28 to 31.
 inline constexpr std::uint16_t teapot_patches[32][16] = {
     {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15},
     {3, 16, 17, 18, 7, 19, 20, 21, 11, 22, 23, 24, 15, 25, 26, 27},

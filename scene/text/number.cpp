@@ -37,7 +37,8 @@ FloatText read_float(const char* begin, const char* end) {
 std::optional<double> read_double(std::string_view text) {
     double value = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (result.ec != std::errc{} || result.ptr != text.data() + text.size() || !std::isfinite(value))
+    if (result.ec != std::errc{} || result.ptr != text.data() + text.size() ||
+        !std::isfinite(value))
         return {};
     return value;
 }

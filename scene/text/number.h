@@ -9,15 +9,16 @@ namespace gw::scene {
 
 enum class NumberFault { None, NotANumber, NotFinite, TooLarge };
 
-/// What stands at the beginning of a text: the value, the first character after it, and what is wrong with
-/// it.
+/// What stands at the beginning of a text: the value, the first character after it, and what is
+/// wrong with it.
 struct FloatText {
     float value = 0;
     const char* end = nullptr;
     NumberFault fault = NumberFault::None;
 };
 
-/// Reads the number at `begin`: "1", "-.5", "+1e-3". Numbers too small for a float become 0 with their sign.
+/// Reads the number at `begin`: "1", "-.5", "+1e-3". Numbers too small for a float become 0 with
+/// their sign.
 FloatText read_float(const char* begin, const char* end);
 
 /// The double nearest to a text that is nothing but a finite decimal number.

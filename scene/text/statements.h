@@ -1,5 +1,5 @@
-// Statements of OBJ and MTL files: one per line, a keyword and the rest. Knows blanks, comments, line ends
-// and lines continued with '\'. Does not know any keyword.
+// Statements of OBJ and MTL files: one per line, a keyword and the rest. Knows blanks, comments,
+// line ends and lines continued with '\'. Does not know any keyword.
 #pragma once
 
 #include <string>
@@ -16,7 +16,8 @@ public:
     bool next();
 
     std::string_view keyword() const { return keyword_; }
-    /// What follows the keyword, without blanks at its ends; comments are still in it (names may hold '#').
+    /// What follows the keyword, without blanks at its ends; comments are still in it (names may
+    /// hold '#').
     std::string_view rest() const { return rest_; }
     /// The line the statement begins on, from 1.
     int line() const { return line_; }

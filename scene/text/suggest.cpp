@@ -28,8 +28,8 @@ std::string nearest(std::string_view name, const std::vector<std::string>& known
     return best == known.end() ? std::string() : *best;
 }
 
-std::string unknown(std::string_view what, std::string_view name, const std::vector<std::string>& known,
-                    std::string_view where) {
+std::string unknown(std::string_view what, std::string_view name,
+                    const std::vector<std::string>& known, std::string_view where) {
     std::string text = "unknown " + std::string(what) + " '" + printable(name) + "'";
     if (!where.empty()) text += " in " + std::string(where);
     if (known.empty()) return text + "; none is known";

@@ -21,7 +21,8 @@ std::string lower(std::string text) {
     return text;
 }
 
-// The entry of `folder` that has this name but for case; the first in byte order, since folders have none.
+// The entry of `folder` that has this name but for case; the first in byte order, since folders
+// have none.
 fs::path entry_without_case(const fs::path& folder, const std::string& name) {
     std::error_code error;
     fs::path found;
@@ -59,7 +60,8 @@ void check_size(const fs::path& path, std::size_t size) {
                     "has more than " + std::to_string(most_text >> 20) + " MB; expected less");
 }
 
-// `expected` is the size as far as it is known: it may grow meanwhile, and files of the system claim 0.
+// `expected` is the size as far as it is known: it may grow meanwhile, and files of the system
+// claim 0.
 std::string contents(std::FILE* in, const fs::path& path, std::size_t expected) {
     check_size(path, expected);
     std::string text(expected + 1, '\0');
@@ -82,10 +84,12 @@ bool file_exists(const fs::path& path) {
 
 std::string read_text(const fs::path& path) {
     check_is_file(path);
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"), std::fclose);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"),
+                                                             std::fclose);
     if (!in)
         throw Error(path.string(), 0,
-                    std::string("cannot be opened: ") + std::strerror(errno) + "; expected a readable file");
+                    std::string("cannot be opened: ") + std::strerror(errno) +
+                        "; expected a readable file");
     std::error_code error;
     const std::uintmax_t size = fs::file_size(path, error);
     std::string text = contents(in.get(), path, error ? 0xffff : static_cast<std::size_t>(size));
@@ -99,7 +103,8 @@ std::string read_text(const fs::path& path) {
 }
 
 fs::path named_path(const fs::path& folder, std::string_view name) {
-    if (name.size() >= 2 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
+    if (name.size() >= 2 && name.front() == '"' && name.back() == '"')
+        name = name.substr(1, name.size() - 2);
     std::string slashed(name);
     std::ranges::replace(slashed, '\\', '/');
     return (folder / slashed).lexically_normal();

@@ -11,9 +11,9 @@ namespace gw::scene {
 /// Bytes; a larger file is refused. Ten million triangles have about 800 MB.
 inline constexpr std::size_t most_text = std::size_t{2} << 30;
 
-/// The whole file without its UTF-8 byte order mark; where lines end in carriage returns alone, those become
-/// newlines. Throws Error where it is missing, a directory, a device or a pipe, larger than `most_text`,
-/// cannot be read, or is UTF-16.
+/// The whole file without its UTF-8 byte order mark; where lines end in carriage returns alone,
+/// those become newlines. Throws Error where it is missing, a directory, a device or a pipe, larger
+/// than `most_text`, cannot be read, or is UTF-16.
 std::string read_text(const std::filesystem::path& path);
 
 /// False also for names that no file can have. Never throws.
@@ -26,8 +26,8 @@ std::filesystem::path named_path(const std::filesystem::path& folder, std::strin
 std::optional<std::filesystem::path> existing_file(const std::filesystem::path& folder,
                                                    std::string_view name);
 
-/// existing_file, else a file in `folder` with the last part of the name (names from another machine,
-/// "C:\maps\wood.png"), else named_path, which does not exist.
+/// existing_file, else a file in `folder` with the last part of the name (names from another
+/// machine, "C:\maps\wood.png"), else named_path, which does not exist.
 std::filesystem::path find_file(const std::filesystem::path& folder, std::string_view name);
 
 }  // namespace gw::scene

@@ -40,7 +40,8 @@ public:
                 find_file(std::filesystem::path(*value.file).parent_path(), name);
             if (!file_exists(path))
                 value.fail("mtllib '" + printable(name) + "' does not exist; expected an MTL file");
-            for (Material& material : read_mtl(path, warnings_)) materials.push_back(std::move(material));
+            for (Material& material : read_mtl(path, warnings_))
+                materials.push_back(std::move(material));
         }
     }
 
@@ -48,8 +49,8 @@ private:
     Warnings& warnings_;
 };
 
-// A light that lights chosen parts only, a pass that draws chosen parts only [K3.3], must name parts there
-// are.
+// A light that lights chosen parts only, a pass that draws chosen parts only [K3.3], must name
+// parts there are.
 void check_names(const TomlValue& list, const std::set<std::string>& names) {
     for (const std::string& name : to_strings(list))
         if (!names.contains(name)) list.fail(unknown("object", name, {names.begin(), names.end()}));
@@ -73,19 +74,20 @@ SceneFile read_toml(const std::filesystem::path& path) {
     const TomlValue *materials = nullptr, *mtllib = nullptr;
 
     // Sections may come in any order, so what refers to others is read after them.
-    read_table(file, {
-                         key("name", scene.name),
-                         color_key("background", scene.background),
-                         key("texels", scene.texels_per_unit, {1e-9, 1e9}),
-                         key("reflection_in_shadow", scene.reflection_in_shadow),
-                         {"camera", [&](const TomlValue& value) { scene.camera = to_camera(value); }},
-                         {"fog", [&](const TomlValue& value) { scene.fog = to_fog(value); }},
-                         {"mtllib", [&](const TomlValue& value) { mtllib = &value; }},
-                         {"material", [&](const TomlValue& value) { materials = &value; }},
-                         {"light", [&](const TomlValue& value) { lights = tables(value); }},
-                         {"object", [&](const TomlValue& value) { objects = tables(value); }},
-                         {"pass", [&](const TomlValue& value) { passes = tables(value); }},
-                     });
+    read_table(file,
+               {
+                   key("name", scene.name),
+                   color_key("background", scene.background),
+                   key("texels", scene.texels_per_unit, {1e-9, 1e9}),
+                   key("reflection_in_shadow", scene.reflection_in_shadow),
+                   {"camera", [&](const TomlValue& value) { scene.camera = to_camera(value); }},
+                   {"fog", [&](const TomlValue& value) { scene.fog = to_fog(value); }},
+                   {"mtllib", [&](const TomlValue& value) { mtllib = &value; }},
+                   {"material", [&](const TomlValue& value) { materials = &value; }},
+                   {"light", [&](const TomlValue& value) { lights = tables(value); }},
+                   {"object", [&](const TomlValue& value) { objects = tables(value); }},
+                   {"pass", [&](const TomlValue& value) { passes = tables(value); }},
+               });
     Library library(warnings);
     if (materials) library.add_table(*materials);
     if (mtllib) library.add_files(*mtllib);
@@ -93,7 +95,8 @@ SceneFile read_toml(const std::filesystem::path& path) {
     TomlObjects reader(builder, library.materials, warnings);
     for (const TomlValue* object : objects) reader.add(*object);
     if (scene.objects.empty())
-        throw Error(path.string(), 0, "has nothing to draw; expected an [[object]] that is visible");
+        throw Error(path.string(), 0,
+                    "has nothing to draw; expected an [[object]] that is visible");
     for (const TomlValue* light : lights) {
         scene.lights.push_back(to_light(*light));
         if (const TomlValue* only = light->find("only")) check_names(*only, reader.names());

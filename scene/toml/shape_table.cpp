@@ -17,13 +17,14 @@ int whole(double value) { return static_cast<int>(value); }
 
 ShapeParameter size(const char* name, double value) { return {name, value, 1e-6, 1e6, false}; }
 ShapeParameter number(const char* name, int value, int low, int high = 4096) {
-    return {name, static_cast<double>(value), static_cast<double>(low), static_cast<double>(high), true};
+    return {name, static_cast<double>(value), static_cast<double>(low), static_cast<double>(high),
+            true};
 }
 
 Shape lathe(const char* name, Profile (*profile)()) {
-    return {name, {number("slices", 64, 3), number("segments", 12, 1, 256)}, [profile](const Values& v) {
-                return make_lathe(profile(), whole(v[0]), whole(v[1]));
-            }};
+    return {name,
+            {number("slices", 64, 3), number("segments", 12, 1, 256)},
+            [profile](const Values& v) { return make_lathe(profile(), whole(v[0]), whole(v[1])); }};
 }
 
 std::vector<Shape> all_shapes() {
@@ -38,11 +39,15 @@ std::vector<Shape> all_shapes() {
         {"cone",
          {size("radius", 1), size("height", 2), number("slices", 64, 3), number("stacks", 8, 1),
           number("capped", 1, 0, 1)},
-         [](const Values& v) { return make_cone(v[0], v[1], whole(v[2]), whole(v[3]), v[4] != 0); }},
+         [](const Values& v) {
+             return make_cone(v[0], v[1], whole(v[2]), whole(v[3]), v[4] != 0);
+         }},
         {"cylinder",
          {size("radius", 1), size("height", 2), number("slices", 64, 3), number("stacks", 1, 1),
           number("capped", 1, 0, 1)},
-         [](const Values& v) { return make_cylinder(v[0], v[1], whole(v[2]), whole(v[3]), v[4] != 0); }},
+         [](const Values& v) {
+             return make_cylinder(v[0], v[1], whole(v[2]), whole(v[3]), v[4] != 0);
+         }},
         {"disc",
          {size("radius", 1), number("slices", 64, 3), number("rings", 1, 1)},
          [](const Values& v) { return make_disc(v[0], whole(v[1]), whole(v[2])); }},

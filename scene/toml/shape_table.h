@@ -1,4 +1,5 @@
-// The shapes a scene can ask for by name: `shape = "torus"` with its parameters as keys. docs/scenes.md.
+// The shapes a scene can ask for by name: `shape = "torus"` with its parameters as keys.
+// docs/scenes.md.
 // Does not place them or give them materials.
 #pragma once
 
@@ -17,9 +18,10 @@ struct ShapeParameter {
     bool integer;
 };
 
-/// Object space: y up; counter-clockwise from outside; positions, normals of length 1, texcoords. Borders
-/// that meet have bit-equal positions. Shapes that stand (vases, the teapot, the pedestal) stand on y = 0,
-/// others have the origin in their middle. Curved ones are Triangles, the flat ones Quads.
+/// Object space: y up; counter-clockwise from outside; positions, normals of length 1, texcoords.
+/// Borders that meet have bit-equal positions. Shapes that stand (vases, the teapot, the pedestal)
+/// stand on y = 0, others have the origin in their middle. Curved ones are Triangles, the flat ones
+/// Quads.
 struct Shape {
     std::string name;
     std::vector<ShapeParameter> parameters;

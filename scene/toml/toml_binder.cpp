@@ -36,7 +36,8 @@ std::string range_text(std::string_view what, Range range) {
 bool outside(double value, Range range) { return !(value >= range.low && value <= range.high); }
 
 void expect_number(const TomlValue& value, Range range, std::string_view what = "a number") {
-    if (!value.is_number() || outside(value.number, range)) value.fail_expected(range_text(what, range));
+    if (!value.is_number() || outside(value.number, range))
+        value.fail_expected(range_text(what, range));
 }
 
 // toml++ reads doubles; a double rounded again is not always the float nearest to the text.
@@ -62,7 +63,8 @@ double to_double(const TomlValue& value, Range range) {
 
 int to_int(const TomlValue& value, Range range) {
     expect_number(value, range, "a whole number");
-    if (value.number != std::floor(value.number)) value.fail_expected(range_text("a whole number", range));
+    if (value.number != std::floor(value.number))
+        value.fail_expected(range_text("a whole number", range));
     return static_cast<int>(value.number);
 }
 
@@ -88,8 +90,8 @@ void expect_numbers(const TomlValue& value, std::size_t count) {
     const std::string expected = "an array of " + std::to_string(count) + " numbers";
     if (value.kind != TomlKind::Array) value.fail_expected(expected);
     if (value.elements.size() != count)
-        value.fail(value.name + " has " + std::to_string(value.elements.size()) + " elements; expected " +
-                   expected);
+        value.fail(value.name + " has " + std::to_string(value.elements.size()) +
+                   " elements; expected " + expected);
     for (const TomlValue& element : value.elements) expect_number(element, {});
 }
 
@@ -105,7 +107,8 @@ vec3 to_vec3(const TomlValue& value) {
 
 dvec3 to_dvec3(const TomlValue& value) {
     expect_numbers(value, 3);
-    return {to_double(value.elements[0]), to_double(value.elements[1]), to_double(value.elements[2])};
+    return {to_double(value.elements[0]), to_double(value.elements[1]),
+            to_double(value.elements[2])};
 }
 
 vec3 to_color(const TomlValue& value) {
@@ -131,13 +134,16 @@ std::size_t to_word(const TomlValue& value, const std::vector<std::string>& word
 }
 
 Key key(std::string name, float& field, Range range) {
-    return {std::move(name), [&field, range](const TomlValue& value) { field = to_float(value, range); }};
+    return {std::move(name),
+            [&field, range](const TomlValue& value) { field = to_float(value, range); }};
 }
 Key key(std::string name, double& field, Range range) {
-    return {std::move(name), [&field, range](const TomlValue& value) { field = to_double(value, range); }};
+    return {std::move(name),
+            [&field, range](const TomlValue& value) { field = to_double(value, range); }};
 }
 Key key(std::string name, int& field, Range range) {
-    return {std::move(name), [&field, range](const TomlValue& value) { field = to_int(value, range); }};
+    return {std::move(name),
+            [&field, range](const TomlValue& value) { field = to_int(value, range); }};
 }
 Key key(std::string name, bool& field) {
     return {std::move(name), [&field](const TomlValue& value) { field = to_bool(value); }};

@@ -1,7 +1,7 @@
 // Binds the keys of a TOML table to the fields of a struct: one line for each key.
 //     read_table(table, {key("eye", camera.eye), key("fov", camera.fov, {0.1, 179})});
-// Every key that is not in the list, every wrong type and every number out of range is an Error with file and
-// line.
+// Every key that is not in the list, every wrong type and every number out of range is an Error
+// with file and line.
 #pragma once
 
 #include "gw/base/types.h"
@@ -20,7 +20,8 @@ struct Key {
     std::function<void(const TomlValue&)> read;
 };
 
-/// Throws Error for a value that is not a table and for an unknown key, naming the nearest known one.
+/// Throws Error for a value that is not a table and for an unknown key, naming the nearest known
+/// one.
 void read_table(const TomlValue& table, const std::vector<Key>& keys);
 
 /// Numbers that a key takes, ends included.

@@ -28,14 +28,16 @@ Camera to_camera(const TomlValue& table) {
 
 Fog to_fog(const TomlValue& table) {
     Fog fog;
-    read_table(table, {
-                          key("mode", fog.mode,
-                              {{"linear", FogMode::Linear}, {"exp", FogMode::Exp}, {"exp2", FogMode::Exp2}}),
-                          color_key("color", fog.color),
-                          key("density", fog.density, not_negative),
-                          key("start", fog.start, not_negative),
-                          key("end", fog.end, not_negative),
-                      });
+    read_table(
+        table,
+        {
+            key("mode", fog.mode,
+                {{"linear", FogMode::Linear}, {"exp", FogMode::Exp}, {"exp2", FogMode::Exp2}}),
+            color_key("color", fog.color),
+            key("density", fog.density, not_negative),
+            key("start", fog.start, not_negative),
+            key("end", fog.end, not_negative),
+        });
     if (fog.mode == FogMode::Linear && fog.start == fog.end)
         table.fail("fog.start is fog.end; expected two distances");
     return fog;

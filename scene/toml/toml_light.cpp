@@ -8,17 +8,19 @@ namespace {
 AreaLight to_area(const TomlValue& table) {
     using Shape = AreaLight::Shape;
     AreaLight area;
-    read_table(table,
-               {
-                   key("shape", area.shape,
-                       {{"disc", Shape::Disc}, {"rectangle", Shape::Rectangle}, {"line", Shape::Line}}),
-                   key("u", area.u),
-                   key("v", area.v),
-                   key("samples", area.samples, {1, 4096}),
-               });
+    read_table(
+        table,
+        {
+            key("shape", area.shape,
+                {{"disc", Shape::Disc}, {"rectangle", Shape::Rectangle}, {"line", Shape::Line}}),
+            key("u", area.u),
+            key("v", area.v),
+            key("samples", area.samples, {1, 4096}),
+        });
     if (area.shape == Shape::None)
         table.fail(table.name + " has no shape; expected 'disc', 'rectangle' or 'line'");
-    if (area.u == vec3(0)) table.fail(table.name + ".u is missing or 0; expected a half axis in world units");
+    if (area.u == vec3(0))
+        table.fail(table.name + ".u is missing or 0; expected a half axis in world units");
     if (area.shape != Shape::Line && area.v == vec3(0))
         table.fail(table.name + ".v is missing or 0; expected a half axis in world units");
     return area;
@@ -38,7 +40,9 @@ LightKind kind_of(const TomlValue& table) {
     const bool position = table.find("position"), direction = table.find("direction");
     if (!position && !direction)
         table.fail("light has neither position nor direction; expected one of them, or both");
-    return position && direction ? LightKind::Spot : position ? LightKind::Point : LightKind::Directional;
+    return position && direction ? LightKind::Spot
+           : position            ? LightKind::Point
+                                 : LightKind::Directional;
 }
 
 void check_kind(const TomlValue& table, const Light& light) {
@@ -53,25 +57,26 @@ void check_kind(const TomlValue& table, const Light& light) {
 Light to_light(const TomlValue& table) {
     Light light;
     if (!table.find("kind")) light.kind = kind_of(table);
-    read_table(table, {
-                          key("name", light.name),
-                          key("kind", light.kind,
-                              {{"directional", LightKind::Directional},
-                               {"point", LightKind::Point},
-                               {"spot", LightKind::Spot}}),
-                          key("position", light.position),
-                          key("direction", light.direction),
-                          color_key("Ia", light.Ia),
-                          color_key("Id", light.Id),
-                          {"Is", [&](const TomlValue& value) { light.Is = to_color(value); }},
-                          key("cone", light.cone_angle, {0, 90}),
-                          key("exponent", light.spot_exponent, {0, 128}),
-                          {"attenuation", [&](const TomlValue& value) { read_attenuation(value, light); }},
-                          key("shadow", light.shadow,
-                              {{"none", Shadow::None}, {"volume", Shadow::Volume}, {"map", Shadow::Map}}),
-                          {"area", [&](const TomlValue& value) { light.area = to_area(value); }},
-                          key("only", light.only),
-                      });
+    read_table(table,
+               {
+                   key("name", light.name),
+                   key("kind", light.kind,
+                       {{"directional", LightKind::Directional},
+                        {"point", LightKind::Point},
+                        {"spot", LightKind::Spot}}),
+                   key("position", light.position),
+                   key("direction", light.direction),
+                   color_key("Ia", light.Ia),
+                   color_key("Id", light.Id),
+                   {"Is", [&](const TomlValue& value) { light.Is = to_color(value); }},
+                   key("cone", light.cone_angle, {0, 90}),
+                   key("exponent", light.spot_exponent, {0, 128}),
+                   {"attenuation", [&](const TomlValue& value) { read_attenuation(value, light); }},
+                   key("shadow", light.shadow,
+                       {{"none", Shadow::None}, {"volume", Shadow::Volume}, {"map", Shadow::Map}}),
+                   {"area", [&](const TomlValue& value) { light.area = to_area(value); }},
+                   key("only", light.only),
+               });
     check_kind(table, light);
     return light;
 }

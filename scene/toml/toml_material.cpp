@@ -25,12 +25,13 @@ Map to_file_map(const TomlValue& value) {
     std::string file = value.text;
     bool clamp = false;
     if (value.kind == TomlKind::Table)
-        read_table(value, {
-                              key("file", file),
-                              key("clamp", clamp),
-                              {"scale", [&](const TomlValue& scale) { read_scale(scale, map.scale); }},
-                              key("offset", map.offset),
-                          });
+        read_table(value,
+                   {
+                       key("file", file),
+                       key("clamp", clamp),
+                       {"scale", [&](const TomlValue& scale) { read_scale(scale, map.scale); }},
+                       key("offset", map.offset),
+                   });
     else if (value.kind != TomlKind::String)
         value.fail_expected("a file name, a table with one, or an array of these");
     if (file.empty()) value.fail(value.name + " names no file; expected a texture's file name");
@@ -56,7 +57,8 @@ std::vector<Map> to_maps(const TomlValue& value, MapKind kind) {
 }
 
 Key map_key(std::string name, std::vector<Map>& field, MapKind kind = MapKind::Surface) {
-    return {std::move(name), [&field, kind](const TomlValue& value) { field = to_maps(value, kind); }};
+    return {std::move(name),
+            [&field, kind](const TomlValue& value) { field = to_maps(value, kind); }};
 }
 
 }  // namespace

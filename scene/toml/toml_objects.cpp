@@ -149,19 +149,22 @@ const ObjFile& TomlObjects::file_of(const ObjectTable& object) {
     if (object.crease) options.crease = to_double(*object.crease, {0, 180});
     const auto found = files_.find({path.string(), options.crease.value_or(-1)});
     if (found != files_.end()) return found->second;
-    return files_[{path.string(), options.crease.value_or(-1)}] = read_obj(path, options, warnings_);
+    return files_[{path.string(), options.crease.value_or(-1)}] =
+               read_obj(path, options, warnings_);
 }
 
 const Material& TomlObjects::material_of(const ObjectTable& object, const ObjFile& file,
                                          const ObjPart& part) {
     const TomlValue* const value = object.material;
     if (!value)
-        return find_material({&library_, &file.materials}, part.material, {file.file, part.material_line});
+        return find_material({&library_, &file.materials}, part.material,
+                             {file.file, part.material_line});
     if (value->kind == TomlKind::String)
-        return find_material({&library_, &file.materials}, value->text, {*value->file, value->line});
+        return find_material({&library_, &file.materials}, value->text,
+                             {*value->file, value->line});
     if (value->kind != TomlKind::Table) value->fail_expected("a name or a table");
-    return changed_material(
-        *value, find_material({&library_, &file.materials}, part.material, {file.file, part.material_line}));
+    return changed_material(*value, find_material({&library_, &file.materials}, part.material,
+                                                  {file.file, part.material_line}));
 }
 
 const Material& TomlObjects::changed_material(const TomlValue& changes, const Material& base) {

@@ -1,4 +1,5 @@
-// [[object]]: parts of OBJ files and shapes, placed and given materials. docs/scenes.md has every key.
+// [[object]]: parts of OBJ files and shapes, placed and given materials. docs/scenes.md has every
+// key.
 #pragma once
 
 #include "scene/obj/read_obj.h"
@@ -12,7 +13,8 @@ namespace gw::scene {
 
 class TomlObjects {
 public:
-    /// `library` holds the materials that the TOML file brings; they come before those of the OBJ files.
+    /// `library` holds the materials that the TOML file brings; they come before those of the OBJ
+    /// files.
     TomlObjects(SceneBuilder& builder, const std::vector<Material>& library, Warnings& warnings)
         : builder_(builder), library_(library), warnings_(warnings) {}
 
@@ -30,13 +32,15 @@ private:
     void add_mesh(const ObjectTable& object, const std::string& name, MeshData mesh,
                   const Material& material);
     const ObjFile& file_of(const ObjectTable& object);
-    const Material& material_of(const ObjectTable& object, const ObjFile& file, const ObjPart& part);
+    const Material& material_of(const ObjectTable& object, const ObjFile& file,
+                                const ObjPart& part);
     const Material& changed_material(const TomlValue& changes, const Material& base);
 
     SceneBuilder& builder_;
     const std::vector<Material>& library_;
     Warnings& warnings_;
-    std::map<std::pair<std::string, double>, ObjFile> files_;  ///< read already, by path and crease angle
+    /// read already, by path and crease angle
+    std::map<std::pair<std::string, double>, ObjFile> files_;
     std::map<std::pair<const TomlValue*, const Material*>, Material> changed_;
     std::set<std::string> names_;
 };

@@ -1,6 +1,6 @@
 // translate, rotate, scale, matrix of an [[object]].
-#include "scene/toml/toml_sections.h"
 #include "scene/geometry/transform.h"
+#include "scene/toml/toml_sections.h"
 
 #include <glm/matrix.hpp>
 
@@ -19,7 +19,8 @@ dvec3 to_placeable(const TomlValue& value) {
 
 dmat4 to_scaling(const TomlValue& value) {
     const dvec3 by = value.is_number() ? dvec3(to_double(value, placeable)) : to_placeable(value);
-    if (by.x == 0 || by.y == 0 || by.z == 0) value.fail(value.name + " is 0; expected numbers other than 0");
+    if (by.x == 0 || by.y == 0 || by.z == 0)
+        value.fail(value.name + " is 0; expected numbers other than 0");
     return scaling(by);
 }
 
@@ -34,7 +35,8 @@ dmat4 to_axis_rotation(const TomlValue& table) {
 // {axis, degrees}, an array of these in the order they act, or degrees about x, then y, then z.
 dmat4 to_rotation(const TomlValue& value) {
     if (value.kind == TomlKind::Table) return to_axis_rotation(value);
-    if (value.kind != TomlKind::Array) value.fail_expected("{axis, degrees} or degrees about x, y and z");
+    if (value.kind != TomlKind::Array)
+        value.fail_expected("{axis, degrees} or degrees about x, y and z");
     if (value.elements.empty() || value.elements[0].kind != TomlKind::Table)
         return rotation_xyz(to_dvec3(value));
     dmat4 all(1);

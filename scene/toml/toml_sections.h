@@ -1,4 +1,5 @@
-// The sections of a TOML scene that stand for themselves: camera, lights, fog, materials, placements.
+// The sections of a TOML scene that stand for themselves: camera, lights, fog, materials,
+// placements.
 // docs/scenes.md has every key. Objects, which bring files and shapes, are in toml_objects.h.
 #pragma once
 

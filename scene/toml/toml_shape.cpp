@@ -1,7 +1,7 @@
 #include "scene/toml/toml_shape.h"
 
-#include "scene/toml/shape_table.h"
 #include "scene/text/suggest.h"
+#include "scene/toml/shape_table.h"
 
 #include <algorithm>
 
@@ -26,7 +26,8 @@ double to_parameter(const TomlValue& value, const ShapeParameter& parameter) {
 }
 
 Key parameter_key(const ShapeParameter& parameter, double& field) {
-    return {parameter.name, [&](const TomlValue& value) { field = to_parameter(value, parameter); }};
+    return {parameter.name,
+            [&](const TomlValue& value) { field = to_parameter(value, parameter); }};
 }
 
 }  // namespace
@@ -37,7 +38,8 @@ void add_shape_keys(const TomlValue& table, std::vector<Key>& keys, TomlShape& s
     const Shape& wanted = to_shape(*value);
     shape.name = wanted.name;
     shape.make = wanted.make;
-    for (const ShapeParameter& parameter : wanted.parameters) shape.parameters.push_back(parameter.value);
+    for (const ShapeParameter& parameter : wanted.parameters)
+        shape.parameters.push_back(parameter.value);
     for (std::size_t i = 0; i < wanted.parameters.size(); ++i)
         keys.push_back(parameter_key(wanted.parameters[i], shape.parameters[i]));
 }

@@ -13,8 +13,8 @@ struct TomlShape {
     std::function<MeshData(const std::vector<double>&)> make;  ///< empty: the table has no shape
 };
 
-/// Finds the shape of the table and appends its parameters' keys, which fill in `shape`; it must stay where
-/// it is. Throws Error naming the nearest shape.
+/// Finds the shape of the table and appends its parameters' keys, which fill in `shape`; it must
+/// stay where it is. Throws Error naming the nearest shape.
 void add_shape_keys(const TomlValue& table, std::vector<Key>& keys, TomlShape& shape);
 
 }  // namespace gw::scene

@@ -30,8 +30,8 @@ public:
     }
 
 private:
-    /// As a key, a part of one, or a value. In a wrong number or word toml++ takes a quotation mark for a
-    /// part of it.
+    /// As a key, a part of one, or a value. In a wrong number or word toml++ takes a quotation mark
+    /// for a part of it.
     bool may_begin_string() const {
         const std::string_view before = value_ ? "=[,\n" : "[{,.\n";
         return !word_ && before.find(before_) != std::string_view::npos;
@@ -39,7 +39,8 @@ private:
 
     void outside(char c) {
         if (is_beyond_ascii(c))
-            fail("a character beyond ASCII outside of a string; expected quotation marks around it");
+            fail(
+                "a character beyond ASCII outside of a string; expected quotation marks around it");
         if (is_space(c) || c == ',' || c == ']' || c == '}') word_ = false;
         if (!word_) structure(c);
         if (c != ' ' && c != '\t' && c != '\r') before_ = c;
@@ -90,7 +91,9 @@ private:
     /// Three quotation marks may come after up to two that belong to the string.
     void close(char quote, std::size_t marks) {
         at_ += marks;
-        for (int more = 0; marks == 3 && more < 2 && at_ < text_.size() && text_[at_] == quote; ++more) ++at_;
+        for (int more = 0; marks == 3 && more < 2 && at_ < text_.size() && text_[at_] == quote;
+             ++more)
+            ++at_;
     }
 
     void escape(bool lines) {
@@ -102,7 +105,9 @@ private:
         if (at_ == next && at_ < text_.size() && text_[at_] != '\n') ++at_;
     }
 
-    bool stands_here(std::string_view word) const { return text_.compare(at_, word.size(), word) == 0; }
+    bool stands_here(std::string_view word) const {
+        return text_.compare(at_, word.size(), word) == 0;
+    }
 
     [[noreturn]] void fail(std::string_view what) const {
         const auto here = text_.begin() + std::ptrdiff_t(at_);

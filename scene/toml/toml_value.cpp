@@ -2,16 +2,16 @@
 
 #include "gw/error.h"
 #include "scene/text/number.h"
-#include "scene/toml/read_toml_text.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
+#include "scene/toml/read_toml_text.h"
 #include "scene/toml/toml_text.h"
 
 #include <algorithm>
 
-// toml++'s parser asserts things of the text that it checks and reports a line later: [=] would end a debug
-// build, and clang's release build assumes that there is no such text. Without NDEBUG its assumptions are
-// assertions, and its assertions are nothing.
+// toml++'s parser asserts things of the text that it checks and reports a line later: [=] would end
+// a debug build, and clang's release build assumes that there is no such text. Without NDEBUG its
+// assumptions are assertions, and its assertions are nothing.
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_assert(true)
 #include <toml++/toml.h>
@@ -60,7 +60,8 @@ public:
         }
     }
 
-    TomlValue convert(const toml::node& node, const std::string& key, const std::string& name) const {
+    TomlValue convert(const toml::node& node, const std::string& key,
+                      const std::string& name) const {
         TomlValue value;
         value.file = file_;
         value.key = key;
@@ -95,7 +96,8 @@ private:
     }
     void fill(TomlValue& value, const toml::array& node) const {
         value.kind = TomlKind::Array;
-        for (const toml::node& element : node) value.elements.push_back(convert(element, "", value.name));
+        for (const toml::node& element : node)
+            value.elements.push_back(convert(element, "", value.name));
     }
     void fill(TomlValue& value, const toml::table& node) const {
         value.kind = TomlKind::Table;
@@ -138,6 +140,8 @@ TomlValue read_toml_text(const std::string& raw, const std::filesystem::path& na
     }
 }
 
-TomlValue read_toml_file(const std::filesystem::path& path) { return read_toml_text(read_text(path), path); }
+TomlValue read_toml_file(const std::filesystem::path& path) {
+    return read_toml_text(read_text(path), path);
+}
 
 }  // namespace gw::scene

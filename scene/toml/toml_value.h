@@ -17,7 +17,8 @@ struct TomlValue {
     bool boolean = false;
     std::string text;   ///< a string, or a number as it is written but for '_' and a leading '+'
     double number = 0;  ///< an integer's or float's value
-    std::vector<TomlValue> elements;  ///< an array's, or a table's values in the order of the file
+    /// an array's, or a table's values in the order of the file
+    std::vector<TomlValue> elements;
 
     std::string key;   ///< its own, in a table
     std::string name;  ///< with the tables around it, "camera.eye"; of the whole file: empty

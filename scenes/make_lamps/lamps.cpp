@@ -1,5 +1,5 @@
-// Metres: ten bays of 2.6, an arcade below, four floors above, a square with lanterns and a fountain before
-// it.
+// Metres: ten bays of 2.6, an arcade below, four floors above, a square with lanterns and a
+// fountain before it.
 #include "scenes/make_lamps/lamps.h"
 
 #include <fmt/format.h>
@@ -68,7 +68,9 @@ Kd = 0
 Ke = [0.75, 0.9, 1]
 )";
 
-std::string triple(double x, double y, double z) { return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", x, y, z); }
+std::string triple(double x, double y, double z) {
+    return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", x, y, z);
+}
 
 /// A shape with parameters, placed.
 std::string object(const std::string& name, const std::string& parameters, const std::string& place,
@@ -91,24 +93,27 @@ std::string lamp(const Lamp& l, int number) {
     const double r = l.cold ? 0.5 : 1, g = l.cold ? 0.75 : 0.68, b = l.cold ? 1 : 0.32;
     std::string text = fmt::format(
         "\n[[light]]\nname = \"{}\"\nposition = {}\nId = {}\nIs = {}\nattenuation = [0.25, 0, {:.4g}]\n",
-        name, triple(l.x, l.y - 2 * l.radius, l.z), triple(r * l.strength, g * l.strength, b * l.strength),
-        triple(0.5 * r, 0.5 * g, 0.5 * b), 4.75 / (l.reach * l.reach));
+        name, triple(l.x, l.y - 2 * l.radius, l.z),
+        triple(r * l.strength, g * l.strength, b * l.strength), triple(0.5 * r, 0.5 * g, 0.5 * b),
+        4.75 / (l.reach * l.reach));
     if (number == 1) text += "Ia = 0.06\n";
     if (l.shadow) text += "shadow = \"volume\"\n";
-    return text + object("globe of " + name,
-                         fmt::format("shape = \"icosphere\"\nradius = {:.3g}\ndivisions = 2", l.radius),
-                         triple(l.x, l.y, l.z), l.cold ? "cold" : "warm");
+    return text +
+           object("globe of " + name,
+                  fmt::format("shape = \"icosphere\"\nradius = {:.3g}\ndivisions = 2", l.radius),
+                  triple(l.x, l.y, l.z), l.cold ? "cold" : "warm");
 }
 
 double middle_of(int i) { return -length / 2 + (i + 0.5) * bay; }
 
 std::string building_walls() {
     std::string text;
-    text += object("wall",
-                   fmt::format("shape = \"rectangle\"\nwidth = {:.4g}\ndepth = {:.4g}\ncolumns = 130\nrows = "
-                               "70\nrotate = [90, 0, 0]",
-                               length, height),
-                   triple(0, height / 2, 0), "wall");
+    text += object(
+        "wall",
+        fmt::format("shape = \"rectangle\"\nwidth = {:.4g}\ndepth = {:.4g}\ncolumns = 130\nrows = "
+                    "70\nrotate = [90, 0, 0]",
+                    length, height),
+        triple(0, height / 2, 0), "wall");
     text += object(
         "side wall",
         fmt::format(
@@ -116,10 +121,11 @@ std::string building_walls() {
             height),
         triple(-length / 2, height / 2, -4.5), "wall");
     for (int f = 0; f <= floors; ++f)
-        text += object(fmt::format("cornice {}", f + 1),
-                       fmt::format("shape = \"box\"\nwidth = {:.4g}\nheight = {}\ndepth = {}\nsegments = {}",
-                                   length + 0.3, f == 0 ? 0.35 : 0.18, f == 0 ? 5.2 : 0.5, f == 0 ? 40 : 48),
-                       triple(0, arcade + f * storey, f == 0 ? 0.0 : 0.1), "cornice");
+        text += object(
+            fmt::format("cornice {}", f + 1),
+            fmt::format("shape = \"box\"\nwidth = {:.4g}\nheight = {}\ndepth = {}\nsegments = {}",
+                        length + 0.3, f == 0 ? 0.35 : 0.18, f == 0 ? 5.2 : 0.5, f == 0 ? 40 : 48),
+            triple(0, arcade + f * storey, f == 0 ? 0.0 : 0.1), "cornice");
     return text;
 }
 
@@ -137,19 +143,21 @@ std::string windows() {
 std::string columns() {
     std::string text;
     for (int i = 0; i <= bays; ++i)
-        text += object(fmt::format("column {}", i + 1),
-                       "shape = \"cylinder\"\nradius = 0.24\nheight = 3.3\nslices = 24\nstacks = 14",
-                       triple(-length / 2 + i * bay, 1.65, 2.3), "stone");
+        text +=
+            object(fmt::format("column {}", i + 1),
+                   "shape = \"cylinder\"\nradius = 0.24\nheight = 3.3\nslices = 24\nstacks = 14",
+                   triple(-length / 2 + i * bay, 1.65, 2.3), "stone");
     return text;
 }
 
 std::string square() {
-    return object("square", "shape = \"rectangle\"\nwidth = 44\ndepth = 34\ncolumns = 132\nrows = 102",
+    return object("square",
+                  "shape = \"rectangle\"\nwidth = 44\ndepth = 34\ncolumns = 132\nrows = 102",
                   triple(0, 0, 9), "square") +
            object("basin", "shape = \"bowl\"\nslices = 64\nsegments = 10\nscale = [3.2, 0.9, 3.2]",
                   triple(0, 0, 10.5), "stone") +
-           object("vase", "shape = \"vase\"\nslices = 64\nsegments = 14\nscale = 2.6", triple(0, 0.3, 10.5),
-                  "bronze");
+           object("vase", "shape = \"vase\"\nslices = 64\nsegments = 14\nscale = 2.6",
+                  triple(0, 0.3, 10.5), "bronze");
 }
 
 std::string lanterns(int& number) {
@@ -158,24 +166,25 @@ std::string lanterns(int& number) {
         for (int i = 0; i < 12; ++i) {
             const double x = -14.3 + i * 2.6, z = row == 0 ? 5.4 : 14.2;
             const bool shadow = row == 1 && (i == 3 || i == 8);
-            text += object(fmt::format("post {} {}", row + 1, i + 1),
-                           "shape = \"cylinder\"\nradius = 0.05\nheight = 1.1\nslices = 12\nstacks = 4",
-                           triple(x, 0.55, z), "stone");
+            text +=
+                object(fmt::format("post {} {}", row + 1, i + 1),
+                       "shape = \"cylinder\"\nradius = 0.05\nheight = 1.1\nslices = 12\nstacks = 4",
+                       triple(x, 0.55, z), "stone");
             text += lamp({"lantern", x, 1.25, z, row == 1, shadow, 0.75, 3.2, 0.13}, ++number);
         }
     return text;
 }
 
 std::string fountain_lamps(int& number) {
-    // Fourteen in a ring: cosines and sines of a 14th of the circle, to five digits, so that no libm is
-    // needed.
+    // Fourteen in a ring: cosines and sines of a 14th of the circle, to five digits, so that no
+    // libm is needed.
     constexpr double cosine[] = {1, 0.90097, 0.62349, 0.22252, -0.22252, -0.62349, -0.90097};
     constexpr double sine[] = {0, 0.43388, 0.78183, 0.97493, 0.97493, 0.78183, 0.43388};
     std::string text;
     for (int i = 0; i < 14; ++i) {
         const double sign = i < 7 ? 1 : -1;
-        text += lamp({"fountain", sign * 2.3 * cosine[i % 7], 0.3, 10.5 + sign * 2.3 * sine[i % 7], true,
-                      false, 0.6, 2.2, 0.07},
+        text += lamp({"fountain", sign * 2.3 * cosine[i % 7], 0.3, 10.5 + sign * 2.3 * sine[i % 7],
+                      true, false, 0.6, 2.2, 0.07},
                      ++number);
     }
     return text;
@@ -187,11 +196,12 @@ std::string house_lamps(int& number) {
         text += lamp({"arcade", middle_of(i), 2.7, 1.1, false, true, 0.4, 4.6, 0.12}, ++number);
     for (int f = 0; f < floors; ++f)
         for (int i = 0; i < bays; ++i)
-            text += lamp({"wall", middle_of(i), arcade + f * storey + 2.2, 0.42, false, false, 0.8, 2, 0.08},
-                         ++number);
+            text += lamp(
+                {"wall", middle_of(i), arcade + f * storey + 2.2, 0.42, false, false, 0.8, 2, 0.08},
+                ++number);
     for (int i = 0; i < 12; ++i)
-        text += lamp({"roof", -length / 2 + 1 + i * (length - 2) / 11, height + 0.35, 0.25, true, false, 0.7,
-                      1.8, 0.09},
+        text += lamp({"roof", -length / 2 + 1 + i * (length - 2) / 11, height + 0.35, 0.25, true,
+                      false, 0.7, 1.8, 0.09},
                      ++number);
     return text;
 }

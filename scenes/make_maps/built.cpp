@@ -22,7 +22,8 @@ Piece piece_at(dvec2 st, ivec2 count, bool shifted) {
 
 // 1 in a piece, 0 in the joint; `joint` is its width as a part of the piece, along s and t.
 double in_piece(dvec2 inside, dvec2 joint) {
-    const dvec2 edge{std::min(inside.x, 1 - inside.x) / joint.x, std::min(inside.y, 1 - inside.y) / joint.y};
+    const dvec2 edge{std::min(inside.x, 1 - inside.x) / joint.x,
+                     std::min(inside.y, 1 - inside.y) / joint.y};
     return ramp(0.5, 0.9, std::min(edge.x, edge.y));
 }
 

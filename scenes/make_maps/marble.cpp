@@ -9,8 +9,8 @@ namespace {
 
 // The place that noise pushes st to; still repeats.
 dvec2 warped(dvec2 st, double strength, std::uint32_t seed) {
-    return st +
-           strength * dvec2(fractal(st, {3, 3}, 4, seed) - 0.5, fractal(st, {3, 3}, 4, seed + 100) - 0.5);
+    return st + strength * dvec2(fractal(st, {3, 3}, 4, seed) - 0.5,
+                                 fractal(st, {3, 3}, 4, seed + 100) - 0.5);
 }
 
 // 1 on the middle line of a vein, falling to 0 at `width` of the noise's range from it.
@@ -37,8 +37,8 @@ Color marble_gloss(dvec2 st) { return grey(1 - 0.92 * ramp(0.05, 0.6, veins(st))
 Color white_marble(dvec2 st) {
     const dvec2 p = warped(st, 0.4, 61);
     const double cloud = fractal(p, {3, 3}, 5, 71), dark = vein(p, {2, 2}, 0.03, 81);
-    return mix(mix({0.93, 0.92, 0.9}, {0.74, 0.74, 0.77}, ramp(0.45, 0.8, cloud)), {0.45, 0.45, 0.5},
-               0.8 * dark);
+    return mix(mix({0.93, 0.92, 0.9}, {0.74, 0.74, 0.77}, ramp(0.45, 0.8, cloud)),
+               {0.45, 0.45, 0.5}, 0.8 * dark);
 }
 
 Color granite(dvec2 st) {

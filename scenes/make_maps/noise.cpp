@@ -30,9 +30,12 @@ double hash_unit(int x, int y, std::uint32_t seed) {
 double noise(dvec2 st, ivec2 cells, std::uint32_t seed) {
     const dvec2 p{st.x * cells.x, st.y * cells.y}, low{std::floor(p.x), std::floor(p.y)};
     const int x = static_cast<int>(low.x), y = static_cast<int>(low.y);
-    const auto at = [&](int i, int j) { return hash_unit(wrapped(i, cells.x), wrapped(j, cells.y), seed); };
+    const auto at = [&](int i, int j) {
+        return hash_unit(wrapped(i, cells.x), wrapped(j, cells.y), seed);
+    };
     const double u = smooth(p.x - low.x), v = smooth(p.y - low.y);
-    return between(between(at(x, y), at(x + 1, y), u), between(at(x, y + 1), at(x + 1, y + 1), u), v);
+    return between(between(at(x, y), at(x + 1, y), u), between(at(x, y + 1), at(x + 1, y + 1), u),
+                   v);
 }
 
 double fractal(dvec2 st, ivec2 cells, int octaves, std::uint32_t seed) {

@@ -13,8 +13,8 @@ std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t seed);
 /// The same as a number in [0, 1).
 double hash_unit(int x, int y, std::uint32_t seed);
 
-/// Smooth value noise in [0, 1): random at the corners of a lattice of `cells` cells in [0,1)^2, which
-/// repeats.
+/// Smooth value noise in [0, 1): random at the corners of a lattice of `cells` cells in [0,1)^2,
+/// which repeats.
 double noise(dvec2 st, ivec2 cells, std::uint32_t seed);
 
 /// Sum of `octaves` of noise, each twice as fine and half as strong, in [0, 1).

@@ -11,7 +11,8 @@ Color texel(int x, int y, int width, int height, Color (*at)(dvec2 st)) {
     Color sum(0);
     for (int j = 0; j < points; ++j)
         for (int i = 0; i < points; ++i) {
-            const Color c = at({(x + (i + 0.5) / points) / width, (y + (j + 0.5) / points) / height});
+            const Color c =
+                at({(x + (i + 0.5) / points) / width, (y + (j + 0.5) / points) / height});
             for (int k = 0; k < 3; ++k) sum[k] += std::clamp(c[k], 0.0, 1.0);
         }
     return sum / static_cast<double>(points * points);
@@ -32,7 +33,9 @@ image::Picture paint(int width, int height, Color (*at)(dvec2 st)) {
 
 Color mix(Color a, Color b, double t) { return a + (b - a) * std::clamp(t, 0.0, 1.0); }
 
-double ramp(double low, double high, double x) { return std::clamp((x - low) / (high - low), 0.0, 1.0); }
+double ramp(double low, double high, double x) {
+    return std::clamp((x - low) / (high - low), 0.0, 1.0);
+}
 
 Color grey(double v) { return Color(v); }
 

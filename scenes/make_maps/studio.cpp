@@ -9,8 +9,8 @@
 namespace gw::maps {
 namespace {
 
-// The way the view (0, 0, -1) is reflected where the ball's normal shows at st; outside the ball, as at its
-// rim.
+// The way the view (0, 0, -1) is reflected where the ball's normal shows at st; outside the ball,
+// as at its rim.
 dvec3 reflected(dvec2 st) {
     dvec2 n = 2.0 * st - 1.0;
     const double length = glm::length(n);
@@ -25,7 +25,8 @@ double inside(dvec2 p, dvec2 center, dvec2 half, double soft) {
     return (1 - ramp(0, soft, d.x)) * (1 - ramp(0, soft, d.y));
 }
 
-// Where the direction meets the wall of a big room, x to the right of that wall's middle; nothing behind.
+// Where the direction meets the wall of a big room, x to the right of that wall's middle; nothing
+// behind.
 bool on_wall(const dvec3& r, const dvec3& wall, const dvec3& right, const dvec3& up, dvec2& p) {
     const double ahead = glm::dot(r, wall);
     if (ahead <= 0.05) return false;
@@ -35,7 +36,9 @@ bool on_wall(const dvec3& r, const dvec3& wall, const dvec3& right, const dvec3&
 
 double soft_box(const dvec3& r) {
     dvec2 p;
-    return on_wall(r, {0, 1, 0}, {1, 0, 0}, {0, 0, -1}, p) ? inside(p, {0.1, -0.35}, {0.75, 0.4}, 0.12) : 0;
+    return on_wall(r, {0, 1, 0}, {1, 0, 0}, {0, 0, -1}, p)
+               ? inside(p, {0.1, -0.35}, {0.75, 0.4}, 0.12)
+               : 0;
 }
 
 double window(const dvec3& r) {
@@ -43,7 +46,8 @@ double window(const dvec3& r) {
     if (!on_wall(r, {-1, 0, 0}, {0, 0, -1}, {0, 1, 0}, p)) return 0;
     double light = 0;
     for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 3; ++j) light += inside(p, {-0.75 + 0.5 * i, -0.1 + 0.42 * j}, {0.2, 0.17}, 0.03);
+        for (int j = 0; j < 3; ++j)
+            light += inside(p, {-0.75 + 0.5 * i, -0.1 + 0.42 * j}, {0.2, 0.17}, 0.03);
     return light;
 }
 
@@ -51,7 +55,8 @@ double lamps(const dvec3& r) {
     dvec2 p;
     if (!on_wall(r, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}, p)) return 0;
     double light = 0;
-    for (int i = 0; i < 4; ++i) light += 1 - ramp(0.06, 0.12, glm::length(p - dvec2(-0.6 + 0.5 * i, 0.7)));
+    for (int i = 0; i < 4; ++i)
+        light += 1 - ramp(0.06, 0.12, glm::length(p - dvec2(-0.6 + 0.5 * i, 0.7)));
     return light;
 }
 

@@ -29,8 +29,8 @@ std::string csv(const Plot& plot) {
     for (const double x : xs) {
         out += fmt::format("{}", x);
         for (const Series& s : plot.series) {
-            const auto at =
-                std::find_if(s.points.begin(), s.points.end(), [x](const dvec2& p) { return p.x == x; });
+            const auto at = std::find_if(s.points.begin(), s.points.end(),
+                                         [x](const dvec2& p) { return p.x == x; });
             out += at == s.points.end() ? "," : fmt::format(",{}", at->y);
         }
         out += "\n";

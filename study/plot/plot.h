@@ -1,4 +1,5 @@
-// Small line and scatter plots as SVG text, their numbers as CSV text, and the slope of a power law.
+// Small line and scatter plots as SVG text, their numbers as CSV text, and the slope of a power
+// law.
 // Does not measure, and does not write files.
 #pragma once
 
@@ -31,18 +32,20 @@ struct Plot {
     std::vector<Series> series;
 };
 
-/// The plot, 720 pixels wide. A point's values appear where the pointer rests on its marker. Throws Error
-/// where there is no point, a coordinate is not finite, or is not above 0 on a logarithmic axis.
+/// The plot, 720 pixels wide. A point's values appear where the pointer rests on its marker. Throws
+/// Error where there is no point, a coordinate is not finite, or is not above 0 on a logarithmic
+/// axis.
 std::string svg(const Plot& plot);
 
 /// Plot::command of a plot that svg drew; "" of another drawing.
 std::string command_of(std::string_view svg);
 
-/// "x,series 1,series 2": a row for every x that occurs, ascending, a field empty where a series has no such
-/// point. Numbers read back as the same doubles.
+/// "x,series 1,series 2": a row for every x that occurs, ascending, a field empty where a series
+/// has no such point. Numbers read back as the same doubles.
 std::string csv(const Plot& plot);
 
-/// The law y = factor x^exponent that is nearest to the points, by least squares of log y over log x.
+/// The law y = factor x^exponent that is nearest to the points, by least squares of log y over log
+/// x.
 struct PowerLaw {
     double factor = 0, exponent = 0;
     double operator()(double x) const;

@@ -18,8 +18,8 @@ void check(const Axis& axis, double value) {
     if (!std::isfinite(value))
         throw Error(fmt::format("plot: axis '{}': {}; expected finite values", axis.label, value));
     if (axis.log != 0 && !(value > 0))
-        throw Error(
-            fmt::format("plot: logarithmic axis '{}': {}; expected values above 0", axis.label, value));
+        throw Error(fmt::format("plot: logarithmic axis '{}': {}; expected values above 0",
+                                axis.label, value));
 }
 
 /// The smallest of 1, 2, 5 times a power of ten that is at least `least`.
@@ -39,7 +39,8 @@ Scale linear(double low, double high) {
     const double step = round_step((high - low) / most_ticks);
     const double first = std::floor(low / step + 1e-9), last = std::ceil(high / step - 1e-9);
     Scale scale{first * step, last * step};
-    for (double i = first; i <= last; ++i) scale.ticks.push_back({i * step, fmt::format("{:.6g}", i * step)});
+    for (double i = first; i <= last; ++i)
+        scale.ticks.push_back({i * step, fmt::format("{:.6g}", i * step)});
     return scale;
 }
 

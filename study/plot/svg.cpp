@@ -60,12 +60,14 @@ Paper paper_of(const Plot& plot) {
 }
 
 std::string line(double x1, double y1, double x2, double y2, const char* color) {
-    return fmt::format("<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" stroke=\"{}\"/>\n", x1,
-                       y1, x2, y2, color);
+    return fmt::format(
+        "<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" stroke=\"{}\"/>\n", x1, y1,
+        x2, y2, color);
 }
 
 std::string text(double x, double y, const char* attributes, const std::string& words) {
-    return fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" {}>{}</text>\n", x, y, attributes, escaped(words));
+    return fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" {}>{}</text>\n", x, y, attributes,
+                       escaped(words));
 }
 
 std::string ticks(const Paper& paper) {
@@ -90,14 +92,16 @@ std::string frame(const Plot& plot) {
                left, top, right - left, bottom - top) +
            text((left + right) / 2, bottom + 38, "text-anchor=\"middle\"", plot.x.label) +
            text(0, 0,
-                fmt::format("text-anchor=\"middle\" transform=\"translate(18,{}) rotate(-90)\"", middle)
+                fmt::format("text-anchor=\"middle\" transform=\"translate(18,{}) rotate(-90)\"",
+                            middle)
                     .c_str(),
                 plot.y.label) +
            text(left, 24, "font-size=\"15\" font-weight=\"bold\"", plot.title);
 }
 
 std::string stroke_of(const Series& series, std::size_t index) {
-    return fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"{}", colors[index % color_count],
+    return fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"{}",
+                       colors[index % color_count],
                        series.dashed ? " stroke-dasharray=\"5 4\"" : "");
 }
 
@@ -105,8 +109,9 @@ std::string marker(double x, double y, std::size_t index, const std::string& tit
     // Beyond as many series as colours the same colour has another shape.
     const std::size_t shape = (index + index / color_count) % std::size(shapes);
     const char* color = colors[index % color_count];
-    return fmt::format("<path transform=\"translate({:.2f},{:.2f})\" d=\"{}\" fill=\"{}\" stroke=\"{}\">", x,
-                       y, shapes[shape], color, color) +
+    return fmt::format(
+               "<path transform=\"translate({:.2f},{:.2f})\" d=\"{}\" fill=\"{}\" stroke=\"{}\">",
+               x, y, shapes[shape], color, color) +
            (title.empty() ? "" : "<title>" + escaped(title) + "</title>") + "</path>\n";
 }
 
@@ -116,10 +121,12 @@ std::string drawn(const Series& series, std::size_t index, const Paper& paper) {
         const double x = paper.at_x(p.x), y = paper.at_y(p.y);
         points += fmt::format("{}{:.2f},{:.2f}", points.empty() ? "" : " ", x, y);
         if (series.markers)
-            markers += marker(x, y, index, fmt::format("{}: {:.6g}, {:.6g}", series.name, p.x, p.y));
+            markers +=
+                marker(x, y, index, fmt::format("{}: {:.6g}, {:.6g}", series.name, p.x, p.y));
     }
     if (!series.line) return markers;
-    return fmt::format("<polyline points=\"{}\" {}/>\n", points, stroke_of(series, index)) + markers;
+    return fmt::format("<polyline points=\"{}\" {}/>\n", points, stroke_of(series, index)) +
+           markers;
 }
 
 std::string legend(const std::vector<Series>& all) {
@@ -140,7 +147,8 @@ std::string svg(const Plot& plot) {
     const Paper paper = paper_of(plot);
     std::string below;
     double y = std::max(bottom + 64, top + 24 + double(plot.series.size()) * (line_height + 4));
-    for (const std::string& words : lines_of(plot.caption)) below += text(12, y, "", words), y += line_height;
+    for (const std::string& words : lines_of(plot.caption))
+        below += text(12, y, "", words), y += line_height;
     for (const std::string& words : lines_of(plot.command))
         below += text(12, y, "font-family=\"monospace\" font-size=\"11\"", words), y += line_height;
     std::string out = fmt::format(
@@ -156,7 +164,8 @@ std::string svg(const Plot& plot) {
 std::string command_of(std::string_view svg) {
     const std::size_t begin = svg.find(desc_begin);
     if (begin == svg.npos) return "";
-    const std::size_t from = begin + std::string_view(desc_begin).size(), end = svg.find(desc_end, from);
+    const std::size_t from = begin + std::string_view(desc_begin).size(),
+                      end = svg.find(desc_end, from);
     return end == svg.npos ? "" : unescaped(svg.substr(from, end - from));
 }
 

@@ -45,7 +45,8 @@ void wait_for_file(const fs::path& file) {
 }
 
 int wait_for(pid_t child, const Surroundings& around) {
-    if (around.interrupt_after_ms >= 0) ::usleep(static_cast<useconds_t>(around.interrupt_after_ms) * 1000);
+    if (around.interrupt_after_ms >= 0)
+        ::usleep(static_cast<useconds_t>(around.interrupt_after_ms) * 1000);
     if (!around.interrupt_when.empty()) wait_for_file(around.folder / around.interrupt_when);
     if (around.interrupt_after_ms >= 0 || !around.interrupt_when.empty()) ::kill(child, SIGINT);
     int status = 0;
@@ -62,7 +63,8 @@ std::string bytes_of(const fs::path& file) {
 
 Outcome run_process(const std::vector<std::string>& words, const Surroundings& around) {
     const TemporaryFolder folder;
-    const std::string out = around.stdout_file.empty() ? (folder / "out").string() : around.stdout_file;
+    const std::string out =
+        around.stdout_file.empty() ? (folder / "out").string() : around.stdout_file;
     const std::string err = folder / "err";
     const pid_t child = ::fork();
     if (child == 0) become(words, around, out, err);
@@ -80,7 +82,8 @@ Outcome CommandTest::gw(std::vector<std::string> arguments, Surroundings surroun
 }
 
 void CommandTest::expect_refused(int code, const std::vector<std::string>& arguments,
-                                 const std::vector<std::string>& parts, Surroundings surroundings) const {
+                                 const std::vector<std::string>& parts,
+                                 Surroundings surroundings) const {
     const std::vector<std::string> before = names();
     const Outcome outcome = gw(arguments, std::move(surroundings));
     EXPECT_EQ(outcome.code, code) << outcome.err;

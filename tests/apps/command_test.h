@@ -33,17 +33,22 @@ std::string bytes_of(const std::filesystem::path& file);
 class CommandTest : public testing::Test {
 protected:
     std::filesystem::path in(const std::string& name) const { return folder_ / name; }
-    void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
+    void write(const std::string& name, const std::string& text) const {
+        folder_.write(name, text);
+    }
     /// Names in the folder, sorted.
-    std::vector<std::string> names(const std::string& folder = ".") const { return folder_.names(folder); }
+    std::vector<std::string> names(const std::string& folder = ".") const {
+        return folder_.names(folder);
+    }
 
     /// Runs gw in the folder.
     Outcome gw(std::vector<std::string> arguments, Surroundings surroundings = {}) const;
 
-    /// Runs gw and expects: this exit code, nothing on stdout, one line on stderr that contains every one of
-    /// `parts`, and the folder as it was.
+    /// Runs gw and expects: this exit code, nothing on stdout, one line on stderr that contains
+    /// every one of `parts`, and the folder as it was.
     void expect_refused(int code, const std::vector<std::string>& arguments,
-                        const std::vector<std::string>& parts, Surroundings surroundings = {}) const;
+                        const std::vector<std::string>& parts,
+                        Surroundings surroundings = {}) const;
 
 private:
     TemporaryFolder folder_;

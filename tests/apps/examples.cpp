@@ -4,7 +4,8 @@
 
 namespace gw::apps {
 
-std::vector<std::string> ExampleTest::examples(const std::string& text, const std::string& command) {
+std::vector<std::string> ExampleTest::examples(const std::string& text,
+                                               const std::string& command) {
     std::vector<std::string> found;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {

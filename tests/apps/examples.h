@@ -1,5 +1,5 @@
-// The commands that help texts and documents show, run as a user would who pastes them at the repository's
-// root.
+// The commands that help texts and documents show, run as a user would who pastes them at the
+// repository's root.
 #pragma once
 
 #include "command_test.h"

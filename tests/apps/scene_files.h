@@ -5,13 +5,14 @@
 
 namespace gw::apps {
 
-/// A folder with quad.obj (a square) and lamps.toml: the square with ambient, diffuse and specular colour
-/// under two lamps, an orthographic camera in front; with --size 16x16 the square covers pixels 4 .. 11 each
-/// way.
+/// A folder with quad.obj (a square) and lamps.toml: the square with ambient, diffuse and specular
+/// colour under two lamps, an orthographic camera in front; with --size 16x16 the square covers
+/// pixels 4 .. 11 each way.
 class SceneTest : public CommandTest {
 protected:
     SceneTest() {
-        write("quad.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\n");
+        write("quad.obj",
+              "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\n");
         write("lamps.toml", R"([camera]
 eye = [0, 0, 5]
 ortho = 4

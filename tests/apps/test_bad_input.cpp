@@ -1,5 +1,5 @@
-// Every wrong file and option: one line that says what, where and what was expected; the exit code; no file
-// left.
+// Every wrong file and option: one line that says what, where and what was expected; the exit code;
+// no file left.
 #include "scene_files.h"
 
 namespace gw::apps {
@@ -57,7 +57,8 @@ TEST_F(BadInput, TextureNamesTheLineThatAsks) {
     write("missing.png", "no picture");
     expect_refused(1, {"render", "bad.obj", "-o", "a.png"},
                    {"bad.mtl:3: map_Kd missing.png: ", "expected a picture file"});
-    write("bad.toml", "[[object]]\nfile = \"quad.obj\"\n[object.material]\nmap_Ks = \"nowhere.png\"\n");
+    write("bad.toml",
+          "[[object]]\nfile = \"quad.obj\"\n[object.material]\nmap_Ks = \"nowhere.png\"\n");
     expect_refused(1, {"render", "bad.toml", "-o", "a.png"},
                    {"bad.toml:4: map_Ks nowhere.png: ", "expected"});
 }
@@ -70,11 +71,13 @@ TEST_F(BadInput, TomlWithFileAndLine) {
     write("bad.toml", "[camera]\nfov = \"wide\"\n");
     expect_refused(1, {"render", "bad.toml", "-o", "a.png"}, {"bad.toml:2: ", "expected a number"});
     write("bad.toml", "[camera]\nfov = 40\n");
-    expect_refused(1, {"render", "bad.toml", "-o", "a.png"}, {"bad.toml: ", "expected an [[object]]"});
+    expect_refused(1, {"render", "bad.toml", "-o", "a.png"},
+                   {"bad.toml: ", "expected an [[object]]"});
 }
 
 TEST_F(BadInput, ProfileWithFileAndLine) {
-    expect_refused(1, {"render", "quad.obj", "-o", "a.png", "--profile", "none.toml"}, {"none.toml: "});
+    expect_refused(1, {"render", "quad.obj", "-o", "a.png", "--profile", "none.toml"},
+                   {"none.toml: "});
     write("p.toml", "color_bits = 8\ndepht_bits = 24\n");
     expect_refused(1, {"render", "quad.obj", "-o", "a.png", "--profile", "p.toml"},
                    {"p.toml:2: ", "'depth_bits'"});
@@ -85,20 +88,22 @@ TEST_F(BadInput, ProfileWithFileAndLine) {
     expect_refused(1, {"render", "quad.obj", "-o", "a.png", "--profile", "p.toml"},
                    {"p.toml", "lit_bits", "expected 4 to 8"});
     write("p.toml", "base = \"vgy\"\n");
-    expect_refused(1, {"render", "quad.obj", "-o", "a.png", "--profile", "p.toml"}, {"p.toml:1: ", "vgx"});
+    expect_refused(1, {"render", "quad.obj", "-o", "a.png", "--profile", "p.toml"},
+                   {"p.toml:1: ", "vgx"});
 }
 
 TEST_F(BadInput, MoreLightsThanEquationOneHasInOnePass) {
     std::string text = bytes_of(in("lamps.toml"));
     for (int i = 0; i < 7; ++i) text += "[[light]]\ndirection = [0, 0, -1]\n";
     write("many.toml", text);
-    expect_refused(1, {"render", "many.toml", "-o", "a.png", "--renderer", "hardware"}, {"8", "multipass"});
+    expect_refused(1, {"render", "many.toml", "-o", "a.png", "--renderer", "hardware"},
+                   {"8", "multipass"});
     EXPECT_EQ(render({"many.toml", "-o", "a.png"}).code, 0);
 }
 
 TEST_F(BadOption, Size) {
-    for (const char* size : {"0x0", "0x5", "1000000x1000000", "4097x1", "-4x4", "huge", "640", "640x", "x480",
-                             "6x4x3", "1e3x4", "99999999999x1", ""}) {
+    for (const char* size : {"0x0", "0x5", "1000000x1000000", "4097x1", "-4x4", "huge", "640",
+                             "640x", "x480", "6x4x3", "1e3x4", "99999999999x1", ""}) {
         expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--size", size},
                        {"--size", "1..4096", "640x480"});
     }
@@ -111,19 +116,25 @@ TEST_F(BadOption, Numbers) {
     }
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--samples", "16385"},
                    {"--samples", "vgx", "1..16384"});
-    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--threads", "-1"}, {"--threads", "expected"});
-    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--turntable", "0"}, {"--turntable", "expected"});
+    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--threads", "-1"},
+                   {"--threads", "expected"});
+    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--turntable", "0"},
+                   {"--turntable", "expected"});
     for (const char* frames : {"0-2", "2-1", "1-4", "4", "-1", "1-", "a-b", "1-2-3"})
-        expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--turntable", "3", "--frames", frames},
-                       {"--frames", "A-B", "1..3"});
-    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--frames", "1-2"}, {"--frames", "--turntable"});
+        expect_refused(
+            2, {"render", "quad.obj", "-o", "a.png", "--turntable", "3", "--frames", frames},
+            {"--frames", "A-B", "1..3"});
+    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--frames", "1-2"},
+                   {"--frames", "--turntable"});
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--fov", "180"}, {"--fov", "expected"});
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--fov", "nan"}, {"--fov", "expected"});
-    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--gamma", "0"}, {"--gamma", "expected"});
+    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--gamma", "0"},
+                   {"--gamma", "expected"});
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--exposure", "much"},
                    {"--exposure", "expected"});
     for (const char* point : {"1,2", "1,2,3,4", "a,b,c", "1,2,inf", "1 2 3", ""}) {
-        expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--eye", point}, {"--eye", "expected X,Y,Z"});
+        expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--eye", point},
+                       {"--eye", "expected X,Y,Z"});
     }
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--eye", "1,2,3", "--at", "1,2,3"},
                    {"--eye", "--at"});
@@ -134,9 +145,12 @@ TEST_F(BadOption, Names) {
                    {"--profile", "vgx, reality, ideal"});
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--renderer", "fast"},
                    {"--renderer", "hardware, multipass"});
-    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--machine", "slow"}, {"--machine", "reference"});
-    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--sice", "1x1"}, {"'--sice'", "'--size'"});
-    expect_refused(2, {"render", "--sice", "1x1", "quad.obj", "-o", "a.png"}, {"'--sice'", "'--size'"});
+    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--machine", "slow"},
+                   {"--machine", "reference"});
+    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--sice", "1x1"},
+                   {"'--sice'", "'--size'"});
+    expect_refused(2, {"render", "--sice", "1x1", "quad.obj", "-o", "a.png"},
+                   {"'--sice'", "'--size'"});
 }
 
 TEST_F(BadOption, MissingOrTooManyWords) {
@@ -147,8 +161,9 @@ TEST_F(BadOption, MissingOrTooManyWords) {
     expect_refused(2, {"render", "", "-o", "a.png"}, {"SCENE is empty"});
     expect_refused(2, {"render", "quad.obj", "-o", ""}, {"--output is empty"});
     expect_refused(2, {"render", "quad.obj", "quad.obj", "-o", "a.png"}, {"'quad.obj'"});
-    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--turntable", "2", "--manifest", "m.json"},
-                   {"--turntable"});
+    expect_refused(
+        2, {"render", "quad.obj", "-o", "a.png", "--turntable", "2", "--manifest", "m.json"},
+        {"--turntable"});
 }
 
 }  // namespace gw::apps

@@ -1,5 +1,5 @@
-// gw describe: the forms hold every command and option, and the shell that reads them completes what they
-// say.
+// gw describe: the forms hold every command and option, and the shell that reads them completes
+// what they say.
 #include "../temporary_folder.h"
 #include "command_test.h"
 #include "examples.h"

@@ -1,5 +1,5 @@
-// The commands in README.md, docs/commands.md, docs/inspect.md, docs/hiddensurfaces.md, docs/recordings.md
-// and docs/lecture.md work as they stand there.
+// The commands in README.md, docs/commands.md, docs/inspect.md, docs/hiddensurfaces.md,
+// docs/recordings.md and docs/lecture.md work as they stand there.
 #include "examples.h"
 
 namespace gw::apps {
@@ -24,15 +24,16 @@ TEST_F(Documents, ReportsCommandsWork) {
     expect_to_work(commands);
 }
 
-/// With the answers that the page shows, which are right, and the study stopped where a run would take longer
-/// than a thousandth of a second.
+/// With the answers that the page shows, which are right, and the study stopped where a run would
+/// take longer than a thousandth of a second.
 TEST_F(Documents, HiddenSurfacesCommandsWork) {
     const std::string page = bytes_of(GW_SOURCE_DIR "/docs/hiddensurfaces.md");
     write("answers.json", examples(page, "{\"seed\"").at(0));
     auto commands = examples(page);
     EXPECT_GE(commands.size(), 6u);
     for (std::string& command : commands)
-        if (command.find(" study hidden ") != command.npos) command += " --limit 0.001 --axis polygons";
+        if (command.find(" study hidden ") != command.npos)
+            command += " --limit 0.001 --axis polygons";
     expect_to_work(commands);
     EXPECT_FALSE(bytes_of(in("growth/growth.csv")).empty());
     EXPECT_NE(bytes_of(in("truth.csv")).find("\n"), std::string::npos);
@@ -41,8 +42,9 @@ TEST_F(Documents, HiddenSurfacesCommandsWork) {
 /// But for the goldens, which test_golden.cpp verifies.
 TEST_F(Documents, RecordingsCommandsWork) {
     auto commands = examples(bytes_of(GW_SOURCE_DIR "/docs/recordings.md"));
-    std::erase_if(commands,
-                  [](const std::string& command) { return command.find(" golden ") != command.npos; });
+    std::erase_if(commands, [](const std::string& command) {
+        return command.find(" golden ") != command.npos;
+    });
     EXPECT_GE(commands.size(), 5u);
     expect_to_work(commands);
 }
@@ -51,8 +53,8 @@ struct Lecture : ExampleTest {
     static std::vector<std::string> commands(const std::string& page) {
         return examples(bytes_of(std::string(GW_SOURCE_DIR "/docs/") + page), "gw ");
     }
-    /// Every third command, from `first`: they are independent, and all in one test take long. They need the
-    /// PATH that the page sets.
+    /// Every third command, from `first`: they are independent, and all in one test take long. They
+    /// need the PATH that the page sets.
     void expect_every_third_to_work(std::size_t first) const {
         std::vector<std::string> some;
         const auto all = commands("lecture.md");

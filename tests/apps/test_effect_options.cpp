@@ -5,7 +5,8 @@
 
 namespace gw::apps {
 
-/// A lamp over a white floor, two panes of glass that cross each other, and a box that casts a shadow.
+/// A lamp over a white floor, two panes of glass that cross each other, and a box that casts a
+/// shadow.
 class EffectOptions : public SceneTest {
 protected:
     EffectOptions() {

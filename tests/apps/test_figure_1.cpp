@@ -9,8 +9,9 @@ namespace gw::apps {
 class Figure1 : public SceneTest {
 protected:
     Pixels picture(const std::string& scene, const std::string& renderer) const {
-        const Outcome outcome = gw({"render", GW_SOURCE_DIR "/scenes/" + scene, "--renderer", renderer,
-                                    "--size", "320x240", "-o", "a.png", "--components", "parts"});
+        const Outcome outcome =
+            gw({"render", GW_SOURCE_DIR "/scenes/" + scene, "--renderer", renderer, "--size",
+                "320x240", "-o", "a.png", "--components", "parts"});
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         return read_pixels(in("a.png"));
     }

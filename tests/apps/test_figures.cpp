@@ -11,7 +11,8 @@ protected:
         EXPECT_NE(page.find("<section id=\"" + figure.name + "\">"), page.npos);
         for (const Panel& panel : figure.panels)
             for (const Shown& shown : panel.pictures) {
-                EXPECT_TRUE(std::filesystem::exists(in(folder + "/" + figure.name + "/" + shown.file)))
+                EXPECT_TRUE(
+                    std::filesystem::exists(in(folder + "/" + figure.name + "/" + shown.file)))
                     << shown.file;
                 EXPECT_NE(page.find("src=\"" + figure.name + "/" + shown.file + "\""), page.npos);
             }
@@ -25,7 +26,8 @@ std::vector<std::string> names_of_figures() {
 }
 
 const Figure& named(const std::string& name) {
-    return *std::find_if(figures().begin(), figures().end(), [&](const Figure& f) { return f.name == name; });
+    return *std::find_if(figures().begin(), figures().end(),
+                         [&](const Figure& f) { return f.name == name; });
 }
 
 TEST_P(Figures, IsMadeWithAllThatItShows) {
@@ -59,7 +61,8 @@ TEST_F(Figures, CaptionsHaveTheCommandWhichMakesThePicture) {
     const std::size_t at = page.rfind(begin) + begin.size();
     const std::string command =
         page.substr(at, page.find("</code>") == page.npos ? 0 : page.find("</code>", at) - at);
-    EXPECT_EQ(command, "build/release/bin/gw render scenes/rings.toml -o a/fig1/c.png --size 16x12");
+    EXPECT_EQ(command,
+              "build/release/bin/gw render scenes/rings.toml -o a/fig1/c.png --size 16x12");
     std::filesystem::remove(in("a/fig1/c.png"));
     expect_to_work({command});
     EXPECT_EQ(bytes_of(in("a/fig1/c.png")), picture);

@@ -1,5 +1,5 @@
-// The golden suite: every pass of every figure, small, on each profile, is as the manifests in tests/golden
-// say. They change only by `gw golden tests/golden --update`.
+// The golden suite: every pass of every figure, small, on each profile, is as the manifests in
+// tests/golden say. They change only by `gw golden tests/golden --update`.
 #include "apps/figures/figure_table.h"
 #include "examples.h"
 #include "gw/profile.h"
@@ -15,7 +15,8 @@ class Golden : public ExampleTest, public testing::WithParamInterface<GoldenRun>
 
 /// Those that take seconds are a test for each profile, which run side by side.
 std::vector<GoldenRun> golden_runs() {
-    static const std::set<std::string> long_ones{"fig5", "focus", "glare", "lamps", "shadows", "soft"};
+    static const std::set<std::string> long_ones{"fig5",  "focus",   "glare",
+                                                 "lamps", "shadows", "soft"};
     std::vector<GoldenRun> runs;
     for (const Figure& figure : figures()) {
         if (!long_ones.contains(figure.name))
@@ -64,7 +65,8 @@ TEST_F(Golden, WhatIsMissingOrLeftOverIsFound) {
     write("g/edges/9_vgx.json", "{}");
     const Outcome outcome = gw({"golden", "g", "--only", "edges"});
     EXPECT_EQ(outcome.code, 3);
-    EXPECT_EQ(outcome.out.find("g/edges/9_vgx.json: no panel of this figure makes it\n"), 0u) << outcome.out;
+    EXPECT_EQ(outcome.out.find("g/edges/9_vgx.json: no panel of this figure makes it\n"), 0u)
+        << outcome.out;
     ASSERT_EQ(gw({"golden", "g", "--only", "edges", "--update"}).code, 0);
     EXPECT_FALSE(std::filesystem::exists(in("g/edges/9_vgx.json")));
     std::filesystem::remove(in("g/edges/1_ideal.json"));

@@ -40,7 +40,9 @@ TEST_F(Help, OfEveryCommandHasAnExampleThatWorks) {
     }
 }
 
-TEST_F(Help, NamesEveryExitCode) { EXPECT_NE(gw({"--help"}).out.find("0 done, 1 "), std::string::npos); }
+TEST_F(Help, NamesEveryExitCode) {
+    EXPECT_NE(gw({"--help"}).out.find("0 done, 1 "), std::string::npos);
+}
 
 TEST_F(Help, VersionIsOneLine) {
     const Outcome outcome = gw({"--version"});

@@ -38,22 +38,24 @@ TEST_F(Hidden, PrintsTheSameCountsAsCsv) {
     std::getline(lines, counts);
     EXPECT_EQ(header.substr(0, 18), "algorithm,polygons");
     EXPECT_EQ(counts.substr(0, 9), "newell,3,");
-    EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(counts.begin(), counts.end(), ','));
+    EXPECT_EQ(std::count(header.begin(), header.end(), ','),
+              std::count(counts.begin(), counts.end(), ','));
     EXPECT_FALSE(std::getline(lines, rest));
 }
 
 TEST_F(Hidden, WritesStepsThatEndWithThePicture) {
     const Outcome outcome = hidden({"--algorithm", "newell", "--steps", "s", "--pictures", "3"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(names("s"),
-              (std::vector<std::string>{"difference.png", "index.html", "index.json", "picture.png",
-                                        "pieces.svg", "step_0001.png", "step_0002.png", "step_0003.png",
-                                        "steps.gif", "steps.jsonl", "writes.png"}));
+    EXPECT_EQ(names("s"), (std::vector<std::string>{"difference.png", "index.html", "index.json",
+                                                    "picture.png", "pieces.svg", "step_0001.png",
+                                                    "step_0002.png", "step_0003.png", "steps.gif",
+                                                    "steps.jsonl", "writes.png"}));
     EXPECT_EQ(bytes_of(in("s/steps.gif")).substr(0, 6), "GIF89a");
     EXPECT_NE(bytes_of(in("s/pieces.svg")).find("<path"), std::string::npos);
     std::istringstream log(bytes_of(in("s/steps.jsonl")));
     int lines = 0;
-    for (std::string line; std::getline(log, line); ++lines) EXPECT_TRUE(nlohmann::json::accept(line));
+    for (std::string line; std::getline(log, line); ++lines)
+        EXPECT_TRUE(nlohmann::json::accept(line));
     EXPECT_GT(lines, 4);
 }
 
@@ -61,8 +63,8 @@ TEST_F(Hidden, WritesAComparisonOfAll) {
     const Outcome outcome = hidden({"--compare", "c"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     const auto found = names("c");
-    for (const char* name : {"sheet.png", "complexity.png", "counts.csv", "counts.json", "index.html",
-                             "bsp.png", "bsp_difference.png", "bsp_writes.png"})
+    for (const char* name : {"sheet.png", "complexity.png", "counts.csv", "counts.json",
+                             "index.html", "bsp.png", "bsp_difference.png", "bsp_writes.png"})
         EXPECT_EQ(std::count(found.begin(), found.end(), name), 1) << name;
     const Pixels sheet = read_pixels(in("c/sheet.png"));
     const int one = 6 * 48 + 4;  // enlarged, so that captions can be read
@@ -77,7 +79,8 @@ TEST_F(Hidden, PrintsATableThatATerminalHolds) {
     std::size_t words = 0, rows = 0;
     for (std::string line, word; std::getline(lines, line);) {
         EXPECT_LE(line.size(), 120u);
-        for (std::istringstream in_line(line); in_line >> word; ++words) rows += word == "quake" ? 1 : 0;
+        for (std::istringstream in_line(line); in_line >> word; ++words)
+            rows += word == "quake" ? 1 : 0;
     }
     const std::size_t algorithms = hiddensurface::algorithms().size(),
                       counters = hiddensurface::count_names().size();
@@ -87,8 +90,11 @@ TEST_F(Hidden, PrintsATableThatATerminalHolds) {
 }
 
 TEST_F(Hidden, WritesOverEachPictureWhatItShows) {
-    hiddensurface::Replay replay(
-        {{.action = hiddensurface::Action::Compare, .polygons = {7, 8}, .test = "x", .result = "yes"}}, 4, 4);
+    hiddensurface::Replay replay({{.action = hiddensurface::Action::Compare,
+                                   .polygons = {7, 8},
+                                   .test = "x",
+                                   .result = "yes"}},
+                                 4, 4);
     replay.go_to(1);
     const auto lines = caption_of_step("newell", replay);
     ASSERT_EQ(lines.size(), 3u);
@@ -112,7 +118,8 @@ TEST_F(Hidden, EscapesTheScenesName) {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     const std::string page = bytes_of(in("c/index.html"));
     EXPECT_EQ(page.find("<script>"), page.npos);
-    EXPECT_NE(page.find("&lt;script&gt;alert(1)&lt;/script&gt; &amp; &#39;a&#39; &quot;b&quot;"), page.npos);
+    EXPECT_NE(page.find("&lt;script&gt;alert(1)&lt;/script&gt; &amp; &#39;a&#39; &quot;b&quot;"),
+              page.npos);
 }
 
 // A scene that takes long is not even read.
@@ -140,24 +147,27 @@ TEST_F(Hidden, DrawsHiddenLinesWithStepsAndCounts) {
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_NE(outcome.out.find(name), std::string::npos);
         EXPECT_NE(outcome.out.find("\nlines "), std::string::npos);
-        EXPECT_EQ(names(name),
-                  (std::vector<std::string>{"difference.png", "index.html", "index.json", "lines.svg",
-                                            "picture.png", "step_0001.png", "step_0002.png", "step_0003.png",
-                                            "steps.gif", "steps.jsonl"}));
+        EXPECT_EQ(names(name), (std::vector<std::string>{
+                                   "difference.png", "index.html", "index.json", "lines.svg",
+                                   "picture.png", "step_0001.png", "step_0002.png", "step_0003.png",
+                                   "steps.gif", "steps.jsonl"}));
         std::istringstream log(bytes_of(in(name + "/steps.jsonl")));
         int lines = 0;
-        for (std::string line; std::getline(log, line); ++lines) EXPECT_TRUE(nlohmann::json::accept(line));
+        for (std::string line; std::getline(log, line); ++lines)
+            EXPECT_TRUE(nlohmann::json::accept(line));
         EXPECT_EQ(lines, 9);  // three triangles
     }
     const Outcome json = hidden({"--algorithm", "appel", "--json"});
     EXPECT_EQ(nlohmann::json::parse(json.out)[0]["counts"]["lines"], 9);
-    expect_refused(1, {"hidden", cycle, "--algorithm", "floating-horizon"}, {"expected a height field"});
+    expect_refused(1, {"hidden", cycle, "--algorithm", "floating-horizon"},
+                   {"expected a height field"});
 }
 
 TEST_F(Hidden, MakesAQuizThatGradesItself) {
     const Outcome outcome = gw({"hidden", "--quiz", "q", "--seed", "3", "--questions", "7"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(names("q"), (std::vector<std::string>{"handout", "index.html", "index.json", "key.json"}));
+    EXPECT_EQ(names("q"),
+              (std::vector<std::string>{"handout", "index.html", "index.json", "key.json"}));
     const auto handout = names("q/handout");
     EXPECT_EQ(handout.size(), 3u + 4u * 7u);
     // Nothing in the handout tells the answers: the form is empty, the questions have none.
@@ -183,7 +193,8 @@ TEST_F(Hidden, MakesAQuizThatGradesItself) {
     EXPECT_EQ(nlohmann::json::parse(wrong.out)["right"], 6);
     EXPECT_EQ(nlohmann::json::parse(wrong.out)["answers"][2]["grade"], "wrong");
     // The scene of a question is one of gw's, with the same picture.
-    const Outcome scene = gw({"hidden", "q/handout/scene_01.toml", "--algorithm", "newell", "--json"});
+    const Outcome scene =
+        gw({"hidden", "q/handout/scene_01.toml", "--algorithm", "newell", "--json"});
     EXPECT_EQ(scene.code, 0) << scene.err;
     EXPECT_EQ(nlohmann::json::parse(scene.out)[0]["counts"]["polygons"], 4);
     // Again, the same bytes.
@@ -197,7 +208,8 @@ TEST_F(Hidden, RefusesAnswersThatFitNoKey) {
     ASSERT_EQ(gw({"hidden", "--quiz", "q", "--seed", "3", "--questions", "2"}).code, 0);
     const auto refused = [&](const std::string& text, const std::string& part) {
         write("mine.json", text);
-        expect_refused(1, {"hidden", "--grade", "q/key.json", "mine.json"}, {"mine.json", part, "expected"});
+        expect_refused(1, {"hidden", "--grade", "q/key.json", "mine.json"},
+                       {"mine.json", part, "expected"});
     };
     refused("{", "expected JSON");
     refused("[]", "no answers");
@@ -240,7 +252,8 @@ TEST_F(Hidden, RefusesExercisesThatMakeNoSense) {
     expect_refused(2, {"hidden", cycle, "--marked", "m.png"}, {"--marked", "--fragments"});
     expect_refused(2, {"hidden", cycle, "--fragments", "f.csv", "--marked", "m.xyz"}, {"m.xyz"});
     expect_refused(2, {"hidden", cycle, "--seed", "3"}, {"--seed", "--quiz"});
-    expect_refused(2, {"hidden", "--quiz", "q", "--algorithm", "bsp"}, {"--quiz", "no --algorithm"});
+    expect_refused(2, {"hidden", "--quiz", "q", "--algorithm", "bsp"},
+                   {"--quiz", "no --algorithm"});
     expect_refused(1, {"hidden", "--quiz", "no/such"}, {"no/such"});
 }
 

@@ -1,8 +1,8 @@
-// Folders that commands write into have an index of their pictures, with the command that made each; gw index
-// makes one page of many folders.
+// Folders that commands write into have an index of their pictures, with the command that made
+// each; gw index makes one page of many folders.
+#include "apps/describe/shell_words.h"
 #include "apps/figures/folder_index.h"
 #include "apps/figures/index_page.h"
-#include "apps/describe/shell_words.h"
 #include "examples.h"
 #include "scene_files.h"
 
@@ -17,7 +17,9 @@ class Index : public SceneTest {
 protected:
     Index() { EXPECT_EQ(gw({"record", "lamps.toml", "-o", "t.gwt", "--size", "16x16"}).code, 0); }
 
-    std::string page(const std::string& folder) const { return bytes_of(in(folder + "/index.html")); }
+    std::string page(const std::string& folder) const {
+        return bytes_of(in(folder + "/index.html"));
+    }
     static bool contains(const std::string& text, const std::string& part) {
         return text.find(part) != std::string::npos;
     }
@@ -49,12 +51,16 @@ TEST_F(Index, OfSeveralCommandsInOneFolderHasEachPictureOnce) {
 }
 
 TEST_F(Index, ComponentsPlanesAndStepsHaveOneEach) {
-    ASSERT_EQ(render({"lamps.toml", "-o", "a.png", "--components", "parts", "--planes", "planes"}).code, 0);
+    ASSERT_EQ(
+        render({"lamps.toml", "-o", "a.png", "--components", "parts", "--planes", "planes"}).code,
+        0);
     EXPECT_TRUE(contains(page("parts"), "src=\"sum.png\""));
     EXPECT_FALSE(contains(page("parts"), "a.png\""));
     EXPECT_TRUE(contains(page("planes"), "src=\"depth.png\""));
     ASSERT_EQ(
-        gw({"hidden", "lamps.toml", "--algorithm", "newell", "--steps", "steps", "--size", "16x16"}).code, 0);
+        gw({"hidden", "lamps.toml", "--algorithm", "newell", "--steps", "steps", "--size", "16x16"})
+            .code,
+        0);
     EXPECT_TRUE(contains(page("steps"), "src=\"steps.gif\""));
     EXPECT_FALSE(fs::exists(in("index.html")));
 }
@@ -98,7 +104,8 @@ TEST_F(Index, HasSinglePicturesByTheCommandsThatTheyName) {
     ASSERT_EQ(render({"lamps.toml", "-o", "all/a.png"}).code, 0);
     ASSERT_EQ(render({"lamps.toml", "-o", "all/deep/t.png", "--turntable", "2"}).code, 0);
     ASSERT_EQ(gw({"cast", "lamps.toml", "-o", "all/deep/cast.png", "--size", "16x16"}).code, 0);
-    if (!TemporaryFolder().keeps_attributes()) GTEST_SKIP() << "no extended attributes in " << in("all");
+    if (!TemporaryFolder().keeps_attributes())
+        GTEST_SKIP() << "no extended attributes in " << in("all");
     EXPECT_FALSE(fs::exists(in("all/index.json")));
     EXPECT_FALSE(fs::exists(in("all/deep/index.html")));
     write("all/mine.png", "from elsewhere");
@@ -114,7 +121,8 @@ TEST_F(Index, HasSinglePicturesByTheCommandsThatTheyName) {
     EXPECT_LT(text.find("t_001.png"), text.find("t_002.png"));
     EXPECT_EQ(text.find("--turntable 2"), text.rfind("--turntable 2"));
     EXPECT_LT(text.find("<h2>Others"), text.find("src=\"mine.png\""));
-    EXPECT_EQ(text.find("src", text.find("src=\"mine.png\"") + 1), text.npos) << "others name their command";
+    EXPECT_EQ(text.find("src", text.find("src=\"mine.png\"") + 1), text.npos)
+        << "others name their command";
 }
 
 TEST_F(Index, HasPlotsOfOtherProgramsByTheirCommands) {
@@ -152,7 +160,8 @@ TEST_F(Index, RefusesWhatIsNoFolderOfPictures) {
 }
 
 TEST(ShellWords, AreThoseOfTheCommand) {
-    const std::vector<std::string> words{"hidden", "a b.toml", "it's", "", "--eye", "1,2,3", "\\", "x'' y"};
+    const std::vector<std::string> words{"hidden", "a b.toml", "it's", "",
+                                         "--eye",  "1,2,3",    "\\",   "x'' y"};
     std::vector<std::string> expected{"build/release/bin/gw"};
     expected.insert(expected.end(), words.begin(), words.end());
     EXPECT_EQ(shell_words(shell_command(words)), expected);

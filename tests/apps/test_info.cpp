@@ -14,7 +14,8 @@ TEST_F(Info, NamesEveryProfile) {
     const Outcome outcome = gw({"info"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.err, "");
-    for (const Profile& profile : profiles()) EXPECT_NE(outcome.out.find(profile.name), std::string::npos);
+    for (const Profile& profile : profiles())
+        EXPECT_NE(outcome.out.find(profile.name), std::string::npos);
 }
 
 TEST_F(Info, AsJsonHasTheProfilesBits) {

@@ -1,5 +1,5 @@
-// gw inspect: a report is there whole or not at all, of every kind of recording; and what is wrong is one
-// line. What the page does is tested by tests/report/browser.
+// gw inspect: a report is there whole or not at all, of every kind of recording; and what is wrong
+// is one line. What the page does is tested by tests/report/browser.
 #include "examples.h"
 #include "scene_files.h"
 
@@ -33,15 +33,18 @@ TEST_F(Inspect, MakesAFolderWithAPageAndSaysWhatIsInIt) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     EXPECT_EQ(outcome.out.substr(0, 13), "r/index.html\n");
-    EXPECT_NE(outcome.out.find(" MB, pixel histories of passes 0-"), std::string::npos) << outcome.out;
-    EXPECT_EQ(names("r"), (std::vector<std::string>{"data.js", "history", "history.js", "index.html",
-                                                    "pictures", "report.css", "report.js", "words.js"}));
+    EXPECT_NE(outcome.out.find(" MB, pixel histories of passes 0-"), std::string::npos)
+        << outcome.out;
+    EXPECT_EQ(names("r"),
+              (std::vector<std::string>{"data.js", "history", "history.js", "index.html",
+                                        "pictures", "report.css", "report.js", "words.js"}));
     EXPECT_EQ(names("r/history"), std::vector<std::string>{"0_0.js"});
 }
 
 TEST_F(Inspect, CountersAreThoseOfGwPasses) {
     ASSERT_EQ(inspect({"t.gwt", "-o", "r"}).code, 0);
-    const auto passes = nlohmann::json::parse(gw({"passes", "lamps.toml", "--size", "16x16", "--json"}).out);
+    const auto passes =
+        nlohmann::json::parse(gw({"passes", "lamps.toml", "--size", "16x16", "--json"}).out);
     const auto shown = report("r");
     ASSERT_EQ(shown["passes"].size(), passes["passes"].size());
     for (std::size_t i = 0; i < shown["passes"].size(); ++i)
@@ -50,7 +53,9 @@ TEST_F(Inspect, CountersAreThoseOfGwPasses) {
 }
 
 TEST_F(Inspect, TheCommandOnThePageMakesThePageAgain) {
-    ASSERT_EQ(inspect({"t.gwt", "-o", "r", "--passes", "1-3", "--history", "2-2", "--lang", "ja"}).code, 0);
+    ASSERT_EQ(
+        inspect({"t.gwt", "-o", "r", "--passes", "1-3", "--history", "2-2", "--lang", "ja"}).code,
+        0);
     const auto shown = report("r");
     EXPECT_EQ(shown["command"],
               "build/release/bin/gw inspect t.gwt -o r --passes 1-3 --history 2-2 --lang ja");
@@ -74,7 +79,8 @@ TEST_F(Inspect, AnEarlierReportIsReplacedAndNothingElse) {
     fs::create_directory(in("empty"));
     EXPECT_EQ(inspect({"t.gwt", "-o", "empty/"}).code, 0);
     write("r/thesis.txt", "mine");
-    expect_refused(1, {"inspect", "t.gwt", "-o", "r"}, {"r: holds thesis.txt", "expected a new name"});
+    expect_refused(1, {"inspect", "t.gwt", "-o", "r"},
+                   {"r: holds thesis.txt", "expected a new name"});
     EXPECT_EQ(bytes_of(in("r/thesis.txt")), "mine");
     expect_refused(1, {"inspect", "t.gwt", "-o", "t.gwt"}, {"t.gwt: is not a folder"});
     expect_refused(1, {"inspect", "t.gwt", "-o", "missing/r"}, {"missing does not exist"});
@@ -87,14 +93,18 @@ TEST_F(Inspect, BadRecordingsAndOptionsAreRefusedWithOneLine) {
     expect_refused(1, {"inspect", "missing.gwt", "-o", "r"}, {"missing.gwt", "cannot be opened"});
     expect_refused(1, {"inspect", "short.gwt", "-o", "r"}, {"short.gwt", "cut short or damaged"});
     expect_refused(1, {"inspect", "empty.gwt", "-o", "r"}, {"empty.gwt", "not a recording"});
-    expect_refused(2, {"inspect", "t.gwt", "-o", "r", "--passes", "0-99"}, {"0-99", "expected passes of 0-"});
-    expect_refused(2, {"inspect", "t.gwt", "-o", "r", "--passes", "3-1"}, {"--passes '3-1'", "A-B"});
+    expect_refused(2, {"inspect", "t.gwt", "-o", "r", "--passes", "0-99"},
+                   {"0-99", "expected passes of 0-"});
+    expect_refused(2, {"inspect", "t.gwt", "-o", "r", "--passes", "3-1"},
+                   {"--passes '3-1'", "A-B"});
     expect_refused(2, {"inspect", "t.gwt", "-o", "r", "--history", "some"}, {"--history 'some'"});
-    expect_refused(2, {"inspect", "t.gwt", "-o", "r", "--passes", "1-2", "--history", "0-1"}, {"0-1"});
+    expect_refused(2, {"inspect", "t.gwt", "-o", "r", "--passes", "1-2", "--history", "0-1"},
+                   {"0-1"});
     expect_refused(2, {"inspect", "t.gwt", "-o", "r", "--lang", "de"}, {"--lang 'de'", "en, ja"});
     expect_refused(2, {"inspect", "t.gwt", "-o", "r", "--limit", "0"}, {"--limit '0'"});
     write("p.toml", "machine = \"m\"\n");
-    expect_refused(1, {"inspect", "t.gwt", "-o", "r", "--prices", "p.toml"}, {"p.toml", "no prices"});
+    expect_refused(1, {"inspect", "t.gwt", "-o", "r", "--prices", "p.toml"},
+                   {"p.toml", "no prices"});
 }
 
 TEST_F(Inspect, WhatCannotBeWrittenLeavesNothing) {
@@ -110,7 +120,9 @@ TEST_F(Inspect, WhatCannotBeWrittenLeavesNothing) {
 
 TEST_F(Inspect, InterruptedLeavesNothing) {
     // Far more work than half a second, so that the signal arrives while files are written.
-    ASSERT_EQ(gw({"record", "lamps.toml", "-o", "long.gwt", "--size", "512x512", "--samples", "64"}).code, 0);
+    ASSERT_EQ(
+        gw({"record", "lamps.toml", "-o", "long.gwt", "--size", "512x512", "--samples", "64"}).code,
+        0);
     const auto before = names();
     const Outcome outcome = inspect({"long.gwt", "-o", "r"}, {.interrupt_after_ms = 700});
     EXPECT_EQ(outcome.code, 130);
@@ -120,8 +132,8 @@ TEST_F(Inspect, InterruptedLeavesNothing) {
 class InspectRadiosity : public ExampleTest {};
 
 TEST_F(InspectRadiosity, RunsToo) {
-    ASSERT_EQ(gw({"radiosity", "scenes/radiosity/cornell.toml", "-o", "box", "--shots", "1", "--hemicube",
-                  "16", "--size", "32x24", "--record"})
+    ASSERT_EQ(gw({"radiosity", "scenes/radiosity/cornell.toml", "-o", "box", "--shots", "1",
+                  "--hemicube", "16", "--size", "32x24", "--record"})
                   .code,
               0);
     for (const std::string name : {"hemicubes", "pictures"}) {

@@ -1,4 +1,5 @@
-// Claims: every sign of ASCII has a shape of its own; text is clipped by the picture; captions are readable.
+// Claims: every sign of ASCII has a shape of its own; text is clipped by the picture; captions are
+// readable.
 #include "apps/hidden/lettering.h"
 
 #include <gtest/gtest.h>

@@ -21,7 +21,8 @@ TEST_F(Outputs, MissingFolderAndFolderAsTarget) {
 }
 
 TEST_F(Outputs, UnknownExtension) {
-    expect_refused(2, {"render", "quad.obj", "-o", "a.xyz"}, {"a.xyz", ".xyz", "expected .png, .exr, .tif"});
+    expect_refused(2, {"render", "quad.obj", "-o", "a.xyz"},
+                   {"a.xyz", ".xyz", "expected .png, .exr, .tif"});
     expect_refused(2, {"render", "quad.obj", "-o", "a"},
                    {"a: has no extension", "expected .png, .exr, .tif"});
 }
@@ -33,22 +34,24 @@ TEST_F(Outputs, FullDisk) {
                        {name, "No space left on device"});
     }
     std::filesystem::create_symlink("/dev/full", in("full.json"));
-    expect_refused(1, {"render", "quad.obj", "-o", "a.png", "--size", "16x16", "--manifest", "full.json"},
-                   {"full.json", "No space left on device"});
+    expect_refused(
+        1, {"render", "quad.obj", "-o", "a.png", "--size", "16x16", "--manifest", "full.json"},
+        {"full.json", "No space left on device"});
 }
 
 TEST_F(Outputs, GrownBeyondTheLimitLeaveTheOldPicture) {
     for (const std::string name : {"a.png", "a.exr", "a.tif", "a.sgi", "a.rla"}) {
         write(name, "old");
-        expect_refused(1, {"render", "quad.obj", "-o", name, "--size", "64x64"}, {name, "cannot be written"},
-                       {.largest_file = 100});
+        expect_refused(1, {"render", "quad.obj", "-o", name, "--size", "64x64"},
+                       {name, "cannot be written"}, {.largest_file = 100});
         EXPECT_EQ(bytes_of(in(name)), "old");
     }
 }
 
 TEST_F(Outputs, AllOrNone) {
-    expect_refused(1, {"render", "quad.obj", "-o", "a.png", "--planes", "planes", "--components", "parts"},
-                   {"cannot be written"}, {.largest_file = 10000});
+    expect_refused(
+        1, {"render", "quad.obj", "-o", "a.png", "--planes", "planes", "--components", "parts"},
+        {"cannot be written"}, {.largest_file = 10000});
 }
 
 TEST_F(Outputs, InterruptedLeaveNothing) {

@@ -20,11 +20,14 @@ TEST_F(Passes, AreWrittenAsThePaperWritesThem) {
     const Outcome outcome = gw({"passes", "lamps.toml", "--size", "16x16"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_TRUE(
-        contains(outcome.out, "\nambient     (Ka=object, Kd=0, Ks=0, Ke=0, Map=ambient map); lights each; "));
+        contains(outcome.out,
+                 "\nambient     (Ka=object, Kd=0, Ks=0, Ke=0, Map=ambient map); lights each; "));
     EXPECT_TRUE(
-        contains(outcome.out, "\ndiffuse     (Ka=0, Kd=object, Ks=0, Ke=0, Map=diffuse map); lights each; "));
-    EXPECT_TRUE(contains(outcome.out,
-                         "\nspecular    (Ka=0, Kd=0, Ks=object, Ke=0, Map=specular map); lights each; "));
+        contains(outcome.out,
+                 "\ndiffuse     (Ka=0, Kd=object, Ks=0, Ke=0, Map=diffuse map); lights each; "));
+    EXPECT_TRUE(
+        contains(outcome.out,
+                 "\nspecular    (Ka=0, Kd=0, Ks=object, Ke=0, Map=specular map); lights each; "));
 }
 
 TEST_F(Passes, ThatRanAreCountedLightByLight) {
@@ -43,14 +46,17 @@ TEST_F(Passes, OfTheHardwareRendererAreOne) {
         gw({"passes", "lamps.toml", "--renderer", "hardware", "--json", "--size", "16x16"});
     const auto json = nlohmann::json::parse(outcome.out);
     ASSERT_EQ(json["passes"].size(), 1u);
-    EXPECT_EQ(json["passes"][0]["set"], "(Ka=object, Kd=object, Ks=object, Ke=object, Map=object map)");
+    EXPECT_EQ(json["passes"][0]["set"],
+              "(Ka=object, Kd=object, Ks=object, Ke=object, Map=object map)");
     EXPECT_EQ(json["passes"][0]["counters"]["written"], 64);
 }
 
 TEST_F(Passes, AsJsonAddUp) {
-    const auto json = nlohmann::json::parse(gw({"passes", "lamps.toml", "--json", "--size", "16x16"}).out);
+    const auto json =
+        nlohmann::json::parse(gw({"passes", "lamps.toml", "--json", "--size", "16x16"}).out);
     std::uint64_t written = 0;
-    for (const auto& pass : json["passes"]) written += pass["counters"]["written"].get<std::uint64_t>();
+    for (const auto& pass : json["passes"])
+        written += pass["counters"]["written"].get<std::uint64_t>();
     EXPECT_EQ(json["sum"]["written"], written);
     EXPECT_GT(written, 6 * 64u);
     EXPECT_EQ(json["list"].size(), 8u);
@@ -58,12 +64,13 @@ TEST_F(Passes, AsJsonAddUp) {
 
 TEST_F(Passes, AsCsvHaveOneLineEach) {
     const Outcome csv = gw({"passes", "lamps.toml", "--csv", "--size", "16x16"});
-    const auto json = nlohmann::json::parse(gw({"passes", "lamps.toml", "--json", "--size", "16x16"}).out);
+    const auto json =
+        nlohmann::json::parse(gw({"passes", "lamps.toml", "--json", "--size", "16x16"}).out);
     EXPECT_EQ(csv.out.substr(0, 27), "name,set,draws,vertices,pri");
     EXPECT_EQ(static_cast<std::size_t>(std::count(csv.out.begin(), csv.out.end(), '\n')),
               json["passes"].size() + 1);
-    EXPECT_TRUE(
-        contains(csv.out, "\"ambient lamp 1\",\"(Ka=object, Kd=0, Ks=0, Ke=0, Map=ambient map)\",1,4,"));
+    EXPECT_TRUE(contains(
+        csv.out, "\"ambient lamp 1\",\"(Ka=object, Kd=0, Ks=0, Ke=0, Map=ambient map)\",1,4,"));
 }
 
 TEST_F(Passes, AsTomlAreAListThatDrawsTheSamePicture) {
@@ -81,8 +88,8 @@ TEST_F(Passes, OfTheSceneReplaceThoseOfMultipassOnly) {
         "[[pass]]\nname = 'flat'\nclear = ['color', 'depth', 'stencil']\nKe = [0, 1, 0]\n";
     write("own.toml", bytes_of(in("lamps.toml")) + own);
     EXPECT_TRUE(contains(gw({"passes", "own.toml", "--size", "16x16"}).out, "\nflat "));
-    EXPECT_FALSE(
-        contains(gw({"passes", "own.toml", "--size", "16x16", "--renderer", "hardware"}).out, "flat"));
+    EXPECT_FALSE(contains(
+        gw({"passes", "own.toml", "--size", "16x16", "--renderer", "hardware"}).out, "flat"));
     EXPECT_EQ(render({"own.toml", "-o", "own.png"}).code, 0);
     EXPECT_EQ(read_pixels(in("own.png")).at(8, 8), (std::vector<float>{0, 1, 0}));
 }

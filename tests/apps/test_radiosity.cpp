@@ -1,4 +1,5 @@
-// gw radiosity as a user runs it: what is saved survives whatever ends the program, changes, highlights.
+// gw radiosity as a user runs it: what is saved survives whatever ends the program, changes,
+// highlights.
 #include "scene_files.h"
 
 namespace gw::apps {
@@ -66,11 +67,13 @@ TEST_F(Radiosity, InterruptedLeavesTheLastCompleteSave) {
     const Outcome stopped = solve({"--resume", "--save", "--until", "1e-9", "--every", "1"},
                                   {.interrupt_when = "out/shot_000004.png"});
     EXPECT_EQ(stopped.code, 130);
-    EXPECT_NE(stopped.err.find("out/pixmaps.exr has the first 3: --resume goes on"), std::string::npos)
+    EXPECT_NE(stopped.err.find("out/pixmaps.exr has the first 3: --resume goes on"),
+              std::string::npos)
         << stopped.err;
     EXPECT_EQ(bytes_of(in("out/pixmaps.exr")), saved);
     for (const std::string& name : names("out"))
-        EXPECT_TRUE(name.find("shot_") == 0 || std::count(before.begin(), before.end(), name)) << name;
+        EXPECT_TRUE(name.find("shot_") == 0 || std::count(before.begin(), before.end(), name))
+            << name;
     EXPECT_EQ(solve({"--resume", "--shots", "4"}).code, 0);
 }
 
@@ -84,8 +87,8 @@ TEST_F(Radiosity, AFullDiskIsSaidAndKeepsTheSave) {
 }
 
 TEST_F(Radiosity, AChangeIsComparedWithSolvingAnew) {
-    const Outcome outcome =
-        solve({"--until", "0.3", "--change", "lamp:dim=0.5", "--change", "room:Kd=0.4,0.5,0.5", "--anew"});
+    const Outcome outcome = solve({"--until", "0.3", "--change", "lamp:dim=0.5", "--change",
+                                   "room:Kd=0.4,0.5,0.5", "--anew"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("changed: "), std::string::npos);
     EXPECT_NE(outcome.out.find("anew: "), std::string::npos);

@@ -1,5 +1,5 @@
-// gw record, replay, verify, diff, pixel, maps: a picture's recording gives that picture in another process,
-// and what is not as it should be is named.
+// gw record, replay, verify, diff, pixel, maps: a picture's recording gives that picture in another
+// process, and what is not as it should be is named.
 #include "examples.h"
 #include "pictures.h"
 #include "scene_files.h"
@@ -27,9 +27,11 @@ TEST_F(Recordings, ReplayToThePictureThatRenderDraws) {
             ASSERT_EQ(render(r).code, 0);
             ASSERT_EQ(record(t).code, 0);
             for (const std::string machine : {"fast", "reference", "both"}) {
-                const Outcome outcome = gw({"replay", "t.gwt", "--machine", machine, "-o", "b.png"});
+                const Outcome outcome =
+                    gw({"replay", "t.gwt", "--machine", machine, "-o", "b.png"});
                 EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-                EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("b.png"))) << profile << " " << machine;
+                EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("b.png")))
+                    << profile << " " << machine;
             }
         }
 }
@@ -54,20 +56,22 @@ TEST_F(Recordings, HoldHiddenSurfaceAlgorithms) {
 class RadiosityRecordings : public ExampleTest {};
 
 TEST_F(RadiosityRecordings, OfHemicubesAndOfPicturesReplay) {
-    ASSERT_EQ(gw({"radiosity", "scenes/radiosity/cornell.toml", "-o", "box", "--shots", "1", "--hemicube",
-                  "16", "--size", "32x24", "--profile", "vgx", "--record"})
+    ASSERT_EQ(gw({"radiosity", "scenes/radiosity/cornell.toml", "-o", "box", "--shots", "1",
+                  "--hemicube", "16", "--size", "32x24", "--profile", "vgx", "--record"})
                   .code,
               0);
     const Outcome hemicubes = gw({"replay", "box/hemicubes.gwt", "--machine", "both"});
     EXPECT_EQ(hemicubes.code, 0) << hemicubes.out << hemicubes.err;
     EXPECT_NE(hemicubes.out.find("16 x 16 pixels on profile identifiers"), std::string::npos)
         << hemicubes.out;
-    const Outcome pictures = gw({"replay", "box/pictures.gwt", "--machine", "both", "-o", "again.png"});
+    const Outcome pictures =
+        gw({"replay", "box/pictures.gwt", "--machine", "both", "-o", "again.png"});
     EXPECT_EQ(pictures.code, 0) << pictures.out << pictures.err;
     EXPECT_TRUE(bytes_of(in("again.png")) == bytes_of(in("box/picture.png")));
-    expect_refused(
-        2, {"radiosity", "scenes/radiosity/cornell.toml", "--form-factor", "lamp", "floor", "--record"},
-        {"--form-factor"});
+    expect_refused(2,
+                   {"radiosity", "scenes/radiosity/cornell.toml", "--form-factor", "lamp", "floor",
+                    "--record"},
+                   {"--form-factor"});
 }
 
 TEST_F(Recordings, VerifyAgainstTheirManifestsAndNoOther) {
@@ -79,7 +83,8 @@ TEST_F(Recordings, VerifyAgainstTheirManifestsAndNoOther) {
     ASSERT_EQ(record({"lamps.toml", "-o", "other.gwt", "--eye", "1,0,5"}).code, 0);
     const Outcome outcome = gw({"verify", "other.gwt", "m.json"});
     EXPECT_EQ(outcome.code, 3);
-    for (const char* part : {"pass 0 'depth', plane ", ", pixel ", ": expected ", ", got ", "; stage: "})
+    for (const char* part :
+         {"pass 0 'depth', plane ", ", pixel ", ": expected ", ", got ", "; stage: "})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part << " in " << outcome.out;
     EXPECT_EQ(gw({"verify", "other.gwt", "m.json", "--update"}).code, 0);
     EXPECT_EQ(gw({"verify", "other.gwt", "m.json"}).code, 0);
@@ -87,7 +92,8 @@ TEST_F(Recordings, VerifyAgainstTheirManifestsAndNoOther) {
 
 TEST_F(Recordings, DiffNamesCommandPixelAndFragment) {
     ASSERT_EQ(record({"lamps.toml", "-o", "a.gwt", "--manifest", "a.json"}).code, 0);
-    write("lamps.toml", bytes_of(in("lamps.toml")) + "[[light]]\ndirection = [0, 0, -1]\nId = 0.1\n");
+    write("lamps.toml",
+          bytes_of(in("lamps.toml")) + "[[light]]\ndirection = [0, 0, -1]\nId = 0.1\n");
     ASSERT_EQ(record({"lamps.toml", "-o", "b.gwt", "--manifest", "b.json"}).code, 0);
     EXPECT_EQ(gw({"diff", "a.gwt", "a.gwt"}).code, 0);
     EXPECT_EQ(gw({"diff", "a.json", "a.json"}).code, 0);
@@ -121,8 +127,9 @@ TEST_F(Recordings, APixelsHistoryIsInPictureCoordinates) {
 TEST_F(Recordings, MapsShowWhereFragmentsWereMade) {
     ASSERT_EQ(record({"lamps.toml", "-o", "t.gwt"}).code, 0);
     ASSERT_EQ(gw({"maps", "t.gwt", "-o", "maps"}).code, 0);
-    EXPECT_EQ(names("maps"), (std::vector<std::string>{"depth_complexity.png", "fragments.exr", "index.html",
-                                                       "index.json", "overdraw.png", "why_killed.png"}));
+    EXPECT_EQ(names("maps"),
+              (std::vector<std::string>{"depth_complexity.png", "fragments.exr", "index.html",
+                                        "index.json", "overdraw.png", "why_killed.png"}));
     ASSERT_EQ(gw({"maps", "t.gwt", "-o", "depth", "--pass", "depth"}).code, 0);
     const Pixels why = read_pixels(in("depth/why_killed.png"));
     EXPECT_EQ(why.at(0, 0), (std::vector<float>{0, 0, 0}));
@@ -145,7 +152,8 @@ TEST_F(Recordings, BadFilesAreRefusedWithAReason) {
     expect_refused(1, {"replay", "t.gwt", "-o", "missing/a.png"}, {"missing"});
     expect_refused(2, {"replay", "t.gwt", "-o", "a.xyz"}, {"a.xyz"});
     expect_refused(2, {"replay", "t.gwt", "--machine", "both?"}, {"both?"});
-    expect_refused(2, {"record", "lamps.toml", "-o", "x.gwt", "--manifest", "x.gwt"}, {"the same file"});
+    expect_refused(2, {"record", "lamps.toml", "-o", "x.gwt", "--manifest", "x.gwt"},
+                   {"the same file"});
     expect_refused(1, {"record", "lamps.toml", "-o", "missing/x.gwt"}, {"missing"});
 }
 

@@ -31,7 +31,8 @@ TEST_F(Render, WritesThePictureInEachUsualFormatAndNothingElse) {
 // OpenImageIO's libraries take longer to load than most pictures to draw (docs/decisions/009).
 TEST_F(Render, LoadsOtherFormatsOnlyWherePngIsNotEnough) {
     ::setenv("LD_DEBUG", "libs", 1);
-    const Outcome png = render({"lamps.toml", "-o", "a.png"}), tif = render({"lamps.toml", "-o", "a.tif"});
+    const Outcome png = render({"lamps.toml", "-o", "a.png"}),
+                  tif = render({"lamps.toml", "-o", "a.tif"});
     ::unsetenv("LD_DEBUG");
     EXPECT_EQ(png.code + tif.code, 0);
     EXPECT_NE(png.err.find("libpng"), png.err.npos);
@@ -49,13 +50,16 @@ TEST_F(Render, WritesTheProfilesBits) {
     EXPECT_EQ(render({"lamps.toml", "-o", "vgx.tif"}).code, 0);
     EXPECT_EQ(render({"lamps.toml", "-o", "reality.tif", "--profile", "reality"}).code, 0);
     EXPECT_EQ(OIIO::ImageInput::open(in("vgx.tif").string())->spec().format, OIIO::TypeDesc::UINT8);
-    EXPECT_EQ(OIIO::ImageInput::open(in("reality.tif").string())->spec().format, OIIO::TypeDesc::UINT16);
+    EXPECT_EQ(OIIO::ImageInput::open(in("reality.tif").string())->spec().format,
+              OIIO::TypeDesc::UINT16);
 }
 
 TEST_F(Render, TakesAProfileFromAFile) {
     write("mine.toml", "base = \"ideal\"\ncolor_bits = 12\nlit_bits = 12\n");
-    EXPECT_EQ(render({"lamps.toml", "-o", "a.png", "--profile", "mine.toml", "--manifest", "m.json"}).code,
-              0);
+    EXPECT_EQ(
+        render({"lamps.toml", "-o", "a.png", "--profile", "mine.toml", "--manifest", "m.json"})
+            .code,
+        0);
     const auto profile = nlohmann::json::parse(bytes_of(in("m.json")))["profile"];
     EXPECT_EQ(profile["name"], "mine");
     EXPECT_EQ(profile["color_bits"], 12);
@@ -63,8 +67,10 @@ TEST_F(Render, TakesAProfileFromAFile) {
 }
 
 TEST_F(Render, GivesTheSameFilesForAnyNumberOfThreads) {
-    EXPECT_EQ(render({"lamps.toml", "-o", "a.png", "--threads", "1", "--manifest", "a.json"}).code, 0);
-    EXPECT_EQ(render({"lamps.toml", "-o", "b.png", "--threads", "2", "--manifest", "b.json"}).code, 0);
+    EXPECT_EQ(render({"lamps.toml", "-o", "a.png", "--threads", "1", "--manifest", "a.json"}).code,
+              0);
+    EXPECT_EQ(render({"lamps.toml", "-o", "b.png", "--threads", "2", "--manifest", "b.json"}).code,
+              0);
     EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("b.png")));
     EXPECT_EQ(bytes_of(in("a.json")), bytes_of(in("b.json")));
 }
@@ -80,15 +86,16 @@ TEST_F(Render, CameraOptionsReplaceTheScenes) {
     EXPECT_EQ(render({"lamps.toml", "-o", "a.png"}).code, 0);
     EXPECT_EQ(render({"lamps.toml", "-o", "same.png", "--eye", "0,0,5", "--at", "0,0,0"}).code, 0);
     EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("same.png")));
-    EXPECT_EQ(render({"lamps.toml", "-o", "aside.png", "--eye", "100,0,5", "--at", "100,0,0"}).code, 0);
+    EXPECT_EQ(render({"lamps.toml", "-o", "aside.png", "--eye", "100,0,5", "--at", "100,0,0"}).code,
+              0);
     EXPECT_EQ(read_pixels(in("aside.png")).at(8, 8), (std::vector<float>{0, 0, 0}));
 }
 
 TEST_F(Render, TurntableNumbersItsPicturesAndStartsAtTheCamera) {
     EXPECT_EQ(render({"lamps.toml", "-o", "a.png"}).code, 0);
     EXPECT_EQ(render({"lamps.toml", "-o", "t.png", "--turntable", "3"}).code, 0);
-    EXPECT_EQ(names(), (std::vector<std::string>{"a.png", "lamps.toml", "quad.obj", "t_001.png", "t_002.png",
-                                                 "t_003.png"}));
+    EXPECT_EQ(names(), (std::vector<std::string>{"a.png", "lamps.toml", "quad.obj", "t_001.png",
+                                                 "t_002.png", "t_003.png"}));
     EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("t_001.png")));
     EXPECT_FALSE(bytes_of(in("a.png")) == bytes_of(in("t_002.png")));
 }
@@ -97,7 +104,8 @@ TEST_F(Render, TwoProcessesWithHalfTheFramesEachMakeTheFilesOfOne) {
     EXPECT_EQ(render({"lamps.toml", "-o", "one.png", "--turntable", "3"}).code, 0);
     EXPECT_EQ(render({"lamps.toml", "-o", "two.png", "--turntable", "3", "--frames", "1"}).code, 0);
     EXPECT_FALSE(std::filesystem::exists(in("two_002.png")));
-    EXPECT_EQ(render({"lamps.toml", "-o", "two.png", "--turntable", "3", "--frames", "2-3"}).code, 0);
+    EXPECT_EQ(render({"lamps.toml", "-o", "two.png", "--turntable", "3", "--frames", "2-3"}).code,
+              0);
     for (const std::string number : {"_001.png", "_002.png", "_003.png"})
         EXPECT_TRUE(bytes_of(in("one" + number)) == bytes_of(in("two" + number))) << number;
 }
@@ -107,9 +115,10 @@ TEST_F(Render, ComponentsAddUpToTheirSumWhichIsThePicture) {
     EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("parts/sum.png")));
     const Pixels picture = read_pixels(in("a.png"));
     std::vector<int> sum(picture.values.size());
-    EXPECT_EQ(names("parts"), (std::vector<std::string>{"ambient.png", "diffuse.png", "emission.png",
-                                                        "index.html", "index.json", "reflection.png",
-                                                        "refraction.png", "specular.png", "sum.png"}));
+    EXPECT_EQ(names("parts"),
+              (std::vector<std::string>{"ambient.png", "diffuse.png", "emission.png", "index.html",
+                                        "index.json", "reflection.png", "refraction.png",
+                                        "specular.png", "sum.png"}));
     for (const std::string& name : names("parts")) {
         if (name.starts_with("index")) continue;
         const Pixels part = read_pixels(in("parts/" + name));
@@ -124,7 +133,8 @@ TEST_F(Render, ComponentsAddUpToTheirSumWhichIsThePicture) {
 
 TEST_F(Render, SamplesSoftenTheEdgesOnly) {
     EXPECT_EQ(render({"quad.obj", "-o", "one.png", "--eye", "0.3,0.2,4"}).code, 0);
-    EXPECT_EQ(render({"quad.obj", "-o", "many.png", "--eye", "0.3,0.2,4", "--samples", "16"}).code, 0);
+    EXPECT_EQ(render({"quad.obj", "-o", "many.png", "--eye", "0.3,0.2,4", "--samples", "16"}).code,
+              0);
     const Pixels one = read_pixels(in("one.png")), many = read_pixels(in("many.png"));
     EXPECT_EQ(one.at(8, 8), many.at(8, 8));
     EXPECT_EQ(one.at(0, 0), many.at(0, 0));
@@ -134,9 +144,9 @@ TEST_F(Render, SamplesSoftenTheEdgesOnly) {
 TEST_F(Render, PlanesHoldTheMachinesValues) {
     EXPECT_EQ(render({"lamps.toml", "-o", "a.png", "--planes", "planes"}).code, 0);
     EXPECT_EQ(names("planes"),
-              (std::vector<std::string>{"accum.exr", "accum.png", "color.exr", "color.png", "depth.exr",
-                                        "depth.png", "ids.exr", "ids.png", "index.html", "index.json",
-                                        "stencil.exr", "stencil.png"}));
+              (std::vector<std::string>{"accum.exr", "accum.png", "color.exr", "color.png",
+                                        "depth.exr", "depth.png", "ids.exr", "ids.png",
+                                        "index.html", "index.json", "stencil.exr", "stencil.png"}));
     EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("planes/color.png")));
     auto input = OIIO::ImageInput::open(in("planes/depth.exr").string());
     std::vector<std::uint32_t> depth(16 * 16);
@@ -171,7 +181,8 @@ TEST_F(Render, GammaAndExposureChangeThePictureOnlyWhereAsked) {
     EXPECT_EQ(render({"lamps.toml", "-o", "dark.png", "--exposure", "-1"}).code, 0);
     EXPECT_TRUE(bytes_of(in("a.png")) == bytes_of(in("plain.png")));
     const float value = read_pixels(in("a.png")).at(8, 8)[2];
-    EXPECT_EQ(std::lround(read_pixels(in("dark.png")).at(8, 8)[2] * 255), std::lround(value * 255 / 2.0));
+    EXPECT_EQ(std::lround(read_pixels(in("dark.png")).at(8, 8)[2] * 255),
+              std::lround(value * 255 / 2.0));
 }
 
 TEST_F(Render, ReplacesAPictureThatIsThere) {

@@ -1,5 +1,5 @@
-// gw-exactness: runs the fixed lists and random ones, and prints a line `scene pass plane digest` for each
-// plane. The lines are the same whatever compiled and runs them: digests.txt holds them.
+// gw-exactness: runs the fixed lists and random ones, and prints a line `scene pass plane digest`
+// for each plane. The lines are the same whatever compiled and runs them: digests.txt holds them.
 // Does not compare them: tests/exactness/compare does. Exit 1 for an error, 2 for usage.
 #include "gw/error.h"
 #include "gw/fast/kernels.h"
@@ -43,7 +43,8 @@ void print_pictures(const fuzz::MachineMaker& make) {
 
 void print_lists(const fuzz::MachineMaker& make, std::uint64_t count) {
     for (const fuzz::Suite& suite : fuzz::suites())
-        fmt::print("lists-{} 0-{} all {}\n", suite.name, count, fuzz::suite_digest(suite, 0, count, make));
+        fmt::print("lists-{} 0-{} all {}\n", suite.name, count,
+                   fuzz::suite_digest(suite, 0, count, make));
 }
 
 int run(int argc, char** argv) {
@@ -57,8 +58,9 @@ int run(int argc, char** argv) {
         if (word == "--machine") {
             machine = value;
         } else if (word != "--simd" || !fast::use_simd_target(value)) {
-            fmt::print(stderr,
-                       "usage: gw-exactness [--machine reference|fast] [--simd TARGET] [--targets]\n");
+            fmt::print(
+                stderr,
+                "usage: gw-exactness [--machine reference|fast] [--simd TARGET] [--targets]\n");
             return 2;
         }
     }

@@ -1,11 +1,12 @@
-// Three scenes: components added over a Z prepass, everything in one pass, jittered samples accumulated.
+// Three scenes: components added over a Z prepass, everything in one pass, jittered samples
+// accumulated.
 #include "tests/exactness/pictures.h"
 
+#include "scene/draw/view.h"
 #include "scene/shapes/box.h"
 #include "scene/shapes/sphere.h"
 #include "scene/shapes/teapot.h"
 #include "scene/shapes/torus.h"
-#include "scene/draw/view.h"
 
 namespace gw::exactness {
 namespace {
@@ -88,7 +89,8 @@ Model model() {
          .Ke = {0.05f, 0, 0},
          .Ns = 61.3f,
          .alpha = 0.75f});
-    add(m, scene::make_icosphere(0.9, 3), {2.9, 0.9, 2.2}, {.Kd = vec3(0.6f), .Ks = vec3(0.4f), .Ns = 5});
+    add(m, scene::make_icosphere(0.9, 3), {2.9, 0.9, 2.2},
+        {.Kd = vec3(0.6f), .Ks = vec3(0.4f), .Ns = 5});
     add(m, scene::make_rectangle(30, 30, 12, 12), {0, 0, 0}, {.Kd = vec3(0.9f)});
     m.checker = checker();
     m.sky = sky();
@@ -107,13 +109,14 @@ State base_state(const Model& m) {
 enum class Maps { None, Checker, Sky };
 
 /// A pass over the whole model; `keep` says which terms of the material it keeps.
-void add_pass(CommandList& list, const Model& m, const char* name, PlaneMask digests, const State& state,
-              Maps maps, Material (*keep)(Material)) {
+void add_pass(CommandList& list, const Model& m, const char* name, PlaneMask digests,
+              const State& state, Maps maps, Material (*keep)(Material)) {
     list.add(BeginPass{name, digests});
     list.add(SetState{state});
     for (std::size_t i = 0; i < m.meshes.size(); ++i) {
-        Draw draw{
-            .mesh = m.meshes[i], .eye_from_object = m.eye_from_object[i], .material = keep(m.materials[i])};
+        Draw draw{.mesh = m.meshes[i],
+                  .eye_from_object = m.eye_from_object[i],
+                  .material = keep(m.materials[i])};
         draw.lights = m.lights;
         if (maps == Maps::Checker) draw.map.texture = m.checker;
         if (maps == Maps::Sky) draw.map.texture = m.sky;
@@ -169,7 +172,8 @@ CommandList components(const Model& m) {
     add_pass(list, m, "reflection", color, s, Maps::Sky, reflection);
     s.texture.gen = TexGen::RefractionMap;
     s.texture.eta = 0.75;
-    s.fog = {.enable = true, .mode = FogMode::Exp2, .density = 0.08f, .color = {0.3f, 0.3f, 0.35f, 1}};
+    s.fog = {
+        .enable = true, .mode = FogMode::Exp2, .density = 0.08f, .color = {0.3f, 0.3f, 0.35f, 1}};
     add_pass(list, m, "refraction in fog", color, s, Maps::Sky, reflection);
     list.add(BeginPass{"copy", color | depth});
     list.add(Copy{Plane::Color, {10, 10, 60, 50}, 37, 31});
@@ -177,11 +181,12 @@ CommandList components(const Model& m) {
     s = {};
     s.alpha = {true, AlphaFunc::Greater, 0.1f};
     list.add(SetState{s});
-    list.add(Draw{.mesh = make_mesh(
-                      {.primitive = Primitive::Quads,
-                       .positions = {{-0.9f, 0.2f, 0}, {-0.1f, 0.3f, 0}, {-0.2f, 0.9f, 0}, {-0.8f, 0.8f, 0}},
-                       .texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}}),
-                  .map = {nullptr, 0}});
+    list.add(Draw{
+        .mesh = make_mesh(
+            {.primitive = Primitive::Quads,
+             .positions = {{-0.9f, 0.2f, 0}, {-0.1f, 0.3f, 0}, {-0.2f, 0.9f, 0}, {-0.8f, 0.8f, 0}},
+             .texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}}),
+        .map = {nullptr, 0}});
     return list;
 }
 
@@ -190,7 +195,11 @@ CommandList hardware(const Model& m) {
     add_clear(list);
     State s = base_state(m);
     s.depth.test = true;
-    s.fog = {.enable = true, .mode = FogMode::Linear, .start = 4, .end = 30, .color = {0.5f, 0.5f, 0.6f, 1}};
+    s.fog = {.enable = true,
+             .mode = FogMode::Linear,
+             .start = 4,
+             .end = 30,
+             .color = {0.5f, 0.5f, 0.6f, 1}};
     add_pass(list, m, "hardware", color | depth, s, Maps::Checker, whole);
     s.polygon_mode = PolygonMode::Line;
     s.fog = {};

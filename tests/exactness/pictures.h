@@ -1,5 +1,7 @@
-// The fixed lists of the exactness table: shapes, all passes, each built-in profile, purely in code.
-// Does not read files, and does not use the driver: the table must not change with the driver's choices.
+// The fixed lists of the exactness table: shapes, all passes, each built-in profile, purely in
+// code.
+// Does not read files, and does not use the driver: the table must not change with the driver's
+// choices.
 #pragma once
 
 #include "gw/command_list.h"

@@ -1,7 +1,7 @@
-// gw-replay: recordings from another process, compiler and processor. Replays each T.gwt on both machines and
-// holds every plane and counter of every pass against T.json, as gw verify does. scripts/exactness makes the
-// files. Prints "recordings AGREE OF", counting each machine. Exit 3 where one differs, 1 for an error, 2 for
-// usage.
+// gw-replay: recordings from another process, compiler and processor. Replays each T.gwt on both
+// machines and holds every plane and counter of every pass against T.json, as gw verify does.
+// scripts/exactness makes the files. Prints "recordings AGREE OF", counting each machine. Exit 3
+// where one differs, 1 for an error, 2 for usage.
 #include "gw/error.h"
 #include "inspect/manifest/manifest_file.h"
 #include "inspect/recording/read_bytes.h"
@@ -19,7 +19,8 @@ bool replays(const std::filesystem::path& file, const std::string& machine) {
     const auto make = inspect::maker_of(machine, 1);
     const auto result = inspect::verify(recording, expected.manifest, expected.values, make, make);
     if (result.finding)
-        fmt::print(stderr, "{}, {}: {}", file.string(), machine, text(*result.finding, recording.height));
+        fmt::print(stderr, "{}, {}: {}", file.string(), machine,
+                   text(*result.finding, recording.height));
     return !result.finding;
 }
 

@@ -71,11 +71,13 @@ std::optional<Difference> compare_pass(std::size_t i, const PassReport& a, const
         pass + ", planes digested", {}, {}, std::to_string(a.digested), std::to_string(b.digested)};
 }
 
-std::optional<Difference> compare_passes(const std::vector<PassReport>& a, const std::vector<PassReport>& b) {
+std::optional<Difference> compare_passes(const std::vector<PassReport>& a,
+                                         const std::vector<PassReport>& b) {
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
         if (const auto difference = compare_pass(i, a[i], b[i])) return difference;
     if (a.size() == b.size()) return std::nullopt;
-    return Difference{"number of passes", {}, {}, std::to_string(a.size()), std::to_string(b.size())};
+    return Difference{
+        "number of passes", {}, {}, std::to_string(a.size()), std::to_string(b.size())};
 }
 
 std::string first_value(const Readback& r, std::size_t i) {
@@ -93,14 +95,19 @@ std::optional<Difference> compare_readbacks(const std::map<std::uint32_t, Readba
         if (found == b.end()) return Difference{what, {}, {}, "present", "missing"};
         const Readback& rb = found->second;
         if (ra == rb) continue;
-        for (const auto& i : {first_unequal(ra.color, rb.color), first_unequal(ra.values, rb.values),
-                              first_unequal(ra.accum, rb.accum)})
+        for (const auto& i :
+             {first_unequal(ra.color, rb.color), first_unequal(ra.values, rb.values),
+              first_unequal(ra.accum, rb.accum)})
             if (i)
-                return Difference{
-                    fmt::format("{}, value {}", what, *i), {}, {}, first_value(ra, *i), first_value(rb, *i)};
+                return Difference{fmt::format("{}, value {}", what, *i),
+                                  {},
+                                  {},
+                                  first_value(ra, *i),
+                                  first_value(rb, *i)};
         return Difference{what + ", plane or rectangle", {}, {}, "", ""};
     }
-    return Difference{"number of read-backs", {}, {}, std::to_string(a.size()), std::to_string(b.size())};
+    return Difference{
+        "number of read-backs", {}, {}, std::to_string(a.size()), std::to_string(b.size())};
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Comparing two machines: planes, passes with counters and digests, read-backs. Does not execute anything.
+// Comparing two machines: planes, passes with counters and digests, read-backs. Does not execute
+// anything.
 #pragma once
 
 #include "gw/machine.h"

@@ -1,5 +1,5 @@
-// A case as text, for a report: what differs from the initial state, one line a command. Does not read it
-// back: the command line repeats it.
+// A case as text, for a report: what differs from the initial state, one line a command. Does not
+// read it back: the command line repeats it.
 #pragma once
 
 #include "tests/fuzz/case.h"

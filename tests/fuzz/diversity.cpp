@@ -12,7 +12,8 @@ namespace gw::fuzz {
 namespace {
 
 bool varies(const auto& plane) {
-    return std::any_of(plane.begin(), plane.end(), [&](const auto& v) { return v != plane.front(); });
+    return std::any_of(plane.begin(), plane.end(),
+                       [&](const auto& v) { return v != plane.front(); });
 }
 
 }  // namespace
@@ -32,24 +33,24 @@ std::string missing(const Diversity& reached, const Suite& suite) {
     if (reached.lists < 20) return "";
     std::string out;
     for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
-        if ((suite.planes & mask_of(plane)) && reached.varied[std::size_t(plane)] * 10 < reached.lists)
+        if ((suite.planes & mask_of(plane)) &&
+            reached.varied[std::size_t(plane)] * 10 < reached.lists)
             out += fmt::format(" plane {} varies in {} of {} lists;", name_of(plane),
                                reached.varied[std::size_t(plane)], reached.lists);
     for (const CounterName& c : counter_names())
         if (std::count(suite.counters.begin(), suite.counters.end(), c.count) &&
             reached.counters.*c.count * 4 < reached.lists)
-            out += fmt::format(" counter {} is {} after {} lists;", c.name, reached.counters.*c.count,
-                               reached.lists);
+            out += fmt::format(" counter {} is {} after {} lists;", c.name,
+                               reached.counters.*c.count, reached.lists);
     return out;
 }
 
 std::string summary(const Diversity& d) {
     return fmt::format(
         "{} lists, {} commands, {} fragments; vary: colour {}, depth {}, stencil {}, accum {}; killed by "
-        "alpha {}, "
-        "stencil {}, depth {}",
-        d.lists, d.commands, d.counters.fragments, d.varied[0], d.varied[1], d.varied[2], d.varied[3],
-        d.counters.alpha_killed, d.counters.stencil_killed, d.counters.depth_killed);
+        "alpha {}, stencil {}, depth {}",
+        d.lists, d.commands, d.counters.fragments, d.varied[0], d.varied[1], d.varied[2],
+        d.varied[3], d.counters.alpha_killed, d.counters.stencil_killed, d.counters.depth_killed);
 }
 
 }  // namespace gw::fuzz

@@ -1,4 +1,5 @@
-// What the lists of a range reached: planes that vary, counters that moved. Does not compare machines.
+// What the lists of a range reached: planes that vary, counters that moved. Does not compare
+// machines.
 #pragma once
 
 #include "tests/fuzz/case.h"
@@ -11,14 +12,15 @@ namespace gw::fuzz {
 
 struct Diversity {
     std::uint64_t lists = 0, commands = 0;
-    std::array<std::uint64_t, 4> varied{};  ///< lists at whose end the plane has two values or more
-    Counters counters;                      ///< of all lists
+    /// lists at whose end the plane has two values or more
+    std::array<std::uint64_t, 4> varied{};
+    Counters counters;  ///< of all lists
 
     void add(const Case& c, Machine& machine);
 };
 
-/// What the suite should have reached and did not; empty where all is well. Fewer than 20 lists prove
-/// nothing either way.
+/// What the suite should have reached and did not; empty where all is well. Fewer than 20 lists
+/// prove nothing either way.
 std::string missing(const Diversity& reached, const Suite& suite);
 /// One line.
 std::string summary(const Diversity& reached);

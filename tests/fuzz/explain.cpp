@@ -22,8 +22,8 @@ const char* name_of(Fate fate) {
 }
 
 std::string text_of(const PixelValues& v) {
-    return fmt::format("depth {} stencil {} colour {} accum {}", v.depth, v.stencil, fmt::join(v.color, " "),
-                       fmt::join(v.accum, " "));
+    return fmt::format("depth {} stencil {} colour {} accum {}", v.depth, v.stencil,
+                       fmt::join(v.color, " "), fmt::join(v.accum, " "));
 }
 
 class PixelObserver final : public Observer {
@@ -39,14 +39,15 @@ public:
         if (f.x != pixel_.x || f.y != pixel_.y) return;
         fragments += 1;
         written += fate == Fate::Written ? 1 : 0;
-        lines += fmt::format("  primitive {} ({}): depth {} colour {}: {}\n    before {}\n    after  {}\n",
-                             f.primitive, f.front ? "front" : "back", f.depth, fmt::join(f.color, " "),
-                             name_of(fate), text_of(before), text_of(after));
+        lines += fmt::format(
+            "  primitive {} ({}): depth {} colour {}: {}\n    before {}\n    after  {}\n",
+            f.primitive, f.front ? "front" : "back", f.depth, fmt::join(f.color, " "),
+            name_of(fate), text_of(before), text_of(after));
     }
     void pixel(int x, int y, const PixelValues& before, const PixelValues& after) override {
         if (x != pixel_.x || y != pixel_.y) return;
-        lines +=
-            fmt::format("  pixel command\n    before {}\n    after  {}\n", text_of(before), text_of(after));
+        lines += fmt::format("  pixel command\n    before {}\n    after  {}\n", text_of(before),
+                             text_of(after));
     }
 
     std::string lines;
@@ -59,11 +60,13 @@ private:
 /// The stage that decides the plane's value, given what the reference machine did.
 std::string stage_of(const PixelObserver& seen, const Command& command, const Difference& d) {
     const bool draws = std::holds_alternative<Draw>(command);
-    if (seen.lines.empty()) return "coverage, clipping or culling: machine a makes no fragment here";
+    if (seen.lines.empty())
+        return "coverage, clipping or culling: machine a makes no fragment here";
     if (seen.fragments == 0) return "pixel command";
     if (seen.written == 0) return "coverage or a test: machine a kills every fragment here";
     switch (*d.plane) {
-        case Plane::Depth: return draws ? "depth: its plane, offset, test or mask" : "depth test or mask";
+        case Plane::Depth:
+            return draws ? "depth: its plane, offset, test or mask" : "depth test or mask";
         case Plane::Stencil: return "stencil operation or mask";
         case Plane::Color:
             return draws ? "shading (colour, texture, fog), blending or colour mask"
@@ -79,17 +82,20 @@ std::string explain_pixel(const Case& c, std::size_t command, const Difference& 
     PixelObserver observer(d.pixel);
     const auto machine = reference::make(c.profile, c.width, c.height, &observer);
     for (std::size_t i = 0; i <= command; ++i) machine->execute(part_of(c.list, i, 1));
-    return fmt::format("stage: {}\n{}", stage_of(observer, c.list.commands[command], d), observer.lines);
+    return fmt::format("stage: {}\n{}", stage_of(observer, c.list.commands[command], d),
+                       observer.lines);
 }
 
 std::string report(const Suite& suite, std::uint64_t index, const Case& c, const Failure& f,
                    std::string_view a, std::string_view b) {
     const Difference& d = f.difference;
-    std::string out = fmt::format("DIFFERENCE in list {} of suite {}, executed {}, after command {}\n", index,
-                                  suite.name, name_of(f.split), f.command);
+    std::string out =
+        fmt::format("DIFFERENCE in list {} of suite {}, executed {}, after command {}\n", index,
+                    suite.name, name_of(f.split), f.command);
     out += fmt::format("  {}\n", describe(c.list.commands[f.command]));
     out += fmt::format("{}{}: {} {}, {} {}\n", d.what,
-                       d.plane ? fmt::format(", pixel {} {}", d.pixel.x, d.pixel.y) : "", a, d.a, b, d.b);
+                       d.plane ? fmt::format(", pixel {} {}", d.pixel.x, d.pixel.y) : "", a, d.a, b,
+                       d.b);
     if (d.plane) out += explain_pixel(c, f.command, d);
     out += fmt::format(
         "repeat: build/release/bin/gw-fuzz --suite {} --range {} {} --machine-a {} --machine-b {}\n",

@@ -14,7 +14,8 @@ public:
         machine_->execute(list);
         planes_ = machine_->planes();
         passes_ = machine_->passes();
-        for (const Command& command : list.commands) draws_ += std::holds_alternative<Draw>(command) ? 1 : 0;
+        for (const Command& command : list.commands)
+            draws_ += std::holds_alternative<Draw>(command) ? 1 : 0;
         if (draws_ >= 3) spoil(before, list.commands.size());
     }
     const Planes& planes() override { return planes_; }

@@ -34,8 +34,8 @@ dmat4 deep_projection(int width, int height, double n, double f) {
 
 double power_of_two(int e) { return std::ldexp(1.0, e); }
 
-/// Object space: mirrored, scaled by powers of two, shifted by integers. Seldom so large or small that
-/// squares leave the range of float.
+/// Object space: mirrored, scaled by powers of two, shifted by integers. Seldom so large or small
+/// that squares leave the range of float.
 void any_transform(Random& r, Frame& f) {
     const int reach = r.chance(5) ? 100 : 3;
     for (int i = 0; i < 3; ++i) {
@@ -71,7 +71,8 @@ Frame any_frame(Random& r, int width, int height, int subpixel_bits) {
 
 vec3 place(const Frame& f, const dvec3& window) {
     const double w = f.deep ? window.z : 1;
-    const dvec3 object = dvec3(window.x * w, window.y * w, -window.z) * f.object_scale + f.object_shift;
+    const dvec3 object =
+        dvec3(window.x * w, window.y * w, -window.z) * f.object_scale + f.object_shift;
     vec3 out;
     for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(std::clamp(object[i], -3e38, 3e38));
     return out;
@@ -83,8 +84,10 @@ double any_coordinate(Random& r, int size, int subpixel_bits) {
     if (kind < 20) return r.between(-1, size) + 0.5;                                  // centres
     if (kind < 35) return r.between(-1, size + 1);                                    // edges
     if (kind < 60) return double(r.between(-2 * units, (size + 2) * units)) / units;  // the grid
-    if (kind < 68) return double(r.between(-units, 2 * size * units)) / (2 * units);  // halfway between
-    if (kind < 76) {                                                                  // tile borders
+    // halfway between
+    if (kind < 68) return double(r.between(-units, 2 * size * units)) / (2 * units);
+    // tile borders
+    if (kind < 76) {
         const int border = 64 * r.between(0, 3);
         return border + double(r.between(-units, units)) / units;
     }
@@ -102,8 +105,8 @@ double any_z(Random& r, const Frame& f) {
         if (kind < 85) return n * r.scaled(1, 2, 0, 3);
         if (kind < 92) return r.real(n - span / 2, n + span * 1.5);
         if (kind < 95) return r.pick({0.0, n, f.far_z, -n});
-        return r.pick(
-            {n * (1 - 0x1p-23), n * (1 + 0x1p-22), f.far_z * (1 + 0x1p-20), 0x1p-40, -0x1p-40, 1e6});
+        return r.pick({n * (1 - 0x1p-23), n * (1 + 0x1p-22), f.far_z * (1 + 0x1p-20), 0x1p-40,
+                       -0x1p-40, 1e6});
     }
     if (kind < 30) return r.between(-4, 4) / 4.0;
     if (kind < 85) return r.real(-1, 1);

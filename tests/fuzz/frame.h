@@ -1,4 +1,5 @@
-// Where vertices are placed: window pixels to object space, flat or in perspective. Does not make meshes.
+// Where vertices are placed: window pixels to object space, flat or in perspective. Does not make
+// meshes.
 #pragma once
 
 #include "gw/profile.h"
@@ -7,15 +8,18 @@
 
 namespace gw::fuzz {
 
-/// A projection, a transform and the way back: `place` finds the object-space position of a window position.
+/// A projection, a transform and the way back: `place` finds the object-space position of a window
+/// position.
 struct Frame {
     int width = 1, height = 1;  ///< of the viewport that the window positions are meant for
     int subpixel_bits = 3;
-    bool deep = false;  ///< z is the eye distance (w = z); else the normalized depth -1 .. 1 (w = 1)
+    /// z is the eye distance (w = z); else the normalized depth -1 .. 1 (w = 1)
+    bool deep = false;
     double near_z = 1, far_z = 9;  ///< of a deep frame
     dmat4 projection{1};
     dmat4 eye_from_object{1};
-    dvec3 object_scale{1}, object_shift{0};  ///< p_object = p_eye * scale + shift: exact powers of two
+    /// p_object = p_eye * scale + shift: exact powers of two
+    dvec3 object_scale{1}, object_shift{0};
 };
 
 Frame any_frame(Random& random, int width, int height, int subpixel_bits);
@@ -24,8 +28,8 @@ Frame flat_frame(Random& random, int width, int height, int subpixel_bits);
 /// A vertex as it should land: x, y in pixels; z as Frame::deep says.
 vec3 place(const Frame& frame, const dvec3& window);
 
-/// A coordinate inside or around 0 .. size: on pixel centres, edges, sub-pixels, between them, on tile
-/// borders, seldom far away.
+/// A coordinate inside or around 0 .. size: on pixel centres, edges, sub-pixels, between them, on
+/// tile borders, seldom far away.
 double any_coordinate(Random& random, int size, int subpixel_bits);
 /// A z for `place`: on planes, between them, outside.
 double any_z(Random& random, const Frame& frame);

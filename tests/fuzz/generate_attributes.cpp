@@ -9,7 +9,8 @@ namespace {
 vec3 any_normal(Random& r) {
     const int kind = r.below(20);
     if (kind == 0) return vec3(0);
-    if (kind < 6) return {float(r.between(-1, 1)), float(r.between(-1, 1)), float(r.between(-1, 1))};
+    if (kind < 6)
+        return {float(r.between(-1, 1)), float(r.between(-1, 1)), float(r.between(-1, 1))};
     const float size = kind == 6 ? 1e-30f : kind == 7 ? 1e30f : 1;
     return vec3{float(r.real(-1, 1)), float(r.real(-1, 1)), float(r.real(-0.2, 1))} * size;
 }
@@ -29,7 +30,9 @@ Spread any_spread(Random& r) {
 }
 float any_texcoord(Random& r, const Spread& s) {
     if (s.kind == 0) return float(s.shift);
-    const double v = s.kind < 5 ? r.between(-16, 32) / 16.0 : s.kind < 8 ? r.real(0, 1) : r.real(-2, 2);
+    const double v = s.kind < 5   ? r.between(-16, 32) / 16.0
+                     : s.kind < 8 ? r.real(0, 1)
+                                  : r.real(-2, 2);
     return float(v * s.scale + s.shift);
 }
 

@@ -10,7 +10,9 @@ namespace {
 
 vec3 any_color3(Random& r) { return {any_fraction(r), any_fraction(r), any_fraction(r)}; }
 
-vec3 any_direction(Random& r) { return {float(r.real(-1, 1)), float(r.real(-1, 1)), float(r.real(-1, 1))}; }
+vec3 any_direction(Random& r) {
+    return {float(r.real(-1, 1)), float(r.real(-1, 1)), float(r.real(-1, 1))};
+}
 
 Light any_light(Random& r, double depth) {
     Light light;
@@ -39,7 +41,8 @@ int any_texture_side(Random& r) {
 
 /// One texel: noise, or few levels, so that some texels agree.
 std::uint16_t any_texel(Random& r, bool noise) {
-    return static_cast<std::uint16_t>(noise ? r.bits(16) : 257 * r.pick({0, 1, 127, 128, 254, 255}));
+    return static_cast<std::uint16_t>(noise ? r.bits(16)
+                                            : 257 * r.pick({0, 1, 127, 128, 254, 255}));
 }
 
 }  // namespace
@@ -65,7 +68,8 @@ LightsRef any_lights(Random& r, int most, double depth) {
 }
 
 TextureRef any_texture(Random& r) {
-    const int width = any_texture_side(r), height = width > 64 ? r.between(1, 4) : any_texture_side(r);
+    const int width = any_texture_side(r),
+              height = width > 64 ? r.between(1, 4) : any_texture_side(r);
     const bool noise = r.chance(60);
     std::vector<std::uint16_t> rgba;
     for (int i = 0; i < 4 * width * height; ++i) rgba.push_back(any_texel(r, noise));
@@ -74,7 +78,8 @@ TextureRef any_texture(Random& r) {
 
 TextureBinding any_binding(Script& s) {
     Random& r = s.random;
-    if (s.state.texture.shadow_compare && s.depth_slots.empty()) s.state.texture.shadow_compare = false;
+    if (s.state.texture.shadow_compare && s.depth_slots.empty())
+        s.state.texture.shadow_compare = false;
     if (s.state.texture.shadow_compare) return {nullptr, r.pick(s.depth_slots)};
     if (!s.color_slots.empty() && r.chance(30)) return {nullptr, r.pick(s.color_slots)};
     if (!s.depth_slots.empty() && r.chance(10)) return {nullptr, r.pick(s.depth_slots)};

@@ -14,8 +14,8 @@ TextureRef any_texture(Random& random);
 /// A texture, or one of the script's slots; shadow_compare only with depth slots.
 TextureBinding any_binding(Script& script);
 
-/// Adds a draw of the mesh in the script's frame and state, with material and lights where the state lights,
-/// with a texture in so many of a hundred cases.
+/// Adds a draw of the mesh in the script's frame and state, with material and lights where the
+/// state lights, with a texture in so many of a hundred cases.
 void draw(Script& script, MeshRef mesh, int mapped_percent = 0);
 
 /// Eye distance over which the script's vertices lie, for fog and lights.

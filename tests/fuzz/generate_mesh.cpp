@@ -11,7 +11,8 @@ namespace {
 using Points = std::vector<dvec3>;  ///< window positions, as place() takes them
 
 dvec3 any_point(Random& r, const Frame& f, double z) {
-    return {any_coordinate(r, f.width, f.subpixel_bits), any_coordinate(r, f.height, f.subpixel_bits), z};
+    return {any_coordinate(r, f.width, f.subpixel_bits),
+            any_coordinate(r, f.height, f.subpixel_bits), z};
 }
 
 /// The depths of one primitive: one for all, or each its own.
@@ -114,17 +115,18 @@ MeshData grid(Random& r, const Frame& f, const MeshWish& wish) {
     const auto at = [side](int i, int j) { return static_cast<std::uint32_t>(j * (side + 1) + i); };
     for (int j = 0; j < side; ++j)
         for (int i = 0; i < side; ++i)
-            data.indices.insert(data.indices.end(), {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j),
-                                                     at(i + 1, j + 1), at(i, j + 1)});
+            data.indices.insert(data.indices.end(), {at(i, j), at(i + 1, j), at(i + 1, j + 1),
+                                                     at(i, j), at(i + 1, j + 1), at(i, j + 1)});
     return data;
 }
 
 /// Strips, fans, quads, polygons: any points in a row.
 MeshData chain(Random& r, const Frame& f, const MeshWish& wish) {
-    const Primitive primitive =
-        r.pick({Primitive::TriangleStrip, Primitive::TriangleFan, Primitive::Quads, Primitive::Polygons});
+    const Primitive primitive = r.pick(
+        {Primitive::TriangleStrip, Primitive::TriangleFan, Primitive::Quads, Primitive::Polygons});
     const int most = std::min(wish.most, 8);
-    const int count = primitive == Primitive::Quads ? 4 * r.between(1, 1 + most / 2) : 3 + r.below(most);
+    const int count =
+        primitive == Primitive::Quads ? 4 * r.between(1, 1 + most / 2) : 3 + r.below(most);
     const Depths z = any_depths(r, f, wish);
     Points points;
     for (int i = 0; i < count; ++i) points.push_back(any_point(r, f, z.next(r, f)));
@@ -135,7 +137,9 @@ MeshData chain(Random& r, const Frame& f, const MeshWish& wish) {
 
 MeshRef any_triangles(Random& r, const Frame& f, const MeshWish& wish) {
     const int kind = r.below(100);
-    return make_mesh(kind < 60 ? soup(r, f, wish) : kind < 78 ? grid(r, f, wish) : chain(r, f, wish));
+    return make_mesh(kind < 60   ? soup(r, f, wish)
+                     : kind < 78 ? grid(r, f, wish)
+                                 : chain(r, f, wish));
 }
 
 MeshRef any_lines(Random& r, const Frame& f, const MeshWish& wish) {
@@ -148,7 +152,8 @@ MeshRef any_lines(Random& r, const Frame& f, const MeshWish& wish) {
         if (r.chance(30)) b = dvec3{a.x + r.between(-3, 3), a.y + r.between(-3, 3), b.z};
         points.insert(points.end(), {a, b});
     }
-    return make_mesh(finished(r, f, wish, r.pick({Primitive::Lines, Primitive::LineStrip}), points));
+    return make_mesh(
+        finished(r, f, wish, r.pick({Primitive::Lines, Primitive::LineStrip}), points));
 }
 
 MeshRef any_points(Random& r, const Frame& f, const MeshWish& wish) {

@@ -69,7 +69,8 @@ WriteSpans any_spans(Random& r, const Case& w) {
 }
 
 WritePixels any_pixels(Random& r, const Case& w) {
-    WritePixels out{any_rect(r, w), r.pick({Plane::Color, Plane::Color, Plane::Depth, Plane::Stencil})};
+    WritePixels out{any_rect(r, w),
+                    r.pick({Plane::Color, Plane::Color, Plane::Depth, Plane::Stencil})};
     const int count = out.rect.width * out.rect.height;
     const bool constant = r.chance(20);
     if (out.plane == Plane::Color) {

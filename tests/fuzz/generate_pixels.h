@@ -1,4 +1,5 @@
-// Commands on pixels: clears, spans, rectangles, accumulation, copies, read-backs. Does not set state.
+// Commands on pixels: clears, spans, rectangles, accumulation, copies, read-backs. Does not set
+// state.
 #pragma once
 
 #include "tests/fuzz/case.h"

@@ -8,8 +8,9 @@ namespace gw::fuzz {
 namespace {
 
 StencilOp any_stencil_op(Random& r, const Profile& p) {
-    return r.chance(25) ? StencilOp::Keep
-                        : r.any(p.extensions.stencil_wrap ? StencilOp::DecrWrap : StencilOp::Invert);
+    return r.chance(25)
+               ? StencilOp::Keep
+               : r.any(p.extensions.stencil_wrap ? StencilOp::DecrWrap : StencilOp::Invert);
 }
 
 StencilFace any_stencil_face(Random& r, const Profile& p) {
@@ -34,7 +35,9 @@ float any_fraction(Random& r) {
     return float(r.real(-1, 2));
 }
 
-vec4 any_color(Random& r) { return {any_fraction(r), any_fraction(r), any_fraction(r), any_fraction(r)}; }
+vec4 any_color(Random& r) {
+    return {any_fraction(r), any_fraction(r), any_fraction(r), any_fraction(r)};
+}
 
 AlphaState any_alpha(Random& r) {
     return {r.chance(70), r.any(AlphaFunc::Always), r.chance(50) ? any_fraction(r) : 0.5f};
@@ -44,10 +47,11 @@ BlendState any_blend(Random& r) {
     using enum BlendFactor;
     if (r.chance(25)) return {true, One, One};
     const bool enable = r.chance(90);
-    const BlendFactor src = r.pick({Zero, One, DstColor, OneMinusDstColor, SrcAlpha, OneMinusSrcAlpha,
-                                    DstAlpha, OneMinusDstAlpha, SrcAlphaSaturate});
-    const BlendFactor dst = r.pick(
-        {Zero, One, SrcColor, OneMinusSrcColor, SrcAlpha, OneMinusSrcAlpha, DstAlpha, OneMinusDstAlpha});
+    const BlendFactor src =
+        r.pick({Zero, One, DstColor, OneMinusDstColor, SrcAlpha, OneMinusSrcAlpha, DstAlpha,
+                OneMinusDstAlpha, SrcAlphaSaturate});
+    const BlendFactor dst = r.pick({Zero, One, SrcColor, OneMinusSrcColor, SrcAlpha,
+                                    OneMinusSrcAlpha, DstAlpha, OneMinusDstAlpha});
     return {enable, src, dst};
 }
 
@@ -63,8 +67,9 @@ CullState any_cull(Random& r) {
 
 DepthState any_depth(Random& r) {
     const DepthFunc func =
-        r.chance(50) ? r.pick({DepthFunc::Less, DepthFunc::LEqual, DepthFunc::Greater, DepthFunc::Equal})
-                     : r.any(DepthFunc::Always);
+        r.chance(50)
+            ? r.pick({DepthFunc::Less, DepthFunc::LEqual, DepthFunc::Greater, DepthFunc::Equal})
+            : r.any(DepthFunc::Always);
     return {r.chance(90), func, r.chance(75)};
 }
 
@@ -92,7 +97,8 @@ PolygonOffsetState any_polygon_offset(Random& r, const Profile& p) {
 
 ScissorState any_scissor(Random& r, int width, int height) {
     ScissorState s{r.chance(80)};
-    s.box = {r.between(-3, width), r.between(-3, height), r.between(0, width + 3), r.between(0, height + 3)};
+    s.box = {r.between(-3, width), r.between(-3, height), r.between(0, width + 3),
+             r.between(0, height + 3)};
     if (r.chance(5)) s.box = {-2147483647 - 1, -5, 2147483647, 2147483647};
     if (r.chance(5)) s.box = {-3, -3, 2147483647, 2147483647};
     return s;
@@ -117,7 +123,8 @@ StencilState any_stencil(Random& r, const Profile& p) {
 ViewportState any_viewport(Random& r, int width, int height) {
     if (r.chance(30)) return {};
     if (r.chance(10))
-        return {r.between(-4096, 4096), r.between(-4096, 4096), r.between(1, 4096), r.between(1, 4096)};
+        return {r.between(-4096, 4096), r.between(-4096, 4096), r.between(1, 4096),
+                r.between(1, 4096)};
     return {r.between(-width, width), r.between(-height, height), r.between(1, 2 * width),
             r.between(1, 2 * height)};
 }
@@ -128,7 +135,8 @@ void any_clip_planes(Random& r, const Frame& f, State& state) {
         // Through a point of the picture at the eye distance z, any direction.
         const double z = f.deep ? f.near_z * r.real(1, 4) : r.real(-1, 1), w = f.deep ? z : 1;
         const dvec3 through{w * r.real(0, f.width), w * r.real(0, f.height), -z};
-        const dvec3 normal{double(r.between(-4, 4)), double(r.between(-4, 4)), double(r.between(-2, 2))};
+        const dvec3 normal{double(r.between(-4, 4)), double(r.between(-4, 4)),
+                           double(r.between(-2, 2))};
         const double scale = r.chance(10) ? std::ldexp(1.0, r.between(-200, 200)) : 1;
         plane.plane = dvec4(normal, -dot3(normal, through)) * scale;
     }

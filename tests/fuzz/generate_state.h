@@ -1,5 +1,5 @@
-// Random groups of the pipeline's state, within what a profile allows. Each is the whole group; suites choose
-// which groups they disturb. Does not touch the projection: frame.h does.
+// Random groups of the pipeline's state, within what a profile allows. Each is the whole group;
+// suites choose which groups they disturb. Does not touch the projection: frame.h does.
 #pragma once
 
 #include "gw/profile.h"

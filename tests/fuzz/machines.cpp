@@ -26,9 +26,12 @@ const std::map<std::string, MachineMaker, std::less<>>& machines() {
     static const std::map<std::string, MachineMaker, std::less<>> all{
         {"reference", reference},
         {"fast", fast},
-        {"faulty-pixel", [](const Case& c, int) { return make_faulty(reference(c, 0), Fault::Pixel); }},
-        {"faulty-counter", [](const Case& c, int) { return make_faulty(reference(c, 0), Fault::Counter); }},
-        {"faulty-split", [](const Case& c, int) { return make_faulty(reference(c, 0), Fault::Split); }},
+        {"faulty-pixel",
+         [](const Case& c, int) { return make_faulty(reference(c, 0), Fault::Pixel); }},
+        {"faulty-counter",
+         [](const Case& c, int) { return make_faulty(reference(c, 0), Fault::Counter); }},
+        {"faulty-split",
+         [](const Case& c, int) { return make_faulty(reference(c, 0), Fault::Split); }},
     };
     return all;
 }
@@ -47,7 +50,8 @@ const std::vector<std::string>& machine_names() {
 MachineMaker machine_named(std::string_view name) {
     const auto found = machines().find(name);
     if (found == machines().end())
-        throw Error(fmt::format("unknown machine '{}'; expected {}", name, fmt::join(machine_names(), ", ")));
+        throw Error(fmt::format("unknown machine '{}'; expected {}", name,
+                                fmt::join(machine_names(), ", ")));
     return found->second;
 }
 

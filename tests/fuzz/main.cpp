@@ -1,6 +1,6 @@
 // gw-fuzz: seeded random lists on two machines, compared after every command.
-// Exit 0 no difference; 1 a suite's lists are too uniform to prove anything, or an error; 2 usage; 3 a
-// difference, with the command that repeats it.
+// Exit 0 no difference; 1 a suite's lists are too uniform to prove anything, or an error; 2 usage;
+// 3 a difference, with the command that repeats it.
 #include "gw/error.h"
 #include "gw/fast/kernels.h"
 #include "tests/fuzz/describe.h"
@@ -29,9 +29,9 @@ std::optional<Failure> run_list(const Arguments& arguments, const Suite& suite, 
         return run_case(c, machine_named(arguments.machine_a), machine_named(arguments.machine_b),
                         [&](Machine& machine) { reached.add(c, machine); });
     } catch (const std::exception& e) {
-        throw Error(
-            fmt::format("list {} of suite {}: {}\nrepeat: build/release/bin/gw-fuzz --suite {} --range {} {}",
-                        index, suite.name, e.what(), suite.name, index, index + 1));
+        throw Error(fmt::format(
+            "list {} of suite {}: {}\nrepeat: build/release/bin/gw-fuzz --suite {} --range {} {}",
+            index, suite.name, e.what(), suite.name, index, index + 1));
     }
 }
 
@@ -43,7 +43,8 @@ int run_suite(const Arguments& arguments, const Suite& suite) {
         auto failure = run_list(arguments, suite, i, c, reached);
         if (!failure) continue;
         if (arguments.shrink) {
-            const MachineMaker a = machine_named(arguments.machine_a), b = machine_named(arguments.machine_b);
+            const MachineMaker a = machine_named(arguments.machine_a),
+                               b = machine_named(arguments.machine_b);
             c = shrink(c, a, b);
             failure = run_case(c, a, b);
             fmt::print("left after leaving out:\n{}", describe(c));
@@ -93,11 +94,16 @@ std::vector<std::string> suite_names() {
 }
 
 void add_options(CLI::App& app, Arguments& a) {
-    app.add_option("--suite", a.suites, "suites, by name; default all")->check(CLI::IsMember(suite_names()));
-    app.add_option("--range", a.range, "lists LO to HI - 1 of each suite; default 0 100")->expected(2);
-    app.add_option("--machine-a", a.machine_a, "default reference")->check(CLI::IsMember(machine_names()));
-    app.add_option("--machine-b", a.machine_b, "default fast")->check(CLI::IsMember(machine_names()));
-    app.add_option("--simd", a.simd, "vector target of the fast machine; default the processor's best")
+    app.add_option("--suite", a.suites, "suites, by name; default all")
+        ->check(CLI::IsMember(suite_names()));
+    app.add_option("--range", a.range, "lists LO to HI - 1 of each suite; default 0 100")
+        ->expected(2);
+    app.add_option("--machine-a", a.machine_a, "default reference")
+        ->check(CLI::IsMember(machine_names()));
+    app.add_option("--machine-b", a.machine_b, "default fast")
+        ->check(CLI::IsMember(machine_names()));
+    app.add_option("--simd", a.simd,
+                   "vector target of the fast machine; default the processor's best")
         ->check(CLI::IsMember(fast::simd_targets()));
     app.add_flag("--list", a.list, "print the suites");
     app.add_flag("--shrink", a.shrink,

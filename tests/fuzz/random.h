@@ -1,6 +1,6 @@
-// A small deterministic generator: the same numbers on every machine and compiler. Does not use the standard
-// distributions, whose results are not specified. Its users draw one number per full expression, or within
-// braces: the order of operands and of arguments is the compiler's choice.
+// A small deterministic generator: the same numbers on every machine and compiler. Does not use the
+// standard distributions, whose results are not specified. Its users draw one number per full
+// expression, or within braces: the order of operands and of arguments is the compiler's choice.
 #pragma once
 
 #include <cmath>
@@ -12,8 +12,8 @@
 
 namespace gw::fuzz {
 
-/// The finalizer of splitmix64 [Steele, Lea, Flood 2014]: a bijection whose every output bit depends on every
-/// input bit.
+/// The finalizer of splitmix64 [Steele, Lea, Flood 2014]: a bijection whose every output bit
+/// depends on every input bit.
 constexpr std::uint64_t mixed(std::uint64_t z) {
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
@@ -27,7 +27,9 @@ public:
 
     std::uint64_t next() { return mixed(state_ += 0x9e3779b97f4a7c15u); }
     /// 0 .. n - 1.
-    int below(int n) { return static_cast<int>((next() >> 32) * static_cast<std::uint64_t>(n) >> 32); }
+    int below(int n) {
+        return static_cast<int>((next() >> 32) * static_cast<std::uint64_t>(n) >> 32);
+    }
     /// low .. high, both included.
     int between(int low, int high) { return low + below(high - low + 1); }
     bool chance(int percent) { return below(100) < percent; }
@@ -42,7 +44,9 @@ public:
     }
     /// -1 in so many of a hundred cases, else 1.
     int sign(int percent) { return chance(percent) ? -1 : 1; }
-    std::uint32_t bits(int n) { return n == 0 ? 0 : static_cast<std::uint32_t>(next() >> (64 - n)); }
+    std::uint32_t bits(int n) {
+        return n == 0 ? 0 : static_cast<std::uint32_t>(next() >> (64 - n));
+    }
 
     template <typename T>
     T pick(std::initializer_list<T> values) {
@@ -62,8 +66,8 @@ private:
     std::uint64_t state_;
 };
 
-/// The seed of list `index` of a suite: FNV-1a over the name, then the index, mixed: seeds that were a step
-/// of next() apart would share their numbers.
+/// The seed of list `index` of a suite: FNV-1a over the name, then the index, mixed: seeds that
+/// were a step of next() apart would share their numbers.
 constexpr std::uint64_t seed_of(std::string_view suite, std::uint64_t index) {
     std::uint64_t h = 0xcbf29ce484222325u;
     for (const char c : suite) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3u;

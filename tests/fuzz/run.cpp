@@ -9,7 +9,8 @@ namespace {
 void execute_in_pieces(Machine& machine, const CommandList& list) {
     Random random(list.commands.size());
     for (std::size_t i = 0; i < list.commands.size();) {
-        const std::size_t count = std::min(list.commands.size() - i, std::size_t(random.between(1, 6)));
+        const std::size_t count =
+            std::min(list.commands.size() - i, std::size_t(random.between(1, 6)));
         machine.execute(part_of(list, i, count));
         i += count;
     }
@@ -18,15 +19,16 @@ void execute_in_pieces(Machine& machine, const CommandList& list) {
 void execute(Machine& machine, const CommandList& list, Split split) {
     switch (split) {
         case Split::Commands:
-            for (std::size_t i = 0; i < list.commands.size(); ++i) machine.execute(part_of(list, i, 1));
+            for (std::size_t i = 0; i < list.commands.size(); ++i)
+                machine.execute(part_of(list, i, 1));
             return;
         case Split::Whole: machine.execute(list); return;
         case Split::Pieces: execute_in_pieces(machine, list); return;
     }
 }
 
-std::optional<Difference> difference_of(const Case& c, const CommandList& list, const MachineMaker& a,
-                                        const MachineMaker& b, Split split) {
+std::optional<Difference> difference_of(const Case& c, const CommandList& list,
+                                        const MachineMaker& a, const MachineMaker& b, Split split) {
     const auto machine_a = a(c, 0), machine_b = b(c, static_cast<int>(split));
     execute(*machine_a, list, Split::Commands);
     execute(*machine_b, list, split);

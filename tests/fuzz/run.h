@@ -10,11 +10,12 @@
 
 namespace gw::fuzz {
 
-/// Makes a machine for a case; `variant` counts the machines of one case (a fast machine takes other threads
-/// and tiles for each).
+/// Makes a machine for a case; `variant` counts the machines of one case (a fast machine takes
+/// other threads and tiles for each).
 using MachineMaker = std::function<std::unique_ptr<Machine>(const Case&, int variant)>;
 
-/// "reference", "fast", or one of the faulty machines that test this harness. Throws Error for other names.
+/// "reference", "fast", or one of the faulty machines that test this harness. Throws Error for
+/// other names.
 MachineMaker machine_named(std::string_view name);
 /// The names that machine_named knows.
 const std::vector<std::string>& machine_names();
@@ -25,12 +26,13 @@ const char* name_of(Split split);
 
 struct Failure {
     Split split = Split::Commands;
-    std::size_t command = 0;  ///< after this one: the least prefix of the list that shows a difference
+    /// after this one: the least prefix of the list that shows a difference
+    std::size_t command = 0;
     Difference difference;
 };
 
-/// Machine a executes command by command; b command by command, whole, and in random pieces, each compared
-/// with a. `finished`, if given, sees machine a at the end of a list without failure.
+/// Machine a executes command by command; b command by command, whole, and in random pieces, each
+/// compared with a. `finished`, if given, sees machine a at the end of a list without failure.
 std::optional<Failure> run_case(const Case& c, const MachineMaker& a, const MachineMaker& b,
                                 const std::function<void(Machine&)>& finished = {});
 

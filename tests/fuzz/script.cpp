@@ -60,8 +60,9 @@ void add(Script& s, Command command) {
 void between_draws(Script& s) {
     Random& r = s.random;
     if (r.chance(12))
-        s.out.list.add(BeginPass{fmt::format("pass {}", s.out.list.commands.size()),
-                                 r.chance(50) ? static_cast<PlaneMask>(r.below(16)) : PlaneMask{0}});
+        s.out.list.add(
+            BeginPass{fmt::format("pass {}", s.out.list.commands.size()),
+                      r.chance(50) ? static_cast<PlaneMask>(r.below(16)) : PlaneMask{0}});
     if (r.chance(5)) s.out.list.add(any_read(r, s.out));
 }
 

@@ -1,4 +1,5 @@
-// A list in the making: what the generators of a suite share. Does not decide what is drawn: suites do.
+// A list in the making: what the generators of a suite share. Does not decide what is drawn: suites
+// do.
 #pragma once
 
 #include "tests/fuzz/case.h"
@@ -14,8 +15,8 @@ struct Script {
     std::vector<std::uint32_t> color_slots, depth_slots;  ///< filled by CopyTexture
 };
 
-/// A window and a frame to place vertices in, every plane cleared: depth to 1, colour and stencil to
-/// anything.
+/// A window and a frame to place vertices in, every plane cleared: depth to 1, colour and stencil
+/// to anything.
 Script script(Random& random, const Profile& profile);
 /// The same on any profile.
 Script script(Random& random);

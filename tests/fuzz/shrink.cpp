@@ -30,7 +30,8 @@ Case without_triangle(Case c, std::size_t command, std::size_t triangle) {
     data.indices.clear();
     for (std::size_t i = 0; i < draw.mesh->triangles().size(); ++i)
         if (i != triangle)
-            for (const std::uint32_t v : draw.mesh->triangles()[i].vertex) data.indices.push_back(v);
+            for (const std::uint32_t v : draw.mesh->triangles()[i].vertex)
+                data.indices.push_back(v);
     draw.mesh = make_mesh(std::move(data));
     return c;
 }

@@ -6,7 +6,8 @@
 
 namespace gw::fuzz {
 
-/// A case that fails on the same machines, with as few commands, then primitives, as leaving out finds.
+/// A case that fails on the same machines, with as few commands, then primitives, as leaving out
+/// finds.
 Case shrink(Case c, const MachineMaker& a, const MachineMaker& b);
 
 }  // namespace gw::fuzz

@@ -1,4 +1,5 @@
-// The suites' makers, one per file of tests/fuzz/suites/. Does not say what each must reach: suites.cpp does.
+// The suites' makers, one per file of tests/fuzz/suites/. Does not say what each must reach:
+// suites.cpp does.
 #pragma once
 
 #include "tests/fuzz/case.h"

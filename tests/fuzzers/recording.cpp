@@ -1,6 +1,6 @@
-// Any bytes as a recording. Claim: they are refused with an Error, or they are a recording that comes back
-// from its own bytes; and where it is small, the reference machine replays it, and the fast machine, where it
-// is compiled, to the same planes.
+// Any bytes as a recording. Claim: they are refused with an Error, or they are a recording that
+// comes back from its own bytes; and where it is small, the reference machine replays it, and the
+// fast machine, where it is compiled, to the same planes.
 #include "gw/error.h"
 #include "inspect/replay/player.h"
 
@@ -17,8 +17,8 @@ bool is_small(const inspect::Recording& recording) {
         for (const Command& command : list.commands) {
             ++cost;
             if (const auto* draw = std::get_if<Draw>(&command))
-                cost +=
-                    draw->mesh->triangles().size() + draw->mesh->lines().size() + draw->mesh->points().size();
+                cost += draw->mesh->triangles().size() + draw->mesh->lines().size() +
+                        draw->mesh->points().size();
         }
     return cost * std::size_t(recording.width) * std::size_t(recording.height) <= 20000;
 }
@@ -27,7 +27,8 @@ void replay(const inspect::Recording& recording) {
     const auto reference = make_reference(recording.profile, recording.width, recording.height);
     inspect::Player(recording, *reference).play();
 #ifdef GW_WITH_FAST
-    const auto fast = make_fast(recording.profile, recording.width, recording.height, {.threads = 1});
+    const auto fast =
+        make_fast(recording.profile, recording.width, recording.height, {.threads = 1});
     inspect::Player(recording, *fast).play();
     if (reference->planes() != fast->planes()) std::abort();
 #endif

@@ -1,4 +1,5 @@
-// Runs a fuzz target on every file of a folder, in the order of their names: the corpus as a regression test.
+// Runs a fuzz target on every file of a folder, in the order of their names: the corpus as a
+// regression test.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

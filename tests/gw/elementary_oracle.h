@@ -1,7 +1,7 @@
-// What the tests of the elementary functions share: errors in ulp against long double (64 bits of mantissa on
-// x86, 113 elsewhere), walks over float32 values in the order of their bits, and the claims of
-// gw/base/elementary.h as functions of the walk's stride: the quick test takes every 9973rd float, the long one
-// every float.
+// What the tests of the elementary functions share: errors in ulp against long double (64 bits of
+// mantissa on x86, 113 elsewhere), walks over float32 values in the order of their bits, and the
+// claims of gw/base/elementary.h as functions of the walk's stride: the quick test takes every
+// 9973rd float, the long one every float.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,15 +21,17 @@ static_assert(std::numeric_limits<long double>::digits >= 64,
 
 inline constexpr long double pi_long = 3.14159265358979323846264338327950288L;
 
-// |got - exact| in units of the last place of a double in exact's binade, where got is not the correctly
-// rounded value; else 0.5, or 0 where exact is a double. Infinite where only one of them is a finite number.
+// |got - exact| in units of the last place of a double in exact's binade, where got is not the
+// correctly rounded value; else 0.5, or 0 where exact is a double. Infinite where only one of them
+// is a finite number.
 inline double ulp_error(double got, long double exact) {
     if (got == exact) return 0;
     if (got == static_cast<double>(exact)) return 0.5;
     if (!std::isfinite(got) || !std::isfinite(static_cast<double>(exact)))
         return std::numeric_limits<double>::infinity();
     const int exponent = exact == 0 ? -1074 : std::max(std::ilogb(exact) - 52, -1074);
-    return static_cast<double>(std::fabs(std::ldexp(static_cast<long double>(got) - exact, -exponent)));
+    return static_cast<double>(
+        std::fabs(std::ldexp(static_cast<long double>(got) - exact, -exponent)));
 }
 
 // The worst error seen and where.
@@ -89,8 +91,8 @@ Worst worst_over_doubles(double from, double to, Own own, Exact exact) {
     return worst;
 }
 
-// The claims. Close to 0 the oracles take the first terms of the series, which are as exact there and save
-// hours.
+// The claims. Close to 0 the oracles take the first terms of the series, which are as exact there
+// and save hours.
 inline Worst exp_over_floats(std::uint32_t stride) {
     return worst_over_floats(
         0, 104, stride, [](double x) { return exp(-x); },
@@ -151,7 +153,8 @@ inline Worst pow_over_floats(double y, float from, float to, std::uint32_t strid
 }
 
 // Bounds of gw/base/elementary.h, in ulp.
-inline constexpr double exp_bound = 0.52, log_bound = 0.51, pow_bound = 0.52, pow_denormal_bound = 0.76;
+inline constexpr double exp_bound = 0.52, log_bound = 0.51, pow_bound = 0.52,
+                        pow_denormal_bound = 0.76;
 inline constexpr double sin_bound = 0.60, cos_bound = 0.60, tan_bound = 0.60;
 inline constexpr double acos_bound = 2.2, asin_bound = 2.2, atan2_bound = 1.5;
 
@@ -159,7 +162,8 @@ inline constexpr double acos_bound = 2.2, asin_bound = 2.2, atan2_bound = 1.5;
 inline void expect_pow_accurate(double y, std::uint32_t stride) {
     SCOPED_TRACE(y);
     const auto first_normal = static_cast<float>(std::exp2(-1021.9 / y));
-    expect_below(pow_over_floats(y, 0, first_normal, stride), pow_denormal_bound, "worst_ulp_denormal");
+    expect_below(pow_over_floats(y, 0, first_normal, stride), pow_denormal_bound,
+                 "worst_ulp_denormal");
     expect_below(pow_over_floats(y, first_normal, 1, stride), pow_bound);
 }
 

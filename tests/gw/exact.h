@@ -1,6 +1,6 @@
-// Coverage and planes in exact integer arithmetic, formulated independently of the machine: inside by
-// counting crossings of a half-line from a point moved by infinitesimals, planes by barycentric sums. Does
-// not use any function of gw/.
+// Coverage and planes in exact integer arithmetic, formulated independently of the machine: inside
+// by counting crossings of a half-line from a point moved by infinitesimals, planes by barycentric
+// sums. Does not use any function of gw/.
 #pragma once
 
 #include <array>
@@ -21,9 +21,9 @@ inline Int cross(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
     return Int{b.x - a.x} * (c.y - a.y) - Int{b.y - a.y} * (c.x - a.x);
 }
 
-/// Whether p + (e, -e^2), e infinitely small, lies inside: a left or top side owns its points. Counts
-/// crossings with the half-line to the right. e = 2^-24 of a unit is small enough for sides of up to 2^23
-/// units.
+/// Whether p + (e, -e^2), e infinitely small, lies inside: a left or top side owns its points.
+/// Counts crossings with the half-line to the right. e = 2^-24 of a unit is small enough for sides
+/// of up to 2^23 units.
 template <std::size_t n>
 bool covers(const std::array<GridPoint, n>& polygon, const GridPoint& p) {
     constexpr int e = 24;
@@ -33,8 +33,10 @@ bool covers(const std::array<GridPoint, n>& polygon, const GridPoint& p) {
         const GridPoint &a = polygon[i], &b = polygon[(i + 1) % n];
         const Int ay = Int{a.y} << (2 * e), by = Int{b.y} << (2 * e);
         if ((ay > py) == (by > py)) continue;
-        // x of the side at py, to the right of px? a.x + (py - ay) (b.x - a.x) / (by - ay), multiplied out.
-        const Int left = (px - (Int{a.x} << (2 * e))) * (b.y - a.y), right = (py - ay) * (b.x - a.x);
+        // x of the side at py, to the right of px? a.x + (py - ay) (b.x - a.x) / (by - ay),
+        // multiplied out.
+        const Int left = (px - (Int{a.x} << (2 * e))) * (b.y - a.y),
+                  right = (py - ay) * (b.x - a.x);
         if (b.y > a.y ? left < right : left > right) inside = !inside;
     }
     return inside;
@@ -57,14 +59,16 @@ struct Rational {
 
 /// The exact value at p of the plane through the corners' values: sum of a_i times its barycentric
 /// coordinate.
-inline Rational exact_value(const GridTriangle& t, const std::array<std::int64_t, 3>& a, const GridPoint& p) {
+inline Rational exact_value(const GridTriangle& t, const std::array<std::int64_t, 3>& a,
+                            const GridPoint& p) {
     const Int d = cross(t[0], t[1], t[2]);
-    const Int n = a[0] * cross(p, t[1], t[2]) + a[1] * cross(t[0], p, t[2]) + a[2] * cross(t[0], t[1], p);
+    const Int n =
+        a[0] * cross(p, t[1], t[2]) + a[1] * cross(t[0], p, t[2]) + a[2] * cross(t[0], t[1], p);
     return d < 0 ? Rational{-n, -d} : Rational{n, d};
 }
 
-/// The manual's value, from its definition: gradients per pixel with 16 fraction bits, each the nearest to
-/// the rational, from the corner with the smallest (y, x).
+/// The manual's value, from its definition: gradients per pixel with 16 fraction bits, each the
+/// nearest to the rational, from the corner with the smallest (y, x).
 inline std::int64_t manual_value(const GridTriangle& t, const std::array<std::int64_t, 3>& a,
                                  const GridPoint& p, int s) {
     const Int d = cross(t[0], t[1], t[2]), sign = d < 0 ? -1 : 1, one = Int{1} << (16 + s);
@@ -74,7 +78,8 @@ inline std::int64_t manual_value(const GridTriangle& t, const std::array<std::in
         x += a[i] * Int{next.y - last.y};
         y += a[i] * Int{last.x - next.x};
     }
-    const Int gx = nearest_even(sign * x * one, sign * d), gy = nearest_even(sign * y * one, sign * d);
+    const Int gx = nearest_even(sign * x * one, sign * d),
+              gy = nearest_even(sign * y * one, sign * d);
     std::size_t first = 0;
     for (std::size_t i = 1; i < 3; ++i)
         if (t[i].y < t[first].y || (t[i].y == t[first].y && t[i].x < t[first].x)) first = i;

@@ -1,5 +1,5 @@
-// The elementary functions: error bounds over strides of floats and over doubles, special values, and bits
-// that every compiler and processor must give.
+// The elementary functions: error bounds over strides of floats and over doubles, special values,
+// and bits that every compiler and processor must give.
 #include <bit>
 #include <limits>
 
@@ -19,18 +19,21 @@ std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
 TEST(Elementary, ExpIsAccurate) {
     expect_below(exp_over_floats(stride), exp_bound);
     expect_below(worst_over_doubles(
-                     -708, 709.7, [](double x) { return exp(x); }, [](long double x) { return std::exp(x); }),
+                     -708, 709.7, [](double x) { return exp(x); },
+                     [](long double x) { return std::exp(x); }),
                  exp_bound);
 }
 
 TEST(Elementary, LogIsAccurate) {
     expect_below(log_over_floats(stride), log_bound);
-    expect_below(worst_over_doubles(
-                     0.5, 2, [](double x) { return log(x); }, [](long double x) { return std::log(x); }),
-                 log_bound);
-    expect_below(worst_over_doubles(
-                     0, 1e300, [](double x) { return log(x); }, [](long double x) { return std::log(x); }),
-                 log_bound);
+    expect_below(
+        worst_over_doubles(
+            0.5, 2, [](double x) { return log(x); }, [](long double x) { return std::log(x); }),
+        log_bound);
+    expect_below(
+        worst_over_doubles(
+            0, 1e300, [](double x) { return log(x); }, [](long double x) { return std::log(x); }),
+        log_bound);
 }
 
 TEST(Elementary, PowIsAccurate) {
@@ -134,7 +137,9 @@ TEST(Elementary, InverseFunctionsAreAccurate) {
                      -1, 1, [](double x) { return asin(x); }, asin_exact),
                  asin_bound);
     for (const double x : {1e-3, 0.7, 1.0, -2.5, -1e6}) {
-        const auto exact = [x](long double y) { return std::atan2(y, static_cast<long double>(x)); };
+        const auto exact = [x](long double y) {
+            return std::atan2(y, static_cast<long double>(x));
+        };
         expect_below(worst_over_doubles(
                          -2, 2, [x](double y) { return atan2(y, x); }, exact),
                      atan2_bound);
@@ -173,8 +178,8 @@ TEST(Elementary, ArgumentsOutsideTheRangeGiveNan) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double outside = largest_angle + 1;
     for (const double x : {exp(nan), log(nan), pow(nan, 2), pow(0.5, nan), sin(nan), cos(nan),
-                           tan_degrees(nan), acos(nan), asin(nan), sin(outside), cos(-outside), tan(infinity),
-                           sin_degrees(outside), acos(1.5), asin(-1.5)}) {
+                           tan_degrees(nan), acos(nan), asin(nan), sin(outside), cos(-outside),
+                           tan(infinity), sin_degrees(outside), acos(1.5), asin(-1.5)}) {
         EXPECT_NE(x, x);
     }
 }

@@ -1,4 +1,5 @@
-// gw/base/elementary_tables.h computed again: its series in integers, no floating point but the tables themselves.
+// gw/base/elementary_tables.h computed again: its series in integers, no floating point but the
+// tables themselves.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +25,8 @@ Fixed multiply(Fixed a, Fixed b) {
     return a1 * b1 + ((a1 * b0) >> 60) + ((a0 * b1) >> 60);
 }
 
-// sum over k of sign^k * (p/q)^(2k+1) / (2k+1), for p * p < 2^12: atanh (sign 1) or atan (sign -1) of p/q.
+// sum over k of sign^k * (p/q)^(2k+1) / (2k+1), for p * p < 2^12: atanh (sign 1) or atan (sign -1)
+// of p/q.
 Fixed odd_series(int p, int q, int sign) {
     Fixed sum = 0;
     Fixed term = one / q * p;
@@ -55,7 +57,8 @@ Fixed exp_of(Fixed x) {
 void expect_value(Sum sum, Fixed exact, const char* what) {
     const Fixed off = fixed(sum.hi) + fixed(sum.lo) - exact;
     const Fixed unit = sum.lo == 0 ? 0 : fixed(std::ldexp(1.0, std::ilogb(sum.lo) - 53));
-    EXPECT_LE(off < 0 ? -off : off, unit + (Fixed{1} << (fraction_bits - 105))) << what << " " << sum.hi;
+    EXPECT_LE(off < 0 ? -off : off, unit + (Fixed{1} << (fraction_bits - 105)))
+        << what << " " << sum.hi;
 }
 
 void expect_grid(Sum sum) {

@@ -1,4 +1,5 @@
-// Accumulation against exact integers: every colour with weights of every size, ties, wrapping, the return.
+// Accumulation against exact integers: every colour with weights of every size, ties, wrapping, the
+// return.
 // docs/manual.md, "Accumulation".
 #include "tests/gw/exact.h"
 #include "tests/gw/random.h"
@@ -29,7 +30,8 @@ std::int64_t product(std::int64_t a, float v) {
     const Binary b = exact(v);
     if (b.exponent < -100) return 0;  // below half a unit: |a| < 2^32, |mantissa| < 2^24
     const Int limit = Int{1} << 40, p = Int{a} * b.mantissa;
-    const Int rounded = b.exponent >= 0 ? p * (Int{1} << b.exponent) : nearest_even(p, Int{1} << -b.exponent);
+    const Int rounded =
+        b.exponent >= 0 ? p * (Int{1} << b.exponent) : nearest_even(p, Int{1} << -b.exponent);
     return std::int64_t(std::clamp(rounded, -limit, limit));
 }
 
@@ -82,7 +84,8 @@ TEST(ExhaustiveAccumulation, EveryColourAndManyWeightsOnEveryProfile) {
             step(AccumOp::Accum, 1, [&](std::int64_t a, int c) { return a + c; });
             step(AccumOp::Add, w / 2, [&](std::int64_t a, int) { return a + product(top, w / 2); });
             step(AccumOp::Mult, w, [&](std::int64_t a, int) { return product(a, w); });
-            step(AccumOp::Mult, 1 / 3.0f, [&](std::int64_t a, int) { return product(a, 1 / 3.0f); });
+            step(AccumOp::Mult, 1 / 3.0f,
+                 [&](std::int64_t a, int) { return product(a, 1 / 3.0f); });
             EXPECT_EQ(bench.take_counters().accum_overflows, overflows);
             bench.run(Accumulate{AccumOp::Return, 0.75f});
             for (std::size_t x = 0; x < 256; ++x)
@@ -98,7 +101,8 @@ TEST(ExhaustiveAccumulation, TiesGoToEven) {
     for (int x = 0; x < 256; ++x) row.push_back({std::uint16_t(x), 0, 0, 0});
     bench.run(WritePixels{{0, 0, 256, 1}, Plane::Color, row, {}, 0});
     bench.run(Accumulate{AccumOp::Load, 0.5f});
-    for (int x = 0; x < 256; ++x) EXPECT_EQ(bench.accum(x, 0)[0], x % 2 == 0 ? x / 2 : (x + 1) / 4 * 2) << x;
+    for (int x = 0; x < 256; ++x)
+        EXPECT_EQ(bench.accum(x, 0)[0], x % 2 == 0 ? x / 2 : (x + 1) / 4 * 2) << x;
 }
 
 TEST(ExhaustiveAccumulation, OnVgx128PassesOfWhiteFitAnd129Overflow) {
@@ -124,8 +128,8 @@ TEST(ExhaustiveAccumulation, SumsOf32BitsOverflowToo) {
 }
 
 TEST(ExhaustiveAccumulation, OneReturnRoundsOnceManyWeightedPassesRoundOften) {
-    // 16 pictures of 8: the sum returned by 1/16 is exact; accum(1/16) sixteen times rounds 0.5 to 0 each
-    // time.
+    // 16 pictures of 8: the sum returned by 1/16 is exact; accum(1/16) sixteen times rounds 0.5 to
+    // 0 each time.
     Workbench once(vgx(), 1, 1), often(vgx(), 1, 1);
     for (Workbench* bench : {&once, &often}) bench->write({0, 0, 1, 1}, {8, 8, 8, 8});
     for (int i = 0; i < 16; ++i) {

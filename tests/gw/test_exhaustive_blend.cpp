@@ -1,5 +1,5 @@
-// All 256 x 256 operands of each pair of blend factors through the machine, against rationals; the same
-// formulas for 12 and 16 bits on samples. docs/manual.md, "Blending".
+// All 256 x 256 operands of each pair of blend factors through the machine, against rationals; the
+// same formulas for 12 and 16 bits on samples. docs/manual.md, "Blending".
 #include "tests/gw/random.h"
 #include "tests/gw/workbench.h"
 
@@ -48,8 +48,8 @@ std::int64_t product(std::int64_t a, std::int64_t b, std::int64_t one) {
 Rgba expected(const BlendState& b, const Rgba& s, const Rgba& d, std::int64_t one) {
     Rgba out;
     for (std::size_t c = 0; c < 4; ++c) {
-        const std::int64_t sum =
-            product(s[c], factor(b.src, s, d, c, one), one) + product(d[c], factor(b.dst, s, d, c, one), one);
+        const std::int64_t sum = product(s[c], factor(b.src, s, d, c, one), one) +
+                                 product(d[c], factor(b.dst, s, d, c, one), one);
         out[c] = std::uint16_t(std::min(sum, one));
     }
     return out;
@@ -78,7 +78,8 @@ void check_all_pairs(const Profile& profile, int size, const Operands& operands)
 }
 
 TEST(ExhaustiveBlend, All256x256OperandsOfEachPairOfFactors) {
-    // Red holds every pair of colours, alpha every pair of alphas; green and blue mix them with one another.
+    // Red holds every pair of colours, alpha every pair of alphas; green and blue mix them with one
+    // another.
     Operands o;
     for (int stored = 0; stored < 256; ++stored)
         for (int source = 0; source < 256; ++source) {
@@ -102,7 +103,8 @@ TEST(ExhaustiveBlend, SamplesOf10And12And16Bits) {
         Operands o;
         const std::int64_t one = (1 << bits) - 1;
         const auto value = [&] {
-            return std::uint16_t(random.one_in(4) ? (random.one_in(2) ? one : 0) : random.between(0, one));
+            return std::uint16_t(random.one_in(4) ? (random.one_in(2) ? one : 0)
+                                                  : random.between(0, one));
         };
         for (int i = 0; i < 128 * 128; ++i) {
             o.source.push_back({value(), value(), value(), value()});

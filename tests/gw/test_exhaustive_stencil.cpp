@@ -13,10 +13,11 @@ TEST(ExhaustiveStencil, TheTableForEveryOperationValueAndReference) {
         for (const StencilOp op : ops)
             for (int stored = 0; stored < 1 << bits; ++stored)
                 for (int ref = 0; ref < 256; ++ref)
-                    ASSERT_EQ(
-                        int(stencil_result(op, std::uint32_t(stored), std::uint32_t(ref), (1u << bits) - 1)),
-                        operated(op, stored, ref, 1 << bits))
-                        << bits << " bits, op " << int(op) << ", stored " << stored << ", ref " << ref;
+                    ASSERT_EQ(int(stencil_result(op, std::uint32_t(stored), std::uint32_t(ref),
+                                                 (1u << bits) - 1)),
+                              operated(op, stored, ref, 1 << bits))
+                        << bits << " bits, op " << int(op) << ", stored " << stored << ", ref "
+                        << ref;
 }
 
 TEST(ExhaustiveStencil, EveryOperationValueMaskAndSomeReferencesThroughTheMachine) {
@@ -55,7 +56,8 @@ TEST(ExhaustiveStencil, TheComparisonPutsTheReferenceFirst) {
     for (int func = 0; func < 8; ++func)
         for (const int mask : {0, 1, 0x0F, 0x80, 0xF0, 0xFF})
             for (int ref = 0; ref < 256; ref += 3) {
-                // Passing fragments count up, failing ones down: neighbours 1 apart in both directions.
+                // Passing fragments count up, failing ones down: neighbours 1 apart in both
+                // directions.
                 row.bench.state.stencil = {.test = true,
                                            .func = StencilFunc(func),
                                            .ref = ref,
@@ -65,10 +67,12 @@ TEST(ExhaustiveStencil, TheComparisonPutsTheReferenceFirst) {
                 row.fill();
                 row.bench.write(row.rect, {});
                 for (int stored = 0; stored < 256; ++stored)
-                    ASSERT_EQ(
-                        row.at(stored),
-                        (stored + (passes(StencilFunc(func), ref & mask, stored & mask) ? 1 : 255)) % 256)
-                        << "func " << func << ", mask " << mask << ", ref " << ref << ", stored " << stored;
+                    ASSERT_EQ(row.at(stored),
+                              (stored +
+                               (passes(StencilFunc(func), ref & mask, stored & mask) ? 1 : 255)) %
+                                  256)
+                        << "func " << func << ", mask " << mask << ", ref " << ref << ", stored "
+                        << stored;
             }
 }
 
@@ -92,7 +96,8 @@ TEST(ExhaustiveStencil, TwoSidesHaveTheirOwnState) {
     Workbench bench(ideal(), 8, 8);
     bench.state.stencil = {.test = true, .zpass = StencilOp::IncrWrap, .two_side = true};
     bench.state.stencil.back.zpass = StencilOp::DecrWrap;
-    const std::vector<vec3> front{{0, 0, 0}, {8, 0, 0}, {8, 8, 0}}, back{{0, 0, 0}, {8, 8, 0}, {0, 8, 0}};
+    const std::vector<vec3> front{{0, 0, 0}, {8, 0, 0}, {8, 8, 0}},
+        back{{0, 0, 0}, {8, 8, 0}, {0, 8, 0}};
     bench.draw(Primitive::Triangles, front);
     bench.draw(Primitive::Triangles, {back[0], back[2], back[1]});
     EXPECT_EQ(bench.stencil(6, 1), 1);
@@ -118,16 +123,17 @@ TEST(ExhaustiveStencil, NarrowStencilsSaturateAtTheirOwnLimit) {
 bool holds(CompareFunc func, std::int64_t incoming, std::int64_t stored) {
     const std::int64_t d = incoming - stored;
     const bool less = d<0, equal = d == 0, greater = d> 0;
-    const bool table[] = {false, less, equal, less || equal, greater, less || greater, greater || equal,
-                          true};
+    const bool table[] = {
+        false, less, equal, less || equal, greater, less || greater, greater || equal, true};
     return table[int(func)];
 }
 
 TEST(ExhaustiveCompare, DepthAtItsBorders) {
     for (const Profile& profile : profiles()) {
         const auto top = std::uint32_t((1ull << profile.depth_bits) - 1), half = top / 2;
-        const std::vector<std::uint32_t> values{
-            0, 1, 2, 255, 256, half - 1, half, half + 1, half + 2, top - 256, top - 2, top - 1, top};
+        const std::vector<std::uint32_t> values{0,        1,       2,        255,      256,
+                                                half - 1, half,    half + 1, half + 2, top - 256,
+                                                top - 2,  top - 1, top};
         for (int func = 0; func < 8; ++func)
             for (const std::uint32_t incoming : values) {
                 Workbench bench(profile, 16, 1);

@@ -1,5 +1,6 @@
-// Pixels of adjacent primitives belong to exactly one of them: random triangulations of a square, fans,
-// strips and polylines are drawn adding 1; every pixel must then hold 1. docs/manual.md, "Coverage".
+// Pixels of adjacent primitives belong to exactly one of them: random triangulations of a square,
+// fans, strips and polylines are drawn adding 1; every pixel must then hold 1. docs/manual.md,
+// "Coverage".
 #include "tests/gw/exact.h"
 #include "tests/gw/random.h"
 #include "tests/gw/workbench.h"
@@ -22,8 +23,8 @@ struct Mesh2 {
     GridTriangle at(const Corners& t) const { return {points[t[0]], points[t[1]], points[t[2]]}; }
 };
 
-/// Splits the triangle that holds `p`, or the two on whose common side it lies. Points already there are
-/// left.
+/// Splits the triangle that holds `p`, or the two on whose common side it lies. Points already
+/// there are left.
 void insert(Mesh2& m, const GridPoint& p) {
     if (std::find(m.points.begin(), m.points.end(), p) != m.points.end()) return;
     const auto index = std::uint32_t(m.points.size());
@@ -31,7 +32,8 @@ void insert(Mesh2& m, const GridPoint& p) {
     std::vector<Corners> result;
     for (const Corners& t : m.triangles) {
         const GridTriangle g = m.at(t);
-        const std::array<Int, 3> side{cross(g[0], g[1], p), cross(g[1], g[2], p), cross(g[2], g[0], p)};
+        const std::array<Int, 3> side{cross(g[0], g[1], p), cross(g[1], g[2], p),
+                                      cross(g[2], g[0], p)};
         if (side[0] < 0 || side[1] < 0 || side[2] < 0) {
             result.push_back(t);
             continue;
@@ -47,7 +49,8 @@ void flip(Mesh2& m, Corners& a, Corners& b) {
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) {
             if (a[i] != b[(j + 1) % 3] || a[(i + 1) % 3] != b[j]) continue;
-            const std::uint32_t p = a[i], q = a[(i + 1) % 3], far_a = a[(i + 2) % 3], far_b = b[(j + 2) % 3];
+            const std::uint32_t p = a[i], q = a[(i + 1) % 3], far_a = a[(i + 2) % 3],
+                                far_b = b[(j + 2) % 3];
             const Corners first{far_a, p, far_b}, second{far_b, q, far_a};
             const GridTriangle g = m.at(first), h = m.at(second);
             if (cross(g[0], g[1], g[2]) <= 0 || cross(h[0], h[1], h[2]) <= 0) return;
@@ -74,7 +77,8 @@ Mesh2 triangulated_square(Random& random, int s) {
 MeshData mesh_of(const Mesh2& m, Random& random, int s) {
     MeshData data;
     const auto scale = float(1 << s);
-    for (const GridPoint& p : m.points) data.positions.push_back({float(p.x) / scale, float(p.y) / scale, 0});
+    for (const GridPoint& p : m.points)
+        data.positions.push_back({float(p.x) / scale, float(p.y) / scale, 0});
     for (Corners t : m.triangles) {
         std::rotate(t.begin(), t.begin() + random.between(0, 2), t.end());
         if (random.one_in(2)) std::swap(t[0], t[1]);
@@ -105,19 +109,22 @@ TEST(FillRule, ATriangulatedSquareCoversEachPixelOnce) {
             Workbench bench(profile, size, size);
             add_one(bench);
             // A left side owns the centres on it, a lower side does not.
-            bench.state.jitter = {int(random.between(0, 1 << s) - 1), int(random.between(0, 1 << s) - 1)};
+            bench.state.jitter = {int(random.between(0, 1 << s) - 1),
+                                  int(random.between(0, 1 << s) - 1)};
             const int x0 = bench.state.jitter.x > (1 << s) / 2 ? 1 : 0;
             const int y0 = bench.state.jitter.y >= (1 << s) / 2 ? 1 : 0;
             bench.draw(data);
             for (int y = 0; y < size; ++y)
                 for (int x = 0; x < size; ++x)
-                    ASSERT_EQ(int(bench.color(x, y)[0]), x >= x0 && y >= y0 ? 1 : 0) << x << " " << y;
+                    ASSERT_EQ(int(bench.color(x, y)[0]), x >= x0 && y >= y0 ? 1 : 0)
+                        << x << " " << y;
         }
     RecordProperty("triangles", triangles);
 }
 
-/// A square of fat triangles: a shaken grid of 6 pixels with random diagonals. Cuts make slivers only along
-/// the cut itself; a sliver may be turned over by the snap, and then pixels near it have two owners or none.
+/// A square of fat triangles: a shaken grid of 6 pixels with random diagonals. Cuts make slivers
+/// only along the cut itself; a sliver may be turned over by the snap, and then pixels near it have
+/// two owners or none.
 MeshData shaken_grid(Random& random) {
     MeshData data;
     constexpr int n = 6;
@@ -132,7 +139,8 @@ MeshData shaken_grid(Random& random) {
         for (std::uint32_t i = 0; i < n; ++i) {
             const std::uint32_t a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = a + n + 1;
             const bool rising = random.one_in(2);
-            for (const std::uint32_t k : rising ? std::array{a, b, c, a, c, d} : std::array{a, b, d, b, c, d})
+            for (const std::uint32_t k :
+                 rising ? std::array{a, b, c, a, c, d} : std::array{a, b, d, b, c, d})
                 data.indices.push_back(k);
         }
     data.colors.assign(data.positions.size(), one_unit(vgx()));
@@ -140,8 +148,8 @@ MeshData shaken_grid(Random& random) {
 }
 
 TEST(FillRule, BothSidesOfAUserPlaneCoverEachPixelOnce) {
-    // Cut triangles are snapped again. Where the snap crosses two sides of a sliver, a pixel may have two
-    // owners: two pixels of these 3000 pictures, that is of about 60000 cuts.
+    // Cut triangles are snapped again. Where the snap crosses two sides of a sliver, a pixel may
+    // have two owners: two pixels of these 3000 pictures, that is of about 60000 cuts.
     int twice = 0, none = 0;
     for (int i = 0; i < 3000; ++i) {
         Random random(std::uint64_t(i) + 5000);
@@ -185,7 +193,8 @@ TEST(FillRule, APolylineCoversEachColumnOnce) {
             add_one(bench);
             bench.state.viewport = {0, size, size, 2 * size};
             bench.state.projection = window_projection(profile, size, 2 * size);
-            bench.draw(Primitive::LineStrip, points, std::vector<vec4>(points.size(), one_unit(profile)));
+            bench.draw(Primitive::LineStrip, points,
+                       std::vector<vec4>(points.size(), one_unit(profile)));
             if (bench.take_counters().fragments == size)
                 for (int c = 0; c < size; ++c) {
                     int sum = 0;
@@ -196,17 +205,20 @@ TEST(FillRule, APolylineCoversEachColumnOnce) {
 }
 
 TEST(FillRule, AClosedOutlineHasNoPixelTwiceAndNoGap) {
-    // A rectangle's outline, corners on pixel centres: each side leaves its last point to the next side.
+    // A rectangle's outline, corners on pixel centres: each side leaves its last point to the next
+    // side.
     for (int w = 1; w < 20; ++w)
         for (int h = 1; h < 10; ++h) {
             Workbench bench(vgx(), size, size);
             add_one(bench);
             bench.state.polygon_mode = PolygonMode::Line;
             const float x = 3.5f, y = 4.5f;
-            bench.draw(
-                Primitive::Quads,
-                {{x, y, 0}, {x + float(w), y, 0}, {x + float(w), y + float(h), 0}, {x, y + float(h), 0}},
-                std::vector<vec4>(4, one_unit(vgx())));
+            bench.draw(Primitive::Quads,
+                       {{x, y, 0},
+                        {x + float(w), y, 0},
+                        {x + float(w), y + float(h), 0},
+                        {x, y + float(h), 0}},
+                       std::vector<vec4>(4, one_unit(vgx())));
             EXPECT_EQ(bench.take_counters().fragments, 2u * unsigned(w + h));
             for (const Rgba& c : bench.planes().color) ASSERT_LE(c[0], 1);
         }

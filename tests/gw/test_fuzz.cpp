@@ -1,5 +1,5 @@
-// 2,100 random lists: machine against machine, every plane, counter, read-back and digest after every
-// command. More of them: gw-fuzz, and tests/gw/long.
+// 2,100 random lists: machine against machine, every plane, counter, read-back and digest after
+// every command. More of them: gw-fuzz, and tests/gw/long.
 #include "tests/fuzz/explain.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The fuzz harness itself: an injected fault must be found, and its place named; lists must be valid and the
-// same everywhere. Does not look for faults in the machines: test_fuzz.cpp does.
+// The fuzz harness itself: an injected fault must be found, and its place named; lists must be
+// valid and the same everywhere. Does not look for faults in the machines: test_fuzz.cpp does.
 #include "tests/fuzz/diversity.h"
 #include "tests/fuzz/explain.h"
 #include "tests/fuzz/run.h"
@@ -25,8 +25,9 @@ Case three_draws() {
     c.list.add(SetState{state});
     c.list.add(Clear{.planes = all_planes, .depth = 1});
     for (const float z : {0.5f, 0.0f, -0.5f})
-        c.list.add(Draw{.mesh = make_mesh({.primitive = Primitive::Quads,
-                                           .positions = {{-1, -1, z}, {0, -1, z}, {0, 0, z}, {-1, 0, z}}})});
+        c.list.add(Draw{
+            .mesh = make_mesh({.primitive = Primitive::Quads,
+                               .positions = {{-1, -1, z}, {0, -1, z}, {0, 0, z}, {-1, 0, z}}})});
     return c;
 }
 
@@ -46,7 +47,8 @@ TEST(FuzzHarness, FindsOneFlippedBitAndNamesItsPlaceAndStage) {
 }
 
 TEST(FuzzHarness, FindsACounterThatIsOneTooLarge) {
-    const auto failure = run_case(three_draws(), machine_named("reference"), machine_named("faulty-counter"));
+    const auto failure =
+        run_case(three_draws(), machine_named("reference"), machine_named("faulty-counter"));
     ASSERT_TRUE(failure);
     EXPECT_EQ(failure->command, 4u);
     EXPECT_EQ(failure->difference.what, "pass 0 '', counter fragments");
@@ -55,7 +57,8 @@ TEST(FuzzHarness, FindsACounterThatIsOneTooLarge) {
 }
 
 TEST(FuzzHarness, FindsAFaultThatShowsOnlyInWholeLists) {
-    const auto failure = run_case(three_draws(), machine_named("reference"), machine_named("faulty-split"));
+    const auto failure =
+        run_case(three_draws(), machine_named("reference"), machine_named("faulty-split"));
     ASSERT_TRUE(failure);
     EXPECT_EQ(failure->split, Split::Whole);
     EXPECT_EQ(failure->command, 4u);
@@ -93,7 +96,8 @@ TEST(FuzzHarness, ListsShareNoNumbers) {
     std::set<std::uint64_t> seen;
     for (std::uint64_t index = 0; index < 200; ++index) {
         Random random(seed_of("blend", index));
-        for (int i = 0; i < 500; ++i) EXPECT_TRUE(seen.insert(random.next()).second) << index << " " << i;
+        for (int i = 0; i < 500; ++i)
+            EXPECT_TRUE(seen.insert(random.next()).second) << index << " " << i;
     }
 }
 

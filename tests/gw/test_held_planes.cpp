@@ -1,6 +1,6 @@
-// Blocks that hold the depth plane of the triangle that covers them: planes that differ by less than a unit,
-// by one, that cross, many of them, and depths at the ends of the range. The reference machine, which writes
-// every pixel, says what these are.
+// Blocks that hold the depth plane of the triangle that covers them: planes that differ by less
+// than a unit, by one, that cross, many of them, and depths at the ends of the range. The reference
+// machine, which writes every pixel, says what these are.
 #include "tests/fuzz/random.h"
 #include "tests/gw/workbench.h"
 
@@ -11,7 +11,8 @@ namespace {
 
 constexpr int width = 128, height = 80;  ///< whole tiles, and some that the window cuts
 
-/// Two triangles over the window, of the depths at its lower left, lower right and upper left corner.
+/// Two triangles over the window, of the depths at its lower left, lower right and upper left
+/// corner.
 void add_sheet(MeshData& data, double low, double right, double up) {
     const std::vector<vec3> corner{
         {0, 0, low}, {width, 0, right}, {width, height, right + up - low}, {0, height, up}};
@@ -47,8 +48,8 @@ void draw_sheets(const Profile& profile, const std::vector<Draw>& sheets, DepthF
 }
 void draw_under_all_tests(const Profile& profile, const std::vector<Draw>& sheets) {
     for (const DepthFunc func :
-         {DepthFunc::Never, DepthFunc::Less, DepthFunc::Equal, DepthFunc::LEqual, DepthFunc::Greater,
-          DepthFunc::NotEqual, DepthFunc::GEqual, DepthFunc::Always})
+         {DepthFunc::Never, DepthFunc::Less, DepthFunc::Equal, DepthFunc::LEqual,
+          DepthFunc::Greater, DepthFunc::NotEqual, DepthFunc::GEqual, DepthFunc::Always})
         for (const bool mask : {false, true})
             for (const bool color : {false, true}) {
                 SCOPED_TRACE(int(func));
@@ -62,8 +63,9 @@ TEST(HeldPlanes, OfTheSameDepthsAreEqual) {
 
 TEST(HeldPlanes, DifferByPartsOfAUnit) {
     const Draw stored = sheet(1000, 1037, 1011);
-    for (const Draw& incoming : {sheet(1000, 1037, 1012), sheet(1000, 1038, 1011), sheet(1001, 1037, 1011),
-                                 sheet(999, 1037, 1011), sheet(1000, 1036, 1012)})
+    for (const Draw& incoming :
+         {sheet(1000, 1037, 1012), sheet(1000, 1038, 1011), sheet(1001, 1037, 1011),
+          sheet(999, 1037, 1011), sheet(1000, 1036, 1012)})
         draw_under_all_tests(vgx(), {stored, incoming});
 }
 
@@ -74,16 +76,16 @@ TEST(HeldPlanes, DifferByAUnitOrTwo) {
 }
 
 TEST(HeldPlanes, Cross) {
-    draw_under_all_tests(vgx(), {sheet(1000, 9000, 1500), sheet(9000, 1000, 1500), sheet(1500, 1500, 9000),
-                                 sheet(1000, 9000, 1500)});
+    draw_under_all_tests(vgx(), {sheet(1000, 9000, 1500), sheet(9000, 1000, 1500),
+                                 sheet(1500, 1500, 9000), sheet(1000, 9000, 1500)});
     draw_under_all_tests(vgx(), {sheet(1000, 1200, 1500), sheet(1200, 1000, 1500)});
 }
 
 TEST(HeldPlanes, OfAllDepthsThereAre) {
     for (const Profile& profile : {vgx(), ideal()}) {
         const double far = std::ldexp(1.0, profile.depth_bits) - 1, half = std::floor(far / 2);
-        draw_under_all_tests(
-            profile, {sheet(0, half, half), sheet(half, 0, half), sheet(far, half, half), sheet(1, half, 2)});
+        draw_under_all_tests(profile, {sheet(0, half, half), sheet(half, 0, half),
+                                       sheet(far, half, half), sheet(1, half, 2)});
         const Draw level = sheet(half, half, half);
         draw_under_all_tests(profile, {level, sheet(0, std::floor(half / 2), 7)});
         draw_under_all_tests(profile, {level, sheet(far, far - 7, far - std::floor(half / 2))});
@@ -91,11 +93,12 @@ TEST(HeldPlanes, OfAllDepthsThereAre) {
 }
 
 TEST(HeldPlanes, UnderALevelOne) {
-    draw_under_all_tests(vgx(), {sheet(1000, 3000, 1500), sheet(1700, 1700, 1700), sheet(900, 3000, 1500)});
+    draw_under_all_tests(
+        vgx(), {sheet(1000, 3000, 1500), sheet(1700, 1700, 1700), sheet(900, 3000, 1500)});
 }
 
-/// More than a tile holds, one above the other, in one mesh and in one each; then a part is cleared, and what
-/// lies over the clear is drawn again.
+/// More than a tile holds, one above the other, in one mesh and in one each; then a part is
+/// cleared, and what lies over the clear is drawn again.
 TEST(HeldPlanes, ManyOfThem) {
     Workbench bench(vgx(), width, height);
     const State state = drawn(bench, DepthFunc::LEqual, true, true);
@@ -156,7 +159,8 @@ TEST(HeldPlanes, AnySheets) {
             list.add(SetState{state});
             if (r.chance(10)) list.add(Clear{.planes = all_planes, .depth = 0.0006});
             if (r.chance(90)) list.add(any_sheet(r));
-            if (r.chance(10)) list.add(Read{.key = 1, .plane = Plane::Depth, .rect = {0, 0, width, height}});
+            if (r.chance(10))
+                list.add(Read{.key = 1, .plane = Plane::Depth, .rect = {0, 0, width, height}});
             if (r.chance(10)) list.add(Read{.key = 2, .rect = {3, 5, 101, 70}, .packed = true});
         }
         bench.run(list);

@@ -1,4 +1,5 @@
-// Hidden-surface cases with known answers that are the machine's: T-junctions, layers, piercing, the cycle.
+// Hidden-surface cases with known answers that are the machine's: T-junctions, layers, piercing,
+// the cycle.
 #include "tests/gw/random.h"
 #include "tests/gw/workbench.h"
 
@@ -23,7 +24,8 @@ vec3 screen(float x, float y) { return {x, 10 - y, 0}; }
 std::array<int, 3> coverage(int bits, const std::vector<vec3>& triangles) {
     Workbench bench(with_subpixel_bits(bits), 32, 16);
     bench.state.blend = {true, BlendFactor::One, BlendFactor::One};
-    bench.draw(Primitive::Triangles, triangles, std::vector<vec4>(triangles.size(), vec4(1 / 65535.0f)));
+    bench.draw(Primitive::Triangles, triangles,
+               std::vector<vec4>(triangles.size(), vec4(1 / 65535.0f)));
     std::array<int, 3> count{};
     for (int y = 0; y < 10; ++y)
         for (int x = 0; x < 30; ++x) ++count[std::min<std::size_t>(2, bench.color(x, y)[0])];
@@ -58,7 +60,8 @@ TEST(HiddenSurfaceCases, LayersInRandomOrderAreWrittenHarmonicallyOften) {
         std::uint64_t expected = 0;
         for (const int z : order) {
             const auto depth = float(100 * z + 5);
-            bench.draw(Primitive::Quads, {{0, 0, depth}, {4, 0, depth}, {4, 4, depth}, {0, 4, depth}});
+            bench.draw(Primitive::Quads,
+                       {{0, 0, depth}, {4, 0, depth}, {4, 4, depth}, {0, 4, depth}});
             expected += z < nearest ? 16 : 0;
             nearest = std::min(nearest, z);
         }
@@ -78,8 +81,8 @@ std::vector<vec4> red(int value, std::size_t n) {
 }
 
 TEST(HiddenSurfaceCases, PiercingRectanglesShareTheScreenWhereTheyCross) {
-    // Larger z nearer in the case; depth here is 6 - z. P: z = x over 0..6 x 1..5; Q: z = 6 - x over 0..6
-    // x 2..4.
+    // Larger z nearer in the case; depth here is 6 - z. P: z = x over 0..6 x 1..5; Q: z = 6 - x
+    // over 0..6 x 2..4.
     Workbench bench(vgx(), 64, 64);
     bench.state.projection[2][2] = 2.0 / 6;
     bench.state.projection[0][0] = bench.state.projection[1][1] = 2.0 / 6;
@@ -89,7 +92,8 @@ TEST(HiddenSurfaceCases, PiercingRectanglesShareTheScreenWhereTheyCross) {
     bench.draw(Primitive::Quads, {{0, 1, 6}, {6, 1, 0}, {6, 5, 0}, {0, 5, 6}}, red(1, 4));
     bench.draw(Primitive::Quads, {{0, 2, 0}, {6, 2, 6}, {6, 4, 6}, {0, 4, 0}}, red(2, 4));
     for (int y = 22; y < 42; ++y)
-        for (int x = 0; x < 64; ++x) EXPECT_EQ(bench.color(x, y)[0], x < 32 ? 2 : 1) << x << " " << y;
+        for (int x = 0; x < 64; ++x)
+            EXPECT_EQ(bench.color(x, y)[0], x < 32 ? 2 : 1) << x << " " << y;
     EXPECT_EQ(bench.color(5, 15)[0], 1);
 }
 
@@ -108,7 +112,8 @@ TEST(HiddenSurfaceCases, AnyOrderOfTheCycleGivesTheSamePicture) {
         bench.state.projection[3][2] = -16.0 / 7;
         bench.clear();
         bench.state.depth.test = true;
-        for (const int i : order) bench.draw(Primitive::Triangles, triangles[std::size_t(i)], red(i + 1, 3));
+        for (const int i : order)
+            bench.draw(Primitive::Triangles, triangles[std::size_t(i)], red(i + 1, 3));
         if (first.empty()) first = bench.planes().color;
         EXPECT_EQ(bench.planes().color, first);
     } while (std::next_permutation(order.begin(), order.end()));

@@ -1,6 +1,7 @@
-// Multi-pass invariance: what enters coverage and Z is the vertices, transform, viewport, depth range, clip
-// planes, polygon mode, offset and jitter, and nothing else. Every other field is changed, one by one,
-// between a depth pass and a pass under Equal: each fragment that passed must pass again.
+// Multi-pass invariance: what enters coverage and Z is the vertices, transform, viewport, depth
+// range, clip planes, polygon mode, offset and jitter, and nothing else. Every other field is
+// changed, one by one, between a depth pass and a pass under Equal: each fragment that passed must
+// pass again.
 #include "tests/fuzz/generate_draw.h"
 #include "tests/fuzz/generate_state.h"
 #include "tests/fuzz/run.h"
@@ -30,17 +31,21 @@ const Change changes[] = {
      [](State& s) { s.color_source = ColorSource::Lighting, s.lighting.two_side = true; }},
     {"lighting.model_ambient",
      [](State& s) { s.color_source = ColorSource::Lighting, s.lighting.model_ambient = vec4(1); }},
-    {"fog at the vertex", [](State& s) { s.fog = {.enable = true, .coordinate = FogCoordinate::Vertex}; }},
-    {"fog per fragment", [](State& s) { s.fog = {.enable = true, .coordinate = FogCoordinate::Fragment}; }},
+    {"fog at the vertex",
+     [](State& s) { s.fog = {.enable = true, .coordinate = FogCoordinate::Vertex}; }},
+    {"fog per fragment",
+     [](State& s) { s.fog = {.enable = true, .coordinate = FogCoordinate::Fragment}; }},
     {"fog.mode Linear",
      [](State& s) { s.fog = {.enable = true, .mode = FogMode::Linear, .start = -1, .end = 9}; }},
-    {"fog.mode Exp2", [](State& s) { s.fog = {.enable = true, .mode = FogMode::Exp2, .density = 0.1f}; }},
+    {"fog.mode Exp2",
+     [](State& s) { s.fog = {.enable = true, .mode = FogMode::Exp2, .density = 0.1f}; }},
     {"texture min_filter", [](State& s) { s.texture.min_filter = MinFilter::LinearMipmapLinear; }},
     {"texture mag_filter", [](State& s) { s.texture.mag_filter = MagFilter::Nearest; }},
     {"texture wrap_s", [](State& s) { s.texture.wrap_s = Wrap::Clamp; }},
     {"texture wrap_t", [](State& s) { s.texture.wrap_t = Wrap::Clamp; }},
     {"texture env", [](State& s) { s.texture.env = TexEnv::Replace; }},
-    {"texture env_color", [](State& s) { s.texture.env = TexEnv::Blend, s.texture.env_color = vec4(1); }},
+    {"texture env_color",
+     [](State& s) { s.texture.env = TexEnv::Blend, s.texture.env_color = vec4(1); }},
     {"texture gen SphereMap", [](State& s) { s.texture.gen = TexGen::SphereMap; }},
     {"texture gen RefractionMap",
      [](State& s) { s.texture.gen = TexGen::RefractionMap, s.texture.eta = 0.7; }},
@@ -101,10 +106,10 @@ const Change changes[] = {
 
 /// Fails to compile when State gets a field: it belongs to design.md's list, or to `changes`.
 [[maybe_unused]] void every_field_is_known(const State& state) {
-    [[maybe_unused]] const auto& [projection, viewport, depth_range, clip_planes, cull, polygon_mode,
-                                  polygon_offset, jitter, point_size, line_width, shade_model, color_source,
-                                  lighting, fog, texture, scissor, alpha, stencil, depth, blend, color_mask] =
-        state;
+    [[maybe_unused]] const auto& [projection, viewport, depth_range, clip_planes, cull,
+                                  polygon_mode, polygon_offset, jitter, point_size, line_width,
+                                  shade_model, color_source, lighting, fog, texture, scissor, alpha,
+                                  stencil, depth, blend, color_mask] = state;
 }
 
 struct Scene {
@@ -130,7 +135,8 @@ Scene any_scene(std::uint64_t seed) {
     return scene;
 }
 
-/// The counters of the pass under Equal, when one change is made in the depth pass and another one in it.
+/// The counters of the pass under Equal, when one change is made in the depth pass and another one
+/// in it.
 Counters second_pass(const Scene& scene, const Change& first, const Change& second) {
     CommandList list;
     list.add(Clear{.planes = all_planes, .depth = 1});
@@ -160,8 +166,8 @@ TEST_P(Invariance, CoverageAndZDoNotDependOnThisField) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         const Scene scene = any_scene(seed);
         const Counters plain = second_pass(scene, changes[0], changes[0]);
-        for (const Counters& changed :
-             {second_pass(scene, changes[0], GetParam()), second_pass(scene, GetParam(), changes[0])}) {
+        for (const Counters& changed : {second_pass(scene, changes[0], GetParam()),
+                                        second_pass(scene, GetParam(), changes[0])}) {
             EXPECT_EQ(changed.fragments, plain.fragments) << "seed " << seed;
             EXPECT_EQ(changed.depth_killed, plain.depth_killed) << "seed " << seed;
             EXPECT_EQ(changed.written, plain.written) << "seed " << seed;

@@ -1,5 +1,5 @@
-// Geometry sets that outlive their list: which are found again, and that a frame drawn with them has the bits
-// of one drawn without (each list of the workbench is its own).
+// Geometry sets that outlive their list: which are found again, and that a frame drawn with them
+// has the bits of one drawn without (each list of the workbench is its own).
 #include "gw/fast/plan/kept_geometry.h"
 #include "tests/gw/workbench.h"
 
@@ -7,8 +7,8 @@ namespace gw::fast {
 namespace {
 
 MeshRef triangle(float x = 0) {
-    return make_mesh(
-        {.primitive = Primitive::Triangles, .positions = {{x, 0, 1}, {x + 40, 0, 9}, {x + 40, 50, 5}}});
+    return make_mesh({.primitive = Primitive::Triangles,
+                      .positions = {{x, 0, 1}, {x + 40, 0, 9}, {x + 40, 50, 5}}});
 }
 
 /// Sets with one element, as a plan has it before anything is made.
@@ -18,7 +18,8 @@ std::deque<GeometrySet> wanted(const MeshRef& mesh) {
     return sets;
 }
 
-/// Keeps a set of `mesh`, changes the key of what a later list wants, and says whether it got that set.
+/// Keeps a set of `mesh`, changes the key of what a later list wants, and says whether it got that
+/// set.
 bool served(const MeshRef& mesh, void (*change)(GeometryKey&)) {
     KeptGeometry kept;
     std::deque<GeometrySet> first = wanted(mesh);

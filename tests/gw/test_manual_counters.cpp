@@ -80,7 +80,8 @@ TEST(ManualCounters, TexelsGoByTheMinificationFilter) {
 TEST(ManualCounters, DigestOfTwoPixels) {
     Workbench bench(vgx(), 2, 1);
     bench.run(WritePixels{{0, 0, 2, 1}, Plane::Stencil, {}, {1, 2}, 0});
-    EXPECT_EQ(to_string(digest(bench.planes(), Plane::Stencil)), "018a82ed9ec33d2363c34a21b5d85086");
+    EXPECT_EQ(to_string(digest(bench.planes(), Plane::Stencil)),
+              "018a82ed9ec33d2363c34a21b5d85086");
 }
 
 TEST(ManualCounters, DigestsGoBlockByBlock) {
@@ -100,7 +101,8 @@ TEST(ManualCounters, DigestsGoBlockByBlock) {
                             static_cast<unsigned char>(values[std::size_t(y * 70 + x)] >> (8 * b)));
             const XXH128_hash_t h = XXH3_128bits(bytes.data(), bytes.size());
             for (const std::uint64_t half : {h.high64, h.low64})
-                for (int b = 7; b >= 0; --b) digests.push_back(static_cast<unsigned char>(half >> (8 * b)));
+                for (int b = 7; b >= 0; --b)
+                    digests.push_back(static_cast<unsigned char>(half >> (8 * b)));
         }
     const XXH128_hash_t h = XXH3_128bits(digests.data(), digests.size());
     EXPECT_EQ(digest(bench.planes(), Plane::Depth), (Digest{h.high64, h.low64}));

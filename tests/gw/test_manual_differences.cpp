@@ -22,7 +22,8 @@ int half_way(const Profile& profile) {
     bench.state.projection[2] = {0, 0, 0, 1};  // clip = (x, y, 0, z)
     bench.state.projection[3] = {0, 0, 0, 0};
     const float left = 0.5f / 16 - 1, right = 16.5f / 16 - 1, y = 4.5f / 16 - 1;
-    bench.draw(Primitive::Lines, {{left, y, 1}, {3 * right, 3 * y, 3}}, {{0, 0, 0, 1}, {1, 0, 0, 1}});
+    bench.draw(Primitive::Lines, {{left, y, 1}, {3 * right, 3 * y, 3}},
+               {{0, 0, 0, 1}, {1, 0, 0, 1}});
     return bench.color(8, 4)[0];
 }
 

@@ -15,7 +15,8 @@ TEST(ManualFog, FactorsAndTable) {
     const FogState linear{
         .enable = true, .mode = FogMode::Linear, .start = 0, .end = 4, .color = {0, 0, 1, 1}};
     EXPECT_EQ(fog_factor(linear, 1, 8), 191u);
-    EXPECT_EQ(apply_fog({255, 255, 255, 255}, 191, {0, 0, 255, 255}, 8), (Rgba{191, 191, 255, 255}));
+    EXPECT_EQ(apply_fog({255, 255, 255, 255}, 191, {0, 0, 255, 255}, 8),
+              (Rgba{191, 191, 255, 255}));
 
     const FogState exponential{.enable = true, .density = 0.5f};
     EXPECT_EQ(fog_factor(exponential, 2, 8), 94u);
@@ -58,8 +59,9 @@ TEST(ManualFog, TheTableIsNearTheFormulaEverywhere) {
                          .end = 11,
                          .coordinate = FogCoordinate::Fragment};
             const double d = 0.35f * double(z);
-            const double f = mode == FogMode::Linear ? (11 - double(z)) / 9
-                                                     : std::exp(mode == FogMode::Exp ? -d : -(d * d));
+            const double f = mode == FogMode::Linear
+                                 ? (11 - double(z)) / 9
+                                 : std::exp(mode == FogMode::Exp ? -d : -(d * d));
             const double exact = 255 * std::min(1.0, std::max(0.0, f));
             EXPECT_NEAR(fogged(fog, z), exact, 1.6) << int(mode) << " " << z;
             fog.coordinate = FogCoordinate::Vertex;
@@ -73,7 +75,8 @@ TEST(ManualFog, BlackFogPlusFoggedBlackIsOnePassOfFog) {
         const Rgba one_pass = apply_fog({c, c, c, 0}, f, {fog, fog, fog, 0}, bits);
         const Rgba black_fog = apply_fog({c, c, c, 0}, f, {}, bits),
                    black = apply_fog({}, f, {fog, fog, fog, 0}, bits);
-        ASSERT_EQ(blend({true, BlendFactor::One, BlendFactor::One}, black, black_fog, bits), one_pass);
+        ASSERT_EQ(blend({true, BlendFactor::One, BlendFactor::One}, black, black_fog, bits),
+                  one_pass);
     };
     for (std::uint32_t f = 0; f < 256; ++f)
         for (int c = 0; c < 256; ++c)
@@ -89,9 +92,11 @@ TEST(ManualFog, BlackFogPlusFoggedBlackIsOnePassOfFog) {
 
 TEST(ManualFog, IdentifiersAreNeverFogged) {
     Workbench bench;
-    bench.state.fog = {.enable = true, .mode = FogMode::Linear, .start = 0, .end = 1, .color = vec4(1)};
+    bench.state.fog = {
+        .enable = true, .mode = FogMode::Linear, .start = 0, .end = 1, .color = vec4(1)};
     bench.state.color_source = ColorSource::PolygonId;
-    MeshData square = test::mesh_data(Primitive::Quads, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
+    MeshData square =
+        test::mesh_data(Primitive::Quads, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
     square.polygon_ids = {0x010203};
     bench.draw(Draw{.mesh = make_mesh(square), .id_base = 0x20000000, .id_shift = 0});
     EXPECT_EQ(bench.color(1, 1), (Rgba{3, 2, 1, 255}));

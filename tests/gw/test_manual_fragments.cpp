@@ -1,4 +1,5 @@
-// docs/manual/fragments.md: the worked examples. Every case of the tables is in test_exhaustive_*.cpp.
+// docs/manual/fragments.md: the worked examples. Every case of the tables is in
+// test_exhaustive_*.cpp.
 #include "tests/gw/workbench.h"
 
 namespace gw {
@@ -52,8 +53,10 @@ TEST(ManualFragments, TestsInTheirOrder) {
     bench.clear(all_planes, vec4(0), 1, 5);
     bench.take_counters();
     bench.state.alpha = {true, AlphaFunc::Greater, 0.5f};
-    bench.state.stencil = {
-        .test = true, .func = StencilFunc::Never, .fail = StencilOp::Incr, .zpass = StencilOp::Zero};
+    bench.state.stencil = {.test = true,
+                           .func = StencilFunc::Never,
+                           .fail = StencilOp::Incr,
+                           .zpass = StencilOp::Zero};
     bench.state.depth.test = true;
     bench.write(pixel, {1, 1, 1, 128}, 7);  // 128 > 128 fails
     EXPECT_EQ(bench.stencil(0, 0), 5);
@@ -75,7 +78,8 @@ TEST(ManualFragments, BlendByHand) {
         bench.write(pixel, {200, 100, 50, 128});
         return bench.color(0, 0);
     };
-    EXPECT_EQ(over(BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha), (Rgba{150, 100, 75, 191}));
+    EXPECT_EQ(over(BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha),
+              (Rgba{150, 100, 75, 191}));
     EXPECT_EQ(over(BlendFactor::One, BlendFactor::One), (Rgba{255, 200, 150, 255}));
     EXPECT_EQ(over(BlendFactor::DstColor, BlendFactor::Zero),
               (Rgba{78, 39, 20, 128}));  // 78.43, 39.22, 19.61

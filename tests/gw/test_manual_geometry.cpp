@@ -10,7 +10,8 @@ namespace {
 using test::Workbench;
 
 TEST(ManualGeometry, FillOutlineAndCorners) {
-    const std::vector<vec3> quad{{8.5f, 8.5f, 0}, {24.5f, 8.5f, 0}, {24.5f, 24.5f, 0}, {8.5f, 24.5f, 0}};
+    const std::vector<vec3> quad{
+        {8.5f, 8.5f, 0}, {24.5f, 8.5f, 0}, {24.5f, 24.5f, 0}, {8.5f, 24.5f, 0}};
     const std::array<std::pair<PolygonMode, std::uint64_t>, 3> modes{
         {{PolygonMode::Fill, 256}, {PolygonMode::Line, 64}, {PolygonMode::Point, 4}}};
     for (const auto& [mode, fragments] : modes) {
@@ -26,7 +27,8 @@ TEST(ManualGeometry, AConcavePolygon) {
     bench.draw(Primitive::Polygons, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 2, 0}, {0, 4, 0}});
     EXPECT_EQ(bench.take_counters().fragments, 12u);
     EXPECT_EQ(bench.color(1, 3)[3], 0);
-    EXPECT_EQ(bench.color(2, 2)[3], 255);  // on the notch's right side, which is a left side of the polygon
+    // on the notch's right side, which is a left side of the polygon
+    EXPECT_EQ(bench.color(2, 2)[3], 255);
     EXPECT_EQ(bench.color(1, 2)[3], 0);
 }
 
@@ -35,7 +37,8 @@ TEST(ManualGeometry, FlatFacesHaveTheirOwnVertexColour) {
         Workbench bench;
         bench.state.shade_model = ShadeModel::Flat;
         std::vector<vec4> colors;
-        for (std::size_t i = 0; i < p.size(); ++i) colors.push_back(vec4(float(i + 1) / 255, 0, 0, 1));
+        for (std::size_t i = 0; i < p.size(); ++i)
+            colors.push_back(vec4(float(i + 1) / 255, 0, 0, 1));
         bench.draw(primitive, std::move(p), std::move(colors));
         return int(bench.color(x, y)[0]);
     };
@@ -77,7 +80,8 @@ TEST(ManualGeometry, AVertexGoesToTheWindow) {
 }
 
 TEST(ManualGeometry, NormalsGoByTheInverseTranspose) {
-    // Scaled by 2 along x, a normal (1, 1, 0) becomes (1, 2, 0) / sqrt 5; a mirror turns it with the surface.
+    // Scaled by 2 along x, a normal (1, 1, 0) becomes (1, 2, 0) / sqrt 5; a mirror turns it with
+    // the surface.
     Draw draw{.mesh = make_mesh(test::mesh_data(Primitive::Points, {{0, 0, 0}}))};
     State state;
     state.color_source = ColorSource::Lighting;
@@ -87,7 +91,8 @@ TEST(ManualGeometry, NormalsGoByTheInverseTranspose) {
         draw.mesh = make_mesh(data);
         draw.eye_from_object = m;
         draw.material = {.Ka = vec3(0), .Kd = vec3(1)};
-        draw.lights = std::make_shared<const std::vector<Light>>(1, Light{.position = vec4(light, 0)});
+        draw.lights =
+            std::make_shared<const std::vector<Light>>(1, Light{.position = vec4(light, 0)});
         const Profile profile = vgx();
         return run_vertex(vertex_program(state, draw, profile), 0).color[0];
     };
@@ -128,7 +133,8 @@ TEST(ManualGeometry, AFanStartsWhereNoPieceIsTurnedOver) {
 }
 
 TEST(ManualGeometry, FacingIsOfTheSnappedPolygon) {
-    const std::vector<vec3> ccw{{8, 8, 0}, {24, 8, 0}, {24, 24, 0}}, cw{{8, 8, 0}, {24, 24, 0}, {24, 8, 0}};
+    const std::vector<vec3> ccw{{8, 8, 0}, {24, 8, 0}, {24, 24, 0}},
+        cw{{8, 8, 0}, {24, 24, 0}, {24, 8, 0}};
     const std::vector<vec3> flat{
         {8, 8, 0}, {24, 8.03125f, 0}, {40, 8, 0}};  // a quarter unit high: snapped away
     for (const bool cull : {false, true})

@@ -8,14 +8,15 @@ namespace gw {
 namespace {
 
 /// Red of the lit colour at p with normal (0, 0, 1).
-double red(const Material& material, const Light& light, const dvec3& p = dvec3(0), Profile profile = vgx(),
-           bool local_viewer = false) {
+double red(const Material& material, const Light& light, const dvec3& p = dvec3(0),
+           Profile profile = vgx(), bool local_viewer = false) {
     Draw draw{.material = material};
     draw.lights = std::make_shared<const std::vector<Light>>(1, light);
     return lit_color(draw, {.local_viewer = local_viewer}, profile, p, {0, 0, 1})[0];
 }
 
-const Material shiny{.Ka = vec3(0.5f), .Kd = vec3(0.5f), .Ks = vec3(0.25f), .Ke = vec3(0.0625f), .Ns = 2};
+const Material shiny{
+    .Ka = vec3(0.5f), .Kd = vec3(0.5f), .Ks = vec3(0.25f), .Ke = vec3(0.0625f), .Ns = 2};
 const Light slanting{.position = {0, 3, 4, 0}, .Ia = vec3(0.25f)};
 
 TEST(ManualLighting, TermByTerm) {
@@ -44,11 +45,13 @@ TEST(ManualLighting, BehindTheSurfaceOnlyAmbientLight) {
 
 TEST(ManualLighting, AttenuationAndSpot) {
     const Material diffuse{.Ka = vec3(0), .Kd = vec3(1)};
-    Light point{.position = {0, 0, 2, 1}, .linear_attenuation = 0.5f, .quadratic_attenuation = 0.25f};
+    Light point{
+        .position = {0, 0, 2, 1}, .linear_attenuation = 0.5f, .quadratic_attenuation = 0.25f};
     EXPECT_EQ(red(diffuse, point), 85);
 
     const Material ambient{.Ka = vec3(0.5f), .Kd = vec3(0)};
-    const Light spot{.position = {0, 0, 2, 1}, .Ia = vec3(1), .spot_exponent = 2, .spot_cos_cutoff = 0.5f};
+    const Light spot{
+        .position = {0, 0, 2, 1}, .Ia = vec3(1), .spot_exponent = 2, .spot_cos_cutoff = 0.5f};
     EXPECT_EQ(red(ambient, spot), 128);            // straight below: 127.5
     EXPECT_EQ(red(ambient, spot, {2, 0, 0}), 64);  // half of it: 63.75
     EXPECT_EQ(red(ambient, spot, {4, 0, 0}), 0);

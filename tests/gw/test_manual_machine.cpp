@@ -24,8 +24,8 @@ TEST(ManualMachine, AnOddProfile) {
     bench.state.color_source = ColorSource::Lighting;
     MeshData square =
         test::mesh_data(Primitive::Quads, {{2.5f, 2.5f, 0}, {6, 2.5f, 0}, {6, 6, 0}, {2.5f, 6, 0}});
-    bench.draw(
-        Draw{.mesh = make_mesh(square), .material = {.Ka = vec3(0), .Kd = vec3(0), .Ke = vec3(0.04f)}});
+    bench.draw(Draw{.mesh = make_mesh(square),
+                    .material = {.Ka = vec3(0), .Kd = vec3(0), .Ke = vec3(0.04f)}});
     EXPECT_EQ(bench.color(4, 4), (Rgba{33, 33, 33, 1023}));
     EXPECT_EQ(bench.take_counters().fragments,
               4u * 3);  // columns 2 to 5, rows 3 to 5: the lower side on centres
@@ -61,7 +61,8 @@ TEST(ManualMachine, ProfilesOutOfRangeAreNamed) {
               "profile 'vgx': accum_bits = 8; expected 16 to 32");
     EXPECT_EQ(refused([](Profile& p) { p.subpixel_bits = 9; }),
               "profile 'vgx': subpixel_bits = 9; expected 1 to 8");
-    EXPECT_EQ(refused([](Profile& p) { p.lit_bits = 9; }), "profile 'vgx': lit_bits = 9; expected 4 to 8");
+    EXPECT_EQ(refused([](Profile& p) { p.lit_bits = 9; }),
+              "profile 'vgx': lit_bits = 9; expected 4 to 8");
     EXPECT_EQ(refused([](Profile& p) { p.max_lights = 0; }),
               "profile 'vgx': max_lights = 0; expected 1 to 1024");
 }
@@ -74,10 +75,14 @@ TEST(ManualMachine, ExtensionsAreRefusedByName) {
     };
     const auto offset = [](State& s) { s.polygon_offset.enable = true; };
     const auto shadow = [](State& s) { s.texture.shadow_compare = true; };
-    const auto wrap = [](State& s) { s.stencil.test = true, s.stencil.zpass = StencilOp::IncrWrap; };
+    const auto wrap = [](State& s) {
+        s.stencil.test = true, s.stencil.zpass = StencilOp::IncrWrap;
+    };
     const auto two_sided = [](State& s) { s.stencil.test = true, s.stencil.two_side = true; };
-    EXPECT_EQ(refused(vgx(), offset), "command 0 (SetState): extension polygon_offset is not in profile vgx");
-    EXPECT_EQ(refused(vgx(), shadow), "command 0 (SetState): extension shadow_texture is not in profile vgx");
+    EXPECT_EQ(refused(vgx(), offset),
+              "command 0 (SetState): extension polygon_offset is not in profile vgx");
+    EXPECT_EQ(refused(vgx(), shadow),
+              "command 0 (SetState): extension shadow_texture is not in profile vgx");
     EXPECT_EQ(refused(reality(), wrap),
               "command 0 (SetState): extension stencil_wrap is not in profile reality");
     EXPECT_EQ(refused(reality(), two_sided),
@@ -121,8 +126,8 @@ TEST(ManualMachine, TheDepthMaskGuardsClearsTheTestGuardsFragments) {
 
 TEST(ManualMachine, ShadingStateDoesNotMoveFragments) {
     Workbench bench(reality(), 64, 64);
-    MeshData square =
-        test::mesh_data(Primitive::Quads, {{8, 8, 100}, {24, 8, 9000}, {24, 24, 77777}, {8, 24, 3}});
+    MeshData square = test::mesh_data(Primitive::Quads,
+                                      {{8, 8, 100}, {24, 8, 9000}, {24, 24, 77777}, {8, 24, 3}});
     square.texcoords = {{0, 0}, {9, 0}, {9, 9}, {0, 9}};
     Draw draw{.mesh = make_mesh(square)};
     bench.clear();
@@ -144,7 +149,8 @@ TEST(ManualMachine, ShadingStateDoesNotMoveFragments) {
 TEST(ManualMachine, LimitsAreNamed) {
     EXPECT_EQ(error_of([] { make_reference(vgx(), 4097, 1); }),
               "window of 4097 x 1 pixels; expected 1 to 4096 each");
-    EXPECT_EQ(error_of([] { make_fast(vgx(), 0, 1); }), "window of 0 x 1 pixels; expected 1 to 4096 each");
+    EXPECT_EQ(error_of([] { make_fast(vgx(), 0, 1); }),
+              "window of 0 x 1 pixels; expected 1 to 4096 each");
     const auto refused = [](auto change) {
         Workbench bench(vgx(), 4, 4);
         change(bench.state);

@@ -58,9 +58,10 @@ TEST(ManualPixels, SpansAndRectanglesAreFragments) {
     bench.clear();
     bench.state.depth.test = true;
     bench.write({0, 0, 8, 8}, {1, 1, 1, 1}, 100);
-    bench.run(WriteSpans{{{-2, 3, 6, 0, false}},
-                         {{2, 0, 0, 0}, {3, 0, 0, 0}, {4, 0, 0, 0}, {5, 0, 0, 0}, {6, 0, 0, 0}, {7, 0, 0, 0}},
-                         99});
+    bench.run(WriteSpans{
+        {{-2, 3, 6, 0, false}},
+        {{2, 0, 0, 0}, {3, 0, 0, 0}, {4, 0, 0, 0}, {5, 0, 0, 0}, {6, 0, 0, 0}, {7, 0, 0, 0}},
+        99});
     EXPECT_EQ(bench.color(0, 3)[0], 4);  // the first two lie outside
     EXPECT_EQ(bench.color(3, 3)[0], 7);
     EXPECT_EQ(bench.depth(3, 3), 99u);
@@ -87,9 +88,12 @@ TEST(ManualPixels, PackedColorsAreWordsRLowest) {
 TEST(ManualPixels, OnlyColorsOfEightBitsArePacked) {
     Workbench bench(vgx(), 8, 8), deep(ideal(), 8, 8);
     const auto read = [](Workbench& b, Plane plane) {
-        return test::error_of([&] { b.run(Read{.plane = plane, .rect = {0, 0, 8, 8}, .packed = true}); });
+        return test::error_of([&] {
+            b.run(Read{.plane = plane, .rect = {0, 0, 8, 8}, .packed = true});
+        });
     };
-    EXPECT_EQ(read(bench, Plane::Depth), "command 1 (Read): plane of packed pixels = 1; expected Color");
+    EXPECT_EQ(read(bench, Plane::Depth),
+              "command 1 (Read): plane of packed pixels = 1; expected Color");
     EXPECT_EQ(read(deep, Plane::Color),
               "command 1 (Read): color_bits of packed pixels = 16; expected at most 8");
 }

@@ -1,6 +1,7 @@
-// docs/manual/rasterization.md: the worked examples. The worked triangle's planes are in test_vector.cpp.
-#include "gw/stages/perspective.h"
+// docs/manual/rasterization.md: the worked examples. The worked triangle's planes are in
+// test_vector.cpp.
 #include "gw/reference/plane_equation.h"
+#include "gw/stages/perspective.h"
 #include "tests/gw/workbench.h"
 
 #include <cmath>
@@ -27,10 +28,12 @@ TEST(ManualRasterization, EdgeFunctions) {
 
 TEST(ManualRasterization, CentresOnSidesBelongToLeftAndTopSides) {
     Workbench bench(vgx(), 8, 8);
-    bench.draw(Primitive::Quads, {{1.5f, 1.5f, 0}, {4.5f, 1.5f, 0}, {4.5f, 4.5f, 0}, {1.5f, 4.5f, 0}});
+    bench.draw(Primitive::Quads,
+               {{1.5f, 1.5f, 0}, {4.5f, 1.5f, 0}, {4.5f, 4.5f, 0}, {1.5f, 4.5f, 0}});
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 8; ++x)
-            EXPECT_EQ(bench.color(x, y)[3] != 0, x >= 1 && x <= 3 && y >= 2 && y <= 4) << x << " " << y;
+            EXPECT_EQ(bench.color(x, y)[3] != 0, x >= 1 && x <= 3 && y >= 2 && y <= 4)
+                << x << " " << y;
 }
 
 TEST(ManualRasterization, ALineAndAPoint) {
@@ -60,9 +63,11 @@ TEST(ManualRasterization, ALineAndAPoint) {
 TEST(ManualRasterization, IncrementsEqualTheClosedForm) {
     // [L8]: z + dz/dx from pixel to pixel, in both directions and in rows, with 16 fraction bits.
     using namespace reference;
-    const SnappedTriangle t = snapped_triangle({{{82, 28, 0}, {561, 160, 0}, {120, 486, 0}}}, {}, 3);
+    const SnappedTriangle t =
+        snapped_triangle({{{82, 28, 0}, {561, 160, 0}, {120, 486, 0}}}, {}, 3);
     const PlaneEquation z = plane_through(t, {1000000, 5000000, 9000000});
-    // n = (P1 - P0) x (P2 - P0) with the third coordinates in depth: -n_x / n_z is Gx / 2^19 per unit.
+    // n = (P1 - P0) x (P2 - P0) with the third coordinates in depth: -n_x / n_z is Gx / 2^19 per
+    // unit.
     const double n_x = 132.0 * 8000000 - 4000000.0 * 458, n_z = 214366;
     EXPECT_LT(std::abs(-n_x / n_z * 8 * 65536 - double(std::int64_t(z.gx))), 0.5);
 
@@ -88,7 +93,8 @@ TEST(ManualRasterization, GradientsAreToNearestAndTiesToEven) {
          {std::pair(-7, -4), {-5, -2}, {-3, -2}, {-1, 0}, {1, 0}, {3, 2}, {5, 2}, {7, 4}})
         EXPECT_EQ(int(reference::divide_round_even(num, 2)), q) << num << " / 2";
     for (int num = -20; num <= 20; ++num)
-        EXPECT_EQ(int(reference::divide_round_even(num, 5)), int(std::lround(num / 5.0))) << num << " / 5";
+        EXPECT_EQ(int(reference::divide_round_even(num, 5)), int(std::lround(num / 5.0)))
+            << num << " / 5";
 }
 
 TEST(ManualRasterization, PolygonOffset) {
@@ -123,7 +129,8 @@ TEST(ManualRasterization, HalfWayOnTheScreenIsAThirdOfTheWay) {
     EXPECT_EQ(u.at[0], 0);
     EXPECT_EQ(u.at[1], 1 << 29);
     EXPECT_EQ(u.exponent, 0);
-    const SnappedLine line{{4, 68}, {4, 4}, true, 3};  // pixel centres 0.5 to 8.5: pixel 4 is half-way
+    // pixel centres 0.5 to 8.5: pixel 4 is half-way
+    const SnappedLine line{{4, 68}, {4, 4}, true, 3};
     const float Q = float(plane_along(line, q[0], q[1]).at(4, 0));
     const float U = float(plane_along(line, u.at[0], u.at[1]).at(4, 0));
     EXPECT_EQ(Q, 0.75f * 0x1p30f);

@@ -68,7 +68,8 @@ TEST(ManualTexture, LevelOfDetail) {
     EXPECT_EQ(red(3, 1, MinFilter::NearestMipmapLinear, MagFilter::Nearest), 177);
     EXPECT_EQ(red(2, 1, MinFilter::NearestMipmapNearest, MagFilter::Nearest),
               200);  // rho = 2: level 1, 40 and 200
-    EXPECT_EQ(red(1, 0, MinFilter::NearestMipmapNearest, MagFilter::Nearest), 0);  // row 1 is not covered
+    // row 1 is not covered
+    EXPECT_EQ(red(1, 0, MinFilter::NearestMipmapNearest, MagFilter::Nearest), 0);
 }
 
 TEST(ManualTexture, LevelsAreChosenByTheBitsOfRho) {
@@ -89,7 +90,8 @@ TEST(ManualTexture, LevelsAreChosenByTheBitsOfRho) {
         EXPECT_EQ(nearest.level, std::min(level, 4));
         EXPECT_EQ(choose(MinFilter::LinearMipmapNearest, MagFilter::Nearest, power * 1.4143f).level,
                   std::min(level + 1, 4));
-        const LevelChoice linear = choose(MinFilter::LinearMipmapLinear, MagFilter::Nearest, power * 1.5f);
+        const LevelChoice linear =
+            choose(MinFilter::LinearMipmapLinear, MagFilter::Nearest, power * 1.5f);
         EXPECT_EQ(linear.level, std::min(level, 4));
         EXPECT_EQ(linear.next, std::min(level + 1, 4));
         EXPECT_EQ(linear.weight, level < 4 ? 150u : 0u);  // 256 log2 1.5 = 149.75
@@ -101,8 +103,9 @@ TEST(ManualTexture, EnvironmentsByHand) {
     // Fragment (200, 100, 50, 128), texel (10, 20, 30, 64), constant (255, 0, 128, 7); 8 bits.
     const auto drawn = [](TexEnv env) {
         Workbench bench;
-        MeshData square = test::mesh_data(Primitive::Quads, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}},
-                                          std::vector<vec4>(4, vec4(200, 100, 50, 128) / 255.0f));
+        MeshData square =
+            test::mesh_data(Primitive::Quads, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}},
+                            std::vector<vec4>(4, vec4(200, 100, 50, 128) / 255.0f));
         Draw draw{.mesh = make_mesh(square)};
         draw.map.texture = make_texture8("one", 1, 1, std::vector<std::uint8_t>{10, 20, 30, 64});
         bench.state.texture.env = env;
@@ -110,14 +113,17 @@ TEST(ManualTexture, EnvironmentsByHand) {
         bench.draw(draw);
         return bench.color(1, 1);
     };
-    EXPECT_EQ(drawn(TexEnv::Modulate), (Rgba{8, 8, 6, 32}));    // 7.84, 7.84, 5.88, 32.13
-    EXPECT_EQ(drawn(TexEnv::Decal), (Rgba{153, 80, 45, 128}));  // 149.80 + 2.51, 74.90 + 5.02, 37.45 + 7.53
-    EXPECT_EQ(drawn(TexEnv::Blend), (Rgba{202, 92, 59, 32}));   // 192.16 + 10, 92.16 + 0, 44.12 + 15.06
+    EXPECT_EQ(drawn(TexEnv::Modulate), (Rgba{8, 8, 6, 32}));  // 7.84, 7.84, 5.88, 32.13
+    // 149.80 + 2.51, 74.90 + 5.02, 37.45 + 7.53
+    EXPECT_EQ(drawn(TexEnv::Decal), (Rgba{153, 80, 45, 128}));
+    // 192.16 + 10, 92.16 + 0, 44.12 + 15.06
+    EXPECT_EQ(drawn(TexEnv::Blend), (Rgba{202, 92, 59, 32}));
     EXPECT_EQ(drawn(TexEnv::Replace), (Rgba{10, 20, 30, 64}));
 }
 
 TEST(ManualTexture, ShadowsByComparison) {
-    // A depth slot of one texel, 0.5; r = 0.25 is lit, 0.75 in shadow; q = 0 is behind the projector: lit.
+    // A depth slot of one texel, 0.5; r = 0.25 is lit, 0.75 in shadow; q = 0 is behind the
+    // projector: lit.
     for (const auto& [r, q, lit] :
          {std::tuple(0.25, 1.0, true), std::tuple(0.75, 1.0, false), std::tuple(0.75, 0.0, true),
           std::tuple(1.0, 2.0, true), std::tuple(1.5, 2.0, false)}) {
@@ -128,11 +134,12 @@ TEST(ManualTexture, ShadowsByComparison) {
         bench.state.texture.shadow_compare = true;
         bench.state.texture.eye_linear = dmat4(0);
         bench.state.texture.eye_linear[3] = {0.5, 0.5, r, q};
-        Draw draw{.mesh = make_mesh(
-                      test::mesh_data(Primitive::Quads, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}))};
+        Draw draw{.mesh = make_mesh(test::mesh_data(Primitive::Quads,
+                                                    {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}))};
         draw.map.slot = 1;
         bench.draw(draw);
-        EXPECT_EQ(bench.color(1, 1), lit ? (Rgba{4095, 4095, 4095, 4095}) : (Rgba{})) << r << " " << q;
+        EXPECT_EQ(bench.color(1, 1), lit ? (Rgba{4095, 4095, 4095, 4095}) : (Rgba{}))
+            << r << " " << q;
     }
 }
 

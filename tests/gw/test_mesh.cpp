@@ -59,19 +59,20 @@ TEST(Mesh, AQuadIsTwoTrianglesOfOnePolygonAndHasTheColourOfItsLastVertex) {
 }
 
 TEST(Mesh, AConcaveQuadIsSplitAtItsReflexCorner) {
-    const MeshRef mesh =
-        make_mesh({.primitive = Primitive::Quads, .positions = {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}}});
+    const MeshRef mesh = make_mesh(
+        {.primitive = Primitive::Quads, .positions = {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}}});
     for (const Triangle& t : mesh->triangles())
         EXPECT_TRUE(t.vertex[0] == 2 || t.vertex[1] == 2 || t.vertex[2] == 2);
-    const MeshRef other =
-        make_mesh({.primitive = Primitive::Quads, .positions = {{0, 4, 0}, {0, 0, 0}, {4, 0, 0}, {1, 1, 0}}});
+    const MeshRef other = make_mesh(
+        {.primitive = Primitive::Quads, .positions = {{0, 4, 0}, {0, 0, 0}, {4, 0, 0}, {1, 1, 0}}});
     for (const Triangle& t : other->triangles())
         EXPECT_TRUE(t.vertex[0] == 3 || t.vertex[1] == 3 || t.vertex[2] == 3);
 }
 
 TEST(Mesh, APolygonHasTheColourOfItsFirstVertex) {
-    MeshData data{.primitive = Primitive::Polygons,
-                  .positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 5}, {2, 0, 5}, {2, 2, 5}, {0, 2, 5}}};
+    MeshData data{
+        .primitive = Primitive::Polygons,
+        .positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 5}, {2, 0, 5}, {2, 2, 5}, {0, 2, 5}}};
     data.polygon_sizes = {3, 4};
     const MeshRef mesh = make_mesh(data);
     ASSERT_EQ(mesh->triangles().size(), 3u);
@@ -81,8 +82,9 @@ TEST(Mesh, APolygonHasTheColourOfItsFirstVertex) {
 }
 
 TEST(Mesh, WithoutSizesAllVerticesAreOnePolygon) {
-    const MeshRef mesh = make_mesh({.primitive = Primitive::Polygons,
-                                    .positions = {{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {2, 2, 0}, {0, 2, 0}}});
+    const MeshRef mesh =
+        make_mesh({.primitive = Primitive::Polygons,
+                   .positions = {{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {2, 2, 0}, {0, 2, 0}}});
     EXPECT_EQ(mesh->triangles().size(), 3u);
     EXPECT_EQ(mesh->polygon_count(), 1u);
 }
@@ -126,11 +128,14 @@ TEST(Mesh, AFlatTriangleIsKept) {
 TEST(Mesh, ErrorsSayWhatWasExpected) {
     EXPECT_EQ(error_of(points(7, Primitive::Triangles)),
               "mesh: 7 indices do not fit Triangles: a multiple of 3");
-    EXPECT_EQ(error_of(points(6, Primitive::Quads)), "mesh: 6 indices do not fit Quads: a multiple of 4");
+    EXPECT_EQ(error_of(points(6, Primitive::Quads)),
+              "mesh: 6 indices do not fit Quads: a multiple of 4");
     EXPECT_EQ(error_of(points(2, Primitive::TriangleStrip)),
               "mesh: 2 indices do not fit TriangleStrip: 3 or more");
-    EXPECT_EQ(error_of(points(1, Primitive::LineStrip)), "mesh: 1 index do not fit LineStrip: 2 or more");
-    EXPECT_EQ(error_of(points(3, Primitive::Lines)), "mesh: 3 indices do not fit Lines: a multiple of 2");
+    EXPECT_EQ(error_of(points(1, Primitive::LineStrip)),
+              "mesh: 1 index do not fit LineStrip: 2 or more");
+    EXPECT_EQ(error_of(points(3, Primitive::Lines)),
+              "mesh: 3 indices do not fit Lines: a multiple of 2");
 
     MeshData data = points(3, Primitive::Triangles);
     data.indices = {0, 1, 3};

@@ -1,5 +1,6 @@
-// What must not matter: where a list is cut, the order of draws that do not meet, state that is switched off,
-// threads, tiles. Lists are gw-fuzz's. Does not compare the two machines: test_fuzz.cpp does.
+// What must not matter: where a list is cut, the order of draws that do not meet, state that is
+// switched off, threads, tiles. Lists are gw-fuzz's. Does not compare the two machines:
+// test_fuzz.cpp does.
 #include "tests/fuzz/generate_draw.h"
 #include "tests/fuzz/generate_state.h"
 #include "tests/fuzz/run.h"
@@ -24,7 +25,8 @@ std::string difference(Machine& a, Machine& b) {
 }
 
 const Suite& suite_named(std::string_view name) {
-    return *std::find_if(suites().begin(), suites().end(), [&](const Suite& s) { return name == s.name; });
+    return *std::find_if(suites().begin(), suites().end(),
+                         [&](const Suite& s) { return name == s.name; });
 }
 
 TEST(Metamorphic, AListMayBeCutAnywhere) {
@@ -35,7 +37,8 @@ TEST(Metamorphic, AListMayBeCutAnywhere) {
             for (std::size_t cut = 1; cut < c.list.commands.size(); ++cut) {
                 const auto cut_machine = run(c, part_of(c.list, 0, cut));
                 cut_machine->execute(part_of(c.list, cut, c.list.commands.size() - cut));
-                ASSERT_EQ(difference(*whole, *cut_machine), "") << name << " " << i << " cut before " << cut;
+                ASSERT_EQ(difference(*whole, *cut_machine), "")
+                    << name << " " << i << " cut before " << cut;
             }
         }
 }
@@ -61,7 +64,8 @@ TEST(Metamorphic, ThreadsShareALargePicture) {
     for (int i = 0; i < 12; ++i) {
         MeshData data;
         for (int k = 0; k < 30; ++k) {
-            const auto x = static_cast<float>(r.real(-1.2, 1.2)), y = static_cast<float>(r.real(-1.2, 1.2));
+            const auto x = static_cast<float>(r.real(-1.2, 1.2)),
+                       y = static_cast<float>(r.real(-1.2, 1.2));
             data.positions.push_back({x, y, static_cast<float>(r.real(-1, 1))});
             data.colors.push_back(any_color(r));
         }
@@ -119,7 +123,8 @@ void disturb_unused(Random& r, const Case& where, State& s) {
     if (!s.cull.enable) s.cull.face = r.any(Face::FrontAndBack);
     if (!s.polygon_offset.enable) s.polygon_offset = {false, 3, -7};
     if (!s.fog.enable) s.fog = any_fog(r, 1), s.fog.enable = false;
-    if (!s.scissor.test) s.scissor = any_scissor(r, where.width, where.height), s.scissor.test = false;
+    if (!s.scissor.test)
+        s.scissor = any_scissor(r, where.width, where.height), s.scissor.test = false;
     if (!s.alpha.test) s.alpha = {false, r.any(AlphaFunc::Always), any_fraction(r)};
     // Clears go through the write mask, whether the test is on or not.
     const std::uint32_t write_mask = s.stencil.write_mask;
@@ -140,7 +145,8 @@ TEST(Metamorphic, StateThatIsSwitchedOffDoesNotMatter) {
             Random r(i);
             for (Command& command : disturbed.commands)
                 if (auto* set = std::get_if<SetState>(&command)) disturb_unused(r, c, set->state);
-            ASSERT_EQ(difference(*run(c, c.list), *run(c, disturbed)), "") << suite.name << " " << i;
+            ASSERT_EQ(difference(*run(c, c.list), *run(c, disturbed)), "")
+                << suite.name << " " << i;
         }
 }
 

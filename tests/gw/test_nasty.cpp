@@ -1,5 +1,5 @@
-// Input that nobody means: what is refused says so, what is taken has a defined result, the same on both
-// machines. docs/manual.md, "Invalid and extreme input".
+// Input that nobody means: what is refused says so, what is taken has a defined result, the same on
+// both machines. docs/manual.md, "Invalid and extreme input".
 #include "tests/gw/random.h"
 #include "tests/gw/workbench.h"
 
@@ -48,9 +48,10 @@ TEST(Nasty, StatesAndDrawsRefuseWhatIsNotFinite) {
               "command 0 (SetState): alpha.ref = nan; expected a finite number");
     EXPECT_EQ(state([](State& s) { s.fog = {.enable = true, .density = 0}; }),
               "command 0 (SetState): fog.density = 0; expected a positive number");
-    EXPECT_EQ(
-        state([](State& s) { s.fog = {.enable = true, .mode = FogMode::Linear, .start = 3, .end = 3}; }),
-        "command 0 (SetState): fog.end = 3; expected another value than fog.start");
+    EXPECT_EQ(state([](State& s) {
+                  s.fog = {.enable = true, .mode = FogMode::Linear, .start = 3, .end = 3};
+              }),
+              "command 0 (SetState): fog.end = 3; expected another value than fog.start");
     EXPECT_EQ(state([](State& s) { s.clip_planes[3].plane.y = -infinity; }),
               "command 0 (SetState): clip_planes = -inf; expected a finite number");
 
@@ -66,8 +67,9 @@ TEST(Nasty, StatesAndDrawsRefuseWhatIsNotFinite) {
               "command 1 (Draw): material.Ns = nan; expected 0 to 10000");
     EXPECT_EQ(draw([](Draw& d, Light&) { d.material.Kd.y = infinity; }),
               "command 1 (Draw): material = inf; expected a finite number");
-    EXPECT_EQ(draw([](Draw& d, Light&) { d.eye_from_object[2][3] = 1; }),
-              "command 1 (Draw): eye_from_object's last row = not 0 0 0 1; expected an affine matrix");
+    EXPECT_EQ(
+        draw([](Draw& d, Light&) { d.eye_from_object[2][3] = 1; }),
+        "command 1 (Draw): eye_from_object's last row = not 0 0 0 1; expected an affine matrix");
     EXPECT_EQ(draw([](Draw&, Light& l) { l.quadratic_attenuation = -1; }),
               "command 1 (Draw): light attenuation = -1; expected 0 or more");
     EXPECT_EQ(draw([](Draw&, Light& l) { l.position.w = nan; }),
@@ -107,12 +109,13 @@ TEST(Nasty, CoordinatesTooLargeForClipCoordinatesReject) {
 TEST(Nasty, AHugeTriangleCoversTheWindow) {
     const auto fragments = [](float size) {
         Workbench bench(vgx(), 16, 16);
-        bench.draw(drawn({{-size, -size, 0}, {size, -size, 0}, {0, size, 0}}, Primitive::Triangles));
+        bench.draw(
+            drawn({{-size, -size, 0}, {size, -size, 0}, {0, size, 0}}, Primitive::Triangles));
         return bench.take_counters().fragments;
     };
     for (const float size : {1e5f, 1e6f, 1e9f, 1e12f}) EXPECT_EQ(fragments(size), 256u) << size;
-    // Farther out a new vertex, of 53 bits, is off by more than the window: defined, but not the triangle
-    // meant.
+    // Farther out a new vertex, of 53 bits, is off by more than the window: defined, but not the
+    // triangle meant.
     for (const float size : {1e20f, largest}) EXPECT_EQ(fragments(size), 128u) << size;
 }
 
@@ -138,7 +141,8 @@ TEST(Nasty, DegenerateShapesAreCountedAndDrawNothing) {
 }
 
 TEST(Nasty, APolygonOf100000Corners) {
-    // A comb: a saw of 50000 teeth below, a flat top: drawn whole, each pixel of its upper half once.
+    // A comb: a saw of 50000 teeth below, a flat top: drawn whole, each pixel of its upper half
+    // once.
     constexpr int teeth = 49999;
     std::vector<vec3> corners{{60, 40, 0}, {4, 40, 0}};
     for (int i = 0; i <= 2 * teeth; ++i)
@@ -150,7 +154,8 @@ TEST(Nasty, APolygonOf100000Corners) {
     bench.draw(Draw{.mesh = make_mesh(data)});
     for (int y = 20; y < 40; ++y)
         for (int x = 4; x < 60; ++x) ASSERT_EQ(bench.color(x, y)[0], 1) << x << " " << y;
-    EXPECT_EQ(bench.color(3, 30)[0] + bench.color(60, 30)[0] + bench.color(30, 40)[0] + bench.color(30, 9)[0],
+    EXPECT_EQ(bench.color(3, 30)[0] + bench.color(60, 30)[0] + bench.color(30, 40)[0] +
+                  bench.color(30, 9)[0],
               0);
     EXPECT_EQ(bench.take_counters().primitives, corners.size() - 2);
 }
@@ -166,7 +171,8 @@ TEST(Nasty, TexturesOf1x1And1x4096) {
         for (int min = 0; min < 6; ++min)
             for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp}) {
                 Workbench bench(vgx(), 16, 16);
-                MeshData data = mesh_data(Primitive::Quads, {{0, 0, 0}, {16, 0, 0}, {16, 16, 0}, {0, 16, 0}});
+                MeshData data =
+                    mesh_data(Primitive::Quads, {{0, 0, 0}, {16, 0, 0}, {16, 16, 0}, {0, 16, 0}});
                 data.texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
                 Draw draw{.mesh = make_mesh(data)};
                 draw.map.texture = texture;
@@ -193,15 +199,18 @@ float nasty_float(Random& random) {
     if (random.one_in(4)) return specials[random.between(0, int(std::size(specials)) - 1)];
     return (random.fraction() - 0.5f) * 40;
 }
-vec3 nasty_vec3(Random& random) { return {nasty_float(random), nasty_float(random), nasty_float(random)}; }
+vec3 nasty_vec3(Random& random) {
+    return {nasty_float(random), nasty_float(random), nasty_float(random)};
+}
 vec4 nasty_vec4(Random& random) { return {nasty_vec3(random), nasty_float(random)}; }
 
 MeshData nasty_mesh(Random& random) {
     MeshData data{.primitive = Primitive(random.between(0, 7))};
     for (int i = 0; i < 12; ++i) {
         const auto in_window = [&] { return float(random.between(-8, 40)) / 2; };
-        data.positions.push_back(random.one_in(3) ? nasty_vec3(random)
-                                                  : vec3(in_window(), in_window(), nasty_float(random)));
+        data.positions.push_back(random.one_in(3)
+                                     ? nasty_vec3(random)
+                                     : vec3(in_window(), in_window(), nasty_float(random)));
         data.normals.push_back(nasty_vec3(random));
         data.texcoords.push_back({nasty_float(random), nasty_float(random)});
         data.colors.push_back(nasty_vec4(random));
@@ -212,7 +221,8 @@ MeshData nasty_mesh(Random& random) {
 State nasty_state(Random& random, State s) {
     const auto number = [&] { return nasty_float(random); };
     for (int i = 0; i < 3; ++i)
-        if (random.one_in(3)) s.projection[int(random.between(0, 3))][int(random.between(0, 3))] = number();
+        if (random.one_in(3))
+            s.projection[int(random.between(0, 3))][int(random.between(0, 3))] = number();
     s.depth_range = {double(number()), double(number())};
     if (random.one_in(2)) s.clip_planes[1] = {true, dvec4(nasty_vec4(random))};
     s.polygon_mode = PolygonMode(random.one_in(3) ? random.between(0, 1) : 2);
@@ -220,9 +230,13 @@ State nasty_state(Random& random, State s) {
     s.point_size = int(random.between(1, 5));
     s.color_source = ColorSource(random.between(0, 1));
     s.lighting = {random.one_in(2), random.one_in(2), nasty_vec4(random)};
-    s.fog = {
-        random.one_in(2),   FogMode(random.between(0, 2)),      std::abs(number()) + denormal, 0, number(),
-        nasty_vec4(random), FogCoordinate(random.between(0, 2))};
+    s.fog = {random.one_in(2),
+             FogMode(random.between(0, 2)),
+             std::abs(number()) + denormal,
+             0,
+             number(),
+             nasty_vec4(random),
+             FogCoordinate(random.between(0, 2))};
     if (s.fog.end == 0) s.fog.end = 1;
     TextureState& t = s.texture;
     t.min_filter = MinFilter(random.between(0, 5));
@@ -243,8 +257,9 @@ Draw nasty_draw(Random& random) {
     draw.material = {nasty_vec3(random), nasty_vec3(random),        nasty_vec3(random),
                      nasty_vec3(random), random.fraction() * 10000, nasty_float(random)};
     draw.lights = std::make_shared<const std::vector<Light>>(
-        1, Light{nasty_vec4(random), nasty_vec3(random), nasty_vec3(random), nasty_vec3(random),
-                 nasty_vec3(random), 3, random.fraction(), random.fraction(), 0, random.fraction()});
+        1,
+        Light{nasty_vec4(random), nasty_vec3(random), nasty_vec3(random), nasty_vec3(random),
+              nasty_vec3(random), 3, random.fraction(), random.fraction(), 0, random.fraction()});
     if (random.one_in(2))
         draw.map.texture =
             make_texture8("one", 2, 1, std::vector<std::uint8_t>{1, 2, 3, 4, 200, 100, 50, 25});

@@ -1,6 +1,6 @@
 // Random lines and points through the machine against exact arithmetic: coverage, depth and colour.
-// The rule in one sentence: a line covers, in each column (row) whose centre it crosses, the pixel centres c
-// with v - width/2 < c <= v + width/2; a point the same in both directions.
+// The rule in one sentence: a line covers, in each column (row) whose centre it crosses, the pixel
+// centres c with v - width/2 < c <= v + width/2; a point the same in both directions.
 #include "tests/gw/exact.h"
 #include "tests/gw/random.h"
 #include "tests/gw/workbench.h"
@@ -15,7 +15,8 @@ using namespace test;
 
 constexpr int size = 32;
 
-/// v - width/2 < c <= v + width/2 for v = n / d units, d > 0; c and width in units, one pixel is `one`.
+/// v - width/2 < c <= v + width/2 for v = n / d units, d > 0; c and width in units, one pixel is
+/// `one`.
 bool in_band(Int n, Int d, std::int64_t c, std::int64_t width, std::int64_t one) {
     const Int twice = 2 * (d * c - n);  // 2 d (c - v)
     return twice > -(d * width * one) && twice <= d * width * one;
@@ -41,7 +42,8 @@ bool line_covers(const Line& l, const GridPoint& p, std::int64_t one) {
 }
 
 /// Along the major axis from the end with the smaller coordinate; for a line that is not steep.
-std::int64_t line_value(const Line& l, const std::array<std::int64_t, 2>& a, const GridPoint& p, int s) {
+std::int64_t line_value(const Line& l, const std::array<std::int64_t, 2>& a, const GridPoint& p,
+                        int s) {
     const bool forward = l.to.x > l.from.x;
     const std::int64_t x0 = forward ? l.from.x : l.to.x, d = std::abs(l.to.x - l.from.x);
     const std::int64_t a0 = forward ? a[0] : a[1], a1 = forward ? a[1] : a[0];
@@ -79,9 +81,10 @@ void check_line(const Profile& profile, const Line& line, int& covered) {
     Workbench bench(profile, size, size);
     bench.state.depth = {.test = true, .func = DepthFunc::Always};
     bench.state.line_width = line.width;
-    bench.draw(
-        Primitive::Lines, {position(line.from, line.depth[0]), position(line.to, line.depth[1])},
-        {{float(double(line.red[0]) / white), 0, 0, 1}, {float(double(line.red[1]) / white), 0, 0, 1}});
+    bench.draw(Primitive::Lines,
+               {position(line.from, line.depth[0]), position(line.to, line.depth[1])},
+               {{float(double(line.red[0]) / white), 0, 0, 1},
+                {float(double(line.red[1]) / white), 0, 0, 1}});
 
     Line major = line;
     if (steep(line)) major.from = turned(line.from), major.to = turned(line.to);
@@ -140,8 +143,9 @@ TEST(PointOracle, EveryProfileAndSize) {
             bench.draw(Primitive::Points, {{float(p.x) / float(one), float(p.y) / float(one), 0}});
             for (int y = 0; y < size; ++y)
                 for (int x = 0; x < size; ++x) {
-                    const bool inside = in_band(p.x, 1, x * one + one / 2, bench.state.point_size, one) &&
-                                        in_band(p.y, 1, y * one + one / 2, bench.state.point_size, one);
+                    const bool inside =
+                        in_band(p.x, 1, x * one + one / 2, bench.state.point_size, one) &&
+                        in_band(p.y, 1, y * one + one / 2, bench.state.point_size, one);
                     ASSERT_EQ(bench.color(x, y)[3] != 0, inside) << x << " " << y;
                 }
         }

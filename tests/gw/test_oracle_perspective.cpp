@@ -1,6 +1,6 @@
-// Perspective values of random triangles: the manual's sequence of operations worked out again gives the
-// picture's bits, and stays within the manual's bound of the exact quotient. docs/manual/rasterization.md,
-// "Perspective".
+// Perspective values of random triangles: the manual's sequence of operations worked out again
+// gives the picture's bits, and stays within the manual's bound of the exact quotient.
+// docs/manual/rasterization.md, "Perspective".
 #include "tests/gw/exact.h"
 #include "tests/gw/random.h"
 #include "tests/gw/workbench.h"
@@ -23,8 +23,8 @@ struct Case {
     std::array<std::int64_t, 3> red{};
 };
 
-/// w of 10 bits at most times 2^0 .. 2^8, and corners on the grid: x w is exact in float32, so the snap is
-/// too.
+/// w of 10 bits at most times 2^0 .. 2^8, and corners on the grid: x w is exact in float32, so the
+/// snap is too.
 Case random_case(Random& random) {
     Case c;
     const int repeats = 1 << random.between(0, 3);
@@ -116,14 +116,16 @@ void for_covered(const Case& c, const auto& each) {
 /// Texel i is 16 i: a texture in which bilinear filtering shows 16ths of a texel.
 TextureRef ramp() {
     std::vector<std::uint16_t> texels;
-    for (int i = 0; i < 1 << log2_texels; ++i) texels.insert(texels.end(), 4, std::uint16_t(16 * i));
+    for (int i = 0; i < 1 << log2_texels; ++i)
+        texels.insert(texels.end(), 4, std::uint16_t(16 * i));
     return make_texture("ramp", 1 << log2_texels, 1, texels);
 }
 
 /// Bilinear on one row, 16 bits.
 int texel_at(std::int64_t position) {
     const std::int64_t p = position - 128, mask = (1 << log2_texels) - 1;
-    const std::int64_t a = 16 * ((p >> 8) & mask), b = 16 * (((p >> 8) + 1) & mask), weight = p & 255;
+    const std::int64_t a = 16 * ((p >> 8) & mask), b = 16 * (((p >> 8) + 1) & mask),
+                       weight = p & 255;
     return int(((a * (256 - weight) + b * weight) * 256 + 32768) >> 16);
 }
 
@@ -173,8 +175,8 @@ TEST(PerspectiveOracle, GouraudOnIdeal) {
         const Quotient quotient(c, fraction);
         const auto ends = std::minmax_element(c.red.begin(), c.red.end());
         for_covered(c, [&](int x, int y, const GridPoint& p) {
-            const std::int64_t red =
-                std::clamp<std::int64_t>(std::llrint(quotient.at(p) * 65535.0f), *ends.first, *ends.second);
+            const std::int64_t red = std::clamp<std::int64_t>(
+                std::llrint(quotient.at(p) * 65535.0f), *ends.first, *ends.second);
             EXPECT_EQ(std::int64_t{bench.color(x, y)[0]}, red) << x << " " << y;
             const Exact exact = exact_quotient(c, fraction, p);
             worst.add(std::abs((long double)red - exact.value * 65535),

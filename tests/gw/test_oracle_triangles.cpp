@@ -1,5 +1,5 @@
-// Random triangles through the machine against exact arithmetic: coverage, Z and colour of every pixel of the
-// window, on every profile and on a few odd ones.
+// Random triangles through the machine against exact arithmetic: coverage, Z and colour of every
+// pixel of the window, on every profile and on a few odd ones.
 #include "tests/gw/exact.h"
 #include "tests/gw/random.h"
 #include "tests/gw/workbench.h"
@@ -56,7 +56,8 @@ void draw(Workbench& bench, const Case& c) {
     std::vector<vec3> positions;
     std::vector<vec4> colors;
     for (std::size_t i = 0; i < 3; ++i) {
-        positions.push_back({float(c.grid[i].x) / scale, float(c.grid[i].y) / scale, float(c.depth[i])});
+        positions.push_back(
+            {float(c.grid[i].x) / scale, float(c.grid[i].y) / scale, float(c.depth[i])});
         colors.push_back({float(double(c.red[i]) / white), 0, 0, 1});
     }
     bench.draw(Primitive::Triangles, positions, colors);
@@ -102,7 +103,8 @@ void check_profile(Profile profile, int cases, std::uint64_t seed) {
         Random random(seed * 1000000 + std::uint64_t(i));
         const Case c = random_case(random, profile);
         Workbench bench(profile, size, size);
-        bench.clear(all_planes, vec4(0), double(background) / double((1ull << profile.depth_bits) - 1));
+        bench.clear(all_planes, vec4(0),
+                    double(background) / double((1ull << profile.depth_bits) - 1));
         bench.state.depth = {.test = true, .func = DepthFunc::Always};
         draw(bench, c);
         covered += check_picture(bench, c, background);
@@ -118,7 +120,8 @@ TEST(TriangleOracle, Ideal) { check_profile(ideal(), 3000, 3); }
 TEST(TriangleOracle, OddProfiles) {
     check_profile({.name = "ten", .color_bits = 10, .depth_bits = 20, .subpixel_bits = 1}, 1000, 4);
     check_profile({.name = "least", .depth_bits = 16, .subpixel_bits = 2}, 1000, 5);
-    check_profile({.name = "thirteen", .color_bits = 13, .depth_bits = 31, .subpixel_bits = 5}, 1000, 6);
+    check_profile({.name = "thirteen", .color_bits = 13, .depth_bits = 31, .subpixel_bits = 5},
+                  1000, 6);
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ namespace {
 
 // Sign of a determinant of integers, exactly.
 int orient_int(std::array<long, 2> a, std::array<long, 2> b, std::array<long, 2> c) {
-    const __int128 d = __int128(b[0] - a[0]) * (c[1] - a[1]) - __int128(b[1] - a[1]) * (c[0] - a[0]);
+    const __int128 d =
+        __int128(b[0] - a[0]) * (c[1] - a[1]) - __int128(b[1] - a[1]) * (c[0] - a[0]);
     return (d > 0) - (d < 0);
 }
 
@@ -21,7 +22,8 @@ TEST(Orient, AgreesWithIntegersOnNearlyCollinearPoints) {
         const std::array<long, 2> a{any(), any()}, d{any(), any()};
         const long k = static_cast<long>(random() % 4000);
         const std::array<long, 2> b{a[0] + d[0], a[1] + d[1]};
-        const std::array<long, 2> c{a[0] + k * d[0] + static_cast<long>(random() % 3) - 1, a[1] + k * d[1]};
+        const std::array<long, 2> c{a[0] + k * d[0] + static_cast<long>(random() % 3) - 1,
+                                    a[1] + k * d[1]};
         const auto to = [](std::array<long, 2> p) {
             return vec2(static_cast<float>(p[0]), static_cast<float>(p[1]));
         };

@@ -1,7 +1,7 @@
-// gw/parallel: every index once, on as many threads as were asked for, whatever the processor has; and the
-// arithmetic of docs/manual.md, "Numbers", whatever the caller rounds to.
-#include "gw/machine.h"
+// gw/parallel: every index once, on as many threads as were asked for, whatever the processor has;
+// and the arithmetic of docs/manual.md, "Numbers", whatever the caller rounds to.
 #include "gw/base/parallel.h"
+#include "gw/machine.h"
 
 #include <gtest/gtest.h>
 
@@ -98,7 +98,8 @@ TEST(FloatEnvironment, HoldsWhileItLivesAndThenIsWhatItWas) {
 TEST(FloatEnvironment, HoldsInEveryBody) {
     const OtherEnvironment other;
     for (const int threads : {1, 4})
-        parallel_for(100, threads, [](std::size_t, int) { EXPECT_EQ(sensitive(), as_the_manual_says); });
+        parallel_for(100, threads,
+                     [](std::size_t, int) { EXPECT_EQ(sensitive(), as_the_manual_says); });
 }
 
 /// Whatever the caller's is, both machines draw the same.
@@ -106,9 +107,10 @@ TEST(FloatEnvironment, DoesNotReachAPixel) {
     CommandList list;
     list.add(Clear{.planes = all_planes, .color = vec4(0.3f)});
     list.add(
-        Draw{.mesh = make_mesh({.primitive = Primitive::Triangles,
-                                .positions = {{-0.9f, -0.7f, 0.1f}, {0.8f, -0.3f, 0.5f}, {0.1f, 0.9f, -0.4f}},
-                                .colors = {vec4(0.1f), vec4(0.7f), vec4(1.0f / 3)}})});
+        Draw{.mesh = make_mesh(
+                 {.primitive = Primitive::Triangles,
+                  .positions = {{-0.9f, -0.7f, 0.1f}, {0.8f, -0.3f, 0.5f}, {0.1f, 0.9f, -0.4f}},
+                  .colors = {vec4(0.1f), vec4(0.7f), vec4(1.0f / 3)}})});
     for (const bool fast : {false, true}) {
         const auto machine = [&] {
             return fast ? make_fast(ideal(), 64, 64) : make_reference(ideal(), 64, 64);

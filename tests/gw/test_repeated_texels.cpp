@@ -1,5 +1,5 @@
-// Texels that the fast machine keeps while the same triangles come again: whatever else changes from draw to
-// draw, they are those that the reference machine, which keeps nothing, looks up anew.
+// Texels that the fast machine keeps while the same triangles come again: whatever else changes
+// from draw to draw, they are those that the reference machine, which keeps nothing, looks up anew.
 #include "tests/gw/random.h"
 #include "tests/gw/workbench.h"
 

@@ -1,5 +1,6 @@
-// What the fast machine makes once for several draws, or several lists, is what each would have made. The
-// reference machine, which shares nothing, says what that is. Does not know how much is saved.
+// What the fast machine makes once for several draws, or several lists, is what each would have
+// made. The reference machine, which shares nothing, says what that is. Does not know how much is
+// saved.
 #include "tests/gw/workbench.h"
 
 #include <algorithm>
@@ -8,7 +9,8 @@
 namespace gw::test {
 namespace {
 
-/// Triangles in and around the window: clipped ones, one that faces away, one that ends where a tile does.
+/// Triangles in and around the window: clipped ones, one that faces away, one that ends where a
+/// tile does.
 MeshRef some_triangles() {
     MeshData data = mesh_data(Primitive::Triangles, {{-20, 5, 9},
                                                      {30, 3, 9},
@@ -23,7 +25,9 @@ MeshRef some_triangles() {
     return make_mesh(std::move(data));
 }
 
-LightsRef lights_of(const Light& light) { return std::make_shared<const std::vector<Light>>(1, light); }
+LightsRef lights_of(const Light& light) {
+    return std::make_shared<const std::vector<Light>>(1, light);
+}
 
 TEST(SharedWork, AListMayUseTheGeometryOfTheOneBefore) {
     const Draw draw{.mesh = some_triangles(), .lights = lights_of({.position = {9, 9, 40, 1}})};
@@ -74,8 +78,10 @@ TEST(SharedWork, AmbientLightThatIsEvenHasOneColour) {
     spot.spot_direction = {0, 0, -1};
     spot.spot_cos_cutoff = 0.5f, spot.spot_exponent = 9;
     for (const bool two_side : {false, true}) {
-        for (const Light& even : {lamp, sun, weak}) EXPECT_EQ(colors_in_ambient_light(even, two_side), 1u);
-        for (const Light& uneven : {falling, spot}) EXPECT_GT(colors_in_ambient_light(uneven, two_side), 1u);
+        for (const Light& even : {lamp, sun, weak})
+            EXPECT_EQ(colors_in_ambient_light(even, two_side), 1u);
+        for (const Light& uneven : {falling, spot})
+            EXPECT_GT(colors_in_ambient_light(uneven, two_side), 1u);
     }
 }
 
@@ -94,7 +100,8 @@ MeshRef half_black() {
 }
 
 TEST(SharedWork, BlackMayBeLeftOutOfASum) {
-    const std::vector<std::uint8_t> texels{255, 80, 0, 255, 9, 200, 90, 100, 0, 0, 255, 255, 70, 70, 70, 0};
+    const std::vector<std::uint8_t> texels{255, 80, 0,   255, 9,  200, 90, 100,
+                                           0,   0,  255, 255, 70, 70,  70, 0};
     Draw draw{.mesh = half_black()};
     const std::vector<std::function<void(State&)>> changes{
         [](State&) {},
@@ -104,8 +111,11 @@ TEST(SharedWork, BlackMayBeLeftOutOfASum) {
         [](State& s) { s.blend.dst = BlendFactor::SrcAlpha; },
         [](State& s) { s.blend.enable = false; },
         [](State& s) {
-            s.fog = {
-                .enable = true, .mode = FogMode::Linear, .start = -100, .end = 90, .color = vec4(0, 0, 0, 1)};
+            s.fog = {.enable = true,
+                     .mode = FogMode::Linear,
+                     .start = -100,
+                     .end = 90,
+                     .color = vec4(0, 0, 0, 1)};
         },
         [](State& s) {
             s.fog = {.enable = true,
@@ -115,7 +125,9 @@ TEST(SharedWork, BlackMayBeLeftOutOfASum) {
                      .color = vec4(0.3f, 0, 0.2f, 1)};
         },
         [](State& s) { s.texture.env = TexEnv::Decal; },
-        [](State& s) { s.texture.env = TexEnv::Blend, s.texture.env_color = vec4(0.4f, 0.5f, 0.1f, 1); },
+        [](State& s) {
+            s.texture.env = TexEnv::Blend, s.texture.env_color = vec4(0.4f, 0.5f, 0.1f, 1);
+        },
         [](State& s) { s.stencil.test = true, s.stencil.zpass = StencilOp::Incr; },
     };
     for (const bool textured : {false, true})

@@ -120,8 +120,9 @@ TEST(Smoke, AccumulationAveragesTwoPictures) {
 
 TEST(Smoke, SpansArePixelsOfOneRow) {
     Workbench bench;
-    bench.run(WriteSpans{
-        {{60, 5, 10, 0, true}, {2, 6, 2, 1, false}}, {{1, 1, 1, 1}, {2, 2, 2, 2}, {3, 3, 3, 3}}, 7});
+    bench.run(WriteSpans{{{60, 5, 10, 0, true}, {2, 6, 2, 1, false}},
+                         {{1, 1, 1, 1}, {2, 2, 2, 2}, {3, 3, 3, 3}},
+                         7});
     EXPECT_EQ(count(bench, {1, 1, 1, 1}), 4);
     EXPECT_EQ(bench.color(2, 6), (Rgba{2, 2, 2, 2}));
     EXPECT_EQ(bench.color(3, 6), (Rgba{3, 3, 3, 3}));
@@ -134,7 +135,8 @@ TEST(Smoke, PixelRectanglesReadBack) {
     bench.run(Copy{Plane::Depth, {4, 4, 2, 2}, 5, 5});
     bench.run(Read{9, Plane::Depth, {4, 4, 3, 3}});
     bench.run(Read{10, Plane::Stencil, {4, 4, 2, 1}});
-    EXPECT_EQ(bench.readbacks().at(9).values, (LineVector<std::uint32_t>{1, 2, 0, 3, 1, 2, 0, 3, 4}));
+    EXPECT_EQ(bench.readbacks().at(9).values,
+              (LineVector<std::uint32_t>{1, 2, 0, 3, 1, 2, 0, 3, 4}));
     EXPECT_EQ(bench.readbacks().at(10).values, (LineVector<std::uint32_t>{5, 6}));
 }
 
@@ -162,7 +164,8 @@ TEST(Smoke, LinesAndPoints) {
     EXPECT_EQ(bench.color(41, 41), white);
     bench.clear();
     bench.state.polygon_mode = PolygonMode::Line;
-    bench.draw(Primitive::Quads, {{8.5f, 8.5f, 0}, {24.5f, 8.5f, 0}, {24.5f, 24.5f, 0}, {8.5f, 24.5f, 0}});
+    bench.draw(Primitive::Quads,
+               {{8.5f, 8.5f, 0}, {24.5f, 8.5f, 0}, {24.5f, 24.5f, 0}, {8.5f, 24.5f, 0}});
     EXPECT_EQ(count(bench, white), 64);  // each side leaves out its last point
 }
 

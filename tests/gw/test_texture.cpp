@@ -35,8 +35,9 @@ TEST(Texture, PowersOfTwoAreTakenAsTheyStand) {
 TEST(Texture, LevelsAreMeansDownToOneTexel) {
     const auto t = make_texture("t", 4, 2, grey({0, 4, 100, 100, 4, 3, 100, 101}));
     ASSERT_EQ(t->levels.size(), 3u);
-    EXPECT_EQ(first_channel(t->levels[1]), (std::vector<int>{3, 100}));  // 11/4 and 401/4, to nearest
-    EXPECT_EQ(first_channel(t->levels[2]), (std::vector<int>{52}));      // 51.5, up
+    // 11/4 and 401/4, to nearest
+    EXPECT_EQ(first_channel(t->levels[1]), (std::vector<int>{3, 100}));
+    EXPECT_EQ(first_channel(t->levels[2]), (std::vector<int>{52}));  // 51.5, up
     EXPECT_EQ(t->levels[2].width, 1);
     EXPECT_EQ(t->levels[2].height, 1);
 }
@@ -52,8 +53,8 @@ TEST(Texture, ASingleRowOrColumnIsHalvedAlongItself) {
 }
 
 TEST(Texture, OtherSidesGrowToTheNextPowerOfTwo) {
-    // 3 texels to 4: centres at 1/8, 3/8, 5/8, 7/8 of 3 texels lie at -1/8 (clamped), 5/8, 11/8, 17/8
-    // (clamped).
+    // 3 texels to 4: centres at 1/8, 3/8, 5/8, 7/8 of 3 texels lie at -1/8 (clamped), 5/8, 11/8,
+    // 17/8 (clamped).
     const auto t = make_texture("t", 3, 1, grey({0, 800, 1600}));
     EXPECT_EQ(t->width(), 4);
     EXPECT_EQ(t->height(), 1);
@@ -73,7 +74,8 @@ TEST(Texture, ResamplingIsExactBilinearToNearest) {
             for (int c = 0; c < 4; ++c) {
                 const double sx =
                     std::min(std::max((x + 0.5) * w / 8 - 0.5, 0.0), w - 1.0);  // exact in double
-                const double sy_times_8 = std::min(std::max((y + 0.5) * h * 2 - 4, 0.0), 8.0 * (h - 1));
+                const double sy_times_8 =
+                    std::min(std::max((y + 0.5) * h * 2 - 4, 0.0), 8.0 * (h - 1));
                 const int x0 = static_cast<int>(sx), y0 = static_cast<int>(sy_times_8 / 8);
                 const double fx = sx - x0, fy = sy_times_8 / 8 - y0;
                 const auto at = [&](int i, int j) {
@@ -106,7 +108,8 @@ TEST(Texture, ErrorsNameTheTexture) {
         return "";
     };
     EXPECT_EQ(error(0, 4, 0), "texture wood.png: 0x4 texels; expected sides of 1 to 4096");
-    EXPECT_EQ(error(4097, 1, 4 * 4097), "texture wood.png: 4097x1 texels; expected sides of 1 to 4096");
+    EXPECT_EQ(error(4097, 1, 4 * 4097),
+              "texture wood.png: 4097x1 texels; expected sides of 1 to 4096");
     EXPECT_EQ(error(2, 2, 12), "texture wood.png: 12 values for 2x2 texels of 4");
     EXPECT_EQ(error(4096, 1, 4 * 4096), "");
 }

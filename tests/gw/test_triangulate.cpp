@@ -28,8 +28,8 @@ std::array<vec2, 3> corners(const Polygon& p, const PolygonTriangle& t) {
     return {p[t.corner[0]], p[t.corner[1]], p[t.corner[2]]};
 }
 
-// Open triangles, counter-clockwise, are apart exactly where a side of one has the other on its right or on
-// itself.
+// Open triangles, counter-clockwise, are apart exactly where a side of one has the other on its
+// right or on itself.
 bool apart(const std::array<vec2, 3>& a, const std::array<vec2, 3>& b) {
     const auto beyond = [](const std::array<vec2, 3>& s, const std::array<vec2, 3>& t) {
         for (unsigned k = 0; k < 3; ++k) {
@@ -44,7 +44,8 @@ bool apart(const std::array<vec2, 3>& a, const std::array<vec2, 3>& b) {
 
 int flat_triangles(const Polygon& p, const std::vector<PolygonTriangle>& triangles) {
     int flat = 0;
-    for (const auto& t : triangles) flat += twice_area(p[t.corner[0]], p[t.corner[1]], p[t.corner[2]]) == 0;
+    for (const auto& t : triangles)
+        flat += twice_area(p[t.corner[0]], p[t.corner[1]], p[t.corner[2]]) == 0;
     return flat;
 }
 
@@ -70,7 +71,8 @@ void expect_cover(const Polygon& p, int flat) {
     }
     EXPECT_EQ(sum, twice_area(p));
     EXPECT_EQ(used.size(), p.size());
-    EXPECT_EQ(sides, std::vector<int>(p.size(), 1)) << "every side of the polygon is a side of one triangle";
+    EXPECT_EQ(sides, std::vector<int>(p.size(), 1))
+        << "every side of the polygon is a side of one triangle";
     for (std::size_t i = 0; i < triangles.size(); ++i)
         for (std::size_t j = i + 1; j < triangles.size(); ++j) {
             const auto a = corners(p, triangles[i]), b = corners(p, triangles[j]);
@@ -96,9 +98,12 @@ TEST(Triangulate, ATriangleKeepsItsOrderEvenClockwise) {
 }
 
 TEST(Triangulate, ConcaveShapes) {
-    expect_cover({{0, 0}, {6, 0}, {6, 5}, {4, 5}, {4, 2}, {2, 2}, {2, 5}, {0, 5}}, 0);            // U
-    expect_cover({{0, 0}, {10, 4}, {20, 0}, {16, 10}, {20, 20}, {10, 16}, {0, 20}, {4, 10}}, 0);  // star
-    expect_cover({{0, 0}, {4, 1}, {8, 0}, {4, 9}}, 0);                                            // dart
+    // U
+    expect_cover({{0, 0}, {6, 0}, {6, 5}, {4, 5}, {4, 2}, {2, 2}, {2, 5}, {0, 5}}, 0);
+    // star
+    expect_cover({{0, 0}, {10, 4}, {20, 0}, {16, 10}, {20, 20}, {10, 16}, {0, 20}, {4, 10}}, 0);
+    // dart
+    expect_cover({{0, 0}, {4, 1}, {8, 0}, {4, 9}}, 0);
     expect_cover({{0, 0},
                   {9, 0},
                   {9, 9},
@@ -127,9 +132,12 @@ TEST(Triangulate, ACornerOnAStraightSideIsUsedByTrianglesWithArea) {
 
 TEST(Triangulate, AKeyholePolygonCoversItsRing) {
     // A square with a square hole; the bridge from (0,0) to (2,2) is walked twice.
-    expect_cover({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 0}, {2, 2}, {2, 6}, {6, 6}, {6, 2}, {2, 2}}, 0);
+    expect_cover({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 0}, {2, 2}, {2, 6}, {6, 6}, {6, 2}, {2, 2}},
+                 0);
     // A bridge with a corner on one of its two walks.
-    expect_cover({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 0}, {1, 1}, {2, 2}, {2, 6}, {6, 6}, {6, 2}, {2, 2}}, 0);
+    expect_cover(
+        {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 0}, {1, 1}, {2, 2}, {2, 6}, {6, 6}, {6, 2}, {2, 2}},
+        0);
     // Two holes.
     expect_cover({{0, 0},
                   {20, 0},
@@ -152,10 +160,14 @@ TEST(Triangulate, AKeyholePolygonCoversItsRing) {
 
 TEST(Triangulate, PolygonsThatTouchThemselves) {
     // Where the border runs through one place twice, corners there are left over: flat triangles.
-    expect_cover({{0, 0}, {4, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}, 2);  // a corner met by a later one
-    expect_cover({{0, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}, 1);          // a corner that meets a side
-    expect_cover({{0, 0}, {4, 4}, {8, 0}, {8, 8}, {4, 4}, {0, 8}}, 2);  // two corners back to back
-    // Two squares joined by a bar without width, bent twice, seen from outside as two reversed corners.
+    // a corner met by a later one
+    expect_cover({{0, 0}, {4, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}, 2);
+    // a corner that meets a side
+    expect_cover({{0, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}, 1);
+    // two corners back to back
+    expect_cover({{0, 0}, {4, 4}, {8, 0}, {8, 8}, {4, 4}, {0, 8}}, 2);
+    // Two squares joined by a bar without width, bent twice, seen from outside as two reversed
+    // corners.
     expect_cover({{0, 0},
                   {2, 0},
                   {2, 2},
@@ -182,13 +194,18 @@ TEST(Triangulate, SpikesAndRepeatedCornersBecomeFlatTriangles) {
 }
 
 TEST(Triangulate, AnyInputGivesTwoTrianglesLessThanCorners) {
-    EXPECT_EQ(triangulate(Polygon(7, vec2(3, 3))).size(), 5u);                               // one point
-    EXPECT_EQ(triangulate(Polygon{{0, 0}, {1, 1}, {2, 2}, {5, 5}, {3, 3}}).size(), 3u);      // one line
-    EXPECT_EQ(triangulate(Polygon{{0, 0}, {4, 4}, {4, 0}, {0, 4}}).size(), 2u);              // a bow tie
-    EXPECT_EQ(triangulate(Polygon{{0, 9}, {5, -6}, {-8, 3}, {8, 3}, {-5, -6}}).size(), 3u);  // a pentagram
+    // one point
+    EXPECT_EQ(triangulate(Polygon(7, vec2(3, 3))).size(), 5u);
+    // one line
+    EXPECT_EQ(triangulate(Polygon{{0, 0}, {1, 1}, {2, 2}, {5, 5}, {3, 3}}).size(), 3u);
+    // a bow tie
+    EXPECT_EQ(triangulate(Polygon{{0, 0}, {4, 4}, {4, 0}, {0, 4}}).size(), 2u);
+    // a pentagram
+    EXPECT_EQ(triangulate(Polygon{{0, 9}, {5, -6}, {-8, 3}, {8, 3}, {-5, -6}}).size(), 3u);
 }
 
-// Random polygons that do not cross themselves: a walk round the origin with random distances, on integers.
+// Random polygons that do not cross themselves: a walk round the origin with random distances, on
+// integers.
 TEST(Triangulate, RandomStarShapedPolygons) {
     std::mt19937 random(7);
     for (int round = 0; round < 300; ++round) {
@@ -196,9 +213,11 @@ TEST(Triangulate, RandomStarShapedPolygons) {
         std::vector<std::pair<double, vec2>> around;
         std::set<double> angles;
         for (int i = 0; i < n; ++i) {
-            const int x = static_cast<int>(random() % 41) - 20, y = static_cast<int>(random() % 41) - 20;
+            const int x = static_cast<int>(random() % 41) - 20,
+                      y = static_cast<int>(random() % 41) - 20;
             const double angle = std::atan2(y, x);
-            if ((x != 0 || y != 0) && angles.insert(angle).second) around.push_back({angle, vec2(x, y)});
+            if ((x != 0 || y != 0) && angles.insert(angle).second)
+                around.push_back({angle, vec2(x, y)});
         }
         std::sort(around.begin(), around.end(),
                   [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -213,8 +232,8 @@ TEST(Triangulate, RandomStarShapedPolygons) {
     }
 }
 
-// Unions of grid cells grown at random, their outlines walked with the interior to the left: simple, full of
-// straight corners and right angles.
+// Unions of grid cells grown at random, their outlines walked with the interior to the left:
+// simple, full of straight corners and right angles.
 TEST(Triangulate, RandomOutlinesOnAGrid) {
     std::mt19937 random(11);
     for (int round = 0; round < 200; ++round) {
@@ -252,14 +271,15 @@ TEST(Triangulate, KeepsTheOrientationOfAPolygonInSpace) {
 }
 
 TEST(Triangulate, AFigureOfEightStandingUprightIsSeenFromItsSide) {
-    const std::vector<vec3> eight{{0, 5, 0}, {4, 5, 4}, {4, 5, 0}, {0, 5, 4}};  // its Newell normal is 0
+    // its Newell normal is 0
+    const std::vector<vec3> eight{{0, 5, 0}, {4, 5, 4}, {4, 5, 0}, {0, 5, 4}};
     const std::vector<vec2> seen = project_polygon(eight);
     EXPECT_EQ(std::set<float>({seen[0].x, seen[1].x, seen[2].x, seen[3].x}).size(), 2u);
     EXPECT_EQ(std::set<float>({seen[0].y, seen[1].y, seen[2].y, seen[3].y}).size(), 2u);
 }
 
-// 10^5 corners each, in under a second of processor time, so that a busy machine changes nothing; wrong
-// complexity takes minutes. Areas as a check that it did the work.
+// 10^5 corners each, in under a second of processor time, so that a busy machine changes nothing;
+// wrong complexity takes minutes. Areas as a check that it did the work.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 class Large : public testing::Test {
@@ -291,7 +311,8 @@ constexpr double limit =
 
 TEST_F(Large, SlantedComb) {
     Polygon p;
-    for (int i = 0; i < n / 2; ++i) p.push_back({2 * i, 0}), p.push_back({2 * i + 1000000, 1000000});
+    for (int i = 0; i < n / 2; ++i)
+        p.push_back({2 * i, 0}), p.push_back({2 * i + 1000000, 1000000});
     p.push_back({n, -2}), p.push_back({0, -2});
     std::reverse(p.begin(), p.end());
     EXPECT_LT(seconds(p), limit);

@@ -1,5 +1,6 @@
-// Blocks of one colour or one depth, which the fast machine keeps as a value: what reads them, and that
-// whatever else follows finds the pixels. The reference machine, which keeps nothing, says what these are.
+// Blocks of one colour or one depth, which the fast machine keeps as a value: what reads them, and
+// that whatever else follows finds the pixels. The reference machine, which keeps nothing, says
+// what these are.
 #include "tests/gw/workbench.h"
 
 #include <functional>
@@ -23,13 +24,15 @@ MeshRef triangles() {
 }
 const Draw identifiers{.mesh = triangles(), .id_base = 0x123456};
 
-/// Triangles of one depth each, at the depth of a clear, before and behind it; the first cover the window.
+/// Triangles of one depth each, at the depth of a clear, before and behind it; the first cover the
+/// window.
 MeshRef walls() {
     MeshData data = mesh_data(Primitive::Triangles, {});
     for (const float z : {671.0f, 500.0f, 900.0f}) {
         const std::vector<vec3> quad{{0, 0, z}, {96, 0, z}, {96, 80, z}, {0, 80, z}};
         for (const int i : {0, 1, 2, 0, 2, 3}) data.positions.push_back(quad[std::size_t(i)]);
-        for (const vec3& p : {vec3(13, 5, z), vec3(70, 30, z), vec3(20, 70, z)}) data.positions.push_back(p);
+        for (const vec3& p : {vec3(13, 5, z), vec3(70, 30, z), vec3(20, 70, z)})
+            data.positions.push_back(p);
     }
     return make_mesh(std::move(data));
 }
@@ -107,8 +110,8 @@ void draw_over_clear(const Draw& draw, const DepthState& depth, Ink ink) {
 
 TEST(UniformBlocks, AreDrawnOverUnderAnyDepthTest) {
     for (const DepthFunc func :
-         {DepthFunc::Never, DepthFunc::Less, DepthFunc::Equal, DepthFunc::LEqual, DepthFunc::Greater,
-          DepthFunc::NotEqual, DepthFunc::GEqual, DepthFunc::Always})
+         {DepthFunc::Never, DepthFunc::Less, DepthFunc::Equal, DepthFunc::LEqual,
+          DepthFunc::Greater, DepthFunc::NotEqual, DepthFunc::GEqual, DepthFunc::Always})
         for (const bool mask : {false, true})
             for (const Ink ink : {Ink::Stored, Ink::Added, Ink::None}) {
                 SCOPED_TRACE(int(func));
@@ -142,8 +145,9 @@ Follower draws(const char* name, std::function<void(State&)> change, float x = 1
     return {name, [=](State& state, CommandList& list) {
                 change(state);
                 list.add(SetState{state});
-                MeshData data = mesh_data(Primitive::Triangles, {{x, 3, 50}, {90, 9, 800}, {30, 70, 300}},
-                                          {{1, 0, 0, 1}, {0, 1, 0, 0.5f}, {1, 1, 0, 0}});
+                MeshData data =
+                    mesh_data(Primitive::Triangles, {{x, 3, 50}, {90, 9, 800}, {30, 70, 300}},
+                              {{1, 0, 0, 1}, {0, 1, 0, 0.5f}, {1, 1, 0, 0}});
                 list.add(Draw{.mesh = make_mesh(std::move(data)), .id_base = 0x777777});
             }};
 }
@@ -233,7 +237,8 @@ std::vector<Follower> other_followers() {
     const Rect box{30, 30, 9, 11};
     return {
         adds("clear", Clear{.planes = both, .color = vec4(1, 1, 0, 0), .depth = 0.25}),
-        adds("clear of a colour", Clear{.planes = mask_of(Plane::Color), .color = vec4(1, 1, 0, 0)}),
+        adds("clear of a colour",
+             Clear{.planes = mask_of(Plane::Color), .color = vec4(1, 1, 0, 0)}),
         adds("clear of depths", Clear{.planes = mask_of(Plane::Depth), .depth = 0.25}),
         adds("clear of a channel", Clear{.planes = both, .color = vec4(1, 1, 0, 0), .depth = 0.25},
              [](State& s) {

@@ -1,4 +1,5 @@
-// The worked triangle of docs/manual.md, "Planes": every number of it, by hand and through the machine.
+// The worked triangle of docs/manual.md, "Planes": every number of it, by hand and through the
+// machine.
 #include "gw/reference/plane_equation.h"
 #include "tests/gw/workbench.h"
 
@@ -7,7 +8,8 @@ namespace {
 
 using namespace reference;
 
-const std::array<WindowVertex, 3> vertices{{{82, 28, 1000000}, {561, 160, 5000000}, {120, 486, 9000000}}};
+const std::array<WindowVertex, 3> vertices{
+    {{82, 28, 1000000}, {561, 160, 5000000}, {120, 486, 9000000}}};
 
 TEST(WorkedTriangle, HasTheManualsGradients) {
     const SnappedTriangle t = snapped_triangle(vertices, {}, 3);
@@ -26,7 +28,8 @@ TEST(WorkedTriangle, HasTheManualsGradients) {
 TEST(WorkedTriangle, IsDrawnSo) {
     test::Workbench bench(vgx(), 128, 64);
     bench.state.depth = {.test = true, .func = DepthFunc::Always};
-    bench.draw(Primitive::Triangles, {{10.25f, 3.5f, 1000000}, {70.125f, 20, 5000000}, {15, 60.75f, 9000000}},
+    bench.draw(Primitive::Triangles,
+               {{10.25f, 3.5f, 1000000}, {70.125f, 20, 5000000}, {15, 60.75f, 9000000}},
                {{0, 0, 0, 1}, {1, 0, 0, 1}, {128 / 255.0f, 0, 0, 1}});
     EXPECT_EQ(bench.depth(20, 20), 3631537u);
     EXPECT_EQ(bench.color(20, 20), (Rgba{71, 0, 0, 255}));

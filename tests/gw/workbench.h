@@ -1,5 +1,5 @@
-// A small machine for tests: window coordinates in, planes out. Each list runs on both machines, which must
-// agree wherever a test looks.
+// A small machine for tests: window coordinates in, planes out. Each list runs on both machines,
+// which must agree wherever a test looks.
 // Does not know expected values: each test has its own.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace gw::test {
 
-/// Object coordinates are window pixels and units of the depth plane: exact for dyadic coordinates of few
-/// bits in a window whose sides are powers of two.
+/// Object coordinates are window pixels and units of the depth plane: exact for dyadic coordinates
+/// of few bits in a window whose sides are powers of two.
 inline dmat4 window_projection(const Profile& profile, int width, int height) {
     dmat4 m{1};
     m[0][0] = 2.0 / width;
@@ -23,7 +23,8 @@ inline dmat4 window_projection(const Profile& profile, int width, int height) {
     return m;
 }
 
-inline MeshData mesh_data(Primitive primitive, std::vector<vec3> positions, std::vector<vec4> colors = {}) {
+inline MeshData mesh_data(Primitive primitive, std::vector<vec3> positions,
+                          std::vector<vec4> colors = {}) {
     MeshData data{.primitive = primitive, .positions = std::move(positions)};
     data.colors = std::move(colors);
     return data;
@@ -56,7 +57,8 @@ public:
     void draw(Primitive primitive, std::vector<vec3> positions, std::vector<vec4> colors = {}) {
         draw(mesh_data(primitive, std::move(positions), std::move(colors)));
     }
-    void clear(PlaneMask planes = all_planes, vec4 color = vec4(0), double depth = 1, int stencil = 0) {
+    void clear(PlaneMask planes = all_planes, vec4 color = vec4(0), double depth = 1,
+               int stencil = 0) {
         run(Clear{planes, color, depth, stencil});
     }
     /// Pixels of one colour, as a fragment each.
@@ -96,7 +98,8 @@ private:
         compared_ = true;
         EXPECT_TRUE(fast_->planes() == machine_->planes()) << "the machines' planes differ";
         EXPECT_TRUE(fast_->passes() == machine_->passes()) << "the machines' counters differ";
-        EXPECT_TRUE(fast_->readbacks() == machine_->readbacks()) << "the machines' readbacks differ";
+        EXPECT_TRUE(fast_->readbacks() == machine_->readbacks())
+            << "the machines' readbacks differ";
     }
 
     std::unique_ptr<Machine> machine_, fast_;

@@ -67,7 +67,8 @@ inline scene::Scene polygon_scene(MeshData data) {
     return scene;
 }
 
-/// Each component within its reach of 0; drawn in this order whatever the compiler, as arguments are not.
+/// Each component within its reach of 0; drawn in this order whatever the compiler, as arguments
+/// are not.
 inline vec3 random_vector(Random& random, double x, double y, double z) {
     const double c = random(-z, z), b = random(-y, y), a = random(-x, x);
     return {a, b, c};
@@ -90,7 +91,8 @@ inline scene::Scene random_layers(std::uint32_t seed, int count) {
     MeshData data{.primitive = Primitive::Quads};
     for (int i = 0; i < count; ++i) {
         const float z = random(-4, 4);
-        for (const auto& [x, y] : {std::pair(-9, -9), std::pair(9, -9), std::pair(9, 9), std::pair(-9, 9)})
+        for (const auto& [x, y] :
+             {std::pair(-9, -9), std::pair(9, -9), std::pair(9, 9), std::pair(-9, 9)})
             data.positions.push_back(vec3(float(x), float(y), z));
     }
     scene::Scene scene = polygon_scene(std::move(data));

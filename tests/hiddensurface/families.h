@@ -11,7 +11,8 @@ namespace gw::hiddensurface {
 struct Family {
     const char* name;
     std::function<scene::Scene(std::uint32_t seed)> scene;
-    /// The snap turns over at most one pixel in so many. Less where surfaces lie in or on each other.
+    /// The snap turns over at most one pixel in so many. Less where surfaces lie in or on each
+    /// other.
     std::uint64_t snapped_one_in = 10000;
     bool defeats_sorting = true;  ///< else one distance each is (almost) enough
 };
@@ -23,7 +24,8 @@ inline vec3 random_point(Random& random, double reach) {
 
 /// A parallelogram as a polygon of four corners.
 inline void add_parallelogram(MeshData& data, const vec3& corner, const vec3& u, const vec3& v) {
-    for (const vec3& p : {corner, corner + u, corner + u + v, corner + v}) data.positions.push_back(p);
+    for (const vec3& p : {corner, corner + u, corner + u + v, corner + v})
+        data.positions.push_back(p);
 }
 
 /// Bars around an axis, each over the next: rings without an order.
@@ -98,7 +100,8 @@ inline scene::Scene grazing_mesh(std::uint32_t seed) {
     constexpr int n = 12;
     for (int i = 0; i <= n; ++i)
         for (int k = 0; k <= n; ++k)
-            data.positions.push_back(vec3(float(i) / 3 - 2, random(-0.25, 0.25) - 0.5f, float(k) / 3 - 2));
+            data.positions.push_back(
+                vec3(float(i) / 3 - 2, random(-0.25, 0.25) - 0.5f, float(k) / 3 - 2));
     for (std::uint32_t i = 0; i < n; ++i)
         for (std::uint32_t k = 0; k < n; ++k) {
             const std::uint32_t first = i * (n + 1) + k;
@@ -125,7 +128,9 @@ inline scene::Scene touching_blocks(std::uint32_t seed) {
     Random random(seed);
     MeshData data{.primitive = Primitive::Quads};
     for (int i = 0; i < 8; ++i) {
-        const auto step = [&](int low, int high) { return float(low + int(random(0, high - low))) / 2; };
+        const auto step = [&](int low, int high) {
+            return float(low + int(random(0, high - low))) / 2;
+        };
         const float c = step(-3, 3), b = step(-3, 3), a = step(-3, 3);
         const float depth = step(1, 4), height = step(1, 4), width = step(1, 4);
         const vec3 p(a, b, c), size(width, height, depth);
@@ -144,7 +149,8 @@ inline scene::Scene touching_blocks(std::uint32_t seed) {
 
 inline const std::vector<Family>& families() {
     static const std::vector<Family> all{
-        {"triangle soup", [](std::uint32_t seed) { return random_triangles(seed, 10 + int(seed % 12) * 5); }},
+        {"triangle soup",
+         [](std::uint32_t seed) { return random_triangles(seed, 10 + int(seed % 12) * 5); }},
         {"cyclic overlaps", cyclic_overlaps},
         {"piercing rectangles", piercing_rectangles},
         {"coplanar triangles", coplanar_triangles, 4},

@@ -1,4 +1,5 @@
-// Families of random scenes of few polygons, so that a thousand of them are a quick test. Does not draw.
+// Families of random scenes of few polygons, so that a thousand of them are a quick test. Does not
+// draw.
 #pragma once
 
 #include "families.h"
@@ -26,7 +27,8 @@ inline void add_solid(MeshData& data, const vec3& middle, Random& random) {
     };
     for (int k = 0; k < sides; ++k) {
         for (const vec3& p : {rim(k), rim(k + 1), middle + up * axis}) data.positions.push_back(p);
-        for (const vec3& p : {rim(k + 1), rim(k), middle - down * axis}) data.positions.push_back(p);
+        for (const vec3& p : {rim(k + 1), rim(k), middle - down * axis})
+            data.positions.push_back(p);
     }
 }
 
@@ -38,7 +40,8 @@ inline scene::Scene convex_solids(std::uint32_t seed) {
         for (int y = -1; y <= 1; ++y)
             for (int z = -1; z <= 1; ++z)
                 if (random(0, 1) < 0.4 || (x == 0 && y == 0 && z == 0))
-                    add_solid(data, vec3(float(x), float(y), float(z)) + random_point(random, 0.04), random);
+                    add_solid(data, vec3(float(x), float(y), float(z)) + random_point(random, 0.04),
+                              random);
     scene::Scene scene = polygon_scene(std::move(data));
     scene.camera->eye = dvec3(random_point(random, 2)) + dvec3(0, 0, 6);
     scene.camera->fov = 30;
@@ -48,7 +51,8 @@ inline scene::Scene convex_solids(std::uint32_t seed) {
 inline const std::vector<Family>& small_families() {
     static const std::vector<Family> all{
         {"convex solids", convex_solids, 1000},
-        {"triangle soup", [](std::uint32_t seed) { return random_triangles(seed, 6 + int(seed % 10)); }},
+        {"triangle soup",
+         [](std::uint32_t seed) { return random_triangles(seed, 6 + int(seed % 10)); }},
         {"cyclic piles", cyclic_overlaps},
         {"piercing rectangles", piercing_rectangles},
         {"coplanar triangles", coplanar_triangles, 4},

@@ -1,5 +1,6 @@
-// Claims: algorithms that claim to be right agree with the Z-buffer but for ties and edges, both few; the
-// cases of the lecture fail where they must, and the test says who mends them. [L3, L5, L6, L8, L9]
+// Claims: algorithms that claim to be right agree with the Z-buffer but for ties and edges, both
+// few; the cases of the lecture fail where they must, and the test says who mends them. [L3, L5,
+// L6, L8, L9]
 #include "cases.h"
 #include "hiddensurface/structures/bsp_tree.h"
 
@@ -11,14 +12,15 @@ namespace gw::hiddensurface {
 
 namespace {
 
-/// Ties and edges are at most this part of the pixels that show a polygon. Pixels that the snap turned over:
-/// of algorithms that decide in the world only, and one in a thousand.
+/// Ties and edges are at most this part of the pixels that show a polygon. Pixels that the snap
+/// turned over: of algorithms that decide in the world only, and one in a thousand.
 void expect_right(Stage& stage, const std::string& what, double bound = 0.005) {
     for (const Algorithm& algorithm : algorithms()) {
         if (algorithm.claim != Claim::Always) continue;
         const Result result = stage.run(algorithm.name);
         EXPECT_EQ(result.counts.wrong, 0u) << what << ", " << algorithm.name;
-        EXPECT_LE(double(result.counts.ties + result.counts.edges), bound * double(result.counts.pixels) + 2)
+        EXPECT_LE(double(result.counts.ties + result.counts.edges),
+                  bound * double(result.counts.pixels) + 2)
             << what << ", " << algorithm.name << ": " << result.counts.ties << " ties, "
             << result.counts.edges << " edges";
         EXPECT_EQ(result.counts.undecided, 0u) << what << ", " << algorithm.name;
@@ -106,7 +108,8 @@ TEST(Solids, AreTooMuchForBackFaceCullingAndForSorting) {
 
 TEST(OneConvexObject, IsRightByBackFaceCullingAlone) {
     scene::Scene scene = case_scene("solids");
-    std::erase_if(scene.objects, [](const scene::Object& object) { return object.name != "block"; });
+    std::erase_if(scene.objects,
+                  [](const scene::Object& object) { return object.name != "block"; });
     Stage stage(std::move(scene));
     const Result result = stage.run("back-face");
     EXPECT_GT(result.counts.pixels, 500u);

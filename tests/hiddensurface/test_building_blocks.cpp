@@ -1,4 +1,5 @@
-// Claims: the lecture's building blocks are exact: normal, view test, edges, depth. [L3, L4, L7, L8]
+// Claims: the lecture's building blocks are exact: normal, view test, edges, depth. [L3, L4, L7,
+// L8]
 #include "cases.h"
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/model/overlap.h"
@@ -32,7 +33,8 @@ TEST(Normal, PointsToTheSideThatRunsCounterClockwise) {
     EXPECT_EQ(face_normal({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), dvec3(0, 0, 1));
     const Loop square{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
     EXPECT_EQ(polygon_normal(square), dvec3(0, 0, 8));  // twice the area
-    const Loop u{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {3, 4, 0}, {3, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}};
+    const Loop u{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {3, 4, 0},
+                 {3, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}};
     EXPECT_EQ(polygon_normal(u), dvec3(0, 0, 20));  // reflex corners do not turn it over
 }
 
@@ -42,12 +44,15 @@ TEST(Facing, IsDecidedByTheLineOfSightNotByTheNormalAlone) {
     EXPECT_GT(n.z, 0);
     EXPECT_NEAR(facing(dvec3(0, 0, 0), dvec3(10, 0, -10), n), -2, 1e-12);
     EXPECT_EQ(facing(dvec3(0, 0, 5), dvec3(3, 0, 5), dvec3(0, 1, 0)), 0);  // edge-on
-    EXPECT_GT(facing(dvec4(0, 0, 1, 0), dvec3(10, 0, -10), n), 0);         // all lines of sight parallel
+    // all lines of sight parallel
+    EXPECT_GT(facing(dvec4(0, 0, 1, 0), dvec3(10, 0, -10), n), 0);
 }
 
 TEST(Overlap, IsDecidedByTheSidesOfBoth) {
     const Piece square{.parts = {{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}}};
-    const auto triangle = [](double d) { return Piece{.parts = {{{d, 0, 0}, {6, 6, 0}, {0, d, 0}}}}; };
+    const auto triangle = [](double d) {
+        return Piece{.parts = {{{d, 0, 0}, {6, 6, 0}, {0, d, 0}}}};
+    };
     // Only the triangle's side x + y = d can separate them: their extents overlap.
     for (const auto& [d, overlap] : {std::pair(4.5, false), {4.0, false}, {3.5, true}}) {
         EXPECT_EQ(projections_overlap(square, triangle(d)), overlap) << d;
@@ -94,14 +99,16 @@ TEST(ScanConvert, CoversNeighboursExactlyOnce) {
         // A point inside a square, joined to its corners: a partition.
         const GridPoint c{std::int64_t(random(1, 255)), std::int64_t(random(1, 255)), 0};
         const std::array<GridPoint, 4> q{{{0, 0, 0}, {256, 0, 0}, {256, 256, 0}, {0, 256, 0}}};
-        EXPECT_EQ(coverage({{q[0], q[1], c}, {q[1], q[2], c}, {q[2], q[3], c}, {q[3], q[0], c}}, s, 32, 32),
+        EXPECT_EQ(coverage({{q[0], q[1], c}, {q[1], q[2], c}, {q[2], q[3], c}, {q[3], q[0], c}}, s,
+                           32, 32),
                   std::vector<int>(1024, 1));
     }
 }
 
 TEST(ScanConvert, FillsConcavePolygonsBetweenPairsOfCrossings) {
     std::vector<GridPoint> u;
-    for (const auto& [x, y] : {std::pair(0, 0), {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}})
+    for (const auto& [x, y] :
+         {std::pair(0, 0), {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}})
         u.push_back({x * 8, y * 8, 0});
     const std::vector<hiddensurface::Run> expected{{3, 0, 1}, {3, 3, 4}, {2, 0, 1}, {2, 3, 4},
                                                    {1, 0, 1}, {1, 3, 4}, {0, 0, 4}};
@@ -129,7 +136,8 @@ TEST(DepthPlane, IncrementsAndClosedFormAgree) {
     for (int i = 0; i < 300; ++i) {
         const std::array<GridPoint, 3> t{random_point(random, 3), random_point(random, 3),
                                          random_point(random, 3)};
-        if ((t[1].x - t[0].x) * (t[2].y - t[0].y) == (t[2].x - t[0].x) * (t[1].y - t[0].y)) continue;
+        if ((t[1].x - t[0].x) * (t[2].y - t[0].y) == (t[2].x - t[0].x) * (t[1].y - t[0].y))
+            continue;
         const DepthPlane plane = depth_plane(t, 3, 24);
         DepthWalk walk(plane, -20, i % 50);
         for (int x = -20; x < 60; ++x, walk.right()) EXPECT_EQ(walk.z(), plane.at(x, i % 50));
@@ -145,7 +153,8 @@ TEST(Project, HasTheMachinesPixelsAndDepths) {
         for (auto& z : mine.depth) z = far_value;
         for (const Polygon& polygon : stage.input.polygons)
             for (const WindowTriangle& t : polygon.triangles)
-                for (const auto& run : scan_convert(t.corners, profile.subpixel_bits, stage.input.window()))
+                for (const auto& run :
+                     scan_convert(t.corners, profile.subpixel_bits, stage.input.window()))
                     for (int x = run.x0; x < run.x1; ++x) {
                         std::uint32_t& z = mine.depth[mine.index(x, run.y)];
                         z = std::min(z, std::uint32_t(t.depth.at(x, run.y)));

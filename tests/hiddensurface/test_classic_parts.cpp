@@ -1,5 +1,5 @@
-// Claims: what the classical algorithms are built of is exact, and each does what it is known for: what it
-// saves, in counts.
+// Claims: what the classical algorithms are built of is exact, and each does what it is known for:
+// what it saves, in counts.
 #include "hiddensurface/structures/active_faces.h"
 #include "hiddensurface/structures/clusters.h"
 #include "hiddensurface/structures/depth_pyramid.h"
@@ -79,7 +79,8 @@ TEST(Region, IsDividedByAClipSoThatEveryPixelIsInOnePart) {
                 const auto outside = counted(lines.runs(out, 3, window), 32, 32);
                 for (std::size_t k = 0; k < all.size(); ++k) {
                     ASSERT_EQ(inside[k], all[k] * by[k]) << "seed " << seed << ", pixel " << k;
-                    ASSERT_EQ(outside[k], all[k] * (1 - by[k])) << "seed " << seed << ", pixel " << k;
+                    ASSERT_EQ(outside[k], all[k] * (1 - by[k]))
+                        << "seed " << seed << ", pixel " << k;
                 }
                 next.push_back(in);
                 next.push_back(out);
@@ -124,7 +125,8 @@ TEST(Faces, HaveThePixelsAndTheOrderOfTheirTriangles) {
         for (const auto& [polygon, of] : count) {
             std::vector<hiddensurface::Run> runs;
             for (const WindowTriangle& t : input.polygons[polygon].triangles)
-                for (const auto& run : scan_convert(t.corners, 3, input.window())) runs.push_back(run);
+                for (const auto& run : scan_convert(t.corners, 3, input.window()))
+                    runs.push_back(run);
             EXPECT_EQ(of, counted(runs, 72, 54)) << "seed " << seed << ", polygon " << polygon;
         }
     }
@@ -137,7 +139,8 @@ TEST(DepthPyramid, HidesWhatEveryPixelOfTheRectangleHides) {
     int hidden = 0;
     for (int i = 0; i < 3000; ++i) {
         const int x = int(random(0, 37)), y = int(random(0, 21));
-        z[std::size_t(37 * y + x)] = std::min(z[std::size_t(37 * y + x)], std::int64_t(random(0, 600)));
+        z[std::size_t(37 * y + x)] =
+            std::min(z[std::size_t(37 * y + x)], std::int64_t(random(0, 600)));
         pyramid.set(x, y, z[std::size_t(37 * y + x)]);
         const Rect rect{x, y, 1 + int(random(0, std::min(8, 37 - x))),
                         1 + int(random(0, std::min(8, 21 - y)))};
@@ -165,7 +168,8 @@ TEST(Octree, HasEveryPolygonOnceAndItsWindowBoxHasAllOfIt) {
                 for (GridPoint p : t.corners) {
                     EXPECT_GE(p.z, box.nearest);
                     p.x =
-                        std::clamp<std::int64_t>(p.x, 0, 160 * 8);  // what is outside the window is not asked
+                        // what is outside the window is not asked
+                        std::clamp<std::int64_t>(p.x, 0, 160 * 8);
                     p.y = std::clamp<std::int64_t>(p.y, 0, 120 * 8);
                     EXPECT_GE(p.x, box.rect.x * 8);
                     EXPECT_LE(p.x, (box.rect.x + box.rect.width) * 8);
@@ -212,7 +216,8 @@ TEST(CoincidentFaces, ShowTheScenesFirst) {
 TEST(CoincidentFaces, ShowTheScenesFirstBesideWhatBeginsFartherLeft) {
     MeshData data{.primitive = Primitive::Quads};
     for (const float left : {-1.0f, -2.0f})
-        for (const auto& [x, y] : {std::pair(0, -1), std::pair(3, -1), std::pair(3, 1), std::pair(0, 1)})
+        for (const auto& [x, y] :
+             {std::pair(0, -1), std::pair(3, -1), std::pair(3, 1), std::pair(0, 1)})
             data.positions.push_back(vec3(left + float(x), float(y), 0));
     Stage stage(polygon_scene(std::move(data)));
     EXPECT_EQ(stage.z_buffer.ids[60 * 160 + 80], 1u);
@@ -235,7 +240,8 @@ TEST(HierarchicalZ, IsTheZBuffer) {
 TEST(HierarchicalZ, ShowsTheScenesFirstOfWhatLiesInAPlane) {
     MeshData data{.primitive = Primitive::Quads};
     const auto add = [&](float x, float y, float w, float h) {
-        for (const auto& [i, k] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)})
+        for (const auto& [i, k] :
+             {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)})
             data.positions.push_back(vec3(x + float(i) * w, y + float(k) * h, 0));
     };
     for (const float x : {-1.9f, -0.9f, 0.1f, 1.1f})
@@ -247,7 +253,8 @@ TEST(HierarchicalZ, ShowsTheScenesFirstOfWhatLiesInAPlane) {
     EXPECT_EQ(stage.run("hierarchical-z").ids, stage.z_buffer.ids);
 }
 
-// [Schumacker 1969] One convex solid: front sides have no priorities among them; solids apart need no cut.
+// [Schumacker 1969] One convex solid: front sides have no priorities among them; solids apart need
+// no cut.
 TEST(Schumacker, CutsNothingOfConvexSolidsThatPlanesSeparate) {
     std::uint64_t cut_by_the_bsp_tree = 0;
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
@@ -283,7 +290,8 @@ TEST(Watkins, LooksAtALineOnceWhereAWallHidesAll) {
     EXPECT_LT(watkins.depths * 2, bouknight.depths);
 }
 
-// [Greene 1993] Behind a layer that fills the window everything is rejected: nothing but the layer is drawn.
+// [Greene 1993] Behind a layer that fills the window everything is rejected: nothing but the layer
+// is drawn.
 TEST(HierarchicalZ, RejectsWhatIsBehindAWall) {
     Stage stage(behind_a_wall());
     const Result result = stage.run("hierarchical-z");
@@ -317,8 +325,8 @@ TEST(ABuffer, GivesEveryPolygonItsPartOfThePixel) {
     EXPECT_EQ(result.ids, stage.z_buffer.ids);
 }
 
-// [Weiler, Atherton 1977] Three in a cycle: each a polygon with what hides it taken out; together every pixel
-// once.
+// [Weiler, Atherton 1977] Three in a cycle: each a polygon with what hides it taken out; together
+// every pixel once.
 TEST(WeilerAtherton, EndsACycleWithPolygonsThatDoNotOverlap) {
     Stage stage(case_scene("cycle"));
     const Result result = stage.run("weiler-atherton");
@@ -328,8 +336,8 @@ TEST(WeilerAtherton, EndsACycleWithPolygonsThatDoNotOverlap) {
     EXPECT_EQ(result.pieces.size(), 5u);
 }
 
-// [Warnock 1969] One face: one window. The lower half of the picture hidden by a wall costs one look a
-// quarter.
+// [Warnock 1969] One face: one window. The lower half of the picture hidden by a wall costs one
+// look a quarter.
 TEST(Warnock, LooksOnceWhereThePictureIsSimple) {
     Stage one(random_layers(1, 1));
     EXPECT_EQ(one.run("warnock").counts.nodes, 1u);

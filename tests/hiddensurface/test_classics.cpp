@@ -1,7 +1,7 @@
-// Claims: on 1,050 random scenes of seven families, 150 of each, every algorithm that claims to be right
-// agrees with the Z-buffer pixel by pixel, but for ties, edges made by splitting and, where it decides in the
-// world, what the snap turns over; these are few. Ray casting, which asks every polygon at every pixel, runs
-// one scene in ten.
+// Claims: on 1,050 random scenes of seven families, 150 of each, every algorithm that claims to be
+// right agrees with the Z-buffer pixel by pixel, but for ties, edges made by splitting and, where
+// it decides in the world, what the snap turns over; these are few. Ray casting, which asks every
+// polygon at every pixel, runs one scene in ten.
 #include "small_families.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
-// Claims: a differing pixel is the snap's only where the scene has the order that is shown, the snapped
-// corners have the other, and both are as near to each other as the snap can move them. [L5]
+// Claims: a differing pixel is the snap's only where the scene has the order that is shown, the
+// snapped corners have the other, and both are as near to each other as the snap can move them.
+// [L5]
 #include "cases.h"
 
 #include <gtest/gtest.h>
@@ -15,10 +16,12 @@ constexpr double unit = 1.0 / 120;
 void add_slope(MeshData& data, double nearer, double off) {
     for (const auto& [x, y] :
          {std::pair(-1.0, -1.0), std::pair(1.0, -1.0), std::pair(1.0, 1.0), std::pair(-1.0, 1.0)})
-        data.positions.push_back(vec3(float(x + off * unit), float(y), float(x + off * unit + nearer)));
+        data.positions.push_back(
+            vec3(float(x + off * unit), float(y), float(x + off * unit + nearer)));
 }
 
-/// Polygon 1 before polygon 2, `apart` units of the world; corners this far right of the grid's points.
+/// Polygon 1 before polygon 2, `apart` units of the world; corners this far right of the grid's
+/// points.
 scene::Scene two_slopes(double apart, double off_1, double off_2) {
     MeshData data{.primitive = Primitive::Quads};
     add_slope(data, apart, off_1);
@@ -32,7 +35,8 @@ constexpr int x = 80, y = 60;
 
 }  // namespace
 
-// The first one's corners move 0.45 units to the right and its surface back, the second one's the other way.
+// The first one's corners move 0.45 units to the right and its surface back, the second one's the
+// other way.
 TEST(Snap, IsWhatTurnsTwoSurfacesOver) {
     Stage stage(two_slopes(0.4 * unit, 0.55, 0.45));
     const Differences differences(stage.input, {});
@@ -53,15 +57,16 @@ TEST(Snap, ExcusesNothingThatIsBehindInTheScene) {
     EXPECT_EQ(stage.run("bsp").ids, stage.z_buffer.ids);
 }
 
-// The depths as drawn are farther apart than half a unit at every corner makes them, whatever the scene says.
+// The depths as drawn are farther apart than half a unit at every corner makes them, whatever the
+// scene says.
 TEST(Snap, ReachesHalfAUnitAtEveryCorner) {
     Stage stage(two_slopes(-3 * unit, 0, 0));
     EXPECT_EQ(stage.z_buffer.ids[160 * y + x], 2u);
     EXPECT_EQ(Differences(stage.input, {}).at(1, 2, x, y), Difference::Wrong);
 }
 
-/// Two neighbours in the rim of scenes/teapot.toml's left bowl, of one surface, as it sees them: almost from
-/// their edges, thinner than a unit. The snap alone makes them as wide as a pixel.
+/// Two neighbours in the rim of scenes/teapot.toml's left bowl, of one surface, as it sees them:
+/// almost from their edges, thinner than a unit. The snap alone makes them as wide as a pixel.
 scene::Scene rim_of_a_bowl() {
     scene::Scene scene = polygon_scene({.positions = {{-3.58223206f, 1.14496658f, 2.73290804f},
                                                       {-3.61721863f, 1.14496658f, 2.79836329f},
@@ -73,8 +78,8 @@ scene::Scene rim_of_a_bowl() {
     return scene;
 }
 
-// In the scene neither of the two covers the centre of a pixel, and on their planes the one that the tree
-// shows lies behind; the snap moves its depth by more than its snapped slopes say.
+// In the scene neither of the two covers the centre of a pixel, and on their planes the one that
+// the tree shows lies behind; the snap moves its depth by more than its snapped slopes say.
 TEST(Snap, MovesFacetsSeenFromTheEdgeByTheSlopesOfTheScene) {
     Stage stage(rim_of_a_bowl(), vgx(), 320, 240);
     const Result tree = stage.run("bsp");

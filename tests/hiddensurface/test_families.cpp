@@ -1,8 +1,8 @@
-// Claims: on random scenes of ten families the algorithms that claim to be right agree with the Z-buffer
-// pixel by pixel, but for ties, edges made by splitting and, by the tree only, what the snap turns over; and
-// no pair is left undecided: Newell, Newell and Sancha's algorithm, the tree and the scan line on thirty
-// scenes of each (300), ray casting on three (30). The painters fail, on five scenes of each of seven
-// families. [L5, L6, L8, L9]
+// Claims: on random scenes of ten families the algorithms that claim to be right agree with the
+// Z-buffer pixel by pixel, but for ties, edges made by splitting and, by the tree only, what the
+// snap turns over; and no pair is left undecided: Newell, Newell and Sancha's algorithm, the tree
+// and the scan line on thirty scenes of each (300), ray casting on three (30). The painters fail,
+// on five scenes of each of seven families. [L5, L6, L8, L9]
 #include "families.h"
 
 #include <gtest/gtest.h>
@@ -26,8 +26,10 @@ protected:
             Stage stage(family().scene(seed));
             const Counts counts = stage.run(algorithm).counts;
             if (algorithm_named(algorithm).claim == Claim::Always) {
-                EXPECT_EQ(counts.wrong, 0u) << algorithm << ", " << family().name << ", seed " << seed;
-                EXPECT_EQ(counts.undecided, 0u) << algorithm << ", " << family().name << ", seed " << seed;
+                EXPECT_EQ(counts.wrong, 0u)
+                    << algorithm << ", " << family().name << ", seed " << seed;
+                EXPECT_EQ(counts.undecided, 0u)
+                    << algorithm << ", " << family().name << ", seed " << seed;
             }
             add(sum, counts);
         }
@@ -43,14 +45,16 @@ protected:
 TEST_P(Families, AreTheZBuffersByAlgorithmsThatDecideInTheWindow) {
     for (const char* name : {"newell", "scan-line", "ray-casting"}) {
         const Counts sum =
-            run(name, name == std::string("ray-casting") ? 3 : scenes);  // every ray, every polygon
+            // every ray, every polygon
+            run(name, name == std::string("ray-casting") ? 3 : scenes);
         EXPECT_EQ(sum.edges, 0u) << name;
         EXPECT_EQ(sum.snapped, 0u) << name;
         EXPECT_LE(sum.ties * 1000, sum.pixels) << name;
     }
 }
 
-// In the world, before the snap: where surfaces are one in the scene, the snap alone makes one the nearer.
+// In the world, before the snap: where surfaces are one in the scene, the snap alone makes one the
+// nearer.
 TEST_P(Families, AreTheScenesByATreeBuiltInTheWorld) {
     const Counts sum = run("bsp");
     EXPECT_LE((sum.ties + sum.edges) * 1000, sum.pixels);

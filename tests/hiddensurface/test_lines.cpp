@@ -1,8 +1,9 @@
-// Claims: Roberts', Appel's and the floating-horizon algorithm show a point of a line exactly where a count
-// of the triangles before it, made here from nothing but the snapped corners, is 0: Appel's to the rounding
-// of a double, the others (which decide before the snap) but for points within two sub-pixel units of a
-// change. On ten families of random scenes, solids, a teapot, hills; all sides are there; and their pictures
-// are the Z-buffer's hidden-line picture but for a few pixels in a hundred.
+// Claims: Roberts', Appel's and the floating-horizon algorithm show a point of a line exactly where
+// a count of the triangles before it, made here from nothing but the snapped corners, is 0: Appel's
+// to the rounding of a double, the others (which decide before the snap) but for points within two
+// sub-pixel units of a change. On ten families of random scenes, solids, a teapot, hills; all sides
+// are there; and their pictures are the Z-buffer's hidden-line picture but for a few pixels in a
+// hundred.
 #include "families.h"
 #include "gw/error.h"
 #include "hiddensurface/lines/draw_lines.h"
@@ -22,7 +23,8 @@ namespace {
 /// Counts what is before a point, triangle by triangle.
 class Oracle {
 public:
-    /// Points nearer than `reach` (grid units) to an outline or to the depth of a triangle are unclear.
+    /// Points nearer than `reach` (grid units) to an outline or to the depth of a triangle are
+    /// unclear.
     Oracle(const Input& input, double reach) : reach_(reach) {
         for (const Polygon& polygon : input.polygons)
             for (const WindowTriangle& t : polygon.triangles) {
@@ -109,8 +111,8 @@ Agreement agreement(const Input& input, const std::vector<Line>& lines, double r
             sum.points += 1;
             sum.unclear += answer == Oracle::Answer::Unclear ? 1 : 0;
             sum.visible += answer == Oracle::Answer::Visible ? 1 : 0;
-            sum.wrong +=
-                answer != Oracle::Answer::Unclear && shows(line, t) != (answer == Oracle::Answer::Visible);
+            sum.wrong += answer != Oracle::Answer::Unclear &&
+                         shows(line, t) != (answer == Oracle::Answer::Visible);
         }
     return sum;
 }
@@ -154,10 +156,13 @@ scene::Scene convex_solids(std::uint32_t seed) {
     for (int i = 0; i < 6; ++i) {
         const vec3 c = random_point(random, 1.4), u = random_point(random, 0.8),
                    v = random_point(random, 0.8), w = random_point(random, 0.8);
-        const auto at = [&](int x, int y, int z) { return c + float(x) * u + float(y) * v + float(z) * w; };
+        const auto at = [&](int x, int y, int z) {
+            return c + float(x) * u + float(y) * v + float(z) * w;
+        };
         const auto first = std::uint32_t(data.positions.size());
         for (int k = 0; k < 8; ++k) data.positions.push_back(at(k & 1, k >> 1 & 1, k >> 2));
-        for (const std::uint32_t k : {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5})
+        for (const std::uint32_t k :
+             {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5})
             data.indices.push_back(first + k);
     }
     return polygon_scene(std::move(data));
@@ -169,7 +174,8 @@ scene::Scene hills(std::uint32_t seed, double height_of_eye) {
     MeshData data{.primitive = Primitive::Quads};
     for (int i = 0; i <= n; ++i)
         for (int k = 0; k <= n; ++k)
-            data.positions.push_back(vec3(float(i) / 4 - 1.75f, random(-0.4, 0.4), float(k) / 4 - 1.75f));
+            data.positions.push_back(
+                vec3(float(i) / 4 - 1.75f, random(-0.4, 0.4), float(k) / 4 - 1.75f));
     for (std::uint32_t i = 0; i < n; ++i)
         for (std::uint32_t k = 0; k < n; ++k)
             for (const std::uint32_t corner : {0u, 1u, n + 2u, n + 1u})
@@ -190,13 +196,15 @@ TEST_P(LineFamilies, AreHiddenExactlyByQuantitativeInvisibility) {
     const Family& family = families()[GetParam()];
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
         Stage stage(family.scene(seed));
-        expect_agreement(stage.input, "appel", 1e-6, 20, family.name + (", seed " + std::to_string(seed)));
+        expect_agreement(stage.input, "appel", 1e-6, 20,
+                         family.name + (", seed " + std::to_string(seed)));
     }
 }
 
 TEST_P(LineFamilies, AreHiddenByRobertsToTheSnap) {
     const Family& family = families()[GetParam()];
-    const bool apart = family.snapped_one_in >= 10000;  // else lines lie on faces: nothing is clear
+    // else lines lie on faces: nothing is clear
+    const bool apart = family.snapped_one_in >= 10000;
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
         Stage stage(family.scene(seed), ideal());
         expect_agreement(stage.input, "roberts", 2, apart ? 60 : 100,
@@ -216,12 +224,15 @@ TEST(Lines, OfConvexSolidsAreRightByBothAndRobertsComparesSolids) {
         Stage stage(convex_solids(seed), ideal());
         expect_agreement(stage.input, "roberts", 2, 30, "solids");
         expect_agreement(stage.input, "appel", 1e-6, 5, "solids");
-        const LineOutput roberts = lines_of(stage.input, "roberts"), appel = lines_of(stage.input, "appel");
+        const LineOutput roberts = lines_of(stage.input, "roberts"),
+                         appel = lines_of(stage.input, "appel");
         EXPECT_EQ(roberts.counts.faces, 6u) << seed;
         EXPECT_EQ(roberts.counts.lines, 6u * 12) << seed;
-        EXPECT_NEAR(whole_length(roberts.lines), whole_length(appel.lines), 1e-3 * whole_length(appel.lines))
+        EXPECT_NEAR(whole_length(roberts.lines), whole_length(appel.lines),
+                    1e-3 * whole_length(appel.lines))
             << seed;
-        EXPECT_NEAR(length(roberts.lines), length(appel.lines), 0.005 * length(appel.lines)) << seed;
+        EXPECT_NEAR(length(roberts.lines), length(appel.lines), 0.005 * length(appel.lines))
+            << seed;
     }
 }
 
@@ -301,10 +312,12 @@ TEST(Lines, AreNearlyTheZBuffersPicture) {
     for (auto [scene, names] :
          {std::pair(convex_solids(5), std::vector<std::string>{"roberts", "appel"}),
           std::pair(std::move(teapot), std::vector<std::string>{"roberts", "appel"}),
-          std::pair(case_scene("hills"), std::vector<std::string>{"roberts", "appel", "floating-horizon"})}) {
+          std::pair(case_scene("hills"),
+                    std::vector<std::string>{"roberts", "appel", "floating-horizon"})}) {
         Stage stage(std::move(scene), reality(), 320, 240);
         for (const std::string& name : names) {
-            const LineResult result = run_on(*stage.machine, *line_algorithm_named(name), stage.input, none);
+            const LineResult result =
+                run_on(*stage.machine, *line_algorithm_named(name), stage.input, none);
             EXPECT_GT(result.counts.pixels, 500u) << name;
             EXPECT_LE(result.counts.missing * 100, 3 * result.counts.pixels) << name;
             EXPECT_LE(result.counts.extra * 100, 3 * result.counts.pixels) << name;
@@ -317,7 +330,8 @@ TEST(Horizon, KeepsTheHighestOfEachPlace) {
     Horizon horizon(true);
     EXPECT_EQ(horizon.beyond({0, 0}, {4, 0}, counts), (std::vector<Part>{{0, 1}}));
     horizon.raise({0, 0}, {4, 0});
-    const auto parts = horizon.beyond({-1, -1}, {3, 1}, counts);  // outside on the left, then above from 1
+    // outside on the left, then above from 1
+    const auto parts = horizon.beyond({-1, -1}, {3, 1}, counts);
     ASSERT_EQ(parts.size(), 2u);
     EXPECT_NEAR(parts[0].second, 0.25, 1e-9);
     EXPECT_NEAR(parts[1].first, 0.5, 1e-9);
@@ -328,7 +342,8 @@ TEST(Horizon, KeepsTheHighestOfEachPlace) {
 }
 
 TEST(RestOf, IsWhatNoPartCovers) {
-    EXPECT_EQ(rest_of({{0.5, 0.75}, {0, 0.25}, {0.6, 0.7}}), (std::vector<Part>{{0.25, 0.5}, {0.75, 1}}));
+    EXPECT_EQ(rest_of({{0.5, 0.75}, {0, 0.25}, {0.6, 0.7}}),
+              (std::vector<Part>{{0.25, 0.5}, {0.75, 1}}));
     EXPECT_EQ(rest_of({}), (std::vector<Part>{{0, 1}}));
     EXPECT_TRUE(rest_of({{0, 1}}).empty());
 }

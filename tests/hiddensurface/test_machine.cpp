@@ -1,4 +1,5 @@
-// Claims: without a Z plane means without one; the picture comes from the machine; counts and logs are true.
+// Claims: without a Z plane means without one; the picture comes from the machine; counts and logs
+// are true.
 #include "cases.h"
 #include "gw/error.h"
 #include "hiddensurface/run/replay.h"
@@ -35,7 +36,8 @@ TEST(DepthPlaneOfTheMachine, IsNeitherReadNorWrittenWhereNotUsed) {
             const std::vector<std::uint32_t> before = machine->planes().depth;
             machine->reset_passes();
             machine->execute(output.list);
-            EXPECT_EQ(machine->planes().depth == before, !algorithm.uses_depth_plane) << algorithm.name;
+            EXPECT_EQ(machine->planes().depth == before, !algorithm.uses_depth_plane)
+                << algorithm.name;
             if (algorithm.uses_depth_plane) continue;
             const Counters& counted = machine->passes().back().counters;
             // Clear writes 4 bytes of colour a pixel, a fragment 4; nothing is left for Z's 3.
@@ -62,8 +64,8 @@ TEST(Counts, AddUp) {
     for (const char* name :
          {"painter-farthest", "painter-nearest", "painter-centroid", "newell", "bsp", "schumacker"})
         EXPECT_EQ(stage.run(name).counts.passed, complexity) << name;
-    for (const char* name : {"scan-line", "ray-casting", "warnock", "bouknight", "watkins", "a-buffer",
-                             "quake", "weiler-atherton"})
+    for (const char* name : {"scan-line", "ray-casting", "warnock", "bouknight", "watkins",
+                             "a-buffer", "quake", "weiler-atherton"})
         EXPECT_EQ(stage.run(name).counts.overdraw, 0u) << name;
     EXPECT_EQ(stage.z_buffer.counts.fragments, complexity);
     EXPECT_EQ(stage.z_buffer.counts.depths, complexity);

@@ -1,5 +1,5 @@
-// Claims: the lecture's example of an own algorithm (docs/lecture.md, "Your own") is the file mine.cpp beside
-// this one, letter for letter, and does what it says.
+// Claims: the lecture's example of an own algorithm (docs/lecture.md, "Your own") is the file
+// mine.cpp beside this one, letter for letter, and does what it says.
 #include "cases.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,8 @@ std::string listing_of(const std::string& page) {
     const std::string text = text_of(page), begin = "\n```cpp\n";
     const std::size_t first = text.find(begin);
     if (first == text.npos) return "";
-    return text.substr(first + begin.size(), text.find("```", first + begin.size()) - first - begin.size());
+    return text.substr(first + begin.size(),
+                       text.find("```", first + begin.size()) - first - begin.size());
 }
 
 }  // namespace

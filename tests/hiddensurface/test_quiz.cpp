@@ -1,6 +1,6 @@
-// Claims: the same seed gives the same quiz, and a longer one begins as a shorter one; each answer is right
-// by a second way of finding it; a fragment list is graded as its mistakes were made; malformed lists name
-// line and expectation.
+// Claims: the same seed gives the same quiz, and a longer one begins as a shorter one; each answer
+// is right by a second way of finding it; a fragment list is graded as its mistakes were made;
+// malformed lists name line and expectation.
 #include "cases.h"
 #include "gw/error.h"
 #include "hiddensurface/model/normal.h"
@@ -23,7 +23,8 @@ std::string text_of(const Question& q) {
     for (const std::string& choice : q.choices) text += choice;
     for (const scene::Object& object : q.scene.objects)
         for (const vec3& p : object.mesh->data().positions)
-            text += std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + " ";
+            text +=
+                std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + " ";
     return text;
 }
 
@@ -62,7 +63,8 @@ TEST(Quiz, HasOneOrderThatPaintsThePicture) {
             stage.machine->execute(output.list);
             int different = 0;
             for (std::size_t i = 0; i < stage.z_buffer.ids.size(); ++i)
-                different += scene::id_of(stage.machine->planes().color[i]) != stage.z_buffer.ids[i] ? 1 : 0;
+                different +=
+                    scene::id_of(stage.machine->planes().color[i]) != stage.z_buffer.ids[i] ? 1 : 0;
             if (q.answer == std::string(1, char('a' + c)))
                 EXPECT_LE(different, 2) << q.choices[c];
             else
@@ -71,8 +73,8 @@ TEST(Quiz, HasOneOrderThatPaintsThePicture) {
     }
 }
 
-// The order of the corners in the quiz does not come from Newell: tests 1 to 4 again, on the scene's
-// coordinates.
+// The order of the corners in the quiz does not come from Newell: tests 1 to 4 again, on the
+// scene's coordinates.
 TEST(Quiz, NamesTheFirstOfNewellsTestsThatSaysYes) {
     std::set<std::string> answers;
     for (const Question& q : make_quiz(5, 12, "test")) {
@@ -93,10 +95,15 @@ TEST(Quiz, NamesTheFirstOfNewellsTestsThatSaysYes) {
             return x.second <= y.first || y.second <= x.first;
         };
         const auto all = [](const Facet& of, const Facet& plane, double sign) {
-            return std::all_of(of.parts[0].begin(), of.parts[0].end(),
-                               [&](const dvec3& v) { return sign * side(plane.plane, v) >= -1e-3; });
+            return std::all_of(of.parts[0].begin(), of.parts[0].end(), [&](const dvec3& v) {
+                return sign * side(plane.plane, v) >= -1e-3;
+            });
         };
-        const char first = apart(0) ? 'a' : apart(1) ? 'b' : all(a, b, 1) ? 'c' : all(b, a, -1) ? 'd' : 'e';
+        const char first = apart(0)        ? 'a'
+                           : apart(1)      ? 'b'
+                           : all(a, b, 1)  ? 'c'
+                           : all(b, a, -1) ? 'd'
+                                           : 'e';
         if (first < 'e')
             EXPECT_EQ(q.answer, std::string(1, first)) << q.text;
         else
@@ -149,13 +156,16 @@ TEST(Quiz, CountsWritesAsTheDistancesSay) {
     }
 }
 
-// Spans between the ends of what lies over each pixel of the line: where that changes, a segment ends.
+// Spans between the ends of what lies over each pixel of the line: where that changes, a segment
+// ends.
 TEST(Quiz, CountsSpansOfALine) {
     for (const Question& q : of_kind("spans")) {
         QuizStage stage(q);
         const auto over = polygons_over(stage.input);
         int spans = 0;
-        const auto at = [&](int x) { return over[std::size_t(*q.row) * quiz_width + std::size_t(x)]; };
+        const auto at = [&](int x) {
+            return over[std::size_t(*q.row) * quiz_width + std::size_t(x)];
+        };
         for (int x = 0; x < quiz_width; ++x)
             spans += !at(x).empty() && (x == 0 || at(x) != at(x - 1)) ? 1 : 0;
         EXPECT_EQ(q.answer, std::to_string(spans)) << q.text;
@@ -183,8 +193,8 @@ TEST(Quiz, TakesAnswersAsTheyAreWritten) {
 TEST(FragmentList, OfTheTruthIsRight) {
     Stage stage(case_scene("cycle"), vgx(), 48, 36);
     const std::string truth = fragments_text(stage.z_buffer.ids, stage.input);
-    const auto grade =
-        grade_fragments(read_fragments("truth.csv", truth, stage.input), stage.z_buffer.ids, stage.input);
+    const auto grade = grade_fragments(read_fragments("truth.csv", truth, stage.input),
+                                       stage.z_buffer.ids, stage.input);
     EXPECT_TRUE(grade.all_right());
     EXPECT_EQ(grade.expected, stage.z_buffer.counts.pixels);
     EXPECT_EQ(grade.right, grade.expected);
@@ -193,15 +203,16 @@ TEST(FragmentList, OfTheTruthIsRight) {
 // One mistake of each kind, put into the truth.
 TEST(FragmentList, IsGradedByTheMistakesMade) {
     Stage stage(case_scene("cycle"), vgx(), 48, 36);
-    auto list = read_fragments("list", fragments_text(stage.z_buffer.ids, stage.input), stage.input);
+    auto list =
+        read_fragments("list", fragments_text(stage.z_buffer.ids, stage.input), stage.input);
     const auto over = polygons_over(stage.input);
     const auto at = [&](const Fragment& f) -> const std::vector<std::uint32_t>& {
         return over[std::size_t(35 - f.y) * 48 + std::size_t(f.x)];
     };
-    const auto two =
-        std::find_if(list.begin(), list.end(), [&](const Fragment& f) { return at(f).size() == 2; });
-    const auto one =
-        std::find_if(list.begin(), list.end(), [&](const Fragment& f) { return at(f).size() == 1; });
+    const auto two = std::find_if(list.begin(), list.end(),
+                                  [&](const Fragment& f) { return at(f).size() == 2; });
+    const auto one = std::find_if(list.begin(), list.end(),
+                                  [&](const Fragment& f) { return at(f).size() == 1; });
     ASSERT_TRUE(two != list.end() && one != list.end());
     const Fragment second = *one, first = list.back();
     two->id = at(*two)[0] == two->id ? at(*two)[1] : at(*two)[0];  // the hidden one
@@ -236,9 +247,9 @@ TEST(FragmentList, RefusesWhatIsNone) {
         EXPECT_NE(message(text).find("list.csv:1: "), std::string::npos) << text;
         EXPECT_NE(message(text).find("expected x,y,polygon"), std::string::npos) << text;
     }
-    EXPECT_NE(
-        message("0,0,1\n48,0,1\n").find("list.csv:2: pixel 48,0 is outside the window; expected x 0..47"),
-        std::string::npos);
+    EXPECT_NE(message("0,0,1\n48,0,1\n")
+                  .find("list.csv:2: pixel 48,0 is outside the window; expected x 0..47"),
+              std::string::npos);
     EXPECT_NE(message("0,-1,1\n").find("outside the window"), std::string::npos);
     EXPECT_NE(message("0,0,4\n").find("no polygon 4; expected 1..3"), std::string::npos);
     EXPECT_NE(message("0,0,0\n").find("no polygon 0"), std::string::npos);

@@ -1,4 +1,5 @@
-// Claims: eq. 3 at every pixel is eq. 1 where nothing varies over a polygon, and better where it does. [K3s]
+// Claims: eq. 3 at every pixel is eq. 1 where nothing varies over a polygon, and better where it
+// does. [K3s]
 #include "cases.h"
 #include "hiddensurface/run/scan_line_renderer.h"
 #include "scene/draw/shading.h"
@@ -18,9 +19,10 @@ std::vector<Rgba> scan_line_colors(const scene::Scene& scene, int size) {
 }
 
 scene::Scene square(const scene::Material& material, const scene::Light& light) {
-    scene::Scene scene = polygon_scene({.primitive = Primitive::Quads,
-                                        .positions = {{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}},
-                                        .texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+    scene::Scene scene =
+        polygon_scene({.primitive = Primitive::Quads,
+                       .positions = {{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}},
+                       .texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
     scene.materials[0] = material;
     scene.lights.push_back(light);
     return scene;
@@ -38,14 +40,16 @@ TEST(ScanLineRenderer, IsLambertsLawUnderADirectionalLight) {
         scan_line_colors(square({.Ka = vec3(0.5f), .Kd = vec3(1), .Ks = vec3(0)},
                                 {.direction = {0, 0, -1}, .Ia = vec3(0.2f), .Id = vec3(0.5f)}),
                          8);
-    for (const Rgba& color : colors) EXPECT_EQ(color, (Rgba{153, 153, 153, 255}));  // 0.1 + 0.5 of 255
+    // 0.1 + 0.5 of 255
+    for (const Rgba& color : colors) EXPECT_EQ(color, (Rgba{153, 153, 153, 255}));
 }
 
 // A highlight in the middle of one large polygon: lighting at the corners cannot see it.
 TEST(ScanLineRenderer, ShowsAHighlightInsideAPolygon) {
-    const auto colors = scan_line_colors(square({.Ka = vec3(0), .Kd = vec3(0), .Ks = vec3(1), .Ns = 200},
-                                                {.direction = {0, 0, -1}, .Id = vec3(1)}),
-                                         33);
+    const auto colors =
+        scan_line_colors(square({.Ka = vec3(0), .Kd = vec3(0), .Ks = vec3(1), .Ns = 200},
+                                {.direction = {0, 0, -1}, .Id = vec3(1)}),
+                         33);
     EXPECT_GT(colors[16 * 33 + 16][0], 250);
     EXPECT_LT(colors[0][0], 20);
 }
@@ -61,7 +65,8 @@ TEST(ScanLineRenderer, ClearsToTheBackgroundAndLeavesZAlone) {
     EXPECT_EQ(machine->planes().depth, before);
 }
 
-// The same pixels as the machine's own jittered picture; and the light of the point that lies there then.
+// The same pixels as the machine's own jittered picture; and the light of the point that lies there
+// then.
 TEST(ScanLineRenderer, MovesWithTheJitterAsTheMachineDoes) {
     scene::Scene scene = random_triangles(3, 12);
     scene.materials[0] = {.Ka = vec3(0), .Kd = vec3(0), .Ks = vec3(0), .Ke = vec3(1)};
@@ -73,13 +78,15 @@ TEST(ScanLineRenderer, MovesWithTheJitterAsTheMachineDoes) {
         pictures.push_back(machine->planes().color);
         machine->execute(scene::id_pass(scene, view, {.jitter = jitter}));
         for (std::size_t i = 0; i < pictures.back().size(); ++i)
-            EXPECT_EQ(pictures.back()[i][0] != 0, scene::id_of(machine->planes().color[i]) != 0) << i;
+            EXPECT_EQ(pictures.back()[i][0] != 0, scene::id_of(machine->planes().color[i]) != 0)
+                << i;
     }
     EXPECT_NE(pictures[1], pictures[0]);
     EXPECT_NE(pictures[2], pictures[0]);
 }
 
-// A texture of a step at every pixel's middle: half a pixel of jitter moves the picture onto the other texel.
+// A texture of a step at every pixel's middle: half a pixel of jitter moves the picture onto the
+// other texel.
 TEST(ScanLineRenderer, ShadesThePointThatTheJitterMovesUnderThePixel) {
     scene::Scene scene = square({.Ka = vec3(0), .Kd = vec3(0), .Ks = vec3(0), .Ke = vec3(1)}, {});
     scene.camera->ortho_height = 18;           // the square fills the window of 18 x 18
@@ -96,11 +103,15 @@ TEST(ScanLineRenderer, ShadesThePointThatTheJitterMovesUnderThePixel) {
 }
 
 TEST(Shade, MultipliesEachComponentByItsOwnMap) {
-    scene::Material material{.Ka = vec3(1), .Kd = vec3(1), .Ks = vec3(1), .Ke = vec3(0.125f), .Ns = 1};
+    scene::Material material{
+        .Ka = vec3(1), .Kd = vec3(1), .Ks = vec3(1), .Ke = vec3(0.125f), .Ns = 1};
     material.map_Kd = {half_map()};
-    const gw::Light light{.position = {0, 0, 1, 0}, .Ia = vec3(0.25f), .Id = vec3(0.5f), .Is = vec3(0.25f)};
+    const gw::Light light{
+        .position = {0, 0, 1, 0}, .Ia = vec3(0.25f), .Id = vec3(0.5f), .Is = vec3(0.25f)};
     const scene::SurfacePoint left{.st = {0.25, 0.5}}, right{.st = {0.75, 0.5}};
-    const auto shaded = [&](const scene::SurfacePoint& p) { return scene::shade(material, {&light, 1}, p); };
+    const auto shaded = [&](const scene::SurfacePoint& p) {
+        return scene::shade(material, {&light, 1}, p);
+    };
     // The gloss and the emission are not reddened; the ambient map is the diffuse map.
     EXPECT_EQ(shaded(left), dvec3(0.25 + 0.5 + 0.25 + 0.125, 0.375, 0.375));
     EXPECT_EQ(shaded(right), dvec3(0.375, 0.25 + 0.5 + 0.25 + 0.125, 0.375));

@@ -1,4 +1,5 @@
-// A folder that goes away with the test, and files read through OpenImageIO itself. Does not use image/.
+// A folder that goes away with the test, and files read through OpenImageIO itself. Does not use
+// image/.
 #pragma once
 
 #include "../temporary_folder.h"
@@ -37,8 +38,8 @@ Stored<T> stored_in(const std::filesystem::path& file) {
     if (!input) return found;
     found.spec = input->spec();
     found.values.resize(found.spec.image_pixels() * static_cast<std::size_t>(found.spec.nchannels));
-    EXPECT_TRUE(
-        input->read_image(0, 0, 0, found.spec.nchannels, OIIO::BaseTypeFromC<T>::value, found.values.data()));
+    EXPECT_TRUE(input->read_image(0, 0, 0, found.spec.nchannels, OIIO::BaseTypeFromC<T>::value,
+                                  found.values.data()));
     return found;
 }
 

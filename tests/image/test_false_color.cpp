@@ -26,7 +26,8 @@ TEST(StencilColors, ShowZeroAloneAsBlack) {
     for (std::size_t i = 0; i < 256; ++i) all[i] = static_cast<std::uint8_t>(i);
     const Picture picture = stencil_colors(all, 256, 1);
     for (std::size_t i = 0; i < 256; ++i) {
-        const bool black = picture.values[3 * i] + picture.values[3 * i + 1] + picture.values[3 * i + 2] == 0;
+        const bool black =
+            picture.values[3 * i] + picture.values[3 * i + 1] + picture.values[3 * i + 2] == 0;
         EXPECT_EQ(black, i == 0) << i;
     }
 }
@@ -37,7 +38,8 @@ TEST(IdColors, DifferForSixtyFourThousandIdsAndAreBlackForNone) {
     const Picture picture = id_colors(ids, 64000, 1, 0);
     std::set<std::array<std::uint16_t, 3>> colors;
     for (std::size_t i = 0; i < ids.size(); ++i) {
-        colors.insert({picture.values[3 * i], picture.values[3 * i + 1], picture.values[3 * i + 2]});
+        colors.insert(
+            {picture.values[3 * i], picture.values[3 * i + 1], picture.values[3 * i + 2]});
     }
     EXPECT_EQ(colors.size(), ids.size());
     EXPECT_EQ(picture.values[0] + picture.values[1] + picture.values[2], 0);

@@ -13,10 +13,13 @@ namespace {
 
 Layers example() {
     const float tiny = std::numeric_limits<float>::denorm_min();
-    return {
-        .facts = {{"kind", "example"}, {"shots", "12"}},
-        .layers = {{"floor", 2, 3, {"R", "R.rest"}, {1, tiny, -2.5f, 3e38f, 0, -0.0f, 7, 8, 9, 10, 11, 12}},
-                   {"a wall", 1, 1, {"R", "R.rest"}, {0.1f, 1e-9f}}}};
+    return {.facts = {{"kind", "example"}, {"shots", "12"}},
+            .layers = {{"floor",
+                        2,
+                        3,
+                        {"R", "R.rest"},
+                        {1, tiny, -2.5f, 3e38f, 0, -0.0f, 7, 8, 9, 10, 11, 12}},
+                       {"a wall", 1, 1, {"R", "R.rest"}, {0.1f, 1e-9f}}}};
 }
 
 class LayersTest : public testing::Test {

@@ -11,7 +11,8 @@ protected:
     void SetUp() override {
         set_origin("gw render 'a b' -o c");
         write_file(folder / "c", "bytes");
-        if (!folder.keeps_attributes()) GTEST_SKIP() << "no extended attributes in " << folder.path();
+        if (!folder.keeps_attributes())
+            GTEST_SKIP() << "no extended attributes in " << folder.path();
     }
     ~Origin() override { set_origin(""); }
 

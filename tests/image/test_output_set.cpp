@@ -55,10 +55,12 @@ TEST(OutputSet, RefusesAFileAsFolderAndAFolderWithoutParent) {
         }
         return "made";
     };
-    EXPECT_NE(refusal(folder / "file").find("file: is not a folder; expected one"), std::string::npos);
+    EXPECT_NE(refusal(folder / "file").find("file: is not a folder; expected one"),
+              std::string::npos);
     const std::string orphan = refusal(folder / "missing/sub");
     EXPECT_NE(orphan.find("missing/sub: folder cannot be made: "), std::string::npos) << orphan;
-    EXPECT_NE(orphan.find("; expected a name in a folder that can be written into"), std::string::npos)
+    EXPECT_NE(orphan.find("; expected a name in a folder that can be written into"),
+              std::string::npos)
         << orphan;
 }
 

@@ -1,5 +1,5 @@
-// PNG files of every kind that the format knows become the same texels as OpenImageIO finds in them; none
-// that is damaged does.
+// PNG files of every kind that the format knows become the same texels as OpenImageIO finds in
+// them; none that is damaged does.
 #include "image/textures.h"
 #include "image/write.h"
 
@@ -24,25 +24,27 @@ constexpr int width = 9, height = 5;
 
 void write_header(png_structp png, png_infop info, const Kind& kind) {
     png_set_IHDR(png, info, width, height, kind.bits, kind.color_type,
-                 kind.interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
+                 kind.interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     const png_color palette[] = {{10, 20, 30}, {40, 50, 60}, {70, 80, 90}, {100, 110, 120}};
     png_byte alphas[] = {0, 77};
     png_color_16 key{.index = 0, .red = 1, .green = 1, .blue = 1, .gray = 1};
     const bool indexed = kind.color_type == PNG_COLOR_TYPE_PALETTE;
     if (indexed) png_set_PLTE(png, info, palette, 4);
-    if (kind.transparent) png_set_tRNS(png, info, alphas, indexed ? 2 : 0, indexed ? nullptr : &key);
+    if (kind.transparent)
+        png_set_tRNS(png, info, alphas, indexed ? 2 : 0, indexed ? nullptr : &key);
     png_set_gAMA(png, info, 1.0);  // not looked at
     png_write_info(png, info);
 }
 
-/// Indices 0 .. 3 where there is a palette, else bytes of all values with some that are the transparent
-/// colour.
+/// Indices 0 .. 3 where there is a palette, else bytes of all values with some that are the
+/// transparent colour.
 std::vector<png_byte> row_of(const Kind& kind, std::size_t bytes, int y) {
     std::vector<png_byte> row(bytes);
     for (std::size_t i = 0; i < bytes; ++i) {
         const auto byte = static_cast<unsigned>(y * 53 + static_cast<int>(i) * 31);
-        row[i] = static_cast<png_byte>(kind.color_type == PNG_COLOR_TYPE_PALETTE && kind.bits == 8 ? byte % 4
+        row[i] = static_cast<png_byte>(kind.color_type == PNG_COLOR_TYPE_PALETTE && kind.bits == 8
+                                           ? byte % 4
                                        : y == 1 ? (kind.bits == 16 ? i % 2 : 1)
                                                 : byte);
     }
@@ -72,15 +74,16 @@ std::vector<std::uint16_t> judged(const std::filesystem::path& file) {
     auto input = OIIO::ImageInput::open(file.string(), &hints);
     const auto channels = static_cast<std::size_t>(input->spec().nchannels);
     std::vector<std::uint16_t> values(width * height * channels);
-    EXPECT_TRUE(input->read_image(0, 0, 0, input->spec().nchannels, OIIO::TypeUInt16, values.data()));
+    EXPECT_TRUE(
+        input->read_image(0, 0, 0, input->spec().nchannels, OIIO::TypeUInt16, values.data()));
     std::vector<std::uint16_t> rgba;
     for (int y = height - 1; y >= 0; --y) {
         for (int x = 0; x < width; ++x) {
             const std::uint16_t* v = &values[static_cast<std::size_t>(y * width + x) * channels];
             const std::size_t color = channels < 3 ? 0 : 1;
             const bool alpha = channels % 2 == 0;
-            rgba.insert(rgba.end(),
-                        {v[0], v[color], v[2 * color], alpha ? v[channels - 1] : std::uint16_t{65535}});
+            rgba.insert(rgba.end(), {v[0], v[color], v[2 * color],
+                                     alpha ? v[channels - 1] : std::uint16_t{65535}});
         }
     }
     return rgba;
@@ -91,18 +94,19 @@ std::vector<std::uint16_t> judged(const std::filesystem::path& file) {
 class PngKind : public testing::TestWithParam<Kind> {};
 INSTANTIATE_TEST_SUITE_P(
     , PngKind,
-    testing::Values(Kind{"grey1", PNG_COLOR_TYPE_GRAY, 1}, Kind{"grey2", PNG_COLOR_TYPE_GRAY, 2},
-                    Kind{"grey4", PNG_COLOR_TYPE_GRAY, 4}, Kind{"grey8", PNG_COLOR_TYPE_GRAY, 8},
-                    Kind{"grey16", PNG_COLOR_TYPE_GRAY, 16}, Kind{"grey_key", PNG_COLOR_TYPE_GRAY, 8, true},
-                    Kind{"grey_alpha8", PNG_COLOR_TYPE_GRAY_ALPHA, 8},
-                    Kind{"grey_alpha16", PNG_COLOR_TYPE_GRAY_ALPHA, 16}, Kind{"rgb8", PNG_COLOR_TYPE_RGB, 8},
-                    Kind{"rgb16", PNG_COLOR_TYPE_RGB, 16}, Kind{"rgb_key", PNG_COLOR_TYPE_RGB, 8, true},
-                    Kind{"rgb16_key", PNG_COLOR_TYPE_RGB, 16, true},
-                    Kind{"rgba8", PNG_COLOR_TYPE_RGB_ALPHA, 8}, Kind{"rgba16", PNG_COLOR_TYPE_RGB_ALPHA, 16},
-                    Kind{"indexed2", PNG_COLOR_TYPE_PALETTE, 2}, Kind{"indexed8", PNG_COLOR_TYPE_PALETTE, 8},
-                    Kind{"indexed_alpha", PNG_COLOR_TYPE_PALETTE, 2, true},
-                    Kind{"interlaced", PNG_COLOR_TYPE_RGB, 8, false, true},
-                    Kind{"interlaced_grey1", PNG_COLOR_TYPE_GRAY, 1, false, true}),
+    testing::Values(
+        Kind{"grey1", PNG_COLOR_TYPE_GRAY, 1}, Kind{"grey2", PNG_COLOR_TYPE_GRAY, 2},
+        Kind{"grey4", PNG_COLOR_TYPE_GRAY, 4}, Kind{"grey8", PNG_COLOR_TYPE_GRAY, 8},
+        Kind{"grey16", PNG_COLOR_TYPE_GRAY, 16}, Kind{"grey_key", PNG_COLOR_TYPE_GRAY, 8, true},
+        Kind{"grey_alpha8", PNG_COLOR_TYPE_GRAY_ALPHA, 8},
+        Kind{"grey_alpha16", PNG_COLOR_TYPE_GRAY_ALPHA, 16}, Kind{"rgb8", PNG_COLOR_TYPE_RGB, 8},
+        Kind{"rgb16", PNG_COLOR_TYPE_RGB, 16}, Kind{"rgb_key", PNG_COLOR_TYPE_RGB, 8, true},
+        Kind{"rgb16_key", PNG_COLOR_TYPE_RGB, 16, true}, Kind{"rgba8", PNG_COLOR_TYPE_RGB_ALPHA, 8},
+        Kind{"rgba16", PNG_COLOR_TYPE_RGB_ALPHA, 16}, Kind{"indexed2", PNG_COLOR_TYPE_PALETTE, 2},
+        Kind{"indexed8", PNG_COLOR_TYPE_PALETTE, 8},
+        Kind{"indexed_alpha", PNG_COLOR_TYPE_PALETTE, 2, true},
+        Kind{"interlaced", PNG_COLOR_TYPE_RGB, 8, false, true},
+        Kind{"interlaced_grey1", PNG_COLOR_TYPE_GRAY, 1, false, true}),
     [](const auto& kind) { return kind.param.name; });
 
 TEST_P(PngKind, HoldsTheTexelsThatOpenImageIOFinds) {
@@ -144,7 +148,8 @@ TEST(ReadPng, RefusesPixelsOfWhichOneBitIsDamaged) {
         std::string damaged = whole;
         damaged[byte] = static_cast<char>(damaged[byte] ^ 4);
         folder.write("damaged.png", damaged);
-        EXPECT_NE(refusal(folder / "damaged.png").find("expected a whole picture file"), std::string::npos)
+        EXPECT_NE(refusal(folder / "damaged.png").find("expected a whole picture file"),
+                  std::string::npos)
             << byte;
     }
 }

@@ -15,7 +15,8 @@ namespace {
 
 template <class T>
 void write_raw(const std::filesystem::path& file, int width, int height, int channels,
-               const std::vector<T>& values, OIIO::TypeDesc stored = OIIO::BaseTypeFromC<T>::value) {
+               const std::vector<T>& values,
+               OIIO::TypeDesc stored = OIIO::BaseTypeFromC<T>::value) {
     auto output = OIIO::ImageOutput::create(file.string());
     OIIO::ImageSpec spec(width, height, channels, stored);
     spec.attribute("oiio:UnassociatedAlpha", 1);
@@ -51,8 +52,8 @@ TEST(ReadTexture, TurnsTheBottomRowFirst) {
 TEST(ReadTexture, KeepsColourUnderAlphaAsItIsStored) {
     const Folder folder;
     write_raw<std::uint8_t>(folder / "a.png", 2, 1, 4, {200, 100, 50, 0, 200, 100, 50, 128});
-    EXPECT_EQ(texels(folder / "a.png"),
-              (Texels{200 * 257, 100 * 257, 50 * 257, 0, 200 * 257, 100 * 257, 50 * 257, 128 * 257}));
+    EXPECT_EQ(texels(folder / "a.png"), (Texels{200 * 257, 100 * 257, 50 * 257, 0, 200 * 257,
+                                                100 * 257, 50 * 257, 128 * 257}));
 }
 
 TEST(ReadTexture, SpreadsGreyAndGreyWithAlpha) {
@@ -79,8 +80,11 @@ TEST(ReadTexture, ClampsFloatsAndRounds) {
 
 TEST(ReadTexture, ReadsWhatWritePictureWrote) {
     const Folder folder;
-    const Picture picture{
-        .width = 2, .height = 2, .channels = 3, .bits = 8, .values = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}};
+    const Picture picture{.width = 2,
+                          .height = 2,
+                          .channels = 3,
+                          .bits = 8,
+                          .values = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}};
     for (const char* name : {"a.png", "a.tif", "a.exr"}) {
         write_picture(folder / name, picture);
         Texels expected;

@@ -26,7 +26,8 @@ std::vector<T> top_row_first(const Picture& picture) {
     std::vector<T> values;
     const int row = picture.width * picture.channels;
     for (int y = picture.height - 1; y >= 0; --y) {
-        values.insert(values.end(), picture.values.begin() + y * row, picture.values.begin() + (y + 1) * row);
+        values.insert(values.end(), picture.values.begin() + y * row,
+                      picture.values.begin() + (y + 1) * row);
     }
     return values;
 }
@@ -34,7 +35,8 @@ std::vector<T> top_row_first(const Picture& picture) {
 }  // namespace
 
 class LosslessFormat : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(, LosslessFormat, testing::Values("png", "tif", "ppm", "bmp", "tga", "sgi", "PNG"));
+INSTANTIATE_TEST_SUITE_P(, LosslessFormat,
+                         testing::Values("png", "tif", "ppm", "bmp", "tga", "sgi", "PNG"));
 
 TEST_P(LosslessFormat, HoldsEightBitsAsTheyAre) {
     const Folder folder;
@@ -49,8 +51,8 @@ TEST_P(LosslessFormat, HoldsEightBitsAsTheyAre) {
 
 class DeepFormat : public testing::TestWithParam<std::pair<const char*, int>> {};
 INSTANTIATE_TEST_SUITE_P(, DeepFormat,
-                         testing::Values(std::pair("png", 12), std::pair("png", 16), std::pair("tif", 12),
-                                         std::pair("tif", 16)));
+                         testing::Values(std::pair("png", 12), std::pair("png", 16),
+                                         std::pair("tif", 12), std::pair("tif", 16)));
 
 TEST_P(DeepFormat, HoldsMoreBitsInSixteenAndGivesThemBack) {
     const auto [extension, bits] = GetParam();
@@ -65,15 +67,18 @@ TEST_P(DeepFormat, HoldsMoreBitsInSixteenAndGivesThemBack) {
 
 TEST(WritePicture, ScalesTwelveBitsToTheWholeRange) {
     const Folder folder;
-    const Picture picture{.width = 3, .height = 1, .channels = 1, .bits = 12, .values = {0, 1, 4095}};
+    const Picture picture{
+        .width = 3, .height = 1, .channels = 1, .bits = 12, .values = {0, 1, 4095}};
     write_picture(folder / "a.png", picture);
-    EXPECT_EQ(stored_in<std::uint16_t>(folder / "a.png").values, (std::vector<std::uint16_t>{0, 16, 65535}));
+    EXPECT_EQ(stored_in<std::uint16_t>(folder / "a.png").values,
+              (std::vector<std::uint16_t>{0, 16, 65535}));
 }
 
 TEST(WritePicture, RoundsToEightBitsWhereTheFormatHasNoMore) {
     const Folder folder;
     // 128/65535 of 255 is 0.498, 129/65535 is 0.502
-    const Picture picture{.width = 4, .height = 1, .channels = 1, .bits = 16, .values = {0, 128, 129, 65535}};
+    const Picture picture{
+        .width = 4, .height = 1, .channels = 1, .bits = 16, .values = {0, 128, 129, 65535}};
     write_picture(folder / "a.bmp", picture);
     const auto found = stored_in<std::uint8_t>(folder / "a.bmp");
     for (std::size_t i = 0; i < 4; ++i) {
@@ -99,8 +104,9 @@ TEST_P(ExrBits, HoldFractionsThatGiveEveryValueBack) {
 
 class UsualFormat : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(, UsualFormat,
-                         testing::Values("png", "exr", "tif", "tiff", "jpg", "bmp", "tga", "ppm", "hdr",
-                                         "dpx", "webp", "gif", "sgi", "rla", "iff", "jp2", "fits"));
+                         testing::Values("png", "exr", "tif", "tiff", "jpg", "bmp", "tga", "ppm",
+                                         "hdr", "dpx", "webp", "gif", "sgi", "rla", "iff", "jp2",
+                                         "fits"));
 
 TEST_P(UsualFormat, IsReadableWithItsSizeForEveryNumberOfBits) {
     for (int bits : {8, 12, 16}) {
@@ -135,7 +141,8 @@ TEST(WritePicture, RefusesAnUnknownExtensionAndListsUsualOnes) {
             write_picture(folder / name, sample_picture(8));
             ADD_FAILURE() << name;
         } catch (const Error& error) {
-            EXPECT_NE(std::string(error.what()).find("expected .png, .exr, .tif"), std::string::npos);
+            EXPECT_NE(std::string(error.what()).find("expected .png, .exr, .tif"),
+                      std::string::npos);
         }
         EXPECT_TRUE(folder.names().empty());
     }

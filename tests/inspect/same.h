@@ -18,7 +18,8 @@ inline bool same(const Command& a, const Command& b) {
     const auto* x = std::get_if<Draw>(&a);
     if (!x) return a == b;
     Draw y = std::get<Draw>(b);
-    if (!same(x->mesh, y.mesh) || !same(x->map.texture, y.map.texture) || !same(x->lights, y.lights))
+    if (!same(x->mesh, y.mesh) || !same(x->map.texture, y.map.texture) ||
+        !same(x->lights, y.lights))
         return false;
     y.mesh = x->mesh;
     y.map.texture = x->map.texture;

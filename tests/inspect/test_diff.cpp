@@ -1,10 +1,11 @@
-// Claims: the first difference of two recordings is named: profile, command, state's field, mesh's element,
-// map, light; and of their planes the pass, the worst pixel, and the fragment that made it.
+// Claims: the first difference of two recordings is named: profile, command, state's field, mesh's
+// element, map, light; and of their planes the pass, the worst pixel, and the fragment that made
+// it.
 #include <gtest/gtest.h>
 
 #include "inspect/compare/command_difference.h"
-#include "inspect/replay/player.h"
 #include "inspect/compare/result_difference.h"
+#include "inspect/replay/player.h"
 #include "same.h"
 #include "three_passes.h"
 
@@ -61,7 +62,8 @@ TEST(Diff, NamesWhatDiffers) {
               "pass 0 'p', command 1 (Draw), number of lights: expected 0, got 1\n");
     other = draw;
     other.map.texture = make_texture8("wood", 1, 1, std::vector<std::uint8_t>{1, 2, 3, 4});
-    EXPECT_EQ(first(a, with_draw(other)), "pass 0 'p', command 1 (Draw), map: expected none, got wood\n");
+    EXPECT_EQ(first(a, with_draw(other)),
+              "pass 0 'p', command 1 (Draw), map: expected none, got wood\n");
     other = draw;
     other.eye_from_object[3].x = 1;
     EXPECT_NE(first(a, with_draw(other)).find("eye_from_object"), std::string::npos);
@@ -77,7 +79,8 @@ TEST(Diff, NamesTheStatesField) {
     b = a;
     b.lists[0].add(Clear{});
     EXPECT_EQ(first(a, b), "number of commands: expected 1, got 2\n");
-    EXPECT_EQ(first(a, recording_of(Clear{})), "command 0 (SetState), kind: expected SetState, got Clear\n");
+    EXPECT_EQ(first(a, recording_of(Clear{})),
+              "command 0 (SetState), kind: expected SetState, got Clear\n");
 }
 
 TEST(Diff, FindsTheWorstPixelAndItsFragment) {

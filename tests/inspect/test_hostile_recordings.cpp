@@ -1,5 +1,5 @@
-// Claim: whatever bytes stand in a recording, decoding ends with a recording or with an Error that says why,
-// and uses no more memory than the limits say.
+// Claim: whatever bytes stand in a recording, decoding ends with a recording or with an Error that
+// says why, and uses no more memory than the limits say.
 #include <gtest/gtest.h>
 
 #include "gw/error.h"
@@ -90,11 +90,13 @@ TEST(HostileRecording, MemoryOfTheMachineIsBounded) {
     recording.width = recording.height = 4096;
     for (std::uint32_t slot = 0; slot < 256; ++slot)
         recording.lists[0].add(CopyTexture{.slot = slot, .rect = {0, 0, 4096, 4096}});
-    EXPECT_EQ(refusal(recording), "list 0: texture slots and read-backs of more than 1024 MB; expected less");
+    EXPECT_EQ(refusal(recording),
+              "list 0: texture slots and read-backs of more than 1024 MB; expected less");
     recording.lists[0].commands.clear();
     for (std::uint32_t key = 0; key < 1000; ++key)
         recording.lists[0].add(Read{.key = key, .rect = {0, 0, 4096, 4096}});
-    EXPECT_EQ(refusal(recording), "list 0: texture slots and read-backs of more than 1024 MB; expected less");
+    EXPECT_EQ(refusal(recording),
+              "list 0: texture slots and read-backs of more than 1024 MB; expected less");
     recording.lists[0].commands.clear();
     for (int i = 0; i < 1000; ++i) recording.lists[0].add(Read{.rect = {0, 0, 4096, 4096}});
     EXPECT_EQ(refusal(recording), "none") << "one key, one rectangle";
@@ -115,7 +117,8 @@ TEST(HostileRecording, PairsOfTexelsAreMemoryToo) {
     draw_wrapped(Wrap::Clamp, Wrap::Repeat);
     EXPECT_EQ(refusal(recording), "none") << "three slots of 256 MB, two times 128 MB of pairs";
     draw_wrapped(Wrap::Clamp, Wrap::Clamp);
-    EXPECT_EQ(refusal(recording), "list 0: texture slots and read-backs of more than 1024 MB; expected less");
+    EXPECT_EQ(refusal(recording),
+              "list 0: texture slots and read-backs of more than 1024 MB; expected less");
 }
 
 TEST(HostileRecording, WhatIsDecodedIsBoundedHoweverOftenTheFileRefersToIt) {

@@ -1,5 +1,5 @@
-// Claims: a pixel's history has every fragment that reached it, in order, with the stage that killed it, and
-// every command that touched it; maps count the same fragments.
+// Claims: a pixel's history has every fragment that reached it, in order, with the stage that
+// killed it, and every command that touched it; maps count the same fragments.
 #include <gtest/gtest.h>
 
 #include "inspect/compare/compare_machines.h"
@@ -26,10 +26,12 @@ Recording killers() {
     list.add(BeginPass{.name = "all"});
     list.add(Clear{.planes = all_planes, .stencil = 3});
     write({.alpha = {.test = true, .func = AlphaFunc::Greater, .ref = 0.5f}}, {1, 1, 1, 100}, 1);
-    write({.stencil = {.test = true, .func = StencilFunc::Equal, .ref = 9, .fail = StencilOp::Incr}},
-          {2, 2, 2, 2}, 2);
+    write(
+        {.stencil = {.test = true, .func = StencilFunc::Equal, .ref = 9, .fail = StencilOp::Incr}},
+        {2, 2, 2, 2}, 2);
     write({.depth = {.test = true, .func = DepthFunc::Greater}}, {3, 3, 3, 3}, 3);
-    write({.blend = {.enable = true, .src = BlendFactor::One, .dst = BlendFactor::One}}, {4, 4, 4, 4}, 4);
+    write({.blend = {.enable = true, .src = BlendFactor::One, .dst = BlendFactor::One}},
+          {4, 4, 4, 4}, 4);
     list.add(Accumulate{AccumOp::Accum, 2});
     list.add(Copy{.plane = Plane::Color, .source = {0, 0, 1, 1}, .x = 1, .y = 1});
     r.lists.push_back(list);
@@ -78,8 +80,8 @@ TEST(PixelHistory, EndsWithThePlanesOfTheMachineForEveryPixel) {
                     last = e.after;
                 }
                 const std::size_t i = planes.index(x, y);
-                ASSERT_EQ(last,
-                          (PixelValues{planes.color[i], planes.depth[i], planes.stencil[i], planes.accum[i]}))
+                ASSERT_EQ(last, (PixelValues{planes.color[i], planes.depth[i], planes.stencil[i],
+                                             planes.accum[i]}))
                     << suite.name;
             }
     }

@@ -1,5 +1,5 @@
-// Claims: a recording replays to the same planes on both machines, however it is cut; a machine with a fault
-// is found, with pass, plane, pixel and both values.
+// Claims: a recording replays to the same planes on both machines, however it is cut; a machine
+// with a fault is found, with pass, plane, pixel and both values.
 #include <gtest/gtest.h>
 
 #include "inspect/compare/compare_machines.h"
@@ -15,8 +15,10 @@ TEST(Replay, GivesTheSamePlanesOnBothMachines) {
     for (const fuzz::Suite& suite : fuzz::suites())
         for (std::uint64_t i = 0; i < 8; ++i) {
             const Recording recording = decode(encode(recording_of(fuzz::make_case(suite, i))));
-            const auto finding = compare_machines(recording, maker_of("reference"), maker_of("fast", 2));
-            ASSERT_FALSE(finding) << suite.name << " " << i << ": " << text(*finding, recording.height);
+            const auto finding =
+                compare_machines(recording, maker_of("reference"), maker_of("fast", 2));
+            ASSERT_FALSE(finding) << suite.name << " " << i << ": "
+                                  << text(*finding, recording.height);
         }
 }
 
@@ -58,18 +60,20 @@ TEST(Replay, AWrongMachineIsFoundOut) {
     const Recording recording = three_passes();
     const auto finding = compare_machines(recording, maker_of("reference"), wrong(too_green));
     ASSERT_TRUE(finding);
-    EXPECT_EQ(text(*finding, recording.height),
-              "pass 1 'first', plane color, pixel 3 3: expected 100 100 100 255, got 100 101 100 255; stage: "
-              "shading, texture, fog, blending or the colour mask\n"
-              "  after command 3 of the recording (WritePixels), the first whose planes differ\n");
+    EXPECT_EQ(
+        text(*finding, recording.height),
+        "pass 1 'first', plane color, pixel 3 3: expected 100 100 100 255, got 100 101 100 255; stage: "
+        "shading, texture, fog, blending or the colour mask\n"
+        "  after command 3 of the recording (WritePixels), the first whose planes differ\n");
 }
 
 TEST(Replay, ADifferenceInCountsAloneIsFoundToo) {
     const Recording recording = three_passes();
-    const auto finding = compare_machines(recording, maker_of("reference"), wrong([](Command& command) {
-                                              if (auto* clear = std::get_if<Clear>(&command))
-                                                  clear->planes &= ~mask_of(Plane::Stencil);
-                                          }));
+    const auto finding =
+        compare_machines(recording, maker_of("reference"), wrong([](Command& command) {
+                             if (auto* clear = std::get_if<Clear>(&command))
+                                 clear->planes &= ~mask_of(Plane::Stencil);
+                         }));
     ASSERT_TRUE(finding);
     EXPECT_EQ(finding->what, "counter pixels");
     EXPECT_EQ(finding->stage, "pixel commands");

@@ -1,5 +1,5 @@
-// Claims: a manifest is as its recording is, comes back from its JSON, and any other machine or recording is
-// found out by pass, plane, pixel, both values and stage.
+// Claims: a manifest is as its recording is, comes back from its JSON, and any other machine or
+// recording is found out by pass, plane, pixel, both values and stage.
 #include <gtest/gtest.h>
 
 #include "gw/error.h"
@@ -57,7 +57,8 @@ TEST(Manifest, IsTheSameFromEachMachineAndInAnyPieces) {
 
 TEST(Manifest, ComesBackFromItsJson) {
     for (const fuzz::Suite& suite : fuzz::suites()) {
-        Manifest manifest = replayed_manifest(recording_of(fuzz::make_case(suite, 2)), fast, nullptr);
+        Manifest manifest =
+            replayed_manifest(recording_of(fuzz::make_case(suite, 2)), fast, nullptr);
         manifest.values = "a.values";
         EXPECT_EQ(manifest_from_json(to_json(manifest)), manifest) << suite.name;
     }
@@ -75,8 +76,9 @@ TEST(Manifest, WrongJsonIsRefusedByMember) {
               "the manifest is of version 2; expected 1");
     EXPECT_EQ(refusal(replaced(json, "\"width\": 8", "\"width\": 8.5")),
               "the manifest 'width' is 8.5; expected a whole number");
-    EXPECT_NE(refusal(replaced(json, "\"name\":\"first\",", "")).find("pass 1 has no member 'name'"),
-              std::string::npos);
+    EXPECT_NE(
+        refusal(replaced(json, "\"name\":\"first\",", "")).find("pass 1 has no member 'name'"),
+        std::string::npos);
     EXPECT_NE(refusal(replaced(json, "\"written\"", "\"writen\"")).find("pass 1 counters has"),
               std::string::npos);
 }
@@ -94,10 +96,11 @@ TEST(Verify, AWrongMachineIsNamedByPixelWithTheHelpOfAnother) {
     const Verification v = verify(recording, manifest, {}, wrong(too_green), reference);
     ASSERT_TRUE(v.finding);
     EXPECT_TRUE(v.same_commands);
-    EXPECT_EQ(text(*v.finding, recording.height),
-              "pass 1 'first', plane color, pixel 3 3: expected 100 100 100 255, got 100 101 100 255; stage: "
-              "shading, texture, fog, blending or the colour mask\n"
-              "  1 pixel of this plane differs\n");
+    EXPECT_EQ(
+        text(*v.finding, recording.height),
+        "pass 1 'first', plane color, pixel 3 3: expected 100 100 100 255, got 100 101 100 255; stage: "
+        "shading, texture, fog, blending or the colour mask\n"
+        "  1 pixel of this plane differs\n");
 }
 
 TEST(Verify, AnotherRecordingIsNamedByPixelWithTheHelpOfStoredValues) {
@@ -112,11 +115,12 @@ TEST(Verify, AnotherRecordingIsNamedByPixelWithTheHelpOfStoredValues) {
     ASSERT_TRUE(v.finding);
     EXPECT_FALSE(v.same_commands);
     EXPECT_TRUE(v.same_scene);
-    EXPECT_EQ(text(*v.finding, other.height),
-              "pass 1 'first', plane color, pixel 3 3: expected 100 100 100 255, got 100 101 100 255; stage: "
-              "shading, texture, fog, blending or the colour mask\n"
-              "  state depth.mask: expected as the pass before, got off\n"
-              "  1 pixel of this plane differs\n");
+    EXPECT_EQ(
+        text(*v.finding, other.height),
+        "pass 1 'first', plane color, pixel 3 3: expected 100 100 100 255, got 100 101 100 255; stage: "
+        "shading, texture, fog, blending or the colour mask\n"
+        "  state depth.mask: expected as the pass before, got off\n"
+        "  1 pixel of this plane differs\n");
 }
 
 TEST(Verify, WithoutValuesThePlaneIsNamed) {
@@ -154,7 +158,8 @@ TEST(Values, AreThePlanesAfterEachPass) {
         for (std::size_t i = 0; i < manifest.passes.size(); ++i) {
             const Planes planes = planes_after(bytes, recording.width, recording.height, i);
             for (const Plane plane : planes_in_order)
-                EXPECT_EQ(digest(planes, plane), manifest.passes[i].report.digests[std::size_t(plane)]);
+                EXPECT_EQ(digest(planes, plane),
+                          manifest.passes[i].report.digests[std::size_t(plane)]);
         }
     }
 }

@@ -5,8 +5,8 @@
 
 namespace gw::inspect {
 
-/// 8 x 6 pixels. "clear": everything. "first": a grey square at (2, 1). "second": the accumulation buffer is
-/// loaded, and the stencil of a square at (3, 2) is written.
+/// 8 x 6 pixels. "clear": everything. "first": a grey square at (2, 1). "second": the accumulation
+/// buffer is loaded, and the stencil of a square at (3, 2) is written.
 inline Recording three_passes() {
     Recording r;
     r.width = 8;
@@ -16,7 +16,8 @@ inline Recording three_passes() {
     list.add(BeginPass{.name = "clear"});
     list.add(Clear{.planes = all_planes});
     list.add(BeginPass{.name = "first"});
-    list.add(WritePixels{.rect = {2, 1, 2, 2}, .colors = std::vector<Rgba>(4, Rgba{100, 100, 100, 255})});
+    list.add(WritePixels{.rect = {2, 1, 2, 2},
+                         .colors = std::vector<Rgba>(4, Rgba{100, 100, 100, 255})});
     r.lists.push_back(list);
     CommandList second;
     second.add(BeginPass{.name = "second"});
@@ -26,8 +27,8 @@ inline Recording three_passes() {
     return r;
 }
 
-/// The colour of one pixel of every colour rectangle, one too much green: window pixel (3, 2), picture pixel
-/// (3, 3).
+/// The colour of one pixel of every colour rectangle, one too much green: window pixel (3, 2),
+/// picture pixel (3, 3).
 inline void too_green(Command& command) {
     auto* pixels = std::get_if<WritePixels>(&command);
     if (pixels && pixels->plane == Plane::Color) pixels->colors.back()[1] += 1;

@@ -54,17 +54,18 @@ TEST(ItemBuffer, IsTheSameInSeveralPasses) {
     }
 }
 
-/// A needle and a crumb, both a small part of a pixel wide: [K4a] 64 item buffers, moved by less than a
-/// pixel, find them in proportion to their area; one finds of them what chance gives, and adaptive sampling,
-/// which divides pixels whose neighbours differ, has nothing to go by where one item buffer sees none of
-/// them.
+/// A needle and a crumb, both a small part of a pixel wide: [K4a] 64 item buffers, moved by less
+/// than a pixel, find them in proportion to their area; one finds of them what chance gives, and
+/// adaptive sampling, which divides pixels whose neighbours differ, has nothing to go by where one
+/// item buffer sees none of them.
 TEST(ItemBuffer, ManyFindWhatIsSmallerThanAPixelInProportionToItsArea) {
     const double pixel = 0.1;  // world units
     raytrace::Walls walls;
-    walls.scene.camera =
-        scene::Camera{.eye = {0, 0, 5}, .near_plane = 0.5, .far_plane = 50, .ortho_height = height * pixel};
+    walls.scene.camera = scene::Camera{
+        .eye = {0, 0, 5}, .near_plane = 0.5, .far_plane = 50, .ortho_height = height * pixel};
     const double needle_width = 0.25 * pixel, needle_height = 40 * pixel, crumb = 0.5 * pixel;
-    walls.add({-2.13f, 0.07f, 0}, {float(needle_width / 2), 0, 0}, {0, float(needle_height / 2), 0});
+    walls.add({-2.13f, 0.07f, 0}, {float(needle_width / 2), 0, 0},
+              {0, float(needle_height / 2), 0});
     walls.add({2.33f, 1.38f, 0}, {float(crumb / 2), 0, 0}, {0, float(crumb / 2), 0});
     const scene::View view = scene::make_view(walls.scene, width, height);
     const auto m = machine();
@@ -72,8 +73,8 @@ TEST(ItemBuffer, ManyFindWhatIsSmallerThanAPixelInProportionToItsArea) {
     constexpr std::size_t count = 64;
     int empty_for_adaptive = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        const auto ids =
-            draw_item_buffer(*m, walls.scene, view, multipass::jitter_of({k, count}, vgx().subpixel_bits));
+        const auto ids = draw_item_buffer(*m, walls.scene, view,
+                                          multipass::jitter_of({k, count}, vgx().subpixel_bits));
         for (const std::uint32_t id : ids) found[id] += 1.0 / count;
         empty_for_adaptive += std::count(ids.begin(), ids.end(), 2u) == 0;
     }
@@ -81,19 +82,21 @@ TEST(ItemBuffer, ManyFindWhatIsSmallerThanAPixelInProportionToItsArea) {
                  crumb_area = crumb * crumb / (pixel * pixel);
     EXPECT_NEAR(found[1], needle_area, needle_area * 0.02);
     EXPECT_NEAR(found[2], crumb_area, crumb_area * 0.02);
-    EXPECT_EQ(empty_for_adaptive, 48) << "of 64: where the crumb is in no pixel, no neighbours differ";
+    EXPECT_EQ(empty_for_adaptive, 48)
+        << "of 64: where the crumb is in no pixel, no neighbours differ";
 }
 
-/// [K4a] The same needle and crumb by 64 rays at pixels where one item buffer changes, and by the mean of 64
-/// item buffers: the second has their light in proportion to their area, the first only what the one item
-/// buffer happened to see.
+/// [K4a] The same needle and crumb by 64 rays at pixels where one item buffer changes, and by the
+/// mean of 64 item buffers: the second has their light in proportion to their area, the first only
+/// what the one item buffer happened to see.
 TEST(Adaptive, MissesWhatOneItemBufferHasNotSeen) {
     const double pixel = 0.1;
     raytrace::Walls walls;
-    walls.scene.camera =
-        scene::Camera{.eye = {0, 0, 5}, .near_plane = 0.5, .far_plane = 50, .ortho_height = height * pixel};
+    walls.scene.camera = scene::Camera{
+        .eye = {0, 0, 5}, .near_plane = 0.5, .far_plane = 50, .ortho_height = height * pixel};
     walls.scene.lights = {{.direction = {0, 0, -1}, .Ia = vec3(1), .Id = vec3(0)}};
-    // Between the centres of pixels: a needle 0.25 pixels wide and 40 high, a crumb of half a pixel.
+    // Between the centres of pixels: a needle 0.25 pixels wide and 40 high, a crumb of half a
+    // pixel.
     walls.add({-2.0f, 0.07f, 0}, {float(0.125 * pixel), 0, 0}, {0, float(20 * pixel), 0});
     walls.add({2.3f, 1.4f, 0}, {float(0.25 * pixel), 0, 0}, {0, float(0.25 * pixel), 0});
     for (scene::Material& m : walls.scene.materials) m = {.Ka = vec3(1), .Kd = vec3(0)};
@@ -108,8 +111,8 @@ TEST(Adaptive, MissesWhatOneItemBufferHasNotSeen) {
     EXPECT_EQ(light_in(m->planes().color), 0) << "neither has a pixel's centre in it";
     render(*m, walls.scene, view, {.samples = 64});
     EXPECT_NEAR(light_in(m->planes().color), 40 * 0.25 + 0.25, 0.05 * 10);
-    // Moved over the centres of a column of pixels, the needle is seen: its pixels and those beside them are
-    // divided, and it has the light of its area.
+    // Moved over the centres of a column of pixels, the needle is seen: its pixels and those beside
+    // them are divided, and it has the light of its area.
     walls.scene.objects[0].world_from_object[3].x += 0.053;
     render_adaptive(*m, walls.scene, view, 64, {});
     EXPECT_NEAR(light_in(m->planes().color), 40 * 0.25, 0.05 * 10);
@@ -204,7 +207,8 @@ TEST(TracedComponent, TracesEveryPixelOfAPolygonThatReflectsAndNoOther) {
     std::uint64_t glossy = 0;
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const auto polygon = scene::polygon_of(numbers, ids[i]);
-        if (polygon && raytrace::is_traced(scene.materials[scene.objects[polygon->object].material]))
+        if (polygon &&
+            raytrace::is_traced(scene.materials[scene.objects[polygon->object].material]))
             ++glossy;
         else
             EXPECT_EQ(traced.color[i], (Rgba{0, 0, 0, 0}));
@@ -235,8 +239,8 @@ TEST(TracedComponent, HasTheSameBitsForAllThreadsAndTargets) {
     fast::use_simd_target("");
 }
 
-/// Without lights that vary over a polygon both renderers have the same colours, but for one rounding a pass:
-/// two ambient ones and the traced one.
+/// Without lights that vary over a polygon both renderers have the same colours, but for one
+/// rounding a pass: two ambient ones and the traced one.
 TEST(Eq5, AgreesWithTheOrdinaryRayTracerWhereVertexLightingIsExact) {
     scene::Scene scene = fig9();
     for (scene::Light& light : scene.lights) light.Id = vec3(0), light.Is = vec3(0);
@@ -301,14 +305,15 @@ TEST(Eq5, ComesBeforeWhatLiesOverIt) {
     mirror.illum = 3;
     walls.add({0, 0, 1}, {1, 0, 0}, {0, 1, 0}).d = 0.5f;
     walls.scene.fog = scene::Fog{};
-    for (const auto translucency : {multipass::Translucency::Sorted, multipass::Translucency::Unsorted,
-                                    multipass::Translucency::Layers}) {
+    for (const auto translucency :
+         {multipass::Translucency::Sorted, multipass::Translucency::Unsorted,
+          multipass::Translucency::Layers}) {
         const multipass::PassList list = passes_with_tracing(walls.scene, translucency);
         const auto of_translucent = [](const multipass::Pass& p) {
             return p.objects == multipass::PassObjects::Translucent;
         };
-        const auto traced =
-            std::find_if(list.begin(), list.end(), [](const auto& p) { return p.name == "raytracing"; });
+        const auto traced = std::find_if(list.begin(), list.end(),
+                                         [](const auto& p) { return p.name == "raytracing"; });
         ASSERT_NE(traced, list.end());
         EXPECT_GT(traced - list.begin(), 1) << "after the depth and a component";
         EXPECT_EQ(traced->fog, multipass::PassFog::Black) << "as gw passes prints it";

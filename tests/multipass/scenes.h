@@ -30,7 +30,8 @@ inline void add_square(scene::Scene& scene, const char* name, const scene::Mater
     scene.objects.push_back(std::move(square));
 }
 
-/// Squares "left" and "right", lit by the directional lights "key" and "fill"; orthographic, 4 units high.
+/// Squares "left" and "right", lit by the directional lights "key" and "fill"; orthographic, 4
+/// units high.
 inline scene::Scene two_squares() {
     scene::Scene s;
     scene::Material matte{.name = "matte", .Ka = vec3(0.25f), .Kd = vec3(0.5f)};
@@ -38,7 +39,8 @@ inline scene::Scene two_squares() {
         .name = "glossy", .Ka = vec3(0.125f), .Kd = vec3(0.25f), .Ks = vec3(0.25f), .Ns = 4};
     add_square(s, "left", matte, {-1.25, 0, 0});
     add_square(s, "right", glossy, {1.25, 0, 0});
-    s.lights.push_back({.name = "key", .direction = {0, 0, -1}, .Ia = vec3(0.25f), .Id = vec3(0.5f)});
+    s.lights.push_back(
+        {.name = "key", .direction = {0, 0, -1}, .Ia = vec3(0.25f), .Id = vec3(0.5f)});
     s.lights.push_back(
         {.name = "fill", .direction = {-0.6f, 0, -0.8f}, .Ia = vec3(0.125f), .Id = vec3(0.25f)});
     s.camera = scene::Camera{.eye = {0, 0, 5}, .near_plane = 1, .far_plane = 9, .ortho_height = 4};

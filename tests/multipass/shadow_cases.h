@@ -22,10 +22,16 @@ inline MeshRef floor_mesh() {
 
 /// A box about the origin, closed, counter-clockwise from outside.
 inline MeshRef box_mesh(float h = 0.5f) {
-    return mesh_of(
-        {{-h, -h, -h}, {h, -h, -h}, {h, h, -h}, {-h, h, -h}, {-h, -h, h}, {h, -h, h}, {h, h, h}, {-h, h, h}},
-        {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
-         3, 6, 2, 3, 7, 6, 1, 2, 6, 1, 6, 5, 0, 4, 7, 0, 7, 3});
+    return mesh_of({{-h, -h, -h},
+                    {h, -h, -h},
+                    {h, h, -h},
+                    {-h, h, -h},
+                    {-h, -h, h},
+                    {h, -h, h},
+                    {h, h, h},
+                    {-h, h, h}},
+                   {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+                    3, 6, 2, 3, 7, 6, 1, 2, 6, 1, 6, 5, 0, 4, 7, 0, 7, 3});
 }
 
 /// Without its lid: open.
@@ -37,8 +43,9 @@ inline MeshRef open_box_mesh() {
 
 /// Three wings at one edge: not a manifold.
 inline MeshRef wings_mesh() {
-    return mesh_of({{-1, 0, 0}, {1, 0, 0}, {0, 0.2f, 1.5f}, {0.3f, 0.7f, -1.5f}, {0.2f, -0.7f, 1.3f}},
-                   {0, 1, 2, 0, 1, 3, 1, 0, 4});
+    return mesh_of(
+        {{-1, 0, 0}, {1, 0, 0}, {0, 0.2f, 1.5f}, {0.3f, 0.7f, -1.5f}, {0.2f, -0.7f, 1.3f}},
+        {0, 1, 2, 0, 1, 3, 1, 0, 4});
 }
 
 struct Case {
@@ -59,9 +66,10 @@ struct Case {
     }
 };
 
-/// Compares the stencil plane with the truth. `least`: of dark pixels that were compared, so that the test
-/// can fail.
-inline void expect_true(const scene::Scene& s, const Profile& profile = vgx(), std::size_t least = 50) {
+/// Compares the stencil plane with the truth. `least`: of dark pixels that were compared, so that
+/// the test can fail.
+inline void expect_true(const scene::Scene& s, const Profile& profile = vgx(),
+                        std::size_t least = 50) {
     const scene::View view = scene::make_view(s, window_width, window_height);
     const auto machine = make_reference(profile, window_width, window_height);
     render(*machine, s, view, {.one_winner = OneWinner::Never});
@@ -80,7 +88,8 @@ inline void expect_true(const scene::Scene& s, const Profile& profile = vgx(), s
 }
 
 /// A scene shape with some of its parameters changed.
-inline MeshRef shape(const std::string& name, std::initializer_list<std::pair<std::string, double>> changes) {
+inline MeshRef shape(const std::string& name,
+                     std::initializer_list<std::pair<std::string, double>> changes) {
     for (const scene::Shape& candidate : scene::shapes()) {
         if (candidate.name != name) continue;
         std::vector<double> values;

@@ -13,7 +13,8 @@ TEST(Catalogue, ReadsAsThePaperWritesIt) {
     EXPECT_EQ(to_string(ambient_pass.material), "(Ka=object, Kd=0, Ks=0, Ke=0, Map=ambient map)");
     EXPECT_EQ(to_string(diffuse_pass.material), "(Ka=0, Kd=object, Ks=0, Ke=0, Map=diffuse map)");
     EXPECT_EQ(to_string(specular_pass.material), "(Ka=0, Kd=0, Ks=object, Ke=0, Map=specular map)");
-    EXPECT_EQ(to_string(reflection_pass.material), "(Ka=0, Kd=0, Ks=0, Ke=object Ks, Map=reflection map)");
+    EXPECT_EQ(to_string(reflection_pass.material),
+              "(Ka=0, Kd=0, Ks=0, Ke=object Ks, Map=reflection map)");
     EXPECT_EQ(to_string(PassMaterial{.Ke = 1, .Map = reflection_map}),
               "(Ka=0, Kd=0, Ks=0, Ke=1, Map=reflection map)");
     EXPECT_EQ(to_string(PassMaterial{.Ke = {0.5f, 0.25f, 0}}),

@@ -1,7 +1,7 @@
-// What the commands of a pass say: each object's own state, a glaring emitter's material, what a clear
-// reaches.
-#include "multipass/passes/catalogue.h"
+// What the commands of a pass say: each object's own state, a glaring emitter's material, what a
+// clear reaches.
 #include "multipass/frame/driver.h"
+#include "multipass/passes/catalogue.h"
 
 #include "scenes.h"
 
@@ -18,7 +18,9 @@ std::vector<Rgba> draw(Machine& machine, const scene::Scene& s, const Options& o
     return machine.planes().color;
 }
 
-std::vector<Rgba> draw(const scene::Scene& s) { return draw(*make_reference(vgx(), size, size), s); }
+std::vector<Rgba> draw(const scene::Scene& s) {
+    return draw(*make_reference(vgx(), size, size), s);
+}
 
 TEST(Commands, SetTheStateOfEachObject) {
     scene::Scene s = two_squares();
@@ -53,11 +55,12 @@ TEST(Commands, ClearTheDepthInAPassThatDoesNotUpdateIt) {
     scene::Scene s = two_squares();
     s.materials[0].Ke = vec3(1);
     Options options;
-    options.passes = PassList{
-        {.name = "clear", .clear = picture, .depth = {.test = true, .func = DepthFunc::Less, .mask = false}},
-        {.name = "shine",
-         .material = {.Ke = object},
-         .depth = {.test = true, .func = DepthFunc::Less, .mask = true}}};
+    options.passes = PassList{{.name = "clear",
+                               .clear = picture,
+                               .depth = {.test = true, .func = DepthFunc::Less, .mask = false}},
+                              {.name = "shine",
+                               .material = {.Ke = object},
+                               .depth = {.test = true, .func = DepthFunc::Less, .mask = true}}};
     const auto machine = make_reference(vgx(), size, size);
     const std::vector<Rgba> first = draw(*machine, s, options);
     EXPECT_EQ(first[left][0], 255);

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int size = 16;
 
-std::vector<Rgba> draw(const scene::Scene& s, const Options& options = {}, const Profile& profile = vgx()) {
+std::vector<Rgba> draw(const scene::Scene& s, const Options& options = {},
+                       const Profile& profile = vgx()) {
     const auto machine = make_reference(profile, size, size);
     render(*machine, s, scene::make_view(s, size, size), options);
     return machine->planes().color;
@@ -31,8 +32,8 @@ std::vector<Rgba> sum_of_components(const scene::Scene& s, const Profile& profil
          render_components(*machine, s, scene::make_view(s, size, size), options))
         for (std::size_t i = 0; i < sum.size(); ++i)
             for (std::size_t c = 0; c < 4; ++c)
-                sum[i][c] =
-                    static_cast<std::uint16_t>(std::min<std::uint32_t>(max, sum[i][c] + image.color[i][c]));
+                sum[i][c] = static_cast<std::uint16_t>(
+                    std::min<std::uint32_t>(max, sum[i][c] + image.color[i][c]));
     return sum;
 }
 
@@ -89,7 +90,8 @@ TEST(Multipass, ASelectiveLightDoesNotLeakThroughWhatHidesItsParts) {
     s.lights[0].only = {"left", "right"};
     for (const Rgba& color : draw(s)) EXPECT_EQ(color, (Rgba{0, 0, 0, 255}));
     std::rotate(s.objects.begin(), s.objects.begin() + 2, s.objects.end());
-    for (const Rgba& color : draw(s)) EXPECT_EQ(color, (Rgba{0, 0, 0, 255})) << "in whatever order they come";
+    for (const Rgba& color : draw(s))
+        EXPECT_EQ(color, (Rgba{0, 0, 0, 255})) << "in whatever order they come";
 }
 
 TEST(Multipass, SeveralMapsOfAComponentAddUp) {
@@ -99,7 +101,8 @@ TEST(Multipass, SeveralMapsOfAComponentAddUp) {
     s.lights[0].Ia = vec3(1);
     s.materials[0].map_Ka = {plain_map(10, 0, 1), plain_map(0, 20, 2), plain_map(0, 0, 4)};
     EXPECT_EQ(draw(s)[left], (Rgba{10, 20, 7, 255}));
-    EXPECT_EQ(draw(s, {.renderer = Renderer::Hardware})[left], (Rgba{10, 0, 1, 255})) << "eq. 1 has one map";
+    EXPECT_EQ(draw(s, {.renderer = Renderer::Hardware})[left], (Rgba{10, 0, 1, 255}))
+        << "eq. 1 has one map";
 }
 
 TEST(Multipass, TextureAndReflectionMapOnOneObject) {
@@ -113,8 +116,8 @@ TEST(Multipass, TextureAndReflectionMapOnOneObject) {
     EXPECT_EQ(draw(s)[left], (Rgba{100, 50, 0, 255}));
 }
 
-/// The gloss of a red ring [K Fig. 1]: highlight and body in one colour, since Ns = 0 makes the gloss the
-/// same everywhere.
+/// The gloss of a red ring [K Fig. 1]: highlight and body in one colour, since Ns = 0 makes the
+/// gloss the same everywhere.
 struct Gloss {
     scene::Scene s = two_squares();
     Gloss() {

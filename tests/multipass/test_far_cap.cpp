@@ -18,7 +18,8 @@ scene::Bounds room() { return {.low = {-6, 0, -6}, .high = {6, 5, 6}, .empty = f
 
 std::vector<scene::Light> lights() {
     std::vector<scene::Light> list;
-    for (const vec3& p : {vec3(0, 4.5f, 0), vec3(-5, 4.8f, 5), vec3(5.5f, 0.3f, 0.1f), vec3(0.1f, 9, -2)})
+    for (const vec3& p :
+         {vec3(0, 4.5f, 0), vec3(-5, 4.8f, 5), vec3(5.5f, 0.3f, 0.1f), vec3(0.1f, 9, -2)})
         list.push_back({.kind = scene::LightKind::Point, .position = p});
     for (const vec3& d : {vec3(-0.5f, -1, -0.25f), vec3(1, -0.05f, 0.7f), vec3(0, -1, 0)})
         list.push_back({.direction = d});
@@ -33,8 +34,8 @@ dmat4 placement() {
 }
 
 bool inside(const scene::Bounds& b, const dvec3& p) {
-    return p.x >= b.low.x && p.x <= b.high.x && p.y >= b.low.y && p.y <= b.high.y && p.z >= b.low.z &&
-           p.z <= b.high.z;
+    return p.x >= b.low.x && p.x <= b.high.x && p.y >= b.low.y && p.y <= b.high.y &&
+           p.z >= b.low.z && p.z <= b.high.z;
 }
 
 /// Points of the triangle a, b, c, its border among them, that lie in the bounds.
@@ -42,8 +43,8 @@ int points_inside(const scene::Bounds& bounds, const dvec3& a, const dvec3& b, c
     int count = 0;
     for (int i = 0; i <= steps; ++i)
         for (int j = 0; i + j <= steps; ++j)
-            count +=
-                inside(bounds, (double(i) * a + double(j) * b + double(steps - i - j) * c) / double(steps));
+            count += inside(bounds, (double(i) * a + double(j) * b + double(steps - i - j) * c) /
+                                        double(steps));
     return count;
 }
 
@@ -69,8 +70,9 @@ struct MovedBody {
 TEST(FarCap, NoTriangleOfItTouchesTheScene) {
     const dmat4 m = placement();
     int compared = 0, moved_on = 0;
-    for (const MeshRef& mesh : {box_mesh(), open_box_mesh(), wings_mesh(),
-                                shape("torus", {{"segments", 12}, {"sides", 8}}), shape("torus_knot", {})})
+    for (const MeshRef& mesh :
+         {box_mesh(), open_box_mesh(), wings_mesh(),
+          shape("torus", {{"segments", 12}, {"sides", 8}}), shape("torus_knot", {})})
         for (const scene::Light& l : lights()) {
             const MovedBody body(mesh, l, m);
             for (const auto& triangle : body.t.triangles) {
@@ -97,7 +99,8 @@ TEST(FarCap, IsCloseBehindTheScene) {
     // The diagonal is 17.69, the margin a hundredth of it; the body's origin is 2 over the floor.
     const double margin = 0.01 * std::sqrt(12.0 * 12 + 5 * 5 + 12 * 12);
     for (const vec3& p : body.far.moved) EXPECT_NEAR(double(p.y), -2 - margin, 1e-6);
-    EXPECT_EQ(body.far.walls, WallsOfCap(1u << (1u << 2))) << "all of it below the floor, the third wall";
+    EXPECT_EQ(body.far.walls, WallsOfCap(1u << (1u << 2)))
+        << "all of it below the floor, the third wall";
 }
 
 TEST(FarCap, GoesOnWhereItsCornersLeaveByTwoWalls) {
@@ -107,7 +110,8 @@ TEST(FarCap, GoesOnWhereItsCornersLeaveByTwoWalls) {
     const MovedBody body(mesh, sun, dmat4(1));
     EXPECT_EQ(body.far.walls, WallsOfCap(1u << (1u << 2)))
         << "beyond the floor, the third wall, and no other";
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(double(body.far.moved[i].y), -body.light.margin, 1e-6);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(double(body.far.moved[i].y), -body.light.margin, 1e-6);
     EXPECT_LT(body.far.moved[0].x, 6);
     EXPECT_GT(body.far.moved[2].x, 6);
 }
@@ -146,7 +150,8 @@ Case corner_of_a_room(const MeshRef& caster) {
 TEST(FarCap, ShadowsFallOverTheCornersOfARoom) {
     for (const MeshRef& mesh :
          {box_mesh(), open_box_mesh(), shape("torus", {{"segments", 12}, {"sides", 8}})})
-        for (const vec3& lamp : {vec3(0, 0, 0), vec3(0, 4, 0), vec3(-1.5f, 3, -1.5f), vec3(5, 1, 3)}) {
+        for (const vec3& lamp :
+             {vec3(0, 0, 0), vec3(0, 4, 0), vec3(-1.5f, 3, -1.5f), vec3(5, 1, 3)}) {
             Case c = corner_of_a_room(mesh);
             if (lamp == vec3(0))
                 c.s.lights[0].direction = {-1, -0.6f, -0.8f};

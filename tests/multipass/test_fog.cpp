@@ -12,22 +12,26 @@ namespace {
 
 constexpr int size = 24;
 
-/// A slanted square that leads into the fog, lit by one light; perspective, so that fog and colour vary.
+/// A slanted square that leads into the fog, lit by one light; perspective, so that fog and colour
+/// vary.
 scene::Scene road(const scene::Material& material) {
     scene::Scene s;
     add_square(s, "road", material);
     dmat4& m = s.objects[0].world_from_object;
     m[0] = dvec4(3, 0, 0, 0);
     m[1] = dvec4(0, 0.2, -6, 0);
-    s.lights.push_back(
-        {.name = "key", .direction = {-0.5f, -1, -0.3f}, .Ia = vec3(0.5f), .Id = {0.9f, 0.7f, 0.5f}});
-    s.camera =
-        scene::Camera{.eye = {0, 1.5, 8}, .at = {0, 0, 0}, .fov = 50, .near_plane = 1, .far_plane = 20};
+    s.lights.push_back({.name = "key",
+                        .direction = {-0.5f, -1, -0.3f},
+                        .Ia = vec3(0.5f),
+                        .Id = {0.9f, 0.7f, 0.5f}});
+    s.camera = scene::Camera{
+        .eye = {0, 1.5, 8}, .at = {0, 0, 0}, .fov = 50, .near_plane = 1, .far_plane = 20};
     s.fog = scene::Fog{.mode = FogMode::Linear, .color = {0.6f, 0.7f, 0.8f}, .start = 3, .end = 13};
     return s;
 }
 
-std::vector<Rgba> draw(const scene::Scene& s, const Options& options = {}, const Profile& profile = vgx()) {
+std::vector<Rgba> draw(const scene::Scene& s, const Options& options = {},
+                       const Profile& profile = vgx()) {
     const auto machine = make_reference(profile, size, size);
     render(*machine, s, scene::make_view(s, size, size), options);
     return machine->planes().color;
@@ -56,18 +60,20 @@ TEST(Fog, InTwoStepsIsFogInOneForOneComponent) {
 }
 
 TEST(Fog, InTwoStepsIsFogInOneWithinARoundingPerComponent) {
-    // Three components: each is rounded when it is lit, and when it goes through black fog; in one pass the
-    // sum is, once.
-    scene::Scene s = road({.Ka = {0.3f, 0.2f, 0.1f}, .Kd = {0.5f, 0.4f, 0.5f}, .Ks = vec3(0.2f), .Ns = 3});
+    // Three components: each is rounded when it is lit, and when it goes through black fog; in one
+    // pass the sum is, once.
+    scene::Scene s =
+        road({.Ka = {0.3f, 0.2f, 0.1f}, .Kd = {0.5f, 0.4f, 0.5f}, .Ks = vec3(0.2f), .Ns = 3});
     for (const Profile& profile : profiles()) {
-        const int difference = largest_difference(draw(s, {}, profile), draw(s, in_one_pass, profile));
+        const int difference =
+            largest_difference(draw(s, {}, profile), draw(s, in_one_pass, profile));
         EXPECT_LE(difference, 4) << profile.name;  // (3 + 1) / 2 twice
     }
 }
 
 TEST(Fog, InTwoStepsIsWithinTheRoundingThatTheManualPredicts) {
-    // docs/manual/fog.md: k components within (k + 1) / 2 units. Ambient light of whole units, so that
-    // lighting itself rounds nothing.
+    // docs/manual/fog.md: k components within (k + 1) / 2 units. Ambient light of whole units, so
+    // that lighting itself rounds nothing.
     for (const std::size_t k : {1u, 2u, 3u, 6u}) {
         scene::Scene s = road({.Ka = vec3(1), .Kd = vec3(0)});
         int largest = 0;
@@ -106,7 +112,8 @@ TEST(Fog, IsAComponentOfItsOwn) {
     for (const ComponentImage& image : images)
         for (std::size_t i = 0; i < sum.size(); ++i)
             for (std::size_t c = 0; c < 4; ++c)
-                sum[i][c] = static_cast<std::uint16_t>(std::min(255, sum[i][c] + image.color[i][c]));
+                sum[i][c] =
+                    static_cast<std::uint16_t>(std::min(255, sum[i][c] + image.color[i][c]));
     EXPECT_EQ(sum, draw(s));
 }
 

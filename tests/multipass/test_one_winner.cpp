@@ -34,8 +34,8 @@ TEST(OneWinner, AddsADoubledObjectOnce) {
 TEST(OneWinner, IsTheFirstObjectInEveryPass) {
     scene::Scene s = two_squares();
     const auto alone = draw(s);
-    // A second material on the left square, with components and lights that the first has not: nothing of it
-    // may show.
+    // A second material on the left square, with components and lights that the first has not:
+    // nothing of it may show.
     scene::Material loud{.Ka = vec3(1), .Kd = vec3(1), .Ks = vec3(1), .Ke = vec3(1)};
     loud.refl = {plain_map(255, 255, 255)};
     loud.map_Ka = {plain_map(9, 9, 9), plain_map(9, 9, 9)};
@@ -45,8 +45,9 @@ TEST(OneWinner, IsTheFirstObjectInEveryPass) {
 }
 
 TEST(OneWinner, OnEveryProfileWithEveryEffect) {
-    // A model whose faces are all there twice, as found models have them: the second set turned over, and in
-    // a mesh of its own. Shadows both ways, fog, maps, emission, a selective light, glare, superposition.
+    // A model whose faces are all there twice, as found models have them: the second set turned
+    // over, and in a mesh of its own. Shadows both ways, fog, maps, emission, a selective light,
+    // glare, superposition.
     scene::Scene s = two_squares();
     s.materials[0].map_Kd = {plain_map(200, 100, 50), plain_map(20, 30, 40)};
     s.materials[0].Ke = vec3(0.0625f);
@@ -66,7 +67,8 @@ TEST(OneWinner, OnEveryProfileWithEveryEffect) {
         doubled.objects.back().mesh = make_mesh(std::move(data));
     }
     for (const Profile& profile : profiles()) {
-        EXPECT_EQ(draw(doubled, OneWinner::Auto, profile), draw(s, OneWinner::Auto, profile)) << profile.name;
+        EXPECT_EQ(draw(doubled, OneWinner::Auto, profile), draw(s, OneWinner::Auto, profile))
+            << profile.name;
         EXPECT_NE(draw(doubled, OneWinner::Never, profile), draw(s, OneWinner::Auto, profile))
             << profile.name;
     }
@@ -78,7 +80,8 @@ TEST(OneWinner, ChangesNothingWhereNothingCoincides) {
     EXPECT_EQ(draw(s, OneWinner::Auto), draw(s, OneWinner::Never));
 }
 
-/// The left square again, turned over, and half of the right one: ties on some pixels, in two parts.
+/// The left square again, turned over, and half of the right one: ties on some pixels, in two
+/// parts.
 scene::Scene partly_doubled() {
     scene::Scene s = two_squares();
     s.objects.push_back(s.objects[0]);

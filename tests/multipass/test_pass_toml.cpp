@@ -1,9 +1,10 @@
-// Pass lists as TOML: what is written is read again, what is wrong says where and what was expected.
+// Pass lists as TOML: what is written is read again, what is wrong says where and what was
+// expected.
 #include "multipass/passes/pass_toml.h"
 
 #include "gw/error.h"
-#include "multipass/passes/catalogue.h"
 #include "multipass/frame/driver.h"
+#include "multipass/passes/catalogue.h"
 #include "scene/read_scene.h"
 #include "scenes.h"
 
@@ -17,7 +18,8 @@ class PassToml : public testing::Test {
 protected:
     PassList read(const std::string& text) const {
         return read_passes(
-            scene::read_scene(folder_.write("s.toml", "[[object]]\nshape = 'box'\n" + text)).passes);
+            scene::read_scene(folder_.write("s.toml", "[[object]]\nshape = 'box'\n" + text))
+                .passes);
     }
     /// The message without the folder.
     std::string fault(const std::string& text) const {
@@ -30,7 +32,8 @@ protected:
     }
     /// A list of one pass with these lines, the first of which is line 6.
     std::string fault_of_pass(const std::string& lines) const {
-        return fault("[[pass]]\nname = 'p'\nclear = ['color', 'depth', 'stencil']\n" + lines + "\n");
+        return fault("[[pass]]\nname = 'p'\nclear = ['color', 'depth', 'stencil']\n" + lines +
+                     "\n");
     }
 
 private:
@@ -76,7 +79,8 @@ TEST_F(PassToml, OfEveryFieldReadsTheSamePass) {
                     .write_mask = 0x80,
                     .two_side = true,
                     .back = {.func = StencilFunc::Never, .ref = 2, .mask = 1}};
-    pass.blend = {.enable = true, .src = BlendFactor::SrcAlphaSaturate, .dst = BlendFactor::OneMinusSrcColor};
+    pass.blend = {
+        .enable = true, .src = BlendFactor::SrcAlphaSaturate, .dst = BlendFactor::OneMinusSrcColor};
     pass.color = false;
     pass.fog = PassFog::Black;
     pass.objects = PassObjects::Named;
@@ -86,10 +90,11 @@ TEST_F(PassToml, OfEveryFieldReadsTheSamePass) {
 
 TEST_F(PassToml, ReadsAsThePaperAndTheCatalogueWriteIt) {
     const std::string text = to_toml({diffuse_pass});
-    EXPECT_EQ(text,
-              "[[pass]]\nname = \"diffuse\"\nKa = 0\nKd = \"object\"\nKs = 0\nKe = 0\nMap = \"diffuse map\"\n"
-              "depth = {func = \"Equal\", mask = false}\nstencil = {func = \"Equal\", ref = 0}\n"
-              "blend = {src = \"One\", dst = \"One\"}\nlights = \"each\"\n");
+    EXPECT_EQ(
+        text,
+        "[[pass]]\nname = \"diffuse\"\nKa = 0\nKd = \"object\"\nKs = 0\nKe = 0\nMap = \"diffuse map\"\n"
+        "depth = {func = \"Equal\", mask = false}\nstencil = {func = \"Equal\", ref = 0}\n"
+        "blend = {src = \"One\", dst = \"One\"}\nlights = \"each\"\n");
 }
 
 TEST_F(PassToml, FaultsNameTheLineAndWhatWasExpected) {
@@ -101,10 +106,12 @@ TEST_F(PassToml, FaultsNameTheLineAndWhatWasExpected) {
         fault_of_pass("Ka = true"),
         "s.toml:6: pass.Ka is true; expected 'object', 'object Ks', 'object Tf', a number or an array of "
         "3 numbers");
-    EXPECT_EQ(fault_of_pass("\nkd = 1"), "s.toml:7: unknown key 'kd' in pass; the nearest known is 'Kd'");
-    EXPECT_EQ(fault_of_pass("depth = {func = 'Les'}"),
-              "s.toml:6: pass.depth.func is 'Les'; expected 'Never', 'Less', 'Equal', 'LEqual', 'Greater', "
-              "'NotEqual', 'GEqual' or 'Always'; the nearest is 'Less'");
+    EXPECT_EQ(fault_of_pass("\nkd = 1"),
+              "s.toml:7: unknown key 'kd' in pass; the nearest known is 'Kd'");
+    EXPECT_EQ(
+        fault_of_pass("depth = {func = 'Les'}"),
+        "s.toml:6: pass.depth.func is 'Les'; expected 'Never', 'Less', 'Equal', 'LEqual', 'Greater', "
+        "'NotEqual', 'GEqual' or 'Always'; the nearest is 'Less'");
     EXPECT_EQ(fault_of_pass("stencil = {reff = 1}"),
               "s.toml:6: unknown key 'reff' in pass.stencil; the nearest known is 'ref'");
     EXPECT_EQ(fault_of_pass("stencil = {ref = 256}"),
@@ -112,7 +119,8 @@ TEST_F(PassToml, FaultsNameTheLineAndWhatWasExpected) {
     EXPECT_NE(fault_of_pass("blend = {src = 'SrcColor'}").find("the nearest is 'DstColor'"),
               std::string::npos)
         << "a colour is a factor of the other side only";
-    EXPECT_EQ(fault_of_pass("objects = ['bx']"), "s.toml:6: unknown object 'bx'; the nearest known is 'box'");
+    EXPECT_EQ(fault_of_pass("objects = ['bx']"),
+              "s.toml:6: unknown object 'bx'; the nearest known is 'box'");
     EXPECT_EQ(fault("[[pass]]\nname = ''\n"), "s.toml:4: pass.name has 0 bytes; expected 1 to 31");
     EXPECT_EQ(fault("pass = 3\n").substr(0, 9), "s.toml:3:");
 }
@@ -120,9 +128,10 @@ TEST_F(PassToml, FaultsNameTheLineAndWhatWasExpected) {
 TEST_F(PassToml, ListsThatCannotDrawAreRefused) {
     EXPECT_EQ(fault("[[pass]]\nclear = ['color', 'depth', 'stencil']\n"),
               "s.toml:3: pass has no name; expected one");
-    EXPECT_EQ(fault("[[pass]]\nname = 'p'\n"),
-              "s.toml:3: the first pass does not clear all planes; expected clear = ['color', 'depth', "
-              "'stencil']");
+    EXPECT_EQ(
+        fault("[[pass]]\nname = 'p'\n"),
+        "s.toml:3: the first pass does not clear all planes; expected clear = ['color', 'depth', "
+        "'stencil']");
     EXPECT_EQ(
         fault_of_pass("Kd = 'object'"),
         "s.toml:3: pass 'p' reflects light (Ka, Kd, Ks) but has none; expected lights = 'each', 'first' or "
@@ -139,7 +148,8 @@ TEST_F(PassToml, ListsThatCannotDrawAreRefused) {
 }
 
 TEST_F(PassToml, DrawsWhatItSays) {
-    // One pass with a fixed colour over the named square, a mirror of full strength as the paper's Ke = 1.
+    // One pass with a fixed colour over the named square, a mirror of full strength as the paper's
+    // Ke = 1.
     scene::Scene s = two_squares();
     s.materials[1].refl = {plain_map(0, 200, 0)};
     const PassList list = read(
@@ -163,14 +173,16 @@ TEST(OwnStencil, IsNotClearedByTheCountOfWinners) {
     Pass mark = depth_pass, add_there = emission_pass;
     mark.objects = PassObjects::Named;
     mark.names = {"left"};
-    mark.stencil = {.test = true, .func = StencilFunc::Always, .ref = 1, .zpass = StencilOp::Replace};
+    mark.stencil = {
+        .test = true, .func = StencilFunc::Always, .ref = 1, .zpass = StencilOp::Replace};
     Pass rest = depth_pass;
     rest.clear = 0;
     add_there.material.Ke = 1;
     add_there.stencil = {.test = true, .func = StencilFunc::Equal, .ref = 1};
     constexpr int size = 16;
     const auto machine = make_reference(vgx(), size, size);
-    render(*machine, s, scene::make_view(s, size, size), {.passes = PassList{mark, rest, add_there}});
+    render(*machine, s, scene::make_view(s, size, size),
+           {.passes = PassList{mark, rest, add_there}});
     EXPECT_EQ(machine->planes().color[size / 2 * size + 2], (Rgba{255, 255, 255, 255}));
     EXPECT_EQ(machine->planes().color[size / 2 * size + 13], (Rgba{0, 0, 0, 255}));
 }

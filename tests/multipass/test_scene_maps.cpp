@@ -1,4 +1,5 @@
-// Reflection and refraction maps generated from the scene [K3.1], against directions worked out by hand.
+// Reflection and refraction maps generated from the scene [K3.1], against directions worked out by
+// hand.
 #include "multipass/maps/scene_maps.h"
 
 #include "multipass/frame/driver.h"
@@ -15,12 +16,13 @@ namespace {
 
 constexpr int size = 48;
 
-/// A self-luminous square of side 8 whose centre is `at`, turned so that it stands across the line to the
-/// origin.
+/// A self-luminous square of side 8 whose centre is `at`, turned so that it stands across the line
+/// to the origin.
 void add_wall(scene::Scene& s, const char* name, const dvec3& at, const vec3& Ke) {
     add_square(s, name, {.Ka = vec3(0), .Kd = vec3(0), .Ke = Ke}, at);
     dmat4& m = s.objects.back().world_from_object;
-    const dvec3 n = at / std::sqrt(dot3(at, at)), u = std::abs(n.y) > 0.5 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
+    const dvec3 n = at / std::sqrt(dot3(at, at)),
+                u = std::abs(n.y) > 0.5 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
     m[0] = dvec4(u * 4.0, 0);
     m[1] = dvec4(cross3(n, u) * 4.0, 0);
     m[2] = dvec4(n, 0);
@@ -43,7 +45,8 @@ scene::Scene in_a_cube(int texels) {
 
 TextureRef map_of(const scene::Scene& s, const Profile& profile = vgx(), int window = size) {
     const auto machine = make_reference(profile, window, window);
-    const scene::Scene ready = with_scene_maps(*machine, s, scene::make_view(s, window, window), {});
+    const scene::Scene ready =
+        with_scene_maps(*machine, s, scene::make_view(s, window, window), {});
     return ready.materials[ready.objects[0].material].refl.at(0).texture;
 }
 
@@ -79,7 +82,8 @@ TEST(SphereMap, TexelsAreSixteenBitsToNearest) {
             around.colors[face] = {{v, v, v, 4095}};
         }
         const TextureRef map = sphere_map("even", around, dmat4(1), 4, 12);
-        EXPECT_EQ(map->levels.front().rgba[0], std::uint16_t(std::floor(v * 65535.0 / 4095 + 0.5))) << v;
+        EXPECT_EQ(map->levels.front().rgba[0], std::uint16_t(std::floor(v * 65535.0 / 4095 + 0.5)))
+            << v;
     }
 }
 
@@ -88,8 +92,10 @@ TEST(SceneMap, ShowsEachWallWhereItsDirectionLies) {
         const TextureRef map = map_of(in_a_cube(32), profile);
         ASSERT_TRUE(map);
         EXPECT_EQ(map->width(), 32);
-        EXPECT_EQ(texel(map, 16, 16), (Texel{255, 0, 255})) << "straight back: in front of the mirror";
-        // A reflected ray at right angles: |2 z x| = 1 at x = sqrt(1/2), 0.354 of the width from the middle.
+        EXPECT_EQ(texel(map, 16, 16), (Texel{255, 0, 255}))
+            << "straight back: in front of the mirror";
+        // A reflected ray at right angles: |2 z x| = 1 at x = sqrt(1/2), 0.354 of the width from
+        // the middle.
         EXPECT_EQ(texel(map, 16 + 11, 16), (Texel{255, 0, 0}));
         EXPECT_EQ(texel(map, 15 - 11, 16), (Texel{0, 255, 0}));
         EXPECT_EQ(texel(map, 16, 16 + 11), (Texel{0, 0, 255}));
@@ -104,7 +110,8 @@ TEST(SceneMap, FollowsTheEye) {
     scene::Scene s = in_a_cube(32);
     s.camera->eye = {3.5, 0, 0};
     EXPECT_EQ(texel(map_of(s), 16, 16), (Texel{255, 0, 0}));
-    EXPECT_EQ(texel(map_of(s), 16 + 11, 16), (Texel{0, 255, 255})) << "the back wall is at the right then";
+    EXPECT_EQ(texel(map_of(s), 16 + 11, 16), (Texel{0, 255, 255}))
+        << "the back wall is at the right then";
 }
 
 TEST(SceneMap, LeavesTheObjectItselfOut) {
@@ -140,15 +147,16 @@ TEST(SceneMap, IsDrawnInThePicture) {
     render(*machine, s, scene::make_view(s, size, size), {});
     EXPECT_EQ(machine->planes().color[size / 2 * size + size / 2], (Rgba{255, 0, 0, 255}));
     // Its component, which is drawn on black, shows it too.
-    for (const ComponentImage& image : render_components(*machine, s, scene::make_view(s, size, size), {}))
+    for (const ComponentImage& image :
+         render_components(*machine, s, scene::make_view(s, size, size), {}))
         if (image.name == "reflection") {
             EXPECT_EQ(image.color[size / 2 * size + size / 2], (Rgba{255, 0, 0, 255}));
         }
 }
 
 TEST(SceneMap, OfARefractingBodyShowsWhatIsBehindIt) {
-    // Ni = 1 bends nothing: the ray goes straight on, to the back wall. The body is small and beside the
-    // middle: rays to its corners then lie together at the map's rim.
+    // Ni = 1 bends nothing: the ray goes straight on, to the back wall. The body is small and
+    // beside the middle: rays to its corners then lie together at the map's rim.
     scene::Scene s = in_a_cube(64);
     s.materials[0] = {.Ka = vec3(0), .Kd = vec3(0), .Ni = 1, .Tf = vec3(1)};
     s.materials[0].refraction = {{.wrap = Wrap::Clamp, .from_scene = 64}};
@@ -165,7 +173,8 @@ TEST(SceneMap, OfARefractingBodyShowsWhatIsBehindIt) {
     EXPECT_LE(seen[0], 55);
     s.materials[0].Tf = vec3(0);
     render(*machine, s, scene::make_view(s, size, size), {});
-    EXPECT_EQ(machine->planes().color[size / 2 * size + 44], (Rgba{0, 0, 0, 255})) << "it was drawn";
+    EXPECT_EQ(machine->planes().color[size / 2 * size + 44], (Rgba{0, 0, 0, 255}))
+        << "it was drawn";
 }
 
 TEST(SceneMap, HoldsShadows) {

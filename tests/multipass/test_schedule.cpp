@@ -2,8 +2,8 @@
 #include "multipass/passes/schedule.h"
 
 #include "gw/error.h"
-#include "multipass/passes/catalogue.h"
 #include "multipass/frame/driver.h"
+#include "multipass/passes/catalogue.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@ namespace {
 std::vector<std::string> names(const scene::Scene& s, Renderer renderer = Renderer::Multipass) {
     const Model model = make_model(s);
     std::vector<std::string> result;
-    for (const Step& step : schedule(passes_for(s, renderer), model)) result.push_back(name_of(step, model));
+    for (const Step& step : schedule(passes_for(s, renderer), model))
+        result.push_back(name_of(step, model));
     return result;
 }
 
@@ -26,18 +27,19 @@ std::vector<std::string> drawn_passes(const CommandList& list) {
 }
 
 TEST(Schedule, RepeatsLightPassesLightByLight) {
-    EXPECT_EQ(
-        names(two_squares()),
-        (std::vector<std::string>{"depth", "ambient key", "diffuse key", "specular key", "ambient fill",
-                                  "diffuse fill", "specular fill", "reflection", "refraction", "emission"}));
+    EXPECT_EQ(names(two_squares()),
+              (std::vector<std::string>{"depth", "ambient key", "diffuse key", "specular key",
+                                        "ambient fill", "diffuse fill", "specular fill",
+                                        "reflection", "refraction", "emission"}));
 }
 
 TEST(Schedule, PutsTheShadowBeforeItsLightsPasses) {
     scene::Scene s = two_squares();
     s.lights[1].shadow = scene::Shadow::Volume;
-    EXPECT_EQ(names(s), (std::vector<std::string>{"depth", "ambient key", "diffuse key", "specular key",
-                                                  "shadow fill", "ambient fill", "diffuse fill",
-                                                  "specular fill", "reflection", "refraction", "emission"}));
+    EXPECT_EQ(names(s),
+              (std::vector<std::string>{"depth", "ambient key", "diffuse key", "specular key",
+                                        "shadow fill", "ambient fill", "diffuse fill",
+                                        "specular fill", "reflection", "refraction", "emission"}));
     const Model model = make_model(s);
     for (const Step& step : schedule(passes_for(s, Renderer::Multipass), model))
         EXPECT_EQ(step.pass.stencil.test, step.light == 1 && (step.pass.name == Name("diffuse") ||
@@ -55,9 +57,9 @@ TEST(Schedule, RepeatsAComponentForEachOfItsMaps) {
     s.lights.resize(1);
     s.materials[0].map_Ka = {plain_map(1, 1, 1), plain_map(2, 2, 2), plain_map(3, 3, 3)};
     const auto all = names(s);
-    EXPECT_EQ(
-        std::vector(all.begin() + 1, all.begin() + 5),
-        (std::vector<std::string>{"ambient key", "ambient key map 2", "ambient key map 3", "diffuse key"}));
+    EXPECT_EQ(std::vector(all.begin() + 1, all.begin() + 5),
+              (std::vector<std::string>{"ambient key", "ambient key map 2", "ambient key map 3",
+                                        "diffuse key"}));
 }
 
 TEST(Concerns, OnlyThoseThatCanAddSomething) {
@@ -80,8 +82,8 @@ TEST(FrameList, LeavesOutPassesThatAddNothing) {
     const CommandList list =
         frame_list(s, scene::make_view(s, 8, 8), passes_for(s, Renderer::Multipass), vec3(0));
     EXPECT_EQ(drawn_passes(list),
-              (std::vector<std::string>{"depth", "ambient key", "diffuse key", "specular key", "ambient fill",
-                                        "diffuse fill", "specular fill"}));
+              (std::vector<std::string>{"depth", "ambient key", "diffuse key", "specular key",
+                                        "ambient fill", "diffuse fill", "specular fill"}));
 }
 
 TEST(FrameList, AfterTheDepthPassNothingUpdatesZAndNoStencilOperationRuns) {
@@ -129,8 +131,8 @@ TEST(ComponentLists, AreOnePerAdditivePassOverTheSameZ) {
         result.push_back(list.name);
         EXPECT_EQ(list.passes.front(), depth_pass);
     }
-    EXPECT_EQ(result, (std::vector<std::string>{"ambient", "diffuse", "specular", "reflection", "refraction",
-                                                "emission"}));
+    EXPECT_EQ(result, (std::vector<std::string>{"ambient", "diffuse", "specular", "reflection",
+                                                "refraction", "emission"}));
 }
 
 TEST(CheckLights, NamesTheLimitAndTheRendererThatHasNone) {

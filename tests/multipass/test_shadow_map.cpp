@@ -53,7 +53,8 @@ TEST(ShadowMap, DoesNotShadeWhatNothingHides) {
         const auto machine = make_reference(vgx(), window_width, window_height);
         render(*machine, c.s, scene::make_view(c.s, window_width, window_height), {});
         const auto& stencil = machine->planes().stencil;
-        EXPECT_EQ(std::count(stencil.begin(), stencil.end(), 0), std::ptrdiff_t(stencil.size())) << height;
+        EXPECT_EQ(std::count(stencil.begin(), stencil.end(), 0), std::ptrdiff_t(stencil.size()))
+            << height;
     }
 }
 
@@ -63,8 +64,9 @@ TEST(ShadowMap, FollowsTheJitter) {
     const scene::View view = scene::make_view(s, window_width, window_height);
     const Model model = make_model(s);
     const auto machine = make_reference(vgx(), window_width, window_height);
-    const auto maps = draw_shadow_maps(*machine, model, light_views(s.lights[0], scene::bounds(s), 256),
-                                       window_width, window_height);
+    const auto maps =
+        draw_shadow_maps(*machine, model, light_views(s.lights[0], scene::bounds(s), 256),
+                         window_width, window_height);
     const auto mask = [&](const JitterState& jitter) {
         return shadow_mask(scene::WorldTriangles(s), s.lights[0], maps,
                            draw_ids(*machine, model, view, jitter), view, jitter, vgx());

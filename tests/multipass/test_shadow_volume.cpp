@@ -2,8 +2,8 @@
 #include "multipass/shadow/shadow_volume.h"
 
 #include "gw/error.h"
-#include "multipass/passes/catalogue.h"
 #include "multipass/frame/driver.h"
+#include "multipass/passes/catalogue.h"
 #include "multipass/shadow/shadow_passes.h"
 #include "multipass/shadow/shadows.h"
 #include "shadow_cases.h"
@@ -56,8 +56,8 @@ TEST(ShadowVolume, CutByTheNearPlane) {
 }
 TEST(ShadowVolume, CutByTheFarPlane) {
     Case c;
-    // Seen along the light's way, so that the volume leaves through the far plane, which is close behind the
-    // floor's edge.
+    // Seen along the light's way, so that the volume leaves through the far plane, which is close
+    // behind the floor's edge.
     c.s.lights[0].direction = {-1, -0.4f, 0};
     c.s.camera = scene::Camera{.eye = {4, 7, 0.5}, .at = {-2, 0, 0}, .fov = 50};
     expect_true(c.s);
@@ -74,7 +74,8 @@ TEST(ShadowVolume, LeavesThePicturesOwnFarPlane) {
         const auto machine = make_reference(vgx(), window_width, window_height);
         render(*machine, c.s, view, {});
         std::vector<bool> result;
-        for (const Rgba& color : machine->planes().color) result.push_back(color == Rgba{0, 0, 255, 255});
+        for (const Rgba& color : machine->planes().color)
+            result.push_back(color == Rgba{0, 0, 255, 255});
         return result;
     };
     const auto without = is_background(scene::Shadow::None);
@@ -84,8 +85,10 @@ TEST(ShadowVolume, LeavesThePicturesOwnFarPlane) {
 }
 
 TEST(ShadowVolume, OfALargeTriangleCloseToTheLamp) {
-    // The lamp is close over a large square, near its border: it sees the square under nearly 180 degrees.
-    Case c(mesh_of({{-2, 0, -2}, {2, 0, -2}, {2, 0, 2}, {-2, 0, 2}}, {0, 2, 1, 0, 3, 2}), {-1, 1, 0});
+    // The lamp is close over a large square, near its border: it sees the square under nearly 180
+    // degrees.
+    Case c(mesh_of({{-2, 0, -2}, {2, 0, -2}, {2, 0, 2}, {-2, 0, 2}}, {0, 2, 1, 0, 3, 2}),
+           {-1, 1, 0});
     c.lamp({0.99f, 1.01f, 0.1f});
     c.s.camera = scene::Camera{.eye = {5, 2.5, 5}, .at = {0, 0.3, 0}, .fov = 50};
     expect_true(c.s);
@@ -97,7 +100,8 @@ TEST(ShadowVolume, OfALampInsideTheBody) {
 }
 TEST(ShadowVolume, OfCurvedBodies) {
     for (const char* name : {"sphere", "torus"}) {
-        const MeshRef mesh = shape(name, {{"slices", 12}, {"stacks", 8}, {"segments", 12}, {"sides", 8}});
+        const MeshRef mesh =
+            shape(name, {{"slices", 12}, {"stacks", 8}, {"segments", 12}, {"sides", 8}});
         EXPECT_TRUE(topology(*mesh).closed) << name;
         expect_true(Case(mesh).s);
         expect_true(Case(mesh).lamp({1.5f, 3, 1}).s);
@@ -142,8 +146,8 @@ TEST(ShadowVolume, TooDeepForTheStencilIsCountedOneByOne) {
 
 TEST(ShadowVolume, FrontCapHasThePositionsOfTheMesh) {
     const MeshRef mesh = box_mesh();
-    const ShadowVolume volume =
-        shadow_volume(topology(*mesh), {.directional = true, .position = {0, -1, 0}, .reach = 10}, false);
+    const ShadowVolume volume = shadow_volume(
+        topology(*mesh), {.directional = true, .position = {0, -1, 0}, .reach = 10}, false);
     // Two triangles of the lid, as many below, four sides of two.
     EXPECT_EQ(volume.caps->triangles().size(), 2u + 2u);
     EXPECT_EQ(volume.sides->triangles().size(), 8u);
@@ -158,18 +162,20 @@ TEST(ShadowVolume, FrontCapHasThePositionsOfTheMesh) {
     }
 }
 
-/// The stencil plane of a frame's shadow, counted in front where that is allowed or behind everywhere.
+/// The stencil plane of a frame's shadow, counted in front where that is allowed or behind
+/// everywhere.
 std::vector<std::uint8_t> shadow_stencil(const scene::Scene& s, bool in_front,
                                          std::size_t* outside = nullptr) {
     const Model model = make_model(s);
     const Shadows shadows = find_volumes(model, topologies(model));
-    const scene::View view = enclosing(scene::make_view(s, window_width, window_height), model, shadows);
+    const scene::View view =
+        enclosing(scene::make_view(s, window_width, window_height), model, shadows);
     const Stage stage = make_stage(model, view);
     CommandList list = frame_list(s, view, {depth_pass}, vec3(0));
     add_shadow_volumes(list, stage, "shadow", shadows.volumes[0], {.in_front = in_front});
     for (std::size_t i = 0; outside && i < model.parts.size(); ++i)
-        *outside +=
-            shadows.volumes[0][i].caps && is_outside(shadows.volumes[0][i], stage.eye_from_object[i], view);
+        *outside += shadows.volumes[0][i].caps &&
+                    is_outside(shadows.volumes[0][i], stage.eye_from_object[i], view);
     const auto machine = make_reference(vgx(), window_width, window_height);
     machine->execute(list);
     return machine->planes().stencil;
@@ -177,17 +183,19 @@ std::vector<std::uint8_t> shadow_stencil(const scene::Scene& s, bool in_front,
 
 TEST(ShadowVolume, CountedInFrontIsCountedBehind) {
     std::size_t outside = 0, in_shadow = 0;
-    for (const MeshRef& mesh : {box_mesh(), open_box_mesh(), wings_mesh(),
-                                shape("torus", {{"segments", 12}, {"sides", 8}}), shape("torus_knot", {})})
-        for (const vec3& lamp : {vec3(0, 0, 0), vec3(1.5f, 3, 1), vec3(-4, 0.75f, 2), vec3(0.2f, 9, -3)}) {
+    for (const MeshRef& mesh :
+         {box_mesh(), open_box_mesh(), wings_mesh(),
+          shape("torus", {{"segments", 12}, {"sides", 8}}), shape("torus_knot", {})})
+        for (const vec3& lamp :
+             {vec3(0, 0, 0), vec3(1.5f, 3, 1), vec3(-4, 0.75f, 2), vec3(0.2f, 9, -3)}) {
             Case c(mesh);
             if (lamp != vec3(0)) c.lamp(lamp);
             // Background above the floor, and in front of the far cap.
             c.s.camera = scene::Camera{.eye = {-5, 1.5, 6}, .at = {0, 1, 0}, .fov = 50};
             const auto behind = shadow_stencil(c.s, false);
             EXPECT_EQ(shadow_stencil(c.s, true, &outside), behind) << lamp.x;
-            in_shadow +=
-                std::size_t(std::count_if(behind.begin(), behind.end(), [](int n) { return n > 0; }));
+            in_shadow += std::size_t(
+                std::count_if(behind.begin(), behind.end(), [](int n) { return n > 0; }));
         }
     EXPECT_GT(in_shadow, 1000u);
     EXPECT_GT(outside, 10u) << "else nothing was counted in front";
@@ -204,7 +212,8 @@ TEST(ShadowVolume, SidesAreEnoughForAnEyeThatSeesAllOfItFromThisSideOfItsFarCap)
     };
     EXPECT_TRUE(outside({0, 3, 8}, {0, 0, 0}));
     EXPECT_FALSE(outside({0, -1, 0.1}, {0, -1, -5})) << "inside";
-    EXPECT_FALSE(outside({3, -1, 0}, {3, -1, -5})) << "beside it, but half of it is behind the near plane";
+    EXPECT_FALSE(outside({3, -1, 0}, {3, -1, -5}))
+        << "beside it, but half of it is behind the near plane";
     EXPECT_FALSE(outside({0, -30, 0.1}, {0, 0, 0})) << "the far cap is before the scene";
 }
 

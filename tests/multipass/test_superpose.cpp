@@ -101,7 +101,8 @@ TEST(OnDisc, KeepsAreas) {
 
 TEST(ViewAt, TurnsTheViewAroundWhatIsInFocus) {
     scene::Scene s = shifted_square();
-    s.camera = scene::Camera{.eye = {0, 0, 5}, .near_plane = 1, .far_plane = 20, .aperture = 0.5, .focus = 4};
+    s.camera = scene::Camera{
+        .eye = {0, 0, 5}, .near_plane = 1, .far_plane = 20, .aperture = 0.5, .focus = 4};
     const scene::View still = scene::make_view(s, size, size);
     const auto place = [](const scene::View& view, double z) {
         const dvec4 clip = view.clip_from_eye * (view.eye_from_world * dvec4(0.5, -0.25, z, 1));
@@ -110,7 +111,8 @@ TEST(ViewAt, TurnsTheViewAroundWhatIsInFocus) {
     dvec2 reach(0);
     for (std::size_t i = 0; i < 8; ++i) {
         const scene::View view = view_at(still, {i, 8});
-        const dvec2 sharp = place(view, 1) - place(still, 1), near = place(view, 3) - place(still, 3),
+        const dvec2 sharp = place(view, 1) - place(still, 1),
+                    near = place(view, 3) - place(still, 3),
                     far = place(view, -5) - place(still, -5);
         for (int axis = 0; axis < 2; ++axis) {
             EXPECT_NEAR(sharp[axis], 0, 1e-12) << i;
@@ -133,8 +135,8 @@ TEST(Superpose, OneIsThePictureAsItIs) {
 TEST(Superpose, CountsThePositionsThatCoverThePixel) {
     const auto row = drawn(shifted_square(), vgx(), 64).color;
     const auto red = [&](int x) { return row[static_cast<std::size_t>(8 * size + x)][0]; };
-    // Pixel 4 (centre 4.5) is covered where 4.25 + j/8 <= 4.5, j = -4 .. 2; pixel 12 where 12.25 + j/8
-    // > 12.5, j = 3.
+    // Pixel 4 (centre 4.5) is covered where 4.25 + j/8 <= 4.5, j = -4 .. 2; pixel 12 where 12.25 +
+    // j/8 > 12.5, j = 3.
     EXPECT_EQ(red(3), 0);
     EXPECT_EQ(red(4), 223);  // 255 7/8
     EXPECT_EQ(red(5), 255);
@@ -148,7 +150,8 @@ TEST(Superpose, KeepsAnEvenColourForEveryCount) {
     EXPECT_EQ(most_pictures(reality()), 2048);
     EXPECT_EQ(most_pictures(ideal()), 32768);
     for (const int count : {2, 3, 7, 100, 128, 129, 256})
-        EXPECT_EQ(drawn(shifted_square(), vgx(), count).color[8 * size + 8], (Rgba{255, 255, 255, 255}))
+        EXPECT_EQ(drawn(shifted_square(), vgx(), count).color[8 * size + 8],
+                  (Rgba{255, 255, 255, 255}))
             << count;
 }
 

@@ -1,4 +1,5 @@
-// Translucent objects [K3.4]: sorted, unsorted, in exact layers; against blending worked out by hand.
+// Translucent objects [K3.4]: sorted, unsorted, in exact layers; against blending worked out by
+// hand.
 #include "gw/base/arithmetic.h"
 #include "gw/error.h"
 #include "multipass/frame/driver.h"
@@ -21,7 +22,8 @@ constexpr std::size_t middle = size / 2 * size + size / 2;
 struct Stack {
     scene::Scene s;
     Stack() {
-        s.camera = scene::Camera{.eye = {0, 0, 9}, .near_plane = 1, .far_plane = 20, .ortho_height = 4};
+        s.camera =
+            scene::Camera{.eye = {0, 0, 9}, .near_plane = 1, .far_plane = 20, .ortho_height = 4};
     }
     Stack& add(const vec3& Ke, float d) {
         const double z = double(s.objects.size());
@@ -48,7 +50,8 @@ double over(std::initializer_list<std::pair<double, double>> colors) {
 }
 
 TEST(Translucency, BlendsOneOverAnOpaqueObject) {
-    for (const Translucency t : {Translucency::Sorted, Translucency::Unsorted, Translucency::Layers}) {
+    for (const Translucency t :
+         {Translucency::Sorted, Translucency::Unsorted, Translucency::Layers}) {
         const Rgba seen = draw(Stack().add({1, 0, 0}, 1).add({0, 1, 0}, 0.25f).s, t);
         // alpha = 64 of 255; 255 (1 - a) = 191, 255 a = 64.
         EXPECT_EQ(seen, (Rgba{191, 64, 0, 255})) << int(t);
@@ -56,7 +59,8 @@ TEST(Translucency, BlendsOneOverAnOpaqueObject) {
 }
 
 TEST(Translucency, SortsFarToNearWhateverTheOrderOfTheScene) {
-    Stack stack = Stack().add({1, 1, 1}, 1).add({1, 0, 0}, 0.5f).add({0, 1, 0}, 0.5f).add({0, 0, 1}, 0.5f);
+    Stack stack =
+        Stack().add({1, 1, 1}, 1).add({1, 0, 0}, 0.5f).add({0, 1, 0}, 0.5f).add({0, 0, 1}, 0.5f);
     const double red = over({{1, 1}, {1, 0.5}, {0, 0.5}, {0, 0.5}}),
                  green = over({{1, 1}, {0, 0.5}, {1, 0.5}, {0, 0.5}}),
                  blue = over({{1, 1}, {0, 0.5}, {0, 0.5}, {1, 0.5}});
@@ -80,8 +84,10 @@ TEST(Translucency, UnsortedIsWrongWhereObjectsOverlap) {
 }
 
 TEST(Translucency, SeesNothingBehindAnOpaqueObject) {
-    for (const Translucency t : {Translucency::Sorted, Translucency::Unsorted, Translucency::Layers})
-        EXPECT_EQ(draw(Stack().add({1, 0, 0}, 0.5f).add({0, 1, 0}, 1).s, t), (Rgba{0, 255, 0, 255}));
+    for (const Translucency t :
+         {Translucency::Sorted, Translucency::Unsorted, Translucency::Layers})
+        EXPECT_EQ(draw(Stack().add({1, 0, 0}, 0.5f).add({0, 1, 0}, 1).s, t),
+                  (Rgba{0, 255, 0, 255}));
 }
 
 /// Two squares that pierce each other in a cross, in front of white.
@@ -90,7 +96,8 @@ scene::Scene crossed() {
     stack.add({1, 1, 1}, 1).add({1, 0, 0}, 0.5f).add({0, 0, 1}, 0.5f);
     stack.s.objects[1].world_from_object[0].z = 1;
     stack.s.objects[2].world_from_object[0].z = -1;
-    stack.s.objects[1].world_from_object[3] = stack.s.objects[2].world_from_object[3] = dvec4(0, 0, 3, 1);
+    stack.s.objects[1].world_from_object[3] = stack.s.objects[2].world_from_object[3] =
+        dvec4(0, 0, 3, 1);
     return stack.s;
 }
 
@@ -117,13 +124,15 @@ TEST(Translucency, EachComponentIsBlendedByItself) {
         m.Ks = vec3(i == 2 ? 0.5f : 0);
         m.refl = {plain_map(0, 0, 100)};
     }
-    stack.s.lights.push_back({.direction = {0, 0, -1}, .Ia = vec3(0.5f), .Id = vec3(0.5f), .Is = vec3(0.4f)});
+    stack.s.lights.push_back(
+        {.direction = {0, 0, -1}, .Ia = vec3(0.5f), .Id = vec3(0.5f), .Is = vec3(0.4f)});
     stack.s.lights.push_back(stack.s.lights[0]);
     const double far = 2 * (0.5 * 0.2 + 0.5 * 0.6), near = 2 * (0.5 * 0.2 + 0.5 * 0.1 + 0.4 * 0.5);
     for (const Translucency t : {Translucency::Sorted, Translucency::Layers}) {
         const Rgba seen = draw(stack.s, t, ideal());
         EXPECT_NEAR(seen[0] / 65535.0, over({{0.5, 1}, {far, 0.5}, {near, 0.25}}), 1e-3) << int(t);
-        EXPECT_NEAR(seen[2] / 65535.0, over({{0.5, 1}, {far, 0.5}, {near + 0.5 * 100 / 255, 0.25}}), 1e-3)
+        EXPECT_NEAR(seen[2] / 65535.0, over({{0.5, 1}, {far, 0.5}, {near + 0.5 * 100 / 255, 0.25}}),
+                    1e-3)
             << int(t);
     }
 }
@@ -154,7 +163,8 @@ TEST(Translucency, FogOfAllObjects) {
         Stack stack = Stack().add({1, 0, 0}, 1).add({0, 1, 0}, 0.5f);
         stack.s.camera->ortho_height = 0;
         stack.s.fog =
-            scene::Fog{.color = {0, 0, 1}, .start = 4, .end = 14};  // distances 9 and 8: half and 6/10 left
+            // distances 9 and 8: half and 6/10 left
+            scene::Fog{.color = {0, 0, 1}, .start = 4, .end = 14};
         const Rgba seen = draw(stack.s, t);
         EXPECT_NEAR(seen[0], 255 * over({{0.5, 1}, {0, 0.5}}), 3);
         EXPECT_NEAR(seen[1], 255 * over({{0, 1}, {0.6, 0.5}}), 3);
@@ -170,7 +180,8 @@ TEST(Translucency, HardwareBlendsEquation1) {
 }
 
 TEST(FarToNear, PutsPolygonsOfAllObjectsInOneOrder) {
-    const scene::Scene s = Stack().add(vec3(0), 0.5f).add(vec3(0), 0.5f).add(vec3(0), 1).reverse().s;
+    const scene::Scene s =
+        Stack().add(vec3(0), 0.5f).add(vec3(0), 0.5f).add(vec3(0), 1).reverse().s;
     const Model model = make_model(s);
     const auto order = far_to_near(make_stage(model, scene::make_view(s, size, size)));
     ASSERT_EQ(order.size(), 2u);
@@ -185,11 +196,14 @@ TEST(FarToNear, GoesByTheCentroidWhicheverCornerIsFirst) {
         s.materials.push_back({.d = 0.5f});
         const auto add = [&](std::vector<vec3> corners) {
             std::rotate(corners.begin(), corners.begin() + std::ptrdiff_t(first), corners.end());
-            s.objects.push_back({.name = "triangle", .mesh = make_mesh({.positions = std::move(corners)})});
+            s.objects.push_back(
+                {.name = "triangle", .mesh = make_mesh({.positions = std::move(corners)})});
         };
         add({{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}});
-        add({{-1, -1, 2}, {1, -1, 0}, {0, 1, 0}});  // farther in the mean, with the nearest corner of all
-        s.camera = scene::Camera{.eye = {0, 0, 9}, .near_plane = 1, .far_plane = 20, .ortho_height = 4};
+        // farther in the mean, with the nearest corner of all
+        add({{-1, -1, 2}, {1, -1, 0}, {0, 1, 0}});
+        s.camera =
+            scene::Camera{.eye = {0, 0, 9}, .near_plane = 1, .far_plane = 20, .ortho_height = 4};
         const Model model = make_model(s);
         const auto order = far_to_near(make_stage(model, scene::make_view(s, size, size)));
         ASSERT_EQ(order.size(), 2u);
@@ -202,8 +216,8 @@ TEST(Layers, CountAllFacesAPixelShows) {
     const Model model = make_model(stack.s);
     const scene::View view = scene::make_view(stack.s, size, size);
     const auto machine = make_reference(vgx(), size, size);
-    machine->execute(
-        frame_list(stack.s, view, passes_for(stack.s, Renderer::Multipass, Translucency::Layers), vec3(0)));
+    machine->execute(frame_list(
+        stack.s, view, passes_for(stack.s, Renderer::Multipass, Translucency::Layers), vec3(0)));
     const Layers layers = find_layers(*machine, make_stage(model, view));
     EXPECT_EQ(layers.depth.size(), 2u) << "the first square is behind the opaque one";
     EXPECT_GT(layers.depth[0][middle], layers.depth[1][middle]);
@@ -219,8 +233,8 @@ TEST(Layers, AreOneOfEqualDepthsAndNoneInTheOpaquePlane) {
     const Model model = make_model(stack.s);
     const scene::View view = scene::make_view(stack.s, size, size);
     const auto machine = make_reference(vgx(), size, size);
-    machine->execute(
-        frame_list(stack.s, view, passes_for(stack.s, Renderer::Multipass, Translucency::Layers), vec3(0)));
+    machine->execute(frame_list(
+        stack.s, view, passes_for(stack.s, Renderer::Multipass, Translucency::Layers), vec3(0)));
     const Layers layers = find_layers(*machine, make_stage(model, view));
     ASSERT_EQ(layers.depth.size(), 1u);
     EXPECT_EQ(layers.present[0][middle], 1u);

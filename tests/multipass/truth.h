@@ -1,5 +1,5 @@
-// Shadows by brute force: a ray through every pixel's centre, a ray from what it meets to the light. In
-// double.
+// Shadows by brute force: a ray through every pixel's centre, a ray from what it meets to the
+// light. In double.
 #pragma once
 
 #include "scene/draw/view.h"
@@ -50,13 +50,14 @@ enum class Truth { Background, Lit, Dark, Edge };
 inline constexpr int rays = 3;
 
 /// The point that a window position sees, through the inverse of the view's matrices.
-inline dvec3 unproject(const dmat4& world_from_clip, const scene::View& view, double x, double y, double z) {
+inline dvec3 unproject(const dmat4& world_from_clip, const scene::View& view, double x, double y,
+                       double z) {
     const dvec4 p = world_from_clip * dvec4(2 * x / view.width - 1, 2 * y / view.height - 1, z, 1);
     return dvec3(p) / p.w;
 }
 
-/// Per ray, bottom row first: whether light 0 arrives at what is surface. The dark side of a surface is
-/// dark.
+/// Per ray, bottom row first: whether light 0 arrives at what is surface. The dark side of a
+/// surface is dark.
 inline std::vector<Truth> true_shadows(const scene::Scene& s, const scene::View& view) {
     const auto triangles = world_triangles(s);
     const dmat4 world_from_clip = glm::inverse(view.clip_from_eye * view.eye_from_world);
@@ -70,14 +71,16 @@ inline std::vector<Truth> true_shadows(const scene::Scene& s, const scene::View&
             double nearest = 1;
             const WorldTriangle* surface = nullptr;
             for (const WorldTriangle& t : triangles)
-                if (const auto at = hit(o, d, t); at && *at > 0 && *at < nearest) nearest = *at, surface = &t;
+                if (const auto at = hit(o, d, t); at && *at > 0 && *at < nearest)
+                    nearest = *at, surface = &t;
             if (!surface) {
                 result.push_back(Truth::Background);
                 continue;
             }
             const dvec3 p = o + d * nearest;
             const bool directional = light.kind == scene::LightKind::Directional;
-            const dvec3 to_light = directional ? -dvec3(light.direction) : dvec3(light.position) - p;
+            const dvec3 to_light =
+                directional ? -dvec3(light.direction) : dvec3(light.position) - p;
             const dvec3 normal = cross3(surface->b - surface->a, surface->c - surface->a);
             bool dark = (dot3(normal, to_light) > 0) != (dot3(normal, d) < 0);
             for (const WorldTriangle& t : triangles) {
@@ -89,7 +92,8 @@ inline std::vector<Truth> true_shadows(const scene::Scene& s, const scene::View&
     return result;
 }
 
-/// The truth of a pixel; Edge where it is not the same on all rays of the pixel and of its eight neighbours.
+/// The truth of a pixel; Edge where it is not the same on all rays of the pixel and of its eight
+/// neighbours.
 inline Truth truth_at(const std::vector<Truth>& truth, int width, int height, int x, int y) {
     if (x < 1 || y < 1 || x > width - 2 || y > height - 2) return Truth::Edge;
     const auto at = [&](int i, int j) { return truth[std::size_t(j * width * rays + i)]; };

@@ -22,7 +22,8 @@ inline constexpr int grid = 8;   ///< units a pixel: the VGX's
 inline GridTriangle random_triangle(Random& random) {
     GridTriangle t;
     for (GridPoint& p : t)
-        p = {random.between(-4 * grid, (size + 4) * grid), random.between(-4 * grid, (size + 4) * grid)};
+        p = {random.between(-4 * grid, (size + 4) * grid),
+             random.between(-4 * grid, (size + 4) * grid)};
     return t;
 }
 
@@ -61,7 +62,8 @@ inline bool near_side(const GridTriangle& t, int x, int y) {
     for (std::size_t i = 0; i < 3; ++i) {
         const GridPoint &a = t[i], &b = t[(i + 1) % 3];
         const double dx = double(b.x - a.x), dy = double(b.y - a.y), length2 = dx * dx + dy * dy;
-        const double along = length2 > 0 ? (double(p.x - a.x) * dx + double(p.y - a.y) * dy) / length2 : 0;
+        const double along =
+            length2 > 0 ? (double(p.x - a.x) * dx + double(p.y - a.y) * dy) / length2 : 0;
         const double k = std::clamp(along, 0.0, 1.0);
         if (std::hypot(double(p.x - a.x) - k * dx, double(p.y - a.y) - k * dy) <= 1) return true;
     }
@@ -98,8 +100,8 @@ struct Tally {
 
 /// One line of docs/manual/differences.md's table.
 inline void report(const std::string& driver, const char* what, const Tally& t) {
-    std::printf("%-9s %-44s compared %8ld  different %7ld  largest %.6g\n", driver.c_str(), what, t.compared,
-                t.different, t.worst);
+    std::printf("%-9s %-44s compared %8ld  different %7ld  largest %.6g\n", driver.c_str(), what,
+                t.compared, t.different, t.worst);
 }
 
 class Driver : public testing::TestWithParam<const char*> {
@@ -115,7 +117,8 @@ public:
 inline Tally compare_colors(const std::vector<Planes>& a, const std::vector<Planes>& b) {
     Tally tally;
     for (std::size_t i = 0; i < a.size(); ++i)
-        for_pixels([&](int, int, std::size_t p) { tally.add(difference(a[i].color[p], b[i].color[p])); });
+        for_pixels(
+            [&](int, int, std::size_t p) { tally.add(difference(a[i].color[p], b[i].color[p])); });
     return tally;
 }
 

@@ -68,8 +68,8 @@ void play_all(std::FILE* out, const std::vector<CommandList>& lists, int width, 
 }
 
 /// The other process. Ends without the destructors and exit handlers of this one.
-[[noreturn]] void child(int pipe, const std::string& driver, const std::vector<CommandList>& lists, int width,
-                        int height) {
+[[noreturn]] void child(int pipe, const std::string& driver, const std::vector<CommandList>& lists,
+                        int width, int height) {
     setenv("GALLIUM_DRIVER", driver.c_str(), 1);
     std::FILE* out = fdopen(pipe, "wb");
     play_all(out, lists, width, height);
@@ -91,7 +91,8 @@ Answers receive(std::FILE* in, std::size_t count, int width, int height) {
 
 }  // namespace
 
-Answers play(const std::string& driver, const std::vector<CommandList>& lists, int width, int height) {
+Answers play(const std::string& driver, const std::vector<CommandList>& lists, int width,
+             int height) {
     int ends[2];
     if (pipe(ends) != 0) throw Error("no pipe");
     const pid_t process = fork();

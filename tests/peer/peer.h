@@ -1,5 +1,5 @@
-// A peer's answers: lists played by peer::Player in a process of its own, because Mesa chooses its driver
-// once per process.
+// A peer's answers: lists played by peer::Player in a process of its own, because Mesa chooses its
+// driver once per process.
 #pragma once
 
 #include "gw/machine.h"
@@ -15,8 +15,10 @@ struct Answers {
     std::vector<Planes> planes;  ///< one a list
 };
 
-/// `driver`: GALLIUM_DRIVER, `llvmpipe` or `softpipe`. Throws Error with what the other process said.
-Answers play(const std::string& driver, const std::vector<CommandList>& lists, int width, int height);
+/// `driver`: GALLIUM_DRIVER, `llvmpipe` or `softpipe`. Throws Error with what the other process
+/// said.
+Answers play(const std::string& driver, const std::vector<CommandList>& lists, int width,
+             int height);
 
 /// The reference's planes of the same lists.
 std::vector<Planes> execute(const std::vector<CommandList>& lists, int width, int height,

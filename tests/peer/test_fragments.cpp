@@ -1,5 +1,5 @@
-// Stencil, masks, culling, alpha test, blending, pixel rectangles, copies and accumulation through Mesa and
-// us.
+// Stencil, masks, culling, alpha test, blending, pixel rectangles, copies and accumulation through
+// Mesa and us.
 #include "tests/peer/compare.h"
 
 namespace gw {
@@ -27,8 +27,11 @@ State random_tests(Random& random) {
                  .zfail = pick(random, StencilOp::Invert),
                  .zpass = pick(random, StencilOp::Invert),
                  .write_mask = random.one_in(2) ? 255 : std::uint32_t(random.between(0, 255))};
-    s.depth = {.test = !random.one_in(4), .func = pick(random, DepthFunc::Always), .mask = !random.one_in(4)};
-    s.alpha = {.test = random.one_in(3), .func = pick(random, AlphaFunc::Always), .ref = 128.0f / 255};
+    s.depth = {.test = !random.one_in(4),
+               .func = pick(random, DepthFunc::Always),
+               .mask = !random.one_in(4)};
+    s.alpha = {
+        .test = random.one_in(3), .func = pick(random, AlphaFunc::Always), .ref = 128.0f / 255};
     s.cull = {.enable = random.one_in(3),
               .face = pick(random, Face::FrontAndBack),
               .front = pick(random, Winding::CCW)};
@@ -102,7 +105,8 @@ TEST_P(Fragments, EachPairOfBlendFactorsIsWithinOneUnit) {
     Random random(4);
     for (int s = 0; s <= int(BlendFactor::SrcAlphaSaturate); ++s)
         for (int d = 0; d <= int(BlendFactor::SrcAlphaSaturate); ++d) {
-            if (!is_source_factor(BlendFactor(s)) || !is_destination_factor(BlendFactor(d))) continue;
+            if (!is_source_factor(BlendFactor(s)) || !is_destination_factor(BlendFactor(d)))
+                continue;
             CommandList& list = lists.emplace_back();
             State state = window_state();
             add(list, state, random_pixels(random));
@@ -121,11 +125,13 @@ CommandList layers() {
     CommandList list;
     State state = window_state();
     add(list, state, random_pixels(random));
-    state.blend = {.enable = true, .src = BlendFactor::SrcAlpha, .dst = BlendFactor::OneMinusSrcAlpha};
+    state.blend = {
+        .enable = true, .src = BlendFactor::SrcAlpha, .dst = BlendFactor::OneMinusSrcAlpha};
     for (int i = 0; i < 64; ++i) add(list, state, random_pixels(random));
     state.blend.src = state.blend.dst = BlendFactor::One;
     const std::vector<Rgba> dim(size * size, Rgba{1, 2, 3, 1});
-    for (int i = 0; i < 40; ++i) add(list, state, WritePixels{.rect = {0, 0, size, size}, .colors = dim});
+    for (int i = 0; i < 40; ++i)
+        add(list, state, WritePixels{.rect = {0, 0, size, size}, .colors = dim});
     return list;
 }
 

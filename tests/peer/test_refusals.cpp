@@ -27,7 +27,8 @@ TEST(PlayerRefuses, TwoSidedLighting) {
     State state;
     state.color_source = ColorSource::Lighting;
     state.lighting.two_side = true;
-    EXPECT_NE(refusal(state, any_draw()).find("command 1 (Draw): lighting.two_side"), std::string::npos);
+    EXPECT_NE(refusal(state, any_draw()).find("command 1 (Draw): lighting.two_side"),
+              std::string::npos);
 }
 
 TEST(PlayerRefuses, ExtensionsThatTheProfileLacks) {

@@ -34,7 +34,8 @@ Tally textured(const Driver& driver, MinFilter min, MagFilter mag, TexEnv env) {
     Random random(8);
     for (int i = 0; i < 20; ++i) {
         State state = window_state();
-        state.texture = {.min_filter = min, .mag_filter = mag, .env = env, .env_color = random_color(random)};
+        state.texture = {
+            .min_filter = min, .mag_filter = mag, .env = env, .env_color = random_color(random)};
         if (i % 2) state.texture.wrap_s = state.texture.wrap_t = Wrap::Clamp;
         lists.emplace_back().add(Clear{all_planes});
         add(lists.back(), state, textured_square(random));
@@ -61,7 +62,8 @@ CommandList slotted(Random& random) {
     CommandList list;
     WritePixels pixels{.rect = {0, 0, size, size}};
     for (int i = 0; i < size * size; ++i)
-        pixels.colors.push_back({std::uint16_t(random.between(0, 255)), std::uint16_t(i & 255), 7, 255});
+        pixels.colors.push_back(
+            {std::uint16_t(random.between(0, 255)), std::uint16_t(i & 255), 7, 255});
     add(list, window_state(), pixels);
     list.add(CopyTexture{5, Plane::Color, {16, 8, 32, 32}});
     State state = window_state();

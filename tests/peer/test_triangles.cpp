@@ -22,12 +22,14 @@ struct Scene {
 Scene flat_scene(Random& random) {
     Scene s{random_triangle(random), {}, {}};
     for (std::int64_t& z : s.depth) z = random.between(0, 16777215);
-    const vec4 color{float(random.between(0, 255)) / 255, float(random.between(0, 255)) / 255, 0.2f, 1};
+    const vec4 color{float(random.between(0, 255)) / 255, float(random.between(0, 255)) / 255, 0.2f,
+                     1};
     State state = window_state();
     state.depth = {.test = true, .func = DepthFunc::Always};
     state.shade_model = ShadeModel::Flat;
     s.list.add(Clear{all_planes});
-    add(s.list, state, Draw{.mesh = make_mesh(mesh_of(s.triangle, s.depth, {color, color, color}))});
+    add(s.list, state,
+        Draw{.mesh = make_mesh(mesh_of(s.triangle, s.depth, {color, color, color}))});
     return s;
 }
 
@@ -92,8 +94,8 @@ double slope(const Scene& s) {
     const auto gradient = [&](auto difference_of) {
         double sum = 0;
         for (std::size_t i = 0; i < 3; ++i)
-            sum +=
-                double(s.depth[i]) * double(difference_of(s.triangle[(i + 1) % 3], s.triangle[(i + 2) % 3]));
+            sum += double(s.depth[i]) *
+                   double(difference_of(s.triangle[(i + 1) % 3], s.triangle[(i + 2) % 3]));
         return std::abs(sum * grid / double(cross(s.triangle[0], s.triangle[1], s.triangle[2])));
     };
     return std::max(gradient([](const GridPoint& a, const GridPoint& b) { return a.y - b.y; }),
@@ -126,12 +128,14 @@ State perspective_state() {
     return s;
 }
 
-/// A triangle whose corners lie at different distances, in front of the near plane and behind the far one.
+/// A triangle whose corners lie at different distances, in front of the near plane and behind the
+/// far one.
 CommandList smooth_list(Random& random) {
     MeshData data;
     for (int i = 0; i < 3; ++i) {
         const float w = float(random.between(2 * 64, 24 * 64)) / 64;
-        data.positions.push_back({(random.fraction() * 2 - 1) * w, (random.fraction() * 2 - 1) * w, -w});
+        data.positions.push_back(
+            {(random.fraction() * 2 - 1) * w, (random.fraction() * 2 - 1) * w, -w});
         data.colors.push_back(random_color(random));
         data.colors.back().a = 1;
     }

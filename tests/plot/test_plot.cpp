@@ -26,10 +26,12 @@ TEST(Scale, LinearTicksAreRoundAndEncloseTheValues) {
 }
 
 TEST(Scale, LogarithmicTicksArePowers) {
-    EXPECT_EQ(texts(make_scale({"N", 2}, {2, 16})), (std::vector<std::string>{"2", "4", "8", "16"}));
+    EXPECT_EQ(texts(make_scale({"N", 2}, {2, 16})),
+              (std::vector<std::string>{"2", "4", "8", "16"}));
     EXPECT_EQ(texts(make_scale({"e", 10}, {0.0011, 9})),
               (std::vector<std::string>{"0.001", "0.01", "0.1", "1", "10"}));
-    EXPECT_EQ(texts(make_scale({"e", 10}, {1, 9})), (std::vector<std::string>{"1", "2", "5", "10"}));
+    EXPECT_EQ(texts(make_scale({"e", 10}, {1, 9})),
+              (std::vector<std::string>{"1", "2", "5", "10"}));
     EXPECT_NEAR(make_scale({"e", 10}, {1, 100}).place(10), 0.5, 1e-15);
 }
 
@@ -88,7 +90,9 @@ TEST(Svg, SaysByWhichCommandItWasMade) {
     EXPECT_EQ(command_of(svg(plot).substr(0, svg(plot).find("</desc>"))), "");
 }
 
-TEST(Csv, HasARowForEveryX) { EXPECT_EQ(csv(small), "N,\"one, two\",three\n2,0.5,\n4,,0.1\n8,0.125,\n"); }
+TEST(Csv, HasARowForEveryX) {
+    EXPECT_EQ(csv(small), "N,\"one, two\",three\n2,0.5,\n4,,0.1\n8,0.125,\n");
+}
 
 TEST(PowerLaw, FindsTheLawThatThePointsFollow) {
     std::vector<dvec2> points;

@@ -24,7 +24,8 @@ inline double parallel_rectangles(double a, double b, double c) {
     const double x = a / c, y = b / c, p = std::sqrt(1 + x * x), q = std::sqrt(1 + y * y);
     const double log = std::log((1 + x * x) * (1 + y * y) / (1 + x * x + y * y)) / 2;
     return 2 / (M_PI * x * y) *
-           (log + x * q * std::atan(x / q) + y * p * std::atan(y / p) - x * std::atan(x) - y * std::atan(y));
+           (log + x * q * std::atan(x / q) + y * p * std::atan(y / p) - x * std::atan(x) -
+            y * std::atan(y));
 }
 
 /// Howell C-14: from a rectangle w deep to one h high that stands on their common edge, l long.
@@ -33,7 +34,8 @@ inline double perpendicular_rectangles(double w, double h, double l) {
     const double log = std::log((1 + W2) * (1 + H2) / (1 + s)) +
                        W2 * std::log(W2 * (1 + s) / ((1 + W2) * s)) +
                        H2 * std::log(H2 * (1 + s) / ((1 + H2) * s));
-    return (W * std::atan(1 / W) + H * std::atan(1 / H) - r * std::atan(1 / r) + log / 4) / (M_PI * W);
+    return (W * std::atan(1 / W) + H * std::atan(1 / H) - r * std::atan(1 / r) + log / 4) /
+           (M_PI * W);
 }
 
 /// Howell C-41: from a disc of radius r1 to a coaxial one of radius r2 at distance h.
@@ -42,8 +44,10 @@ inline double coaxial_discs(double r1, double r2, double h) {
     return (x - std::sqrt(x * x - 4 * (R2 / R1) * (R2 / R1))) / 2;
 }
 
-/// Lambert 1760: from a point with this normal to a polygon that is wholly over its horizon and faces it.
-inline double point_to_polygon(const dvec3& p, const dvec3& normal, const std::vector<dvec3>& polygon) {
+/// Lambert 1760: from a point with this normal to a polygon that is wholly over its horizon and
+/// faces it.
+inline double point_to_polygon(const dvec3& p, const dvec3& normal,
+                               const std::vector<dvec3>& polygon) {
     double sum = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const dvec3 a = polygon[i] - p, b = polygon[(i + 1) % polygon.size()] - p, n = cross3(a, b);
@@ -64,7 +68,8 @@ inline double quad_to_quad(const Quad& from, const Quad& to, int n = 300) {
 }
 
 /// With one parallelogram in the way: the mean over pairs of n x n points each.
-inline double quad_to_quad_behind(const Quad& from, const Quad& to, const Quad& occluder, int n = 48) {
+inline double quad_to_quad_behind(const Quad& from, const Quad& to, const Quad& occluder,
+                                  int n = 48) {
     const dvec3 m = from.cross() / length(from.cross()), k = to.cross(), o = occluder.cross();
     const auto hidden = [&](const dvec3& p, const dvec3& d) {
         const double t = dot3(o, occluder.corner - p) / dot3(o, d);
@@ -77,7 +82,8 @@ inline double quad_to_quad_behind(const Quad& from, const Quad& to, const Quad& 
     double sum = 0;
     for (int e = 0; e < n * n; ++e)
         for (int r = 0; r < n * n; ++r) {
-            const dvec3 p = from.at((e % n + 0.5) / n, (e / n + 0.5) / n);    // NOLINT: whole numbers
+            // NOLINT: whole numbers
+            const dvec3 p = from.at((e % n + 0.5) / n, (e / n + 0.5) / n);
             const dvec3 d = to.at((r % n + 0.5) / n, (r / n + 0.5) / n) - p;  // NOLINT
             const double d2 = dot3(d, d), cosines = dot3(m, d) * -dot3(k, d);
             if (cosines > 0 && !hidden(p, d)) sum += cosines / (M_PI * d2 * d2);

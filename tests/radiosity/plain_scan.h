@@ -1,5 +1,5 @@
-// The scan of [F2.2], one pixel after the other and no vectors: the scalar twin that scan_pixmap is compared
-// with.
+// The scan of [F2.2], one pixel after the other and no vectors: the scalar twin that scan_pixmap is
+// compared with.
 #pragma once
 
 #include "radiosity/hemicube/homography.h"
@@ -14,15 +14,16 @@ namespace gw::radiosity {
 /// One facet in one face.
 class PlainScan {
 public:
-    PlainScan(const Model& model, std::uint32_t number, const IdBuffer& buffer, const Homography& map,
-              int most_parts, std::span<double> factors)
+    PlainScan(const Model& model, std::uint32_t number, const IdBuffer& buffer,
+              const Homography& map, int most_parts, std::span<double> factors)
         : map_(map),
           u_{model.facets[number].low.x, model.facets[number].high.x,
              model.pixmaps[model.facets[number].pixmap].width},
           v_{model.facets[number].low.y, model.facets[number].high.y,
              model.pixmaps[model.facets[number].pixmap].height},
           first_(model.pixmaps[model.facets[number].pixmap].first),
-          nearest_(model.pixmaps[model.facets[number].pixmap].whole ? nullptr : model.nearest.data()),
+          nearest_(model.pixmaps[model.facets[number].pixmap].whole ? nullptr
+                                                                    : model.nearest.data()),
           factors_(factors.data()),
           most_parts_(most_parts),
           pixel_(pixel_of(number)),
@@ -33,7 +34,8 @@ public:
         const double w = inverse(h.z);
         const dvec2 uv(h.x * w, h.y * w);
         if (most_parts_ == 1) return to_box<2>(uv, dvec2(0), delta);
-        const dvec2 across_x = footprint(uv, w, map_.along_x), across_y = footprint(uv, w, map_.along_y);
+        const dvec2 across_x = footprint(uv, w, map_.along_x),
+                    across_y = footprint(uv, w, map_.along_y);
         const double x = largest(across_x), y = largest(across_y);
         if (x <= 0.5 && y <= 0.5) return to_box<2>(uv, box_of(across_x, across_y), delta);
         const int nx = parts(x), ny = parts(y);
@@ -42,7 +44,9 @@ public:
     }
 
 private:
-    dvec3 at(double x, double y) const { return map_.at_zero + (x * map_.along_x + y * map_.along_y); }
+    dvec3 at(double x, double y) const {
+        return map_.at_zero + (x * map_.along_x + y * map_.along_y);
+    }
 
     /// In texels, along u or v: where the facet lies, and how many texels the pixmap has.
     struct Axis {
@@ -54,8 +58,8 @@ private:
         int begin = 0, end = 0;
     };
 
-    /// W is below 0 where the front is seen. A part of a pixel may reach over the plane's horizon: the texel
-    /// is then far away.
+    /// W is below 0 where the front is seen. A part of a pixel may reach over the plane's horizon:
+    /// the texel is then far away.
     static double inverse(double w) { return 1 / (w < -1e-30 ? w : -1e-30); }
 
     static double largest(const dvec2& v) {
@@ -79,7 +83,8 @@ private:
         return texels < most_parts_ ? static_cast<int>(texels) + 1 : most_parts_;
     }
 
-    void in_parts(int i, int j, int nx, int ny, const dvec2& middle, const dvec2& size, double delta) const {
+    void in_parts(int i, int j, int nx, int ny, const dvec2& middle, const dvec2& size,
+                  double delta) const {
         std::vector<dvec2> parts;
         const Range in_x = reach(i, j, 1, 0, nx), in_y = reach(i, j, 0, 1, ny);
         for (int y = in_y.begin; y < in_y.end; ++y)
@@ -89,11 +94,12 @@ private:
                 if (u_.holds(h.x * w) && v_.holds(h.y * w)) parts.push_back({h.x * w, h.y * w});
             }
         if (parts.empty()) parts.push_back(middle);
-        for (const dvec2& uv : parts) to_box<3>(uv, size, delta / static_cast<double>(parts.size()));
+        for (const dvec2& uv : parts)
+            to_box<3>(uv, size, delta / static_cast<double>(parts.size()));
     }
 
-    /// The parts of a pixel. Beside one that sees something else the facet may reach on, by half a pixel in
-    /// the mean: without these parts, texels there would get nothing.
+    /// The parts of a pixel. Beside one that sees something else the facet may reach on, by half a
+    /// pixel in the mean: without these parts, texels there would get nothing.
     Range reach(int i, int j, int dx, int dy, int count) const {
         const int more = (count + 1) / 2;
         return {ends(i - dx, j - dy) ? -more : 0, ends(i + dx, j + dy) ? count + more : count};
@@ -117,15 +123,16 @@ private:
         std::array<double, Count> part;
     };
 
-    /// Of an interval shorter than Count - 1 texels, moved, and where it is larger cut, into the facet: a
-    /// pixel on the border may fall beside it.
+    /// Of an interval shorter than Count - 1 texels, moved, and where it is larger cut, into the
+    /// facet: a pixel on the border may fall beside it.
     template <std::size_t Count>
     static Cells<Count> cells(double middle, double size, const Axis& axis) {
         const double whole = axis.high - axis.low, length = size < whole ? size : whole;
         const double wanted = middle - length / 2, end = axis.high - length;
         const double limited = wanted < end ? wanted : end;
         const double begin = limited > axis.low ? limited : axis.low;  // not below 0
-        const int at = static_cast<int>(begin), last = axis.count - 1, first = at < last ? at : last;
+        const int at = static_cast<int>(begin), last = axis.count - 1,
+                  first = at < last ? at : last;
         Cells<Count> cells;
         double left = length, room = first + 1 - begin;
         for (std::size_t k = 0; k < Count; ++k) {
@@ -156,7 +163,9 @@ private:
         }
     }
 
-    void add(std::size_t texel, double value) const { factors_[nearest_ ? nearest_[texel] : texel] += value; }
+    void add(std::size_t texel, double value) const {
+        factors_[nearest_ ? nearest_[texel] : texel] += value;
+    }
 
     const Homography map_;
     const Axis u_, v_;
@@ -170,8 +179,8 @@ private:
 
 /// The front of every facet of a pixmap.
 inline void plain_scan(const Model& model, std::uint32_t pixmap, const Hemicube& hemicube,
-                       const IdBuffers& buffers, const DeltaFormFactors& delta, const ScanOptions& options,
-                       std::span<double> factors) {
+                       const IdBuffers& buffers, const DeltaFormFactors& delta,
+                       const ScanOptions& options, std::span<double> factors) {
     Region region;
     for (const std::uint32_t number : model.pixmaps[pixmap].facets)
         for (std::size_t face = 0; face < hemicube_faces; ++face) {
@@ -179,14 +188,16 @@ inline void plain_scan(const Model& model, std::uint32_t pixmap, const Hemicube&
             const IdBuffer& buffer = buffers[face];
             if (dot3(facet.normal, hemicube.position) - facet.offset <= 0) continue;
             find_region(facet, hemicube.views[face], face == 0, region);
-            const PlainScan scan(model, number, buffer,
-                                 homography(facet, hemicube, hemicube.views[face], buffer.size - buffer.rows),
-                                 options.most_parts, factors);
+            const PlainScan scan(
+                model, number, buffer,
+                homography(facet, hemicube, hemicube.views[face], buffer.size - buffer.rows),
+                options.most_parts, factors);
             for (std::size_t r = 0; r < region.spans.size(); ++r)
                 for (int i = region.spans[r].first; i < region.spans[r].end; ++i) {
                     const int j = region.row + static_cast<int>(r);
-                    const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(buffer.size) +
-                                    static_cast<std::size_t>(i);
+                    const auto at =
+                        static_cast<std::size_t>(j) * static_cast<std::size_t>(buffer.size) +
+                        static_cast<std::size_t>(i);
                     if (buffer.pixels[at] == pixel_of(number))
                         scan.pixel(i, j, (face == 0 ? delta.top : delta.side)[at]);
                 }

@@ -8,15 +8,17 @@
 
 namespace gw::radiosity {
 
-/// A parallelogram from `corner` along a and b, facing cross(a, b), as one quad with ST at its corners.
-inline void add_quad(scene::Scene& scene, const std::string& name, const vec3& corner, const vec3& a,
-                     const vec3& b, float rho = 0, float emission = 0) {
+/// A parallelogram from `corner` along a and b, facing cross(a, b), as one quad with ST at its
+/// corners.
+inline void add_quad(scene::Scene& scene, const std::string& name, const vec3& corner,
+                     const vec3& a, const vec3& b, float rho = 0, float emission = 0) {
     scene.materials.push_back({.name = name, .Kd = vec3(rho), .Ke = vec3(emission)});
-    scene.objects.push_back({.name = name,
-                             .mesh = make_mesh({.primitive = Primitive::Quads,
-                                                .positions = {corner, corner + a, corner + a + b, corner + b},
-                                                .texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}}),
-                             .material = scene.materials.size() - 1});
+    scene.objects.push_back(
+        {.name = name,
+         .mesh = make_mesh({.primitive = Primitive::Quads,
+                            .positions = {corner, corner + a, corner + a + b, corner + b},
+                            .texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}}),
+         .material = scene.materials.size() - 1});
 }
 
 /// A closed box of these sides whose walls face inwards.

@@ -1,5 +1,6 @@
-// Form factors of figures of many sizes, distances and angles, both ways, within half a percent: Howell's
-// C-11, C-14 and C-41 over their parameters, and sums of Lambert's formula where there is no closed form.
+// Form factors of figures of many sizes, distances and angles, both ways, within half a percent:
+// Howell's C-11, C-14 and C-41 over their parameters, and sums of Lambert's formula where there is
+// no closed form.
 #include "oracle.h"
 #include "radiosity/hemicube/form_factors.h"
 #include "scenes.h"
@@ -49,7 +50,9 @@ Quad moved(Quad quad, const dvec3& by) {
     return quad;
 }
 
-Case summed(const char* name, const Quad& a, const Quad& b) { return {name, a, b, quad_to_quad(a, b)}; }
+Case summed(const char* name, const Quad& a, const Quad& b) {
+    return {name, a, b, quad_to_quad(a, b)};
+}
 
 std::vector<Case> cases() {
     const Quad floor = up(0, 0, 0, 1, 1), wall = wedge(0, 1, 1, 1);
@@ -69,7 +72,8 @@ std::vector<Case> cases() {
 
 class ClosedForms : public testing::TestWithParam<std::tuple<std::size_t, double>> {};
 
-// With texels of a quarter, and with one texel for all: the form factor does not depend on the pixmap.
+// With texels of a quarter, and with one texel for all: the form factor does not depend on the
+// pixmap.
 TEST_P(ClosedForms, BothWaysAndReciprocal) {
     const auto [number, texels] = GetParam();
     const Case c = cases()[number];
@@ -95,8 +99,9 @@ TEST(ClosedForms, AnOccluderBetweenTwoSquares) {
     add(scene, "ceiling", ceiling);
     add(scene, "screen", between_them);
     const Model model = make_model(scene, {.texels_per_unit = 8});
-    EXPECT_NEAR(between(model, "floor", "ceiling", 64) / quad_to_quad_behind(floor, ceiling, between_them), 1,
-                0.005);
+    EXPECT_NEAR(
+        between(model, "floor", "ceiling", 64) / quad_to_quad_behind(floor, ceiling, between_them),
+        1, 0.005);
 }
 
 // C-41: discs of different radii, as polygons of 96 sides, whose area is 0.9993 of the circle's.
@@ -138,8 +143,9 @@ TEST(ClosedForms, APointBeforeASphere) {
     const Model model = make_model(scene, {.texels_per_unit = 4});
     FormFactors factors(model, {.hemicube = 128});
     const double d2 = 0.6 * 0.6 + 1.2 * 1.2, exact = 0.25 / d2 * 1.2 / std::sqrt(d2);
-    EXPECT_NEAR(to_object(model, factors.from_points({{{0, 0, 0}, {0, 1, 0}, 1, 1}}, 0), "ball") / exact, 1,
-                0.005);
+    EXPECT_NEAR(
+        to_object(model, factors.from_points({{{0, 0, 0}, {0, 1, 0}, 1, 1}}, 0), "ball") / exact, 1,
+        0.005);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Pictures of pixmaps [F2.3]: strips refer to every texel and leave no gaps, charts meet without a seam,
-// glowing scenes.
+// Pictures of pixmaps [F2.3]: strips refer to every texel and leave no gaps, charts meet without a
+// seam, glowing scenes.
 #include "gw/machine.h"
 #include "radiosity/display/emissive_scene.h"
 #include "scene/draw/draw_commands.h"
@@ -17,8 +17,8 @@ namespace {
 
 MeshRef sphere(int slices, int stacks) {
     const auto& shapes = scene::shapes();
-    const auto shape =
-        std::find_if(shapes.begin(), shapes.end(), [](const auto& s) { return s.name == "sphere"; });
+    const auto shape = std::find_if(shapes.begin(), shapes.end(),
+                                    [](const auto& s) { return s.name == "sphere"; });
     std::vector<double> values;
     for (const auto& p : shape->parameters)
         values.push_back(p.name == "radius" ? 1 : p.name == "slices" ? slices : stacks);
@@ -41,7 +41,8 @@ std::vector<vec4> vertex_colors(const CommandList& list) {
     std::vector<vec4> all;
     for (const Command& command : list.commands)
         if (const auto* draw = std::get_if<Draw>(&command))
-            all.insert(all.end(), draw->mesh->data().colors.begin(), draw->mesh->data().colors.end());
+            all.insert(all.end(), draw->mesh->data().colors.begin(),
+                       draw->mesh->data().colors.end());
     return all;
 }
 
@@ -54,15 +55,17 @@ void expect_every_texel_in_strips(const Model& model) {
                 if (model.nearest[t] != t || model.area[t] == 0) continue;
                 Shown colors(model);
                 colors.at(p, x, y) = dvec3(1);
-                const std::vector<vec4> vertices = vertex_colors(strip_list(model, colors, view, {}, 1));
-                EXPECT_TRUE(
-                    std::any_of(vertices.begin(), vertices.end(), [](const vec4& c) { return c.x > 0; }))
+                const std::vector<vec4> vertices =
+                    vertex_colors(strip_list(model, colors, view, {}, 1));
+                EXPECT_TRUE(std::any_of(vertices.begin(), vertices.end(),
+                                        [](const vec4& c) { return c.x > 0; }))
                     << model.pixmaps[p].name << " " << x << " " << y;
             }
 }
 
 TEST(Strips, ReferToEveryTexelOfABox) {
-    expect_every_texel_in_strips(make_model(closed_box({1, 0.6f, 1.3f}, 0.5f, 1), {.texels_per_unit = 5}));
+    expect_every_texel_in_strips(
+        make_model(closed_box({1, 0.6f, 1.3f}, 0.5f, 1), {.texels_per_unit = 5}));
 }
 
 TEST(Strips, ReferToEveryTexelOfATriangle) {
@@ -74,20 +77,21 @@ TEST(Strips, ReferToEveryTexelOfASphere) {
     expect_every_texel_in_strips(make_model(with(sphere(12, 6)), {.texels_per_unit = 3}));
 }
 
-// Sides that triangles share have the same vertices, whatever the resolutions at both sides: no pixel between
-// them shows what is behind. From within a closed box nothing else can be seen.
+// Sides that triangles share have the same vertices, whatever the resolutions at both sides: no
+// pixel between them shows what is behind. From within a closed box nothing else can be seen.
 TEST(Strips, LeaveNoGaps) {
     scene::Scene scene = closed_box({2, 2, 2}, 0.5f, 1);
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         scene.objects[i].pixmap.texels_per_unit = 2.5 + 1.7 * double(i);
     const Model model = make_model(scene);
     Shown colors(model);
-    const scene::View inside = scene::make_view({.eye = {0.61, 0.93, 0.77}, .at = {2, 0.1, 2}, .fov = 100},
-                                                scene::bounds(scene), 256, 256);
+    const scene::View inside = scene::make_view(
+        {.eye = {0.61, 0.93, 0.77}, .at = {2, 0.1, 2}, .fov = 100}, scene::bounds(scene), 256, 256);
     const auto machine = make_fast(ideal(), 256, 256, {.threads = 1});
     machine->execute(figures_of(strip_list(model, colors, inside, {}, 1)));
     const auto& pixels = machine->planes().color;
-    EXPECT_EQ(std::count_if(pixels.begin(), pixels.end(), [](const Rgba& c) { return scene::id_of(c) == 0; }),
+    EXPECT_EQ(std::count_if(pixels.begin(), pixels.end(),
+                            [](const Rgba& c) { return scene::id_of(c) == 0; }),
               0);
 }
 
@@ -110,8 +114,8 @@ double seam(const Model& model, const Shown& colors) {
     return worst;
 }
 
-// A sphere lit from above, bright 0 to 1. Where each chart's border repeats its own texels, a seam is as
-// large as the light changes in a texel; where it shows the neighbour's, a fraction of that.
+// A sphere lit from above, bright 0 to 1. Where each chart's border repeats its own texels, a seam
+// is as large as the light changes in a texel; where it shows the neighbour's, a fraction of that.
 TEST(Seams, ChartsOfASphereMeet) {
     const Model model = make_model(with(sphere(24, 12)), {.texels_per_unit = 6});
     ASSERT_GT(model.pixmaps.size(), 4u);
@@ -121,16 +125,18 @@ TEST(Seams, ChartsOfASphereMeet) {
         const Pixmap& pixmap = model.pixmaps[facet.pixmap];
         for (int y = int(facet.low.y); y < std::min(pixmap.height, int(facet.high.y) + 1); ++y)
             for (int x = int(facet.low.x); x < std::min(pixmap.width, int(facet.high.x) + 1); ++x)
-                solution.H[pixmap.texel(x, y)] = dvec3(facet.at({x + 0.5, y + 0.5}).y + 1);  // times Kd
+                // times Kd
+                solution.H[pixmap.texel(x, y)] = dvec3(facet.at({x + 0.5, y + 0.5}).y + 1);
     }
     Shown repeated(model);
     for (std::uint32_t p = 0; p < model.pixmaps.size(); ++p)
         for (int y = -1; y <= model.pixmaps[p].height; ++y)
             for (int x = -1; x <= model.pixmaps[p].width; ++x)
-                repeated.at(p, x, y) = radiosity_at(
-                    model, solution,
-                    model.nearest[model.pixmaps[p].texel(std::clamp(x, 0, model.pixmaps[p].width - 1),
-                                                         std::clamp(y, 0, model.pixmaps[p].height - 1))]);
+                repeated.at(p, x, y) =
+                    radiosity_at(model, solution,
+                                 model.nearest[model.pixmaps[p].texel(
+                                     std::clamp(x, 0, model.pixmaps[p].width - 1),
+                                     std::clamp(y, 0, model.pixmaps[p].height - 1))]);
     const double open = seam(model, repeated), closed = seam(model, shown(model, solution, false));
     EXPECT_GT(open, 0.06);
     EXPECT_LT(closed, open / 2);
@@ -141,7 +147,8 @@ TEST(Glow, EmitsRadiosityAndKeepsHighlights) {
     scene.materials[0].Ks = vec3(0.25f);
     scene.lights.push_back({.name = "lamp", .Is = vec3(1)});
     const Model model = make_model(scene, {.texels_per_unit = 4});
-    const scene::Scene glow = glowing(scene, model, shown(model, initial_solution(model), false), 0.5);
+    const scene::Scene glow =
+        glowing(scene, model, shown(model, initial_solution(model), false), 0.5);
     ASSERT_EQ(glow.objects.size(), 6u);
     const scene::Material& m = glow.materials[glow.objects[0].material];
     EXPECT_EQ(m.Kd, vec3(0));
@@ -155,7 +162,8 @@ TEST(Glow, EmitsRadiosityAndKeepsHighlights) {
 TEST(Glow, BacksAreLeftOutAndIdentifiersStay) {
     const scene::Scene scene = closed_box({2, 2, 2}, 0.5f, 1);
     const Model model = make_model(scene, {.texels_per_unit = 2});
-    const scene::Scene glow = glowing(scene, model, shown(model, initial_solution(model), false), 1);
+    const scene::Scene glow =
+        glowing(scene, model, shown(model, initial_solution(model), false), 1);
     const scene::Scene seen = without_backs(glow, {.eye = {1, 1, 8}, .at = {1, 1, 0}});
     for (std::size_t i = 0; i < 6; ++i) {
         EXPECT_EQ(seen.objects[i].mesh->polygon_count(), glow.objects[i].mesh->polygon_count());

@@ -11,7 +11,9 @@
 namespace gw::radiosity {
 namespace {
 
-double area(const Model& model) { return std::accumulate(model.area.begin(), model.area.end(), 0.0); }
+double area(const Model& model) {
+    return std::accumulate(model.area.begin(), model.area.end(), 0.0);
+}
 
 scene::Scene one(MeshData mesh, scene::PixmapChoice pixmap = {}, float rho = 0.5f) {
     scene::Scene scene;
@@ -51,11 +53,13 @@ TEST(Figures, BorderTexelsCountByTheirCoveredArea) {
     EXPECT_NEAR(area(model), 8, 1e-9);
 }
 
-// ST rotated by an angle with cos 0.8, sheared, mirrored: the area stays, and so does the way back from space
-// to texel.
+// ST rotated by an angle with cos 0.8, sheared, mirrored: the area stays, and so does the way back
+// from space to texel.
 TEST(Figures, STMayBeRotatedShearedAndMirrored) {
     const std::vector<std::function<vec2(vec2)>> maps{
-        [](vec2 s) { return vec2(0.5f) + 0.5f * vec2(0.8f * s.x - 0.6f * s.y, 0.6f * s.x + 0.8f * s.y); },
+        [](vec2 s) {
+            return vec2(0.5f) + 0.5f * vec2(0.8f * s.x - 0.6f * s.y, 0.6f * s.x + 0.8f * s.y);
+        },
         [](vec2 s) { return vec2(0.5f) + vec2(0.2f * s.x + 0.25f * s.y, 0.4f * s.y); },
         [](vec2 s) { return vec2(0.5f) + vec2(-0.4f * s.x, 0.4f * s.y); }};
     for (const auto& map : maps) {
@@ -86,7 +90,8 @@ TEST(Figures, SeveralFiguresShareAPixmap) {
     for (vec2& st : left.texcoords) st = st * vec2(0.5f, 1);
     for (vec2& st : right.texcoords) st = st * vec2(0.5f, 1) + vec2(0.5f, 0);
     scene::Scene scene = one(left, given(8, 4, "both"));
-    scene.objects.push_back({.name = "other", .mesh = make_mesh(right), .pixmap = given(8, 4, "both")});
+    scene.objects.push_back(
+        {.name = "other", .mesh = make_mesh(right), .pixmap = given(8, 4, "both")});
     const Model model = make_model(scene);
     EXPECT_EQ(model.pixmaps.size(), 1u);
     EXPECT_EQ(model.figures.size(), 2u);
@@ -107,7 +112,8 @@ std::string refusal(const scene::Scene& scene) {
 
 TEST(Figures, WhatIsWrongIsSaid) {
     const auto says = [](const scene::Scene& scene, const std::string& part) {
-        EXPECT_NE(refusal(scene).find(part), std::string::npos) << refusal(scene) << "\nexpected: " << part;
+        EXPECT_NE(refusal(scene).find(part), std::string::npos)
+            << refusal(scene) << "\nexpected: " << part;
     };
     MeshData bad = square();
     bad.texcoords[2] = {1.5f, 1};

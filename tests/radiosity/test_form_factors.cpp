@@ -10,7 +10,9 @@
 namespace gw::radiosity {
 namespace {
 
-double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+double sum(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
 
 TEST(DeltaFormFactors, AddUpToOne) {
     for (int size : {8, 64, 512}) {
@@ -20,7 +22,8 @@ TEST(DeltaFormFactors, AddUpToOne) {
 }
 
 /// The mean of patches' rows over an object, weighted by area.
-double between(const Model& model, FormFactors& factors, const std::string& from, const std::string& to) {
+double between(const Model& model, FormFactors& factors, const std::string& from,
+               const std::string& to) {
     double f = 0, area = 0;
     for (std::size_t p = 0; p < model.patches.size(); ++p) {
         bool own = false;
@@ -55,7 +58,8 @@ TEST(FormFactors, PerpendicularSquares) {
 }
 
 /// From a point on the floor, looking up.
-double from_point(const scene::Scene& scene, const std::string& to, const dvec3& at, std::uint64_t seed) {
+double from_point(const scene::Scene& scene, const std::string& to, const dvec3& at,
+                  std::uint64_t seed) {
     const Model model = make_model(scene, {.texels_per_unit = 4});
     FormFactors factors(model, {.hemicube = 512, .seed = seed});
     return to_object(model, factors.from_points({{at, {0, 1, 0}, 1, 1}}, 0), to);
@@ -66,19 +70,20 @@ TEST(FormFactors, APointUnderTheMiddleOfASquare) {
     scene::Scene scene;
     add_quad(scene, "square", {-0.5, 1, -0.5}, {1, 0, 0}, {0, 0, 1}, 0, 1);
     for (std::uint64_t seed = 0; seed < 4; ++seed)
-        EXPECT_NEAR(from_point(scene, "square", {0, 0, 0}, seed) / 0.23945647046077354, 1, 0.002) << seed;
+        EXPECT_NEAR(from_point(scene, "square", {0, 0, 0}, seed) / 0.23945647046077354, 1, 0.002)
+            << seed;
 }
 
-// B-3: a point before a perpendicular rectangle a wide and b high, at distance c from its lower corner:
-// F = (atan(a / c) - c / sqrt(b^2 + c^2) atan(a / sqrt(b^2 + c^2))) / (2 pi).
+// B-3: a point before a perpendicular rectangle a wide and b high, at distance c from its lower
+// corner: F = (atan(a / c) - c / sqrt(b^2 + c^2) atan(a / sqrt(b^2 + c^2))) / (2 pi).
 TEST(FormFactors, APointBeforeAPerpendicularRectangle) {
     const double a = 0.75, b = 1.5, c = 0.5, d = std::sqrt(b * b + c * c);
     const double exact = (std::atan(a / c) - c / d * std::atan(a / d)) / (2 * 3.141592653589793);
     scene::Scene scene;
     add_quad(scene, "wall", {0, 0, 0}, {0, 0, float(a)}, {0, float(b), 0}, 0, 1);
-    scene.objects[0].mesh =
-        make_mesh({.primitive = Primitive::Quads,
-                   .positions = {{0, 0, 0}, {0, float(b), 0}, {0, float(b), float(a)}, {0, 0, float(a)}}});
+    scene.objects[0].mesh = make_mesh(
+        {.primitive = Primitive::Quads,
+         .positions = {{0, 0, 0}, {0, float(b), 0}, {0, float(b), float(a)}, {0, 0, float(a)}}});
     EXPECT_NEAR(from_point(scene, "wall", {c, 0, 0}, 1) / exact, 1, 0.002);
 }
 

@@ -1,4 +1,5 @@
-// Saved pixmaps [F4]: going on later gives the same bits; what does not fit is refused with a reason.
+// Saved pixmaps [F4]: going on later gives the same bits; what does not fit is refused with a
+// reason.
 #include "gw/error.h"
 #include "radiosity/solver/saved.h"
 #include "radiosity/solver/solver.h"
@@ -11,7 +12,9 @@ namespace {
 
 const FormFactorOptions coarse{.hemicube = 32, .points = {.smallest_of_pixmap = 1.0 / 4}};
 
-Model box(float rho = 0.5f) { return make_model(closed_box({1, 1, 1}, rho, 1), {.texels_per_unit = 4}); }
+Model box(float rho = 0.5f) {
+    return make_model(closed_box({1, 1, 1}, rho, 1), {.texels_per_unit = 4});
+}
 
 Solution shots(Solver& solver, int count) {
     for (int i = 0; i < count; ++i) solver.shoot();
@@ -27,7 +30,8 @@ TEST(Saved, NShotsAreKShotsSavedLoadedAndTheRest) {
     EXPECT_EQ(shots(rest, 19), expected);
 }
 
-std::string refusal(const Saved& saved, const Model& model, const FormFactorOptions& options = coarse) {
+std::string refusal(const Saved& saved, const Model& model,
+                    const FormFactorOptions& options = coarse) {
     try {
         load(saved, model, options, "file");
     } catch (const Error& error) {

@@ -1,4 +1,5 @@
-// From pixels to texels [F2.2]: nothing lost, nothing missed, the same bits for any number of threads.
+// From pixels to texels [F2.2]: nothing lost, nothing missed, the same bits for any number of
+// threads.
 #include "gw/fast/kernels.h"
 #include "plain_scan.h"
 #include "radiosity/hemicube/form_factors.h"
@@ -25,7 +26,8 @@ scene::Scene lamp_and_wall() {
 }
 
 Row row_with(const Model& model, int hemicube, int parts, int threads = 0) {
-    FormFactors factors(model, {.hemicube = hemicube, .scan = {.most_parts = parts}, .threads = threads});
+    FormFactors factors(model,
+                        {.hemicube = hemicube, .scan = {.most_parts = parts}, .threads = threads});
     return factors.from_patch(0);
 }
 
@@ -35,14 +37,16 @@ double texels_lit(const Model& model, const Row& row) {
                                              [&](std::uint32_t t) { return t >= wall.first; }));
 }
 
-// [F2.2o] Fig. 3: a coarse buffer misses texels; divided virtually, it reaches all of them. From one point,
-// so that no other one makes up for what it misses; with the hemicube turned in any way.
+// [F2.2o] Fig. 3: a coarse buffer misses texels; divided virtually, it reaches all of them. From
+// one point, so that no other one makes up for what it misses; with the hemicube turned in any way.
 TEST(Oversampling, NoVisibleTexelIsLeftWithoutEnergy) {
     const Model model = make_model(lamp_and_wall(), {.texels_per_unit = 10});
     for (std::uint64_t seed = 0; seed < 16; ++seed)
         for (const int parts : {1, 64}) {
-            FormFactors factors(model, {.hemicube = 32, .scan = {.most_parts = parts}, .seed = seed});
-            const double lit = texels_lit(model, factors.from_points({{{0, 0, 0}, {0, 1, 0}, 1, 0.1}}, 0));
+            FormFactors factors(model,
+                                {.hemicube = 32, .scan = {.most_parts = parts}, .seed = seed});
+            const double lit =
+                texels_lit(model, factors.from_points({{{0, 0, 0}, {0, 1, 0}, 1, 0.1}}, 0));
             if (parts == 1)
                 EXPECT_LT(lit, 0.75 * texels_on_wall) << seed;
             else
@@ -50,7 +54,8 @@ TEST(Oversampling, NoVisibleTexelIsLeftWithoutEnergy) {
         }
 }
 
-// The same for a wall that is seen at a slant: pixels on it are long and narrow, the farther the longer.
+// The same for a wall that is seen at a slant: pixels on it are long and narrow, the farther the
+// longer.
 TEST(Oversampling, NorIsATexelOfASlantingWall) {
     scene::Scene scene;
     add_quad(scene, "lamp", {-0.05f, 0, -0.05f}, {0, 0, 0.1f}, {0.1f, 0, 0}, 0, 1);
@@ -61,7 +66,8 @@ TEST(Oversampling, NorIsATexelOfASlantingWall) {
         elements += model.nearest[t] == t && model.area[t] > 0 ? 1 : 0;
     for (std::uint64_t seed = 0; seed < 16; ++seed) {
         FormFactors factors(model, {.hemicube = 32, .seed = seed});
-        EXPECT_EQ(texels_lit(model, factors.from_points({{{0, 0, 0}, {0, 1, 0}, 1, 0.1}}, 0)), elements)
+        EXPECT_EQ(texels_lit(model, factors.from_points({{{0, 0, 0}, {0, 1, 0}, 1, 0.1}}, 0)),
+                  elements)
             << seed;
     }
 }
@@ -78,13 +84,14 @@ TEST(Oversampling, ChangesNoSum) {
 /// An octahedron in a closed box.
 scene::Scene solid_in_a_box() {
     scene::Scene scene = closed_box({1, 1, 1}, 0.5f, 1);
-    MeshData octahedron{.positions = {{0.7f, 0.5f, 0.5f},
-                                      {0.3f, 0.5f, 0.5f},
-                                      {0.5f, 0.7f, 0.5f},
-                                      {0.5f, 0.3f, 0.5f},
-                                      {0.5f, 0.5f, 0.7f},
-                                      {0.5f, 0.5f, 0.3f}},
-                        .indices = {2, 4, 0, 2, 0, 5, 2, 5, 1, 2, 1, 4, 3, 0, 4, 3, 5, 0, 3, 1, 5, 3, 4, 1}};
+    MeshData octahedron{
+        .positions = {{0.7f, 0.5f, 0.5f},
+                      {0.3f, 0.5f, 0.5f},
+                      {0.5f, 0.7f, 0.5f},
+                      {0.5f, 0.3f, 0.5f},
+                      {0.5f, 0.5f, 0.7f},
+                      {0.5f, 0.5f, 0.3f}},
+        .indices = {2, 4, 0, 2, 0, 5, 2, 5, 1, 2, 1, 4, 3, 0, 4, 3, 5, 0, 3, 1, 5, 3, 4, 1}};
     scene.materials.push_back({.name = "solid", .Kd = vec3(0.5f)});
     scene.objects.push_back(
         {.name = "solid", .mesh = make_mesh(octahedron), .material = scene.materials.size() - 1});
@@ -97,8 +104,9 @@ TEST(Scan, NoPixelIsLost) {
     FormFactors factors(model, {.hemicube = 64});
     for (std::size_t p = 0; p < model.patches.size(); p += 5) {
         const Row row = factors.from_patch(p);
-        EXPECT_NEAR(std::accumulate(row.factors.begin(), row.factors.end(), 0.0) + row.backs + row.escaped, 1,
-                    1e-9)
+        EXPECT_NEAR(
+            std::accumulate(row.factors.begin(), row.factors.end(), 0.0) + row.backs + row.escaped,
+            1, 1e-9)
             << p;
         EXPECT_EQ(row.escaped, 0) << p;
         EXPECT_EQ(row.backs, 0) << p;
@@ -116,14 +124,15 @@ TEST(Scan, AnyNumberOfThreadsGivesTheSameBits) {
     }
 }
 
-// From corners and from the middle; texels larger and smaller than pixels, and cut by figures' borders.
+// From corners and from the middle; texels larger and smaller than pixels, and cut by figures'
+// borders.
 TEST(Scan, IsThePlainOneToTheBitOnEveryVectorTarget) {
     for (const double texels : {3.0, 40.0}) {
         const Model model = make_model(solid_in_a_box(), {.texels_per_unit = texels});
         for (const int parts : {1, 2, 64}) {
             const DeltaFormFactors delta = delta_form_factors(50);
-            const Hemicube cube =
-                hemicube_at({0.02, 0.9, 0.3 * parts / 64}, {0.6, -0.8, 0}, 17.0 * parts, 1e-3, 3, 50);
+            const Hemicube cube = hemicube_at({0.02, 0.9, 0.3 * parts / 64}, {0.6, -0.8, 0},
+                                              17.0 * parts, 1e-3, 3, 50);
             IdBuffers buffers;
             HemicubePainter(50).draw(model, cube, buffers);
             std::vector<double> plain(model.texel_count());
@@ -134,7 +143,8 @@ TEST(Scan, IsThePlainOneToTheBitOnEveryVectorTarget) {
                 std::vector<double> factors(model.texel_count());
                 for (std::uint32_t pixmap = 0; pixmap < model.pixmaps.size(); ++pixmap)
                     scan_pixmap(model, pixmap, cube, buffers, delta, {parts}, factors);
-                EXPECT_EQ(factors, plain) << target << ", " << texels << " texels, " << parts << " parts";
+                EXPECT_EQ(factors, plain)
+                    << target << ", " << texels << " texels, " << parts << " parts";
             }
             fast::use_simd_target("");
         }
@@ -165,7 +175,8 @@ TEST(Seen, HasTheIdentifiersThatAreThere) {
 
 TEST(Scan, BacksAreSeenAndAreNoSurface) {
     scene::Scene scene;
-    add_quad(scene, "wall", {-2, 0.5f, -2}, {0, 0, 4}, {4, 0, 0}, 0.5f, 1);  // faces up, seen from below
+    // faces up, seen from below
+    add_quad(scene, "wall", {-2, 0.5f, -2}, {0, 0, 4}, {4, 0, 0}, 0.5f, 1);
     const Model model = make_model(scene, {.texels_per_unit = 4});
     FormFactors factors(model, {.hemicube = 32});
     const Row row = factors.from_points({{{0, 0, 0}, {0, 1, 0}, 1, 0.1}}, 0);

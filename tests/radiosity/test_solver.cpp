@@ -39,7 +39,8 @@ scene::Scene colored_box() {
     return scene;
 }
 
-const SolverOptions coarse{.form_factors = {.hemicube = 32, .points = {.smallest_of_pixmap = 1.0 / 4}}};
+const SolverOptions coarse{
+    .form_factors = {.hemicube = 32, .points = {.smallest_of_pixmap = 1.0 / 4}}};
 const ModelOptions few_texels{.texels_per_unit = 4};
 
 TEST(Solver, TheBooksBalanceAtEveryStepInEveryChannel) {
@@ -89,11 +90,13 @@ TEST(Solver, ACanceledShotChangesNothing) {
     EXPECT_EQ(solver.solution(), before);
 }
 
-// Cohen's estimate is exact where all is evenly bright: before any shot the furnace shows its solution.
+// Cohen's estimate is exact where all is evenly bright: before any shot the furnace shows its
+// solution.
 TEST(Solver, TheAmbientEstimateOfAFurnaceIsItsSolution) {
     const Model model = make_model(closed_box({1, 2, 1}, 0.75f, 1), few_texels);
     const Solution start = initial_solution(model);
-    EXPECT_NEAR(radiosity_at(model, start, 0).x + model.rho[0].x * ambient(model, start).x, 4, 1e-6);
+    EXPECT_NEAR(radiosity_at(model, start, 0).x + model.rho[0].x * ambient(model, start).x, 4,
+                1e-6);
 }
 
 }  // namespace

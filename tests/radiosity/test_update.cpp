@@ -10,7 +10,8 @@
 namespace gw::radiosity {
 namespace {
 
-const SolverOptions coarse{.form_factors = {.hemicube = 32, .points = {.smallest_of_pixmap = 1.0 / 4}}};
+const SolverOptions coarse{
+    .form_factors = {.hemicube = 32, .points = {.smallest_of_pixmap = 1.0 / 4}}};
 constexpr double enough = 1e-3;
 
 /// A room with a hanging lamp at height y.
@@ -45,7 +46,8 @@ protected:
     Solver solver{model_of(room(1.75f)), coarse};
     void SetUp() override { solve(solver); }
 
-    /// Updates to `scene`, solves on, and compares with solving anew. Returns hemicubes: updated, anew.
+    /// Updates to `scene`, solves on, and compares with solving anew. Returns hemicubes: updated,
+    /// anew.
     std::pair<int, int> compare(const scene::Scene& scene, double allowed) {
         const Update update = solver.update(model_of(scene), 0);
         EXPECT_LT(books(solver.model(), solver.solution()).imbalance(), 1e-5);
@@ -57,7 +59,9 @@ protected:
     }
 };
 
-TEST_F(UpdateTest, ADimmedLampDrawsNothingAnew) { EXPECT_EQ(compare(room(1.75f, 1), 3 * enough).first, 0); }
+TEST_F(UpdateTest, ADimmedLampDrawsNothingAnew) {
+    EXPECT_EQ(compare(room(1.75f, 1), 3 * enough).first, 0);
+}
 
 TEST_F(UpdateTest, OtherReflectancesDrawNextToNothing) {
     const auto [more, anew] = compare(room(1.75f, 4, 0.4f), 5 * enough);

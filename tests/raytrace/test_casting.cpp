@@ -1,5 +1,5 @@
-// [L9 to L12]: spheres by the discriminant, three inside tests, and accelerations that find what brute force
-// finds, with fewer tests.
+// [L9 to L12]: spheres by the discriminant, three inside tests, and accelerations that find what
+// brute force finds, with fewer tests.
 #include "raytrace/casting/cast_picture.h"
 
 #include "scene/read_scene.h"
@@ -16,7 +16,8 @@ namespace {
 TEST(Sphere, IsMetWhereItIsEntered) {
     const Sphere sphere{{0, 0, -5}, 2};
     EXPECT_EQ(intersect({{0, 0, 0}, {0, 0, -1}}, sphere), 3.0);
-    EXPECT_EQ(intersect({{0, 0, 0}, {0, 0, -2}}, sphere), 1.5) << "t counts in lengths of the direction";
+    EXPECT_EQ(intersect({{0, 0, 0}, {0, 0, -2}}, sphere), 1.5)
+        << "t counts in lengths of the direction";
     EXPECT_EQ(intersect({{0, 0, -5}, {0, 0, -1}}, sphere), 2.0) << "from inside: where it is left";
     EXPECT_EQ(intersect({{0, 0, -8}, {0, 0, -1}}, sphere), std::nullopt) << "behind";
     EXPECT_EQ(intersect({{2, 0, 0}, {0, 0, -1}}, sphere), 5.0) << "touched: the discriminant is 0";
@@ -24,7 +25,8 @@ TEST(Sphere, IsMetWhereItIsEntered) {
     EXPECT_EQ(normal_at(sphere, {0, 2, -5}), dvec3(0, 1, 0));
 }
 
-constexpr InsideTest all_tests[] = {InsideTest::Crossings, InsideTest::CrossProducts, InsideTest::Angles};
+constexpr InsideTest all_tests[] = {InsideTest::Crossings, InsideTest::CrossProducts,
+                                    InsideTest::Angles};
 
 dvec2 random_point(std::mt19937& bits) {
     const auto number = [&] { return double(bits() >> 8) / double(1 << 24); };
@@ -36,7 +38,8 @@ TEST(InsideTests, AgreeOnConvexPolygons) {
     for (int sides = 3; sides < 12; ++sides) {
         std::vector<dvec2> corners;
         for (int i = 0; i < sides; ++i)
-            corners.emplace_back(1.5 * std::cos(2 * M_PI * i / sides), 1.2 * std::sin(2 * M_PI * i / sides));
+            corners.emplace_back(1.5 * std::cos(2 * M_PI * i / sides),
+                                 1.2 * std::sin(2 * M_PI * i / sides));
         for (int turn = 0; turn < 2; ++turn) {
             int inside_all = 0;
             for (int i = 0; i < 2000; ++i) {
@@ -67,7 +70,8 @@ TEST(InsideTests, DifferOnConcavePolygonsAsDocumented) {
 
 TEST(InsideTests, DifferOnPolygonsThatCrossThemselvesAsDocumented) {
     std::vector<dvec2> star;
-    for (int i = 0; i < 5; ++i) star.emplace_back(std::sin(4 * M_PI * i / 5), std::cos(4 * M_PI * i / 5));
+    for (int i = 0; i < 5; ++i)
+        star.emplace_back(std::sin(4 * M_PI * i / 5), std::cos(4 * M_PI * i / 5));
     const dvec2 middle(0, 0), tip(0, 0.7), outside(0.5, 0.8);
     EXPECT_FALSE(inside_by_crossings(middle, star)) << "wound around twice";
     EXPECT_TRUE(inside_by_cross_products(middle, star));
@@ -88,7 +92,8 @@ std::optional<int> winding_number(const dvec2& p, const std::vector<dvec2>& corn
     int winding = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const dvec2 a = corners[i] - p, b = corners[(i + 1) % corners.size()] - p;
-        const auto cross = std::int64_t(a.x) * std::int64_t(b.y) - std::int64_t(a.y) * std::int64_t(b.x);
+        const auto cross =
+            std::int64_t(a.x) * std::int64_t(b.y) - std::int64_t(a.y) * std::int64_t(b.x);
         if (cross == 0 && a.x * b.x + a.y * b.y <= 0) return std::nullopt;
         if (a.y < 0 && b.y >= 0 && cross > 0) ++winding;
         if (a.y >= 0 && b.y < 0 && cross < 0) --winding;
@@ -101,7 +106,8 @@ TEST(InsideTests, SayOfAnyPolygonWhatItsWindingNumberSays) {
     std::array<int, 4> seen{};  // winding 0, 1, 2, more
     for (int trial = 0; trial < 400; ++trial) {
         std::vector<dvec2> corners;
-        for (unsigned i = 0, n = 3 + bits() % 7; i < n; ++i) corners.emplace_back(bits() % 16, bits() % 16);
+        for (unsigned i = 0, n = 3 + bits() % 7; i < n; ++i)
+            corners.emplace_back(bits() % 16, bits() % 16);
         for (int x = 0; x < 16; ++x)
             for (int y = 0; y < 16; ++y) {
                 const dvec2 p(x, y);
@@ -116,11 +122,12 @@ TEST(InsideTests, SayOfAnyPolygonWhatItsWindingNumberSays) {
     EXPECT_GT(*std::min_element(seen.begin(), seen.begin() + 3), 200);
 }
 
-constexpr CastMethod methods[] = {CastMethod::BruteForce, CastMethod::BoundingVolumes, CastMethod::Hierarchy,
-                                  CastMethod::Grid};
+constexpr CastMethod methods[] = {CastMethod::BruteForce, CastMethod::BoundingVolumes,
+                                  CastMethod::Hierarchy, CastMethod::Grid};
 
 scene::Scene solids() {
-    return scene::read_scene(std::filesystem::path(GW_SOURCE_DIR) / "scenes" / "hidden" / "solids.toml")
+    return scene::read_scene(std::filesystem::path(GW_SOURCE_DIR) / "scenes" / "hidden" /
+                             "solids.toml")
         .scene;
 }
 
@@ -135,12 +142,14 @@ TEST(Casting, FindsTheSameByEveryMethod) {
     int hits = 0;
     for (int i = 0; i < 4000; ++i) {
         Ray ray{{6 * number(), 3 + 3 * number(), 6 * number()}, {}};
-        ray.direction = dvec3(2 * number(), number(), 2 * number()) - ray.origin;  // towards the middle
+        // towards the middle
+        ray.direction = dvec3(2 * number(), number(), 2 * number()) - ray.origin;
         if (i % 3 == 0) ray.direction[i % 2] = 0;
         const auto expected = casters[0]->nearest(ray, counts[0]);
         hits += expected.has_value();
         for (std::size_t k = 1; k < casters.size(); ++k)
-            ASSERT_EQ(casters[k]->nearest(ray, counts[k]), expected) << "method " << k << ", ray " << i;
+            ASSERT_EQ(casters[k]->nearest(ray, counts[k]), expected)
+                << "method " << k << ", ray " << i;
     }
     EXPECT_GT(hits, 500);
     EXPECT_EQ(counts[0].shapes, 4000 * shapes.size());
@@ -168,7 +177,8 @@ TEST(Casting, DrawsTheSamePictureByEveryMethodOnAnyNumberOfThreads) {
     const scene::Scene scene = solids();
     const scene::View view = scene::make_view(scene, 80, 60);
     const std::vector<CastShape> shapes = cast_shapes(scene);
-    const CastPicture first = cast_picture(*make_caster(methods[0], shapes), shapes, scene, view, 1);
+    const CastPicture first =
+        cast_picture(*make_caster(methods[0], shapes), shapes, scene, view, 1);
     EXPECT_EQ(first.counts.rays, 80u * 60u);
     for (const CastMethod method : methods) {
         const auto caster = make_caster(method, shapes);

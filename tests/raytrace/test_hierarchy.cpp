@@ -1,5 +1,5 @@
-// [L12] The hierarchy finds what asking every triangle finds, bit for bit, on every target; Embree agrees;
-// and nothing leaks between neighbours.
+// [L12] The hierarchy finds what asking every triangle finds, bit for bit, on every target; Embree
+// agrees; and nothing leaks between neighbours.
 #include "gw/fast/kernels.h"
 #include "random_triangles.h"
 
@@ -55,15 +55,18 @@ std::optional<float> meet(const HierarchyRay& ray, const HierarchyTriangle& tria
     return t;
 }
 
-HierarchyHit by_brute_force(const HierarchyRay& ray, const std::vector<HierarchyTriangle>& triangles) {
+HierarchyHit by_brute_force(const HierarchyRay& ray,
+                            const std::vector<HierarchyTriangle>& triangles) {
     HierarchyHit best{0, no_polygon};
     for (std::size_t i = 0; i < triangles.size(); ++i)
-        if (const auto t = meet(ray, triangles[i]); t && (best.triangle == no_polygon || *t < best.t))
+        if (const auto t = meet(ray, triangles[i]);
+            t && (best.triangle == no_polygon || *t < best.t))
             best = {*t, std::uint32_t(i)};
     return best;
 }
 
-void expect_same_hits(const std::vector<HierarchyTriangle>& triangles, std::uint32_t seed, int rays) {
+void expect_same_hits(const std::vector<HierarchyTriangle>& triangles, std::uint32_t seed,
+                      int rays) {
     const Hierarchy hierarchy(triangles);
     RandomRays random(seed);
     int hits = 0;
@@ -78,7 +81,8 @@ void expect_same_hits(const std::vector<HierarchyTriangle>& triangles, std::uint
         if (!found) continue;
         ++hits;
         ASSERT_EQ(found->triangle, expected.triangle) << "ray " << i;
-        ASSERT_EQ(std::bit_cast<std::uint32_t>(found->t), std::bit_cast<std::uint32_t>(expected.t)) << i;
+        ASSERT_EQ(std::bit_cast<std::uint32_t>(found->t), std::bit_cast<std::uint32_t>(expected.t))
+            << i;
     }
     EXPECT_GT(hits, rays / 20);
 }
@@ -86,8 +90,8 @@ void expect_same_hits(const std::vector<HierarchyTriangle>& triangles, std::uint
 TEST(Hierarchy, FindsWhatAskingEveryTriangleFinds) {
     on_every_target([] {
         for (const std::size_t count : {1, 7, 8, 9, 100, 2000})
-            expect_same_hits(RandomRays(unsigned(count)).triangles(count, count < 10 ? 1.0f : 0.3f), 17,
-                             2000);
+            expect_same_hits(RandomRays(unsigned(count)).triangles(count, count < 10 ? 1.0f : 0.3f),
+                             17, 2000);
     });
 }
 
@@ -134,8 +138,8 @@ TEST(Hierarchy, OfNothingMeetsNothing) {
     EXPECT_FALSE(none.occluded({{0, 0, 0}, 0, {0, 0, 1}, 1e30f}));
 }
 
-/// A net of points moved at random, triangles between neighbours: whatever is aimed at a corner or a side of
-/// it hits, but for its border, which a silhouette may hide.
+/// A net of points moved at random, triangles between neighbours: whatever is aimed at a corner or
+/// a side of it hits, but for its border, which a silhouette may hide.
 TEST(Hierarchy, LeaksNowhereBetweenNeighbours) {
     constexpr int n = 40;
     RandomRays random(21);
@@ -168,10 +172,10 @@ public:
         : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
         rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
         RTCGeometry mesh = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0,
-                                                              RTC_FORMAT_FLOAT3, 12, triangles.size() * 3));
-        auto* index = static_cast<unsigned*>(
-            rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, triangles.size()));
+        auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(
+            mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, triangles.size() * 3));
+        auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+            mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, triangles.size()));
         for (const HierarchyTriangle& t : triangles)
             for (const vec3& c : t.corner)
                 for (int k = 0; k < 3; ++k) *v++ = c[k];

@@ -39,7 +39,9 @@ TEST(Intersect, MeetsThePolygonInFrontOnly) {
 }
 
 TEST(NearestHit, TakesTheNearestAndOfTiesTheFirst) {
-    const auto at = [](double z) { return plane_polygon({{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}}); };
+    const auto at = [](double z) {
+        return plane_polygon({{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}});
+    };
     const std::vector<PlanePolygon> polygons{at(-5), at(-3), at(-3), at(-4)};
     const auto hit = nearest_hit({{0, 0, 0}, {0, 0, -1}}, polygons);
     ASSERT_TRUE(hit);

@@ -104,7 +104,8 @@ TEST(Tracer, LetsThroughWhatIsNotOpaque) {
     EXPECT_EQ(seen.counts.transmitted, 1u);
 }
 
-/// A slab of glass, Ni = 1.5, shifts a slanted ray sideways by what Snellius says and lets it go on parallel.
+/// A slab of glass, Ni = 1.5, shifts a slanted ray sideways by what Snellius says and lets it go on
+/// parallel.
 TEST(Tracer, BendsByNi) {
     Walls walls;
     for (const float z : {0.0f, -1.0f}) {
@@ -118,7 +119,8 @@ TEST(Tracer, BendsByNi) {
     const double at_screen = leave + 3;  // the screen is 3 behind the slab
     for (const double side : {-0.001, 0.001}) {
         Walls with_edge = walls;
-        with_edge.add_shining({float(at_screen + side) + 10, 0, -4}, {10, 0, 0}, {0, 6, 0}, vec3(1));
+        with_edge.add_shining({float(at_screen + side) + 10, 0, -4}, {10, 0, 0}, {0, 6, 0},
+                              vec3(1));
         const Seen seen = look(with_edge.scene, {1, 0, -1}, {.depth = 3});
         EXPECT_EQ(seen.traced, dvec3(side < 0 ? 1 : 0)) << side;
         EXPECT_EQ(seen.counts.transmitted, 2u);
@@ -159,7 +161,8 @@ TEST(Tracer, FindsShadowsOfHitsByRaysOrAsToldByOption) {
     scene::Material& lamp = walls.scene.materials[0];
     lamp.Ke = vec3(0);
     lamp.Kd = vec3(0.5f);
-    walls.add({0, 0, 7}, {0.3f, 0, 0}, {0, 0.3f, 0});  // before the wall, between it and the light
+    // before the wall, between it and the light
+    walls.add({0, 0, 7}, {0.3f, 0, 0}, {0, 0.3f, 0});
     walls.scene.lights.push_back(
         {.kind = scene::LightKind::Point, .position = {0, 0, 6.5f}, .shadow = scene::Shadow::Map});
     const dvec3 to_middle{0.125, 0, -1}, to_side{0.3, 0, -1};

@@ -12,7 +12,8 @@ public:
     scene::Scene scene;
 
     Walls() {
-        scene.camera = scene::Camera{.eye = {0, 0, 5}, .at = {0, 0, 0}, .near_plane = 0.5, .far_plane = 50};
+        scene.camera =
+            scene::Camera{.eye = {0, 0, 5}, .at = {0, 0, 0}, .near_plane = 0.5, .far_plane = 50};
     }
 
     /// A quad with half axes u and v around `center`, seen counter-clockwise from u x v.

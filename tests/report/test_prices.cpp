@@ -13,7 +13,9 @@ namespace {
 /// A price list in a file that goes away.
 class Prices : public testing::Test {
 protected:
-    PriceList read(const std::string& text) const { return read_prices(folder_.write("prices.toml", text)); }
+    PriceList read(const std::string& text) const {
+        return read_prices(folder_.write("prices.toml", text));
+    }
     void expect_refused(const std::string& text, const std::string& part) const {
         try {
             read(text);
@@ -28,19 +30,23 @@ private:
     TemporaryFolder folder_;
 };
 
-std::string price(const std::string& count, const std::string& stage, const std::string& nanoseconds) {
-    return "[[price]]\ncount = \"" + count + "\"\nstage = \"" + stage + "\"\nnanoseconds = " + nanoseconds +
-           "\nsource = \"a book\"\n";
+std::string price(const std::string& count, const std::string& stage,
+                  const std::string& nanoseconds) {
+    return "[[price]]\ncount = \"" + count + "\"\nstage = \"" + stage +
+           "\"\nnanoseconds = " + nanoseconds + "\nsource = \"a book\"\n";
 }
 
 }  // namespace
 
 TEST_F(Prices, APassTakesAsLongAsItsSlowestStage) {
-    const PriceList list = read("machine = \"m\"\n" + price("primitives", "geometry", "1000") +
-                                price("fragments", "pixels", "20") + price("pixels", "pixels", "0.5"));
+    const PriceList list =
+        read("machine = \"m\"\n" + price("primitives", "geometry", "1000") +
+             price("fragments", "pixels", "20") + price("pixels", "pixels", "0.5"));
     EXPECT_EQ(list.machine, "m");
-    EXPECT_DOUBLE_EQ(estimated_seconds({.primitives = 3, .fragments = 100, .pixels = 200}, list), 3e-6);
-    EXPECT_DOUBLE_EQ(estimated_seconds({.primitives = 2, .fragments = 100, .pixels = 200}, list), 2.1e-6);
+    EXPECT_DOUBLE_EQ(estimated_seconds({.primitives = 3, .fragments = 100, .pixels = 200}, list),
+                     3e-6);
+    EXPECT_DOUBLE_EQ(estimated_seconds({.primitives = 2, .fragments = 100, .pixels = 200}, list),
+                     2.1e-6);
     EXPECT_EQ(estimated_seconds({}, list), 0);
     EXPECT_EQ(estimated_seconds({.draws = 7, .bytes = 1000}, list), 0);
 }
@@ -68,10 +74,12 @@ TEST_F(Prices, WrongListsAreRefusedWithTheirLine) {
     expect_refused("machine = \"m\"\n" + price("pixels", "fog", "1"), "geometry");
     expect_refused("machine = \"m\"\n" + price("pixels", "pixels", "-1"), "nanoseconds");
     expect_refused("machine = \"m\"\n" + price("pixels", "pixels", "nan"), "nanoseconds");
-    expect_refused("machine = \"m\"\n" + price("pixels", "pixels", "1") + price("pixels", "pixels", "1"),
-                   "a second price of 'pixels'");
-    expect_refused("machine = \"m\"\n[[price]]\ncount = \"pixels\"\nstage = \"pixels\"\nnanoseconds = 1\n",
-                   "without 'source'");
+    expect_refused(
+        "machine = \"m\"\n" + price("pixels", "pixels", "1") + price("pixels", "pixels", "1"),
+        "a second price of 'pixels'");
+    expect_refused(
+        "machine = \"m\"\n[[price]]\ncount = \"pixels\"\nstage = \"pixels\"\nnanoseconds = 1\n",
+        "without 'source'");
     expect_refused("machine = ", "prices.toml");
 }
 

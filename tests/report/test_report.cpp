@@ -68,8 +68,8 @@ inspect::Recording two_polygons() {
     inspect::Recording r;
     r.width = 4;
     r.height = 2;
-    const MeshRef mesh = make_mesh(
-        {.positions = {{0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, 0}}, .indices = {0, 1, 2, 0, 2, 3}});
+    const MeshRef mesh = make_mesh({.positions = {{0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, 0}},
+                                    .indices = {0, 1, 2, 0, 2, 3}});
     State state;
     state.viewport = {0, 0, 4, 2};
     CommandList list;
@@ -137,7 +137,8 @@ TEST_F(Reports, NeedNothingBesideThem) {
     }
     for (const auto& entry : fs::directory_iterator(folder_)) {
         const auto known = report_files();
-        EXPECT_NE(std::find(known.begin(), known.end(), entry.path().filename()), known.end()) << entry;
+        EXPECT_NE(std::find(known.begin(), known.end(), entry.path().filename()), known.end())
+            << entry;
     }
 }
 
@@ -146,7 +147,8 @@ TEST_F(Reports, HistoriesAreTheEventsOfPixelHistoryInRows) {
     write(recording);
     const std::string tile = text_of(folder_ / "history" / "0_0.js");
     // Cleared to 0, where all was 0 but Z: one row for all 48 pixels and one plane each.
-    EXPECT_NE(tile.find("gw_history(\"0_0\",{width:8,start:[[48,0],],rows:[\n"), std::string::npos) << tile;
+    EXPECT_NE(tile.find("gw_history(\"0_0\",{width:8,start:[[48,0],],rows:[\n"), std::string::npos)
+        << tile;
     EXPECT_NE(tile.find("\n[0,48,1,{z:"), std::string::npos) << tile;
     // The rectangle's fragment at window pixel (3, 2), which is the fourth.
     EXPECT_NE(tile.find("\n[19,1,3,{c:[100,100,100,255]},-1,3,-1,3,1,100,100,100,255,0],\n"),

@@ -1,5 +1,5 @@
-// A temporary folder with small files, and what reading them says. Removed with its files at the end of the
-// test.
+// A temporary folder with small files, and what reading them says. Removed with its files at the
+// end of the test.
 #pragma once
 
 #include "gw/error.h"

@@ -1,4 +1,5 @@
-// Claim: whatever bytes stand in a scene's files, reading ends with a scene or with an Error of one line.
+// Claim: whatever bytes stand in a scene's files, reading ends with a scene or with an Error of one
+// line.
 #include <gtest/gtest.h>
 
 #include "folder.h"

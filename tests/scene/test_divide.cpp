@@ -40,8 +40,8 @@ TEST(Divide, OtherFacesAreKept) {
 }
 
 TEST(Divide, NeighboursShareThePointsOfTheirSide) {
-    // Two quads with one side, walked the other way, begun at another corner; numbers that do not divide
-    // well.
+    // Two quads with one side, walked the other way, begun at another corner; numbers that do not
+    // divide well.
     MeshData mesh{.primitive = Primitive::Quads,
                   .positions = {{0.1f, 0.2f, 0.3f},
                                 {7.7f, 0.9f, 1.3f},
@@ -59,8 +59,8 @@ TEST(Divide, NeighboursShareThePointsOfTheirSide) {
             first.insert({divided.positions[i].x, divided.positions[i].y, divided.positions[i].z});
         int shared = 0;
         for (std::size_t i = 6 + points; i < 6 + 2 * points; ++i)
-            shared += static_cast<int>(
-                first.count({divided.positions[i].x, divided.positions[i].y, divided.positions[i].z}));
+            shared += static_cast<int>(first.count(
+                {divided.positions[i].x, divided.positions[i].y, divided.positions[i].z}));
         EXPECT_EQ(shared, n + 1);
     }
 }

@@ -1,11 +1,11 @@
-// Claims: the examples of docs/scenes.md and docs/passes.md are scenes, and the page names every shape with
-// its parameters and defaults.
+// Claims: the examples of docs/scenes.md and docs/passes.md are scenes, and the page names every
+// shape with its parameters and defaults.
 #include <gtest/gtest.h>
 
 #include "folder.h"
 #include "scene/text/number.h"
-#include "scene/toml/shape_table.h"
 #include "scene/text/text_file.h"
+#include "scene/toml/shape_table.h"
 
 namespace gw::scene {
 
@@ -57,7 +57,8 @@ TEST(ScenesPage, NamesEveryShapeAndParameter) {
             const std::string value = p.integer && p.low == 0 && p.high == 1
                                           ? (p.value != 0 ? "true" : "false")
                                           : number_text(p.value);
-            EXPECT_NE(row.find("`" + p.name + "` " + value), row.npos) << shape.name << " " << p.name;
+            EXPECT_NE(row.find("`" + p.name + "` " + value), row.npos)
+                << shape.name << " " << p.name;
         }
     }
 }

@@ -17,7 +17,8 @@ MeshRef two_triangles() {
 Scene three_objects() {
     Scene scene;
     scene.materials.resize(1);
-    for (const char* name : {"a", "b", "c"}) scene.objects.push_back({.name = name, .mesh = two_triangles()});
+    for (const char* name : {"a", "b", "c"})
+        scene.objects.push_back({.name = name, .mesh = two_triangles()});
     scene.camera = Camera{};
     return scene;
 }
@@ -39,8 +40,11 @@ TEST(EyeLight, DirectionalPointsTowardsTheLight) {
 
 TEST(EyeLight, PointMovesWithTheEye) {
     const View view = make_view({.eye = {0, 0, 5}}, {}, 8, 8);
-    const gw::Light light = eye_light(
-        {.kind = LightKind::Point, .position = {1, 2, 3}, .Is = vec3(0), .quadratic_attenuation = 2}, view);
+    const gw::Light light = eye_light({.kind = LightKind::Point,
+                                       .position = {1, 2, 3},
+                                       .Is = vec3(0),
+                                       .quadratic_attenuation = 2},
+                                      view);
     EXPECT_EQ(light.position, vec4(1, 2, -2, 1));
     EXPECT_EQ(light.Is, vec3(0));
     EXPECT_EQ(light.quadratic_attenuation, 2);

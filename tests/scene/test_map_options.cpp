@@ -20,7 +20,9 @@ struct MapOptions : testing::Test {
         in.next();
         return read_map(in, folder.path(), list);
     }
-    std::string file(const std::string& rest) { return folder.relative(read(rest).map.file.string()); }
+    std::string file(const std::string& rest) {
+        return folder.relative(read(rest).map.file.string());
+    }
     std::string fault(const std::string& rest) {
         return folder.error([&] { read(rest); });
     }
@@ -57,21 +59,23 @@ TEST_F(MapOptions, AreHonoured) {
 TEST_F(MapOptions, AreWarnedAboutWhereTheyWouldChangeThePicture) {
     EXPECT_TRUE((read("-blendu on -mm 0 1 -bm 1 a.png"), list.lines().empty()));
     read("-blendu off -mm 0.5 2 -texres 256 -imfchan r -t 1 1 1 a.png");
-    EXPECT_EQ(
-        list.lines(),
-        (Strings{"m.mtl:1: map option -blendu is not honoured", "m.mtl:1: map option -mm is not honoured",
-                 "m.mtl:1: map option -texres is not honoured",
-                 "m.mtl:1: map option -imfchan is not honoured", "m.mtl:1: map option -t is not honoured"}));
+    EXPECT_EQ(list.lines(), (Strings{"m.mtl:1: map option -blendu is not honoured",
+                                     "m.mtl:1: map option -mm is not honoured",
+                                     "m.mtl:1: map option -texres is not honoured",
+                                     "m.mtl:1: map option -imfchan is not honoured",
+                                     "m.mtl:1: map option -t is not honoured"}));
 }
 
 TEST_F(MapOptions, AreCheckedOneByOne) {
-    EXPECT_EQ(fault("-clmap on a.png"), "m.mtl:1: unknown option '-clmap'; the nearest known is '-clamp'");
+    EXPECT_EQ(fault("-clmap on a.png"),
+              "m.mtl:1: unknown option '-clmap'; the nearest known is '-clamp'");
     EXPECT_EQ(fault("-clamp a.png"), "m.mtl:1: -clamp has 'a.png'; expected on or off");
     EXPECT_EQ(fault("-s a.png"), "m.mtl:1: -s has 'a.png'; expected a number");
     EXPECT_EQ(fault("-mm 1 a.png"), "m.mtl:1: -mm has 'a.png'; expected a number");
     EXPECT_EQ(fault("-s nan a.png"), "m.mtl:1: -s has 'nan'; expected a number");
     EXPECT_EQ(fault("-s 1 1 1"), "no error");
-    EXPECT_EQ(fault("-clamp on"), "m.mtl:1: map_Kd names no file; expected options and a file name");
+    EXPECT_EQ(fault("-clamp on"),
+              "m.mtl:1: map_Kd names no file; expected options and a file name");
     EXPECT_EQ(fault("-type"), "m.mtl:1: -type has ''; expected a word");
 }
 

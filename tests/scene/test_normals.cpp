@@ -1,5 +1,5 @@
-// Claims: generated normals follow smoothing groups and the crease angle, split vertices only where faces
-// disagree, and are never zero or NaN.
+// Claims: generated normals follow smoothing groups and the crease angle, split vertices only where
+// faces disagree, and are never zero or NaN.
 #include "scene/geometry/normals.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@ namespace gw::scene {
 
 namespace {
 
-// Two squares that share the edge from (1,0,0) to (1,1,0); the second is turned down by the angle whose
-// tangent is `drop`.
+// Two squares that share the edge from (1,0,0) to (1,1,0); the second is turned down by the angle
+// whose tangent is `drop`.
 std::string roof(const std::string& drop) {
     return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 -" + drop + "\nv 2 1 -" + drop + "\n";
 }
@@ -30,12 +30,14 @@ TEST(Normals, AreTheFacesOwnWhereItIsFlat) {
     Folder folder;
     const MeshData mesh = folder.obj(triangle + "f 1 2 3\n").parts[0].mesh;
     EXPECT_EQ(mesh.normals, std::vector<vec3>(3, vec3(0, 0, 1)));
-    EXPECT_EQ(folder.obj(triangle + "f 3 2 1\n").parts[0].mesh.normals, std::vector<vec3>(3, vec3(0, 0, -1)));
+    EXPECT_EQ(folder.obj(triangle + "f 3 2 1\n").parts[0].mesh.normals,
+              std::vector<vec3>(3, vec3(0, 0, -1)));
 }
 
 TEST(Normals, OfAConcaveFaceFollowItsMeanPlane) {
     Folder folder;
-    const MeshData mesh = folder.obj("v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 3 4 1 2\n").parts[0].mesh;
+    const MeshData mesh =
+        folder.obj("v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 3 4 1 2\n").parts[0].mesh;
     EXPECT_EQ(mesh.normals, std::vector<vec3>(4, vec3(0, 0, 1)));
 }
 
@@ -70,8 +72,10 @@ TEST(Normals, FollowSmoothingGroups) {
     EXPECT_EQ(vertices(folder, roof("1") + "s 1\n" + a + "s 2\n" + b), 8u);
     EXPECT_EQ(vertices(folder, roof("1") + "s off\n" + a + b), 8u);
     EXPECT_EQ(vertices(folder, roof("1") + "s 0\n" + a + b), 8u);
-    EXPECT_EQ(vertices(folder, roof("0") + "s off\n" + a + b), 6u);  // flat and coplanar: nothing to split
-    EXPECT_EQ(vertices(folder, roof("1") + "s off\n" + a + b, 60), 6u);  // an angle asked for overrides them
+    // flat and coplanar: nothing to split
+    EXPECT_EQ(vertices(folder, roof("0") + "s off\n" + a + b), 6u);
+    // an angle asked for overrides them
+    EXPECT_EQ(vertices(folder, roof("1") + "s off\n" + a + b, 60), 6u);
 }
 
 TEST(Normals, AreSmoothAcrossMaterialsAndRepeatedPositions) {
@@ -88,14 +92,16 @@ TEST(Normals, FillOnlyWhatIsMissing) {
     EXPECT_EQ(mesh.normals, (std::vector<vec3>{{1, 0, 0}, {0, 0, 1}, {0, 0, 1}}));
     EXPECT_EQ(folder.obj(triangle + "vn 0 0 0\nf 1//1 2//1 3//1\n").parts[0].mesh.normals,
               std::vector<vec3>(3, vec3(0, 0, 1)));
-    EXPECT_EQ(folder.warnings(), (Strings{"m.obj:4: vn of length 0: the faces' own normals stand in"}));
+    EXPECT_EQ(folder.warnings(),
+              (Strings{"m.obj:4: vn of length 0: the faces' own normals stand in"}));
 }
 
 TEST(Normals, AreUnitForFacesWithoutArea) {
     Folder folder;
     const std::string alone = "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf 1 1 1\n";
     EXPECT_EQ(folder.obj(alone).parts[0].mesh.normals, std::vector<vec3>(3, vec3(0, 0, 1)));
-    const MeshData beside = folder.obj("v 0 0 0\nv 1 0 0\nv 1 0 1\nf 1 2 3\nf 1 2 2\n").parts[0].mesh;
+    const MeshData beside =
+        folder.obj("v 0 0 0\nv 1 0 0\nv 1 0 1\nf 1 2 3\nf 1 2 2\n").parts[0].mesh;
     EXPECT_EQ(beside.normals, std::vector<vec3>(3, vec3(0, -1, 0)));
     EXPECT_EQ(beside.positions.size(), 3u);
 }
@@ -103,8 +109,9 @@ TEST(Normals, AreUnitForFacesWithoutArea) {
 TEST(Normals, AreUnitWhereASmoothingGroupFoldsBackOnItself) {
     Folder folder;
     const MeshData mesh = folder.obj("s 1\n" + triangle + "f 1 2 3\nf 3 2 1\n").parts[0].mesh;
-    EXPECT_EQ(mesh.normals,
-              (std::vector<vec3>{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, -1}, {0, 0, -1}, {0, 0, -1}}));
+    EXPECT_EQ(
+        mesh.normals,
+        (std::vector<vec3>{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, -1}, {0, 0, -1}, {0, 0, -1}}));
 }
 
 TEST(Normals, DoNotDependOnTheModelsSize) {
@@ -118,7 +125,8 @@ TEST(Normals, DoNotDependOnTheModelsSize) {
 
 TEST(Normals, OfATetrahedronAreRadial) {
     Folder folder;
-    const std::string text = "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n";
+    const std::string text =
+        "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n";
     const MeshData mesh = folder.obj(text, {180.0}).parts[0].mesh;
     ASSERT_EQ(mesh.positions.size(), 4u);
     const auto third = static_cast<float>(1 / std::sqrt(3.0));
@@ -126,7 +134,8 @@ TEST(Normals, OfATetrahedronAreRadial) {
 }
 
 TEST(Weld, FindsTheFirstOfEqualPositions) {
-    const std::vector<vec3> positions{{0, 0, 0}, {1, 2, 3}, {-0.0f, 0, -0.0f}, {1, 2, 3.0000002f}, {1, 2, 3}};
+    const std::vector<vec3> positions{
+        {0, 0, 0}, {1, 2, 3}, {-0.0f, 0, -0.0f}, {1, 2, 3.0000002f}, {1, 2, 3}};
     EXPECT_EQ(weld(positions), (std::vector<std::uint32_t>{0, 1, 0, 3, 1}));
     EXPECT_TRUE(weld({}).empty());
 }

@@ -1,5 +1,5 @@
-// Claims: MTL statements become materials in the papers' words; what is not honoured is said once; what is
-// wrong is an error with its line.
+// Claims: MTL statements become materials in the papers' words; what is not honoured is said once;
+// what is wrong is an error with its line.
 #include "scene/obj/read_mtl.h"
 
 #include <gtest/gtest.h>
@@ -18,11 +18,15 @@ struct Mtl : testing::Test {
         list = Warnings();
         return read_mtl(folder.write("m.mtl", text), list);
     }
-    Material one(const std::string& statements) { return read("newmtl m\n" + statements + "\n").at(0); }
+    Material one(const std::string& statements) {
+        return read("newmtl m\n" + statements + "\n").at(0);
+    }
     std::string fault(const std::string& text) {
         return folder.error([&] { read(text); });
     }
-    std::string fault_of(const std::string& statement) { return fault("newmtl m\n" + statement + "\n"); }
+    std::string fault_of(const std::string& statement) {
+        return fault("newmtl m\n" + statement + "\n");
+    }
     Strings warned() const {
         Strings lines;
         for (const std::string& line : list.lines()) lines.push_back(folder.relative(line));
@@ -33,9 +37,9 @@ struct Mtl : testing::Test {
 }  // namespace
 
 TEST_F(Mtl, ReadsEveryParameter) {
-    const Material m =
-        one("Ka 0.1 0.2 0.3\nKd 0.4 0.5 0.6\nKs .7 .8 .9\nKe 1 2 3\nNs 96.078431\nNi 1.5\nd 0.25\nTf 0 1 "
-            "0\nillum 7");
+    const Material m = one(
+        "Ka 0.1 0.2 0.3\nKd 0.4 0.5 0.6\nKs .7 .8 .9\nKe 1 2 3\nNs 96.078431\nNi 1.5\nd 0.25\nTf 0 1 "
+        "0\nillum 7");
     EXPECT_EQ(m.name, "m");
     EXPECT_EQ(m.Ka, vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(m.Kd, vec3(0.4f, 0.5f, 0.6f));
@@ -117,7 +121,8 @@ TEST_F(Mtl, KeepsSeveralMapsOfOneComponentButNoneTwice) {
 }
 
 TEST_F(Mtl, CountsTheFirstOfEqualNames) {
-    const std::vector<Material> materials = read("newmtl a\nKd 1 0 0\nnewmtl b\nnewmtl a\nKd 0 0 1\n");
+    const std::vector<Material> materials =
+        read("newmtl a\nKd 1 0 0\nnewmtl b\nnewmtl a\nKd 0 0 1\n");
     ASSERT_EQ(materials.size(), 2u);
     EXPECT_EQ(materials[0].Kd, vec3(1, 0, 0));
     EXPECT_EQ(warned(), (Strings{"m.mtl:4: material 'a' again; the first one counts"}));
@@ -125,8 +130,8 @@ TEST_F(Mtl, CountsTheFirstOfEqualNames) {
 
 TEST_F(Mtl, WarnsOfWhatItDoesNotHonour) {
     one("map_Bump -bm 0.5 b.png\nmap_d m.png\nPr 0.5\nmap_Bump c.png");
-    EXPECT_EQ(warned(), (Strings{"m.mtl:2: map_Bump is not honoured", "m.mtl:3: map_d is not honoured",
-                                 "m.mtl:4: Pr is not honoured"}));
+    EXPECT_EQ(warned(), (Strings{"m.mtl:2: map_Bump is not honoured",
+                                 "m.mtl:3: map_d is not honoured", "m.mtl:4: Pr is not honoured"}));
 }
 
 TEST_F(Mtl, RefusesWhatIsWrong) {
@@ -141,11 +146,13 @@ TEST_F(Mtl, RefusesWhatIsWrong) {
     EXPECT_EQ(fault_of("illum 1.5"), "m.mtl:2: illum is '1.5'; expected a whole number 0 .. 10");
     EXPECT_EQ(fault_of("d -halo"), "m.mtl:2: d has 0 numbers; expected d 0 .. 1");
     EXPECT_EQ(fault_of("Kx 1 1 1"), "m.mtl:2: unknown statement 'Kx'; the nearest known is 'Ka'");
-    EXPECT_EQ(fault_of("map_Kd"), "m.mtl:2: map_Kd names no file; expected options and a file name");
+    EXPECT_EQ(fault_of("map_Kd"),
+              "m.mtl:2: map_Kd names no file; expected options and a file name");
 }
 
 TEST_F(Mtl, RefusesOtherColourSystemsAndCubeMaps) {
-    EXPECT_EQ(fault_of("Kd spectral a.rfl 1"), "m.mtl:2: Kd spectral is not supported; expected Kd r g b");
+    EXPECT_EQ(fault_of("Kd spectral a.rfl 1"),
+              "m.mtl:2: Kd spectral is not supported; expected Kd r g b");
     EXPECT_EQ(fault_of("Ka xyz 1 1 1"), "m.mtl:2: Ka xyz is not supported; expected Ka r g b");
     EXPECT_EQ(fault_of("refl -type cube_top a.png"),
               "m.mtl:2: refl -type cube_top is not supported; expected refl -type sphere");

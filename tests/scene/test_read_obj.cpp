@@ -1,4 +1,5 @@
-// Claims: what OBJ files found in the wild hold becomes the parts, vertices and indices that they mean.
+// Claims: what OBJ files found in the wild hold becomes the parts, vertices and indices that they
+// mean.
 #include "scene/obj/read_obj.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +16,10 @@ using Indices = std::vector<std::uint32_t>;
 
 TEST(ReadObj, ReadsPositionsToTheBit) {
     Folder folder;
-    const MeshData mesh = folder.obj("v 0.1 -2.5 1e-7\nv 1e6 +3 .5\nv 0 0 0 1\nf 1 2 3\n").parts[0].mesh;
-    EXPECT_EQ(mesh.positions, (std::vector<vec3>{{0.1f, -2.5f, 1e-7f}, {1e6f, 3, 0.5f}, {0, 0, 0}}));
+    const MeshData mesh =
+        folder.obj("v 0.1 -2.5 1e-7\nv 1e6 +3 .5\nv 0 0 0 1\nf 1 2 3\n").parts[0].mesh;
+    EXPECT_EQ(mesh.positions,
+              (std::vector<vec3>{{0.1f, -2.5f, 1e-7f}, {1e6f, 3, 0.5f}, {0, 0, 0}}));
     EXPECT_EQ(mesh.primitive, Primitive::Polygons);
     EXPECT_EQ(mesh.indices, (Indices{0, 1, 2}));
     EXPECT_EQ(mesh.polygon_sizes, (Indices{3}));
@@ -27,7 +30,9 @@ TEST(ReadObj, ReadsPositionsToTheBit) {
 TEST(ReadObj, KeepsPolygonsWhole) {
     Folder folder;
     const MeshData mesh =
-        folder.obj("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\nf 1 2 4\n").parts[0].mesh;
+        folder.obj("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\nf 1 2 4\n")
+            .parts[0]
+            .mesh;
     EXPECT_EQ(mesh.polygon_sizes, (Indices{5, 3}));
     EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 3, 4, 0, 1, 3}));
 }
@@ -48,7 +53,9 @@ TEST(ReadObj, UnifiesTriplesAndSplitsVerticesWhereTheyDiffer) {
     Folder folder;
     const std::string text = triangle + "v 1 1 0\nvt 0 0\nvt 1 0\nvn 0 0 1\nvn 0 1 0\n";
     const MeshData mesh =
-        folder.obj(text + "f 1/1/1 2/2/1 3/1/1\nf 3/1/1 2/2/1 4/1/1\nf 1/1/2 2/2/1 3/2/1\n").parts[0].mesh;
+        folder.obj(text + "f 1/1/1 2/2/1 3/1/1\nf 3/1/1 2/2/1 4/1/1\nf 1/1/2 2/2/1 3/2/1\n")
+            .parts[0]
+            .mesh;
     EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 2, 1, 3, 4, 1, 5}));
     EXPECT_EQ(mesh.normals[4], vec3(0, 1, 0));
     EXPECT_EQ(mesh.texcoords[5], vec2(1, 0));
@@ -70,7 +77,9 @@ TEST(ReadObj, TakesEveryFormOfACorner) {
 TEST(ReadObj, ReadsVertexColours) {
     Folder folder;
     const MeshData mesh =
-        folder.obj("v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0 0 0 1 0.25\nv 5 5 5\nf 1 2 3 4\n").parts[0].mesh;
+        folder.obj("v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0 0 0 1 0.25\nv 5 5 5\nf 1 2 3 4\n")
+            .parts[0]
+            .mesh;
     EXPECT_EQ(mesh.colors,
               (std::vector<vec4>{{1, 1, 1, 1}, {1, 0.5f, 0, 1}, {0, 0, 1, 0.25f}, {1, 1, 1, 1}}));
     EXPECT_EQ(mesh.positions[2], vec3(0, 1, 0));
@@ -80,9 +89,10 @@ TEST(ReadObj, MakesAPartForEachNameAndMaterial) {
     Folder folder;
     folder.write("m.mtl", "newmtl red\nnewmtl deep blue\n");
     const std::string faces = "f 1 2 3\n";
-    const ObjFile file = folder.obj("mtllib m.mtl\n" + triangle + faces + "o car\n" + faces +
-                                    "g wheel left\nusemtl red\n" + faces + "usemtl deep blue\n" + faces +
-                                    "g\n" + faces + "g wheel left\nusemtl red\n" + faces + "o bus\n" + faces);
+    const ObjFile file =
+        folder.obj("mtllib m.mtl\n" + triangle + faces + "o car\n" + faces +
+                   "g wheel left\nusemtl red\n" + faces + "usemtl deep blue\n" + faces + "g\n" +
+                   faces + "g wheel left\nusemtl red\n" + faces + "o bus\n" + faces);
     Strings parts;
     for (const ObjPart& part : file.parts)
         parts.push_back(part.name + "|" + part.material + "|" +
@@ -116,8 +126,9 @@ TEST(ReadObj, FindsLibrariesWithBlanksAndSeveralOnALine) {
     folder.write("my first.mtl", "newmtl a\n");
     folder.write("sub/b.mtl", "newmtl b\n");
     folder.write("C.mtl", "newmtl c\n");
-    const ObjFile file = folder.obj("mtllib my first.mtl sub\\b.mtl\nmtllib c.mtl\nmtllib sub/b.mtl\n" +
-                                    triangle + "f 1 2 3\n");
+    const ObjFile file =
+        folder.obj("mtllib my first.mtl sub\\b.mtl\nmtllib c.mtl\nmtllib sub/b.mtl\n" + triangle +
+                   "f 1 2 3\n");
     Strings names;
     for (const Material& material : file.materials) names.push_back(material.name);
     EXPECT_EQ(names, (Strings{"a", "b", "c"}));
@@ -127,9 +138,9 @@ TEST(ReadObj, FindsLibrariesWithBlanksAndSeveralOnALine) {
 TEST(ReadObj, WarnsOncePerKindOfWhatItDoesNotDraw) {
     Folder folder;
     folder.obj(triangle + "vp 0 1\nvp 1 1\ncstype bezier\nv 0 0 0 0.5\nf 1 2 3\n");
-    EXPECT_EQ(folder.warnings(),
-              (Strings{"m.obj:4: vp statements are not drawn", "m.obj:6: cstype statements are not drawn",
-                       "m.obj:7: the weight w of v is not used"}));
+    EXPECT_EQ(folder.warnings(), (Strings{"m.obj:4: vp statements are not drawn",
+                                          "m.obj:6: cstype statements are not drawn",
+                                          "m.obj:7: the weight w of v is not used"}));
 }
 
 }  // namespace gw::scene

@@ -1,4 +1,5 @@
-// Claims: each malformed OBJ file is one message with its line, what is wrong and what was expected.
+// Claims: each malformed OBJ file is one message with its line, what is wrong and what was
+// expected.
 #include <gtest/gtest.h>
 
 #include "folder.h"
@@ -19,29 +20,44 @@ struct ObjError : testing::Test {
 }  // namespace
 
 TEST_F(ObjError, NumbersThatAreNone) {
-    EXPECT_EQ(folder.obj_error("v abc 1 2\n"), std::string("m.obj:1: 'abc' is not a number; ") + v_forms);
-    EXPECT_EQ(folder.obj_error("\nv nan 0 0\n"), std::string("m.obj:2: 'nan' is not finite; ") + v_forms);
-    EXPECT_EQ(folder.obj_error("v 0 -inf 0\n"), std::string("m.obj:1: '-inf' is not finite; ") + v_forms);
-    EXPECT_EQ(folder.obj_error("v 0 0 1e39\n"), std::string("m.obj:1: '1e39' is too large; ") + v_forms);
-    EXPECT_EQ(folder.obj_error("v 1,5 0 0\n"), std::string("m.obj:1: '1,5' is not a number; ") + v_forms);
-    EXPECT_EQ(folder.obj_error("vt x\n"), "m.obj:1: 'x' is not a number; expected vt s, vt s t or vt s t r");
+    EXPECT_EQ(folder.obj_error("v abc 1 2\n"),
+              std::string("m.obj:1: 'abc' is not a number; ") + v_forms);
+    EXPECT_EQ(folder.obj_error("\nv nan 0 0\n"),
+              std::string("m.obj:2: 'nan' is not finite; ") + v_forms);
+    EXPECT_EQ(folder.obj_error("v 0 -inf 0\n"),
+              std::string("m.obj:1: '-inf' is not finite; ") + v_forms);
+    EXPECT_EQ(folder.obj_error("v 0 0 1e39\n"),
+              std::string("m.obj:1: '1e39' is too large; ") + v_forms);
+    EXPECT_EQ(folder.obj_error("v 1,5 0 0\n"),
+              std::string("m.obj:1: '1,5' is not a number; ") + v_forms);
+    EXPECT_EQ(folder.obj_error("vt x\n"),
+              "m.obj:1: 'x' is not a number; expected vt s, vt s t or vt s t r");
 }
 
 TEST_F(ObjError, MissingAndSurplusCoordinates) {
     EXPECT_EQ(folder.obj_error("v 1 2\n"), std::string("m.obj:1: v has 2 numbers; ") + v_forms);
-    EXPECT_EQ(folder.obj_error("v 1 2 3 4 5\n"), std::string("m.obj:1: v has 5 numbers; ") + v_forms);
-    EXPECT_EQ(folder.obj_error("v 1 2 3 4 5 6 7 8\n"), std::string("m.obj:1: v has 8 numbers; ") + v_forms);
+    EXPECT_EQ(folder.obj_error("v 1 2 3 4 5\n"),
+              std::string("m.obj:1: v has 5 numbers; ") + v_forms);
+    EXPECT_EQ(folder.obj_error("v 1 2 3 4 5 6 7 8\n"),
+              std::string("m.obj:1: v has 8 numbers; ") + v_forms);
     EXPECT_EQ(folder.obj_error("vn 1\n"), "m.obj:1: vn has 1 number; expected vn x y z");
-    EXPECT_EQ(folder.obj_error("vt\n"), "m.obj:1: vt has 0 numbers; expected vt s, vt s t or vt s t r");
+    EXPECT_EQ(folder.obj_error("vt\n"),
+              "m.obj:1: vt has 0 numbers; expected vt s, vt s t or vt s t r");
 }
 
 TEST_F(ObjError, IndicesOutOfRange) {
-    EXPECT_EQ(after_triangle("f 1 2 4"), "m.obj:4: v index 4 is out of range; expected 1 .. 3 or -3 .. -1");
-    EXPECT_EQ(after_triangle("f 1 2 0"), "m.obj:4: v index 0 is out of range; expected 1 .. 3 or -3 .. -1");
-    EXPECT_EQ(after_triangle("f 1 2 -4"), "m.obj:4: v index -4 is out of range; expected 1 .. 3 or -3 .. -1");
-    EXPECT_EQ(after_triangle("f 1/1 2/1 3/1"), "m.obj:4: vt index 1 is out of range; the file has no vt");
-    EXPECT_EQ(after_triangle("f 1//1 2//1 3//1"), "m.obj:4: vn index 1 is out of range; the file has no vn");
-    EXPECT_EQ(folder.obj_error("f 1 2 3\n"), "m.obj:1: v index 1 is out of range; the file has no v");
+    EXPECT_EQ(after_triangle("f 1 2 4"),
+              "m.obj:4: v index 4 is out of range; expected 1 .. 3 or -3 .. -1");
+    EXPECT_EQ(after_triangle("f 1 2 0"),
+              "m.obj:4: v index 0 is out of range; expected 1 .. 3 or -3 .. -1");
+    EXPECT_EQ(after_triangle("f 1 2 -4"),
+              "m.obj:4: v index -4 is out of range; expected 1 .. 3 or -3 .. -1");
+    EXPECT_EQ(after_triangle("f 1/1 2/1 3/1"),
+              "m.obj:4: vt index 1 is out of range; the file has no vt");
+    EXPECT_EQ(after_triangle("f 1//1 2//1 3//1"),
+              "m.obj:4: vn index 1 is out of range; the file has no vn");
+    EXPECT_EQ(folder.obj_error("f 1 2 3\n"),
+              "m.obj:1: v index 1 is out of range; the file has no v");
     EXPECT_EQ(after_triangle("f 1 2 99999999999"),
               "m.obj:4: '99999999999' is not a corner; expected v, v/vt, v//vn or v/vt/vn");
 }
@@ -61,13 +77,15 @@ TEST_F(ObjError, ElementsWithTooFewCorners) {
 
 TEST_F(ObjError, NothingToDraw) {
     EXPECT_EQ(folder.obj_error(""), "m.obj: has nothing to draw; expected f, l or p statements");
-    EXPECT_EQ(folder.obj_error(triangle), "m.obj: has nothing to draw; expected f, l or p statements");
+    EXPECT_EQ(folder.obj_error(triangle),
+              "m.obj: has nothing to draw; expected f, l or p statements");
 }
 
 TEST_F(ObjError, UnknownStatements) {
     EXPECT_EQ(after_triangle("usemlt red"),
               "m.obj:4: unknown statement 'usemlt'; the nearest known is 'usemtl'");
-    EXPECT_EQ(after_triangle("s smooth"), "m.obj:4: s has 'smooth'; expected off, on or a number from 0");
+    EXPECT_EQ(after_triangle("s smooth"),
+              "m.obj:4: s has 'smooth'; expected off, on or a number from 0");
     EXPECT_EQ(after_triangle("s -1"), "m.obj:4: s has '-1'; expected off, on or a number from 0");
 }
 
@@ -88,7 +106,8 @@ TEST_F(ObjError, MissingLibraries) {
 }
 
 TEST_F(ObjError, LinesAreCountedThroughContinuations) {
-    EXPECT_EQ(folder.obj_error("v 0 0 \\\n0\nv 1 2\n"), std::string("m.obj:3: v has 2 numbers; ") + v_forms);
+    EXPECT_EQ(folder.obj_error("v 0 0 \\\n0\nv 1 2\n"),
+              std::string("m.obj:3: v has 2 numbers; ") + v_forms);
     EXPECT_EQ(folder.obj_error("v 0 0 0\r\nv 1 \\\r\n2\r\n"),
               std::string("m.obj:2: v has 2 numbers; ") + v_forms);
 }
@@ -99,7 +118,8 @@ TEST_F(ObjError, FilesThatAreNoScene) {
     std::filesystem::create_directory(folder.path() / "d.obj");
     EXPECT_EQ(folder.error([&] { read_scene(folder.path() / "d.obj"); }),
               "d.obj: is a directory; expected a file");
-    EXPECT_EQ(folder.scene_error("a.png", "x"), "a.png: has the extension '.png'; expected .toml or .obj");
+    EXPECT_EQ(folder.scene_error("a.png", "x"),
+              "a.png: has the extension '.png'; expected .toml or .obj");
 }
 
 }  // namespace gw::scene

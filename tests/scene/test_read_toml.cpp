@@ -10,15 +10,21 @@ namespace {
 struct Toml : testing::Test {
     Folder folder;
     Toml() {
-        folder.write("t.obj",
-                     "mtllib t.mtl\n" + triangle +
-                         "g a\nusemtl red\nf 1 2 3\ng b\nusemtl blue\nf 1 2 3\nf 3 2 1\ng c\nf 1 2 3\n");
-        folder.write("t.mtl",
-                     "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\nNs 5\nnewmtl unused\nmap_Kd no.png\n");
+        folder.write(
+            "t.obj",
+            "mtllib t.mtl\n" + triangle +
+                "g a\nusemtl red\nf 1 2 3\ng b\nusemtl blue\nf 1 2 3\nf 3 2 1\ng c\nf 1 2 3\n");
+        folder.write(
+            "t.mtl",
+            "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\nNs 5\nnewmtl unused\nmap_Kd no.png\n");
     }
     SceneFile file(const std::string& text) { return read_scene(folder.write("s.toml", text)); }
-    Scene scene(const std::string& text) { return file(text + "\n[[object]]\nfile = 't.obj'\n").scene; }
-    Scene object(const std::string& keys) { return file("[[object]]\nfile = 't.obj'\n" + keys).scene; }
+    Scene scene(const std::string& text) {
+        return file(text + "\n[[object]]\nfile = 't.obj'\n").scene;
+    }
+    Scene object(const std::string& keys) {
+        return file("[[object]]\nfile = 't.obj'\n" + keys).scene;
+    }
 };
 
 using Ids = std::vector<std::uint32_t>;
@@ -26,10 +32,11 @@ using Ids = std::vector<std::uint32_t>;
 }  // namespace
 
 TEST_F(Toml, CameraKeys) {
-    const Camera c = *scene(
-                          "[camera]\neye = [1, 2, 3]\nat = [0, 0.5, 0]\nup = [0, 0, 1]\nfov = 30\nnear = "
-                          "0.5\nfar = 100\northo = 2")
-                          .camera;
+    const Camera c =
+        *scene(
+             "[camera]\neye = [1, 2, 3]\nat = [0, 0.5, 0]\nup = [0, 0, 1]\nfov = 30\nnear = "
+             "0.5\nfar = 100\northo = 2")
+             .camera;
     EXPECT_EQ(c.eye, dvec3(1, 2, 3));
     EXPECT_EQ(c.at, dvec3(0, 0.5, 0));
     EXPECT_EQ(c.up, dvec3(0, 0, 1));
@@ -94,7 +101,8 @@ TEST_F(Toml, FloatsAreTheNearestToTheirText) {
     // 1 + 2^-24 + 2^-60 is a tie once it went through a double.
     EXPECT_EQ(scene("background = [1.00000005960464477626, 1_0.5, +1e-1]").background,
               vec3(1.00000012f, 10.5f, 0.1f));
-    EXPECT_EQ(scene("# \xc3\xa4\nname = '\xc3\xa4'\nfog = {color = 0x10, start = 0.1, end = 1}").fog->color,
+    EXPECT_EQ(scene("# \xc3\xa4\nname = '\xc3\xa4'\nfog = {color = 0x10, start = 0.1, end = 1}")
+                  .fog->color,
               vec3(16));
     EXPECT_EQ(scene("fog = {end = 0.3}").fog->end, 0.3f);
 }
@@ -149,7 +157,8 @@ TEST_F(Toml, MaterialsOfTheSceneComeBeforeThoseOfFiles) {
 }
 
 TEST_F(Toml, InlineMaterialsChangeThoseOfTheFile) {
-    const Scene s = object("material = {Kd = [0, 1, 0], Ks = 1}\n[[object]]\nfile = 't.obj'\nparts = 'b'\n");
+    const Scene s =
+        object("material = {Kd = [0, 1, 0], Ks = 1}\n[[object]]\nfile = 't.obj'\nparts = 'b'\n");
     ASSERT_EQ(s.materials.size(), 3u);
     EXPECT_EQ(s.materials[0].name, "red");
     EXPECT_EQ(s.materials[0].Kd, vec3(0, 1, 0));
@@ -175,11 +184,12 @@ TEST_F(Toml, ObjectsBringPartsAndTheMaterialsTheyUse) {
 }
 
 TEST_F(Toml, ObjectsMayBeRenamedChosenAndHidden) {
-    const Scene s = file(
-                        "[[light]]\nposition = [0, 9, 0]\nonly = 'hidden'\n[[object]]\nfile = 't.obj'\nname "
-                        "= 'all'\nparts = ['a', 'c']\n"
-                        "[[object]]\nfile = 't.obj'\nname = 'hidden'\nvisible = false\n")
-                        .scene;
+    const Scene s =
+        file(
+            "[[light]]\nposition = [0, 9, 0]\nonly = 'hidden'\n[[object]]\nfile = 't.obj'\nname "
+            "= 'all'\nparts = ['a', 'c']\n"
+            "[[object]]\nfile = 't.obj'\nname = 'hidden'\nvisible = false\n")
+            .scene;
     ASSERT_EQ(s.objects.size(), 2u);
     EXPECT_EQ(s.objects[0].name, "all");
     EXPECT_EQ(s.objects[1].name, "all");
@@ -187,20 +197,22 @@ TEST_F(Toml, ObjectsMayBeRenamedChosenAndHidden) {
 }
 
 TEST_F(Toml, CreaseIsTheObjects) {
-    folder.write("roof.obj",
-                 "s 1\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 -1\nv 2 1 -1\nf 1 2 3 4\nf 2 5 6 3\n");
-    const Scene s = file(
-                        "[[object]]\nfile = 'roof.obj'\ncrease = 10\n[[object]]\nfile = 'roof.obj'\n"
-                        "[[object]]\nfile = 'roof.obj'\ncrease = 50\n")
-                        .scene;
+    folder.write(
+        "roof.obj",
+        "s 1\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 -1\nv 2 1 -1\nf 1 2 3 4\nf 2 5 6 3\n");
+    const Scene s =
+        file(
+            "[[object]]\nfile = 'roof.obj'\ncrease = 10\n[[object]]\nfile = 'roof.obj'\n"
+            "[[object]]\nfile = 'roof.obj'\ncrease = 50\n")
+            .scene;
     EXPECT_EQ(s.objects[0].mesh->vertex_count(), 8u);
     EXPECT_EQ(s.objects[1].mesh->vertex_count(), 6u);
     EXPECT_EQ(s.objects[2].mesh->vertex_count(), 6u);
 }
 
 TEST_F(Toml, PlacementsScaleRotateThenTranslate) {
-    const Scene s =
-        object("scale = [2, 3, 4]\nrotate = {axis = [0, 0, 5], degrees = 90}\ntranslate = [10, 20, 30]\n");
+    const Scene s = object(
+        "scale = [2, 3, 4]\nrotate = {axis = [0, 0, 5], degrees = 90}\ntranslate = [10, 20, 30]\n");
     const dmat4& m = s.objects[0].world_from_object;
     EXPECT_EQ(m * dvec4(1, 0, 0, 1), dvec4(10, 22, 30, 1));
     EXPECT_EQ(m * dvec4(0, 1, 0, 1), dvec4(7, 20, 30, 1));
@@ -210,13 +222,15 @@ TEST_F(Toml, PlacementsScaleRotateThenTranslate) {
 TEST_F(Toml, RotationsComeInThreeForms) {
     const dvec4 p(1, 2, 3, 1);
     EXPECT_EQ(object("rotate = [90, 0, 90]\n").objects[0].world_from_object * p, dvec4(3, 1, 2, 1));
-    EXPECT_EQ(object("rotate = [{axis = [1, 0, 0], degrees = 90}, {axis = [0, 0, 1], degrees = 90}]\n")
-                      .objects[0]
-                      .world_from_object *
-                  p,
-              dvec4(3, 1, 2, 1));
-    EXPECT_EQ(object("rotate = {axis = [0, 1, 0], degrees = -90}\n").objects[0].world_from_object * p,
-              dvec4(-3, 2, 1, 1));
+    EXPECT_EQ(
+        object("rotate = [{axis = [1, 0, 0], degrees = 90}, {axis = [0, 0, 1], degrees = 90}]\n")
+                .objects[0]
+                .world_from_object *
+            p,
+        dvec4(3, 1, 2, 1));
+    EXPECT_EQ(
+        object("rotate = {axis = [0, 1, 0], degrees = -90}\n").objects[0].world_from_object * p,
+        dvec4(-3, 2, 1, 1));
 }
 
 TEST_F(Toml, MatricesAreWrittenRowByRow) {

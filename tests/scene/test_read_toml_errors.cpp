@@ -1,4 +1,5 @@
-// Claims: each wrong TOML scene is one message with its line; unknown keys name the nearest known one.
+// Claims: each wrong TOML scene is one message with its line; unknown keys name the nearest known
+// one.
 #include <gtest/gtest.h>
 
 #include "folder.h"
@@ -14,7 +15,9 @@ struct TomlError : testing::Test {
         folder.write("t.obj", "mtllib t.mtl\n" + triangle + "o tri\nusemtl red\nf 1 2 3\n");
     }
     std::string fault(const std::string& text) { return folder.scene_error("s.toml", text); }
-    std::string object(const std::string& key) { return fault("[[object]]\nfile = 't.obj'\n" + key + "\n"); }
+    std::string object(const std::string& key) {
+        return fault("[[object]]\nfile = 't.obj'\n" + key + "\n");
+    }
     std::string camera(const std::string& key) { return fault("[camera]\n" + key + "\n"); }
     std::string light(const std::string& keys) {
         return fault("[[object]]\nfile = 't.obj'\n[[light]]\n" + keys + "\n");
@@ -35,15 +38,20 @@ TEST_F(TomlError, Syntax) {
 }
 
 TEST_F(TomlError, UnknownKeys) {
-    EXPECT_EQ(fault("\n[camrea]\n"), "s.toml:2: unknown key 'camrea'; the nearest known is 'camera'");
-    EXPECT_EQ(camera("fvo = 3"), "s.toml:2: unknown key 'fvo' in camera; the nearest known is 'fov'");
-    EXPECT_EQ(camera("\n'fo v' = 3"), "s.toml:3: unknown key 'fo v' in camera; the nearest known is 'fov'");
+    EXPECT_EQ(fault("\n[camrea]\n"),
+              "s.toml:2: unknown key 'camrea'; the nearest known is 'camera'");
+    EXPECT_EQ(camera("fvo = 3"),
+              "s.toml:2: unknown key 'fvo' in camera; the nearest known is 'fov'");
+    EXPECT_EQ(camera("\n'fo v' = 3"),
+              "s.toml:3: unknown key 'fo v' in camera; the nearest known is 'fov'");
     EXPECT_EQ(light("postion = [0, 0, 0]\ndirection = [0, 1, 0]"),
               "s.toml:4: unknown key 'postion' in light; the nearest known is 'position'");
     EXPECT_EQ(object("transalte = [0, 0, 0]"),
               "s.toml:3: unknown key 'transalte' in object; the nearest known is 'translate'");
-    EXPECT_EQ(object("radius = 3"), "s.toml:3: unknown key 'radius' in object; the nearest known is 'parts'");
-    EXPECT_EQ(material("kd = 1"), "s.toml:2: unknown key 'kd' in material.m; the nearest known is 'Kd'");
+    EXPECT_EQ(object("radius = 3"),
+              "s.toml:3: unknown key 'radius' in object; the nearest known is 'parts'");
+    EXPECT_EQ(material("kd = 1"),
+              "s.toml:2: unknown key 'kd' in material.m; the nearest known is 'Kd'");
     EXPECT_EQ(material("map_Kd = {fiel = 'x'}"),
               "s.toml:2: unknown key 'fiel' in material.m.map_Kd; the nearest known is 'file'");
     EXPECT_EQ(fault("fog = {colour = 1}\n"),
@@ -54,19 +62,24 @@ TEST_F(TomlError, UnknownKeys) {
 
 TEST_F(TomlError, WrongTypes) {
     EXPECT_EQ(camera("eye = 1"), "s.toml:2: camera.eye is 1; expected an array of 3 numbers");
-    EXPECT_EQ(camera("eye = [1, 2]"), "s.toml:2: camera.eye has 2 elements; expected an array of 3 numbers");
+    EXPECT_EQ(camera("eye = [1, 2]"),
+              "s.toml:2: camera.eye has 2 elements; expected an array of 3 numbers");
     EXPECT_EQ(camera("eye = [1,\n 2,\n 'x']"), "s.toml:4: camera.eye is 'x'; expected a number");
-    EXPECT_EQ(camera("fov = 'wide'"), "s.toml:2: camera.fov is 'wide'; expected a number from 0.1 to 179");
-    EXPECT_EQ(camera("fov = true"), "s.toml:2: camera.fov is true; expected a number from 0.1 to 179");
+    EXPECT_EQ(camera("fov = 'wide'"),
+              "s.toml:2: camera.fov is 'wide'; expected a number from 0.1 to 179");
+    EXPECT_EQ(camera("fov = true"),
+              "s.toml:2: camera.fov is true; expected a number from 0.1 to 179");
     EXPECT_EQ(camera("fov = 1979-05-27"),
               "s.toml:2: camera.fov is a date; expected a number from 0.1 to 179");
-    EXPECT_EQ(camera("fov = {}"), "s.toml:2: camera.fov is a table; expected a number from 0.1 to 179");
+    EXPECT_EQ(camera("fov = {}"),
+              "s.toml:2: camera.fov is a table; expected a number from 0.1 to 179");
     EXPECT_EQ(fault("camera = 3\n"), "s.toml:1: camera is 3; expected a table");
     EXPECT_EQ(fault("name = 3\n"), "s.toml:1: name is 3; expected a string");
     EXPECT_EQ(fault("light = 3\n"), "s.toml:1: light is 3; expected [[light]]");
     EXPECT_EQ(fault("object = [3]\n"), "s.toml:1: object is 3; expected a table");
     EXPECT_EQ(fault("material = 3\n"), "s.toml:1: material is 3; expected [material.NAME]");
-    EXPECT_EQ(fault("mtllib = 3\n"), "s.toml:1: mtllib is 3; expected a string or an array of strings");
+    EXPECT_EQ(fault("mtllib = 3\n"),
+              "s.toml:1: mtllib is 3; expected a string or an array of strings");
     EXPECT_EQ(object("visible = 1"), "s.toml:3: object.visible is 1; expected true or false");
     EXPECT_EQ(object("material = 1"), "s.toml:3: object.material is 1; expected a name or a table");
     EXPECT_EQ(material("Kd = '1 0 0'"),
@@ -76,18 +89,22 @@ TEST_F(TomlError, WrongTypes) {
 }
 
 TEST_F(TomlError, NumbersOutOfRange) {
-    EXPECT_EQ(camera("fov = 180"), "s.toml:2: camera.fov is 180; expected a number from 0.1 to 179");
+    EXPECT_EQ(camera("fov = 180"),
+              "s.toml:2: camera.fov is 180; expected a number from 0.1 to 179");
     EXPECT_EQ(camera("near = -1"), "s.toml:2: camera.near is -1; expected a number from 0");
     EXPECT_EQ(camera("eye = [0, nan, 0]"), "s.toml:2: camera.eye is nan; expected a number");
     EXPECT_EQ(camera("eye = [0, inf, 0]"), "s.toml:2: camera.eye is inf; expected a number");
-    EXPECT_EQ(material("Kd = [0, -0.5, 0]"), "s.toml:2: material.m.Kd is -0.5; expected a number from 0");
+    EXPECT_EQ(material("Kd = [0, -0.5, 0]"),
+              "s.toml:2: material.m.Kd is -0.5; expected a number from 0");
     EXPECT_EQ(material("Ke = 1e39"),
               "s.toml:2: material.m.Ke is 1e39; expected a number that a float32 holds");
     EXPECT_EQ(material("d = 1.5"), "s.toml:2: material.m.d is 1.5; expected a number from 0 to 1");
-    EXPECT_EQ(material("Ns = 10001"), "s.toml:2: material.m.Ns is 10001; expected a number from 0 to 10000");
+    EXPECT_EQ(material("Ns = 10001"),
+              "s.toml:2: material.m.Ns is 10001; expected a number from 0 to 10000");
     EXPECT_EQ(material("illum = 11"),
               "s.toml:2: material.m.illum is 11; expected a whole number from 0 to 10");
-    EXPECT_EQ(object("crease = 181"), "s.toml:3: object.crease is 181; expected a number from 0 to 180");
+    EXPECT_EQ(object("crease = 181"),
+              "s.toml:3: object.crease is 181; expected a number from 0 to 180");
     EXPECT_EQ(light("position = [0, 0, 0]\nexponent = 129"),
               "s.toml:5: light.exponent is 129; expected a number from 0 to 128");
 }
@@ -102,8 +119,10 @@ TEST_F(TomlError, WordsThatAreNone) {
 }
 
 TEST_F(TomlError, Cameras) {
-    EXPECT_EQ(camera("eye = [0, 0, 0]"), "s.toml:1: camera.at is camera.eye; expected another point");
-    EXPECT_EQ(camera("up = [0, 0, 2]"), "s.toml:1: camera.up is along the view; expected another direction");
+    EXPECT_EQ(camera("eye = [0, 0, 0]"),
+              "s.toml:1: camera.at is camera.eye; expected another point");
+    EXPECT_EQ(camera("up = [0, 0, 2]"),
+              "s.toml:1: camera.up is along the view; expected another direction");
     EXPECT_EQ(camera("near = 2\nfar = 1"),
               "s.toml:1: camera.far is not beyond camera.near; expected near < far");
 }
@@ -113,7 +132,8 @@ TEST_F(TomlError, Lights) {
               "s.toml:3: light has neither position nor direction; expected one of them, or both");
     EXPECT_EQ(light("kind = 'point'\ndirection = [0, 1, 0]"),
               "s.toml:3: light has no position; expected one");
-    EXPECT_EQ(light("direction = [0, 0, 0]"), "s.toml:3: light has no direction; expected one that is not 0");
+    EXPECT_EQ(light("direction = [0, 0, 0]"),
+              "s.toml:3: light has no direction; expected one that is not 0");
     EXPECT_EQ(light("position = [0, 0, 0]\nonly = ['trio']"),
               "s.toml:5: unknown object 'trio'; the nearest known is 'tri'");
     EXPECT_EQ(light("position = [0, 0, 0]\nattenuation = [0, 0, 0]"),
@@ -136,15 +156,19 @@ TEST_F(TomlError, Objects) {
               "s.toml:2: file 'no.obj' does not exist; expected an OBJ file");
     std::filesystem::create_directory(folder.path() / "d");
     EXPECT_EQ(fault("[[object]]\nfile = 'd'\n"), "d: is a directory; expected a file");
-    EXPECT_EQ(object("parts = ['tri', 'quad']"), "s.toml:3: unknown part 'quad'; the nearest known is 'tri'");
-    EXPECT_EQ(fault("[[object]]\nshape = 'no shape'\n").substr(0, 34), "s.toml:2: unknown shape 'no shape'");
+    EXPECT_EQ(object("parts = ['tri', 'quad']"),
+              "s.toml:3: unknown part 'quad'; the nearest known is 'tri'");
+    EXPECT_EQ(fault("[[object]]\nshape = 'no shape'\n").substr(0, 34),
+              "s.toml:2: unknown shape 'no shape'");
 }
 
 TEST_F(TomlError, Placements) {
     EXPECT_EQ(object("scale = 0"), "s.toml:3: object.scale is 0; expected numbers other than 0");
-    EXPECT_EQ(object("scale = [1, 0, 1]"), "s.toml:3: object.scale is 0; expected numbers other than 0");
-    EXPECT_EQ(object("rotate = 90"),
-              "s.toml:3: object.rotate is 90; expected {axis, degrees} or degrees about x, y and z");
+    EXPECT_EQ(object("scale = [1, 0, 1]"),
+              "s.toml:3: object.scale is 0; expected numbers other than 0");
+    EXPECT_EQ(
+        object("rotate = 90"),
+        "s.toml:3: object.rotate is 90; expected {axis, degrees} or degrees about x, y and z");
     EXPECT_EQ(object("rotate = {degrees = 90}"),
               "s.toml:3: object.rotate.axis is missing or 0; expected a direction");
     EXPECT_EQ(object("rotate = [90, 0]"),
@@ -161,16 +185,19 @@ TEST_F(TomlError, Placements) {
 }
 
 TEST_F(TomlError, Materials) {
-    EXPECT_EQ(object("material = 'rad'"), "s.toml:3: unknown material 'rad'; the nearest known is 'red'");
+    EXPECT_EQ(object("material = 'rad'"),
+              "s.toml:3: unknown material 'rad'; the nearest known is 'red'");
     EXPECT_EQ(object("material = 'glas'\n[material.glass]\n[material.gold]"),
               "s.toml:3: unknown material 'glas'; the nearest known is 'glass'");
-    EXPECT_EQ(material("d = 1\nTr = 0"), "s.toml:3: Tr beside d; expected one of them (Tr = 1 - d)");
+    EXPECT_EQ(material("d = 1\nTr = 0"),
+              "s.toml:3: Tr beside d; expected one of them (Tr = 1 - d)");
     EXPECT_EQ(material("map_Kd = ''"),
               "s.toml:2: material.m.map_Kd names no file; expected a texture's file name");
     EXPECT_EQ(
         material("map_Kd = 1"),
         "s.toml:2: material.m.map_Kd is 1; expected a file name, a table with one, or an array of these");
-    EXPECT_EQ(fault("mtllib = 'no.mtl'\n"), "s.toml:1: mtllib 'no.mtl' does not exist; expected an MTL file");
+    EXPECT_EQ(fault("mtllib = 'no.mtl'\n"),
+              "s.toml:1: mtllib 'no.mtl' does not exist; expected an MTL file");
     folder.write("u.obj", triangle + "usemtl gren\nf 1 2 3\n");
     EXPECT_EQ(fault("[[object]]\nfile = 'u.obj'\n[material.green]\n"),
               "u.obj:4: unknown material 'gren'; the nearest known is 'green'");
@@ -178,7 +205,8 @@ TEST_F(TomlError, Materials) {
 
 TEST_F(TomlError, ErrorsInItsFilesNameThem) {
     folder.write("bad.obj", "v 1 2\n");
-    EXPECT_EQ(fault("[[object]]\nfile = 'bad.obj'\n").substr(0, 29), "bad.obj:1: v has 2 numbers; e");
+    EXPECT_EQ(fault("[[object]]\nfile = 'bad.obj'\n").substr(0, 29),
+              "bad.obj:1: v has 2 numbers; e");
     EXPECT_EQ(folder.error([&] { read_scene(folder.path() / "no.toml"); }),
               "no.toml: cannot be opened: No such file or directory; expected a readable file");
 }

@@ -62,7 +62,9 @@ int euler_characteristic(const Mesh& mesh) {
 struct Corners {
     std::array<dvec3, 3> position, normal;
     std::array<dvec2, 3> texcoord;
-    dvec3 area() const { return glm::cross(position[1] - position[0], position[2] - position[0]) / 2.0; }
+    dvec3 area() const {
+        return glm::cross(position[1] - position[0], position[2] - position[0]) / 2.0;
+    }
     double texture_area() const {
         const dvec2 a = texcoord[1] - texcoord[0], b = texcoord[2] - texcoord[0];
         return (a.x * b.y - a.y * b.x) / 2;
@@ -102,7 +104,8 @@ TEST_P(EveryShape, HasNormalsOfLengthOneOnTheSideOfItsTriangles) {
 
 TEST_P(EveryShape, IsMappedWithoutMirroringInsideTheUnitSquare) {
     for (const Corners& c : triangles(*make(GetParam()))) {
-        ASSERT_GT(c.texture_area(), 0) << c.position[0].x << " " << c.position[0].y << " " << c.position[0].z;
+        ASSERT_GT(c.texture_area(), 0)
+            << c.position[0].x << " " << c.position[0].y << " " << c.position[0].z;
         for (const dvec2& p : c.texcoord) {
             ASSERT_GE(std::min(p.x, p.y), 0);
             ASSERT_LE(p.x, GetParam() == "icosphere" ? 1.5 : 1);
@@ -116,7 +119,8 @@ TEST_P(EveryShape, WorksWithTheSmallestCounts) {
     std::vector<double> values = defaults(s);
     for (std::size_t i = 0; i < values.size(); ++i)
         if (s.parameters[i].integer) values[i] = s.parameters[i].low;
-    for (const Corners& c : triangles(*make(GetParam(), values))) ASSERT_GT(glm::length(c.area()), 0);
+    for (const Corners& c : triangles(*make(GetParam(), values)))
+        ASSERT_GT(glm::length(c.area()), 0);
 }
 
 TEST_P(EveryShape, HasDefaultsInRangeAndADistinctName) {
@@ -141,8 +145,8 @@ TEST(Shapes, AreInAlphabeticalOrder) {
 }
 
 TEST(Shapes, SolidOnesAreClosedWithoutACrack) {
-    for (const char* name : {"bottle", "bowl", "box", "cone", "cylinder", "goblet", "icosphere", "pedestal",
-                             "room", "sphere", "torus", "torus_knot", "vase"}) {
+    for (const char* name : {"bottle", "bowl", "box", "cone", "cylinder", "goblet", "icosphere",
+                             "pedestal", "room", "sphere", "torus", "torus_knot", "vase"}) {
         const MeshRef mesh = make(name);
         EXPECT_TRUE(is_closed(*mesh)) << name;
         const bool ring = std::string(name).starts_with("torus");
@@ -212,11 +216,13 @@ TEST(Teapot, PatchesSideBySideShareTheirNormals) {
     const MeshRef pot = make("teapot", {6});
     const std::size_t patch = 7 * 7;
     const MeshData& d = pot->data();
-    const auto border = [&](std::size_t left, std::size_t right) {  // last column of one, first of the other
+    // last column of one, first of the other
+    const auto border = [&](std::size_t left, std::size_t right) {
         for (std::size_t row = 0; row < 7; ++row) {
             const std::size_t a = left * patch + row * 7 + 6, b = right * patch + row * 7;
             EXPECT_EQ(d.positions[a], d.positions[b]);
-            EXPECT_GT(glm::dot(d.normals[a], d.normals[b]), 0.9999f) << left << " " << right << " " << row;
+            EXPECT_GT(glm::dot(d.normals[a], d.normals[b]), 0.9999f)
+                << left << " " << right << " " << row;
         }
     };
     for (const auto& [first, count] : {std::pair<std::size_t, std::size_t>{0, 4},
@@ -232,8 +238,8 @@ TEST(Teapot, PatchesSideBySideShareTheirNormals) {
         for (std::size_t i = 0; i < count; ++i) border(first + i, first + (i + 1) % count);
 }
 
-// Borders of one triangle only: where the published surface ends (lid, rim inside, ends of spout and handle,
-// bottom).
+// Borders of one triangle only: where the published surface ends (lid, rim inside, ends of spout
+// and handle, bottom).
 TEST(Teapot, NoSideIsWalkedTwiceTheSameWay) {
     const auto count = sides(*make("teapot", {6}));
     for (const auto& [side, n] : count) ASSERT_EQ(n, 1);

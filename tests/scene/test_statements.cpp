@@ -1,5 +1,5 @@
-// Claims: statements are found whatever the line ends, blanks, comments and continuations, with the line they
-// begin on.
+// Claims: statements are found whatever the line ends, blanks, comments and continuations, with the
+// line they begin on.
 #include "scene/text/statements.h"
 
 #include <gtest/gtest.h>

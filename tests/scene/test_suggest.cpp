@@ -1,4 +1,5 @@
-// Claims: the nearest known name is the one with the fewest edits, and messages stay on one short line.
+// Claims: the nearest known name is the one with the fewest edits, and messages stay on one short
+// line.
 #include "scene/text/suggest.h"
 
 #include <gtest/gtest.h>

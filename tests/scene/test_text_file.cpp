@@ -1,5 +1,5 @@
-// Claims: files are read whole without their byte order mark, and names in files are found as people meant
-// them.
+// Claims: files are read whole without their byte order mark, and names in files are found as
+// people meant them.
 #include "scene/text/text_file.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,8 @@ TEST(ReadText, SaysWhyItCannot) {
     EXPECT_EQ(folder.error([&] { read_text(folder.path() / "no"); }),
               "no: cannot be opened: No such file or directory; expected a readable file");
     std::filesystem::create_directory(folder.path() / "d");
-    EXPECT_EQ(folder.error([&] { read_text(folder.path() / "d"); }), "d: is a directory; expected a file");
+    EXPECT_EQ(folder.error([&] { read_text(folder.path() / "d"); }),
+              "d: is a directory; expected a file");
     const auto utf16 = folder.write("u", std::string("\xff\xfev\0", 4));
     EXPECT_EQ(folder.error([&] { read_text(utf16); }), "u:1: is UTF-16; expected UTF-8 text");
 }
@@ -40,7 +41,8 @@ TEST(ReadText, RefusesWhatHasNoEnd) {
               "/dev/zero: is a device or a pipe; expected a file");
     const std::filesystem::path pipe = folder.path() / "pipe";
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-    EXPECT_EQ(folder.error([&] { read_text(pipe); }), "pipe: is a device or a pipe; expected a file");
+    EXPECT_EQ(folder.error([&] { read_text(pipe); }),
+              "pipe: is a device or a pipe; expected a file");
     std::filesystem::create_symlink("/dev/zero", folder.path() / "link.mtl");
     EXPECT_EQ(folder.error([&] { read_text(folder.path() / "link.mtl"); }),
               "link.mtl: is a device or a pipe; expected a file");
@@ -50,7 +52,8 @@ TEST(ReadText, RefusesMoreThanItHolds) {
     Folder folder;
     const auto file = folder.write("large.obj", "");
     std::filesystem::resize_file(file, most_text + 1);  // a hole: takes no room on the disk
-    EXPECT_EQ(folder.error([&] { read_text(file); }), "large.obj: has more than 2048 MB; expected less");
+    EXPECT_EQ(folder.error([&] { read_text(file); }),
+              "large.obj: has more than 2048 MB; expected less");
 }
 
 TEST(FindFile, TakesBackslashesQuotesAndBlanks) {

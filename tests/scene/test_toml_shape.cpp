@@ -1,5 +1,5 @@
-// Claims: every shape of the table can be asked for by its name, with its parameters as keys and nothing
-// else.
+// Claims: every shape of the table can be asked for by its name, with its parameters as keys and
+// nothing else.
 #include <gtest/gtest.h>
 
 #include "folder.h"
@@ -27,8 +27,9 @@ TEST_F(TomlShapes, AreAllThereWithTheirDefaults) {
         std::string keys;
         for (const ShapeParameter& p : shape.parameters) {
             values.push_back(p.value);
-            keys += "\n" + p.name + " = " +
-                    (p.integer ? std::to_string(static_cast<int>(p.value)) : std::to_string(p.value));
+            keys +=
+                "\n" + p.name + " = " +
+                (p.integer ? std::to_string(static_cast<int>(p.value)) : std::to_string(p.value));
         }
         const Scene s = scene("shape = '" + shape.name + "'");
         ASSERT_EQ(s.objects.size(), 1u);
@@ -40,8 +41,8 @@ TEST_F(TomlShapes, AreAllThereWithTheirDefaults) {
 }
 
 TEST_F(TomlShapes, TakeTheirParameters) {
-    const Scene s =
-        scene("shape = 'disc'\nradius = 0.5\nslices = 8\nname = 'coin'\nmaterial = {Kd = [1, 0, 0]}");
+    const Scene s = scene(
+        "shape = 'disc'\nradius = 0.5\nslices = 8\nname = 'coin'\nmaterial = {Kd = [1, 0, 0]}");
     EXPECT_EQ(s.objects[0].name, "coin");
     EXPECT_EQ(s.materials[0].Kd, vec3(1, 0, 0));
     EXPECT_EQ(bounds(s).high.x, 0.5);
@@ -50,7 +51,8 @@ TEST_F(TomlShapes, TakeTheirParameters) {
 }
 
 TEST_F(TomlShapes, RefuseWhatIsNotTheirs) {
-    EXPECT_EQ(fault("shape = 'tours'"), "s.toml:2: unknown shape 'tours'; the nearest known is 'torus'");
+    EXPECT_EQ(fault("shape = 'tours'"),
+              "s.toml:2: unknown shape 'tours'; the nearest known is 'torus'");
     EXPECT_EQ(fault("shape = 3"), "s.toml:2: object.shape is 3; expected a string");
     EXPECT_EQ(fault("shape = 'disc'\nradus = 1"),
               "s.toml:3: unknown key 'radus' in object; the nearest known is 'radius'");
@@ -62,8 +64,10 @@ TEST_F(TomlShapes, RefuseWhatIsNotTheirs) {
               "s.toml:3: object.radius is 0; expected a number from 1e-06 to 1e+06");
     EXPECT_EQ(fault("shape = 'disc'\nfile = 'a.obj'"),
               "s.toml:1: object has both file and shape; expected one of them");
-    EXPECT_EQ(fault("shape = 'disc'\ncrease = 30"), "s.toml:3: crease beside shape; expected it beside file");
-    EXPECT_EQ(fault("shape = 'disc'\nparts = 'a'"), "s.toml:3: parts beside shape; expected it beside file");
+    EXPECT_EQ(fault("shape = 'disc'\ncrease = 30"),
+              "s.toml:3: crease beside shape; expected it beside file");
+    EXPECT_EQ(fault("shape = 'disc'\nparts = 'a'"),
+              "s.toml:3: parts beside shape; expected it beside file");
 }
 
 }  // namespace gw::scene

@@ -1,4 +1,5 @@
-// Claims: rotations are exact where they can be, right-handed, and orthogonal to the last bits elsewhere.
+// Claims: rotations are exact where they can be, right-handed, and orthogonal to the last bits
+// elsewhere.
 #include "scene/geometry/transform.h"
 
 #include <gtest/gtest.h>

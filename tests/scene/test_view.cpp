@@ -11,7 +11,9 @@
 namespace gw::scene {
 namespace {
 
-dvec4 times(const dmat4& m, const dvec4& v) { return m[0] * v.x + m[1] * v.y + m[2] * v.z + m[3] * v.w; }
+dvec4 times(const dmat4& m, const dvec4& v) {
+    return m[0] * v.x + m[1] * v.y + m[2] * v.z + m[3] * v.w;
+}
 
 /// Normalised device coordinates of a point in the world.
 dvec3 device(const View& view, const dvec3& p) {
@@ -29,7 +31,8 @@ TEST(View, LooksAlongMinusZWithYUp) {
 }
 
 TEST(View, PutsTheEdgesOfTheFieldOfViewOnTheEdgesOfTheWindow) {
-    const Camera camera{.eye = {0, 0, 4}, .at = {0, 0, 0}, .fov = 90, .near_plane = 1, .far_plane = 9};
+    const Camera camera{
+        .eye = {0, 0, 4}, .at = {0, 0, 0}, .fov = 90, .near_plane = 1, .far_plane = 9};
     const View view = make_view(camera, box(-1, 1), 200, 100);
     EXPECT_NEAR(device(view, {0, 4, 0}).y, 1, exactly);
     EXPECT_NEAR(device(view, {8, 0, 0}).x, 1, exactly);
@@ -48,8 +51,10 @@ TEST(View, OrthographicShowsItsHeight) {
 
 TEST(View, KeepsTheWholeSceneBetweenFittedPlanesAtEveryScale) {
     for (double scale = 1e-7; scale < 1e7; scale *= 10) {
-        const Bounds bounds{dvec3(-scale, -2 * scale, -scale), dvec3(scale, scale, 3 * scale), false};
-        const View view = make_view({.eye = dvec3(5, 3, 9) * scale, .at = dvec3(0)}, bounds, 64, 48);
+        const Bounds bounds{dvec3(-scale, -2 * scale, -scale), dvec3(scale, scale, 3 * scale),
+                            false};
+        const View view =
+            make_view({.eye = dvec3(5, 3, 9) * scale, .at = dvec3(0)}, bounds, 64, 48);
         for (int corner = 0; corner < 8; ++corner) {
             const dvec3 p(corner & 1 ? bounds.high.x : bounds.low.x,
                           corner & 2 ? bounds.high.y : bounds.low.y,
@@ -74,7 +79,8 @@ TEST(View, KeepsPlanesThatAreGiven) {
 
 TEST(View, WithPlanesIsTheViewMadeWithThem) {
     for (const double height : {0.0, 6.0}) {
-        const Camera camera{.eye = {1, 2, 4}, .near_plane = 1, .far_plane = 9, .ortho_height = height};
+        const Camera camera{
+            .eye = {1, 2, 4}, .near_plane = 1, .far_plane = 9, .ortho_height = height};
         Camera deeper = camera;
         deeper.near_plane = 0.5;
         deeper.far_plane = 50;
@@ -82,7 +88,8 @@ TEST(View, WithPlanesIsTheViewMadeWithThem) {
         const View made = make_view(deeper, box(-1, 1), 200, 100);
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 4; ++row)
-                EXPECT_NEAR(moved.clip_from_eye[column][row], made.clip_from_eye[column][row], exactly);
+                EXPECT_NEAR(moved.clip_from_eye[column][row], made.clip_from_eye[column][row],
+                            exactly);
     }
 }
 
@@ -90,7 +97,8 @@ TEST(View, TakesAnyUpParallelToTheLineOfSight) {
     for (const dvec3& axis : {dvec3(0, 1, 0), dvec3(0, -1, 0), dvec3(1, 0, 0), dvec3(0, 0, 1)}) {
         const dmat4 m = look_at(axis * 3.0, dvec3(0), axis);
         for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) EXPECT_NEAR(dot3(dvec3(m[i]), dvec3(m[j])), i == j ? 1 : 0, exactly);
+            for (int j = 0; j < 3; ++j)
+                EXPECT_NEAR(dot3(dvec3(m[i]), dvec3(m[j])), i == j ? 1 : 0, exactly);
     }
 }
 
@@ -118,7 +126,8 @@ TEST(CubeViews, SeeEveryDirectionOnce) {
     for (int x = -7; x <= 7; x += 2)
         for (int y = -6; y <= 6; y += 4)
             for (int z = -5; z <= 5; z += 2) {
-                if (std::abs(x) == std::abs(y) || std::abs(y) == std::abs(z) || std::abs(x) == std::abs(z))
+                if (std::abs(x) == std::abs(y) || std::abs(y) == std::abs(z) ||
+                    std::abs(x) == std::abs(z))
                     continue;
                 int seen = 0;
                 for (const View& view : views) {
@@ -148,8 +157,8 @@ TEST(FitCamera, ShowsTheWholeSceneAtEveryScaleAndNotMuchMore) {
 }
 
 TEST(FitCamera, SeesASinglePointAndAnEmptyScene) {
-    EXPECT_NO_THROW(
-        make_view(fit_camera({dvec3(2), dvec3(2), false}, 64, 64), {dvec3(2), dvec3(2), false}, 64, 64));
+    EXPECT_NO_THROW(make_view(fit_camera({dvec3(2), dvec3(2), false}, 64, 64),
+                              {dvec3(2), dvec3(2), false}, 64, 64));
     EXPECT_NO_THROW(make_view(fit_camera({}, 64, 64), {}, 64, 64));
 }
 

@@ -1,5 +1,5 @@
-// The Cornell box's colours are derived from the measured reflectances; scenes/cornell.obj names their
-// source.
+// The Cornell box's colours are derived from the measured reflectances; scenes/cornell.obj names
+// their source.
 #include "scene/read_scene.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,9 @@ dvec3 rgb(const Spectrum& reflectance) {
     return sum / all;
 }
 
-Scene cornell() { return read_scene(std::filesystem::path(GW_SOURCE_DIR) / "scenes" / "cornell.toml").scene; }
+Scene cornell() {
+    return read_scene(std::filesystem::path(GW_SOURCE_DIR) / "scenes" / "cornell.toml").scene;
+}
 
 TEST(Cornell, TheColoursAreThoseOfTheMeasuredReflectances) {
     const Scene scene = cornell();
@@ -85,7 +87,8 @@ TEST(Cornell, TheCeilingLeavesTheLampOut) {
     EXPECT_NEAR(ceiling, 556 * 559.2 - 130 * 105, 0.1);
 }
 
-// The camera's fov is the one of a film 25 mm high behind a lens of 35 mm: tan(fov / 2) = 12.5 / 35.
+// The camera's fov is the one of a film 25 mm high behind a lens of 35 mm: tan(fov / 2) = 12.5 /
+// 35.
 TEST(Cornell, TheCameraIsThePublishedOne) {
     const Camera camera = cornell().camera.value();
     EXPECT_EQ(camera.eye, dvec3(278, 273, -800));

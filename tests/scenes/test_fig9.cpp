@@ -1,4 +1,5 @@
-// Fig. 9's class of scene [K4f]: 444 matte and 77,184 glossy polygons, about a third of the pixels glossy.
+// Fig. 9's class of scene [K4f]: 444 matte and 77,184 glossy polygons, about a third of the pixels
+// glossy.
 #include "gw/machine.h"
 #include "multipass/frame/driver.h"
 #include "scene/read_scene.h"
@@ -12,7 +13,9 @@
 namespace gw::scene {
 namespace {
 
-Scene fig9() { return read_scene(std::filesystem::path(GW_SOURCE_DIR) / "scenes" / "fig9.toml").scene; }
+Scene fig9() {
+    return read_scene(std::filesystem::path(GW_SOURCE_DIR) / "scenes" / "fig9.toml").scene;
+}
 
 bool glossy(const Material& m) { return m.illum >= 3; }
 
@@ -42,8 +45,10 @@ TEST(Fig9, HasExactly444MatteAnd77184GlossyPolygons) {
 TEST(Fig9, AboutAThirdOfItsPixelsIsGlossy) {
     Scene scene = fig9();
     for (Material& material : scene.materials)
-        material = {
-            .Ka = vec3(0), .Kd = vec3(0), .Ke = vec3(glossy(material) ? 1 : 0), .illum = material.illum};
+        material = {.Ka = vec3(0),
+                    .Kd = vec3(0),
+                    .Ke = vec3(glossy(material) ? 1 : 0),
+                    .illum = material.illum};
     const auto machine = make_fast(vgx(), 640, 480);
     multipass::render(*machine, scene, make_view(scene, 640, 480), {});
     const auto white =

@@ -15,7 +15,8 @@ const std::filesystem::path folder = std::filesystem::path(GW_SOURCE_DIR) / "sce
 
 class Maps : public testing::TestWithParam<NamedMap> {};
 
-// scenes/maps/ is what make-maps writes. If this fails after a change of a map: run make-maps scenes/maps.
+// scenes/maps/ is what make-maps writes. If this fails after a change of a map: run make-maps
+// scenes/maps.
 TEST_P(Maps, CommittedTexelsAreThoseMadeAgain) {
     const image::Picture made = GetParam().picture();
     const TextureRef read = image::read_texture(folder / GetParam().file);

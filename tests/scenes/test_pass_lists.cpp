@@ -1,5 +1,5 @@
-// The built-in list of every scene, written as [[pass]] and read again as the scene's own, draws the same
-// bits in every plane on every profile.
+// The built-in list of every scene, written as [[pass]] and read again as the scene's own, draws
+// the same bits in every plane on every profile.
 #include "image/textures.h"
 #include "multipass/frame/driver.h"
 #include "multipass/passes/pass_toml.h"
@@ -29,11 +29,14 @@ std::vector<std::string> files() {
 }
 
 /// A scene of one box that brings this list.
-std::string with_passes(const std::string& passes) { return "[[object]]\nshape = 'box'\n" + passes; }
+std::string with_passes(const std::string& passes) {
+    return "[[object]]\nshape = 'box'\n" + passes;
+}
 
 PassList read_again(const PassList& list) {
     const TemporaryFolder here;
-    return read_passes(scene::read_scene(here.write("list.toml", with_passes(to_toml(list)))).passes);
+    return read_passes(
+        scene::read_scene(here.write("list.toml", with_passes(to_toml(list)))).passes);
 }
 
 std::vector<Digest> draw(const scene::Scene& s, const Profile& profile, const PassList& list) {
@@ -60,14 +63,16 @@ TEST_P(PassLists, ReadAgainDrawTheSameBits) {
         if (object.glare) object.glare->samples = 2;
     for (const Profile& profile : profiles())
         for (const Renderer renderer : {Renderer::Multipass, Renderer::Hardware}) {
-            if (renderer == Renderer::Hardware && int(s.lights.size()) > profile.max_lights) continue;
+            if (renderer == Renderer::Hardware && int(s.lights.size()) > profile.max_lights)
+                continue;
             const PassList list = passes_for(s, renderer);
             EXPECT_EQ(draw(s, profile, read_again(list)), draw(s, profile, list)) << profile.name;
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PassLists, testing::ValuesIn(files()),
-                         [](const auto& test) { return test.param.substr(0, test.param.find('.')); });
+INSTANTIATE_TEST_SUITE_P(All, PassLists, testing::ValuesIn(files()), [](const auto& test) {
+    return test.param.substr(0, test.param.find('.'));
+});
 
 }  // namespace
 }  // namespace gw::multipass

@@ -32,8 +32,9 @@ TEST_P(Scenes, IsReadWithItsMapsAndWithoutAWarning) {
     EXPECT_NO_THROW(image::load_textures(file.scene));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Scenes, testing::ValuesIn(files()),
-                         [](const auto& test) { return test.param.substr(0, test.param.find('.')); });
+INSTANTIATE_TEST_SUITE_P(All, Scenes, testing::ValuesIn(files()), [](const auto& test) {
+    return test.param.substr(0, test.param.find('.'));
+});
 
 TEST(Rings, DifferOnlyInTheMap) {
     Scene with = read_scene(folder / "rings.toml").scene,

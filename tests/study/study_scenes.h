@@ -11,7 +11,8 @@ namespace gw::study {
 
 inline MeshData shape(const char* name, const std::vector<double>& parameters) {
     const auto& all = scene::shapes();
-    return std::find_if(all.begin(), all.end(), [&](const scene::Shape& s) { return s.name == name; })
+    return std::find_if(all.begin(), all.end(),
+                        [&](const scene::Shape& s) { return s.name == name; })
         ->make(parameters);
 }
 
@@ -19,10 +20,11 @@ inline MeshData shape(const char* name, const std::vector<double>& parameters) {
 inline scene::Scene ball(int slices) {
     scene::Scene s;
     std::uint32_t id = 0;
-    s.materials.push_back({.name = "glossy", .Kd = vec3(0.7f, 0.4f, 0.9f), .Ks = vec3(0.3f), .Ns = 12});
-    s.objects.push_back(
-        {.name = "ball",
-         .mesh = scene::make_numbered_mesh(shape("sphere", {1, double(slices), slices / 2.0}), id)});
+    s.materials.push_back(
+        {.name = "glossy", .Kd = vec3(0.7f, 0.4f, 0.9f), .Ks = vec3(0.3f), .Ns = 12});
+    s.objects.push_back({.name = "ball",
+                         .mesh = scene::make_numbered_mesh(
+                             shape("sphere", {1, double(slices), slices / 2.0}), id)});
     s.lights.push_back({.name = "key", .direction = {-0.5f, -0.6f, -0.7f}, .Id = vec3(0.9f)});
     s.camera = scene::Camera{.eye = {0, 0, 5}, .fov = 28};
     return s;

@@ -10,7 +10,9 @@ namespace {
 constexpr ConvergenceOptions small{.largest = 64, .reference = 1024, .width = 48, .height = 36};
 
 std::vector<ProfileError> errors_of(scene::Scene scene, const std::vector<Profile>& profiles) {
-    const auto make = [](const Profile& profile) { return make_fast(profile, small.width, small.height); };
+    const auto make = [](const Profile& profile) {
+        return make_fast(profile, small.width, small.height);
+    };
     return convergence(std::move(scene), profiles, make, small, [](const std::string&) {});
 }
 

@@ -1,6 +1,6 @@
-// Claims: the growth study finds the exponents that counters must have; stops what is slow and says so;
-// prices turn counts into the sums they say; rankings flip where two cost curves cross; malformed lists name
-// line and expectation.
+// Claims: the growth study finds the exponents that counters must have; stops what is slow and says
+// so; prices turn counts into the sums they say; rankings flip where two cost curves cross;
+// malformed lists name line and expectation.
 #include "gw/error.h"
 #include "study/growth_plots.h"
 #include "study/growth_scenes.h"
@@ -33,7 +33,8 @@ Growth made_up() {
 
 PriceList unit_prices() {
     PriceList list{.name = "unit", .machine = "a machine", .prices = {}};
-    for (const char* name : {"add", "compare", "multiply", "divide", "load", "store", "machine", "memory"})
+    for (const char* name :
+         {"add", "compare", "multiply", "divide", "load", "store", "machine", "memory"})
         list.prices[name] = {1, true, "none"};
     return list;
 }
@@ -54,8 +55,9 @@ std::string message_of(const std::string& text, bool recipes) {
 
 TEST(Growth, CountsWhatIsKnownToGrowSo) {
     const auto laws_of = [](const char* axis) {
-        return growth_laws(study::growth({.limit = 1e9, .threads = 1, .axis = axis, .only = {"z-buffer"}},
-                                         [](const std::string&) {}));
+        return growth_laws(
+            study::growth({.limit = 1e9, .threads = 1, .axis = axis, .only = {"z-buffer"}},
+                          [](const std::string&) {}));
     };
     const auto exponent = [](const std::vector<GrowthLaw>& laws, const char* value) {
         for (const GrowthLaw& law : laws)
@@ -63,18 +65,20 @@ TEST(Growth, CountsWhatIsKnownToGrowSo) {
         ADD_FAILURE() << value;
         return 0.0;
     };
-    const auto polygons = laws_of("polygons"), depth = laws_of("depth"), resolution = laws_of("resolution");
+    const auto polygons = laws_of("polygons"), depth = laws_of("depth"),
+               resolution = laws_of("resolution");
     EXPECT_NEAR(exponent(polygons, "polygons"), 1, 0.01);
     EXPECT_NEAR(exponent(polygons, "peak_bytes"), 0, 1e-6);
-    EXPECT_NEAR(exponent(depth, "depths"), 1, 1e-9);  // a comparison for every polygon over every pixel
+    // a comparison for every polygon over every pixel
+    EXPECT_NEAR(exponent(depth, "depths"), 1, 1e-9);
     EXPECT_NEAR(exponent(resolution, "peak_bytes"), 1, 1e-6);
     EXPECT_NEAR(exponent(resolution, "depths"), 1, 0.02);
 }
 
 TEST(Growth, StopsWhatTakesLongerThanTheLimit) {
-    const Growth growth =
-        study::growth({.limit = 0, .threads = 1, .axis = "frames", .only = {"newell", "z-buffer", "appel"}},
-                      [](const std::string&) {});
+    const Growth growth = study::growth(
+        {.limit = 0, .threads = 1, .axis = "frames", .only = {"newell", "z-buffer", "appel"}},
+        [](const std::string&) {});
     ASSERT_EQ(growth.points.size(), 3u);  // the smallest size is always asked
     ASSERT_EQ(growth.cuts.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -116,16 +120,20 @@ TEST(Prices, OfTheThreeTimesAreComplete) {
     }
     EXPECT_GT(read_recipes(folder + "recipes.toml").size(), 10u);
     // What is said of it: memory has fallen more than time.
-    const PriceList then = read_prices(folder + "1974.toml"), now = read_prices(folder + "today.toml");
+    const PriceList then = read_prices(folder + "1974.toml"),
+                    now = read_prices(folder + "today.toml");
     EXPECT_GT(then.prices.at("memory").value / then.prices.at("machine").value,
               now.prices.at("memory").value / now.prices.at("machine").value);
 }
 
 TEST(Prices, AreOperationsTimesPricesForTheRentOfThatTime) {
-    const GrowthPoint point{
-        "polygons", false, 1, "z-buffer", {{"depths", 10}, {"keys", 99}, {"peak_bytes", 3 * 1048576.0}}};
-    const Cost cost =
-        cost_of(point, unit_prices(), {{"depths", {{"add", 2}, {"load", 3}}}, {"rays", {{"divide", 7}}}});
+    const GrowthPoint point{"polygons",
+                            false,
+                            1,
+                            "z-buffer",
+                            {{"depths", 10}, {"keys", 99}, {"peak_bytes", 3 * 1048576.0}}};
+    const Cost cost = cost_of(point, unit_prices(),
+                              {{"depths", {{"add", 2}, {"load", 3}}}, {"rays", {{"divide", 7}}}});
     EXPECT_NEAR(cost.seconds, 50e-6, 1e-15);
     EXPECT_NEAR(cost.dollars, 50e-6 * (1 + 3) / (30 * 24 * 3600.0), 1e-20);
 }
@@ -145,19 +153,24 @@ TEST(Prices, FlipWhereTheCurvesCross) {
 
 TEST(Prices, RefuseWhatIsNoList) {
     const std::string price = "[[price]]\nwhat = \"add\"\nvalue = 1\nsource = \"s\"\n";
-    EXPECT_NE(message_of("name = \"a\"\n" + price, false).find("no price of 'compare'"), std::string::npos);
-    EXPECT_NE(message_of("name = \"a\"\n" + price + price, false).find(":6: a second price of 'add'"),
+    EXPECT_NE(message_of("name = \"a\"\n" + price, false).find("no price of 'compare'"),
               std::string::npos);
+    EXPECT_NE(
+        message_of("name = \"a\"\n" + price + price, false).find(":6: a second price of 'add'"),
+        std::string::npos);
     EXPECT_NE(message_of("name = \"a\"\n[[price]]\nwhat = \"ad\"\nvalue = 1\n", false).find(":3: "),
               std::string::npos);
-    EXPECT_NE(message_of("name = \"a\"\n[[price]]\nwhat = \"add\"\nvalue = -1\nsource = \"s\"\n", false)
-                  .find(":4: "),
-              std::string::npos);
-    EXPECT_NE(message_of("name = \"a\"\n[[price]]\nwhat = \"add\"\nvalue = 1\n", false).find("no source"),
-              std::string::npos);
+    EXPECT_NE(
+        message_of("name = \"a\"\n[[price]]\nwhat = \"add\"\nvalue = -1\nsource = \"s\"\n", false)
+            .find(":4: "),
+        std::string::npos);
+    EXPECT_NE(
+        message_of("name = \"a\"\n[[price]]\nwhat = \"add\"\nvalue = 1\n", false).find("no source"),
+        std::string::npos);
     EXPECT_NE(message_of("name = \"a\"\nprice = 3\n", false).find(":2: "), std::string::npos);
     EXPECT_NE(message_of("[[recipe]]\ncount = \"depth\"\n", true).find(":2: "), std::string::npos);
-    EXPECT_NE(message_of("[[recipe]]\ncount = \"depths\"\nadds = 1\n", true).find(":3: "), std::string::npos);
+    EXPECT_NE(message_of("[[recipe]]\ncount = \"depths\"\nadds = 1\n", true).find(":3: "),
+              std::string::npos);
     EXPECT_NE(message_of("", true).find("no recipe"), std::string::npos);
 }
 

@@ -22,11 +22,13 @@ TEST(Difference, CountsInLevelsOfEightBits) {
 }
 
 TEST(Adding, RoundsOncePerPass) {
-    for (const Adding& row : adding(ball(96), {1, 16, 64}, {vgx(), reality()}, make, width, height, silent)) {
-        // Two passes for each light (diffuse, specular), each rounded at the vertex and at the pixel: at most
-        // 2 units.
+    for (const Adding& row :
+         adding(ball(96), {1, 16, 64}, {vgx(), reality()}, make, width, height, silent)) {
+        // Two passes for each light (diffuse, specular), each rounded at the vertex and at the
+        // pixel: at most 2 units.
         const double unit = row.profile == "vgx" ? 1 : 255.0 / 4095;
-        EXPECT_LE(row.frame_buffer.largest, 2 * row.lights * unit) << row.profile << " " << row.lights;
+        EXPECT_LE(row.frame_buffer.largest, 2 * row.lights * unit)
+            << row.profile << " " << row.lights;
         EXPECT_GT(row.frame_buffer.rms, 0) << row.profile << " " << row.lights;
     }
 }

@@ -1,5 +1,6 @@
-// Claims: EXPECT_PASSES_EQ holds for what a golden was made of and for nothing else; a failure names pass,
-// plane, pixel and both values and leaves pictures that show them; goldens change only where asked.
+// Claims: EXPECT_PASSES_EQ holds for what a golden was made of and for nothing else; a failure
+// names pass, plane, pixel and both values and leaves pictures that show them; goldens change only
+// where asked.
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +43,9 @@ protected:
     const fs::path golden = folder / "two.json";
 };
 
-std::string message_of(const ::testing::AssertionResult& result) { return result ? "" : result.message(); }
+std::string message_of(const ::testing::AssertionResult& result) {
+    return result ? "" : result.message();
+}
 
 }  // namespace
 
@@ -55,8 +58,10 @@ TEST_F(ExpectPasses, HoldsForWhatTheGoldenWasMadeOf) {
 TEST_F(ExpectPasses, NamesPassPlanePixelAndBothValues) {
     write_golden(recording(200), golden);
     const std::string message = message_of(passes_eq(two_passes(201), golden));
-    EXPECT_THAT(message, ::testing::HasSubstr(
-                             "pass 1 'mark', plane color, pixel 1 1: expected 200 0 0 255, got 201 0 0 255"));
+    EXPECT_THAT(
+        message,
+        ::testing::HasSubstr(
+            "pass 1 'mark', plane color, pixel 1 1: expected 200 0 0 255, got 201 0 0 255"));
     EXPECT_THAT(message, ::testing::HasSubstr("2 pixels of this plane differ"));
     EXPECT_THAT(message, ::testing::HasSubstr("made of another command list"));
 }
@@ -66,8 +71,8 @@ TEST_F(ExpectPasses, LeavesActualExpectedAndDifference) {
     const std::string message = message_of(passes_eq(two_passes(201), golden));
     for (const char* kind : {"actual", "expected", "difference"}) {
         const fs::path file =
-            output_folder() /
-            ("ExpectPasses.LeavesActualExpectedAndDifference-two-pass1-color-" + std::string(kind) + ".png");
+            output_folder() / ("ExpectPasses.LeavesActualExpectedAndDifference-two-pass1-color-" +
+                               std::string(kind) + ".png");
         EXPECT_TRUE(fs::exists(file)) << file;
         EXPECT_THAT(message, ::testing::HasSubstr(file.string()));
     }
@@ -111,7 +116,8 @@ TEST_F(ExpectPasses, GoldensChangeOnlyWhereAsked) {
 }
 
 TEST_F(ExpectPasses, TheMacroFailsTheTestWithThatMessage) {
-    EXPECT_NONFATAL_FAILURE(EXPECT_PASSES_EQ(two_passes(1), "no/such/golden.json"), "no/such/golden.json");
+    EXPECT_NONFATAL_FAILURE(EXPECT_PASSES_EQ(two_passes(1), "no/such/golden.json"),
+                            "no/such/golden.json");
 }
 
 }  // namespace gw::testing

@@ -53,7 +53,8 @@ TEST(Matchers, ComparePlanes) {
     EXPECT_EQ(explanation(PlaneEq(Plane::Depth, planes()), other),
               "where depth differs at 1 pixel, worst at (0, 0): expected 0, got 7");
     EXPECT_THAT(explanation(PlanesEq(planes()), other), HasSubstr("where depth differs"));
-    EXPECT_EQ(explanation(PlaneEq(Plane::Depth, planes()), Planes(2, 3)), "which are 2 x 3, expected 3 x 2");
+    EXPECT_EQ(explanation(PlaneEq(Plane::Depth, planes()), Planes(2, 3)),
+              "which are 2 x 3, expected 3 x 2");
 }
 
 TEST(Matchers, LeavePicturesWhereTheyKnowTheProfile) {
@@ -62,8 +63,8 @@ TEST(Matchers, LeavePicturesWhereTheyKnowTheProfile) {
     Planes other = planes();
     other.stencil[0] = 1;
     EXPECT_THAT(explanation(PlanesEq(planes(), vgx()), other), HasSubstr("stencil-difference.png"));
-    EXPECT_TRUE(
-        fs::exists(folder / "Matchers.LeavePicturesWhereTheyKnowTheProfile-planes-stencil-difference.png"));
+    EXPECT_TRUE(fs::exists(
+        folder / "Matchers.LeavePicturesWhereTheyKnowTheProfile-planes-stencil-difference.png"));
 }
 
 TEST(Matchers, PrintPlanesInAFewWords) {

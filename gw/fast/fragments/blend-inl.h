@@ -1,5 +1,6 @@
 // Colours on their way into the frame buffer: products, blending, masks. docs/manual.md, "Fragment
-// operations"; scalar twin: gw/reference/fragment.cpp. Does not test. Included once per Highway target.
+// operations"; scalar twin: gw/reference/fragment.cpp. Does not test. Included once per Highway
+// target.
 #if defined(GW_FAST_BLEND_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_BLEND_INL_H_
 #undef GW_FAST_BLEND_INL_H_
@@ -28,7 +29,9 @@ HWY_INLINE hn::Vec<D> mul_bytes(D d, hn::Vec<D> a, hn::Vec<D> b) {
     return hn::ShiftRight<8>(hn::Add(t, hn::ShiftRight<8>(t)));
 }
 
-HWY_INLINE V32 load_channel(const std::uint16_t* p) { return hn::PromoteTo(D32(), hn::Load(Half16(), p)); }
+HWY_INLINE V32 load_channel(const std::uint16_t* p) {
+    return hn::PromoteTo(D32(), hn::Load(Half16(), p));
+}
 
 HWY_INLINE hn::Vec<Half16> narrow(V32 v) { return hn::DemoteTo(Half16(), hn::BitCast(I32(), v)); }
 
@@ -40,7 +43,8 @@ struct BlendLanes {
 
 /// The factor of channel c, as in gw/stages/tables.h.
 template <class D, class V>
-HWY_INLINE V blend_factor_lanes(D d, BlendFactor factor, const BlendLanes<V>& l, std::size_t c, V max) {
+HWY_INLINE V blend_factor_lanes(D d, BlendFactor factor, const BlendLanes<V>& l, std::size_t c,
+                                V max) {
     switch (factor) {
         case BlendFactor::Zero: return hn::Zero(d);
         case BlendFactor::One: return max;
@@ -52,14 +56,15 @@ HWY_INLINE V blend_factor_lanes(D d, BlendFactor factor, const BlendLanes<V>& l,
         case BlendFactor::OneMinusSrcAlpha: return hn::Sub(max, l.src[3]);
         case BlendFactor::DstAlpha: return l.dst[3];
         case BlendFactor::OneMinusDstAlpha: return hn::Sub(max, l.dst[3]);
-        case BlendFactor::SrcAlphaSaturate: return c == 3 ? max : hn::Min(l.src[3], hn::Sub(max, l.dst[3]));
+        case BlendFactor::SrcAlphaSaturate:
+            return c == 3 ? max : hn::Min(l.src[3], hn::Sub(max, l.dst[3]));
     }
     return max;
 }
 
 /// 8 bits a channel: everything fits 16-bit lanes.
-HWY_NOINLINE inline void blend_bytes(const BlendState& b, const ColorBlock& src, const ColorBlock& dst,
-                                     ColorBlock& out) {
+HWY_NOINLINE inline void blend_bytes(const BlendState& b, const ColorBlock& src,
+                                     const ColorBlock& dst, ColorBlock& out) {
     const D16 d;
     const auto max = hn::Set(d, std::uint16_t{255});
     for (std::size_t i = 0; i < block_pixels; i += lanes16) {
@@ -90,7 +95,8 @@ HWY_INLINE hn::Vec<DRow> alphas_of(const ColorBlock& block, std::size_t i) {
 }
 
 /// Transparency, the commonest blend after the sum, in 8 bits: SrcAlpha, OneMinusSrcAlpha.
-HWY_NOINLINE inline void mix_by_alpha(const ColorBlock& src, ColorBlock& stored, std::uint32_t mask) {
+HWY_NOINLINE inline void mix_by_alpha(const ColorBlock& src, ColorBlock& stored,
+                                      std::uint32_t mask) {
     const DRow d;
     const auto max = hn::Set(d, std::uint16_t{255});
     const std::uint16_t* from = src.channel[0];
@@ -160,7 +166,8 @@ HWY_NOINLINE inline void write_color(const Resolved& r, const ColorBlock& src, C
     for (std::size_t i = 0; i < block_pixels; i += lanes16) {
         const auto lanes = lanes_of(d, mask, i);
         for (std::size_t c = 0; c < 4; ++c)
-            if (channel[c]) store_lanes(hn::Load(d, out->channel[c] + i), lanes, d, dst.channel[c] + i);
+            if (channel[c])
+                store_lanes(hn::Load(d, out->channel[c] + i), lanes, d, dst.channel[c] + i);
     }
 }
 

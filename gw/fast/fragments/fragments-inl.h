@@ -1,5 +1,6 @@
-// The fragment stages on a block of 16 lanes: tests, stencil operations, depth, and what is left to be
-// blended. docs/manual.md, "Fragment operations"; scalar twin: gw/reference/fragment.cpp. Does not shade.
+// The fragment stages on a block of 16 lanes: tests, stencil operations, depth, and what is left to
+// be blended. docs/manual.md, "Fragment operations"; scalar twin: gw/reference/fragment.cpp. Does
+// not shade.
 // Included once per Highway target.
 #if defined(GW_FAST_FRAGMENTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_FRAGMENTS_INL_H_
@@ -17,15 +18,17 @@ HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
 /// Which of the lanes in `mask` pass the alpha test.
-HWY_INLINE std::uint32_t alpha_test(const Resolved& r, const ColorBlock& color, std::uint32_t mask) {
+HWY_INLINE std::uint32_t alpha_test(const Resolved& r, const ColorBlock& color,
+                                    std::uint32_t mask) {
     const D16 d;
     std::uint32_t pass = 0;
     for (std::size_t i = 0; i < block_pixels; i += lanes16) {
         const auto alpha = hn::Load(d, color.channel[3] + i);
-        pass |=
-            bits_of(d, compare_lanes(d, r.state.alpha.func, alpha, hn::Set(d, std::uint16_t(r.alpha_ref))),
-                    lanes16)
-            << i;
+        pass |= bits_of(d,
+                        compare_lanes(d, r.state.alpha.func, alpha,
+                                      hn::Set(d, std::uint16_t(r.alpha_ref))),
+                        lanes16)
+                << i;
     }
     return pass & mask;
 }
@@ -74,19 +77,20 @@ HWY_NOINLINE inline void change_stencil(const StencilFace& face, StencilOp op, s
     }
 }
 
-HWY_INLINE void update_stencil(const StencilFace& face, StencilOp op, std::uint32_t max, StencilBlock& block,
-                               std::uint32_t mask) {
+HWY_INLINE void update_stencil(const StencilFace& face, StencilOp op, std::uint32_t max,
+                               StencilBlock& block, std::uint32_t mask) {
     if (op != StencilOp::Keep && mask != 0 && face.write_mask != 0)
         change_stencil(face, op, max, block, mask);
 }
 
-HWY_INLINE std::uint32_t depth_test(DepthFunc func, const DepthBlock& incoming, const DepthBlock& stored,
-                                    std::uint32_t mask) {
+HWY_INLINE std::uint32_t depth_test(DepthFunc func, const DepthBlock& incoming,
+                                    const DepthBlock& stored, std::uint32_t mask) {
     if (func == DepthFunc::Always) return mask;
     const D32 d;
     std::uint32_t pass = 0;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-        const auto m = compare_lanes(d, func, hn::Load(d, incoming.value + i), hn::Load(d, stored.value + i));
+        const auto m =
+            compare_lanes(d, func, hn::Load(d, incoming.value + i), hn::Load(d, stored.value + i));
         pass |= bits_of(d, m, lanes32) << i;
     }
     return pass & mask;
@@ -100,8 +104,9 @@ HWY_INLINE void write_depth(const DepthBlock& incoming, DepthBlock& stored, std:
 
 /// A block's fragments on their way: `color()` shades them when the first stage needs it.
 template <class Shade>
-HWY_INLINE void run_fragments(const Resolved& r, bool front, const DepthBlock& depth, const Tile& tile,
-                              std::size_t block, std::uint32_t mask, OpCounts& counts, const Shade& color) {
+HWY_INLINE void run_fragments(const Resolved& r, bool front, const DepthBlock& depth,
+                              const Tile& tile, std::size_t block, std::uint32_t mask,
+                              OpCounts& counts, const Shade& color) {
     const auto count = [](std::uint32_t m) { return std::uint64_t(std::popcount(m)); };
     const StencilFace& face = front ? r.front : r.back;
     StencilBlock& stencil = tile.stencil[block];
@@ -119,7 +124,8 @@ HWY_INLINE void run_fragments(const Resolved& r, bool front, const DepthBlock& d
         counts.stencil_killed += count(mask & ~stencil_pass);
         update_stencil(face, face.fail, r.stencil_max, stencil, mask & ~stencil_pass);
     }
-    const std::uint32_t alive = depth_test(r.state.depth.func, depth, tile.depth[block], stencil_pass);
+    const std::uint32_t alive =
+        depth_test(r.state.depth.func, depth, tile.depth[block], stencil_pass);
     counts.depth_killed += count(stencil_pass & ~alive);
     update_stencil(face, face.zfail, r.stencil_max, stencil, stencil_pass & ~alive);
     update_stencil(face, face.zpass, r.stencil_max, stencil, alive);

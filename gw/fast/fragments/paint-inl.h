@@ -1,6 +1,6 @@
-// What triangles paint their living fragments with: nothing, one colour, a smooth colour, or anything that
-// the stages can make. Each does the same as the last, for less. Does not test. Included once per Highway
-// target.
+// What triangles paint their living fragments with: nothing, one colour, a smooth colour, or
+// anything that the stages can make. Each does the same as the last, for less. Does not test.
+// Included once per Highway target.
 #if defined(GW_FAST_PAINT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_PAINT_INL_H_
 #undef GW_FAST_PAINT_INL_H_
@@ -57,8 +57,8 @@ struct PlainStore {
     }
 };
 
-/// A triangle of one colour: what item buffers and fills do. A loop over blocks holds a copy of its own,
-/// which stays in registers.
+/// A triangle of one colour: what item buffers and fills do. A loop over blocks holds a copy of its
+/// own, which stays in registers.
 struct FlatPaint {
     PlainStore store;
     ColorBlock color;
@@ -69,7 +69,9 @@ struct FlatPaint {
             for (std::size_t i = 0; i < block_pixels; i += lanes16)
                 hn::Store(hn::Set(d16, c[k]), d16, color.channel[k] + i);
     }
-    HWY_INLINE static bool serves(const DrawOp& op) { return is_flat(op) && PlainStore::serves(op); }
+    HWY_INLINE static bool serves(const DrawOp& op) {
+        return is_flat(op) && PlainStore::serves(op);
+    }
     HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
         const std::uint32_t mask = alive.bits();
         if (mask == all_lanes) return operator()(bx, by, AllLanes{});
@@ -84,8 +86,8 @@ struct FlatPaint {
     }
     HWY_INLINE void operator()(int bx, int by, AllLanes) const {
         const hn::CappedTag<std::uint16_t, 32> d;
-        for_each_vector(bx, by,
-                        [&](std::size_t, auto result, std::uint16_t* to) { hn::Store(result, d, to); });
+        for_each_vector(
+            bx, by, [&](std::size_t, auto result, std::uint16_t* to) { hn::Store(result, d, to); });
     }
 
 private:
@@ -112,7 +114,9 @@ struct SmoothPaint {
     BatchPlanes& planes;
     std::size_t triangle;
 
-    HWY_INLINE static bool serves(const DrawOp& op) { return is_narrow(op) && PlainStore::serves(op); }
+    HWY_INLINE static bool serves(const DrawOp& op) {
+        return is_narrow(op) && PlainStore::serves(op);
+    }
     HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
         if (!alive.none()) write(bx, by, alive);
     }
@@ -125,14 +129,19 @@ struct SmoothPaint {
             const Pixels at = pixels_of(bx, by, i * lanes32);
             const auto lanes = lanes_of(d, alive.bits(), i * lanes32);
             for (std::size_t c = 0; c < 4; ++c) {
-                const auto coefficient = [&](const auto& of) { return hn::Set(D32(), of[c][triangle]); };
-                const auto v = narrow_value(coefficient(p.c), coefficient(p.gx), coefficient(p.gy), at);
+                const auto coefficient = [&](const auto& of) {
+                    return hn::Set(D32(), of[c][triangle]);
+                };
+                const auto v =
+                    narrow_value(coefficient(p.c), coefficient(p.gx), coefficient(p.gy), at);
                 std::uint16_t* to = stored.channel[c] + i * lanes32;
                 store_lanes(store.result(d, narrow(v), to), lanes, d, to);
             }
         }
     }
-    HWY_INLINE void operator()(int bx, int by, AllLanes) const { operator()(bx, by, lane_set(all_lanes)); }
+    HWY_INLINE void operator()(int bx, int by, AllLanes) const {
+        operator()(bx, by, lane_set(all_lanes));
+    }
 };
 
 /// What a draw's triangles paint with.
@@ -148,7 +157,8 @@ HWY_INLINE void with_paint(Paints paints, BatchPlanes& planes, std::size_t i, co
     switch (paints) {
         case Paints::Nothing: return draw(NoPaint{});
         case Paints::OneColor:
-            return draw(FlatPaint(planes.draw, flat_color(planes.draw, *planes.corners.primitive[i])));
+            return draw(
+                FlatPaint(planes.draw, flat_color(planes.draw, *planes.corners.primitive[i])));
         case Paints::Smooth: return draw(SmoothPaint{PlainStore(planes.draw), planes, i});
         case Paints::Any: return draw(BatchPaint{planes, i});
     }

@@ -1,7 +1,8 @@
-// Triangles without alpha test and polygon offset: depth passes, shadow volumes, identifiers, first coloured
-// passes. Tests and depth writes on vectors of 32-bit lanes, without leaving them; stencil operations and
-// colour only where a fragment lives to see them. docs/manual.md, "Fragment operations"; the general way is
-// gw/fast/fragments/fragments-inl.h. Included once per Highway target.
+// Triangles without alpha test and polygon offset: depth passes, shadow volumes, identifiers, first
+// coloured passes. Tests and depth writes on vectors of 32-bit lanes, without leaving them; stencil
+// operations and colour only where a fragment lives to see them. docs/manual.md, "Fragment
+// operations"; the general way is gw/fast/fragments/fragments-inl.h. Included once per Highway
+// target.
 #if defined(GW_FAST_PLAIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_PLAIN_INL_H_
 #undef GW_FAST_PLAIN_INL_H_
@@ -9,8 +10,8 @@
 #define GW_FAST_PLAIN_INL_H_
 #endif
 
-#include "gw/fast/raster/cover-inl.h"
 #include "gw/fast/fragments/paint-inl.h"
+#include "gw/fast/raster/cover-inl.h"
 #include "gw/stages/tables.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -45,7 +46,9 @@ struct NoDepth {
 struct LessThan {
     static constexpr bool tests = true;
     HWY_INLINE M32 operator()(V32 incoming, V32 stored) const { return hn::Lt(incoming, stored); }
-    HWY_INLINE bool of_one(std::uint32_t incoming, std::uint32_t stored) const { return incoming < stored; }
+    HWY_INLINE bool of_one(std::uint32_t incoming, std::uint32_t stored) const {
+        return incoming < stored;
+    }
 };
 struct AnyCompare {
     static constexpr bool tests = true;
@@ -72,8 +75,8 @@ HWY_INLINE void with_depth_test(const DrawOp& op, const Draw& draw) {
 
 /// Depth test and update of the lanes, a LaneSet or AllLanes; those that pass.
 template <class Compare, class Lanes>
-HWY_INLINE LaneSet run_depth(const DepthWalk& walk, const Compare& passes, bool update, const Lanes& lanes,
-                             DepthBlock& block) {
+HWY_INLINE LaneSet run_depth(const DepthWalk& walk, const Compare& passes, bool update,
+                             const Lanes& lanes, DepthBlock& block) {
     const D32 d;
     LaneSet alive;
     for (std::size_t k = 0; k < parts; ++k) {
@@ -85,7 +88,8 @@ HWY_INLINE LaneSet run_depth(const DepthWalk& walk, const Compare& passes, bool 
     return alive;
 }
 
-/// The same behind a stencil test, with the three operations: most blocks of a shadow volume change nothing.
+/// The same behind a stencil test, with the three operations: most blocks of a shadow volume change
+/// nothing.
 /// Where the test always passes, stencil_passed is not counted: it is made.
 template <class Compare>
 HWY_INLINE LaneSet run_stencil(const StencilFace& face, std::uint32_t max, const DepthWalk& walk,
@@ -110,8 +114,8 @@ HWY_INLINE LaneSet run_stencil(const StencilFace& face, std::uint32_t max, const
     return alive;
 }
 
-/// What becomes of a triangle's blocks where the stencil plane has no part in it. Holds copies: they stay in
-/// registers.
+/// What becomes of a triangle's blocks where the stencil plane has no part in it. Holds copies:
+/// they stay in registers.
 template <class Compare, class Paint>
 struct Unstenciled {
     Tile tile;
@@ -125,7 +129,8 @@ struct Unstenciled {
     GW_PER_BLOCK void operator()(int bx, int by, const Lanes& lanes) const {
         made.add(lanes);
         if constexpr (Compare::tests) {
-            const LaneSet alive = run_depth(walk, passes, update, lanes, tile.depth[tile.block(bx, by)]);
+            const LaneSet alive =
+                run_depth(walk, passes, update, lanes, tile.depth[tile.block(bx, by)]);
             written.add(alive);
             paint(bx, by, alive);
         } else {
@@ -144,8 +149,8 @@ HWY_NOINLINE void draw_unstenciled(const TileDraw& draw, const Triangles& t, std
     LaneCounter made, written;
     made.clear(), written.clear();
     Way::visit(box, t, i, walk,
-               Unstenciled<Compare, Paint>{draw.tile, passes, paint, walk, draw.op->state.state.depth.mask,
-                                           made, written});
+               Unstenciled<Compare, Paint>{draw.tile, passes, paint, walk,
+                                           draw.op->state.state.depth.mask, made, written});
     PlainCounts{made, made, Compare::tests ? written : made}.add_to(sum);
 }
 
@@ -164,14 +169,15 @@ struct Stenciled {
     GW_PER_BLOCK void operator()(int bx, int by, const LaneSet& lanes) const {
         const std::size_t block = tile.block(bx, by);
         paint(bx, by,
-              run_stencil(face, max, walk, passes, update, lanes, tile.stencil[block], tile.depth[block],
-                          counts));
+              run_stencil(face, max, walk, passes, update, lanes, tile.stencil[block],
+                          tile.depth[block], counts));
     }
 };
 
 template <class Way, class Compare, class Paint>
-HWY_NOINLINE void draw_stenciled(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
-                                 const Compare& passes, const Paint& paint, PlainCounts& sum) {
+HWY_NOINLINE void draw_stenciled(const TileDraw& draw, const Triangles& t, std::size_t i,
+                                 const BoxLanes& box, const Compare& passes, const Paint& paint,
+                                 PlainCounts& sum) {
     const Resolved& r = draw.op->state;
     const DepthPlane plane = Compare::tests ? depth_of(draw, t, i) : DepthPlane{};
     DepthWalk walk(plane);
@@ -185,11 +191,12 @@ HWY_NOINLINE void draw_stenciled(const TileDraw& draw, const Triangles& t, std::
     counts.add_to(sum);
 }
 
-/// Behind a stencil test only what paints nothing, as shadow volumes do, has a loop for each kind of depth
-/// test.
+/// Behind a stencil test only what paints nothing, as shadow volumes do, has a loop for each kind
+/// of depth test.
 template <class Compare, class Paint>
-HWY_INLINE void draw_plain(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
-                           const Compare& passes, const Paint& paint, PlainCounts& sum) {
+HWY_INLINE void draw_plain(const TileDraw& draw, const Triangles& t, std::size_t i,
+                           const BoxLanes& box, const Compare& passes, const Paint& paint,
+                           PlainCounts& sum) {
     const Resolved& r = draw.op->state;
     const AnyCompare any{r.state.depth.func};
     by_size(t, i, [&]<class Way>(Way) {
@@ -203,10 +210,10 @@ HWY_INLINE void draw_plain(const TileDraw& draw, const Triangles& t, std::size_t
 }
 
 template <class Paint>
-HWY_INLINE void draw_plain(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
-                           const Paint& paint, PlainCounts& counts) {
-    with_depth_test(*draw.op,
-                    [&](const auto& passes) { draw_plain(draw, t, i, box, passes, paint, counts); });
+HWY_INLINE void draw_plain(const TileDraw& draw, const Triangles& t, std::size_t i,
+                           const BoxLanes& box, const Paint& paint, PlainCounts& counts) {
+    with_depth_test(
+        *draw.op, [&](const auto& passes) { draw_plain(draw, t, i, box, passes, paint, counts); });
 }
 
 /// Draws a batch of triangles.

@@ -15,7 +15,9 @@ struct BlockBox {
     std::array<std::uint16_t, 16> column{}, row{};  ///< lanes inside, by block column and row
 
     bool empty() const { return x0 >= x1 || y0 >= y1; }
-    bool whole(const Tile& tile) const { return x0 == 0 && y0 == 0 && x1 == tile.side && y1 == tile.side; }
+    bool whole(const Tile& tile) const {
+        return x0 == 0 && y0 == 0 && x1 == tile.side && y1 == tile.side;
+    }
     std::uint32_t mask(int bx, int by) const {
         return std::uint32_t(column[std::size_t(bx)] & row[std::size_t(by)]);
     }

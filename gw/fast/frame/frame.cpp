@@ -18,7 +18,8 @@ void Frame::need_accum() {
 }
 
 Tile Frame::tile(std::size_t index) {
-    const std::size_t first = index * grid_.blocks_per_tile(), columns = std::size_t(grid_.columns());
+    const std::size_t first = index * grid_.blocks_per_tile(),
+                      columns = std::size_t(grid_.columns());
     return {int(index % columns) << grid_.log2_tile,
             int(index / columns) << grid_.log2_tile,
             grid_.side(),
@@ -39,8 +40,9 @@ void for_each_pixel(const TileGrid& grid, const Planes& planes, const Visit& vis
     const int mask = grid.side() - 1;
     for (int y = 0; y < grid.height; ++y)
         for (int x = 0; x < grid.width; ++x) {
-            const std::size_t tile = std::size_t(y >> grid.log2_tile) * std::size_t(grid.columns()) +
-                                     std::size_t(x >> grid.log2_tile);
+            const std::size_t tile =
+                std::size_t(y >> grid.log2_tile) * std::size_t(grid.columns()) +
+                std::size_t(x >> grid.log2_tile);
             const std::size_t inside =
                 std::size_t((y & mask) / block_side) * std::size_t(grid.blocks_per_row()) +
                 std::size_t((x & mask) / block_side);

@@ -1,5 +1,5 @@
-// The fast machine's planes: tiles of 4x4-pixel blocks, so that a vector holds a block and a tile stays in
-// cache. Does not draw. Conversion to and from the host's Planes is here too.
+// The fast machine's planes: tiles of 4x4-pixel blocks, so that a vector holds a block and a tile
+// stays in cache. Does not draw. Conversion to and from the host's Planes is here too.
 #pragma once
 
 #include "gw/fast/frame/uniform.h"
@@ -15,7 +15,8 @@ namespace gw::fast {
 inline constexpr int block_side = 4, block_pixels = 16;
 inline constexpr std::size_t max_tile_blocks = 256;  ///< of a tile of 64 x 64 pixels, the largest
 
-/// Pixels of one block: the colours by channel, everything else by pixel. Lane = 4 (y mod 4) + x mod 4.
+/// Pixels of one block: the colours by channel, everything else by pixel. Lane = 4 (y mod 4) + x
+/// mod 4.
 struct alignas(64) ColorBlock {
     std::uint16_t channel[4][block_pixels];
 };

@@ -5,7 +5,8 @@
 
 namespace gw::fast {
 
-/// V at pixel (i, j) of the tile is ((c + gx i + gy j) mod 2^64) >> 16, in as many bits as the value has.
+/// V at pixel (i, j) of the tile is ((c + gx i + gy j) mod 2^64) >> 16, in as many bits as the
+/// value has.
 struct TilePlane {
     std::uint64_t c = 0;
     std::int64_t gx = 0, gy = 0;

@@ -1,5 +1,6 @@
-// Geometry sets that outlive their segment: the lists of a frame (depth and winners, then the passes; an item
-// buffer) and frames of one view draw the same geometry again. Does not keep meshes alive.
+// Geometry sets that outlive their segment: the lists of a frame (depth and winners, then the
+// passes; an item buffer) and frames of one view draw the same geometry again. Does not keep meshes
+// alive.
 #pragma once
 
 #include "gw/fast/vertices/geometry.h"
@@ -12,8 +13,8 @@ namespace gw::fast {
 
 class KeptGeometry {
 public:
-    /// Gives each set that has nothing but its key and what its draws ask for (lists, jitter) what was
-    /// made for that key; the others get the memory of what is left.
+    /// Gives each set that has nothing but its key and what its draws ask for (lists, jitter) what
+    /// was made for that key; the others get the memory of what is left.
     void give(std::deque<GeometrySet>& sets);
     /// Keeps the sets of a segment in place of those before, where it has any.
     void keep(std::deque<GeometrySet> sets);

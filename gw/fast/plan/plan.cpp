@@ -1,10 +1,10 @@
 // Planning a segment.
 #include "gw/fast/plan/plan.h"
 
-#include "gw/fast/visible/visible_record.h"
-#include "gw/fast/raster/primitive.h"
-#include "gw/stages/fog.h"
 #include "gw/base/parallel.h"
+#include "gw/fast/raster/primitive.h"
+#include "gw/fast/visible/visible_record.h"
+#include "gw/stages/fog.h"
 
 #include <algorithm>
 #include <functional>
@@ -13,8 +13,10 @@
 namespace gw::fast {
 
 bool is_barrier(const Command& command, const std::vector<PassReport>& passes) {
-    if (std::holds_alternative<Copy>(command) || std::holds_alternative<CopyTexture>(command)) return true;
-    return std::holds_alternative<BeginPass>(command) && !passes.empty() && passes.back().digested != 0;
+    if (std::holds_alternative<Copy>(command) || std::holds_alternative<CopyTexture>(command))
+        return true;
+    return std::holds_alternative<BeginPass>(command) && !passes.empty() &&
+           passes.back().digested != 0;
 }
 
 namespace {
@@ -67,27 +69,28 @@ struct Planner {
 
     /// The one of `all` that has this key; else a new one, which `make` will fill.
     template <typename Shared, typename Key, typename Make>
-    const Shared* shared(std::deque<Shared>& all, std::deque<Shared>& old, GeometrySet& set, const Draw& draw,
-                         const Key& key, const Make& make) {
+    const Shared* shared(std::deque<Shared>& all, std::deque<Shared>& old, GeometrySet& set,
+                         const Draw& draw, const Key& key, const Make& make) {
         set.lists_used = true;
         for (const Shared& s : all)
             if (s.key == key) return &s;
         Shared& out = next(all, old);
         out.key = key;
-        vertex_jobs.push_back(
-            job(draw, [this, &out, make](const State& s, const Draw& d) { make(out, s, d, profile); }));
+        vertex_jobs.push_back(job(
+            draw, [this, &out, make](const State& s, const Draw& d) { make(out, s, d, profile); }));
         return &out;
     }
     const VertexColors* colors(GeometrySet& set, const Draw& draw) {
-        return shared(segment.colors, machine.done.colors, set, draw, color_key(set, machine.state, draw),
-                      shade_vertices);
+        return shared(segment.colors, machine.done.colors, set, draw,
+                      color_key(set, machine.state, draw), shade_vertices);
     }
     const VertexFog* fog(GeometrySet& set, const Draw& draw) {
-        return shared(segment.fogs, machine.done.fogs, set, draw, fog_key(set, machine.state), fog_vertices);
+        return shared(segment.fogs, machine.done.fogs, set, draw, fog_key(set, machine.state),
+                      fog_vertices);
     }
     const VertexTexcoords* texcoords(GeometrySet& set, const Draw& draw) {
-        return shared(segment.texcoords, machine.done.texcoords, set, draw, texcoord_key(set, machine.state),
-                      texture_vertices);
+        return shared(segment.texcoords, machine.done.texcoords, set, draw,
+                      texcoord_key(set, machine.state), texture_vertices);
     }
 
     /// Makes what is shared: geometry first, then what stands at its vertices.
@@ -116,7 +119,8 @@ struct Planner {
         DrawOp op{&draw, resolved(), &set};
         op.bytes = fragment_bytes(op.state, profile);
         op.needs_color = op.state.writes_color || op.state.state.alpha.func != AlphaFunc::Always;
-        op.perspective_color = profile.perspective_color && machine.state.shade_model == ShadeModel::Smooth;
+        op.perspective_color =
+            profile.perspective_color && machine.state.shade_model == ShadeModel::Smooth;
         const bool exact_id = machine.state.color_source == ColorSource::PolygonId;
         op.texels_counted = draw.map.enabled() && !exact_id;
         if (op.texels_counted && op.needs_color) {
@@ -157,14 +161,17 @@ struct Planner {
         Readback& out = machine.readbacks[read.key];
         out.plane = read.plane, out.rect = read.rect;
         const std::size_t size = std::size_t(read.rect.width) * std::size_t(read.rect.height);
-        const bool color = read.plane == Plane::Color && !read.packed, accum = read.plane == Plane::Accum;
+        const bool color = read.plane == Plane::Color && !read.packed,
+                   accum = read.plane == Plane::Accum;
         out.color.resize(color ? size : 0), out.accum.resize(accum ? size : 0);
         out.values.resize(color || accum ? 0 : size);
         segment.uses_accum = segment.uses_accum || read.plane == Plane::Accum;
         push(ReadOp{&read, &out});
     }
     void add(const SetState& set) { machine.state = set.state; }
-    void add(const BeginPass& begin) { machine.passes.push_back({begin.name, {}, begin.digests, {}}); }
+    void add(const BeginPass& begin) {
+        machine.passes.push_back({begin.name, {}, begin.digests, {}});
+    }
     void add(const Copy&) {}
     void add(const CopyTexture&) {}
 };
@@ -181,8 +188,8 @@ bool reads_again(const Command& command, const Segment& segment) {
 
 }  // namespace
 
-Segment plan_segment(std::span<const Command> commands, MachineState& machine, const Profile& profile,
-                     const TileGrid& grid, int threads, std::size_t& done) {
+Segment plan_segment(std::span<const Command> commands, MachineState& machine,
+                     const Profile& profile, const TileGrid& grid, int threads, std::size_t& done) {
     Planner planner{machine, profile, grid, {}};
     for (done = 0; done < commands.size(); ++done) {
         const Command& command = commands[done];

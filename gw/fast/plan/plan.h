@@ -1,11 +1,11 @@
-// A list made ready to run tile by tile: what is shared is made once, every command becomes an operation on a
-// tile. docs/manual.md promises nothing about it: only that the bits are the reference machine's. Does not
-// touch pixels.
+// A list made ready to run tile by tile: what is shared is made once, every command becomes an
+// operation on a tile. docs/manual.md promises nothing about it: only that the bits are the
+// reference machine's. Does not touch pixels.
 #pragma once
 
 #include "gw/fast/plan/kept_geometry.h"
-#include "gw/fast/vertices/vertex_values.h"
 #include "gw/fast/shade/texels.h"
+#include "gw/fast/vertices/vertex_values.h"
 #include "gw/machine.h"
 
 #include <array>
@@ -26,11 +26,13 @@ struct DrawOp {
     const VertexTexcoords* texcoords = nullptr;  ///< null: untextured
     const FastTexels* texels = nullptr;          ///< null: untextured
     const TexelPairs* pairs = nullptr;           ///< of `texels`, where its filter is bilinear
-    bool texels_counted = false;                 ///< textured, whether or not anyone sees the colour
+    /// textured, whether or not anyone sees the colour
+    bool texels_counted = false;
     const std::vector<std::uint32_t>* fog_table = nullptr;
     bool needs_color = true;  ///< some plane or the alpha test sees it
     bool perspective_color = false;
-    int coverage = -1;             ///< which record of visible fragments it makes or uses; -1: none
+    /// which record of visible fragments it makes or uses; -1: none
+    int coverage = -1;
     bool counts_by_pixel = false;  ///< its record counts each pixel's fragments
     FragmentBytes bytes;
 };
@@ -39,7 +41,9 @@ inline bool needs_depth(const DrawOp& op) {
     return op.state.state.depth.func != DepthFunc::Always || op.state.state.depth.mask;
 }
 /// The planes that it must find settled.
-inline UniformPlanes touched_planes(const DrawOp& op) { return {op.state.writes_color, needs_depth(op)}; }
+inline UniformPlanes touched_planes(const DrawOp& op) {
+    return {op.state.writes_color, needs_depth(op)};
+}
 
 struct ClearOp {
     const Clear* clear = nullptr;
@@ -94,10 +98,10 @@ struct MachineState {
     Segment done;  ///< the last one, emptied: the next takes its memory
 };
 
-/// Plans the commands up to the next barrier (which is not included) and counts their geometry. `done` is how
-/// many commands were taken.
-Segment plan_segment(std::span<const Command> commands, MachineState& machine, const Profile& profile,
-                     const TileGrid& grid, int threads, std::size_t& done);
+/// Plans the commands up to the next barrier (which is not included) and counts their geometry.
+/// `done` is how many commands were taken.
+Segment plan_segment(std::span<const Command> commands, MachineState& machine,
+                     const Profile& profile, const TileGrid& grid, int threads, std::size_t& done);
 
 /// Takes back what a segment that has run holds: its memory serves the next one.
 void retire(Segment segment, MachineState& machine);

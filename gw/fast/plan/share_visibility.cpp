@@ -41,13 +41,15 @@ Shared shared(const DrawOp& op) {
     return {op.set, op.state.state.jitter, op.state.draw_box, op.state.state.polygon_offset};
 }
 
-/// What an operation does to depths: `Less` never makes one greater. Under Equal a written depth is the
-/// stored one.
+/// What an operation does to depths: `Less` never makes one greater. Under Equal a written depth is
+/// the stored one.
 enum class Change { None, Less, Any };
 
 Change change(const DepthState& depth) {
-    if (!depth.mask || depth.func == DepthFunc::Equal || depth.func == DepthFunc::Never) return Change::None;
-    return depth.func == DepthFunc::Less || depth.func == DepthFunc::LEqual ? Change::Less : Change::Any;
+    if (!depth.mask || depth.func == DepthFunc::Equal || depth.func == DepthFunc::Never)
+        return Change::None;
+    return depth.func == DepthFunc::Less || depth.func == DepthFunc::LEqual ? Change::Less
+                                                                            : Change::Any;
 }
 Change change(const DrawOp& op) { return change(op.state.state.depth); }
 Change change(const SpansOp& op) { return change(op.state.state.depth); }
@@ -60,12 +62,16 @@ Change change(const ClearOp& op) {
 Change change(const AccumulateOp&) { return Change::None; }
 Change change(const ReadOp&) { return Change::None; }
 
-/// Whether a draw is a depth pass of nothing but triangles, whose fragments all reach the depth test.
+/// Whether a draw is a depth pass of nothing but triangles, whose fragments all reach the depth
+/// test.
 bool may_record(const DrawOp& op) {
     const State& s = op.state.state;
-    const auto idle = [](const StencilFace& f) { return f.func == StencilFunc::Always && keeps(f); };
-    return change(op) == Change::Less && s.alpha.func == AlphaFunc::Always && !s.polygon_offset.enable &&
-           idle(op.state.front) && idle(op.state.back) && op.set->triangle_count == op.set->primitives.size();
+    const auto idle = [](const StencilFace& f) {
+        return f.func == StencilFunc::Always && keeps(f);
+    };
+    return change(op) == Change::Less && s.alpha.func == AlphaFunc::Always &&
+           !s.polygon_offset.enable && idle(op.state.front) && idle(op.state.back) &&
+           op.set->triangle_count == op.set->primitives.size();
 }
 
 /// Draws of one record.
@@ -118,10 +124,11 @@ void plan_coverages(Segment& segment) {
     for (Group& group : grouping.groups) {
         if (group.draws.size() < 2 && !group.depth_pass) continue;
         if (group.depth_pass) group.draws.push_back(group.depth_pass);
-        const bool by_pixel = std::any_of(group.draws.begin(), group.draws.end(), [](const DrawOp* op) {
-            return op->state.front.func != StencilFunc::Always;
-        });
-        for (DrawOp* op : group.draws) op->coverage = segment.coverages, op->counts_by_pixel = by_pixel;
+        const bool by_pixel = std::any_of(
+            group.draws.begin(), group.draws.end(),
+            [](const DrawOp* op) { return op->state.front.func != StencilFunc::Always; });
+        for (DrawOp* op : group.draws)
+            op->coverage = segment.coverages, op->counts_by_pixel = by_pixel;
         segment.coverages += 1;
     }
 }

@@ -1,7 +1,8 @@
-// Corners of up to 16 triangles, and planes through values at them, a vector of triangles at a time.
-// docs/manual.md, "Planes"; scalar twin: gw/fast/raster/setup.h. Doubles hold integers here: a plane that could need
-// more bits than they have is not `sure`, and its triangle goes the scalar way. Included once per Highway
-// target.
+// Corners of up to 16 triangles, and planes through values at them, a vector of triangles at a
+// time.
+// docs/manual.md, "Planes"; scalar twin: gw/fast/raster/setup.h. Doubles hold integers here: a
+// plane that could need more bits than they have is not `sure`, and its triangle goes the scalar
+// way. Included once per Highway target.
 #if defined(GW_FAST_CORNERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_CORNERS_INL_H_
 #undef GW_FAST_CORNERS_INL_H_
@@ -9,8 +10,8 @@
 #define GW_FAST_CORNERS_INL_H_
 #endif
 
-#include "gw/fast/simd/doubles-inl.h"
 #include "gw/fast/raster/primitive.h"
+#include "gw/fast/simd/doubles-inl.h"
 
 #include <algorithm>
 #include <span>
@@ -33,7 +34,8 @@ HWY_INLINE void gather(const Corners& t, T (&out)[3][batch_room], const Value& v
         for (std::size_t k = 0; k < 3; ++k) out[k][i] = value(t.primitive[i]->vertex[k]);
 }
 
-HWY_INLINE void gather_positions(const TileDraw& draw, std::span<const std::uint32_t> ordinals, Corners& t) {
+HWY_INLINE void gather_positions(const TileDraw& draw, std::span<const std::uint32_t> ordinals,
+                                 Corners& t) {
     const GeometrySet& set = *draw.op->set;
     const JitterState& jitter = draw.op->state.state.jitter;
     t.s = draw.profile->subpixel_bits;
@@ -52,9 +54,11 @@ HWY_INLINE void gather_positions(const TileDraw& draw, std::span<const std::uint
     // The first to all lanes: a bin of a large triangle's tile has few more.
     put(0, [&](auto value, auto* lanes) {
         const hn::CappedTag<decltype(value), batch_room / 2> d;
-        for (std::size_t i = 0; i < t.room; i += hn::Lanes(d)) hn::Store(hn::Set(d, value), d, lanes + i);
+        for (std::size_t i = 0; i < t.room; i += hn::Lanes(d))
+            hn::Store(hn::Set(d, value), d, lanes + i);
     });
-    for (std::size_t i = 1; i < t.count; ++i) put(i, [i](auto value, auto* lanes) { lanes[i] = value; });
+    for (std::size_t i = 1; i < t.count; ++i)
+        put(i, [i](auto value, auto* lanes) { lanes[i] = value; });
 }
 
 #if HWY_HAVE_FLOAT64
@@ -63,7 +67,9 @@ using U32ForD64 = hn::Rebind<std::uint32_t, D64>;
 using I64ForD64 = hn::Rebind<std::int64_t, D64>;
 using U64ForD64 = hn::Rebind<std::uint64_t, D64>;
 
-HWY_INLINE V64 load_integers(const std::int32_t* p) { return hn::PromoteTo(D64(), hn::Load(I32ForD64(), p)); }
+HWY_INLINE V64 load_integers(const std::int32_t* p) {
+    return hn::PromoteTo(D64(), hn::Load(I32ForD64(), p));
+}
 
 /// Unsigned 32 bits: the conversion is signed, so the top bit goes through it as 2^31.
 HWY_INLINE V64 load_unsigned(const std::uint32_t* p) {
@@ -74,7 +80,8 @@ HWY_INLINE V64 load_unsigned(const std::uint32_t* p) {
 #endif  // HWY_HAVE_FLOAT64
 
 /// Gathers the corners and what planes need of them.
-HWY_INLINE void gather_corners(const TileDraw& draw, std::span<const std::uint32_t> ordinals, Corners& t) {
+HWY_INLINE void gather_corners(const TileDraw& draw, std::span<const std::uint32_t> ordinals,
+                               Corners& t) {
     gather_positions(draw, ordinals, t);
     for (std::size_t i = 0; i < t.room; ++i) {
         t.to_x[i] = draw.tile.x - (t.x[0][i] >> t.s);
@@ -89,8 +96,10 @@ HWY_INLINE void gather_corners(const TileDraw& draw, std::span<const std::uint32
     };
     for (std::size_t i = 0; i < t.room; i += hn::Lanes(d)) {
         const auto x0 = load_integers(t.x[0] + i), y0 = load_integers(t.y[0] + i);
-        const auto dx1 = hn::Sub(load_integers(t.x[1] + i), x0), dy1 = hn::Sub(load_integers(t.y[1] + i), y0);
-        const auto dx2 = hn::Sub(load_integers(t.x[2] + i), x0), dy2 = hn::Sub(load_integers(t.y[2] + i), y0);
+        const auto dx1 = hn::Sub(load_integers(t.x[1] + i), x0),
+                   dy1 = hn::Sub(load_integers(t.y[1] + i), y0);
+        const auto dx2 = hn::Sub(load_integers(t.x[2] + i), x0),
+                   dy2 = hn::Sub(load_integers(t.y[2] + i), y0);
         hn::Store(dx1, d, t.dx1 + i), hn::Store(dy1, d, t.dy1 + i);
         hn::Store(dx2, d, t.dx2 + i), hn::Store(dy2, d, t.dy2 + i);
         hn::Store(hn::Sub(hn::Mul(dx1, dy2), hn::Mul(dx2, dy1)), d, t.area2 + i);
@@ -101,12 +110,15 @@ HWY_INLINE void gather_corners(const TileDraw& draw, std::span<const std::uint32
 
 /// One plane for each triangle of a batch.
 struct PlaneBatch {
-    alignas(64) std::int64_t base[batch_room];  ///< at the centre of corner 0's pixel, 16 fraction bits
-    alignas(64) std::int64_t c[batch_room];     ///< the same at the tile, modulo 2^64
+    /// at the centre of corner 0's pixel, 16 fraction bits
+    alignas(64) std::int64_t base[batch_room];
+    alignas(64) std::int64_t c[batch_room];  ///< the same at the tile, modulo 2^64
     alignas(64) std::int64_t gx[batch_room], gy[batch_room];
     std::uint32_t sure = 0;  ///< lanes that hold their plane
 
-    HWY_INLINE TilePlane at(std::size_t i) const { return {static_cast<std::uint64_t>(c[i]), gx[i], gy[i]}; }
+    HWY_INLINE TilePlane at(std::size_t i) const {
+        return {static_cast<std::uint64_t>(c[i]), gx[i], gy[i]};
+    }
 };
 
 #if HWY_HAVE_FLOAT64
@@ -121,18 +133,21 @@ HWY_INLINE GradientLanes gradient_lanes(V64 first, V64 second, V64 area2, int sh
     const auto scaled = hn::Mul(hn::Sub(first, second), all(double(std::int64_t{1} << shift)));
     const auto q = hn::Div(scaled, area2);
     const auto g = nearest(q);
-    // The remainder, exactly: g in two parts, whose products with a small area need no more than 52 bits.
+    // The remainder, exactly: g in two parts, whose products with a small area need no more than 52
+    // bits.
     const auto upper = hn::Mul(hn::Floor(hn::Mul(g, all(1.0 / 67108864))), all(67108864));
-    const auto twice =
-        hn::Mul(hn::Sub(hn::Sub(scaled, hn::Mul(upper, area2)), hn::Mul(hn::Sub(g, upper), area2)), all(2));
+    const auto twice = hn::Mul(
+        hn::Sub(hn::Sub(scaled, hn::Mul(upper, area2)), hn::Mul(hn::Sub(g, upper), area2)), all(2));
     const auto odd = hn::Ne(g, hn::Mul(hn::Floor(hn::Mul(g, all(0.5))), all(2)));
     const auto small = below(area2, 67108864);
     const auto minus = hn::Sub(hn::Zero(D64()), area2);
     const auto up = hn::Or(hn::Gt(twice, area2), hn::And(hn::Eq(twice, area2), odd));
     const auto down = hn::Or(hn::Lt(twice, minus), hn::And(hn::Eq(twice, minus), odd));
     const auto step = hn::Sub(hn::IfThenElseZero(up, all(1)), hn::IfThenElseZero(down, all(1)));
-    const auto decided = hn::Or(small, below(scaled, 2251799813685248.0));  // 2^51: q's rounding decides
-    const auto exact = hn::And(below(first, 4503599627370496.0), below(second, 4503599627370496.0));  // 2^52
+    // 2^51: q's rounding decides
+    const auto decided = hn::Or(small, below(scaled, 2251799813685248.0));
+    // 2^52
+    const auto exact = hn::And(below(first, 4503599627370496.0), below(second, 4503599627370496.0));
     return {hn::Add(g, hn::IfThenElseZero(small, step)),
             hn::And(hn::And(exact, decided), below(q, 17592186044416.0))};  // 2^44
 }
@@ -150,8 +165,8 @@ HWY_INLINE void set_up_planes(const Corners& t, const Value& value, PlaneBatch& 
         const auto a0 = value(0, i), d1 = hn::Sub(value(1, i), a0), d2 = hn::Sub(value(2, i), a0);
         const auto x = gradient_lanes(hn::Mul(d1, dy2), hn::Mul(d2, dy1), area2, 16 + t.s);
         const auto y = gradient_lanes(hn::Mul(d2, dx1), hn::Mul(d1, dx2), area2, 16 + t.s);
-        const auto step =
-            hn::Add(hn::Mul(x.value, hn::Load(d, t.ax + i)), hn::Mul(y.value, hn::Load(d, t.ay + i)));
+        const auto step = hn::Add(hn::Mul(x.value, hn::Load(d, t.ax + i)),
+                                  hn::Mul(y.value, hn::Load(d, t.ay + i)));
         const auto base = hn::Add(hn::Add(hn::Mul(a0, all(65536)), all(32768)),
                                   hn::Floor(hn::Mul(step, all(1.0 / double(1 << t.s)))));
         const auto corner = hn::ConvertTo(i64, base), gx = hn::ConvertTo(i64, x.value),
@@ -159,7 +174,8 @@ HWY_INLINE void set_up_planes(const Corners& t, const Value& value, PlaneBatch& 
         const auto steps = [&](const std::int32_t* p) {
             return hn::PromoteTo(i64, hn::Load(I32ForD64(), p));
         };
-        const auto to_tile = hn::Add(hn::Mul(gx, steps(t.to_x + i)), hn::Mul(gy, steps(t.to_y + i)));
+        const auto to_tile =
+            hn::Add(hn::Mul(gx, steps(t.to_x + i)), hn::Mul(gy, steps(t.to_y + i)));
         hn::Store(corner, i64, out.base + i), hn::Store(hn::Add(corner, to_tile), i64, out.c + i);
         hn::Store(gx, i64, out.gx + i), hn::Store(gy, i64, out.gy + i);
         std::uint64_t bits = 0;

@@ -44,7 +44,8 @@ struct EdgeWalk {
     HWY_INLINE LaneSet covered() const {
         return inside([&](std::size_t k, std::size_t part) { return edge[k].at[part]; });
     }
-    /// The same wherever this stands: of a block among others, whose edge functions are known at its corner.
+    /// The same wherever this stands: of a block among others, whose edge functions are known at
+    /// its corner.
     HWY_INLINE LaneSet covered(const SquareEdges& blocks, std::size_t block) const {
         return inside([&](std::size_t k, std::size_t part) {
             return hn::Add(hn::Set(D32(), blocks.at[k][block]), edge[k].lanes.lane[part]);
@@ -77,12 +78,14 @@ struct BlockRange {
             return mask;
         };
         const std::uint32_t columns = lines(x, x0, x1) * 0x1111u, rows = lines(y, y0, y1);
-        const std::uint32_t spread = (rows & 1) | (rows & 2) << 3 | (rows & 4) << 6 | (rows & 8) << 9;
+        const std::uint32_t spread =
+            (rows & 1) | (rows & 2) << 3 | (rows & 4) << 6 | (rows & 8) << 9;
         return columns & spread * 0xFu;
     }
 };
 
-/// Of 4x4 squares: those that the triangle does not touch and those that it covers, as far as its edges tell.
+/// Of 4x4 squares: those that the triangle does not touch and those that it covers, as far as its
+/// edges tell.
 struct Extents {
     std::uint32_t outside, inside;
 };
@@ -105,10 +108,14 @@ HWY_INLINE Extents extents_of(const TileEdges& e, int x, int y, int side, Square
                 hn::Add(hn::Add(hn::Mul(hn::Set(d, e.a[k]), px), hn::Mul(hn::Set(d, e.b[k]), py)),
                         hn::Set(d, e.c[k]));
             hn::Store(hn::BitCast(D32(), corner), D32(), edges.at[k] + i);
-            most = hn::Or(most, hn::Add(corner, hn::Set(d, std::max(across, 0) + std::max(along, 0))));
-            least = hn::Or(least, hn::Add(corner, hn::Set(d, std::min(across, 0) + std::min(along, 0))));
+            most =
+                hn::Or(most, hn::Add(corner, hn::Set(d, std::max(across, 0) + std::max(along, 0))));
+            least = hn::Or(least,
+                           hn::Add(corner, hn::Set(d, std::min(across, 0) + std::min(along, 0))));
         }
-        const auto negative = [&](auto v) { return bits_of(d, hn::Lt(v, hn::Zero(d)), lanes32) << i; };
+        const auto negative = [&](auto v) {
+            return bits_of(d, hn::Lt(v, hn::Zero(d)), lanes32) << i;
+        };
         out.outside |= negative(most);
         out.inside |= negative(least);
     }
@@ -121,14 +128,17 @@ struct BoxLanes {
     const BlockBox& box;
     bool whole;
 
-    HWY_INLINE explicit BoxLanes(const TileDraw& draw) : box(draw.box), whole(box.whole(draw.tile)) {}
+    HWY_INLINE explicit BoxLanes(const TileDraw& draw)
+        : box(draw.box), whole(box.whole(draw.tile)) {}
     /// Whether the 4x4 blocks from (x, y) on are wholly in the box.
     HWY_INLINE bool has_group(int x, int y) const {
         const int side = group_blocks * block_side;
         return whole || (box.x0 <= x * block_side && x * block_side + side <= box.x1 &&
                          box.y0 <= y * block_side && y * block_side + side <= box.y1);
     }
-    HWY_INLINE std::uint32_t mask(int bx, int by) const { return whole ? all_lanes : box.mask(bx, by); }
+    HWY_INLINE std::uint32_t mask(int bx, int by) const {
+        return whole ? all_lanes : box.mask(bx, by);
+    }
     HWY_INLINE void cut(int bx, int by, LaneSet& s) const {
         if (whole) return;
         const LaneSet inside = lane_set(box.mask(bx, by));
@@ -148,10 +158,12 @@ HWY_INLINE void visit_full_block(const BoxLanes& box, int bx, int by, const Visi
 }
 
 template <class Walk, class Visit>
-HWY_INLINE void visit_full_blocks(const BoxLanes& box, const BlockRange& r, Walk& walk, const Visit& visit) {
+HWY_INLINE void visit_full_blocks(const BoxLanes& box, const BlockRange& r, Walk& walk,
+                                  const Visit& visit) {
     walk.start_rows(r.x0, r.y0);
     for (int by = r.y0; by <= r.y1; ++by, walk.next_row())
-        for (int bx = r.x0; bx <= r.x1; ++bx, walk.next_block()) visit_full_block(box, bx, by, visit);
+        for (int bx = r.x0; bx <= r.x1; ++bx, walk.next_block())
+            visit_full_block(box, bx, by, visit);
 }
 
 /// A visitor may want whole blocks by the group: of the 4x4 blocks from (x, y) on, those of a mask.
@@ -162,7 +174,8 @@ concept TakesGroups = requires(const Visit& visit) {
 
 /// A group that the triangle covers wholly.
 template <class Walk, class Visit>
-HWY_INLINE void visit_full_group(const BoxLanes& box, int x, int y, Walk& walk, const Visit& visit) {
+HWY_INLINE void visit_full_group(const BoxLanes& box, int x, int y, Walk& walk,
+                                 const Visit& visit) {
     if constexpr (TakesGroups<Visit>) {
         if (box.has_group(x, y)) return visit.whole_blocks(x, y, all_lanes);
     }
@@ -171,8 +184,8 @@ HWY_INLINE void visit_full_group(const BoxLanes& box, int x, int y, Walk& walk, 
 
 /// Every block of a small range.
 template <class Walk, class Visit>
-HWY_INLINE void visit_covered_blocks(const BoxLanes& box, EdgeWalk& edge, const BlockRange& r, Walk& walk,
-                                     const Visit& visit) {
+HWY_INLINE void visit_covered_blocks(const BoxLanes& box, EdgeWalk& edge, const BlockRange& r,
+                                     Walk& walk, const Visit& visit) {
     edge.start_rows(r.x0, r.y0), walk.start_rows(r.x0, r.y0);
     for (int by = r.y0; by <= r.y1; ++by, edge.next_row(), walk.next_row())
         for (int bx = r.x0; bx <= r.x1; ++bx, edge.next_block(), walk.next_block()) {
@@ -182,17 +195,19 @@ HWY_INLINE void visit_covered_blocks(const BoxLanes& box, EdgeWalk& edge, const 
         }
 }
 
-/// Of a group that the triangle's border crosses, the blocks that it may touch: `blocks`, one bit each.
+/// Of a group that the triangle's border crosses, the blocks that it may touch: `blocks`, one bit
+/// each.
 template <class Walk, class Visit>
-HWY_INLINE void visit_blocks(const BoxLanes& box, const EdgeWalk& edge, const SquareEdges& edges, int x,
-                             int y, std::uint32_t blocks, std::uint32_t full, Walk& walk,
+HWY_INLINE void visit_blocks(const BoxLanes& box, const EdgeWalk& edge, const SquareEdges& edges,
+                             int x, int y, std::uint32_t blocks, std::uint32_t full, Walk& walk,
                              const Visit& visit) {
     if constexpr (TakesGroups<Visit>) {
         if ((blocks & full) != 0 && box.has_group(x, y))
             visit.whole_blocks(x, y, blocks & full), blocks &= ~full;
     }
     for (; blocks != 0; blocks &= blocks - 1) {
-        const int i = std::countr_zero(blocks), bx = x + i % group_blocks, by = y + i / group_blocks;
+        const int i = std::countr_zero(blocks), bx = x + i % group_blocks,
+                  by = y + i / group_blocks;
         if (full >> i & 1) {
             walk.start(bx, by);
             visit_full_block(box, bx, by, visit);
@@ -206,7 +221,8 @@ HWY_INLINE void visit_blocks(const BoxLanes& box, const EdgeWalk& edge, const Sq
     }
 }
 
-/// Blocks are visited in groups of 4x4, so that a large triangle's empty and full parts cost next to nothing.
+/// Blocks are visited in groups of 4x4, so that a large triangle's empty and full parts cost next
+/// to nothing.
 /// First the groups are sorted into untouched, covered and crossed.
 template <class Walk, class Visit>
 HWY_INLINE void visit_groups(const BoxLanes& box, const TileEdges& edges, EdgeWalk& edge,
@@ -225,14 +241,15 @@ HWY_INLINE void visit_groups(const BoxLanes& box, const TileEdges& edges, EdgeWa
             visit_full_group(box, x, y, walk, visit);
             continue;
         }
-        const Extents blocks = extents_of(edges, x * block_side, y * block_side, block_side, squares);
-        visit_blocks(box, edge, squares, x, y, all.squares(x, y, 1) & ~blocks.outside, blocks.inside, walk,
-                     visit);
+        const Extents blocks =
+            extents_of(edges, x * block_side, y * block_side, block_side, squares);
+        visit_blocks(box, edge, squares, x, y, all.squares(x, y, 1) & ~blocks.outside,
+                     blocks.inside, walk, visit);
     }
 }
 
-/// Ways to visit the covered blocks of one of the triangles: visit(bx, by, lanes), while `walk` stands at
-/// that block.
+/// Ways to visit the covered blocks of one of the triangles: visit(bx, by, lanes), while `walk`
+/// stands at that block.
 struct SmallTriangle {
     /// Of at most 2x2 blocks: their lanes are known.
     template <class Walk, class Visit>
@@ -275,8 +292,8 @@ HWY_INLINE void by_size(const Triangles& t, std::size_t i, const Draw& draw) {
 
 /// Hands on a bin in its order: triangles in batches, lines and points one by one.
 template <class Batch, class Single>
-HWY_INLINE void walk_bin(const TileDraw& draw, std::span<const std::uint32_t> bin, const Batch& triangles,
-                         const Single& other) {
+HWY_INLINE void walk_bin(const TileDraw& draw, std::span<const std::uint32_t> bin,
+                         const Batch& triangles, const Single& other) {
     const std::uint32_t triangles_end = draw.op->set->triangle_count;
     while (!bin.empty()) {
         std::size_t n = 0;

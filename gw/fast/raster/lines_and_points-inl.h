@@ -1,5 +1,6 @@
-// Which pixels of a tile a line or point covers, collected by block. docs/manual.md, "Coverage"; scalar twin:
-// gw/reference/coverage.cpp. Does not interpolate or test. Included once per Highway target.
+// Which pixels of a tile a line or point covers, collected by block. docs/manual.md, "Coverage";
+// scalar twin: gw/reference/coverage.cpp. Does not interpolate or test. Included once per Highway
+// target.
 #if defined(GW_FAST_LINES_AND_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_LINES_AND_POINTS_INL_H_
 #undef GW_FAST_LINES_AND_POINTS_INL_H_
@@ -30,15 +31,17 @@ inline void line_pixels(const TileDraw& draw, const PrimitiveFrame& f, int width
     const int s = f.s;
     const auto& u = f.x_major ? f.x : f.y;
     const auto& v = f.x_major ? f.y : f.x;
-    const int u_tile = f.x_major ? draw.tile.x : draw.tile.y, v_tile = f.x_major ? draw.tile.y : draw.tile.x;
+    const int u_tile = f.x_major ? draw.tile.x : draw.tile.y,
+              v_tile = f.x_major ? draw.tile.y : draw.tile.x;
     const BlockBox& b = draw.box;
-    const int u0 = f.x_major ? b.x0 : b.y0, u1 = f.x_major ? b.x1 : b.y1, v0 = f.x_major ? b.y0 : b.x0,
-              v1 = f.x_major ? b.y1 : b.x1;
+    const int u0 = f.x_major ? b.x0 : b.y0, u1 = f.x_major ? b.x1 : b.y1,
+              v0 = f.x_major ? b.y0 : b.x0, v1 = f.x_major ? b.y1 : b.x1;
     const std::int64_t du = u[1] - u[0], dv = v[1] - v[0], row = f.length << s;
     for (int i = u0; i < u1; ++i) {
         const std::int64_t p = (std::int64_t{u_tile + i} << s) + (std::int64_t{1} << (s - 1));
         if (du > 0 ? p < u[0] || p >= u[1] : p > u[0] || p <= u[1]) continue;
-        const std::int64_t top = v[0] * f.length + (du > 0 ? dv : -dv) * (p - u[0]) - (width - 1) * row / 2;
+        const std::int64_t top =
+            v[0] * f.length + (du > 0 ? dv : -dv) * (p - u[0]) - (width - 1) * row / 2;
         const std::int64_t first = (top >= 0 ? top / row : -((-top + row - 1) / row)) - v_tile;
         for (std::int64_t j = std::max<std::int64_t>(first, v0);
              j < std::min<std::int64_t>(first + width, v1); ++j)
@@ -51,14 +54,16 @@ inline void point_pixels(const TileDraw& draw, const PrimitiveFrame& f, int size
     const std::int64_t x = ((f.x[0] - shift) >> f.s) - draw.tile.x,
                        y = ((f.y[0] - shift) >> f.s) - draw.tile.y;
     const BlockBox& b = draw.box;
-    for (std::int64_t j = std::max<std::int64_t>(y, b.y0); j < std::min<std::int64_t>(y + size, b.y1); ++j)
-        for (std::int64_t i = std::max<std::int64_t>(x, b.x0); i < std::min<std::int64_t>(x + size, b.x1);
-             ++i)
+    for (std::int64_t j = std::max<std::int64_t>(y, b.y0);
+         j < std::min<std::int64_t>(y + size, b.y1); ++j)
+        for (std::int64_t i = std::max<std::int64_t>(x, b.x0);
+             i < std::min<std::int64_t>(x + size, b.x1); ++i)
             out.add(int(i), int(j));
 }
 
 template <class Visit>
-inline void visit_line_or_point(const TileDraw& draw, const PrimitiveFrame& frame, const Visit& visit) {
+inline void visit_line_or_point(const TileDraw& draw, const PrimitiveFrame& frame,
+                                const Visit& visit) {
     PixelSet pixels;
     pixels.blocks_per_row = draw.tile.side / block_side;
     const State& s = draw.op->state.state;
@@ -68,7 +73,8 @@ inline void visit_line_or_point(const TileDraw& draw, const PrimitiveFrame& fram
         point_pixels(draw, frame, s.point_size, pixels);
     for (int block = 0; block < pixels.blocks_per_row * pixels.blocks_per_row; ++block)
         if (pixels.mask[block] != 0)
-            visit(block % pixels.blocks_per_row, block / pixels.blocks_per_row, lane_set(pixels.mask[block]));
+            visit(block % pixels.blocks_per_row, block / pixels.blocks_per_row,
+                  lane_set(pixels.mask[block]));
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -20,7 +20,9 @@ struct Maker {
     const DrawOp& op() const { return *draw.op; }
     const State& state() const { return op().state.state; }
     std::size_t corners() const {
-        return primitive.kind == MeshKind::Triangles ? 3 : primitive.kind == MeshKind::Lines ? 2 : 1;
+        return primitive.kind == MeshKind::Triangles ? 3
+               : primitive.kind == MeshKind::Lines   ? 2
+                                                     : 1;
     }
     /// One value per corner.
     template <typename T>
@@ -48,8 +50,8 @@ struct Maker {
     Rgba id_color() const {
         const Draw& d = *op().draw;
         const std::uint32_t id = (d.id_base + d.mesh->polygon_id(primitive.polygon)) >> d.id_shift;
-        return {std::uint16_t(id & 255), std::uint16_t(id >> 8 & 255), std::uint16_t(id >> 16 & 255),
-                std::uint16_t(max_of_bits(op().state.bits))};
+        return {std::uint16_t(id & 255), std::uint16_t(id >> 8 & 255),
+                std::uint16_t(id >> 16 & 255), std::uint16_t(max_of_bits(op().state.bits))};
     }
 
     const std::vector<Rgba>& vertex_colors() const {
@@ -57,18 +59,21 @@ struct Maker {
         return primitive.front || colors.back.empty() ? colors.front : colors.back;
     }
     Rgba flat() const {
-        return state().color_source == ColorSource::PolygonId ? id_color()
-                                                              : vertex_colors()[primitive.provoking];
+        return state().color_source == ColorSource::PolygonId
+                   ? id_color()
+                   : vertex_colors()[primitive.provoking];
     }
 
     void color(ColorPlanes& out) const {
         out.perspective = false;
-        if (state().color_source == ColorSource::PolygonId || state().shade_model == ShadeModel::Flat)
+        if (state().color_source == ColorSource::PolygonId ||
+            state().shade_model == ShadeModel::Flat)
             return constant(out, flat());
         const std::vector<Rgba>& from = vertex_colors();
         out.perspective = op().perspective_color;
         for (std::size_t c = 0; c < 4; ++c) {
-            const Values a = gather<std::int64_t>([&](std::uint32_t v) { return std::int64_t{from[v][c]}; });
+            const Values a =
+                gather<std::int64_t>([&](std::uint32_t v) { return std::int64_t{from[v][c]}; });
             if (out.perspective)
                 perspective(out, c, a);
             else
@@ -79,7 +84,8 @@ struct Maker {
         const double max = max_of_bits(op().state.bits);
         std::array<double, 3> fractions{};
         for (std::size_t i = 0; i < corners(); ++i) fractions[i] = double(a[i]) / max;
-        const auto [low, high] = std::minmax_element(a.begin(), a.begin() + std::ptrdiff_t(corners()));
+        const auto [low, high] =
+            std::minmax_element(a.begin(), a.begin() + std::ptrdiff_t(corners()));
         out.low[c] = std::uint32_t(*low), out.high[c] = std::uint32_t(*high);
         out.color[c] = frame.plane(numerators(used(fractions), used(w()), 0).at);
     }
@@ -101,7 +107,8 @@ struct Maker {
         return wrap == Wrap::Repeat ? k : std::clamp(k, -1024.0, 1023.0);
     }
     TexturePlane texture_plane(const Numerators& n, Wrap wrap) const {
-        return {frame.plane(n.at), n.exponent, wrap == Wrap::Repeat ? 0 : std::int32_t(n.offset), {}};
+        return {
+            frame.plane(n.at), n.exponent, wrap == Wrap::Repeat ? 0 : std::int32_t(n.offset), {}};
     }
     Numerators coordinate(int c, Wrap wrap) const {
         const auto s = gather<double>([&](std::uint32_t v) { return op().texcoords->strq[v][c]; });
@@ -113,7 +120,8 @@ struct Maker {
         Numerators s, t;
         Values q;
         if (ts.gen == TexGen::EyeLinear) {
-            const auto strq = gather<dvec4>([&](std::uint32_t v) { return op().texcoords->strq[v]; });
+            const auto strq =
+                gather<dvec4>([&](std::uint32_t v) { return op().texcoords->strq[v]; });
             const Projective p = projective(std::span(strq).first(corners()), used(w()));
             q = p.denominator;
             s = p.numerator[0], t = p.numerator[1];
@@ -129,7 +137,8 @@ struct Maker {
         if (needs_rho(ts)) slopes(out, q, s.at, t.at);
     }
 
-    /// The exact value of a plane at the pixel of its base vertex, and its gradients before they wrap.
+    /// The exact value of a plane at the pixel of its base vertex, and its gradients before they
+    /// wrap.
     PlaneSlope slope_of(const TilePlane& p, const Values& a) const {
         const auto g = exact(p, a);
         const int128 step = (g[0] * frame.ax + g[1] * frame.ay) >> frame.s;
@@ -146,10 +155,11 @@ struct Maker {
 
 }  // namespace
 
-DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame) {
+DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive,
+                       const PrimitiveFrame& frame) {
     const Maker make{draw, primitive, frame};
-    const Values z =
-        make.gather<std::int64_t>([&](std::uint32_t v) { return std::int64_t{draw.op->set->at[v].z}; });
+    const Values z = make.gather<std::int64_t>(
+        [&](std::uint32_t v) { return std::int64_t{draw.op->set->at[v].z}; });
     DepthPlane out{frame.plane(z), 0};
     const PolygonOffsetState& offset = make.state().polygon_offset;
     if (!offset.enable || primitive.kind != MeshKind::Triangles) return out;
@@ -157,13 +167,13 @@ DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive, co
     const auto g = make.exact(out.plane, z);
     const auto steep = [](int128 v) { return v < 0 ? -v : v; };
     const double m = double(std::min(std::max(steep(g[0]), steep(g[1])), int128{1} << 62));
-    out.offset =
-        to_integer(round_even(double(offset.factor) * m / 65536) + round_even(offset.units), -limit, limit);
+    out.offset = to_integer(
+        round_even(double(offset.factor) * m / 65536) + round_even(offset.units), -limit, limit);
     return out;
 }
 
-void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame,
-                       ColorPlanes& out) {
+void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive,
+                       const PrimitiveFrame& frame, ColorPlanes& out) {
     const Maker make{draw, primitive, frame};
     make.color(out);
     if (make.state().color_source == ColorSource::PolygonId) return;
@@ -176,8 +186,8 @@ Rgba flat_color(const TileDraw& draw, const SetupPrimitive& primitive) {
     return Maker{draw, primitive, none}.flat();
 }
 
-void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame,
-                         TexturePlanes& out) {
+void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive,
+                         const PrimitiveFrame& frame, TexturePlanes& out) {
     Maker{draw, primitive, frame}.texture(out);
 }
 

@@ -1,4 +1,5 @@
-// One primitive's planes in a tile, as one draw wants them. docs/manual.md, "Planes", "Perspective".
+// One primitive's planes in a tile, as one draw wants them. docs/manual.md, "Planes",
+// "Perspective".
 // Does not evaluate planes over blocks: the kernels do.
 #pragma once
 
@@ -29,16 +30,20 @@ struct Corners {
     const SetupPrimitive* primitive[batch_room];
     alignas(64) std::int32_t x[3][batch_room], y[3][batch_room];  ///< jittered
     alignas(64) std::uint32_t z[3][batch_room];
-    alignas(64) std::int32_t to_x[batch_room], to_y[batch_room];  ///< pixels from corner 0's to the tile
-    alignas(64) double dx1[batch_room], dy1[batch_room], dx2[batch_room], dy2[batch_room], area2[batch_room];
-    alignas(64) double ax[batch_room], ay[batch_room];  ///< from corner 0 to the centre of its pixel
+    /// pixels from corner 0's to the tile
+    alignas(64) std::int32_t to_x[batch_room], to_y[batch_room];
+    alignas(64) double dx1[batch_room], dy1[batch_room], dx2[batch_room], dy2[batch_room],
+        area2[batch_room];
+    /// from corner 0 to the centre of its pixel
+    alignas(64) double ax[batch_room], ay[batch_room];
 };
 
-/// Planes of at most 16 bits, modulo 2^32, of a batch: R, G, B, A and the fog factor at the vertices.
+/// Planes of at most 16 bits, modulo 2^32, of a batch: R, G, B, A and the fog factor at the
+/// vertices.
 struct NarrowBatch {
     alignas(64) std::uint32_t c[5][batch_room], gx[5][batch_room], gy[5][batch_room];
-    std::uint32_t black =
-        0;  ///< triangles whose R, G and B are 0 at all vertices, a bit each; not all are known
+    /// triangles whose R, G and B are 0 at all vertices, a bit each; not all are known
+    std::uint32_t black = 0;
 };
 
 /// A block's texture coordinates after the division, each lane of its own primitive.
@@ -73,21 +78,23 @@ struct DepthPlane {
     std::int64_t offset = 0;
 };
 
-DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame);
-void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame,
-                       ColorPlanes& out);
+DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive,
+                       const PrimitiveFrame& frame);
+void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive,
+                       const PrimitiveFrame& frame, ColorPlanes& out);
 /// The one colour of a primitive: its identifier's, or its provoking vertex's.
 Rgba flat_color(const TileDraw& draw, const SetupPrimitive& primitive);
-void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame,
-                         TexturePlanes& out);
+void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive,
+                         const PrimitiveFrame& frame, TexturePlanes& out);
 
-/// Whether a draw's texture is looked up pixel by pixel: projective coordinates and the shadow comparison.
+/// Whether a draw's texture is looked up pixel by pixel: projective coordinates and the shadow
+/// comparison.
 inline bool textures_by_pixel(const TextureState& s) {
     return s.gen == TexGen::EyeLinear || s.shadow_compare;
 }
 
 /// Lanes of `mask` in block (bx, by), one by one.
-void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by, std::uint32_t mask,
-                     ColorBlock& out);
+void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by,
+                     std::uint32_t mask, ColorBlock& out);
 
 }  // namespace gw::fast

@@ -13,9 +13,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// A covered block of primitive i on its way through the stages, which ask for the colour when they need it.
-HWY_INLINE void paint_block(BatchPlanes& planes, std::size_t i, const DepthBlock& depth, int bx, int by,
-                            const LaneSet& lanes, OpCounts& counts) {
+/// A covered block of primitive i on its way through the stages, which ask for the colour when they
+/// need it.
+HWY_INLINE void paint_block(BatchPlanes& planes, std::size_t i, const DepthBlock& depth, int bx,
+                            int by, const LaneSet& lanes, OpCounts& counts) {
     const TileDraw& draw = planes.draw;
     const std::uint32_t covered = lanes.bits();
     run_fragments(draw.op->state, planes.corners.primitive[i]->front != 0, depth, draw.tile,

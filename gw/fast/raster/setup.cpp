@@ -28,8 +28,8 @@ std::array<int128, 2> PrimitiveFrame::exact_gradients(const std::array<std::int6
             exact_gradient(da2 * dx1 - da1 * dx2, 16 + s, area2)};
 }
 
-PrimitiveFrame primitive_frame(const GeometrySet& set, const SetupPrimitive& p, const JitterState& jitter,
-                               int s, const Tile& tile) {
+PrimitiveFrame primitive_frame(const GeometrySet& set, const SetupPrimitive& p,
+                               const JitterState& jitter, int s, const Tile& tile) {
     PrimitiveFrame f;
     f.kind = p.kind;
     f.s = s;
@@ -56,15 +56,16 @@ PrimitiveFrame primitive_frame(const GeometrySet& set, const SetupPrimitive& p, 
 TileEdges tile_edges(const PrimitiveFrame& f, const Tile& tile) {
     constexpr std::int64_t limit = std::int64_t{1} << 30;
     const std::int64_t half = std::int64_t{1} << (f.s - 1);
-    const std::int64_t px = (std::int64_t{tile.x} << f.s) + half, py = (std::int64_t{tile.y} << f.s) + half;
+    const std::int64_t px = (std::int64_t{tile.x} << f.s) + half,
+                       py = (std::int64_t{tile.y} << f.s) + half;
     TileEdges e;
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = (i + 1) % 3;
         const std::int64_t dx = f.x[j] - f.x[i], dy = f.y[j] - f.y[i];
         const bool top_left = dy < 0 || (dy == 0 && dx < 0);
         const std::int64_t c = -dy * (px - f.x[i]) + dx * (py - f.y[i]) - (top_left ? 0 : 1);
-        // A pixel step adds a multiple of 2^s, so the low s bits never decide; the clamp keeps every sign in
-        // the tile.
+        // A pixel step adds a multiple of 2^s, so the low s bits never decide; the clamp keeps
+        // every sign in the tile.
         e.c[i] = static_cast<std::int32_t>(std::clamp(c >> f.s, -limit, limit));
         e.a[i] = static_cast<std::int32_t>(-dy);
         e.b[i] = static_cast<std::int32_t>(dx);

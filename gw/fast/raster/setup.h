@@ -1,10 +1,11 @@
-// A primitive's integer planes, relative to a tile. docs/manual.md, "Planes": closed form modulo 2^64.
+// A primitive's integer planes, relative to a tile. docs/manual.md, "Planes": closed form modulo
+// 2^64.
 // Does not evaluate them: the kernels do, a block at a time.
 #pragma once
 
 #include "gw/base/arithmetic.h"
-#include "gw/fast/vertices/geometry.h"
 #include "gw/fast/frame/tile_plane.h"
+#include "gw/fast/vertices/geometry.h"
 
 #include <array>
 #include <bit>
@@ -27,9 +28,10 @@ inline std::int64_t gradient(std::int64_t num, int shift, std::int64_t den, bool
         return static_cast<std::int64_t>(exact_gradient(num, shift, den));
     }
     std::int64_t g = static_cast<std::int64_t>(round_even(q));
-    if (std::abs(scaled) < 4503599627370496.0) return g;  // 2^52: a rational is no closer to a half than 1/2D
-    const std::int64_t r =
-        static_cast<std::int64_t>((std::uint64_t(num) << shift) - std::uint64_t(g) * std::uint64_t(den));
+    // 2^52: a rational is no closer to a half than 1/2D
+    if (std::abs(scaled) < 4503599627370496.0) return g;
+    const std::int64_t r = static_cast<std::int64_t>((std::uint64_t(num) << shift) -
+                                                     std::uint64_t(g) * std::uint64_t(den));
     if (2 * r > den || (2 * r == den && (g & 1)))
         g += 1;
     else if (2 * r < -den || (2 * r == -den && (g & 1)))
@@ -45,7 +47,8 @@ struct PrimitiveFrame {
     std::int64_t dx1 = 0, dy1 = 0, dx2 = 0, dy2 = 0, area2 = 1;  ///< triangles
     bool x_major = true;                                         ///< lines
     std::int64_t length = 1;                                     ///< lines: of the major axis
-    std::size_t base = 0;                                        ///< vertex that planes start from
+    /// vertex that planes start from
+    std::size_t base = 0;
     std::int64_t ax = 0, ay = 0, to_x = 0,
                  to_y = 0;  ///< to the centre of the base's pixel, from there to the tile
 
@@ -79,17 +82,18 @@ private:
     }
     TilePlane at_tile(std::int64_t a0, std::int64_t gx, std::int64_t gy, bool sliver) const {
         const auto u = [](std::int64_t v) { return static_cast<std::uint64_t>(v); };
-        const std::int64_t to_center = static_cast<std::int64_t>(u(gx) * u(ax) + u(gy) * u(ay)) >> s;
-        return {(u(a0) << 16) + (1u << 15) + u(to_center) + u(gx) * u(to_x) + u(gy) * u(to_y), gx, gy,
-                sliver};
+        const std::int64_t to_center =
+            static_cast<std::int64_t>(u(gx) * u(ax) + u(gy) * u(ay)) >> s;
+        return {(u(a0) << 16) + (1u << 15) + u(to_center) + u(gx) * u(to_x) + u(gy) * u(to_y), gx,
+                gy, sliver};
     }
 };
 
-PrimitiveFrame primitive_frame(const GeometrySet& set, const SetupPrimitive& p, const JitterState& jitter,
-                               int subpixel_bits, const Tile& tile);
+PrimitiveFrame primitive_frame(const GeometrySet& set, const SetupPrimitive& p,
+                               const JitterState& jitter, int subpixel_bits, const Tile& tile);
 
-/// Edge functions of a triangle at the tile's pixels: inside where c + a i + b j >= 0 for all three, in 32
-/// bits.
+/// Edge functions of a triangle at the tile's pixels: inside where c + a i + b j >= 0 for all
+/// three, in 32 bits.
 struct TileEdges {
     std::array<std::int32_t, 3> c{}, a{}, b{};
 };

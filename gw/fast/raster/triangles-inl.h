@@ -1,6 +1,6 @@
-// Up to 16 triangles of a tile made ready to rasterize: edges, pixel boxes, depth planes, and what small ones
-// cover. docs/manual.md, "Coverage", "Planes"; scalar twin: gw/fast/raster/setup.cpp. Does not rasterize. Included
-// once per Highway target.
+// Up to 16 triangles of a tile made ready to rasterize: edges, pixel boxes, depth planes, and what
+// small ones cover. docs/manual.md, "Coverage", "Planes"; scalar twin: gw/fast/raster/setup.cpp.
+// Does not rasterize. Included once per Highway target.
 #if defined(GW_FAST_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_TRIANGLES_INL_H_
 #undef GW_FAST_TRIANGLES_INL_H_
@@ -17,21 +17,25 @@ namespace gw::fast::HWY_NAMESPACE {
 /// Triangles in the order of their bin. Pixels [x0, x1) x [y0, y1) of the tile may be covered.
 struct Triangles {
     Corners corners;
-    alignas(64) std::int32_t c[3][batch_room], a[3][batch_room], b[3][batch_room];  ///< as in TileEdges
+    /// as in TileEdges
+    alignas(64) std::int32_t c[3][batch_room], a[3][batch_room], b[3][batch_room];
     alignas(64) std::int32_t x0[batch_room], y0[batch_room], x1[batch_room], y1[batch_room];
     PlaneBatch depth;
-    /// Triangles that touch at most 2x2 blocks, a bit each, and what they cover of these: 16 lanes of the
-    /// left block from bit 0, of the right one from bit 16.
+    /// Triangles that touch at most 2x2 blocks, a bit each, and what they cover of these: 16 lanes
+    /// of the left block from bit 0, of the right one from bit 16.
     std::uint32_t small = 0;
     alignas(64) std::uint32_t lower[batch_room], upper[batch_room];
 
     std::size_t count() const { return corners.count; }
     TileEdges edges(std::size_t i) const {
-        return {{c[0][i], c[1][i], c[2][i]}, {a[0][i], a[1][i], a[2][i]}, {b[0][i], b[1][i], b[2][i]}};
+        return {
+            {c[0][i], c[1][i], c[2][i]}, {a[0][i], a[1][i], a[2][i]}, {b[0][i], b[1][i], b[2][i]}};
     }
     bool empty(std::size_t i) const { return x0[i] >= x1[i] || y0[i] >= y1[i]; }
     bool is_small(std::size_t i) const { return (small >> i & 1) != 0; }
-    std::uint64_t small_lanes(std::size_t i) const { return std::uint64_t{upper[i]} << 32 | lower[i]; }
+    std::uint64_t small_lanes(std::size_t i) const {
+        return std::uint64_t{upper[i]} << 32 | lower[i];
+    }
 };
 
 /// The depth plane of one lane.
@@ -41,13 +45,16 @@ HWY_INLINE DepthPlane depth_of(const TileDraw& draw, const Triangles& t, std::si
 }
 
 /// First and one past the last pixel whose centre lies in a triangle's extent along one axis.
-HWY_INLINE void pixel_extents(const std::int32_t (&at)[3][batch_room], std::size_t room, int s, int tile,
-                              int low, int high, std::int32_t* first, std::int32_t* end) {
+HWY_INLINE void pixel_extents(const std::int32_t (&at)[3][batch_room], std::size_t room, int s,
+                              int tile, int low, int high, std::int32_t* first, std::int32_t* end) {
     const hn::CappedTag<std::int32_t, batch_room / 2> d;
     const auto half = hn::Set(d, 1 << (s - 1)), to = hn::Set(d, tile), one = hn::Set(d, 1);
-    const auto in_box = [&](auto v) { return hn::Max(hn::Set(d, low), hn::Min(v, hn::Set(d, high))); };
+    const auto in_box = [&](auto v) {
+        return hn::Max(hn::Set(d, low), hn::Min(v, hn::Set(d, high)));
+    };
     for (std::size_t i = 0; i < room; i += hn::Lanes(d)) {
-        const auto p0 = hn::Load(d, at[0] + i), p1 = hn::Load(d, at[1] + i), p2 = hn::Load(d, at[2] + i);
+        const auto p0 = hn::Load(d, at[0] + i), p1 = hn::Load(d, at[1] + i),
+                   p2 = hn::Load(d, at[2] + i);
         const auto least = hn::Min(hn::Min(p0, p1), p2), most = hn::Max(hn::Max(p0, p1), p2);
         const auto from = hn::ShiftRightSame(hn::Add(least, hn::Sub(half, one)), s);
         const auto last = hn::ShiftRightSame(hn::Sub(most, half), s);
@@ -72,9 +79,11 @@ HWY_INLINE void set_up_edges(const TileDraw& draw, Triangles& t, std::size_t fir
         const std::size_t j = (k + 1) % 3;
         const auto dx = hn::Sub(x[j], x[k]), dy = hn::Sub(y[j], y[k]);
         const auto top_left = hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Lt(dx, zero)));
-        const auto at_tile = hn::Sub(hn::Mul(dx, hn::Sub(py, y[k])), hn::Mul(dy, hn::Sub(px, x[k])));
+        const auto at_tile =
+            hn::Sub(hn::Mul(dx, hn::Sub(py, y[k])), hn::Mul(dy, hn::Sub(px, x[k])));
         const auto biased = hn::Sub(at_tile, hn::IfThenZeroElse(top_left, all(1)));
-        const auto c = hn::Max(hn::Sub(zero, limit), hn::Min(hn::Floor(hn::Mul(biased, scale)), limit));
+        const auto c =
+            hn::Max(hn::Sub(zero, limit), hn::Min(hn::Floor(hn::Mul(biased, scale)), limit));
         hn::Store(hn::DemoteTo(i32, c), i32, t.c[k] + first);
         hn::Store(hn::DemoteTo(i32, hn::Sub(zero, dy)), i32, t.a[k] + first);
         hn::Store(hn::DemoteTo(i32, dx), i32, t.b[k] + first);
@@ -87,7 +96,8 @@ HWY_INLINE void set_up_edges(const TileDraw& draw, Triangles& t) {
 
 HWY_INLINE void set_up_depths(Triangles& t) {
     set_up_planes(
-        t.corners, [&](std::size_t k, std::size_t i) { return load_unsigned(t.corners.z[k] + i); }, t.depth);
+        t.corners, [&](std::size_t k, std::size_t i) { return load_unsigned(t.corners.z[k] + i); },
+        t.depth);
 }
 
 #else
@@ -95,7 +105,8 @@ HWY_INLINE void set_up_depths(Triangles& t) {
 HWY_INLINE void set_up_edges(const TileDraw& draw, Triangles& t) {
     for (std::size_t i = 0; i < t.count(); ++i) {
         const TileEdges e = tile_edges(frame_of(draw, t.corners.ordinal[i]), draw.tile);
-        for (std::size_t k = 0; k < 3; ++k) t.c[k][i] = e.c[k], t.a[k][i] = e.a[k], t.b[k][i] = e.b[k];
+        for (std::size_t k = 0; k < 3; ++k)
+            t.c[k][i] = e.c[k], t.a[k][i] = e.a[k], t.b[k][i] = e.b[k];
     }
 }
 
@@ -120,7 +131,8 @@ struct EdgeLanes {
     HWY_INLINE void shift_in(hn::Vec<D>& lanes) {
         const D d;
         const auto any = hn::Or(hn::Or(at[0], at[1]), at[2]);
-        const auto shifted = hn::BitCast(d, hn::ShiftRight<1>(hn::BitCast(hn::RebindToUnsigned<D>(), lanes)));
+        const auto shifted =
+            hn::BitCast(d, hn::ShiftRight<1>(hn::BitCast(hn::RebindToUnsigned<D>(), lanes)));
         lanes = hn::Or(shifted, hn::And(any, hn::Set(d, INT32_MIN)));
         for (std::size_t k = 0; k < 3; ++k) at[k] = hn::Add(at[k], a[k]);
     }
@@ -147,7 +159,9 @@ HWY_INLINE void cover_small(Triangles& t) {
     const auto one = hn::Set(d, 1), two = hn::Set(d, 2), left_block = hn::Set(d, 0xFFFF);
     t.small = 0;
     for (std::size_t i = 0; i < t.corners.room; i += hn::Lanes(d)) {
-        const auto block = [&](const std::int32_t* p) { return hn::ShiftRight<2>(hn::Load(d, p + i)); };
+        const auto block = [&](const std::int32_t* p) {
+            return hn::ShiftRight<2>(hn::Load(d, p + i));
+        };
         const auto last = [&](const std::int32_t* p) {
             return hn::ShiftRight<2>(hn::Sub(hn::Load(d, p + i), one));
         };
@@ -166,13 +180,16 @@ HWY_INLINE void cover_small(Triangles& t) {
     }
 }
 
-/// Sets up the first triangles of a bin, as many as there is room for; their depth planes where asked.
+/// Sets up the first triangles of a bin, as many as there is room for; their depth planes where
+/// asked.
 inline void set_up_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, bool depth,
                              Triangles& t) {
     gather_corners(draw, bin, t.corners);
     const int s = t.corners.s;
-    pixel_extents(t.corners.x, t.corners.room, s, draw.tile.x, draw.box.x0, draw.box.x1, t.x0, t.x1);
-    pixel_extents(t.corners.y, t.corners.room, s, draw.tile.y, draw.box.y0, draw.box.y1, t.y0, t.y1);
+    pixel_extents(t.corners.x, t.corners.room, s, draw.tile.x, draw.box.x0, draw.box.x1, t.x0,
+                  t.x1);
+    pixel_extents(t.corners.y, t.corners.room, s, draw.tile.y, draw.box.y0, draw.box.y1, t.y0,
+                  t.y1);
     set_up_edges(draw, t);
     cover_small(t);
     t.depth.sure = 0;

@@ -1,6 +1,6 @@
-// Colour and fog planes of up to 16 triangles at once, as gw/fast/raster/primitive.cpp makes them one by one: that
-// is the twin, and the way for what is rare. docs/manual.md, "Planes". Does not evaluate them. Included once
-// per Highway target.
+// Colour and fog planes of up to 16 triangles at once, as gw/fast/raster/primitive.cpp makes them
+// one by one: that is the twin, and the way for what is rare. docs/manual.md, "Planes". Does not
+// evaluate them. Included once per Highway target.
 #if defined(GW_FAST_COLORS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_COLORS_INL_H_
 #undef GW_FAST_COLORS_INL_H_
@@ -25,13 +25,17 @@ HWY_INLINE bool is_flat(const DrawOp& op) {
     return s.color_source == ColorSource::PolygonId || s.shade_model == ShadeModel::Flat ||
            (op.colors && op.colors->uniform);
 }
-HWY_INLINE bool has_fog(const State& s) { return s.fog.enable && s.color_source != ColorSource::PolygonId; }
+HWY_INLINE bool has_fog(const State& s) {
+    return s.fog.enable && s.color_source != ColorSource::PolygonId;
+}
 
-HWY_NOINLINE inline void color_one(const TileDraw& draw, const Corners& t, std::size_t i, ColorPlanes& out) {
+HWY_NOINLINE inline void color_one(const TileDraw& draw, const Corners& t, std::size_t i,
+                                   ColorPlanes& out) {
     make_color_planes(draw, *t.primitive[i], frame_of(draw, t.ordinal[i]), out);
 }
 
-HWY_NOINLINE inline void narrow_one(const TileDraw& draw, const Corners& t, std::size_t i, NarrowBatch& out) {
+HWY_NOINLINE inline void narrow_one(const TileDraw& draw, const Corners& t, std::size_t i,
+                                    NarrowBatch& out) {
     ColorPlanes wide;
     color_one(draw, t, i, wide);
     for (std::size_t k = 0; k < 5; ++k) {
@@ -60,7 +64,8 @@ HWY_INLINE void gather_colors(const TileDraw& draw, const Corners& t, ColorWords
 /// Integers below 2^52 as doubles.
 HWY_INLINE V64 to_double(hn::Vec<U64ForD64> v) {
     const D64 d;
-    const auto magic = hn::Set(d, 4503599627370496.0);  // 2^52: its lowest bits are what is ored in
+    // 2^52: its lowest bits are what is ored in
+    const auto magic = hn::Set(d, 4503599627370496.0);
     return hn::Sub(hn::BitCast(d, hn::Or(v, hn::BitCast(U64ForD64(), magic))), magic);
 }
 
@@ -81,11 +86,12 @@ HWY_INLINE void fog_planes(const TileDraw& draw, const Corners& t, PlaneBatch& o
     alignas(64) double factor[3][batch_room];
     gather(t, factor, [&](std::uint32_t v) { return draw.op->fog->value[v]; });
     set_up_planes(
-        t, [&](std::size_t k, std::size_t i) { return nearest(hn::Load(D64(), factor[k] + i)); }, out);
+        t, [&](std::size_t k, std::size_t i) { return nearest(hn::Load(D64(), factor[k] + i)); },
+        out);
 }
 
-/// Bits in which some triangle's corners differ: a channel without any has one value on each triangle, as
-/// most alphas do, ambient and dark light.
+/// Bits in which some triangle's corners differ: a channel without any has one value on each
+/// triangle, as most alphas do, ambient and dark light.
 HWY_INLINE std::uint64_t differing_bits(const Corners& t, const ColorWords& colors) {
     const U64ForD64 u;
     auto any = hn::Zero(u);
@@ -112,7 +118,8 @@ HWY_INLINE std::uint32_t black_lanes(const Corners& t, const ColorWords& colors)
     }
     return black;
 }
-HWY_INLINE void put_constant(const Corners& t, const ColorWords& colors, std::size_t k, NarrowBatch& out) {
+HWY_INLINE void put_constant(const Corners& t, const ColorWords& colors, std::size_t k,
+                             NarrowBatch& out) {
     for (std::size_t i = 0; i < t.room; ++i) {
         out.c[k][i] = std::uint32_t(colors.at[0][i] >> (16 * k) & 0xFFFF) * 65536u + 32768u;
         out.gx[k][i] = out.gy[k][i] = 0;
@@ -120,10 +127,12 @@ HWY_INLINE void put_constant(const Corners& t, const ColorWords& colors, std::si
 }
 
 /// Puts a batch's plane of one channel where it belongs, modulo 2^32.
-HWY_INLINE void put_channel(const Corners& t, const PlaneBatch& plane, std::size_t k, NarrowBatch& out) {
+HWY_INLINE void put_channel(const Corners& t, const PlaneBatch& plane, std::size_t k,
+                            NarrowBatch& out) {
     const auto low = [&](const std::int64_t* from, std::uint32_t* to) {
         for (std::size_t i = 0; i < t.room; i += hn::Lanes(D64()))
-            hn::Store(hn::TruncateTo(U32ForD64(), hn::BitCast(U64ForD64(), hn::Load(I64ForD64(), from + i))),
+            hn::Store(hn::TruncateTo(U32ForD64(),
+                                     hn::BitCast(U64ForD64(), hn::Load(I64ForD64(), from + i))),
                       U32ForD64(), to + i);
     };
     low(plane.c, out.c[k]), low(plane.gx, out.gx[k]), low(plane.gy, out.gy[k]);
@@ -163,7 +172,8 @@ HWY_INLINE void flat_colors(const TileDraw& draw, const Corners& t, NarrowBatch&
     for (std::size_t i = 0; i < t.count; ++i) {
         const Rgba color = flat_color(draw, *t.primitive[i]);
         for (std::size_t k = 0; k < 4; ++k)
-            out.c[k][i] = (std::uint32_t{color[k]} << 16) + (1u << 15), out.gx[k][i] = out.gy[k][i] = 0;
+            out.c[k][i] = (std::uint32_t{color[k]} << 16) + (1u << 15),
+            out.gx[k][i] = out.gy[k][i] = 0;
         out.black |= (color[0] | color[1] | color[2]) == 0 ? 1u << i : 0;
     }
 }

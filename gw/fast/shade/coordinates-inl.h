@@ -1,5 +1,6 @@
-// Texture coordinate planes of up to 16 triangles at once, as gw/fast/raster/primitive.cpp makes them one by one:
-// that is the twin, and the way for what is rare. docs/manual.md, "Perspective". Does not evaluate them.
+// Texture coordinate planes of up to 16 triangles at once, as gw/fast/raster/primitive.cpp makes
+// them one by one: that is the twin, and the way for what is rare. docs/manual.md, "Perspective".
+// Does not evaluate them.
 // Included once per Highway target.
 #if defined(GW_FAST_COORDINATES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_COORDINATES_INL_H_
@@ -48,8 +49,9 @@ struct RatioBatch {
 };
 
 /// Numerators of lanes i ..: values to `out`, exponent and k to the batch.
-HWY_INLINE void numerator_lanes(const Vertices3& s, const Vertices3& ratio, Wrap wrap, std::size_t i,
-                                CoordinateBatch& batch, double (&out)[3][batch_room]) {
+HWY_INLINE void numerator_lanes(const Vertices3& s, const Vertices3& ratio, Wrap wrap,
+                                std::size_t i, CoordinateBatch& batch,
+                                double (&out)[3][batch_room]) {
     const D64 d;
     const auto zero = hn::Zero(d), one = all(1), unit = all(coordinate_unit);
     auto k = hn::Floor(least(s));
@@ -76,13 +78,15 @@ HWY_INLINE std::uint32_t finite_lanes(const Vertices3& v) {
     const D64 d;
     const auto zero = hn::Zero(d);
     auto finite = hn::Eq(hn::Sub(v.at[0], v.at[0]), zero);
-    for (std::size_t k = 1; k < 3; ++k) finite = hn::And(finite, hn::Eq(hn::Sub(v.at[k], v.at[k]), zero));
+    for (std::size_t k = 1; k < 3; ++k)
+        finite = hn::And(finite, hn::Eq(hn::Sub(v.at[k], v.at[k]), zero));
     std::uint64_t bits = 0;
     hn::StoreMaskBits(d, finite, reinterpret_cast<std::uint8_t*>(&bits));
     return std::uint32_t(bits) & ((1u << hn::Lanes(d)) - 1);
 }
 
-HWY_INLINE void planes_through(const Corners& t, const double (&value)[3][batch_room], PlaneBatch& out) {
+HWY_INLINE void planes_through(const Corners& t, const double (&value)[3][batch_room],
+                               PlaneBatch& out) {
     set_up_planes(
         t, [&](std::size_t k, std::size_t i) { return hn::Load(D64(), value[k] + i); }, out);
 }
@@ -95,7 +99,8 @@ HWY_NOINLINE inline void make_ratios(const TileDraw& draw, const Corners& t, Rat
     for (std::size_t i = 0; i < t.room; i += hn::Lanes(d)) {
         const Vertices3 at = load3(w, i);
         const auto low = least(at);
-        const Vertices3 ratio{{hn::Div(low, at.at[0]), hn::Div(low, at.at[1]), hn::Div(low, at.at[2])}};
+        const Vertices3 ratio{
+            {hn::Div(low, at.at[0]), hn::Div(low, at.at[1]), hn::Div(low, at.at[2])}};
         for (std::size_t k = 0; k < 3; ++k) hn::Store(ratio.at[k], d, out.at[k] + i);
         out.finite |= finite_lanes(ratio) << i;
     }
@@ -114,7 +119,8 @@ HWY_NOINLINE inline void coordinate_planes(const TileDraw& draw, const Corners& 
     planes_through(t, numerator, out.plane);
 }
 
-HWY_NOINLINE inline void denominator_planes(const Corners& t, const RatioBatch& ratio, PlaneBatch& out) {
+HWY_NOINLINE inline void denominator_planes(const Corners& t, const RatioBatch& ratio,
+                                            PlaneBatch& out) {
     const D64 d;
     alignas(64) double q[3][batch_room];
     const auto unit = all(coordinate_unit);
@@ -130,13 +136,14 @@ HWY_INLINE PlaneSlope slope_of(const PlaneBatch& p, std::size_t i) {
     return {double(p.gx[i]), double(p.gy[i]), double(p.base[i] >> 16)};
 }
 
-/// Each member by itself: a whole one made first is stored in pieces, and waits for these when it is copied.
+/// Each member by itself: a whole one made first is stored in pieces, and waits for these when it
+/// is copied.
 HWY_INLINE void put_plane(const PlaneBatch& from, std::size_t i, TilePlane& out) {
     out.c = static_cast<std::uint64_t>(from.c[i]), out.gx = from.gx[i], out.gy = from.gy[i];
     out.sliver = false;
 }
-HWY_INLINE void put_texture_plane(const CoordinateBatch& c, std::size_t i, const PlaneBatch& q, bool slopes,
-                                  TexturePlane& out) {
+HWY_INLINE void put_texture_plane(const CoordinateBatch& c, std::size_t i, const PlaneBatch& q,
+                                  bool slopes, TexturePlane& out) {
     put_plane(c.plane, i, out.plane);
     out.exponent = int(c.exponent[i]), out.k = std::int32_t(c.k[i]);
     out.slope = {};
@@ -153,7 +160,8 @@ HWY_INLINE void set_up_perspective(const TileDraw& draw, const Corners& t, Textu
     denominator_planes(t, ratio, q);
     coordinate_planes(draw, t, 0, state.wrap_s, ratio, u);
     coordinate_planes(draw, t, 1, state.wrap_t, ratio, v);
-    const std::uint32_t sure = q.sure & u.plane.sure & v.plane.sure & ratio.finite & u.finite & v.finite;
+    const std::uint32_t sure =
+        q.sure & u.plane.sure & v.plane.sure & ratio.finite & u.finite & v.finite;
     const bool slopes = needs_rho(state);
     for (std::size_t i = 0; i < t.count; ++i) {
         if (!(sure >> i & 1)) {
@@ -171,7 +179,8 @@ HWY_INLINE void set_up_perspective(const TileDraw& draw, const Corners& t, Textu
 /// Texture planes of a batch, out[0 .. count - 1].
 inline void set_up_textures(const TileDraw& draw, const Corners& t, TexturePlanes* out) {
 #if HWY_HAVE_FLOAT64
-    if (draw.op->state.state.texture.gen != TexGen::EyeLinear) return set_up_perspective(draw, t, out);
+    if (draw.op->state.state.texture.gen != TexGen::EyeLinear)
+        return set_up_perspective(draw, t, out);
 #endif
     for (std::size_t i = 0; i < t.count; ++i) texture_one(draw, t, i, out[i]);
 }

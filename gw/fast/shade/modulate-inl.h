@@ -1,6 +1,7 @@
-// The commonest textured triangle in 8 bits: one level, a bilinear filter, modulated by the colour, no fog.
-// Coordinates, texels and products stay in vectors from block to block. Does the same as the stages of
-// shade-inl.h one by one. Does not blend. Included once per Highway target.
+// The commonest textured triangle in 8 bits: one level, a bilinear filter, modulated by the colour,
+// no fog.
+// Coordinates, texels and products stay in vectors from block to block. Does the same as the stages
+// of shade-inl.h one by one. Does not blend. Included once per Highway target.
 #if defined(GW_FAST_MODULATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_MODULATE_INL_H_
 #undef GW_FAST_MODULATE_INL_H_
@@ -14,7 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// One coordinate of a triangle's texture at any block, in 1/256 texels from the first texel's middle.
+/// One coordinate of a triangle's texture at any block, in 1/256 texels from the first texel's
+/// middle.
 struct TexelPosition {
     WidePlaneLanes plane;
     float scale;  ///< 256 texels 2^exponent
@@ -38,8 +40,8 @@ struct TexelPosition {
 /// One lane has no room for two channels.
 struct ModulatedTexels {
     HWY_INLINE static bool serves(const DrawOp&) { return false; }
-    HWY_INLINE void write(const TileDraw&, const NarrowBatch&, const TexturePlanes&, std::size_t, int, int,
-                          ColorBlock&) {}
+    HWY_INLINE void write(const TileDraw&, const NarrowBatch&, const TexturePlanes&, std::size_t,
+                          int, int, ColorBlock&) {}
 };
 
 #else
@@ -53,8 +55,8 @@ HWY_INLINE void store_words(const TexelWords& words, std::size_t part, ColorBloc
     const auto order = hn::SetTableIndices(pairs, rows);
     const TexelLanes t = words.channels();
     const auto two = [&](std::size_t c) {
-        const auto mixed =
-            hn::ReorderDemote2To(h, hn::BitCast(I32(), t.channel[c]), hn::BitCast(I32(), t.channel[c + 1]));
+        const auto mixed = hn::ReorderDemote2To(h, hn::BitCast(I32(), t.channel[c]),
+                                                hn::BitCast(I32(), t.channel[c + 1]));
         const hn::Repartition<std::uint16_t, D32> d16;
         hn::Store(hn::BitCast(d16, hn::TableLookupLanes(hn::BitCast(pairs, mixed), order)), d16,
                   out.channel[c]);
@@ -82,8 +84,9 @@ struct ModulatedTexels {
         return op.pairs && !needs_rho(s.texture) && !textures_by_pixel(s.texture) &&
                s.texture.env == TexEnv::Modulate && is_narrow(op) && !has_fog(s);
     }
-    HWY_NOINLINE void write(const TileDraw& draw, const NarrowBatch& colors, const TexturePlanes& planes,
-                            std::size_t triangle, int bx, int by, ColorBlock& out) {
+    HWY_NOINLINE void write(const TileDraw& draw, const NarrowBatch& colors,
+                            const TexturePlanes& planes, std::size_t triangle, int bx, int by,
+                            ColorBlock& out) {
         const DrawOp& op = *draw.op;
         const TexelLevel& level = op.texels->texels.levels[0];
         const bool flat = is_flat(op);
@@ -99,7 +102,8 @@ struct ModulatedTexels {
             return hn::BitCast(D32(), mul_bytes(d, hn::BitCast(d, a), hn::BitCast(d, b)));
         };
         for (std::size_t i = 0; i < parts; ++i) {
-            const TexelWords texel = kept ? kept_texels(op, level, bx, by, i) : texels(op, level, bx, by, i);
+            const TexelWords texel =
+                kept ? kept_texels(op, level, bx, by, i) : texels(op, level, bx, by, i);
             store_words({times(texel.rb, color[i].rb), times(texel.ga, color[i].ga)}, i, out);
         }
     }
@@ -142,14 +146,16 @@ private:
         const F32 f;
         const I32 i;
         const TextureState& state = op.state.state.texture;
-        const auto over = affine ? hn::Set(f, w) : hn::Div(hn::Set(f, 1.0f), to_floats(q.at(bx, by, part)));
+        const auto over =
+            affine ? hn::Set(f, w) : hn::Div(hn::Set(f, 1.0f), to_floats(q.at(bx, by, part)));
         const auto u = s.at(bx, by, part, over), v = t.at(bx, by, part, over);
         const auto x = hn::ShiftRight<8>(u), y = hn::ShiftRight<8>(v);
         const auto column = Sampler::wrapped(state.wrap_s, x, hn::Set(i, level.width - 1)),
                    row = Sampler::wrapped(state.wrap_t, y, hn::Set(i, level.height - 1));
         const auto index = hn::Add(hn::Add(hn::ShiftLeftSame(row, level.log2_width), row), column);
         return bilinear_bytes(load_corners(op.pairs->pairs.data(), index),
-                              Sampler::weight(state.wrap_s, u, x), Sampler::weight(state.wrap_t, v, y));
+                              Sampler::weight(state.wrap_s, u, x),
+                              Sampler::weight(state.wrap_t, v, y));
     }
 };
 

@@ -1,5 +1,5 @@
-// Texels of triangles that are drawn again and again in one tile with the same texture, as full-screen passes
-// and passes over the same walls are: looked up once. Does not look them up.
+// Texels of triangles that are drawn again and again in one tile with the same texture, as
+// full-screen passes and passes over the same walls are: looked up once. Does not look them up.
 #pragma once
 
 #include "gw/fast/raster/primitive.h"
@@ -22,8 +22,8 @@ inline TexelKey texel_key(const TexelPairs& pairs, const TexturePlanes& p) {
     return {&pairs, p.q, p.s.plane, p.t.plane, p.s.exponent, p.t.exponent, p.s.k, p.t.k};
 }
 
-/// One key's texels, two channels in the halves of each word. Blocks are numbered from the tile's corner, 16
-/// in a row.
+/// One key's texels, two channels in the halves of each word. Blocks are numbered from the tile's
+/// corner, 16 in a row.
 struct KeptTexels {
     struct alignas(64) Block {
         std::uint32_t rb[block_pixels], ga[block_pixels];
@@ -33,7 +33,8 @@ struct KeptTexels {
     std::vector<Block> blocks;
 };
 
-/// Of the tile that is being drawn. Most triangles come once: only what comes a second time is kept.
+/// Of the tile that is being drawn. Most triangles come once: only what comes a second time is
+/// kept.
 class RepeatedTexels {
 public:
     void clear() {

@@ -1,5 +1,6 @@
-// Looking a texture up at 16 pixels' coordinates: addressing, and the filters of one level. docs/manual.md,
-// "Textures"; scalar twin: gw/stages/texels.cpp. Does not choose levels. Included once per Highway target.
+// Looking a texture up at 16 pixels' coordinates: addressing, and the filters of one level.
+// docs/manual.md, "Textures"; scalar twin: gw/stages/texels.cpp. Does not choose levels. Included
+// once per Highway target.
 #if defined(GW_FAST_SAMPLER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_SAMPLER_INL_H_
 #undef GW_FAST_SAMPLER_INL_H_
@@ -27,27 +28,31 @@ struct Sampler {
 
     const TexelLevel& base() const { return texels.texels.levels[0]; }
 
-    /// u + k in 1/256 texels of the lanes' own levels, whose sides are 2^log2_size; u 2^.. at most 2^30.
+    /// u + k in 1/256 texels of the lanes' own levels, whose sides are 2^log2_size; u 2^.. at most
+    /// 2^30.
     HWY_INLINE static VI coordinate(VF u, VI k, VI log2_size) {
         const I32 i;
         const F32 f;
         const auto shift = hn::Add(log2_size, hn::Set(i, 8));
         const auto scale = hn::BitCast(f, hn::ShiftLeft<23>(hn::Add(shift, hn::Set(i, 127))));
-        const auto scaled = hn::Max(hn::Zero(f), hn::Min(hn::Mul(u, scale), hn::Set(f, 1073741824.0f)));
+        const auto scaled =
+            hn::Max(hn::Zero(f), hn::Min(hn::Mul(u, scale), hn::Set(f, 1073741824.0f)));
         return hn::Add(hn::ConvertTo(i, scaled), hn::Shl(k, shift));
     }
 
     /// Wraps texel indices of levels with `last` + 1 texels a side.
     HWY_INLINE static VI wrapped(Wrap wrap, VI index, VI last) {
-        return wrap == Wrap::Repeat ? hn::And(index, last) : hn::Min(hn::Max(index, hn::Zero(I32())), last);
+        return wrap == Wrap::Repeat ? hn::And(index, last)
+                                    : hn::Min(hn::Max(index, hn::Zero(I32())), last);
     }
 
-    /// How far a texel's right or upper neighbour counts, in 256ths. The first texel's neighbours beyond a
-    /// clamped side are itself: there its weight is as good as none.
+    /// How far a texel's right or upper neighbour counts, in 256ths. The first texel's neighbours
+    /// beyond a clamped side are itself: there its weight is as good as none.
     HWY_INLINE static V32 weight(Wrap wrap, VI position, VI texel) {
         const I32 i;
         auto fraction = hn::And(position, hn::Set(i, 255));
-        if (wrap == Wrap::Clamp) fraction = hn::IfThenZeroElse(hn::Lt(texel, hn::Zero(i)), fraction);
+        if (wrap == Wrap::Clamp)
+            fraction = hn::IfThenZeroElse(hn::Lt(texel, hn::Zero(i)), fraction);
         return hn::BitCast(D32(), fraction);
     }
 
@@ -57,7 +62,8 @@ struct Sampler {
     };
     HWY_INLINE Level base_level() const {
         const I32 i;
-        return {hn::Set(i, base().log2_width), hn::Set(i, base().log2_height), hn::Zero(i), hn::Zero(i)};
+        return {hn::Set(i, base().log2_width), hn::Set(i, base().log2_height), hn::Zero(i),
+                hn::Zero(i)};
     }
     HWY_INLINE Level level(VI index) const {
         const I32 i;
@@ -70,10 +76,12 @@ struct Sampler {
 
     /// lookup() of gw/stages/texels.h in the lanes' own levels.
     HWY_INLINE TexelLanes lookup(const Coordinates& at, const Level& level, bool linear) const {
-        const auto u = coordinate(at.u, at.u_k, level.log2_w), v = coordinate(at.v, at.v_k, level.log2_h);
+        const auto u = coordinate(at.u, at.u_k, level.log2_w),
+                   v = coordinate(at.v, at.v_k, level.log2_h);
         if (linear) return mean(u, v, level);
         const auto row = hn::Shl(row_of(level, hn::ShiftRight<8>(v)), level.log2_w);
-        return fetch(texels, hn::Add(hn::Add(level.first, row), column_of(level, hn::ShiftRight<8>(u))));
+        return fetch(texels,
+                     hn::Add(hn::Add(level.first, row), column_of(level, hn::ShiftRight<8>(u))));
     }
 
 private:
@@ -103,11 +111,14 @@ private:
         return mean_of_wide(left, right, start(low), start(high), wx, wy);
     }
     HWY_INLINE TexelLanes mean_of_wide(VI left, VI right, VI low, VI high, V32 wx, V32 wy) const {
-        const TexelLanes a = fetch(texels, hn::Add(low, left)), b = fetch(texels, hn::Add(low, right));
-        const TexelLanes c = fetch(texels, hn::Add(high, left)), e = fetch(texels, hn::Add(high, right));
+        const TexelLanes a = fetch(texels, hn::Add(low, left)),
+                         b = fetch(texels, hn::Add(low, right));
+        const TexelLanes c = fetch(texels, hn::Add(high, left)),
+                         e = fetch(texels, hn::Add(high, right));
         TexelLanes out;
         for (std::size_t k = 0; k < 4; ++k)
-            out.channel[k] = bilinear_wide(a.channel[k], b.channel[k], c.channel[k], e.channel[k], wx, wy);
+            out.channel[k] =
+                bilinear_wide(a.channel[k], b.channel[k], c.channel[k], e.channel[k], wx, wy);
         return out;
     }
 };

@@ -1,6 +1,6 @@
-// Shading a block of 16 pixels of one primitive: depth, colour, texture environment, fog. docs/manual.md,
-// "Planes" to "Fog"; scalar twins: gw/reference/interpolants.cpp, shade.cpp. Does not decide coverage or
-// test. Included once per Highway target.
+// Shading a block of 16 pixels of one primitive: depth, colour, texture environment, fog.
+// docs/manual.md, "Planes" to "Fog"; scalar twins: gw/reference/interpolants.cpp, shade.cpp. Does
+// not decide coverage or test. Included once per Highway target.
 #if defined(GW_FAST_SHADE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_SHADE_INL_H_
 #undef GW_FAST_SHADE_INL_H_
@@ -17,15 +17,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-HWY_INLINE void shade_depth(const DepthPlane& p, std::uint32_t max_depth, int bx, int by, DepthBlock& out) {
+HWY_INLINE void shade_depth(const DepthPlane& p, std::uint32_t max_depth, int bx, int by,
+                            DepthBlock& out) {
     const D32 d;
     for (std::size_t i = 0; i < block_pixels; i += lanes32)
         hn::Store(wide_plane(p.plane, pixels_of(bx, by, i)), d, out.value + i);
     if (p.offset != 0) offset_depths(p.offset, max_depth, out);
 }
 
-/// What shading needs of 16 pixels, each of its own primitive: one lane is filled by the primitive that it
-/// shows.
+/// What shading needs of 16 pixels, each of its own primitive: one lane is filled by the primitive
+/// that it shows.
 struct ShadeInputs {
     ColorBlock color;
     ColorBlock texel;
@@ -39,7 +40,8 @@ HWY_INLINE V32 narrow_value(V32 c, V32 gx, V32 gy, Pixels at) {
     return hn::ShiftRight<16>(hn::Add(hn::Add(c, hn::Mul(gx, at.x)), hn::Mul(gy, at.y)));
 }
 
-/// Coefficients of narrow planes, each lane of its own primitive: vectors, so that they stay in registers.
+/// Coefficients of narrow planes, each lane of its own primitive: vectors, so that they stay in
+/// registers.
 template <std::size_t channels>
 struct NarrowLanes {
     V32 c[channels][parts], gx[channels][parts], gy[channels][parts];
@@ -56,27 +58,32 @@ struct NarrowLanes {
         };
         for (std::size_t k = 0; k < channels; ++k)
             for (std::size_t i = 0; i < parts; ++i)
-                put(c[k][i], i, p.c[k][j]), put(gx[k][i], i, p.gx[k][j]), put(gy[k][i], i, p.gy[k][j]);
+                put(c[k][i], i, p.c[k][j]), put(gx[k][i], i, p.gx[k][j]),
+                    put(gy[k][i], i, p.gy[k][j]);
     }
     /// Colour, and the fog factor where there are five channels.
     HWY_INLINE void store(int bx, int by, ShadeInputs& in) const {
         for (std::size_t i = 0; i < parts; ++i) {
             const Pixels at = pixels_of(bx, by, i * lanes32);
-            const auto value = [&](std::size_t k) { return narrow_value(c[k][i], gx[k][i], gy[k][i], at); };
-            for (std::size_t k = 0; k < 4; ++k) store16(value(k), in.color.channel[k] + i * lanes32);
+            const auto value = [&](std::size_t k) {
+                return narrow_value(c[k][i], gx[k][i], gy[k][i], at);
+            };
+            for (std::size_t k = 0; k < 4; ++k)
+                store16(value(k), in.color.channel[k] + i * lanes32);
             if constexpr (channels == 5) hn::Store(value(4), D32(), in.fog + i * lanes32);
         }
     }
 };
 
 /// Colour, and the fog factor where there are five channels, of triangle j of a batch.
-HWY_INLINE void narrow_colors(const NarrowBatch& p, std::size_t j, std::size_t channels, int bx, int by,
-                              ShadeInputs& in) {
+HWY_INLINE void narrow_colors(const NarrowBatch& p, std::size_t j, std::size_t channels, int bx,
+                              int by, ShadeInputs& in) {
     const D32 d;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
         const Pixels at = pixels_of(bx, by, i);
         const auto value = [&](std::size_t k) {
-            return narrow_value(hn::Set(d, p.c[k][j]), hn::Set(d, p.gx[k][j]), hn::Set(d, p.gy[k][j]), at);
+            return narrow_value(hn::Set(d, p.c[k][j]), hn::Set(d, p.gx[k][j]),
+                                hn::Set(d, p.gy[k][j]), at);
         };
         for (std::size_t k = 0; k < 4; ++k) store16(value(k), in.color.channel[k] + i);
         if (channels == 5) hn::Store(value(4), d, in.fog + i);
@@ -115,17 +122,19 @@ HWY_INLINE void modulate_bytes(const ColorBlock& color, const ColorBlock& texel,
     const D16 d;
     for (std::size_t c = 0; c < 4; ++c)
         for (std::size_t i = 0; i < block_pixels; i += lanes16)
-            hn::Store(mul_bytes(d, hn::Load(d, color.channel[c] + i), hn::Load(d, texel.channel[c] + i)), d,
-                      out.channel[c] + i);
+            hn::Store(
+                mul_bytes(d, hn::Load(d, color.channel[c] + i), hn::Load(d, texel.channel[c] + i)),
+                d, out.channel[c] + i);
 }
 
-/// Whether a textured draw does no more than add its modulated colour, in 8 bits: most of the passes of [K3].
+/// Whether a textured draw does no more than add its modulated colour, in 8 bits: most of the
+/// passes of [K3].
 HWY_INLINE bool adds_modulated(const Resolved& r) {
     const BlendState& b = r.state.blend;
     const ColorMask& m = r.state.color_mask;
     return r.bits == 8 && r.state.texture.env == TexEnv::Modulate && !has_fog(r.state) &&
-           r.state.color_source != ColorSource::PolygonId && b.enable && b.src == BlendFactor::One &&
-           b.dst == BlendFactor::One && m.r && m.g && m.b && m.a;
+           r.state.color_source != ColorSource::PolygonId && b.enable &&
+           b.src == BlendFactor::One && b.dst == BlendFactor::One && m.r && m.g && m.b && m.a;
 }
 HWY_INLINE void add_modulated(const ColorBlock& color, const ColorBlock& texel, ColorBlock& stored,
                               std::uint32_t mask) {
@@ -143,22 +152,27 @@ HWY_INLINE void add_modulated(const ColorBlock& color, const ColorBlock& texel, 
 }
 
 /// texture_environment() of gw/stages/tables.h.
-HWY_NOINLINE inline void apply_environment(TexEnv mode, const Rgba& env, int bits, const ColorBlock& color,
-                                           const ColorBlock& texel, ColorBlock& out) {
+HWY_NOINLINE inline void apply_environment(TexEnv mode, const Rgba& env, int bits,
+                                           const ColorBlock& color, const ColorBlock& texel,
+                                           ColorBlock& out) {
     if (mode == TexEnv::Modulate && bits == 8) return modulate_bytes(color, texel, out);
     const D32 d;
     const auto max = hn::Set(d, max_of_bits(bits));
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
         const auto alpha = load_channel(texel.channel[3] + i);
         for (std::size_t c = 0; c < 4; ++c) {
-            const auto f = load_channel(color.channel[c] + i), t = load_channel(texel.channel[c] + i);
+            const auto f = load_channel(color.channel[c] + i),
+                       t = load_channel(texel.channel[c] + i);
             auto v = t;
             if (mode == TexEnv::Modulate || (mode == TexEnv::Blend && c == 3))
                 v = mul_lanes(f, t, bits);
             else if (mode == TexEnv::Decal)
-                v = c == 3 ? f : hn::Add(mul_lanes(f, hn::Sub(max, alpha), bits), mul_lanes(t, alpha, bits));
+                v = c == 3 ? f
+                           : hn::Add(mul_lanes(f, hn::Sub(max, alpha), bits),
+                                     mul_lanes(t, alpha, bits));
             else if (mode == TexEnv::Blend)
-                v = hn::Add(mul_lanes(f, hn::Sub(max, t), bits), mul_lanes(hn::Set(d, env[c]), t, bits));
+                v = hn::Add(mul_lanes(f, hn::Sub(max, t), bits),
+                            mul_lanes(hn::Set(d, env[c]), t, bits));
             store16(v, out.channel[c] + i);
         }
     }
@@ -179,7 +193,8 @@ HWY_INLINE V32 fog_factor_lanes(const ColorPlanes& p, const DrawOp& op, Pixels a
                next = hn::Min(hn::Add(entry, hn::Set(i, 1)), hn::Set(i, steps));
     const auto a = hn::BitCast(i, hn::GatherIndex(d, op.fog_table->data(), entry));
     const auto b = hn::BitCast(i, hn::GatherIndex(d, op.fog_table->data(), next));
-    const auto step = hn::Add(hn::Mul(hn::Sub(b, a), hn::And(position, hn::Set(i, 255))), hn::Set(i, 128));
+    const auto step =
+        hn::Add(hn::Mul(hn::Sub(b, a), hn::And(position, hn::Set(i, 255))), hn::Set(i, 128));
     return hn::BitCast(d, hn::Add(a, hn::ShiftRight<8>(step)));
 }
 
@@ -195,7 +210,8 @@ HWY_NOINLINE inline void apply_fog_block(const DrawOp& op, const std::uint32_t* 
             const auto fog = mul_lanes(hn::Sub(max, f), hn::Set(d, op.state.fog_color[c]), bits);
             store16(hn::Add(own, fog), out.channel[c] + i);
         }
-        if (&out != &color) hn::Store(hn::Load(Half16(), color.channel[3] + i), Half16(), out.channel[3] + i);
+        if (&out != &color)
+            hn::Store(hn::Load(Half16(), color.channel[3] + i), Half16(), out.channel[3] + i);
     }
 }
 
@@ -206,7 +222,8 @@ HWY_NOINLINE inline void wide_colors(const ColorPlanes& p, const DrawOp& op, int
     if (!has_fog(op.state.state)) return;
     const D32 d;
     for (std::size_t i = 0; i < block_pixels; i += lanes32)
-        store_lanes(fog_factor_lanes(p, op, pixels_of(bx, by, i)), lanes_of(d, mask, i), d, in.fog + i);
+        store_lanes(fog_factor_lanes(p, op, pixels_of(bx, by, i)), lanes_of(d, mask, i), d,
+                    in.fog + i);
 }
 
 HWY_INLINE Sampler sampler_of(const DrawOp& op) {
@@ -214,7 +231,8 @@ HWY_INLINE Sampler sampler_of(const DrawOp& op) {
 }
 
 /// Colour, texture, fog, in that order. `texel`: what the texture unit found, if there is one.
-HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const ColorBlock& texel, ShadeInputs& in) {
+HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const ColorBlock& texel,
+                                             ShadeInputs& in) {
     const DrawOp& op = *draw.op;
     const State& s = op.state.state;
     if (s.color_source == ColorSource::PolygonId) return in.color;
@@ -231,8 +249,8 @@ HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const ColorBl
 }
 
 /// Looks up the lanes of `mask`, which one primitive covers.
-HWY_INLINE void look_up(const TexturePlanes& p, const TileDraw& draw, int bx, int by, std::uint32_t mask,
-                        ShadeInputs& in) {
+HWY_INLINE void look_up(const TexturePlanes& p, const TileDraw& draw, int bx, int by,
+                        std::uint32_t mask, ShadeInputs& in) {
     if (textures_by_pixel(draw.op->state.state.texture))
         return sample_by_pixel(p, draw, bx, by, mask, in.texel);
     const Sampler sampler = sampler_of(*draw.op);

@@ -1,5 +1,6 @@
-// Texels for 16 pixels, fetched from where they stand and filtered. docs/manual.md, "Textures"; scalar twin:
-// gw/stages/texels.cpp. Does not know coordinates or levels. Included once per Highway target.
+// Texels for 16 pixels, fetched from where they stand and filtered. docs/manual.md, "Textures";
+// scalar twin: gw/stages/texels.cpp. Does not know coordinates or levels. Included once per Highway
+// target.
 #if defined(GW_FAST_TEXELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_TEXELS_INL_H_
 #undef GW_FAST_TEXELS_INL_H_
@@ -65,7 +66,8 @@ struct TexelWords {
 
     HWY_INLINE TexelLanes channels() const {
         const auto low = hn::Set(D32(), 0xFFFFu);
-        return {{hn::And(rb, low), hn::And(ga, low), hn::ShiftRight<16>(rb), hn::ShiftRight<16>(ga)}};
+        return {
+            {hn::And(rb, low), hn::And(ga, low), hn::ShiftRight<16>(rb), hn::ShiftRight<16>(ga)}};
     }
 };
 
@@ -98,8 +100,8 @@ HWY_INLINE TexelWords bilinear_bytes(const PackedCorners& t, V32 wx, V32 wy) {
 
 #else
 
-/// bilinear() of gw/stages/texels.h, 8 bits, of two channels; every product is a rounding 15-bit one. Texels come 64
-/// times as large, weights (of 256) 128 times.
+/// bilinear() of gw/stages/texels.h, 8 bits, of two channels; every product is a rounding 15-bit
+/// one. Texels come 64 times as large, weights (of 256) 128 times.
 HWY_INLINE V32 bilinear_halves(V32 a, V32 b, V32 c, V32 e, V32 x, V32 y) {
     const hn::Repartition<std::int16_t, D32> h;
     const auto s = [&](V32 v) { return hn::BitCast(h, v); };
@@ -127,7 +129,8 @@ HWY_INLINE TexelWords bilinear_bytes(const PackedCorners& t, V32 wx, V32 wy) {
 HWY_INLINE PackedCorners load_corners(const TexelPair* pairs, VI index) {
     const D32 d;
     const TexelPair* t = pairs + hn::GetLane(index);
-    return {hn::Set(d, t[0].lower), hn::Set(d, t[1].lower), hn::Set(d, t[0].upper), hn::Set(d, t[1].upper)};
+    return {hn::Set(d, t[0].lower), hn::Set(d, t[1].lower), hn::Set(d, t[0].upper),
+            hn::Set(d, t[1].upper)};
 }
 
 #else

@@ -43,7 +43,8 @@ const TexelPairs* texel_pairs(FastTexels& texels, Wrap wrap_s, Wrap wrap_t) {
     if (!out.pairs.empty()) return &out;
     for (std::size_t i = 0; i < texels.texels.levels.size(); ++i) {
         out.first[i] = std::int32_t(out.pairs.size());
-        add_pairs(texels.texels.levels[i], texels.packed.data() + texels.first[i], wrap_s, wrap_t, out.pairs);
+        add_pairs(texels.texels.levels[i], texels.packed.data() + texels.first[i], wrap_s, wrap_t,
+                  out.pairs);
     }
     return &out;
 }

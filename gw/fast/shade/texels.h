@@ -1,5 +1,5 @@
-// Textures as the fast machine's kernels read them: all levels in one array, and for the bilinear filter the
-// four texels that a pixel mixes side by side. Does not filter.
+// Textures as the fast machine's kernels read them: all levels in one array, and for the bilinear
+// filter the four texels that a pixel mixes side by side. Does not filter.
 #pragma once
 
 #include "gw/stages/texels.h"
@@ -10,15 +10,17 @@
 
 namespace gw::fast {
 
-/// Texels (i, j) and (i, j + 1) of one level, wrapped. Rows of pairs end with the first one of the row again,
-/// or the last where coordinates are clamped: two side by side are what a bilinear filter mixes.
+/// Texels (i, j) and (i, j + 1) of one level, wrapped. Rows of pairs end with the first one of the
+/// row again, or the last where coordinates are clamped: two side by side are what a bilinear
+/// filter mixes.
 struct TexelPair {
     std::uint32_t lower, upper;
 };
 
 /// A texture's pairs, level behind level.
 struct TexelPairs {
-    std::array<std::int32_t, 16> first{};  ///< of each level; a row is one longer than the level is wide
+    /// of each level; a row is one longer than the level is wide
+    std::array<std::int32_t, 16> first{};
     std::vector<TexelPair> pairs;
 };
 

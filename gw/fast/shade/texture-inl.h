@@ -1,5 +1,6 @@
 // Textures on a block of 16 pixels: coordinates and level of detail. docs/manual.md, "Textures";
-// scalar twins: gw/stages/texels.cpp, gw/reference/texture_unit.cpp. Does not combine with the fragment's colour.
+// scalar twins: gw/stages/texels.cpp, gw/reference/texture_unit.cpp. Does not combine with the
+// fragment's colour.
 // Included once per Highway target.
 #if defined(GW_FAST_TEXTURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_TEXTURE_INL_H_
@@ -19,7 +20,8 @@ namespace gw::fast::HWY_NAMESPACE {
 /// 2^e, a normal number.
 inline double power_of_two(int e) { return std::bit_cast<double>(std::uint64_t(e + 1023) << 52); }
 
-/// What the texture unit needs of 16 pixels, each of its own primitive: planes' values and how to scale them.
+/// What the texture unit needs of 16 pixels, each of its own primitive: planes' values and how to
+/// scale them.
 struct TextureInputs {
     alignas(64) std::uint32_t q[block_pixels], u[block_pixels], v[block_pixels];
     alignas(64) std::int32_t u_exponent[block_pixels],
@@ -28,8 +30,8 @@ struct TextureInputs {
 };
 
 /// What rho is made of: the larger slope of each row and column. docs/manual.md, "Level of detail".
-HWY_NOINLINE inline void store_slopes(const Sampler& s, const TexturePlanes& p, const Tile& tile, int bx,
-                                      int by, std::uint32_t mask, float* slope) {
+HWY_NOINLINE inline void store_slopes(const Sampler& s, const TexturePlanes& p, const Tile& tile,
+                                      int bx, int by, std::uint32_t mask, float* slope) {
     const double scale_s = power_of_two(p.s.exponent + s.base().log2_width);
     const double scale_t = power_of_two(p.t.exponent + s.base().log2_height);
     const CoordinateSlope &u = p.s.slope, &v = p.t.slope;
@@ -37,8 +39,10 @@ HWY_NOINLINE inline void store_slopes(const Sampler& s, const TexturePlanes& p, 
     for (int i = 0; i < block_side; ++i) {
         const int dx = tile.x + bx * block_side + i - p.slope_x,
                   dy = tile.y + by * block_side + i - p.slope_y;
-        const double row_u = std::abs(u.a + double(u.k) * dy), row_v = std::abs(v.a + double(v.k) * dy);
-        const double column_u = std::abs(u.b - double(u.k) * dx), column_v = std::abs(v.b - double(v.k) * dx);
+        const double row_u = std::abs(u.a + double(u.k) * dy),
+                     row_v = std::abs(v.a + double(v.k) * dy);
+        const double column_u = std::abs(u.b - double(u.k) * dx),
+                     column_v = std::abs(v.b - double(v.k) * dx);
         row[i] = static_cast<float>(std::max(row_u * scale_s, row_v * scale_t));
         column[i] = static_cast<float>(std::max(column_u * scale_s, column_v * scale_t));
     }
@@ -49,8 +53,8 @@ HWY_NOINLINE inline void store_slopes(const Sampler& s, const TexturePlanes& p, 
 }
 
 /// Puts the lanes of `mask`, which one primitive covers, into the inputs.
-HWY_NOINLINE inline void texture_inputs(const Sampler& s, const TexturePlanes& p, const Tile& tile, int bx,
-                                        int by, std::uint32_t mask, TextureInputs& out) {
+HWY_NOINLINE inline void texture_inputs(const Sampler& s, const TexturePlanes& p, const Tile& tile,
+                                        int bx, int by, std::uint32_t mask, TextureInputs& out) {
     const D32 d;
     const I32 i32;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
@@ -78,13 +82,15 @@ struct LevelLanes {
 HWY_INLINE LevelLanes choose_levels(const Sampler& s, VF rho) {
     const I32 i;
     const auto bits = hn::BitCast(i, rho);
-    const bool later =
-        s.state.mag_filter == MagFilter::Linear && (s.state.min_filter == MinFilter::NearestMipmapNearest ||
-                                                    s.state.min_filter == MinFilter::NearestMipmapLinear);
+    const bool later = s.state.mag_filter == MagFilter::Linear &&
+                       (s.state.min_filter == MinFilter::NearestMipmapNearest ||
+                        s.state.min_filter == MinFilter::NearestMipmapLinear);
     LevelLanes out{hn::Not(hn::Gt(bits, hn::Set(i, later ? 0x3FB504F3 : 0x3F800000))), hn::Zero(i),
                    hn::Zero(i), hn::Zero(D32())};
     const auto last = hn::Set(i, int(s.texels.texels.levels.size()) - 1);
-    const auto level_from = [&](int origin) { return hn::ShiftRight<23>(hn::Sub(bits, hn::Set(i, origin))); };
+    const auto level_from = [&](int origin) {
+        return hn::ShiftRight<23>(hn::Sub(bits, hn::Set(i, origin)));
+    };
     switch (s.state.min_filter) {
         case MinFilter::Nearest:
         case MinFilter::Linear: break;
@@ -110,7 +116,8 @@ HWY_INLINE LevelLanes choose_levels(const Sampler& s, VF rho) {
 }
 
 /// The lanes' texels at one level each, magnified and minified lanes by their own filters.
-HWY_INLINE TexelLanes sample_level(const Sampler& s, const Coordinates& at, VI index, hn::Mask<I32> magnify) {
+HWY_INLINE TexelLanes sample_level(const Sampler& s, const Coordinates& at, VI index,
+                                   hn::Mask<I32> magnify) {
     const bool small = is_linear(s.state, false), large = is_linear(s.state, true);
     const Sampler::Level level = s.level(index);
     TexelLanes out = s.lookup(at, level, small);
@@ -138,7 +145,8 @@ HWY_INLINE VF rho_lanes(VF slope, VF w) {
 }
 
 /// Divides: what depends on the pixels and the texture's size, but not on its texels.
-HWY_NOINLINE inline void divide_block(const Sampler& s, const TextureInputs& in, TextureLanes& out) {
+HWY_NOINLINE inline void divide_block(const Sampler& s, const TextureInputs& in,
+                                      TextureLanes& out) {
     const D32 u;
     const I32 d;
     const F32 f;
@@ -159,8 +167,8 @@ HWY_NOINLINE inline void divide_block(const Sampler& s, const TextureInputs& in,
 }
 
 /// The same where one primitive covers the lanes of `mask`.
-HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p, const Tile& tile, int bx,
-                                      int by, std::uint32_t mask, TextureLanes& out) {
+HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p, const Tile& tile,
+                                      int bx, int by, std::uint32_t mask, TextureLanes& out) {
     const I32 d;
     const F32 f;
     alignas(64) float slope[block_pixels] = {};
@@ -192,7 +200,8 @@ HWY_NOINLINE inline void sample_block(const Sampler& s, const TextureLanes& in, 
             const LevelLanes l = choose_levels(s, hn::Load(f, in.rho + i));
             texel = sample_level(s, at, l.level, l.magnify);
             const auto mixed = hn::Gt(hn::BitCast(d, l.weight), hn::Zero(d));
-            if (!hn::AllFalse(d, mixed)) mix_levels(texel, sample_level(s, at, l.next, l.magnify), l.weight);
+            if (!hn::AllFalse(d, mixed))
+                mix_levels(texel, sample_level(s, at, l.next, l.magnify), l.weight);
         }
         for (std::size_t k = 0; k < 4; ++k) store16(texel.channel[k], out.channel[k] + i);
     }

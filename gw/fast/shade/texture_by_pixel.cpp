@@ -1,5 +1,7 @@
-// Texturing lane by lane where lanes may differ in level: mipmaps, projective coordinates, shadow comparison.
-// docs/manual.md, "Textures". Shares the integer filters of gw/stages/texels.h with the reference machine.
+// Texturing lane by lane where lanes may differ in level: mipmaps, projective coordinates, shadow
+// comparison.
+// docs/manual.md, "Textures". Shares the integer filters of gw/stages/texels.h with the reference
+// machine.
 #include "gw/fast/raster/primitive.h"
 
 #include "gw/base/arithmetic.h"
@@ -19,7 +21,8 @@ std::int32_t value_at(const TilePlane& p, int i, int j) {
 
 int level_coordinate(const TexturePlane& t, float uw, int log2_size) {
     constexpr float limit = 1073741824.0f;
-    const float u = std::floor(std::clamp(std::ldexp(uw, t.exponent + log2_size + 8), -limit, limit));
+    const float u =
+        std::floor(std::clamp(std::ldexp(uw, t.exponent + log2_size + 8), -limit, limit));
     return static_cast<int>(u) + t.k * (1 << (log2_size + 8));
 }
 
@@ -32,7 +35,9 @@ struct PixelSampler {
     int i, j;
     float w = 1;
 
-    float over_q(const TexturePlane& t) const { return static_cast<float>(value_at(t.plane, i, j)) * w; }
+    float over_q(const TexturePlane& t) const {
+        return static_cast<float>(value_at(t.plane, i, j)) * w;
+    }
 
     Rgba grey(bool lit) const {
         const auto c = static_cast<std::uint16_t>(lit ? max_of_bits(texels.bits) : 0);
@@ -81,8 +86,8 @@ struct PixelSampler {
 
 }  // namespace
 
-void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by, std::uint32_t mask,
-                     ColorBlock& out) {
+void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by,
+                     std::uint32_t mask, ColorBlock& out) {
     for (; mask != 0; mask &= mask - 1) {
         const int lane = std::countr_zero(mask);
         PixelSampler pixel{planes,

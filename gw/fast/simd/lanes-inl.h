@@ -1,4 +1,5 @@
-// A block's 16 lanes as vectors of 8, 16 and 32 bits, and masks of them. Does not know what they hold.
+// A block's 16 lanes as vectors of 8, 16 and 32 bits, and masks of them. Does not know what they
+// hold.
 // Included once per Highway target.
 #if defined(GW_FAST_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_LANES_INL_H_
@@ -49,8 +50,8 @@ HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> m, std::size_t lanes) {
     return static_cast<std::uint32_t>(bits) & ((1u << lanes) - 1);
 }
 
-/// Stores the lanes of a mask; the others are written as they are, where no instruction leaves them out. So
-/// nobody else may write beside them, and nobody does: a tile is one thread's.
+/// Stores the lanes of a mask; the others are written as they are, where no instruction leaves them
+/// out. So nobody else may write beside them, and nobody does: a tile is one thread's.
 template <class D>
 HWY_INLINE void store_lanes(hn::Vec<D> v, hn::Mask<D> lanes, D d, hn::TFromD<D>* p) {
 #if HWY_TARGET <= HWY_AVX3

@@ -1,6 +1,6 @@
-// Planes on a block of 16 pixels: lanes, pixel coordinates, values of up to 16 and up to 32 bits, the
-// division. docs/manual.md, "Planes", "Perspective"; scalar twin: gw/reference/plane_equation.cpp. Does not
-// shade. Included once per Highway target.
+// Planes on a block of 16 pixels: lanes, pixel coordinates, values of up to 16 and up to 32 bits,
+// the division. docs/manual.md, "Planes", "Perspective"; scalar twin:
+// gw/reference/plane_equation.cpp. Does not shade. Included once per Highway target.
 #if defined(GW_FAST_PLANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_PLANES_INL_H_
 #undef GW_FAST_PLANES_INL_H_
@@ -14,8 +14,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-alignas(64) inline constexpr std::uint32_t lane_x[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-alignas(64) inline constexpr std::uint32_t lane_y[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+alignas(64) inline constexpr std::uint32_t lane_x[16] = {0, 1, 2, 3, 0, 1, 2, 3,
+                                                         0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) inline constexpr std::uint32_t lane_y[16] = {0, 0, 0, 0, 1, 1, 1, 1,
+                                                         2, 2, 2, 2, 3, 3, 3, 3};
 
 /// Pixel coordinates in the tile of lanes first .. of block (bx, by).
 struct Pixels {
@@ -39,10 +41,10 @@ HWY_INLINE V32 narrow_plane(const TilePlane& p, Pixels at) {
 HWY_INLINE V32 wide_plane(const TilePlane& p, Pixels at) {
     const auto high = [](std::int64_t v) { return hn::Set(D32(), std::uint32_t(v >> 16)); };
     const auto low = [](std::int64_t v) { return hn::Set(D32(), std::uint32_t(v & 0xFFFF)); };
-    const auto hi =
-        hn::Add(hn::Add(high(std::int64_t(p.c)), hn::Mul(high(p.gx), at.x)), hn::Mul(high(p.gy), at.y));
-    const auto lo =
-        hn::Add(hn::Add(low(std::int64_t(p.c)), hn::Mul(low(p.gx), at.x)), hn::Mul(low(p.gy), at.y));
+    const auto hi = hn::Add(hn::Add(high(std::int64_t(p.c)), hn::Mul(high(p.gx), at.x)),
+                            hn::Mul(high(p.gy), at.y));
+    const auto lo = hn::Add(hn::Add(low(std::int64_t(p.c)), hn::Mul(low(p.gx), at.x)),
+                            hn::Mul(low(p.gy), at.y));
     return hn::Add(hi, hn::ShiftRight<16>(lo));
 }
 

@@ -1,6 +1,6 @@
-// Linear functions over the blocks of a tile: evaluated at one block, then stepped from block to block and
-// row to row by additions modulo 2^32. Increments equal the closed form; docs/manual.md, "Planes". Does not
-// know what is walked over. Included once per Highway target.
+// Linear functions over the blocks of a tile: evaluated at one block, then stepped from block to
+// block and row to row by additions modulo 2^32. Increments equal the closed form; docs/manual.md,
+// "Planes". Does not know what is walked over. Included once per Highway target.
 #if defined(GW_FAST_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_WALK_INL_H_
 #undef GW_FAST_WALK_INL_H_
@@ -10,8 +10,8 @@
 
 #include "gw/fast/simd/planes-inl.h"
 
-// What is done with a block is compiled into each place that visits blocks where it is short. In 128-bit
-// lanes it is four times as long: called there, which halves the time that compiling takes.
+// What is done with a block is compiled into each place that visits blocks where it is short. In
+// 128-bit lanes it is four times as long: called there, which halves the time that compiling takes.
 #undef GW_PER_BLOCK
 #if HWY_MAX_BYTES >= 32
 #define GW_PER_BLOCK HWY_INLINE
@@ -36,7 +36,8 @@ struct LaneSet {
     }
     HWY_INLINE std::uint32_t bits() const {
         std::uint32_t mask = 0;
-        for (std::size_t i = 0; i < parts; ++i) mask |= bits_of(D32(), part[i], lanes32) << (i * lanes32);
+        for (std::size_t i = 0; i < parts; ++i)
+            mask |= bits_of(D32(), part[i], lanes32) << (i * lanes32);
         return mask;
     }
 };
@@ -103,7 +104,8 @@ struct LinearLanes {
     }
 };
 
-/// The same at a block that moves: aimed once, started at any block; from a range's first block on by steps.
+/// The same at a block that moves: aimed once, started at any block; from a range's first block on
+/// by steps.
 struct Linear {
     LinearLanes lanes;
     V32 at[parts], row[parts], right, up;
@@ -111,7 +113,8 @@ struct Linear {
     HWY_INLINE void aim(std::uint32_t c, std::uint32_t gx, std::uint32_t gy) {
         const D32 d;
         lanes.aim(c, gx, gy);
-        right = hn::Set(d, gx * std::uint32_t(block_side)), up = hn::Set(d, gy * std::uint32_t(block_side));
+        right = hn::Set(d, gx * std::uint32_t(block_side)),
+        up = hn::Set(d, gy * std::uint32_t(block_side));
     }
     HWY_INLINE void start(int bx, int by) {
         for (std::size_t i = 0; i < parts; ++i) at[i] = lanes.at(bx, by, i);
@@ -160,14 +163,16 @@ struct DepthWalk {
     std::uint32_t max_depth;
     WidePlaneWalk walk;  ///< not set before aim()
 
-    HWY_INLINE explicit DepthWalk(const DepthPlane& p, std::uint32_t max = 0) : plane(p), max_depth(max) {}
+    HWY_INLINE explicit DepthWalk(const DepthPlane& p, std::uint32_t max = 0)
+        : plane(p), max_depth(max) {}
     HWY_INLINE void aim() { walk.aim(plane.plane); }
     HWY_INLINE void start(int bx, int by) { walk.start(bx, by); }
     HWY_INLINE void start_rows(int bx, int by) { walk.start_rows(bx, by); }
     HWY_INLINE void next_block() { walk.next_block(); }
     HWY_INLINE void next_row() { walk.next_row(); }
     HWY_INLINE void store(DepthBlock& out) const {
-        for (std::size_t i = 0; i < parts; ++i) hn::Store(walk.at(i), D32(), out.value + i * lanes32);
+        for (std::size_t i = 0; i < parts; ++i)
+            hn::Store(walk.at(i), D32(), out.value + i * lanes32);
         if (plane.offset != 0) offset_depths(plane.offset, max_depth, out);
     }
 };

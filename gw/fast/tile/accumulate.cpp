@@ -1,12 +1,13 @@
-// The accumulation buffer, a block at a time. docs/manual.md, "Accumulation"; scalar twin: gw/stages/accumulation.h.
+// The accumulation buffer, a block at a time. docs/manual.md, "Accumulation"; scalar twin:
+// gw/stages/accumulation.h.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/tile/accumulate.cpp"
 #include <hwy/foreach_target.h>
 
-#include "gw/stages/accumulation.h"
-#include "gw/fast/simd/doubles-inl.h"
 #include "gw/fast/kernels.h"
+#include "gw/fast/simd/doubles-inl.h"
 #include "gw/fast/simd/lanes-inl.h"
+#include "gw/stages/accumulation.h"
 
 #include <hwy/highway.h>
 
@@ -22,8 +23,8 @@ inline std::array<bool, 4> writable(const AccumulateOp& op) {
 }
 
 /// Any weight, lane by lane.
-inline std::uint64_t accumulate_lanes(const AccumulateOp& op, const Profile& profile, AccumBlock& accum,
-                                      ColorBlock& color, std::uint32_t mask) {
+inline std::uint64_t accumulate_lanes(const AccumulateOp& op, const Profile& profile,
+                                      AccumBlock& accum, ColorBlock& color, std::uint32_t mask) {
     const Accumulate& a = *op.accumulate;
     const std::array<bool, 4> channel = writable(op);
     std::uint64_t overflows = 0;
@@ -36,14 +37,15 @@ inline std::uint64_t accumulate_lanes(const AccumulateOp& op, const Profile& pro
                 continue;
             }
             bool overflow = false;
-            stored = wrap_accum(accumulated(a.op, stored, own, a.value, op.state.bits), profile.accum_bits,
-                                overflow);
+            stored = wrap_accum(accumulated(a.op, stored, own, a.value, op.state.bits),
+                                profile.accum_bits, overflow);
             overflows += overflow ? 1 : 0;
         }
     return overflows;
 }
 
-/// Whether it adds whole multiples of colours, as the sum of samples does: integers of less than 32 bits.
+/// Whether it adds whole multiples of colours, as the sum of samples does: integers of less than 32
+/// bits.
 inline bool is_whole(const AccumulateOp& op, int bits) {
     const Accumulate& a = *op.accumulate;
     const bool adds = a.op == AccumOp::Accum || a.op == AccumOp::Load || a.op == AccumOp::Add;
@@ -56,7 +58,8 @@ inline std::uint64_t accumulate_whole(const AccumulateOp& op, int bits, std::int
     const I32 d;
     const auto weight = hn::Set(d, std::int32_t(op.accumulate->value));
     const auto most = hn::Set(d, std::int32_t(max_of_bits(op.state.bits)));
-    const bool adds_color = op.accumulate->op != AccumOp::Add, replaces = op.accumulate->op == AccumOp::Load;
+    const bool adds_color = op.accumulate->op != AccumOp::Add,
+               replaces = op.accumulate->op == AccumOp::Load;
     std::uint64_t overflows = 0;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
         const auto own = adds_color ? hn::PromoteTo(d, hn::Load(Half16(), color + i)) : most;
@@ -92,7 +95,8 @@ inline V64 accumulated_lanes(const AccumulateOp& op, V64 stored, const std::uint
     switch (op.accumulate->op) {
         case AccumOp::Accum: return hn::Add(stored, weighted_lanes(load_color(color), value));
         case AccumOp::Load: return weighted_lanes(load_color(color), value);
-        case AccumOp::Add: return hn::Add(stored, weighted_lanes(all(max_of_bits(op.state.bits)), value));
+        case AccumOp::Add:
+            return hn::Add(stored, weighted_lanes(all(max_of_bits(op.state.bits)), value));
         case AccumOp::Mult: return weighted_lanes(stored, value);
         case AccumOp::Return: break;
     }
@@ -113,26 +117,29 @@ inline std::uint64_t accumulate_channel(const AccumulateOp& op, int bits, std::i
     return overflows;
 }
 
-inline void return_channel(const AccumulateOp& op, const std::int32_t* accum, std::uint16_t* color) {
+inline void return_channel(const AccumulateOp& op, const std::int32_t* accum,
+                           std::uint16_t* color) {
     const I32ForD64 i32;
     const auto zero = hn::Zero(D64()), most = all(max_of_bits(op.state.bits));
     for (std::size_t i = 0; i < block_pixels; i += hn::Lanes(i32)) {
-        const auto v = weighted_lanes(hn::PromoteTo(D64(), hn::Load(i32, accum + i)), op.accumulate->value);
+        const auto v =
+            weighted_lanes(hn::PromoteTo(D64(), hn::Load(i32, accum + i)), op.accumulate->value);
         const auto clamped = hn::DemoteTo(i32, hn::Max(zero, hn::Min(v, most)));
         hn::Store(hn::DemoteTo(U16ForD64(), clamped), U16ForD64(), color + i);
     }
 }
 
 /// Any weight, all lanes at once where its products are exact.
-inline std::uint64_t accumulate_any(const AccumulateOp& op, const Profile& profile, AccumBlock& accum,
-                                    ColorBlock& color, std::uint32_t mask) {
+inline std::uint64_t accumulate_any(const AccumulateOp& op, const Profile& profile,
+                                    AccumBlock& accum, ColorBlock& color, std::uint32_t mask) {
     if (mask != 0xFFFF || !(std::abs(op.accumulate->value) <= 256))
         return accumulate_lanes(op, profile, accum, color, mask);
     const std::array<bool, 4> channel = writable(op);
     std::uint64_t overflows = 0;
     for (std::size_t c = 0; c < 4; ++c) {
         if (op.accumulate->op != AccumOp::Return)
-            overflows += accumulate_channel(op, profile.accum_bits, accum.channel[c], color.channel[c]);
+            overflows +=
+                accumulate_channel(op, profile.accum_bits, accum.channel[c], color.channel[c]);
         else if (channel[c])
             return_channel(op, accum.channel[c], color.channel[c]);
     }
@@ -141,8 +148,8 @@ inline std::uint64_t accumulate_any(const AccumulateOp& op, const Profile& profi
 
 #else  // no vectors of doubles here
 
-inline std::uint64_t accumulate_any(const AccumulateOp& op, const Profile& profile, AccumBlock& accum,
-                                    ColorBlock& color, std::uint32_t mask) {
+inline std::uint64_t accumulate_any(const AccumulateOp& op, const Profile& profile,
+                                    AccumBlock& accum, ColorBlock& color, std::uint32_t mask) {
     return accumulate_lanes(op, profile, accum, color, mask);
 }
 

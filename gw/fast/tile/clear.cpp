@@ -1,5 +1,5 @@
-// Clearing a tile's colours and depths, and writing out what is kept of uniform blocks. docs/manual.md,
-// "Pixels"; scalar twin: gw/reference/pixels.cpp. Does not clear stencils or sums.
+// Clearing a tile's colours and depths, and writing out what is kept of uniform blocks.
+// docs/manual.md, "Pixels"; scalar twin: gw/reference/pixels.cpp. Does not clear stencils or sums.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/tile/clear.cpp"
 #include <hwy/foreach_target.h>
@@ -56,7 +56,8 @@ HWY_INLINE void clear_depth(const ClearBlocks& clear, int bx, int by, std::uint3
 HWY_INLINE void clear_groups(const ClearBlocks& clear) {
     constexpr int side = group_blocks * block_side;
     UniformGroup group;
-    std::fill(std::begin(group.color), std::end(group.color), std::bit_cast<std::uint64_t>(clear.color));
+    std::fill(std::begin(group.color), std::end(group.color),
+              std::bit_cast<std::uint64_t>(clear.color));
     std::fill(std::begin(group.depth), std::end(group.depth), clear.depth);
     group.one_color = group.one_depth = all_lanes;
     for (int y = clear.box.y0; y < clear.box.y1; y += side)
@@ -92,7 +93,9 @@ HWY_EXPORT(clear_all);
 HWY_EXPORT(settle_all);
 
 void clear_blocks(const ClearBlocks& clear) { HWY_DYNAMIC_DISPATCH(clear_all)(clear); }
-void settle_blocks(const Tile& tile, UniformPlanes which) { HWY_DYNAMIC_DISPATCH(settle_all)(tile, which); }
+void settle_blocks(const Tile& tile, UniformPlanes which) {
+    HWY_DYNAMIC_DISPATCH(settle_all)(tile, which);
+}
 
 }  // namespace gw::fast
 #endif  // HWY_ONCE

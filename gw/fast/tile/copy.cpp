@@ -9,10 +9,12 @@ namespace gw::fast {
 namespace {
 
 /// Calls move(to, from) for each pixel of a copy's destination box.
-std::uint64_t for_each_copied(const Copy& c, const Rect& pixel_box, const Planes& planes, const auto& move) {
+std::uint64_t for_each_copied(const Copy& c, const Rect& pixel_box, const Planes& planes,
+                              const auto& move) {
     const int dx = c.x - c.source.x, dy = c.y - c.source.y;
     const Rect inside = intersect(c.source, {0, 0, planes.width, planes.height});
-    const Rect box = intersect(pixel_box, {inside.x + dx, inside.y + dy, inside.width, inside.height});
+    const Rect box =
+        intersect(pixel_box, {inside.x + dx, inside.y + dy, inside.width, inside.height});
     for (int y = box.y; y < box.y + box.height; ++y)
         for (int x = box.x; x < box.x + box.width; ++x)
             move(planes.index(x, y), planes.index(x - dx, y - dy));
@@ -55,7 +57,8 @@ Texels copied_texels(const CopyTexture& command, const Planes& planes, const Pro
     for (int y = rect.y; y < rect.y + rect.height; ++y)
         for (int x = rect.x; x < rect.x + rect.width; ++x) {
             const std::size_t i = planes.index(x, y);
-            const auto grey = std::uint16_t(rescale(planes.depth[i], profile.depth_bits, profile.color_bits));
+            const auto grey =
+                std::uint16_t(rescale(planes.depth[i], profile.depth_bits, profile.color_bits));
             level.texels.push_back(command.plane == Plane::Color ? planes.color[i]
                                                                  : Rgba{grey, grey, grey, grey});
             if (command.plane == Plane::Depth) t.depths.push_back(planes.depth[i]);

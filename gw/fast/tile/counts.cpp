@@ -27,7 +27,9 @@ Counters pixel_counters(const OpCounts& n, std::uint64_t bytes) {
     return c;
 }
 
-std::uint64_t bytes_of(Plane plane, const Profile& profile) { return plane_bytes(int(plane), profile); }
+std::uint64_t bytes_of(Plane plane, const Profile& profile) {
+    return plane_bytes(int(plane), profile);
+}
 
 struct Count {
     const OpCounts& n;
@@ -51,7 +53,8 @@ struct Count {
         if (planes == 0) return c;
         c.pixels = n.pixels;
         for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
-            if (op.clear->planes & mask_of(plane)) c.bytes += n.pixels / planes * bytes_of(plane, profile);
+            if (op.clear->planes & mask_of(plane))
+                c.bytes += n.pixels / planes * bytes_of(plane, profile);
         return c;
     }
     Counters operator()(const AccumulateOp&) const {

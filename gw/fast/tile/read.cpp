@@ -22,7 +22,9 @@ HWY_INLINE void put_block(const ColorBlock& block, Rgba* lowest, std::ptrdiff_t 
     const D16 d;
     const hn::Repartition<std::uint32_t, D16> pairs;
     const auto channel = [&](std::size_t c) { return hn::Load(d, block.channel[c]); };
-    const auto store = [&](int row, auto v) { hn::StoreU(hn::BitCast(d, v), d, lowest[row * width].data()); };
+    const auto store = [&](int row, auto v) {
+        hn::StoreU(hn::BitCast(d, v), d, lowest[row * width].data());
+    };
     const auto low = [&](std::size_t c) {
         return hn::BitCast(pairs, hn::InterleaveLower(d, channel(c), channel(c + 1)));
     };
@@ -31,7 +33,8 @@ HWY_INLINE void put_block(const ColorBlock& block, Rgba* lowest, std::ptrdiff_t 
     };
     // Rows 0 and 2, then 1 and 3: vectors are interleaved by halves.
     const auto two_rows = [&](int row, auto rg, auto ba) {
-        const auto left = hn::InterleaveLower(pairs, rg, ba), right = hn::InterleaveUpper(pairs, rg, ba);
+        const auto left = hn::InterleaveLower(pairs, rg, ba),
+                   right = hn::InterleaveUpper(pairs, rg, ba);
         store(row, hn::ConcatLowerLower(pairs, right, left));
         store(row + 2, hn::ConcatUpperUpper(pairs, right, left));
     };
@@ -87,9 +90,11 @@ HWY_INLINE void put_colors(const std::uint64_t* color, Pixel* lowest, std::ptrdi
 
 #if HWY_MAX_BYTES >= 64
 
-alignas(64) inline constexpr std::int32_t fourths[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+alignas(64) inline constexpr std::int32_t fourths[16] = {0, 0, 0, 0, 1, 1, 1, 1,
+                                                         2, 2, 2, 2, 3, 3, 3, 3};
 
-HWY_INLINE void put_colors(const std::uint64_t* color, std::uint32_t* lowest, std::ptrdiff_t width) {
+HWY_INLINE void put_colors(const std::uint64_t* color, std::uint32_t* lowest,
+                           std::ptrdiff_t width) {
     const D32 d;
     const hn::FixedTag<std::uint64_t, group_blocks> d64;
     const hn::Repartition<std::uint16_t, decltype(d64)> d16;
@@ -148,7 +153,8 @@ HWY_NOINLINE void read_cut_blocks(const Target<Pixel>& target, int x, int by) {
     const int left = x * block_side, bottom = by * block_side;
     const int x0 = std::max(box.x0, left), x1 = std::min(box.x1, left + width);
     for (int y = std::max(box.y0, bottom); y < std::min(box.y1, bottom + block_side); ++y)
-        std::copy_n(pixels + (y - bottom) * width + (x0 - left), x1 - x0, target.row(y) + (x0 - box.x0));
+        std::copy_n(pixels + (y - bottom) * width + (x0 - left), x1 - x0,
+                    target.row(y) + (x0 - box.x0));
 }
 
 template <class Pixel>
@@ -160,7 +166,8 @@ HWY_INLINE void read_rows(const ReadColors& read, Pixel* out) {
         const int bottom = by * block_side, end = bottom + block_side;
         target.prefetch(end, end + block_side);
         for (int left = box.x0 / width * width; left < box.x1; left += width) {
-            const bool cut = left < box.x0 || left + width > box.x1 || bottom < box.y0 || end > box.y1;
+            const bool cut =
+                left < box.x0 || left + width > box.x1 || bottom < box.y0 || end > box.y1;
             if (cut)
                 read_cut_blocks(target, left / block_side, by);
             else

@@ -1,10 +1,10 @@
 // One tile's way through all operations.
 #include "gw/fast/tile/tile_run.h"
 
-#include "gw/fast/visible/visible_record.h"
+#include "gw/base/parallel.h"
 #include "gw/fast/kernels.h"
 #include "gw/fast/shade/repeated_texels.h"
-#include "gw/base/parallel.h"
+#include "gw/fast/visible/visible_record.h"
 #include "gw/stages/tables.h"
 
 #include <bit>
@@ -76,7 +76,8 @@ struct TileRun {
 
     void run(const DrawOp& op) {
         if (op.set->tile_bin(index).empty()) return;
-        const TileDraw draw{&op, &profile, tile, box(op.state.draw_box), counts, &room.batch, &room.texels};
+        const TileDraw draw{&op,    &profile,    tile,        box(op.state.draw_box),
+                            counts, &room.batch, &room.texels};
         if (draw.box.empty()) return;
         if (op.coverage < 0) return draw_primitives(draw, op.set->tile_bin(index));
         settle_blocks(tile, touched_planes(op));
@@ -101,8 +102,8 @@ struct TileRun {
         clear.depth = quantize(op.clear->depth, profile.depth_bits);
         if (wants(Plane::Color) || clear.clears_depth) clear_blocks(clear);
         if (wants(Plane::Stencil) || wants(Plane::Accum))
-            clear_rest(r, inside, wants(Plane::Stencil), std::uint32_t(op.clear->stencil) & r.stencil_max,
-                       wants(Plane::Accum));
+            clear_rest(r, inside, wants(Plane::Stencil),
+                       std::uint32_t(op.clear->stencil) & r.stencil_max, wants(Plane::Accum));
     }
     void clear_rest(const Resolved& r, const BlockBox& inside, bool stencil, std::uint32_t value,
                     bool accum) const {
@@ -125,15 +126,18 @@ struct TileRun {
     }
     template <typename T>
     static void fill_lanes(T (&values)[block_pixels], std::uint32_t value, std::uint32_t mask) {
-        if (mask == every_lane) return void(std::fill_n(values, block_pixels, static_cast<T>(value)));
+        if (mask == every_lane)
+            return void(std::fill_n(values, block_pixels, static_cast<T>(value)));
         for (std::size_t i = 0; i < block_pixels; ++i)
             values[i] = mask >> i & 1 ? static_cast<T>(value) : values[i];
     }
-    static void write_stencil(const Resolved& r, StencilBlock& block, std::uint32_t mask, const auto& value) {
+    static void write_stencil(const Resolved& r, StencilBlock& block, std::uint32_t mask,
+                              const auto& value) {
         const std::uint32_t write = r.state.stencil.write_mask & r.stencil_max;
         if (write == 0) return;
         for (std::size_t i = 0; i < block_pixels; ++i)
-            if (mask >> i & 1) block.value[i] = std::uint8_t((block.value[i] & ~write) | (value(i) & write));
+            if (mask >> i & 1)
+                block.value[i] = std::uint8_t((block.value[i] & ~write) | (value(i) & write));
     }
 
     void run(const SpansOp& op) {
@@ -149,8 +153,10 @@ struct TileRun {
                 tile, box(intersect(rect, op.state.pixel_box)),
                 [&](std::size_t b, int bx, int by, std::uint32_t mask) {
                     for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int) {
-                        set_lane(color, lane,
-                                 op.write->colors[span.first + (span.flat ? 0 : std::uint32_t(x - span.x))]);
+                        set_lane(
+                            color, lane,
+                            op.write
+                                ->colors[span.first + (span.flat ? 0 : std::uint32_t(x - span.x))]);
                     });
                     process_fragments({&op.state, b, mask, true}, color, depth, tile, *counts);
                 });
@@ -169,21 +175,24 @@ struct TileRun {
         ColorBlock color;
         std::fill(std::begin(depth.value), std::end(depth.value), w.depth);
         const auto source = [&](int x, int y) {
-            return std::size_t(y - w.rect.y) * std::size_t(w.rect.width) + std::size_t(x - w.rect.x);
+            return std::size_t(y - w.rect.y) * std::size_t(w.rect.width) +
+                   std::size_t(x - w.rect.x);
         };
         for_each_block(tile, box(intersect(r.pixel_box, w.rect)),
                        [&](std::size_t b, int bx, int by, std::uint32_t mask) {
                            if (w.plane == Plane::Color) {
-                               for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
-                                   set_lane(color, lane, w.colors[source(x, y)]);
-                               });
+                               for_each_lane(tile, bx, by, mask,
+                                             [&](std::size_t lane, int x, int y) {
+                                                 set_lane(color, lane, w.colors[source(x, y)]);
+                                             });
                                process_fragments({&r, b, mask, true}, color, depth, tile, *counts);
                                return;
                            }
                            counts->pixels += lane_count(mask);
                            for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
                                const std::uint32_t value = w.values[source(x, y)];
-                               if (w.plane == Plane::Depth && r.depth_mask) tile.depth[b].value[lane] = value;
+                               if (w.plane == Plane::Depth && r.depth_mask)
+                                   tile.depth[b].value[lane] = value;
                                if (w.plane == Plane::Stencil)
                                    write_stencil(r, tile.stencil[b], 1u << lane,
                                                  [&](std::size_t) { return value; });
@@ -193,10 +202,12 @@ struct TileRun {
 
     void run(const AccumulateOp& op) {
         settle_blocks(tile);
-        for_each_block(tile, box(op.state.pixel_box), [&](std::size_t b, int, int, std::uint32_t mask) {
-            counts->pixels += lane_count(mask);
-            counts->accum_overflows += accumulate_block(op, profile, tile.accum[b], tile.color[b], mask);
-        });
+        for_each_block(tile, box(op.state.pixel_box),
+                       [&](std::size_t b, int, int, std::uint32_t mask) {
+                           counts->pixels += lane_count(mask);
+                           counts->accum_overflows +=
+                               accumulate_block(op, profile, tile.accum[b], tile.color[b], mask);
+                       });
     }
 
     void run(const ReadOp& op) {
@@ -210,7 +221,8 @@ struct TileRun {
         for_each_block(tile, inside, [&](std::size_t b, int bx, int by, std::uint32_t mask) {
             switch (op.read->plane) {
                 case Plane::Color: return;
-                case Plane::Depth: return read_block(op, bx, by, mask, tile.depth[b].value, op.out->values);
+                case Plane::Depth:
+                    return read_block(op, bx, by, mask, tile.depth[b].value, op.out->values);
                 case Plane::Stencil:
                     return read_block(op, bx, by, mask, tile.stencil[b].value, op.out->values);
                 case Plane::Accum:
@@ -220,7 +232,8 @@ struct TileRun {
     }
     /// Copies the lanes of `mask`, a row at a time where they are all there.
     template <typename From, typename To>
-    void read_block(const ReadOp& op, int bx, int by, std::uint32_t mask, const From& from, To& to) const {
+    void read_block(const ReadOp& op, int bx, int by, std::uint32_t mask, const From& from,
+                    To& to) const {
         const Rect& rect = op.read->rect;
         const auto at = [&](int x, int y) {
             return to.begin() + std::ptrdiff_t(y - rect.y) * rect.width + (x - rect.x);
@@ -236,8 +249,8 @@ struct TileRun {
 
 }  // namespace
 
-std::vector<OpCounts> run_tiles(const Segment& segment, Frame& frame, const Profile& profile, int threads,
-                                WorkerRooms& rooms) {
+std::vector<OpCounts> run_tiles(const Segment& segment, Frame& frame, const Profile& profile,
+                                int threads, WorkerRooms& rooms) {
     const std::size_t tiles = frame.grid().count();
     std::vector<std::vector<OpCounts>> by_worker(std::size_t(threads),
                                                  std::vector<OpCounts>(segment.ops.size()));

@@ -10,7 +10,8 @@ namespace gw::fast {
 
 /// Fragments of one operation by fate, or its pixels; summed over tiles.
 struct OpCounts {
-    std::uint64_t fragments = 0, alpha_killed = 0, stencil_killed = 0, depth_killed = 0, written = 0;
+    std::uint64_t fragments = 0, alpha_killed = 0, stencil_killed = 0, depth_killed = 0,
+                  written = 0;
     std::uint64_t pixels = 0, accum_overflows = 0;
     OpCounts& operator+=(const OpCounts& other);
 };
@@ -23,8 +24,8 @@ struct DeleteRoom {
 using WorkerRooms = std::vector<std::unique_ptr<WorkerRoom, DeleteRoom>>;
 
 /// Runs all operations on all tiles; the counts by operation.
-std::vector<OpCounts> run_tiles(const Segment& segment, Frame& frame, const Profile& profile, int threads,
-                                WorkerRooms& rooms);
+std::vector<OpCounts> run_tiles(const Segment& segment, Frame& frame, const Profile& profile,
+                                int threads, WorkerRooms& rooms);
 
 /// What an operation's counts add to its pass.
 Counters counters_of(const TileOp& op, const OpCounts& counts, const Profile& profile);

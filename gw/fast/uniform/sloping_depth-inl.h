@@ -1,6 +1,7 @@
-// The depth test of a triangle whose depth changes from pixel to pixel, over blocks that may have one depth
-// or the depths of one plane. A block that it covers and passes wholly holds its plane from then on: two
-// planes compare by their difference at a block's corners. Does not paint. Included once per Highway target.
+// The depth test of a triangle whose depth changes from pixel to pixel, over blocks that may have
+// one depth or the depths of one plane. A block that it covers and passes wholly holds its plane
+// from then on: two planes compare by their difference at a block's corners. Does not paint.
+// Included once per Highway target.
 #if defined(GW_FAST_SLOPING_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_SLOPING_DEPTH_INL_H_
 #undef GW_FAST_SLOPING_DEPTH_INL_H_
@@ -49,15 +50,15 @@ HWY_INLINE Order order_of(const ExactPlane& difference, const BlockRange& r) {
 
 /// A triangle's depth, moving with its blocks, and what is known of it as a whole.
 struct SlopingWalk : DepthWalk {
-    /// Between these are its depths at all pixels that it covers; of any 32 bits where that is not known, or
-    /// a tile may not hold its plane.
+    /// Between these are its depths at all pixels that it covers; of any 32 bits where that is not
+    /// known, or a tile may not hold its plane.
     std::uint32_t least = 0, most = ~0u;
     std::uint32_t held = ~0u;  ///< which of the tile's held planes
 
     HWY_INLINE explicit SlopingWalk(const DepthPlane& p) : DepthWalk(p) {}
 
-    /// The corners' depths, and one more for the gradients' rounding, which comes to half a unit in 2^15
-    /// pixels.
+    /// The corners' depths, and one more for the gradients' rounding, which comes to half a unit in
+    /// 2^15 pixels.
     HWY_INLINE void find_bounds(const Corners& t, std::size_t i) {
         const auto near = [](std::int32_t pixels) { return std::abs(pixels) < 1 << 14; };
         const std::uint32_t low = std::min({t.z[0][i], t.z[1][i], t.z[2][i]}),
@@ -120,7 +121,8 @@ struct SlopingDepth {
     }
     HWY_INLINE void start(int bx, int by) const { walk.start(bx, by); }
 
-    HWY_INLINE GroupVerdicts whole_blocks(UniformGroup& group, int x, int y, std::uint32_t blocks) const {
+    HWY_INLINE GroupVerdicts whole_blocks(UniformGroup& group, int x, int y,
+                                          std::uint32_t blocks) const {
         const D32 d;
         const auto below = [&](V32 stored) { return hn::Lt(hn::Set(d, walk.most), stored); };
         const auto above = [&](V32 stored) { return hn::Lt(stored, hn::Set(d, walk.least)); };
@@ -128,7 +130,8 @@ struct SlopingDepth {
         GroupVerdicts out{0, blocks & ~group.one_plane};
         decide(Order::Less, one & blocks_where(group, below), out);
         decide(Order::Greater, one & blocks_where(group, above), out);
-        if ((blocks & group.one_plane) != 0) compare_planes(group, x, y, blocks & group.one_plane, out);
+        if ((blocks & group.one_plane) != 0)
+            compare_planes(group, x, y, blocks & group.one_plane, out);
         if (update && out.pass != 0) {
             set_depths(group, out.pass, walk.hold(tile));
             group.one_depth = std::uint16_t(group.one_depth & ~out.pass);
@@ -155,7 +158,8 @@ private:
             const auto same = [&](V32 stored) { return hn::Eq(stored, hn::Set(D32(), held)); };
             const std::uint32_t of_plane = blocks & blocks_where(group, same);
             const ExactPlane difference = own.minus(ExactPlane((*tile.held)[held]));
-            decide(order_of(difference, {x, y, x + group_blocks - 1, y + group_blocks - 1}), of_plane, out);
+            decide(order_of(difference, {x, y, x + group_blocks - 1, y + group_blocks - 1}),
+                   of_plane, out);
             blocks &= ~of_plane;
         }
     }
@@ -168,7 +172,8 @@ private:
         for (std::size_t k = 0; k < parts; ++k) {
             const auto z = walk.walk.at(k);
             alive.part[k] = among(lanes, k, passes(z, stored));
-            if (update) hn::Store(hn::IfThenElse(alive.part[k], z, stored), d, block.value + k * lanes32);
+            if (update)
+                hn::Store(hn::IfThenElse(alive.part[k], z, stored), d, block.value + k * lanes32);
         }
         if (update) group.one_depth = std::uint16_t(group.one_depth & ~(1u << i));
         return alive;

@@ -1,7 +1,9 @@
-// Blocks whose pixels all have one colour, or one depth or the depths of one plane: what a Clear leaves, and
-// a triangle of one colour that covers them. While they have, that is kept and the planes are not written.
+// Blocks whose pixels all have one colour, or one depth or the depths of one plane: what a Clear
+// leaves, and a triangle of one colour that covers them. While they have, that is kept and the
+// planes are not written.
 // Such blocks are made by clear_blocks() and by draws of draws_uniform(), and known to these and to
-// read_colors(); everything else settles the planes that it touches first. Included once per Highway target.
+// read_colors(); everything else settles the planes that it touches first. Included once per
+// Highway target.
 #if defined(GW_FAST_UNIFORM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_UNIFORM_INL_H_
 #undef GW_FAST_UNIFORM_INL_H_
@@ -35,7 +37,8 @@ HWY_INLINE void write_depth(const Tile& tile, std::uint32_t depth, int bx, int b
 }
 HWY_NOINLINE inline void write_depth(const Tile& tile, const TilePlane& plane, int bx, int by) {
     for (std::size_t k = 0; k < block_pixels; k += lanes32)
-        hn::Store(wide_plane(plane, pixels_of(bx, by, k)), D32(), tile.depth[tile.block(bx, by)].value + k);
+        hn::Store(wide_plane(plane, pixels_of(bx, by, k)), D32(),
+                  tile.depth[tile.block(bx, by)].value + k);
 }
 
 HWY_INLINE void settle_depth(const Tile& tile, int bx, int by) {

@@ -1,5 +1,6 @@
-// The depth test over blocks that may have one depth: of no test, and of a triangle that has one depth and
-// leaves the blocks that it covers uniform; of those that slope: gw/fast/uniform/sloping_depth-inl.h. Does not paint.
+// The depth test over blocks that may have one depth: of no test, and of a triangle that has one
+// depth and leaves the blocks that it covers uniform; of those that slope:
+// gw/fast/uniform/sloping_depth-inl.h. Does not paint.
 // Included once per Highway target.
 #if defined(GW_FAST_UNIFORM_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_UNIFORM_DEPTH_INL_H_
@@ -13,9 +14,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// some() calls then(alive) with those of a block's lanes that pass, or not at all; whole_blocks() tests
-/// blocks of a group, all lanes of each, and updates the depths of those that pass. What is unknown is to be
-/// tested lane by lane.
+/// some() calls then(alive) with those of a block's lanes that pass, or not at all; whole_blocks()
+/// tests blocks of a group, all lanes of each, and updates the depths of those that pass. What is
+/// unknown is to be tested lane by lane.
 struct WithoutDepth {
     template <class Then>
     HWY_INLINE void some(int, int, const LaneSet& lanes, const Then& then) const {
@@ -53,9 +54,11 @@ struct LevelDepth {
         then(alive);
     }
     HWY_INLINE void start(int, int) const {}
-    HWY_INLINE GroupVerdicts whole_blocks(UniformGroup& group, int, int, std::uint32_t blocks) const {
+    HWY_INLINE GroupVerdicts whole_blocks(UniformGroup& group, int, int,
+                                          std::uint32_t blocks) const {
         const auto passing = [&](V32 stored) { return passes(hn::Set(D32(), z), stored); };
-        const std::uint32_t one = blocks & group.one_depth, pass = one & blocks_where(group, passing);
+        const std::uint32_t one = blocks & group.one_depth,
+                            pass = one & blocks_where(group, passing);
         if (update && pass != 0) set_depths(group, pass, z);
         return {pass, blocks & ~one};
     }
@@ -65,7 +68,8 @@ private:
         const D32 d;
         LaneSet alive;
         for (std::size_t k = 0; k < parts; ++k)
-            alive.part[k] = among(lanes, k, passes(hn::Set(d, z), hn::Load(d, block.value + k * lanes32)));
+            alive.part[k] =
+                among(lanes, k, passes(hn::Set(d, z), hn::Load(d, block.value + k * lanes32)));
         return alive;
     }
 };

@@ -1,5 +1,6 @@
-// Triangles over uniform blocks: what they paint is one colour, stored or added, or nothing, and there is no
-// stencil operation. A block that one covers wholly stays uniform. The general way is gw/fast/fragments/simple_triangles-inl.h.
+// Triangles over uniform blocks: what they paint is one colour, stored or added, or nothing, and
+// there is no stencil operation. A block that one covers wholly stays uniform. The general way is
+// gw/fast/fragments/simple_triangles-inl.h.
 // Included once per Highway target.
 #if defined(GW_FAST_UNIFORM_DRAW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_UNIFORM_DRAW_INL_H_
@@ -21,11 +22,15 @@ HWY_INLINE bool all_level(const GeometrySet& set, std::span<const std::uint32_t>
     });
 }
 
-/// Whether all are triangles that reach over many blocks, so that what they cover is mostly whole ones.
-HWY_INLINE bool all_large(const GeometrySet& set, std::span<const std::uint32_t> bin, int subpixel_bits) {
+/// Whether all are triangles that reach over many blocks, so that what they cover is mostly whole
+/// ones.
+HWY_INLINE bool all_large(const GeometrySet& set, std::span<const std::uint32_t> bin,
+                          int subpixel_bits) {
     const std::int64_t side = std::int64_t{8 * block_side} << subpixel_bits;
     return std::all_of(bin.begin(), bin.end(), [&](std::uint32_t ordinal) {
-        const auto corner = [&](std::size_t k) { return set.at[set.primitives[ordinal].vertex[k]]; };
+        const auto corner = [&](std::size_t k) {
+            return set.at[set.primitives[ordinal].vertex[k]];
+        };
         const SnappedVertex a = corner(0), b = corner(1), c = corner(2);
         const std::int64_t twice_area =
             std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{c.x - a.x} * (b.y - a.y);
@@ -33,9 +38,10 @@ HWY_INLINE bool all_large(const GeometrySet& set, std::span<const std::uint32_t>
     });
 }
 
-/// Whether a bin's triangles go this way. Where no colour is written only level and large ones do: others
-/// leave few blocks uniform.
-HWY_INLINE bool draws_uniform(const DrawOp& op, std::span<const std::uint32_t> bin, int subpixel_bits) {
+/// Whether a bin's triangles go this way. Where no colour is written only level and large ones do:
+/// others leave few blocks uniform.
+HWY_INLINE bool draws_uniform(const DrawOp& op, std::span<const std::uint32_t> bin,
+                              int subpixel_bits) {
     const Resolved& r = op.state;
     if (!is_plain(r) || !is_idle(r.front) || !is_idle(r.back)) return false;
     if (op.set->triangle_count != op.set->primitives.size()) return false;
@@ -62,7 +68,8 @@ struct OneColor {
     HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
         const Tile& tile = paint.store.tile;
         const std::uint32_t mask = alive.bits();
-        if (mask == all_lanes) return whole_blocks(tile.group(bx, by), bx, by, 1u << tile.in_group(bx, by));
+        if (mask == all_lanes)
+            return whole_blocks(tile.group(bx, by), bx, by, 1u << tile.in_group(bx, by));
         if (mask == 0) return;
         settle_color(tile, bx, by);
         paint.some(bx, by, mask);
@@ -71,9 +78,11 @@ struct OneColor {
     HWY_INLINE void whole_blocks(UniformGroup& group, int bx, int by, std::uint32_t blocks) const {
         const hn::CappedTag<std::uint64_t, block_pixels> d;
         std::uint32_t one = blocks;
-        if (paint.store.adds) add_to_pixels(bx, by, blocks & ~group.one_color), one &= group.one_color;
+        if (paint.store.adds)
+            add_to_pixels(bx, by, blocks & ~group.one_color), one &= group.one_color;
         for (std::size_t i = 0; i < block_pixels; i += hn::Lanes(d))
-            store_lanes(result(hn::Load(d, group.color + i)), lanes_of(d, one, i), d, group.color + i);
+            store_lanes(result(hn::Load(d, group.color + i)), lanes_of(d, one, i), d,
+                        group.color + i);
         group.one_color = std::uint16_t(group.one_color | one);
     }
 
@@ -86,17 +95,21 @@ private:
 #if HWY_TARGET == HWY_SCALAR
         Rgba sum = std::bit_cast<Rgba>(hn::GetLane(stored));
         const Rgba own = std::bit_cast<Rgba>(color);
-        for (std::size_t c = 0; c < 4; ++c) sum[c] = std::uint16_t(std::min(sum[c] + own[c], int(max)));
+        for (std::size_t c = 0; c < 4; ++c)
+            sum[c] = std::uint16_t(std::min(sum[c] + own[c], int(max)));
         return hn::Set(d, std::bit_cast<std::uint64_t>(sum));
 #else
         const hn::Repartition<std::uint16_t, hn::CappedTag<std::uint64_t, block_pixels> > d16;
-        const auto sum = hn::SaturatedAdd(hn::BitCast(d16, stored), hn::BitCast(d16, hn::Set(d, color)));
+        const auto sum =
+            hn::SaturatedAdd(hn::BitCast(d16, stored), hn::BitCast(d16, hn::Set(d, color)));
         return hn::BitCast(d, hn::Min(sum, hn::Set(d16, max)));
 #endif
     }
     HWY_INLINE void add_to_pixels(int x, int y, std::uint32_t blocks) const {
         x -= x % group_blocks, y -= y % group_blocks;
-        const auto add_to = [&](int i) { paint(x + i % group_blocks, y + i / group_blocks, AllLanes{}); };
+        const auto add_to = [&](int i) {
+            paint(x + i % group_blocks, y + i / group_blocks, AllLanes{});
+        };
         if (blocks == all_lanes)
             for (int i = 0; i < group_blocks * group_blocks; ++i) add_to(i);
         else
@@ -139,44 +152,46 @@ struct UniformDraw {
 
 /// A triangle's blocks. Inlined where the walk is made: it stays in registers.
 template <class Way, class Paint, class Walk, class Depth>
-HWY_INLINE void draw_blocks(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
-                            Walk& walk, const Depth& depth, PlainCounts& sum) {
+HWY_INLINE void draw_blocks(const TileDraw& draw, const Triangles& t, std::size_t i,
+                            const BoxLanes& box, Walk& walk, const Depth& depth, PlainCounts& sum) {
     LaneCounter made, written;
     made.clear(), written.clear();
-    Way::visit(
-        box, t, i, walk,
-        UniformDraw<Depth, Paint>{draw.tile, depth, Paint(draw, *t.corners.primitive[i]), made, written});
+    Way::visit(box, t, i, walk,
+               UniformDraw<Depth, Paint>{draw.tile, depth, Paint(draw, *t.corners.primitive[i]),
+                                         made, written});
     PlainCounts{made, made, written}.add_to(sum);
 }
 
 template <class Way, class Paint>
-HWY_NOINLINE void draw_untested(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
-                                PlainCounts& sum) {
+HWY_NOINLINE void draw_untested(const TileDraw& draw, const Triangles& t, std::size_t i,
+                                const BoxLanes& box, PlainCounts& sum) {
     Standing walk;
     draw_blocks<Way, Paint>(draw, t, i, box, walk, WithoutDepth{}, sum);
 }
 template <class Way, class Paint, class Compare>
-HWY_NOINLINE void draw_level(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
-                             std::uint32_t z, const Compare& passes, PlainCounts& sum) {
+HWY_NOINLINE void draw_level(const TileDraw& draw, const Triangles& t, std::size_t i,
+                             const BoxLanes& box, std::uint32_t z, const Compare& passes,
+                             PlainCounts& sum) {
     Standing walk;
-    draw_blocks<Way, Paint>(draw, t, i, box, walk,
-                            LevelDepth<Compare>{draw.tile, z, passes, draw.op->state.state.depth.mask}, sum);
+    draw_blocks<Way, Paint>(
+        draw, t, i, box, walk,
+        LevelDepth<Compare>{draw.tile, z, passes, draw.op->state.state.depth.mask}, sum);
 }
 template <class Way, class Paint, class Compare>
-HWY_NOINLINE void draw_sloping(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
-                               const Compare& passes, PlainCounts& sum) {
+HWY_NOINLINE void draw_sloping(const TileDraw& draw, const Triangles& t, std::size_t i,
+                               const BoxLanes& box, const Compare& passes, PlainCounts& sum) {
     const DepthPlane plane = depth_of(draw, t, i);
     SlopingWalk walk(plane);
     if constexpr (std::is_same_v<Way, LargeTriangle>) walk.find_bounds(t.corners, i);
-    draw_blocks<Way, Paint>(draw, t, i, box, walk,
-                            SlopingDepth<Compare>{draw.tile, walk, passes, draw.op->state.state.depth.mask},
-                            sum);
+    draw_blocks<Way, Paint>(
+        draw, t, i, box, walk,
+        SlopingDepth<Compare>{draw.tile, walk, passes, draw.op->state.state.depth.mask}, sum);
 }
 
 /// Chooses the kind of triangle i's depths.
 template <class Way, class Paint, class Compare>
-HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
-                             const Compare& passes, PlainCounts& sum) {
+HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, std::size_t i,
+                             const BoxLanes& box, const Compare& passes, PlainCounts& sum) {
     const auto z = [&](std::size_t k) { return t.corners.z[k][i]; };
     if constexpr (!Compare::tests)
         draw_untested<Way, Paint>(draw, t, i, box, sum);
@@ -192,18 +207,21 @@ HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, PlainCoun
     with_depth_test(*draw.op, [&](const auto& passes) {
         for (std::size_t i = 0; i < t.count(); ++i)
             if (!t.empty(i))
-                by_size(t, i,
-                        [&]<class Way>(Way) { draw_uniform<Way, Paint>(draw, t, i, box, passes, sum); });
+                by_size(t, i, [&]<class Way>(Way) {
+                    draw_uniform<Way, Paint>(draw, t, i, box, passes, sum);
+                });
     });
 }
 
 /// Draws a batch of triangles.
-inline void draw_uniform(const TileDraw& draw, std::span<const std::uint32_t> bin, OpCounts& counts) {
+inline void draw_uniform(const TileDraw& draw, std::span<const std::uint32_t> bin,
+                         OpCounts& counts) {
     Triangles t;
     PlainCounts lanes;
     lanes.clear();
     set_up_triangles(draw, bin, needs_depth(*draw.op) && !all_level(*draw.op->set, bin), t);
-    if (draw.tile.held->size() + batch_room > max_held_planes) settle_tile(draw.tile, {false, true});
+    if (draw.tile.held->size() + batch_room > max_held_planes)
+        settle_tile(draw.tile, {false, true});
     draw.tile.has_uniform->color |= draw.op->state.writes_color;
     draw.tile.has_uniform->depth |= draw.op->state.state.depth.mask;
     draw.op->state.writes_color ? draw_uniform<OneColor>(draw, t, lanes)

@@ -12,12 +12,13 @@ struct TileRange {
     std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-/// Along one axis: pixels whose centres lie in [low, high] (in sub-pixels), widened by `margin` pixels, as
-/// tiles.
+/// Along one axis: pixels whose centres lie in [low, high] (in sub-pixels), widened by `margin`
+/// pixels, as tiles.
 struct Axis {
     int s, log2_tile, size, jitter_low, jitter_high;
 
-    std::array<std::uint16_t, 2> tiles(std::int32_t a, std::int32_t b, std::int32_t c, int margin) const {
+    std::array<std::uint16_t, 2> tiles(std::int32_t a, std::int32_t b, std::int32_t c,
+                                       int margin) const {
         const std::int32_t half = 1 << (s - 1), mask = (1 << log2_tile) - 1;
         const std::int32_t low = std::min(std::min(a, b), c) + jitter_low,
                            high = std::max(std::max(a, b), c) + jitter_high;
@@ -63,7 +64,8 @@ void make_bins(GeometrySet& set, const Profile& profile, const TileGrid& grid) {
         return Axis{profile.subpixel_bits, grid.log2_tile, size, low, high};
     };
     const Binner binner{set, axis(grid.width, set.jitter.low.x, set.jitter.high.x),
-                        axis(grid.height, set.jitter.low.y, set.jitter.high.y), std::size_t(grid.columns())};
+                        axis(grid.height, set.jitter.low.y, set.jitter.high.y),
+                        std::size_t(grid.columns())};
     const std::vector<TileRange> ranges = binner.ranges();
     std::vector<std::uint32_t> start(grid.count() + 1);
     for (const TileRange& r : ranges)

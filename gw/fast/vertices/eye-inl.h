@@ -1,5 +1,5 @@
-// Vertices in eye space, a vector at a time: positions and unit normals as run_vertex() of gw/stages/vertex.cpp has
-// them. Included once per Highway target, where it has vectors of doubles.
+// Vertices in eye space, a vector at a time: positions and unit normals as run_vertex() of
+// gw/stages/vertex.cpp has them. Included once per Highway target, where it has vectors of doubles.
 #if defined(GW_FAST_EYE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_EYE_INL_H_
 #undef GW_FAST_EYE_INL_H_

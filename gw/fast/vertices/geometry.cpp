@@ -28,15 +28,18 @@ struct Builder {
     std::vector<SnappedPoint> fan_corners{};
     std::uint32_t planes = planes_on(state.clip_planes);  ///< those that can cut
     bool filled = state.polygon_mode == PolygonMode::Fill;
-    std::array<bool, 2> culled{is_culled(state.cull, false), is_culled(state.cull, true)};  ///< back, front
+    /// back, front
+    std::array<bool, 2> culled{is_culled(state.cull, false), is_culled(state.cull, true)};
 
     static bool is_culled(const CullState& cull, bool front) {
-        return cull.enable && (cull.face == Face::FrontAndBack || (cull.face == Face::Front) == front);
+        return cull.enable &&
+               (cull.face == Face::FrontAndBack || (cull.face == Face::Front) == front);
     }
 
     void push_vertices() {
         const std::span<const vec3> positions(mesh.data().positions);
-        set.at.resize(positions.size()), set.w.resize(positions.size()), outcode.resize(positions.size());
+        set.at.resize(positions.size()), set.w.resize(positions.size()),
+            outcode.resize(positions.size());
         project(projection, {positions, outcode.data(), set.at.data(), set.w.data()});
     }
 
@@ -45,7 +48,8 @@ struct Builder {
         return area2(point(v[0]), point(v[1]), point(v[2]));
     }
 
-    /// Whether all corners lie outside the first plane that cuts any: clipping would leave exactly nothing.
+    /// Whether all corners lie outside the first plane that cuts any: clipping would leave exactly
+    /// nothing.
     static bool all_outside(Outcode all, Outcode any) {
         const Outcode planes = any & all_clip_planes;
         return planes != 0 && (all >> std::countr_zero(planes) & 1) != 0;
@@ -68,7 +72,8 @@ struct Builder {
         to_window(projection, vertices, &set.at[out.first]);
         for (const ClipPosition& v : vertices) set.w.push_back(v.clip.w);
         set.counters.clipped += changed ? 1 : 0;
-        Cut& kept = set.cuts.emplace_back();  // by members: a copy of `out` would wait for its parts
+        // by members: a copy of `out` would wait for its parts
+        Cut& kept = set.cuts.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) kept.vertex[k] = corners[k];
         kept.sides = sides, kept.first = out.first, kept.count = out.count;
         return true;
@@ -80,20 +85,25 @@ struct Builder {
         set.at.resize(c.first), set.w.resize(c.first);
     }
 
-    /// Counter-clockwise, from the lowest vertex (of those, the leftmost); without branches, which would be
-    /// taken at random. No two vertices stand at one point.
-    std::array<std::uint32_t, 3> canonical(const std::array<std::uint32_t, 3>& v, bool clockwise) const {
-        const std::array<std::uint32_t, 5> turned{v[0], v[clockwise ? 2 : 1], v[clockwise ? 1 : 2], v[0],
-                                                  v[clockwise ? 2 : 1]};
+    /// Counter-clockwise, from the lowest vertex (of those, the leftmost); without branches, which
+    /// would be taken at random. No two vertices stand at one point.
+    std::array<std::uint32_t, 3> canonical(const std::array<std::uint32_t, 3>& v,
+                                           bool clockwise) const {
+        const std::array<std::uint32_t, 5> turned{v[0], v[clockwise ? 2 : 1], v[clockwise ? 1 : 2],
+                                                  v[0], v[clockwise ? 2 : 1]};
         std::array<std::int64_t, 3> key;
         for (std::size_t k = 0; k < 3; ++k)
-            key[k] = std::int64_t{set.at[turned[k]].y} * (std::int64_t{1} << 32) + set.at[turned[k]].x;
-        const auto less = [&](std::size_t a, std::size_t b) { return std::size_t{key[a] < key[b]}; };
+            key[k] =
+                std::int64_t{set.at[turned[k]].y} * (std::int64_t{1} << 32) + set.at[turned[k]].x;
+        const auto less = [&](std::size_t a, std::size_t b) {
+            return std::size_t{key[a] < key[b]};
+        };
         const std::size_t first = (less(1, 0) & less(1, 2)) + 2 * (less(2, 0) & less(2, 1));
         return {turned[first], turned[first + 1], turned[first + 2]};
     }
 
-    void push_piece(const std::array<std::uint32_t, 3>& v, SetupPrimitive p, bool counter_clockwise) {
+    void push_piece(const std::array<std::uint32_t, 3>& v, SetupPrimitive p,
+                    bool counter_clockwise) {
         const std::int64_t area = area_of(v);
         if (area == 0 || (area > 0) != counter_clockwise) return;
         p.vertex = canonical(v, area < 0);
@@ -104,11 +114,13 @@ struct Builder {
     Fan fan(const Triangle& t, const Cut& piece) {
         if (piece.count == 0) return {area_of(t.vertex), 0};
         fan_corners.clear();
-        for (std::uint32_t k = 0; k < piece.count; ++k) fan_corners.push_back(point(piece.first + k));
+        for (std::uint32_t k = 0; k < piece.count; ++k)
+            fan_corners.push_back(point(piece.first + k));
         return fan_of(fan_corners);
     }
 
-    void push_pieces(const Triangle& t, const Cut& piece, const Fan& pieces, const SetupPrimitive& p) {
+    void push_pieces(const Triangle& t, const Cut& piece, const Fan& pieces,
+                     const SetupPrimitive& p) {
         if (piece.count == 0) return push_piece(t.vertex, p, pieces.area2 > 0);
         const auto at = [&](std::size_t k) {
             return piece.first + std::uint32_t((pieces.first + k) % piece.count);
@@ -143,10 +155,13 @@ struct Builder {
         const Fan pieces = fan(t, piece);
         const bool front = (pieces.area2 > 0) == (state.cull.front == Winding::CCW);
         const bool drawn = pieces.area2 != 0 && !culled[front];
-        (pieces.area2 == 0 ? set.counters.degenerate : drawn ? set.counters.drawn : set.counters.culled) += 1;
+        (pieces.area2 == 0 ? set.counters.degenerate
+         : drawn           ? set.counters.drawn
+                           : set.counters.culled) += 1;
         if (piece.count != 0 && (!drawn || !filled)) drop(piece);
         if (!drawn) return;
-        const SetupPrimitive p{{}, ordinal, t.polygon, t.provoking, std::uint8_t(front), MeshKind::Triangles};
+        const SetupPrimitive p{
+            {}, ordinal, t.polygon, t.provoking, std::uint8_t(front), MeshKind::Triangles};
         filled ? push_pieces(t, piece, pieces, p) : push_outline(t, p);
     }
 
@@ -179,7 +194,9 @@ struct Builder {
             set.counters = before;
             return;
         }
-        (!left ? set.counters.rejected : degenerate ? set.counters.degenerate : set.counters.drawn) += 1;
+        (!left        ? set.counters.rejected
+         : degenerate ? set.counters.degenerate
+                      : set.counters.drawn) += 1;
     }
 
     void push_point(std::uint32_t v, SetupPrimitive p, bool counted) {
@@ -220,8 +237,8 @@ void list_used_vertices(GeometrySet& set, std::uint32_t mesh_vertices) {
     }
 }
 
-void build(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile, int width,
-           int height) {
+void build(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile,
+           int width, int height) {
     set.state = resolve(state, profile, width, height);
     const Projection projection{product(state.projection, draw.eye_from_object),
                                 draw.eye_from_object,
@@ -240,8 +257,8 @@ void build(GeometrySet& set, const State& state, const Draw& draw, const Profile
 
 }  // namespace
 
-void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile, int width,
-                   int height) {
+void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile,
+                   int width, int height) {
     if (!set.made) build(set, state, draw, profile, width, height);
     set.made = true;
     if (set.lists_used && set.used.empty()) list_used_vertices(set, draw.mesh->vertex_count());

@@ -1,6 +1,6 @@
-// A geometry set: one mesh under one transform, clipped, culled, snapped and binned once, for every draw that
-// shares it (passes, lights, jittered samples). docs/manual.md, "Vertices" to "Window coordinates". Does not
-// light, interpolate or make fragments.
+// A geometry set: one mesh under one transform, clipped, culled, snapped and binned once, for every
+// draw that shares it (passes, lights, jittered samples). docs/manual.md, "Vertices" to "Window
+// coordinates". Does not light, interpolate or make fragments.
 #pragma once
 
 #include "gw/counters.h"
@@ -29,8 +29,8 @@ struct GeometryKey {
 };
 GeometryKey geometry_key(const State& state, const Draw& draw);
 
-/// A primitive ready for tiles: vertices in the set's arrays (triangles in canonical order), where it came
-/// from.
+/// A primitive ready for tiles: vertices in the set's arrays (triangles in canonical order), where
+/// it came from.
 struct SetupPrimitive {
     std::array<std::uint32_t, 3> vertex{};
     std::uint32_t ordinal = 0;  ///< of the mesh's primitive
@@ -40,7 +40,8 @@ struct SetupPrimitive {
     MeshKind kind = MeshKind::Triangles;
 };
 
-/// A primitive that clipping changed: its new vertices stand at the end of the arrays, `count` of them.
+/// A primitive that clipping changed: its new vertices stand at the end of the arrays, `count` of
+/// them.
 struct Cut {
     std::array<std::uint32_t, 3> vertex{};  ///< of the mesh
     std::uint32_t sides = 3;                ///< 3: triangle, 2: line
@@ -62,8 +63,8 @@ struct GeometrySet {
     std::vector<SetupPrimitive> primitives;
     std::uint32_t triangle_count = 0;  ///< how many of them are triangles: the first ones
     std::vector<Cut> cuts;
-    /// Mesh vertices that some primitive looks at, that some front face does, some back face; in order. Only
-    /// where a draw puts something at its vertices.
+    /// Mesh vertices that some primitive looks at, that some front face does, some back face; in
+    /// order. Only where a draw puts something at its vertices.
     bool lists_used = false;
     std::vector<std::uint32_t> used, used_front, used_back;
     Counters counters;  ///< of one draw: vertices to drawn
@@ -84,12 +85,13 @@ struct GeometrySet {
     }
 };
 
-/// Fills a set that has its key: runs transform, clipping, culling, snap. Where that was done, only makes the
-/// lists if they are missing.
-void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile, int width,
-                   int height);
+/// Fills a set that has its key: runs transform, clipping, culling, snap. Where that was done, only
+/// makes the lists if they are missing.
+void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile,
+                   int width, int height);
 
-/// Sorts the primitives into tiles, in order, unless they are for this jitter. Call after its range is known.
+/// Sorts the primitives into tiles, in order, unless they are for this jitter. Call after its range
+/// is known.
 void make_bins(GeometrySet& set, const Profile& profile, const TileGrid& grid);
 
 }  // namespace gw::fast

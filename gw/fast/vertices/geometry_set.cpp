@@ -7,8 +7,9 @@
 namespace gw::fast {
 
 GeometryKey geometry_key(const State& s, const Draw& draw) {
-    return {draw.mesh, draw.eye_from_object, s.projection, s.viewport,  s.depth_range, s.clip_planes,
-            s.cull,    s.polygon_mode,       s.point_size, s.line_width};
+    return {draw.mesh,     draw.eye_from_object, s.projection, s.viewport,
+            s.depth_range, s.clip_planes,        s.cull,       s.polygon_mode,
+            s.point_size,  s.line_width};
 }
 
 void JitterRange::include(const JitterState& j) {
@@ -29,7 +30,8 @@ void GeometrySet::take_memory(GeometrySet& from) {
         (from.*member).clear();
         (from.*member).swap(this->*member);
     };
-    take(&GeometrySet::at), take(&GeometrySet::w), take(&GeometrySet::primitives), take(&GeometrySet::cuts);
+    take(&GeometrySet::at), take(&GeometrySet::w), take(&GeometrySet::primitives),
+        take(&GeometrySet::cuts);
     take(&GeometrySet::used), take(&GeometrySet::used_front), take(&GeometrySet::used_back);
     take(&GeometrySet::bin_start), take(&GeometrySet::bin);
 }

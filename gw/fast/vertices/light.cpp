@@ -32,7 +32,8 @@ inline LightTerms light_terms(const Light& light, const Material& m) {
     if (t.directional)
         t.position = normalized(t.position);
     else
-        t.position = {t.position.x / double(light.position.w), t.position.y / double(light.position.w),
+        t.position = {t.position.x / double(light.position.w),
+                      t.position.y / double(light.position.w),
                       t.position.z / double(light.position.w)};
     t.spot = !t.directional && light.spot_cos_cutoff > -1;
     for (int c = 0; c < 3; ++c) {
@@ -52,7 +53,8 @@ struct IncidentLanes {
 
 inline V64 spot_factor(const LightTerms& t, const Vec3& to_light) {
     const auto c = dot(minus(to_light), all3(t.spot_direction));
-    const auto outside = hn::Or(hn::Lt(c, all(t.light.spot_cos_cutoff)), hn::Le(c, hn::Zero(D64())));
+    const auto outside =
+        hn::Or(hn::Lt(c, all(t.light.spot_cos_cutoff)), hn::Le(c, hn::Zero(D64())));
     return power(at_most_one(c), t.light.spot_exponent, hn::Not(outside));
 }
 
@@ -74,20 +76,24 @@ inline void add_light(const LightTerms& t, const Material& m, const Vec3& p_eye,
                       const Vec3& to_eye, V64* sum) {
     const IncidentLanes in = incident(t, p_eye);
     if (!t.turns) {
-        for (int c = 0; c < 3; ++c) sum[c] = hn::Add(sum[c], hn::Mul(in.strength, all(t.ambient[c])));
+        for (int c = 0; c < 3; ++c)
+            sum[c] = hn::Add(sum[c], hn::Mul(in.strength, all(t.ambient[c])));
         return;
     }
     const auto cosine = dot(n_eye, in.direction);
     const auto diffuse = positive(cosine);
     auto specular = hn::Zero(D64());
     if (t.glossy) {
-        const Vec3 half = unit({hn::Add(in.direction.x, to_eye.x), hn::Add(in.direction.y, to_eye.y),
-                                hn::Add(in.direction.z, to_eye.z)});
-        specular = power(at_most_one(positive(dot(n_eye, half))), m.Ns, hn::Gt(cosine, hn::Zero(D64())));
+        const Vec3 half =
+            unit({hn::Add(in.direction.x, to_eye.x), hn::Add(in.direction.y, to_eye.y),
+                  hn::Add(in.direction.z, to_eye.z)});
+        specular =
+            power(at_most_one(positive(dot(n_eye, half))), m.Ns, hn::Gt(cosine, hn::Zero(D64())));
     }
     for (int c = 0; c < 3; ++c) {
         const auto body = hn::Add(all(t.ambient[c]), hn::Mul(all(t.lambert[c]), diffuse));
-        sum[c] = hn::Add(sum[c], hn::Mul(in.strength, hn::Add(body, hn::Mul(all(t.gloss[c]), specular))));
+        sum[c] = hn::Add(sum[c],
+                         hn::Mul(in.strength, hn::Add(body, hn::Mul(all(t.gloss[c]), specular))));
     }
 }
 
@@ -115,7 +121,8 @@ void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, b
         const Vec3 n_eye = back ? minus(v.normal) : v.normal, p_eye = v.position;
         const Vec3 to_eye = state.local_viewer && glossy ? unit(minus(p_eye)) : all3({0, 0, 1});
         V64 sum[3];
-        for (int c = 0; c < 3; ++c) sum[c] = all(m.Ke[c] + double(state.model_ambient[c]) * m.Ka[c]);
+        for (int c = 0; c < 3; ++c)
+            sum[c] = all(m.Ke[c] + double(state.model_ambient[c]) * m.Ka[c]);
         for (const LightTerms& light : lights) add_light(light, m, p_eye, n_eye, to_eye, sum);
 
         alignas(64) double out[3][8];
@@ -132,7 +139,8 @@ void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, b
     for (const std::uint32_t i : indices) {
         const Vertex vertex = run_vertex(p, i);
         const auto& v = back ? vertex.back_color : vertex.color;
-        colors[i] = {std::uint16_t(v[0]), std::uint16_t(v[1]), std::uint16_t(v[2]), std::uint16_t(v[3])};
+        colors[i] = {std::uint16_t(v[0]), std::uint16_t(v[1]), std::uint16_t(v[2]),
+                     std::uint16_t(v[3])};
     }
 }
 

@@ -1,6 +1,6 @@
-// Lit colours of many vertices at once: the lighting equation in vectors of doubles. docs/manual.md,
-// "Lighting"; scalar twin: gw/stages/lighting.cpp, operation by operation. Does not transform positions to the
-// window.
+// Lit colours of many vertices at once: the lighting equation in vectors of doubles.
+// docs/manual.md, "Lighting"; scalar twin: gw/stages/lighting.cpp, operation by operation. Does not
+// transform positions to the window.
 #pragma once
 
 #include "gw/stages/vertex.h"
@@ -11,8 +11,8 @@
 
 namespace gw::fast {
 
-/// colors[index] = the colour that run_vertex gives the front (or back) of vertex `index`, for each of
-/// `indices`. Precondition: lighting is on.
+/// colors[index] = the colour that run_vertex gives the front (or back) of vertex `index`, for each
+/// of `indices`. Precondition: lighting is on.
 void light_vertices(const VertexProgram& program, std::span<const std::uint32_t> indices, bool back,
                     std::vector<Rgba>& colors);
 

@@ -1,6 +1,6 @@
-// gw::pow() a vector at a time, for what lighting asks of it: bases in [0, 1]. The steps, their order and
-// their tables are those of gw/base/elementary.cpp, so the bits are too. Included once per Highway target, where
-// it has vectors of doubles.
+// gw::pow() a vector at a time, for what lighting asks of it: bases in [0, 1]. The steps, their
+// order and their tables are those of gw/base/elementary.cpp, so the bits are too. Included once
+// per Highway target, where it has vectors of doubles.
 #if defined(GW_FAST_POWER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_POWER_INL_H_
 #undef GW_FAST_POWER_INL_H_
@@ -35,8 +35,8 @@ inline SumLanes two_product(V64 a, V64 b) {
     const auto a_hi = hn::Sub(a_up, hn::Sub(a_up, a)), b_hi = hn::Sub(b_up, hn::Sub(b_up, b));
     const auto a_lo = hn::Sub(a, a_hi), b_lo = hn::Sub(b, b_hi);
     const auto hi = hn::Mul(a, b);
-    const auto cross =
-        hn::Add(hn::Add(hn::Sub(hn::Mul(a_hi, b_hi), hi), hn::Mul(a_hi, b_lo)), hn::Mul(a_lo, b_hi));
+    const auto cross = hn::Add(hn::Add(hn::Sub(hn::Mul(a_hi, b_hi), hi), hn::Mul(a_hi, b_lo)),
+                               hn::Mul(a_lo, b_hi));
     return {hi, hn::Add(cross, hn::Mul(a_lo, b_lo))};
 }
 
@@ -59,7 +59,8 @@ inline SumLanes node_at(const elementary::Sum* table, hn::Vec<I64> index) {
     const D64 d;
     const auto at = hn::Add(index, index);
     const double* first = &table->hi;
-    return {hn::GatherIndex(d, first, at), hn::GatherIndex(d, first, hn::Add(at, hn::Set(I64(), 1)))};
+    return {hn::GatherIndex(d, first, at),
+            hn::GatherIndex(d, first, hn::Add(at, hn::Set(I64(), 1)))};
 }
 
 /// 2^e for -1022 <= e <= 1023.
@@ -80,8 +81,9 @@ inline SumLanes log_as_sum(V64 x) {
     constexpr double terms[] = {2 / 3.0, 2 / 5.0, 2 / 7.0, 2 / 9.0, 2 / 11.0};
     const auto square = hn::Mul(s.hi, s.hi);
     const auto tail = hn::Mul(hn::Mul(s.hi, square), polynomial(square, terms));
-    const SumLanes node = node_at(
-        elementary::log_node, hn::Sub(hn::ConvertTo(i64, scaled), hn::Set(i64, elementary::first_log_node)));
+    const SumLanes node =
+        node_at(elementary::log_node,
+                hn::Sub(hn::ConvertTo(i64, scaled), hn::Set(i64, elementary::first_log_node)));
     const auto times = hn::ConvertTo(D64(), k);
     const SumLanes sum =
         two_sum(hn::Add(hn::Mul(times, all(elementary::ln2.hi)), node.hi), hn::Mul(all(2), s.hi));
@@ -105,7 +107,8 @@ inline V64 exp_of_sum(const SumLanes& x) {
     // scale(): below 2^-1022 in two steps.
     const auto e = hn::ShiftRight<6>(hn::Sub(whole, index)), least = hn::Set(i64, -1022);
     const auto small = hn::Lt(e, least);
-    const auto first = hn::IfThenElse(small, hn::Sub(e, least), e), second = hn::IfThenElseZero(small, least);
+    const auto first = hn::IfThenElse(small, hn::Sub(e, least), e),
+               second = hn::IfThenElseZero(small, least);
     return hn::Mul(hn::Mul(value, power_of_two(first)), power_of_two(second));
 }
 
@@ -113,15 +116,18 @@ inline V64 exp_of_sum(const SumLanes& x) {
 inline V64 power(V64 base, double exponent, hn::Mask<D64> wanted) {
     const D64 d;
     const auto one = all(1), zero = hn::Zero(d);
-    const auto denormal = hn::And(hn::And(wanted, hn::Gt(base, zero)), hn::Lt(base, all(0x1p-1022)));
+    const auto denormal =
+        hn::And(hn::And(wanted, hn::Gt(base, zero)), hn::Lt(base, all(0x1p-1022)));
     if (exponent > 0 && exponent < 0x1p100 && hn::AllFalse(d, denormal)) {
         const auto usual = hn::And(hn::And(wanted, hn::Gt(base, zero)), hn::Lt(base, one));
-        if (hn::AllFalse(d, usual)) return hn::IfThenElseZero(hn::And(wanted, hn::Eq(base, one)), one);
+        if (hn::AllFalse(d, usual))
+            return hn::IfThenElseZero(hn::And(wanted, hn::Eq(base, one)), one);
         const SumLanes log = log_as_sum(hn::IfThenElse(usual, base, all(0.5)));
         const auto estimate = hn::Mul(all(exponent), log.hi);
         const auto vanishes = hn::Lt(estimate, all(-746));
         const SumLanes product = two_product(all(exponent), hn::IfThenZeroElse(vanishes, log.hi));
-        const auto x = exp_of_sum({product.hi, hn::Add(product.lo, hn::Mul(all(exponent), log.lo))});
+        const auto x =
+            exp_of_sum({product.hi, hn::Add(product.lo, hn::Mul(all(exponent), log.lo))});
         const auto value = hn::IfThenElse(usual, hn::IfThenZeroElse(vanishes, x),
                                           hn::IfThenElseZero(hn::Eq(base, one), one));
         return hn::IfThenElseZero(wanted, value);

@@ -18,7 +18,8 @@ namespace gw::fast::HWY_NAMESPACE {
 
 constexpr std::size_t most_lanes = 8;
 
-/// floor(v 2^s + 1/2) kept inside the guard band; to_integer() of gw/base/arithmetic.h puts NaN at the low end.
+/// floor(v 2^s + 1/2) kept inside the guard band; to_integer() of gw/base/arithmetic.h puts NaN at
+/// the low end.
 inline V64 snapped(V64 v, int s) {
     const double scale = double(1 << s);
     const auto low = all(guard_low * scale), high = all(guard_high * scale - 1);
@@ -79,7 +80,8 @@ inline hn::Vec<U64> outcodes(const Projection& p, const Vec3& at, const ClipLane
 }
 
 /// Window coordinates of up to a vector of vertices.
-HWY_INLINE void put_window(const Projection& p, const ClipLanes& c, SnappedVertex* at, std::size_t count) {
+HWY_INLINE void put_window(const Projection& p, const ClipLanes& c, SnappedVertex* at,
+                           std::size_t count) {
     const D64 d;
     const double n = clamp01(p.depth_range.near_value), f = clamp01(p.depth_range.far_value);
     const auto window = [&](V64 v, double half, double center) {
@@ -130,9 +132,11 @@ void project_all(const Projection& p, const ProjectedVertices& v) {
 
 void window_all(const Projection& p, std::span<const ClipPosition> vertices, SnappedVertex* at) {
     for (std::size_t first = 0; first < vertices.size(); first += hn::Lanes(D64())) {
-        const auto points = vertices.subspan(first, HWY_MIN(hn::Lanes(D64()), vertices.size() - first));
+        const auto points =
+            vertices.subspan(first, HWY_MIN(hn::Lanes(D64()), vertices.size() - first));
         put_window(p,
-                   {component(points, 0), component(points, 1), component(points, 2), component(points, 3)},
+                   {component(points, 0), component(points, 1), component(points, 2),
+                    component(points, 3)},
                    at + first, points.size());
     }
 }
@@ -185,7 +189,8 @@ void project(const Projection& projection, const ProjectedVertices& vertices) {
     HWY_DYNAMIC_DISPATCH(project_all)(projection, vertices);
 }
 
-void to_window(const Projection& projection, std::span<const ClipPosition> vertices, SnappedVertex* at) {
+void to_window(const Projection& projection, std::span<const ClipPosition> vertices,
+               SnappedVertex* at) {
     HWY_DYNAMIC_DISPATCH(window_all)(projection, vertices, at);
 }
 

@@ -1,5 +1,6 @@
 // Many vertices to the window at once: transform, classify, divide, snap, in vectors of doubles.
-// docs/manual.md, "Vertices", "Window coordinates"; scalar twins: gw/stages/vertex.cpp, gw/stages/window.h. Does not clip.
+// docs/manual.md, "Vertices", "Window coordinates"; scalar twins: gw/stages/vertex.cpp,
+// gw/stages/window.h. Does not clip.
 #pragma once
 
 #include "gw/stages/clip.h"
@@ -26,12 +27,12 @@ inline void place_position(const Projection& projection, const vec3& position, C
     v.clip = transform(projection.clip_from_object, p_object);
     for (std::size_t k = 0; k < max_clip_planes; ++k)
         if (projection.clip_planes[k].enable)
-            v.distance[k] =
-                dot4(projection.clip_planes[k].plane, transform(projection.eye_from_object, p_object));
+            v.distance[k] = dot4(projection.clip_planes[k].plane,
+                                 transform(projection.eye_from_object, p_object));
 }
 
-/// Bit per clip plane that a vertex is outside of; the high bits reject it whatever the planes say. A vertex
-/// that is not finite has that bit alone.
+/// Bit per clip plane that a vertex is outside of; the high bits reject it whatever the planes say.
+/// A vertex that is not finite has that bit alone.
 using Outcode = std::uint32_t;
 inline constexpr Outcode not_finite = 1u << 30, not_in_front = 1u << 31;
 
@@ -51,6 +52,7 @@ struct ProjectedVertices {
 void project(const Projection& projection, const ProjectedVertices& vertices);
 
 /// Vertices that no plane cuts.
-void to_window(const Projection& projection, std::span<const ClipPosition> vertices, SnappedVertex* at);
+void to_window(const Projection& projection, std::span<const ClipPosition> vertices,
+               SnappedVertex* at);
 
 }  // namespace gw::fast

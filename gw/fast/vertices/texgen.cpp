@@ -1,5 +1,5 @@
-// Reflection and refraction maps, a vector of vertices at a time. docs/manual.md, "Texture coordinates";
-// scalar twin: gw/stages/texgen.cpp.
+// Reflection and refraction maps, a vector of vertices at a time. docs/manual.md, "Texture
+// coordinates"; scalar twin: gw/stages/texgen.cpp.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/vertices/texgen.cpp"
 #include <hwy/foreach_target.h>
@@ -25,7 +25,8 @@ inline void generate_one_by_one(const VertexProgram& p, std::span<const std::uin
 
 inline Vec3 reflected(const Vec3& u, const Vec3& n) {
     const auto k = hn::Mul(all(2), dot(n, u));
-    return {hn::Sub(u.x, hn::Mul(k, n.x)), hn::Sub(u.y, hn::Mul(k, n.y)), hn::Sub(u.z, hn::Mul(k, n.z))};
+    return {hn::Sub(u.x, hn::Mul(k, n.x)), hn::Sub(u.y, hn::Mul(k, n.y)),
+            hn::Sub(u.z, hn::Mul(k, n.z))};
 }
 
 /// Total reflection where there is no refracted ray.
@@ -34,9 +35,12 @@ inline Vec3 refracted(const Vec3& u, const Vec3& n, double eta) {
     const auto root = hn::Sub(all(1), hn::Mul(all(eta * eta), hn::Sub(all(1), hn::Mul(c, c))));
     const auto total = hn::Lt(root, hn::Zero(D64()));
     const auto k = hn::Sub(hn::Mul(all(eta), c), hn::Sqrt(root));
-    const auto through = [&](V64 u_i, V64 n_i) { return hn::Add(hn::Mul(all(eta), u_i), hn::Mul(k, n_i)); };
+    const auto through = [&](V64 u_i, V64 n_i) {
+        return hn::Add(hn::Mul(all(eta), u_i), hn::Mul(k, n_i));
+    };
     const Vec3 r = reflected(u, n);
-    return {hn::IfThenElse(total, r.x, through(u.x, n.x)), hn::IfThenElse(total, r.y, through(u.y, n.y)),
+    return {hn::IfThenElse(total, r.x, through(u.x, n.x)),
+            hn::IfThenElse(total, r.y, through(u.y, n.y)),
             hn::IfThenElse(total, r.z, through(u.z, n.z))};
 }
 
@@ -54,11 +58,12 @@ inline SphereLanes sphere_map(const Vec3& d) {
 
 /// bounded() of gw/base/arithmetic.h.
 inline V64 bounded_lanes(V64 v, double limit) {
-    return hn::IfThenElse(hn::Gt(v, all(-limit)), hn::IfThenElse(hn::Lt(v, all(limit)), v, all(limit)),
-                          all(-limit));
+    return hn::IfThenElse(hn::Gt(v, all(-limit)),
+                          hn::IfThenElse(hn::Lt(v, all(limit)), v, all(limit)), all(-limit));
 }
 
-void generate_all(const VertexProgram& p, std::span<const std::uint32_t> indices, std::vector<dvec4>& strq) {
+void generate_all(const VertexProgram& p, std::span<const std::uint32_t> indices,
+                  std::vector<dvec4>& strq) {
     const D64 d;
     const TextureState& state = p.state->texture;
     if (state.gen != TexGen::SphereMap && state.gen != TexGen::RefractionMap)
@@ -67,8 +72,9 @@ void generate_all(const VertexProgram& p, std::span<const std::uint32_t> indices
         const auto some = indices.subspan(first, std::min(hn::Lanes(d), indices.size() - first));
         const EyeVertices v = eye_vertices(p, some);
         const Vec3 u = unit(v.position);
-        const SphereLanes at = sphere_map(state.gen == TexGen::SphereMap ? reflected(u, v.normal)
-                                                                         : refracted(u, v.normal, state.eta));
+        const SphereLanes at =
+            sphere_map(state.gen == TexGen::SphereMap ? reflected(u, v.normal)
+                                                      : refracted(u, v.normal, state.eta));
         alignas(64) double s[8], t[8];
         hn::Store(bounded_lanes(at.s, largest_coordinate), d, s);
         hn::Store(bounded_lanes(at.t, largest_coordinate), d, t);
@@ -78,7 +84,8 @@ void generate_all(const VertexProgram& p, std::span<const std::uint32_t> indices
 
 #else  // no vectors of doubles here
 
-void generate_all(const VertexProgram& p, std::span<const std::uint32_t> indices, std::vector<dvec4>& strq) {
+void generate_all(const VertexProgram& p, std::span<const std::uint32_t> indices,
+                  std::vector<dvec4>& strq) {
     generate_one_by_one(p, indices, strq);
 }
 

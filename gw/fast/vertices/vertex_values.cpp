@@ -10,7 +10,9 @@
 namespace gw::fast {
 
 bool ColorKey::operator==(const ColorKey& o) const {
-    const auto same = [](const LightsRef& a, const LightsRef& b) { return a == b || (a && b && *a == *b); };
+    const auto same = [](const LightsRef& a, const LightsRef& b) {
+        return a == b || (a && b && *a == *b);
+    };
     return set == o.set && color_source == o.color_source && material == o.material &&
            lighting == o.lighting && same(lights, o.lights);
 }
@@ -51,14 +53,15 @@ bool is_dark(const vec3& light, const vec3& own) {
     return true;
 }
 
-/// Whether no place is nearer to the light's centre than another: its strength is one number. Finite places
-/// are less than 2^300 away, so that 0 times the square of a distance is 0.
+/// Whether no place is nearer to the light's centre than another: its strength is one number.
+/// Finite places are less than 2^300 away, so that 0 times the square of a distance is 0.
 bool is_even(const Light& l, const Draw& draw) {
     if (l.position.w == 0) return true;
     double largest = 0;
     for (int i = 0; i < 4; ++i) {
         largest = std::max(largest, std::abs(double(l.position[i]) / double(l.position.w)));
-        for (int k = 0; k < 4; ++k) largest = std::max(largest, std::abs(draw.eye_from_object[i][k]));
+        for (int k = 0; k < 4; ++k)
+            largest = std::max(largest, std::abs(draw.eye_from_object[i][k]));
     }
     return largest < 0x1p150 && l.linear_attenuation == 0 && l.quadratic_attenuation == 0 &&
            l.spot_cos_cutoff <= -1;
@@ -67,9 +70,11 @@ bool is_even(const Light& l, const Draw& draw) {
 /// Whether all vertices have one colour, wherever they stand and whichever way they face.
 bool is_uniform(const Draw& draw) {
     const Material& m = draw.material;
-    return !draw.lights || std::all_of(draw.lights->begin(), draw.lights->end(), [&](const Light& l) {
-        return is_dark(l.Id, m.Kd) && is_dark(l.Is, m.Ks) && (is_dark(l.Ia, m.Ka) || is_even(l, draw));
-    });
+    return !draw.lights ||
+           std::all_of(draw.lights->begin(), draw.lights->end(), [&](const Light& l) {
+               return is_dark(l.Id, m.Kd) && is_dark(l.Is, m.Ks) &&
+                      (is_dark(l.Ia, m.Ka) || is_even(l, draw));
+           });
 }
 
 /// Calls store(index, vertex) for the vertices that clipping made.
@@ -77,7 +82,8 @@ template <typename Store>
 void for_each_new_vertex(const GeometrySet& set, const VertexProgram& program, const Store& store) {
     for (const Cut& cut : set.cuts) {
         std::vector<Vertex> corners;
-        for (std::uint32_t k = 0; k < cut.sides; ++k) corners.push_back(run_vertex(program, cut.vertex[k]));
+        for (std::uint32_t k = 0; k < cut.sides; ++k)
+            corners.push_back(run_vertex(program, cut.vertex[k]));
         const Clipped clipped = clip(std::move(corners), set.state.viewport);
         for (std::uint32_t k = 0; k < cut.count; ++k) store(cut.first + k, clipped.vertices[k]);
     }
@@ -125,10 +131,12 @@ void fog_vertices(VertexFog& out, const State& s, const Draw& draw, const Profil
         const dvec4 p_object(dvec3(draw.mesh->data().positions[i]), 1);
         out.value[i] = fog_of(program, transform(draw.eye_from_object, p_object).z);
     }
-    for_each_new_vertex(set, program, [&](std::size_t i, const Vertex& v) { out.value[i] = v.fog; });
+    for_each_new_vertex(set, program,
+                        [&](std::size_t i, const Vertex& v) { out.value[i] = v.fog; });
 }
 
-void texture_vertices(VertexTexcoords& out, const State& s, const Draw& draw, const Profile& profile) {
+void texture_vertices(VertexTexcoords& out, const State& s, const Draw& draw,
+                      const Profile& profile) {
     const GeometrySet& set = *out.key.set;
     out.strq.resize(set.vertex_count());
     State unlit = s;

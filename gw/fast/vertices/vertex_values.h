@@ -1,5 +1,5 @@
-// What a draw puts at the vertices of its geometry set: colours and fog, texture coordinates. Each is shared
-// by the draws that agree in what it depends on. Does not interpolate.
+// What a draw puts at the vertices of its geometry set: colours and fog, texture coordinates. Each
+// is shared by the draws that agree in what it depends on. Does not interpolate.
 #pragma once
 
 #include "gw/fast/vertices/geometry.h"
@@ -24,7 +24,8 @@ ColorKey color_key(const GeometrySet& set, const State& state, const Draw& draw)
 struct VertexColors {
     ColorKey key;
     std::vector<Rgba> front, back;
-    bool uniform = false;  ///< one colour everywhere: no light, or only ambient light as strong everywhere
+    /// one colour everywhere: no light, or only ambient light as strong everywhere
+    bool uniform = false;
     void clear() { key = {}, front.clear(), back.clear(), uniform = false; }
 };
 
@@ -38,7 +39,8 @@ FogKey fog_key(const GeometrySet& set, const State& state);
 
 struct VertexFog {
     FogKey key;
-    std::vector<double> value;  ///< the factor, or where it is found per fragment the table's coordinate
+    /// the factor, or where it is found per fragment the table's coordinate
+    std::vector<double> value;
     void clear() { key = {}, value.clear(); }
 };
 
@@ -59,7 +61,8 @@ struct VertexTexcoords {
 };
 
 /// Each fills what has its key.
-void shade_vertices(VertexColors& colors, const State& state, const Draw& draw, const Profile& profile);
+void shade_vertices(VertexColors& colors, const State& state, const Draw& draw,
+                    const Profile& profile);
 void fog_vertices(VertexFog& fog, const State& state, const Draw& draw, const Profile& profile);
 void texture_vertices(VertexTexcoords& texcoords, const State& state, const Draw& draw,
                       const Profile& profile);

@@ -1,29 +1,33 @@
-// Records of visible fragments, made by the first pass under Equal; gw/fast/visible/visible_record.h says when,
-// gw/fast/visible/replay.cpp draws from them. Does not decide which draws share a record.
+// Records of visible fragments, made by the first pass under Equal;
+// gw/fast/visible/visible_record.h says when, gw/fast/visible/replay.cpp draws from them. Does not
+// decide which draws share a record.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/visible/record.cpp"
 #include <hwy/foreach_target.h>
 
-#include "gw/fast/visible/visible_record.h"
+#include "gw/fast/fragments/simple_triangles-inl.h"
 #include "gw/fast/kernels.h"
 #include "gw/fast/raster/lines_and_points-inl.h"
-#include "gw/fast/fragments/simple_triangles-inl.h"
+#include "gw/fast/visible/visible_record.h"
 
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Fragments of a record in the making: by pixel where some draw's stencil test asks, else their sum.
+/// Fragments of a record in the making: by pixel where some draw's stencil test asks, else their
+/// sum.
 struct FragmentCount {
     Coverage& record;
     bool by_pixel;
     LaneCounter sum;
 
-    FragmentCount(const TileDraw& draw, Coverage& r) : record(r), by_pixel(draw.op->counts_by_pixel) {
+    FragmentCount(const TileDraw& draw, Coverage& r)
+        : record(r), by_pixel(draw.op->counts_by_pixel) {
         sum.clear();
         const auto side = std::size_t(draw.tile.side);
-        if (by_pixel && record.fragments.empty()) record.fragments.resize(side * side / block_pixels);
+        if (by_pixel && record.fragments.empty())
+            record.fragments.resize(side * side / block_pixels);
     }
     ~FragmentCount() { record.total += sum.total(); }
 
@@ -53,8 +57,8 @@ HWY_INLINE bool keep_primitive(Coverage& record, std::uint32_t ordinal, std::siz
 }
 
 /// Lanes of one primitive's block whose depth is the stored one.
-HWY_INLINE std::uint32_t visible_lanes(const TileDraw& draw, const DepthBlock& depth, std::size_t block,
-                                       std::uint32_t mask) {
+HWY_INLINE std::uint32_t visible_lanes(const TileDraw& draw, const DepthBlock& depth,
+                                       std::size_t block, std::uint32_t mask) {
     return depth_test(DepthFunc::Equal, depth, draw.tile.depth[block], mask);
 }
 
@@ -94,8 +98,8 @@ void record_line_or_point(const TileDraw& draw, std::uint32_t ordinal, Coverage&
     keep_primitive(record, ordinal, before);
 }
 
-/// What becomes of a depth pass's blocks: every lane that passes may stay visible, and so may a tie with what
-/// is stored.
+/// What becomes of a depth pass's blocks: every lane that passes may stay visible, and so may a tie
+/// with what is stored.
 template <class Paint>
 struct Recording {
     Tile tile;
@@ -113,7 +117,8 @@ struct Recording {
             std::uint32_t* at = tile.depth[block].value + k * lanes32;
             const auto z = walk.walk.at(k), stored = hn::Load(d, at);
             reached.part[k] = hn::And(lanes.part[k], hn::Not(hn::Lt(stored, z)));
-            passed.part[k] = ties_pass ? reached.part[k] : hn::And(lanes.part[k], hn::Lt(z, stored));
+            passed.part[k] =
+                ties_pass ? reached.part[k] : hn::And(lanes.part[k], hn::Lt(z, stored));
             store_lanes(z, passed.part[k], d, at);
         }
         count.add(block, lanes);
@@ -124,18 +129,21 @@ struct Recording {
 };
 
 template <class Way, class Paint>
-HWY_NOINLINE void draw_recording(const TileDraw& draw, const Triangles& t, std::size_t i, const BoxLanes& box,
-                                 const Paint& paint, FragmentCount& count, LaneCounter& written) {
+HWY_NOINLINE void draw_recording(const TileDraw& draw, const Triangles& t, std::size_t i,
+                                 const BoxLanes& box, const Paint& paint, FragmentCount& count,
+                                 LaneCounter& written) {
     const DepthPlane plane = depth_of(draw, t, i);
     DepthWalk walk(plane);
     Coverage& record = count.record;
     const bool ties_pass = draw.op->state.state.depth.func == DepthFunc::LEqual;
     const std::size_t before = record.blocks.size();
-    Way::visit(box, t, i, walk, Recording<Paint>{draw.tile, paint, walk, ties_pass, count, written});
+    Way::visit(box, t, i, walk,
+               Recording<Paint>{draw.tile, paint, walk, ties_pass, count, written});
     if (keep_primitive(record, t.corners.ordinal[i], before)) record.depth.push_back(plane.plane);
 }
 
-void draw_recording_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
+void draw_recording_all(const TileDraw& draw, std::span<const std::uint32_t> bin,
+                        Coverage& record) {
     const BoxLanes box(draw);
     const Paints paints = paints_of(*draw.op);
     LaneCounter written;
@@ -167,8 +175,8 @@ inline void drop_hidden(const TileDraw& draw, Coverage& record) {
     std::uint32_t last = ~0u;
     for (const VisibleBlock v : record.blocks) {
         DepthBlock depth;
-        shade_depth({record.depth[v.primitive], 0}, 0, v.block % blocks_per_row, v.block / blocks_per_row,
-                    depth);
+        shade_depth({record.depth[v.primitive], 0}, 0, v.block % blocks_per_row,
+                    v.block / blocks_per_row, depth);
         const std::uint32_t mask = visible_lanes(draw, depth, v.block, v.mask);
         if (mask == 0) continue;
         if (v.primitive != last) record.primitives[primitives++] = record.primitives[v.primitive];
@@ -179,8 +187,8 @@ inline void drop_hidden(const TileDraw& draw, Coverage& record) {
     record.primitives.resize(primitives);
 }
 
-/// The run of a block's entries first .. end - 1. Written member by member: made first and copied, it would
-/// wait for its own stores.
+/// The run of a block's entries first .. end - 1. Written member by member: made first and copied,
+/// it would wait for its own stores.
 inline void add_run(Coverage& record, std::size_t block, std::uint32_t first, std::uint32_t end) {
     std::uint32_t mask = 0, twice = 0;
     for (std::uint32_t i = first; i < end; ++i) {
@@ -203,22 +211,25 @@ inline void sort_blocks(Coverage& record) {
     for (const VisibleBlock& v : record.blocks) sorted[next[v.block]++] = v;
     record.blocks.swap(sorted);
     for (std::size_t block = 0; block < max_tile_blocks; ++block)
-        if (start[block] != start[block + 1]) add_run(record, block, start[block], start[block + 1]);
+        if (start[block] != start[block + 1])
+            add_run(record, block, start[block], start[block + 1]);
 }
 
-/// Makes the record of a draw under Equal: its visible blocks, their primitives' corners, and how many
-/// fragments there are.
+/// Makes the record of a draw under Equal: its visible blocks, their primitives' corners, and how
+/// many fragments there are.
 void record_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
     if (record.drawn)
         drop_hidden(draw, record);
     else
         walk_bin(
-            draw, bin, [&](std::span<const std::uint32_t> batch) { record_triangles(draw, batch, record); },
+            draw, bin,
+            [&](std::span<const std::uint32_t> batch) { record_triangles(draw, batch, record); },
             [&](std::uint32_t ordinal) { record_line_or_point(draw, ordinal, record); });
     sort_blocks(record);
     if (record.corners.size() < record.batches()) record.corners.resize(record.batches());
     for (std::size_t i = 0; i < record.batches(); ++i)
-        gather_corners(draw, std::span(record.primitives).subspan(i * batch_room), record.corners[i]);
+        gather_corners(draw, std::span(record.primitives).subspan(i * batch_room),
+                       record.corners[i]);
     record.made = true;
 }
 

@@ -4,24 +4,25 @@
 #define HWY_TARGET_INCLUDE "gw/fast/visible/replay.cpp"
 #include <hwy/foreach_target.h>
 
-#include "gw/fast/visible/visible_record.h"
 #include "gw/fast/kernels.h"
 #include "gw/fast/shade/shade-inl.h"
+#include "gw/fast/visible/visible_record.h"
 
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Fragments of all blocks that the stencil test kills, from the counts; the others die by depth or are
-/// visible.
+/// Fragments of all blocks that the stencil test kills, from the counts; the others die by depth or
+/// are visible.
 HWY_INLINE std::uint64_t killed_by_stencil(const TileDraw& draw, const Coverage& record) {
     const D32 d;
     const StencilFace& face = draw.op->state.front;
     if (face.func == StencilFunc::Always) return 0;
     std::uint64_t killed = 0;
     for (std::size_t block = 0; block < record.fragments.size(); ++block) {
-        const std::uint32_t fails = all_lanes & ~stencil_test(face, draw.tile.stencil[block], all_lanes);
+        const std::uint32_t fails =
+            all_lanes & ~stencil_test(face, draw.tile.stencil[block], all_lanes);
         if (fails == 0) continue;
         alignas(64) std::uint32_t kept[block_pixels];
         for (std::size_t i = 0; i < block_pixels; i += lanes32) {
@@ -46,8 +47,8 @@ HWY_INLINE void make_colors(const TileDraw& draw, bool narrow, Coverage& record)
     }
 }
 
-/// Whether a draw leaves pixels as they are where its colours are black, but for their alpha: a sum of what
-/// is lit, seen through black fog or none.
+/// Whether a draw leaves pixels as they are where its colours are black, but for their alpha: a sum
+/// of what is lit, seen through black fog or none.
 HWY_INLINE bool adds_light(const DrawOp& op) {
     const State& s = op.state.state;
     const Rgba& fog = op.state.fog_color;
@@ -56,13 +57,15 @@ HWY_INLINE bool adds_light(const DrawOp& op) {
            (!has_fog(s) || (fog[0] | fog[1] | fog[2]) == 0);
 }
 
-/// Makes or keeps the texture planes of the record's primitives; what was looked up for others is gone.
+/// Makes or keeps the texture planes of the record's primitives; what was looked up for others is
+/// gone.
 HWY_INLINE void make_textures(const TileDraw& draw, Coverage& record) {
     const DrawOp& op = *draw.op;
     TextureCache& cache = record.texture;
     TextureState state = op.state.state.texture;
     state.env = TexEnv::Modulate, state.env_color = vec4(0);
-    if (cache.texcoords == op.texcoords && cache.texels == op.texels && cache.state == state) return;
+    if (cache.texcoords == op.texcoords && cache.texels == op.texels && cache.state == state)
+        return;
     cache.texcoords = op.texcoords, cache.texels = op.texels, cache.state = state;
     cache.planes.resize(record.primitives.size());
     cache.found.resize(record.runs.size());
@@ -80,8 +83,12 @@ struct Replay {
     bool adds_modulated, leaves_black;
     ShadeInputs inputs;
 
-    HWY_INLINE int bx(const BlockRun& run) const { return run.block % (draw.tile.side / block_side); }
-    HWY_INLINE int by(const BlockRun& run) const { return run.block / (draw.tile.side / block_side); }
+    HWY_INLINE int bx(const BlockRun& run) const {
+        return run.block % (draw.tile.side / block_side);
+    }
+    HWY_INLINE int by(const BlockRun& run) const {
+        return run.block / (draw.tile.side / block_side);
+    }
 
     HWY_INLINE std::span<const VisibleBlock> entries(const BlockRun& run) const {
         return std::span(record.blocks).subspan(run.first, run.count);
@@ -100,10 +107,12 @@ struct Replay {
     HWY_INLINE void colors_of(const BlockRun& run, std::span<const VisibleBlock> entries) {
         if (!narrow) {
             for (const VisibleBlock& entry : entries)
-                wide_colors(record.colors[entry.primitive], *draw.op, bx(run), by(run), entry.mask, inputs);
+                wide_colors(record.colors[entry.primitive], *draw.op, bx(run), by(run), entry.mask,
+                            inputs);
         } else if (entries.size() == 1) {
             const std::uint32_t i = entries[0].primitive;
-            narrow_colors(record.narrow[i / batch_room], i % batch_room, channels, bx(run), by(run), inputs);
+            narrow_colors(record.narrow[i / batch_room], i % batch_room, channels, bx(run), by(run),
+                          inputs);
         } else {
             channels == 5 ? narrow_colors_of<5>(run, entries) : narrow_colors_of<4>(run, entries);
         }
@@ -130,8 +139,8 @@ struct Replay {
     HWY_NOINLINE void find(const BlockRun& run, ColorBlock& out) {
         const Sampler sampler = sampler_of(*draw.op);
         if (run.count == 1)
-            divide_block(sampler, texture_of(entries(run)[0]), draw.tile, bx(run), by(run), run.mask,
-                         inputs.divided);
+            divide_block(sampler, texture_of(entries(run)[0]), draw.tile, bx(run), by(run),
+                         run.mask, inputs.divided);
         else {
             for (const VisibleBlock& entry : entries(run))
                 texture_inputs(sampler, texture_of(entry), draw.tile, bx(run), by(run), entry.mask,
@@ -145,7 +154,9 @@ struct Replay {
     HWY_INLINE bool adds_nothing(const BlockRun& run, std::uint32_t mask) const {
         if (!leaves_black) return false;
         for (const VisibleBlock& entry : entries(run))
-            if (!(record.narrow[entry.primitive / batch_room].black >> entry.primitive % batch_room & 1))
+            if (!(record.narrow[entry.primitive / batch_room].black >>
+                      entry.primitive % batch_room &
+                  1))
                 return false;
         return !draw.op->state.state.color_mask.a || is_opaque(draw.tile.color[run.block], mask);
     }
@@ -213,7 +224,8 @@ void replay_all(const TileDraw& draw, Coverage& record) {
                   {}};
     std::uint64_t written = 0;
     for (const BlockRun& run : record.runs) {
-        const std::uint32_t mask = stencil_test(op.state.front, draw.tile.stencil[run.block], run.mask);
+        const std::uint32_t mask =
+            stencil_test(op.state.front, draw.tile.stencil[run.block], run.mask);
         if (mask == 0) continue;
         written += replay.fragments(run, mask);
         if (op.state.front.zpass != StencilOp::Keep) replay.count(run, mask);

@@ -1,6 +1,7 @@
-// Visible fragments found once: after a depth prepass, passes under Equal touch only the pixels whose depth a
-// primitive has, and those are the same for every pass of the same geometry. Every primitive that ties is
-// kept, never one a pixel. Does not draw; record.cpp makes a record, replay.cpp draws from it.
+// Visible fragments found once: after a depth prepass, passes under Equal touch only the pixels
+// whose depth a primitive has, and those are the same for every pass of the same geometry. Every
+// primitive that ties is kept, never one a pixel. Does not draw; record.cpp makes a record,
+// replay.cpp draws from it.
 #pragma once
 
 #include "gw/fast/frame/frame.h"
@@ -42,14 +43,17 @@ struct Coverage {
     bool made = false;
     std::vector<std::uint32_t> primitives;  ///< ordinals in GeometrySet::primitives
     std::vector<TilePlane> depth;           ///< of `primitives`, until the record is made
-    std::vector<VisibleBlock> blocks;       ///< by block; within one in the order of the primitives
-    std::vector<DepthBlock> fragments;      ///< how many fragments each pixel gets, where a draw asks
-    std::uint64_t total = 0;                ///< fragments of the draw, visible or not
+    /// by block; within one in the order of the primitives
+    std::vector<VisibleBlock> blocks;
+    /// how many fragments each pixel gets, where a draw asks
+    std::vector<DepthBlock> fragments;
+    std::uint64_t total = 0;  ///< fragments of the draw, visible or not
 
     std::vector<BlockRun> runs;          ///< of `blocks`
     std::vector<VisibleBlock> by_block;  ///< room to sort `blocks`
 
-    std::vector<Corners> corners;     ///< of `primitives`, a batch each; what follows the last is of no use
+    /// of `primitives`, a batch each; what follows the last is of no use
+    std::vector<Corners> corners;
     std::vector<NarrowBatch> narrow;  ///< the same, for the draw in progress
     std::vector<ColorPlanes> colors;  ///< of `primitives` where narrow ones do not serve
     TextureCache texture;
@@ -58,10 +62,11 @@ struct Coverage {
     void clear();
 };
 
-/// Gives draws that may share a record its number. A draw may where it compares Equal, has no alpha test,
-/// and where nothing but such draws has touched depth since the record was made; stencil operations only on
-/// what is visible, all of it. The depth pass of the same geometry makes the record on its way, where between
-/// the two depths only became less: then no fragment that failed in it can be visible.
+/// Gives draws that may share a record its number. A draw may where it compares Equal, has no alpha
+/// test, and where nothing but such draws has touched depth since the record was made; stencil
+/// operations only on what is visible, all of it. The depth pass of the same geometry makes the
+/// record on its way, where between the two depths only became less: then no fragment that failed
+/// in it can be visible.
 void plan_coverages(Segment& segment);
 
 }  // namespace gw::fast

@@ -1,5 +1,5 @@
-// Every scene on every profile: what is recorded replays in another process to the same bits, on both
-// machines.
+// Every scene on every profile: what is recorded replays in another process to the same bits, on
+// both machines.
 #include "../command_test.h"
 
 #include <algorithm>
@@ -12,7 +12,8 @@ class AllScenes : public CommandTest, public testing::WithParamInterface<std::st
 std::vector<std::string> all_scenes() {
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(GW_SOURCE_DIR "/scenes"))
-        if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "prices")
+        if (entry.path().extension() == ".toml" &&
+            entry.path().parent_path().filename() != "prices")
             found.push_back(entry.path().string());
     std::sort(found.begin(), found.end());
     return found;
@@ -20,8 +21,9 @@ std::vector<std::string> all_scenes() {
 
 TEST_P(AllScenes, ReplayInAnotherProcessOnBothMachines) {
     for (const std::string profile : {"vgx", "reality", "ideal"}) {
-        const Outcome recorded = gw({"record", GetParam(), "-o", "t.gwt", "--size", "32x24", "--profile",
-                                     profile, "--manifest", "t.json", "--no-values", "--quiet"});
+        const Outcome recorded =
+            gw({"record", GetParam(), "-o", "t.gwt", "--size", "32x24", "--profile", profile,
+                "--manifest", "t.json", "--no-values", "--quiet"});
         ASSERT_EQ(recorded.code, 0) << recorded.err;
         const Outcome verified = gw({"verify", "t.gwt", "t.json", "--machine", "both"});
         EXPECT_EQ(verified.code, 0) << verified.out << verified.err;

@@ -1,5 +1,5 @@
-// What Highway's own library provides on other systems: here every target that is compiled runs. Does not
-// detect anything.
+// What Highway's own library provides on other systems: here every target that is compiled runs.
+// Does not detect anything.
 #include <hwy/targets.h>
 
 namespace hwy {

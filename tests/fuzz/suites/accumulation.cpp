@@ -16,7 +16,8 @@ Case accumulation_case(Random& r) {
         if (r.chance(15)) add(s, any_pixels(r, s.out));
         const int repeats = r.chance(5) ? r.between(100, 140) : r.between(1, 3);
         const Accumulate a = any_accumulate(r, s.out.profile);
-        for (int k = 0; k < repeats && s.out.width * s.out.height * repeats < 100000; ++k) add(s, a);
+        for (int k = 0; k < repeats && s.out.width * s.out.height * repeats < 100000; ++k)
+            add(s, a);
         if (r.chance(5)) add(s, any_clear(r));
         between_draws(s);
     }

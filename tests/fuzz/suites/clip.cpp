@@ -23,7 +23,8 @@ dmat4 any_affine(Random& r) {
     dmat4 m(1);
     const double size = r.chance(10) ? std::ldexp(1.0, r.between(-600, 900)) : 1;
     for (int c = 0; c < 4; ++c)
-        for (int i = 0; i < 3; ++i) m[c][i] = size * (r.chance(30) ? r.between(-2, 2) : r.real(-2, 2));
+        for (int i = 0; i < 3; ++i)
+            m[c][i] = size * (r.chance(30) ? r.between(-2, 2) : r.real(-2, 2));
     return m;
 }
 
@@ -46,7 +47,8 @@ Case clip_case(Random& r) {
             s.frame.eye_from_object = any_affine(r);
         }
         if (r.chance(20)) s.state.fog = any_fog(r, eye_depth(frame));
-        if (r.chance(20)) s.state.color_source = r.pick({ColorSource::Vertex, ColorSource::Lighting});
+        if (r.chance(20))
+            s.state.color_source = r.pick({ColorSource::Vertex, ColorSource::Lighting});
         s.state.texture.gen = r.any(TexGen::EyeLinear);
         draw(s, any_mesh(r, frame, {.normals = true, .texcoords = true}), 20);
         s.frame = frame;

@@ -14,7 +14,8 @@ Case depth_case(Random& r) {
         s.state.polygon_offset = any_polygon_offset(r, s.out.profile);
         s.state.color_mask = r.chance(80) ? ColorMask{} : any_color_mask(r);
         const double z = any_z(r, s.frame);
-        draw(s, r.chance(25) ? cover_mesh(r, s.frame, {}, z) : any_triangles(r, s.frame, {.most = 8}));
+        draw(s,
+             r.chance(25) ? cover_mesh(r, s.frame, {}, z) : any_triangles(r, s.frame, {.most = 8}));
         between_draws(s);
     }
     return s.out;

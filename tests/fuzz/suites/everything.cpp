@@ -18,7 +18,8 @@ void any_state(Script& s) {
     if (r.chance(20)) state.depth_range = any_depth_range(r);
     if (r.chance(15)) any_clip_planes(r, s.frame, state);
     if (r.chance(20)) state.cull = any_cull(r);
-    if (r.chance(20)) state.polygon_mode = r.chance(70) ? PolygonMode::Fill : r.any(PolygonMode::Line);
+    if (r.chance(20))
+        state.polygon_mode = r.chance(70) ? PolygonMode::Fill : r.any(PolygonMode::Line);
     if (r.chance(20)) state.polygon_offset = any_polygon_offset(r, p);
     if (r.chance(20)) state.jitter = any_jitter(r, p);
     if (r.chance(15)) state.point_size = r.between(1, 5);

@@ -11,7 +11,8 @@ Case fog_case(Random& r) {
     for (int i = 0; i < draws; ++i) {
         s.state.fog = any_fog(r, eye_depth(s.frame));
         s.state.depth.test = r.chance(50);
-        s.state.blend = r.chance(40) ? BlendState{true, BlendFactor::One, BlendFactor::One} : BlendState{};
+        s.state.blend =
+            r.chance(40) ? BlendState{true, BlendFactor::One, BlendFactor::One} : BlendState{};
         s.state.shade_model = r.any(ShadeModel::Smooth);
         s.state.texture = any_texture_state(r);
         draw(s, any_mesh(r, s.frame, {.texcoords = true, .most = 7}), 20);

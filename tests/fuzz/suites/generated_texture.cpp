@@ -14,7 +14,8 @@ dmat4 any_eye_linear(Random& r, const Frame& f) {
     dmat4 m(0);
     const double depth = eye_depth(f);
     for (int c = 0; c < 4; ++c)
-        for (int i = 0; i < 4; ++i) m[c][i] = r.chance(40) ? 0 : r.real(-2, 2) / (c < 3 ? depth : 1);
+        for (int i = 0; i < 4; ++i)
+            m[c][i] = r.chance(40) ? 0 : r.real(-2, 2) / (c < 3 ? depth : 1);
     if (r.chance(60))  // q = 1 or the eye distance
         for (int c = 0; c < 4; ++c) m[c][3] = 0;
     if (m[0][3] == 0 && m[1][3] == 0) r.chance(50) ? m[3][3] = 1 : m[2][3] = -1;

@@ -14,7 +14,8 @@ Case lighting_case(Random& r) {
         s.state.shade_model = r.any(ShadeModel::Smooth);
         s.state.cull = r.chance(30) ? any_cull(r) : CullState{};
         s.state.depth.test = r.chance(60);
-        s.state.blend = r.chance(40) ? BlendState{true, BlendFactor::One, BlendFactor::One} : BlendState{};
+        s.state.blend =
+            r.chance(40) ? BlendState{true, BlendFactor::One, BlendFactor::One} : BlendState{};
         s.state.fog = r.chance(20) ? any_fog(r, eye_depth(s.frame)) : FogState{};
         draw(s, any_mesh(r, s.frame, {.normals = r.chance(95), .colors = r.chance(20)}));
         between_draws(s);

@@ -58,10 +58,12 @@ void component_pass(Script& s, const Model& model) {
     s.state.shade_model = r.chance(85) ? ShadeModel::Smooth : ShadeModel::Flat;
     s.state.stencil = {};
     if (r.chance(60))
-        s.state.stencil = {.test = true, .func = r.pick({StencilFunc::Equal, StencilFunc::NotEqual})};
+        s.state.stencil = {.test = true,
+                           .func = r.pick({StencilFunc::Equal, StencilFunc::NotEqual})};
     if (r.chance(10)) s.state.stencil.zpass = StencilOp::Incr;
     s.state.texture = any_texture_state(r);
-    s.state.texture.gen = r.pick({TexGen::None, TexGen::None, TexGen::SphereMap, TexGen::EyeLinear});
+    s.state.texture.gen =
+        r.pick({TexGen::None, TexGen::None, TexGen::SphereMap, TexGen::EyeLinear});
     s.state.fog = {};
     if (r.chance(30)) s.state.fog = any_fog(r, eye_depth(s.frame));
     draw_all(s, model, r.pick({0, 50, 100}));
@@ -96,8 +98,9 @@ Case multipass_case(Random& r) {
     const int count = r.between(1, 3);
     for (int i = 0; i < count; ++i) {
         const MeshWish wish{.normals = true, .texcoords = true, .most = 7};
-        model.meshes.push_back(i == 0 && r.chance(40) ? cover_mesh(r, s.frame, wish, s.frame.far_z * 0.75)
-                                                      : any_mesh(r, s.frame, wish));
+        model.meshes.push_back(i == 0 && r.chance(40)
+                                   ? cover_mesh(r, s.frame, wish, s.frame.far_z * 0.75)
+                                   : any_mesh(r, s.frame, wish));
     }
     model.volume = any_triangles(r, s.frame, {.most = 6});
     const int samples = r.chance(60) ? 1 : r.between(2, 4);
@@ -106,7 +109,8 @@ Case multipass_case(Random& r) {
         if (samples > 1) s.state.jitter = any_jitter(r, s.out.profile);
         frame(s, model);
         s.state.stencil = {};
-        if (samples > 1 || r.chance(30)) add(s, Accumulate{i == 0 ? AccumOp::Load : AccumOp::Accum, 1});
+        if (samples > 1 || r.chance(30))
+            add(s, Accumulate{i == 0 ? AccumOp::Load : AccumOp::Accum, 1});
     }
     if (samples > 1) add(s, Accumulate{AccumOp::Return, 1.0f / float(samples)});
     return s.out;

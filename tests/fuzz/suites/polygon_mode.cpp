@@ -19,7 +19,8 @@ Case polygon_mode_case(Random& r) {
         s.state.shade_model = r.any(ShadeModel::Smooth);
         s.state.clip_planes = {};
         if (r.chance(20)) any_clip_planes(r, s.frame, s.state);
-        if (r.chance(30)) s.state.color_source = r.pick({ColorSource::Vertex, ColorSource::Lighting});
+        if (r.chance(30))
+            s.state.color_source = r.pick({ColorSource::Vertex, ColorSource::Lighting});
         s.state.lighting = any_lighting(r);
         draw(s, any_triangles(r, s.frame, {.normals = true}));
         between_draws(s);

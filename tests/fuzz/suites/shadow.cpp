@@ -9,8 +9,8 @@ namespace gw::fuzz {
 
 namespace {
 
-/// s, t, r in 0 .. 1 over the frame's picture and depths, seen from a little aside; q the eye distance where
-/// deep.
+/// s, t, r in 0 .. 1 over the frame's picture and depths, seen from a little aside; q the eye
+/// distance where deep.
 dmat4 shadow_matrix(Random& r, const Frame& f) {
     const dmat4& p = f.projection;
     dmat4 m(0);

@@ -1,5 +1,5 @@
-// The elementary functions over every float32 of the ranges in use: about two minutes each. The quick test
-// takes the same walk in strides.
+// The elementary functions over every float32 of the ranges in use: about two minutes each. The
+// quick test takes the same walk in strides.
 #include "tests/gw/elementary_oracle.h"
 
 namespace gw::oracle {

@@ -1,4 +1,5 @@
-// Every stencil operation x stored value x write mask x reference through the machine: 134 million fragments.
+// Every stencil operation x stored value x write mask x reference through the machine: 134 million
+// fragments.
 #include "tests/gw/stencil_row.h"
 
 namespace gw {

@@ -1,5 +1,5 @@
-// 105,000 random lists: machine against machine, every plane, counter, read-back and digest after every
-// command. The first 100 of each suite are tests/gw/test_fuzz.cpp's.
+// 105,000 random lists: machine against machine, every plane, counter, read-back and digest after
+// every command. The first 100 of each suite are tests/gw/test_fuzz.cpp's.
 #include "tests/fuzz/explain.h"
 
 #include <gtest/gtest.h>
