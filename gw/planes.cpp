@@ -9,7 +9,7 @@
 namespace gw {
 
 Planes::Planes(int w, int h) : width(w), height(h) {
-    const std::size_t size = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
+    const std::size_t size = std::size_t(w) * std::size_t(h);
     color.resize(size);
     depth.resize(size);
     stencil.resize(size);
@@ -23,7 +23,7 @@ constexpr int block = 64;
 /// Digest of one block: its rows, each cut at the window's edge, one after the other.
 template <typename T>
 XXH128_hash_t block_digest(const std::vector<T>& plane, const Planes& p, int x0, int y0) {
-    const auto width = static_cast<std::size_t>(std::min(block, p.width - x0));
+    const auto width = std::size_t(std::min(block, p.width - x0));
     std::vector<T> pixels;
     pixels.reserve(block * block);
     for (int y = y0; y < std::min(y0 + block, p.height); ++y) {

@@ -25,8 +25,7 @@ struct Planes {
     /// All zero, depth too: a machine's planes are undefined before Clear, and here that is 0.
     Planes(int width, int height);
     std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-               static_cast<std::size_t>(x);
+        return std::size_t(y) * std::size_t(width) + std::size_t(x);
     }
     bool operator==(const Planes&) const = default;
 };

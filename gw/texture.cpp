@@ -13,8 +13,7 @@ void check(const std::string& name, int width, int height, std::size_t values) {
     if (width < 1 || height < 1 || width > max_texture_size || height > max_texture_size)
         throw Error("texture " + name + ": " + size + " texels; expected sides of 1 to " +
                     std::to_string(max_texture_size));
-    if (values !=
-        std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+    if (values != std::size_t{4} * std::size_t(width) * std::size_t(height))
         throw Error("texture " + name + ": " + std::to_string(values) + " values for " + size +
                     " texels of 4");
 }
@@ -43,16 +42,14 @@ TextureLevel resample(int width, int height, std::span<const std::uint16_t> rgba
         level.rgba.assign(rgba.begin(), rgba.end());
         return level;
     }
-    level.rgba.reserve(std::size_t{4} * static_cast<std::size_t>(level.width) *
-                       static_cast<std::size_t>(level.height));
+    level.rgba.reserve(std::size_t{4} * std::size_t(level.width) * std::size_t(level.height));
     const std::uint64_t parts_x = 2 * static_cast<std::uint64_t>(level.width);
     const std::uint64_t parts_y = 2 * static_cast<std::uint64_t>(level.height);
     for (int y = 0; y < level.height; ++y)
         for (int x = 0; x < level.width; ++x) {
             const Place px = place(x, width, level.width), py = place(y, height, level.height);
             const auto texel = [&](int column, int row, int channel) {
-                return std::uint64_t{
-                    rgba[static_cast<std::size_t>(4 * (row * width + column) + channel)]};
+                return std::uint64_t{rgba[std::size_t(4 * (row * width + column) + channel)]};
             };
             for (int c = 0; c < 4; ++c) {
                 const auto along = [&](int row) {
@@ -77,8 +74,7 @@ TextureLevel half(const TextureLevel& level) {
         for (int x = 0; x < result.width; ++x)
             for (int c = 0; c < 4; ++c) {
                 const auto texel = [&](int column, int row) {
-                    return unsigned{
-                        level.rgba[static_cast<std::size_t>(4 * (row * level.width + column) + c)]};
+                    return unsigned{level.rgba[std::size_t(4 * (row * level.width + column) + c)]};
                 };
                 const int column = x << dx, row = y << dy;
                 const unsigned sum = texel(column, row) + texel(column + dx, row) +

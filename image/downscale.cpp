@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace gw::image {
-
 namespace {
 
 std::uint16_t mean_of(const Picture& p, int x0, int y0, int factor, int channel) {

@@ -6,7 +6,6 @@
 #include <array>
 
 namespace gw::image {
-
 namespace {
 
 using Color = std::array<std::uint16_t, 3>;

@@ -6,7 +6,6 @@
 #include <dlfcn.h>
 
 namespace gw::image {
-
 namespace {
 
 const Formats& load() {

@@ -20,11 +20,11 @@ Picture toned(Picture picture, const Tone& tone) {
     if (tone == Tone{}) return picture;
     const int max = (1 << picture.bits) - 1;
     const double brighter = gw::pow(2, tone.exposure);
-    std::vector<std::uint16_t> table(static_cast<std::size_t>(max) + 1);
+    std::vector<std::uint16_t> table(std::size_t(max) + 1);
     for (int v = 0; v <= max; ++v) {
         const double light = std::min(1.0, v * brighter / max);
         const double shown = gw::pow(light, 1 / tone.gamma);
-        table[static_cast<std::size_t>(v)] = static_cast<std::uint16_t>(std::lround(shown * max));
+        table[std::size_t(v)] = static_cast<std::uint16_t>(std::lround(shown * max));
     }
     for (std::uint16_t& value : picture.values) value = table[value];
     return picture;

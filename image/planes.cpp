@@ -6,7 +6,6 @@
 #include <algorithm>
 
 namespace gw::image {
-
 namespace {
 
 std::vector<std::uint32_t> widened(const std::vector<std::uint8_t>& values) {

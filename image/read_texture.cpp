@@ -5,7 +5,6 @@
 #include "image/textures.h"
 
 namespace gw::image {
-
 namespace {
 
 void check_file(const std::filesystem::path& file) {

@@ -5,7 +5,6 @@
 #include <map>
 
 namespace gw::image {
-
 namespace {
 
 using Cache = std::map<std::filesystem::path, TextureRef>;

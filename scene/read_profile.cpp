@@ -4,7 +4,6 @@
 #include "scene/toml/toml_binder.h"
 
 namespace gw::scene {
-
 namespace {
 
 Profile base_of(const TomlValue& file) {

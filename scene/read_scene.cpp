@@ -7,7 +7,6 @@
 #include "scene/toml/read_toml.h"
 
 namespace gw::scene {
-
 namespace {
 
 SceneFile read_bare_obj(const std::filesystem::path& path) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 namespace gw::study {
-
 namespace {
 
 /// In the order of the points.

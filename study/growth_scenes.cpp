@@ -7,7 +7,6 @@
 #include <random>
 
 namespace gw::study {
-
 namespace {
 
 /// The same numbers everywhere.

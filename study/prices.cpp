@@ -8,7 +8,6 @@
 #include <algorithm>
 
 namespace gw::study {
-
 namespace {
 
 using scene::key;

@@ -6,7 +6,6 @@
 #include <mutex>
 
 namespace gw::apps {
-
 namespace {
 
 /// Of one machine, which may be gone.

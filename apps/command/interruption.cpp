@@ -7,7 +7,6 @@
 #include <cstring>
 
 namespace gw::apps {
-
 namespace {
 
 constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};

@@ -7,7 +7,6 @@
 #include <vector>
 
 namespace gw::apps {
-
 namespace {
 
 std::vector<std::string> long_names(const CLI::App& app) {

@@ -12,7 +12,6 @@
 #include <optional>
 
 namespace gw::apps {
-
 namespace {
 
 [[noreturn]] void refuse(const std::string& option, const std::string& word,

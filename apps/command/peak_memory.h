@@ -10,9 +10,9 @@ namespace gw {
 /// In bytes; kept resident, programs and libraries included.
 inline std::size_t peak_memory(const rusage& usage) {
 #ifdef __APPLE__
-    return static_cast<std::size_t>(usage.ru_maxrss);
+    return std::size_t(usage.ru_maxrss);
 #else
-    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+    return std::size_t(usage.ru_maxrss) * 1024;
 #endif
 }
 inline std::size_t peak_memory() {

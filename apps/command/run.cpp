@@ -10,7 +10,6 @@
 #include <new>
 
 namespace gw::apps {
-
 namespace {
 
 constexpr const char* about =

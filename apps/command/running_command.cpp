@@ -4,7 +4,6 @@
 #include "image/output/origin.h"
 
 namespace gw::apps {
-
 namespace {
 
 std::vector<std::string> outer_words;

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 namespace gw::apps {
-
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;

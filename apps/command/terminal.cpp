@@ -10,7 +10,6 @@
 #include <string>
 
 namespace gw::apps {
-
 namespace {
 
 int muted = 0;

@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 
 namespace gw::apps {
-
 namespace {
 
 std::string names_of(const std::vector<DescribedCommand>& commands) {

@@ -9,7 +9,6 @@
 #include <CLI/CLI.hpp>
 
 namespace gw::apps {
-
 namespace {
 
 std::string described(const CLI::App& root, const std::string& form) {

@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 
 namespace gw::apps {
-
 namespace {
 
 std::vector<std::string> profile_names() {

@@ -11,7 +11,6 @@
 #include <thread>
 
 namespace gw::apps {
-
 namespace {
 
 std::string extensions_of(const Profile& profile) {

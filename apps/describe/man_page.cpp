@@ -9,7 +9,6 @@
 #include <sstream>
 
 namespace gw::apps {
-
 namespace {
 
 /// Text that roff reads as it stands: no escapes, and no line that looks like a request.

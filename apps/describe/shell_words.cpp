@@ -1,7 +1,6 @@
 #include "apps/describe/shell_words.h"
 
 namespace gw::apps {
-
 namespace {
 
 std::string quoted(const std::string& word) {

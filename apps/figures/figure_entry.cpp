@@ -9,7 +9,6 @@
 #include <fstream>
 
 namespace gw::apps {
-
 namespace {
 
 /// 1234567 as "1,234,567".

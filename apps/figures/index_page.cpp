@@ -8,7 +8,6 @@
 #include <iterator>
 
 namespace gw::apps {
-
 namespace {
 
 using plot::escaped;

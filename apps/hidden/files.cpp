@@ -125,7 +125,7 @@ std::string html(const hs::Input& input, const std::vector<Compared>& all) {
 }  // namespace
 
 std::vector<std::size_t> places(std::size_t steps, int pictures) {
-    const auto count = std::min(steps + 1, static_cast<std::size_t>(pictures));
+    const auto count = std::min(steps + 1, std::size_t(pictures));
     std::vector<std::size_t> at;
     for (std::size_t i = 1; i <= count; ++i)
         at.push_back(count == 1 ? steps : (i - 1) * steps / (count - 1));

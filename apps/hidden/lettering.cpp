@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace gw::apps {
-
 namespace {
 
 constexpr int glyph_width = 5, glyph_height = 7, glyphs_in_row = 16;

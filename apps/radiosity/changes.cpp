@@ -6,7 +6,6 @@
 #include <set>
 
 namespace gw::apps {
-
 namespace {
 
 constexpr const char* expected =

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 namespace gw::apps {
-
 namespace {
 
 image::Layers layers_of(const radiosity::Saved& saved) {

@@ -8,7 +8,6 @@
 #include <set>
 
 namespace gw::apps {
-
 namespace {
 
 /// The mean over a figure's patches of what they send to another figure, and what the first one's

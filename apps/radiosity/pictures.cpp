@@ -16,7 +16,6 @@
 #include <cstdlib>
 
 namespace gw::apps {
-
 namespace {
 
 /// Eight bits are what pictures are looked at with.

@@ -21,7 +21,6 @@
 #include <optional>
 
 namespace gw::apps {
-
 namespace {
 
 using Clock = std::chrono::steady_clock;

@@ -19,7 +19,6 @@
 #include <algorithm>
 
 namespace gw::apps {
-
 namespace {
 
 struct DiffOptions {

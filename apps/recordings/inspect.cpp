@@ -17,7 +17,6 @@
 #include <algorithm>
 
 namespace gw::apps {
-
 namespace {
 
 struct InspectOptions {

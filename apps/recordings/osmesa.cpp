@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 namespace gw::apps {
-
 namespace {
 
 /// Mesa as a machine, as far as a recording needs one: it executes.

@@ -11,7 +11,6 @@
 #include <CLI/CLI.hpp>
 
 namespace gw::apps {
-
 namespace {
 
 struct PixelOptions {

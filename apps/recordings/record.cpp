@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 
 namespace gw::apps {
-
 namespace {
 
 struct RecordOptions {

@@ -8,7 +8,6 @@
 #include "inspect/replay/recorder.h"
 
 namespace gw::apps {
-
 namespace {
 
 CommandList hidden_surface_list(const Drawing& drawing, const scene::View& view,

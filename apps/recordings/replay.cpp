@@ -18,7 +18,6 @@
 #include <CLI/CLI.hpp>
 
 namespace gw::apps {
-
 namespace {
 
 struct ReplayOptions {

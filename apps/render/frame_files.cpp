@@ -18,7 +18,6 @@
 #include <set>
 
 namespace gw::apps {
-
 namespace {
 
 image::Picture picture_of(const Drawing& drawing, const std::vector<Rgba>& color,

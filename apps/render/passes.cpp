@@ -16,7 +16,6 @@
 #include <CLI/CLI.hpp>
 
 namespace gw::apps {
-
 namespace {
 
 enum class Form { Text, Json, Csv, Toml };

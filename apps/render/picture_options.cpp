@@ -17,7 +17,6 @@
 #include <map>
 
 namespace gw::apps {
-
 namespace {
 
 void add_camera_options(CLI::App& command, PictureOptions& options) {

@@ -13,7 +13,6 @@
 #include <CLI/CLI.hpp>
 
 namespace gw::apps {
-
 namespace {
 
 struct RenderOptions {

@@ -9,7 +9,6 @@
 #include <algorithm>
 
 namespace gw::apps {
-
 namespace {
 
 void draw_hardware(Machine& machine, const scene::Scene& scene, const scene::View& view,

@@ -10,7 +10,6 @@
 #include <functional>
 
 namespace gw::apps {
-
 namespace {
 
 // "rings.png" becomes "rings_007.png".

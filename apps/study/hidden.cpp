@@ -16,7 +16,6 @@
 #include <algorithm>
 
 namespace gw::apps {
-
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;

@@ -22,7 +22,6 @@
 #include <memory>
 
 namespace gw::apps {
-
 namespace {
 
 struct StudyOptions {

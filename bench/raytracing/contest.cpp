@@ -1,9 +1,9 @@
-#include "contest.h"
+#include "bench/raytracing/contest.h"
 
+#include "bench/raytracing/ray_set.h"
 #include "gw/machine.h"
 #include "itembuffer/render.h"
 #include "itembuffer/superposed_ray_tracer.h"
-#include "ray_set.h"
 #include "raytrace/tracer/render.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // swept over lights, glossy share, polygons and samples. Writes DIR/NAME.svg and .csv of each
 // sweep, and prints tables. `rays`: rays by kind and the building of hierarchies, beside Embree.
 #include "apps/command/peak_memory.h"
+#include "bench/raytracing/report.h"
 #include "image/output/output_set.h"
-#include "report.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

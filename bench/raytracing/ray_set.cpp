@@ -1,4 +1,4 @@
-#include "ray_set.h"
+#include "bench/raytracing/ray_set.h"
 
 #include "gw/stages/texgen.h"
 #include "gw/stages/vertex.h"

@@ -1,4 +1,4 @@
-#include "report.h"
+#include "bench/raytracing/report.h"
 
 #include "study/plot/plot.h"
 

@@ -1,7 +1,7 @@
 // Measurements as plots, CSV and lines of a table. Does not measure.
 #pragma once
 
-#include "sweep.h"
+#include "bench/raytracing/sweep.h"
 
 #include <string>
 #include <vector>

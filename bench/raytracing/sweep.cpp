@@ -1,4 +1,4 @@
-#include "sweep.h"
+#include "bench/raytracing/sweep.h"
 
 #include "gw/machine.h"
 #include "image/textures.h"

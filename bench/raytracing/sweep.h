@@ -1,8 +1,8 @@
 // What is measured: scenes by one number, and what a measurement of one gives.
 #pragma once
 
-#include "contest.h"
-#include "ray_set.h"
+#include "bench/raytracing/contest.h"
+#include "bench/raytracing/ray_set.h"
 
 #include <functional>
 #include <string>

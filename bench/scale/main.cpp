@@ -5,9 +5,9 @@
 // tinyobjloader where that is installed. Writes DIR/seconds.svg, memory.svg and their numbers. Does
 // not compare pictures.
 #include "apps/command/peak_memory.h"
+#include "bench/scale/obj_file.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
-#include "obj_file.h"
 #include "study/plot/plot.h"
 
 #include <fmt/format.h>

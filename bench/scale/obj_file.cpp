@@ -1,4 +1,4 @@
-#include "obj_file.h"
+#include "bench/scale/obj_file.h"
 
 #include "gw/error.h"
 #include "gw/mesh.h"

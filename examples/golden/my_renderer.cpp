@@ -1,4 +1,4 @@
-#include "my_renderer.h"
+#include "examples/golden/my_renderer.h"
 
 namespace my_renderer {
 

@@ -70,7 +70,7 @@ void allow_threads(int threads) {
     static std::mutex mutex;
     static std::unique_ptr<Control> allowed;
     const std::lock_guard lock(mutex);
-    const auto most = static_cast<std::size_t>(threads);
+    const auto most = std::size_t(threads);
     if (Control::active_value(Control::max_allowed_parallelism) >= most) return;
     allowed.reset();
     allowed = std::make_unique<Control>(Control::max_allowed_parallelism, most);

@@ -20,7 +20,7 @@ std::uint32_t fog_factor_at(const Shader& s, int x, int y) {
     const float t = std::ldexp(v.fog_coordinate.at(x, y, reciprocal(v.q, x, y)),
                                v.fog_coordinate.exponent + log2_steps + 8);
     const int position = static_cast<int>(std::min(t, float(steps * 256)));
-    const std::size_t i = static_cast<std::size_t>(position >> 8);
+    const std::size_t i = std::size_t(position >> 8);
     if (int(i) >= steps) return table.back();
     const std::int32_t a = std::int32_t(table[i]), b = std::int32_t(table[i + 1]);
     return static_cast<std::uint32_t>(a + (((b - a) * (position & 255) + 128) >> 8));

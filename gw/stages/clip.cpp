@@ -17,7 +17,7 @@ double clip_distance(const ClipPosition& v, int i, const ViewportTransform& vp) 
         case 9: return (guard_high - vp.center_x) * c.w - vp.half_width * c.x;
         case 10: return vp.half_height * c.y + (vp.center_y - guard_low) * c.w;
         case 11: return (guard_high - vp.center_y) * c.w - vp.half_height * c.y;
-        default: return v.distance[static_cast<std::size_t>(i - 2)];
+        default: return v.distance[std::size_t(i - 2)];
     }
 }
 
@@ -41,7 +41,7 @@ Vertex interpolate(const Vertex& in, const Vertex& out, double t) {
     Vertex v;
     interpolate(in, out, t, static_cast<ClipPosition&>(v));
     for (int i = 0; i < 4; ++i) {
-        const auto c = static_cast<std::size_t>(i);
+        const auto c = std::size_t(i);
         v.texcoord[i] = mix(in.texcoord[i], out.texcoord[i], t);
         v.color[c] = round_even(mix(in.color[c], out.color[c], t));
         v.back_color[c] = round_even(mix(in.back_color[c], out.back_color[c], t));

@@ -47,7 +47,7 @@ constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::
 /// [GL11] 4.1.6, tables 4.1 and 4.2: the factor of channel `c` (3 is alpha); 1.0 is `max`.
 constexpr std::uint32_t blend_factor(BlendFactor factor, const Rgba& src, const Rgba& dst, int c,
                                      std::uint32_t max) {
-    const auto i = static_cast<std::size_t>(c);
+    const auto i = std::size_t(c);
     switch (factor) {
         case BlendFactor::Zero: return 0;
         case BlendFactor::One: return max;
@@ -70,7 +70,7 @@ constexpr Rgba blend(const BlendState& state, const Rgba& src, const Rgba& dst, 
     const std::uint32_t max = max_of_bits(bits);
     Rgba out{};
     for (int c = 0; c < 4; ++c) {
-        const auto i = static_cast<std::size_t>(c);
+        const auto i = std::size_t(c);
         const std::uint32_t s = mul(src[i], blend_factor(state.src, src, dst, c, max), bits);
         const std::uint32_t d = mul(dst[i], blend_factor(state.dst, src, dst, c, max), bits);
         out[i] = static_cast<std::uint16_t>(std::min(max, s + d));

@@ -17,8 +17,7 @@ struct TexelLevel {
     int width = 1, height = 1, log2_width = 0, log2_height = 0;
     std::vector<Rgba> texels;  ///< of color_bits
     const Rgba& at(int i, int j) const {
-        return texels[static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
-                      static_cast<std::size_t>(i)];
+        return texels[std::size_t(j) * std::size_t(width) + std::size_t(i)];
     }
 };
 

@@ -23,7 +23,6 @@
 #include <cmath>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 constexpr int across = 8, down = 4;

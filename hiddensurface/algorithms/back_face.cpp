@@ -5,7 +5,6 @@
 #include "hiddensurface/run/algorithm.h"
 
 namespace gw::hiddensurface {
-
 namespace {
 
 Output run(const Input& input, StepLog& log) {

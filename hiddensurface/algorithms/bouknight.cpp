@@ -15,7 +15,6 @@
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 struct Crossing {

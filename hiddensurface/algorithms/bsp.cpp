@@ -4,7 +4,6 @@
 #include <numeric>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 constexpr std::size_t candidates = 8;

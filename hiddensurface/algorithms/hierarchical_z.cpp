@@ -18,7 +18,6 @@
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 WindowBox box_of(const Polygon& polygon, int s, const Rect& window) {

@@ -9,7 +9,6 @@
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 struct Item {

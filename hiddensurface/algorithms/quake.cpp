@@ -19,7 +19,6 @@
 #include <numeric>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 constexpr std::size_t candidates = 8;

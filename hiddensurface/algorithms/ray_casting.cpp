@@ -5,7 +5,6 @@
 #include "raytrace/casting/brute_force.h"
 
 namespace gw::hiddensurface {
-
 namespace {
 
 struct Targets {

@@ -3,7 +3,6 @@
 #include "hiddensurface/structures/visible_spans.h"
 
 namespace gw::hiddensurface {
-
 namespace {
 
 Output run(const Input& input, StepLog& log) {

@@ -18,7 +18,6 @@
 #include <fmt/format.h>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 Output run(const Input& input, StepLog& log) {

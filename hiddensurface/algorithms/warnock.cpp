@@ -13,7 +13,6 @@
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 using FaceList = std::vector<const Face*>;

@@ -17,7 +17,6 @@
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 class Watkins {

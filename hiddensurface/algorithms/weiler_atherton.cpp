@@ -20,7 +20,6 @@
 #include <limits>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 struct Fragment {

@@ -6,7 +6,6 @@
 #include "scene/draw/draw_commands.h"
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// F and Z of the lecture, for the log.

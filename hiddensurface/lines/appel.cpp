@@ -8,7 +8,6 @@
 #include <deque>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 struct Box {

@@ -12,7 +12,6 @@
 #include <tuple>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 using Key = std::tuple<double, double, double>;

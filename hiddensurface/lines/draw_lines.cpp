@@ -3,7 +3,6 @@
 #include "hiddensurface/run/styles.h"
 
 namespace gw::hiddensurface {
-
 namespace {
 
 std::vector<bool> lit_pixels(Machine& machine, const CommandList& list) {

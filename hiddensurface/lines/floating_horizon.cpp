@@ -10,7 +10,6 @@
 #include <tuple>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// On the upright picture plane, and how far along the sweep from the eye (1 where sight is

@@ -10,7 +10,6 @@
 #include <tuple>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 constexpr const char* expected =

@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// As a part of the size of the values compared: nearer to the horizon is on it.

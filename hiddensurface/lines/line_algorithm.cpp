@@ -9,7 +9,6 @@
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// Shorter parts are the rounding of two ends that are one.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 std::string path_of(const Input& input, const Line& line, const std::vector<Part>& parts) {

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// Where p + t (q - p) is farther than the tolerance on the positive side of all planes of the

@@ -5,7 +5,6 @@
 #include <tuple>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 class Builder {

@@ -7,7 +7,6 @@
 #include <cmath>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 dmat4 clip_from_world(const scene::View& view) {

@@ -4,7 +4,6 @@
 #include <utility>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// Nearest integer to n / d, ties to even; d > 0.

@@ -6,7 +6,6 @@
 #include <map>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 using Corner = std::pair<std::int64_t, std::int64_t>;  ///< x, y

@@ -7,7 +7,6 @@
 #include <limits>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 std::pair<double, double> along(const Loop& loop, const dvec2& direction) {

@@ -9,7 +9,6 @@
 #include <span>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// Sutherland-Hodgman against one plane; `sign` -1 keeps what is before it. A new corner always

@@ -15,7 +15,6 @@
 #include <cmath>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// One object before the eye.

@@ -6,7 +6,6 @@
 #include "scene/geometry/weights.h"
 
 namespace gw::hiddensurface {
-
 namespace {
 
 using scene::inside;

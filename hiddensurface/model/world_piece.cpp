@@ -3,7 +3,6 @@
 #include "hiddensurface/model/normal.h"
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// The polygon's triangles that are of the facet: the first and how many.

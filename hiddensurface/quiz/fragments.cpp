@@ -12,7 +12,6 @@
 #include <set>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 constexpr std::string_view header = "x,y,polygon";

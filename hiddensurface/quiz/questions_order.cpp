@@ -9,7 +9,6 @@
 #include <map>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// Pixels that have the same polygons over them and show the same one: how many.

@@ -10,7 +10,6 @@
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 std::string corners_of(const Polygon& polygon) {

@@ -11,7 +11,6 @@
 #include <sstream>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 constexpr int most_tries = 400;

@@ -6,7 +6,6 @@
 #include <string>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 constexpr vec3 colors[quiz_colors] = {

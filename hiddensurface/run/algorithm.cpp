@@ -5,7 +5,6 @@
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 Rgba color_of(std::uint32_t id) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// The same list, its state with the stencil counting what is written. Not to be used for counts.

@@ -8,7 +8,6 @@
 #include <cmath>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// One sub-pixel unit is the grid's.

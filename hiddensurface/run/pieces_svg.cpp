@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// Grid units to pixels, y down.

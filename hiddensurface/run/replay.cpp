@@ -5,7 +5,6 @@
 #include <utility>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 void check(const Step& step, int width, int height) {
@@ -21,9 +20,7 @@ void check(const Step& step, int width, int height) {
 }  // namespace
 
 Replay::Replay(std::vector<Step> steps, int width, int height)
-    : steps_(std::move(steps)),
-      ids_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
-      width_(width) {
+    : steps_(std::move(steps)), ids_(std::size_t(width) * std::size_t(height)), width_(width) {
     for (const Step& step : steps_) check(step, width, height);
 }
 
@@ -31,9 +28,7 @@ template <class Change>
 void Replay::for_painted(const Step& step, const Change& change) {
     for (const auto& [run, id] : step.painted)
         for (int x = run.x0; x < run.x1; ++x)
-            change(ids_[static_cast<std::size_t>(run.y) * static_cast<std::size_t>(width_) +
-                        static_cast<std::size_t>(x)],
-                   id);
+            change(ids_[std::size_t(run.y) * std::size_t(width_) + std::size_t(x)], id);
 }
 
 void Replay::forward() {

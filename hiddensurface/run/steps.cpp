@@ -8,7 +8,6 @@
 #include <array>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -63,8 +62,8 @@ Step parse(const std::string& line) {
 
 }  // namespace
 
-const char* name_of(Level level) { return level_names[static_cast<std::size_t>(level)]; }
-const char* name_of(Action action) { return action_names[static_cast<std::size_t>(action)]; }
+const char* name_of(Level level) { return level_names[std::size_t(level)]; }
+const char* name_of(Action action) { return action_names[std::size_t(action)]; }
 
 std::string to_json(const Step& step) {
     Json json{{"level", name_of(step.level)}, {"action", name_of(step.action)}};

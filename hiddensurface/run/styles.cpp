@@ -5,7 +5,6 @@
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 constexpr double depth_shift = 1.0 / 1024;

@@ -7,7 +7,6 @@
 #include <cmath>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 class Builder {

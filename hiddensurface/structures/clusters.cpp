@@ -9,7 +9,6 @@
 #include <optional>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 constexpr std::size_t largest_cluster = 512;  ///< faces: each is compared with each

@@ -8,7 +8,6 @@
 #include <numeric>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 constexpr int deepest = 10;

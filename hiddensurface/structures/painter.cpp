@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 std::vector<std::size_t> visible_polygons(const Input& input) {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 int sign(int128 v) { return v > 0 ? 1 : v < 0 ? -1 : 0; }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// Floor of a / b, b > 0.

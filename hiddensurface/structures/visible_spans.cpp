@@ -5,7 +5,6 @@
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// A triangle between its first and last row: its three edges, walked down [L7].

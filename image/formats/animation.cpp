@@ -7,16 +7,14 @@
 #include <iterator>
 
 namespace gw::image::oiio {
-
 namespace {
 
 std::vector<std::uint8_t> top_row_first(const Picture& picture) {
     std::vector<std::uint8_t> bytes;
-    const auto row = static_cast<std::size_t>(picture.width) * 3;
+    const auto row = std::size_t(picture.width) * 3;
     for (int y = picture.height - 1; y >= 0; --y)
         for (std::size_t i = 0; i < row; ++i)
-            bytes.push_back(
-                static_cast<std::uint8_t>(picture.values[static_cast<std::size_t>(y) * row + i]));
+            bytes.push_back(static_cast<std::uint8_t>(picture.values[std::size_t(y) * row + i]));
     return bytes;
 }
 

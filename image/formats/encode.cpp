@@ -9,7 +9,6 @@
 #include <cctype>
 
 namespace gw::image::oiio {
-
 namespace {
 
 std::string extension_of(const std::filesystem::path& file) {
@@ -41,7 +40,7 @@ void check_readable(const Destination& file, const std::string& name, const OIIO
                     const char* format) {
     auto input = OIIO::ImageInput::create(format);
     OIIO::ImageSpec found;
-    std::vector<float> row(static_cast<std::size_t>(spec.width) * 4);
+    std::vector<float> row(std::size_t(spec.width) * 4);
     const bool whole =
         input && input->open(name, found) && found.width == spec.width &&
         found.height == spec.height && found.nchannels <= 4 &&

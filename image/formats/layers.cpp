@@ -12,7 +12,6 @@
 #include <sstream>
 
 namespace gw::image::oiio {
-
 namespace {
 
 constexpr const char* prefix = "gw:";
@@ -71,7 +70,7 @@ void restore_order(Layer& layer, const std::string& order) {
     for (const std::string& channel : saved) {
         const auto found = std::find(layer.channels.begin(), layer.channels.end(), channel);
         if (found == layer.channels.end()) return;  // another program's file: as it is
-        from.push_back(static_cast<std::size_t>(found - layer.channels.begin()));
+        from.push_back(std::size_t(found - layer.channels.begin()));
     }
     if (from.size() != layer.channels.size()) return;
     std::vector<float> values;
@@ -95,8 +94,7 @@ Layer read_part(OIIO::ImageInput& input, const std::filesystem::path& file, int 
                 spec.channelnames,
                 {}};
     if (!with_values) return layer;
-    layer.values.resize(static_cast<std::size_t>(spec.width) *
-                        static_cast<std::size_t>(spec.height) * layer.channels.size());
+    layer.values.resize(std::size_t(spec.width) * std::size_t(spec.height) * layer.channels.size());
     const auto row = row_bytes(layer);
     char* top_row = reinterpret_cast<char*>(layer.values.data()) + row * (layer.height - 1);
     if (!input.read_image(index, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, top_row,

@@ -3,7 +3,6 @@
 #include "image/formats/module.h"
 
 namespace gw::image::oiio {
-
 namespace {
 
 OIIO::TypeDesc wanted_type(const std::string& format, int bits) {

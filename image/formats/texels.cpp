@@ -10,7 +10,6 @@
 #include <string>
 
 namespace gw::image::oiio {
-
 namespace {
 
 [[noreturn]] void refuse(const std::string& why, const std::string& expected) {
@@ -42,9 +41,9 @@ bool harmless(const std::string& error) {
 template <class T>
 std::vector<T> read_rows(OIIO::ImageInput& input, OIIO::TypeDesc type, int channels) {
     const OIIO::ImageSpec& spec = input.spec();
-    const auto row = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(channels);
-    std::vector<T> values(row * static_cast<std::size_t>(spec.height));
-    T* top_row = values.data() + row * static_cast<std::size_t>(spec.height - 1);
+    const auto row = std::size_t(spec.width) * std::size_t(channels);
+    std::vector<T> values(row * std::size_t(spec.height));
+    T* top_row = values.data() + row * std::size_t(spec.height - 1);
     const auto row_bytes = static_cast<OIIO::stride_t>(row * sizeof(T));
     input.geterror();  // what was odd about the header
     const bool read =
@@ -59,8 +58,8 @@ std::vector<T> read_rows(OIIO::ImageInput& input, OIIO::TypeDesc type, int chann
 template <class T>
 std::vector<T> spread_to_rgba(const std::vector<T>& values, int channels, T opaque) {
     std::vector<T> rgba;
-    rgba.reserve(values.size() / static_cast<std::size_t>(channels) * 4);
-    for (std::size_t i = 0; i < values.size(); i += static_cast<std::size_t>(channels)) {
+    rgba.reserve(values.size() / std::size_t(channels) * 4);
+    for (std::size_t i = 0; i < values.size(); i += std::size_t(channels)) {
         const T* v = &values[i];
         const bool grey = channels < 3;
         const bool alpha = channels == 2 || channels == 4;

@@ -5,7 +5,6 @@
 #endif
 
 namespace gw::image {
-
 namespace {
 
 std::string origin;

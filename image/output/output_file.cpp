@@ -103,7 +103,7 @@ void OutputFile::write(std::span<const std::uint8_t> bytes) {
         const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
         if (written <= 0) fail(written < 0 ? errno : ENOSPC);
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
+        bytes = bytes.subspan(std::size_t(written));
     }
 }
 

@@ -13,7 +13,6 @@
 #include <string>
 
 namespace gw::image {
-
 namespace {
 
 // Plain pointers, because a signal handler may touch nothing more.

@@ -10,7 +10,6 @@
 #include <memory>
 
 namespace gw::image {
-
 namespace {
 
 [[noreturn]] void refuse(png_structp png, png_const_charp why) {

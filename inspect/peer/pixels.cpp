@@ -88,7 +88,7 @@ void write(const WriteSpans& command) {
     const SavedState saved;
     for (const Span& s : command.spans) {
         if (s.length <= 0) continue;
-        const auto length = static_cast<std::size_t>(s.length);
+        const auto length = std::size_t(s.length);
         const std::vector<Rgba> run(s.flat ? length : 0, command.colors[s.first]);
         draw_colors(s.x, s.y, s.length, 1, command.depth,
                     bytes(s.flat ? run.data() : &command.colors[s.first], length));

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace gw::report {
-
 namespace {
 
 /// One more than the largest identifier.

@@ -8,7 +8,6 @@
 #include <map>
 
 namespace gw::report {
-
 namespace {
 
 using scene::key;

@@ -15,7 +15,6 @@
 #include <algorithm>
 
 namespace gw::report {
-
 namespace {
 
 constexpr const char* page_files[] = {"index.html", "report.css", "report.js", "history.js",

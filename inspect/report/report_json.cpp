@@ -6,7 +6,6 @@
 #include "inspect/report/tile_history.h"
 
 namespace gw::report {
-
 namespace {
 
 using Json = nlohmann::ordered_json;

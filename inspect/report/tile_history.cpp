@@ -6,7 +6,6 @@
 #include <algorithm>
 
 namespace gw::report {
-
 namespace {
 
 /// The planes whose values changed, as a JavaScript object; "0" where none did.

@@ -102,7 +102,7 @@ std::size_t end_of_depth(const std::vector<Step>& steps) {
     const auto last = std::find_if(steps.rbegin(), steps.rend(), [](const Step& s) {
         return s.pass.depth.test && s.pass.depth.mask;
     });
-    return static_cast<std::size_t>(steps.rend() - last);
+    return std::size_t(steps.rend() - last);
 }
 
 int images_of(const std::vector<Step>& steps) {

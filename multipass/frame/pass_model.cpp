@@ -54,7 +54,7 @@ Component component_of(PassMap map) {
 }
 
 void add_map(Part& part, PassMap kind, const scene::Map& map, MeshCache& cache) {
-    auto& list = part.maps[static_cast<std::size_t>(kind)];
+    auto& list = part.maps[std::size_t(kind)];
     list.push_back(
         {cache.mapped(part.object->mesh, map), map.texture, lookup_of(map, kind, *part.material)});
 }

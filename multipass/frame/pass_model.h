@@ -27,9 +27,7 @@ struct Part {
     bool translucent = false;
     std::array<std::vector<MappedMesh>, 8> maps;  ///< by PassMap
 
-    const std::vector<MappedMesh>& maps_for(PassMap map) const {
-        return maps[static_cast<std::size_t>(map)];
-    }
+    const std::vector<MappedMesh>& maps_for(PassMap map) const { return maps[std::size_t(map)]; }
 };
 
 /// Refers to the scene, which must outlive it.

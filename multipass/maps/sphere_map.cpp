@@ -15,7 +15,7 @@ constexpr int positions = 4;  // per texel and direction
 
 /// Where a 90 degree view of `size` pixels sees x / w, from -1 to 1.
 std::size_t pixel(double x, double w, int size) {
-    return static_cast<std::size_t>(std::clamp(int((x / w + 1) / 2 * size), 0, size - 1));
+    return std::size_t(std::clamp(int((x / w + 1) / 2 * size), 0, size - 1));
 }
 
 /// The mean of n values of `max`, as 16 bits.

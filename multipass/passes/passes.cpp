@@ -129,7 +129,7 @@ PassList alone(const PassList& passes, const Pass* component) {
 }
 
 std::size_t lights_on(const scene::Scene& scene, const scene::Object& object) {
-    return static_cast<std::size_t>(std::count_if(
+    return std::size_t(std::count_if(
         scene.lights.begin(), scene.lights.end(),
         [&](const scene::Light& light) { return scene::lights_object(light, object); }));
 }
@@ -160,7 +160,7 @@ void check_lights(const scene::Scene& scene, const PassList& passes, const Profi
                                  [](const Pass& p) { return p.lights == PassLights::All; });
     if (!all) return;
     for (const scene::Object& item : scene.objects)
-        if (lights_on(scene, item) > static_cast<std::size_t>(profile.max_lights))
+        if (lights_on(scene, item) > std::size_t(profile.max_lights))
             throw Error(
                 fmt::format("{} lights on object '{}'; profile {} knows {} in one pass. "
                             "--renderer multipass has no limit",

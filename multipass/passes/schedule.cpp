@@ -66,7 +66,7 @@ std::optional<std::optional<std::size_t>> light_of(const Pass& pass, const Model
         return light.shadow != scene::Shadow::None;
     };
     const auto first = std::find_if(lights.begin(), lights.end(), casts);
-    if (first != lights.end()) return static_cast<std::size_t>(first - lights.begin());
+    if (first != lights.end()) return std::size_t(first - lights.begin());
     if (pass.action == PassAction::Shadow) return std::nullopt;
     return std::optional<std::size_t>{};
 }

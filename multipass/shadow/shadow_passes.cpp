@@ -87,7 +87,7 @@ struct VolumeWriter {
         std::size_t triangles = 0;
         for (std::size_t i = first; i < last; ++i)
             for (const MeshRef& mesh : drawn(i)) triangles += mesh ? mesh->triangles().size() : 0;
-        if (triangles < static_cast<std::size_t>(stencil_max)) return;
+        if (triangles < std::size_t(stencil_max)) return;
         list.add(BeginPass{.name = name + std::string(overflow_suffix)});
         add_whole_window(list,
                          window_state(stage, StencilFunc::Equal, stencil_max, StencilOp::Keep));

@@ -17,7 +17,7 @@ std::vector<Topology> topologies(const Model& model) {
         const auto same =
             std::find_if(model.parts.begin(), model.parts.begin() + std::ptrdiff_t(result.size()),
                          [&](const Part& p) { return p.mesh == part.mesh; });
-        const auto index = static_cast<std::size_t>(same - model.parts.begin());
+        const auto index = std::size_t(same - model.parts.begin());
         result.push_back(index < result.size() ? result[index] : topology(*part.mesh));
     }
     return result;

@@ -8,7 +8,6 @@
 #include <bit>
 
 namespace gw::radiosity {
-
 namespace {
 
 int texture_side(int texels) {

@@ -11,7 +11,7 @@ Shown::Shown(const Model& model) {
     std::size_t count = 0;
     for (const Pixmap& p : model.pixmaps) {
         places_.push_back({count, p.width, p.height});
-        count += static_cast<std::size_t>(p.width + 2) * static_cast<std::size_t>(p.height + 2);
+        count += std::size_t(p.width + 2) * std::size_t(p.height + 2);
     }
     colors_.resize(count);
 }

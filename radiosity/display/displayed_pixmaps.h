@@ -27,8 +27,7 @@ private:
     };
     std::size_t index(std::uint32_t pixmap, int x, int y) const {
         const Place& p = places_[pixmap];
-        return p.first + static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(p.width + 2) +
-               static_cast<std::size_t>(x + 1);
+        return p.first + std::size_t(y + 1) * std::size_t(p.width + 2) + std::size_t(x + 1);
     }
     std::vector<Place> places_;
     std::vector<dvec3> colors_;

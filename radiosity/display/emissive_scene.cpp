@@ -3,7 +3,6 @@
 #include <map>
 
 namespace gw::radiosity {
-
 namespace {
 
 /// The triangles of one of the scene's objects that lie in a pixmap, every corner a vertex of its

@@ -9,7 +9,6 @@
 #include <map>
 
 namespace gw::radiosity {
-
 namespace {
 
 using Corner = std::array<float, 3>;

@@ -6,7 +6,6 @@
 #include <cstddef>
 
 namespace gw::radiosity {
-
 namespace {
 
 double atan(double t) { return atan2(t, 1); }
@@ -33,9 +32,9 @@ std::vector<double> pixels(int columns, int rows, double left, double bottom, In
         for (int i = 0; i <= columns; ++i)
             corner.push_back(integral(left + i * step, bottom + j * step));
     std::vector<double> values;
-    const auto width = static_cast<std::size_t>(columns) + 1;
-    for (std::size_t j = 0; j < static_cast<std::size_t>(rows); ++j)
-        for (std::size_t i = 0; i < static_cast<std::size_t>(columns); ++i) {
+    const auto width = std::size_t(columns) + 1;
+    for (std::size_t j = 0; j < std::size_t(rows); ++j)
+        for (std::size_t i = 0; i < std::size_t(columns); ++i) {
             const double* c = &corner[j * width + i];
             values.push_back((c[width + 1] - c[width]) - (c[1] - c[0]));
         }

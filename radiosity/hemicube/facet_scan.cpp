@@ -3,14 +3,13 @@
 #include <algorithm>
 
 namespace gw::radiosity {
-
 namespace {
 
 /// Boxes that are spread at a time: what they are kept in stays in the cache.
 constexpr std::size_t enough = 512;
 
 std::size_t row_of(const IdBuffer& buffer, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(buffer.size);
+    return std::size_t(y) * std::size_t(buffer.size);
 }
 
 struct Range {
@@ -28,8 +27,8 @@ Range reach(int count, bool ends_before, bool ends_after) {
 }  // namespace
 
 FacetScan::FacetScan(int size, std::span<double> factors) : factors_(factors) {
-    pixels_.make_room(static_cast<std::size_t>(size));
-    row_.make_room(static_cast<std::size_t>(size));
+    pixels_.make_room(std::size_t(size));
+    row_.make_room(std::size_t(size));
 }
 
 void FacetScan::front(const Model& model, std::uint32_t number, const Homography& map,
@@ -86,8 +85,7 @@ void FacetScan::divide(const IdBuffer& buffer, std::uint32_t facet_pixel, int y)
                    above = row_above && row_above[x] != facet_pixel;
         if (nx * ny == 1 && !left && !right && !below && !above) continue;
         const Range columns = reach(nx, left, right), rows = reach(ny, below, above);
-        parts_.make_room(static_cast<std::size_t>(columns.count()) *
-                         static_cast<std::size_t>(rows.count()));
+        parts_.make_room(std::size_t(columns.count()) * std::size_t(rows.count()));
         divided_.push_back({i, parts_.count, 0});
         for (int j = rows.first; j < rows.end; ++j) {
             const double middle = y + (j + 0.5) / ny;
@@ -107,7 +105,7 @@ void FacetScan::add_parts(const Divided& divided) {
     for (std::size_t i = divided.first; i < divided.end; ++i) {
         boxes_.u[next] = parts_.u[i];
         boxes_.v[next] = parts_.v[i];
-        next += static_cast<std::size_t>(parts_.inside[i]);
+        next += std::size_t(parts_.inside[i]);
     }
     if (next == first) {
         boxes_.u[first] = row_.u[pixel];
@@ -131,7 +129,7 @@ void FacetScan::back(std::uint32_t facet, const IdBuffer& buffer, const Region& 
         find_pixels(&buffer.pixels[start], region.spans[r].first, region.spans[r].end,
                     pixel_of(facet), pixels_);
         for (std::size_t i = 0; i < pixels_.count; ++i)
-            sum += deltas[start + static_cast<std::size_t>(pixels_.x[i])];
+            sum += deltas[start + std::size_t(pixels_.x[i])];
     }
 }
 

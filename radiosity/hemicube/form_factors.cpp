@@ -8,7 +8,6 @@
 #include <algorithm>
 
 namespace gw::radiosity {
-
 namespace {
 
 constexpr std::size_t slots = 8;  ///< hemicubes at a time; does not depend on the threads
@@ -49,8 +48,7 @@ FormFactors::FormFactors(const Model& model, const FormFactorOptions& options)
     : model_(model), options_(options) {
     check(options);
     delta_ = delta_form_factors(options.hemicube);
-    painters_.resize(
-        static_cast<std::size_t>(options.threads > 0 ? options.threads : hardware_threads()));
+    painters_.resize(std::size_t(options.threads > 0 ? options.threads : hardware_threads()));
     slots_.resize(slots);
     factors_.resize(model.texel_count());
 }
@@ -88,7 +86,7 @@ void FormFactors::draw(const std::vector<ShootPoint>& points, std::size_t first,
         slot.hemicube =
             hemicube_at(point.position, point.normal, turn_of(options_.seed, turns, first + i),
                         near_plane, model_.extent * 1.01 + near_plane, options_.hemicube);
-        auto& painter = painters_[static_cast<std::size_t>(worker)];
+        auto& painter = painters_[std::size_t(worker)];
         if (!painter)
             painter =
                 options_.make_machine

@@ -8,7 +8,6 @@
 #include <cmath>
 
 namespace gw::radiosity {
-
 namespace {
 
 /// Of cube_views: +y is the top, the others are the sides.

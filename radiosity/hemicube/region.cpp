@@ -6,7 +6,6 @@
 #include <cmath>
 
 namespace gw::radiosity {
-
 namespace {
 
 /// A convex polygon before a face: eye space with y and z up, along the view.
@@ -19,12 +18,12 @@ struct Polygon3 {
 Polygon3 cut(const Polygon3& polygon, const dvec3& plane) {
     Polygon3 inside;
     for (int i = 0; i < polygon.n; ++i) {
-        const dvec3 &a = polygon.p[static_cast<std::size_t>(i)],
-                    &b = polygon.p[static_cast<std::size_t>(i + 1 < polygon.n ? i + 1 : 0)];
+        const dvec3 &a = polygon.p[std::size_t(i)],
+                    &b = polygon.p[std::size_t(i + 1 < polygon.n ? i + 1 : 0)];
         const double da = dot3(plane, a), db = dot3(plane, b);
-        if (da >= 0) inside.p[static_cast<std::size_t>(inside.n++)] = a;
+        if (da >= 0) inside.p[std::size_t(inside.n++)] = a;
         if ((da >= 0) != (db >= 0))
-            inside.p[static_cast<std::size_t>(inside.n++)] = a + (b - a) * (da / (da - db));
+            inside.p[std::size_t(inside.n++)] = a + (b - a) * (da / (da - db));
     }
     return inside;
 }
@@ -32,10 +31,9 @@ Polygon3 cut(const Polygon3& polygon, const dvec3& plane) {
 Polygon3 clipped(const Facet& facet, const scene::View& view, bool top) {
     Polygon3 polygon;
     for (int k = 0; k < facet.corner_count; ++k) {
-        const dvec3 eye =
-            transform3(dmat3(view.eye_from_world), facet.corners[static_cast<std::size_t>(k)]) +
-            dvec3(view.eye_from_world[3]);
-        polygon.p[static_cast<std::size_t>(polygon.n++)] = {eye.x, eye.y, -eye.z};
+        const dvec3 eye = transform3(dmat3(view.eye_from_world), facet.corners[std::size_t(k)]) +
+                          dvec3(view.eye_from_world[3]);
+        polygon.p[std::size_t(polygon.n++)] = {eye.x, eye.y, -eye.z};
     }
     // A frustum's sides meet in the eye, so that they clip what is behind it too.
     for (const dvec3& plane :
@@ -64,7 +62,7 @@ void find_region(const Facet& facet, const scene::View& view, bool top, Region& 
     const int size = view.width, rows = top ? size : size / 2;
     std::array<dvec2, 12> pixel{};
     double low = rows, high = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.n); ++i) {
+    for (std::size_t i = 0; i < std::size_t(polygon.n); ++i) {
         const dvec3& p = polygon.p[i];
         // the eye itself, on a facet's edge: far away, and clamped
         const double w = std::max(p.z, 1e-300);
@@ -77,9 +75,8 @@ void find_region(const Facet& facet, const scene::View& view, bool top, Region& 
     const int end = std::min(rows, static_cast<int>(std::floor(high)) + 2);
     for (int row = region.row; row < end; ++row) {
         double left = size, right = 0;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.n); ++i) {
-            const dvec2 &a = pixel[i],
-                        &b = pixel[i + 1 < static_cast<std::size_t>(polygon.n) ? i + 1 : 0];
+        for (std::size_t i = 0; i < std::size_t(polygon.n); ++i) {
+            const dvec2 &a = pixel[i], &b = pixel[i + 1 < std::size_t(polygon.n) ? i + 1 : 0];
             const double bottom = row - 1, top_of_row = row + 2;
             if (std::max(a.y, b.y) < bottom || std::min(a.y, b.y) > top_of_row) continue;
             for (double y :

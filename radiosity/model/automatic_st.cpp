@@ -7,7 +7,6 @@
 #include <algorithm>
 
 namespace gw::radiosity {
-
 namespace {
 
 Triangle2 mapped(const Facet& map, const std::array<dvec3, 3>& p) {

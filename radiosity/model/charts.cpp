@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace gw::radiosity {
-
 namespace {
 
 constexpr double least_cos_at_edge = 0.906307787;   // 25 degrees

@@ -3,7 +3,6 @@
 #include <cmath>
 
 namespace gw::radiosity {
-
 namespace {
 
 double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }

@@ -12,8 +12,8 @@ namespace gw::radiosity {
 struct Polygon2 {
     std::array<dvec2, 12> p{};
     int n = 0;
-    void add(const dvec2& q) { p[static_cast<std::size_t>(n++)] = q; }
-    const dvec2& operator[](int i) const { return p[static_cast<std::size_t>(i)]; }
+    void add(const dvec2& q) { p[std::size_t(n++)] = q; }
+    const dvec2& operator[](int i) const { return p[std::size_t(i)]; }
 };
 
 /// The part with p[axis] * sign >= limit * sign.

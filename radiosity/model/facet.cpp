@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace gw::radiosity {
-
 namespace {
 
 double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
@@ -56,8 +55,7 @@ void finish(Facet& facet) {
     }
     facet.center = facet.at((facet.low + facet.high) / 2.0);
     for (int k = 0; k < facet.corner_count; ++k)
-        facet.radius = std::max(facet.radius,
-                                length(facet.corners[static_cast<std::size_t>(k)] - facet.center));
+        facet.radius = std::max(facet.radius, length(facet.corners[std::size_t(k)] - facet.center));
 }
 
 }  // namespace gw::radiosity

@@ -6,7 +6,6 @@
 #include "radiosity/model/texel_coverage.h"
 
 namespace gw::radiosity {
-
 namespace {
 
 void check_emission(const Model& model) {

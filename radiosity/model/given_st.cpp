@@ -8,7 +8,6 @@
 #include <cmath>
 
 namespace gw::radiosity {
-
 namespace {
 
 void check_st(const ModelBuilder& builder) {

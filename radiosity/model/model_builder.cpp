@@ -10,7 +10,6 @@
 #include <cmath>
 
 namespace gw::radiosity {
-
 namespace {
 
 constexpr int automatic_texels = 48;  ///< along the scene's longest side

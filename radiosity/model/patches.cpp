@@ -7,7 +7,6 @@
 #include <cmath>
 
 namespace gw::radiosity {
-
 namespace {
 
 double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
@@ -124,8 +123,7 @@ private:
             if (dot3(facet.normal, p) - facet.offset <= 0) continue;  // shows its back
             double high = 0;
             for (int k = 0; k < facet.corner_count; ++k)
-                high = std::max(high,
-                                dot3(own.normal, facet.corners[static_cast<std::size_t>(k)] - p));
+                high = std::max(high, dot3(own.normal, facet.corners[std::size_t(k)] - p));
             if (high <= 1e-6 * model_.extent) continue;
             for (const Triangle2& t : facet.triangles) {
                 const double d =
@@ -156,10 +154,9 @@ std::vector<Patch> patches_of(const Model& model, int side) {
                             std::min(side, pixmap.height - y)};
                 for (int j = y; j < y + patch.height; ++j)
                     for (int k = x; k < x + patch.width; ++k) {
-                        const std::size_t t =
-                            pixmap.first +
-                            static_cast<std::size_t>(j) * static_cast<std::size_t>(pixmap.width) +
-                            static_cast<std::size_t>(k);
+                        const std::size_t t = pixmap.first +
+                                              std::size_t(j) * std::size_t(pixmap.width) +
+                                              std::size_t(k);
                         patch.area += model.area[t];
                         patch.emits = patch.emits || (model.area[t] > 0 && model.E[t] != dvec3(0));
                     }

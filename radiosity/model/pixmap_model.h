@@ -46,13 +46,10 @@ struct Pixmap {
     std::size_t first = 0;              ///< of its texels in the arrays of Model; row 0 is t = 0
     std::vector<std::uint32_t> facets;  ///< that lie in it, ascending
     bool whole = false;                 ///< every texel is an element
-    std::size_t count() const {
-        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    }
+    std::size_t count() const { return std::size_t(width) * std::size_t(height); }
     /// Its number among all texels.
     std::size_t texel(int x, int y) const {
-        return first + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-               static_cast<std::size_t>(x);
+        return first + std::size_t(y) * std::size_t(width) + std::size_t(x);
     }
 };
 

@@ -7,7 +7,6 @@
 #include <optional>
 
 namespace gw::radiosity {
-
 namespace {
 
 constexpr double least_cos = 0.766044443;  // 40 degrees

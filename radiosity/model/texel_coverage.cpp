@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 namespace gw::radiosity {
-
 namespace {
 
 constexpr double least_share = 1.0 / 2;
@@ -57,7 +56,7 @@ void find_nearest(Model& model, Pixmap& pixmap, const std::vector<char>& covered
         if (covered[t]) queue.push_back(t);
     }
     pixmap.whole = queue.size() == pixmap.count();
-    const auto width = static_cast<std::size_t>(pixmap.width);
+    const auto width = std::size_t(pixmap.width);
     for (; !queue.empty(); queue.pop_front()) {
         const std::size_t t = queue.front(), local = t - pixmap.first;
         const auto spread = [&](bool inside, std::size_t neighbour) {
@@ -104,7 +103,7 @@ void refuse_overlap(const Model& model, const std::vector<double>& share) {
     for (const Pixmap& pixmap : model.pixmaps)
         for (std::size_t i = 0; i < pixmap.count(); ++i) {
             if (share[pixmap.first + i] <= 1 + 1e-3) continue;
-            const auto width = static_cast<std::size_t>(pixmap.width);
+            const auto width = std::size_t(pixmap.width);
             throw Error(fmt::format(
                 "pixmap '{}': figures cover texel ({}, {}) {:.3f} times; expected ST that cover it once",
                 pixmap.name, i % width, i / width, share[pixmap.first + i]));
@@ -128,9 +127,7 @@ void cover_texels(Model& model) {
         for (const Triangle2& triangle : facet.triangles)
             for_each_share(triangle, pixmap, [&](int x, int y, double part) {
                 const std::size_t t =
-                    pixmap.first +
-                    static_cast<std::size_t>(y) * static_cast<std::size_t>(pixmap.width) +
-                    static_cast<std::size_t>(x);
+                    pixmap.first + std::size_t(y) * std::size_t(pixmap.width) + std::size_t(x);
                 const double a = part * facet.texel_area;
                 share[t] += part;
                 model.area[t] += a;

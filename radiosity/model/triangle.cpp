@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace gw::radiosity {
-
 namespace {
 
 dvec3 nearest_on_side(const dvec3& p, const dvec3& from, const dvec3& to) {

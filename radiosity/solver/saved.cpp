@@ -8,7 +8,6 @@
 #include <cstdlib>
 
 namespace gw::radiosity {
-
 namespace {
 
 constexpr const char* kind = "radiosity pixmaps";
@@ -181,7 +180,7 @@ Solution load(const Saved& saved, const Model& model, const FormFactorOptions& o
         if (values.size() != pixmap.count() * stride) throw damaged("a pixmap has another size");
         for (std::size_t t = 0; t < pixmap.count(); ++t)
             for (int c = 0; c < 3; ++c) {
-                const float* at = &values[t * stride + 3 + 2 * static_cast<std::size_t>(c)];
+                const float* at = &values[t * stride + 3 + 2 * std::size_t(c)];
                 solution.H[pixmap.first + t][c] = double(at[0]) + double(at[1]);
                 solution.unshot[pixmap.first + t][c] = double(at[6]) + double(at[7]);
             }

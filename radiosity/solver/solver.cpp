@@ -7,7 +7,6 @@
 #include <cmath>
 
 namespace gw::radiosity {
-
 namespace {
 
 double magnitude(const dvec3& flux) {
@@ -27,9 +26,7 @@ void for_each_texel(const Model& model, const Patch& patch, Visit visit) {
     const Pixmap& pixmap = model.pixmaps[patch.pixmap];
     for (int y = patch.y; y < patch.y + patch.height; ++y)
         for (int x = patch.x; x < patch.x + patch.width; ++x)
-            visit(pixmap.first +
-                  static_cast<std::size_t>(y) * static_cast<std::size_t>(pixmap.width) +
-                  static_cast<std::size_t>(x));
+            visit(pixmap.first + std::size_t(y) * std::size_t(pixmap.width) + std::size_t(x));
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <cmath>
 
 namespace gw::radiosity {
-
 namespace {
 
 double magnitude(const dvec3& flux) {

@@ -3,7 +3,6 @@
 #include <cmath>
 
 namespace gw::raytrace {
-
 namespace {
 
 dvec3 summed_normal(const std::vector<dvec3>& p) {

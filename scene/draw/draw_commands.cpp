@@ -112,7 +112,7 @@ PolygonIds polygon_ids(const Scene& scene) {
 std::optional<PolygonRef> polygon_of(const PolygonIds& ids, std::uint32_t id) {
     const auto after = std::upper_bound(ids.first.begin(), ids.first.end(), id);
     if (after == ids.first.begin()) return std::nullopt;
-    const auto object = static_cast<std::size_t>(after - ids.first.begin()) - 1;
+    const auto object = std::size_t(after - ids.first.begin()) - 1;
     return PolygonRef{object, id - ids.first[object]};
 }
 

@@ -73,7 +73,7 @@ dvec3 sample(const Map& map, Wrap wrap, const dvec2& st, const dvec2& st_dx, con
     if (!map.texture) return dvec3(1);
     const dvec2 scale(map.scale), at = st * scale + dvec2(map.offset);
     const double lod = level_of_detail(*map.texture, st_dx * scale, st_dy * scale);
-    const auto level = static_cast<std::size_t>(lod);
+    const auto level = std::size_t(lod);
     const double f = lod - double(level);
     const dvec3 fine = in_level(map.texture->levels[level], at, wrap);
     if (f == 0) return fine;

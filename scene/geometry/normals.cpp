@@ -8,7 +8,6 @@
 #include <span>
 
 namespace gw::scene {
-
 namespace {
 
 double dot(const dvec3& a, const dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }

@@ -3,7 +3,6 @@
 #include <numeric>
 
 namespace gw::scene {
-
 namespace {
 
 std::size_t polygon_count(const MeshData& data) {

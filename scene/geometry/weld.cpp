@@ -3,7 +3,6 @@
 #include <bit>
 
 namespace gw::scene {
-
 namespace {
 
 constexpr std::uint32_t free_slot = 0xffffffff;

@@ -8,7 +8,6 @@
 #include <optional>
 
 namespace gw::scene {
-
 namespace {
 
 enum class Argument { OnOff, Number, Base, Vector, Word };

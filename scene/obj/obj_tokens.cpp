@@ -7,7 +7,6 @@
 #include <charconv>
 
 namespace gw::scene {
-
 namespace {
 
 [[noreturn]] void fail_number(const Statements& in, std::string_view word, NumberFault fault,

@@ -11,7 +11,6 @@
 #include <set>
 
 namespace gw::scene {
-
 namespace {
 
 // Files differ in the case of keywords, so these tables are in lower case.

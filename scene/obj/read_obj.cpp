@@ -13,7 +13,6 @@
 #include <set>
 
 namespace gw::scene {
-
 namespace {
 
 // Statements of the format that nothing is drawn for: free-form geometry, display hints, superseded

@@ -11,11 +11,11 @@ MeshData revolve(const std::vector<ProfilePoint>& profile, int slices) {
     // leaves the axis, of the slice before it where the curve comes back. It takes s and the normal
     // from the middle of that slice.
     const auto slice = [&](int column, int row) {
-        const bool on_axis = profile[static_cast<std::size_t>(row)].position.x == 0;
+        const bool on_axis = profile[std::size_t(row)].position.x == 0;
         return on_axis ? column + (row == rows ? -0.5 : 0.5) : column;
     };
     return make_grid(slices, rows, [&](int column, int row) {
-        const ProfilePoint& point = profile[static_cast<std::size_t>(row)];
+        const ProfilePoint& point = profile[std::size_t(row)];
         const double middle = slice(column, row);
         const double degrees =
             360 * (middle == slices ? 0 : middle) / slices;  // the last column is the first

@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace gw::scene {
-
 namespace {
 
 // from_chars says "out of range" for numbers too large and for numbers too small alike.
@@ -14,7 +13,7 @@ FloatText out_of_range(const char* begin, const char* end) {
     const auto result = std::from_chars(begin, end, value);
     bool small = std::abs(value) < 1;
     if (result.ec != std::errc{}) {
-        const std::string_view text(begin, static_cast<std::size_t>(result.ptr - begin));
+        const std::string_view text(begin, std::size_t(result.ptr - begin));
         small = text.find_first_of("eE") < text.size() - 1 && text.find('-', 1) != text.npos;
     }
     if (!small) return {0, result.ptr, NumberFault::TooLarge};

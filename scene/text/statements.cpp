@@ -20,10 +20,9 @@ std::string_view trim(std::string_view text) {
 namespace {
 
 std::string_view physical_line(const char*& at, const char* end) {
-    const auto* newline =
-        static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at)));
+    const auto* newline = static_cast<const char*>(std::memchr(at, '\n', std::size_t(end - at)));
     const char* const stop = newline ? newline : end;
-    const std::string_view line = trim({at, static_cast<std::size_t>(stop - at)});
+    const std::string_view line = trim({at, std::size_t(stop - at)});
     at = newline ? newline + 1 : end;
     return line;
 }

@@ -92,7 +92,7 @@ std::string read_text(const fs::path& path) {
                         "; expected a readable file");
     std::error_code error;
     const std::uintmax_t size = fs::file_size(path, error);
-    std::string text = contents(in.get(), path, error ? 0xffff : static_cast<std::size_t>(size));
+    std::string text = contents(in.get(), path, error ? 0xffff : std::size_t(size));
     if (std::ferror(in.get()))
         throw Error(path.string(), 0, "cannot be read to its end; expected a readable file");
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))

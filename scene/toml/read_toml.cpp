@@ -8,7 +8,6 @@
 #include <algorithm>
 
 namespace gw::scene {
-
 namespace {
 
 /// The tables of [[light]], [[object]] or [[pass]]; also one, [light].

@@ -130,7 +130,7 @@ std::size_t to_word(const TomlValue& value, const std::vector<std::string>& word
     if (value.kind == TomlKind::String && found == words.end() && words.size() > few_words)
         expected += "; the nearest is '" + nearest(value.text, words) + "'";
     if (value.kind != TomlKind::String || found == words.end()) value.fail_expected(expected);
-    return static_cast<std::size_t>(found - words.begin());
+    return std::size_t(found - words.begin());
 }
 
 Key key(std::string name, float& field, Range range) {

@@ -2,7 +2,6 @@
 #include "scene/toml/toml_sections.h"
 
 namespace gw::scene {
-
 namespace {
 
 AreaLight to_area(const TomlValue& table) {

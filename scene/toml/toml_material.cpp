@@ -3,7 +3,6 @@
 #include "scene/toml/toml_sections.h"
 
 namespace gw::scene {
-
 namespace {
 
 void read_scale(const TomlValue& value, vec2& scale) {

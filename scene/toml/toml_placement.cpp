@@ -5,7 +5,6 @@
 #include <glm/matrix.hpp>
 
 namespace gw::scene {
-
 namespace {
 
 // Far beyond any scene, and products of three still fit a double.
@@ -49,7 +48,7 @@ dmat4 to_matrix(const TomlValue& value) {
     expect_numbers(value, 16);
     dmat4 m;
     for (int i = 0; i < 16; ++i)
-        m[i % 4][i / 4] = to_double(value.elements[static_cast<std::size_t>(i)], placeable);
+        m[i % 4][i / 4] = to_double(value.elements[std::size_t(i)], placeable);
     if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1)
         value.fail(value.name + " is not affine; expected 0, 0, 0, 1 as its last row");
     if (glm::determinant(dmat3(m)) == 0)

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 namespace gw::scene {
-
 namespace {
 
 const Shape& to_shape(const TomlValue& value) {

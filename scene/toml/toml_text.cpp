@@ -6,7 +6,6 @@
 #include <string_view>
 
 namespace gw::scene {
-
 namespace {
 
 bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }

@@ -4,7 +4,6 @@
 #include <utility>
 
 namespace gw::plot {
-
 namespace {
 
 constexpr std::array<std::pair<char, std::string_view>, 5> entities{

@@ -1,4 +1,5 @@
-#include "command_test.h"
+#include "tests/apps/command_test.h"
+#include "test_paths.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>

@@ -1,7 +1,7 @@
 // Runs the real binary in a folder of its own, as a user would. Does not look into it.
 #pragma once
 
-#include "../temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 

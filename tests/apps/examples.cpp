@@ -1,4 +1,4 @@
-#include "examples.h"
+#include "tests/apps/examples.h"
 
 #include <sstream>
 

@@ -2,7 +2,8 @@
 // repository's root.
 #pragma once
 
-#include "command_test.h"
+#include "test_paths.h"
+#include "tests/apps/command_test.h"
 
 namespace gw::apps {
 

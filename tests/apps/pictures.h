@@ -29,9 +29,8 @@ inline Pixels read_pixels(const std::filesystem::path& file) {
     if (!input) return pixels;
     const OIIO::ImageSpec& spec = input->spec();
     pixels = {spec.width, spec.height, spec.nchannels, {}};
-    pixels.values.resize(static_cast<std::size_t>(spec.width) *
-                         static_cast<std::size_t>(spec.height) *
-                         static_cast<std::size_t>(spec.nchannels));
+    pixels.values.resize(std::size_t(spec.width) * std::size_t(spec.height) *
+                         std::size_t(spec.nchannels));
     EXPECT_TRUE(input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, pixels.values.data()));
     return pixels;
 }

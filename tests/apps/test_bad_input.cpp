@@ -1,6 +1,6 @@
 // Every wrong file and option: one line that says what, where and what was expected; the exit code;
 // no file left.
-#include "scene_files.h"
+#include "tests/apps/scene_files.h"
 
 namespace gw::apps {
 

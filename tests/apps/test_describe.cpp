@@ -1,13 +1,13 @@
 // gw describe: the forms hold every command and option, and the shell that reads them completes
 // what they say.
-#include "../temporary_folder.h"
-#include "command_test.h"
-#include "examples.h"
+#include "test_paths.h"
+#include "tests/apps/command_test.h"
+#include "tests/apps/examples.h"
+#include "tests/temporary_folder.h"
 
 #include <cstdio>
 
 namespace gw::apps {
-
 namespace {
 
 class Describe : public ExampleTest {

@@ -1,5 +1,5 @@
 // --translucency, --shadow and --counters of gw render.
-#include "scene_files.h"
+#include "tests/apps/scene_files.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,7 @@
 // Fig. 1 of [K]: a map in one pass reddens the gloss, multi-pass leaves it white.
-#include "pictures.h"
-#include "scene_files.h"
+#include "test_paths.h"
+#include "tests/apps/pictures.h"
+#include "tests/apps/scene_files.h"
 
 #include <algorithm>
 

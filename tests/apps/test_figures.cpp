@@ -1,6 +1,6 @@
 // gw figures: every figure of the table is made, with its part of the page.
 #include "apps/figures/figure_table.h"
-#include "examples.h"
+#include "tests/apps/examples.h"
 
 namespace gw::apps {
 

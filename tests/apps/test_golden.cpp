@@ -1,8 +1,9 @@
 // The golden suite: every pass of every figure, small, on each profile, is as the manifests in
 // tests/golden say. They change only by `gw golden tests/golden --update`.
 #include "apps/figures/figure_table.h"
-#include "examples.h"
 #include "gw/profile.h"
+#include "test_paths.h"
+#include "tests/apps/examples.h"
 
 #include <set>
 

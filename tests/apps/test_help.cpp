@@ -1,5 +1,5 @@
 // gw --help and the help of every command: it has an example, and the example works.
-#include "examples.h"
+#include "tests/apps/examples.h"
 
 #include <sstream>
 

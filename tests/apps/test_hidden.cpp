@@ -1,7 +1,8 @@
 // gw hidden and gw styles: what they write, print and refuse.
 #include "apps/hidden/captions.h"
-#include "command_test.h"
-#include "pictures.h"
+#include "test_paths.h"
+#include "tests/apps/command_test.h"
+#include "tests/apps/pictures.h"
 
 #include <nlohmann/json.hpp>
 

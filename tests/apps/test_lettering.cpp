@@ -8,7 +8,6 @@
 #include <set>
 
 namespace gw::apps {
-
 namespace {
 
 constexpr Color ink{255, 255, 255};

@@ -1,5 +1,5 @@
 // Output that cannot be written: one line, exit code 1, nothing half written.
-#include "scene_files.h"
+#include "tests/apps/scene_files.h"
 
 namespace gw::apps {
 

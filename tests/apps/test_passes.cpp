@@ -1,6 +1,6 @@
 // gw passes: the parameter sets as the paper writes them.
-#include "pictures.h"
-#include "scene_files.h"
+#include "tests/apps/pictures.h"
+#include "tests/apps/scene_files.h"
 
 #include <nlohmann/json.hpp>
 
@@ -67,7 +67,7 @@ TEST_F(Passes, AsCsvHaveOneLineEach) {
     const auto json =
         nlohmann::json::parse(gw({"passes", "lamps.toml", "--json", "--size", "16x16"}).out);
     EXPECT_EQ(csv.out.substr(0, 27), "name,set,draws,vertices,pri");
-    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.out.begin(), csv.out.end(), '\n')),
+    EXPECT_EQ(std::size_t(std::count(csv.out.begin(), csv.out.end(), '\n')),
               json["passes"].size() + 1);
     EXPECT_TRUE(contains(
         csv.out, "\"ambient lamp 1\",\"(Ka=object, Kd=0, Ks=0, Ke=0, Map=ambient map)\",1,4,"));

@@ -1,6 +1,6 @@
 // gw radiosity as a user runs it: what is saved survives whatever ends the program, changes,
 // highlights.
-#include "scene_files.h"
+#include "tests/apps/scene_files.h"
 
 namespace gw::apps {
 namespace {

@@ -1,6 +1,6 @@
 // gw render: what it writes.
-#include "pictures.h"
-#include "scene_files.h"
+#include "tests/apps/pictures.h"
+#include "tests/apps/scene_files.h"
 
 #include <nlohmann/json.hpp>
 

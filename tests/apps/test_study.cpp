@@ -1,5 +1,5 @@
 // gw study: plots with their numbers.
-#include "examples.h"
+#include "tests/apps/examples.h"
 
 #include <algorithm>
 

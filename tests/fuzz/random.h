@@ -54,7 +54,7 @@ public:
     }
     template <typename T>
     const T& pick(const std::vector<T>& values) {
-        return values[static_cast<std::size_t>(below(static_cast<int>(values.size())))];
+        return values[std::size_t(below(static_cast<int>(values.size())))];
     }
     /// Any value of an enumeration that counts from 0 to `last`.
     template <typename Enum>

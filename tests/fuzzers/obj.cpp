@@ -2,7 +2,7 @@
 // Claim: reading ends with a scene or with an Error of one line.
 #include "gw/error.h"
 #include "scene/read_scene.h"
-#include "scene_folder.h"
+#include "tests/fuzzers/scene_folder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace gw;

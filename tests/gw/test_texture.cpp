@@ -79,19 +79,19 @@ TEST(Texture, ResamplingIsExactBilinearToNearest) {
                 const int x0 = static_cast<int>(sx), y0 = static_cast<int>(sy_times_8 / 8);
                 const double fx = sx - x0, fy = sy_times_8 / 8 - y0;
                 const auto at = [&](int i, int j) {
-                    return double{static_cast<double>(rgba[static_cast<std::size_t>(
-                        4 * (std::min(j, h - 1) * w + std::min(i, w - 1)) + c)])};
+                    return double{static_cast<double>(
+                        rgba[std::size_t(4 * (std::min(j, h - 1) * w + std::min(i, w - 1)) + c)])};
                 };
                 const double value = (at(x0, y0) * (1 - fx) + at(x0 + 1, y0) * fx) * (1 - fy) +
                                      (at(x0, y0 + 1) * (1 - fx) + at(x0 + 1, y0 + 1) * fx) * fy;
-                EXPECT_EQ(t->levels[0].rgba[static_cast<std::size_t>(4 * (y * 8 + x) + c)],
+                EXPECT_EQ(t->levels[0].rgba[std::size_t(4 * (y * 8 + x) + c)],
                           static_cast<int>(value + 0.5));
             }
 }
 
 TEST(Texture, AConstantStaysConstantInEverySize) {
     for (const int size : {1, 3, 5, 7, 100, 333}) {
-        const std::vector<std::uint16_t> rgba(static_cast<std::size_t>(4 * size * 2), 65535);
+        const std::vector<std::uint16_t> rgba(std::size_t(4 * size * 2), 65535);
         const TextureRef texture = make_texture("t", size, 2, rgba);
         for (const TextureLevel& level : texture->levels)
             for (const std::uint16_t v : level.rgba) ASSERT_EQ(v, 65535);

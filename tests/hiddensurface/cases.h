@@ -5,6 +5,7 @@
 #include "scene/draw/draw_commands.h"
 #include "scene/draw/fit.h"
 #include "scene/read_scene.h"
+#include "test_paths.h"
 
 #include <random>
 

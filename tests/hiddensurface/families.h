@@ -1,8 +1,8 @@
 // Families of random scenes, one for each way in which polygons hide each other. Does not draw.
 #pragma once
 
-#include "cases.h"
 #include "gw/base/elementary.h"
+#include "tests/hiddensurface/cases.h"
 
 #include <functional>
 

@@ -2,7 +2,7 @@
 // draw.
 #pragma once
 
-#include "families.h"
+#include "tests/hiddensurface/families.h"
 
 #include <cmath>
 

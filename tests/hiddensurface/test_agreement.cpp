@@ -1,15 +1,14 @@
 // Claims: algorithms that claim to be right agree with the Z-buffer but for ties and edges, both
 // few; the cases of the lecture fail where they must, and the test says who mends them. [L3, L5,
 // L6, L8, L9]
-#include "cases.h"
 #include "hiddensurface/structures/bsp_tree.h"
+#include "tests/hiddensurface/cases.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// Ties and edges are at most this part of the pixels that show a polygon. Pixels that the snap

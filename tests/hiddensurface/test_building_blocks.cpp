@@ -1,14 +1,13 @@
 // Claims: the lecture's building blocks are exact: normal, view test, edges, depth. [L3, L4, L7,
 // L8]
-#include "cases.h"
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/model/overlap.h"
 #include "hiddensurface/structures/scan_conversion.h"
+#include "tests/hiddensurface/cases.h"
 
 #include <gtest/gtest.h>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 GridPoint random_point(Random& random, int s) {

@@ -5,7 +5,7 @@
 #include "hiddensurface/structures/depth_pyramid.h"
 #include "hiddensurface/structures/octree.h"
 #include "hiddensurface/structures/region.h"
-#include "small_families.h"
+#include "tests/hiddensurface/small_families.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,6 @@
 #include <numeric>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// Pixels of the runs, each counted.

@@ -2,14 +2,13 @@
 // right agrees with the Z-buffer pixel by pixel, but for ties, edges made by splitting and, where
 // it decides in the world, what the snap turns over; these are few. Ray casting, which asks every
 // polygon at every pixel, runs one scene in ten.
-#include "small_families.h"
+#include "tests/hiddensurface/small_families.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 constexpr std::uint32_t scenes = 150, scenes_of_a_case = 25;

@@ -1,12 +1,11 @@
 // Claims: a differing pixel is the snap's only where the scene has the order that is shown, the
 // snapped corners have the other, and both are as near to each other as the snap can move them.
 // [L5]
-#include "cases.h"
+#include "tests/hiddensurface/cases.h"
 
 #include <gtest/gtest.h>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// In this view the grid has 120 units to one of the world, and (0, 0) is on it.

@@ -3,12 +3,11 @@
 // snap turns over; and no pair is left undecided: Newell, Newell and Sancha's algorithm, the tree
 // and the scan line on thirty scenes of each (300), ray casting on three (30). The painters fail,
 // on five scenes of each of seven families. [L5, L6, L8, L9]
-#include "families.h"
+#include "tests/hiddensurface/families.h"
 
 #include <gtest/gtest.h>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 constexpr std::uint32_t scenes = 30;

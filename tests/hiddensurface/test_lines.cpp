@@ -4,12 +4,13 @@
 // sub-pixel units of a change. On ten families of random scenes, solids, a teapot, hills; all sides
 // are there; and their pictures are the Z-buffer's hidden-line picture but for a few pixels in a
 // hundred.
-#include "families.h"
 #include "gw/error.h"
 #include "hiddensurface/lines/draw_lines.h"
 #include "hiddensurface/lines/horizon.h"
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/structures/scan_conversion.h"
+#include "test_paths.h"
+#include "tests/hiddensurface/families.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,6 @@
 #include <cmath>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// Counts what is before a point, triangle by triangle.

@@ -1,13 +1,12 @@
 // Claims: without a Z plane means without one; the picture comes from the machine; counts and logs
 // are true.
-#include "cases.h"
 #include "gw/error.h"
 #include "hiddensurface/run/replay.h"
+#include "tests/hiddensurface/cases.h"
 
 #include <gtest/gtest.h>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 /// Depths that nobody would draw.

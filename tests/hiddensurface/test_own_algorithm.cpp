@@ -1,6 +1,7 @@
 // Claims: the lecture's example of an own algorithm (docs/lecture.md, "Your own") is the file
 // mine.cpp beside this one, letter for letter, and does what it says.
-#include "cases.h"
+#include "test_paths.h"
+#include "tests/hiddensurface/cases.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Claims: the same seed gives the same quiz, and a longer one begins as a shorter one; each answer
 // is right by a second way of finding it; a fragment list is graded as its mistakes were made;
 // malformed lists name line and expectation.
-#include "cases.h"
 #include "gw/error.h"
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/quiz/answer_coverage.h"
 #include "hiddensurface/quiz/fragments.h"
 #include "hiddensurface/quiz/quiz.h"
+#include "tests/hiddensurface/cases.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,6 @@
 #include <sstream>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 std::string text_of(const Question& q) {

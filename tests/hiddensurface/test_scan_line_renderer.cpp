@@ -1,15 +1,14 @@
 // Claims: eq. 3 at every pixel is eq. 1 where nothing varies over a polygon, and better where it
 // does. [K3s]
-#include "cases.h"
 #include "hiddensurface/run/scan_line_renderer.h"
 #include "scene/draw/shading.h"
+#include "tests/hiddensurface/cases.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 namespace gw::hiddensurface {
-
 namespace {
 
 std::vector<Rgba> scan_line_colors(const scene::Scene& scene, int size) {

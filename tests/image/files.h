@@ -2,7 +2,7 @@
 // image/.
 #pragma once
 
-#include "../temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -37,7 +37,7 @@ Stored<T> stored_in(const std::filesystem::path& file) {
     EXPECT_TRUE(input) << OIIO::geterror();
     if (!input) return found;
     found.spec = input->spec();
-    found.values.resize(found.spec.image_pixels() * static_cast<std::size_t>(found.spec.nchannels));
+    found.values.resize(found.spec.image_pixels() * std::size_t(found.spec.nchannels));
     EXPECT_TRUE(input->read_image(0, 0, 0, found.spec.nchannels, OIIO::BaseTypeFromC<T>::value,
                                   found.values.data()));
     return found;

@@ -1,7 +1,7 @@
 // Layers come back from a file bit for bit, or not at all.
-#include "files.h"
 #include "gw/error.h"
 #include "image/layers.h"
+#include "tests/image/files.h"
 
 #include <gtest/gtest.h>
 

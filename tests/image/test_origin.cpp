@@ -2,7 +2,7 @@
 #include "image/output/origin.h"
 #include "image/output/output_file.h"
 
-#include "files.h"
+#include "tests/image/files.h"
 
 namespace gw::image {
 

@@ -2,10 +2,9 @@
 #include "gw/error.h"
 #include "image/output/output_file.h"
 
-#include "files.h"
+#include "tests/image/files.h"
 
 namespace gw::image {
-
 namespace {
 
 std::string failure(const std::filesystem::path& target) {

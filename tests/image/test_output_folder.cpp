@@ -4,7 +4,7 @@
 #include "image/output/output_file.h"
 #include "image/output/output_folder.h"
 
-#include "files.h"
+#include "tests/image/files.h"
 
 namespace gw::image {
 

@@ -3,7 +3,7 @@
 #include "image/output/output_set.h"
 #include "image/output/temporaries.h"
 
-#include "files.h"
+#include "tests/image/files.h"
 
 #include <csignal>
 

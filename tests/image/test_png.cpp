@@ -3,13 +3,12 @@
 #include "image/textures.h"
 #include "image/write.h"
 
-#include "files.h"
-#include "refusal.h"
+#include "tests/image/files.h"
+#include "tests/image/refusal.h"
 
 #include <png.h>
 
 namespace gw::image {
-
 namespace {
 
 struct Kind {
@@ -72,14 +71,14 @@ std::vector<std::uint16_t> judged(const std::filesystem::path& file) {
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);
     auto input = OIIO::ImageInput::open(file.string(), &hints);
-    const auto channels = static_cast<std::size_t>(input->spec().nchannels);
+    const auto channels = std::size_t(input->spec().nchannels);
     std::vector<std::uint16_t> values(width * height * channels);
     EXPECT_TRUE(
         input->read_image(0, 0, 0, input->spec().nchannels, OIIO::TypeUInt16, values.data()));
     std::vector<std::uint16_t> rgba;
     for (int y = height - 1; y >= 0; --y) {
         for (int x = 0; x < width; ++x) {
-            const std::uint16_t* v = &values[static_cast<std::size_t>(y * width + x) * channels];
+            const std::uint16_t* v = &values[std::size_t(y * width + x) * channels];
             const std::size_t color = channels < 3 ? 0 : 1;
             const bool alpha = channels % 2 == 0;
             rgba.insert(rgba.end(), {v[0], v[color], v[2 * color],

@@ -3,14 +3,13 @@
 #include "image/textures.h"
 #include "image/write.h"
 
-#include "files.h"
-#include "refusal.h"
+#include "tests/image/files.h"
+#include "tests/image/refusal.h"
 
 #include <cstring>
 #include <limits>
 
 namespace gw::image {
-
 namespace {
 
 template <class T>

@@ -3,10 +3,9 @@
 #include "gw/error.h"
 #include "image/write.h"
 
-#include "files.h"
+#include "tests/image/files.h"
 
 namespace gw::image {
-
 namespace {
 
 // Every value of the plane's bits occurs (up to 4096 of them), in all three channels differently.
@@ -82,7 +81,7 @@ TEST(WritePicture, RoundsToEightBitsWhereTheFormatHasNoMore) {
     write_picture(folder / "a.bmp", picture);
     const auto found = stored_in<std::uint8_t>(folder / "a.bmp");
     for (std::size_t i = 0; i < 4; ++i) {
-        EXPECT_EQ(found.values[i * static_cast<std::size_t>(found.spec.nchannels)],
+        EXPECT_EQ(found.values[i * std::size_t(found.spec.nchannels)],
                   (std::vector<int>{0, 0, 1, 255})[i]);
     }
 }

@@ -4,7 +4,6 @@
 #include "inspect/compare/classify.h"
 
 namespace gw::inspect {
-
 namespace {
 
 /// 6 x 3 pixels: columns 0 .. 2 are near and grey, 3 .. 5 far and black.

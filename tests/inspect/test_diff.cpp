@@ -6,11 +6,10 @@
 #include "inspect/compare/command_difference.h"
 #include "inspect/compare/result_difference.h"
 #include "inspect/replay/player.h"
-#include "same.h"
-#include "three_passes.h"
+#include "tests/inspect/same.h"
+#include "tests/inspect/three_passes.h"
 
 namespace gw::inspect {
-
 namespace {
 
 std::string first(const Recording& a, const Recording& b) {

@@ -4,13 +4,12 @@
 
 #include "gw/error.h"
 #include "gw/machine.h"
-#include "same.h"
+#include "tests/inspect/same.h"
 
 #include <cmath>
 #include <limits>
 
 namespace gw::inspect {
-
 namespace {
 
 std::string refusal(std::span<const std::uint8_t> bytes, const Limits& limits = {}) {

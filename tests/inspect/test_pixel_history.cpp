@@ -5,13 +5,12 @@
 #include "inspect/compare/compare_machines.h"
 #include "inspect/replay/pixel_report.h"
 #include "inspect/replay/player.h"
-#include "same.h"
-#include "three_passes.h"
+#include "tests/inspect/same.h"
+#include "tests/inspect/three_passes.h"
 
 #include <numeric>
 
 namespace gw::inspect {
-
 namespace {
 
 /// A pixel of depth 5; then fragments that each test kills, and one that passes.

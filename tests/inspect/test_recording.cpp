@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "gw/error.h"
-#include "same.h"
+#include "tests/inspect/same.h"
 
 namespace gw::inspect {
 

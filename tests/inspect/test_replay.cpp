@@ -5,9 +5,9 @@
 #include "inspect/compare/compare_machines.h"
 #include "inspect/replay/player.h"
 #include "inspect/replay/recorder.h"
-#include "same.h"
-#include "three_passes.h"
-#include "wrong_machine.h"
+#include "tests/inspect/same.h"
+#include "tests/inspect/three_passes.h"
+#include "tests/inspect/wrong_machine.h"
 
 namespace gw::inspect {
 

@@ -4,12 +4,11 @@
 
 #include "gw/error.h"
 #include "inspect/compare/verify.h"
-#include "same.h"
-#include "three_passes.h"
-#include "wrong_machine.h"
+#include "tests/inspect/same.h"
+#include "tests/inspect/three_passes.h"
+#include "tests/inspect/wrong_machine.h"
 
 namespace gw::inspect {
-
 namespace {
 
 const MachineMaker fast = maker_of("fast", 1), reference = maker_of("reference");

@@ -1,7 +1,6 @@
 // [K4, K4i] The item buffer and what is traced from it, against the ordinary ray tracer.
 #include "itembuffer/item_buffer.h"
 
-#include "../raytrace/walls.h"
 #include "gw/fast/kernels.h"
 #include "itembuffer/adaptive.h"
 #include "itembuffer/differences.h"
@@ -10,6 +9,8 @@
 #include "multipass/frame/samples.h"
 #include "raytrace/tracer/render.h"
 #include "scene/read_scene.h"
+#include "test_paths.h"
+#include "tests/raytrace/walls.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include "multipass/frame/driver.h"
 #include "scene/toml/shape_table.h"
-#include "scenes.h"
-#include "truth.h"
+#include "tests/multipass/scenes.h"
+#include "tests/multipass/truth.h"
 
 #include <gtest/gtest.h>
 

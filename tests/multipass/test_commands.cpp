@@ -3,7 +3,7 @@
 #include "multipass/frame/driver.h"
 #include "multipass/passes/catalogue.h"
 
-#include "scenes.h"
+#include "tests/multipass/scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 // TOML, each component's image being the map times what the light sends.
 #include "multipass/frame/driver.h"
 #include "scene/read_scene.h"
-#include "scenes.h"
+#include "tests/multipass/scenes.h"
 
 #include <gtest/gtest.h>
-#include "../temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gw::multipass {
 namespace {

@@ -1,7 +1,7 @@
 // Pictures by passes: sums of components, many lights, selective light, eq. 1 against eq. 2.
 #include "multipass/frame/driver.h"
 
-#include "scenes.h"
+#include "tests/multipass/scenes.h"
 
 #include <gtest/gtest.h>
 

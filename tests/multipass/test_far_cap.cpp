@@ -3,7 +3,7 @@
 
 #include "multipass/shadow/shadow_volume.h"
 #include "scene/draw/view.h"
-#include "shadow_cases.h"
+#include "tests/multipass/shadow_cases.h"
 
 #include <gtest/gtest.h>
 

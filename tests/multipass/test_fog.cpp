@@ -1,6 +1,6 @@
 // Two-step fog [K3.5] against the machine's fog in one pass.
 #include "multipass/frame/driver.h"
-#include "scenes.h"
+#include "tests/multipass/scenes.h"
 
 #include <gtest/gtest.h>
 

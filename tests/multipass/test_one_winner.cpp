@@ -3,7 +3,7 @@
 
 #include "multipass/frame/driver.h"
 #include "multipass/ties/tied_pixels.h"
-#include "scenes.h"
+#include "tests/multipass/scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,10 @@
 #include "multipass/frame/driver.h"
 #include "multipass/passes/catalogue.h"
 #include "scene/read_scene.h"
-#include "scenes.h"
+#include "tests/multipass/scenes.h"
 
 #include <gtest/gtest.h>
-#include "../temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gw::multipass {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "multipass/frame/driver.h"
 #include "multipass/maps/sphere_map.h"
-#include "scenes.h"
-#include "shadow_cases.h"
+#include "tests/multipass/scenes.h"
+#include "tests/multipass/shadow_cases.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "gw/error.h"
 #include "multipass/frame/driver.h"
 #include "multipass/passes/catalogue.h"
-#include "scenes.h"
+#include "tests/multipass/scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "multipass/shadow/shadow_map.h"
 #include "scene/draw/pixel_rays.h"
 
-#include "shadow_cases.h"
+#include "tests/multipass/shadow_cases.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "multipass/passes/catalogue.h"
 #include "multipass/shadow/shadow_passes.h"
 #include "multipass/shadow/shadows.h"
-#include "shadow_cases.h"
+#include "tests/multipass/shadow_cases.h"
 
 #include <gtest/gtest.h>
 

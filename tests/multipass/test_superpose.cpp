@@ -3,7 +3,7 @@
 
 #include "gw/error.h"
 #include "multipass/frame/driver.h"
-#include "scenes.h"
+#include "tests/multipass/scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ TEST(Jitter, FillsTheGridOnce) {
             EXPECT_LT(std::max(p.x, p.y), grid / 2);
             found.insert({p.x, p.y});
         }
-        EXPECT_EQ(found.size(), static_cast<std::size_t>(grid * grid));
+        EXPECT_EQ(found.size(), std::size_t(grid * grid));
     }
 }
 
@@ -134,7 +134,7 @@ TEST(Superpose, OneIsThePictureAsItIs) {
 
 TEST(Superpose, CountsThePositionsThatCoverThePixel) {
     const auto row = drawn(shifted_square(), vgx(), 64).color;
-    const auto red = [&](int x) { return row[static_cast<std::size_t>(8 * size + x)][0]; };
+    const auto red = [&](int x) { return row[std::size_t(8 * size + x)][0]; };
     // Pixel 4 (centre 4.5) is covered where 4.25 + j/8 <= 4.5, j = -4 .. 2; pixel 12 where 12.25 +
     // j/8 > 12.5, j = 3.
     EXPECT_EQ(red(3), 0);

@@ -5,7 +5,7 @@
 #include "multipass/frame/driver.h"
 #include "multipass/translucency/far_to_near.h"
 #include "multipass/translucency/layers.h"
-#include "scenes.h"
+#include "tests/multipass/scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -112,8 +112,8 @@ private:
     /// Whether that pixel sees something else; beyond the face's border the facet goes on.
     bool ends(int i, int j) const {
         if (i < 0 || j < 0 || i >= buffer_.size || j >= buffer_.rows) return false;
-        return buffer_.pixels[static_cast<std::size_t>(j) * static_cast<std::size_t>(buffer_.size) +
-                              static_cast<std::size_t>(i)] != pixel_;
+        return buffer_.pixels[std::size_t(j) * std::size_t(buffer_.size) + std::size_t(i)] !=
+               pixel_;
     }
 
     /// An interval, as parts of it in `Count` texels, one after the other.
@@ -137,7 +137,7 @@ private:
         double left = length, room = first + 1 - begin;
         for (std::size_t k = 0; k < Count; ++k) {
             const int texel = first + static_cast<int>(k);
-            cells.texel[k] = static_cast<std::size_t>(texel < last ? texel : last);
+            cells.texel[k] = std::size_t(texel < last ? texel : last);
             cells.part[k] = left < room || k + 1 == Count ? left : room;
             left -= cells.part[k];
             room = 1;
@@ -157,7 +157,7 @@ private:
         }
         const double density = value / (long_u * long_v);
         for (std::size_t j = 0; j < Count; ++j) {
-            const std::size_t row = first_ + v.texel[j] * static_cast<std::size_t>(u_.count);
+            const std::size_t row = first_ + v.texel[j] * std::size_t(u_.count);
             const double in_row = density * v.part[j];
             for (std::size_t k = 0; k < Count; ++k) add(row + u.texel[k], in_row * u.part[k]);
         }
@@ -195,9 +195,7 @@ inline void plain_scan(const Model& model, std::uint32_t pixmap, const Hemicube&
             for (std::size_t r = 0; r < region.spans.size(); ++r)
                 for (int i = region.spans[r].first; i < region.spans[r].end; ++i) {
                     const int j = region.row + static_cast<int>(r);
-                    const auto at =
-                        static_cast<std::size_t>(j) * static_cast<std::size_t>(buffer.size) +
-                        static_cast<std::size_t>(i);
+                    const auto at = std::size_t(j) * std::size_t(buffer.size) + std::size_t(i);
                     if (buffer.pixels[at] == pixel_of(number))
                         scan.pixel(i, j, (face == 0 ? delta.top : delta.side)[at]);
                 }

@@ -1,9 +1,9 @@
 // Form factors of figures of many sizes, distances and angles, both ways, within half a percent:
 // Howell's C-11, C-14 and C-41 over their parameters, and sums of Lambert's formula where there is
 // no closed form.
-#include "oracle.h"
 #include "radiosity/hemicube/form_factors.h"
-#include "scenes.h"
+#include "tests/radiosity/oracle.h"
+#include "tests/radiosity/scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "scene/draw/draw_commands.h"
 #include "scene/geometry/polygon_ids.h"
 #include "scene/toml/shape_table.h"
-#include "scenes.h"
+#include "tests/radiosity/scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Figures, ST and pixmaps [F2.1].
 #include "gw/error.h"
 #include "radiosity/model/figures.h"
-#include "scenes.h"
+#include "tests/radiosity/scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Form factors with closed forms: Howell's catalogue C-11, C-14, C-41, B-3, B-4.
 #include "radiosity/hemicube/form_factors.h"
-#include "scenes.h"
+#include "tests/radiosity/scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Closed rooms whose surfaces all emit E and reflect rho: B = E / (1 - rho) at every texel [F2.2],
 // whatever the room's shape, the corners included, within half a percent.
 #include "radiosity/solver/solver.h"
-#include "scenes.h"
+#include "tests/radiosity/scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "gw/error.h"
 #include "radiosity/solver/saved.h"
 #include "radiosity/solver/solver.h"
-#include "scenes.h"
+#include "tests/radiosity/scenes.h"
 
 #include <gtest/gtest.h>
 

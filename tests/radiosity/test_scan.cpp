@@ -1,10 +1,10 @@
 // From pixels to texels [F2.2]: nothing lost, nothing missed, the same bits for any number of
 // threads.
 #include "gw/fast/kernels.h"
-#include "plain_scan.h"
 #include "radiosity/hemicube/form_factors.h"
 #include "radiosity/hemicube/present_ids.h"
-#include "scenes.h"
+#include "tests/radiosity/plain_scan.h"
+#include "tests/radiosity/scenes.h"
 
 #include <gtest/gtest.h>
 

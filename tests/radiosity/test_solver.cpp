@@ -1,6 +1,6 @@
 // Shooting: the books, the furnace.
 #include "radiosity/solver/solver.h"
-#include "scenes.h"
+#include "tests/radiosity/scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Changes of a solved scene [F4]: shooting the difference leads to what solving anew does.
 #include "gw/error.h"
 #include "radiosity/solver/solver.h"
-#include "scenes.h"
+#include "tests/radiosity/scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include "raytrace/casting/cast_picture.h"
 
 #include "scene/read_scene.h"
+#include "test_paths.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // [L12] The hierarchy finds what asking every triangle finds, bit for bit, on every target; Embree
 // agrees; and nothing leaks between neighbours.
 #include "gw/fast/kernels.h"
-#include "random_triangles.h"
+#include "tests/raytrace/random_triangles.h"
 
 #include <embree3/rtcore.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // [L9, K4]: reflected and transmitted light where it can be said in advance.
 #include "raytrace/tracer/tracer.h"
-#include "walls.h"
+#include "tests/raytrace/walls.h"
 
 #include <gtest/gtest.h>
 

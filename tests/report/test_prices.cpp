@@ -4,10 +4,9 @@
 #include "gw/error.h"
 
 #include <gtest/gtest.h>
-#include "../temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gw::report {
-
 namespace {
 
 /// A price list in a file that goes away.

@@ -6,8 +6,8 @@
 #include "inspect/replay/pixel_history.h"
 #include "inspect/replay/player.h"
 
-#include "../inspect/three_passes.h"
-#include "../temporary_folder.h"
+#include "tests/inspect/three_passes.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

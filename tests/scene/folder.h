@@ -6,7 +6,7 @@
 #include "scene/obj/read_obj.h"
 #include "scene/read_scene.h"
 
-#include "../temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 #include <filesystem>
 #include <string>

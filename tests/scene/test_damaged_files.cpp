@@ -2,12 +2,11 @@
 // line.
 #include <gtest/gtest.h>
 
-#include "folder.h"
+#include "tests/scene/folder.h"
 
 #include <cstdint>
 
 namespace gw::scene {
-
 namespace {
 
 const std::string obj =

@@ -52,7 +52,7 @@ TEST(Divide, NeighboursShareThePointsOfTheirSide) {
     mesh.indices = {0, 1, 2, 3, 5, 2, 1, 4};
     for (const int n : {3, 7, 13}) {
         const MeshData divided = divide(mesh, n);
-        const std::size_t points = static_cast<std::size_t>((n + 1) * (n + 1));
+        const std::size_t points = std::size_t((n + 1) * (n + 1));
         using Point = std::tuple<float, float, float>;
         std::set<Point> first;
         for (std::size_t i = 6; i < 6 + points; ++i)

@@ -2,13 +2,13 @@
 // shape with its parameters and defaults.
 #include <gtest/gtest.h>
 
-#include "folder.h"
 #include "scene/text/number.h"
 #include "scene/text/text_file.h"
 #include "scene/toml/shape_table.h"
+#include "test_paths.h"
+#include "tests/scene/folder.h"
 
 namespace gw::scene {
-
 namespace {
 
 const std::string page = read_text(GW_SOURCE_DIR "/docs/scenes.md");

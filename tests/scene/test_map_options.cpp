@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "folder.h"
+#include "tests/scene/folder.h"
 
 namespace gw::scene {
-
 namespace {
 
 struct MapOptions : testing::Test {

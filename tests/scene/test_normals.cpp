@@ -4,13 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "folder.h"
 #include "scene/geometry/weld.h"
+#include "tests/scene/folder.h"
 
 #include <cmath>
 
 namespace gw::scene {
-
 namespace {
 
 // Two squares that share the edge from (1,0,0) to (1,1,0); the second is turned down by the angle

@@ -8,7 +8,6 @@
 #include <cstdint>
 
 namespace gw::scene {
-
 namespace {
 
 FloatText read(const std::string& text) {

@@ -4,10 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "folder.h"
+#include "tests/scene/folder.h"
 
 namespace gw::scene {
-
 namespace {
 
 struct Mtl : testing::Test {

@@ -2,10 +2,9 @@
 // expected.
 #include <gtest/gtest.h>
 
-#include "folder.h"
+#include "tests/scene/folder.h"
 
 namespace gw::scene {
-
 namespace {
 
 constexpr auto v_forms = "expected v x y z, v x y z w, v x y z r g b or v x y z r g b a";

@@ -1,10 +1,9 @@
 // Claims: each section and key of a TOML scene lands in the scene as docs/scenes.md says.
 #include <gtest/gtest.h>
 
-#include "folder.h"
+#include "tests/scene/folder.h"
 
 namespace gw::scene {
-
 namespace {
 
 struct Toml : testing::Test {

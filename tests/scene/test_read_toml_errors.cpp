@@ -2,10 +2,9 @@
 // one.
 #include <gtest/gtest.h>
 
-#include "folder.h"
+#include "tests/scene/folder.h"
 
 namespace gw::scene {
-
 namespace {
 
 struct TomlError : testing::Test {

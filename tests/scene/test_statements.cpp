@@ -4,10 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "folder.h"
+#include "tests/scene/folder.h"
 
 namespace gw::scene {
-
 namespace {
 
 Strings statements(const std::string& text) {

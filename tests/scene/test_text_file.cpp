@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "folder.h"
+#include "tests/scene/folder.h"
 
 #include <sys/stat.h>
 

@@ -2,11 +2,10 @@
 // nothing else.
 #include <gtest/gtest.h>
 
-#include "folder.h"
 #include "scene/toml/shape_table.h"
+#include "tests/scene/folder.h"
 
 namespace gw::scene {
-
 namespace {
 
 struct TomlShapes : testing::Test {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "folder.h"
 #include "scene/read_scene.h"
+#include "tests/scene/folder.h"
 
 namespace gw::scene {
 

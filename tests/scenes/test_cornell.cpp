@@ -1,6 +1,7 @@
 // The Cornell box's colours are derived from the measured reflectances; scenes/cornell.obj names
 // their source.
 #include "scene/read_scene.h"
+#include "test_paths.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -70,7 +71,7 @@ double area(const Object& object) {
     double sum = 0;
     for (const Triangle& t : object.mesh->triangles()) {
         const auto p = [&](int k) {
-            return dvec3(object.mesh->data().positions[t.vertex[static_cast<std::size_t>(k)]]);
+            return dvec3(object.mesh->data().positions[t.vertex[std::size_t(k)]]);
         };
         sum += glm::length(glm::cross(p(1) - p(0), p(2) - p(0))) / 2;
     }

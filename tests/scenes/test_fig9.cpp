@@ -3,6 +3,7 @@
 #include "gw/machine.h"
 #include "multipass/frame/driver.h"
 #include "scene/read_scene.h"
+#include "test_paths.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 #include "scene/read_scene.h"
 #include "scenes/make_lamps/lamps.h"
+#include "test_paths.h"
 
 #include <gtest/gtest.h>
 

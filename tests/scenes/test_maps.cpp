@@ -1,6 +1,7 @@
 #include "image/textures.h"
 #include "scenes/make_maps/maps.h"
 #include "scenes/make_maps/noise.h"
+#include "test_paths.h"
 
 #include <gtest/gtest.h>
 

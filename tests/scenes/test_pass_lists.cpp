@@ -7,7 +7,8 @@
 #include "scene/read_scene.h"
 
 #include <gtest/gtest.h>
-#include "../temporary_folder.h"
+#include "test_paths.h"
+#include "tests/temporary_folder.h"
 
 #include <algorithm>
 #include <filesystem>

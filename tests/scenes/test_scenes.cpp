@@ -1,6 +1,7 @@
 // The scenes of scenes/: each can be read, with its maps, and says what docs/gallery.md says of it.
 #include "image/textures.h"
 #include "scene/read_scene.h"
+#include "test_paths.h"
 
 #include <gtest/gtest.h>
 

@@ -7,10 +7,10 @@
 #include "study/prices.h"
 
 #include <gtest/gtest.h>
-#include "../temporary_folder.h"
+#include "test_paths.h"
+#include "tests/temporary_folder.h"
 
 namespace gw::study {
-
 namespace {
 
 const std::string folder = GW_SOURCE_DIR "/scenes/hidden/prices/";

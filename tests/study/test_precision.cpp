@@ -1,7 +1,7 @@
 // What docs/precision.md says of adding passes and of the distance between renderers.
 #include "study/adding.h"
 #include "study/distance.h"
-#include "study_scenes.h"
+#include "tests/study/study_scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 
 #include <cstdlib>
 #include <fstream>
-#include "../temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gw::testing {
 namespace {

@@ -5,7 +5,7 @@
 #include "inspect/testing/matchers.h"
 
 #include <cstdlib>
-#include "../temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gw::testing {
 namespace {

@@ -5,7 +5,6 @@
 #include <utility>
 
 namespace gw::fast {
-
 namespace {
 
 void add_pairs(const TexelLevel& level, const std::uint32_t* packed, Wrap wrap_s, Wrap wrap_t,

@@ -8,7 +8,6 @@
 #include <utility>
 
 namespace gw::fast {
-
 namespace {
 
 std::uint32_t planes_on(const std::array<ClipPlane, max_clip_planes>& user) {

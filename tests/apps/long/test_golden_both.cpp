@@ -1,5 +1,6 @@
 // The whole golden suite, the reference machine beside the fast one.
-#include "../examples.h"
+#include "test_paths.h"
+#include "tests/apps/examples.h"
 
 namespace gw::apps {
 

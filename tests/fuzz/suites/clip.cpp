@@ -6,7 +6,6 @@
 #include <cmath>
 
 namespace gw::fuzz {
-
 namespace {
 
 /// A projection that need not be one.

@@ -5,7 +5,6 @@
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {
-
 namespace {
 
 void any_second_pass(Script& s) {

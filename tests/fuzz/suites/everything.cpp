@@ -6,7 +6,6 @@
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {
-
 namespace {
 
 void any_state(Script& s) {

@@ -7,7 +7,6 @@
 #include <cmath>
 
 namespace gw::fuzz {
-
 namespace {
 
 dmat4 any_eye_linear(Random& r, const Frame& f) {

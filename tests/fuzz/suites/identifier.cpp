@@ -4,7 +4,6 @@
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {
-
 namespace {
 
 MeshRef with_ids(Random& r, const Mesh& mesh) {

@@ -7,7 +7,6 @@
 #include <utility>
 
 namespace gw::fuzz {
-
 namespace {
 
 constexpr BlendState additive{true, BlendFactor::One, BlendFactor::One};

@@ -6,7 +6,6 @@
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {
-
 namespace {
 
 /// s, t, r in 0 .. 1 over the frame's picture and depths, seen from a little aside; q the eye
