@@ -17,10 +17,34 @@ target_compile_options(gw_warnings INTERFACE
     -Wno-missing-field-initializers  # pass tuples name only what differs from GL's initial value
     "$<$<CXX_COMPILER_ID:GNU>:${gw_misfires}>")
 
+# Tests are compiled once and run once: less optimization costs their oracles less than it saves. g++ then takes an empty std::optional's
+# value for one that is used.
+set(gw_test_options $<$<CONFIG:Release>:-O1> $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
+
 function(gw_compile target)
     target_compile_features(${target} PUBLIC cxx_std_20)
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:gw_warnings>)
+endfunction()
+
+# gw_batch(TARGET): compiles its sources eight at a time (CMake's unity build), so that eight share the work of headers and templates. A
+# source that defines macros is compiled alone: Highway's kernels, and what configures a library. Within a batch, names in anonymous
+# namespaces must differ.
+function(gw_batch target)
+    if(NOT GW_BATCHES)
+        return()
+    endif()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    get_target_property(sources ${target} SOURCES)
+    foreach(source IN LISTS sources)
+        get_filename_component(path ${source} ABSOLUTE BASE_DIR ${CMAKE_CURRENT_SOURCE_DIR})
+        if(EXISTS ${path})
+            file(STRINGS ${path} macros REGEX "^#define" LIMIT_COUNT 1)
+            if(macros)
+                set_source_files_properties(${path} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+            endif()
+        endif()
+    endforeach()
 endfunction()
 
 # gw_library(FOLDER [TARGET name] [EXCLUDE file...] [LINK library...])
@@ -46,6 +70,7 @@ function(gw_library folder)
     add_library(gw::${name} ALIAS gw_${name})
     gw_compile(gw_${name})
     gw_use_precompiled(gw_${name} library)
+    gw_batch(gw_${name})
     target_link_libraries(gw_${name} PUBLIC ${arg_LINK})
 
     # Headers are included from the root of the repository, and so from the root of where they are installed.
@@ -73,16 +98,21 @@ function(gw_command name source)
 endfunction()
 
 # gw_test(FOLDER SUFFIX [LABEL label] [TIMEOUT seconds] [LINK library...])
-# tests/FOLDER/SUFFIX/*.cpp becomes bin/test_FOLDER_SUFFIX (SUFFIX may be ""), every TEST of it a test of ctest.
+# All *.cpp below tests/FOLDER/SUFFIX become bin/test_FOLDER_SUFFIX, every TEST of it a test of ctest. SUFFIX may be "": all but long/.
 function(gw_test folder suffix)
     cmake_parse_arguments(PARSE_ARGV 2 arg "" "LABEL;TIMEOUT" "LINK")
-    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${suffix}/*.cpp)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${suffix}/*.cpp)
+    if(NOT suffix)
+        list(FILTER sources EXCLUDE REGEX "/${folder}/long/")
+    endif()
     if(NOT sources)
         return()
     endif()
     string(REGEX REPLACE "_$" "" name test_${folder}_${suffix})
     gw_command(${name} "${sources}" LINK ${arg_LINK} GTest::gtest_main)
     gw_use_precompiled(${name} test)
+    gw_batch(${name})
+    target_compile_options(${name} PRIVATE ${gw_test_options})
     configure_file(${PROJECT_SOURCE_DIR}/tests/test_paths.h.in ${PROJECT_BINARY_DIR}/generated/test_paths.h @ONLY)
     target_include_directories(${name} PRIVATE ${PROJECT_BINARY_DIR}/generated)
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60

@@ -123,7 +123,7 @@ struct CopyTexture {
     bool operator==(const CopyTexture&) const = default;
 };
 
-/// Reads a rectangle of a plane back (glReadPixels); Machine::readback(key) returns it.
+/// Reads a rectangle of a plane back (glReadPixels); Machine::readbacks() returns it.
 struct Read {
     std::uint32_t key = 0;
     Plane plane = Plane::Color;
@@ -135,8 +135,8 @@ struct Read {
 using Command = std::variant<BeginPass, Clear, SetState, Draw, WriteSpans, WritePixels, Accumulate,
                              Copy, CopyTexture, Read>;
 
-/// Commands in order. A value: meshes, maps and lights are shared, immutable, compared by content
-/// in `same_list`.
+/// Commands in order. A value: meshes, maps and lights are shared and immutable. `==` compares
+/// their addresses; inspect/compare/command_difference.h compares contents.
 struct CommandList {
     std::vector<Command> commands;
 

@@ -25,12 +25,12 @@ struct HiddenOptions {
     std::filesystem::path truth, marked;
 };
 
-/// `algorithm` is one of hidden lines: draws them, with counts and steps (hidden_lines.cpp).
+/// `algorithm` is one of hidden lines: draws them, with counts and steps (lines.cpp).
 int hidden_lines(const HiddenOptions& options);
 
-/// Makes exercises (hidden_quiz.cpp); the scene is not asked for.
+/// Makes exercises (quiz.cpp). Needs no scene.
 int hidden_quiz(const HiddenOptions& options);
-/// Compares answers with a key; ExitCode `differs` unless all are right (hidden_grade.cpp).
+/// Compares answers with a key; ExitCode `differs` unless all are right (grade.cpp).
 int hidden_grade(const HiddenOptions& options);
 /// Compares a fragment list with the Z-buffer's picture, the same; writes `truth` and `marked`.
 int hidden_fragments(const HiddenOptions& options);

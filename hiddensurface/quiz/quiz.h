@@ -1,6 +1,6 @@
 // Exercises: small random scenes, a question about each, and the answer, worked out by the
 // algorithms themselves. The same seed gives the same quiz everywhere. Does not write files or
-// grade: quiz/grade.h does.
+// grade: apps/hidden/grade.cpp does.
 #pragma once
 
 #include "hiddensurface/run/algorithm.h"

@@ -1,6 +1,6 @@
 // A scene made ready to be drawn in passes: every object with its maps by component, textures
 // looked up, meshes with their maps' scale and offset. Made once per scene. Does not place anything
-// before an eye: stage.h does.
+// before an eye: placed_model.h does.
 #pragma once
 
 #include "gw/command_list.h"

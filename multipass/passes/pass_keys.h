@@ -1,6 +1,6 @@
 // The keys of [[pass]], each named once: what reads them and what writes them go through the same
 // functions.
-// Does neither itself: pass_toml.cpp does.
+// Does neither itself: read_passes.cpp and write_passes.cpp do.
 #pragma once
 
 #include "multipass/passes/pass.h"

@@ -14,7 +14,7 @@
 //
 // The VGX has neither wrapping operations nor two sides: all increments come first, then all
 // decrements, so that no count saturates at 0; one that reaches the largest stencil value may have
-// lost increments, and is counted (overflow_pass_name) for the driver to see.
+// lost increments, and is counted (overflow_suffix) for the driver to see.
 #pragma once
 
 #include "gw/command_list.h"

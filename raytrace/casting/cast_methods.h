@@ -1,4 +1,4 @@
-// The methods of casting.h, one file each: cast_by_*.cpp. Does not choose among them.
+// The methods of casting.h, one file each: cast_by_grid.cpp and its siblings. Does not choose among them.
 #pragma once
 
 #include "raytrace/casting/shape_tester.h"

@@ -104,7 +104,7 @@ const Change changes[] = {
      }},
 };
 
-/// Fails to compile when State gets a field: it belongs to design.md's list, or to `changes`.
+/// Fails to compile when State gets a field: it enters coverage and depth, or belongs to `changes`.
 [[maybe_unused]] void every_field_is_known(const State& state) {
     [[maybe_unused]] const auto& [projection, viewport, depth_range, clip_planes, cull,
                                   polygon_mode, polygon_offset, jitter, point_size, line_width,

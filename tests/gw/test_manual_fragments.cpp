@@ -1,5 +1,5 @@
-// docs/manual/fragments.md: the worked examples. Every case of the tables is in
-// test_exhaustive_*.cpp.
+// docs/manual/fragments.md: the worked examples. test_exhaustive_stencil.cpp and its siblings have
+// every case of the tables.
 #include "tests/gw/workbench.h"
 
 namespace gw {

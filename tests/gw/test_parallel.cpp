@@ -1,4 +1,4 @@
-// gw/parallel: every index once, on as many threads as were asked for, whatever the processor has;
+// gw/base/parallel.h: every index once, on as many threads as were asked for, whatever the processor has;
 // and the arithmetic of docs/manual.md, "Numbers", whatever the caller rounds to.
 #include "gw/base/parallel.h"
 #include "gw/machine.h"
