@@ -1,9 +1,10 @@
-// A command list: everything a machine can be told, as a value that is built, printed, stored,
-// replayed, compared. Does not execute anything and holds no pixels of a machine.
+// Command lists: the only input of a machine. A list is a value, which can be built, printed,
+// stored, replayed and compared. Does not execute anything and holds no pixels of a machine.
 #pragma once
 
 #include "gw/material.h"
 #include "gw/mesh.h"
+#include "gw/planes.h"
 #include "gw/state.h"
 #include "gw/texture.h"
 
@@ -14,19 +15,10 @@
 
 namespace gw {
 
-/// The planes of a machine, and their bits in a PlaneMask.
-enum class Plane : std::uint8_t { Color, Depth, Stencil, Accum };
-using PlaneMask = std::uint8_t;
-constexpr PlaneMask mask_of(Plane plane) {
-    return static_cast<PlaneMask>(1u << static_cast<unsigned>(plane));
-}
-inline constexpr PlaneMask all_planes = 15;
-
-/// Opens a pass: commands up to the next one are counted under this name. `digests`: digests of
-/// these planes are taken when the pass ends.
+/// Opens a pass. The commands up to the next BeginPass are counted under its name.
 struct BeginPass {
     std::string name;
-    PlaneMask digests = 0;
+    PlaneMask digests = 0;  ///< the planes whose digests are taken when the pass ends
     bool operator==(const BeginPass&) const = default;
 };
 
@@ -46,8 +38,8 @@ struct SetState {
     bool operator==(const SetState&) const = default;
 };
 
-/// A texture that is a value, or the machine's texture slot that CopyTexture filled; neither:
-/// texturing is off.
+/// The texture of a draw: a value, or a texture slot that CopyTexture filled. Texturing is off
+/// where neither is given.
 struct TextureBinding {
     TextureRef texture;
     std::optional<std::uint32_t> slot;
@@ -62,14 +54,13 @@ struct Draw {
     Material material;
     LightsRef lights;
     TextureBinding map;
-    /// ColorSource::PolygonId: id = id_base + mesh polygon id (modulo 2^32) ...
+    /// ColorSource::PolygonId: the id is (id_base + mesh polygon id mod 2^32) >> id_shift.
     std::uint32_t id_base = 0;
-    int id_shift = 0;  ///< ... shifted right by this: 0 .. 31
+    int id_shift = 0;  ///< 0 .. 31
     bool operator==(const Draw&) const = default;
 };
 
-/// Runs of pixels on one row; window coordinates; fragments go through scissor, alpha, stencil,
-/// depth, blend, masks.
+/// A run of pixels in one row, in window coordinates.
 struct Span {
     int x = 0, y = 0, length = 0;  ///< x, y -4096 .. 4096
     std::uint32_t first = 0;       ///< index of its first colour
@@ -77,6 +68,8 @@ struct Span {
     bool flat = true;
     bool operator==(const Span&) const = default;
 };
+/// Makes a fragment of each pixel of the spans. Fragments go through scissor, alpha, stencil and
+/// depth tests, blending and masks.
 struct WriteSpans {
     std::vector<Span> spans;
     std::vector<Rgba> colors;  ///< each channel <= 2^color_bits - 1
@@ -84,19 +77,19 @@ struct WriteSpans {
     bool operator==(const WriteSpans&) const = default;
 };
 
-/// A rectangle of pixels from the host, bottom row first. Colour makes fragments of depth `depth`
-/// that go through scissor, alpha, stencil, depth, blend and masks; depth and stencil values are
-/// written through scissor and masks only.
+/// Writes a rectangle of pixels from the host, bottom row first. Colours make fragments of depth
+/// `depth`, which go through all tests, blending and masks. Depth and stencil values are written
+/// through scissor and masks only.
 struct WritePixels {
     Rect rect;
     Plane plane = Plane::Color;         ///< Color, Depth or Stencil
-    std::vector<Rgba> colors;           ///< Plane::Color: rect.width * rect.height
-    std::vector<std::uint32_t> values;  ///< Depth, Stencil: as many
+    std::vector<Rgba> colors;           ///< Plane::Color: rect.area() colours
+    std::vector<std::uint32_t> values;  ///< Depth, Stencil: rect.area() values
     std::uint32_t depth = 0;
     bool operator==(const WritePixels&) const = default;
 };
 
-/// Accumulation buffer, inside the scissor box. GL's glAccum words.
+/// An operation on the accumulation buffer inside the scissor box, in glAccum's words.
 enum class AccumOp : std::uint8_t { Accum, Load, Add, Mult, Return };
 struct Accumulate {
     AccumOp op = AccumOp::Accum;
@@ -104,9 +97,9 @@ struct Accumulate {
     bool operator==(const Accumulate&) const = default;
 };
 
-/// Copies a rectangle of one plane to another place of the same plane (glCopyPixels), through
+/// Copies a rectangle of one plane to another position in the same plane (glCopyPixels), through
 /// scissor and masks. Source pixels outside the window are skipped. Overlapping rectangles copy as
-/// if the source were read first.
+/// if the whole source were read first.
 struct Copy {
     Plane plane = Plane::Color;  ///< Color, Depth or Stencil
     Rect source;
@@ -114,8 +107,9 @@ struct Copy {
     bool operator==(const Copy&) const = default;
 };
 
-/// Makes a texture slot from a rectangle of the colour or depth plane (glCopyTexImage2D); sides
-/// powers of two, inside the window. A depth slot serves shadow_compare, or is read as grey.
+/// Fills a texture slot from a rectangle of the colour or depth plane (glCopyTexImage2D). The
+/// rectangle lies inside the window and its sides are powers of two. A depth slot is a texture for
+/// shadow_compare, or is read as grey.
 struct CopyTexture {
     std::uint32_t slot = 0;  ///< 0 .. 255
     Plane plane = Plane::Color;
@@ -123,20 +117,21 @@ struct CopyTexture {
     bool operator==(const CopyTexture&) const = default;
 };
 
-/// Reads a rectangle of a plane back (glReadPixels); Machine::readbacks() returns it.
+/// Reads a rectangle of a plane back (glReadPixels). Machine::readbacks() has the result under
+/// `key`, unless Machine::read_into gave other memory for it.
 struct Read {
     std::uint32_t key = 0;
     Plane plane = Plane::Color;
     Rect rect;
-    bool packed = false;  ///< colours of at most 8 bits as words of 32, R lowest (lrectread)
+    bool packed = false;  ///< colours of at most 8 bits as 32-bit words, R lowest (lrectread)
     bool operator==(const Read&) const = default;
 };
 
 using Command = std::variant<BeginPass, Clear, SetState, Draw, WriteSpans, WritePixels, Accumulate,
                              Copy, CopyTexture, Read>;
 
-/// Commands in order. A value: meshes, maps and lights are shared and immutable. `==` compares
-/// their addresses; inspect/compare/command_difference.h compares contents.
+/// Commands in order. Meshes, textures and lights are immutable and shared between lists; == of
+/// commands compares their addresses, inspect/compare/command_difference.h their content.
 struct CommandList {
     std::vector<Command> commands;
 

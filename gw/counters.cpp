@@ -1,4 +1,3 @@
-// Adding counters.
 #include "gw/counters.h"
 
 namespace gw {

@@ -1,5 +1,5 @@
-// What a machine counts, in the order of its stages. docs/manual.md, "Counters".
-// Does not turn counts into time: apps/ and price lists do.
+// The counters of a machine, in the order of its stages. docs/manual/counters.md.
+// Does not turn counts into time: price lists do (inspect/report).
 #pragma once
 
 #include "gw/planes.h"
@@ -17,19 +17,19 @@ struct Counters {
     std::uint64_t draws = 0;
     std::uint64_t vertices = 0;  ///< of the meshes drawn
     std::uint64_t primitives = 0;
-    std::uint64_t rejected = 0;  ///< nothing left after clipping
-    /// cut, but something left (counted again in one of the following)
+    std::uint64_t rejected = 0;  ///< nothing is left after clipping
+    /// cut by clipping, but not rejected; counted again in one of the following
     std::uint64_t clipped = 0;
-    std::uint64_t degenerate = 0;  ///< zero area after the snap (all of its pieces together)
+    std::uint64_t degenerate = 0;  ///< the sum of its pieces' areas is 0 after the snap
     std::uint64_t culled = 0;
     std::uint64_t drawn = 0;
-    std::uint64_t fragments = 0;  ///< made: inside primitive, viewport, scissor and window
+    std::uint64_t fragments = 0;  ///< made inside primitive, viewport, scissor and window
     std::uint64_t alpha_killed = 0;
     std::uint64_t stencil_killed = 0;
     std::uint64_t depth_killed = 0;
-    std::uint64_t written = 0;  ///< passed every test (masks may still keep every plane)
+    std::uint64_t written = 0;  ///< passed every test; masks may still protect every plane
     std::uint64_t texels = 0;   ///< fragments made times the look-ups of the minification filter
-    /// touched by clear, depth/stencil pixel writes, accumulate, copy, read
+    /// touched by clears, pixel writes of depth or stencil, accumulation, copies, reads
     std::uint64_t pixels = 0;
     std::uint64_t accum_overflows = 0;  ///< channels that wrapped
     std::uint64_t bytes = 0;            ///< of frame buffer traffic by the manual's model
@@ -38,13 +38,13 @@ struct Counters {
     bool operator==(const Counters&) const = default;
 };
 
-/// One pass: from a BeginPass to the next. Commands before the first BeginPass are counted in a
-/// pass named "".
+/// The counts of one pass, which extends from a BeginPass to the next. Commands before the first
+/// BeginPass are counted in a pass named "".
 struct PassReport {
     std::string name;
     Counters counters;
     PlaneMask digested = 0;
-    std::array<Digest, 4> digests{};  ///< by Plane, where `digested` says so
+    std::array<Digest, 4> digests{};  ///< by Plane, of the planes in `digested`
     bool operator==(const PassReport&) const = default;
 };
 

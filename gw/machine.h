@@ -1,6 +1,5 @@
-// The machine: command lists in, planes and counters out. Two of them, one contract:
-// docs/manual.md.
-// Does not read files and does not know scenes.
+// The machine: command lists in, planes and counters out. The reference machine and the fast
+// machine obey one contract, docs/manual.md. Does not read files and does not know scenes.
 #pragma once
 
 #include "gw/base/cache_aligned_vector.h"
@@ -11,6 +10,7 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,15 +19,18 @@ namespace gw {
 /// The largest window: 4096 x 4096 pixels (the guard band is laid out around it).
 inline constexpr int max_window_size = 4096;
 
-/// A rectangle read back by `Read`: the vector of its plane is filled, bottom row first.
+/// The result of a `Read`: one of the vectors is filled, bottom row first.
 struct Readback {
     Plane plane = Plane::Color;
     Rect rect;
     std::vector<Rgba> color;
-    LineVector<std::uint32_t> values;  ///< depth, stencil or packed colour
+    CacheAlignedVector<std::uint32_t> values;  ///< depth, stencil or packed colour
     std::vector<std::array<std::int32_t, 4>> accum;
     bool operator==(const Readback&) const = default;
 };
+
+/// Memory of the caller that the values of a `Read` are written to, by the Read's key.
+using ReadTargets = std::map<std::uint32_t, std::span<std::uint32_t>>;
 
 class Machine {
 public:
@@ -42,20 +45,17 @@ public:
     virtual const std::vector<PassReport>& passes() = 0;
     virtual void reset_passes() = 0;
     virtual const std::map<std::uint32_t, Readback>& readbacks() = 0;
-    /// Puts into `other` what the last Read of this key left, where there was one; the next Read of
-    /// the key may fill the memory that `other` had, and until then readbacks() says nothing of the
-    /// key.
-    virtual void exchange_readback(std::uint32_t key, Readback& other) {
-        if (const auto found = readbacks().find(key); found != readbacks().end())
-            other = found->second;
-    }
+    /// The next list's Read of this key writes depth, stencil or packed colours to `values` instead
+    /// of readbacks(). `values` has rect.area() elements and stays valid until execute() returns.
+    virtual void read_into(std::uint32_t key, std::span<std::uint32_t> values) = 0;
     virtual const Profile& profile() const = 0;
 };
 
-/// What persists from earlier lists and decides whether a list is valid.
+/// The part of a machine's condition that decides whether a list is valid.
 struct ListContext {
     State state;
     std::map<std::uint32_t, Plane> slots;  ///< filled texture slots and the plane each came from
+    ReadTargets targets{};
 };
 
 /// Checks a list against a profile and window: extensions by name, values in range, sizes that fit.
@@ -66,11 +66,10 @@ void validate(const CommandList& list, const Profile& profile, int width, int he
 /// Throws Error for a window outside 1 .. max_window_size.
 void check_window(int width, int height);
 
-/// The manual in code: one fragment at a time. Throws Error for a window outside 1 ..
-/// max_window_size.
+/// The manual in code: one fragment at a time. Throws Error where check_window does.
 std::unique_ptr<Machine> make_reference(const Profile& profile, int width, int height);
 
-/// The vector instruction set that the fast machine uses on this processor, in Highway's words
+/// The vector instruction set that the fast machine uses on this processor, by Highway's name
 /// ("AVX3", "SCALAR").
 std::string simd_target();
 
@@ -78,7 +77,7 @@ struct FastOptions {
     int threads = 0;    ///< 0: all
     int log2_tile = 6;  ///< tiles of 16, 32 or 64 pixels a side: 4 .. 6
 };
-/// Tiles, SIMD, threads; the same bits.
+/// Tiles, SIMD and threads; the same bits as the reference machine.
 std::unique_ptr<Machine> make_fast(const Profile& profile, int width, int height,
                                    const FastOptions& options = {});
 

@@ -1,5 +1,5 @@
-// Materials and lights, in the papers' words. docs/manual.md, "Lighting".
-// Does not evaluate the equation: each machine does, in the manual's order of operations.
+// Materials and lights, in the papers' words. docs/manual/lighting.md.
+// Does not evaluate the lighting equation: gw/stages/lighting.h does.
 #pragma once
 
 #include "gw/base/types.h"
@@ -14,7 +14,7 @@ struct Material {
     vec3 Ka{0.2f, 0.2f, 0.2f};
     vec3 Kd{0.8f, 0.8f, 0.8f};
     vec3 Ks{0, 0, 0};
-    vec3 Ke{0, 0, 0};  ///< own emission, independent of every light
+    vec3 Ke{0, 0, 0};  ///< emission, independent of every light
     float Ns = 0;      ///< exponent n of the highlight, 0 .. 10000
     float alpha = 1;   ///< of the lit colour (d in MTL)
     bool operator==(const Material&) const = default;
@@ -28,7 +28,7 @@ struct Light {
     vec3 Is{1, 1, 1};
     vec3 spot_direction{0, 0, -1};
     float spot_exponent = 0;  ///< 0 .. 128
-    /// cosine of the cone's half angle; -1: no cone. A cosine, so that no libm is needed
+    /// cosine of the cone's half angle; -1: no cone
     float spot_cos_cutoff = -1;
     float constant_attenuation = 1, linear_attenuation = 0, quadratic_attenuation = 0;
     bool operator==(const Light&) const = default;

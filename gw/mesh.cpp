@@ -84,7 +84,7 @@ std::vector<std::uint32_t> corners_of(const MeshData& data) {
     return all;
 }
 
-// Whether `corners` vertices make whole primitives. Nothing at all is allowed: it draws nothing.
+// Whether `corners` vertices make whole primitives. 0 vertices are allowed and draw nothing.
 bool fits(Primitive primitive, std::size_t corners) {
     switch (primitive) {
         case Primitive::Points: return true;

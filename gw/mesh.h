@@ -1,6 +1,5 @@
-// A mesh: immutable vertices and primitives, checked and decomposed once. docs/manual.md,
-// "Primitives".
-// Does not know materials, files or transforms.
+// A mesh: immutable vertices and primitives, checked and decomposed once.
+// docs/manual/geometry.md, "Primitives". Does not know materials, files or transforms.
 #pragma once
 
 #include "gw/base/types.h"
@@ -24,8 +23,7 @@ enum class Primitive {
     Polygons
 };
 
-/// What a mesh is made of, all in object space. Vertex arrays are either empty or as long as
-/// `positions`.
+/// The data of a mesh, in object space. Vertex arrays are either empty or as long as `positions`.
 struct MeshData {
     Primitive primitive = Primitive::Triangles;
     std::vector<vec3> positions;
@@ -34,21 +32,20 @@ struct MeshData {
     std::vector<vec2> texcoords;         ///< s, t. Empty: (0,0)
     std::vector<vec4> colors;            ///< used where lighting is off. Empty: (1,1,1,1)
     std::vector<std::uint32_t> indices;  ///< into the vertices. Empty: 0, 1, 2, ...
-    std::vector<std::uint32_t>
-        polygon_sizes;  ///< Polygons only: vertices of each polygon; empty: one polygon of all
-    /// Identifier of each polygon (quad, triangle, line, point as given, before triangulation) for
+    /// Polygons only: the number of vertices of each. Empty: all vertices are one polygon
+    std::vector<std::uint32_t> polygon_sizes;
+    /// The identifier of each polygon, quad, triangle, line or point, before triangulation, for
     /// ColorSource::PolygonId. Empty: 0, 1, 2, ...
     std::vector<std::uint32_t> polygon_ids;
     bool operator==(const MeshData&) const = default;
 };
 
-/// A triangle after decomposition. Its order keeps the polygon's orientation.
+/// A triangle after decomposition. The order of its vertices keeps the polygon's orientation.
 struct Triangle {
     std::array<std::uint32_t, 3> vertex;
-    std::uint32_t
-        /// the vertex whose colour a flat-shaded face has (GL: the last; a polygon's first)
-        provoking;
-    std::uint32_t polygon;  ///< ordinal of the polygon it came from
+    /// the vertex that gives a flat-shaded face its colour (GL: the last, of a polygon the first)
+    std::uint32_t provoking;
+    std::uint32_t polygon;  ///< ordinal of its polygon
     /// bit k: the side from vertex[k] to vertex[k+1] is an edge of the polygon
     std::uint8_t edges = 7;
     bool operator==(const Triangle&) const = default;
@@ -56,19 +53,19 @@ struct Triangle {
 
 enum class MeshKind { Points, Lines, Triangles };
 
-/// MeshData made ready to draw. Only make_mesh makes one.
+/// MeshData checked and decomposed, by make_mesh only.
 class Mesh {
 public:
     const MeshData& data() const { return data_; }
     MeshKind kind() const { return kind_; }
-    /// Of a MeshKind::Triangles mesh.
+    /// Of MeshKind::Triangles.
     std::span<const Triangle> triangles() const { return triangles_; }
-    /// Of a MeshKind::Lines mesh (first, second vertex) ...
+    /// Of MeshKind::Lines: first and second vertex.
     std::span<const std::array<std::uint32_t, 2>> lines() const { return lines_; }
-    /// ... and of a MeshKind::Points mesh.
+    /// Of MeshKind::Points.
     std::span<const std::uint32_t> points() const { return points_; }
     std::uint32_t polygon_count() const { return polygon_count_; }
-    /// The identifier of polygon `ordinal` (for lines and points: of the ordinal-th).
+    /// The identifier of the polygon, line or point with this ordinal.
     std::uint32_t polygon_id(std::uint32_t ordinal) const {
         return data_.polygon_ids.empty() ? ordinal : data_.polygon_ids[ordinal];
     }
@@ -92,8 +89,8 @@ using MeshRef = std::shared_ptr<const Mesh>;
 inline constexpr std::uint32_t max_mesh_size = 1u << 28;
 
 /// Throws Error when an array has the wrong length, an index is out of range, a value is not
-/// finite, a polygon has fewer than 3 vertices or the counts do not fit the primitive. Zero-area
-/// polygons are kept: they draw nothing.
+/// finite, a polygon has fewer than 3 vertices or the counts do not fit the primitive. Polygons
+/// without area are accepted and draw nothing.
 MeshRef make_mesh(MeshData data);
 
 }  // namespace gw

@@ -1,10 +1,8 @@
-// The planes of a machine as the host sees them. docs/manual.md, "Planes".
-// Does not draw. Row 0 is the bottom row of the window (GL's origin); pixel (x, y) is at y * width
-// + x.
+// The planes of a machine as the host sees them. docs/manual/machine.md, "Planes of the machine".
+// Row 0 is the bottom row of the window (GL's origin). Does not draw.
 #pragma once
 
 #include "gw/base/types.h"
-#include "gw/command_list.h"
 
 #include <array>
 #include <cstdint>
@@ -12,6 +10,16 @@
 #include <vector>
 
 namespace gw {
+
+/// The planes of a machine; each is one bit of a PlaneMask.
+enum class Plane : std::uint8_t { Color, Depth, Stencil, Accum };
+inline constexpr std::array every_plane{Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum};
+
+using PlaneMask = std::uint8_t;
+constexpr PlaneMask mask_of(Plane plane) {
+    return static_cast<PlaneMask>(1u << static_cast<unsigned>(plane));
+}
+inline constexpr PlaneMask all_planes = 15;
 
 struct Planes {
     int width = 0, height = 0;
@@ -24,14 +32,12 @@ struct Planes {
     Planes() = default;
     /// All zero, depth too: a machine's planes are undefined before Clear, and here that is 0.
     Planes(int width, int height);
-    std::size_t index(int x, int y) const {
-        return std::size_t(y) * std::size_t(width) + std::size_t(x);
-    }
+    std::size_t index(int x, int y) const { return pixel_index(x, y, width); }
     bool operator==(const Planes&) const = default;
 };
 
-/// XXH3-128 of a plane: over the XXH3-128 digests of its 64x64 blocks, rows of blocks from the
-/// bottom.
+/// XXH3-128 of a plane, taken over the XXH3-128 digests of its 64x64 blocks. Blocks are ordered in
+/// rows from the bottom.
 struct Digest {
     std::uint64_t high = 0, low = 0;
     auto operator<=>(const Digest&) const = default;

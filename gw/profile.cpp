@@ -1,4 +1,3 @@
-// The built-in profiles and their limits.
 #include "gw/profile.h"
 
 #include "gw/error.h"

@@ -1,6 +1,5 @@
-// A machine's profile: how many bits each of its values has, and which extensions it knows. Pure
-// data.
-// Does not say how anything is computed: docs/manual.md does, in terms of these numbers.
+// A machine's profile: the number of bits of each value, and its extensions. Plain data.
+// Does not define the arithmetic: docs/manual.md does, in terms of these numbers.
 #pragma once
 
 #include <string>
@@ -9,14 +8,14 @@
 
 namespace gw {
 
-/// What OpenGL 1.1 (and the VGX) lacked; a list that uses one on a profile without it is refused by
-/// name.
+/// Features that OpenGL 1.1 and the VGX lack. A list that uses one is refused on a profile without
+/// it; the message names both.
 struct Extensions {
     bool polygon_offset = false;
     /// depth textures compared with r (the RealityEngine's shadow maps)
     bool shadow_texture = false;
     bool stencil_wrap = false;       ///< StencilOp::IncrWrap, DecrWrap
-    bool two_sided_stencil = false;  ///< other stencil state for back faces
+    bool two_sided_stencil = false;  ///< separate stencil state for back faces
     bool operator==(const Extensions&) const = default;
 };
 
@@ -30,9 +29,9 @@ struct Profile {
     int subpixel_bits = 3;  ///< 1 .. 8; 3 is the VGX's 8x8 grid
     int lit_bits = 8;       ///< of a lit vertex colour: 4 .. color_bits
     int max_lights = 8;     ///< in one pass: 1 .. 1024
-    /// fog factor per fragment by default (else at the vertex, as [K] Fig. 2)
+    /// fog factor per fragment by default; else at the vertex, as in [K] Fig. 2
     bool fragment_fog = false;
-    /// Gouraud in perspective (else screen-linear, as the hardware did)
+    /// Gouraud shading in perspective; else linear on the screen, as in the hardware
     bool perspective_color = false;
     Extensions extensions;
     bool operator==(const Profile&) const = default;
@@ -42,7 +41,7 @@ struct Profile {
 Profile vgx();
 /// RealityEngine class.
 Profile reality();
-/// What precision buys.
+/// More bits and all extensions.
 Profile ideal();
 
 /// The built-in profiles, in the order above.

@@ -1,5 +1,5 @@
 // The pipeline's state: OpenGL 1.1's words and initial values. One struct per group, plain data.
-// docs/vocabulary.md gives IRIS GL's words beside them. Does not compute anything.
+// docs/vocabulary.md gives IRIS GL's words. Does not compute anything.
 #pragma once
 
 #include "gw/base/types.h"
@@ -38,7 +38,7 @@ using DepthFunc = CompareFunc;
 using StencilFunc = CompareFunc;
 using AlphaFunc = CompareFunc;
 
-/// Lower left corner and size in pixels. The width and height 0 stand for the whole window.
+/// Lower left corner and size in pixels. Width and height 0 stand for the whole window.
 struct ViewportState {
     int x = 0, y = 0, width = 0, height = 0;
     bool operator==(const ViewportState&) const = default;
@@ -68,15 +68,14 @@ struct CullState {
 
 enum class PolygonMode : std::uint8_t { Point, Line, Fill };
 
-/// Extension polygon_offset. o = factor * m + units, added to the depth of filled polygons.
+/// Extension polygon_offset: factor * m + units is added to the depth of filled polygons.
 struct PolygonOffsetState {
     bool enable = false;
     float factor = 0, units = 0;
     bool operator==(const PolygonOffsetState&) const = default;
 };
 
-/// Moves everything drawn by whole sub-pixel units after the snap; |x|, |y| < 2^subpixel_bits.
-/// [K4a]
+/// Moves every primitive by whole sub-pixel units after the snap; |x|, |y| < 2^subpixel_bits. [K4a]
 struct JitterState {
     int x = 0, y = 0;
     bool operator==(const JitterState&) const = default;
@@ -84,14 +83,12 @@ struct JitterState {
 
 enum class ShadeModel : std::uint8_t { Flat, Smooth };
 
-/// Where a primitive's colour comes from: lighting, the mesh's colours, or the polygon's
-/// identifier.
+/// The source of a primitive's colour.
 enum class ColorSource : std::uint8_t {
     Vertex,    ///< mesh colours (lighting off)
     Lighting,  ///< the lighting equation at the vertices
-    /// R, G, B = 8 bits each of (id_base + polygon id) >> id_shift; exact: neither texture nor
+    /// R, G, B are 8 bits each of (id_base + polygon id) >> id_shift, without texture and fog
     PolygonId,
-    ///< fog touches it
 };
 
 struct LightingState {
@@ -126,7 +123,7 @@ enum class TexEnv : std::uint8_t { Modulate, Decal, Blend, Replace };
 enum class TexGen : std::uint8_t {
     None,
     SphereMap,      ///< reflection map [K3.1]
-    RefractionMap,  ///< sphere map looked up by the refracted ray, ratio `eta` [K1]
+    RefractionMap,  ///< sphere map looked up with the refracted ray, ratio `eta` [K1]
     EyeLinear,      ///< (s, t, r, q) = plane matrix * p_eye: projected textures and shadow maps
 };
 struct TextureState {
@@ -157,6 +154,7 @@ struct AlphaState {
     bool operator==(const AlphaState&) const = default;
 };
 
+/// The stencil test of one side of a face.
 struct StencilFace {
     StencilFunc func = StencilFunc::Always;
     int ref = 0;
@@ -165,8 +163,9 @@ struct StencilFace {
     std::uint32_t write_mask = ~0u;
     bool operator==(const StencilFace&) const = default;
 };
-/// `func` .. `write_mask` serve all fragments, or front faces only where `two_side` (extension
-/// two_sided_stencil).
+/// The stencil test. `func` .. `write_mask` hold for all fragments; with `two_side` (extension
+/// two_sided_stencil) they hold for front faces only. The fields of a face stand here too, not in a
+/// member, so that a pass is written as the papers write it.
 struct StencilState {
     bool test = false;
     StencilFunc func = StencilFunc::Always;
@@ -176,11 +175,17 @@ struct StencilState {
     std::uint32_t write_mask = ~0u;
     bool two_side = false;
     StencilFace back{};
+    StencilFace front() const { return {func, ref, mask, fail, zfail, zpass, write_mask}; }
     bool operator==(const StencilState&) const = default;
 };
+/// Whether no fragment of this side changes a stencil value.
+constexpr bool keeps_stencil(const StencilFace& f) {
+    return f.write_mask == 0 ||
+           (f.fail == StencilOp::Keep && f.zfail == StencilOp::Keep && f.zpass == StencilOp::Keep);
+}
 
-/// Compare and update switch separately [K2]: `func = Always` compares nothing, `mask = false`
-/// updates nothing; `test = false` does neither, as in GL, and the depth plane is not even read.
+/// Comparison and update are switched separately [K2]: `func = Always` compares nothing, `mask =
+/// false` updates nothing. As in GL, `test = false` does neither; the depth plane is not read.
 struct DepthState {
     bool test = false;
     DepthFunc func = DepthFunc::Less;
@@ -215,7 +220,7 @@ struct State {
     ColorSource color_source = ColorSource::Vertex;
     LightingState lighting;
     FogState fog;
-    TextureState texture;  ///< how; which texture is the draw's
+    TextureState texture;  ///< how texels are used; the draw names the texture
     ScissorState scissor;
     AlphaState alpha;
     StencilState stencil;

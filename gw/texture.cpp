@@ -20,21 +20,22 @@ void check(const std::string& name, int width, int height, std::size_t values) {
 
 int power_of_two(int side) { return static_cast<int>(std::bit_ceil(static_cast<unsigned>(side))); }
 
-// Where texel centre i of `to` texels lies among `from` texels: between `low` and `high`, `weight`
-// of 2 `to` parts from low to high. Clamped at the ends, so that opposite sides never mix.
-struct Place {
+// The position of texel centre i of `to` texels among `from` texels: between `low` and `high`,
+// `weight` / (2 `to`) of the distance from low to high. Clamped at the ends, so that opposite sides
+// never mix.
+struct Position {
     int low, high;
     std::uint64_t weight;
 };
 
-Place place(int i, int from, int to) {
+Position position_of(int i, int from, int to) {
     const int twice = 2 * to;
     const int position = std::clamp((2 * i + 1) * from - to, 0, (from - 1) * twice);
     const int low = position / twice;
     return {low, std::min(low + 1, from - 1), static_cast<std::uint64_t>(position % twice)};
 }
 
-// Bilinear, one rounding to nearest (ties up): the four weights add up to 4 * width * height of the
+// Bilinear, rounded once to nearest, ties up. The four weights add up to 4 * width * height of the
 // result.
 TextureLevel resample(int width, int height, std::span<const std::uint16_t> rgba) {
     TextureLevel level{power_of_two(width), power_of_two(height), {}};
@@ -47,7 +48,8 @@ TextureLevel resample(int width, int height, std::span<const std::uint16_t> rgba
     const std::uint64_t parts_y = 2 * static_cast<std::uint64_t>(level.height);
     for (int y = 0; y < level.height; ++y)
         for (int x = 0; x < level.width; ++x) {
-            const Place px = place(x, width, level.width), py = place(y, height, level.height);
+            const Position px = position_of(x, width, level.width),
+                           py = position_of(y, height, level.height);
             const auto texel = [&](int column, int row, int channel) {
                 return std::uint64_t{rgba[std::size_t(4 * (row * width + column) + channel)]};
             };
@@ -65,8 +67,8 @@ TextureLevel resample(int width, int height, std::span<const std::uint16_t> rgba
     return level;
 }
 
-// Means of 2x2 texels, (a + b + c + d + 2) / 4; of a single row or column, of 2 texels, which is
-// the same.
+// Means of 2x2 texels, (a + b + c + d + 2) / 4. A single row or column gives means of 2 texels by
+// the same formula.
 TextureLevel half(const TextureLevel& level) {
     TextureLevel result{std::max(1, level.width / 2), std::max(1, level.height / 2), {}};
     const int dx = level.width > 1, dy = level.height > 1;

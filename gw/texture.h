@@ -1,4 +1,4 @@
-// A texture: an immutable pyramid of RGBA images. docs/manual.md, "Textures".
+// A texture: an immutable pyramid of RGBA images. docs/manual/texture.md, "Textures".
 // Does not read files (image/ does) and does not filter (the machines do).
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace gw {
 
-/// One level, 16 bits a channel normalised to 0..1 (an 8-bit texel v is stored as 257 v), 4
-/// channels a texel, row 0 is t = 0 (bottom), column 0 is s = 0.
+/// One level. A texel has 4 channels of 16 bits, which represent 0 .. 1; an 8-bit channel v is
+/// stored as 257 v. Row 0 is t = 0 (bottom), column 0 is s = 0.
 struct TextureLevel {
     int width = 1, height = 1;  ///< powers of two
     std::vector<std::uint16_t> rgba;
@@ -32,10 +32,10 @@ using TextureRef = std::shared_ptr<const Texture>;
 /// The largest side of a texture.
 inline constexpr int max_texture_size = 4096;
 
-/// Makes a texture from `width` x `height` RGBA texels of 16 bits, bottom row first. Sides that are
-/// not powers of two are resampled to the nearest larger one by integer bilinear interpolation;
-/// levels are made by 2x2 means. Throws Error when a side is outside 1 .. max_texture_size or the
-/// number of values is not 4 width height.
+/// Makes a texture from `width` x `height` RGBA texels of 16 bits, bottom row first. A side that is
+/// no power of two is resampled to the next larger one by integer bilinear interpolation. Levels
+/// are means of 2x2 texels. Throws Error when a side is outside 1 .. max_texture_size or the number
+/// of values is not 4 width height.
 TextureRef make_texture(std::string name, int width, int height,
                         std::span<const std::uint16_t> rgba);
 

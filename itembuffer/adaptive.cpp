@@ -18,7 +18,7 @@ std::vector<std::uint32_t> around(const std::vector<std::uint32_t>& ids, const s
     std::vector<std::uint32_t> found;
     for (int j = std::max(y - 1, 0); j <= std::min(y + 1, view.height - 1); ++j)
         for (int i = std::max(x - 1, 0); i <= std::min(x + 1, view.width - 1); ++i)
-            found.push_back(ids[std::size_t(j) * std::size_t(view.width) + std::size_t(i)]);
+            found.push_back(ids[view.index(i, j)]);
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
@@ -91,7 +91,7 @@ AdaptivePicture adaptive_picture(const raytrace::Tracer& tracer, const scene::Sc
                         std::vector<std::uint8_t>(ids.size())};
     const Sampler sampler{tracer, scene, view, profile, scene::PixelRays(view)};
     const auto draw = [&](int x, int y, raytrace::RayCounts& counts) {
-        const std::size_t i = std::size_t(y) * std::size_t(view.width) + std::size_t(x);
+        const std::size_t i = view.index(x, y);
         const std::vector<std::uint32_t> near_ids = around(ids, view, x, y);
         out.divided[i] = near_ids.size() > 1 && samples > 1;
         const dvec3 color = out.divided[i] ? sampler.divided(near_ids, x, y, samples, counts)

@@ -91,8 +91,7 @@ std::vector<std::uint64_t> shadows_of(const scene::Scene& scene, const raytrace:
     const scene::PixelRays rays(view);
     std::vector<std::uint64_t> shadows(std::size_t(view.width) * std::size_t(view.height));
     raytrace::for_pixels(view.width, view.height, threads, [&](int x, int y, raytrace::RayCounts&) {
-        shadows[std::size_t(y) * std::size_t(view.width) + std::size_t(x)] =
-            shadows_at(scene, world, rays.through(x + 0.5, y + 0.5));
+        shadows[view.index(x, y)] = shadows_at(scene, world, rays.through(x + 0.5, y + 0.5));
     });
     return shadows;
 }
@@ -108,8 +107,7 @@ bool is_even(const std::vector<Value>& values, const scene::View& view, std::siz
             if (!corners && dx != 0 && dy != 0) continue;
             const int a = std::clamp(x + dx, 0, view.width - 1),
                       b = std::clamp(y + dy, 0, view.height - 1);
-            if (values[std::size_t(b) * std::size_t(view.width) + std::size_t(a)] != values[i])
-                return false;
+            if (values[view.index(a, b)] != values[i]) return false;
         }
     return true;
 }

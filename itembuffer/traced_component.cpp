@@ -18,7 +18,7 @@ TracedComponent traced_component(const raytrace::Tracer& tracer, const scene::Sc
         return triangle && tracer.is_traced(*triangle);
     };
     const auto trace = [&](int x, int y, raytrace::RayCounts& counts) {
-        const std::size_t i = std::size_t(y) * std::size_t(view.width) + std::size_t(x);
+        const std::size_t i = view.index(x, y);
         if (!is_traced(ids[i])) return;
         const scene::PixelRay ray = rays.through(x + place.x, y + place.y);
         ++counts.primary;

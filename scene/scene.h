@@ -146,5 +146,9 @@ struct Bounds {
     bool empty = true;
 };
 Bounds bounds(const Scene& scene);
+/// Corner i = 0 .. 7 of a box: bits 0, 1, 2 choose the higher x, y, z.
+inline dvec3 corner(const Bounds& b, int i) {
+    return {i & 1 ? b.high.x : b.low.x, i & 2 ? b.high.y : b.low.y, i & 4 ? b.high.z : b.low.z};
+}
 
 }  // namespace gw::scene

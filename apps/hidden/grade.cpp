@@ -138,9 +138,7 @@ image::Picture marked(image::Picture picture, const hs::FragmentGrade& grade) {
                             : m.mistake == hs::Mistake::Doubled   ? yellow
                             : m.mistake == hs::Mistake::Misplaced ? cyan
                                                                   : blue;
-        put(picture,
-            std::size_t(picture.height - 1 - m.y) * std::size_t(picture.width) + std::size_t(m.x),
-            color);
+        put(picture, pixel_index(m.x, picture.height - 1 - m.y, picture.width), color);
     }
     return picture;
 }

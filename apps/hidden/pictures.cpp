@@ -180,9 +180,8 @@ image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows) {
                 const auto row = std::size_t(one.width) * 3;
                 const std::uint16_t* from =
                     rows[std::size_t(r)][std::size_t(c)].values.data() + std::size_t(y) * row;
-                const auto to = std::size_t((lines - 1 - r) * (one.height + gap) + y) *
-                                    std::size_t(sheet.width) +
-                                std::size_t(c * (one.width + gap));
+                const auto to = pixel_index(c * (one.width + gap),
+                                            (lines - 1 - r) * (one.height + gap) + y, sheet.width);
                 std::copy(from, from + row, sheet.values.begin() + std::ptrdiff_t(to * 3));
             }
     return sheet;

@@ -5,7 +5,7 @@
 #include "apps/command/terminal.h"
 #include "apps/render/frame_files.h"
 #include "apps/render/parameter_sets.h"
-#include "gw/counter_names.h"
+#include "gw/names.h"
 #include "inspect/manifest/counters_json.h"
 #include "inspect/report/prices.h"
 #include "inspect/text/plural.h"

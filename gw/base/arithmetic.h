@@ -1,6 +1,5 @@
-// The manual's scalar arithmetic: rounding, clamping, products of fractions. docs/manual.md,
-// "Numbers".
-// Does not hold anything that depends on a stage.
+// The manual's scalar arithmetic: rounding, clamping, products of fractions.
+// docs/manual/numbers.md. Does not contain anything that belongs to one stage.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +8,12 @@
 
 namespace gw {
 
-/// The largest value of n bits, which stands for 1.0; n <= 32.
+/// The largest value of n bits, which represents 1.0; n <= 32.
 constexpr std::uint32_t max_of_bits(int n) {
     return static_cast<std::uint32_t>((std::uint64_t{1} << n) - 1);
 }
 
-/// Nearest integer, ties to even: the IEEE mode that every thread of a machine runs in.
+/// Nearest integer, ties to even: the IEEE rounding mode of every thread of a machine.
 inline double round_even(double v) {
     constexpr double magic = 6755399441055744.0;  // 1.5 * 2^52: adding it leaves no fraction bits
     return v > -magic / 4 && v < magic / 4 ? (v + magic) - magic : std::nearbyint(v);
@@ -45,8 +44,7 @@ constexpr std::uint32_t rescale(std::uint32_t v, int n, int m) {
     return static_cast<std::uint32_t>((v * to * 2 + from) / (from * 2));
 }
 
-/// Any double as an integer in [low, high]; NaN becomes low. Floats are clamped before they become
-/// integers.
+/// A double clamped to [low, high], as an integer; NaN becomes low.
 inline std::int64_t to_integer(double v, double low, double high) {
     return static_cast<std::int64_t>(v > low ? (v < high ? v : high) : low);
 }

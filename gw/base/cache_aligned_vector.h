@@ -1,4 +1,4 @@
-// Vectors that begin on a cache line: vectors of 64 bytes are written to them without crossing one.
+// std::vector that begins on a cache line, so that no aligned SIMD store crosses two lines.
 #pragma once
 
 #include <cstddef>
@@ -8,20 +8,20 @@
 namespace gw {
 
 template <class T>
-struct LineAllocator {
+struct CacheAlignedAllocator {
     using value_type = T;
     static constexpr std::align_val_t line{64};
 
-    LineAllocator() = default;
+    CacheAlignedAllocator() = default;
     template <class U>
-    LineAllocator(const LineAllocator<U>&) {}
+    CacheAlignedAllocator(const CacheAlignedAllocator<U>&) {}
 
     T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
     void deallocate(T* p, std::size_t) { ::operator delete(p, line); }
-    bool operator==(const LineAllocator&) const = default;
+    bool operator==(const CacheAlignedAllocator&) const = default;
 };
 
 template <class T>
-using LineVector = std::vector<T, LineAllocator<T> >;
+using CacheAlignedVector = std::vector<T, CacheAlignedAllocator<T>>;
 
 }  // namespace gw

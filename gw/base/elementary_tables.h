@@ -1,5 +1,5 @@
 // Tables of gw/base/elementary.cpp, and no code. Each value is the sum hi + lo of two doubles;
-// tests/gw/test_elementary_tables.cpp computes all of them again from their series, in integers.
+// tests/gw/base/test_elementary_tables.cpp computes them again from their series, in integers.
 #pragma once
 
 namespace gw::elementary {

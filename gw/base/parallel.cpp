@@ -1,4 +1,3 @@
-// Both ways to run in parallel.
 #include "gw/base/parallel.h"
 
 #include <cfenv>
@@ -31,8 +30,8 @@ int hardware_threads() {
 
 namespace {
 
-/// Whether it is as programs begin, but for flags, where one register says so: saving and restoring
-/// takes as long as a small body.
+/// Whether the modes are those that a program starts with. One register tells; saving and restoring
+/// all modes takes as long as a small body.
 bool is_default_environment() {
 #ifdef __SSE2_MATH__
     constexpr unsigned flags = 0x3F, initial = 0x1F80;
@@ -64,7 +63,7 @@ void serial_for(std::size_t count, const std::function<void(std::size_t, int)>& 
 
 #ifdef GW_THREADS_TBB
 
-/// oneTBB starts no more threads than processors unless it is told that there may be more.
+/// oneTBB starts no more threads than there are processors unless its limit is raised.
 void allow_threads(int threads) {
     using Control = tbb::global_control;
     static std::mutex mutex;
@@ -76,8 +75,8 @@ void allow_threads(int threads) {
     allowed = std::make_unique<Control>(Control::max_allowed_parallelism, most);
 }
 
-/// Arenas that no call uses now. Made anew for each call, oneTBB's threads often came too late, or
-/// never.
+/// Arenas that no call uses now. oneTBB's threads join a new arena late or never, so that arenas
+/// are kept for later calls.
 class Arenas {
 public:
     using Arena = std::unique_ptr<tbb::task_arena>;

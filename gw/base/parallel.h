@@ -1,5 +1,5 @@
-// Threads, behind one file: oneTBB, or std::thread where that is absent or a race detector must see
-// everything. Does not promise an order: what the bodies compute must not depend on it.
+// Threads: oneTBB, or std::thread where oneTBB is absent or a race detector must see every lock.
+// Does not promise an order: the results of the bodies must not depend on it.
 #pragma once
 
 #include <cstddef>
@@ -7,17 +7,17 @@
 
 namespace gw {
 
-/// Threads that are worth using here.
+/// The number of threads that this computer runs at a time.
 int hardware_threads();
 
 /// Calls body(i, worker) once for each i in 0 .. count - 1 on up to `threads` threads (0: all);
-/// `worker` in 0 .. threads - 1 names the calling thread. Returns when all are done; the first
-/// exception is rethrown.
+/// `worker` in 0 .. threads - 1 names the calling thread. Returns when all calls have returned and
+/// rethrows the first exception. Where the system refuses threads, fewer are used.
 /// Every body runs with nearest-even rounding and gradual underflow.
 void parallel_for(std::size_t count, int threads,
                   const std::function<void(std::size_t, int)>& body);
 
-/// Nearest-even rounding and gradual underflow while it lives; restores what was before.
+/// Sets nearest-even rounding and gradual underflow; its destructor restores the caller's modes.
 class FloatEnvironment {
 public:
     FloatEnvironment();

@@ -1,6 +1,6 @@
-// Vectors and matrices of the machine: GLM's, by the names used everywhere else.
-// Does not use GLM's transcendental functions (rotate, perspective, pow): they call libm, and libm
-// differs.
+// The machine's vectors, matrices, colours and rectangles. Vectors and matrices are GLM's.
+// Does not use GLM's transcendental functions (rotate, perspective, pow): they call libm, whose
+// results differ from platform to platform.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -10,6 +10,8 @@
 #include <glm/vec4.hpp>
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace gw {
@@ -24,14 +26,14 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
-/// Products in one fixed order of operations: (x + y) + z, (x + y) + (z + w). GLM's own order is
-/// not promised.
+/// Products in one fixed order of operations: (x + y) + z, (x + y) + (z + w). GLM has none.
 constexpr double dot3(const dvec3& a, const dvec3& b) {
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 constexpr double dot4(const dvec4& a, const dvec4& b) {
     return (a.x * b.x + a.y * b.y) + (a.z * b.z + a.w * b.w);
 }
+inline double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
 constexpr dvec3 cross3(const dvec3& a, const dvec3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -50,9 +52,19 @@ constexpr std::uint32_t packed(const Rgba& c) {
            std::uint32_t(c[3]) << 24;
 }
 
+/// The index of pixel x, y in rows of `width` pixels.
+constexpr std::size_t pixel_index(int x, int y, int width) {
+    return std::size_t(y) * std::size_t(width) + std::size_t(x);
+}
+
 /// A rectangle of pixels; x, y is its lower left pixel (window origin bottom left, as in GL).
 struct Rect {
     int x = 0, y = 0, width = 0, height = 0;
+
+    /// Of a rectangle whose sides are not negative.
+    constexpr std::size_t area() const { return std::size_t(width) * std::size_t(height); }
+    /// The index of the window's pixel i, j in the rectangle's rows.
+    constexpr std::size_t index(int i, int j) const { return pixel_index(i - x, j - y, width); }
     bool operator==(const Rect&) const = default;
 };
 

@@ -24,8 +24,9 @@ public:
 
     void execute(const CommandList& list) override {
         const FloatEnvironment environment;
+        machine_.targets = std::exchange(next_targets_, {});
         validate(list, profile_, grid().width, grid().height,
-                 {machine_.state, machine_.slot_planes});
+                 {machine_.state, machine_.slot_planes, machine_.targets});
         std::span<const Command> rest(list.commands);
         while (!rest.empty()) {
             std::size_t done = 0;
@@ -50,8 +51,8 @@ public:
     const std::vector<PassReport>& passes() override { return machine_.passes; }
     void reset_passes() override { machine_.passes.clear(); }
     const std::map<std::uint32_t, Readback>& readbacks() override { return machine_.readbacks; }
-    void exchange_readback(std::uint32_t key, Readback& other) override {
-        std::swap(machine_.readbacks[key], other);
+    void read_into(std::uint32_t key, std::span<std::uint32_t> values) override {
+        next_targets_[key] = values;
     }
     const Profile& profile() const override { return profile_; }
 
@@ -72,7 +73,7 @@ private:
     void take_digests() {
         if (machine_.passes.empty() || machine_.passes.back().digested == 0) return;
         PassReport& pass = machine_.passes.back();
-        for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
+        for (const Plane plane : every_plane)
             if (pass.digested & mask_of(plane))
                 pass.digests[std::size_t(plane)] = digest(planes(), plane);
     }
@@ -84,7 +85,7 @@ private:
     void run_barrier(const Copy& command) {
         const Resolved r = resolve(machine_.state, profile_, grid().width, grid().height);
         planes();
-        count(copy_pixels(command, r, planes_), 2 * plane_bytes(int(command.plane), profile_));
+        count(copy_pixels(command, r, planes_), 2 * plane_bytes(command.plane, profile_));
         frame_.write(planes_);
     }
     void run_barrier(const CopyTexture& command) {
@@ -92,7 +93,7 @@ private:
         machine_.slots[command.slot] = make_fast_texels(copied_texels(command, planes_, profile_));
         machine_.slot_planes[command.slot] = command.plane;
         count(std::uint64_t(command.rect.width) * std::uint64_t(command.rect.height),
-              plane_bytes(int(command.plane), profile_));
+              plane_bytes(command.plane, profile_));
     }
     void run_barrier(const auto&) {}
 
@@ -109,6 +110,7 @@ private:
     Planes planes_;
     bool planes_are_current_ = true;
     MachineState machine_;
+    ReadTargets next_targets_;
 };
 
 }  // namespace

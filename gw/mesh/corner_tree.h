@@ -1,6 +1,5 @@
-// The corners of a polygon that can stand in an ear's way, found by place: a k-d tree that only
-// loses points.
-// Does not decide what stands in the way: the caller does, exactly.
+// A k-d tree of the corners of a polygon that may lie in an ear. Corners are removed, never added.
+// Does not decide whether a corner lies in an ear: the caller does, exactly.
 #pragma once
 
 #include "gw/base/types.h"
@@ -16,11 +15,11 @@ public:
     /// `corners` are ordinals into `points`, which must outlive the tree.
     CornerTree(std::span<const vec2> points, std::vector<std::uint32_t> corners);
 
-    /// Takes a corner out; nothing happens where it is not in.
+    /// Removes a corner, if the tree has it.
     void remove(std::uint32_t corner);
 
-    /// True as soon as `blocks(corner)` is, for the corners inside or near the counter-clockwise
-    /// triangle; those near its tip, triangle[1], come first: they are most often in the way.
+    /// Whether `blocks(corner)` holds for a corner inside or near the counter-clockwise triangle.
+    /// Corners near its tip, triangle[1], are tested first: they block most often.
     template <class Blocks>
     bool any(const std::array<vec2, 3>& triangle, Blocks blocks) const {
         return !nodes_.empty() && any_below(0, triangle, blocks);
@@ -37,7 +36,8 @@ private:
 
     std::uint32_t build(std::uint32_t first, std::uint32_t last, std::uint32_t parent);
     void split(std::uint32_t node);
-    static float distance(const Node& node, vec2 point);  // the larger of those along x and y
+    static float distance(const Node& node,
+                          vec2 point);  // the larger of the distances along x and y
     static bool apart(const Node& node, const std::array<vec2, 3>& triangle);
 
     template <class Blocks>
@@ -57,7 +57,7 @@ private:
 
     std::span<const vec2> points_;
     std::vector<std::uint32_t> corners_;
-    std::vector<std::uint32_t> leaf_of_;  // by ordinal: leaf + 1, 0 where it is not in
+    std::vector<std::uint32_t> leaf_of_;  // by ordinal: leaf + 1, or 0
     std::vector<Node> nodes_;
 };
 

@@ -1,5 +1,5 @@
-// Strips, fans, quads and polygons as separate lines and triangles. docs/manual.md, "Primitives".
-// Does not check: make_mesh does, before.
+// Strips, fans, quads and polygons as separate lines and triangles. docs/manual/geometry.md,
+// "Primitives". Does not check its input: make_mesh does.
 #pragma once
 
 #include "gw/mesh.h"

@@ -1,6 +1,6 @@
 // Ear clipping. G. H. Meisters, "Polygons have ears", American Mathematical Monthly 82 (1975): a
-// polygon that does not cross itself has a corner that can be cut off. Does not look for convex
-// polygons first: triangulate.h does.
+// polygon that does not cross itself has a corner that can be cut off. Does not treat convex
+// polygons apart: triangulate.h does.
 #pragma once
 
 #include "gw/mesh/triangulate.h"

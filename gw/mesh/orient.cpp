@@ -41,8 +41,7 @@ int exact(dvec2 a, dvec2 b, dvec2 c) {
 int orient(vec2 a, vec2 b, vec2 c) {
     const dvec2 u = dvec2(b) - dvec2(a), v = dvec2(c) - dvec2(a);
     const double left = u.x * v.y, right = u.y * v.x;
-    // Each product carries three roundings of 2^-53, their difference one more: 4 would do, 8 is
-    // safe.
+    // Each product has three roundings of 2^-53 and their difference one more: 4 would suffice.
     const double error = 8 * 0x1p-53 * (std::abs(left) + std::abs(right));
     if (std::abs(left - right) > error) return sign(left - right);
     return exact(a, b, c);

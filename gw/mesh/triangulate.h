@@ -1,7 +1,6 @@
-// Polygons to triangles, concave ones too: ear clipping with exact decisions. docs/manual.md,
-// "Primitives".
-// Does not know holes (a keyhole polygon, whose bridge is walked twice, does as well) and moves no
-// vertex.
+// Triangles of a polygon, also of a concave one: ear clipping with exact decisions.
+// docs/manual/geometry.md, "Primitives". Does not move a vertex. Does not know holes; a polygon
+// whose bridge to the hole is walked twice has the same effect.
 #pragma once
 
 #include "gw/base/types.h"
@@ -12,8 +11,7 @@
 
 namespace gw {
 
-/// A triangle of a polygon: ordinals of its corners among the polygon's, in the polygon's
-/// orientation.
+/// A triangle of a polygon by ordinals of the polygon's corners, in the polygon's orientation.
 struct PolygonTriangle {
     std::array<std::uint32_t, 3> corner;
     /// bit k: the side from corner[k] to corner[k+1] is a side of the polygon
@@ -26,13 +24,11 @@ struct PolygonTriangle {
 /// normal.
 std::vector<vec2> project_polygon(std::span<const vec3> corners);
 
-/// Exactly n - 2 triangles for n >= 3 corners, whatever they are. Their signed areas add up to the
-/// polygon's.
-/// - A convex polygon becomes the fan from corner 0 (unless a triangle of it would be flat).
-/// - A polygon that does not cross itself, touching itself or not, is covered without overlap, and flat
-/// triangles
-///   appear only where corners leave no other way (spikes, repeated corners).
-/// - A polygon that crosses itself, or has no area, gives some triangles, the same ones each time.
+/// Exactly n - 2 triangles for any n >= 3 corners. Their signed areas add up to the polygon's.
+/// - A convex polygon becomes the fan from corner 0, unless a triangle of the fan would be flat.
+/// - A polygon that does not cross itself is covered without overlap, also where it touches itself.
+///   Flat triangles appear only where the corners leave no other choice (spikes, repeated corners).
+/// - A polygon that crosses itself or has no area gives n - 2 triangles, always the same.
 std::vector<PolygonTriangle> triangulate(std::span<const vec2> corners);
 
 /// The same for a polygon in space.

@@ -53,8 +53,7 @@ std::int64_t center(std::int64_t pixel, int s) {
     return (pixel << s) + (std::int64_t{1} << (s - 1));
 }
 
-/// e(P) = A (PX - a.X) + B (PY - a.Y); an edge that is neither left nor top does not own its
-/// points.
+/// e(P) = A (PX - a.X) + B (PY - a.Y). Points on an edge belong to it if it is a left or top edge.
 bool inside_edge(const SnappedTriangle& t, std::size_t i, std::int64_t px, std::int64_t py) {
     const std::size_t j = (i + 1) % 3;
     const std::int64_t dx = t.x[j] - t.x[i], dy = t.y[j] - t.y[i];
@@ -62,8 +61,8 @@ bool inside_edge(const SnappedTriangle& t, std::size_t i, std::int64_t px, std::
     return -dy * (px - t.x[i]) + dx * (py - t.y[i]) - (top_left ? 0 : 1) >= 0;
 }
 
-/// First pixel and one past the last whose centre may lie in [low, high], kept inside [from, from +
-/// size).
+/// The first pixel and one past the last whose centre may lie in [low, high], clamped to
+/// [from, from + size).
 std::pair<int, int> pixel_range(std::int64_t low, std::int64_t high, int s, int from, int size) {
     const std::int64_t first = std::max<std::int64_t>(low >> s, from);
     const std::int64_t last = std::min<std::int64_t>((high >> s) + 1, std::int64_t{from} + size);
@@ -86,23 +85,23 @@ void cover_triangle(const SnappedTriangle& t, const Rect& box, const PixelSink& 
 }
 
 void cover_line(const SnappedLine& line, int width, const Rect& box, const PixelSink& pixel) {
-    // Along the major axis u, across it v; the same text serves both.
+    // u is the coordinate along the major axis, v the other.
     const int s = line.subpixel_bits;
     const auto& u = line.x_major ? line.x : line.y;
     const auto& v = line.x_major ? line.y : line.x;
     const std::int64_t du = u[1] - u[0], dv = v[1] - v[0];
-    if (du == 0) return;  // |du| >= |dv|: no length
+    if (du == 0) return;  // no length, since |du| >= |dv|
     const auto [u0, u1] =
         pixel_range(std::min(u[0], u[1]), std::max(u[0], u[1]), s, line.x_major ? box.x : box.y,
                     line.x_major ? box.width : box.height);
     const int v_low = line.x_major ? box.y : box.x,
               v_high = v_low + (line.x_major ? box.height : box.width);
     for (int i = u0; i < u1; ++i) {
-        // The centre lies in [first, last): the last point is left out, in either direction.
+        // The last point is left out, in either direction.
         const std::int64_t p = center(i, s);
         if (du > 0 ? p < u[0] || p >= u[1] : p > u[0] || p <= u[1]) continue;
-        // Rows from floor((v(p) - (width - 1) 2^(s-1)) / 2^s), v(p) = v0 + dv (p - u0) / du
-        // exactly.
+        // The first row is floor((v(p) - (width - 1) 2^(s-1)) / 2^s) with the exact
+        // v(p) = v0 + dv (p - u0) / du.
         const std::int64_t d = std::abs(du);
         const std::int64_t v_times_d = v[0] * d + (du > 0 ? dv : -dv) * (p - u[0]);
         const std::int64_t first = floor_div(v_times_d - (width - 1) * (d << s) / 2, d << s);

@@ -1,4 +1,4 @@
-// Snapped primitives and the pixels they cover. docs/manual.md, "Coverage".
+// Snapped primitives and the pixels they cover. docs/manual/rasterization.md, "Coverage".
 // Does not interpolate, texture or test.
 #pragma once
 
@@ -11,22 +11,22 @@
 
 namespace gw::reference {
 
-/// Canonical: counter-clockwise (y up), vertex 0 has the smallest (y, x). A function of the
-/// unordered vertices.
+/// Canonical, a function of the unordered vertices: counter-clockwise with y up, vertex 0 has the
+/// smallest (y, x).
 struct SnappedTriangle {
     std::array<std::int64_t, 3> x{}, y{};
-    std::array<std::size_t, 3> source{0, 1, 2};  ///< which given vertex each one is
+    std::array<std::size_t, 3> source{0, 1, 2};  ///< the given vertex of each
     std::int64_t area2 = 0;                      ///< twice the area in square sub-pixels, > 0
     int subpixel_bits = 3;
 };
 
 struct SnappedLine {
-    std::array<std::int64_t, 2> x{}, y{};  ///< in the line's direction
+    std::array<std::int64_t, 2> x{}, y{};  ///< first and second end
     bool x_major = true;                   ///< |dx| >= |dy|
     int subpixel_bits = 3;
 };
 
-/// Twice the signed area, > 0 where counter-clockwise with y up.
+/// Twice the signed area; > 0 is counter-clockwise with y up.
 std::int64_t area2(const WindowVertex& a, const WindowVertex& b, const WindowVertex& c);
 
 /// Precondition: area2 is not 0. The jitter is added after the snap.
@@ -37,10 +37,10 @@ SnappedLine snapped_line(const WindowVertex& a, const WindowVertex& b, const Jit
 
 using PixelSink = std::function<void(int x, int y)>;
 
-/// Calls `pixel` for each pixel of `box` whose centre is inside, by the top-left rule, rows
-/// upwards.
+/// Calls `pixel` for each pixel of `box` whose centre is inside by the top-left rule, row by row
+/// from the bottom.
 void cover_triangle(const SnappedTriangle& triangle, const Rect& box, const PixelSink& pixel);
-/// A line of `width` pixels across its minor axis; the last point is left out.
+/// A line, `width` pixels wide along its minor axis, without its last point.
 void cover_line(const SnappedLine& line, int width, const Rect& box, const PixelSink& pixel);
 /// A square of `size` pixels around a snapped point.
 void cover_point(std::int64_t x, std::int64_t y, int size, int subpixel_bits, const Rect& box,

@@ -1,4 +1,4 @@
-// [GL11] 4.1: one fragment's way to the planes.
+// [GL11] 4.1: from a fragment to the planes.
 #include "gw/reference/fragment.h"
 
 #include "gw/stages/tables.h"
@@ -18,7 +18,7 @@ bool stencil_passes(const StencilFace& face, std::uint8_t stored) {
     return compare(face.func, static_cast<std::uint32_t>(face.ref) & face.mask, stored & face.mask);
 }
 
-/// Tests in order; what each one kills is not seen by the next.
+/// The tests in order, up to the first that kills the fragment.
 Fate fragment_fate(const Resolved& r, Planes& planes, std::size_t i, const Fragment& f) {
     const StencilFace& face = f.front ? r.front : r.back;
     std::uint8_t& stencil = planes.stencil[i];
@@ -58,10 +58,6 @@ void count(const FragmentTarget& target, Fate fate) {
             break;
     }
     c.bytes += target.bytes.after_alpha;
-}
-
-PixelValues values_at(const Planes& planes, std::size_t i) {
-    return {planes.color[i], planes.depth[i], planes.stencil[i], planes.accum[i]};
 }
 
 }  // namespace

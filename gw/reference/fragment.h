@@ -1,5 +1,5 @@
-// The fragment stages after shading: alpha, stencil, depth, blend, masks. docs/manual.md, "Fragment
-// operations". Does not make fragments and does not shade them.
+// The fragment stages after shading: alpha, stencil and depth tests, blending, masks.
+// docs/manual/fragments.md. Does not make or shade fragments.
 #pragma once
 
 #include "gw/counters.h"
@@ -9,7 +9,7 @@
 
 namespace gw::reference {
 
-/// What a fragment may change, and what is told about it.
+/// The planes and counters that a fragment may change, and its observer.
 struct FragmentTarget {
     Planes* planes = nullptr;
     Counters* counters = nullptr;

@@ -1,4 +1,3 @@
-// Setting up a primitive's planes.
 #include "gw/reference/interpolants.h"
 
 #include <algorithm>
@@ -47,8 +46,8 @@ void set_color(Interpolants& v, std::span<const Corner> corners, const PlaneMake
     }
 }
 
-/// k: the least integer of the coordinate. Repeat needs it nowhere else; Clamp adds it back, so
-/// there it is bounded.
+/// k: the floor of the least coordinate. Repeat drops it. Clamp adds it back later, so there it is
+/// bounded.
 double integer_part(const std::vector<double>& s, Wrap wrap) {
     const double k = std::floor(*std::min_element(s.begin(), s.end()));
     return wrap == Wrap::Repeat ? k : std::clamp(k, -1024.0, 1023.0);

@@ -1,6 +1,6 @@
-// The values of one primitive at each of its pixels: depth, colour, fog, texture coordinates, as
-// planes.
-// docs/manual.md, "Planes", "Perspective". Does not look up texels or test fragments.
+// The values of a primitive at each of its pixels, as planes: depth, colour, fog, texture
+// coordinates. docs/manual/rasterization.md, "Planes", "Perspective". Does not look up texels or
+// test fragments.
 #pragma once
 
 #include "gw/reference/plane_equation.h"
@@ -20,8 +20,7 @@ struct Corner {
     double fog = 0;
 };
 
-/// Makes the plane through values at the corners (in the corners' order): of a triangle, along a
-/// line, constant.
+/// Makes a plane from values at the corners, in their order: of a triangle, of a line, or constant.
 using PlaneMaker = std::function<PlaneEquation(const std::array<std::int64_t, 3>&)>;
 
 /// numerator / denominator at a pixel, times 2^exponent, plus the offset k.
@@ -31,7 +30,7 @@ struct PerspectiveValue {
     int exponent = 0;
     CoordinateSlope slope;  ///< for rho
 
-    float at(int x, int y, float w) const;  ///< U W: without exponent and offset
+    float at(int x, int y, float w) const;  ///< U W, without exponent and offset
 };
 
 struct Interpolants {
@@ -42,11 +41,12 @@ struct Interpolants {
     bool perspective_color = false;
     PlaneEquation fog;                ///< factor (fog at the vertex)
     PerspectiveValue fog_coordinate;  ///< fragment fog
-    PlaneEquation q;                  ///< denominator of everything in perspective
-    PlaneEquation texture_q;          ///< the texture's own: differs from q where projective
+    PlaneEquation q;                  ///< denominator of all perspective values
+    PlaneEquation
+        texture_q;  ///< denominator of texture coordinates: differs from q where projective
     bool projective = false;
     PerspectiveValue s, t, r;
-    int slope_x = 0, slope_y = 0;  ///< the pixel that the slopes are given at
+    int slope_x = 0, slope_y = 0;  ///< the pixel that the slopes refer to
 };
 
 Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& plane,

@@ -1,4 +1,5 @@
-// The reference machine: the manual in code, one command, one primitive, one fragment at a time.
+// The reference machine: the manual in code, command by command, primitive by primitive, fragment
+// by fragment.
 #include "gw/machine.h"
 
 #include "gw/base/parallel.h"
@@ -8,7 +9,9 @@
 #include "gw/stages/fog.h"
 #include "gw/stages/tables.h"
 
+#include <algorithm>
 #include <map>
+#include <utility>
 
 namespace gw {
 namespace reference {
@@ -21,7 +24,8 @@ public:
 
     void execute(const CommandList& list) override {
         const FloatEnvironment environment;
-        validate(list, profile_, planes_.width, planes_.height, {state_, slot_planes_});
+        targets_ = std::exchange(next_targets_, {});
+        validate(list, profile_, planes_.width, planes_.height, {state_, slot_planes_, targets_});
         for (std::size_t i = 0; i < list.commands.size(); ++i) {
             if (observer_) observer_->begin_command(i);
             std::visit([this](const auto& command) { run_command(command); }, list.commands[i]);
@@ -33,6 +37,9 @@ public:
     const std::vector<PassReport>& passes() override { return passes_; }
     void reset_passes() override { passes_.clear(); }
     const std::map<std::uint32_t, Readback>& readbacks() override { return readbacks_; }
+    void read_into(std::uint32_t key, std::span<std::uint32_t> values) override {
+        next_targets_[key] = values;
+    }
     const Profile& profile() const override { return profile_; }
 
 private:
@@ -47,10 +54,10 @@ private:
 
     Resolved resolved() const { return resolve(state_, profile_, planes_.width, planes_.height); }
 
-    /// Digests that the pass in progress asked for, of the planes as they are now.
+    /// The digests of the current pass.
     void take_digests() {
         if (passes_.empty()) return;
-        for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
+        for (const Plane plane : every_plane)
             if (passes_.back().digested & mask_of(plane))
                 passes_.back().digests[std::size_t(plane)] = digest(planes_, plane);
     }
@@ -89,7 +96,11 @@ private:
         slot_planes_[command.slot] = command.plane;
     }
     void run_command(const Read& command) {
-        readbacks_[command.key] = run(command, target(resolved()), profile_);
+        Readback result = run(command, target(resolved()), profile_);
+        if (const auto to = targets_.find(command.key); to != targets_.end())
+            std::copy(result.values.begin(), result.values.end(), to->second.begin());
+        else
+            readbacks_[command.key] = std::move(result);
     }
     void run_command(const auto& command) {
         const Resolved r = resolved();
@@ -105,6 +116,7 @@ private:
     std::map<std::uint32_t, Plane> slot_planes_;
     std::map<TextureRef, Texels> texels_;
     std::map<std::uint32_t, Readback> readbacks_;
+    ReadTargets targets_, next_targets_;  ///< of the list in execution, and of the next one
 };
 
 }  // namespace

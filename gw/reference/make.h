@@ -1,4 +1,4 @@
-// Making a reference machine that is observed. gw/machine.h makes one that is not.
+// A reference machine with an observer. gw/machine.h makes one without.
 #pragma once
 
 #include "gw/machine.h"

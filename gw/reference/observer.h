@@ -1,8 +1,8 @@
-// What the reference machine tells an observer: each fragment, why it died, what it changed.
-// Does not keep anything: inspect/ does.
+// What the reference machine reports to an observer: each fragment, the test that killed it, and
+// what it changed. Does not store anything: inspect/ does.
 #pragma once
 
-#include "gw/base/types.h"
+#include "gw/planes.h"
 
 #include <cstdint>
 
@@ -17,7 +17,7 @@ struct Fragment {
     std::uint32_t primitive = 0;  ///< ordinal in the draw; span or pixel ordinal in a write
 };
 
-/// The stage that ended a fragment's life; Written where none did.
+/// The test that killed a fragment; Written where none did.
 enum class Fate : std::uint8_t { AlphaTest, StencilTest, DepthTest, Written };
 
 /// One pixel's values in all planes.
@@ -29,6 +29,10 @@ struct PixelValues {
     bool operator==(const PixelValues&) const = default;
 };
 
+inline PixelValues values_at(const Planes& planes, std::size_t index) {
+    return {planes.color[index], planes.depth[index], planes.stencil[index], planes.accum[index]};
+}
+
 /// Called by the reference machine. `command` is the ordinal of the command in its list.
 class Observer {
 public:
@@ -36,7 +40,7 @@ public:
     virtual void begin_command(std::size_t command) = 0;
     virtual void fragment(const Fragment& fragment, Fate fate, const PixelValues& before,
                           const PixelValues& after) = 0;
-    /// A pixel touched by clear, pixel rectangles of depth or stencil, accumulate, copy.
+    /// A pixel touched by a clear, a pixel rectangle of depth or stencil, accumulation or a copy.
     virtual void pixel(int x, int y, const PixelValues& before, const PixelValues& after) = 0;
 };
 

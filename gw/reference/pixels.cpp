@@ -1,4 +1,3 @@
-// Pixel commands, one pixel at a time.
 #include "gw/reference/pixels.h"
 
 #include "gw/stages/accumulation.h"
@@ -7,10 +6,6 @@
 
 namespace gw::reference {
 namespace {
-
-PixelValues values_at(const Planes& p, std::size_t i) {
-    return {p.color[i], p.depth[i], p.stencil[i], p.accum[i]};
-}
 
 /// Runs `change(index, x, y)` on each pixel of a box, counted and observed.
 template <typename Change>
@@ -26,10 +21,6 @@ void for_pixels(const Rect& box, const FragmentTarget& target, std::uint64_t byt
             target.counters->bytes += bytes;
             if (target.observer) target.observer->pixel(x, y, before, values_at(planes, i));
         }
-}
-
-std::uint64_t bytes_of(Plane plane, const Profile& profile) {
-    return plane_bytes(int(plane), profile);
 }
 
 void write_stencil(const Resolved& state, std::uint32_t value, std::uint8_t& stored) {
@@ -59,11 +50,11 @@ void run(const Clear& command, const Resolved& r, const FragmentTarget& target,
     value.depth = quantize(command.depth, profile.depth_bits);
     value.stencil =
         static_cast<std::uint8_t>(static_cast<std::uint32_t>(command.stencil) & r.stencil_max);
-    for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
+    for (const Plane plane : every_plane)
         if (command.planes & mask_of(plane))
-            for_pixels(r.pixel_box, target, bytes_of(plane, profile), [&](std::size_t i, int, int) {
-                write_plane(plane, r, *target.planes, i, value);
-            });
+            for_pixels(
+                r.pixel_box, target, plane_bytes(plane, profile),
+                [&](std::size_t i, int, int) { write_plane(plane, r, *target.planes, i, value); });
 }
 
 void run(const WriteSpans& command, const Resolved& r, const FragmentTarget& target) {
@@ -82,21 +73,17 @@ void run(const WriteSpans& command, const Resolved& r, const FragmentTarget& tar
 void run(const WritePixels& command, const Resolved& r, const FragmentTarget& target,
          const Profile& profile) {
     const Rect box = intersect(r.pixel_box, command.rect);
-    const auto source = [&](int x, int y) {
-        return std::size_t(y - command.rect.y) * std::size_t(command.rect.width) +
-               std::size_t(x - command.rect.x);
-    };
     if (command.plane == Plane::Color) {
         for (int y = box.y; y < box.y + box.height; ++y)
             for (int x = box.x; x < box.x + box.width; ++x)
                 process_fragment(r, target,
-                                 {x, y, command.colors[source(x, y)], command.depth, true,
-                                  std::uint32_t(source(x, y))});
+                                 {x, y, command.colors[command.rect.index(x, y)], command.depth,
+                                  true, std::uint32_t(command.rect.index(x, y))});
         return;
     }
-    for_pixels(box, target, bytes_of(command.plane, profile), [&](std::size_t i, int x, int y) {
+    for_pixels(box, target, plane_bytes(command.plane, profile), [&](std::size_t i, int x, int y) {
         PixelValues value;
-        value.depth = command.values[source(x, y)];
+        value.depth = command.values[command.rect.index(x, y)];
         value.stencil = static_cast<std::uint8_t>(value.depth);
         write_plane(command.plane, r, *target.planes, i, value);
     });
@@ -105,7 +92,8 @@ void run(const WritePixels& command, const Resolved& r, const FragmentTarget& ta
 void run(const Accumulate& command, const Resolved& r, const FragmentTarget& target,
          const Profile& profile) {
     Planes& planes = *target.planes;
-    const std::uint64_t bytes = bytes_of(Plane::Accum, profile) + bytes_of(Plane::Color, profile);
+    const std::uint64_t bytes =
+        plane_bytes(Plane::Accum, profile) + plane_bytes(Plane::Color, profile);
     for_pixels(r.pixel_box, target, bytes, [&](std::size_t i, int, int) {
         Rgba color = planes.color[i];
         for (std::size_t c = 0; c < 4; ++c) {
@@ -130,15 +118,16 @@ void run(const Copy& command, const Resolved& r, const FragmentTarget& target,
     const Rect inside = intersect(command.source, {0, 0, before.width, before.height});
     const Rect box =
         intersect(r.pixel_box, {inside.x + dx, inside.y + dy, inside.width, inside.height});
-    for_pixels(box, target, 2 * bytes_of(command.plane, profile), [&](std::size_t i, int x, int y) {
-        write_plane(command.plane, r, *target.planes, i,
-                    values_at(before, before.index(x - dx, y - dy)));
-    });
+    for_pixels(box, target, 2 * plane_bytes(command.plane, profile),
+               [&](std::size_t i, int x, int y) {
+                   write_plane(command.plane, r, *target.planes, i,
+                               values_at(before, before.index(x - dx, y - dy)));
+               });
 }
 
 Readback run(const Read& command, const FragmentTarget& target, const Profile& profile) {
     Readback out{command.plane, command.rect, {}, {}, {}};
-    for_pixels(command.rect, target, bytes_of(command.plane, profile),
+    for_pixels(command.rect, target, plane_bytes(command.plane, profile),
                [&](std::size_t i, int, int) {
                    const PixelValues v = values_at(*target.planes, i);
                    switch (command.plane) {
@@ -165,7 +154,7 @@ Texels copied_texels(const CopyTexture& command, const FragmentTarget& target,
                      std::countr_zero(unsigned(rect.width)),
                      std::countr_zero(unsigned(rect.height)),
                      {}};
-    for_pixels(rect, target, bytes_of(command.plane, profile), [&](std::size_t i, int, int) {
+    for_pixels(rect, target, plane_bytes(command.plane, profile), [&](std::size_t i, int, int) {
         const PixelValues v = values_at(*target.planes, i);
         const auto grey =
             static_cast<std::uint16_t>(rescale(v.depth, profile.depth_bits, profile.color_bits));

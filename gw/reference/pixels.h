@@ -1,6 +1,5 @@
-// Commands on whole pixels: clear, spans and rectangles from the host, accumulation, copies,
-// read-back.
-// docs/manual.md, "Pixels". Does not make fragments except where a command says so.
+// Commands on pixels: clear, spans and rectangles from the host, accumulation, copies, reads.
+// docs/manual/pixels.md. Makes fragments only of spans and of rectangles of colours.
 #pragma once
 
 #include "gw/command_list.h"
@@ -10,7 +9,7 @@
 
 namespace gw::reference {
 
-/// `state` is resolved; `target` the planes and counters.
+/// `target` has the planes and counters.
 void run(const Clear& command, const Resolved& state, const FragmentTarget& target,
          const Profile& profile);
 void run(const WriteSpans& command, const Resolved& state, const FragmentTarget& target);
@@ -22,7 +21,7 @@ void run(const Copy& command, const Resolved& state, const FragmentTarget& targe
          const Profile& profile);
 Readback run(const Read& command, const FragmentTarget& target, const Profile& profile);
 
-/// The texels of a slot: a rectangle of the colour or depth plane.
+/// The texels of a slot, from a rectangle of the colour or depth plane.
 Texels copied_texels(const CopyTexture& command, const FragmentTarget& target,
                      const Profile& profile);
 

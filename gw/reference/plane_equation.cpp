@@ -1,4 +1,3 @@
-// Gradients as exactly rounded rationals.
 #include "gw/reference/plane_equation.h"
 
 namespace gw::reference {

@@ -1,6 +1,6 @@
-// The plane of an interpolated value: one integer gradient, exactly rounded; closed form and
-// increments agree. docs/manual.md, "Planes". [L8]: dz/dx = -n_x / n_z. Does not know what the
-// value means.
+// The plane of an interpolated value, with integer gradients that are exactly rounded. Closed form
+// and increments agree. docs/manual/rasterization.md, "Planes". [L8]: dz/dx = -n_x / n_z. Does not
+// know the meaning of the value.
 #pragma once
 
 #include "gw/reference/coverage.h"
@@ -11,8 +11,8 @@ namespace gw::reference {
 
 __extension__ using int128 = __int128;
 
-/// V(x, y) = (a0 * 2^16 + 2^15 + floor((gx (PX - x0) + gy (PY - y0)) / 2^s)) >> 16 at the centre
-/// (PX, PY) of pixel x, y.
+/// V(x, y) = (a0 * 2^16 + 2^15 + floor((gx (PX - x0) + gy (PY - y0)) / 2^s)) >> 16, where (PX, PY)
+/// is the centre of pixel x, y.
 struct PlaneEquation {
     int128 gx = 0, gy = 0;  ///< per pixel, 16 fraction bits
     std::int64_t a0 = 0;    ///< value at (x0, y0)

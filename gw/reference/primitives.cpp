@@ -1,4 +1,3 @@
-// Primitive by primitive, in the mesh's order.
 #include "gw/reference/primitives.h"
 
 #include "gw/reference/shade.h"
@@ -9,7 +8,7 @@
 namespace gw::reference {
 namespace {
 
-/// A draw in progress: its context and its transformed vertices.
+/// A draw with its transformed vertices.
 struct Drawing {
     const DrawContext& context;
     std::vector<Vertex> vertices;
@@ -22,13 +21,13 @@ struct Drawing {
     }
 };
 
-/// A primitive on its way down: which one, and what its colour comes from.
+/// The origin of a primitive, which decides its colour and number.
 struct Source {
     std::uint32_t primitive = 0;
     std::uint32_t polygon = 0;
     std::uint32_t provoking = 0;
     bool front = true;
-    bool counter_clockwise = true;  ///< the whole polygon, after the snap
+    bool counter_clockwise = true;  ///< of the whole polygon after the snap
 };
 
 std::array<std::int64_t, 4> integers(const std::array<double, 4>& c) {
@@ -63,7 +62,7 @@ Shader shader(const Drawing& d, std::span<const Corner> corners, const PlaneMake
 void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const Source& s) {
     const std::array<WindowVertex, 3> window{corners[0].window, corners[1].window,
                                              corners[2].window};
-    // A piece that the snap has turned over lies inside its neighbours: it makes no fragments.
+    // A piece that the snap has turned over lies inside its neighbours and makes no fragments.
     const std::int64_t area = area2(window[0], window[1], window[2]);
     if (area == 0 || (area > 0) != s.counter_clockwise) return;
     const SnappedTriangle t = snapped_triangle(window, d.state().jitter, d.subpixel_bits());
@@ -75,7 +74,7 @@ void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const So
     cover_triangle(t, d.context.state.draw_box, [&](int x, int y) { shade.pixel(x, y); });
 }
 
-/// A line's two corners, clipped by itself: which polygon it edges does not matter.
+/// A line, clipped on its own also where it is the edge of a polygon.
 void draw_line(const Drawing& d, const Vertex& a, const Vertex& b, const Source& s, bool counted) {
     const Clipped clipped = clip({a, b}, d.context.state.viewport);
     const bool left = !clipped.vertices.empty();
@@ -119,7 +118,7 @@ bool is_culled(const CullState& cull, bool front) {
     return cull.enable && (cull.face == Face::FrontAndBack || (cull.face == Face::Front) == front);
 }
 
-/// The clipped polygon's pieces.
+/// Draws the pieces of a clipped polygon.
 void fill(const Drawing& d, const std::vector<Vertex>& polygon, const Fan& fan, const Source& s) {
     const auto at = [&](std::size_t k) {
         return corner(d, polygon[(fan.first + k) % polygon.size()], s);
@@ -128,7 +127,8 @@ void fill(const Drawing& d, const std::vector<Vertex>& polygon, const Fan& fan, 
         fill_piece(d, {at(0), at(k), at(k + 1)}, s);
 }
 
-/// PolygonMode Line and Point: the sides that are edges of the mesh's polygon, unclipped.
+/// PolygonMode Line and Point: draws the sides that are edges of the mesh's polygon, not of the
+/// clipped one.
 void outline(const Drawing& d, const Triangle& t, const Source& s) {
     for (std::size_t k = 0; k < 3; ++k) {
         if (!(t.edges >> k & 1)) continue;
@@ -138,7 +138,7 @@ void outline(const Drawing& d, const Triangle& t, const Source& s) {
     }
 }
 
-/// The polygon's facing, however it was cut, and its pieces.
+/// The pieces of a clipped polygon after the snap. The sign of their area is the polygon's facing.
 Fan fan(const Drawing& d, const std::vector<Vertex>& polygon) {
     std::vector<SnappedPoint> points;
     for (const Vertex& v : polygon) {

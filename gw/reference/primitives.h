@@ -1,5 +1,6 @@
-// Drawing a mesh: vertices, assembly, clipping, culling, coverage, shading, fragments.
-// docs/manual.md, "Stages". Each stage has its own file; this one is their order.
+// The stages of a draw in order: vertices, assembly, clipping, culling, coverage, shading.
+// docs/manual/machine.md, "Stages". Each stage except culling has its own file. Does not
+// draw pixels of the host.
 #pragma once
 
 #include "gw/command_list.h"
@@ -11,7 +12,7 @@
 
 namespace gw::reference {
 
-/// What a draw works with.
+/// The inputs of a draw and the planes that it changes.
 struct DrawContext {
     const Draw* draw = nullptr;
     const Profile* profile = nullptr;

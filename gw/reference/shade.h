@@ -1,5 +1,5 @@
-// Shading one pixel of a primitive: colour, texture, fog, depth; then the fragment's way.
-// docs/manual.md, "Stages". Does not decide coverage.
+// Shading of one pixel of a primitive: colour, texture, fog, depth. docs/manual/machine.md,
+// "Stages". Does not decide coverage or test fragments.
 #pragma once
 
 #include "gw/reference/interpolants.h"
@@ -14,10 +14,10 @@ struct Shader {
     bool front = true;
     std::int64_t depth_offset = 0;
 
-    /// o = rne(factor m / 2^16) + rne(units), m the steeper of the depth plane's two gradients.
+    /// o = rne(factor m / 2^16) + rne(units), where m is the depth plane's larger gradient.
     void set_depth_offset(const PolygonOffsetState& offset);
 
-    /// Makes the fragment of a covered pixel and sends it on its way.
+    /// Makes the fragment of a covered pixel and passes it to process_fragment.
     void pixel(int x, int y) const;
 };
 

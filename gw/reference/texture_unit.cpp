@@ -1,4 +1,3 @@
-// From interpolated coordinates to a filtered texel.
 #include "gw/reference/texture_unit.h"
 
 #include <algorithm>
@@ -31,8 +30,7 @@ Rgba grey(std::uint32_t v) {
     return {c, c, c, c};
 }
 
-/// 1 where r <= the stored depth, 0 in shadow; the nearest texel. What lies behind the projector is
-/// lit.
+/// Whether r <= the depth of the nearest texel.
 bool is_lit(const Interpolants& v, const Texels& texels, const TextureState& s, int depth_bits,
             int x, int y, float w) {
     const TexelLevel& level = texels.levels[0];

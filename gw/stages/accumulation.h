@@ -1,5 +1,5 @@
-// The accumulation buffer's arithmetic: integers in units of the frame buffer, wrapped.
-// docs/manual.md, "Accumulation". Does not loop over pixels.
+// The arithmetic of the accumulation buffer: integers in units of the frame buffer, wrapped.
+// docs/manual/pixels.md, "Accumulation". Does not loop over pixels.
 #pragma once
 
 #include "gw/base/arithmetic.h"
@@ -7,7 +7,7 @@
 
 namespace gw {
 
-/// The low `bits` of v as a signed number; `overflow` is set where that changes v.
+/// The low `bits` of v as a signed number. Sets `overflow` where this differs from v.
 constexpr std::int32_t wrap_accum(std::int64_t v, int bits, bool& overflow) {
     const int unused = 64 - bits;
     const std::int64_t wrapped =
@@ -16,13 +16,13 @@ constexpr std::int32_t wrap_accum(std::int64_t v, int bits, bool& overflow) {
     return static_cast<std::int32_t>(wrapped);
 }
 
-/// Nearest integer to a * v; beyond 2^40 nothing but the overflow matters.
+/// Nearest integer to a * v, clamped to +-2^40: beyond, only the overflow is visible.
 inline std::int64_t weighted(std::int64_t a, float v) {
     constexpr double limit = 1099511627776.0;
     return to_integer(round_even(double(a) * double(v)), -limit, limit);
 }
 
-/// Accum, Load, Add, Mult: the new value of one channel, before it is wrapped.
+/// Accum, Load, Add, Mult: the new value of one channel before it is wrapped.
 inline std::int64_t accumulated(AccumOp op, std::int32_t stored, std::uint16_t color, float v,
                                 int color_bits) {
     switch (op) {
@@ -35,7 +35,7 @@ inline std::int64_t accumulated(AccumOp op, std::int32_t stored, std::uint16_t c
     return stored;
 }
 
-/// Return: one rounding, then clamped to the colour's range.
+/// Return: rounded once, then clamped to the range of a colour.
 inline std::uint16_t returned(std::int32_t stored, float v, int color_bits) {
     return static_cast<std::uint16_t>(
         std::clamp<std::int64_t>(weighted(stored, v), 0, max_of_bits(color_bits)));

@@ -1,4 +1,4 @@
-// Sutherland-Hodgman against the planes in order; new vertices always start from the inside one.
+// Sutherland and Hodgman's algorithm, plane by plane.
 #include "gw/stages/clip.h"
 
 #include "gw/base/arithmetic.h"
@@ -25,7 +25,7 @@ namespace {
 
 double mix(double a, double b, double t) { return a + t * (b - a); }
 
-/// Vertices are made where they are to stand: a copy would wait until all of them is written.
+/// Writes to the vector's element itself: copying a vertex stalls until its stores have retired.
 void interpolate(const ClipPosition& in, const ClipPosition& out, double t, ClipPosition& v) {
     for (int i = 0; i < 4; ++i) v.clip[i] = mix(in.clip[i], out.clip[i], t);
     for (std::size_t i = 0; i < v.distance.size(); ++i)
@@ -57,7 +57,7 @@ bool is_finite(const ClipPosition& v) {
            std::isfinite(v.clip.w);
 }
 
-/// Puts the distances to a plane into d; whether all are inside.
+/// Writes the distances to a plane to d. Returns whether all vertices are inside.
 template <class V>
 bool measure(const std::vector<V>& vertices, int plane, const ViewportTransform& viewport,
              std::vector<double>& d) {
@@ -75,7 +75,7 @@ void crossing(const V& a, const V& b, double da, double db, V& v) {
     da >= 0 ? interpolate(a, b, da / (da - db), v) : interpolate(b, a, db / (db - da), v);
 }
 
-/// One plane. A line or point is an open chain: it has no side from the last vertex to the first.
+/// Clips by one plane. A line or point is an open chain, without a side from last to first vertex.
 template <class V>
 void clip_plane(const std::vector<V>& in, const std::vector<double>& d, std::vector<V>& out) {
     const std::size_t sides = in.size() < 3 ? in.size() - 1 : in.size();
@@ -88,7 +88,8 @@ void clip_plane(const std::vector<V>& in, const std::vector<double>& d, std::vec
     }
 }
 
-/// Leaves none where the whole is rejected; whether anything was cut. `d` and `left` are room.
+/// Clears `vertices` where the primitive is rejected. Returns whether anything was cut. `d` and
+/// `left` are scratch memory.
 template <class V>
 bool clip_by_planes(std::vector<V>& vertices, const ViewportTransform& viewport,
                     std::uint32_t planes, std::vector<double>& d, std::vector<V>& left) {

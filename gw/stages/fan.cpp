@@ -1,5 +1,5 @@
-// Corners of a convex polygon may be a trifle reflex after the snap: the fan from such a corner is
-// still right.
+// The snap may turn a corner of a convex polygon slightly reflex. The fan from that corner still
+// has no piece turned over.
 #include "gw/stages/fan.h"
 
 namespace gw {

@@ -11,13 +11,13 @@
 namespace gw {
 namespace {
 
-/// Towards the light, and how much of it arrives: attenuation times spot factor.
+/// The light that arrives at a point.
 struct Incident {
-    dvec3 direction{0};
-    double strength = 1;
+    dvec3 direction{0};   ///< towards the light
+    double strength = 1;  ///< attenuation times spot factor
 };
 
-/// No light has an infinite strength: the attenuation's denominator is at least this.
+/// The denominator of the attenuation is at least this, so that no strength is infinite.
 constexpr double least_attenuation = 1e-30;
 
 double spot_factor(const Light& light, const dvec3& to_light) {
@@ -31,7 +31,7 @@ Incident incident(const Light& light, const dvec3& p_eye) {
     if (light.position.w == 0) return {normalized(position), 1};
     const double w = light.position.w;
     const dvec3 v(position.x / w - p_eye.x, position.y / w - p_eye.y, position.z / w - p_eye.z);
-    const double d = std::sqrt(dot3(v, v));
+    const double d = length(v);
     const dvec3 direction = normalized(v);
     const double fall = (light.constant_attenuation + light.linear_attenuation * d) +
                         light.quadratic_attenuation * (d * d);
@@ -39,8 +39,7 @@ Incident incident(const Light& light, const dvec3& p_eye) {
             spot_factor(light, direction) / (fall > least_attenuation ? fall : least_attenuation)};
 }
 
-/// cos(alpha)^n, alpha between the normal and the half-way vector (GL, IRIS GL); 0 where the light
-/// is behind.
+/// cos(alpha)^n, with alpha between the normal and the half-way vector (GL, IRIS GL).
 double highlight(const dvec3& n_eye, const dvec3& to_light, const dvec3& to_eye, double n) {
     const dvec3 half =
         normalized(dvec3(to_light.x + to_eye.x, to_light.y + to_eye.y, to_light.z + to_eye.z));
@@ -50,7 +49,7 @@ double highlight(const dvec3& n_eye, const dvec3& to_light, const dvec3& to_eye,
 
 bool is_black(const vec3& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
-/// Strength, and what the cosines leave of it.
+/// The strength of a light and its two cosines; 0 for a light behind the surface.
 struct Factors {
     double strength = 1, diffuse = 0, specular = 0;
 };
@@ -65,7 +64,7 @@ Factors factors(const Light& light, const dvec3& p_eye, const dvec3& n_eye, cons
 
 void add_light(const Light& light, const Material& m, const dvec3& p_eye, const dvec3& n_eye,
                const dvec3& to_eye, dvec3& sum) {
-    // A black Ks adds exactly 0: its power is not worked out.
+    // A black Ks adds exactly 0, so the power is not computed.
     const Factors f = factors(light, p_eye, n_eye, to_eye, m.Ns, !is_black(m.Ks));
     for (int c = 0; c < 3; ++c) {
         const double ambient = double(light.Ia[c]) * m.Ka[c];

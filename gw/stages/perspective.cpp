@@ -1,4 +1,3 @@
-// Set-up of perspective values.
 #include "gw/stages/perspective.h"
 
 #include "gw/base/arithmetic.h"
@@ -22,8 +21,8 @@ int exponent_above(double v, int low, int high) {
 
 float to_float(double v) { return static_cast<float>(v); }
 
-/// float32 of a gradient or value. Only slivers have gradients beyond 2^62: kept there, nothing
-/// overflows.
+/// A gradient or value as float32. Only slivers have gradients beyond 2^62; clamped, they do not
+/// overflow.
 double slope_factor(double v) { return to_float(bounded(v, 4611686018427387904.0)); }
 
 }  // namespace
@@ -71,7 +70,7 @@ Projective projective(std::span<const dvec4> strq, std::span<const double> w) {
 }
 
 CoordinateSlope coordinate_slope(const PlaneSlope& u, const PlaneSlope& q) {
-    // float32 factors: their products are exact in double, so each line below rounds once.
+    // Products of float32 factors are exact in double, so each component rounds once.
     const double ux = slope_factor(u.gx), uy = slope_factor(u.gy), u0 = slope_factor(u.value);
     const double qx = slope_factor(q.gx), qy = slope_factor(q.gy), q0 = slope_factor(q.value);
     return {ux * q0 - u0 * qx, uy * q0 - u0 * qy, to_float((ux * qy - uy * qx) / 65536)};

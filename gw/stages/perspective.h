@@ -1,6 +1,6 @@
-// Perspective-correct values: numerators and a denominator as integer planes. docs/manual.md,
-// "Perspective".
-// Set-up only, in double; each machine makes the planes and does the one division per pixel.
+// Perspective-correct values: numerators and a denominator as integer planes.
+// docs/manual/rasterization.md, "Perspective". Set-up only, in double. Does not make the planes or
+// divide: each machine does, once per pixel.
 #pragma once
 
 #include "gw/base/types.h"
@@ -11,8 +11,7 @@
 
 namespace gw {
 
-/// One value over a primitive's 1 to 3 vertices: value = offset + (numerator / denominator) *
-/// 2^exponent.
+/// A value at a primitive's 1 to 3 vertices: offset + (numerator / denominator) * 2^exponent.
 struct Numerators {
     std::array<std::int64_t, 3> at{};
     double offset = 0;  ///< k: an integer
@@ -22,33 +21,33 @@ struct Numerators {
 /// Q_i = max(1, rne(2^30 wmin / w_i)).
 std::array<std::int64_t, 3> denominators(std::span<const double> w);
 
-/// U_i = rne(2^30 clamp((s_i - k) / 2^e, 0, 1) wmin / w_i), e the least of 0 .. largest_exponent
+/// U_i = rne(2^30 clamp((s_i - k) / 2^e, 0, 1) wmin / w_i). e is the least of 0 .. largest_exponent
 /// with 2^e >= max(s_i - k).
 Numerators numerators(std::span<const double> s, std::span<const double> w, double k,
                       int largest_exponent = 10);
-/// Of the fog coordinate: what lies farther than 2^40 fog tables is as far.
+/// Of the fog coordinate, which is clamped to 2^40 fog tables.
 inline constexpr int largest_fog_exponent = 40;
 
-/// Projective (EyeLinear): values s_i / q_i may have any sign. Q_i = rne(2^30 (q_i / w_i) / H), H =
-/// max |q_i / w_i|.
+/// EyeLinear coordinates s_i / q_i, of any sign. Q_i = rne(2^30 (q_i / w_i) / H) with
+/// H = max |q_i / w_i|.
 struct Projective {
     std::array<std::int64_t, 3> denominator{};
     std::array<Numerators, 3> numerator;  ///< s, t, r; offset 0, exponent -60 .. 60
 };
 Projective projective(std::span<const dvec4> strq, std::span<const double> w);
 
-/// What rho needs of one coordinate: gradients of U and Q (16 fraction bits) and their values at
-/// pixel (x, y).
+/// The plane of U or Q of one coordinate, for rho: its gradients (16 fraction bits) and its value
+/// at pixel (x, y).
 struct PlaneSlope {
     double gx = 0, gy = 0;  ///< exact gradients, as doubles
     double value = 0;
 };
-/// |d(U/Q)| Q^2 along rows and columns: each is linear in one pixel coordinate, so no neighbours
-/// are needed.
+/// |d(U/Q)| Q^2 along rows and columns. Each is linear in one pixel coordinate, so that no
+/// neighbour is read.
 struct CoordinateSlope {
     double a = 0, b = 0;              ///< Ux Q - U Qx and Uy Q - U Qy at pixel (x, y)
     float k = 0;                      ///< (Ux Qy - Uy Qx) / 2^16
-    double at(int dx, int dy) const;  ///< the larger of the two, dx, dy pixels away
+    double at(int dx, int dy) const;  ///< the larger of the two at pixel (x + dx, y + dy)
 };
 CoordinateSlope coordinate_slope(const PlaneSlope& u, const PlaneSlope& q);
 

@@ -1,8 +1,6 @@
-// Normalising state.
 #include "gw/stages/resolve.h"
 
 #include "gw/base/arithmetic.h"
-#include "gw/planes.h"
 #include "gw/stages/fog.h"
 
 #include <algorithm>
@@ -10,7 +8,7 @@
 namespace gw {
 
 Rect intersect(const Rect& a, const Rect& b) {
-    // In 64 bits: a rectangle of the user may reach beyond int.
+    // In 64 bits, because the sides of a given rectangle may lie beyond int.
     const std::int64_t x0 = std::max(a.x, b.x), y0 = std::max(a.y, b.y);
     const std::int64_t x1 = std::min(std::int64_t{a.x} + a.width, std::int64_t{b.x} + b.width);
     const std::int64_t y1 = std::min(std::int64_t{a.y} + a.height, std::int64_t{b.y} + b.height);
@@ -61,8 +59,7 @@ Resolved resolve(const State& state, const Profile& profile, int width, int heig
     r.alpha_ref = quantize(state.alpha.ref, r.bits);
 
     const StencilState& s = state.stencil;
-    r.front = stencil_face({s.func, s.ref, s.mask, s.fail, s.zfail, s.zpass, s.write_mask}, s.test,
-                           r.stencil_max);
+    r.front = stencil_face(s.front(), s.test, r.stencil_max);
     r.back = s.two_side ? stencil_face(s.back, s.test, r.stencil_max) : r.front;
 
     r.fog_color = quantize_color(state.fog.color, r.bits);
@@ -73,9 +70,9 @@ Resolved resolve(const State& state, const Profile& profile, int width, int heig
     return r;
 }
 
-std::uint64_t plane_bytes(int plane, const Profile& profile) {
+std::uint64_t plane_bytes(Plane plane, const Profile& profile) {
     const auto whole = [](int bits) { return static_cast<std::uint64_t>((bits + 7) / 8); };
-    switch (static_cast<Plane>(plane)) {
+    switch (plane) {
         case Plane::Color: return 4 * whole(profile.color_bits);
         case Plane::Depth: return whole(profile.depth_bits);
         case Plane::Stencil: return 1;
@@ -85,17 +82,14 @@ std::uint64_t plane_bytes(int plane, const Profile& profile) {
 }
 
 FragmentBytes fragment_bytes(const Resolved& r, const Profile& profile) {
-    const auto bytes = [&](Plane plane) { return plane_bytes(static_cast<int>(plane), profile); };
-    const auto writes = [](const StencilFace& f) {
-        return f.write_mask != 0 && (f.fail != StencilOp::Keep || f.zfail != StencilOp::Keep ||
-                                     f.zpass != StencilOp::Keep);
-    };
+    const auto bytes = [&](Plane plane) { return plane_bytes(plane, profile); };
     const ColorMask& m = r.state.color_mask;
     const bool reads_color =
         r.writes_color && (r.state.blend.enable || !(m.r && m.g && m.b && m.a));
     FragmentBytes b;
     if (r.state.stencil.test)
-        b.after_alpha = bytes(Plane::Stencil) * (writes(r.front) || writes(r.back) ? 2 : 1);
+        b.after_alpha =
+            bytes(Plane::Stencil) * (keeps_stencil(r.front) && keeps_stencil(r.back) ? 1 : 2);
     if (r.state.depth.func != DepthFunc::Always) b.after_stencil = bytes(Plane::Depth);
     if (r.state.depth.mask) b.written += bytes(Plane::Depth);
     if (r.writes_color) b.written += bytes(Plane::Color) * (reads_color ? 2 : 1);

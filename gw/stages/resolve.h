@@ -1,8 +1,9 @@
-// State normalised once per draw, so that the fragment stages stop asking. docs/manual.md, "State".
-// Does not change what a state means: a test that is off becomes one that always passes and writes
-// nothing.
+// State normalised once per draw, so that the fragment stages test less. docs/manual/machine.md,
+// "State". Does not change the meaning of a state: a test that is off becomes one that always
+// passes and writes nothing.
 #pragma once
 
+#include "gw/planes.h"
 #include "gw/profile.h"
 #include "gw/stages/clip.h"
 #include "gw/state.h"
@@ -13,7 +14,7 @@ struct Resolved {
     State state;     ///< with depth, stencil and alpha tests normalised
     int bits = 8;    ///< of a colour channel
     Rect pixel_box;  ///< scissor and window: where pixels may change
-    Rect draw_box;   ///< ... and viewport: where primitives make fragments
+    Rect draw_box;   ///< pixel_box and viewport: where primitives make fragments
     ViewportTransform viewport;
     /// masks cut to stencil_bits; Always and Keep where the test is off
     StencilFace front, back;
@@ -21,17 +22,16 @@ struct Resolved {
     std::uint32_t alpha_ref = 0;
     Rgba fog_color{}, env_color{};
     bool fragment_fog = false;
-    bool writes_color = true;  ///< some channel is
+    bool writes_color = true;  ///< the colour mask is set for a channel
     /// as given: for clears and pixel rectangles, which no depth test guards
     bool depth_mask = true;
 };
 
 Resolved resolve(const State& state, const Profile& profile, int width, int height);
 
-/// Whether a face's operations leave every stencil value as it is.
-inline bool keeps(const StencilFace& f) {
-    return f.write_mask == 0 ||
-           (f.fail == StencilOp::Keep && f.zfail == StencilOp::Keep && f.zpass == StencilOp::Keep);
+/// Whether the stencil buffer neither stops a fragment of this side nor changes by it.
+constexpr bool ignores_stencil(const StencilFace& f) {
+    return f.func == StencilFunc::Always && keeps_stencil(f);
 }
 
 /// An empty intersection has width or height 0.
@@ -40,7 +40,7 @@ Rect intersect(const Rect& a, const Rect& b);
 /// A colour as plane values: clamped, times 2^bits - 1, to nearest.
 Rgba quantize_color(const vec4& color, int bits);
 
-/// Bytes one fragment moves, by the manual's model; totals are linear in the kill counters.
+/// Bytes that one fragment moves, by the manual's model. Totals are linear in the kill counters.
 struct FragmentBytes {
     std::uint64_t after_alpha = 0;    ///< stencil read and write
     std::uint64_t after_stencil = 0;  ///< depth read
@@ -49,6 +49,6 @@ struct FragmentBytes {
 FragmentBytes fragment_bytes(const Resolved& resolved, const Profile& profile);
 
 /// Bytes of one pixel of a plane.
-std::uint64_t plane_bytes(int plane, const Profile& profile);
+std::uint64_t plane_bytes(Plane plane, const Profile& profile);
 
 }  // namespace gw

@@ -1,6 +1,6 @@
-// The tables of the fragment operations, each written once, in the specification's polarity.
-// docs/manual.md, "Alpha, stencil and depth tests", "Blending". Does not decide when a table
-// applies.
+// The tables of the fragment operations, in the specification's polarity.
+// docs/manual/fragments.md; docs/manual/texture.md; docs/manual/fog.md. Does not decide when a
+// table applies.
 #pragma once
 
 #include "gw/base/arithmetic.h"
@@ -12,8 +12,8 @@
 
 namespace gw {
 
-/// [GL11] 4.1.3 to 4.1.5: the incoming value (fragment, reference) `func` the stored one (plane;
-/// alpha: reference).
+/// [GL11] 4.1.3 to 4.1.5: whether `incoming` `func` `stored` holds. Incoming is the fragment's
+/// depth or alpha, or the stencil reference; stored is the plane's value, or the alpha reference.
 constexpr bool compare(CompareFunc func, std::uint32_t incoming, std::uint32_t stored) {
     switch (func) {
         case CompareFunc::Never: return false;
@@ -28,7 +28,7 @@ constexpr bool compare(CompareFunc func, std::uint32_t incoming, std::uint32_t s
     return false;
 }
 
-/// [GL11] 4.1.4: the new stencil value, before the write mask; `max` is 2^stencil_bits - 1.
+/// [GL11] 4.1.4: the new stencil value before the write mask; `max` is 2^stencil_bits - 1.
 constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::uint32_t ref,
                                        std::uint32_t max) {
     switch (op) {
@@ -44,7 +44,7 @@ constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::
     return stored;
 }
 
-/// [GL11] 4.1.6, tables 4.1 and 4.2: the factor of channel `c` (3 is alpha); 1.0 is `max`.
+/// [GL11] 4.1.6, tables 4.1 and 4.2: the factor of channel `c` (3 is alpha), where `max` is 1.0.
 constexpr std::uint32_t blend_factor(BlendFactor factor, const Rgba& src, const Rgba& dst, int c,
                                      std::uint32_t max) {
     const auto i = std::size_t(c);
@@ -65,7 +65,7 @@ constexpr std::uint32_t blend_factor(BlendFactor factor, const Rgba& src, const 
     return 0;
 }
 
-/// Two roundings and a saturating sum: what 16-bit lanes hold, and One/One adds exactly.
+/// Two rounded products and a saturating sum, which fit 16-bit lanes. One, One adds exactly.
 constexpr Rgba blend(const BlendState& state, const Rgba& src, const Rgba& dst, int bits) {
     const std::uint32_t max = max_of_bits(bits);
     Rgba out{};
@@ -78,8 +78,7 @@ constexpr Rgba blend(const BlendState& state, const Rgba& src, const Rgba& dst, 
     return out;
 }
 
-/// [GL11] table 3.11 for RGBA textures: `f` the fragment's colour, `t` the texture's, `env` the
-/// constant.
+/// [GL11] table 3.11 for RGBA textures: `f` of the fragment, `t` of the texture, `env` constant.
 constexpr Rgba texture_environment(TexEnv mode, const Rgba& f, const Rgba& t, const Rgba& env,
                                    int bits) {
     const std::uint32_t max = max_of_bits(bits);
@@ -102,8 +101,8 @@ constexpr Rgba texture_environment(TexEnv mode, const Rgba& f, const Rgba& t, co
     return out;
 }
 
-/// Fog factor `f` blends R, G, B towards the fog's colour: black fog plus fogged black is exactly
-/// one-pass fog [K3.5].
+/// Blends R, G, B with the fog's colour by factor `f`. A pass in black fog plus a pass of fogged
+/// black is exactly fog in one pass [K3.5].
 constexpr Rgba apply_fog(const Rgba& color, std::uint32_t f, const Rgba& fog, int bits) {
     const std::uint32_t max = max_of_bits(bits);
     Rgba out = color;
@@ -112,7 +111,7 @@ constexpr Rgba apply_fog(const Rgba& color, std::uint32_t f, const Rgba& fog, in
     return out;
 }
 
-/// Look-ups of a filter for one texel value.
+/// The texels that a filter looks up for one value.
 constexpr int texel_count(MinFilter filter) {
     switch (filter) {
         case MinFilter::Nearest: return 1;

@@ -1,4 +1,3 @@
-// Texel arithmetic.
 #include "gw/stages/texels.h"
 
 #include "gw/base/arithmetic.h"
@@ -49,7 +48,7 @@ Texels make_texels(const Texture& texture, int bits) {
 
 std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
                        std::uint32_t wx, std::uint32_t wy, int bits) {
-    if (bits == 8) {  // two roundings in 15-bit products, as 16-bit lanes do it; error <= 0.516
+    if (bits == 8) {  // two roundings of 15-bit products, for 16-bit lanes; error <= 0.516
         const auto row = [wx](std::uint32_t p, std::uint32_t q) {
             return std::int32_t(64 * p) +
                    (((std::int32_t(q) - std::int32_t(p)) * 64 * std::int32_t(wx) + 128) >> 8);

@@ -1,6 +1,5 @@
-// A texture in the machine's own bits, its addressing and filters on integers. docs/manual.md,
-// "Textures".
-// Does not interpolate coordinates: each machine does.
+// A texture in the machine's colour bits, its addressing, and its filters on integers.
+// docs/manual/texture.md, "Textures". Does not interpolate coordinates: each machine does.
 #pragma once
 
 #include "gw/base/types.h"
@@ -16,12 +15,10 @@ namespace gw {
 struct TexelLevel {
     int width = 1, height = 1, log2_width = 0, log2_height = 0;
     std::vector<Rgba> texels;  ///< of color_bits
-    const Rgba& at(int i, int j) const {
-        return texels[std::size_t(j) * std::size_t(width) + std::size_t(i)];
-    }
+    const Rgba& at(int i, int j) const { return texels[pixel_index(i, j, width)]; }
 };
 
-/// What a draw looks up: colours, or depths for shadow_compare.
+/// The texels of a draw: colours, or depths for shadow_compare.
 struct Texels {
     int bits = 8;
     std::vector<TexelLevel> levels;
@@ -40,18 +37,18 @@ constexpr int wrap_index(Wrap wrap, int i, int size) {
 std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
                        std::uint32_t wx, std::uint32_t wy, int bits);
 
-/// The texel nearest to u, v (1/256 texels, texel i is [256 i, 256 i + 256)), or the mean of the
-/// four around it.
+/// The texel at u, v, or the mean of the four around it. u, v are in units of 1/256 texel; texel i
+/// is [256 i, 256 i + 256).
 Rgba lookup(const TexelLevel& level, bool linear, Wrap wrap_s, Wrap wrap_t, int u, int v, int bits);
 
 /// The mean of two levels, weight f in 0 .. 255 of 256 for `b`.
 Rgba between_levels(const Rgba& a, const Rgba& b, std::uint32_t f);
 
-/// By the high 8 bits of rho's mantissa: 256ths of a level, round(256 log2(1 + i / 256)), at most
-/// 255.
+/// Fractions of a level in 256ths by the high 8 bits i of rho's mantissa: round(256 log2(1 + i /
+/// 256)), at most 255.
 const std::array<std::uint32_t, 256>& mantissa_levels();
 
-/// Which levels a minification by the factor rho (texels per pixel, >= 0) looks at. [GL11] 3.8.1
+/// The levels for the scale factor rho (texels per pixel, >= 0). [GL11] 3.8.1
 struct LevelChoice {
     bool magnify = false;
     int level = 0;             ///< first level
@@ -60,14 +57,14 @@ struct LevelChoice {
 };
 LevelChoice choose_level(const TextureState& state, float rho, int level_count);
 
-/// Whether the filter for this side mixes four texels of a level.
+/// Whether the filter takes the mean of four texels of a level.
 constexpr bool is_linear(const TextureState& s, bool magnify) {
     if (magnify) return s.mag_filter == MagFilter::Linear;
     return s.min_filter == MinFilter::Linear || s.min_filter == MinFilter::LinearMipmapNearest ||
            s.min_filter == MinFilter::LinearMipmapLinear;
 }
 
-/// Whether a filter needs rho at all.
+/// Whether the filters depend on rho.
 constexpr bool needs_rho(const TextureState& s) {
     return !(s.min_filter == MinFilter::Linear && s.mag_filter == MagFilter::Linear) &&
            !(s.min_filter == MinFilter::Nearest && s.mag_filter == MagFilter::Nearest);

@@ -1,4 +1,3 @@
-// The vertex stages in order: transform, clip distances, lighting, texture coordinates, fog.
 #include "gw/stages/vertex.h"
 
 #include "gw/base/arithmetic.h"
@@ -16,8 +15,8 @@ dmat4 product(const dmat4& a, const dmat4& b) {
 
 namespace {
 
-/// Cofactors of the upper 3x3, signed by the determinant: the inverse transpose up to a positive
-/// factor.
+/// The inverse transpose of the upper 3x3 up to a positive factor: its cofactors with the sign of
+/// the determinant.
 dmat3 normal_matrix(const dmat4& m) {
     const dvec3 x(m[0]), y(m[1]), z(m[2]);
     const dvec3 yz = cross3(y, z), zx = cross3(z, x), xy = cross3(x, y);

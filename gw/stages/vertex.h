@@ -1,6 +1,6 @@
-// The vertex stages: transform, lighting, texture coordinates and fog at one vertex.
-// docs/manual.md, "Vertices". Does not clip, divide or snap. All in double, in the order of
-// operations written here; no libm.
+// The vertex stages: transform, lighting, texture coordinates and fog at one vertex, in double and
+// in the order of operations written here. docs/manual/geometry.md, "Vertices". Does not clip,
+// divide or snap, and does not call libm.
 #pragma once
 
 #include "gw/base/types.h"
@@ -12,7 +12,7 @@
 
 namespace gw {
 
-/// What decides where a vertex is clipped.
+/// The part of a vertex that clipping depends on.
 struct ClipPosition {
     dvec4 clip{0};                                   ///< clip coordinates
     std::array<double, max_clip_planes> distance{};  ///< to the user clip planes that are enabled
@@ -22,17 +22,16 @@ struct ClipPosition {
 struct Vertex : ClipPosition {
     dvec4 texcoord{0, 0, 0, 1};          ///< s, t, r, q
     std::array<double, 4> color{};       ///< integers 0 .. 2^color_bits - 1
-    std::array<double, 4> back_color{};  ///< of a back face, where lighting.two_side
-    /// factor 0 .. 2^color_bits - 1 (fog at the vertex) or coordinate >= 0 in units of the fog
-    /// table
+    std::array<double, 4> back_color{};  ///< of a back face, with lighting.two_side
+    /// fog at the vertex: factor 0 .. 2^color_bits - 1; else coordinate >= 0, 1 at the table's end
     double fog = 0;
 };
 
-/// Texture coordinates and the fog distance are kept within this (2^200): no later sum or product
-/// overflows.
+/// Texture coordinates and the fog distance are clamped to this (2^200), so that no later sum or
+/// product overflows.
 inline constexpr double largest_coordinate = 0x1p200;
 
-/// What the vertex stages need of a draw, worked out once.
+/// The inputs of the vertex stages that are the same for all vertices of a draw.
 struct VertexProgram {
     const State* state = nullptr;
     const Draw* draw = nullptr;
@@ -48,7 +47,7 @@ VertexProgram vertex_program(const State& state, const Draw& draw, const Profile
 /// Runs the vertex stages on vertex `index` of the draw's mesh.
 Vertex run_vertex(const VertexProgram& program, std::uint32_t index);
 
-/// The fog value of a vertex at this z in eye space: see Vertex::fog.
+/// Vertex::fog of a vertex at this z in eye space.
 double fog_of(const VertexProgram& program, double z_eye);
 
 /// m * v, each component ((m0 x + m1 y) + (m2 z + m3 w)).
@@ -60,10 +59,10 @@ inline dvec4 transform(const dmat4& m, const dvec4& v) {
 }
 /// The product whose columns are transform(a, column of b).
 dmat4 product(const dmat4& a, const dmat4& b);
-/// v / |v|; the zero vector stays.
+/// v / |v|; 0 for the zero vector.
 inline dvec3 normalized(const dvec3& v) {
-    const double length = std::sqrt(dot3(v, v));
-    return length > 0 ? dvec3(v.x / length, v.y / length, v.z / length) : dvec3(0);
+    const double size = length(v);
+    return size > 0 ? dvec3(v.x / size, v.y / size, v.z / size) : dvec3(0);
 }
 
 }  // namespace gw

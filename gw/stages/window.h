@@ -1,6 +1,5 @@
-// From clip coordinates to the window: division, viewport, snap. docs/manual.md, "Window
-// coordinates".
-// Does not clip and does not jitter.
+// From clip coordinates to the window: division, viewport, snap. docs/manual/geometry.md, "Window
+// coordinates". Does not clip or jitter.
 #pragma once
 
 #include "gw/base/arithmetic.h"
@@ -10,15 +9,15 @@
 
 namespace gw {
 
-/// A snapped vertex: x, y in 1/2^subpixel_bits of a pixel, z in units of the depth plane, w the
-/// clip w (> 0).
+/// A snapped vertex. x, y are in 1/2^subpixel_bits of a pixel, z is in units of the depth plane. w
+/// is the clip coordinate, > 0.
 struct WindowVertex {
     std::int64_t x = 0, y = 0;
     std::uint32_t z = 0;
     double w = 1;
 };
 
-/// floor(v * 2^s + 1/2), kept inside the guard band.
+/// floor(v * 2^s + 1/2), clamped to the guard band.
 inline std::int64_t snap(double v, int subpixel_bits) {
     const double scale = double(1 << subpixel_bits);
     return to_integer(std::floor(v * scale + 0.5), guard_low * scale, guard_high * scale - 1);

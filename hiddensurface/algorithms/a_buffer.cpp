@@ -97,9 +97,7 @@ private:
                 insert(x, y, face, mask);
     }
 
-    std::vector<Fragment>& pixel(int x, int y) {
-        return pixels_[std::size_t(y) * std::size_t(input_.view.width) + std::size_t(x)];
-    }
+    std::vector<Fragment>& pixel(int x, int y) { return pixels_[input_.view.index(x, y)]; }
 
     void insert(int x, int y, const Face& face, std::uint32_t mask) {
         output_.counts.nodes += 1;

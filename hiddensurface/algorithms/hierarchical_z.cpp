@@ -95,8 +95,7 @@ private:
               std::vector<Painted>& painted) {
         DepthWalk walk(depth, run.x0, run.y);
         for (int x = run.x0; x < run.x1; ++x, walk.right()) {
-            std::size_t& first =
-                first_[std::size_t(run.y) * std::size_t(input_.view.width) + std::size_t(x)];
+            std::size_t& first = first_[input_.view.index(x, run.y)];
             const std::int64_t z = walk.z(), stored = pyramid_.at(x, run.y);
             output_.counts.depths += 1;
             if (z > stored || (z == stored && index >= first)) continue;

@@ -33,8 +33,7 @@ private:
               std::vector<Painted>& painted) {
         DepthWalk walk(depth, run.x0, run.y);
         for (int x = run.x0; x < run.x1; ++x, walk.right()) {
-            std::int64_t& stored =
-                z_[std::size_t(run.y) * std::size_t(input_.view.width) + std::size_t(x)];
+            std::int64_t& stored = z_[input_.view.index(x, run.y)];
             const bool passes = walk.z() < stored;
             compared_ += 1;
             if (passes) stored = walk.z();

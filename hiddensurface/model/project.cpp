@@ -171,7 +171,7 @@ bool is_plane(const Loop& p) {
             off = std::max(off, std::abs(dot3(n, q - p[0])));
             size = std::max(size, std::abs(q[int(axis)]));
         }
-    return off <= 1e-6 * size * std::sqrt(dot3(n, n));
+    return off <= 1e-6 * size * length(n);
 }
 
 /// The polygon's plane pieces in the world. `t`: the triangles that the machine draws, the first of

@@ -100,7 +100,7 @@ FragmentGrade grade_fragments(const std::vector<Fragment>& list,
     };
     for (const Fragment& f : list) {
         const int row = input.view.height - 1 - f.y;
-        const std::size_t at = std::size_t(row) * std::size_t(input.view.width) + std::size_t(f.x);
+        const std::size_t at = input.view.index(f.x, row);
         const std::uint32_t expected = z_buffer[at];
         if (std::count(over[at].begin(), over[at].end(), f.id) == 0) {
             add(Mistake::Misplaced, grade.misplaced, f, expected);
@@ -117,9 +117,7 @@ FragmentGrade grade_fragments(const std::vector<Fragment>& list,
     }
     for (int y = 0; y < input.view.height; ++y)
         for (int x = 0; x < input.view.width; ++x) {
-            const std::size_t at =
-                std::size_t(input.view.height - 1 - y) * std::size_t(input.view.width) +
-                std::size_t(x);
+            const std::size_t at = input.view.index(x, input.view.height - 1 - y);
             if (z_buffer[at] == 0) continue;
             grade.expected += 1;
             if (!taken[at]) add(Mistake::Missing, grade.missing, {x, y, 0, 0}, z_buffer[at]);
@@ -131,9 +129,7 @@ std::string fragments_text(const std::vector<std::uint32_t>& z_buffer, const Inp
     std::string text = std::string(header) + "\n";
     for (int y = 0; y < input.view.height; ++y)
         for (int x = 0; x < input.view.width; ++x) {
-            const std::size_t at =
-                std::size_t(input.view.height - 1 - y) * std::size_t(input.view.width) +
-                std::size_t(x);
+            const std::size_t at = input.view.index(x, input.view.height - 1 - y);
             if (z_buffer[at] != 0) text += fmt::format("{},{},{}\n", x, y, z_buffer[at]);
         }
     return text;

@@ -68,8 +68,7 @@ std::vector<std::uint8_t> depth_complexity(const Input& input) {
         for (const WindowTriangle& t : polygon.triangles)
             for (const Run& run : scan_convert(t.corners, input.subpixel_bits(), input.window()))
                 for (int x = run.x0; x < run.x1; ++x) {
-                    std::uint8_t& n =
-                        count[std::size_t(run.y) * std::size_t(input.view.width) + std::size_t(x)];
+                    std::uint8_t& n = count[input.view.index(x, run.y)];
                     n = static_cast<std::uint8_t>(std::min(n + 1, 255));
                 }
     return count;

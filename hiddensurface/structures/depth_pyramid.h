@@ -26,12 +26,8 @@ private:
     struct Level {
         int width = 0, height = 0;
         std::vector<std::int64_t> z;
-        std::int64_t& at(int x, int y) {
-            return z[std::size_t(y) * std::size_t(width) + std::size_t(x)];
-        }
-        std::int64_t at(int x, int y) const {
-            return z[std::size_t(y) * std::size_t(width) + std::size_t(x)];
-        }
+        std::int64_t& at(int x, int y) { return z[pixel_index(x, y, width)]; }
+        std::int64_t at(int x, int y) const { return z[pixel_index(x, y, width)]; }
     };
     std::int64_t farthest_below(std::size_t level, int x, int y) const;
     bool hides(std::size_t level, int x, int y, const Rect& rect, std::int64_t nearest,

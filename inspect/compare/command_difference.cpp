@@ -1,5 +1,6 @@
 #include "inspect/compare/command_difference.h"
 
+#include "gw/names.h"
 #include "inspect/compare/command_members.h"
 #include "inspect/manifest/profile_json.h"
 #include "inspect/replay/player.h"

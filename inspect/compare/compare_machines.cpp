@@ -1,5 +1,6 @@
 #include "inspect/compare/compare_machines.h"
 
+#include "gw/names.h"
 #include "inspect/replay/digesting_machine.h"
 #include "inspect/replay/player.h"
 

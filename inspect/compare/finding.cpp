@@ -1,6 +1,6 @@
 #include "inspect/compare/finding.h"
 
-#include "gw/counter_names.h"
+#include "gw/names.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // functions of findings turn them into picture coordinates.
 #pragma once
 
-#include "gw/plane_names.h"
+#include "gw/names.h"
 
 #include <optional>
 #include <string>

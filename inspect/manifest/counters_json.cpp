@@ -1,6 +1,6 @@
 #include "inspect/manifest/counters_json.h"
 
-#include "gw/counter_names.h"
+#include "gw/names.h"
 
 #include <map>
 

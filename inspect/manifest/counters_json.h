@@ -1,4 +1,4 @@
-// Counters as JSON, by the names of gw/counter_names.h.
+// Counters as JSON, by the names of gw/names.h.
 #pragma once
 
 #include "gw/counters.h"

@@ -2,9 +2,9 @@
 // may be part of it.
 #include "inspect/manifest/manifest.h"
 
-#include "gw/counter_names.h"
 #include "gw/error.h"
 #include "gw/machine.h"
+#include "gw/names.h"
 #include "inspect/compare/plane_values.h"
 #include "inspect/manifest/profile_json.h"
 

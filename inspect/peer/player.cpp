@@ -1,8 +1,8 @@
 // The context, and a list's commands one after the other.
 #include "inspect/peer/player.h"
 
-#include "gw/command_name.h"
 #include "gw/error.h"
+#include "gw/names.h"
 #include "inspect/peer/draw.h"
 #include "inspect/peer/gl.h"
 #include "inspect/peer/pixels.h"
@@ -118,7 +118,7 @@ void Player::play(const CommandList& list, std::size_t count) {
             std::visit([&](const auto& c) { context_->run(c); }, command);
             check_errors();
         } catch (const Error& error) {
-            throw Error(fmt::format("command {} ({}): {}", i, command_name(command), error.what()));
+            throw Error(fmt::format("command {} ({}): {}", i, name_of(command), error.what()));
         }
     }
 }

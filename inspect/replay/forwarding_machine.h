@@ -1,5 +1,4 @@
-// A machine that is another one in everything; what is made of it changes one thing. Does not
-// execute itself.
+// Forwards every call to another machine; subclasses override one. Does not execute anything.
 #pragma once
 
 #include "gw/machine.h"
@@ -16,6 +15,9 @@ public:
     const std::vector<PassReport>& passes() override { return machine_.passes(); }
     void reset_passes() override { machine_.reset_passes(); }
     const std::map<std::uint32_t, Readback>& readbacks() override { return machine_.readbacks(); }
+    void read_into(std::uint32_t key, std::span<std::uint32_t> values) override {
+        machine_.read_into(key, values);
+    }
     const Profile& profile() const override { return machine_.profile(); }
 
 private:

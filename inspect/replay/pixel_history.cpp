@@ -1,5 +1,6 @@
 #include "inspect/replay/pixel_history.h"
 
+#include "gw/names.h"
 #include "gw/reference/make.h"
 #include "inspect/replay/following_observer.h"
 
@@ -34,7 +35,7 @@ public:
 private:
     PixelEvent event(const PixelValues& before, const PixelValues& after) const {
         PixelEvent e{.pass = pass(), .pass_name = pass_name(), .command = command_index()};
-        e.command_name = inspect::name_of(command());
+        e.command_name = name_of(command());
         e.draw = draw();
         e.before = before;
         e.after = after;

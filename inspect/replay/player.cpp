@@ -30,14 +30,6 @@ const Command& command_at(const Recording& recording, std::size_t index) {
     return list->commands[index];
 }
 
-const char* name_of(const Command& command) {
-    static constexpr const char* names[] = {"BeginPass",   "Clear",       "SetState",   "Draw",
-                                            "WriteSpans",  "WritePixels", "Accumulate", "Copy",
-                                            "CopyTexture", "Read"};
-    static_assert(std::size(names) == std::variant_size_v<Command>);
-    return names[command.index()];
-}
-
 void Player::play_to(std::size_t end) {
     while (done_ < end && list_ < recording_.lists.size()) {
         const auto& commands = recording_.lists[list_].commands;

@@ -23,8 +23,6 @@ std::vector<PassRange> pass_ranges(const Recording& recording);
 std::size_t command_count(const Recording& recording);
 /// Command `index` < command_count.
 const Command& command_at(const Recording& recording, std::size_t index);
-/// "Draw", "Clear", ...
-const char* name_of(const Command& command);
 
 class Player {
 public:

@@ -2,7 +2,7 @@
 // Estimates, and labelled so; every price has its source. Does not count.
 #pragma once
 
-#include "gw/counter_names.h"
+#include "gw/names.h"
 
 #include <filesystem>
 #include <string>

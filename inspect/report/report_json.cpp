@@ -1,5 +1,6 @@
 #include "inspect/report/report_json.h"
 
+#include "gw/names.h"
 #include "inspect/manifest/counters_json.h"
 #include "inspect/manifest/profile_json.h"
 #include "inspect/replay/player.h"
@@ -50,7 +51,7 @@ Json commands_json(const ReportFacts& facts, const std::vector<inspect::PassRang
         for (const Command& command : list.commands) {
             if (index >= ranges[facts.history->first].first &&
                 index < ranges[facts.history->last].end)
-                names.push_back(inspect::name_of(command));
+                names.push_back(name_of(command));
             ++index;
         }
     return names;

@@ -20,11 +20,6 @@ std::string change_text(const PixelValues& before, const PixelValues& after) {
     return "{" + text + "}";
 }
 
-PixelValues values_at(const Planes& planes, int x, int y) {
-    const std::size_t i = planes.index(x, y);
-    return {planes.color[i], planes.depth[i], planes.stencil[i], planes.accum[i]};
-}
-
 /// -1 where there is none.
 std::string number_text(const auto& optional) {
     return optional ? std::to_string(*optional) : "-1";
@@ -58,7 +53,7 @@ std::string TileHistory::start_of(const Planes& planes, int x0, int y0) const {
     };
     for (int y = y0; y < std::min(y0 + side, height_); ++y)
         for (int x = x0; x < std::min(x0 + side, width_); ++x) {
-            const PixelValues values = values_at(planes, x, y);
+            const PixelValues values = values_at(planes, planes.index(x, y));
             if (values != last) close();
             last = values;
             ++count;

@@ -39,7 +39,7 @@ bool traces(const std::vector<Step>& steps) {
 /// clear.
 bool uses_stencil(const std::vector<Step>& steps, std::size_t end) {
     return std::any_of(steps.begin(), steps.begin() + std::ptrdiff_t(end), [](const Step& s) {
-        return s.pass.stencil.test && !keeps_stencil(s.pass.stencil);
+        return s.pass.stencil.test && !keeps_stencil(s.pass.stencil.front());
     });
 }
 

@@ -108,7 +108,7 @@ scene::View view_at(const scene::View& view, const Sample& sample) {
     if (sample.count == 1 || !(camera.aperture > 0)) return view;
     const dvec2 shift = on_disc(spread(sample, Lens)) * camera.aperture;
     const dvec3 line = camera.at - camera.eye;
-    const double focus = camera.focus > 0 ? camera.focus : std::sqrt(dot3(line, line));
+    const double focus = camera.focus > 0 ? camera.focus : length(line);
     scene::View out = view;
     out.eye_from_world[3] -= dvec4(shift, 0, 0);
     out.clip_from_eye[2].x -= view.clip_from_eye[0].x * shift.x / focus;

@@ -23,9 +23,8 @@ std::string depth_text(const DepthState& depth) {
 std::string stencil_text(const StencilState& s) {
     if (!s.test) return "";
     std::string text = fmt::format("; stencil {} {}", word(s.func), s.ref);
-    const bool keeps =
-        s.fail == StencilOp::Keep && s.zfail == StencilOp::Keep && s.zpass == StencilOp::Keep;
-    if (!keeps) text += fmt::format(" ({} {} {})", word(s.fail), word(s.zfail), word(s.zpass));
+    if (!keeps_stencil(s.front()))
+        text += fmt::format(" ({} {} {})", word(s.fail), word(s.zfail), word(s.zpass));
     return text;
 }
 

@@ -16,12 +16,6 @@ namespace {
 /// than 0.8.
 constexpr double corner_reach = 1.3;
 
-double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
-
-dvec3 corner(const scene::Bounds& b, int i) {
-    return {i & 1 ? b.high.x : b.low.x, i & 2 ? b.high.y : b.low.y, i & 4 ? b.high.z : b.low.z};
-}
-
 double beyond(const dvec4& wall, const dvec3& p) { return dot3(dvec3(wall), p) + wall.w; }
 
 std::array<dvec4, 6> walls_of(const scene::Bounds& bounds, const dmat4& world_from_object) {

@@ -22,12 +22,6 @@ constexpr double widest_cone = 60;
 /// The nearest of a light's depths is at least this part of the farthest.
 constexpr double least_near = 1.0 / 4096;
 
-double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
-
-dvec3 corner(const scene::Bounds& b, int i) {
-    return {i & 1 ? b.high.x : b.low.x, i & 2 ? b.high.y : b.low.y, i & 4 ? b.high.z : b.low.z};
-}
-
 /// Smallest and largest distance of anything in the box from `p`.
 scene::DepthInterval distances(const scene::Bounds& bounds, const dvec3& p) {
     scene::DepthInterval d;

@@ -18,8 +18,6 @@ bool is_dark_side(const scene::TrianglePoint& at, const scene::Light& light, con
     return (dot3(at.normal, to_light(light, at.p)) > 0) != (dot3(at.normal, ray) < 0);
 }
 
-double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
-
 /// What a pixel shows. A fragment's centre may lie a little beside its true triangle, in a hollow
 /// edge behind the next face: so the point is lifted towards the light by `lift` pixels.
 constexpr double lift = 0.25;

@@ -16,8 +16,6 @@
 namespace gw::multipass {
 namespace {
 
-double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
-
 constexpr int most_splits = 24;
 
 /// Grows one of the two meshes. Each point of the topology becomes at most two of its vertices: one

@@ -64,13 +64,9 @@ std::uint64_t surplus_winners(std::span<const PassReport> reports) {
     return reports[0].counters.written - reports[1].counters.written;
 }
 
-bool keeps_stencil(const StencilState& s) {
-    return s.fail == StencilOp::Keep && s.zfail == StencilOp::Keep && s.zpass == StencilOp::Keep;
-}
-
 bool is_additive(const Pass& pass) {
     return pass.depth.test && pass.depth.func == DepthFunc::Equal && pass.blend.enable &&
-           keeps_stencil(pass.stencil);
+           keeps_stencil(pass.stencil.front());
 }
 
 /// Every opaque part, or what of it is in the portions, black where the step does not concern it.

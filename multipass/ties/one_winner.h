@@ -32,9 +32,6 @@ CommandList count_winners(const Stage& stage);
 /// order.
 std::uint64_t surplus_winners(std::span<const PassReport> reports);
 
-/// Whether all operations are Keep.
-bool keeps_stencil(const StencilState& stencil);
-
 /// Whether the scheme concerns this pass: drawn under Equal, blended, stencil kept.
 bool is_additive(const Pass& pass);
 

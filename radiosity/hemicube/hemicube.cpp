@@ -21,7 +21,7 @@ constexpr double horizon = 1e-7;
 dmat4 turned(const dvec3& position, const dvec3& normal, double turn) {
     const dvec3 any = std::abs(normal.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
     dvec3 a = cross3(any, normal);
-    a /= std::sqrt(dot3(a, a));
+    a /= length(a);
     const dvec3 b = cross3(normal, a);
     const dvec3 x = cos_degrees(turn) * a + sin_degrees(turn) * b, z = cross3(x, normal);
     dmat4 m(1);
@@ -36,23 +36,6 @@ dmat4 after(const dmat4& eye_from_cube, const dmat4& cube_from_world) {
         m[k] = dvec4(transform3(dmat3(eye_from_cube), dvec3(cube_from_world[k])),
                      cube_from_world[k].w);
     return m;
-}
-
-/// A face's pixels for what the machine has read back of it, or lent for what it will read.
-void exchange(Machine& machine, std::uint32_t face, IdBuffer& buffer) {
-    Readback read;
-    read.values.swap(buffer.pixels);
-    machine.exchange_readback(face, read);
-    buffer.pixels.swap(read.values);
-}
-
-void take(Machine& machine, std::uint32_t face, std::size_t identifiers, int size,
-          IdBuffer& buffer) {
-    exchange(machine, face, buffer);
-    buffer.size = size;
-    buffer.rows = face == 0 ? size : size / 2;
-    buffer.seen.assign(identifiers, 0);
-    mark_seen(buffer.pixels, std::size_t(size), buffer.seen.data());
 }
 
 }  // namespace
@@ -95,13 +78,18 @@ void HemicubePainter::draw(const Model& model, const Hemicube& hemicube, IdBuffe
         for (Command& command : scene::id_pass(model.joined, view, options).commands)
             list.commands.push_back(std::move(command));
         list.add(Read{.key = face, .plane = Plane::Color, .rect = rect, .packed = true});
+        IdBuffer& buffer = buffers[face];
+        buffer.size = rect.width;
+        buffer.rows = rect.height;
+        buffer.pixels.resize(rect.area());
+        machine_->read_into(face, buffer.pixels);
     }
-    for (std::uint32_t face = 0; face < hemicube_faces; ++face)
-        exchange(*machine_, face, buffers[face]);
     machine_->execute(list);
     machine_->reset_passes();
-    for (std::uint32_t face = 0; face < hemicube_faces; ++face)
-        take(*machine_, face, model.facets.size() + 1, hemicube.views[face].width, buffers[face]);
+    for (IdBuffer& buffer : buffers) {
+        buffer.seen.assign(model.facets.size() + 1, 0);
+        mark_seen(buffer.pixels, std::size_t(buffer.size), buffer.seen.data());
+    }
 }
 
 }  // namespace gw::radiosity

@@ -28,7 +28,7 @@ Hemicube hemicube_at(const dvec3& position, const dvec3& normal, double turn, do
 /// horizon.
 struct IdBuffer {
     int size = 0, rows = 0;
-    LineVector<std::uint32_t> pixels;
+    CacheAlignedVector<std::uint32_t> pixels;
     std::vector<char> seen;  ///< by identifier: whether any pixel has it
 };
 /// A pixel that sees nothing, and one that sees a facet.

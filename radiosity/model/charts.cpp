@@ -10,8 +10,6 @@ constexpr double least_cos_at_edge = 0.906307787;   // 25 degrees
 constexpr double least_cos_to_first = 0.766044443;  // 40 degrees
 constexpr double planar_cos = 1 - 1e-9;
 
-double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
-
 /// A side of a triangle, its ends in ascending order.
 struct Side {
     std::uint32_t a, b, triangle;

@@ -4,12 +4,6 @@
 #include <cmath>
 
 namespace gw::radiosity {
-namespace {
-
-double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
-
-}  // namespace
-
 Facet facet_along(const dvec3& origin, const dvec3& du, const dvec3& dv, const dvec3& normal) {
     Facet facet;
     facet.normal = normal;

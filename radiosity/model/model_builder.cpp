@@ -34,7 +34,7 @@ Surface surface_of(const scene::Object& o) {
 ModelBuilder::ModelBuilder(const scene::Scene& scene, const ModelOptions& options) : scene_(scene) {
     const scene::Bounds box = scene::bounds(scene);
     const dvec3 diagonal = box.high - box.low;
-    model.extent = std::sqrt(dot3(diagonal, diagonal));
+    model.extent = length(diagonal);
     const double longest = std::max(std::max(diagonal.x, diagonal.y), diagonal.z);
     texels_per_unit_ = options.texels_per_unit > 0 ? options.texels_per_unit
                        : scene.texels_per_unit > 0 ? scene.texels_per_unit

@@ -9,8 +9,6 @@
 namespace gw::radiosity {
 namespace {
 
-double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
-
 /// A rectangle in a pixmap.
 struct Part {
     dvec2 low, high;
@@ -154,9 +152,7 @@ std::vector<Patch> patches_of(const Model& model, int side) {
                             std::min(side, pixmap.height - y)};
                 for (int j = y; j < y + patch.height; ++j)
                     for (int k = x; k < x + patch.width; ++k) {
-                        const std::size_t t = pixmap.first +
-                                              std::size_t(j) * std::size_t(pixmap.width) +
-                                              std::size_t(k);
+                        const std::size_t t = pixmap.first + pixel_index(k, j, pixmap.width);
                         patch.area += model.area[t];
                         patch.emits = patch.emits || (model.area[t] > 0 && model.E[t] != dvec3(0));
                     }

@@ -48,9 +48,7 @@ struct Pixmap {
     bool whole = false;                 ///< every texel is an element
     std::size_t count() const { return std::size_t(width) * std::size_t(height); }
     /// Its number among all texels.
-    std::size_t texel(int x, int y) const {
-        return first + std::size_t(y) * std::size_t(width) + std::size_t(x);
-    }
+    std::size_t texel(int x, int y) const { return first + pixel_index(x, y, width); }
 };
 
 struct Figure {

@@ -12,7 +12,6 @@ namespace {
 constexpr double least_cos = 0.766044443;  // 40 degrees
 constexpr double reach = 1.5;              ///< texels beyond the border that filters can see
 
-double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
 dvec3 space(const dvec2& v) { return {v.x, v.y, 0}; }
 
 /// A point of a facet, or beside it in its plane.

@@ -126,8 +126,7 @@ void cover_texels(Model& model) {
         const Figure& figure = model.figures[facet.figure];
         for (const Triangle2& triangle : facet.triangles)
             for_each_share(triangle, pixmap, [&](int x, int y, double part) {
-                const std::size_t t =
-                    pixmap.first + std::size_t(y) * std::size_t(pixmap.width) + std::size_t(x);
+                const std::size_t t = pixmap.texel(x, y);
                 const double a = part * facet.texel_area;
                 share[t] += part;
                 model.area[t] += a;

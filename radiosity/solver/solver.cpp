@@ -9,10 +9,6 @@
 namespace gw::radiosity {
 namespace {
 
-double magnitude(const dvec3& flux) {
-    return (std::abs(flux.x) + std::abs(flux.y)) + std::abs(flux.z);
-}
-
 void add(dvec3& stored, const dvec3& more) {
     for (int c = 0; c < 3; ++c) stored[c] = storable(stored[c] + more[c]);
 }
@@ -25,8 +21,7 @@ template <class Visit>
 void for_each_texel(const Model& model, const Patch& patch, Visit visit) {
     const Pixmap& pixmap = model.pixmaps[patch.pixmap];
     for (int y = patch.y; y < patch.y + patch.height; ++y)
-        for (int x = patch.x; x < patch.x + patch.width; ++x)
-            visit(pixmap.first + std::size_t(y) * std::size_t(pixmap.width) + std::size_t(x));
+        for (int x = patch.x; x < patch.x + patch.width; ++x) visit(pixmap.texel(x, y));
 }
 
 }  // namespace

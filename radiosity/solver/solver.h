@@ -11,10 +11,16 @@
 #include "radiosity/model/figures.h"
 #include "radiosity/solver/solution.h"
 
+#include <cmath>
 #include <optional>
 #include <unordered_map>
 
 namespace gw::radiosity {
+
+/// The size of a flux, by which shots are chosen: the sum of its channels' absolute values.
+inline double magnitude(const dvec3& flux) {
+    return (std::abs(flux.x) + std::abs(flux.y)) + std::abs(flux.z);
+}
 
 struct SolverOptions {
     FormFactorOptions form_factors;

@@ -9,10 +9,6 @@
 namespace gw::radiosity {
 namespace {
 
-double magnitude(const dvec3& flux) {
-    return (std::abs(flux.x) + std::abs(flux.y)) + std::abs(flux.z);
-}
-
 bool same_pixmaps(const Model& a, const Model& b) {
     return std::equal(a.pixmaps.begin(), a.pixmaps.end(), b.pixmaps.begin(), b.pixmaps.end(),
                       [](const Pixmap& p, const Pixmap& q) {

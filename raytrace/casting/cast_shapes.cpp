@@ -41,7 +41,7 @@ std::optional<double> radius_of(const Mesh& mesh) {
     const auto& p = mesh.data().positions;
     const auto& n = mesh.data().normals;
     if (p.size() < fewest || n.size() != p.size()) return std::nullopt;
-    const double radius = std::sqrt(dot3(dvec3(p[0]), dvec3(p[0])));
+    const double radius = length(dvec3(p[0]));
     for (std::size_t i = 0; i < p.size(); ++i) {
         const dvec3 away = dvec3(p[i]) - radius * normalized(dvec3(n[i]));
         if (!(dot3(away, away) <= rounding * rounding * radius * radius)) return std::nullopt;

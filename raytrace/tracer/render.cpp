@@ -36,7 +36,7 @@ dvec3 color_at(const Frame& f, const scene::TrianglePoint& at, int x, int y, con
 }
 
 void trace_pixel(const Frame& f, int x, int y, RaytracedPicture& picture, RayCounts& counts) {
-    const std::size_t i = std::size_t(y) * std::size_t(f.view.width) + std::size_t(x);
+    const std::size_t i = f.view.index(x, y);
     const Ray ray = ray_of(f, x, y);
     ++counts.primary;
     const auto at = f.tracer.world().nearest(ray, 1);

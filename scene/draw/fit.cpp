@@ -43,7 +43,7 @@ Camera fit_camera(const Bounds& bounds, int width, int height) {
             distance_for(transform3(eye_from_world, corner_of(half, corner)), slope_x, slope_y));
     if (distance == 0) distance = 1;  // a single point
     camera.at = center;
-    camera.eye = center + toward * (margin * distance / std::sqrt(dot3(toward, toward)));
+    camera.eye = center + toward * (margin * distance / length(toward));
     return camera;
 }
 
@@ -76,7 +76,7 @@ Camera turntable(Camera camera, double degrees) {
     const double turn = std::fmod(degrees, 360);
     if (turn == 0) return camera;
     const double c = cos_degrees(turn), s = sin_degrees(turn);
-    const dvec3 axis = camera.up / std::sqrt(dot3(camera.up, camera.up));
+    const dvec3 axis = camera.up / length(camera.up);
     // Rodrigues: v cos + (axis x v) sin + axis (axis . v) (1 - cos).
     const dvec3 v = camera.eye - camera.at;
     camera.eye = camera.at + v * c + cross3(axis, v) * s + axis * (dot3(axis, v) * (1 - c));

@@ -31,7 +31,7 @@ void fit_planes(Camera& camera, const Bounds& bounds, const dmat4& eye_from_worl
     const bool fit_near = camera.near_plane <= 0, fit_far = camera.far_plane <= 0;
     if (!fit_near && !fit_far) return;
     const dvec3 line = camera.at - camera.eye;
-    const double reach = std::sqrt(dot3(line, line));
+    const double reach = length(line);
     auto [nearest, farthest] =
         bounds.empty ? DepthInterval{reach, reach} : depth_interval(bounds, eye_from_world);
     if (farthest <= 0) nearest = farthest = reach;  // all behind the eye: any planes do
@@ -69,8 +69,8 @@ DepthInterval depth_interval(const Bounds& bounds, const dmat4& eye_from_world) 
 dmat4 look_at(const dvec3& eye, const dvec3& at, const dvec3& up) {
     const dvec3 forward = normalized(at - eye);
     dvec3 right = cross3(forward, up);
-    const double upright = std::sqrt(dot3(up, up));
-    if (!(std::sqrt(dot3(right, right)) > 1e-9 * upright)) right = cross3(forward, any_up(forward));
+    const double upright = length(up);
+    if (!(length(right) > 1e-9 * upright)) right = cross3(forward, any_up(forward));
     right = normalized(right);
     const dvec3 above = cross3(right, forward);
     dmat4 m(1);

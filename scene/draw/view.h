@@ -19,6 +19,9 @@ struct View {
     int width = 0, height = 0;
     dmat4 eye_from_world{1};
     dmat4 clip_from_eye{1};
+
+    /// Of the pixel x, y in rows from the bottom.
+    std::size_t index(int x, int y) const { return pixel_index(x, y, width); }
 };
 
 /// The camera's view. A near or far plane of 0 is fitted to `bounds`: a little nearer and farther

@@ -1,12 +1,12 @@
 // gw-exactness: runs the fixed lists and random ones, and prints a line `scene pass plane digest`
-// for each plane. The lines are the same whatever compiled and runs them: digests.txt holds them.
-// Does not compare them: tests/exactness/compare does. Exit 1 for an error, 2 for usage.
+// for each plane. Every compiler and processor must give the lines of digests.txt. Does not compare
+// them: tests/exactness/compare does. Exit 1 for an error, 2 for usage.
 #include "gw/error.h"
 #include "gw/fast/kernels.h"
-#include "gw/plane_names.h"
+#include "gw/names.h"
 #include "tests/exactness/pictures.h"
+#include "tests/fuzz/check/suite_digest.h"
 #include "tests/fuzz/run.h"
-#include "tests/fuzz/suite_digest.h"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ std::string column_of(Plane plane) {
 void print_pass(const Picture& picture, const PassReport& pass) {
     std::string name = pass.name;
     for (char& c : name) c = c == ' ' ? '-' : c;
-    for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
+    for (const Plane plane : every_plane)
         if (pass.digested & mask_of(plane))
             fmt::print("{} {} {} {}\n", picture.name, name, column_of(plane),
                        to_string(pass.digests[std::size_t(plane)]));

@@ -18,7 +18,7 @@ constexpr PlaneMask color = mask_of(Plane::Color), depth = mask_of(Plane::Depth)
 constexpr BlendState add_to{true, BlendFactor::One, BlendFactor::One};
 constexpr DepthState seen{true, DepthFunc::Equal, false};
 
-/// What all passes share.
+/// The state that all passes share.
 struct Model {
     scene::View view;
     std::vector<MeshRef> meshes;
@@ -108,7 +108,7 @@ State base_state(const Model& m) {
 
 enum class Maps { None, Checker, Sky };
 
-/// A pass over the whole model; `keep` says which terms of the material it keeps.
+/// A pass over the whole model; `keep` selects the terms of the material.
 void add_pass(CommandList& list, const Model& m, const char* name, PlaneMask digests,
               const State& state, Maps maps, Material (*keep)(Material)) {
     list.add(BeginPass{name, digests});
@@ -137,7 +137,7 @@ void add_clear(CommandList& list) {
     list.add(Clear{.planes = all_planes, .color = {0.1f, 0.15f, 0.2f, 0}, .depth = 1});
 }
 
-/// A volume counted in the stencil: Incr for front faces, Decr for back faces, as GL 1.1 has to.
+/// A shadow volume counted in the stencil as in GL 1.1: Incr for front faces, Decr for back faces.
 void add_shadow(CommandList& list, const Model& m, State state) {
     state.color_mask = {false, false, false, false};
     state.depth = {true, DepthFunc::Less, false};

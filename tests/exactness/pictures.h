@@ -1,7 +1,5 @@
-// The fixed lists of the exactness table: shapes, all passes, each built-in profile, purely in
-// code.
-// Does not read files, and does not use the driver: the table must not change with the driver's
-// choices.
+// The fixed lists of the exactness table: shapes and passes on each built-in profile, made in code.
+// Does not read files or use the multi-pass driver, whose choices may change.
 #pragma once
 
 #include "gw/command_list.h"

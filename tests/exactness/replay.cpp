@@ -1,5 +1,5 @@
-// gw-replay: recordings from another process, compiler and processor. Replays each T.gwt on both
-// machines and holds every plane and counter of every pass against T.json, as gw verify does.
+// gw-replay: replays recordings of another process, compiler or processor. Plays each T.gwt on both
+// machines and compares every plane and counter of every pass with T.json, as gw verify does.
 // scripts/exactness makes the files. Prints "recordings AGREE OF", counting each machine. Exit 3
 // where one differs, 1 for an error, 2 for usage.
 #include "gw/error.h"
@@ -11,7 +11,7 @@
 namespace gw::exactness {
 namespace {
 
-/// Whether the machine of this name makes of it what the manifest says.
+/// Whether the machine of this name agrees with the manifest.
 bool replays(const std::filesystem::path& file, const std::string& machine) {
     const inspect::Recording recording = inspect::decode(inspect::read_bytes(file));
     const inspect::ManifestFile expected =

@@ -1,16 +1,16 @@
-// What a suite makes: a profile, a window and a command list. Does not run it.
+// One case of a suite: a profile, a window and a command list. Does not run it.
 #pragma once
 
 #include "gw/command_list.h"
 #include "gw/counters.h"
 #include "gw/profile.h"
-#include "tests/fuzz/random.h"
+#include "tests/fuzz/generate/random.h"
 
 #include <vector>
 
 namespace gw::fuzz {
 
-/// A valid list and where it runs.
+/// A valid list with its profile and window.
 struct Case {
     Profile profile;
     int width = 1, height = 1;

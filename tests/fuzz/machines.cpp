@@ -1,6 +1,5 @@
-// The machines by name, and faulty ones.
 #include "gw/error.h"
-#include "tests/fuzz/faulty.h"
+#include "tests/fuzz/check/faulty.h"
 #include "tests/fuzz/run.h"
 
 #include <fmt/format.h>

@@ -1,13 +1,13 @@
 // gw-fuzz: seeded random lists on two machines, compared after every command.
-// Exit 0 no difference; 1 a suite's lists are too uniform to prove anything, or an error; 2 usage;
-// 3 a difference, with the command that repeats it.
+// Exit 0: no difference; 1: an error, or lists too uniform to prove anything; 2: usage; 3: a
+// difference, with the command that repeats it.
 #include "gw/error.h"
 #include "gw/fast/kernels.h"
-#include "tests/fuzz/describe.h"
-#include "tests/fuzz/diversity.h"
-#include "tests/fuzz/explain.h"
-#include "tests/fuzz/shrink.h"
-#include "tests/fuzz/suite_digest.h"
+#include "tests/fuzz/check/describe.h"
+#include "tests/fuzz/check/diversity.h"
+#include "tests/fuzz/check/explain.h"
+#include "tests/fuzz/check/shrink.h"
+#include "tests/fuzz/check/suite_digest.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -22,7 +22,7 @@ struct Arguments {
     bool list = false, shrink = false, print = false, digest = false;
 };
 
-/// A list that throws is a failure of the generator: lists are valid.
+/// Lists are valid, so a list that throws is a failure of the generator.
 std::optional<Failure> run_list(const Arguments& arguments, const Suite& suite, std::uint64_t index,
                                 const Case& c, Diversity& reached) {
     try {

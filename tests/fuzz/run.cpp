@@ -1,4 +1,3 @@
-// Executing lists in splits.
 #include "tests/fuzz/run.h"
 
 #include <algorithm>
@@ -35,7 +34,7 @@ std::optional<Difference> difference_of(const Case& c, const CommandList& list,
     return first_difference(*machine_a, *machine_b);
 }
 
-/// The shortest prefix that differs when executed so.
+/// The shortest prefix that differs under this split.
 Failure shortest_failure(const Case& c, const MachineMaker& a, const MachineMaker& b, Split split,
                          Difference whole) {
     for (std::size_t count = 1; count < c.list.commands.size(); ++count)

@@ -1,4 +1,4 @@
-// The table of suites: what each is about, and what it must reach.
+// The table of suites, with the planes and counters that each must reach.
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {

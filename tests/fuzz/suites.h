@@ -1,5 +1,5 @@
-// The suites' makers, one per file of tests/fuzz/suites/. Does not say what each must reach:
-// suites.cpp does.
+// The makers of the suites' cases, one per file of tests/fuzz/suites/. Does not list the planes and
+// counters that each must reach: suites.cpp does.
 #pragma once
 
 #include "tests/fuzz/case.h"

@@ -1,4 +1,5 @@
-// Seeded random numbers for tests: the same on every platform (std distributions are not).
+// Seeded random numbers for tests, the same on every platform. Does not use std distributions,
+// which are not.
 #pragma once
 
 #include <cstdint>

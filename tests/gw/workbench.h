@@ -1,5 +1,5 @@
-// A small machine for tests: window coordinates in, planes out. Each list runs on both machines,
-// which must agree wherever a test looks.
+// A small machine for tests: window coordinates in, planes out. Each list runs on both machines.
+// They are compared wherever a test looks and when the workbench is destroyed.
 // Does not know expected values: each test has its own.
 #pragma once
 
@@ -30,14 +30,32 @@ inline MeshData mesh_data(Primitive primitive, std::vector<vec3> positions,
     return data;
 }
 
-/// A machine, the state its next draw has, and what it has done.
+/// The message of the Error that `action` throws; empty where it throws none.
+template <typename Action>
+std::string error_of(const Action& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// A pair of machines and the state of the next draw.
 class Workbench {
 public:
     explicit Workbench(const Profile& profile = vgx(), int width = 64, int height = 64)
-        : machine_(make_reference(profile, width, height)),
-          fast_(make_fast(profile, width, height, {.threads = 1})) {
-        state.projection = window_projection(profile, width, height);
+        : Workbench(make_reference(profile, width, height),
+                    make_fast(profile, width, height, {.threads = 1})) {}
+    /// Two new machines of one profile and window.
+    Workbench(std::unique_ptr<Machine> reference, std::unique_ptr<Machine> fast)
+        : machine_(std::move(reference)), fast_(std::move(fast)) {
+        const Planes& planes = machine_->planes();
+        state.projection = window_projection(profile(), planes.width, planes.height);
     }
+    ~Workbench() { compare(); }
+    Workbench(const Workbench&) = delete;
+    Workbench& operator=(const Workbench&) = delete;
 
     State state;
 
@@ -47,10 +65,12 @@ public:
         list.add(std::move(command));
         run(list);
     }
+    /// Throws Error where the machines refuse the list, which they must do with one message.
     void run(const CommandList& list) {
-        machine_->execute(list);
-        fast_->execute(list);
         compared_ = false;
+        const std::string refusal = error_of([&] { machine_->execute(list); });
+        EXPECT_EQ(error_of([&] { fast_->execute(list); }), refusal) << "the machines differ";
+        if (!refusal.empty()) throw Error(refusal);
     }
     void draw(Draw command) { run(std::move(command)); }
     void draw(MeshData data) { draw(Draw{.mesh = make_mesh(std::move(data))}); }
@@ -67,6 +87,15 @@ public:
         run(WritePixels{rect, Plane::Color, std::vector<Rgba>(size, color), {}, depth});
     }
 
+    /// Compares the machines, unless nothing ran since the last time.
+    void compare() {
+        if (compared_) return;
+        compared_ = true;
+        EXPECT_TRUE(fast_->planes() == machine_->planes()) << "the machines' planes differ";
+        EXPECT_TRUE(fast_->passes() == machine_->passes()) << "the machines' counters differ";
+        EXPECT_TRUE(fast_->readbacks() == machine_->readbacks())
+            << "the machines' readbacks differ";
+    }
     const Planes& planes() {
         compare();
         return machine_->planes();
@@ -92,29 +121,8 @@ public:
     const Profile& profile() const { return machine_->profile(); }
 
 private:
-    /// After the last run, once.
-    void compare() {
-        if (compared_) return;
-        compared_ = true;
-        EXPECT_TRUE(fast_->planes() == machine_->planes()) << "the machines' planes differ";
-        EXPECT_TRUE(fast_->passes() == machine_->passes()) << "the machines' counters differ";
-        EXPECT_TRUE(fast_->readbacks() == machine_->readbacks())
-            << "the machines' readbacks differ";
-    }
-
     std::unique_ptr<Machine> machine_, fast_;
     bool compared_ = true;
 };
-
-/// The message of the Error that `action` throws; empty where it throws none.
-template <typename Action>
-std::string error_of(const Action& action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
-}
 
 }  // namespace gw::test

@@ -10,7 +10,7 @@ namespace gw::hiddensurface {
 
 inline vec3 unit(const vec3& v) {
     const dvec3 d(v);
-    return vec3(d / std::sqrt(dot3(d, d)));
+    return vec3(d / length(d));
 }
 
 /// A convex solid: a pyramid on both sides of a polygon, turned at random.

@@ -21,8 +21,7 @@ constexpr int size = 48;
 void add_wall(scene::Scene& s, const char* name, const dvec3& at, const vec3& Ke) {
     add_square(s, name, {.Ka = vec3(0), .Kd = vec3(0), .Ke = Ke}, at);
     dmat4& m = s.objects.back().world_from_object;
-    const dvec3 n = at / std::sqrt(dot3(at, at)),
-                u = std::abs(n.y) > 0.5 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
+    const dvec3 n = at / length(at), u = std::abs(n.y) > 0.5 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
     m[0] = dvec4(u * 4.0, 0);
     m[1] = dvec4(cross3(n, u) * 4.0, 0);
     m[2] = dvec4(n, 0);

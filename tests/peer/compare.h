@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gw/command_list.h"
-#include "tests/gw/exact.h"
+#include "tests/gw/oracles/exact.h"
 #include "tests/gw/random.h"
 #include "tests/peer/peer.h"
 

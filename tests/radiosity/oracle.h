@@ -17,8 +17,6 @@ struct Quad {
     std::vector<dvec3> border() const { return {corner, corner + a, corner + a + b, corner + b}; }
 };
 
-inline double length(const dvec3& v) { return std::sqrt(dot3(v, v)); }
-
 /// Howell C-11: equal rectangles a x b, opposite each other at distance c.
 inline double parallel_rectangles(double a, double b, double c) {
     const double x = a / c, y = b / c, p = std::sqrt(1 + x * x), q = std::sqrt(1 + y * y);

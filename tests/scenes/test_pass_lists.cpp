@@ -44,8 +44,7 @@ std::vector<Digest> draw(const scene::Scene& s, const Profile& profile, const Pa
     const auto machine = make_fast(profile, width, height, {});
     render(*machine, s, scene::make_view(s, width, height), {.passes = list});
     std::vector<Digest> digests;
-    for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
-        digests.push_back(digest(machine->planes(), plane));
+    for (const Plane plane : every_plane) digests.push_back(digest(machine->planes(), plane));
     return digests;
 }
 

@@ -22,8 +22,6 @@ HWY_INLINE bool is_plain(const Resolved& r) {
     return r.state.alpha.func == AlphaFunc::Always && !r.state.polygon_offset.enable;
 }
 
-HWY_INLINE bool is_idle(const StencilFace& f) { return f.func == StencilFunc::Always && keeps(f); }
-
 /// A triangle's fragments by fate, lane by lane.
 struct PlainCounts {
     LaneCounter made, stencil_passed, written;
@@ -200,7 +198,7 @@ HWY_INLINE void draw_plain(const TileDraw& draw, const Triangles& t, std::size_t
     const Resolved& r = draw.op->state;
     const AnyCompare any{r.state.depth.func};
     by_size(t, i, [&]<class Way>(Way) {
-        if (is_idle(t.corners.primitive[i]->front ? r.front : r.back))
+        if (ignores_stencil(t.corners.primitive[i]->front ? r.front : r.back))
             draw_unstenciled<Way>(draw, t, i, box, passes, paint, sum);
         else if constexpr (std::is_same_v<Paint, NoPaint>)
             draw_stenciled<Way>(draw, t, i, box, passes, paint, sum);

@@ -158,15 +158,19 @@ struct Planner {
         push(AccumulateOp{&accumulate, resolved()});
     }
     void add(const Read& read) {
+        segment.uses_accum = segment.uses_accum || read.plane == Plane::Accum;
+        if (const auto target = machine.targets.find(read.key); target != machine.targets.end())
+            return push(ReadOp{.read = &read, .values = target->second.data()});
         Readback& out = machine.readbacks[read.key];
-        out.plane = read.plane, out.rect = read.rect;
-        const std::size_t size = std::size_t(read.rect.width) * std::size_t(read.rect.height);
+        out.plane = read.plane;
+        out.rect = read.rect;
+        const std::size_t size = read.rect.area();
         const bool color = read.plane == Plane::Color && !read.packed,
                    accum = read.plane == Plane::Accum;
-        out.color.resize(color ? size : 0), out.accum.resize(accum ? size : 0);
+        out.color.resize(color ? size : 0);
+        out.accum.resize(accum ? size : 0);
         out.values.resize(color || accum ? 0 : size);
-        segment.uses_accum = segment.uses_accum || read.plane == Plane::Accum;
-        push(ReadOp{&read, &out});
+        push(ReadOp{&read, out.color.data(), out.values.data(), out.accum.data()});
     }
     void add(const SetState& set) { machine.state = set.state; }
     void add(const BeginPass& begin) {

@@ -65,7 +65,10 @@ struct AccumulateOp {
 };
 struct ReadOp {
     const Read* read = nullptr;
-    Readback* out = nullptr;
+    // The first pixel of the result; one of the three is given.
+    Rgba* color = nullptr;
+    std::uint32_t* values = nullptr;
+    std::array<std::int32_t, 4>* accum = nullptr;
 };
 
 /// An operation and the pass it is counted in.
@@ -94,6 +97,7 @@ struct MachineState {
     std::map<std::uint32_t, Plane> slot_planes;
     std::map<TextureRef, std::unique_ptr<FastTexels>> texels;
     std::map<std::uint32_t, Readback> readbacks;
+    ReadTargets targets;  ///< of the list in execution
     KeptGeometry geometry;
     Segment done;  ///< the last one, emptied: the next takes its memory
 };

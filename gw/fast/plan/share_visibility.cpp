@@ -26,7 +26,7 @@ bool may_share(const DrawOp& op) {
     const StencilFace& face = op.state.front;
     const bool counts_visible = face.func == StencilFunc::Always && face.zfail == StencilOp::Keep;
     return s.depth.func == DepthFunc::Equal && s.alpha.func == AlphaFunc::Always &&
-           (keeps(face) || counts_visible) && !(s.stencil.test && s.stencil.two_side);
+           (keeps_stencil(face) || counts_visible) && !(s.stencil.test && s.stencil.two_side);
 }
 
 /// What decides a draw's fragments and their depths.
@@ -66,12 +66,9 @@ Change change(const ReadOp&) { return Change::None; }
 /// test.
 bool may_record(const DrawOp& op) {
     const State& s = op.state.state;
-    const auto idle = [](const StencilFace& f) {
-        return f.func == StencilFunc::Always && keeps(f);
-    };
     return change(op) == Change::Less && s.alpha.func == AlphaFunc::Always &&
-           !s.polygon_offset.enable && idle(op.state.front) && idle(op.state.back) &&
-           op.set->triangle_count == op.set->primitives.size();
+           !s.polygon_offset.enable && ignores_stencil(op.state.front) &&
+           ignores_stencil(op.state.back) && op.set->triangle_count == op.set->primitives.size();
 }
 
 /// Draws of one record.

@@ -27,10 +27,6 @@ Counters pixel_counters(const OpCounts& n, std::uint64_t bytes) {
     return c;
 }
 
-std::uint64_t bytes_of(Plane plane, const Profile& profile) {
-    return plane_bytes(int(plane), profile);
-}
-
 struct Count {
     const OpCounts& n;
     const Profile& profile;
@@ -44,7 +40,7 @@ struct Count {
     Counters operator()(const SpansOp& op) const { return fragment_counters(n, op.bytes); }
     Counters operator()(const PixelsOp& op) const {
         Counters c = fragment_counters(n, op.bytes);
-        c += pixel_counters(n, bytes_of(op.write->plane, profile));
+        c += pixel_counters(n, plane_bytes(op.write->plane, profile));
         return c;
     }
     Counters operator()(const ClearOp& op) const {
@@ -52,16 +48,17 @@ struct Count {
         const std::uint64_t planes = std::uint64_t(std::popcount(op.clear->planes));
         if (planes == 0) return c;
         c.pixels = n.pixels;
-        for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum})
+        for (const Plane plane : every_plane)
             if (op.clear->planes & mask_of(plane))
-                c.bytes += n.pixels / planes * bytes_of(plane, profile);
+                c.bytes += n.pixels / planes * plane_bytes(plane, profile);
         return c;
     }
     Counters operator()(const AccumulateOp&) const {
-        return pixel_counters(n, bytes_of(Plane::Accum, profile) + bytes_of(Plane::Color, profile));
+        return pixel_counters(
+            n, plane_bytes(Plane::Accum, profile) + plane_bytes(Plane::Color, profile));
     }
     Counters operator()(const ReadOp& op) const {
-        return pixel_counters(n, bytes_of(op.read->plane, profile));
+        return pixel_counters(n, plane_bytes(op.read->plane, profile));
     }
 };
 

@@ -174,23 +174,19 @@ struct TileRun {
         DepthBlock depth;
         ColorBlock color;
         std::fill(std::begin(depth.value), std::end(depth.value), w.depth);
-        const auto source = [&](int x, int y) {
-            return std::size_t(y - w.rect.y) * std::size_t(w.rect.width) +
-                   std::size_t(x - w.rect.x);
-        };
         for_each_block(tile, box(intersect(r.pixel_box, w.rect)),
                        [&](std::size_t b, int bx, int by, std::uint32_t mask) {
                            if (w.plane == Plane::Color) {
-                               for_each_lane(tile, bx, by, mask,
-                                             [&](std::size_t lane, int x, int y) {
-                                                 set_lane(color, lane, w.colors[source(x, y)]);
-                                             });
+                               for_each_lane(
+                                   tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
+                                       set_lane(color, lane, w.colors[w.rect.index(x, y)]);
+                                   });
                                process_fragments({&r, b, mask, true}, color, depth, tile, *counts);
                                return;
                            }
                            counts->pixels += lane_count(mask);
                            for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
-                               const std::uint32_t value = w.values[source(x, y)];
+                               const std::uint32_t value = w.values[w.rect.index(x, y)];
                                if (w.plane == Plane::Depth && r.depth_mask)
                                    tile.depth[b].value[lane] = value;
                                if (w.plane == Plane::Stencil)
@@ -215,29 +211,27 @@ struct TileRun {
         if (inside.empty()) return;
         counts->pixels += pixels_in(inside);
         if (op.read->plane == Plane::Color)
-            return read_colors({tile, inside, op.read->rect, op.out->color.data(),
-                                op.read->packed ? op.out->values.data() : nullptr});
+            return read_colors(
+                {tile, inside, op.read->rect, op.color, op.read->packed ? op.values : nullptr});
         settle_blocks(tile);
         for_each_block(tile, inside, [&](std::size_t b, int bx, int by, std::uint32_t mask) {
             switch (op.read->plane) {
                 case Plane::Color: return;
                 case Plane::Depth:
-                    return read_block(op, bx, by, mask, tile.depth[b].value, op.out->values);
+                    return read_block(op, bx, by, mask, tile.depth[b].value, op.values);
                 case Plane::Stencil:
-                    return read_block(op, bx, by, mask, tile.stencil[b].value, op.out->values);
+                    return read_block(op, bx, by, mask, tile.stencil[b].value, op.values);
                 case Plane::Accum:
-                    return read_block(op, bx, by, mask, pixels_of(tile.accum[b]), op.out->accum);
+                    return read_block(op, bx, by, mask, pixels_of(tile.accum[b]), op.accum);
             }
         });
     }
     /// Copies the lanes of `mask`, a row at a time where they are all there.
     template <typename From, typename To>
     void read_block(const ReadOp& op, int bx, int by, std::uint32_t mask, const From& from,
-                    To& to) const {
+                    To* to) const {
         const Rect& rect = op.read->rect;
-        const auto at = [&](int x, int y) {
-            return to.begin() + std::ptrdiff_t(y - rect.y) * rect.width + (x - rect.x);
-        };
+        const auto at = [&](int x, int y) { return to + rect.index(x, y); };
         if (mask != every_lane)
             return for_each_lane(tile, bx, by, mask,
                                  [&](std::size_t lane, int x, int y) { *at(x, y) = from[lane]; });

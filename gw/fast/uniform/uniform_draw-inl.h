@@ -43,7 +43,7 @@ HWY_INLINE bool all_large(const GeometrySet& set, std::span<const std::uint32_t>
 HWY_INLINE bool draws_uniform(const DrawOp& op, std::span<const std::uint32_t> bin,
                               int subpixel_bits) {
     const Resolved& r = op.state;
-    if (!is_plain(r) || !is_idle(r.front) || !is_idle(r.back)) return false;
+    if (!is_plain(r) || !ignores_stencil(r.front) || !ignores_stencil(r.back)) return false;
     if (op.set->triangle_count != op.set->primitives.size()) return false;
     if (r.writes_color) return FlatPaint::serves(op);
     return all_level(*op.set, bin) || all_large(*op.set, bin, subpixel_bits);

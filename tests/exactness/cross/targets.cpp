@@ -1,4 +1,4 @@
-// What Highway's own library provides on other systems: here every target that is compiled runs.
+// The target selection of Highway's library, for builds without it: every compiled target runs.
 // Does not detect anything.
 #include <hwy/targets.h>
 

@@ -1,7 +1,7 @@
 // Blending, colour masks and the alpha test over a random background.
-#include "tests/fuzz/generate_draw.h"
-#include "tests/fuzz/generate_pixels.h"
-#include "tests/fuzz/generate_state.h"
+#include "tests/fuzz/generate/draw.h"
+#include "tests/fuzz/generate/pixels.h"
+#include "tests/fuzz/generate/state.h"
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {

@@ -1,6 +1,6 @@
 // Clipping: planes through the picture, vertices behind the eye, w of any size.
-#include "tests/fuzz/generate_draw.h"
-#include "tests/fuzz/generate_state.h"
+#include "tests/fuzz/generate/draw.h"
+#include "tests/fuzz/generate/state.h"
 #include "tests/fuzz/suites.h"
 
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace gw::fuzz {
 namespace {
 
-/// A projection that need not be one.
+/// A matrix that need not be a projection.
 dmat4 any_projection(Random& r) {
     dmat4 p(0);
     for (int c = 0; c < 4; ++c)
@@ -17,7 +17,7 @@ dmat4 any_projection(Random& r) {
     return p;
 }
 
-/// Eye space turned and scaled, seldom beyond what squares of doubles can hold.
+/// Rotates and scales eye space, seldom so far that squares overflow.
 dmat4 any_affine(Random& r) {
     dmat4 m(1);
     const double size = r.chance(10) ? std::ldexp(1.0, r.between(-600, 900)) : 1;

@@ -1,7 +1,7 @@
-// One depth, many faces: prepass, then the same faces in other words under Equal.
-#include "tests/fuzz/generate_draw.h"
-#include "tests/fuzz/generate_pixels.h"
-#include "tests/fuzz/generate_state.h"
+// Many faces of one depth: a prepass, then the same faces by other primitives under Equal.
+#include "tests/fuzz/generate/draw.h"
+#include "tests/fuzz/generate/pixels.h"
+#include "tests/fuzz/generate/state.h"
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {

@@ -1,6 +1,6 @@
 // Fog in every mode, at the vertex and per fragment.
-#include "tests/fuzz/generate_draw.h"
-#include "tests/fuzz/generate_state.h"
+#include "tests/fuzz/generate/draw.h"
+#include "tests/fuzz/generate/state.h"
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {

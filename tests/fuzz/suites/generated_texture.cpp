@@ -1,7 +1,7 @@
-// Generated coordinates: sphere and refraction maps, projected textures; slots as textures.
-#include "tests/fuzz/generate_draw.h"
-#include "tests/fuzz/generate_pixels.h"
-#include "tests/fuzz/generate_state.h"
+// Generated coordinates: sphere and refraction maps, projected textures. Slots as textures.
+#include "tests/fuzz/generate/draw.h"
+#include "tests/fuzz/generate/pixels.h"
+#include "tests/fuzz/generate/state.h"
 #include "tests/fuzz/suites.h"
 
 #include <cmath>

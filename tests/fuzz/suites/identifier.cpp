@@ -1,6 +1,6 @@
-// Item buffers: identifiers as colours, exact whatever else is switched on.
-#include "tests/fuzz/generate_draw.h"
-#include "tests/fuzz/generate_state.h"
+// Item buffers: identifiers as colours, exact under any other state.
+#include "tests/fuzz/generate/draw.h"
+#include "tests/fuzz/generate/state.h"
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {

@@ -1,6 +1,6 @@
-// Multi-sampling by accumulation: the same draws at other jitters [K4a].
-#include "tests/fuzz/generate_draw.h"
-#include "tests/fuzz/generate_state.h"
+// Multi-sampling by accumulation: the same draws with other jitters [K4a].
+#include "tests/fuzz/generate/draw.h"
+#include "tests/fuzz/generate/state.h"
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {

@@ -1,6 +1,6 @@
 // Lines and points: wide, steep, clipped, on grid points, textured and fogged.
-#include "tests/fuzz/generate_draw.h"
-#include "tests/fuzz/generate_state.h"
+#include "tests/fuzz/generate/draw.h"
+#include "tests/fuzz/generate/state.h"
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {

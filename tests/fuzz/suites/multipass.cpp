@@ -1,7 +1,7 @@
-// Frames in the paper's shape: depth, shadow volumes in the stencil, additive passes, fog, samples.
-#include "tests/fuzz/generate_draw.h"
-#include "tests/fuzz/generate_pixels.h"
-#include "tests/fuzz/generate_state.h"
+// The paper's frames: depth, shadow volumes in the stencil, additive passes, fog, samples.
+#include "tests/fuzz/generate/draw.h"
+#include "tests/fuzz/generate/pixels.h"
+#include "tests/fuzz/generate/state.h"
 #include "tests/fuzz/suites.h"
 
 #include <utility>
@@ -32,7 +32,7 @@ void depth_pass(Script& s, const Model& model) {
     draw_all(s, model, 0);
 }
 
-/// Incr for front faces, Decr for back faces, as volumes are drawn without two-sided stencil.
+/// Shadow volumes without two-sided stencil: Incr for front faces, Decr for back faces.
 void shadow_pass(Script& s, const Model& model) {
     begin(s, "shadow");
     s.state.depth = {true, DepthFunc::Less, false};

@@ -1,7 +1,7 @@
 // Commands on pixels, in any order, under any state.
-#include "tests/fuzz/generate_draw.h"
-#include "tests/fuzz/generate_pixels.h"
-#include "tests/fuzz/generate_state.h"
+#include "tests/fuzz/generate/pixels.h"
+#include "tests/fuzz/generate/draw.h"
+#include "tests/fuzz/generate/state.h"
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {

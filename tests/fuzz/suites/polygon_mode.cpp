@@ -1,6 +1,6 @@
 // Polygons as outlines and corners: edge flags, facing, clipping.
-#include "tests/fuzz/generate_draw.h"
-#include "tests/fuzz/generate_state.h"
+#include "tests/fuzz/generate/draw.h"
+#include "tests/fuzz/generate/state.h"
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {

@@ -1,6 +1,6 @@
-// Coverage: which pixels a triangle has, and the depth and colour there.
-#include "tests/fuzz/generate_draw.h"
-#include "tests/fuzz/generate_state.h"
+// Coverage: the pixels of a triangle and their depths and colours.
+#include "tests/fuzz/generate/draw.h"
+#include "tests/fuzz/generate/state.h"
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {
@@ -12,7 +12,7 @@ Case raster_case(Random& r) {
         s.state.cull = any_cull(r);
         s.state.depth = {.test = r.chance(50)};
         s.state.shade_model = r.any(ShadeModel::Smooth);
-        // Additive: what is drawn twice shows.
+        // Additive, so that a pixel drawn twice is visible.
         s.state.blend = {.enable = r.chance(70), .src = BlendFactor::One, .dst = BlendFactor::One};
         draw(s, any_triangles(r, s.frame, {}));
         between_draws(s);

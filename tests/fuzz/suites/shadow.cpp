@@ -1,15 +1,15 @@
-// Shadow maps: depth, a slot of it, then draws that compare r with the slot.
-#include "tests/fuzz/generate_draw.h"
-#include "tests/fuzz/generate_pixels.h"
-#include "tests/fuzz/generate_profile.h"
-#include "tests/fuzz/generate_state.h"
+// Shadow maps: a depth pass copied to a slot, then draws that compare r with the slot.
+#include "tests/fuzz/generate/draw.h"
+#include "tests/fuzz/generate/pixels.h"
+#include "tests/fuzz/generate/profile.h"
+#include "tests/fuzz/generate/state.h"
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {
 namespace {
 
-/// s, t, r in 0 .. 1 over the frame's picture and depths, seen from a little aside; q the eye
-/// distance where deep.
+/// Gives s, t, r in 0 .. 1 over the frame's picture and depths, from a slightly moved eye; q is the
+/// eye distance in a deep frame.
 dmat4 shadow_matrix(Random& r, const Frame& f) {
     const dmat4& p = f.projection;
     dmat4 m(0);

@@ -1,7 +1,7 @@
-// The stencil test, its operations and masks, with a depth test behind it.
-#include "tests/fuzz/generate_draw.h"
-#include "tests/fuzz/generate_pixels.h"
-#include "tests/fuzz/generate_state.h"
+// The stencil test with its operations and masks, followed by a depth test.
+#include "tests/fuzz/generate/draw.h"
+#include "tests/fuzz/generate/pixels.h"
+#include "tests/fuzz/generate/state.h"
 #include "tests/fuzz/suites.h"
 
 namespace gw::fuzz {

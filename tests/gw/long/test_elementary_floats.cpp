@@ -1,6 +1,6 @@
-// The elementary functions over every float32 of the ranges in use: about two minutes each. The
-// quick test takes the same walk in strides.
-#include "tests/gw/elementary_oracle.h"
+// The elementary functions over every float32 of their ranges, about two minutes each. The quick
+// test takes the same walk in strides.
+#include "tests/gw/base/elementary_oracle.h"
 
 namespace gw::oracle {
 

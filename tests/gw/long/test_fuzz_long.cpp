@@ -1,6 +1,6 @@
-// 105,000 random lists: machine against machine, every plane, counter, read-back and digest after
-// every command. The first 100 of each suite are tests/gw/test_fuzz.cpp's.
-#include "tests/fuzz/explain.h"
+// 5,000 random lists of each suite: both machines agree in every plane, counter, read-back and
+// digest after every command. tests/gw/machines/test_fuzz.cpp has the first 100 of each suite.
+#include "tests/fuzz/check/explain.h"
 
 #include <gtest/gtest.h>
 

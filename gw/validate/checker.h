@@ -1,0 +1,74 @@
+// The checks of a command, with a message that names the command. Does not know the order of
+// commands: list.cpp does.
+#pragma once
+
+#include "gw/base/arithmetic.h"
+#include "gw/error.h"
+#include "gw/machine.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace gw {
+
+/// The position in the list, and checks that throw Error with it.
+struct Checker {
+    const Profile& profile;
+    int width = 0, height = 0;
+    std::size_t command = 0;
+    const char* name = "";
+    std::string pass{};
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw Error(fmt::format("command {} ({}){}: {}", command, name,
+                                pass.empty() ? "" : fmt::format(" of pass '{}'", pass), what));
+    }
+    void require(bool ok, const char* what, const auto& value, const char* expected) const {
+        if (!ok) fail(fmt::format("{} = {}; expected {}", what, value, expected));
+    }
+    void extension(bool used, bool present, const char* extension) const {
+        if (used && !present)
+            fail(fmt::format("extension {} is not in profile {}", extension, profile.name));
+    }
+    /// An enumeration with the values 0 to `last`.
+    template <class Enum>
+    void enumeration(const char* what, Enum value, Enum last) const {
+        if (value > last)
+            fail(fmt::format("{} = {}; expected 0 to {}", what, int(value), int(last)));
+    }
+    void planes(const char* what, PlaneMask mask) const {
+        if ((mask & ~all_planes) != 0)
+            fail(fmt::format("{} = {}; expected bits of four planes, 0 to {}", what, mask,
+                             all_planes));
+    }
+    void position(const char* what, int v) const {
+        require(v >= -max_window_size && v <= max_window_size, what, v, "-4096 to 4096");
+    }
+    void finite(const char* what, double v) const {
+        require(std::isfinite(v), what, v, "a finite number");
+    }
+    void finite(const char* what, const vec4& v) const {
+        for (int i = 0; i < 4; ++i) finite(what, double(v[i]));
+    }
+    void finite(const char* what, const vec3& v) const {
+        for (int i = 0; i < 3; ++i) finite(what, double(v[i]));
+    }
+    void finite(const char* what, const dmat4& m) const {
+        for (int c = 0; c < 4; ++c)
+            for (int r = 0; r < 4; ++r) finite(what, m[c][r]);
+    }
+};
+
+void check(const Checker& c, const BeginPass& pass);
+void check(const Checker& c, const Clear& clear);
+void check(const Checker& c, const SetState& set);
+void check(const Checker& c, const Draw& draw);
+void check(const Checker& c, const WriteSpans& write);
+void check(const Checker& c, const WritePixels& write);
+void check(const Checker& c, const Accumulate& accumulate);
+void check(const Checker& c, const Copy& copy);
+void check(const Checker& c, const CopyTexture& copy);
+void check(const Checker& c, const Read& read);
+
+}  // namespace gw

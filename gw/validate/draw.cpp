@@ -1,0 +1,46 @@
+// Draw: its matrix, material and lights. make_mesh and make_texture have checked the rest.
+#include "gw/validate/checker.h"
+
+namespace gw {
+namespace {
+
+void check_light(const Checker& c, const Light& light) {
+    c.finite("light.position", light.position);
+    c.finite("light.Ia", light.Ia);
+    c.finite("light.Id", light.Id);
+    c.finite("light.Is", light.Is);
+    c.finite("light.spot_direction", light.spot_direction);
+    c.require(light.spot_exponent >= 0 && light.spot_exponent <= 128, "light.spot_exponent",
+              light.spot_exponent, "0 to 128");
+    c.require(light.spot_cos_cutoff >= -1 && light.spot_cos_cutoff <= 1, "light.spot_cos_cutoff",
+              light.spot_cos_cutoff, "-1 to 1");
+    for (const float a :
+         {light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation})
+        c.require(a >= 0 && std::isfinite(a), "light attenuation", a, "0 or more");
+}
+
+}  // namespace
+
+void check(const Checker& c, const Draw& draw) {
+    c.require(draw.mesh != nullptr, "mesh", "null", "a mesh");
+    c.finite("eye_from_object", draw.eye_from_object);
+    const dmat4& m = draw.eye_from_object;
+    c.require(m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1,
+              "eye_from_object's last row", "not 0 0 0 1", "an affine matrix");
+    for (const vec3& v : {draw.material.Ka, draw.material.Kd, draw.material.Ks, draw.material.Ke})
+        c.finite("material", v);
+    c.require(draw.material.Ns >= 0 && draw.material.Ns <= 10000, "material.Ns", draw.material.Ns,
+              "0 to 10000");
+    c.require(std::isfinite(draw.material.alpha), "material.alpha", draw.material.alpha,
+              "a finite number");
+    if (draw.map.texture && draw.map.slot)
+        c.fail("both a texture and a slot; expected one of them");
+    c.require(draw.id_shift >= 0 && draw.id_shift < 32, "id_shift", draw.id_shift, "0 to 31");
+    if (!draw.lights) return;
+    c.require(int(draw.lights->size()) <= c.profile.max_lights, "lights in one pass",
+              draw.lights->size(),
+              fmt::format("at most {} (profile {})", c.profile.max_lights, c.profile.name).c_str());
+    for (const Light& light : *draw.lights) check_light(c, light);
+}
+
+}  // namespace gw

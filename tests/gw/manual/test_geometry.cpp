@@ -1,0 +1,156 @@
+// docs/manual/geometry.md: the worked examples.
+#include "gw/stages/clip.h"
+#include "gw/stages/fan.h"
+#include "gw/stages/window.h"
+#include "tests/gw/workbench.h"
+
+namespace gw {
+namespace {
+
+using test::Workbench;
+
+TEST(ManualGeometry, FillOutlineAndCorners) {
+    const std::vector<vec3> quad{
+        {8.5f, 8.5f, 0}, {24.5f, 8.5f, 0}, {24.5f, 24.5f, 0}, {8.5f, 24.5f, 0}};
+    const std::array<std::pair<PolygonMode, std::uint64_t>, 3> modes{
+        {{PolygonMode::Fill, 256}, {PolygonMode::Line, 64}, {PolygonMode::Point, 4}}};
+    for (const auto& [mode, fragments] : modes) {
+        Workbench bench;
+        bench.state.polygon_mode = mode;
+        bench.draw(Primitive::Quads, quad);
+        EXPECT_EQ(bench.take_counters().fragments, fragments);
+    }
+}
+
+TEST(ManualGeometry, AConcavePolygon) {
+    Workbench bench;
+    bench.draw(Primitive::Polygons, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 2, 0}, {0, 4, 0}});
+    EXPECT_EQ(bench.take_counters().fragments, 12u);
+    EXPECT_EQ(bench.color(1, 3)[3], 0);
+    // on the right side of the notch, which is a left side of the polygon
+    EXPECT_EQ(bench.color(2, 2)[3], 255);
+    EXPECT_EQ(bench.color(1, 2)[3], 0);
+}
+
+TEST(ManualGeometry, FlatFacesHaveTheirOwnVertexColour) {
+    const auto flat = [](Primitive primitive, std::vector<vec3> p, int x, int y) {
+        Workbench bench;
+        bench.state.shade_model = ShadeModel::Flat;
+        std::vector<vec4> colors;
+        for (std::size_t i = 0; i < p.size(); ++i)
+            colors.push_back(vec4(float(i + 1) / 255, 0, 0, 1));
+        bench.draw(primitive, std::move(p), std::move(colors));
+        return int(bench.color(x, y)[0]);
+    };
+    const std::vector<vec3> square{{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}};
+    const std::vector<vec3> zigzag{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {8, 8, 0}};
+    EXPECT_EQ(flat(Primitive::Triangles, {square[0], square[1], square[2]}, 6, 1), 3);
+    EXPECT_EQ(flat(Primitive::TriangleStrip, zigzag, 1, 1), 3);
+    EXPECT_EQ(flat(Primitive::TriangleStrip, zigzag, 6, 6), 4);
+    EXPECT_EQ(flat(Primitive::TriangleFan, square, 6, 1), 3);
+    EXPECT_EQ(flat(Primitive::TriangleFan, square, 1, 6), 4);
+    EXPECT_EQ(flat(Primitive::Quads, square, 6, 1), 4);
+    EXPECT_EQ(flat(Primitive::Polygons, square, 1, 6), 1);
+    EXPECT_EQ(flat(Primitive::Lines, {{0, 1.5f, 0}, {8, 1.5f, 0}}, 3, 1), 2);
+    EXPECT_EQ(flat(Primitive::Points, {{3, 3, 0}}, 3, 3), 1);
+}
+
+/// glFrustum(-1, 1, -1, 1, 1, 9).
+dmat4 frustum() {
+    dmat4 m(0);
+    m[0][0] = m[1][1] = 1;
+    m[2] = {0, 0, -1.25, -1};
+    m[3] = {0, 0, -2.25, 0};
+    return m;
+}
+
+TEST(ManualGeometry, AVertexGoesToTheWindow) {
+    State state;
+    state.projection = frustum();
+    Draw draw{.mesh = make_mesh(test::mesh_data(Primitive::Points, {{1, 2, 0}}))};
+    draw.eye_from_object[3] = {0, 0, -4, 1};
+    const Profile profile = vgx();
+    const Vertex v = run_vertex(vertex_program(state, draw, profile), 0);
+    EXPECT_EQ(v.clip, dvec4(1, 2, 2.75, 4));
+    const WindowVertex w = to_window(v, {32, 32, 32, 32}, {}, profile);
+    EXPECT_EQ(w.x, 320);
+    EXPECT_EQ(w.y, 384);
+    EXPECT_EQ(w.z, 14155775u);
+    EXPECT_EQ(w.w, 4);
+}
+
+TEST(ManualGeometry, NormalsGoByTheInverseTranspose) {
+    // Scaled by 2 along x, a normal (1, 1, 0) becomes (1, 2, 0) / sqrt 5. A mirror turns the normal
+    // with the surface.
+    Draw draw{.mesh = make_mesh(test::mesh_data(Primitive::Points, {{0, 0, 0}}))};
+    State state;
+    state.color_source = ColorSource::Lighting;
+    const auto red = [&](const dmat4& m, const vec3& light) {
+        MeshData data = test::mesh_data(Primitive::Points, {{0, 0, 0}});
+        data.normals = {{1, 1, 0}};
+        draw.mesh = make_mesh(data);
+        draw.eye_from_object = m;
+        draw.material = {.Ka = vec3(0), .Kd = vec3(1)};
+        draw.lights =
+            std::make_shared<const std::vector<Light>>(1, Light{.position = vec4(light, 0)});
+        const Profile profile = vgx();
+        return run_vertex(vertex_program(state, draw, profile), 0).color[0];
+    };
+    dmat4 scale(1), mirror(1);
+    scale[0][0] = 2;
+    mirror[0][0] = -1;
+    EXPECT_EQ(red(scale, {1, 0, 0}), 114);    // 255 / sqrt 5 = 114.04
+    EXPECT_EQ(red(scale, {0, 1, 0}), 228);    // 2 * 255 / sqrt 5 = 228.08
+    EXPECT_EQ(red(mirror, {-1, 0, 0}), 180);  // 255 / sqrt 2 = 180.3
+    EXPECT_EQ(red(mirror, {1, 0, 0}), 0);
+}
+
+TEST(ManualGeometry, ANewVertexStartsFromTheInside) {
+    Vertex in, out;
+    in.clip = {0, 0, 1, 2};
+    out.clip = {0, 0, -3, 2};
+    in.color[0] = 255;
+    const ViewportTransform viewport{32, 32, 32, 32};
+    for (const auto& [a, b] : {std::pair(in, out), std::pair(out, in)}) {
+        const Clipped clipped = clip({a, b}, viewport);
+        ASSERT_EQ(clipped.vertices.size(), 2u);
+        const Vertex& added = clipped.vertices[a.clip.z > 0 ? 1 : 0];
+        EXPECT_EQ(added.clip, dvec4(0, 0, -2, 2));
+        EXPECT_EQ(added.color[0], 64);
+        EXPECT_TRUE(clipped.cut);
+    }
+}
+
+TEST(ManualGeometry, AFanStartsWhereNoPieceIsTurnedOver) {
+    const std::vector<SnappedPoint> corners{{80, 80}, {160, 80}, {160, 160}, {120, 119}};
+    const Fan fan = fan_of(corners);
+    EXPECT_EQ(fan.area2, 6320);
+    EXPECT_EQ(fan.first, 1u);
+    std::vector<SnappedPoint> mirrored;
+    for (const SnappedPoint& p : corners) mirrored.push_back({-p[0], p[1]});
+    EXPECT_EQ(fan_of(mirrored).area2, -6320);
+    EXPECT_EQ(fan_of(mirrored).first, 1u);
+}
+
+TEST(ManualGeometry, FacingIsOfTheSnappedPolygon) {
+    const std::vector<vec3> ccw{{8, 8, 0}, {24, 8, 0}, {24, 24, 0}},
+        cw{{8, 8, 0}, {24, 24, 0}, {24, 8, 0}};
+    const std::vector<vec3> flat{
+        {8, 8, 0}, {24, 8.03125f, 0}, {40, 8, 0}};  // a quarter unit high: snapped away
+    for (const bool cull : {false, true})
+        for (const Winding front : {Winding::CW, Winding::CCW}) {
+            Workbench bench;
+            bench.state.cull = {cull, Face::Back, front};
+            bench.draw(Primitive::Triangles, ccw);
+            EXPECT_EQ(bench.take_counters().drawn, cull && front == Winding::CW ? 0u : 1u);
+            bench.draw(Primitive::Triangles, cw);
+            EXPECT_EQ(bench.take_counters().drawn, cull && front == Winding::CCW ? 0u : 1u);
+            bench.draw(Primitive::Triangles, flat);
+            const Counters c = bench.take_counters();
+            EXPECT_EQ(c.degenerate, 1u);
+            EXPECT_EQ(c.drawn + c.culled, 0u);
+        }
+}
+
+}  // namespace
+}  // namespace gw

@@ -1,0 +1,147 @@
+// docs/manual/texture.md: the worked examples.
+#include "gw/stages/texels.h"
+#include "gw/stages/texgen.h"
+#include "tests/gw/workbench.h"
+
+#include <cmath>
+
+namespace gw {
+namespace {
+
+using test::Workbench;
+
+TEST(ManualTexture, SphereAndRefractionMap) {
+    const dvec4 p(0, 0, -2, 1);
+    const auto st = [&](TexGen gen, const dvec3& n, double eta) {
+        return texture_coordinates({.gen = gen, .eta = eta}, {7, 7}, p, n);
+    };
+    EXPECT_EQ(st(TexGen::SphereMap, {0, 0, 1}, 1), dvec4(0.5, 0.5, 0, 1));
+    const dvec4 slanting = st(TexGen::SphereMap, {0.6, 0, 0.8}, 1);
+    EXPECT_NEAR(slanting.x, 0.8, 1e-15);
+    EXPECT_NEAR(slanting.y, 0.5, 1e-15);
+
+    const dvec3 d = refracted({0, 0, -1}, {0.6, 0, 0.8}, 0.5);
+    EXPECT_NEAR(d.x, -0.332364, 1e-6);
+    EXPECT_EQ(d.y, 0);
+    EXPECT_NEAR(d.z, -0.943151, 1e-6);
+    EXPECT_NEAR(d.x * d.x + d.z * d.z, 1, 1e-15);
+    // Total reflection out of the denser medium at a grazing angle.
+    EXPECT_EQ(refracted({0.8, 0, -0.6}, {0, 0, 1}, 1.5), reflected({0.8, 0, -0.6}, {0, 0, 1}));
+    EXPECT_EQ(sphere_map({0, 0, -1}), dvec2(0.5, 0.5));  // straight ahead: m is 0
+}
+
+/// Red 0, 80, 160, 240.
+TextureRef steps() {
+    std::vector<std::uint8_t> texels;
+    for (const int red : {0, 80, 160, 240})
+        for (const int c : {red, 0, 0, 255}) texels.push_back(static_cast<std::uint8_t>(c));
+    return make_texture8("steps", 4, 1, texels);
+}
+
+/// A square of `size` pixels with s = 0 .. 1; red at pixel x.
+int red(int size, int x, MinFilter min, MagFilter mag, Wrap wrap = Wrap::Repeat) {
+    Workbench bench;
+    const auto side = float(size);
+    MeshData square =
+        test::mesh_data(Primitive::Quads, {{0, 0, 0}, {side, 0, 0}, {side, side, 0}, {0, side, 0}});
+    square.texcoords = {{0, 0}, {1, 0}, {1, 0}, {0, 0}};
+    Draw draw{.mesh = make_mesh(square)};
+    draw.map.texture = steps();
+    bench.state.texture.min_filter = min;
+    bench.state.texture.mag_filter = mag;
+    bench.state.texture.wrap_s = wrap;
+    bench.draw(draw);
+    return bench.color(x, 1)[0];
+}
+
+TEST(ManualTexture, NearestAndLinear) {
+    EXPECT_EQ(red(16, 5, MinFilter::Nearest, MagFilter::Nearest), 80);
+    EXPECT_EQ(red(16, 5, MinFilter::Linear, MagFilter::Linear), 70);
+    // The first centre, s = 1/32: half a texel left of texel 0 is texel 3, or again texel 0.
+    EXPECT_EQ(red(16, 0, MinFilter::Linear, MagFilter::Linear, Wrap::Repeat),
+              90);  // p - 128 = -96: 240 * 96 / 256
+    EXPECT_EQ(red(16, 0, MinFilter::Linear, MagFilter::Linear, Wrap::Clamp), 0);
+}
+
+TEST(ManualTexture, LevelOfDetail) {
+    EXPECT_EQ(red(3, 1, MinFilter::NearestMipmapNearest, MagFilter::Nearest), 160);
+    EXPECT_EQ(red(3, 1, MinFilter::NearestMipmapLinear, MagFilter::Nearest), 177);
+    EXPECT_EQ(red(2, 1, MinFilter::NearestMipmapNearest, MagFilter::Nearest),
+              200);  // rho = 2: level 1, 40 and 200
+    // row 1 is not covered
+    EXPECT_EQ(red(1, 0, MinFilter::NearestMipmapNearest, MagFilter::Nearest), 0);
+}
+
+TEST(ManualTexture, LevelsAreChosenByTheBitsOfRho) {
+    const auto choose = [](MinFilter min, MagFilter mag, float rho) {
+        return choose_level({.min_filter = min, .mag_filter = mag}, rho, 5);
+    };
+    const float above = std::nextafter(1.0f, 2.0f);
+    EXPECT_TRUE(choose(MinFilter::NearestMipmapNearest, MagFilter::Nearest, 1).magnify);
+    EXPECT_FALSE(choose(MinFilter::NearestMipmapNearest, MagFilter::Nearest, above).magnify);
+    EXPECT_TRUE(choose(MinFilter::NearestMipmapNearest, MagFilter::Linear, 1.41421354f).magnify);
+    EXPECT_FALSE(choose(MinFilter::NearestMipmapNearest, MagFilter::Linear, 1.41421366f).magnify);
+    EXPECT_TRUE(choose(MinFilter::LinearMipmapLinear, MagFilter::Linear, 1).magnify);
+    EXPECT_FALSE(choose(MinFilter::LinearMipmapLinear, MagFilter::Linear, above).magnify);
+    for (int level = 0; level < 7; ++level) {
+        const float power = std::ldexp(1.0f, level);
+        const LevelChoice nearest =
+            choose(MinFilter::LinearMipmapNearest, MagFilter::Nearest, power * 1.4142f);
+        EXPECT_EQ(nearest.level, std::min(level, 4));
+        EXPECT_EQ(choose(MinFilter::LinearMipmapNearest, MagFilter::Nearest, power * 1.4143f).level,
+                  std::min(level + 1, 4));
+        const LevelChoice linear =
+            choose(MinFilter::LinearMipmapLinear, MagFilter::Nearest, power * 1.5f);
+        EXPECT_EQ(linear.level, std::min(level, 4));
+        EXPECT_EQ(linear.next, std::min(level + 1, 4));
+        EXPECT_EQ(linear.weight, level < 4 ? 150u : 0u);  // 256 log2 1.5 = 149.75
+    }
+    EXPECT_EQ(choose(MinFilter::LinearMipmapLinear, MagFilter::Nearest, HUGE_VALF).level, 4);
+}
+
+TEST(ManualTexture, EnvironmentsByHand) {
+    // Fragment (200, 100, 50, 128), texel (10, 20, 30, 64), constant (255, 0, 128, 7); 8 bits.
+    const auto drawn = [](TexEnv env) {
+        Workbench bench;
+        MeshData square =
+            test::mesh_data(Primitive::Quads, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}},
+                            std::vector<vec4>(4, vec4(200, 100, 50, 128) / 255.0f));
+        Draw draw{.mesh = make_mesh(square)};
+        draw.map.texture = make_texture8("one", 1, 1, std::vector<std::uint8_t>{10, 20, 30, 64});
+        bench.state.texture.env = env;
+        bench.state.texture.env_color = vec4(255, 0, 128, 7) / 255.0f;
+        bench.draw(draw);
+        return bench.color(1, 1);
+    };
+    EXPECT_EQ(drawn(TexEnv::Modulate), (Rgba{8, 8, 6, 32}));  // 7.84, 7.84, 5.88, 32.13
+    // 149.80 + 2.51, 74.90 + 5.02, 37.45 + 7.53
+    EXPECT_EQ(drawn(TexEnv::Decal), (Rgba{153, 80, 45, 128}));
+    // 192.16 + 10, 92.16 + 0, 44.12 + 15.06
+    EXPECT_EQ(drawn(TexEnv::Blend), (Rgba{202, 92, 59, 32}));
+    EXPECT_EQ(drawn(TexEnv::Replace), (Rgba{10, 20, 30, 64}));
+}
+
+TEST(ManualTexture, ShadowsByComparison) {
+    // A depth slot of one texel, 0.5: r = 0.25 is lit, 0.75 is in shadow. q = 0 is behind the
+    // projector and lit.
+    for (const auto& [r, q, lit] :
+         {std::tuple(0.25, 1.0, true), std::tuple(0.75, 1.0, false), std::tuple(0.75, 0.0, true),
+          std::tuple(1.0, 2.0, true), std::tuple(1.5, 2.0, false)}) {
+        Workbench bench(reality(), 16, 16);
+        bench.clear(all_planes, vec4(0), 0.5);
+        bench.run(CopyTexture{1, Plane::Depth, {0, 0, 1, 1}});
+        bench.state.texture.gen = TexGen::EyeLinear;
+        bench.state.texture.shadow_compare = true;
+        bench.state.texture.eye_linear = dmat4(0);
+        bench.state.texture.eye_linear[3] = {0.5, 0.5, r, q};
+        Draw draw{.mesh = make_mesh(test::mesh_data(Primitive::Quads,
+                                                    {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}))};
+        draw.map.slot = 1;
+        bench.draw(draw);
+        EXPECT_EQ(bench.color(1, 1), lit ? (Rgba{4095, 4095, 4095, 4095}) : (Rgba{}))
+            << r << " " << q;
+    }
+}
+
+}  // namespace
+}  // namespace gw

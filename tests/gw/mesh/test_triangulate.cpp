@@ -1,0 +1,365 @@
+#include "gw/mesh/orient.h"
+#include "gw/mesh/triangulate.h"
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include <ctime>
+#include <random>
+#include <set>
+
+namespace gw {
+namespace {
+
+using Polygon = std::vector<vec2>;
+
+long twice_area(vec2 a, vec2 b, vec2 c) {
+    const auto i = [](float v) { return static_cast<long>(v); };
+    return (i(b.x) - i(a.x)) * (i(c.y) - i(a.y)) - (i(b.y) - i(a.y)) * (i(c.x) - i(a.x));
+}
+
+long twice_area(const Polygon& p) {
+    long sum = 0;
+    for (std::size_t i = 1; i + 1 < p.size(); ++i) sum += twice_area(p[0], p[i], p[i + 1]);
+    return sum;
+}
+
+std::array<vec2, 3> corners(const Polygon& p, const PolygonTriangle& t) {
+    return {p[t.corner[0]], p[t.corner[1]], p[t.corner[2]]};
+}
+
+// Counter-clockwise open triangles are disjoint exactly where a side of one has the other on its
+// right or on itself.
+bool apart(const std::array<vec2, 3>& a, const std::array<vec2, 3>& b) {
+    const auto beyond = [](const std::array<vec2, 3>& s, const std::array<vec2, 3>& t) {
+        for (unsigned k = 0; k < 3; ++k) {
+            bool right = true;
+            for (const vec2& q : t) right = right && orient(s[k], s[(k + 1) % 3], q) <= 0;
+            if (right) return true;
+        }
+        return false;
+    };
+    return beyond(a, b) || beyond(b, a);
+}
+
+int flat_triangles(const Polygon& p, const std::vector<PolygonTriangle>& triangles) {
+    int flat = 0;
+    for (const auto& t : triangles)
+        flat += twice_area(p[t.corner[0]], p[t.corner[1]], p[t.corner[2]]) == 0;
+    return flat;
+}
+
+// The claims for a polygon of integers that does not cross itself.
+void expect_cover(const Polygon& p, int flat) {
+    const auto triangles = triangulate(p);
+    ASSERT_EQ(triangles.size(), p.size() - 2);
+    EXPECT_EQ(flat_triangles(p, triangles), flat);
+    long sum = 0;
+    std::set<std::uint32_t> used;
+    std::vector<int> sides(p.size(), 0);
+    for (const auto& t : triangles) {
+        const auto c = corners(p, t);
+        const long area = twice_area(c[0], c[1], c[2]);
+        EXPECT_GE(area, 0) << "a triangle is turned over";
+        sum += area;
+        for (unsigned k = 0; k < 3; ++k) {
+            used.insert(t.corner[k]);
+            const bool side = (t.corner[k] + 1) % p.size() == t.corner[(k + 1) % 3];
+            EXPECT_EQ((t.edges >> k & 1) != 0, side);
+            if (side) ++sides[t.corner[k]];
+        }
+    }
+    EXPECT_EQ(sum, twice_area(p));
+    EXPECT_EQ(used.size(), p.size());
+    EXPECT_EQ(sides, std::vector<int>(p.size(), 1))
+        << "every side of the polygon is a side of one triangle";
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        for (std::size_t j = i + 1; j < triangles.size(); ++j) {
+            const auto a = corners(p, triangles[i]), b = corners(p, triangles[j]);
+            if (twice_area(a[0], a[1], a[2]) == 0 || twice_area(b[0], b[1], b[2]) == 0) continue;
+            ASSERT_TRUE(apart(a, b)) << "triangles " << i << " and " << j;
+        }
+}
+
+TEST(Triangulate, AConvexPolygonBecomesTheFanFromItsFirstCorner) {
+    const Polygon octagon{{2, 0}, {4, 0}, {6, 2}, {6, 4}, {4, 6}, {2, 6}, {0, 4}, {0, 2}};
+    const auto triangles = triangulate(octagon);
+    ASSERT_EQ(triangles.size(), 6u);
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        EXPECT_EQ(triangles[i].corner, (std::array<std::uint32_t, 3>{0, i + 1, i + 2}));
+        EXPECT_EQ(triangles[i].edges, 2 + (i == 0 ? 1 : 0) + (i == 5 ? 4 : 0));
+    }
+    expect_cover(octagon, 0);
+}
+
+TEST(Triangulate, ATriangleKeepsItsOrderEvenClockwise) {
+    const Polygon clockwise{{0, 0}, {0, 4}, {4, 0}};
+    EXPECT_EQ(triangulate(clockwise), (std::vector<PolygonTriangle>{{{0, 1, 2}, 7}}));
+}
+
+TEST(Triangulate, ConcaveShapes) {
+    // U
+    expect_cover({{0, 0}, {6, 0}, {6, 5}, {4, 5}, {4, 2}, {2, 2}, {2, 5}, {0, 5}}, 0);
+    // star
+    expect_cover({{0, 0}, {10, 4}, {20, 0}, {16, 10}, {20, 20}, {10, 16}, {0, 20}, {4, 10}}, 0);
+    // dart
+    expect_cover({{0, 0}, {4, 1}, {8, 0}, {4, 9}}, 0);
+    expect_cover({{0, 0},
+                  {9, 0},
+                  {9, 9},
+                  {0, 9},
+                  {0, 3},
+                  {6, 3},
+                  {6, 6},
+                  {3, 6},
+                  {3, 5},
+                  {5, 5},
+                  {5, 4},
+                  {1, 4},
+                  {1, 8},
+                  {8, 8},
+                  {8, 1},
+                  {0, 1}},
+                 0);  // spiral
+}
+
+TEST(Triangulate, ACornerOnAStraightSideIsUsedByTrianglesWithArea) {
+    expect_cover({{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}, 0);
+    expect_cover({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 4}, {2, 4}, {0, 4}, {0, 2}}, 0);
+    expect_cover({{0, 0}, {4, 0}, {8, 0}, {4, 4}}, 0);  // a triangle with a corner on one side,
+    expect_cover({{0, 0}, {4, 0}, {8, 0}, {6, 2}, {4, 4}, {2, 2}}, 0);  // on all sides
+}
+
+TEST(Triangulate, AKeyholePolygonCoversItsRing) {
+    // A square with a square hole. The bridge from (0,0) to (2,2) is walked twice.
+    expect_cover({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 0}, {2, 2}, {2, 6}, {6, 6}, {6, 2}, {2, 2}},
+                 0);
+    // A bridge with a corner on one of its two walks.
+    expect_cover(
+        {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 0}, {1, 1}, {2, 2}, {2, 6}, {6, 6}, {6, 2}, {2, 2}},
+        0);
+    // Two holes.
+    expect_cover({{0, 0},
+                  {20, 0},
+                  {20, 8},
+                  {0, 8},
+                  {0, 0},
+                  {2, 2},
+                  {2, 6},
+                  {6, 6},
+                  {6, 2},
+                  {12, 2},
+                  {12, 6},
+                  {16, 6},
+                  {16, 2},
+                  {12, 2},
+                  {6, 2},
+                  {2, 2}},
+                 0);
+}
+
+TEST(Triangulate, PolygonsThatTouchThemselves) {
+    // Where the border runs through a point twice, corners remain there and become flat triangles.
+    // a corner met by a later one
+    expect_cover({{0, 0}, {4, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}, 2);
+    // a corner that meets a side
+    expect_cover({{0, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}, 1);
+    // two corners back to back
+    expect_cover({{0, 0}, {4, 4}, {8, 0}, {8, 8}, {4, 4}, {0, 8}}, 2);
+    // Two squares joined by a bar without width that is bent twice.
+    expect_cover({{0, 0},
+                  {2, 0},
+                  {2, 2},
+                  {4, 2},
+                  {4, 4},
+                  {6, 4},
+                  {6, 6},
+                  {8, 6},
+                  {8, 8},
+                  {6, 8},
+                  {6, 6},
+                  {6, 4},
+                  {4, 4},
+                  {4, 2},
+                  {2, 2},
+                  {0, 2}},
+                 10);
+}
+
+TEST(Triangulate, SpikesAndRepeatedCornersBecomeFlatTriangles) {
+    expect_cover({{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}}, 1);
+    expect_cover({{0, 0}, {4, 0}, {7, 0}, {4, 0}, {4, 4}, {0, 4}}, 2);
+    expect_cover({{0, 0}, {4, 0}, {4, 4}, {4, 9}, {4, 4}, {0, 4}}, 2);
+}
+
+TEST(Triangulate, AnyInputGivesTwoTrianglesLessThanCorners) {
+    // one point
+    EXPECT_EQ(triangulate(Polygon(7, vec2(3, 3))).size(), 5u);
+    // one line
+    EXPECT_EQ(triangulate(Polygon{{0, 0}, {1, 1}, {2, 2}, {5, 5}, {3, 3}}).size(), 3u);
+    // a bow tie
+    EXPECT_EQ(triangulate(Polygon{{0, 0}, {4, 4}, {4, 0}, {0, 4}}).size(), 2u);
+    // a pentagram
+    EXPECT_EQ(triangulate(Polygon{{0, 9}, {5, -6}, {-8, 3}, {8, 3}, {-5, -6}}).size(), 3u);
+}
+
+// Random polygons that do not cross themselves: a walk round the origin at random distances, on
+// integers.
+TEST(Triangulate, RandomStarShapedPolygons) {
+    std::mt19937 random(7);
+    for (int round = 0; round < 300; ++round) {
+        const int n = 4 + static_cast<int>(random() % 40);
+        std::vector<std::pair<double, vec2>> around;
+        std::set<double> angles;
+        for (int i = 0; i < n; ++i) {
+            const int x = static_cast<int>(random() % 41) - 20,
+                      y = static_cast<int>(random() % 41) - 20;
+            const double angle = std::atan2(y, x);
+            if ((x != 0 || y != 0) && angles.insert(angle).second)
+                around.push_back({angle, vec2(x, y)});
+        }
+        std::sort(around.begin(), around.end(),
+                  [](const auto& a, const auto& b) { return a.first < b.first; });
+        Polygon p;
+        for (const auto& [angle, point] : around) p.push_back(point);
+        bool round_the_origin = p.size() > 3;
+        for (std::size_t i = 0; i < p.size(); ++i)
+            round_the_origin = round_the_origin && orient(vec2(0), p[i], p[(i + 1) % p.size()]) > 0;
+        if (!round_the_origin) continue;
+        SCOPED_TRACE("round " + std::to_string(round));
+        expect_cover(p, 0);
+    }
+}
+
+// Outlines of unions of random grid cells, with the interior to the left: simple polygons with many
+// straight corners and right angles.
+TEST(Triangulate, RandomOutlinesOnAGrid) {
+    std::mt19937 random(11);
+    for (int round = 0; round < 200; ++round) {
+        Polygon p{{0, 0}};
+        const int columns = 2 + static_cast<int>(random() % 30);
+        Polygon top;
+        for (int x = 0; x < columns; ++x) {  // a skyline: heights above and below the middle
+            const float low = -1.0f - static_cast<float>(random() % 4),
+                        high = 1.0f + static_cast<float>(random() % 4);
+            p.push_back({x, low}), p.push_back({x + 1, low});
+            top.push_back({x, high}), top.push_back({x + 1, high});
+        }
+        p.insert(p.end(), top.rbegin(), top.rend());
+        Polygon distinct;
+        for (const vec2& q : p)
+            if (distinct.empty() || distinct.back() != q) distinct.push_back(q);
+        SCOPED_TRACE("round " + std::to_string(round));
+        expect_cover(distinct, 0);
+    }
+}
+
+TEST(Triangulate, KeepsTheOrientationOfAPolygonInSpace) {
+    const std::vector<vec3> u{{0, 0, 1}, {0, 6, 1}, {0, 6, 6}, {0, 4, 6},
+                              {0, 4, 3}, {0, 2, 3}, {0, 2, 6}, {0, 0, 6}};
+    for (const auto& t : triangulate(u)) {
+        const vec3 n = glm::cross(u[t.corner[1]] - u[t.corner[0]], u[t.corner[2]] - u[t.corner[0]]);
+        EXPECT_GT(n.x, 0.0f);
+    }
+    const std::vector<vec3> reversed(u.rbegin(), u.rend());
+    for (const auto& t : triangulate(reversed)) {
+        const vec3 n = glm::cross(reversed[t.corner[1]] - reversed[t.corner[0]],
+                                  reversed[t.corner[2]] - reversed[t.corner[0]]);
+        EXPECT_LT(n.x, 0.0f);
+    }
+}
+
+TEST(Triangulate, AFigureOfEightStandingUprightIsSeenFromItsSide) {
+    // its Newell normal is 0
+    const std::vector<vec3> eight{{0, 5, 0}, {4, 5, 4}, {4, 5, 0}, {0, 5, 4}};
+    const std::vector<vec2> seen = project_polygon(eight);
+    EXPECT_EQ(std::set<float>({seen[0].x, seen[1].x, seen[2].x, seen[3].x}).size(), 2u);
+    EXPECT_EQ(std::set<float>({seen[0].y, seen[1].y, seen[2].y, seen[3].y}).size(), 2u);
+}
+
+// 10^5 corners each in under a second of processor time, which other load does not change. A wrong
+// complexity takes minutes. The areas prove that the work was done.
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+class Large : public testing::Test {
+protected:
+    static constexpr int n = 100000;
+    static double seconds(const Polygon& p) {
+        const double begin = processor_seconds();
+        triangles = triangulate(p);
+        const double spent = processor_seconds() - begin;
+        EXPECT_EQ(triangles.size(), p.size() - 2);
+        long sum = 0, turned = 0;
+        for (const auto& t : triangles) {
+            const long area = twice_area(p[t.corner[0]], p[t.corner[1]], p[t.corner[2]]);
+            sum += area, turned += area < 0;
+        }
+        EXPECT_EQ(sum, twice_area(p));
+        EXPECT_EQ(turned, 0);
+        return spent;
+    }
+    static inline std::vector<PolygonTriangle> triangles;
+};
+
+constexpr double limit =
+#ifdef NDEBUG
+    1.0;
+#else
+    30.0;
+#endif
+
+TEST_F(Large, SlantedComb) {
+    Polygon p;
+    for (int i = 0; i < n / 2; ++i)
+        p.push_back({2 * i, 0}), p.push_back({2 * i + 1000000, 1000000});
+    p.push_back({n, -2}), p.push_back({0, -2});
+    std::reverse(p.begin(), p.end());
+    EXPECT_LT(seconds(p), limit);
+}
+
+TEST_F(Large, SquareSpiral) {
+    Polygon inner, outer;
+    int x = 0, y = 0;
+    for (int i = 0; i < n / 2;
+         ++i) {  // arms of length 4, 4, 8, 8, 12, ...; the outer wall runs 1 beside the inner
+        const int length = 4 * (i / 2 + 1), direction = i % 4;
+        const int dx = direction == 0   ? 1
+                       : direction == 2 ? -1
+                                        : 0,
+                  dy = direction == 1   ? 1
+                       : direction == 3 ? -1
+                                        : 0;
+        inner.push_back({x, y});
+        const int px = direction == 0 || direction == 3 ? -1 : 1,
+                  py = direction == 0 || direction == 1 ? -1 : 1;
+        outer.push_back({x + px, y + py});
+        x += dx * length, y += dy * length;
+    }
+    Polygon p(inner.rbegin(), inner.rend());
+    p.insert(p.end(), outer.begin(), outer.end());
+    EXPECT_LT(seconds(p), limit);
+}
+
+TEST_F(Large, RaggedCircle) {
+    std::mt19937 random(3);
+    Polygon p;
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2 * 3.14159265358979 * i / n,
+                     radius = 4000000 + static_cast<double>(random() % 4000000);
+        p.push_back({std::floor(radius * std::cos(angle)), std::floor(radius * std::sin(angle))});
+    }
+    EXPECT_LT(seconds(p), limit);
+}
+
+TEST_F(Large, OneThatCrossesItselfEverywhere) {
+    std::mt19937 random(5);
+    Polygon p;
+    for (int i = 0; i < n; ++i)
+        p.push_back({static_cast<float>(random() % 1000), static_cast<float>(random() % 1000)});
+    const double begin = processor_seconds();
+    EXPECT_EQ(triangulate(p).size(), p.size() - 2);
+    EXPECT_LT(processor_seconds() - begin, limit);
+}
+
+}  // namespace
+}  // namespace gw
