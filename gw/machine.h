@@ -56,10 +56,16 @@ struct ListContext {
     State state;
     std::map<std::uint32_t, Plane> slots;  ///< filled texture slots and the plane each came from
     ReadTargets targets{};
+    std::string pass{};  ///< the pass that the list continues
 };
 
+/// The name of the last pass, for ListContext; "" before the first.
+inline std::string pass_name(const std::vector<PassReport>& passes) {
+    return passes.empty() ? "" : passes.back().name;
+}
+
 /// Checks a list against a profile and window: extensions by name, values in range, sizes that fit.
-/// Throws Error "command N (Draw): what; what was expected".
+/// Throws Error "command N (Draw) of pass 'name': what; what was expected". Commands count from 0.
 void validate(const CommandList& list, const Profile& profile, int width, int height,
               ListContext context = {});
 

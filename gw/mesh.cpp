@@ -130,6 +130,8 @@ MeshKind kind_of(Primitive primitive) {
 }  // namespace
 
 MeshRef make_mesh(MeshData data) {
+    if (data.primitive > Primitive::Polygons)
+        fail("primitive " + std::to_string(int(data.primitive)) + "; expected 0 to 7");
     check_vertices(data);
     check_indices(data);
     std::vector<std::uint32_t> corners = corners_of(data);

@@ -3,11 +3,17 @@
 #include "apps/command/terminal.h"
 
 #include <chrono>
+#include <system_error>
 
 namespace gw::apps {
 
 Progress::Progress(std::string what, bool quiet) : what_(std::move(what)) {
-    if (!quiet && error_is_terminal()) thread_ = std::thread([this] { show(); });
+    if (quiet || !error_is_terminal()) return;
+    try {
+        thread_ = std::thread([this] { show(); });
+    } catch (const std::system_error&) {
+        // The system refuses another thread: the work goes on without progress.
+    }
 }
 
 Progress::~Progress() {

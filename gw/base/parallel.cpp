@@ -1,6 +1,10 @@
 #include "gw/base/parallel.h"
 
+#include <algorithm>
 #include <cfenv>
+#include <exception>
+#include <future>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -16,7 +20,6 @@
 #include <tbb/task_arena.h>
 #else
 #include <atomic>
-#include <exception>
 #endif
 #include <thread>
 #include <vector>
@@ -59,6 +62,38 @@ namespace {
 void serial_for(std::size_t count, const std::function<void(std::size_t, int)>& body) {
     const FloatEnvironment environment;
     for (std::size_t i = 0; i < count; ++i) body(i, 0);
+}
+
+/// How many of `wanted` threads the system starts, the calling one included. They wait until all
+/// have started. Where it refuses one, half of the threads leave room for the memory of their work.
+int count_threads(int wanted) {
+    std::promise<void> end;
+    const std::shared_future<void> ended = end.get_future();
+    std::vector<std::thread> started;
+    started.reserve(std::size_t(wanted));
+    try {
+        while (int(started.size()) < wanted - 1) started.emplace_back([ended] { ended.wait(); });
+    } catch (const std::exception&) {
+        // A limit of the system is reached: of threads or of memory.
+    }
+    end.set_value();
+    for (std::thread& thread : started) thread.join();
+    const int running = int(started.size()) + 1;
+    return running < wanted ? std::max(1, running / 2) : wanted;
+}
+
+/// The threads to use where `wanted` are asked for. oneTBB ends the program when the system refuses
+/// it a thread, so that more threads than ever before are started here first.
+int granted_threads(int wanted) {
+    static std::mutex mutex;
+    static int granted = 1, refused = std::numeric_limits<int>::max();
+    const std::lock_guard lock(mutex);
+    if (wanted > granted && wanted < refused) {
+        const int count = count_threads(wanted);
+        if (count < wanted) refused = wanted;
+        granted = std::max(granted, count);
+    }
+    return std::min(wanted, granted);
 }
 
 #ifdef GW_THREADS_TBB
@@ -156,6 +191,7 @@ void threaded_for(std::size_t count, int threads,
 void parallel_for(std::size_t count, int threads,
                   const std::function<void(std::size_t, int)>& body) {
     if (threads <= 0) threads = hardware_threads();
+    if (threads > 1 && count > 1) threads = granted_threads(threads);
     if (threads == 1 || count <= 1) return serial_for(count, body);
     threaded_for(count, threads, body);
 }

@@ -25,8 +25,9 @@ public:
     void execute(const CommandList& list) override {
         const FloatEnvironment environment;
         machine_.targets = std::exchange(next_targets_, {});
-        validate(list, profile_, grid().width, grid().height,
-                 {machine_.state, machine_.slot_planes, machine_.targets});
+        validate(
+            list, profile_, grid().width, grid().height,
+            {machine_.state, machine_.slot_planes, machine_.targets, pass_name(machine_.passes)});
         std::span<const Command> rest(list.commands);
         while (!rest.empty()) {
             std::size_t done = 0;

@@ -25,7 +25,8 @@ public:
     void execute(const CommandList& list) override {
         const FloatEnvironment environment;
         targets_ = std::exchange(next_targets_, {});
-        validate(list, profile_, planes_.width, planes_.height, {state_, slot_planes_, targets_});
+        validate(list, profile_, planes_.width, planes_.height,
+                 {state_, slot_planes_, targets_, pass_name(passes_)});
         for (std::size_t i = 0; i < list.commands.size(); ++i) {
             if (observer_) observer_->begin_command(i);
             std::visit([this](const auto& command) { run_command(command); }, list.commands[i]);

@@ -15,7 +15,7 @@ TextureRef any_texture(Random& random);
 TextureBinding any_binding(Script& script);
 
 /// Adds a draw of the mesh in the script's frame and state. It has a material and lights where the
-/// state lights, and a texture in `textured` of 100 cases.
+/// state lights, and a texture in `mapped_percent` of 100 cases.
 void draw(Script& script, MeshRef mesh, int mapped_percent = 0);
 
 /// The largest eye distance of the script's vertices, for fog and lights.

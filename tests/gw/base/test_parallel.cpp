@@ -13,6 +13,8 @@
 #include <thread>
 #include <vector>
 
+#include <sys/resource.h>
+
 #ifdef __SSE2__
 #include <xmmintrin.h>
 #endif
@@ -47,6 +49,26 @@ TEST(Parallel, RunsOnMoreThreadsThanTheProcessorHas) {
         }
     });
     EXPECT_FALSE(in_vain);
+}
+
+/// In a process of its own whose address space has room for a few stacks only.
+TEST(ParallelDeathTest, UsesFewerThreadsWhereTheSystemRefusesThem) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "sanitizers reserve more address space than this test allows";
+#endif
+    testing::GTEST_FLAG(death_test_style) = "threadsafe";
+    const auto run = [] {
+        const rlimit limit{std::size_t{400} << 20, std::size_t{400} << 20};
+        setrlimit(RLIMIT_AS, &limit);
+        std::atomic<int> calls{0};
+        std::atomic<bool> named{true};
+        parallel_for(1000, 500, [&](std::size_t, int worker) {
+            calls += 1;
+            if (worker < 0 || worker >= 500) named = false;
+        });
+        std::exit(calls == 1000 && named ? 0 : 1);
+    };
+    EXPECT_EXIT(run(), testing::ExitedWithCode(0), "");
 }
 
 TEST(Parallel, RethrowsAnException) {

@@ -143,7 +143,7 @@ TEST(ManualPixels, GivenMemoryFitsTheReadOrTheListIsRefused) {
     list.commands[0] = Read{.key = 3, .plane = Plane::Accum, .rect = {0, 0, 8, 8}};
     machine->read_into(3, given);
     EXPECT_EQ(
-        error_of([&] { machine->execute(list); }),
+        test::error_of([&] { machine->execute(list); }),
         "command 0 (Read): plane of read_into = accum; expected depth, stencil or packed color");
 }
 
