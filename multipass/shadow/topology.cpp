@@ -1,5 +1,6 @@
-// Welding by sorting: no hash tables, so the order is the same everywhere.
 #include "multipass/shadow/topology.h"
+
+#include "scene/geometry/weld.h"
 
 #include <algorithm>
 #include <numeric>
@@ -11,17 +12,21 @@ namespace {
 auto key(const vec3& p) { return std::tuple(p.x, p.y, p.z); }
 
 /// By vertex: the index of its point; points in order of their coordinates.
-std::vector<std::uint32_t> weld(const std::vector<vec3>& positions, std::vector<vec3>& points) {
-    std::vector<std::uint32_t> order(positions.size()), point_of(positions.size());
-    std::iota(order.begin(), order.end(), 0u);
+std::vector<std::uint32_t> number_points(const std::vector<vec3>& positions,
+                                         std::vector<vec3>& points) {
+    const std::vector<std::uint32_t> first = scene::weld(positions);
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < first.size(); ++i)
+        if (first[i] == i) order.push_back(i);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         return key(positions[a]) < key(positions[b]);
     });
+    std::vector<std::uint32_t> point_of(positions.size());
     for (const std::uint32_t vertex : order) {
-        if (points.empty() || points.back() != positions[vertex])
-            points.push_back(positions[vertex]);
-        point_of[vertex] = static_cast<std::uint32_t>(points.size() - 1);
+        point_of[vertex] = static_cast<std::uint32_t>(points.size());
+        points.push_back(positions[vertex]);
     }
+    for (std::size_t i = 0; i < first.size(); ++i) point_of[i] = point_of[first[i]];
     return point_of;
 }
 
@@ -79,7 +84,7 @@ void number_edges(Topology& t) {
 Topology topology(const Mesh& mesh) {
     Topology t;
     if (mesh.kind() != MeshKind::Triangles) return t;
-    const std::vector<std::uint32_t> point_of = weld(mesh.data().positions, t.points);
+    const std::vector<std::uint32_t> point_of = number_points(mesh.data().positions, t.points);
     for (const Triangle& triangle : mesh.triangles()) {
         const std::array<std::uint32_t, 3> p{point_of[triangle.vertex[0]],
                                              point_of[triangle.vertex[1]],

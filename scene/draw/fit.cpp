@@ -20,11 +20,6 @@ double distance_for(const dvec3& p, double slope_x, double slope_y) {
     return p.z + std::max(std::abs(p.x) / slope_x, std::abs(p.y) / slope_y);
 }
 
-dvec3 corner_of(const dvec3& half, int corner) {
-    return {corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y,
-            corner & 4 ? half.z : -half.z};
-}
-
 bool emits(const Material& m) { return m.Ke != vec3(0) || !m.map_Ke.empty(); }
 
 }  // namespace
@@ -37,10 +32,10 @@ Camera fit_camera(const Bounds& bounds, int width, int height) {
     const dmat3 eye_from_world(look_at(toward, dvec3(0), camera.up));
     const double slope_y = tan_degrees(camera.fov / 2), slope_x = slope_y * width / height;
     double distance = 0;
-    for (int corner = 0; corner < 8; ++corner)
-        distance = std::max(
-            distance,
-            distance_for(transform3(eye_from_world, corner_of(half, corner)), slope_x, slope_y));
+    for (int i = 0; i < 8; ++i) {
+        const dvec3 p_eye = transform3(eye_from_world, corner({.low = -half, .high = half}, i));
+        distance = std::max(distance, distance_for(p_eye, slope_x, slope_y));
+    }
     if (distance == 0) distance = 1;  // a single point
     camera.at = center;
     camera.eye = center + toward * (margin * distance / length(toward));

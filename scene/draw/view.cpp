@@ -3,6 +3,7 @@
 
 #include "gw/base/elementary.h"
 #include "gw/error.h"
+#include "gw/stages/vertex.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +16,6 @@ namespace {
 constexpr double least_near = 1.0 / 4096;
 /// Fitted planes leave this part of the scene's depth free on both sides.
 constexpr double depth_margin = 1.0 / 64;
-
-dvec3 normalized(const dvec3& v) {
-    const double length = std::sqrt(dot3(v, v));
-    return {v.x / length, v.y / length, v.z / length};
-}
 
 /// An axis that is not parallel to `forward`.
 dvec3 any_up(const dvec3& forward) {
@@ -55,10 +51,8 @@ dmat4 projection(const Camera& camera, double aspect) {
 
 DepthInterval depth_interval(const Bounds& bounds, const dmat4& eye_from_world) {
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-    for (int corner = 0; corner < 8; ++corner) {
-        const dvec3 p(corner & 1 ? bounds.high.x : bounds.low.x,
-                      corner & 2 ? bounds.high.y : bounds.low.y,
-                      corner & 4 ? bounds.high.z : bounds.low.z);
+    for (int i = 0; i < 8; ++i) {
+        const dvec3 p = corner(bounds, i);
         const double distance = -(transform3(dmat3(eye_from_world), p).z + eye_from_world[3].z);
         nearest = std::min(nearest, distance);
         farthest = std::max(farthest, distance);

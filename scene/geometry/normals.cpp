@@ -1,25 +1,15 @@
 #include "scene/geometry/normals.h"
 
 #include "gw/base/elementary.h"
+#include "gw/stages/vertex.h"
 #include "scene/geometry/weld.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 namespace gw::scene {
 namespace {
 
-double dot(const dvec3& a, const dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-dvec3 cross(const dvec3& a, const dvec3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-// Square root and division are exactly rounded everywhere. Zero stays zero.
-dvec3 unit(const dvec3& v) {
-    const double length = std::sqrt(dot(v, v));
-    return length > 0 ? v / length : dvec3(0);
-}
 bool is_zero(const dvec3& v) { return v == dvec3(0); }
 
 // Twice the area times the normal of the polygon's mean plane, concave ones included (Newell's sum
@@ -31,7 +21,7 @@ dvec3 area_vector(const ObjData& obj, const Element& face) {
     const dvec3 origin = position(0);
     dvec3 sum(0);
     for (std::uint32_t i = 1; i + 1 < face.count; ++i)
-        sum += cross(position(i) - origin, position(i + 1) - origin);
+        sum += cross3(position(i) - origin, position(i + 1) - origin);
     return sum;
 }
 
@@ -77,7 +67,7 @@ private:
         faces_.reserve(obj_.elements.size());
         for (const Element& element : obj_.elements) {
             const dvec3 area = is_face(element) ? area_vector(obj_, element) : dvec3(0);
-            faces_.push_back({area, unit(area), element.smoothing});
+            faces_.push_back({area, normalized(area), element.smoothing});
         }
     }
 
@@ -105,7 +95,7 @@ private:
 
     bool smooth_together(const Face& a, const Face& b) const {
         if (a.smoothing != b.smoothing || a.smoothing == smooth_off) return false;
-        return a.smoothing != smooth_by_angle || dot(a.normal, b.normal) >= cos_crease_;
+        return a.smoothing != smooth_by_angle || dot3(a.normal, b.normal) >= cos_crease_;
     }
 
     // Where the faces at a point are one smooth surface, the one sum of all corners; else 0. Spares
@@ -118,10 +108,10 @@ private:
             if (faces_[m.face].smoothing != smoothing || smoothing == smooth_off) return dvec3(0);
             sum += faces_[m.face].area;
         }
-        const dvec3 mean = unit(sum);
+        const dvec3 mean = normalized(sum);
         for (const Meeting& m : meetings)
             if (smoothing == smooth_by_angle &&
-                !(dot(faces_[m.face].normal, mean) >= cos_half_crease_))
+                !(dot3(faces_[m.face].normal, mean) >= cos_half_crease_))
                 return dvec3(0);
         return sum;
     }
@@ -138,7 +128,7 @@ private:
 
     // Where the sum is 0, opposite faces cancelled out: each has its own.
     vec3 normal_of(const dvec3& sum, std::uint32_t own) const {
-        dvec3 normal = unit(sum);
+        dvec3 normal = normalized(sum);
         if (is_zero(normal)) normal = faces_[own].normal;
         if (is_zero(normal)) normal = {0, 0, 1};
         return vec3(normal);
@@ -146,7 +136,7 @@ private:
 
     void smooth(std::span<const Meeting> meetings) {
         const std::size_t first = obj_.normals.size();
-        const dvec3 common = unit(common_sum(meetings));
+        const dvec3 common = normalized(common_sum(meetings));
         std::uint32_t common_index = absent;
         for (const Meeting& meeting : meetings) {
             Corner& corner = obj_.corners[meeting.corner];

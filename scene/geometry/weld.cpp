@@ -7,13 +7,15 @@ namespace {
 
 constexpr std::uint32_t free_slot = 0xffffffff;
 
-// Adding 0 makes 0 of -0. The order found does not depend on the hash: the first equal position
-// always wins.
+// Adding 0 makes 0 of -0. The result does not depend on the hash: the first of several equal
+// positions always wins.
 std::uint64_t hash(vec3 p) {
     std::uint64_t h = 0;
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
         h = (h ^ std::bit_cast<std::uint32_t>(p[i] + 0.0f)) * 0x9e3779b97f4a7c15u;
-    return h ^ (h >> 32);
+        h ^= h >> 32;
+    }
+    return h;
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// Positions that are the same point. Does not change them: only bit-equal ones (0 and -0 alike) are
-// the same.
+// Positions that are the same point: bit-equal ones, and 0 and -0 alike. Has no tolerance.
 #pragma once
 
 #include "gw/base/types.h"
