@@ -1,5 +1,5 @@
-// A temporary folder with small files, and what reading them says. Removed with its files at the
-// end of the test.
+// A temporary folder with small files, and the messages of reading them. Removed at the end of the
+// test.
 #pragma once
 
 #include "gw/error.h"
@@ -24,7 +24,7 @@ public:
         return text;
     }
 
-    /// The message of the Error that `action` throws; "no error" where it throws none.
+    /// The message of the Error that `action` throws; "no error" if it throws none.
     template <typename Action>
     std::string error(const Action& action) const {
         try {

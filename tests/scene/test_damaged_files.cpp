@@ -1,4 +1,4 @@
-// Claim: whatever bytes stand in a scene's files, reading ends with a scene or with an Error of one
+// Claim: whatever bytes a scene's files hold, reading ends with a scene or with an Error of one
 // line.
 #include <gtest/gtest.h>
 

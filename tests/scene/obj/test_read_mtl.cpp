@@ -1,5 +1,5 @@
-// Claims: MTL statements become materials in the papers' words; what is not honoured is said once;
-// what is wrong is an error with its line.
+// Claims: MTL statements become materials in the papers' words; statements that are not honoured
+// are reported once; faults are errors with their line.
 #include "scene/obj/read_mtl.h"
 
 #include <gtest/gtest.h>

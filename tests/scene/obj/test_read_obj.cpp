@@ -1,5 +1,4 @@
-// Claims: what OBJ files found in the wild hold becomes the parts, vertices and indices that they
-// mean.
+// Claims: real OBJ files become the parts, vertices and indices that they describe.
 #include "scene/obj/read_obj.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Claims: characters beyond ASCII stand in strings and comments of a TOML scene, and nowhere else;
-// toml++ sees none of those that it has no answer for.
+// Claims: characters beyond ASCII are accepted in strings and comments of a TOML scene only; toml++
+// sees none that it cannot handle.
 #include "scene/toml/toml_text.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ TEST(TomlText, KeepsStringsAndEmptiesComments) {
     EXPECT_EQ(toml_text("f", "a = 'open # é\nb = 1 # é"), "a = 'open # é\nb = 1 # ??");
 }
 
-// Every place where TOML has a string.
+// Every place for a string in TOML.
 TEST(TomlText, KnowsWhereStringsBegin) {
     for (const std::string text :
          {"a = 'é'", "'é' = 'é'", "a.'é' . 'é' = 1", "['é'.\"é\"]\n[[ 'é' ]]",

@@ -1,4 +1,4 @@
-// Claims: decimals become the nearest float32, and what is no finite number is told from what is.
+// Claims: decimals become the nearest float32; texts that are no finite number are refused.
 #include "scene/text/number.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Views: where known points land.
+// Claims: known points land on known pixels.
 #include "scene/draw/view.h"
 
 #include "gw/error.h"

@@ -31,7 +31,7 @@ TEST_F(TomlError, Syntax) {
     EXPECT_EQ(fault("\n\na = \n").substr(0, 9), "s.toml:3:");
     EXPECT_EQ(fault("[fog]\n[fog]\n").substr(0, 9), "s.toml:2:");
     EXPECT_EQ(fault("name = '\xff'\n").substr(0, 9), "s.toml:1:");
-    // Keys that toml++ asserts that there are not.
+    // Texts that toml++ asserts to be impossible.
     EXPECT_EQ(fault("[=]\n").substr(0, 9), "s.toml:1:");
     EXPECT_EQ(fault(std::string("\n[\0[light]]\n", 12)).substr(0, 9), "s.toml:2:");
 }
