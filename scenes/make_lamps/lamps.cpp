@@ -83,7 +83,7 @@ struct Lamp {
     const char* kind;  ///< its name begins with it
     double x, y, z;
     bool cold = false, shadow = false;
-    double strength = 1, reach = 1;  ///< metres where the light is a fifth of its strength
+    double strength = 1, reach = 1;  ///< metres to a fifth of the strength
     double radius = 0.1;
 };
 

@@ -1,4 +1,4 @@
-// Marble: veins run where warped noise passes through a level.
+// Marble: veins lie at the level of warped noise.
 #include "scenes/make_maps/materials.h"
 #include "scenes/make_maps/noise.h"
 

@@ -1,16 +1,16 @@
-// What the maps show: each function is a colour at s, t in [0,1), and repeats, so that the map can
-// be tiled.
+// The colours of the maps: each function is a colour at s, t in [0,1), and repeats, so that the map
+// can be tiled.
 #pragma once
 
 #include "scenes/make_maps/paint.h"
 
 namespace gw::maps {
 
-/// Red lacquer, a little uneven: no green or blue worth the name, so that what it modulates turns
-/// red [K2].
+/// Red lacquer, a little uneven. Has hardly any green or blue, so that everything it modulates
+/// turns red [K2].
 Color red(dvec2 st);
 
-/// Green marble and its light veins; where the polished ground is 1 and the dull veins are dark
+/// Green marble with light veins, and its gloss: 1 on the polished ground, dark in the dull veins
 /// [K3.1].
 Color marble(dvec2 st);
 Color marble_gloss(dvec2 st);

@@ -25,8 +25,8 @@ double inside(dvec2 p, dvec2 center, dvec2 half, double soft) {
     return (1 - ramp(0, soft, d.x)) * (1 - ramp(0, soft, d.y));
 }
 
-// Where the direction meets the wall of a big room, x to the right of that wall's middle; nothing
-// behind.
+// The point where the direction meets the wall of a big room, x to the right of the wall's middle;
+// nothing behind.
 bool on_wall(const dvec3& r, const dvec3& wall, const dvec3& right, const dvec3& up, dvec2& p) {
     const double ahead = glm::dot(r, wall);
     if (ahead <= 0.05) return false;

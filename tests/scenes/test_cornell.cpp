@@ -1,5 +1,5 @@
-// The Cornell box's colours are derived from the measured reflectances; scenes/cornell.obj names
-// their source.
+// The Cornell box's colours are derived from the measured reflectances; scenes/models/cornell.obj
+// names their source.
 #include "scene/read_scene.h"
 #include "test_paths.h"
 

@@ -42,7 +42,7 @@ TEST(Fig9, HasExactly444MatteAnd77184GlossyPolygons) {
     EXPECT_EQ(glossy_objects.size(), 12u);
 }
 
-// Draws what is glossy white, the rest black, and counts.
+// Draws glossy objects white, the rest black, and counts.
 TEST(Fig9, AboutAThirdOfItsPixelsIsGlossy) {
     Scene scene = fig9();
     for (Material& material : scene.materials)

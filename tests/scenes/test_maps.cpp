@@ -16,8 +16,7 @@ const std::filesystem::path folder = std::filesystem::path(GW_SOURCE_DIR) / "sce
 
 class Maps : public testing::TestWithParam<NamedMap> {};
 
-// scenes/maps/ is what make-maps writes. If this fails after a change of a map: run make-maps
-// scenes/maps.
+// If this fails after a change of a map: run make-maps scenes/maps.
 TEST_P(Maps, CommittedTexelsAreThoseMadeAgain) {
     const image::Picture made = GetParam().picture();
     const TextureRef read = image::read_texture(folder / GetParam().file);
@@ -40,7 +39,7 @@ TEST(Maps, TheFolderHasNoOthers) {
     EXPECT_EQ(files, named);
 }
 
-// What turns the hardware's gloss red in Fig. 1b [K2]: next to no green and blue, much red.
+// The map that turns the hardware's gloss red in Fig. 1b [K2]: almost no green and blue, much red.
 TEST(Maps, TheRedMapIsRed) {
     const auto red = std::ranges::find(maps(), "red.png", &NamedMap::file)->picture();
     for (std::size_t i = 0; i < red.values.size(); i += 3) {

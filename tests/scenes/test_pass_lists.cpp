@@ -29,7 +29,7 @@ std::vector<std::string> files() {
     return names;
 }
 
-/// A scene of one box that brings this list.
+/// A scene of one box with this list of passes.
 std::string with_passes(const std::string& passes) {
     return "[[object]]\nshape = 'box'\n" + passes;
 }

@@ -1,4 +1,4 @@
-// The scenes of scenes/: each can be read, with its maps, and says what docs/gallery.md says of it.
+// Claims: every scene of scenes/ can be read with its maps, and is as docs/gallery.md describes it.
 #include "image/textures.h"
 #include "scene/read_scene.h"
 #include "test_paths.h"
