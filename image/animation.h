@@ -1,6 +1,5 @@
-// Several pictures as one moving picture. GIF, which OpenImageIO writes with a palette for each
-// picture.
-// Does not choose pictures or speed.
+// Several pictures as one animated GIF, which OpenImageIO writes with a palette for each. Does not
+// choose pictures or speed.
 #pragma once
 
 #include "image/output/output_file.h"

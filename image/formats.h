@@ -1,6 +1,6 @@
-// What OpenImageIO does for this folder, behind one table: it is the module libgw_formats.so, which
-// who asks first loads, since the libraries below it take a fifth of a second. Internal to image/.
-// PNG does without (image/png/png.h).
+// The calls into OpenImageIO, as one table in the module libgw_formats.so. The first caller loads
+// it, since the libraries below it take a fifth of a second. Internal to image/. PNG does not need
+// it (image/png/png.h).
 #pragma once
 
 #include "image/layers.h"
@@ -17,14 +17,14 @@
 
 namespace gw::image {
 
-/// An OutputFile as the module sees it: formats that write to named files only fill in `temporary`.
+/// An OutputFile as the module sees it. Formats that only write to named files fill in `temporary`.
 struct Destination {
     std::filesystem::path target, temporary;
     std::function<void(std::span<const std::uint8_t>)> write;
 };
 
 struct Formats {
-    /// The name of the format that a file of this extension is written in; "" where there is none.
+    /// The format for files of this extension; "" if there is none.
     std::string (*format_of)(const std::filesystem::path& file);
     void (*put_picture)(const Destination& file, const Picture& picture);
     void (*put_values)(const Destination& file, const Values& values);
@@ -37,7 +37,7 @@ struct Formats {
 
 Destination destination(OutputFile& file);
 
-/// Throws Error saying why where the module cannot be loaded.
+/// Throws Error with the reason if the module cannot be loaded.
 const Formats& formats();
 
 }  // namespace gw::image

@@ -1,5 +1,5 @@
 // Several rectangles of float32 values with a text of facts, as one OpenEXR file of several parts;
-// and back, bit for bit. Does not know what the values mean.
+// and back, bit for bit. Does not interpret the values.
 #pragma once
 
 #include "image/output/output_file.h"
@@ -26,11 +26,11 @@ struct Layers {
     bool operator==(const Layers&) const = default;
 };
 
-/// Lossless. Throws Error where it cannot be written.
+/// Lossless. Throws Error if the file cannot be written.
 void put_layers(OutputFile& file, const Layers& layers);
 
-/// What the header says, without values; then all of it. Throws Error "file: what; expected what"
-/// where the file is missing, no EXR file of such parts, or cut short.
+/// The header without values; then everything. Throws Error "file: what; expected what" if the file
+/// is missing, no EXR file of such parts, or cut short.
 Layers read_layer_facts(const std::filesystem::path& file);
 Layers read_layers(const std::filesystem::path& file);
 

@@ -1,6 +1,5 @@
-// A picture on its way to a file: the frame buffer's integers as they are. Tone is an explicit
-// step.
-// Does not read or write files.
+// A picture on its way to a file: the integers of the frame buffer, unchanged. Tone is an explicit
+// step. Does not read or write files.
 #pragma once
 
 #include "gw/base/types.h"
@@ -19,17 +18,20 @@ struct Picture {
     bool operator==(const Picture&) const = default;
 };
 
-/// R, G, B of a colour plane of `bits` bits. Its alpha belongs to blending and is not part of the
-/// picture.
+/// R, G, B of a colour plane of `bits` bits. Alpha belongs to blending and is left out.
 Picture picture_of(const std::vector<Rgba>& color, int width, int height, int bits);
 
-/// Display adjustments, done only where asked for: v becomes (v 2^exposure) ^ (1/gamma), v in 0 ..
-/// 1, clamped.
+/// Display adjustments, applied on request only: v becomes (v 2^exposure) ^ (1/gamma), v in 0 .. 1,
+/// clamped.
 struct Tone {
     double exposure = 0;  ///< stops
     double gamma = 1;     ///< > 0
     bool operator==(const Tone&) const = default;
 };
 Picture toned(Picture picture, const Tone& tone);
+
+/// The mean of every square of `factor` x `factor` pixels, to nearest; squares at the right and top
+/// may be cut.
+Picture downscaled(const Picture& picture, int factor);
 
 }  // namespace gw::image

@@ -12,8 +12,8 @@ namespace gw::image {
 /// A plane to look at: the colours, or false colours (image/false_color.h).
 Picture plane_picture(const Planes& planes, Plane plane, const Profile& profile);
 
-/// How far the pixels of two planes are apart: black where not at all, from dark grey for the least
-/// distance to white for the greatest. `distances`: bottom row first.
+/// Distances between the pixels of two planes, bottom row first: black for none, dark grey for the
+/// least distance to white for the greatest.
 Picture distance_picture(const std::vector<std::uint64_t>& distances, int width, int height);
 
 /// color.exr (fractions), depth.exr, stencil.exr (32-bit integers, channel Z and S), accum.exr

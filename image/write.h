@@ -1,6 +1,5 @@
-// Pictures and planes to files, in any format that OpenImageIO writes; the extension chooses.
-// Does not change a value but for its number of bits. Files have their top row first, as formats
-// demand.
+// Pictures and planes to files, in any format that OpenImageIO writes; the extension chooses. Does
+// not change a value but for its number of bits. Files have their top row first, as formats demand.
 #pragma once
 
 #include "image/output/output_file.h"
@@ -13,20 +12,20 @@
 
 namespace gw::image {
 
-/// Throws Error naming the usual extensions where OpenImageIO writes no format of this one.
+/// Throws Error naming the usual extensions if OpenImageIO writes no format of this one.
 void check_extension(const std::filesystem::path& file);
 
-/// Picture of n bits to a file: n = 8 as it is where the format stores 8 or more bits; otherwise
-/// each value becomes the nearest one of the bits stored (12 bits in 16: v 65535/4095). EXR and HDR
-/// hold v / (2^n - 1): EXR as half for n <= 8, which keeps every value distinct, else as float.
-/// JPEG, WebP, GIF and HEIC lose something by nature.
+/// Writes a picture of n bits. 8 bits are unchanged if the format stores 8 or more; otherwise each
+/// value becomes the nearest one of the bits stored (12 bits in 16: v 65535/4095). EXR and HDR hold
+/// v / (2^n - 1): EXR as half for n <= 8, which keeps every value distinct, else as float. JPEG,
+/// WebP, GIF and HEIC are lossy.
 void put_picture(OutputFile& file, const Picture& picture);
 
-/// The same, and done. Throws Error; then there is no file, or the one that was there before.
+/// Writes a whole file. Throws Error; then there is no file, or the one that was there before.
 void write_picture(const std::filesystem::path& file, const Picture& picture);
 
-/// A plane's values as they are: 32-bit integers or floats, interleaved, bottom row first; one name
-/// per channel.
+/// The values of a plane, unchanged: 32-bit integers or floats, interleaved, bottom row first; one
+/// name per channel.
 struct Values {
     int width = 0, height = 0;
     std::vector<std::string> channels;

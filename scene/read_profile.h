@@ -1,5 +1,5 @@
-// A machine's profile from a TOML file. docs/commands.md, "Profiles".
-// Does not know the built-in profiles but for `base`.
+// Reads a machine's profile from a TOML file. docs/commands.md, "Profiles". Does not know the
+// built-in profiles except as `base`.
 #pragma once
 
 #include "gw/profile.h"
@@ -8,8 +8,8 @@
 
 namespace gw::scene {
 
-/// What the file does not say is as in its `base` (vgx, reality or ideal; vgx where absent). The
-/// name is the file's where absent. Throws Error "file:line: what; expected what"; an unknown key
+/// Keys that the file does not have are as in its `base` (vgx, reality or ideal; vgx by default);
+/// the name is the file's by default. Throws Error "file:line: what; expected what"; an unknown key
 /// names the nearest known one.
 Profile read_profile(const std::filesystem::path& path);
 

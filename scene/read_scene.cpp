@@ -2,9 +2,10 @@
 
 #include "scene/obj/read_obj.h"
 #include "scene/scene_builder.h"
+#include "scene/text/statements.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
-#include "scene/toml/read_toml.h"
+#include "scene/toml/toml_sections.h"
 
 namespace gw::scene {
 namespace {
@@ -20,12 +21,6 @@ SceneFile read_bare_obj(const std::filesystem::path& path) {
         builder.add({.name = part.name}, std::move(part.mesh), material, {file.file, 0});
     }
     return {std::move(builder.scene), warnings.lines(), {}};
-}
-
-std::string lower(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
 }
 
 }  // namespace

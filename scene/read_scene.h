@@ -1,5 +1,5 @@
-// read_scene: a scene file, whatever its kind, as a Scene. docs/scenes.md has the formats.
-// Does not read texture files (image::load_textures does) and does not fit a camera.
+// Reads a scene file of any kind. docs/scenes.md has the formats. Does not read texture files
+// (image::load_textures does) and does not fit a camera.
 #pragma once
 
 #include "scene/scene.h"
@@ -13,17 +13,16 @@ namespace gw::scene {
 
 struct SceneFile {
     Scene scene;
-    /// What was read but is not honoured: "file:line: text", one line per kind of statement and
+    /// Statements that are not honoured: "file:line: text", one line per kind of statement and
     /// file.
     std::vector<std::string> warnings;
-    /// The tables of [[pass]] as they stand; multipass/passes/pass_toml.h makes passes of them.
-    /// Objects that they name do exist.
+    /// The tables of [[pass]], unread; multipass/passes/pass_toml.h reads them. The objects that
+    /// they name exist.
     std::vector<TomlValue> passes;
 };
 
 /// Reads a TOML scene (.toml) or a bare Wavefront OBJ (.obj; no lights, no camera), by the file's
-/// extension.
-/// Throws Error "file:line: what; expected what".
+/// extension. Throws Error "file:line: what; expected what".
 SceneFile read_scene(const std::filesystem::path& path);
 
 }  // namespace gw::scene

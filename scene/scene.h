@@ -1,7 +1,6 @@
 // A scene as plain data: objects, materials, lights, camera, fog. World space: right-handed, any
-// unit, y up.
-// Knows texture files by name and line only (image::load_textures fills the texels in). Does not
-// draw.
+// unit, y up. Knows texture files by name and line only (image::load_textures reads the texels).
+// Does not draw.
 #pragma once
 
 #include "gw/base/types.h"
@@ -17,13 +16,14 @@
 
 namespace gw::scene {
 
-/// Where something was asked for, so that an error can name it.
+/// The place in a file that asks for something, for errors.
 struct Origin {
     std::string file;
     int line = 0;
 };
 
-/// A map: file, who asked for it, how it is looked up, and (after image::load_textures) its texels.
+/// A map: its file, the place that names it, how it is looked up, and (after image::load_textures)
+/// its texels.
 struct Map {
     /// absolute or relative to the working directory; separators are '/'
     std::filesystem::path file;
@@ -31,7 +31,7 @@ struct Map {
     Wrap wrap = Wrap::Repeat;  ///< MTL -clamp on: Clamp
     vec2 offset{0, 0};         ///< MTL -o: added to s, t after scale
     vec2 scale{1, 1};          ///< MTL -s
-    /// above 0: no file, generated from the scene, so many texels a side [K3.1]
+    /// above 0: no file, but generated from the scene with this many texels a side [K3.1]
     int from_scene = 0;
     TextureRef texture;  ///< null until loaded, or generated (multipass/maps/scene_maps.h)
 };
@@ -51,23 +51,23 @@ struct Material {
     std::vector<Map> refraction;  ///< sphere maps looked up by the refracted ray [K1]
 };
 
-/// Light around a self-luminous object: its picture, superposed moved over a range in the picture's
-/// plane [K3.3].
+/// Light around a self-luminous object: its picture, superposed at places over a range in the
+/// picture's plane [K3.3].
 struct Glare {
     double radius = 0.5;    ///< of the range, world units
-    float strength = 0.5f;  ///< of the moved emission, in parts of the object's own
-    int rays = 0;           ///< 0: the range is a disc; else a star of so many rays
+    float strength = 0.5f;  ///< of the superposed emission, relative to the object's own
+    int rays = 0;           ///< 0: the range is a disc; else a star of this many rays
     int samples = 32;       ///< superposed pictures, at least
 };
 
-/// The pixmap that holds an object's radiosity [F2.1]. Where nothing is said, planar parts get a
-/// pixmap each by projection, curved ones a pixmap for each chart.
+/// The pixmap that holds an object's radiosity [F2.1]. By default planar parts get a pixmap each by
+/// projection, curved ones a pixmap for each chart.
 struct PixmapChoice {
     /// objects of one name share a pixmap; empty: the object's own
     std::string name;
     int width = 0, height = 0;     ///< texels; 0: by texels_per_unit
     double texels_per_unit = 0;    ///< 0: the scene's
-    bool given_st = false;         ///< ST are the mesh's texcoords; else they are made
+    bool given_st = false;         ///< ST are the mesh's texcoords; else they are generated
     std::optional<vec3> emission;  ///< instead of the material's Ke
     Origin origin;
 };
@@ -75,7 +75,7 @@ struct PixmapChoice {
 /// One mesh with one material, placed in the world. Several may share a name (a group with several
 /// materials).
 struct Object {
-    std::string name;  ///< what `only = [...]` and per-object overrides call it
+    std::string name;  ///< its name in `only = [...]` and per-object overrides
     MeshRef mesh;
     std::size_t material = 0;    ///< index into Scene::materials
     dmat4 world_from_object{1};  ///< in the middle of the exposure
@@ -100,7 +100,7 @@ struct Light {
     std::string name;
     LightKind kind = LightKind::Directional;
     vec3 position{0, 0, 0};    ///< Point, Spot
-    vec3 direction{0, -1, 0};  ///< Directional, Spot: the way the light travels
+    vec3 direction{0, -1, 0};  ///< Directional, Spot: the direction in which the light travels
     vec3 Ia{0, 0, 0}, Id{1, 1, 1};
     std::optional<vec3> Is;  ///< absent: Id (the reading of [K] eq. 1 and 3)
     double cone_angle = 45;  ///< Spot: half angle, degrees
@@ -116,7 +116,7 @@ struct Camera {
     double fov = 40;                       ///< vertical, degrees
     double near_plane = 0, far_plane = 0;  ///< distances; 0: fitted to the scene
     double ortho_height = 0;               ///< > 0: orthographic, this many world units high
-    /// radius of the lens, world units; 0: all is sharp [K1]
+    /// radius of the lens, world units; 0: everything is sharp [K1]
     double aperture = 0;
     double focus = 0;  ///< distance that is sharp; 0: that of `at`
 };
@@ -135,12 +135,12 @@ struct Scene {
     std::optional<Camera> camera;  ///< absent: fit_camera
     std::optional<Fog> fog;
     vec3 background{0, 0, 0};
-    /// of pixmaps that do not say; 0: fitted to the scene [F2.1]
+    /// of pixmaps without their own; 0: fitted to the scene [F2.1]
     double texels_per_unit = 0;
     bool reflection_in_shadow = true;  ///< reflection maps are drawn in shadow too [K3.2]
 };
 
-/// Axis-aligned bounds in world space; `empty` where there is no vertex.
+/// Axis-aligned bounds in world space; `empty` if there is no vertex.
 struct Bounds {
     dvec3 low{0}, high{0};
     bool empty = true;

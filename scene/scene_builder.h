@@ -1,6 +1,5 @@
-// Puts a scene together: numbers its polygons, and takes each material once, when an object first
-// uses it.
-// Does not read files.
+// Builds a scene: numbers its polygons, and adds each material when an object first uses it. Does
+// not read files.
 #pragma once
 
 #include "scene/scene.h"
@@ -15,8 +14,8 @@ class SceneBuilder {
 public:
     Scene scene;
 
-    /// Fills in the object's mesh and material. `material` must stay where it is; `origin` is what
-    /// an error of make_mesh is said to come from.
+    /// Fills in the object's mesh and material. `material` must not move; errors of make_mesh are
+    /// reported at `origin`.
     void add(Object object, MeshData mesh, const Material& material, const Origin& origin);
 
 private:
@@ -26,13 +25,11 @@ private:
     std::uint32_t next_polygon_ = 0;
 };
 
-/// What a surface is made of where nobody says: gw::Material's initial values, by the name
-/// "default".
+/// The material of surfaces without one: gw::Material's initial values, named "default".
 const Material& default_material();
 
-/// The first material of this name in the lists, in their order; the default one where the name is
-/// empty.
-/// Throws Error from `origin`, naming the nearest material, where there is none.
+/// The first material of this name in the lists, in their order; the default one for an empty name.
+/// Throws Error from `origin`, naming the nearest material, if there is none.
 const Material& find_material(std::initializer_list<const std::vector<Material>*> lists,
                               std::string_view name, const Origin& origin);
 

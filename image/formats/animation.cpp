@@ -1,7 +1,7 @@
 #include "gw/error.h"
 #include "image/formats/encode.h"
-#include "image/formats/hush.h"
 #include "image/formats/module.h"
+#include "image/formats/silence_stderr.h"
 
 #include <fstream>
 #include <iterator>
@@ -26,7 +26,7 @@ std::vector<std::uint8_t> top_row_first(const Picture& picture) {
 
 void put_animation(const Destination& file, const std::vector<Picture>& frames,
                    float frames_per_second) {
-    const Hush hush;
+    const SilenceStderr silence;
     const auto output = OIIO::ImageOutput::create("x.gif");
     if (!output) refuse(file, OIIO::geterror());
     OIIO::ImageSpec spec(frames.front().width, frames.front().height, 3, OIIO::TypeDesc::UINT8);

@@ -1,7 +1,7 @@
 #include "image/formats/encode.h"
 
 #include "gw/error.h"
-#include "image/formats/hush.h"
+#include "image/formats/silence_stderr.h"
 
 #include <OpenImageIO/filesystem.h>
 
@@ -67,7 +67,7 @@ std::unique_ptr<OIIO::ImageOutput> writer_for(const std::filesystem::path& file)
 
 void encode(const Destination& file, const OIIO::ImageSpec& spec,
             const std::function<Samples(OIIO::TypeDesc stored)>& convert) {
-    const Hush hush;
+    const SilenceStderr silence;
     auto output = writer_for(file.target);
     if (!output) refuse(file, "no format of this extension");
     if (output->supports("ioproxy")) {

@@ -1,5 +1,4 @@
-// The one place that calls OpenImageIO's writers.
-// Does not choose bits or names: pictures.cpp does.
+// The one place that calls OpenImageIO's writers. Does not choose bits or names: pictures.cpp does.
 #pragma once
 
 #include "image/formats.h"

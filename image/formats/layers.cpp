@@ -2,8 +2,8 @@
 
 #include "gw/error.h"
 #include "image/formats/encode.h"
-#include "image/formats/hush.h"
 #include "image/formats/module.h"
+#include "image/formats/silence_stderr.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -110,7 +110,7 @@ Layers read_layers(const std::filesystem::path& file, bool with_values) {
     std::error_code error;
     if (!std::filesystem::exists(file, error))
         throw Error(file.string(), 0, "does not exist; expected a saved file");
-    const Hush hush;
+    const SilenceStderr silence;
     const auto input = OIIO::ImageInput::open(file.string());
     if (!input || std::string(input->format_name()) != "openexr") {
         OIIO::geterror();
@@ -135,7 +135,7 @@ void put_layers(const Destination& file, const Layers& layers) {
     if (file.temporary.empty())
         refuse_target("it is not a regular file; expected one for this format");
     {
-        const Hush hush;
+        const SilenceStderr silence;
         const auto output = OIIO::ImageOutput::create("openexr");
         if (!output || !write_parts(*output, file.temporary.string(), layers))
             refuse_target(one_line(output ? output->geterror() : OIIO::geterror()));

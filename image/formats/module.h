@@ -1,5 +1,4 @@
-// What the module gives: the functions of image/formats.h, each documented where image/ declares
-// it.
+// The functions of the module, as in image/formats.h; documented in image/.
 #pragma once
 
 #include "image/formats.h"

@@ -1,4 +1,4 @@
-#include "image/formats/hush.h"
+#include "image/formats/silence_stderr.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -6,7 +6,7 @@
 
 namespace gw::image::oiio {
 
-Hush::Hush() {
+SilenceStderr::SilenceStderr() {
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (nowhere < 0) return;
     std::fflush(stderr);
@@ -15,7 +15,7 @@ Hush::Hush() {
     ::close(nowhere);
 }
 
-Hush::~Hush() {
+SilenceStderr::~SilenceStderr() {
     if (kept_ < 0) return;
     std::fflush(stderr);
     ::dup2(kept_, STDERR_FILENO);

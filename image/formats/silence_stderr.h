@@ -1,16 +1,15 @@
-// Nothing from the picture libraries on stderr: libpng and others print there what OpenImageIO
-// reports as well. For the time of a call into OpenImageIO on one thread; whoever else prints
-// meanwhile is not heard either.
+// Silences stderr while the picture libraries run: libpng and others print what OpenImageIO reports
+// as well. Redirects the descriptor of the whole process, so what other threads print is lost too.
 #pragma once
 
 namespace gw::image::oiio {
 
-class Hush {
+class SilenceStderr {
 public:
-    Hush();
-    ~Hush();
-    Hush(const Hush&) = delete;
-    Hush& operator=(const Hush&) = delete;
+    SilenceStderr();
+    ~SilenceStderr();
+    SilenceStderr(const SilenceStderr&) = delete;
+    SilenceStderr& operator=(const SilenceStderr&) = delete;
 
 private:
     int kept_ = -1;

@@ -1,8 +1,7 @@
-// A picture file's pixels through OpenImageIO. Does not know who asks for them.
 #include "gw/error.h"
 #include "image/formats/encode.h"
-#include "image/formats/hush.h"
 #include "image/formats/module.h"
+#include "image/formats/silence_stderr.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -31,8 +30,8 @@ std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& file) {
     return input;
 }
 
-// Some readers fill what is missing with grey and call that success; but cameras write odd bytes
-// that matter to nobody.
+// Some readers fill missing parts with grey and report success with a message. But cameras write
+// odd bytes that do no harm.
 bool harmless(const std::string& error) {
     return error.find("extraneous bytes before marker") != error.npos;
 }
@@ -45,7 +44,7 @@ std::vector<T> read_rows(OIIO::ImageInput& input, OIIO::TypeDesc type, int chann
     std::vector<T> values(row * std::size_t(spec.height));
     T* top_row = values.data() + row * std::size_t(spec.height - 1);
     const auto row_bytes = static_cast<OIIO::stride_t>(row * sizeof(T));
-    input.geterror();  // what was odd about the header
+    input.geterror();  // messages about the header
     const bool read =
         input.read_image(0, 0, 0, channels, type, top_row, OIIO::AutoStride, -row_bytes);
     const std::string error = input.geterror();
@@ -77,7 +76,7 @@ std::uint16_t word_from(float value) {
 }  // namespace
 
 Texels read_texels(const std::filesystem::path& file) {
-    const Hush hush;
+    const SilenceStderr silence;
     const auto input = open(file);
     const OIIO::ImageSpec& spec = input->spec();
     check_spec(spec);

@@ -35,7 +35,7 @@ struct Reader {
     png_infop info;
 };
 
-// Nothing in the next two may need a destructor: where libpng refuses, it jumps back to setjmp.
+// Nothing in the next two functions may need a destructor: on refusal libpng jumps back to setjmp.
 
 /// From here on every row is R, G, B, A of 8 or 16 bits.
 bool read_header(const Reader& reader, std::FILE* file) {

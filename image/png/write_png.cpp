@@ -60,7 +60,7 @@ std::vector<std::uint8_t> samples(const Picture& picture) {
     return bytes;
 }
 
-// Nothing here may need a destructor: where libpng refuses, it jumps back to setjmp.
+// Nothing here may need a destructor: on refusal libpng jumps back to setjmp.
 bool write(const Writer& writer, const Picture& picture, const std::uint8_t* samples) {
     if (setjmp(png_jmpbuf(writer.png))) return false;
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(picture.width),

@@ -1,8 +1,8 @@
 #include "inspect/report/pass_pictures.h"
 
 #include "gw/base/arithmetic.h"
-#include "image/downscale.h"
 #include "image/false_color.h"
+#include "image/picture.h"
 #include "image/planes.h"
 #include "inspect/compare/plane_values.h"
 #include "scene/draw/draw_commands.h"
@@ -81,7 +81,7 @@ PassPictures::PassPictures(ReportFolder& folder, const Profile& profile, Snapsho
 std::string PassPictures::put(const std::string& name, const image::Picture& picture) {
     folder_.write("pictures/" + name + ".png", picture);
     if (with_small())
-        folder_.write("pictures/" + name + "_small.png", image::reduced(picture, reduction_));
+        folder_.write("pictures/" + name + "_small.png", image::downscaled(picture, reduction_));
     return name;
 }
 

@@ -1,8 +1,8 @@
 #include "inspect/report/prices.h"
 
 #include "inspect/report/embedded.h"
-#include "scene/toml/read_toml_text.h"
 #include "scene/toml/toml_binder.h"
+#include "scene/toml/toml_value.h"
 
 #include <algorithm>
 #include <map>

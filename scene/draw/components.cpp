@@ -1,4 +1,3 @@
-// One table per question, one line per component.
 #include "scene/draw/components.h"
 
 namespace gw::scene {

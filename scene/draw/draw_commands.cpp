@@ -1,4 +1,3 @@
-// One function per thing that a scene has and the machine wants otherwise.
 #include "scene/draw/draw_commands.h"
 
 #include "gw/base/elementary.h"

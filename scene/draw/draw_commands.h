@@ -1,6 +1,5 @@
 // How a scene becomes draw commands: state of a view, placed meshes, lights in eye space, maps,
-// identifiers.
-// Knows no passes (multipass/ does) and no pixels: it makes commands.
+// identifiers. Knows no passes (multipass/ does) and no pixels: it makes commands.
 #pragma once
 
 #include "gw/command_list.h"
@@ -13,15 +12,14 @@
 
 namespace gw::scene {
 
-/// The state all passes of a view share: projection, Z compare Less with update, lighting at a
-/// local viewer, both sides of a face lit (found models know no inside).
+/// The state that all passes of a view share: projection, Z compare Less with update, lighting with
+/// a local viewer, both sides of a face lit (arbitrary models have no known inside).
 State view_state(const View& view);
 
-/// An object's mesh, placed before the eye. No material, no lights, no map: white light would not
-/// show it.
+/// An object's mesh in eye space, without material, lights or map.
 Draw placed(const Object& object, const View& view);
 
-/// A light in eye space. Its highlight colour is Is, or Id where it has none.
+/// A light in eye space. Its highlight colour is Is, or Id if the light has no Is.
 gw::Light eye_light(const Light& light, const View& view);
 
 /// MTL's material as the machine takes it; alpha = d.
@@ -30,16 +28,16 @@ gw::Material machine_material(const Material& material);
 /// Whether the light lights the object: its `only` is empty or names it [K3.3].
 bool lights_object(const Light& light, const Object& object);
 
-/// How a map is looked up: mipmapped, modulating, wrapped as it says.
+/// A map's filter and wrap: mipmapped, modulating.
 TextureState texture_state(const Map& map);
 
-/// The mesh with texture coordinates scale * st + offset: the machine has no texture matrix. The
-/// same mesh where the map changes nothing.
+/// The mesh with texture coordinates scale * st + offset, since the machine has no texture matrix.
+/// Returns the same mesh if the map changes nothing.
 MeshRef mapped_mesh(const MeshRef& mesh, const Map& map);
 
 /// The identifiers of a scene's polygons [K4i]: object i has first[i], first[i] + 1, ... for its
-/// mesh's own identifiers lowest[i], lowest[i] + 1, ..., also where objects share a mesh. first[0]
-/// = 1; 0 is the background.
+/// mesh's own identifiers lowest[i], lowest[i] + 1, ..., even if objects share a mesh. first[0] =
+/// 1; 0 is the background.
 struct PolygonIds {
     std::vector<std::uint32_t> first, lowest;
     std::uint32_t end = 1;  ///< one more than the last identifier
@@ -53,7 +51,7 @@ struct PolygonRef {
     std::uint32_t polygon = 0;
     bool operator==(const PolygonRef&) const = default;
 };
-/// Whose identifier `id` is; none: the background's.
+/// The polygon of identifier `id`; none for the background's.
 std::optional<PolygonRef> polygon_of(const PolygonIds& ids, std::uint32_t id);
 
 struct IdPass {
@@ -67,12 +65,12 @@ struct IdPass {
 /// of its colour. The low 24 bits of (id >> shift) come out as R, G, B: eight bits each.
 CommandList id_pass(const Scene& scene, const View& view, const IdPass& options = {});
 
-/// What id_pass wrote to a pixel.
+/// The identifier that id_pass wrote as a colour.
 inline std::uint32_t id_of(const Rgba& color) {
     return std::uint32_t(color[0]) | std::uint32_t(color[1]) << 8 | std::uint32_t(color[2]) << 16;
 }
 
-/// Draws every object with no material at all: for passes that only want Z.
+/// Draws every object without a material, for passes that only need Z.
 void add_shapes(CommandList& list, const Scene& scene, const View& view);
 
 }  // namespace gw::scene

@@ -1,4 +1,3 @@
-// Cameras that fit, by similar triangles: no angle is ever measured.
 #include "scene/draw/fit.h"
 
 #include "gw/base/elementary.h"
@@ -10,12 +9,12 @@
 namespace gw::scene {
 namespace {
 
-/// From where a bare model is seen: the direction from its centre to the eye.
+/// Direction from the centre of a bare model to the eye.
 constexpr double seen_from[3] = {0.4, 0.35, 1};
 constexpr double margin = 1.05;
 
-/// The distance from the centre at which the corner `p` (relative to the centre, in eye axes) is
-/// just in the window.
+/// Distance of the eye from the centre at which the point `p_eye` (relative to the centre, eye
+/// axes) just touches the border of the window. By similar triangles: no angle is measured.
 double distance_for(const dvec3& p, double slope_x, double slope_y) {
     return p.z + std::max(std::abs(p.x) / slope_x, std::abs(p.y) / slope_y);
 }

@@ -1,4 +1,4 @@
-// The rays that a view's pixels look along, world space. Does not know what they meet.
+// Rays through the pixels of a view, world space. Does not intersect them with anything.
 #pragma once
 
 #include "gw/state.h"
@@ -23,8 +23,8 @@ private:
     double width_, height_;
 };
 
-/// Where in its pixel a ray of a jittered picture goes through: the machine moves the scene by the
-/// jitter, so that a pixel's centre sees what lies as much the other way.
+/// The point of a pixel, from its corner, through which its ray of a jittered picture passes. The
+/// machine moves the scene by the jitter, so the ray moves the opposite way.
 dvec2 place_in_pixel(const JitterState& jitter, int subpixel_bits);
 
 }  // namespace gw::scene

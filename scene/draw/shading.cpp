@@ -19,7 +19,7 @@ int folded(double i, int size, Wrap wrap) {
     return int(i - std::floor(i / size) * size);
 }
 
-/// v / 65535 of every 16-bit value: dividing is what look-ups would spend their time on.
+/// v / 65535 of every 16-bit value: the division would take most of a look-up's time.
 const std::vector<double>& fractions() {
     static const std::vector<double> table = [] {
         std::vector<double> t(65536);

@@ -1,6 +1,5 @@
-// Eq. 3 [K3s]: the sum of eq. 2 evaluated at one point, by renderers that shade every pixel or ray.
-// Does not find what is visible, does not follow rays and casts no shadow: the caller says how much
-// light arrives.
+// Eq. 3 [K3s]: the sum of eq. 2 at one point, for renderers that shade pixels or rays. Does not
+// determine visibility, follow rays or cast shadows: the caller says how much light arrives.
 #pragma once
 
 #include "gw/material.h"
@@ -13,8 +12,7 @@
 
 namespace gw::scene {
 
-/// A point of a surface as it is seen. Any space in which the lights are given too (the machine's:
-/// eye space).
+/// A visible point of a surface, in the space of the lights: eye space for the machine's.
 struct SurfacePoint {
     dvec3 p{0};
     dvec3 n{0, 0, 1};       ///< length 1, on the side that is seen
@@ -24,9 +22,8 @@ struct SurfacePoint {
     dvec2 st_dx{0}, st_dy{0};
 };
 
-/// A map's colour at st, as it says it is looked up (scale, offset, wrap): the mean of the two
-/// pyramid levels around the footprint, four texels of each, in double. White where it has no
-/// texture.
+/// A map's colour at st with the map's scale, offset and wrap: the mean of the two pyramid levels
+/// around the footprint, four texels of each, in double. White if it has no texture.
 dvec3 sample(const Map& map, const dvec2& st, const dvec2& st_dx = dvec2(0),
              const dvec2& st_dy = dvec2(0));
 
@@ -34,7 +31,7 @@ dvec3 sample(const Map& map, const dvec2& st, const dvec2& st_dx = dvec2(0),
 /// refraction maps are looked up as sphere maps in eye space, and black without one.
 dvec3 map_color(const Material& material, Component component, const SurfacePoint& point);
 
-/// What sphere maps show in direction `d` (eye space, length 1), summed: what is far away.
+/// Sum of the sphere maps in direction `d` (eye space, length 1): the surroundings far away.
 dvec3 far_color(std::span<const Map> maps, const dvec3& d);
 
 /// map_color of the components that lights have, each looked up at most once. Refers to both.
@@ -58,7 +55,7 @@ dvec3 light_color(const Material& material, const gw::Light& light, const Surfac
 dvec3 light_color(const Material& material, const gw::Light& light, const SurfacePoint& point,
                   MapColors& maps, double arrives = 1);
 
-/// What needs no light: Ke, Ks Mape, and Tf times the refraction map.
+/// The part that needs no light: Ke, Ks Mape, and Tf times the refraction map.
 dvec3 own_color(const Material& material, const SurfacePoint& point);
 
 /// Eq. 3: all of it, not clamped.

@@ -1,4 +1,4 @@
-// The matrices of a camera: GL's, by sums, products and quotients in double only.
+// A camera's matrices: GL's, by sums, products and quotients in double only.
 #include "scene/draw/view.h"
 
 #include "gw/base/elementary.h"

@@ -1,7 +1,5 @@
-// A camera at a window: where the world lies before the eye, and how it is projected. All in
-// double, no libm.
-// Does not draw. Eye space: the eye at 0, looking along -z, y up. Clip space: GL's, -w <= x, y, z
-// <= w.
+// A camera and its window: world to eye, eye to clip. All in double, without libm. Does not draw.
+// Eye space: the eye at 0, looking along -z, y up. Clip space: GL's, -w <= x, y, z <= w.
 #pragma once
 
 #include "gw/base/types.h"
@@ -12,7 +10,7 @@
 
 namespace gw::scene {
 
-/// What projects a scene into a window of width x height pixels. `camera` has its near and far
+/// The projection of a scene into a window of width x height pixels. `camera` has its near and far
 /// plane filled in.
 struct View {
     Camera camera;
@@ -24,21 +22,20 @@ struct View {
     std::size_t index(int x, int y) const { return pixel_index(x, y, width); }
 };
 
-/// The camera's view. A near or far plane of 0 is fitted to `bounds`: a little nearer and farther
-/// than anything in it, and near is never less than a 4096th of far. Throws Error where eye and at
-/// are one point, or the window has no pixels.
+/// The camera's view. A near or far plane of 0 is fitted to `bounds`, a little nearer and farther
+/// than anything in it; near is never less than a 4096th of far. Throws Error if eye and at are one
+/// point, or the window has no pixels.
 View make_view(const Camera& camera, const Bounds& bounds, int width, int height);
 
 /// The same for a scene's own camera (which it must have: see add_defaults) and bounds.
 View make_view(const Scene& scene, int width, int height);
 
 /// Six views from `center` along +x, -x, +y, -y, +z, -z, size x size pixels each, whose frusta meet
-/// exactly: 90 degrees, matrices of 0, 1 and -1 (and near and far). Up is +y, for +y and -y it is
-/// -z and +z.
-/// Hemicubes, shadows of point lights and reflection maps share it.
+/// exactly: 90 degrees, matrices of 0, 1 and -1 (and near and far). Up is +y, but -z and +z for +y
+/// and -y. Used by hemicubes, shadows of point lights and reflection maps.
 std::array<View, 6> cube_views(const dvec3& center, double near_plane, double far_plane, int size);
 
-/// The view with other near and far planes; what it shows of the world sideways stays.
+/// The view with other near and far planes; left, right, bottom and top stay.
 View with_planes(View view, double near_plane, double far_plane);
 
 /// Smallest and largest distance of a box from the eye, along the line of sight.

@@ -1,4 +1,4 @@
-// The box around a scene. Every vertex counts, also those that no polygon uses.
+// The box around a scene. Every vertex counts, even if no polygon uses it.
 #include "scene/scene.h"
 
 #include <glm/common.hpp>

@@ -1,6 +1,5 @@
-// Four-sided faces in pieces, so that lighting at the vertices [K Fig. 2] has vertices to be
-// computed at.
-// Does not touch other faces, and moves nothing.
+// Divides four-sided faces, so that lighting at the vertices [K Fig. 2] has vertices to light. Does
+// not change other faces, and moves no vertex.
 #pragma once
 
 #include "gw/mesh.h"
@@ -8,9 +7,8 @@
 namespace gw::scene {
 
 /// Every quad, and every polygon of four corners, becomes pieces x pieces quads, bilinear between
-/// its corners in position, normal, texcoord and colour; each is a polygon of its own. Faces that
-/// share a side still share its points, bit for bit, where both are divided. The mesh must not have
-/// polygon_ids.
+/// its corners in position, normal, texcoord and colour; each is a polygon of its own. Two divided
+/// faces with a common side have bit-equal points on it. The mesh must not have polygon_ids.
 MeshData divide(MeshData mesh, int pieces);
 
 }  // namespace gw::scene

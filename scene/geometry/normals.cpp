@@ -52,7 +52,7 @@ public:
 private:
     static bool is_face(const Element& element) { return element.count >= 3; }
 
-    // Forgets normals of length 0; says whether any corner of a face is without one.
+    // Removes normals of length 0; returns whether any corner of a face is without one.
     bool find_corners() {
         bool any = false;
         for (const Element& element : obj_.elements)
@@ -98,9 +98,9 @@ private:
         return a.smoothing != smooth_by_angle || dot3(a.normal, b.normal) >= cos_crease_;
     }
 
-    // Where the faces at a point are one smooth surface, the one sum of all corners; else 0. Spares
-    // the pairs: faces within half the crease angle of their mean are within the angle of each
-    // other.
+    // The one sum for all corners if the faces at a point are one smooth surface; else 0. Avoids
+    // comparing pairs: faces within half the crease angle of their mean are within the angle of
+    // each other.
     dvec3 common_sum(std::span<const Meeting> meetings) const {
         const std::int32_t smoothing = faces_[meetings[0].face].smoothing;
         dvec3 sum(0);
@@ -126,7 +126,7 @@ private:
         return sum;
     }
 
-    // Where the sum is 0, opposite faces cancelled out: each has its own.
+    // If the sum is 0, opposite faces cancelled out: each takes its own normal.
     vec3 normal_of(const dvec3& sum, std::uint32_t own) const {
         dvec3 normal = normalized(sum);
         if (is_zero(normal)) normal = faces_[own].normal;
@@ -151,9 +151,8 @@ private:
         }
     }
 
-    // Equal normals at one point (which begin at `first`) are one vn, so that the corners stay one
-    // vertex.
-    // Where there are very many, the latest are looked through only.
+    // Equal normals at one point (they begin at `first`) share one vn, so that the corners stay one
+    // vertex. Looks at no more than the latest 64.
     std::uint32_t index_of(const vec3& normal, std::size_t first) {
         const std::size_t size = obj_.normals.size();
         for (std::size_t i = std::max(first, size - std::min<std::size_t>(size, 64)); i < size; ++i)

@@ -5,8 +5,8 @@
 
 namespace gw::scene {
 
-/// Gives the mesh's polygons (faces, segments, points) the identifiers next, next + 1, ... in their
-/// order, moves `next` behind them and makes the mesh. Throws Error where make_mesh does.
+/// Numbers the mesh's polygons (faces, segments, points) next, next + 1, ... in their order, moves
+/// `next` behind them and makes the mesh. Throws Error as make_mesh does.
 MeshRef make_numbered_mesh(MeshData data, std::uint32_t& next);
 
 }  // namespace gw::scene

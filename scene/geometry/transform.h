@@ -1,6 +1,5 @@
 // Placing an object: matrices whose bits are the same on every machine (gw/base/elementary.h, no
-// libm).
-// Does not know TOML.
+// libm). Does not know TOML.
 #pragma once
 
 #include "gw/base/types.h"

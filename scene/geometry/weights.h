@@ -1,4 +1,4 @@
-// Barycentric weights of a point in a triangle, and what is mixed by them.
+// Barycentric weights of a point in a triangle, and interpolation by them.
 #pragma once
 
 #include "gw/base/types.h"
@@ -11,8 +11,8 @@ namespace gw::scene {
 /// Of three corners; they sum to 1.
 using Weights = std::array<double, 3>;
 
-/// Of the point where the line origin + t direction meets the triangle's plane; the first corner's
-/// where it runs along it, or the triangle has no area.
+/// Weights of the point at which the line origin + t direction meets the triangle's plane; the
+/// first corner's if they are parallel, or the triangle has no area.
 inline Weights weights_at(const std::array<dvec3, 3>& corner, const dvec3& origin,
                           const dvec3& direction) {
     const dvec3 u = corner[1] - corner[0], v = corner[2] - corner[0], n = cross3(u, v);
@@ -23,7 +23,7 @@ inline Weights weights_at(const std::array<dvec3, 3>& corner, const dvec3& origi
     return {1 - b - c, b, c};
 }
 
-/// The nearest point of the triangle, or nearly: negative weights become 0.
+/// Approximately the nearest point of the triangle: negative weights become 0.
 inline Weights inside(Weights w) {
     double sum = 0;
     for (double& value : w) sum += value = std::max(value, 0.0);

@@ -1,6 +1,5 @@
-// All triangles of a scene in world space, numbered through: object by object, polygon by polygon.
-// What rays are met with, and what an item buffer's identifiers mean [K4i]. Does not search
-// (raytrace/ does).
+// All triangles of a scene in world space, numbered object by object, polygon by polygon. Rays and
+// the identifiers of an item buffer [K4i] refer to them. Does not search (raytrace/ does).
 #pragma once
 
 #include "scene/draw/draw_commands.h"
@@ -41,22 +40,22 @@ public:
         const auto& v = places_[triangle].vertex;
         return {vertices_[v[0]].p, vertices_[v[1]].p, vertices_[v[2]].p};
     }
-    /// Of length 1, or 0; the plane's where the mesh has none.
+    /// Of length 1, or 0; the plane's if the mesh has none.
     std::array<dvec3, 3> normals(std::uint32_t triangle) const {
         const auto& v = places_[triangle].vertex;
         if (!has_normals_[object_of(triangle)]) return plane_normals(triangle);
         return {vertices_[v[0]].n, vertices_[v[1]].n, vertices_[v[2]].n};
     }
-    /// 0 where the mesh has none.
+    /// 0 if the mesh has none.
     std::array<dvec2, 3> texcoords(std::uint32_t triangle) const {
         const auto& v = places_[triangle].vertex;
         return {dvec2(vertices_[v[0]].st), dvec2(vertices_[v[1]].st), dvec2(vertices_[v[2]].st)};
     }
 
-    /// The point of polygon `id` that the ray sees: on the plane of that of its triangles which the
-    /// ray goes through, or least misses (a fragment's centre lies in the snapped triangle, which
-    /// may be a sixteenth of a pixel beside the true one). None: no polygon has this identifier, or
-    /// the ray runs along it.
+    /// The point of polygon `id` that the ray sees, on the plane of the triangle that the ray
+    /// passes through or least misses. (A fragment's centre lies in the snapped triangle, up to a
+    /// sixteenth of a pixel beside the true one.) None if no polygon has this identifier, or the
+    /// ray is parallel to it.
     std::optional<TrianglePoint> meet(std::uint32_t id, const dvec3& o, const dvec3& d) const;
 
 private:
@@ -67,10 +66,9 @@ private:
     void add_vertices(const Object& object);
     std::array<dvec3, 3> plane_normals(std::uint32_t triangle) const;
 
-    /// World space; together in one line of the cache, since what meets a triangle asks for all of
-    /// it.
+    /// World space. One cache line, since a ray test reads all of it.
     struct alignas(64) PlacedVertex {
-        dvec3 p{0}, n{0};  ///< n: 0 where the mesh has no normals
+        dvec3 p{0}, n{0};  ///< n: 0 if the mesh has no normals
         vec2 st{0};
     };
 

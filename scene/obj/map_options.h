@@ -1,5 +1,5 @@
-// The words of MTL's map statements: options, then a file name that may hold blanks.
-// Does not know which statements there are, and does not open the texture.
+// The words of MTL's map statements: options, then a file name that may hold blanks. Does not know
+// which statements there are, and does not open the texture.
 #pragma once
 
 #include "scene/scene.h"
@@ -13,12 +13,12 @@ namespace gw::scene {
 
 struct MapStatement {
     Map map;           ///< -clamp, -o and -s are in it
-    std::string type;  ///< -type; empty where absent
+    std::string type;  ///< -type; empty if absent
 };
 
-/// Reads "map_Kd -s 2 2 -clamp on my wood.png"; the file is looked for in `folder` (find_file).
-/// Options that would change the picture but are not honoured are warned about.
-/// Throws Error for an unknown option, a wrong argument, no file name.
+/// Reads "map_Kd -s 2 2 -clamp on my wood.png"; searches `folder` for the file (find_file). Warns
+/// about options that would change the picture but are not honoured. Throws Error for an unknown
+/// option, a wrong argument, or no file name.
 MapStatement read_map(const Statements& in, const std::filesystem::path& folder,
                       Warnings& warnings);
 

@@ -1,6 +1,5 @@
-// The state that OBJ statements set (object, group, material, smoothing), and elements added under
-// it.
-// Does not read text.
+// The state set by OBJ statements (object, group, material, smoothing), and the elements added
+// under it. Does not read text.
 #pragma once
 
 #include "scene/obj/obj_data.h"

@@ -1,5 +1,5 @@
-// An OBJ file as its statements say it: vertices, corners, elements, before they become meshes.
-// Plain data between the steps read_obj.cpp -> normals.cpp -> obj_parts.cpp.
+// The statements of an OBJ file: vertices, corners, elements, before they become meshes. Plain data
+// between the steps read_obj.cpp -> normals.cpp -> obj_parts.cpp.
 #pragma once
 
 #include "gw/base/types.h"
@@ -13,14 +13,14 @@ namespace gw::scene {
 
 inline constexpr std::uint32_t absent = 0xffffffff;
 
-/// A corner of a face: indices from 0 into positions, texcoords, normals; `absent` where the file
+/// A corner of a face: indices from 0 into positions, texcoords, normals; `absent` if the file
 /// gives none.
 struct Corner {
     std::uint32_t v = absent, vt = absent, vn = absent;
     bool operator==(const Corner&) const = default;
 };
 
-/// Smoothing groups are 1 and up; these two stand beside them.
+/// Smoothing groups are 1 and up; these two are the other values.
 inline constexpr std::int32_t smooth_by_angle = -1;  ///< no `s` statement before the face
 inline constexpr std::int32_t smooth_off = 0;
 
@@ -32,8 +32,7 @@ struct Element {
     std::int32_t line = 0;
 };
 
-/// What becomes one object: elements of one kind with one name and one material, wherever in the
-/// file they are.
+/// The elements of one kind with one name and one material, anywhere in the file: one object.
 struct Part {
     std::string name;      ///< `g`, else `o`, else empty
     std::string material;  ///< `usemtl`; empty: none

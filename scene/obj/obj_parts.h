@@ -5,7 +5,7 @@
 
 namespace gw::scene {
 
-/// Throws Error, with the element's line, where an index is beyond the vertices of the file.
+/// Throws Error, with the element's line, for an index beyond the vertices of the file.
 void check_indices(const ObjData& obj);
 
 /// The meshes of obj.parts, in their order; polygons in the order of the file.

@@ -33,7 +33,7 @@ constexpr std::array maps{
     MapWord{"refl", &Material::refl},
 };
 
-// Understood, but nothing is drawn differently for them: surface detail, cut-outs, other programs'
+// Understood, but without effect on the picture: surface detail, cut-outs, other programs'
 // materials.
 constexpr std::array not_honoured = std::to_array<std::string_view>({
     "bump",    "map_bump",    "disp",   "map_disp", "decal",   "map_decal", "map_d",
@@ -42,13 +42,6 @@ constexpr std::array not_honoured = std::to_array<std::string_view>({
     "map_pr",  "map_pm",      "map_ps", "map_pc",   "map_pcr", "map_refl",  "map_rma",
     "map_orm", "map_kn",      "km",     "it",       "kt",
 });
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return result;
-}
 
 class MtlReader {
 public:
@@ -128,7 +121,7 @@ private:
         warnings_.add(in_.file(), in_.line(), std::string(kind), text);
     }
 
-    // Files in the wild overstep the ranges; the nearest value in range stands in, with a warning.
+    // Real files exceed the ranges; the nearest value in range is used, with a warning.
     float limit(float value, float low, float high, std::string_view form) {
         if (value < low || value > high)
             warn(std::string(keyword_) + " range", std::string(in_.keyword()) +
@@ -185,7 +178,7 @@ private:
         has_d_ = true;
     }
 
-    // Where a material has both, d counts, in whatever order they come.
+    // If a material has both, d counts, in either order.
     void transparency(Material& material) {
         const float d = 1 - number(in_.rest(), 0, 1, "Tr 0 .. 1");
         if (has_d_) return compare(material.d, d);

@@ -1,4 +1,4 @@
-// Wavefront MTL, read strictly. docs/scenes.md says what is understood. Does not read textures.
+// Wavefront MTL, read strictly. docs/scenes.md lists the statements. Does not read textures.
 #pragma once
 
 #include "scene/scene.h"
@@ -9,7 +9,7 @@
 
 namespace gw::scene {
 
-/// The materials of a file in order. A name that comes twice counts the first time (warned about).
+/// The materials of a file in order. If a name comes twice, the first counts, with a warning.
 /// Throws Error "file:line: what; expected what".
 std::vector<Material> read_mtl(const std::filesystem::path& path, Warnings& warnings);
 

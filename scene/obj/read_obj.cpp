@@ -15,8 +15,7 @@
 namespace gw::scene {
 namespace {
 
-// Statements of the format that nothing is drawn for: free-form geometry, display hints, superseded
-// ones.
+// Statements that are not drawn: free-form geometry, display hints, superseded ones.
 constexpr std::array not_honoured = std::to_array<std::string_view>({
     "cstype",     "deg",       "bmat", "step", "curv", "curv2", "surf",   "parm",   "trim",
     "hole",       "scrv",      "sp",   "end",  "con",  "vp",    "ctech",  "stech",  "bevel",
@@ -128,7 +127,7 @@ private:
         build_.smoothing = static_cast<std::int32_t>(group);
     }
 
-    // File names may hold blanks, and several may stand on a line: the longest names that exist are
+    // File names may hold blanks, and a line may hold several: the longest existing names are
     // taken.
     void library() {
         std::string_view rest = in_.rest();

@@ -1,5 +1,5 @@
-// Wavefront OBJ, read strictly: what is wrong is an error with its line. docs/scenes.md says what
-// is understood. Does not triangulate (make_mesh does) and does not read textures.
+// Wavefront OBJ, read strictly: every fault is an error with its line. docs/scenes.md lists the
+// statements. Does not triangulate (make_mesh does) and does not read textures.
 #pragma once
 
 #include "scene/scene.h"
@@ -13,10 +13,9 @@
 namespace gw::scene {
 
 struct ObjOptions {
-    /// Degrees. Given: faces without normals are smoothed by this angle, whatever the `s`
-    /// statements say.
-    /// Absent: `s` statements are honoured, and faces before any of them are smoothed by 60
-    /// degrees.
+    /// Degrees. If given, faces without normals are smoothed by this angle, whatever the `s`
+    /// statements say. If absent, `s` statements are honoured, and faces before any of them are
+    /// smoothed by 60 degrees.
     std::optional<double> crease;
 };
 
@@ -34,8 +33,8 @@ struct ObjFile {
     std::vector<Material> materials;  ///< of every mtllib, in order
 };
 
-/// Throws Error "file:line: what; expected what", for its MTL files as well.
-/// Whether a part's material is among `materials` is not checked: a scene may bring its own.
+/// Throws Error "file:line: what; expected what", for its MTL files as well. Does not check that a
+/// part's material is among `materials`: a scene may bring its own.
 ObjFile read_obj(const std::filesystem::path& path, const ObjOptions& options, Warnings& warnings);
 
 }  // namespace gw::scene

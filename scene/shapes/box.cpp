@@ -1,4 +1,4 @@
-#include "scene/shapes/box.h"
+#include "scene/shapes/shapes.h"
 
 #include "scene/shapes/grid.h"
 
@@ -54,7 +54,7 @@ MeshData make_rectangle(double width, double depth, int columns, int rows) {
 
 MeshData make_box(dvec3 size, int segments) { return six_faces(size / 2.0, 1, segments); }
 
-// The face that looks along +z stands at the far side, -z.
+// The face that looks along +z is at the far side, -z.
 MeshData make_room(dvec3 size, int segments) { return six_faces(size / 2.0, -1, segments); }
 
 }  // namespace gw::scene

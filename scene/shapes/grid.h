@@ -1,5 +1,4 @@
-// A surface over a rectangle of parameters, as triangles or quads. Does not know what surface it
-// is.
+// A surface over a rectangle of parameters, as triangles or quads.
 #pragma once
 
 #include "gw/mesh.h"
@@ -14,9 +13,9 @@ struct GridVertex {
     dvec2 texcoord;
 };
 
-/// (columns + 1) x (rows + 1) vertices, at(column, row); counter-clockwise where columns go to the
-/// right and rows up. Triangles that have two corners at one position (poles) are left out; quads
-/// are kept as they are.
+/// (columns + 1) x (rows + 1) vertices, at(column, row); counter-clockwise if columns go to the
+/// right and rows up. Triangles with two corners at one position (poles) are left out; quads are
+/// all kept.
 MeshData make_grid(int columns, int rows, const std::function<GridVertex(int column, int row)>& at,
                    Primitive primitive = Primitive::Triangles);
 

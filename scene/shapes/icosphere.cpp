@@ -1,5 +1,5 @@
 #include "gw/base/elementary.h"
-#include "scene/shapes/sphere.h"
+#include "scene/shapes/shapes.h"
 
 #include <glm/geometric.hpp>
 
@@ -64,7 +64,7 @@ double turn(const dvec3& p) {
     return s < 0 ? s + 1 : s;
 }
 
-// s of a triangle's corners: one turn is added where it crosses the seam; a pole lies between the
+// s of a triangle's corners. One turn is added to corners beyond the seam; a pole lies between the
 // two others.
 std::array<double, 3> turns(const std::array<dvec3, 3>& p) {
     std::array<double, 3> s{turn(p[0]), turn(p[1]), turn(p[2])};

@@ -1,4 +1,4 @@
-#include "scene/shapes/profiles.h"
+#include "scene/shapes/lathe.h"
 
 namespace gw::scene {
 namespace {

@@ -7,9 +7,9 @@ namespace gw::scene {
 
 MeshData revolve(const std::vector<ProfilePoint>& profile, int slices) {
     const int rows = static_cast<int>(profile.size()) - 1;
-    // On the axis a vertex belongs to one triangle: that of the slice after it where the curve
-    // leaves the axis, of the slice before it where the curve comes back. It takes s and the normal
-    // from the middle of that slice.
+    // On the axis a vertex belongs to one triangle: that of the slice after it if the curve leaves
+    // the axis, of the slice before it if the curve returns to it. It takes s and the normal from
+    // the middle of that slice.
     const auto slice = [&](int column, int row) {
         const bool on_axis = profile[std::size_t(row)].position.x == 0;
         return on_axis ? column + (row == rows ? -0.5 : 0.5) : column;

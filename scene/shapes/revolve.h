@@ -1,5 +1,4 @@
-// Surfaces of revolution about the y axis. Does not know profiles: spheres, tori, cylinders and
-// vases bring theirs.
+// Surfaces of revolution about the y axis. Does not know profiles: revolved.cpp and lathe.cpp do.
 #pragma once
 
 #include "gw/mesh.h"

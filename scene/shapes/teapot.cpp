@@ -1,4 +1,4 @@
-#include "scene/shapes/teapot.h"
+#include "scene/shapes/shapes.h"
 
 #include "scene/shapes/grid.h"
 #include "scene/shapes/teapot_data.h"
@@ -64,9 +64,8 @@ constexpr Band bands[] = {
     {20, 4, 1, 0.55}, {24, 4, 0.55, 0},   {28, 4, 1, 0},                     // lid, bottom
 };
 
-// At the poles of lid and bottom all points of row 0 are one, its derivative across is 0, and the
-// normal is the limit of those beside it: there the derivative across grows as the mixed
-// derivative.
+// At the poles of lid and bottom all points of row 0 are one, and the derivative across is 0. There
+// the normal is the limit of its neighbours: the derivative across grows as the mixed derivative.
 dvec3 normal(const Across& curve, int column, int n) {
     const dvec3 along = sum(curve.along, weights(column, n));
     const dvec3 cross = differences(curve.points, column, n);

@@ -1,9 +1,8 @@
-// The Utah teapot as published: 306 control points and 32 bicubic Bezier patches.
-// M. E. Newell, "The Utilization of Procedure Models in Digital Image Synthesis", PhD thesis,
-// University of Utah, 1975; printed with F. Crow, "The Origins of the Teapot", IEEE Computer
-// Graphics and Applications 7(1), 1987; in this form (with a bottom, patches 28 to 31) in the
-// "teaset" files that have been passed on since. Facts, not ours. Does not turn them into anything:
-// teapot.cpp does.
+// The Utah teapot as published: 306 control points and 32 bicubic Bezier patches. M. E. Newell,
+// "The Utilization of Procedure Models in Digital Image Synthesis", PhD thesis, University of Utah,
+// 1975; printed with F. Crow, "The Origins of the Teapot", IEEE Computer Graphics and Applications
+// 7(1), 1987; in this form (with a bottom, patches 28 to 31) in the "teaset" files that have been
+// passed on since. Facts, not ours. Does not turn them into anything: teapot.cpp does.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "gw/base/elementary.h"
 #include "scene/shapes/grid.h"
-#include "scene/shapes/torus.h"
+#include "scene/shapes/shapes.h"
 
 #include <glm/geometric.hpp>
 

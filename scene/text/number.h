@@ -9,8 +9,7 @@ namespace gw::scene {
 
 enum class NumberFault { None, NotANumber, NotFinite, TooLarge };
 
-/// What stands at the beginning of a text: the value, the first character after it, and what is
-/// wrong with it.
+/// The number at the beginning of a text: its value, the first character after it, its fault.
 struct FloatText {
     float value = 0;
     const char* end = nullptr;

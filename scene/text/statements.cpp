@@ -17,6 +17,13 @@ std::string_view trim(std::string_view text) {
     return text;
 }
 
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return result;
+}
+
 namespace {
 
 std::string_view physical_line(const char*& at, const char* end) {

@@ -9,15 +9,14 @@ namespace gw::scene {
 
 class Statements {
 public:
-    /// `text` must outlive the object; `file` is what errors call it.
+    /// `text` must outlive the object; `file` is its name in errors.
     Statements(std::string file, std::string_view text);
 
-    /// Goes to the next statement; false where there is none.
+    /// Goes to the next statement; false at the end.
     bool next();
 
     std::string_view keyword() const { return keyword_; }
-    /// What follows the keyword, without blanks at its ends; comments are still in it (names may
-    /// hold '#').
+    /// The text after the keyword, trimmed. Comments are still in it, since names may hold '#'.
     std::string_view rest() const { return rest_; }
     /// The line the statement begins on, from 1.
     int line() const { return line_; }
@@ -38,6 +37,9 @@ inline bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r' && c !
 
 /// The text without blanks at its ends.
 std::string_view trim(std::string_view text);
+
+/// The text with A .. Z as a .. z.
+std::string lower(std::string_view text);
 
 /// Takes the next word off the text; empty at its end, and at a '#' that begins a comment.
 inline std::string_view take_word(std::string_view& text) {

@@ -1,6 +1,7 @@
 #include "scene/text/text_file.h"
 
 #include "gw/error.h"
+#include "scene/text/statements.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -15,13 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string lower(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
-
-// The entry of `folder` that has this name but for case; the first in byte order, since folders
+// The entry of `folder` whose name differs at most by case. The first in byte order, since folders
 // have none.
 fs::path entry_without_case(const fs::path& folder, const std::string& name) {
     std::error_code error;
@@ -45,7 +40,7 @@ fs::path path_without_case(const fs::path& folder, const fs::path& name) {
     return found;
 }
 
-// A device has no end, and a pipe may have no other one: a scene must not be able to name them.
+// A device has no end, and a pipe may have no writer: a scene must not be able to name them.
 void check_is_file(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -60,7 +55,7 @@ void check_size(const fs::path& path, std::size_t size) {
                     "has more than " + std::to_string(most_text >> 20) + " MB; expected less");
 }
 
-// `expected` is the size as far as it is known: it may grow meanwhile, and files of the system
+// `expected` is the size from the file system: the file may grow meanwhile, and files of the system
 // claim 0.
 std::string contents(std::FILE* in, const fs::path& path, std::size_t expected) {
     check_size(path, expected);

@@ -1,4 +1,4 @@
-// Text files, and the files that they name. Does not interpret what is in them.
+// Reads text files, and finds the files that they name. Does not interpret them.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,9 @@ namespace gw::scene {
 /// Bytes; a larger file is refused. Ten million triangles have about 800 MB.
 inline constexpr std::size_t most_text = std::size_t{2} << 30;
 
-/// The whole file without its UTF-8 byte order mark; where lines end in carriage returns alone,
-/// those become newlines. Throws Error where it is missing, a directory, a device or a pipe, larger
-/// than `most_text`, cannot be read, or is UTF-16.
+/// The whole file without its UTF-8 byte order mark. If lines end in carriage returns alone, these
+/// become newlines. Throws Error if the file is missing, a directory, a device or a pipe, larger
+/// than `most_text`, unreadable, or UTF-16.
 std::string read_text(const std::filesystem::path& path);
 
 /// False also for names that no file can have. Never throws.

@@ -1,4 +1,5 @@
-// Warnings: what a reader understood but does not honour. Never an error; never silent either.
+// Warnings about statements that a reader understands but does not honour. Not errors, and never
+// silent.
 #pragma once
 
 #include "gw/error.h"

@@ -1,5 +1,3 @@
-#include "scene/toml/read_toml.h"
-
 #include "scene/obj/read_mtl.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
@@ -10,7 +8,7 @@
 namespace gw::scene {
 namespace {
 
-/// The tables of [[light]], [[object]] or [[pass]]; also one, [light].
+/// The tables of [[light]], [[object]] or [[pass]]; a single [light] counts as one.
 std::vector<const TomlValue*> tables(const TomlValue& value) {
     if (value.kind == TomlKind::Table) return {&value};
     if (value.kind != TomlKind::Array) value.fail_expected("[[" + value.name + "]]");
@@ -19,7 +17,7 @@ std::vector<const TomlValue*> tables(const TomlValue& value) {
     return list;
 }
 
-// Those of [material.NAME], then those of the mtllib files.
+// The materials of [material.NAME], then those of the mtllib files.
 class Library {
 public:
     explicit Library(Warnings& warnings) : warnings_(warnings) {}
@@ -48,8 +46,7 @@ private:
     Warnings& warnings_;
 };
 
-// A light that lights chosen parts only, a pass that draws chosen parts only [K3.3], must name
-// parts there are.
+// Lights and passes that name parts [K3.3] must name existing ones.
 void check_names(const TomlValue& list, const std::set<std::string>& names) {
     for (const std::string& name : to_strings(list))
         if (!names.contains(name)) list.fail(unknown("object", name, {names.begin(), names.end()}));
@@ -72,7 +69,7 @@ SceneFile read_toml(const std::filesystem::path& path) {
     std::vector<const TomlValue*> lights, objects, passes;
     const TomlValue *materials = nullptr, *mtllib = nullptr;
 
-    // Sections may come in any order, so what refers to others is read after them.
+    // Sections may come in any order, so references are read last.
     read_table(file,
                {
                    key("name", scene.name),

@@ -1,12 +1,7 @@
 #include "scene/toml/shape_table.h"
 
-#include "scene/shapes/box.h"
-#include "scene/shapes/cylinder.h"
 #include "scene/shapes/lathe.h"
-#include "scene/shapes/profiles.h"
-#include "scene/shapes/sphere.h"
-#include "scene/shapes/teapot.h"
-#include "scene/shapes/torus.h"
+#include "scene/shapes/shapes.h"
 
 namespace gw::scene {
 namespace {

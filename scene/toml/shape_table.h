@@ -1,6 +1,5 @@
-// The shapes a scene can ask for by name: `shape = "torus"` with its parameters as keys.
-// docs/scenes.md.
-// Does not place them or give them materials.
+// The shapes of a scene file by name: `shape = "torus"` with its parameters as keys.
+// docs/scenes.md. Does not place them or give them materials.
 #pragma once
 
 #include "gw/mesh.h"
@@ -13,15 +12,14 @@ namespace gw::scene {
 
 struct ShapeParameter {
     std::string name;
-    double value;      ///< where none is given
+    double value;      ///< the default
     double low, high;  ///< allowed, ends included
     bool integer;
 };
 
 /// Object space: y up; counter-clockwise from outside; positions, normals of length 1, texcoords.
-/// Borders that meet have bit-equal positions. Shapes that stand (vases, the teapot, the pedestal)
-/// stand on y = 0, others have the origin in their middle. Curved ones are Triangles, the flat ones
-/// Quads.
+/// Borders that meet have bit-equal positions. Vases, the teapot and the pedestal stand on y = 0;
+/// other shapes have the origin in their middle. Curved shapes are Triangles, flat ones Quads.
 struct Shape {
     std::string name;
     std::vector<ShapeParameter> parameters;

@@ -119,7 +119,7 @@ vec3 to_color(const TomlValue& value) {
     return to_vec3(value);
 }
 
-// Of so many words everybody sees which one was meant.
+// In a list this short everybody sees the word that was meant.
 constexpr std::size_t few_words = 4;
 
 std::size_t to_word(const TomlValue& value, const std::vector<std::string>& words) {

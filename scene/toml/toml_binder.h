@@ -20,8 +20,8 @@ struct Key {
     std::function<void(const TomlValue&)> read;
 };
 
-/// Throws Error for a value that is not a table and for an unknown key, naming the nearest known
-/// one.
+/// Throws Error if the value is not a table, or has an unknown key; the message names the nearest
+/// known one.
 void read_table(const TomlValue& table, const std::vector<Key>& keys);
 
 /// Numbers that a key takes, ends included.
@@ -61,7 +61,7 @@ Key color_key(std::string name, vec3& field);
 template <typename Enum>
 Key key(std::string name, Enum& field, std::vector<std::pair<std::string, Enum>> words);
 
-/// Throws Error naming the words where the value is none of them; else the word's ordinal.
+/// The ordinal of the word. Throws Error naming the words if the value is none of them.
 std::size_t to_word(const TomlValue& value, const std::vector<std::string>& words);
 
 template <typename Enum>

@@ -40,7 +40,8 @@ Map to_file_map(const TomlValue& value) {
     return map;
 }
 
-// What of a map: Surface by texture coordinates; Sphere by a ray, which can be generated.
+// A surface map is looked up by texture coordinates; a sphere map by a ray, and it can be
+// generated.
 enum class MapKind { Surface, Sphere };
 
 Map to_map(const TomlValue& value, MapKind kind) {

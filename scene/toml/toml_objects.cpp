@@ -3,7 +3,6 @@
 #include "scene/geometry/divide.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
-#include "scene/toml/toml_shape.h"
 
 #include <algorithm>
 

@@ -13,7 +13,7 @@ namespace gw::scene {
 
 class TomlObjects {
 public:
-    /// `library` holds the materials that the TOML file brings; they come before those of the OBJ
+    /// `library` holds the materials of the TOML file; they take precedence over those of the OBJ
     /// files.
     TomlObjects(SceneBuilder& builder, const std::vector<Material>& library, Warnings& warnings)
         : builder_(builder), library_(library), warnings_(warnings) {}
@@ -21,7 +21,7 @@ public:
     /// Adds the objects of one table. Throws Error with file and line.
     void add(const TomlValue& table);
 
-    /// Names of all objects, those that are not visible too.
+    /// Names of all objects, including invisible ones.
     const std::set<std::string>& names() const { return names_; }
 
 private:

@@ -1,14 +1,16 @@
-// The sections of a TOML scene that stand for themselves: camera, lights, fog, materials,
-// placements.
-// docs/scenes.md has every key. Objects, which bring files and shapes, are in toml_objects.h.
+// A TOML scene and its sections: camera, lights, fog, materials, placements, shapes. docs/scenes.md
+// has every key. Objects, which read files, are in toml_objects.h.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/read_scene.h"
 #include "scene/toml/toml_binder.h"
 
 namespace gw::scene {
 
-/// All of them throw Error with file and line.
+/// The whole scene. Throws Error "file:line: what; expected what"; an unknown key names the nearest
+/// known one. All functions below do.
+SceneFile read_toml(const std::filesystem::path& path);
+
 Camera to_camera(const TomlValue& table);
 Light to_light(const TomlValue& table);
 Fog to_fog(const TomlValue& table);
@@ -23,5 +25,15 @@ struct Placement {
 /// Appends the four keys that fill a placement in.
 void add_placement_keys(std::vector<Key>& keys, Placement& placement);
 dmat4 world_from_object(const Placement& placement);
+
+/// A shape that an [[object]] asks for, and the values of its parameters.
+struct TomlShape {
+    std::string name;
+    std::vector<double> parameters;
+    std::function<MeshData(const std::vector<double>&)> make;  ///< empty: the table has no shape
+};
+/// Finds the shape of the table and appends its parameters' keys, which fill in `shape`; it must
+/// not move meanwhile.
+void add_shape_keys(const TomlValue& table, std::vector<Key>& keys, TomlShape& shape);
 
 }  // namespace gw::scene

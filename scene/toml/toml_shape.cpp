@@ -1,7 +1,6 @@
-#include "scene/toml/toml_shape.h"
-
 #include "scene/text/suggest.h"
 #include "scene/toml/shape_table.h"
+#include "scene/toml/toml_sections.h"
 
 #include <algorithm>
 

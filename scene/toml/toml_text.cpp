@@ -29,8 +29,8 @@ public:
     }
 
 private:
-    /// As a key, a part of one, or a value. In a wrong number or word toml++ takes a quotation mark
-    /// for a part of it.
+    /// A string may begin as a key, a part of one, or a value. Elsewhere toml++ takes a quotation
+    /// mark for a part of a wrong number or word.
     bool may_begin_string() const {
         const std::string_view before = value_ ? "=[,\n" : "[{,.\n";
         return !word_ && before.find(before_) != std::string_view::npos;
@@ -118,7 +118,7 @@ private:
     std::size_t at_ = 0;
     char before_ = '\n';  ///< the last character outside of comments that is not a blank
     std::string open_;    ///< brackets of arrays and inline tables
-    bool value_ = false;  ///< what comes next is a value, not a key
+    bool value_ = false;  ///< a value comes next, not a key
     bool word_ = false;   ///< within a value without quotation marks
 };
 

@@ -4,14 +4,13 @@
 #include "scene/text/number.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
-#include "scene/toml/read_toml_text.h"
 #include "scene/toml/toml_text.h"
 
 #include <algorithm>
 
-// toml++'s parser asserts things of the text that it checks and reports a line later: [=] would end
-// a debug build, and clang's release build assumes that there is no such text. Without NDEBUG its
-// assumptions are assertions, and its assertions are nothing.
+// toml++ asserts properties of the text that it checks and reports one line later. So [=] would end
+// a debug build, and clang's release build would assume that there is no such text. Without NDEBUG
+// its assumptions are assertions, and here assertions do nothing.
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_assert(true)
 #include <toml++/toml.h>
@@ -48,7 +47,7 @@ std::string_view kind_text(TomlKind kind) {
 
 namespace {
 
-// Makes our values of toml++'s nodes.
+// Converts toml++'s nodes.
 class Converter {
 public:
     Converter(std::string file, std::string_view text)

@@ -1,5 +1,5 @@
-// A TOML file as plain values that know their file, line, key and, for numbers, their text.
-// The only user of toml++ is toml_value.cpp. Does not know any key.
+// A TOML file as plain values that know their file, line, key and, for numbers, their text. The
+// only user of toml++ is toml_value.cpp. Does not know any key.
 #pragma once
 
 #include <filesystem>
@@ -36,6 +36,9 @@ struct TomlValue {
 
 /// "a string", "a table", ...
 std::string_view kind_text(TomlKind kind);
+
+/// `name` stands for the file in messages. Throws Error where the text is not TOML.
+TomlValue read_toml_text(const std::string& text, const std::filesystem::path& name);
 
 /// Throws Error where read_text does and where the text is not TOML.
 TomlValue read_toml_file(const std::filesystem::path& path);

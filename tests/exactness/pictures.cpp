@@ -3,10 +3,7 @@
 #include "tests/exactness/pictures.h"
 
 #include "scene/draw/view.h"
-#include "scene/shapes/box.h"
-#include "scene/shapes/sphere.h"
-#include "scene/shapes/teapot.h"
-#include "scene/shapes/torus.h"
+#include "scene/shapes/shapes.h"
 
 namespace gw::exactness {
 namespace {

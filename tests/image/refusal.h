@@ -1,4 +1,4 @@
-// What read_texture says of a file that it does not read.
+// The message of read_texture for a file that it refuses.
 #pragma once
 
 #include "gw/error.h"
@@ -9,7 +9,7 @@
 
 namespace gw::image {
 
-/// "" where it reads it.
+/// "" if it reads the file.
 inline std::string refusal(const std::filesystem::path& file) {
     try {
         read_texture(file);

@@ -1,4 +1,4 @@
-// Pictures of planes that hold no colours.
+// Claims: false colours tell the values of depth, stencil, identifiers and accumulation apart.
 #include "image/false_color.h"
 
 #include <gtest/gtest.h>

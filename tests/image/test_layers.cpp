@@ -1,4 +1,4 @@
-// Layers come back from a file bit for bit, or not at all.
+// Claim: layers come back from a file bit for bit, or not at all.
 #include "gw/error.h"
 #include "image/layers.h"
 #include "tests/image/files.h"

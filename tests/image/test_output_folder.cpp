@@ -1,8 +1,8 @@
 // A folder is there whole or as it was before; and pictures made smaller keep their mean.
 #include "gw/error.h"
-#include "image/downscale.h"
 #include "image/output/output_file.h"
 #include "image/output/output_folder.h"
+#include "image/picture.h"
 
 #include "tests/image/files.h"
 
@@ -80,7 +80,7 @@ TEST(OutputFolder, RefusesWhatItMayNotReplace) {
 
 TEST(Reduced, SquaresBecomeTheirMeanToNearest) {
     const Picture small =
-        reduced({.width = 3, .height = 2, .channels = 1, .values = {0, 1, 7, 2, 4, 8}}, 2);
+        downscaled({.width = 3, .height = 2, .channels = 1, .values = {0, 1, 7, 2, 4, 8}}, 2);
     EXPECT_EQ(small.width, 2);
     EXPECT_EQ(small.height, 1);
     EXPECT_EQ(small.values, (std::vector<std::uint16_t>{2, 8}));  // 7/4 and 15/2

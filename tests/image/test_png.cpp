@@ -1,5 +1,5 @@
-// PNG files of every kind that the format knows become the same texels as OpenImageIO finds in
-// them; none that is damaged does.
+// Claims: PNG files of every kind give the same texels as through OpenImageIO; damaged ones give
+// none.
 #include "image/textures.h"
 #include "image/write.h"
 
@@ -36,8 +36,7 @@ void write_header(png_structp png, png_infop info, const Kind& kind) {
     png_write_info(png, info);
 }
 
-/// Indices 0 .. 3 where there is a palette, else bytes of all values with some that are the
-/// transparent colour.
+/// Indices 0 .. 3 for a palette; else bytes of all values, among them the transparent colour.
 std::vector<png_byte> row_of(const Kind& kind, std::size_t bytes, int y) {
     std::vector<png_byte> row(bytes);
     for (std::size_t i = 0; i < bytes; ++i) {

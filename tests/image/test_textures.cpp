@@ -1,4 +1,4 @@
-// Texels are what files hold; what cannot be read names who asks for it.
+// Claims: texels are the values of the file; an error names the statement that asks for the file.
 #include "gw/error.h"
 #include "image/textures.h"
 #include "image/write.h"

@@ -1,4 +1,4 @@
-// Pictures and planes in files: what a reader finds there is what the plane held.
+// Claims: a reader finds in a file the values that the plane held.
 #include "gw/base/arithmetic.h"
 #include "gw/error.h"
 #include "image/write.h"
