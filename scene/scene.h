@@ -11,6 +11,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -108,7 +109,7 @@ struct Light {
     float constant_attenuation = 1, linear_attenuation = 0, quadratic_attenuation = 0;
     Shadow shadow = Shadow::None;
     AreaLight area;
-    std::vector<std::string> only;  ///< names of the objects it lights; empty: all [K3.3]
+    std::set<std::string> only;  ///< names of the objects it lights; empty: all [K3.3]
 };
 
 struct Camera {

@@ -78,8 +78,7 @@ gw::Material machine_material(const Material& m) {
 }
 
 bool lights_object(const Light& light, const Object& object) {
-    return light.only.empty() ||
-           std::find(light.only.begin(), light.only.end(), object.name) != light.only.end();
+    return light.only.empty() || light.only.contains(object.name);
 }
 
 TextureState texture_state(const Map& map) {

@@ -34,6 +34,10 @@ void read_attenuation(const TomlValue& value, Light& light) {
         value.fail(value.name + " is 0 everywhere; expected a factor above 0");
 }
 
+void read_names(const TomlValue& value, std::set<std::string>& names) {
+    for (std::string& name : to_strings(value)) names.insert(std::move(name));
+}
+
 // A position makes a point light, a direction a directional one, both a spot.
 LightKind kind_of(const TomlValue& table) {
     const bool position = table.find("position"), direction = table.find("direction");
@@ -74,7 +78,7 @@ Light to_light(const TomlValue& table) {
                    key("shadow", light.shadow,
                        {{"none", Shadow::None}, {"volume", Shadow::Volume}, {"map", Shadow::Map}}),
                    {"area", [&](const TomlValue& value) { light.area = to_area(value); }},
-                   key("only", light.only),
+                   {"only", [&](const TomlValue& value) { read_names(value, light.only); }},
                });
     check_kind(table, light);
     return light;

@@ -66,7 +66,7 @@ TEST_F(Toml, LightKeys) {
     EXPECT_EQ(l.linear_attenuation, 0.5f);
     EXPECT_EQ(l.quadratic_attenuation, 0.25f);
     EXPECT_EQ(l.shadow, Shadow::Volume);
-    EXPECT_EQ(l.only, (Strings{"a", "b"}));
+    EXPECT_EQ(l.only, (std::set<std::string>{"a", "b"}));
     EXPECT_EQ(l.area.shape, AreaLight::Shape::Rectangle);
     EXPECT_EQ(l.area.v, vec3(0, 0, 2));
     EXPECT_EQ(l.area.samples, 25);
@@ -192,7 +192,7 @@ TEST_F(Toml, ObjectsMayBeRenamedChosenAndHidden) {
     ASSERT_EQ(s.objects.size(), 2u);
     EXPECT_EQ(s.objects[0].name, "all");
     EXPECT_EQ(s.objects[1].name, "all");
-    EXPECT_EQ(s.lights[0].only, (Strings{"hidden"}));
+    EXPECT_EQ(s.lights[0].only, std::set<std::string>{"hidden"});
 }
 
 TEST_F(Toml, CreaseIsTheObjects) {
