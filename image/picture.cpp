@@ -13,8 +13,7 @@ std::uint16_t mean_of(const Picture& p, int x0, int y0, int factor, int channel)
     std::uint64_t sum = 0;
     for (int y = y0; y < y1; ++y)
         for (int x = x0; x < x1; ++x)
-            sum += p.values[(std::size_t(y) * std::size_t(p.width) + std::size_t(x)) *
-                                std::size_t(p.channels) +
+            sum += p.values[pixel_index(x, y, p.width) * std::size_t(p.channels) +
                             std::size_t(channel)];
     const auto count = std::uint64_t(x1 - x0) * std::uint64_t(y1 - y0);
     return static_cast<std::uint16_t>((sum + count / 2) / count);
