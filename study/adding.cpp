@@ -35,7 +35,7 @@ scene::Scene lit(scene::Scene scene, int n, double strength) {
     return scene;
 }
 
-struct Study {
+struct AddingStudy {
     const scene::Scene& scene;
     scene::View view;
     Machine& machine;
@@ -105,7 +105,7 @@ std::vector<Adding> adding(scene::Scene scene, const std::vector<int>& lights,
     std::vector<Adding> rows;
     for (const Profile& profile : profiles) {
         const auto machine = make(profile), exact_machine = make(exact(profile));
-        const Study study{scene, view, *machine}, truth_study{scene, view, *exact_machine};
+        const AddingStudy study{scene, view, *machine}, truth_study{scene, view, *exact_machine};
         for (const int n : lights) {
             say(fmt::format("{}, {} lights", profile.name, n));
             const Fractions truth = truth_study.draw(lit(scene, n, brightness),

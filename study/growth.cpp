@@ -124,9 +124,9 @@ std::map<std::string, double> measured(const hs::LineAlgorithm& algorithm, Stage
     return values;
 }
 
-class Study {
+class GrowthStudy {
 public:
-    Study(const GrowthOptions& options, const std::function<void(const std::string&)>& say)
+    GrowthStudy(const GrowthOptions& options, const std::function<void(const std::string&)>& say)
         : options_(options), say_(say) {}
 
     template <class Algorithm>
@@ -218,7 +218,7 @@ std::vector<std::string> right_algorithms() {
 }
 
 Growth growth(const GrowthOptions& options, const std::function<void(const std::string&)>& say) {
-    Study study(options, say);
+    GrowthStudy study(options, say);
     for (const GrowthAxis& axis : growth_axes()) {
         if (!options.axis.empty() && axis.name != options.axis) continue;
         study.run(axis.name, false, hs::algorithms());

@@ -4,6 +4,7 @@
 #include "apps/command/terminal.h"
 #include "apps/describe/shell_words.h"
 #include "apps/figures/figure_entry.h"
+#include "apps/figures/folder_index.h"
 #include "apps/figures/index_page.h"
 #include "apps/figures/panel_words.h"
 #include "gw/error.h"
@@ -30,13 +31,6 @@ struct FiguresOptions {
 void print_list() {
     for (const Figure& figure : figures())
         print(fmt::format("{:<14} {:<10} {}\n", figure.name, figure.row, figure.title));
-}
-
-/// Stays, whatever comes after.
-void make_folder(const fs::path& folder) {
-    image::OutputSet output;
-    output.make_folder(folder);
-    output.commit();
 }
 
 RanPanel run_panel(const Panel& panel, const FiguresOptions& options, const Figure& figure,

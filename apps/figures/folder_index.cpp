@@ -79,6 +79,12 @@ std::string label_of(const fs::path& file) {
 
 }  // namespace
 
+void make_folder(const std::filesystem::path& folder) {
+    image::OutputSet output;
+    output.make_folder(folder);
+    output.commit();
+}
+
 FolderIndex read_index(const fs::path& folder) {
     const fs::path file = folder / index_file;
     FolderIndex index;

@@ -35,6 +35,9 @@ struct IndexEntry {
     bool operator==(const IndexEntry&) const = default;
 };
 
+/// Creates a folder at once; it stays if a later step fails.
+void make_folder(const std::filesystem::path& folder);
+
 using FolderIndex = std::vector<IndexEntry>;
 
 inline constexpr const char* index_file = "index.json";

@@ -3,6 +3,7 @@
 #include "apps/command/command.h"
 #include "apps/command/progress.h"
 #include "apps/command/terminal.h"
+#include "apps/figures/folder_index.h"
 #include "apps/figures/golden_run.h"
 #include "apps/figures/panel_words.h"
 #include "apps/recordings/machine_options.h"
@@ -36,12 +37,6 @@ struct Tally {
     std::size_t manifests = 0, passes = 0, different = 0;
     std::set<fs::path> files;
 };
-
-void make_folder(const fs::path& folder) {
-    image::OutputSet output;
-    output.make_folder(folder);
-    output.commit();
-}
 
 /// As another process would: from its bytes.
 inspect::Recording reread(const inspect::Recording& recording) {

@@ -9,9 +9,10 @@
 namespace gw::hiddensurface {
 namespace {
 
-class Builder {
+class BspBuilder {
 public:
-    Builder(const std::vector<Polygon>& polygons, std::size_t candidates, const SplitSink& on_split)
+    BspBuilder(const std::vector<Polygon>& polygons, std::size_t candidates,
+               const SplitSink& on_split)
         : polygons_(polygons), candidates_(candidates), on_split_(on_split) {
         tolerance_ = world_tolerance(polygons);
     }
@@ -149,7 +150,7 @@ double world_tolerance(const std::vector<Polygon>& polygons) {
 
 Tree build_tree(const std::vector<Polygon>& polygons, const std::vector<std::size_t>& order,
                 std::size_t candidates, const SplitSink& on_split) {
-    return Builder(polygons, candidates, on_split).build(order);
+    return BspBuilder(polygons, candidates, on_split).build(order);
 }
 
 std::uint64_t far_to_near(const Tree& tree, const dvec4& eye,

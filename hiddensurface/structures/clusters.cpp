@@ -99,9 +99,9 @@ struct Separation {
     std::size_t cost = none;
 };
 
-class Builder {
+class ClusterBuilder {
 public:
-    Builder(const std::vector<Polygon>& polygons, const SplitSink& on_split)
+    ClusterBuilder(const std::vector<Polygon>& polygons, const SplitSink& on_split)
         : polygons_(polygons), on_split_(on_split), tolerance_(world_tolerance(polygons)) {}
 
     ClusterTree build() {
@@ -258,7 +258,7 @@ std::uint64_t walk(const ClusterNode& node, const std::vector<Polygon>& polygons
 }  // namespace
 
 ClusterTree build_clusters(const std::vector<Polygon>& polygons, const SplitSink& on_split) {
-    return Builder(polygons, on_split).build();
+    return ClusterBuilder(polygons, on_split).build();
 }
 
 std::uint64_t far_to_near(const ClusterTree& tree, const std::vector<Polygon>& polygons,

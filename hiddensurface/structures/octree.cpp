@@ -12,9 +12,9 @@ namespace {
 
 constexpr int deepest = 10;
 
-class Builder {
+class OctreeBuilder {
 public:
-    Builder(const std::vector<Polygon>& polygons, std::size_t few)
+    OctreeBuilder(const std::vector<Polygon>& polygons, std::size_t few)
         : polygons_(polygons), few_(few) {}
 
     std::unique_ptr<Cube> cube(const dvec3& low, const dvec3& high, std::vector<std::size_t> inside,
@@ -77,7 +77,7 @@ std::unique_ptr<Cube> build_octree(const std::vector<Polygon>& polygons, std::si
                 high[axis] = std::max(high[axis], p[axis]);
             }
     }
-    return Builder(polygons, few).cube(low, high, std::move(all), 0);
+    return OctreeBuilder(polygons, few).cube(low, high, std::move(all), 0);
 }
 
 std::array<std::size_t, 8> near_to_far(const Cube& cube, const dvec4& eye) {

@@ -18,10 +18,6 @@ std::vector<std::uint8_t> top_row_first(const Picture& picture) {
     return bytes;
 }
 
-[[noreturn]] void refuse(const Destination& file, const std::string& why) {
-    throw Error(file.target.string(), 0, "cannot be written: " + one_line(why));
-}
-
 }  // namespace
 
 void put_animation(const Destination& file, const std::vector<Picture>& frames,

@@ -19,10 +19,6 @@ std::string extension_of(const std::filesystem::path& file) {
     return extension;
 }
 
-[[noreturn]] void refuse(const Destination& file, const std::string& why) {
-    throw Error(file.target.string(), 0, "cannot be written: " + one_line(why));
-}
-
 void write_samples(OIIO::ImageOutput& output, const Destination& file, const std::string& name,
                    const OIIO::ImageSpec& spec,
                    const std::function<Samples(OIIO::TypeDesc stored)>& convert) {
@@ -54,6 +50,10 @@ std::string one_line(std::string text) {
     while (!text.empty() && (text.back() == '\n' || text.back() == '.')) text.pop_back();
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text.empty() ? "the library gives no reason" : text;
+}
+
+void refuse(const Destination& file, const std::string& why) {
+    throw Error(file.target.string(), 0, "cannot be written: " + one_line(why));
 }
 
 std::unique_ptr<OIIO::ImageOutput> writer_for(const std::filesystem::path& file) {

@@ -27,4 +27,7 @@ void encode(const Destination& file, const OIIO::ImageSpec& spec,
 /// OpenImageIO's last error as one line.
 std::string one_line(std::string text);
 
+/// Throws Error: the target cannot be written, and why.
+[[noreturn]] void refuse(const Destination& file, const std::string& why);
+
 }  // namespace gw::image::oiio

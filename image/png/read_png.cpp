@@ -12,7 +12,7 @@
 namespace gw::image {
 namespace {
 
-[[noreturn]] void refuse(png_structp png, png_const_charp why) {
+[[noreturn]] void refuse_reading(png_structp png, png_const_charp why) {
     *static_cast<std::string*>(png_get_error_ptr(png)) = why;
     png_longjmp(png, 1);
 }
@@ -24,7 +24,7 @@ void read_bytes(png_structp png, png_bytep to, std::size_t count) {
 
 struct Reader {
     explicit Reader(std::string& refusal)
-        : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &refusal, refuse,
+        : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &refusal, refuse_reading,
                                      [](png_structp, png_const_charp) {})),
           info(png_create_info_struct(png)) {}
     ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }

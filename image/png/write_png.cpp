@@ -17,7 +17,7 @@ struct Sink {
     std::string refusal;
 };
 
-[[noreturn]] void refuse(png_structp png, png_const_charp why) {
+[[noreturn]] void refuse_writing(png_structp png, png_const_charp why) {
     static_cast<Sink*>(png_get_error_ptr(png))->refusal = why;
     png_longjmp(png, 1);
 }
@@ -29,7 +29,7 @@ void append(png_structp png, png_bytep first, std::size_t count) {
 
 struct Writer {
     explicit Writer(Sink& sink)
-        : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, refuse,
+        : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, refuse_writing,
                                       [](png_structp, png_const_charp) {})),
           info(png_create_info_struct(png)) {
         png_set_write_fn(png, &sink, append, nullptr);

@@ -9,7 +9,7 @@
 namespace gw::inspect {
 namespace {
 
-struct Runs {
+struct PassRuns {
     ManifestPass first;
     std::array<std::vector<std::uint8_t>, 4> digests;  ///< of all runs, as bytes
     int count = 0;
@@ -20,7 +20,7 @@ void add_bytes(std::vector<std::uint8_t>& bytes, const Digest& digest) {
         for (int shift = 56; shift >= 0; shift -= 8) bytes.push_back(std::uint8_t(half >> shift));
 }
 
-void add(Runs& runs, const ManifestPass& pass) {
+void add(PassRuns& runs, const ManifestPass& pass) {
     if (runs.count++ == 0)
         runs.first = pass;
     else
@@ -28,7 +28,7 @@ void add(Runs& runs, const ManifestPass& pass) {
     for (std::size_t i = 0; i < 4; ++i) add_bytes(runs.digests[i], pass.report.digests[i]);
 }
 
-ManifestPass merged(const Runs& runs) {
+ManifestPass merged(const PassRuns& runs) {
     ManifestPass pass = runs.first;
     if (runs.count == 1) return pass;
     pass.report.name += fmt::format(", {} runs", runs.count);
@@ -40,7 +40,7 @@ ManifestPass merged(const Runs& runs) {
 
 Manifest merge_runs(const Manifest& manifest) {
     std::map<std::string, std::size_t> places;
-    std::vector<Runs> all;
+    std::vector<PassRuns> all;
     for (const ManifestPass& pass : manifest.passes) {
         const auto [place, is_new] = places.try_emplace(pass.report.name, all.size());
         if (is_new) all.emplace_back();
@@ -48,7 +48,7 @@ Manifest merge_runs(const Manifest& manifest) {
     }
     Manifest result = manifest;
     result.passes.clear();
-    for (const Runs& runs : all) result.passes.push_back(merged(runs));
+    for (const PassRuns& runs : all) result.passes.push_back(merged(runs));
     return result;
 }
 

@@ -39,7 +39,7 @@ constexpr PassPictures::Shown usual_planes[] = {{"color", Plane::Color},
                                                 {"stencil", Plane::Stencil},
                                                 {"accum", Plane::Accum},
                                                 {"polygons", {}, polygons_of}};
-constexpr PassPictures::Shown identifiers{"identifiers", {}, colors_as_ids};
+constexpr PassPictures::Shown shown_identifiers{"identifiers", {}, colors_as_ids};
 
 image::Picture picture_of(const PassPictures::Shown& shown, const Snapshot& s,
                           const Profile& profile) {
@@ -114,9 +114,9 @@ nlohmann::ordered_json PassPictures::add(std::size_t pass, Snapshot after, bool 
     nlohmann::ordered_json all;
     for (const Shown& shown : usual_planes) all[shown.name] = plane_json(shown, pass, after);
     if (with_identifiers)
-        all[identifiers.name] = plane_json(identifiers, pass, after);
+        all[shown_identifiers.name] = plane_json(shown_identifiers, pass, after);
     else
-        files_.erase(identifiers.name);
+        files_.erase(shown_identifiers.name);
     last_ = std::move(after);
     return all;
 }

@@ -11,7 +11,7 @@ namespace {
 
 /// Direction from the centre of a bare model to the eye.
 constexpr double seen_from[3] = {0.4, 0.35, 1};
-constexpr double margin = 1.05;
+constexpr double fit_margin = 1.05;
 
 /// Distance of the eye from the centre at which the point `p_eye` (relative to the centre, eye
 /// axes) just touches the border of the window. By similar triangles: no angle is measured.
@@ -37,7 +37,7 @@ Camera fit_camera(const Bounds& bounds, int width, int height) {
     }
     if (distance == 0) distance = 1;  // a single point
     camera.at = center;
-    camera.eye = center + toward * (margin * distance / length(toward));
+    camera.eye = center + toward * (fit_margin * distance / length(toward));
     return camera;
 }
 

@@ -12,12 +12,12 @@ namespace gw::scene {
 namespace {
 
 /// How well a ray goes through a triangle: the smallest of its barycentric coordinates.
-struct Meeting {
+struct TriangleHit {
     double inside = -std::numeric_limits<double>::infinity();
     TrianglePoint point;
 };
 
-Meeting meet_triangle(const std::array<dvec3, 3>& corner, const dvec3& o, const dvec3& d) {
+TriangleHit meet_triangle(const std::array<dvec3, 3>& corner, const dvec3& o, const dvec3& d) {
     const dvec3 e1 = corner[1] - corner[0], e2 = corner[2] - corner[0], p = cross3(d, e2);
     const double det = dot3(e1, p);
     if (det == 0) return {};
@@ -71,9 +71,9 @@ std::array<dvec3, 3> WorldTriangles::plane_normals(std::uint32_t triangle) const
 std::optional<TrianglePoint> WorldTriangles::meet(std::uint32_t id, const dvec3& o,
                                                   const dvec3& d) const {
     if (std::size_t(id) + 1 >= first_.size()) return std::nullopt;
-    Meeting best;
+    TriangleHit best;
     for (std::uint32_t i = first_[id]; i < first_[id + 1]; ++i) {
-        Meeting m = meet_triangle(corners(i), o, d);
+        TriangleHit m = meet_triangle(corners(i), o, d);
         m.point.triangle = i;
         if (m.inside > best.inside) best = m;
     }

@@ -35,7 +35,7 @@ constexpr std::array maps{
 
 // Understood, but without effect on the picture: surface detail, cut-outs, other programs'
 // materials.
-constexpr std::array not_honoured = std::to_array<std::string_view>({
+constexpr std::array mtl_not_honoured = std::to_array<std::string_view>({
     "bump",    "map_bump",    "disp",   "map_disp", "decal",   "map_decal", "map_d",
     "map_tr",  "map_opacity", "map_ns", "map_ni",   "norm",    "map_aat",   "sharpness",
     "pr",      "pm",          "ps",     "pc",       "pcr",     "aniso",     "anisor",
@@ -107,13 +107,13 @@ private:
     }
 
     void other() {
-        for (const std::string_view name : not_honoured)
+        for (const std::string_view name : mtl_not_honoured)
             if (keyword_ == name)
                 return warn(name, std::string(in_.keyword()) + " is not honoured");
         std::vector<std::string> known{"newmtl", "Ka",     "Kd",     "Ks",  "Ke",    "Tf",
                                        "Ns",     "Ni",     "d",      "Tr",  "illum", "map_Ka",
                                        "map_Kd", "map_Ks", "map_Ke", "refl"};
-        known.insert(known.end(), not_honoured.begin(), not_honoured.end());
+        known.insert(known.end(), mtl_not_honoured.begin(), mtl_not_honoured.end());
         in_.fail(unknown("statement", in_.keyword(), known));
     }
 

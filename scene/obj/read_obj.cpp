@@ -16,7 +16,7 @@ namespace gw::scene {
 namespace {
 
 // Statements that are not drawn: free-form geometry, display hints, superseded ones.
-constexpr std::array not_honoured = std::to_array<std::string_view>({
+constexpr std::array obj_not_honoured = std::to_array<std::string_view>({
     "cstype",     "deg",       "bmat", "step", "curv", "curv2", "surf",   "parm",   "trim",
     "hole",       "scrv",      "sp",   "end",  "con",  "vp",    "ctech",  "stech",  "bevel",
     "c_interp",   "d_interp",  "lod",  "mg",   "call", "csh",   "usemap", "maplib", "res",
@@ -49,10 +49,10 @@ private:
     void statement() {
         for (const Keyword& keyword : keywords)
             if (in_.keyword() == keyword.name) return (this->*keyword.read)();
-        for (const std::string_view name : not_honoured)
+        for (const std::string_view name : obj_not_honoured)
             if (in_.keyword() == name)
                 return warn(name, std::string(name) + " statements are not drawn");
-        std::vector<std::string> known(not_honoured.begin(), not_honoured.end());
+        std::vector<std::string> known(obj_not_honoured.begin(), obj_not_honoured.end());
         for (const Keyword& keyword : keywords) known.emplace_back(keyword.name);
         in_.fail(unknown("statement", in_.keyword(), known));
     }

@@ -1,7 +1,7 @@
 // Small scenes as files, for tests of the command.
 #pragma once
 
-#include "tests/apps/command_test.h"
+#include "tests/apps/support/command_test.h"
 
 namespace gw::apps {
 

@@ -1,8 +1,8 @@
 // gw describe: the forms hold every command and option, and the shell that reads them completes
 // what they say.
 #include "test_paths.h"
-#include "tests/apps/command_test.h"
-#include "tests/apps/examples.h"
+#include "tests/apps/support/command_test.h"
+#include "tests/apps/support/examples.h"
 #include "tests/temporary_folder.h"
 
 #include <cstdio>

@@ -1,7 +1,7 @@
 // The commands in README.md, docs/commands.md, docs/inspect.md, docs/hiddensurfaces.md,
 // docs/recordings.md and docs/lecture.md work as they stand there.
 #include "test_paths.h"
-#include "tests/apps/examples.h"
+#include "tests/apps/support/examples.h"
 
 namespace gw::apps {
 

@@ -1,6 +1,6 @@
 // gw figures: every figure of the table is made, with its part of the page.
 #include "apps/figures/figure_table.h"
-#include "tests/apps/examples.h"
+#include "tests/apps/support/examples.h"
 
 namespace gw::apps {
 

@@ -3,7 +3,7 @@
 #include "apps/figures/figure_table.h"
 #include "gw/profile.h"
 #include "test_paths.h"
-#include "tests/apps/examples.h"
+#include "tests/apps/support/examples.h"
 
 #include <set>
 

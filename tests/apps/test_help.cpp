@@ -1,5 +1,5 @@
 // gw --help and the help of every command: it has an example, and the example works.
-#include "tests/apps/examples.h"
+#include "tests/apps/support/examples.h"
 
 #include <sstream>
 

@@ -1,8 +1,8 @@
 // gw hidden and gw styles: what they write, print and refuse.
 #include "apps/hidden/captions.h"
 #include "test_paths.h"
-#include "tests/apps/command_test.h"
 #include "tests/apps/pictures.h"
+#include "tests/apps/support/command_test.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,8 +3,8 @@
 #include "apps/describe/shell_words.h"
 #include "apps/figures/folder_index.h"
 #include "apps/figures/index_page.h"
-#include "tests/apps/examples.h"
 #include "tests/apps/scene_files.h"
+#include "tests/apps/support/examples.h"
 
 #include "gw/error.h"
 #include "study/plot/plot.h"

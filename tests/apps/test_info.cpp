@@ -1,5 +1,5 @@
 // gw info, and words that gw does not know.
-#include "tests/apps/command_test.h"
+#include "tests/apps/support/command_test.h"
 
 #include "gw/profile.h"
 

@@ -1,7 +1,7 @@
 // gw inspect: a report is there whole or not at all, of every kind of recording; and what is wrong
 // is one line. What the page does is tested by tests/report/browser.
-#include "tests/apps/examples.h"
 #include "tests/apps/scene_files.h"
+#include "tests/apps/support/examples.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 // gw record, replay, verify, diff, pixel, maps: a picture's recording gives that picture in another
 // process, and what is not as it should be is named.
-#include "tests/apps/examples.h"
 #include "tests/apps/pictures.h"
 #include "tests/apps/scene_files.h"
+#include "tests/apps/support/examples.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // gw study: plots with their numbers.
-#include "tests/apps/examples.h"
+#include "tests/apps/support/examples.h"
 
 #include <algorithm>
 

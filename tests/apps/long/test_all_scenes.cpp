@@ -1,7 +1,7 @@
 // Every scene on every profile: what is recorded replays in another process to the same bits, on
 // both machines.
 #include "test_paths.h"
-#include "tests/apps/command_test.h"
+#include "tests/apps/support/command_test.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // The whole golden suite, the reference machine beside the fast one.
 #include "test_paths.h"
-#include "tests/apps/examples.h"
+#include "tests/apps/support/examples.h"
 
 namespace gw::apps {
 

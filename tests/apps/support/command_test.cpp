@@ -1,4 +1,4 @@
-#include "tests/apps/command_test.h"
+#include "tests/apps/support/command_test.h"
 #include "test_paths.h"
 
 #include <fcntl.h>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "test_paths.h"
-#include "tests/apps/command_test.h"
+#include "tests/apps/support/command_test.h"
 
 namespace gw::apps {
 

@@ -1,4 +1,4 @@
-#include "tests/apps/examples.h"
+#include "tests/apps/support/examples.h"
 
 #include <sstream>
 
