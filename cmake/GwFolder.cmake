@@ -1,15 +1,15 @@
-# gw_library, gw_command, gw_test: a folder's sources as one target. They do not find packages: each folder's CMakeLists.txt does.
+# gw_library, gw_command, gw_test: a folder's sources as one target. Each folder's CMakeLists.txt finds its packages.
 
-# g++ -O0 that reads precompiled headers takes <immintrin.h> for that of optimized code, and refuses Highway's AVX-512.
+# With precompiled headers, g++ -O0 takes <immintrin.h> for that of optimized code, and refuses Highway's AVX-512.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_BUILD_TYPE MATCHES "^(Debug)?$"
         AND NOT "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_DEBUG}" MATCHES "-O[123s]")
     set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 
 # Warnings are chosen so that correct code needs no casts beyond those that change a number's kind.
-set(gw_misfires -Wno-restrict)  # what g++ 12 reports of std::string
+set(gw_misfires -Wno-restrict)  # false alarms of g++ 12 in std::string
 if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
-    list(APPEND gw_misfires -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)  # the same, where its header is precompiled
+    list(APPEND gw_misfires -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)  # the same, if its header is precompiled
 endif()
 add_library(gw_warnings INTERFACE)
 target_compile_options(gw_warnings INTERFACE
@@ -17,8 +17,7 @@ target_compile_options(gw_warnings INTERFACE
     -Wno-missing-field-initializers  # pass tuples name only what differs from GL's initial value
     "$<$<CXX_COMPILER_ID:GNU>:${gw_misfires}>")
 
-# Tests are compiled once and run once: less optimization costs their oracles less than it saves. g++ then takes an empty std::optional's
-# value for one that is used.
+# -O1 saves more time in compiling tests than it costs in running them. At -O1, g++ reports the value of an empty std::optional as used.
 set(gw_test_options $<$<CONFIG:Release>:-O1> $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
 
 # g++ takes a source inside of a batch for a header, where types must not have members from anonymous namespaces.

@@ -3,7 +3,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-# The command's own parts and the tests' are not for others.
+# The libraries of the command and of the tests are not installed.
 foreach(folder machine opengl scene image multipass raytrace itembuffer hiddensurface radiosity inspect report plot study testing)
     if(TARGET gw_${folder})
         install(TARGETS gw_${folder} EXPORT gw COMPONENT development
@@ -19,7 +19,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/gwConfigVersion.cmake COM
 install(FILES ${PROJECT_BINARY_DIR}/gwConfig.cmake ${PROJECT_BINARY_DIR}/gwConfigVersion.cmake DESTINATION ${package_directory}
     COMPONENT development)
 
-# The module of image/ serves the command and who links gw::image.
+# The module of image/ is for the command and for programs that link gw::image.
 if(TARGET gw_formats)
     set(modules ${CMAKE_INSTALL_LIBDIR}/gw)
     set_target_properties(gw_formats PROPERTIES EXPORT_NAME formats)
@@ -50,7 +50,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME gw)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS libosmesa6)  # loaded by who plays lists on Mesa
+set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS libosmesa6)  # loaded to play lists on Mesa
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libgw-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS

@@ -25,12 +25,14 @@ namespace gw::peer {
 
 /// glName is `Name`; OSMesa's keep their names.
 struct Functions {
+// NOLINTBEGIN(bugprone-macro-parentheses): a declaration's name takes no parentheses
 #define GW_DECLARE(name) decltype(&::gl##name) name;
     GW_OPENGL_FUNCTIONS(GW_DECLARE)
 #undef GW_DECLARE
 #define GW_DECLARE(name) decltype(&::name) name;
     GW_OSMESA_FUNCTIONS(GW_DECLARE)
 #undef GW_DECLARE
+    // NOLINTEND(bugprone-macro-parentheses)
 };
 
 /// Loads OSMesa the first time. Throws Error where it is not installed, or lacks a function.
