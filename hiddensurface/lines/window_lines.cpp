@@ -81,10 +81,6 @@ bool keep_positive(int128 at_a, int128 at_b, Part& part) {
 
 WindowLines window_lines(const Input& input) { return Builder(input).take(); }
 
-std::int64_t turn(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
-    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-}
-
 int128 behind(const WindowLines& scene, const WindowFace& face, const GridPoint& p) {
     const GridPoint &p0 = scene.corners[face.corner[0]], &p1 = scene.corners[face.corner[1]],
                     &p2 = scene.corners[face.corner[2]];

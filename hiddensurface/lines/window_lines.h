@@ -32,8 +32,6 @@ struct WindowLines {
 };
 WindowLines window_lines(const Input& input);
 
-/// Above 0: r lies to the left of p -> q in the window. Twice the area of the three.
-std::int64_t turn(const GridPoint& p, const GridPoint& q, const GridPoint& r);
 /// Above 0: p lies behind the face's plane, seen from the eye; 0: on it.
 int128 behind(const WindowLines& scene, const WindowFace& face, const GridPoint& p);
 

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void refuse(const fs::path& target, const std::string& why) {
+[[noreturn]] void refuse_folder(const fs::path& target, const std::string& why) {
     throw Error(target.string(), 0, why);
 }
 
@@ -41,17 +41,17 @@ OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> know
     const fs::path parent = target_.parent_path();
     std::error_code error;
     if (!fs::is_directory(parent, error))
-        refuse(asked_,
-               "cannot be made: folder " + parent.string() + " does not exist; expected one");
+        refuse_folder(
+            asked_, "cannot be made: folder " + parent.string() + " does not exist; expected one");
     if (::access(parent.c_str(), W_OK) != 0)
-        refuse(asked_, std::string("cannot be made: ") + std::strerror(errno) +
-                           "; expected a name in a folder that can be written into");
+        refuse_folder(asked_, std::string("cannot be made: ") + std::strerror(errno) +
+                                  "; expected a name in a folder that can be written into");
     check_replaceable();
     temporary_ = unused_name(parent);
     register_temporary_tree(temporary_);
     if (!fs::create_directory(temporary_, error)) {
         forget_temporary(temporary_);
-        refuse(asked_, "cannot be made: " + error.message());
+        refuse_folder(asked_, "cannot be made: " + error.message());
     }
 }
 
@@ -66,7 +66,7 @@ void OutputFolder::check_replaceable() const {
     std::error_code error;
     if (!fs::exists(target_, error)) return;
     if (!fs::is_directory(target_, error))
-        refuse(asked_, "is not a folder; expected a name for a new one");
+        refuse_folder(asked_, "is not a folder; expected a name for a new one");
     std::string stranger;
     bool empty = true, marked = false;
     for (const auto& entry : fs::directory_iterator(target_, error)) {
@@ -76,11 +76,11 @@ void OutputFolder::check_replaceable() const {
         if (std::ranges::find(known_, name) == known_.end()) stranger = name;
     }
     if (!empty && (!marked || !stranger.empty()))
-        refuse(asked_,
-               (stranger.empty() ? "has no " + known_.front() + " of this command"
-                                 : "holds " + stranger + ", which is not of this command") +
-                   "; expected a new name, an empty folder or an earlier output to replace");
-    if (error) refuse(asked_, "cannot be read: " + error.message());
+        refuse_folder(asked_,
+                      (stranger.empty() ? "has no " + known_.front() + " of this command"
+                                        : "holds " + stranger + ", which is not of this command") +
+                          "; expected a new name, an empty folder or an earlier output to replace");
+    if (error) refuse_folder(asked_, "cannot be read: " + error.message());
 }
 
 void OutputFolder::commit() {
@@ -90,13 +90,13 @@ void OutputFolder::commit() {
         check_replaceable();
         old = unused_name(target_.parent_path());
         fs::rename(target_, old, error);
-        if (error) refuse(asked_, "cannot be replaced: " + error.message());
+        if (error) refuse_folder(asked_, "cannot be replaced: " + error.message());
     }
     fs::rename(temporary_, target_, error);
     if (error) {
         std::error_code ignored;
         if (!old.empty()) fs::rename(old, target_, ignored);
-        refuse(asked_, "cannot be made: " + error.message());
+        refuse_folder(asked_, "cannot be made: " + error.message());
     }
     forget_temporary(temporary_);
     temporary_.clear();
