@@ -84,7 +84,7 @@ TEST_P(ListsInTurn, MayUseWhatEarlierListsDeletedOrKept) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, ListsInTurn, testing::ValuesIn(profiles()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& each) { return each.param.name; });
 
 }  // namespace
 }  // namespace gw::fuzz
