@@ -1,6 +1,7 @@
 #include "gw/base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cfenv>
 #include <exception>
 #include <future>
@@ -9,6 +10,7 @@
 #include <memory>
 #include <mutex>
 #include <new>
+#include <system_error>
 
 #ifdef __SSE2_MATH__
 #include <xmmintrin.h>
@@ -18,8 +20,6 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#else
-#include <atomic>
 #endif
 #include <thread>
 #include <vector>
@@ -69,10 +69,24 @@ void serial_for(std::size_t count, const std::function<void(std::size_t, int)>& 
 int count_threads(int wanted) {
     std::promise<void> end;
     const std::shared_future<void> ended = end.get_future();
+    std::atomic<int> ready{0};
+    const auto body = [&ready, ended] {
+        // The C library reserves address space at a thread's first allocation.
+        char* const first = new (std::nothrow) char[1000];
+        if (first) *static_cast<volatile char*>(first) = 0;
+        delete[] first;
+        ready += 1;
+        ready.notify_one();
+        ended.wait();
+    };
     std::vector<std::thread> started;
     started.reserve(std::size_t(wanted));
     try {
-        while (int(started.size()) < wanted - 1) started.emplace_back([ended] { ended.wait(); });
+        while (int(started.size()) < wanted - 1) {
+            const int before = ready;
+            started.emplace_back(body);
+            ready.wait(before);
+        }
     } catch (const std::exception&) {
         // A limit of the system is reached: of threads or of memory.
     }
@@ -177,8 +191,13 @@ void threaded_for(std::size_t count, int threads,
                   const std::function<void(std::size_t, int)>& body) {
     Work work{count, body};
     std::vector<std::thread> pool;
-    for (int worker = 1; worker < threads; ++worker)
-        pool.emplace_back([&work, worker] { work.run(worker); });
+    pool.reserve(std::size_t(threads));
+    try {
+        for (int worker = 1; worker < threads; ++worker)
+            pool.emplace_back([&work, worker] { work.run(worker); });
+    } catch (const std::system_error&) {
+        // The threads that have started take all indices.
+    }
     work.run(0);
     for (std::thread& thread : pool) thread.join();
     if (work.failure) std::rethrow_exception(work.failure);

@@ -105,8 +105,13 @@ void cover_line(const SnappedLine& line, int width, const Rect& box, const Pixel
         const std::int64_t d = std::abs(du);
         const std::int64_t v_times_d = v[0] * d + (du > 0 ? dv : -dv) * (p - u[0]);
         const std::int64_t first = floor_div(v_times_d - (width - 1) * (d << s) / 2, d << s);
-        for (std::int64_t j = first; j < first + width; ++j)
-            if (j >= v_low && j < v_high) line.x_major ? pixel(i, int(j)) : pixel(int(j), i);
+        for (int j = int(std::max<std::int64_t>(first, v_low));
+             j < std::min<std::int64_t>(first + width, v_high); ++j) {
+            if (line.x_major)
+                pixel(i, j);
+            else
+                pixel(j, i);
+        }
     }
 }
 

@@ -133,8 +133,10 @@ void outline(const Drawing& d, const Triangle& t, const Source& s) {
     for (std::size_t k = 0; k < 3; ++k) {
         if (!(t.edges >> k & 1)) continue;
         const Vertex &a = d.vertices[t.vertex[k]], &b = d.vertices[t.vertex[(k + 1) % 3]];
-        d.state().polygon_mode == PolygonMode::Line ? draw_line(d, a, b, s, false)
-                                                    : draw_point(d, a, s, false);
+        if (d.state().polygon_mode == PolygonMode::Line)
+            draw_line(d, a, b, s, false);
+        else
+            draw_point(d, a, s, false);
     }
 }
 
@@ -170,8 +172,10 @@ void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal) {
     }
     count.drawn += 1;
     const Source source{ordinal, t.polygon, t.provoking, front, pieces.area2 > 0};
-    d.state().polygon_mode == PolygonMode::Fill ? fill(d, clipped.vertices, pieces, source)
-                                                : outline(d, t, source);
+    if (d.state().polygon_mode == PolygonMode::Fill)
+        fill(d, clipped.vertices, pieces, source);
+    else
+        outline(d, t, source);
 }
 
 }  // namespace

@@ -72,7 +72,10 @@ bool measure(const std::vector<V>& vertices, int plane, const ViewportTransform&
 
 template <class V>
 void crossing(const V& a, const V& b, double da, double db, V& v) {
-    da >= 0 ? interpolate(a, b, da / (da - db), v) : interpolate(b, a, db / (db - da), v);
+    if (da >= 0)
+        interpolate(a, b, da / (da - db), v);
+    else
+        interpolate(b, a, db / (db - da), v);
 }
 
 /// Clips by one plane. A line or point is an open chain, without a side from last to first vertex.

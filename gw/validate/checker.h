@@ -18,7 +18,7 @@ struct Checker {
     int width = 0, height = 0;
     std::size_t command = 0;
     const char* name = "";
-    std::string pass{};
+    std::string_view pass{};
 
     [[noreturn]] void fail(const std::string& what) const {
         throw Error(fmt::format("command {} ({}){}: {}", command, name,

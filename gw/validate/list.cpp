@@ -26,15 +26,8 @@ void check_slot(const Checker& c, const Draw& draw, const ListContext& context) 
             *draw.map.slot));
 }
 
-void follow(const Checker&, const auto&, ListContext&) {}
-void follow(const Checker& c, const Draw& draw, ListContext& context) {
-    check_slot(c, draw, context);
-}
-void follow(const Checker&, const SetState& set, ListContext& context) {
-    context.state = set.state;
-}
 /// Memory that read_into gave for a Read.
-void follow(const Checker& c, const Read& read, ListContext& context) {
+void check_target(const Checker& c, const Read& read, const ListContext& context) {
     const auto target = context.targets.find(read.key);
     if (target == context.targets.end()) return;
     const bool words = read.plane == Plane::Depth || read.plane == Plane::Stencil || read.packed;
@@ -42,9 +35,21 @@ void follow(const Checker& c, const Read& read, ListContext& context) {
     c.require(target->second.size() == read.rect.area(), "values of read_into",
               target->second.size(), "width times height");
 }
-void follow(const Checker&, const CopyTexture& copy, ListContext& context) {
+
+void check_in_context(const Checker&, const auto&, const ListContext&) {}
+void check_in_context(const Checker& c, const Draw& draw, const ListContext& context) {
+    check_slot(c, draw, context);
+}
+void check_in_context(const Checker& c, const Read& read, const ListContext& context) {
+    check_target(c, read, context);
+}
+
+void follow(const auto&, ListContext&) {}
+void follow(const SetState& set, ListContext& context) { context.state = set.state; }
+void follow(const CopyTexture& copy, ListContext& context) {
     context.slots[copy.slot] = copy.plane;
 }
+void follow(const BeginPass& begin, ListContext& context) { context.pass = begin.name; }
 
 }  // namespace
 
@@ -56,12 +61,17 @@ void check_window(int width, int height) {
 
 void validate(const CommandList& list, const Profile& profile, int width, int height,
               ListContext context) {
-    Checker checker{profile, width, height, 0, "", context.pass};
+    Checker checker{profile, width, height};
     for (const Command& command : list.commands) {
-        checker.name = name_of(command);
-        if (const auto* begin = std::get_if<BeginPass>(&command)) checker.pass = begin->name;
-        std::visit([&](const auto& c) { check(checker, c); }, command);
-        std::visit([&](const auto& c) { follow(checker, c, context); }, command);
+        std::visit(
+            [&](const auto& c) {
+                follow(c, context);
+                checker.name = name_of(command);
+                checker.pass = context.pass;
+                check(checker, c);
+                check_in_context(checker, c, context);
+            },
+            command);
         checker.command += 1;
     }
 }

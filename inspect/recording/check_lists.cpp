@@ -65,16 +65,16 @@ void check_geometry(const Draw& draw, std::uint64_t tiles, const Limits& limits)
                                 primitives, limits.geometry / tiles));
 }
 
-/// The context of the next list.
+}  // namespace
+
 void follow(const CommandList& list, ListContext& context) {
     for (const Command& command : list.commands) {
+        if (const auto* begin = std::get_if<BeginPass>(&command)) context.pass = begin->name;
         if (const auto* set = std::get_if<SetState>(&command)) context.state = set->state;
         if (const auto* copy = std::get_if<CopyTexture>(&command))
             context.slots[copy->slot] = copy->plane;
     }
 }
-
-}  // namespace
 
 void check_lists(const Recording& r, const Limits& limits) {
     const std::uint64_t tiles =

@@ -1,9 +1,13 @@
-// What a recording's lists may ask of a machine. Does not know how they are stored.
+// The limits of a recording's lists. Does not know how they are stored.
 #pragma once
 
+#include "gw/machine.h"
 #include "inspect/recording/recording.h"
 
 namespace gw::inspect {
+
+/// Changes `context` as the execution of a valid list does.
+void follow(const CommandList& list, ListContext& context);
 
 /// Throws Error where a list is not valid after those before it, or where the limits are exceeded.
 void check_lists(const Recording& recording, const Limits& limits);

@@ -1,5 +1,7 @@
 #include "inspect/replay/player.h"
 
+#include "inspect/recording/check_lists.h"
+
 namespace gw::inspect {
 
 std::vector<PassRange> pass_ranges(const Recording& recording) {
@@ -34,6 +36,12 @@ void Player::play_to(std::size_t end) {
     while (done_ < end && list_ < recording_.lists.size()) {
         const auto& commands = recording_.lists[list_].commands;
         const std::size_t count = std::min(commands.size() - command_, end - done_);
+        if (command_ == 0) {
+            if (count < commands.size())
+                validate(recording_.lists[list_], recording_.profile, recording_.width,
+                         recording_.height, context_);
+            follow(recording_.lists[list_], context_);
+        }
         if (count == commands.size()) {
             machine_.execute(recording_.lists[list_]);
         } else if (count > 0) {

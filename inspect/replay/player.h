@@ -31,7 +31,8 @@ public:
     Player(const Recording& recording, Machine& machine)
         : recording_(recording), machine_(machine) {}
 
-    /// Executes the commands up to and without command `end`.
+    /// Executes the commands up to and without command `end`. A list of which only a part is
+    /// executed is validated whole before, so that a refusal names the command's number in it.
     void play_to(std::size_t end);
     /// Executes what is left.
     void play();
@@ -39,6 +40,7 @@ public:
 private:
     const Recording& recording_;
     Machine& machine_;
+    ListContext context_;  ///< of lists[list_], or of the next list where one is in execution
     std::size_t list_ = 0, command_ = 0;  ///< the next one: of lists[list_]
     std::size_t done_ = 0;
 };

@@ -7,6 +7,7 @@
 namespace gw::fuzz {
 
 Case accumulation_case(Random& random);
+Case alpha_mask_case(Random& random);
 Case blend_case(Random& random);
 Case clip_case(Random& random);
 Case coincident_case(Random& random);
@@ -26,6 +27,8 @@ Case raster_case(Random& random);
 Case shadow_case(Random& random);
 Case stencil_case(Random& random);
 Case texture_case(Random& random);
+Case texture_churn_case(Random& random);
+Case tiny_draws_case(Random& random);
 Case viewport_case(Random& random);
 
 }  // namespace gw::fuzz

@@ -44,6 +44,18 @@ TEST(HostileRecording, OfAnotherKindIsRefusedByName) {
               "not a recording; expected a file that gw record wrote");
 }
 
+TEST(HostileRecording, MasksWithBitsOfNoPlaneAreRefused) {
+    Recording recording{.profile = vgx(), .width = 8, .height = 8};
+    recording.lists = {{{BeginPass{"depth"}, Clear{.planes = 255}}}};
+    EXPECT_EQ(refusal(recording),
+              "list 0: command 1 (Clear) of pass 'depth': planes = 255; expected bits of four "
+              "planes, 0 to 15");
+    recording.lists = {{{BeginPass{"depth", 32}}}};
+    EXPECT_EQ(refusal(recording),
+              "list 0: command 0 (BeginPass) of pass 'depth': digests = 32; expected bits of four "
+              "planes, 0 to 15");
+}
+
 TEST(HostileRecording, DamagedBytesNeverDoHarm) {
     std::uint32_t seed = 1;
     const auto random = [&seed](std::size_t below) {

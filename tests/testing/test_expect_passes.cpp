@@ -101,7 +101,9 @@ TEST_F(ExpectPasses, AListThatIsNotValidIsAFailure) {
     write_golden(recording(200), golden);
     CommandList list = two_passes(200);
     list.add(Read{.rect = {0, 0, 100, 100}});
-    EXPECT_THAT(message_of(passes_eq(list, golden)), ::testing::HasSubstr("Read"));
+    EXPECT_THAT(message_of(passes_eq(list, golden)),
+                ::testing::HasSubstr("command 4 (Read) of pass 'mark': rect = 0 0 100 100; "
+                                     "expected one inside the window"));
 }
 
 TEST_F(ExpectPasses, GoldensChangeOnlyWhereAsked) {

@@ -151,7 +151,10 @@ FogState any_fog(Random& r, double depth) {
     f.density = float(r.real(0.1, 4) / depth);
     if (r.chance(5)) f.density *= r.pick({1e-30f, 1e6f, 1e-3f});
     if (f.end == f.start || !std::isfinite(f.end)) f.end = f.start + 1;
-    if (f.end == f.start) f.start = 0, f.end = 1;
+    if (f.end == f.start) {
+        f.start = 0;
+        f.end = 1;
+    }
     if (!(f.density > 0) || !std::isfinite(f.density)) f.density = 1;
     f.color = any_color(r);
     f.coordinate = r.any(FogCoordinate::Fragment);

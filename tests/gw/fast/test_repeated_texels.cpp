@@ -60,7 +60,8 @@ TEST(RepeatedTexels, AreThoseOfTheDrawWhateverElseChanges) {
         [](State& s) { s.texture.env = TexEnv::Decal; },
         [](State& s) { s.texture.mag_filter = MagFilter::Nearest; },
         [](State& s) {
-            s.texture.min_filter = MinFilter::Nearest, s.texture.mag_filter = MagFilter::Nearest;
+            s.texture.min_filter = MinFilter::Nearest;
+            s.texture.mag_filter = MagFilter::Nearest;
         },
         [](State& s) {
             s.jitter = {3, 5};

@@ -74,7 +74,8 @@ TEST(SharedWork, AmbientLightThatIsEvenHasOneColour) {
     weak.constant_attenuation = 3;
     falling.quadratic_attenuation = 0.001f;
     spot.spot_direction = {0, 0, -1};
-    spot.spot_cos_cutoff = 0.5f, spot.spot_exponent = 9;
+    spot.spot_cos_cutoff = 0.5f;
+    spot.spot_exponent = 9;
     for (const bool two_side : {false, true}) {
         for (const Light& even : {lamp, sun, weak})
             EXPECT_EQ(colors_in_ambient_light(even, two_side), 1u);
@@ -124,9 +125,13 @@ TEST(SharedWork, BlackMayBeLeftOutOfASum) {
         },
         [](State& s) { s.texture.env = TexEnv::Decal; },
         [](State& s) {
-            s.texture.env = TexEnv::Blend, s.texture.env_color = vec4(0.4f, 0.5f, 0.1f, 1);
+            s.texture.env = TexEnv::Blend;
+            s.texture.env_color = vec4(0.4f, 0.5f, 0.1f, 1);
         },
-        [](State& s) { s.stencil.test = true, s.stencil.zpass = StencilOp::Incr; },
+        [](State& s) {
+            s.stencil.test = true;
+            s.stencil.zpass = StencilOp::Incr;
+        },
     };
     for (const bool textured : {false, true})
         for (const float alpha : {0.0f, 0.5f, 1.0f})

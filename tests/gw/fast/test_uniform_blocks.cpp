@@ -219,7 +219,8 @@ std::vector<Follower> drawn_followers() {
              s.color_source = ColorSource::Vertex;
              s.color_mask = {false, false, false, false};
              draws("depths", [](State&) {}).add(s, list);
-             s.color_mask = {}, s.depth.func = DepthFunc::Equal;
+             s.color_mask = {};
+             s.depth.func = DepthFunc::Equal;
              draws("colours", [](State&) {}).add(s, list);
          }},
         {"visible fragments, twice",
@@ -242,7 +243,8 @@ std::vector<Follower> other_followers() {
         adds("clear of depths", Clear{.planes = mask_of(Plane::Depth), .depth = 0.25}),
         adds("clear of a channel", Clear{.planes = both, .color = vec4(1, 1, 0, 0), .depth = 0.25},
              [](State& s) {
-                 s.color_mask = {false, true, false, false}, s.depth.mask = false;
+                 s.color_mask = {false, true, false, false};
+                 s.depth.mask = false;
              }),
         adds("clear of a part", Clear{.planes = both, .color = vec4(1, 1, 0, 0), .depth = 0.25},
              [](State& s) {

@@ -25,11 +25,20 @@ const Change changes[] = {
     {"color_source Lighting", [](State& s) { s.color_source = ColorSource::Lighting; }},
     {"color_source PolygonId", [](State& s) { s.color_source = ColorSource::PolygonId; }},
     {"lighting.local_viewer",
-     [](State& s) { s.color_source = ColorSource::Lighting, s.lighting.local_viewer = true; }},
+     [](State& s) {
+         s.color_source = ColorSource::Lighting;
+         s.lighting.local_viewer = true;
+     }},
     {"lighting.two_side",
-     [](State& s) { s.color_source = ColorSource::Lighting, s.lighting.two_side = true; }},
+     [](State& s) {
+         s.color_source = ColorSource::Lighting;
+         s.lighting.two_side = true;
+     }},
     {"lighting.model_ambient",
-     [](State& s) { s.color_source = ColorSource::Lighting, s.lighting.model_ambient = vec4(1); }},
+     [](State& s) {
+         s.color_source = ColorSource::Lighting;
+         s.lighting.model_ambient = vec4(1);
+     }},
     {"fog at the vertex",
      [](State& s) { s.fog = {.enable = true, .coordinate = FogCoordinate::Vertex}; }},
     {"fog per fragment",
@@ -44,10 +53,16 @@ const Change changes[] = {
     {"texture wrap_t", [](State& s) { s.texture.wrap_t = Wrap::Clamp; }},
     {"texture env", [](State& s) { s.texture.env = TexEnv::Replace; }},
     {"texture env_color",
-     [](State& s) { s.texture.env = TexEnv::Blend, s.texture.env_color = vec4(1); }},
+     [](State& s) {
+         s.texture.env = TexEnv::Blend;
+         s.texture.env_color = vec4(1);
+     }},
     {"texture gen SphereMap", [](State& s) { s.texture.gen = TexGen::SphereMap; }},
     {"texture gen RefractionMap",
-     [](State& s) { s.texture.gen = TexGen::RefractionMap, s.texture.eta = 0.7; }},
+     [](State& s) {
+         s.texture.gen = TexGen::RefractionMap;
+         s.texture.eta = 0.7;
+     }},
     {"texture gen EyeLinear",
      [](State& s) { s.texture.gen = TexGen::EyeLinear, s.texture.eye_linear[2][3] = 1; }},
     {"cull.face, off", [](State& s) { s.cull.face = Face::FrontAndBack; }},
@@ -92,7 +107,10 @@ const Change changes[] = {
     {"draw: no lights", [](State& s) { s.color_source = ColorSource::Lighting; },
      [](Draw& d) { d.lights = {}; }},
     {"draw: id_base", [](State& s) { s.color_source = ColorSource::PolygonId; },
-     [](Draw& d) { d.id_base = 77, d.id_shift = 3; }},
+     [](Draw& d) {
+         d.id_base = 77;
+         d.id_shift = 3;
+     }},
     {"mesh: other normals, texture coordinates, colours", [](State&) {},
      [](Draw& d) {
          MeshData data = d.mesh->data();

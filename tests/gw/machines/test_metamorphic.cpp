@@ -122,17 +122,31 @@ void disturb_unused(Random& r, const Case& where, State& s) {
     const bool lights = s.color_source == ColorSource::Lighting;
     if (!s.cull.enable) s.cull.face = r.any(Face::FrontAndBack);
     if (!s.polygon_offset.enable) s.polygon_offset = {false, 3, -7};
-    if (!s.fog.enable) s.fog = any_fog(r, 1), s.fog.enable = false;
-    if (!s.scissor.test)
-        s.scissor = any_scissor(r, where.width, where.height), s.scissor.test = false;
+    if (!s.fog.enable) {
+        s.fog = any_fog(r, 1);
+        s.fog.enable = false;
+    }
+    if (!s.scissor.test) {
+        s.scissor = any_scissor(r, where.width, where.height);
+        s.scissor.test = false;
+    }
     if (!s.alpha.test) s.alpha = {false, r.any(AlphaFunc::Always), any_fraction(r)};
     // Clears go through the write mask also when the test is off.
     const std::uint32_t write_mask = s.stencil.write_mask;
-    if (!s.stencil.test)
-        s.stencil = any_stencil(r, p), s.stencil.test = false, s.stencil.write_mask = write_mask;
+    if (!s.stencil.test) {
+        s.stencil = any_stencil(r, p);
+        s.stencil.test = false;
+        s.stencil.write_mask = write_mask;
+    }
     if (!s.depth.test) s.depth.func = r.any(DepthFunc::Always);
-    if (!s.blend.enable) s.blend = any_blend(r), s.blend.enable = false;
-    if (!lights) s.lighting = any_lighting(r), s.lighting.two_side = false;
+    if (!s.blend.enable) {
+        s.blend = any_blend(r);
+        s.blend.enable = false;
+    }
+    if (!lights) {
+        s.lighting = any_lighting(r);
+        s.lighting.two_side = false;
+    }
     for (ClipPlane& plane : s.clip_planes)
         if (!plane.enable) plane.plane = {1, 2, 3, 4};
 }

@@ -88,5 +88,23 @@ TEST(ManualFragments, BlendByHand) {
               (Rgba{100, 100, 100, 255}));  // min(128, 0)
 }
 
+TEST(ManualFragments, TheAlphaTestDecidesAlsoWhereNoColorIsWritten) {
+    Workbench bench;
+    bench.clear();
+    bench.state.alpha = {.test = true, .func = AlphaFunc::Greater, .ref = 0.5f};
+    bench.state.color_mask = {false, false, false, false};
+    bench.state.depth = {.test = true, .func = DepthFunc::Less};
+    bench.draw(
+        Primitive::Quads,
+        {{0, 0, 9}, {8, 0, 9}, {8, 8, 9}, {0, 8, 9}, {8, 0, 9}, {16, 0, 9}, {16, 8, 9}, {8, 8, 9}},
+        {vec4(1), vec4(1), vec4(1), vec4(1), vec4(0), vec4(0), vec4(0), vec4(0)});
+    EXPECT_EQ(bench.depth(7, 7), 9u);
+    EXPECT_EQ(bench.depth(8, 7), 0xFFFFFFu);
+    EXPECT_EQ(bench.color(7, 7), (Rgba{}));
+    const Counters c = bench.take_counters();
+    EXPECT_EQ(c.alpha_killed, 64u);
+    EXPECT_EQ(c.written, 64u);
+}
+
 }  // namespace
 }  // namespace gw

@@ -76,9 +76,13 @@ TEST(ManualMachine, ExtensionsAreRefusedByName) {
     const auto offset = [](State& s) { s.polygon_offset.enable = true; };
     const auto shadow = [](State& s) { s.texture.shadow_compare = true; };
     const auto wrap = [](State& s) {
-        s.stencil.test = true, s.stencil.zpass = StencilOp::IncrWrap;
+        s.stencil.test = true;
+        s.stencil.zpass = StencilOp::IncrWrap;
     };
-    const auto two_sided = [](State& s) { s.stencil.test = true, s.stencil.two_side = true; };
+    const auto two_sided = [](State& s) {
+        s.stencil.test = true;
+        s.stencil.two_side = true;
+    };
     EXPECT_EQ(refused(vgx(), offset),
               "command 0 (SetState): extension polygon_offset is not in profile vgx");
     EXPECT_EQ(refused(vgx(), shadow),

@@ -292,7 +292,8 @@ protected:
         long sum = 0, turned = 0;
         for (const auto& t : triangles) {
             const long area = twice_area(p[t.corner[0]], p[t.corner[1]], p[t.corner[2]]);
-            sum += area, turned += area < 0;
+            sum += area;
+            turned += area < 0;
         }
         EXPECT_EQ(sum, twice_area(p));
         EXPECT_EQ(turned, 0);
@@ -333,7 +334,8 @@ TEST_F(Large, SquareSpiral) {
         const int px = direction == 0 || direction == 3 ? -1 : 1,
                   py = direction == 0 || direction == 1 ? -1 : 1;
         outer.push_back({x + px, y + py});
-        x += dx * length, y += dy * length;
+        x += dx * length;
+        y += dy * length;
     }
     Polygon p(inner.rbegin(), inner.rend());
     p.insert(p.end(), outer.begin(), outer.end());

@@ -54,7 +54,8 @@ void flip(Mesh2& m, Corners& a, Corners& b) {
             const Corners first{far_a, p, far_b}, second{far_b, q, far_a};
             const GridTriangle g = m.at(first), h = m.at(second);
             if (cross(g[0], g[1], g[2]) <= 0 || cross(h[0], h[1], h[2]) <= 0) return;
-            a = first, b = second;
+            a = first;
+            b = second;
             return;
         }
 }

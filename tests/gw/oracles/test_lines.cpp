@@ -86,7 +86,10 @@ void check_line(const Profile& profile, const Line& line, int& covered) {
                 {float(double(line.red[1]) / white), 0, 0, 1}});
 
     Line major = line;
-    if (steep(line)) major.from = turned(line.from), major.to = turned(line.to);
+    if (steep(line)) {
+        major.from = turned(line.from);
+        major.to = turned(line.to);
+    }
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const GridPoint center{x * one + one / 2, y * one + one / 2};
