@@ -1,7 +1,9 @@
-#include "raytrace/hierarchy/build_tree.h"
-
+// Building the hierarchy: triangles are halved by the surface area heuristic in bins (Wald 2007)
+// until eight or fewer are left. The binary tree is made wide by taking in the largest
+// grandchildren (Wald, Benthin, Boulos 2008). Does not search (search.cpp).
 #include "gw/base/parallel.h"
 #include "raytrace/hierarchy/binary_tree.h"
+#include "raytrace/hierarchy/hierarchy.h"
 
 #include <algorithm>
 #include <array>
@@ -121,8 +123,6 @@ Widened widen(const BinaryTree& tree) {
     return wide;
 }
 
-}  // namespace
-
 WideTree build_tree(std::span<const HierarchyTriangle> triangles, int threads) {
     if (triangles.empty()) return {};
     std::vector<Item> items(triangles.size());
@@ -137,5 +137,10 @@ WideTree build_tree(std::span<const HierarchyTriangle> triangles, int threads) {
     });
     return result;
 }
+
+}  // namespace
+
+Hierarchy::Hierarchy(std::span<const HierarchyTriangle> triangles, int threads)
+    : tree_(build_tree(triangles, threads)) {}
 
 }  // namespace gw::raytrace

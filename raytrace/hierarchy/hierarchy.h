@@ -1,12 +1,12 @@
-// Our own hierarchy of bounding volumes [L12]: triangles in a tree of eight children a node, found
-// by vectors. Every ray gives the same bits whatever the vectors' width and the number of threads:
-// of all triangles that the ray meets the nearest, of equally near ones the one with the smallest
-// number. Does not know scenes (world.h does) and does not shade.
+// The hierarchy of bounding volumes [L12]: triangles in a tree of eight children a node, tested by
+// vectors. The result does not depend on the vectors' width or the number of threads: the nearest
+// triangle that the ray meets, of equally near ones the one with the smallest number. Does not know
+// scenes (world.h) and does not shade.
 //
-// What a ray meets is decided triangle by triangle by the watertight test of Woop, Benthin and Wald
-// 2013: the sign of each side's edge function is exact, so neighbours that share a side leave no
-// gap. The boxes are met with a margin wider than the rounding of both tests (Ize 2013), so the
-// tree decides nothing.
+// The watertight test of Woop, Benthin and Wald 2013 decides for every triangle whether the ray
+// meets it: the sign of each edge function is exact, so triangles that share a side leave no gap.
+// Boxes have a margin wider than the rounding of both tests (Ize 2013), so the tree decides
+// nothing.
 #pragma once
 
 #include "raytrace/hierarchy/wide_tree.h"

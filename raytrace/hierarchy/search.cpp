@@ -4,7 +4,7 @@
 #define HWY_TARGET_INCLUDE "raytrace/hierarchy/search.cpp"
 #include <hwy/foreach_target.h>
 
-#include "raytrace/hierarchy/search.h"
+#include "raytrace/hierarchy/hierarchy.h"
 
 #include <hwy/highway.h>
 
@@ -199,7 +199,7 @@ struct Visit {
 constexpr int stack_size = deepest * (width_of_tree - 1) + 1;
 
 /// Children to visit later, the next one last.
-struct Later {
+struct TraversalStack {
     Visit visit[stack_size];
     int count = 0;
 
@@ -217,7 +217,7 @@ struct Later {
 /// The child to visit next, of those met, which are one at least; the others are visited later, the
 /// nearest first. Mostly there are one or two.
 inline std::uint32_t nearest_child(const WideNode& node, unsigned met, const float* enter,
-                                   Later& later) {
+                                   TraversalStack& stack) {
     const int first = std::countr_zero(met);
     met &= met - 1;
     if (met == 0) return node.child[first];
@@ -225,25 +225,25 @@ inline std::uint32_t nearest_child(const WideNode& node, unsigned met, const flo
     met &= met - 1;
     if (met == 0) {
         if (enter[second] < enter[first]) {
-            later.add(node, first, enter);
+            stack.add(node, first, enter);
             return node.child[second];
         }
-        later.add(node, second, enter);
+        stack.add(node, second, enter);
         return node.child[first];
     }
-    const int bottom = later.count;
-    later.add(node, first, enter);
-    later.add_in_order(node, second, enter, bottom);
-    for (; met != 0; met &= met - 1) later.add_in_order(node, std::countr_zero(met), enter, bottom);
-    return later.visit[--later.count].child;
+    const int bottom = stack.count;
+    stack.add(node, first, enter);
+    stack.add_in_order(node, second, enter, bottom);
+    for (; met != 0; met &= met - 1) stack.add_in_order(node, std::countr_zero(met), enter, bottom);
+    return stack.visit[--stack.count].child;
 }
 
 /// The same in any order.
 inline std::uint32_t last_child(const WideNode& node, unsigned met, const float* enter,
-                                Later& later) {
+                                TraversalStack& stack) {
     int last = std::countr_zero(met);
     for (met &= met - 1; met != 0; met &= met - 1) {
-        later.add(node, last, enter);
+        stack.add(node, last, enter);
         last = std::countr_zero(met);
     }
     return node.child[last];
@@ -256,7 +256,7 @@ inline HierarchyHit search(const WideTree& tree, const HierarchyRay& ray) {
     Prepared r = prepare(ray);
     const InLanes lanes = in_lanes(r);
     alignas(32) float enter[width_of_tree];
-    Later later;
+    TraversalStack stack;
     std::uint32_t child = 0;
     for (;;) {
         if (child & leaf_bit) {
@@ -266,16 +266,16 @@ inline HierarchyHit search(const WideTree& tree, const HierarchyRay& ray) {
         } else {
             const WideNode& node = tree.nodes[child];
             if (const unsigned met = meet_boxes(node, r, lanes, enter); met != 0) {
-                child = any ? last_child(node, met, enter, later)
-                            : nearest_child(node, met, enter, later);
+                child = any ? last_child(node, met, enter, stack)
+                            : nearest_child(node, met, enter, stack);
                 continue;
             }
         }
         do {
-            if (later.count == 0) return found;
-            --later.count;
-        } while (!any && later.visit[later.count].enter > r.high * margin);
-        child = later.visit[later.count].child;
+            if (stack.count == 0) return found;
+            --stack.count;
+        } while (!any && stack.visit[stack.count].enter > r.high * margin);
+        child = stack.visit[stack.count].child;
     }
 }
 
@@ -296,12 +296,14 @@ namespace gw::raytrace {
 HWY_EXPORT(nearest);
 HWY_EXPORT(any);
 
-HierarchyHit search_nearest(const WideTree& tree, const HierarchyRay& ray) noexcept {
-    return HWY_DYNAMIC_DISPATCH(nearest)(tree, ray);
+std::optional<HierarchyHit> Hierarchy::nearest(const HierarchyRay& ray) const {
+    const HierarchyHit hit = HWY_DYNAMIC_DISPATCH(nearest)(tree_, ray);
+    if (hit.triangle == no_polygon) return std::nullopt;
+    return hit;
 }
 
-bool search_any(const WideTree& tree, const HierarchyRay& ray) noexcept {
-    return HWY_DYNAMIC_DISPATCH(any)(tree, ray);
+bool Hierarchy::occluded(const HierarchyRay& ray) const {
+    return HWY_DYNAMIC_DISPATCH(any)(tree_, ray);
 }
 
 }  // namespace gw::raytrace

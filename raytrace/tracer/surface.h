@@ -1,4 +1,4 @@
-// What a ray sees of a triangle: position, normals and texture coordinates. Does not shade.
+// The surface at a ray's hit: position, normals and texture coordinates. Does not shade.
 #pragma once
 
 #include "raytrace/casting/ray.h"

@@ -23,10 +23,10 @@ double size_of(const scene::Scene& scene) {
 std::vector<HierarchyTriangle> casting_triangles(const scene::Scene& scene,
                                                  const scene::WorldTriangles& triangles,
                                                  const std::vector<HierarchyTriangle>& all) {
-    std::vector<HierarchyTriangle> some;
+    std::vector<HierarchyTriangle> casting;
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
-        if (casts(scene, scene.objects[triangles.object_of(i)])) some.push_back(all[i]);
-    return some;
+        if (casts(scene, scene.objects[triangles.object_of(i)])) casting.push_back(all[i]);
+    return casting;
 }
 
 }  // namespace

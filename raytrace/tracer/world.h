@@ -1,5 +1,5 @@
-// A scene as rays meet it: its triangles in world space, and hierarchies over all of them and over
-// those that cast shadows. Made once for all views. Does not shade.
+// A scene for rays: its triangles in world space, and hierarchies over all of them and over those
+// that cast shadows. Made once for all views. Does not shade.
 #pragma once
 
 #include "raytrace/casting/ray.h"
