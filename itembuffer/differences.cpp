@@ -80,8 +80,7 @@ std::uint64_t shadows_at(const scene::Scene& scene, const raytrace::World& world
         const dvec3 toward = directional ? -dvec3(light.direction) : dvec3(light.position) - at->p;
         if (!(dot3(toward, seen_side) > 0) ||
             world.occluded({at->p, toward},
-                           directional ? std::numeric_limits<double>::infinity() : 1,
-                           world.triangles().id_of(at->triangle)))
+                           directional ? std::numeric_limits<double>::infinity() : 1, at->triangle))
             shadows |= std::uint64_t{1} << (i % 64);
     }
     return shadows;

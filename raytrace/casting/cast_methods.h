@@ -1,5 +1,5 @@
 // What all methods of casting.h share: the box around a shape, the test of one shape, the nearest
-// hit so far. And the methods themselves, a file each (cast_by_*.cpp). Does not choose among them.
+// hit so far. And the methods. Does not choose among them.
 #pragma once
 
 #include "raytrace/casting/box.h"

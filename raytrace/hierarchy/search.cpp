@@ -176,17 +176,50 @@ inline bool meet_triangles(const TrianglePacket& packet, int count, Prepared& r,
             float t = t_of[lane];
             if ((on_edge >> lane & 1) && !meet_again(x, y, z, edge, lane, t)) continue;
             const std::size_t at = std::size_t(i + lane);
-            if (!(t > r.low) || packet.polygon[at] == r.skip) continue;
+            if (!(t > r.low) || packet.number[at] == r.skip) continue;
             if constexpr (any) {
                 if (t < r.high) return true;
             } else if (t < r.high || (t == r.high && packet.triangle[at] < found.triangle &&
-                                      found.triangle != no_polygon)) {
+                                      found.triangle != no_triangle)) {
                 r.high = t;
                 found = {t, packet.triangle[at]};
             }
         }
     }
     return false;
+}
+
+/// Gives the triangles to the test that the ray meets, or passes by no more than `rounding`.
+/// Shrinks r.high; it is less than r.low when no triangle matters any more.
+inline void find_triangles(const TrianglePacket& packet, int count, Prepared& r, float rounding,
+                           TriangleTest& test) {
+    const D d;
+    for (int i = 0; i < count; i += int(hn::Lanes(d))) {
+        V x[3], y[3], sum = hn::Zero(d);
+        for (int c = 0; c < 3; ++c) {
+            const V along = hn::Sub(load(packet.corner[c][r.kz] + i), all(r.origin[r.kz]));
+            x[c] = hn::Sub(hn::Sub(load(packet.corner[c][r.kx] + i), all(r.origin[r.kx])),
+                           hn::Mul(all(r.sx), along));
+            y[c] = hn::Sub(hn::Sub(load(packet.corner[c][r.ky] + i), all(r.origin[r.ky])),
+                           hn::Mul(all(r.sy), along));
+            sum = hn::Add(sum, hn::Add(hn::Abs(x[c]), hn::Abs(y[c])));
+        }
+        const auto edge_of = [&](int a, int b) {
+            return hn::Sub(hn::Mul(x[b], y[a]), hn::Mul(y[b], x[a]));
+        };
+        const V edge[3] = {edge_of(1, 2), edge_of(2, 0), edge_of(0, 1)};
+        const V least = hn::Min(edge[0], hn::Min(edge[1], edge[2]));
+        const V most = hn::Max(edge[0], hn::Max(edge[1], edge[2]));
+        const V slack = hn::Mul(sum, all(rounding));
+        unsigned met = bits_of(hn::Or(hn::Ge(least, hn::Neg(slack)), hn::Le(most, slack)));
+        met &= (1u << (count - i)) - 1;
+        for (; met != 0; met &= met - 1) {
+            const std::size_t at = std::size_t(i + std::countr_zero(met));
+            if (packet.number[at] == r.skip) continue;
+            r.high = test.test(packet.number[at]);
+            if (r.high < r.low) return;
+        }
+    }
 }
 
 /// A child to visit, and where the ray enters it.
@@ -251,7 +284,7 @@ inline std::uint32_t last_child(const WideNode& node, unsigned met, const float*
 
 template <bool any>
 inline HierarchyHit search(const WideTree& tree, const HierarchyRay& ray) {
-    HierarchyHit found{0, no_polygon};
+    HierarchyHit found{0, no_triangle};
     if (tree.nodes.empty()) return found;
     Prepared r = prepare(ray);
     const InLanes lanes = in_lanes(r);
@@ -279,11 +312,38 @@ inline HierarchyHit search(const WideTree& tree, const HierarchyRay& ray) {
     }
 }
 
+void find(const WideTree& tree, const HierarchyRay& ray, float rounding, TriangleTest& test) {
+    if (tree.nodes.empty()) return;
+    Prepared r = prepare(ray);
+    const InLanes lanes = in_lanes(r);
+    alignas(32) float enter[width_of_tree];
+    TraversalStack stack;
+    std::uint32_t child = 0;
+    for (;;) {
+        if (child & leaf_bit) {
+            find_triangles(tree.packets[packet_of_leaf(child)], count_of_leaf(child), r, rounding,
+                           test);
+            if (r.high < r.low) return;
+        } else {
+            const WideNode& node = tree.nodes[child];
+            if (const unsigned met = meet_boxes(node, r, lanes, enter); met != 0) {
+                child = nearest_child(node, met, enter, stack);
+                continue;
+            }
+        }
+        do {
+            if (stack.count == 0) return;
+            --stack.count;
+        } while (stack.visit[stack.count].enter > r.high * margin);
+        child = stack.visit[stack.count].child;
+    }
+}
+
 HierarchyHit nearest(const WideTree& tree, const HierarchyRay& ray) {
     return search<false>(tree, ray);
 }
 bool any(const WideTree& tree, const HierarchyRay& ray) {
-    return search<true>(tree, ray).triangle != no_polygon;
+    return search<true>(tree, ray).triangle != no_triangle;
 }
 
 }  // namespace gw::raytrace::HWY_NAMESPACE
@@ -293,13 +353,21 @@ HWY_AFTER_NAMESPACE();
 
 namespace gw::raytrace {
 
+HWY_EXPORT(find);
 HWY_EXPORT(nearest);
 HWY_EXPORT(any);
 
 std::optional<HierarchyHit> Hierarchy::nearest(const HierarchyRay& ray) const {
     const HierarchyHit hit = HWY_DYNAMIC_DISPATCH(nearest)(tree_, ray);
-    if (hit.triangle == no_polygon) return std::nullopt;
+    if (hit.triangle == no_triangle) return std::nullopt;
     return hit;
+}
+
+void Hierarchy::find(const HierarchyRay& ray, TriangleTest& test) const {
+    // Of corners and rays, after the shear, where coordinates are at most three times as large.
+    float size = size_;
+    for (int k = 0; k < 3; ++k) size = std::max(size, std::abs(ray.origin[k]));
+    HWY_DYNAMIC_DISPATCH(find)(tree_, ray, size * 0x1p-20f, test);
 }
 
 bool Hierarchy::occluded(const HierarchyRay& ray) const {

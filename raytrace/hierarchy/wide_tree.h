@@ -33,7 +33,7 @@ inline constexpr int deepest = 96;
 struct alignas(32) TrianglePacket {
     float corner[3][3][width_of_tree];  ///< corner; axis; triangle
     std::uint32_t triangle[width_of_tree];
-    std::uint32_t polygon[width_of_tree];
+    std::uint32_t number[width_of_tree];
 };
 
 struct WideTree {

@@ -115,8 +115,8 @@ dvec3 Tracer::followed(const Surface& surface, const Path& path, RayCounts& coun
 
 dvec3 Tracer::arriving(const Surface& from, const dvec3& direction, FarMaps far, const Path& path,
                        RayCounts& counts) const {
-    const auto at = world_.nearest({from.at.p, direction}, std::numeric_limits<double>::infinity(),
-                                   world_.triangles().id_of(from.at.triangle));
+    const auto at = world_.nearest({from.start, direction}, std::numeric_limits<double>::infinity(),
+                                   from.at.triangle);
     if (!at) return far_away(direction, far);
     const Surface hit = surface(world_.triangles(), *at, direction, view_);
     return shaded(hit, !options_.in_shadow, counts) + followed(hit, path, counts);
@@ -153,9 +153,9 @@ bool Tracer::arrives(const LightSource& source, const Surface& s, bool by_rays,
     if (!(dot3(toward, s.plane_normal) > 0)) return false;
     if (!by_rays) return !options_.in_shadow(source.number, s.at);
     ++counts.shadow;
-    return !world_.occluded({s.at.p, toward},
+    return !world_.occluded({s.start, toward},
                             directional ? std::numeric_limits<double>::infinity() : 1,
-                            world_.triangles().id_of(s.at.triangle));
+                            s.at.triangle);
 }
 
 }  // namespace gw::raytrace
