@@ -1,8 +1,8 @@
 #include "itembuffer/adaptive.h"
 
 #include "gw/stages/vertex.h"
-#include "itembuffer/item_buffer.h"
 #include "multipass/frame/samples.h"
+#include "scene/draw/item_buffer.h"
 #include "scene/draw/pixel_rays.h"
 #include "scene/geometry/weights.h"
 
@@ -108,7 +108,7 @@ void render_adaptive(Machine& machine, const scene::Scene& scene, const scene::V
     const raytrace::World world(scene, options.threads);
     const raytrace::Tracer tracer(scene, world, view,
                                   {.depth = options.depth, .threads = options.threads});
-    const auto ids = draw_item_buffer(machine, raytrace::drawn_scene(scene), view, {});
+    const auto ids = scene::draw_item_buffer(machine, raytrace::drawn_scene(scene), view, {});
     const AdaptivePicture drawn =
         adaptive_picture(tracer, scene, view, ids, samples, machine.profile());
     if (options.counts) options.counts->add(drawn.picture.counts);

@@ -1,8 +1,7 @@
-// Adaptive sampling on one item buffer [K4a]: what the paper warns of. A pixel whose eight
-// neighbours show its own polygon gets one ray, any other a number of them, each cut with the
-// polygons that the item buffer has there: what it has not seen, no ray finds. So polygons smaller
-// than a pixel, and needles, are missed (Fig. 7) where several item buffers find them (Fig. 8).
-// Does not superpose pictures.
+// Adaptive sampling on one item buffer [K4a], which the paper warns of. A pixel whose eight
+// neighbours show the same polygon gets one ray, any other several, cut with the polygons that the
+// item buffer has in these nine pixels. So it misses polygons smaller than a pixel, and needles
+// (Fig. 7), which several item buffers find (Fig. 8). Does not superpose pictures.
 #pragma once
 
 #include "gw/machine.h"

@@ -1,9 +1,9 @@
 #include "itembuffer/differences.h"
 
 #include "gw/stages/vertex.h"
-#include "itembuffer/item_buffer.h"
 #include "multipass/passes/schedule.h"
 #include "raytrace/tracer/render.h"
+#include "scene/draw/item_buffer.h"
 #include "scene/draw/pixel_rays.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace gw::itembuffer {
 namespace {
 
-/// Both pictures of a scene, and how they were come by.
+/// Both pictures of a scene.
 struct Pair {
     std::vector<Rgba> by_passes;
     raytrace::RaytracedPicture by_rays;
@@ -30,7 +30,7 @@ Pair draw_both(Machine& machine, const scene::Scene& scene, const scene::View& v
     return pair;
 }
 
-/// What is superposed left out: one picture of each is compared.
+/// The scene without superposed effects: one picture of each is compared.
 scene::Scene still(scene::Scene scene) {
     if (scene.camera) scene.camera->aperture = 0;
     for (scene::Light& light : scene.lights) light.area = {};
@@ -56,7 +56,7 @@ std::vector<int> units_of(const Pair& pair) {
 
 int adding_passes(const scene::Scene& scene) {
     const scene::Scene drawn = raytrace::drawn_scene(scene);
-    const multipass::Model model = multipass::make_model(drawn);
+    const multipass::PassModel model = multipass::make_pass_model(drawn);
     const auto steps =
         multipass::schedule(passes_with_tracing(scene, multipass::Translucency::Sorted), model);
     return int(std::count_if(steps.begin(), steps.end(), [&](const multipass::Step& s) {
@@ -76,11 +76,11 @@ std::uint64_t shadows_at(const scene::Scene& scene, const raytrace::World& world
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const scene::Light& light = scene.lights[i];
         if (light.shadow == scene::Shadow::None) continue;
-        const bool far = light.kind == scene::LightKind::Directional;
-        const dvec3 way = far ? -dvec3(light.direction) : dvec3(light.position) - at->p;
-        if (!(dot3(way, seen_side) > 0) ||
-            world.occluded({at->p, way}, far ? std::numeric_limits<double>::infinity() : 1,
-                           world.triangles().id_of(at->triangle)))
+        const bool directional = light.kind == scene::LightKind::Directional;
+        const dvec3 toward = directional ? -dvec3(light.direction) : dvec3(light.position) - at->p;
+        if (!(dot3(toward, seen_side) > 0) ||
+            world.occluded({at->p, toward},
+                           directional ? std::numeric_limits<double>::infinity() : 1, at->triangle))
             shadows |= std::uint64_t{1} << (i % 64);
     }
     return shadows;
@@ -96,8 +96,7 @@ std::vector<std::uint64_t> shadows_of(const scene::Scene& scene, const raytrace:
     return shadows;
 }
 
-/// Whether the values of a pixel and its neighbours are all the same; beyond the border there are
-/// none.
+/// Whether a pixel and its neighbours inside the picture have the same value.
 template <class Value>
 bool is_even(const std::vector<Value>& values, const scene::View& view, std::size_t i,
              bool corners) {
@@ -132,7 +131,7 @@ Differences differences(Machine& machine, const scene::Scene& moving, const scen
     const raytrace::World world(scene, options.threads);
     Pair pair = draw_both(machine, scene, view, options, world);
     Differences d{.units = units_of(pair), .passes = adding_passes(scene)};
-    const auto ids = draw_item_buffer(machine, raytrace::drawn_scene(scene), view, {});
+    const auto ids = scene::draw_item_buffer(machine, raytrace::drawn_scene(scene), view, {});
     const auto shadows = shadows_of(scene, world, view, options.threads);
     std::vector<int> without_fog;
     if (scene.fog) {

@@ -1,5 +1,5 @@
-// The two renderers of eq. 5's scenes beside each other: passes with an item buffer, and ordinary
-// ray tracing. What differs, pixel by pixel, and why. Does not write files.
+// Compares the two renderers of eq. 5, passes with an item buffer and ordinary ray tracing: which
+// pixels differ, and why. Does not write files.
 #pragma once
 
 #include "gw/machine.h"
@@ -12,13 +12,15 @@
 
 namespace gw::itembuffer {
 
-/// Why a pixel differs; the first that holds.
-///   Polygon    the two show different polygons: the machine snaps vertices and fills by its rule, rays meet
-///              the true polygons
-///   Shadow     within a pixel of it some light's shadow begins: stencil and shadow rays decide for
-///   themselves Rounding   by at most one unit for each pass: passes round one by one Fog        without fog
-///   it would be rounding: its factor is found at vertices and interpolated Lighting   what is left: light is
-///   found at vertices and interpolated; rays light points
+/// Why a pixel differs: the first reason that holds.
+///   Polygon    The pictures show different polygons. The machine snaps vertices and fills by its
+///              rule; rays meet the true polygons.
+///   Shadow     The border of a light's shadow is within a pixel. Stencil and shadow rays round
+///              differently.
+///   Rounding   By at most one unit for each pass: passes are rounded one by one.
+///   Fog        Without fog it would be Rounding: the machine interpolates the fog factor between
+///              vertices.
+///   Lighting   All others: the machine lights vertices and interpolates; rays light points.
 enum class Reason : std::uint8_t { Same, Polygon, Shadow, Rounding, Fog, Lighting };
 inline constexpr std::array<Reason, 6> reasons{Reason::Same,     Reason::Polygon, Reason::Shadow,
                                                Reason::Rounding, Reason::Fog,     Reason::Lighting};
@@ -29,14 +31,14 @@ struct Differences {
     std::vector<Rgba> by_passes, by_rays;  ///< the pictures, bottom row first
     std::vector<Reason> reason;            ///< by pixel
     std::vector<int> units;                ///< by pixel: the largest difference of a channel
-    int passes = 0;                        ///< that add colours: what rounding may come to
+    int passes = 0;                        ///< passes that add colours: the limit of Rounding
     /// Pixels whose four neighbours show the same polygon, and those of them where rays meet
     /// another.
     std::size_t away_from_edges = 0, another_polygon_there = 0;
 };
 
-/// One picture of each: without lens, motion, soft lights and glare. Of the options `depth`,
-/// `shadow_maps`, `threads`.
+/// One picture of each, without lens, motion, soft lights and glare. Reads the options `depth`,
+/// `shadow_maps` and `threads`.
 Differences differences(Machine& machine, const scene::Scene& scene, const scene::View& view,
                         const Options& options);
 

@@ -9,7 +9,7 @@ int HitShadows::size(int width, int height) {
 }
 
 HitShadows::HitShadows(Machine& machine, const scene::Scene& scene, int width, int height) {
-    const multipass::Model model = multipass::make_model(scene);
+    const multipass::PassModel model = multipass::make_pass_model(scene);
     for (const scene::Light& light : scene.lights) {
         maps_.emplace_back();
         if (light.shadow == scene::Shadow::None) continue;

@@ -1,6 +1,6 @@
-// Shadow maps for the hits of traced rays [K4i, K3.2 a]: instead of a shadow ray each, every
-// light's Z-buffer, drawn by the machine as for the passes. Sees no better than the maps' texels.
-// Does not serve first hits: the passes do.
+// Shadow maps for the hits of traced rays [K4i, K3.2 a]: every light's Z-buffer, drawn by the
+// machine as for the passes, instead of shadow rays. As exact as the maps' texels. Does not shade
+// first hits: the passes do.
 #pragma once
 
 #include "gw/machine.h"
@@ -11,22 +11,21 @@
 
 namespace gw::itembuffer {
 
-/// The maps of all lights that cast shadows. They serve every view: made once for as long as
-/// neither lights nor objects move.
+/// The maps of all lights that cast shadows, for all views: made once while neither lights nor
+/// objects move.
 class HitShadows {
 public:
-    /// `scene` is the drawn one; the machine's planes are used, and left as they come.
+    /// `scene` is the drawn one. Overwrites the machine's planes.
     HitShadows(Machine& machine, const scene::Scene& scene, int width, int height);
     HitShadows(const HitShadows&) = delete;
 
-    /// The question of raytrace::TraceOptions.
+    /// As in raytrace::TraceOptions.
     bool in_shadow(std::size_t light, const scene::TrianglePoint& at) const {
         return lookups_[light].in_shadow(at);
     }
 
     /// The side of a map for a picture of this size: the power of two that is at least its longer
-    /// side.
-    /// Reflections mostly show things smaller than they are seen directly.
+    /// side. Half that of the passes' maps, since reflections mostly show things smaller.
     static int size(int width, int height);
 
 private:

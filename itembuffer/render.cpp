@@ -1,10 +1,9 @@
 #include "itembuffer/render.h"
 
-#include "itembuffer/drawer.h"
 #include "itembuffer/hit_shadows.h"
-#include "itembuffer/item_buffer.h"
 #include "itembuffer/traced_component.h"
 #include "multipass/passes/catalogue.h"
+#include "scene/draw/item_buffer.h"
 
 #include <algorithm>
 #include <memory>
@@ -78,7 +77,7 @@ multipass::Trace tracing(const scene::Scene& scene, const Options& options) {
     return [kept](Machine& machine, const scene::Scene& now, const scene::View& view,
                   const JitterState& jitter) {
         kept->move_to(machine, now, view);
-        const auto ids = draw_item_buffer(machine, now, view, jitter);
+        const auto ids = scene::draw_item_buffer(machine, now, view, jitter);
         raytrace::TraceOptions rays{.depth = kept->options.depth, .threads = kept->options.threads};
         if (kept->shadows)
             rays.in_shadow = [&](std::size_t light, const scene::TrianglePoint& at) {
@@ -92,21 +91,21 @@ multipass::Trace tracing(const scene::Scene& scene, const Options& options) {
     };
 }
 
-std::unique_ptr<multipass::Drawer> make_drawer(Machine& machine, const scene::Scene& scene,
+std::unique_ptr<multipass::Driver> make_driver(Machine& machine, const scene::Scene& scene,
                                                const multipass::Options& passes,
                                                const Options& options) {
     if (!raytrace::any_traced(scene))
-        return std::make_unique<multipass::Drawer>(machine, scene, passes);
+        return std::make_unique<multipass::Driver>(machine, scene, passes);
     multipass::Options all = passes;
     if (!all.passes) all.passes = passes_with_tracing(scene, passes.translucency);
     all.trace = tracing(scene, options);
-    return std::make_unique<multipass::Drawer>(machine, raytrace::drawn_scene(scene), all);
+    return std::make_unique<multipass::Driver>(machine, raytrace::drawn_scene(scene), all);
 }
 
 multipass::Superposition render(Machine& machine, const scene::Scene& scene,
                                 const scene::View& view, const multipass::Options& passes,
                                 const Options& options) {
-    return make_drawer(machine, scene, passes, options)->draw(view);
+    return make_driver(machine, scene, passes, options)->draw(view);
 }
 
 }  // namespace gw::itembuffer

@@ -1,15 +1,14 @@
-// The ordinary ray tracer with what superposed pictures have: sub-pixel positions, lens, motion,
-// soft lights, glare left out. The same samples as the passes'. Does not trace:
-// raytrace/tracer/render.h does.
+// The ordinary ray tracer with superposed pictures: sub-pixel positions, lens, motion and soft
+// lights, at the same samples as the passes. Leaves out glare. Does not trace
+// (raytrace/tracer/render.h).
 #pragma once
 
 #include "itembuffer/render.h"
 
 namespace gw::itembuffer {
 
-/// The picture, the mean of at least `samples`, weighted or not, is in the machine's colour plane
-/// afterwards.
-/// Of the options `shadow_maps` is not heeded: an ordinary ray tracer has none.
+/// Leaves the picture, the mean of at least `samples`, in the machine's colour plane. Ignores
+/// Options::shadow_maps: an ordinary ray tracer has none.
 multipass::Superposition render_by_rays(Machine& machine, const scene::Scene& scene,
                                         const scene::View& view, int samples,
                                         const Options& options, bool weighted = false);

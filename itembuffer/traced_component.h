@@ -1,7 +1,7 @@
 // I_raytracing(x, y) of eq. 5 [K4]: at every pixel the ray from the eye is cut with the plane of
-// the polygon that the item buffer names, never searched for, and what the polygon reflects and
-// lets through is traced from there [K4i]. Pixels whose polygon does neither are not traced at all.
-// Does not draw and does not add.
+// the item buffer's polygon, without a search. The light that this polygon reflects and transmits
+// is traced from there [K4i]; pixels whose polygon does neither are not traced. Does not draw and
+// does not add.
 #pragma once
 
 #include "gw/profile.h"
@@ -13,7 +13,7 @@
 namespace gw::itembuffer {
 
 struct TracedComponent {
-    /// through the first hit's black fog [K3.5]; alpha 0: nothing is covered
+    /// Through the first hit's black fog [K3.5]; alpha is 0.
     std::vector<Rgba> color;
     raytrace::RayCounts counts;  ///< primary: rays cut with their one polygon
 };

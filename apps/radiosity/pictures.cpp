@@ -4,12 +4,12 @@
 #include "gw/base/elementary.h"
 #include "image/picture.h"
 #include "image/write.h"
-#include "itembuffer/item_buffer.h"
 #include "itembuffer/render.h"
 #include "itembuffer/traced_component.h"
 #include "multipass/frame/driver.h"
 #include "radiosity/display/emissive_scene.h"
 #include "scene/draw/draw_commands.h"
+#include "scene/draw/item_buffer.h"
 
 #include <fmt/format.h>
 
@@ -117,7 +117,7 @@ std::vector<Rgba> RadiosityPictures::with_components(const radiosity::Model& mod
         // too.
         passes.trace = [&](Machine& machine, const scene::Scene& now, const scene::View& at,
                            const JitterState& jitter) {
-            const auto ids = itembuffer::draw_item_buffer(machine, now, at, jitter);
+            const auto ids = scene::draw_item_buffer(machine, now, at, jitter);
             const raytrace::Tracer tracer(all, *world, at, {.threads = options_.picture.threads});
             return itembuffer::traced_component(tracer, now, at, ids, jitter, machine.profile())
                 .color;

@@ -2,7 +2,7 @@
 
 #include "image/output/output_set.h"
 #include "image/write.h"
-#include "itembuffer/drawer.h"
+#include "itembuffer/render.h"
 #include "multipass/maps/scene_maps.h"
 
 #include <fmt/format.h>
@@ -22,16 +22,16 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number) {
 
 // Draws views of the scene. Passes keep from view to view what no view decides, unless maps are
 // generated from the scene: those hold for one.
-std::function<void(const scene::View&)> drawer_of(const Drawing& drawing, Machine& machine) {
+std::function<void(const scene::View&)> view_drawer(const Drawing& drawing, Machine& machine) {
     DrawOptions options = draw_options(drawing.options);
     if (drawing.renderer.passes) options.passes.passes = passes_of(drawing);
     const bool by_passes = drawing.renderer.passes == multipass::Renderer::Multipass &&
                            options.traced &&
                            !multipass::has_scene_maps(drawing.scene, options.passes);
     if (!by_passes) return [&](const scene::View& view) { draw(drawing, view, machine); };
-    const std::shared_ptr<multipass::Drawer> drawer =
-        itembuffer::make_drawer(machine, drawing.scene, options.passes, options.rays);
-    return [drawer](const scene::View& view) { drawer->draw(view); };
+    const std::shared_ptr<multipass::Driver> driver =
+        itembuffer::make_driver(machine, drawing.scene, options.passes, options.rays);
+    return [driver](const scene::View& view) { driver->draw(view); };
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void draw_turntable(Drawing& drawing, const FrameFiles& files, int pictures,
     const Size size = drawing.options.size;
     const scene::Camera camera = *drawing.scene.camera;
     const auto machine = make_machine(drawing.options, drawing.profile);
-    const auto draw_view = drawer_of(drawing, *machine);
+    const auto draw_view = view_drawer(drawing, *machine);
     for (int number = first_last.first; number <= first_last.second; ++number) {
         progress.at(fmt::format("drawing picture {} of {}", number, pictures));
         drawing.scene.camera = scene::turntable(camera, 360.0 * (number - 1) / pictures);

@@ -29,7 +29,7 @@ struct Frame {
     multipass::Options options;
     raytrace::RayCounts counts;
     double traced = 0, prepared = 0;
-    std::optional<multipass::Drawer> drawer;
+    std::optional<multipass::Driver> driver;
 
     Frame(const scene::Scene& scene, int samples, bool maps)
         : drawn(raytrace::drawn_scene(scene)), view(scene::make_view(scene, width, height)) {
@@ -45,8 +45,8 @@ struct Frame {
         };
         prepared = seconds([&] { options.trace(*machine, drawn, view, {}); }) -
                    seconds([&] { options.trace(*machine, drawn, view, {}); });
-        drawer.emplace(*machine, drawn, options);
-        drawer->draw(view);
+        driver.emplace(*machine, drawn, options);
+        driver->draw(view);
     }
 
     /// From elsewhere than the last, by so little that no picture changes: nothing kept of a frame
@@ -55,7 +55,7 @@ struct Frame {
         view.eye_from_world[3][0] += 1e-12;
         traced = 0;
         counts = {};
-        return seconds([&] { drawer->draw(view); });
+        return seconds([&] { driver->draw(view); });
     }
 };
 

@@ -1,7 +1,7 @@
 // One scene drawn by eq. 5 and by the ordinary ray tracer, on one thread, timed. [K4f]
 #pragma once
 
-#include "raytrace/tracer/ray_counts.h"
+#include "raytrace/tracer/tracer.h"
 #include "scene/scene.h"
 
 #include <cstddef>

@@ -24,23 +24,22 @@ public:
         : scene_(scene), world_(world), view_(view) {}
 
     void follow(const raytrace::Ray& ray, double high, std::uint32_t from, int rays_left) {
-        const bool first = from == raytrace::no_polygon;
+        const bool first = from == raytrace::no_triangle;
         (first ? set.primary : set.reflected)
             .push_back(
                 {vec3(ray.origin), first ? 0 : skin, vec3(ray.direction), float(high), from});
         const auto at = world_.nearest(ray, high, from);
         if (!at) return;
         const auto s = raytrace::surface(world_.triangles(), *at, normalized(ray.direction), view_);
-        const std::uint32_t id = world_.triangles().id_of(at->triangle);
         for (const scene::Light& light : scene_.lights) {
             const dvec3 way = dvec3(light.position) - at->p;
             const bool faces = dot3(way, s.normal) > 0 && dot3(way, s.plane_normal) > 0;
             if (light.shadow != scene::Shadow::None && faces)
-                set.shadow.push_back({vec3(at->p), skin, vec3(way), 1, id});
+                set.shadow.push_back({vec3(at->p), skin, vec3(way), 1, at->triangle});
         }
         const scene::Object& object = scene_.objects[world_.triangles().object_of(at->triangle)];
         if (rays_left > 0 && raytrace::is_traced(scene_.materials[object.material]))
-            follow({at->p, reflected(s.direction, s.normal)}, far, id, rays_left - 1);
+            follow({s.start, reflected(s.direction, s.normal)}, far, at->triangle, rays_left - 1);
     }
 
     RaySet set;
@@ -146,7 +145,7 @@ RaySet rays_of_picture(const scene::Scene& scene, const raytrace::World& world,
     for (int y = 0; y < view.height; ++y)
         for (int x = 0; x < view.width; ++x) {
             const scene::PixelRay ray = rays.through(x + 0.5, y + 0.5);
-            recorder.follow({ray.o, ray.d}, 1, raytrace::no_polygon, 1);
+            recorder.follow({ray.o, ray.d}, 1, raytrace::no_triangle, 1);
         }
     return std::move(recorder.set);
 }

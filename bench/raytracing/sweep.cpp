@@ -2,8 +2,8 @@
 
 #include "gw/machine.h"
 #include "image/textures.h"
-#include "itembuffer/item_buffer.h"
 #include "raytrace/tracer/traced_material.h"
+#include "scene/draw/item_buffer.h"
 #include "scene/geometry/polygon_ids.h"
 #include "scene/read_scene.h"
 #include "scene/toml/shape_table.h"
@@ -34,7 +34,7 @@ void set_lights(scene::Scene& scene, int count) {
 std::vector<double> shares(const scene::Scene& scene) {
     const auto machine = make_fast(vgx(), width, height, {.threads = 1});
     const auto ids =
-        itembuffer::draw_item_buffer(*machine, scene, scene::make_view(scene, width, height), {});
+        scene::draw_item_buffer(*machine, scene, scene::make_view(scene, width, height), {});
     const scene::PolygonIds numbers = scene::polygon_ids(scene);
     std::vector<double> share(scene.objects.size());
     for (const std::uint32_t id : ids)

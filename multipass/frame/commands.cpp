@@ -1,4 +1,3 @@
-// One step as commands.
 #include "multipass/frame/commands.h"
 
 #include "multipass/ties/one_winner.h"
@@ -44,17 +43,17 @@ private:
 };
 
 /// Whole parts, or far to near in pieces where a translucent pass wants an order.
-std::vector<Portion> portions(const Stage& stage, const Step& step) {
+std::vector<Portion> portions(const PlacedModel& placed, const Step& step) {
     const bool sorted =
         step.pass.objects == PassObjects::Translucent && step.pass.depth.func != DepthFunc::Equal;
     std::vector<Portion> result;
-    if (sorted && !stage.far_to_near.empty()) {
-        result = stage.far_to_near;
+    if (sorted && !placed.far_to_near.empty()) {
+        result = placed.far_to_near;
     } else {
-        for (std::size_t i = 0; i < stage.model->parts.size(); ++i) result.push_back({.part = i});
+        for (std::size_t i = 0; i < placed.model->parts.size(); ++i) result.push_back({.part = i});
     }
     std::erase_if(result, [&](const Portion& p) {
-        return !concerns(step, stage.model->parts[p.part], *stage.model);
+        return !concerns(step, placed.model->parts[p.part], *placed.model);
     });
     return result;
 }
@@ -66,8 +65,19 @@ void begin_pass(CommandList& list, const std::string& name, const State& state) 
     list.add(SetState{state});
 }
 
-State state_of(const Stage& stage, const Step& step) {
-    State state = stage.state;
+void add_whole_window(CommandList& list, State state) {
+    // A triangle around the window of any view.
+    static const MeshRef triangle = make_mesh({.positions = {{-2, -2, 1}, {6, -2, 1}, {-2, 6, 1}}});
+    state.projection = dmat4(1);
+    state.clip_planes = {};
+    state.cull = {};
+    state.color_source = ColorSource::Vertex;
+    list.add(SetState{state});
+    list.add(Draw{.mesh = triangle});
+}
+
+State state_of(const PlacedModel& placed, const Step& step) {
+    State state = placed.state;
     const Pass& pass = step.pass;
     state.depth = pass.depth;
     state.stencil = pass.stencil;
@@ -75,46 +85,47 @@ State state_of(const Stage& stage, const Step& step) {
     // What dims what is behind it leaves the picture as opaque as it is.
     const bool dims = pass.blend.enable && pass.blend.dst == BlendFactor::OneMinusSrcAlpha;
     state.color_mask = {pass.color, pass.color, pass.color, pass.color && !dims};
-    set_fog(state, pass.fog, *stage.model->scene);
+    set_fog(state, pass.fog, *placed.model->scene);
     return state;
 }
 
-TextureState lookup_of(const Stage& stage, const Step& step, std::size_t index) {
-    const Part& part = stage.model->parts[index];
-    const MappedMesh* map = adds(step, part, *stage.model) ? map_of(step, part) : nullptr;
+TextureState lookup_of(const PlacedModel& placed, const Step& step, std::size_t index) {
+    const Part& part = placed.model->parts[index];
+    const MappedMesh* map = adds(step, part, *placed.model) ? map_of(step, part) : nullptr;
     return map ? map->lookup : TextureState{};
 }
 
-Draw draw_of(const Stage& stage, const Step& step, const Portion& portion) {
-    const Part& part = stage.model->parts[portion.part];
-    if (!adds(step, part, *stage.model)) return black_draw(stage, portion);
+Draw draw_of(const PlacedModel& placed, const Step& step, const Portion& portion) {
+    const Part& part = placed.model->parts[portion.part];
+    if (!adds(step, part, *placed.model)) return black_draw(placed, portion);
     const MappedMesh* map = map_of(step, part);
     Draw draw{.mesh = portion.of(map ? map->mesh : part.mesh),
-              .eye_from_object = stage.eye_from_object[portion.part]};
+              .eye_from_object = placed.eye_from_object[portion.part]};
     draw.material = material_for(step.pass.material, *part.material);
-    if (step.light) draw.lights = stage.lights[*step.light];
-    if (step.pass.lights == PassLights::All) draw.lights = lights_of(stage, part);
+    if (step.light) draw.lights = placed.lights[*step.light];
+    if (step.pass.lights == PassLights::All) draw.lights = lights_of(placed, part);
     if (map) draw.map.texture = map->texture;
     if (step.pass.objects == PassObjects::Glaring) {
-        draw.eye_from_object[3] += dvec4(stage.glare[portion.part], 0);
+        draw.eye_from_object[3] += dvec4(placed.glare[portion.part], 0);
         draw.material.Ke *= part.object->glare->strength;
     }
     return draw;
 }
 
-Draw black_draw(const Stage& stage, const Portion& portion) {
-    const Part& part = stage.model->parts[portion.part];
+Draw black_draw(const PlacedModel& placed, const Portion& portion) {
+    const Part& part = placed.model->parts[portion.part];
     Draw draw{.mesh = portion.of(part.mesh),
-              .eye_from_object = stage.eye_from_object[portion.part]};
+              .eye_from_object = placed.eye_from_object[portion.part]};
     draw.material = material_for({}, *part.material);
     return draw;
 }
 
-void add_step(CommandList& list, const Stage& stage, const Step& step, const FrameRules& rules) {
-    if (!is_needed(step, *stage.model)) return;
-    list.add(BeginPass{.name = name_of(step, *stage.model)});
+void add_step(CommandList& list, const PlacedModel& placed, const Step& step,
+              const FrameRules& rules) {
+    if (!is_needed(step, *placed.model)) return;
+    list.add(BeginPass{.name = name_of(step, *placed.model)});
     StateWriter states(list);
-    State state = state_of(stage, step);
+    State state = state_of(placed, step);
     if (step.pass.clear) {
         State all = state;
         all.color_mask = {};
@@ -126,19 +137,19 @@ void add_step(CommandList& list, const Stage& stage, const Step& step, const Fra
     const bool one_winner =
         rules.one_winner && is_additive(step.pass) && step.pass.objects != PassObjects::Translucent;
     const bool by_ties =
-        one_winner && rules.tied && can_leave_ties_out(stage, step, rules.stencil_bits);
-    if (one_winner && !by_ties) return add_one_winner_step(list, stage, step, rules.stencil_bits);
+        one_winner && rules.tied && can_leave_ties_out(placed, step, rules.stencil_bits);
+    if (one_winner && !by_ties) return add_one_winner_step(list, placed, step, rules.stencil_bits);
     if (by_ties) {
-        mark_ties(list, stage, *rules.tied, rules.stencil_bits);
+        mark_ties(list, placed, *rules.tied, rules.stencil_bits);
         state.stencil = beside_ties(state.stencil, rules.stencil_bits);
         states.forget();
     }
-    for (const Portion& portion : portions(stage, step)) {
-        state.texture = lookup_of(stage, step, portion.part);
+    for (const Portion& portion : portions(placed, step)) {
+        state.texture = lookup_of(placed, step, portion.part);
         states.set(state);
-        list.add(draw_of(stage, step, portion));
+        list.add(draw_of(placed, step, portion));
     }
-    if (by_ties) draw_ties(list, stage, step, *rules.tied, rules.stencil_bits);
+    if (by_ties) draw_ties(list, placed, step, *rules.tied, rules.stencil_bits);
 }
 
 }  // namespace gw::multipass

@@ -1,5 +1,5 @@
-// From steps to commands: the state, the draws, the clear of one run of a pass.
-// Does not decide which passes there are, and does not find shadows.
+// From steps to commands: the state, the clear and the draws of one run of a pass. Does not choose
+// the passes and does not find shadows.
 #pragma once
 
 #include "gw/command_list.h"
@@ -15,7 +15,7 @@ struct FrameRules {
     vec3 background{0, 0, 0};
     /// One winner per pixel where faces coincide, by a bit of the stencil: see one_winner.h.
     bool one_winner = false;
-    /// Where they coincide; null: not known, it may be everywhere.
+    /// The pixels where they coincide; null: unknown, assume every pixel.
     const TiedPixels* tied = nullptr;
     int stencil_bits = 8;
     /// White images that the accumulation buffer holds.
@@ -25,20 +25,26 @@ struct FrameRules {
 /// BeginPass and SetState.
 void begin_pass(CommandList& list, const std::string& name, const State& state = {});
 
-/// The commands of one step: BeginPass, SetState, Clear, Draw. None where no part is concerned and
-/// nothing is cleared.
-void add_step(CommandList& list, const Stage& stage, const Step& step, const FrameRules& rules);
+/// The commands of one step: BeginPass, SetState, Clear, Draw. A step that draws no part and clears
+/// nothing has none.
+void add_step(CommandList& list, const PlacedModel& placed, const Step& step,
+              const FrameRules& rules);
 
-/// The pass's state in this view: what its fields say on top of the state that all passes share.
-State state_of(const Stage& stage, const Step& step);
+/// The pass's state in this view: the state that all passes share, changed by the pass's fields.
+State state_of(const PlacedModel& placed, const Step& step);
 
-/// How the part's map is looked up in a pass; the initial state where it has none.
-TextureState lookup_of(const Stage& stage, const Step& step, std::size_t part);
+/// How the part's map is looked up in a pass; the initial state if it has none.
+TextureState lookup_of(const PlacedModel& placed, const Step& step, std::size_t part);
 
-/// The draw of a part, or of a portion of it, in a pass: with its material, lights and map; black
-/// where nothing is added.
-Draw draw_of(const Stage& stage, const Step& step, const Portion& portion);
+/// The draw of a part, or of a portion of it, in a pass, with its material, lights and map. Black
+/// if the pass adds nothing to the part.
+Draw draw_of(const PlacedModel& placed, const Step& step, const Portion& portion);
 /// Black, with the object's own alpha.
-Draw black_draw(const Stage& stage, const Portion& portion);
+Draw black_draw(const PlacedModel& placed, const Portion& portion);
+
+/// A fragment on every pixel of the window, at the farthest Z, which is that of the background: it
+/// tests or changes the stencil everywhere and needs a state that writes no colour. The state's
+/// tests, masks and jitter hold; its geometry does not.
+void add_whole_window(CommandList& list, State state);
 
 }  // namespace gw::multipass

@@ -1,4 +1,3 @@
-// Pictures from frames.
 #include "multipass/frame/driver.h"
 
 #include "multipass/frame/frame_drawer.h"
@@ -9,15 +8,16 @@
 namespace gw::multipass {
 
 /// The scene with its maps, and what is made of it.
-struct Drawer::Ready {
+struct Driver::PreparedScene {
     scene::Scene scene;
-    Picture picture;
+    FrameDrawer drawer;
 
-    Ready(Machine& machine, scene::Scene with_maps, const PassList& passes, const Options& options)
-        : scene(std::move(with_maps)), picture(machine, scene, passes, options, scene.background) {}
+    PreparedScene(Machine& machine, scene::Scene with_maps, const PassList& passes,
+                  const Options& options)
+        : scene(std::move(with_maps)), drawer(machine, scene, passes, options, scene.background) {}
 };
 
-Drawer::Drawer(Machine& machine, scene::Scene scene, const Options& options)
+Driver::Driver(Machine& machine, scene::Scene scene, const Options& options)
     : machine_(machine),
       scene_(std::move(scene)),
       options_(options),
@@ -25,16 +25,16 @@ Drawer::Drawer(Machine& machine, scene::Scene scene, const Options& options)
     check_lights(scene_, passes_, machine.profile());
 }
 
-Drawer::~Drawer() = default;
+Driver::~Driver() = default;
 
-Superposition Drawer::draw(const scene::View& view) {
-    if (!ready_ || has_scene_maps(scene_, options_))
-        ready_ = std::make_unique<Ready>(
+Superposition Driver::draw(const scene::View& view) {
+    if (!prepared_ || has_scene_maps(scene_, options_))
+        prepared_ = std::make_unique<PreparedScene>(
             machine_, with_scene_maps(machine_, scene_, view, options_), passes_, options_);
     const int samples = std::max(options_.samples, samples_of(scene_));
     return superpose(
-        machine_, samples, ready_->picture.images(),
-        [&](const Sample& sample) { ready_->picture.draw(view, sample); },
+        machine_, samples, prepared_->drawer.images(),
+        [&](const Sample& sample) { prepared_->drawer.draw(view, sample); },
         weights_of(samples, options_.weighted, machine_.profile()));
 }
 
@@ -45,16 +45,16 @@ PassList pass_list(const scene::Scene& scene, const Options& options) {
 
 Superposition render(Machine& machine, const scene::Scene& scene, const scene::View& view,
                      const Options& options) {
-    return Drawer(machine, scene, options).draw(view);
+    return Driver(machine, scene, options).draw(view);
 }
 
 CommandList frame_list(const scene::Scene& scene, const scene::View& view, const PassList& passes,
                        const vec3& background, bool one_winner, int stencil_bits) {
-    const Model model = make_model(scene);
+    const PassModel model = make_pass_model(scene);
     const Shadows shadows = find_volumes(model, topologies(model));
-    const Stage stage = make_stage(model, enclosing(view, model, shadows));
+    const PlacedModel placed = place_model(model, enclosing(view, model, shadows));
     const Frame frame{
-        stage,
+        placed,
         shadows,
         schedule(passes, model),
         {.background = background, .one_winner = one_winner, .stencil_bits = stencil_bits}};

@@ -1,6 +1,5 @@
-// The driver: a scene, a view and options become a picture on a machine.
-// Does not read or write files, and touches no pixel itself: what it needs from the planes it reads
-// with Read.
+// The driver: a scene, a view and options become a picture on a machine. Does not read or write
+// files. Touches no pixel itself: it reads planes by the command Read.
 #pragma once
 
 #include "gw/machine.h"
@@ -15,28 +14,27 @@
 
 namespace gw::multipass {
 
-/// A scene drawn from one view after the other. What the view does not decide is made once: meshes
+/// Draws a scene from one view after the other. Makes what does not depend on the view once: meshes
 /// of maps, shadow volumes, shadow maps.
-class Drawer {
+class Driver {
 public:
     /// The machine must outlive it.
-    Drawer(Machine& machine, scene::Scene scene, const Options& options);
-    Drawer(const Drawer&) = delete;
-    ~Drawer();
+    Driver(Machine& machine, scene::Scene scene, const Options& options);
+    Driver(const Driver&) = delete;
+    ~Driver();
 
-    /// The picture is in the machine's colour plane afterwards. The view is as large as the
-    /// machine's window.
-    /// Says how many pictures were superposed, in how many groups. Throws Error where the profile
-    /// cannot do what is asked for.
+    /// Leaves the picture in the machine's colour plane. The view is as large as the machine's
+    /// window. Returns how many pictures were superposed, in how many groups. Throws Error if the
+    /// profile cannot draw the scene.
     Superposition draw(const scene::View& view);
 
 private:
-    struct Ready;
+    struct PreparedScene;
     Machine& machine_;
     scene::Scene scene_;
     Options options_;
     PassList passes_;
-    std::unique_ptr<Ready> ready_;
+    std::unique_ptr<PreparedScene> prepared_;
 };
 
 /// One view.
@@ -46,8 +44,8 @@ Superposition render(Machine& machine, const scene::Scene& scene, const scene::V
 /// The passes that `render` draws the scene with.
 PassList pass_list(const scene::Scene& scene, const Options& options);
 
-/// The list of one frame without effects that read pixels back (shadow maps, layers, counted
-/// winners): what `render` executes, in one piece.
+/// The list of one frame in one piece, without the effects that read pixels back: shadow maps,
+/// layers, counted winners.
 CommandList frame_list(const scene::Scene& scene, const scene::View& view, const PassList& passes,
                        const vec3& background, bool one_winner = false, int stencil_bits = 8);
 

@@ -1,4 +1,3 @@
-// Steps in order; shadow steps by the kind of their light's shadow.
 #include "multipass/frame/frame.h"
 
 #include "multipass/shadow/shadow_passes.h"
@@ -15,25 +14,25 @@ bool holds_casting_bodies(const Frame& frame, std::size_t end) {
     const bool draws_all = first.action == PassAction::Draw && first.depth.test &&
                            first.depth.mask && first.depth.func == DepthFunc::Less &&
                            !first.stencil.test && (first.clear & mask_of(Plane::Depth)) != 0 &&
-                           !frame.stage.state.clip_planes[0].enable;
-    const auto& parts = frame.stage.model->parts;
+                           !frame.placed.state.clip_planes[0].enable;
+    const auto& parts = frame.placed.model->parts;
     const auto clears = [](const Step& s) { return (s.pass.clear & mask_of(Plane::Depth)) != 0; };
     return draws_all &&
            std::none_of(frame.steps.begin() + 1, frame.steps.begin() + std::ptrdiff_t(end),
                         clears) &&
            std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
-               return part.translucent || concerns(frame.steps.front(), part, *frame.stage.model);
+               return part.translucent || concerns(frame.steps.front(), part, *frame.placed.model);
            });
 }
 
 void add_shadow(CommandList& list, const Frame& frame, std::size_t index) {
     const Step& step = frame.steps[index];
-    const std::string name = name_of(step, *frame.stage.model);
+    const std::string name = name_of(step, *frame.placed.model);
     const std::size_t light = *step.light;
-    if (frame.stage.model->scene->lights[light].shadow == scene::Shadow::Map)
-        add_shadow_mask(list, frame.stage, name, frame.shadows.masks[light]);
+    if (frame.placed.model->scene->lights[light].shadow == scene::Shadow::Map)
+        add_shadow_mask(list, frame.placed, name, frame.shadows.masks[light]);
     else
-        add_shadow_volumes(list, frame.stage, name, frame.shadows.volumes[light],
+        add_shadow_volumes(list, frame.placed, name, frame.shadows.volumes[light],
                            {.stencil_bits = frame.rules.stencil_bits,
                             .in_front = holds_casting_bodies(frame, index),
                             .zero_or_one = frame.rules.one_winner,
@@ -58,26 +57,23 @@ void add_traced(CommandList& list, const Frame& frame, const Step& step) {
     if (frame.traced.empty()) return;
     State state;
     state.blend = step.pass.blend;
-    begin_pass(list, name_of(step, *frame.stage.model), state);
-    const scene::View& view = frame.stage.view;
+    begin_pass(list, name_of(step, *frame.placed.model), state);
+    const scene::View& view = frame.placed.view;
     list.add(WritePixels{
         .rect = {0, 0, view.width, view.height}, .plane = Plane::Color, .colors = frame.traced});
 }
 
-bool draws(const Step& step, const Model& model) {
+bool draws(const Step& step, const PassModel& model) {
     return step.pass.action == PassAction::Draw && step.pass.color && is_needed(step, model);
 }
 
-bool is_layer_step(const Step& s) {
-    return s.pass.action == PassAction::Draw && s.pass.objects == PassObjects::Translucent &&
-           s.pass.depth.test && s.pass.depth.func == DepthFunc::Equal;
-}
+bool is_layer_step(const Step& step) { return is_layer_pass(step.pass); }
 
 }  // namespace
 
 CommandList commands(const Frame& frame, std::size_t first, std::size_t last) {
     CommandList list;
-    const Model& model = *frame.stage.model;
+    const PassModel& model = *frame.placed.model;
     bool drawn = true;  // since the image before was added
     int image = 0;
     for (std::size_t i = first; i < last; ++i) {
@@ -85,7 +81,7 @@ CommandList commands(const Frame& frame, std::size_t first, std::size_t last) {
         switch (step.pass.action) {
             case PassAction::Draw:
                 drawn = drawn || draws(step, model);
-                add_step(list, frame.stage, step, frame.rules);
+                add_step(list, frame.placed, step, frame.rules);
                 break;
             case PassAction::Shadow: add_shadow(list, frame, i); break;
             case PassAction::Add:

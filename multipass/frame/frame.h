@@ -1,5 +1,5 @@
 // A frame: one view of one scene at one moment, all of its passes as commands. Does not execute
-// them: picture.h does.
+// them (frame_drawer.h).
 #pragma once
 
 #include "gw/command_list.h"
@@ -12,25 +12,25 @@
 
 namespace gw::multipass {
 
-/// Refers to the stage and the shadows, which must outlive it.
+/// Refers to the placed model and the shadows, which must outlive it.
 struct Frame {
-    const Stage& stage;
+    const PlacedModel& placed;
     const Shadows& shadows;
     std::vector<Step> steps;
     FrameRules rules;
-    std::vector<Rgba> traced;  ///< of the view's pixels; empty: nothing [K4]
+    std::vector<Rgba> traced;  ///< the traced component by pixel; empty: nothing is traced [K4]
 };
 
 /// The commands of steps first .. last - 1.
 CommandList commands(const Frame& frame, std::size_t first, std::size_t last);
 
-/// The number of steps up to and with the last that updates Z.
+/// The number of steps up to and including the last that updates Z.
 std::size_t end_of_depth(const std::vector<Step>& steps);
 
-/// Images that the steps add in the accumulation buffer.
+/// The number of images that the steps add in the accumulation buffer.
 int images_of(const std::vector<Step>& steps);
 
-/// Steps first .. last - 1 are those that are drawn layer by layer (layers.h); none: first = last.
+/// Steps first .. last - 1 are drawn layer by layer (layers.h); first = last: none is.
 struct LayerSteps {
     std::size_t first = 0, last = 0;
 };

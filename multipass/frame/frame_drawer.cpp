@@ -1,5 +1,3 @@
-// Frames: the passes that clear and find Z, the count of winners, then all others, layers among
-// them.
 #include "multipass/frame/frame_drawer.h"
 
 #include "gw/error.h"
@@ -19,15 +17,16 @@ namespace {
 
 /// The view that is drawn: the far plane behind all shadow volumes, what lies behind its own cut
 /// off.
-Stage staged(const Model& model, const scene::View& view, const Shadows& shadows) {
-    Stage stage = make_stage(model, enclosing(view, model, shadows));
+PlacedModel place_with_shadows(const PassModel& model, const scene::View& view,
+                               const Shadows& shadows) {
+    PlacedModel placed = place_model(model, enclosing(view, model, shadows));
     const double far_plane = view.camera.far_plane;
-    const bool moved = far_plane < stage.view.camera.far_plane;
+    const bool moved = far_plane < placed.view.camera.far_plane;
     const double farthest =
         scene::depth_interval(scene::bounds(*model.scene), view.eye_from_world).farthest;
     if (moved && farthest > far_plane)
-        stage.state.clip_planes[0] = {true, dvec4(0, 0, 1, far_plane)};
-    return stage;
+        placed.state.clip_planes[0] = {true, dvec4(0, 0, 1, far_plane)};
+    return placed;
 }
 
 bool traces(const std::vector<Step>& steps) {
@@ -45,33 +44,33 @@ bool uses_stencil(const std::vector<Step>& steps, std::size_t end) {
 
 }  // namespace
 
-Picture::Picture(Machine& machine, const scene::Scene& scene, PassList passes,
-                 const Options& options, const vec3& background)
+FrameDrawer::FrameDrawer(Machine& machine, const scene::Scene& scene, PassList passes,
+                         const Options& options, const vec3& background)
     : machine_(machine),
       still_(scene),
       now_(scene),
       options_(options),
       background_(background),
-      model_(make_model(now_)),
+      model_(make_pass_model(now_)),
       steps_(schedule(passes, model_)),
       topologies_(topologies(model_)),
       shadows_(find_volumes(model_, topologies_)) {}
 
-void Picture::move(const scene::View& view, const Sample& sample) {
+void FrameDrawer::move(const scene::View& view, const Sample& sample) {
     move_to(now_, still_, sample);
     if (moves(still_)) shadows_ = find_volumes(model_, topologies_);
-    stage_ = staged(model_, view_at(view, sample), shadows_);
-    stage_.state.jitter = jitter_of(sample, machine_.profile().subpixel_bits);
-    for (std::size_t i = 0; i < stage_.glare.size(); ++i)
+    placed_ = place_with_shadows(model_, view_at(view, sample), shadows_);
+    placed_.state.jitter = jitter_of(sample, machine_.profile().subpixel_bits);
+    for (std::size_t i = 0; i < placed_.glare.size(); ++i)
         if (const auto& glare = now_.objects[i].glare)
-            stage_.glare[i] = glare_displacement(*glare, sample);
-    if (options_.translucency == Translucency::Sorted) stage_.far_to_near = far_to_near(stage_);
-    find_masks(shadows_, machine_, model_, stage_.view, stage_.state.jitter);
+            placed_.glare[i] = glare_displacement(*glare, sample);
+    if (options_.translucency == Translucency::Sorted) placed_.far_to_near = far_to_near(placed_);
+    find_masks(shadows_, machine_, model_, placed_.view, placed_.state.jitter);
     if (options_.trace && traces(steps_))
-        traced_ = options_.trace(machine_, now_, stage_.view, stage_.state.jitter);
+        traced_ = options_.trace(machine_, now_, placed_.view, placed_.state.jitter);
 }
 
-void Picture::draw(const scene::View& view, const Sample& sample) {
+void FrameDrawer::draw(const scene::View& view, const Sample& sample) {
     move(view, sample);
     shadows_.one_by_one = false;
     if (attempt()) return;
@@ -82,7 +81,7 @@ void Picture::draw(const scene::View& view, const Sample& sample) {
             machine_.profile().stencil_bits));
 }
 
-bool Picture::wants_count() const {
+bool FrameDrawer::wants_count() const {
     const bool opaque = std::any_of(model_.parts.begin(), model_.parts.end(),
                                     [](const Part& p) { return !p.translucent; });
     return options_.one_winner == OneWinner::Auto && opaque &&
@@ -92,9 +91,9 @@ bool Picture::wants_count() const {
 }
 
 /// False: a shadow count may have overflowed.
-bool Picture::attempt() {
+bool FrameDrawer::attempt() {
     const std::size_t before = machine_.passes().size();
-    Frame frame{stage_, shadows_, steps_, {.background = background_}, traced_};
+    Frame frame{placed_, shadows_, steps_, {.background = background_}, traced_};
     frame.rules.one_winner = options_.one_winner == OneWinner::Always;
     frame.rules.stencil_bits = machine_.profile().stencil_bits;
     frame.rules.most_images = most_pictures(machine_.profile());
@@ -112,29 +111,29 @@ bool Picture::attempt() {
 }
 
 /// Draws the steps before `end` and says to the frame's rules what the count finds.
-void Picture::count_winners_of(Frame& frame, std::size_t end, TiedPixels& tied) {
+void FrameDrawer::count_winners_of(Frame& frame, std::size_t end, TiedPixels& tied) {
     CommandList list = commands(frame, 0, end);
-    list.append(count_winners(stage_));
+    list.append(count_winners(placed_));
     machine_.execute(list);
     frame.rules.one_winner = surplus_winners(std::span(machine_.passes()).last(2)) > 0;
-    if (!frame.rules.one_winner || !can_mark_ties(stage_, frame.rules.stencil_bits)) return;
-    tied = tied_pixels(stage_, machine_.readbacks().at(winners_key).values);
+    if (!frame.rules.one_winner || !can_mark_ties(placed_, frame.rules.stencil_bits)) return;
+    tied = tied_pixels(placed_, machine_.readbacks().at(winners_key).values);
     frame.rules.tied = &tied;
 }
 
-void Picture::run(const Frame& frame, std::size_t first, std::size_t last) {
+void FrameDrawer::run(const Frame& frame, std::size_t first, std::size_t last) {
     if (first < last) machine_.execute(commands(frame, first, last));
 }
 
-void Picture::run_layers(const Frame& frame, const LayerSteps& steps) {
+void FrameDrawer::run_layers(const Frame& frame, const LayerSteps& steps) {
     if (steps.first == steps.last) return;
-    const Layers layers = find_layers(machine_, stage_);
+    const Layers layers = find_layers(machine_, placed_);
     CommandList list;
     for (std::size_t r = 0; r < layers.depth.size(); ++r) {
-        begin_layer(list, stage_, layers, r);
+        begin_layer(list, placed_, layers, r);
         list.append(commands(frame, steps.first, steps.last));
     }
-    end_layers(list, stage_, layers);
+    end_layers(list, placed_, layers);
     machine_.execute(list);
 }
 

@@ -1,6 +1,6 @@
-// A scene on a machine: everything that is made once and serves all of its superposed frames, and
-// the drawing of one frame, with the read-backs that some effects need. Does not superpose
-// (superpose.h) and does not choose passes (passes.h).
+// Draws the frames of one scene on a machine, with the read-backs that some effects need. Keeps
+// what all superposed frames share. Does not superpose (superpose.h) and does not choose passes
+// (passes.h).
 #pragma once
 
 #include "gw/machine.h"
@@ -15,14 +15,14 @@
 
 namespace gw::multipass {
 
-class Picture {
+class FrameDrawer {
 public:
     /// Refers to the machine and the scene, which must outlive it.
-    Picture(Machine& machine, const scene::Scene& scene, PassList passes, const Options& options,
-            const vec3& background);
-    Picture(const Picture&) = delete;
+    FrameDrawer(Machine& machine, const scene::Scene& scene, PassList passes,
+                const Options& options, const vec3& background);
+    FrameDrawer(const FrameDrawer&) = delete;
 
-    /// Images that each frame adds in the accumulation buffer.
+    /// The number of images that each frame adds in the accumulation buffer.
     int images() const { return images_of(steps_); }
 
     /// Draws the frame of one sample. The view is as large as the machine's window.
@@ -41,11 +41,11 @@ private:
     scene::Scene now_;  ///< at the sample's moment; the model refers to it
     Options options_;
     vec3 background_;
-    Model model_;
+    PassModel model_;
     std::vector<Step> steps_;
     std::vector<Topology> topologies_;
     Shadows shadows_;
-    Stage stage_;
+    PlacedModel placed_;
     std::vector<Rgba> traced_;
 };
 

@@ -1,4 +1,4 @@
-// What can be asked of the driver besides the scene itself. Plain data.
+// The options of the driver. Plain data. Does not describe the scene.
 #pragma once
 
 #include "gw/machine.h"
@@ -11,7 +11,8 @@
 
 namespace gw::multipass {
 
-/// Coincident faces added once. Auto counts winners first; Never and Always spare the count.
+/// Whether coincident faces are added once (one_winner.h). Auto counts winners first; Never and
+/// Always need no count.
 enum class OneWinner { Auto, Never, Always };
 
 /// The traced component of a frame [K4]: what the pass of PassAction::Trace adds, a colour for each
@@ -22,12 +23,12 @@ using Trace = std::function<std::vector<Rgba>(Machine&, const scene::Scene&, con
 
 struct Options {
     Renderer renderer = Renderer::Multipass;
-    std::optional<PassList> passes;  ///< in place of the renderer's
+    std::optional<PassList> passes;  ///< instead of the renderer's
     OneWinner one_winner = OneWinner::Auto;
     Translucency translucency = Translucency::Sorted;
     Trace trace;  ///< empty: passes of PassAction::Trace add nothing
-    /// superposed pictures, at least; a scene's soft lights, lens, motion and glare may ask for
-    /// more
+    /// The least number of superposed pictures; soft lights, lens, motion and glare of a scene may
+    /// need more.
     int samples = 1;
     bool weighted = false;  ///< their mean by tent_weights [K4a]
 };

@@ -1,4 +1,3 @@
-// Maps by component, meshes by map.
 #include "multipass/frame/pass_model.h"
 
 #include "scene/draw/components.h"
@@ -88,8 +87,8 @@ vec3 value_of(const Parameter& p, const vec3& objects, const scene::Material& m)
 
 }  // namespace
 
-Model make_model(const scene::Scene& scene) {
-    Model model{.scene = &scene};
+PassModel make_pass_model(const scene::Scene& scene) {
+    PassModel model{.scene = &scene};
     MeshCache cache;
     for (const scene::Object& item : scene.objects) {
         Part part{.object = &item, .material = &scene.materials.at(item.material)};
@@ -110,7 +109,7 @@ Material material_for(const PassMaterial& set, const scene::Material& m) {
             .alpha = m.d};
 }
 
-std::size_t repetitions(const Model& model, PassMap map) {
+std::size_t repetitions(const PassModel& model, PassMap map) {
     std::size_t most = 1;
     for (const Part& part : model.parts) most = std::max(most, part.maps_for(map).size());
     return most;

@@ -1,6 +1,6 @@
-// A scene made ready to be drawn in passes: every object with its maps by component, textures
-// looked up, meshes with their maps' scale and offset. Made once per scene. Does not place anything
-// before an eye: placed_model.h does.
+// A scene prepared for passes: every object with its maps by component, their textures, and meshes
+// with the scale and offset of their maps. Made once per scene. Does not place anything before an
+// eye (placed_model.h).
 #pragma once
 
 #include "gw/command_list.h"
@@ -31,18 +31,18 @@ struct Part {
 };
 
 /// Refers to the scene, which must outlive it.
-struct Model {
+struct PassModel {
     const scene::Scene* scene = nullptr;
     std::vector<Part> parts;  ///< by object
 };
 
-Model make_model(const scene::Scene& scene);
+PassModel make_pass_model(const scene::Scene& scene);
 
 /// The material that a pass sets for an object [K3p]; its alpha stays the object's.
 Material material_for(const PassMaterial& set, const scene::Material& material);
 
-/// The largest number of maps that any object has for a component, at least 1: so often is its pass
-/// repeated [K3.1].
-std::size_t repetitions(const Model& model, PassMap map);
+/// The largest number of maps that any object has for a component, at least 1: its pass is repeated
+/// that many times [K3.1].
+std::size_t repetitions(const PassModel& model, PassMap map);
 
 }  // namespace gw::multipass

@@ -1,28 +1,59 @@
-// Everything of the scene in eye space, once per view.
 #include "multipass/frame/placed_model.h"
 
 #include "scene/draw/draw_commands.h"
 
 namespace gw::multipass {
+namespace {
 
-Stage make_stage(const Model& model, const scene::View& view) {
-    Stage stage{.model = &model, .view = view, .state = scene::view_state(view)};
-    for (const Part& part : model.parts)
-        stage.eye_from_object.push_back(scene::placed(*part.object, view).eye_from_object);
-    for (const scene::Light& light : model.scene->lights)
-        stage.lights.push_back(
-            std::make_shared<const std::vector<Light>>(1, scene::eye_light(light, view)));
-    stage.glare.resize(model.parts.size());
-    return stage;
+MeshRef pick(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+    const MeshData& from = mesh.data();
+    MeshData to;
+    const auto copy = [](const auto& source, auto& target, std::uint32_t i) {
+        if (!source.empty()) target.push_back(source[i]);
+    };
+    for (const std::uint32_t triangle : triangles)
+        for (const std::uint32_t v : mesh.triangles()[triangle].vertex) {
+            to.positions.push_back(from.positions[v]);
+            copy(from.normals, to.normals, v);
+            copy(from.texcoords, to.texcoords, v);
+            copy(from.colors, to.colors, v);
+        }
+    return make_mesh(std::move(to));
 }
 
-LightsRef lights_of(const Stage& stage, const Part& part) {
-    const auto& lights = stage.model->scene->lights;
+}  // namespace
+
+PlacedModel place_model(const PassModel& model, const scene::View& view) {
+    PlacedModel placed{.model = &model, .view = view, .state = scene::view_state(view)};
+    for (const Part& part : model.parts)
+        placed.eye_from_object.push_back(scene::placed(*part.object, view).eye_from_object);
+    for (const scene::Light& light : model.scene->lights)
+        placed.lights.push_back(
+            std::make_shared<const std::vector<Light>>(1, scene::eye_light(light, view)));
+    placed.glare.resize(model.parts.size());
+    return placed;
+}
+
+LightsRef lights_of(const PlacedModel& placed, const Part& part) {
+    const auto& lights = placed.model->scene->lights;
     std::vector<Light> lit_by;
     for (std::size_t i = 0; i < lights.size(); ++i)
         if (scene::lights_object(lights[i], *part.object))
-            lit_by.push_back(stage.lights[i]->front());
+            lit_by.push_back(placed.lights[i]->front());
     return lit_by.empty() ? nullptr : std::make_shared<const std::vector<Light>>(std::move(lit_by));
+}
+
+Portion portion_of(const PlacedModel& placed, std::size_t index,
+                   std::span<const std::uint32_t> triangles) {
+    Portion portion{.part = index};
+    const auto add = [&](const MeshRef& mesh) {
+        if (portion.of(mesh) == mesh) portion.meshes.emplace_back(mesh, pick(*mesh, triangles));
+    };
+    const Part& part = placed.model->parts[index];
+    add(part.mesh);
+    for (const auto& maps : part.maps)
+        for (const MappedMesh& map : maps) add(map.mesh);
+    return portion;
 }
 
 }  // namespace gw::multipass

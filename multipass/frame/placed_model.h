@@ -1,19 +1,21 @@
-// A model before an eye: objects placed, lights in eye space, the state that all passes of the view
-// share.
-// Does not choose passes and makes no commands.
+// A model before an eye: placed objects, lights in eye space, the state that all passes of the view
+// share. Does not choose passes and makes no commands.
 #pragma once
 
 #include "multipass/frame/pass_model.h"
 #include "scene/draw/view.h"
 
+#include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace gw::multipass {
 
-/// A part, or some triangles of it.
+/// A part, or a number of its triangles.
 struct Portion {
     std::size_t part = 0;
-    /// Each mesh of the part and what of it belongs to the portion; empty: all.
+    /// Each mesh of the part, and its triangles in the portion as a mesh; empty: all triangles.
     std::vector<std::pair<MeshRef, MeshRef>> meshes;
 
     MeshRef of(const MeshRef& mesh) const {
@@ -24,20 +26,24 @@ struct Portion {
 };
 
 /// Refers to the model, which must outlive it.
-struct Stage {
-    const Model* model = nullptr;
+struct PlacedModel {
+    const PassModel* model = nullptr;
     scene::View view;
-    State state;                         ///< of every pass, but for what the pass says itself
+    State state;                         ///< that all passes share
     std::vector<dmat4> eye_from_object;  ///< by part
-    std::vector<LightsRef> lights;       ///< by light: a list of this one
-    std::vector<dvec3> glare;            ///< by part: where glare moves it, eye space
-    std::vector<Portion>
-        far_to_near;  ///< translucent polygons in drawing order; empty: as the scene has them
+    std::vector<LightsRef> lights;       ///< by light: a list with this light alone
+    std::vector<dvec3> glare;            ///< by part: the displacement of its glare, eye space
+    /// Translucent polygons in drawing order; empty: in the order of the scene.
+    std::vector<Portion> far_to_near;
 };
 
-Stage make_stage(const Model& model, const scene::View& view);
+PlacedModel place_model(const PassModel& model, const scene::View& view);
 
-/// The lights of a light-list pass that light this part, in one list; null where there are none.
-LightsRef lights_of(const Stage& stage, const Part& part);
+/// The lights that light this part, in one list; null: none.
+LightsRef lights_of(const PlacedModel& placed, const Part& part);
+
+/// These triangles of the part's meshes, in this order: for passes that do not draw all of it.
+Portion portion_of(const PlacedModel& placed, std::size_t part,
+                   std::span<const std::uint32_t> triangles);
 
 }  // namespace gw::multipass

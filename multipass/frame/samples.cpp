@@ -1,4 +1,3 @@
-// Spread values, and what they move.
 #include "multipass/frame/samples.h"
 
 #include "gw/base/elementary.h"

@@ -1,4 +1,3 @@
-// Groups, sums, means.
 #include "multipass/frame/superpose.h"
 
 #include "gw/base/arithmetic.h"
@@ -80,12 +79,12 @@ std::vector<int> tent_weights(int count, int subpixel_bits, int most) {
         const JitterState j = jitter_of({std::size_t(k), std::size_t(count)}, subpixel_bits);
         tent.push_back(std::int64_t(height(j.x)) * height(j.y));
     }
-    // As large as fits: the tent scaled down by its sum over `room`.
+    // As large as fits: the tent scaled down by its sum over `budget`.
     const std::int64_t sum = std::accumulate(tent.begin(), tent.end(), std::int64_t{0});
     std::vector<int> weights(tent.size());
-    for (std::int64_t room = std::min<std::int64_t>(most, sum);; --room) {
+    for (std::int64_t budget = std::min<std::int64_t>(most, sum);; --budget) {
         for (std::size_t k = 0; k < tent.size(); ++k)
-            weights[k] = int(std::max<std::int64_t>(1, tent[k] * room / sum));
+            weights[k] = int(std::max<std::int64_t>(1, tent[k] * budget / sum));
         if (std::accumulate(weights.begin(), weights.end(), 0) <= most) return weights;
     }
 }

@@ -1,6 +1,5 @@
-// Superposition of pictures in the accumulation buffer [K1]: sums with weight 1, one division at
-// the end, so one rounding. Does not know what is drawn (samples.h says what differs from picture
-// to picture).
+// Superposition of pictures in the accumulation buffer [K1]: they are summed with weight 1 and
+// divided once, so rounded once. Does not draw (samples.h has what differs between the pictures).
 #pragma once
 
 #include "gw/machine.h"
@@ -14,29 +13,30 @@ namespace gw::multipass {
 /// How many white pictures the profile's accumulation buffer holds: 128 on vgx.
 int most_pictures(const Profile& profile);
 
-/// How a count is superposed. `samples` is the count, rounded up where groups must be of one size.
+/// The pictures and their groups. `samples` is rounded up where groups must have one size.
 struct Superposition {
     int samples = 1;
-    /// more than one: means of groups, read back, are averaged again and round twice
+    /// More than one: the means of groups are read back and averaged again, a second rounding.
     int groups = 1;
 };
 
-/// Of pictures which add `images` (0: they draw in the frame buffer, and count as 1) each. Throws
-/// Error where the count is less than 1 or even the groups' means do not fit.
+/// The superposition of `count` pictures that add `images` each to the accumulation buffer. Images
+/// 0: a picture is drawn in the frame buffer and counts as 1. Throws Error if the count is less
+/// than 1, or the means of the groups do not fit either.
 Superposition superposition(const Profile& profile, int count, int images);
 
-/// Integer weights of `count` samples [K4a]: the more the nearer a sample's sub-pixel position is
-/// to the pixel's centre, as a tent falls to its border; at least 1 each, `most` together at most.
-/// Throws Error where count is larger than `most`.
+/// Integer weights of `count` samples [K4a]: a tent over the pixel, highest for sub-pixel positions
+/// at its centre. Each weight is at least 1, their sum at most `most`. Throws Error if count is
+/// larger than `most`.
 std::vector<int> tent_weights(int count, int subpixel_bits, int most);
 
-/// tent_weights where weights are asked for and there is more than one sample; else none.
+/// tent_weights if `weighted` and there is more than one sample; else none.
 std::vector<int> weights_of(int samples, bool weighted, const Profile& profile);
 
-/// Calls `draw` for every sample and leaves the mean in the colour plane. images = 0: what `draw`
-/// leaves in the colour plane is added; else `draw` adds `images` pictures itself, to an
-/// accumulation buffer that was cleared before. `weights`: of the samples, for pictures that draw
-/// in the frame buffer and are not in groups; empty: all the same.
+/// Calls `draw` for every sample and leaves the mean in the colour plane. With images = 0 `draw`
+/// leaves a picture in the colour plane, which is added; else `draw` adds `images` pictures itself
+/// to the cleared accumulation buffer. `weights` of the samples: for pictures in the frame buffer
+/// that need no groups; empty: all are equal.
 Superposition superpose(Machine& machine, int count, int images,
                         const std::function<void(const Sample&)>& draw,
                         const std::vector<int>& weights = {});

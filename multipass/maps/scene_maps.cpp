@@ -1,4 +1,3 @@
-// Six views, window by window where they are larger.
 #include "multipass/maps/scene_maps.h"
 
 #include "multipass/frame/commands.h"
@@ -75,12 +74,12 @@ scene::View window_of(const scene::View& view, int x, int y, int width, int heig
 /// Draws views of one scene.
 struct Painter {
     Machine& machine;
-    Picture& picture;
+    FrameDrawer& drawer;
     std::string what;
 
     void draw_window(const scene::View& window) {
-        superpose(machine, 1, picture.images(),
-                  [&](const Sample& sample) { picture.draw(window, sample); });
+        superpose(machine, 1, drawer.images(),
+                  [&](const Sample& sample) { drawer.draw(window, sample); });
     }
 
     const std::vector<Rgba>& read(const Rect& rect) {
@@ -116,8 +115,8 @@ CubePicture draw_around(Machine& machine, scene::Scene s, std::size_t index, int
     const PassList passes =
         options.passes ? *options.passes : passes_for(s, options.renderer, options.translucency);
     CubePicture around{.views = views_from(p, s, size * fineness)};
-    Picture picture(machine, s, passes, options, s.background);
-    Painter painter{machine, picture, what};
+    FrameDrawer drawer(machine, s, passes, options, s.background);
+    Painter painter{machine, drawer, what};
     for (std::size_t face = 0; face < 6; ++face)
         around.colors[face] = painter.draw(around.views[face]);
     return around;

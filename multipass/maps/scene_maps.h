@@ -1,7 +1,6 @@
-// Reflection and refraction maps generated from the scene itself [K3.1]: what is seen from an
-// object's centre, drawn by the passes on the machine in six views, and made a sphere map on the
-// host. Blinn, Newell
-// 1976. Does not draw the picture.
+// Reflection and refraction maps generated from the scene itself [K3.1] (Blinn, Newell 1976): the
+// passes draw six views from an object's centre, and the host makes a sphere map of them. Does not
+// draw the picture.
 #pragma once
 
 #include "gw/machine.h"
@@ -11,14 +10,13 @@
 
 namespace gw::multipass {
 
-/// Whether the passes look up any generated map that is not filled in.
+/// Whether the passes look up a generated map that is not filled in.
 bool has_scene_maps(const scene::Scene& scene, const Options& options);
 
-/// The scene with every generated map (scene::Map::from_scene) that the passes look up filled in;
-/// its objects have materials of their own then. The maps hold for views that look the same way as
-/// `view`. Left out of the six views: the object itself, generated maps of the others, glare, and
-/// superposition (one sample, in the middle of the exposure). The machine's planes are used, and
-/// left as they come.
+/// Fills in every generated map (scene::Map::from_scene) that the passes look up; its objects get
+/// materials of their own. The maps hold for views in the same direction as `view`. The six views
+/// leave out the object itself, generated maps of other objects, glare, and superposition: they are
+/// one sample, in the middle of the exposure. Overwrites the machine's planes.
 scene::Scene with_scene_maps(Machine& machine, const scene::Scene& scene, const scene::View& view,
                              const Options& options);
 

@@ -1,4 +1,3 @@
-// From texels back to directions.
 #include "multipass/maps/sphere_map.h"
 
 #include "gw/base/arithmetic.h"

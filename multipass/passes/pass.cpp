@@ -1,4 +1,3 @@
-// Passes as text, in the paper's notation and GL's words.
 #include "multipass/passes/pass.h"
 
 #include "multipass/passes/tokens.h"
@@ -9,7 +8,7 @@ namespace gw::multipass {
 namespace {
 
 std::string to_string(const Parameter& p) {
-    if (p.kind != Parameter::Kind::Value) return std::string(word(p.kind));
+    if (p.kind != Parameter::Kind::Value) return std::string(token(p.kind));
     const auto& v = p.value;
     if (v[0] == v[1] && v[1] == v[2]) return fmt::format("{}", v[0]);
     return fmt::format("({}, {}, {})", v[0], v[1], v[2]);
@@ -17,26 +16,26 @@ std::string to_string(const Parameter& p) {
 
 std::string depth_text(const DepthState& depth) {
     if (!depth.test) return "";
-    return fmt::format("; depth {}{}", word(depth.func), depth.mask ? ", update" : ", no update");
+    return fmt::format("; depth {}{}", token(depth.func), depth.mask ? ", update" : ", no update");
 }
 
 std::string stencil_text(const StencilState& s) {
     if (!s.test) return "";
-    std::string text = fmt::format("; stencil {} {}", word(s.func), s.ref);
+    std::string text = fmt::format("; stencil {} {}", token(s.func), s.ref);
     if (!keeps_stencil(s.front()))
-        text += fmt::format(" ({} {} {})", word(s.fail), word(s.zfail), word(s.zpass));
+        text += fmt::format(" ({} {} {})", token(s.fail), token(s.zfail), token(s.zpass));
     return text;
 }
 
 std::string objects_text(const Pass& pass) {
     if (pass.objects == PassObjects::All) return "";
-    if (pass.objects != PassObjects::Named) return fmt::format("; objects {}", word(pass.objects));
+    if (pass.objects != PassObjects::Named) return fmt::format("; objects {}", token(pass.objects));
     return fmt::format("; objects {}", fmt::join(pass.names, ", "));
 }
 
 std::string clear_text(PlaneMask planes) {
     std::string text;
-    for (const auto& [plane, name] : words(Plane{}))
+    for (const auto& [plane, name] : tokens(Plane{}))
         if (planes & mask_of(plane)) text += (text.empty() ? "; clear " : ", ") + std::string(name);
     return text;
 }
@@ -53,19 +52,29 @@ std::string action_text(const Pass& pass) {
 
 }  // namespace
 
+bool is_additive(const Pass& pass) {
+    return pass.depth.test && pass.depth.func == DepthFunc::Equal && pass.blend.enable &&
+           keeps_stencil(pass.stencil.front());
+}
+
+bool is_layer_pass(const Pass& pass) {
+    return pass.action == PassAction::Draw && pass.objects == PassObjects::Translucent &&
+           pass.depth.test && pass.depth.func == DepthFunc::Equal;
+}
+
 std::string to_string(const PassMaterial& m) {
     return fmt::format("(Ka={}, Kd={}, Ks={}, Ke={}, Map={})", to_string(m.Ka), to_string(m.Kd),
-                       to_string(m.Ks), to_string(m.Ke), word(m.Map));
+                       to_string(m.Ks), to_string(m.Ke), token(m.Map));
 }
 
 std::string to_string(const Pass& pass) {
     std::string text = fmt::format("{:<11} ", pass.name.view());
     text += action_text(pass);
-    if (pass.lights != PassLights::None) text += fmt::format("; lights {}", word(pass.lights));
+    if (pass.lights != PassLights::None) text += fmt::format("; lights {}", token(pass.lights));
     text += objects_text(pass) + depth_text(pass.depth) + stencil_text(pass.stencil);
     if (pass.blend.enable)
-        text += fmt::format("; blend {} {}", word(pass.blend.src), word(pass.blend.dst));
-    if (pass.fog != PassFog::None) text += fmt::format("; fog {}", word(pass.fog));
+        text += fmt::format("; blend {} {}", token(pass.blend.src), token(pass.blend.dst));
+    if (pass.fog != PassFog::None) text += fmt::format("; fog {}", token(pass.fog));
     text += clear_text(pass.clear);
     if (!pass.color) text += "; no colour";
     return text;

@@ -77,19 +77,20 @@ struct PassMaterial {
     bool operator==(const PassMaterial&) const = default;
 };
 
-/// How often a pass runs, and by which light. Neighbouring passes of `Each` are repeated together,
-/// light by light. First: once, by the first light that casts a shadow, if there is one.
+/// How often a pass runs, and by which light. Each: once per light; neighbouring passes are
+/// repeated together. First: once, by the first light that casts a shadow, if there is one.
 enum class PassLights : std::uint8_t { None, Each, First, All };
 /// The objects that take part. Opaque: d = 1. Glaring: emitters with glare, moved [K3.3]. Casting:
 /// opaque ones that cast shadows.
 enum class PassObjects : std::uint8_t { All, Opaque, Translucent, Glaring, Casting, Named };
 /// The fog that a pass goes through [K3.5].
 enum class PassFog : std::uint8_t { None, Black, Scene };
-/// What a pass does. Draw: the objects. Shadow: stencil := not 0 in the light's shadow, 0 elsewhere
-/// [K3.2].
-/// Add: the frame buffer is added to the accumulation buffer, which gives the picture in the end,
-/// and its colour cleared to black. Trace: the traced component, a pixel rectangle from the host
-/// (eq. 5) [K4].
+/// What a pass does.
+///   Draw    draws the objects
+///   Shadow  sets the stencil: not 0 in the light's shadow, 0 elsewhere [K3.2]
+///   Add     adds the frame buffer to the accumulation buffer, whose sum is the picture, and clears
+///           the colour to black
+///   Trace   writes the traced component, a pixel rectangle from the host (eq. 5) [K4]
 enum class PassAction : std::uint8_t { Draw, Shadow, Add, Trace };
 
 struct Pass {
@@ -110,6 +111,13 @@ struct Pass {
 
 /// The passes of a picture, in order.
 using PassList = std::vector<Pass>;
+
+/// Whether the pass adds to what is visible: under Equal, blended, stencil kept. Coincident faces
+/// would add twice in it (one_winner.h).
+bool is_additive(const Pass& pass);
+
+/// Whether the pass draws translucent objects layer by layer (layers.h): under Equal.
+bool is_layer_pass(const Pass& pass);
 
 /// "(Ka=object, Kd=0, Ks=0, Ke=0, Map=ambient map)", as the paper writes it.
 std::string to_string(const PassMaterial& material);

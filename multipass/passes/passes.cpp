@@ -1,9 +1,7 @@
-// Lists from the catalogue.
 #include "multipass/passes/passes.h"
 
 #include "gw/error.h"
 #include "multipass/passes/catalogue.h"
-#include "multipass/ties/one_winner.h"
 #include "scene/draw/draw_commands.h"
 
 #include <fmt/format.h>
@@ -56,7 +54,7 @@ Pass fog_pass_for(const scene::Scene& scene) {
 }
 
 /// The same over each layer of the picture instead of over all of them at once.
-Pass in_layers(Pass pass) {
+Pass as_layer_pass(Pass pass) {
     pass.depth = seen;
     pass.stencil = in_layer;
     if (pass.blend == over) pass.blend.dst = BlendFactor::One;
@@ -91,9 +89,9 @@ void add_images(PassList& list, const scene::Scene& scene) {
 /// Layer after layer in the frame buffer: dim what is behind, add the layer's components.
 void add_layers(PassList& list, const scene::Scene& scene) {
     if (scene.fog) list.push_back(fog_pass_for(scene));
-    list.push_back(in_layers(veil_pass));
-    for (const Pass& pass : translucent_components(scene)) list.push_back(in_layers(pass));
-    if (scene.fog) list.push_back(in_layers(translucent_fog_pass));
+    list.push_back(as_layer_pass(veil_pass));
+    for (const Pass& pass : translucent_components(scene)) list.push_back(as_layer_pass(pass));
+    if (scene.fog) list.push_back(as_layer_pass(translucent_fog_pass));
 }
 
 PassList multipass_list(const scene::Scene& scene, Translucency translucency) {

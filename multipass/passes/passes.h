@@ -1,5 +1,5 @@
-// Which passes make a picture: the two renderers of the paper as pass lists, and the list of each
-// component's image. Does not draw.
+// The pass lists of the paper's two renderers, and the list of each component's image. Does not
+// draw.
 #pragma once
 
 #include "gw/profile.h"
@@ -18,8 +18,8 @@ enum class Renderer { Hardware, Multipass };
 /// pixel, exactly (layers.h).
 enum class Translucency { Sorted, Unsorted, Layers };
 
-/// Eq. 1 in one pass [K2], or eq. 2 and 4 component by component [K3, K3.2]; with what the scene
-/// needs of translucent passes [K3.4] and fog [K3.5]. Where the scene's background is not black,
+/// Eq. 1 in one pass [K2], or eq. 2 and 4 component by component [K3, K3.2], with the translucent
+/// passes [K3.4] and the fog [K3.5] that the scene needs. If the scene's background is not black,
 /// the depth pass also draws all shapes black: components are added to it.
 PassList passes_for(const scene::Scene& scene, Renderer renderer,
                     Translucency translucency = Translucency::Sorted);
@@ -38,8 +38,8 @@ struct ComponentList {
 /// changes no saturated sum.
 std::vector<ComponentList> component_lists(const scene::Scene& scene, const PassList& passes);
 
-/// Throws Error where a pass of all lights has more lights on one object than the profile knows in
-/// one pass, naming the limit and the multi-pass renderer, which has none [K3p].
+/// Throws Error if one pass with all lights has more lights on an object than the profile allows in
+/// a pass. The message names the limit and the multi-pass renderer, which has none [K3p].
 void check_lights(const scene::Scene& scene, const PassList& passes, const Profile& profile);
 
 }  // namespace gw::multipass

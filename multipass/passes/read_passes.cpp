@@ -1,4 +1,3 @@
-// Reading: one function per kind of value.
 #include "multipass/passes/pass_toml.h"
 
 #include "multipass/passes/pass_keys.h"
@@ -33,8 +32,8 @@ bool any_of_them(Enum) {
 Parameter to_parameter(const TomlValue& value) {
     if (value.kind == TomlKind::String) {
         std::vector<std::string> known;
-        for (const auto& [kind, text] : words(Parameter::Kind{})) known.emplace_back(text);
-        return Parameter(words(Parameter::Kind{})[scene::to_word(value, known)].first);
+        for (const auto& [kind, text] : tokens(Parameter::Kind{})) known.emplace_back(text);
+        return Parameter(tokens(Parameter::Kind{})[scene::to_word(value, known)].first);
     }
     if (!value.is_number() && value.kind != TomlKind::Array)
         value.fail_expected(
@@ -61,14 +60,14 @@ struct Reading {
         read(key, [&name](const TomlValue& value) { name = to_name(value); });
     }
     template <typename Enum>
-    void word(const char* key, Enum& word, bool (*allowed)(Enum) = any_of_them) {
+    void token(const char* key, Enum& token, bool (*allowed)(Enum) = any_of_them) {
         std::vector<std::pair<std::string, Enum>> known;
-        for (const auto& [value, text] : words(Enum{}))
+        for (const auto& [value, text] : tokens(Enum{}))
             if (allowed(value)) known.emplace_back(text, value);
-        list.push_back(scene::key(key, word, std::move(known)));
+        list.push_back(scene::key(key, token, std::move(known)));
     }
-    void source(const char* key, BlendFactor& factor) { word(key, factor, is_source); }
-    void destination(const char* key, BlendFactor& factor) { word(key, factor, is_destination); }
+    void source(const char* key, BlendFactor& factor) { token(key, factor, is_source); }
+    void destination(const char* key, BlendFactor& factor) { token(key, factor, is_destination); }
     void flag(const char* key, bool& flag) { list.push_back(scene::key(key, flag)); }
     /// References and masks: a stencil has at most 8 bits.
     void number(const char* key, auto& number) {
@@ -87,7 +86,7 @@ struct Reading {
             for (const TomlValue& element : value.elements) {
                 Plane plane{};
                 Reading one;
-                one.word("", plane);
+                one.token("", plane);
                 one.list.front().read(element);
                 planes |= mask_of(plane);
             }
@@ -101,10 +100,10 @@ struct Reading {
             on = true;
         });
     }
-    /// A word, or an array of names.
+    /// A token, or an array of names.
     void objects(const char* key, PassObjects& objects, std::vector<std::string>& names) {
         Reading one;
-        one.word(
+        one.token(
             key, objects, +[](PassObjects o) { return o != PassObjects::Named; });
         read(key, [&, one](const TomlValue& value) {
             if (value.kind != TomlKind::Array) return one.list.front().read(value);
@@ -127,7 +126,7 @@ Pass read_pass(const TomlValue& table) {
 PassList read_passes(const std::vector<TomlValue>& tables) {
     PassList passes;
     for (const TomlValue& table : tables) passes.push_back(read_pass(table));
-    if (const auto fault = fault_of(passes)) {
+    if (const auto fault = first_fault(passes)) {
         const TomlValue& table = tables[fault->pass];
         const TomlValue* key = table.find(fault->key);
         (key ? *key : table).fail(fault->what);

@@ -1,4 +1,3 @@
-// Repetition of passes, and who takes part in each.
 #include "multipass/passes/schedule.h"
 
 #include "multipass/passes/catalogue.h"
@@ -49,7 +48,7 @@ bool has_map(const Step& step, const Part& part) {
 }
 
 void add_runs(std::vector<Step>& steps, const Pass& pass, std::optional<std::size_t> light,
-              const Model& model) {
+              const PassModel& model) {
     const bool casts = light && model.scene->lights[*light].shadow != scene::Shadow::None;
     if (pass.action == PassAction::Shadow && !casts) return;
     Step step{.pass = pass, .light = light};
@@ -59,7 +58,7 @@ void add_runs(std::vector<Step>& steps, const Pass& pass, std::optional<std::siz
 }
 
 /// Of a pass that runs once: its light, if it has one; none: it does not run at all.
-std::optional<std::optional<std::size_t>> light_of(const Pass& pass, const Model& model) {
+std::optional<std::optional<std::size_t>> light_of(const Pass& pass, const PassModel& model) {
     if (pass.lights != PassLights::First) return std::optional<std::size_t>{};
     const auto& lights = model.scene->lights;
     const auto casts = [](const scene::Light& light) {
@@ -73,7 +72,7 @@ std::optional<std::optional<std::size_t>> light_of(const Pass& pass, const Model
 
 }  // namespace
 
-std::vector<Step> schedule(const PassList& passes, const Model& model) {
+std::vector<Step> schedule(const PassList& passes, const PassModel& model) {
     std::vector<Step> steps;
     for (auto pass = passes.begin(); pass != passes.end();) {
         if (pass->lights != PassLights::Each) {
@@ -90,7 +89,7 @@ std::vector<Step> schedule(const PassList& passes, const Model& model) {
     return steps;
 }
 
-std::string name_of(const Step& step, const Model& model) {
+std::string name_of(const Step& step, const PassModel& model) {
     std::string name = step.pass.name.str();
     if (step.light) {
         const std::string& light = model.scene->lights[*step.light].name;
@@ -100,7 +99,7 @@ std::string name_of(const Step& step, const Model& model) {
     return name;
 }
 
-bool adds(const Step& step, const Part& part, const Model& model) {
+bool adds(const Step& step, const Part& part, const PassModel& model) {
     if (!selected(step.pass, part) || !has_map(step, part)) return false;
     const Material material = material_for(step.pass.material, *part.material);
     if (!step.light) return !is_black(material);
@@ -108,14 +107,14 @@ bool adds(const Step& step, const Part& part, const Model& model) {
     return scene::lights_object(light, *part.object) && !is_black(lit(material, light));
 }
 
-bool concerns(const Step& step, const Part& part, const Model& model) {
+bool concerns(const Step& step, const Part& part, const PassModel& model) {
     const bool dims =
         step.pass.blend.enable && step.pass.blend.dst == BlendFactor::OneMinusSrcAlpha;
     if (dims || is_black(step.pass.material)) return selected(step.pass, part);
     return adds(step, part, model);
 }
 
-bool is_needed(const Step& step, const Model& model) {
+bool is_needed(const Step& step, const PassModel& model) {
     const bool black = is_black(step.pass.material);
     return step.pass.clear || step.pass.action != PassAction::Draw ||
            std::any_of(model.parts.begin(), model.parts.end(), [&](const Part& part) {

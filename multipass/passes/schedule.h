@@ -1,5 +1,5 @@
-// From a pass list to the passes that run, one after the other: light by light, map by map [K3p].
-// Does not draw.
+// From a pass list to the sequence of passes that run: light by light, map by map [K3p]. Does not
+// draw.
 #pragma once
 
 #include "multipass/frame/pass_model.h"
@@ -21,25 +21,24 @@ struct Step {
 };
 
 /// Neighbouring passes of PassLights::Each run light by light: shadow, ambient, diffuse, specular
-/// of the first light, then of the second. A pass whose component has several maps on some object
-/// runs once for each. A shadow pass is left out for a light without shadow, and its light's passes
-/// then need no stencil test.
-std::vector<Step> schedule(const PassList& passes, const Model& model);
+/// of the first light, then of the second. A pass whose component has several maps on an object
+/// runs once for each map. A light without shadow has no shadow pass, and its passes no stencil
+/// test.
+std::vector<Step> schedule(const PassList& passes, const PassModel& model);
 
 /// "diffuse lamp", with the light's name, and " map 2" for a repetition.
-std::string name_of(const Step& step, const Model& model);
+std::string name_of(const Step& step, const PassModel& model);
 
-/// Whether the step adds anything to this part: it is among the pass's objects, lit by the light,
-/// has the map that is asked for, and the parameters that the pass sets, times what the light
-/// sends, are not all 0.
-bool adds(const Step& step, const Part& part, const Model& model);
+/// Whether the step adds anything to this part: the pass has it among its objects, the light lights
+/// it, it has the map, and the parameters that the pass sets, times the light, are not all 0.
+bool adds(const Step& step, const Part& part, const PassModel& model);
 
-/// Whether the step draws this part: what it adds to; in a pass whose parameters are all 0 (for Z,
-/// for fog, to dim) all of its objects; in a translucent pass too, since each dims what is behind
-/// it, black where nothing is added.
-bool concerns(const Step& step, const Part& part, const Model& model);
+/// Whether the step draws this part: a part that it adds to. A pass whose parameters are all 0 (for
+/// Z or fog) draws all of its objects. So does a translucent pass: each object dims the picture
+/// behind it, and is black if the pass adds nothing to it.
+bool concerns(const Step& step, const Part& part, const PassModel& model);
 
-/// Whether the step has anything to do at all.
-bool is_needed(const Step& step, const Model& model);
+/// Whether the step clears, draws or acts at all.
+bool is_needed(const Step& step, const PassModel& model);
 
 }  // namespace gw::multipass

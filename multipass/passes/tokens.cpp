@@ -1,4 +1,3 @@
-// One table per enumeration, one line per value.
 #include "multipass/passes/tokens.h"
 
 #include <array>
@@ -6,24 +5,24 @@
 namespace gw::multipass {
 namespace {
 
-constexpr Word<Parameter::Kind> parameter_words[] = {
+constexpr Token<Parameter::Kind> parameter_tokens[] = {
     {Parameter::Kind::Object, "object"},
     {Parameter::Kind::ObjectKs, "object Ks"},
     {Parameter::Kind::ObjectTf, "object Tf"},
 };
-constexpr Word<CompareFunc> compare_words[] = {
+constexpr Token<CompareFunc> compare_tokens[] = {
     {CompareFunc::Never, "Never"},     {CompareFunc::Less, "Less"},
     {CompareFunc::Equal, "Equal"},     {CompareFunc::LEqual, "LEqual"},
     {CompareFunc::Greater, "Greater"}, {CompareFunc::NotEqual, "NotEqual"},
     {CompareFunc::GEqual, "GEqual"},   {CompareFunc::Always, "Always"},
 };
-constexpr Word<StencilOp> stencil_words[] = {
+constexpr Token<StencilOp> stencil_tokens[] = {
     {StencilOp::Keep, "Keep"},         {StencilOp::Zero, "Zero"},
     {StencilOp::Replace, "Replace"},   {StencilOp::Incr, "Incr"},
     {StencilOp::Decr, "Decr"},         {StencilOp::Invert, "Invert"},
     {StencilOp::IncrWrap, "IncrWrap"}, {StencilOp::DecrWrap, "DecrWrap"},
 };
-constexpr Word<BlendFactor> blend_words[] = {
+constexpr Token<BlendFactor> blend_tokens[] = {
     {BlendFactor::Zero, "Zero"},
     {BlendFactor::One, "One"},
     {BlendFactor::SrcColor, "SrcColor"},
@@ -36,9 +35,9 @@ constexpr Word<BlendFactor> blend_words[] = {
     {BlendFactor::OneMinusDstAlpha, "OneMinusDstAlpha"},
     {BlendFactor::SrcAlphaSaturate, "SrcAlphaSaturate"},
 };
-constexpr Word<Plane> plane_words[] = {
+constexpr Token<Plane> plane_tokens[] = {
     {Plane::Color, "color"}, {Plane::Depth, "depth"}, {Plane::Stencil, "stencil"}};
-constexpr Word<PassMap> map_words[] = {
+constexpr Token<PassMap> map_tokens[] = {
     {PassMap::None, "none"},
     {PassMap::Ambient, "ambient map"},
     {PassMap::Diffuse, "diffuse map"},
@@ -48,34 +47,34 @@ constexpr Word<PassMap> map_words[] = {
     {PassMap::Refraction, "refraction map"},
     {PassMap::Object, "object map"},
 };
-constexpr Word<PassLights> light_words[] = {{PassLights::None, "none"},
-                                            {PassLights::Each, "each"},
-                                            {PassLights::First, "first"},
-                                            {PassLights::All, "all"}};
-constexpr Word<PassObjects> object_words[] = {{PassObjects::All, "all"},
-                                              {PassObjects::Opaque, "opaque"},
-                                              {PassObjects::Translucent, "translucent"},
-                                              {PassObjects::Glaring, "glaring"},
-                                              {PassObjects::Casting, "casting"},
-                                              {PassObjects::Named, "named"}};
-constexpr Word<PassFog> fog_words[] = {
+constexpr Token<PassLights> light_tokens[] = {{PassLights::None, "none"},
+                                              {PassLights::Each, "each"},
+                                              {PassLights::First, "first"},
+                                              {PassLights::All, "all"}};
+constexpr Token<PassObjects> object_tokens[] = {{PassObjects::All, "all"},
+                                                {PassObjects::Opaque, "opaque"},
+                                                {PassObjects::Translucent, "translucent"},
+                                                {PassObjects::Glaring, "glaring"},
+                                                {PassObjects::Casting, "casting"},
+                                                {PassObjects::Named, "named"}};
+constexpr Token<PassFog> fog_tokens[] = {
     {PassFog::None, "none"}, {PassFog::Black, "black"}, {PassFog::Scene, "scene"}};
-constexpr Word<PassAction> action_words[] = {{PassAction::Draw, "draw"},
-                                             {PassAction::Shadow, "shadow"},
-                                             {PassAction::Add, "add"},
-                                             {PassAction::Trace, "trace"}};
+constexpr Token<PassAction> action_tokens[] = {{PassAction::Draw, "draw"},
+                                               {PassAction::Shadow, "shadow"},
+                                               {PassAction::Add, "add"},
+                                               {PassAction::Trace, "trace"}};
 
 }  // namespace
 
-std::span<const Word<Parameter::Kind>> words(Parameter::Kind) { return parameter_words; }
-std::span<const Word<CompareFunc>> words(CompareFunc) { return compare_words; }
-std::span<const Word<StencilOp>> words(StencilOp) { return stencil_words; }
-std::span<const Word<BlendFactor>> words(BlendFactor) { return blend_words; }
-std::span<const Word<Plane>> words(Plane) { return plane_words; }
-std::span<const Word<PassMap>> words(PassMap) { return map_words; }
-std::span<const Word<PassLights>> words(PassLights) { return light_words; }
-std::span<const Word<PassObjects>> words(PassObjects) { return object_words; }
-std::span<const Word<PassFog>> words(PassFog) { return fog_words; }
-std::span<const Word<PassAction>> words(PassAction) { return action_words; }
+std::span<const Token<Parameter::Kind>> tokens(Parameter::Kind) { return parameter_tokens; }
+std::span<const Token<CompareFunc>> tokens(CompareFunc) { return compare_tokens; }
+std::span<const Token<StencilOp>> tokens(StencilOp) { return stencil_tokens; }
+std::span<const Token<BlendFactor>> tokens(BlendFactor) { return blend_tokens; }
+std::span<const Token<Plane>> tokens(Plane) { return plane_tokens; }
+std::span<const Token<PassMap>> tokens(PassMap) { return map_tokens; }
+std::span<const Token<PassLights>> tokens(PassLights) { return light_tokens; }
+std::span<const Token<PassObjects>> tokens(PassObjects) { return object_tokens; }
+std::span<const Token<PassFog>> tokens(PassFog) { return fog_tokens; }
+std::span<const Token<PassAction>> tokens(PassAction) { return action_tokens; }
 
 }  // namespace gw::multipass

@@ -1,6 +1,5 @@
-// The words that passes are written in: GL's tokens and the paper's, one table for printing and
-// reading.
-// Does not read TOML (pass_toml.h does).
+// The tokens that passes are written in: GL's and the paper's, one table per enumeration for
+// printing and reading. Does not read TOML (pass_toml.h).
 #pragma once
 
 #include "multipass/passes/pass.h"
@@ -11,25 +10,25 @@
 
 namespace gw::multipass {
 
-/// Every value of an enumeration with its word, in the order of the enumeration.
+/// Every value of an enumeration with its token, in the order of the enumeration.
 template <typename Enum>
-using Word = std::pair<Enum, std::string_view>;
+using Token = std::pair<Enum, std::string_view>;
 
-std::span<const Word<Parameter::Kind>> words(Parameter::Kind);  ///< those that are no numbers
-std::span<const Word<CompareFunc>> words(CompareFunc);
-std::span<const Word<StencilOp>> words(StencilOp);
-std::span<const Word<BlendFactor>> words(BlendFactor);
-std::span<const Word<Plane>> words(Plane);  ///< those that a pass clears
-std::span<const Word<PassMap>> words(PassMap);
-std::span<const Word<PassLights>> words(PassLights);
-std::span<const Word<PassObjects>> words(PassObjects);
-std::span<const Word<PassFog>> words(PassFog);
-std::span<const Word<PassAction>> words(PassAction);
+std::span<const Token<Parameter::Kind>> tokens(Parameter::Kind);  ///< those that are no numbers
+std::span<const Token<CompareFunc>> tokens(CompareFunc);
+std::span<const Token<StencilOp>> tokens(StencilOp);
+std::span<const Token<BlendFactor>> tokens(BlendFactor);
+std::span<const Token<Plane>> tokens(Plane);  ///< those that a pass clears
+std::span<const Token<PassMap>> tokens(PassMap);
+std::span<const Token<PassLights>> tokens(PassLights);
+std::span<const Token<PassObjects>> tokens(PassObjects);
+std::span<const Token<PassFog>> tokens(PassFog);
+std::span<const Token<PassAction>> tokens(PassAction);
 
-/// The word of a value.
+/// The token of a value.
 template <typename Enum>
-std::string_view word(Enum value) {
-    for (const auto& [v, text] : words(value))
+std::string_view token(Enum value) {
+    for (const auto& [v, text] : tokens(value))
         if (v == value) return text;
     return "";
 }

@@ -1,4 +1,3 @@
-// One rule after the other.
 #include "multipass/passes/validate_passes.h"
 
 #include "multipass/passes/catalogue.h"
@@ -18,12 +17,6 @@ bool needs_light(const Pass& pass) {
     return pass.material.Ka != none || pass.material.Kd != none || pass.material.Ks != none;
 }
 
-/// What draws layer by layer (layers.h).
-bool in_layers(const Pass& pass) {
-    return pass.action == PassAction::Draw && pass.objects == PassObjects::Translucent &&
-           pass.depth.test && pass.depth.func == DepthFunc::Equal;
-}
-
 /// A pass that draws no objects has a name, an action and lights; a traced component is also
 /// blended.
 Fault fault_of_action(const Pass& pass, std::size_t i) {
@@ -38,7 +31,7 @@ Fault fault_of_action(const Pass& pass, std::size_t i) {
         return ListFault{
             i, "action",
             fmt::format("a pass of action '{}' draws nothing; expected name and lights only",
-                        word(pass.action))};
+                        token(pass.action))};
     const bool by_light = pass.lights == PassLights::Each || pass.lights == PassLights::First;
     if (pass.action == PassAction::Shadow && !by_light)
         return ListFault{i, "lights",
@@ -60,9 +53,9 @@ Fault fault_of_pass(const Pass& pass, std::size_t i) {
 
 /// Layers are sorted once, so all their passes run together.
 Fault fault_of_layers(const PassList& passes) {
-    const auto first = std::find_if(passes.begin(), passes.end(), in_layers);
-    const auto end = std::find_if_not(first, passes.end(), in_layers);
-    const auto again = std::find_if(end, passes.end(), in_layers);
+    const auto first = std::find_if(passes.begin(), passes.end(), is_layer_pass);
+    const auto end = std::find_if_not(first, passes.end(), is_layer_pass);
+    const auto again = std::find_if(end, passes.end(), is_layer_pass);
     if (again == passes.end()) return std::nullopt;
     return ListFault{
         std::size_t(again - passes.begin()), "depth",
@@ -73,7 +66,7 @@ Fault fault_of_layers(const PassList& passes) {
 
 }  // namespace
 
-Fault fault_of(const PassList& passes) {
+Fault first_fault(const PassList& passes) {
     for (std::size_t i = 0; i < passes.size(); ++i)
         if (const Fault fault = fault_of_pass(passes[i], i)) return fault;
     if (!passes.empty() && passes[0].clear != picture)

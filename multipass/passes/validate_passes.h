@@ -1,4 +1,4 @@
-// Whether a pass list can draw a picture, whoever wrote it. Does not look at a scene.
+// Whether a pass list can draw a picture. Does not look at a scene.
 #pragma once
 
 #include "multipass/passes/pass.h"
@@ -8,15 +8,15 @@
 
 namespace gw::multipass {
 
-/// What is wrong with a list: its first fault.
+/// A fault of a list.
 struct ListFault {
     std::size_t pass = 0;
     std::string key;   ///< of pass_keys.h
-    std::string what;  ///< with what was expected
+    std::string what;  ///< the fault, and what was expected
 };
 
-/// None: the list draws the same picture whatever the planes hold before, every pass can do
-/// something, and the driver has a way to run it.
-std::optional<ListFault> fault_of(const PassList& passes);
+/// The first fault. None: the picture does not depend on what the planes held before, every pass
+/// can have an effect, and the driver can run it.
+std::optional<ListFault> first_fault(const PassList& passes);
 
 }  // namespace gw::multipass

@@ -1,4 +1,3 @@
-// Writing: one function per kind of value.
 #include "multipass/passes/pass_keys.h"
 #include "multipass/passes/pass_toml.h"
 #include "multipass/passes/tokens.h"
@@ -29,20 +28,20 @@ struct Writing {
     void write(const char* key, std::string text) { list.emplace_back(key, std::move(text)); }
 
     void name(const char* key, const Name& name) { write(key, toml_string(name.view())); }
-    void word(const char* key, auto value) { write(key, toml_string(multipass::word(value))); }
-    void source(const char* key, BlendFactor factor) { word(key, factor); }
-    void destination(const char* key, BlendFactor factor) { word(key, factor); }
+    void token(const char* key, auto value) { write(key, toml_string(multipass::token(value))); }
+    void source(const char* key, BlendFactor factor) { token(key, factor); }
+    void destination(const char* key, BlendFactor factor) { token(key, factor); }
     void flag(const char* key, bool flag) { write(key, flag ? "true" : "false"); }
     void number(const char* key, auto number) { write(key, std::to_string(number)); }
     void parameter(const char* key, const Parameter& p) {
-        if (p.kind != Parameter::Kind::Value) return word(key, p.kind);
+        if (p.kind != Parameter::Kind::Value) return token(key, p.kind);
         const auto& v = p.value;
         const bool grey = v[0] == v[1] && v[1] == v[2];
         write(key, grey ? fmt::format("{}", v[0]) : fmt::format("[{}, {}, {}]", v[0], v[1], v[2]));
     }
     void planes(const char* key, PlaneMask planes) {
         std::vector<std::string> names;
-        for (const auto& [plane, name] : words(Plane{}))
+        for (const auto& [plane, name] : tokens(Plane{}))
             if (planes & mask_of(plane)) names.push_back(toml_string(name));
         write(key, fmt::format("[{}]", fmt::join(names, ", ")));
     }
@@ -60,7 +59,7 @@ struct Writing {
         write(key, on ? fmt::format("{{{}}}", fmt::join(entries, ", ")) : "");
     }
     void objects(const char* key, PassObjects objects, const std::vector<std::string>& names) {
-        if (objects != PassObjects::Named) return word(key, objects);
+        if (objects != PassObjects::Named) return token(key, objects);
         std::vector<std::string> texts;
         for (const std::string& name : names) texts.push_back(toml_string(name));
         write(key, fmt::format("[{}]", fmt::join(texts, ", ")));

@@ -29,8 +29,8 @@ std::array<dvec4, 6> walls_of(const scene::Bounds& bounds, const dmat4& world_fr
     return walls;
 }
 
-/// The way of a point as it is moved: p + t * way.
-dvec3 way_of(const LightInObject& light, const dvec3& p) {
+/// The direction in which a point is moved: p + t * direction.
+dvec3 extrusion_of(const LightInObject& light, const dvec3& p) {
     return light.directional ? light.position : p - light.position;
 }
 
@@ -41,26 +41,27 @@ double t_of_reach(const LightInObject& light, const dvec3& p) {
     return distance > 0 ? light.reach * corner_reach / distance - 1 : 0;
 }
 
-/// A point's way beyond the walls of the bounds, one after the other.
-class Way {
+/// The path of a point beyond the walls of the bounds, one after the other.
+class ExtrusionPath {
 public:
-    Way(const LightInObject& light, const vec3& p)
-        : light_(&light), p_(p), way_(way_of(light, p_)), end_(t_of_reach(light, p_)) {
+    ExtrusionPath(const LightInObject& light, const vec3& p)
+        : light_(&light), p_(p), direction_(extrusion_of(light, p_)), end_(t_of_reach(light, p_)) {
         move_on();
     }
     bool at_end() const { return t_ == end_; }
     /// Beyond the next wall, or by the reach.
     void move_on() {
         t_ = next();
-        moved_ = at_end() ? moved_by_reach(*light_, p_) : vec3(p_ + t_ * way_);
+        moved_ = at_end() ? moved_by_reach(*light_, p_) : vec3(p_ + t_ * direction_);
         walls_ = walls_before(*light_, dvec3(moved_));
     }
     void move_to_end() {
         while (!at_end()) move_on();
     }
-    /// How far that would be; infinite where there is no farther.
+    /// The length of the next step; infinite at the end.
     double step() const {
-        return at_end() ? std::numeric_limits<double>::infinity() : (next() - t_) * length(way_);
+        return at_end() ? std::numeric_limits<double>::infinity()
+                        : (next() - t_) * length(direction_);
     }
     const vec3& moved() const { return moved_; }
     unsigned walls() const { return walls_; }
@@ -69,7 +70,7 @@ private:
     double next() const {
         double next = end_;
         for (const dvec4& wall : light_->walls) {
-            const double slope = dot3(dvec3(wall), way_);
+            const double slope = dot3(dvec3(wall), direction_);
             const double t = slope > 0 ? (light_->margin - beyond(wall, p_)) / slope : end_;
             if (t > t_ && t < next) next = t;
         }
@@ -77,16 +78,16 @@ private:
     }
 
     const LightInObject* light_;
-    dvec3 p_, way_;
+    dvec3 p_, direction_;
     double t_ = -std::numeric_limits<double>::infinity(), end_;
     vec3 moved_{0};
     unsigned walls_ = 0;
 };
 
-/// The points of the far cap on their ways.
-class Ways {
+/// The points of the far cap on their paths.
+class ExtrusionPaths {
 public:
-    Ways(const Topology& topology, const LightInObject& light, std::span<const int> part)
+    ExtrusionPaths(const Topology& topology, const LightInObject& light, std::span<const int> part)
         : topology_(topology), light_(light), number_(topology.points.size(), none) {
         for (std::size_t i = 0; i < part.size(); ++i)
             if (part[i] != 0) {
@@ -95,24 +96,24 @@ public:
             }
     }
 
-    /// A triangle that is wide is split when it is drawn: all of it is moved by the reach.
+    /// A wide triangle is split when it is drawn: all of it moves by the reach.
     void end_wide_ones() {
         for (const Triangle* t : triangles_)
             for (std::size_t k = 0; k < 3; ++k)
                 if (is_wide(light_, dvec3(topology_.points[(*t)[k]]),
                             dvec3(topology_.points[(*t)[(k + 1) % 3]])))
-                    for (const std::uint32_t point : *t) way(point).move_to_end();
+                    for (const std::uint32_t point : *t) path(point).move_to_end();
     }
-    /// Until every triangle is beyond one wall, or at the end: of its corners the one that has the
-    /// least way.
+    /// Moves points until every triangle is beyond one wall, or at the end: of its corners the one
+    /// with the shortest step.
     void move_on() {
         for (bool moved = true; moved;) {
             moved = false;
             for (const Triangle* t : triangles_)
                 for (; walls(*t) == 0; moved = true) {
-                    Way& way = nearest_next(*t);
-                    if (way.at_end()) break;
-                    way.move_on();
+                    ExtrusionPath& path = nearest_next(*t);
+                    if (path.at_end()) break;
+                    path.move_on();
                 }
         }
     }
@@ -120,7 +121,7 @@ public:
     FarCap cap() const {
         FarCap cap{std::vector<vec3>(topology_.points.size()), {}};
         for (std::size_t i = 0; i < number_.size(); ++i)
-            if (number_[i] != none) cap.moved[i] = ways_[number_[i]].moved();
+            if (number_[i] != none) cap.moved[i] = paths_[number_[i]].moved();
         for (const Triangle* t : triangles_) cap.walls.set(walls(*t));
         return cap;
     }
@@ -131,25 +132,25 @@ private:
 
     void start(std::uint32_t point) {
         if (number_[point] != none) return;
-        number_[point] = std::uint32_t(ways_.size());
-        ways_.emplace_back(light_, topology_.points[point]);
+        number_[point] = std::uint32_t(paths_.size());
+        paths_.emplace_back(light_, topology_.points[point]);
     }
-    Way& nearest_next(const Triangle& t) {
+    ExtrusionPath& nearest_next(const Triangle& t) {
         const std::uint32_t least = *std::min_element(
             t.begin(), t.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return way(a).step() < way(b).step(); });
-        return way(least);
+            [&](std::uint32_t a, std::uint32_t b) { return path(a).step() < path(b).step(); });
+        return path(least);
     }
-    Way& way(std::uint32_t point) { return ways_[number_[point]]; }
+    ExtrusionPath& path(std::uint32_t point) { return paths_[number_[point]]; }
     unsigned walls(const Triangle& t) const {
-        return ways_[number_[t[0]]].walls() & ways_[number_[t[1]]].walls() &
-               ways_[number_[t[2]]].walls();
+        return paths_[number_[t[0]]].walls() & paths_[number_[t[1]]].walls() &
+               paths_[number_[t[2]]].walls();
     }
 
     const Topology& topology_;
     const LightInObject& light_;
-    std::vector<std::uint32_t> number_;  ///< of its way, by point
-    std::vector<Way> ways_;
+    std::vector<std::uint32_t> number_;  ///< of its path, by point
+    std::vector<ExtrusionPath> paths_;
     std::vector<const Triangle*> triangles_;
 };
 
@@ -160,8 +161,8 @@ LightInObject light_in_object(const scene::Light& light, const dmat4& world_from
     const dmat4 object_from_world = glm::inverse(world_from_object);
     LightInObject out{.directional = light.kind == scene::LightKind::Directional};
     if (out.directional) {
-        const dvec3 way = transform3(dmat3(object_from_world), dvec3(light.direction));
-        out.position = way / length(way);
+        const dvec3 direction = transform3(dmat3(object_from_world), dvec3(light.direction));
+        out.position = direction / length(direction);
     } else {
         out.position = transform3(dmat3(object_from_world), dvec3(light.position)) +
                        dvec3(object_from_world[3]);
@@ -172,7 +173,7 @@ LightInObject light_in_object(const scene::Light& light, const dmat4& world_from
         const double r = out.directional ? dot3(out.position, p) : length(p - out.position);
         out.reach = i == 0 ? r : std::max(out.reach, r);
     }
-    // A little further than everything.
+    // A little farther than everything.
     constexpr double more = 0.01;
     const dvec3 diagonal = bounds.high - bounds.low;
     out.reach += more * length(transform3(dmat3(object_from_world), diagonal));
@@ -196,14 +197,14 @@ bool is_wide(const LightInObject& light, const dvec3& a, const dvec3& b) {
 }
 
 vec3 moved_by_reach(const LightInObject& light, const dvec3& p) {
-    return vec3(p + t_of_reach(light, p) * way_of(light, p));
+    return vec3(p + t_of_reach(light, p) * extrusion_of(light, p));
 }
 
 FarCap far_cap(const Topology& topology, const LightInObject& light, std::span<const int> part) {
-    Ways ways(topology, light, part);
-    ways.end_wide_ones();
-    ways.move_on();
-    return ways.cap();
+    ExtrusionPaths paths(topology, light, part);
+    paths.end_wide_ones();
+    paths.move_on();
+    return paths.cap();
 }
 
 }  // namespace gw::multipass

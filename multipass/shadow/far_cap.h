@@ -1,11 +1,11 @@
-// Where a shadow volume ends: how far its points are moved away from the light, so that the far cap
-// lies beyond everything that may be in shadow, and hardly farther: what is drawn there nobody
-// sees. Serves shadow_volume.h.
+// Where a shadow volume ends (shadow_volume.h): how far its points move away from the light. The
+// far cap must lie beyond everything that may be in shadow, but not much farther: faces drawn there
+// cost time and show nothing. Does not make the volume.
 //
-// A point is moved to where its way from the light leaves the scene's bounds. A triangle of the far
-// cap is beyond the scene where its three corners are beyond one and the same wall of the bounds;
-// until they are, the corner with the least way to go is moved on to where it leaves by its next
-// wall, at last to a distance that is more than the whole scene's.
+// A point moves to where its path from the light leaves the scene's bounds. A triangle of the far
+// cap is beyond the scene if its three corners are beyond the same wall of the bounds. Until then
+// the corner with the shortest next step moves on, beyond its next wall, and in the end by the
+// light's reach, which is more than the whole scene.
 #pragma once
 
 #include "multipass/shadow/topology.h"
@@ -19,42 +19,42 @@
 
 namespace gw::multipass {
 
-/// A light, and the scene's bounds, as an object's own coordinates see them.
+/// A light and the scene's bounds in an object's own coordinates.
 struct LightInObject {
     bool directional = false;
-    dvec3 position{0};  ///< or, where directional, the way the light travels (length 1)
-    /// Everything that may be in shadow is nearer than this: to the light, or along its way from
-    /// the origin.
+    dvec3 position{0};  ///< of a directional light: its direction, length 1
+    /// Everything that may be in shadow is nearer than this: to the light, or along its direction
+    /// from the origin.
     double reach = 0;
-    /// The six walls of the scene's bounds: dot(xyz, p) + w is how far p lies beyond, world units.
-    /// All 0: not known, points are moved by `reach` alone.
+    /// The six walls of the scene's bounds: dot(xyz, p) + w is the distance of p beyond the wall,
+    /// world units. All 0: unknown, points move by `reach` alone.
     std::array<dvec4, 6> walls{};
-    double margin = 0;  ///< points are moved so far beyond a wall, world units
+    double margin = 0;  ///< points move this far beyond a wall, world units
 };
 
 LightInObject light_in_object(const scene::Light& light, const dmat4& world_from_object,
                               const scene::Bounds& bounds);
 
-/// The walls that p lies beyond, a bit each.
+/// The walls that p lies beyond, one bit each.
 unsigned walls_before(const LightInObject& light, const dvec3& p);
 
-/// Whether the light sees a and b under more than 60 degrees: a far cap between them would cut
+/// Whether the light sees a and b more than 60 degrees apart: a far cap between them would cut
 /// through the scene.
 bool is_wide(const LightInObject& light, const dvec3& a, const dvec3& b);
 
-/// p moved away from the light by its reach.
+/// p, moved away from the light by its reach.
 vec3 moved_by_reach(const LightInObject& light, const dvec3& p);
 
-/// Triangles of the far cap, by the walls that all corners are beyond: bit s is set where some
-/// triangle's walls are s (a set of bits too). Bit 0: its corners are moved by the light's reach.
+/// The sets of walls of the far cap's triangles: bit s is set if a triangle has its corners beyond
+/// exactly the walls s (again one bit each). Bit 0: its corners moved by the light's reach.
 using WallsOfCap = std::bitset<64>;
 
-/// Of the points that the triangles have as corners, where they are moved to.
+/// The far cap of a set of triangles.
 struct FarCap {
-    std::vector<vec3> moved;  ///< by point of the topology
+    std::vector<vec3> moved;  ///< by point of the topology: the place of a corner; others are 0
     WallsOfCap walls;
 };
-/// Of some of the topology's triangles.
+/// `part`, by triangle of the topology: not 0 for those of the cap.
 FarCap far_cap(const Topology& topology, const LightInObject& light, std::span<const int> part);
 
 }  // namespace gw::multipass

@@ -1,4 +1,3 @@
-// The comparison of shadow maps, on the host.
 #include "multipass/shadow/shadow_lookup.h"
 
 #include <glm/matrix.hpp>
@@ -17,7 +16,7 @@ using Comparer = ShadowLookup::Comparer;
 
 /// Where a point lies in a map, in texels from its lower left corner; none: outside.
 std::optional<dvec2> place_in(const Comparer& c, const dvec3& p) {
-    // A point is in one of a cube's six maps: five are to be left soon.
+    // A point is in one of a cube's six maps: reject the other five early.
     const dmat4& m = c.clip_from_world;
     const auto clip = [&](int row) {
         return (m[0][row] * p.x + m[1][row] * p.y) + (m[2][row] * p.z + m[3][row]);
@@ -56,8 +55,8 @@ bool is_hidden(const Comparer& c, const FacePlane& face, int i, int j) {
     return double(c.map.depth[std::size_t(y) * std::size_t(size) + std::size_t(x)]) < z - bias;
 }
 
-/// The four texels around the point vote, each by its share in it: where two faces meet in a hollow
-/// edge, the nearest texel may be the other face's.
+/// The four texels around the point vote, each with its bilinear weight: at a concave edge the
+/// nearest texel may belong to the other face.
 bool is_hidden(const Comparer& c, const FacePlane& face, const dvec2& place) {
     const double x = place.x - 0.5, y = place.y - 0.5;
     const int i = int(std::floor(x)), j = int(std::floor(y));

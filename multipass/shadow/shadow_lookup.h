@@ -1,5 +1,5 @@
-// Shadow maps as a question [K3.2 a]: is this point in the light's shadow? For the pixels of a
-// picture (shadow_mask) and for hits of traced rays [K4i]. Does not draw the maps.
+// Whether a point is in a light's shadow, by its shadow maps [K3.2 a]: for the pixels of a picture
+// (shadow_mask) and for hits of traced rays [K4i]. Does not draw the maps.
 #pragma once
 
 #include "gw/profile.h"
@@ -15,10 +15,10 @@ class ShadowLookup {
 public:
     ShadowLookup(const std::vector<ShadowMap>& maps, const Profile& profile);
 
-    /// Whether something is nearer to the light than the point of this face. Outside all maps: no.
+    /// Whether anything is nearer to the light than this point of a face. Outside all maps: false.
     bool in_shadow(const scene::TrianglePoint& at) const;
 
-    /// A map with what comparing needs of it.
+    /// A map, with the matrices and units of the comparison.
     struct Comparer {
         const ShadowMap& map;
         dmat4 clip_from_world;

@@ -1,4 +1,3 @@
-// The light's views, and drawing from them.
 #include "multipass/shadow/shadow_map.h"
 
 #include "gw/base/arithmetic.h"
@@ -35,9 +34,10 @@ scene::DepthInterval distances(const scene::Bounds& bounds, const dvec3& p) {
 
 /// A box along the light's way around the whole scene.
 scene::View directional_view(const scene::Light& light, const scene::Bounds& bounds, int size) {
-    const dvec3 center = (bounds.low + bounds.high) * 0.5, way = dvec3(light.direction);
+    const dvec3 center = (bounds.low + bounds.high) * 0.5, direction = dvec3(light.direction);
     scene::View view{.width = size, .height = size};
-    view.eye_from_world = scene::look_at(center, center + way / length(way), dvec3(0, 1, 0));
+    view.eye_from_world =
+        scene::look_at(center, center + direction / length(direction), dvec3(0, 1, 0));
     dvec3 reach(0);
     for (int i = 0; i < 8; ++i) {
         const dvec3 p = transform3(dmat3(view.eye_from_world), corner(bounds, i) - center);
@@ -93,28 +93,28 @@ struct PartBox {
 };
 
 /// Z of the parts that cast shadows through a window of the map. False: there are none in it.
-bool add_tile(CommandList& list, const Stage& whole, const std::vector<PartBox>& boxes,
+bool add_tile(CommandList& list, const PlacedModel& whole, const std::vector<PartBox>& boxes,
               const Rect& window) {
-    const Model& model = *whole.model;
-    Model seen{.scene = model.scene};
-    Stage stage = whole;
-    stage.eye_from_object.clear();
+    const PassModel& model = *whole.model;
+    PassModel seen{.scene = model.scene};
+    PlacedModel placed = whole;
+    placed.eye_from_object.clear();
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         const dmat4& eye_from_object = whole.eye_from_object[i];
         if (boxes[i].misses(product(whole.state.projection, eye_from_object), whole.view, window))
             continue;
         seen.parts.push_back(model.parts[i]);
-        stage.eye_from_object.push_back(eye_from_object);
+        placed.eye_from_object.push_back(eye_from_object);
     }
-    stage.model = &seen;
-    stage.state.viewport = {-window.x, -window.y, whole.view.width, whole.view.height};
+    placed.model = &seen;
+    placed.state.viewport = {-window.x, -window.y, whole.view.width, whole.view.height};
     Step step{.pass = depth_pass};
     step.pass.name = "light Z";
     step.pass.objects = PassObjects::Casting;
     if (std::none_of(seen.parts.begin(), seen.parts.end(),
                      [&](const Part& part) { return concerns(step, part, seen); }))
         return false;
-    add_step(list, stage, step, {});
+    add_step(list, placed, step, {});
     return true;
 }
 
@@ -148,7 +148,7 @@ int shadow_map_size(int width, int height) {
     return size;
 }
 
-std::vector<ShadowMap> draw_shadow_maps(Machine& machine, const Model& model,
+std::vector<ShadowMap> draw_shadow_maps(Machine& machine, const PassModel& model,
                                         const std::vector<scene::View>& views, int width,
                                         int height) {
     std::vector<PartBox> boxes;
@@ -156,7 +156,7 @@ std::vector<ShadowMap> draw_shadow_maps(Machine& machine, const Model& model,
     const std::uint32_t farthest = max_of_bits(machine.profile().depth_bits);
     std::vector<ShadowMap> maps;
     for (const scene::View& view : views) {
-        const Stage stage = make_stage(model, view);
+        const PlacedModel placed = place_model(model, view);
         const int size = view.width;
         ShadowMap map{
             .view = view,
@@ -166,7 +166,7 @@ std::vector<ShadowMap> draw_shadow_maps(Machine& machine, const Model& model,
         for (int y = 0; y < size; y += height)
             for (int x = 0; x < size; x += width) {
                 const Rect rect{0, 0, std::min(width, size - x), std::min(height, size - y)};
-                if (!add_tile(list, stage, boxes, {x, y, rect.width, rect.height})) continue;
+                if (!add_tile(list, placed, boxes, {x, y, rect.width, rect.height})) continue;
                 list.add(
                     Read{.key = std::uint32_t(tiles.size()), .plane = Plane::Depth, .rect = rect});
                 tiles.emplace_back(x, y);
@@ -177,22 +177,6 @@ std::vector<ShadowMap> draw_shadow_maps(Machine& machine, const Model& model,
         maps.push_back(std::move(map));
     }
     return maps;
-}
-
-std::vector<std::uint32_t> draw_ids(Machine& machine, const Model& model, const scene::View& view,
-                                    const JitterState& jitter) {
-    std::vector<std::uint32_t> ids(std::size_t(view.width) * std::size_t(view.height));
-    // Three bytes a pass.
-    for (const int shift : {0, 24}) {
-        CommandList list = scene::id_pass(*model.scene, view,
-                                          {.shift = shift, .opaque_only = true, .jitter = jitter});
-        list.add(Read{.key = 0, .plane = Plane::Color, .rect = {0, 0, view.width, view.height}});
-        machine.execute(list);
-        const auto& color = machine.readbacks().at(0).color;
-        for (std::size_t i = 0; i < ids.size(); ++i) ids[i] |= scene::id_of(color[i]) << shift;
-        if (scene::polygon_ids(*model.scene).end <= 1u << 24) break;
-    }
-    return ids;
 }
 
 }  // namespace gw::multipass

@@ -1,14 +1,14 @@
-// Shadow maps [K3.2 a]: whether a visible point is seen from the light, by the light's own
-// Z-buffer. Williams
-// 1978. The machine draws the light's Z and the item buffer of the view; the host compares. Does not put the
-// result into the stencil (shadow_passes.h), and needs no shadow texture: the VGX has none.
+// Shadow maps [K3.2 a]: whether the light sees a visible point, by the light's own Z-buffer
+// (Williams 1978). The machine draws the light's Z and the item buffer of the view; the host
+// compares. Does not put the result into the stencil (shadow_passes.h), and needs no shadow
+// texture: the VGX has none.
 //
-// Compared is not the visible point itself but the point of its face that the map's sample saw: the
-// light's ray through the centre of the texel that the point falls into, cut with the plane of the
-// polygon of the item buffer. So a face does not shade itself, however oblique, and the bias has
-// only rounding to cover: 2 units of Z, and the slope of Z times the sixteenth (half a sub-pixel
-// unit) of a texel by which vertices are moved when they are snapped; besides, the point is lifted
-// a quarter of a pixel towards the light.
+// The comparison does not use the visible point itself. It uses the point of the same face that the
+// map sampled: the light's ray through the centre of the texel, cut with the plane of the item
+// buffer's polygon. So a face does not shade itself, however oblique. The bias covers rounding
+// only: 2 units of Z, and the slope of Z times a sixteenth of a texel (half a sub-pixel unit), by
+// which snapping moves vertices. Besides, the point is lifted a quarter of a pixel towards the
+// light.
 #pragma once
 
 #include "gw/command_list.h"
@@ -37,19 +37,15 @@ std::vector<scene::View> light_views(const scene::Light& light, const scene::Bou
 /// most 4096.
 int shadow_map_size(int width, int height);
 
-/// Draws the Z of all parts that cast shadows from these views and reads it back, window by window
-/// where the maps are larger. Windows get the parts that may be in them; those without any are not
+/// Draws the Z of all parts that cast shadows from these views and reads it back, in several
+/// windows if the maps are larger. Each window gets the parts that may be in it; empty ones are not
 /// drawn.
-std::vector<ShadowMap> draw_shadow_maps(Machine& machine, const Model& model,
+std::vector<ShadowMap> draw_shadow_maps(Machine& machine, const PassModel& model,
                                         const std::vector<scene::View>& views, int width,
                                         int height);
 
-/// The polygon identifiers that a view shows, 0 where there is none. `jitter` as in the passes that
-/// the mask is for.
-std::vector<std::uint32_t> draw_ids(Machine& machine, const Model& model, const scene::View& view,
-                                    const JitterState& jitter);
-
 /// 1 where the point that a pixel shows is in shadow or on the dark side of its face, 0 elsewhere.
+/// `ids`: scene::draw_item_buffer of the view, with the jitter of the passes that use the mask.
 std::vector<std::uint32_t> shadow_mask(const scene::WorldTriangles& polygons,
                                        const scene::Light& light,
                                        const std::vector<ShadowMap>& maps,

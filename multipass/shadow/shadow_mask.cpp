@@ -1,4 +1,3 @@
-// Every pixel's point in the light's maps.
 #include "multipass/shadow/shadow_lookup.h"
 #include "multipass/shadow/shadow_map.h"
 #include "scene/draw/pixel_rays.h"
@@ -18,16 +17,16 @@ bool is_dark_side(const scene::TrianglePoint& at, const scene::Light& light, con
     return (dot3(at.normal, to_light(light, at.p)) > 0) != (dot3(at.normal, ray) < 0);
 }
 
-/// What a pixel shows. A fragment's centre may lie a little beside its true triangle, in a hollow
-/// edge behind the next face: so the point is lifted towards the light by `lift` pixels.
+/// A fragment's centre may lie slightly outside its true triangle, and at a concave edge behind the
+/// next face: so the point is lifted towards the light by this many pixels.
 constexpr double lift = 0.25;
 
 void lift_towards(scene::TrianglePoint& at, const scene::Light& light, const scene::PixelRay& ray,
                   const scene::PixelRay& next) {
     const double t = dot3(at.p - ray.o, ray.d) / dot3(ray.d, ray.d);
     const double pixel = length((next.o + next.d * t) - at.p);
-    const dvec3 way = to_light(light, at.p);
-    at.p += way * (lift * pixel / std::max(length(way), 1e-300));
+    const dvec3 toward = to_light(light, at.p);
+    at.p += toward * (lift * pixel / std::max(length(toward), 1e-300));
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
-// Increments, overflow, decrements.
 #include "multipass/shadow/shadow_passes.h"
 
 #include "multipass/frame/commands.h"
-#include "multipass/frame/whole_window.h"
 
 #include <algorithm>
 
@@ -10,9 +8,9 @@ namespace gw::multipass {
 namespace {
 
 /// Counts faces: nothing but the stencil changes.
-State counting_state(const Stage& stage, Face culled, const StencilState& stencil) {
-    State state = stage.state;
-    state.clip_planes = {};  // those of the picture are not the volumes'
+State counting_state(const PlacedModel& placed, Face culled, const StencilState& stencil) {
+    State state = placed.state;
+    state.clip_planes = {};  // the picture's planes must not cut volumes
     state.color_source = ColorSource::Vertex;
     state.color_mask = {false, false, false, false};
     state.depth = {.test = true, .func = DepthFunc::Less, .mask = false};
@@ -28,8 +26,8 @@ StencilState before(StencilOp op) {
 }
 
 /// Fragments on the whole window that pass where `ref` func stored.
-State window_state(const Stage& stage, StencilFunc func, int ref, StencilOp op) {
-    State state = stage.state;
+State window_state(const PlacedModel& placed, StencilFunc func, int ref, StencilOp op) {
+    State state = placed.state;
     state.color_mask = {false, false, false, false};
     state.depth = {};
     state.stencil = {.test = true, .func = func, .ref = ref, .zpass = op};
@@ -38,17 +36,17 @@ State window_state(const Stage& stage, StencilFunc func, int ref, StencilOp op) 
 
 struct VolumeWriter {
     CommandList& list;
-    const Stage& stage;
+    const PlacedModel& placed;
     const std::vector<ShadowVolume>& volumes;
     const CountRules& rules;
     std::vector<bool> outside{};  ///< by volume: counted in front of what is seen
 
-    VolumeWriter(CommandList& l, const Stage& s, const std::vector<ShadowVolume>& v,
+    VolumeWriter(CommandList& l, const PlacedModel& s, const std::vector<ShadowVolume>& v,
                  const CountRules& r)
-        : list(l), stage(s), volumes(v), rules(r) {
+        : list(l), placed(s), volumes(v), rules(r) {
         for (std::size_t i = 0; i < volumes.size(); ++i)
             outside.push_back(rules.in_front && !rules.one_by_one && volumes[i].caps &&
-                              is_outside(volumes[i], stage.eye_from_object[i], stage.view));
+                              is_outside(volumes[i], placed.eye_from_object[i], placed.view));
     }
 
     std::vector<MeshRef> drawn(std::size_t i) const {
@@ -64,20 +62,20 @@ struct VolumeWriter {
                 if (!mesh) continue;
                 if (!set) list.add(SetState{state});
                 set = true;
-                list.add(Draw{.mesh = mesh, .eye_from_object = stage.eye_from_object[i]});
+                list.add(Draw{.mesh = mesh, .eye_from_object = placed.eye_from_object[i]});
             }
         }
     }
     void draw(StencilOp op, Face culled_behind, Face culled_before, std::size_t first,
               std::size_t last) {
-        draw(counting_state(stage, culled_behind, behind(op)), false, first, last);
-        draw(counting_state(stage, culled_before, before(op)), true, first, last);
+        draw(counting_state(placed, culled_behind, behind(op)), false, first, last);
+        draw(counting_state(placed, culled_before, before(op)), true, first, last);
     }
 
-    /// In front of the background there is all of a volume: its caps are missing.
+    /// All of a volume is in front of the background, but its caps are not drawn.
     void clear_background() {
         if (std::find(outside.begin(), outside.end(), true) == outside.end()) return;
-        State state = window_state(stage, StencilFunc::Always, 0, StencilOp::Zero);
+        State state = window_state(placed, StencilFunc::Always, 0, StencilOp::Zero);
         state.depth = {.test = true, .func = DepthFunc::Equal, .mask = false};
         add_whole_window(list, state);
     }
@@ -90,12 +88,12 @@ struct VolumeWriter {
         if (triangles < std::size_t(stencil_max)) return;
         list.add(BeginPass{.name = name + std::string(overflow_suffix)});
         add_whole_window(list,
-                         window_state(stage, StencilFunc::Equal, stencil_max, StencilOp::Keep));
+                         window_state(placed, StencilFunc::Equal, stencil_max, StencilOp::Keep));
         list.add(BeginPass{.name = name});
     }
 
-    /// Faces that count up, then those that count down: out of a volume behind what is seen, into
-    /// it before.
+    /// Increments, then decrements. Faces behind the visible point count up where they lead out of
+    /// a volume; faces in front, where they lead in.
     void count(const std::string& name, std::size_t first, std::size_t last) {
         draw(StencilOp::Incr, Face::Front, Face::Back, first, last);
         clear_background();
@@ -105,16 +103,16 @@ struct VolumeWriter {
 
     /// 1 where the stencil is not 0.
     void reduce() {
-        add_whole_window(list, window_state(stage, StencilFunc::LEqual, 1, StencilOp::Replace));
+        add_whole_window(list, window_state(placed, StencilFunc::LEqual, 1, StencilOp::Replace));
     }
 };
 
 }  // namespace
 
-void add_shadow_volumes(CommandList& list, const Stage& stage, const std::string& name,
+void add_shadow_volumes(CommandList& list, const PlacedModel& placed, const std::string& name,
                         const std::vector<ShadowVolume>& volumes, const CountRules& rules) {
-    VolumeWriter writer(list, stage, volumes, rules);
-    begin_pass(list, name, stage.state);
+    VolumeWriter writer(list, placed, volumes, rules);
+    begin_pass(list, name, placed.state);
     list.add(Clear{.planes = mask_of(Plane::Stencil)});
     const std::size_t group = rules.one_by_one ? 1 : volumes.size();
     for (std::size_t i = 0; i < volumes.size(); i += group) {
@@ -129,10 +127,10 @@ bool any_overflow(std::span<const PassReport> passes) {
     });
 }
 
-void add_shadow_mask(CommandList& list, const Stage& stage, const std::string& name,
+void add_shadow_mask(CommandList& list, const PlacedModel& placed, const std::string& name,
                      const std::vector<std::uint32_t>& mask) {
-    begin_pass(list, name, stage.state);
-    list.add(WritePixels{.rect = {0, 0, stage.view.width, stage.view.height},
+    begin_pass(list, name, placed.state);
+    list.add(WritePixels{.rect = {0, 0, placed.view.width, placed.view.height},
                          .plane = Plane::Stencil,
                          .values = mask});
 }

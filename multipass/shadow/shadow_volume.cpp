@@ -1,4 +1,3 @@
-// Caps and sides.
 #include "multipass/shadow/shadow_volume.h"
 
 #include "gw/base/elementary.h"
@@ -69,7 +68,7 @@ private:
         e.far_vertex = vertex(far_.moved[point]);
         return e;
     }
-    /// Of two that the light sees far apart: those are moved by its reach.
+    /// The midpoint of a wide edge, extruded by the light's full reach.
     End middle(const End& a, const End& b) {
         End m{.p = vec3((dvec3(a.p) + dvec3(b.p)) * 0.5)};
         m.far_vertex = vertex(moved_by_reach(light_, dvec3(m.p)));
@@ -79,8 +78,8 @@ private:
         return multipass::is_wide(light_, dvec3(a.p), dvec3(b.p));
     }
 
-    /// To the border of the far cap. A wide border is split, and what opens between it and its
-    /// halves is closed.
+    /// Joins the border to that of the far cap. A wide border is split; a triangle closes the gap
+    /// between it and its halves.
     void side(const End& a, const End& b, int splits) {
         if (splits > 0 && is_wide(a, b)) {
             End m = middle(a, b);
@@ -116,7 +115,7 @@ private:
     MeshData data_{};
 };
 
-/// > 0: the light is on the front of the triangle.
+/// > 0: the light is on the front side of the triangle.
 double facing(const Topology& t, const std::array<std::uint32_t, 3>& triangle,
               const LightInObject& light) {
     const dvec3 a(t.points[triangle[0]]), b(t.points[triangle[1]]), c(t.points[triangle[2]]);
@@ -147,7 +146,7 @@ bool is_among(const std::vector<vec3>& points, const dvec3& p) {
     return true;
 }
 
-/// Whether a closed surface winds about the light: then it has no side that is away from it.
+/// Whether a closed surface winds about the light: then no side of it is away from the light.
 bool surrounds(const Topology& t, const LightInObject& light) {
     if (light.directional || !is_among(t.points, light.position)) return false;
     double sum = 0;
@@ -155,7 +154,7 @@ bool surrounds(const Topology& t, const LightInObject& light) {
     return std::abs(sum) > 2 * pi;
 }
 
-/// By triangle: 1 in the front cap as it is, -1 turned over, 0 not.
+/// By triangle: 1 in the front cap, -1 in it turned over, 0 not in it.
 std::vector<int> front_cap(const Topology& t, const LightInObject& light) {
     std::vector<int> part(t.triangles.size());
     const bool front_only = t.closed && !surrounds(t, light);
@@ -175,8 +174,8 @@ std::vector<int> border(const Topology& t, const std::vector<int>& part) {
     return net;
 }
 
-/// The near rectangle of a view, around, and a twentieth more on every side: snapping moves no
-/// vertex so far.
+/// The corners of a view's near rectangle, in order, a twentieth wider on every side: snapping
+/// moves a vertex by less.
 std::array<dvec3, 4> near_rectangle(const dmat4& eye_from_object, const scene::View& view) {
     const dmat4 object_from_clip = glm::inverse(view.clip_from_eye * eye_from_object);
     const auto at = [&](double x, double y) {
@@ -186,13 +185,13 @@ std::array<dvec3, 4> near_rectangle(const dmat4& eye_from_object, const scene::V
     return {at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)};
 }
 
-/// Whether nothing of the mesh is cut by the near or far plane, or by the guard band.
+/// Whether neither the near or far plane nor the guard band cuts the mesh.
 bool is_whole(const MeshRef& mesh, const dmat4& clip_from_object, const scene::View& view) {
     if (!mesh) return true;
     const auto in_band = [](double ndc, int size) {
-        constexpr int room = 8;  // jitter and snapping
+        constexpr int slack = 8;  // for jitter and snapping
         const double pixel = (ndc + 1) / 2 * size;
-        return pixel > guard_low + room && pixel < guard_high - room;
+        return pixel > guard_low + slack && pixel < guard_high - slack;
     };
     const auto& positions = mesh->data().positions;
     return std::all_of(positions.begin(), positions.end(), [&](const vec3& p) {
@@ -247,7 +246,7 @@ ShadowVolume shadow_volume(const Topology& t, const LightInObject& light, bool m
     return volume;
 }
 
-std::vector<ShadowVolume> shadow_volumes(const Model& model,
+std::vector<ShadowVolume> shadow_volumes(const PassModel& model,
                                          const std::vector<Topology>& topologies,
                                          std::size_t light) {
     const scene::Bounds bounds = scene::bounds(*model.scene);
@@ -262,7 +261,7 @@ std::vector<ShadowVolume> shadow_volumes(const Model& model,
     return volumes;
 }
 
-scene::View enclosing(scene::View view, const Model& model,
+scene::View enclosing(scene::View view, const PassModel& model,
                       const std::vector<ShadowVolume>& volumes) {
     double farthest = 0;
     for (std::size_t i = 0; i < volumes.size(); ++i) {

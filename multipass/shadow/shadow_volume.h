@@ -20,8 +20,7 @@ namespace gw::multipass {
 
 /// The volume's surface, counter-clockwise from outside, in two meshes that are closed together.
 struct ShadowVolume {
-    /// null: nothing faces the light. The front cap has the very positions of the mesh, so that it
-    /// has the same Z
+    /// Null: no triangle faces the light. The front cap has the mesh's positions, so the same Z.
     MeshRef caps;
     MeshRef sides;  ///< null: the front cap has no border
     LightInObject light;
@@ -29,20 +28,19 @@ struct ShadowVolume {
 };
 ShadowVolume shadow_volume(const Topology& topology, const LightInObject& light, bool mirrored);
 
-/// The volumes of all opaque parts in one light, by part; without caps those that cast none.
-/// Translucent parts cast no shadow.
-std::vector<ShadowVolume> shadow_volumes(const Model& model,
+/// The volumes of all parts in one light, by part; those of parts that cast no shadow have no caps.
+/// Translucent parts cast none.
+std::vector<ShadowVolume> shadow_volumes(const PassModel& model,
                                          const std::vector<Topology>& topologies,
                                          std::size_t light);
 
-/// The view with its far plane moved behind these volumes: they must not be cut there.
-scene::View enclosing(scene::View view, const Model& model,
+/// The view with its far plane moved behind these volumes, so that it does not cut them.
+scene::View enclosing(scene::View view, const PassModel& model,
                       const std::vector<ShadowVolume>& volumes);
 
-/// Whether the sides alone tell what is in the volume. No plane or guard band cuts its surface, so
-/// that its faces add up to 0 on every pixel exactly, and the eye is outside; and the near
-/// rectangle, with a little around it, is on this side of the far cap, so that no cap lies before
-/// anything of the scene.
+/// Whether the sides alone decide what is in the volume. No plane or guard band cuts the surface,
+/// so its faces add up to 0 on every pixel, and the eye is outside. The near rectangle, slightly
+/// widened, is on this side of the far cap, so no cap lies before anything of the scene.
 bool is_outside(const ShadowVolume& volume, const dmat4& eye_from_object, const scene::View& view);
 
 }  // namespace gw::multipass

@@ -1,12 +1,13 @@
-// One entry per light.
 #include "multipass/shadow/shadows.h"
+
+#include "scene/draw/item_buffer.h"
 
 #include <algorithm>
 #include <optional>
 
 namespace gw::multipass {
 
-std::vector<Topology> topologies(const Model& model) {
+std::vector<Topology> topologies(const PassModel& model) {
     const auto& lights = model.scene->lights;
     const auto casts = [](const scene::Light& light) {
         return light.shadow == scene::Shadow::Volume;
@@ -23,7 +24,7 @@ std::vector<Topology> topologies(const Model& model) {
     return result;
 }
 
-Shadows find_volumes(const Model& model, const std::vector<Topology>& topologies) {
+Shadows find_volumes(const PassModel& model, const std::vector<Topology>& topologies) {
     const auto& lights = model.scene->lights;
     Shadows shadows;
     shadows.volumes.resize(lights.size());
@@ -35,7 +36,7 @@ Shadows find_volumes(const Model& model, const std::vector<Topology>& topologies
     return shadows;
 }
 
-void find_masks(Shadows& shadows, Machine& machine, const Model& model, const scene::View& view,
+void find_masks(Shadows& shadows, Machine& machine, const PassModel& model, const scene::View& view,
                 const JitterState& jitter) {
     const auto& lights = model.scene->lights;
     std::vector<std::uint32_t> ids;
@@ -47,14 +48,14 @@ void find_masks(Shadows& shadows, Machine& machine, const Model& model, const sc
             shadows.maps[i] = draw_shadow_maps(
                 machine, model, light_views(lights[i], scene::bounds(*model.scene), size),
                 view.width, view.height);
-        if (ids.empty()) ids = draw_ids(machine, model, view, jitter);
+        if (ids.empty()) ids = scene::draw_item_buffer(machine, *model.scene, view, jitter);
         if (!polygons) polygons.emplace(*model.scene);
         shadows.masks[i] = shadow_mask(*polygons, lights[i], shadows.maps[i], ids, view, jitter,
                                        machine.profile());
     }
 }
 
-scene::View enclosing(scene::View view, const Model& model, const Shadows& shadows) {
+scene::View enclosing(scene::View view, const PassModel& model, const Shadows& shadows) {
     for (const auto& volumes : shadows.volumes) view = enclosing(view, model, volumes);
     return view;
 }

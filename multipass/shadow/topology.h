@@ -1,5 +1,5 @@
-// A mesh as a surface: vertices that lie on one point are one, edges know the triangles at them.
-// For shadow volumes. Does not know lights.
+// A mesh as a surface, for shadow volumes: welded points, edges, and the triangles along them. Does
+// not know lights.
 #pragma once
 
 #include "gw/mesh.h"
@@ -10,7 +10,7 @@
 
 namespace gw::multipass {
 
-/// The triangles of a mesh (those of no area left out) over welded points.
+/// The triangles of a mesh over welded points, without those that have two equal corners.
 struct Topology {
     struct Edge {
         std::uint32_t from = 0, to = 0;  ///< from < to
@@ -24,8 +24,8 @@ struct Topology {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::array<Side, 3>> sides;  ///< by triangle: 0 to 1, 1 to 2, 2 to 0
     std::vector<Edge> edges;
-    /// At every edge as many triangles run one way as the other: the surface has no border, and has
-    /// two sides.
+    /// At every edge as many triangles run forward as backward: the surface has two sides and no
+    /// border.
     bool closed = true;
 };
 

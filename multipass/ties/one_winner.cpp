@@ -1,8 +1,6 @@
-// Counting winners, and taking pixels.
 #include "multipass/ties/one_winner.h"
 
 #include "multipass/frame/commands.h"
-#include "multipass/frame/whole_window.h"
 #include "multipass/passes/catalogue.h"
 
 #include <algorithm>
@@ -32,9 +30,9 @@ std::uint32_t tie_of(int stencil_bits) { return 1u << (stencil_bits - 1); }
 std::uint32_t taken_of(int stencil_bits) { return 1u << (stencil_bits - 2); }
 
 /// Fragments on tied pixels only, for the stencil.
-void write_ties(CommandList& list, const Stage& stage, const TiedPixels& tied,
+void write_ties(CommandList& list, const PlacedModel& placed, const TiedPixels& tied,
                 const StencilState& stencil) {
-    State state = stage.state;
+    State state = placed.state;
     state.depth = {};
     state.color_mask = {false, false, false, false};
     state.stencil = stencil;
@@ -44,10 +42,10 @@ void write_ties(CommandList& list, const Stage& stage, const TiedPixels& tied,
 
 }  // namespace
 
-CommandList count_winners(const Stage& stage) {
+CommandList count_winners(const PlacedModel& placed) {
     CommandList list;
-    add_step(list, stage, {.pass = winners_pass}, {});
-    State state = stage.state;
+    add_step(list, placed, {.pass = winners_pass}, {});
+    State state = placed.state;
     state.depth = {};
     state.color_mask = {false, false, false, false};
     state.stencil = {.test = true, .func = StencilFunc::NotEqual, .ref = 0};
@@ -55,7 +53,7 @@ CommandList count_winners(const Stage& stage) {
     add_whole_window(list, state);
     list.add(Read{.key = winners_key,
                   .plane = Plane::Stencil,
-                  .rect = {0, 0, stage.view.width, stage.view.height}});
+                  .rect = {0, 0, placed.view.width, placed.view.height}});
     list.add(Clear{.planes = mask_of(Plane::Stencil)});
     return list;
 }
@@ -64,52 +62,48 @@ std::uint64_t surplus_winners(std::span<const PassReport> reports) {
     return reports[0].counters.written - reports[1].counters.written;
 }
 
-bool is_additive(const Pass& pass) {
-    return pass.depth.test && pass.depth.func == DepthFunc::Equal && pass.blend.enable &&
-           keeps_stencil(pass.stencil.front());
-}
-
 /// Every opaque part, or what of it is in the portions, black where the step does not concern it.
-void draw_first_come(CommandList& list, const Stage& stage, const Step& step, State state,
+void draw_first_come(CommandList& list, const PlacedModel& placed, const Step& step, State state,
                      const std::vector<Portion>& portions) {
     for (const Portion& portion : portions) {
-        const Part& part = stage.model->parts[portion.part];
-        if (part.translucent && !concerns(step, part, *stage.model)) continue;
-        state.texture = lookup_of(stage, step, portion.part);
+        const Part& part = placed.model->parts[portion.part];
+        if (part.translucent && !concerns(step, part, *placed.model)) continue;
+        state.texture = lookup_of(placed, step, portion.part);
         list.add(SetState{state});
-        list.add(draw_of(stage, step, portion));
+        list.add(draw_of(placed, step, portion));
     }
 }
 
-void add_one_winner_step(CommandList& list, const Stage& stage, const Step& step,
+void add_one_winner_step(CommandList& list, const PlacedModel& placed, const Step& step,
                          int stencil_bits) {
-    State state = state_of(stage, step);
+    State state = state_of(placed, step);
     state.stencil = taking(state.stencil, 1u << (stencil_bits - 1));
     list.add(SetState{state});
     list.add(Clear{.planes = mask_of(Plane::Stencil)});
     std::vector<Portion> all;
-    for (std::size_t i = 0; i < stage.model->parts.size(); ++i) all.push_back({.part = i});
-    draw_first_come(list, stage, step, state, all);
+    for (std::size_t i = 0; i < placed.model->parts.size(); ++i) all.push_back({.part = i});
+    draw_first_come(list, placed, step, state, all);
 }
 
-bool can_mark_ties(const Stage& stage, int stencil_bits) {
-    return stencil_bits >= 3 && stage.state.shade_model == ShadeModel::Smooth &&
-           stage.state.polygon_mode == PolygonMode::Fill;
+bool can_mark_ties(const PlacedModel& placed, int stencil_bits) {
+    return stencil_bits >= 3 && placed.state.shade_model == ShadeModel::Smooth &&
+           placed.state.polygon_mode == PolygonMode::Fill;
 }
 
-bool can_leave_ties_out(const Stage& stage, const Step& step, int stencil_bits) {
+bool can_leave_ties_out(const PlacedModel& placed, const Step& step, int stencil_bits) {
     const StencilState& s = step.pass.stencil;
     const bool fits =
         !s.test || (s.func == StencilFunc::Equal && std::uint32_t(s.ref) < taken_of(stencil_bits));
-    return fits && std::none_of(stage.model->parts.begin(), stage.model->parts.end(),
+    return fits && std::none_of(placed.model->parts.begin(), placed.model->parts.end(),
                                 [&](const Part& part) {
-                                    return part.translucent && concerns(step, part, *stage.model);
+                                    return part.translucent && concerns(step, part, *placed.model);
                                 });
 }
 
-void mark_ties(CommandList& list, const Stage& stage, const TiedPixels& tied, int stencil_bits) {
+void mark_ties(CommandList& list, const PlacedModel& placed, const TiedPixels& tied,
+               int stencil_bits) {
     const std::uint32_t bit = tie_of(stencil_bits);
-    write_ties(list, stage, tied,
+    write_ties(list, placed, tied,
                {.test = true, .ref = int(bit), .zpass = StencilOp::Replace, .write_mask = bit});
 }
 
@@ -119,13 +113,13 @@ StencilState beside_ties(StencilState stencil, int stencil_bits) {
     return stencil;
 }
 
-void draw_ties(CommandList& list, const Stage& stage, const Step& step, const TiedPixels& tied,
-               int stencil_bits) {
-    State state = state_of(stage, step);
+void draw_ties(CommandList& list, const PlacedModel& placed, const Step& step,
+               const TiedPixels& tied, int stencil_bits) {
+    State state = state_of(placed, step);
     state.stencil = taking(beside_ties(state.stencil, stencil_bits), taken_of(stencil_bits));
     state.stencil.ref |= int(tie_of(stencil_bits));
-    draw_first_come(list, stage, step, state, tied.portions);
-    write_ties(list, stage, tied,
+    draw_first_come(list, placed, step, state, tied.portions);
+    write_ties(list, placed, tied,
                {.test = true,
                 .zpass = StencilOp::Zero,
                 .write_mask = tie_of(stencil_bits) | taken_of(stencil_bits)});

@@ -24,32 +24,32 @@ namespace gw::multipass {
 /// The key of the count's read-back: how many winners each pixel has.
 inline constexpr std::uint32_t winners_key = 0;
 
-/// Two passes to run after the depth pass (whose Z and the stencil, all 0, they leave as they
-/// were).
-CommandList count_winners(const Stage& stage);
+/// Two passes to run after the depth pass. They keep its Z, and leave the stencil 0 as they found
+/// it.
+CommandList count_winners(const PlacedModel& placed);
 
-/// How many fragments too many an additive pass would write. `reports`: of the two passes, in
-/// order.
+/// The number of fragments that an additive pass would write beyond one per pixel. `reports` are
+/// those of the two passes.
 std::uint64_t surplus_winners(std::span<const PassReport> reports);
 
-/// Whether the scheme concerns this pass: drawn under Equal, blended, stencil kept.
-bool is_additive(const Pass& pass);
-
 /// The draws of an additive step with one winner per pixel, stencil bit 2^(stencil_bits - 1).
-void add_one_winner_step(CommandList& list, const Stage& stage, const Step& step, int stencil_bits);
+void add_one_winner_step(CommandList& list, const PlacedModel& placed, const Step& step,
+                         int stencil_bits);
 
-/// Whether tied pixels can be told from others: two bits of the stencil are left, and a triangle
-/// drawn alone is drawn as in its mesh.
-bool can_mark_ties(const Stage& stage, int stencil_bits);
-/// Whether the step's test can be narrowed to them, and to all others (it has none, or Equal on
-/// other bits), and it draws nothing that was not counted.
-bool can_leave_ties_out(const Stage& stage, const Step& step, int stencil_bits);
+/// Whether tied pixels can be told from others: the stencil has two spare bits, and a triangle
+/// drawn alone has the same fragments as in its mesh.
+bool can_mark_ties(const PlacedModel& placed, int stencil_bits);
+/// Whether the step's stencil test can be narrowed to tied pixels, and to all others: it has none,
+/// or Equal on other bits. And whether the step draws only parts that were counted.
+bool can_leave_ties_out(const PlacedModel& placed, const Step& step, int stencil_bits);
 
-/// An additive step in three parts: ties get the stencil's top bit; `beside_ties` is the step's
-/// test everywhere else; ties are drawn, first come first served, and the two top bits are 0 again.
-void mark_ties(CommandList& list, const Stage& stage, const TiedPixels& tied, int stencil_bits);
-StencilState beside_ties(StencilState stencil, int stencil_bits);
-void draw_ties(CommandList& list, const Stage& stage, const Step& step, const TiedPixels& tied,
+/// An additive step in three parts. mark_ties sets the stencil's top bit on ties. `beside_ties` is
+/// the step's test on all other pixels. draw_ties draws the ties, first come first served, and
+/// clears the two top bits.
+void mark_ties(CommandList& list, const PlacedModel& placed, const TiedPixels& tied,
                int stencil_bits);
+StencilState beside_ties(StencilState stencil, int stencil_bits);
+void draw_ties(CommandList& list, const PlacedModel& placed, const Step& step,
+               const TiedPixels& tied, int stencil_bits);
 
 }  // namespace gw::multipass

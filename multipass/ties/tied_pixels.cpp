@@ -1,8 +1,6 @@
-// Cells of the window that hold a tie, and triangles whose box meets one.
 #include "multipass/ties/tied_pixels.h"
 
 #include "gw/stages/vertex.h"
-#include "multipass/frame/portion.h"
 
 #include <glm/common.hpp>
 
@@ -53,11 +51,11 @@ struct Place {
     bool behind = false;
 };
 
-std::vector<Place> places(const Stage& stage, std::size_t part) {
-    const ViewportState& port = stage.state.viewport;
-    const dmat4 clip_from_object = product(stage.state.projection, stage.eye_from_object[part]);
+std::vector<Place> places(const PlacedModel& placed, std::size_t part) {
+    const ViewportState& port = placed.state.viewport;
+    const dmat4 clip_from_object = product(placed.state.projection, placed.eye_from_object[part]);
     std::vector<Place> out;
-    for (const vec3& v : stage.model->parts[part].mesh->data().positions) {
+    for (const vec3& v : placed.model->parts[part].mesh->data().positions) {
         const dvec4 c = transform(clip_from_object, dvec4(dvec3(v), 1));
         if (!(c.z > -c.w) || !(c.w > 0))
             out.push_back({.behind = true});
@@ -76,10 +74,10 @@ bool may_touch(const Cells& cells, const std::vector<Place>& at, const Triangle&
     return cells.any(low - slack, high + slack);
 }
 
-std::vector<std::uint32_t> triangles_near(const Cells& cells, const Stage& stage,
+std::vector<std::uint32_t> triangles_near(const Cells& cells, const PlacedModel& placed,
                                           std::size_t part) {
-    const std::vector<Place> at = places(stage, part);
-    const auto triangles = stage.model->parts[part].mesh->triangles();
+    const std::vector<Place> at = places(placed, part);
+    const auto triangles = placed.model->parts[part].mesh->triangles();
     std::vector<std::uint32_t> near_ties;
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
         if (may_touch(cells, at, triangles[i])) near_ties.push_back(i);
@@ -88,25 +86,25 @@ std::vector<std::uint32_t> triangles_near(const Cells& cells, const Stage& stage
 
 }  // namespace
 
-TiedPixels tied_pixels(const Stage& stage, std::span<const std::uint32_t> winners) {
+TiedPixels tied_pixels(const PlacedModel& placed, std::span<const std::uint32_t> winners) {
     TiedPixels tied;
-    Cells cells(stage.view);
-    const auto width = std::size_t(stage.view.width);
+    Cells cells(placed.view);
+    const auto width = std::size_t(placed.view.width);
     for (std::size_t i = 0; i < winners.size(); ++i) {
         if (winners[i] < 2) continue;
         const int x = int(i % width), y = int(i / width);
         cells.mark(x, y);
         tied.spans.push_back({.x = x, .y = y, .length = 1});
     }
-    for (std::size_t i = 0; i < stage.model->parts.size(); ++i) {
-        const Part& part = stage.model->parts[i];
+    for (std::size_t i = 0; i < placed.model->parts.size(); ++i) {
+        const Part& part = placed.model->parts[i];
         if (part.translucent) continue;
         if (part.mesh->kind() != MeshKind::Triangles) {
             tied.portions.push_back({.part = i});
             continue;
         }
-        const std::vector<std::uint32_t> near_ties = triangles_near(cells, stage, i);
-        if (!near_ties.empty()) tied.portions.push_back(portion_of(stage, i, near_ties));
+        const std::vector<std::uint32_t> near_ties = triangles_near(cells, placed, i);
+        if (!near_ties.empty()) tied.portions.push_back(portion_of(placed, i, near_ties));
     }
     return tied;
 }

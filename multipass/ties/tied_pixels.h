@@ -1,5 +1,5 @@
-// Pixels where the nearest Z belongs to several fragments, and the triangles that may have made
-// them: where coincident faces need care (one_winner.h). Does not draw.
+// Pixels where several fragments have the nearest Z, and the triangles that may have drawn them
+// (one_winner.h). Does not draw.
 #pragma once
 
 #include "gw/command_list.h"
@@ -13,13 +13,12 @@ namespace gw::multipass {
 
 struct TiedPixels {
     std::vector<Span> spans;  ///< a pixel each
-    /// Of every opaque part the triangles that come near such a pixel, in their order; all of a
-    /// part of lines or points.
+    /// The triangles of opaque parts near such a pixel, in their order; parts of lines or points
+    /// whole.
     std::vector<Portion> portions;
 };
 
-/// `winners`: how many fragments have the nearest Z, by pixel of the stage's view, bottom row
-/// first.
-TiedPixels tied_pixels(const Stage& stage, std::span<const std::uint32_t> winners);
+/// `winners`: the number of fragments with the nearest Z, by pixel of the view, bottom row first.
+TiedPixels tied_pixels(const PlacedModel& placed, std::span<const std::uint32_t> winners);
 
 }  // namespace gw::multipass

@@ -1,6 +1,6 @@
-// Translucent polygons in the order of their distance [K3.4]: the farthest centroid first. As
-// painters do, and as wrong where polygons pierce each other or overlap in a cycle (docs/passes.md
-// has a picture; layers.h is exact). Does not blend.
+// Translucent polygons by distance [K3.4]: the farthest centroid first. Wrong, as all sorting by
+// centroids, where polygons pierce each other or overlap in a cycle (docs/passes.md); layers.h is
+// exact. Does not blend.
 #pragma once
 
 #include "multipass/frame/placed_model.h"
@@ -9,9 +9,9 @@
 
 namespace gw::multipass {
 
-/// The triangles of all translucent parts, farthest centroid (along the line of sight) first, in
-/// portions of neighbours that belong to one part. Those at equal distance keep the order of
+/// The triangles of all translucent parts, farthest centroid (along the line of sight) first.
+/// Successive triangles of one part make a portion. Triangles at equal distance keep the order of
 /// objects and triangles.
-std::vector<Portion> far_to_near(const Stage& stage);
+std::vector<Portion> far_to_near(const PlacedModel& placed);
 
 }  // namespace gw::multipass

@@ -1,4 +1,3 @@
-// Count, draw by ordinal, sort.
 #include "multipass/translucency/layers.h"
 
 #include "gw/error.h"
@@ -11,11 +10,11 @@
 namespace gw::multipass {
 namespace {
 
-Rect window(const Stage& stage) { return {0, 0, stage.view.width, stage.view.height}; }
+Rect window(const PlacedModel& placed) { return {0, 0, placed.view.width, placed.view.height}; }
 
 /// Every translucent fragment, nothing drawn but what the stencil and Z state say.
-State fragment_state(const Stage& stage, const StencilState& stencil, bool update_depth) {
-    State state = stage.state;
+State fragment_state(const PlacedModel& placed, const StencilState& stencil, bool update_depth) {
+    State state = placed.state;
     state.color_source = ColorSource::Vertex;
     state.color_mask = {false, false, false, false};
     state.depth = {.test = true, .func = DepthFunc::Always, .mask = update_depth};
@@ -23,23 +22,23 @@ State fragment_state(const Stage& stage, const StencilState& stencil, bool updat
     return state;
 }
 
-void draw_translucent(CommandList& list, const Stage& stage) {
-    for (std::size_t i = 0; i < stage.model->parts.size(); ++i)
-        if (stage.model->parts[i].translucent) list.add(black_draw(stage, {.part = i}));
+void draw_translucent(CommandList& list, const PlacedModel& placed) {
+    for (std::size_t i = 0; i < placed.model->parts.size(); ++i)
+        if (placed.model->parts[i].translucent) list.add(black_draw(placed, {.part = i}));
 }
 
 void clear(CommandList& list, PlaneMask planes) { list.add(Clear{.planes = planes, .depth = 0}); }
 
 /// How many translucent fragments every pixel gets; Z of the opaque picture is read besides.
-std::vector<std::uint32_t> count_fragments(Machine& machine, const Stage& stage,
+std::vector<std::uint32_t> count_fragments(Machine& machine, const PlacedModel& placed,
                                            std::vector<std::uint32_t>& opaque) {
     CommandList list;
     list.add(BeginPass{.name = "count layers"});
-    list.add(SetState{fragment_state(stage, {.test = true, .zpass = StencilOp::Incr}, false)});
+    list.add(SetState{fragment_state(placed, {.test = true, .zpass = StencilOp::Incr}, false)});
     clear(list, mask_of(Plane::Stencil));
-    draw_translucent(list, stage);
-    list.add(Read{.key = 0, .plane = Plane::Depth, .rect = window(stage)});
-    list.add(Read{.key = 1, .plane = Plane::Stencil, .rect = window(stage)});
+    draw_translucent(list, placed);
+    list.add(Read{.key = 0, .plane = Plane::Depth, .rect = window(placed)});
+    list.add(Read{.key = 1, .plane = Plane::Stencil, .rect = window(placed)});
     machine.execute(list);
     const auto& depth = machine.readbacks().at(0).values;
     const auto& counts = machine.readbacks().at(1).values;
@@ -48,7 +47,7 @@ std::vector<std::uint32_t> count_fragments(Machine& machine, const Stage& stage,
 }
 
 /// Z of every pixel's fragment number `ordinal`: the stencil counts those before it.
-void draw_fragment(CommandList& list, const Stage& stage, std::uint32_t ordinal) {
+void draw_fragment(CommandList& list, const PlacedModel& placed, std::uint32_t ordinal) {
     const StencilState stencil{.test = true,
                                .func = StencilFunc::Equal,
                                .ref = int(ordinal),
@@ -56,10 +55,10 @@ void draw_fragment(CommandList& list, const Stage& stage, std::uint32_t ordinal)
                                .zfail = StencilOp::Incr,
                                .zpass = StencilOp::Incr};
     begin_pass(list, "layer Z " + std::to_string(ordinal + 1),
-               fragment_state(stage, stencil, true));
+               fragment_state(placed, stencil, true));
     clear(list, PlaneMask(mask_of(Plane::Stencil) | mask_of(Plane::Depth)));
-    draw_translucent(list, stage);
-    list.add(Read{.key = ordinal, .plane = Plane::Depth, .rect = window(stage)});
+    draw_translucent(list, placed);
+    list.add(Read{.key = ordinal, .plane = Plane::Depth, .rect = window(placed)});
 }
 
 /// The Z of one pixel's visible layers, far to near.
@@ -85,16 +84,16 @@ void add_pixel(Layers& layers, std::size_t pixel, const std::vector<std::uint32_
     }
 }
 
-void write(CommandList& list, const Stage& stage, Plane plane,
+void write(CommandList& list, const PlacedModel& placed, Plane plane,
            const std::vector<std::uint32_t>& values) {
-    list.add(WritePixels{.rect = window(stage), .plane = plane, .values = values});
+    list.add(WritePixels{.rect = window(placed), .plane = plane, .values = values});
 }
 
 }  // namespace
 
-Layers find_layers(Machine& machine, const Stage& stage) {
+Layers find_layers(Machine& machine, const PlacedModel& placed) {
     Layers layers;
-    const auto counts = count_fragments(machine, stage, layers.opaque);
+    const auto counts = count_fragments(machine, placed, layers.opaque);
     const std::uint32_t most = *std::max_element(counts.begin(), counts.end());
     const std::uint32_t limit = (1u << machine.profile().stencil_bits) - 1;
     if (most >= limit)
@@ -102,22 +101,23 @@ Layers find_layers(Machine& machine, const Stage& stage) {
             fmt::format("{} or more translucent faces at a pixel; {} stencil bits count fewer",
                         most, machine.profile().stencil_bits));
     CommandList list;
-    for (std::uint32_t k = 0; k < most; ++k) draw_fragment(list, stage, k);
+    for (std::uint32_t k = 0; k < most; ++k) draw_fragment(list, placed, k);
     machine.execute(list);
     for (std::size_t i = 0; i < counts.size(); ++i)
         add_pixel(layers, i, sorted_layers(machine.readbacks(), counts[i], i, layers.opaque[i]));
     return layers;
 }
 
-void begin_layer(CommandList& list, const Stage& stage, const Layers& layers, std::size_t index) {
-    begin_pass(list, "layer " + std::to_string(index + 1), stage.state);
-    write(list, stage, Plane::Depth, layers.depth[index]);
-    write(list, stage, Plane::Stencil, layers.present[index]);
+void begin_layer(CommandList& list, const PlacedModel& placed, const Layers& layers,
+                 std::size_t index) {
+    begin_pass(list, "layer " + std::to_string(index + 1), placed.state);
+    write(list, placed, Plane::Depth, layers.depth[index]);
+    write(list, placed, Plane::Stencil, layers.present[index]);
 }
 
-void end_layers(CommandList& list, const Stage& stage, const Layers& layers) {
-    begin_pass(list, "end layers", stage.state);
-    write(list, stage, Plane::Depth, layers.opaque);
+void end_layers(CommandList& list, const PlacedModel& placed, const Layers& layers) {
+    begin_pass(list, "end layers", placed.state);
+    write(list, placed, Plane::Depth, layers.opaque);
     list.add(Clear{.planes = mask_of(Plane::Stencil)});
 }
 

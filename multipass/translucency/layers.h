@@ -17,21 +17,21 @@ namespace gw::multipass {
 /// Far to near; every layer has the window's size, bottom row first.
 struct Layers {
     std::vector<std::vector<std::uint32_t>> depth;
-    std::vector<std::vector<std::uint32_t>>
-        /// 1 where the pixel has so many layers, else 0: for the stencil
-        present;
+    /// For the stencil: 1 on pixels that have this layer, else 0.
+    std::vector<std::vector<std::uint32_t>> present;
     std::vector<std::uint32_t> opaque;  ///< Z of the opaque picture
 };
 
-/// The visible layers of the machine's current picture, whose Z-buffer holds the opaque objects'. Z
-/// and stencil are used; colour is kept. Faces of equal Z at a pixel are one layer. Throws Error
-/// where a pixel has more translucent faces than the stencil counts.
-Layers find_layers(Machine& machine, const Stage& stage);
+/// The visible layers of the current picture; the machine's Z-buffer holds the opaque objects.
+/// Overwrites Z and stencil, keeps colour. Faces of equal Z at a pixel are one layer. Throws Error
+/// if a pixel has more translucent faces than the stencil counts.
+Layers find_layers(Machine& machine, const PlacedModel& placed);
 
-/// Makes layer `index` what Equal draws, on pixels whose stencil is then 1.
-void begin_layer(CommandList& list, const Stage& stage, const Layers& layers, std::size_t index);
+/// Writes layer `index` to Z, and 1 to the stencil of its pixels: a pass under Equal draws it.
+void begin_layer(CommandList& list, const PlacedModel& placed, const Layers& layers,
+                 std::size_t index);
 
-/// The opaque picture's Z again, and stencil 0.
-void end_layers(CommandList& list, const Stage& stage, const Layers& layers);
+/// Restores the opaque picture's Z, and stencil 0.
+void end_layers(CommandList& list, const PlacedModel& placed, const Layers& layers);
 
 }  // namespace gw::multipass

@@ -11,8 +11,8 @@ namespace {
 
 class Grid : public RayCaster {
 public:
-    explicit Grid(const Asker& asker) : asker_(asker) {
-        const auto& shapes = asker.shapes();
+    explicit Grid(const ShapeTester& tester) : tester_(tester) {
+        const auto& shapes = tester.shapes();
         if (shapes.empty()) return;
         for (const CastShape& s : shapes) box_.add(box_of(s));
         lay_out(shapes.size());
@@ -27,7 +27,7 @@ public:
         Walk walk = begin(ray, in->from);
         for (;;) {
             ++counts.voxels;
-            for (const std::size_t i : voxels_[index(walk.at)]) asker_.ask(ray, i, hit, counts);
+            for (const std::size_t i : voxels_[index(walk.at)]) tester_.test(ray, i, hit, counts);
             // A shape reaches into other voxels: what is met beyond this one may not be the
             // nearest.
             const int axis = walk.next[0] < walk.next[1] ? (walk.next[0] < walk.next[2] ? 0 : 2)
@@ -107,7 +107,7 @@ private:
         return walk;
     }
 
-    Asker asker_;
+    ShapeTester tester_;
     Box box_;
     std::array<int, 3> counts_{};
     dvec3 voxel_{0};
@@ -116,8 +116,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<RayCaster> cast_by_grid(const Asker& asker) {
-    return std::make_unique<Grid>(asker);
+std::unique_ptr<RayCaster> cast_by_grid(const ShapeTester& tester) {
+    return std::make_unique<Grid>(tester);
 }
 
 }  // namespace gw::raytrace

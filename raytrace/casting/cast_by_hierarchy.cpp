@@ -9,9 +9,10 @@ namespace {
 
 class BoxHierarchy : public RayCaster {
 public:
-    explicit BoxHierarchy(const Asker& asker) : asker_(asker), order_(asker.shapes().size()) {
+    explicit BoxHierarchy(const ShapeTester& tester)
+        : tester_(tester), order_(tester.shapes().size()) {
         std::iota(order_.begin(), order_.end(), std::size_t{0});
-        for (const CastShape& s : asker.shapes()) boxes_.push_back(box_of(s));
+        for (const CastShape& s : tester.shapes()) boxes_.push_back(box_of(s));
         if (!order_.empty()) build(0, order_.size());
     }
     std::optional<CastHit> nearest(const Ray& ray, CastCounts& counts) const override {
@@ -60,14 +61,14 @@ private:
         if (!in || (hit && in->from > hit->t)) return;
         if (node.left == 0) {
             for (std::size_t i = node.first; i < node.last; ++i)
-                asker_.ask(ray, order_[i], hit, counts);
+                tester_.test(ray, order_[i], hit, counts);
             return;
         }
         search(node.left, ray, hit, counts);
         search(node.right, ray, hit, counts);
     }
 
-    Asker asker_;
+    ShapeTester tester_;
     std::vector<std::size_t> order_;
     std::vector<Box> boxes_;
     std::vector<Node> nodes_;
@@ -75,8 +76,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<RayCaster> cast_by_hierarchy(const Asker& asker) {
-    return std::make_unique<BoxHierarchy>(asker);
+std::unique_ptr<RayCaster> cast_by_hierarchy(const ShapeTester& tester) {
+    return std::make_unique<BoxHierarchy>(tester);
 }
 
 }  // namespace gw::raytrace

@@ -7,8 +7,8 @@ namespace {
 /// Shapes of one object follow each other.
 class BoundingVolumes : public RayCaster {
 public:
-    explicit BoundingVolumes(const Asker& asker) : asker_(asker) {
-        const auto& shapes = asker.shapes();
+    explicit BoundingVolumes(const ShapeTester& tester) : tester_(tester) {
+        const auto& shapes = tester.shapes();
         for (std::size_t i = 0; i < shapes.size(); ++i) {
             if (i == 0 || shapes[i].object != shapes[i - 1].object) volumes_.push_back({{}, i, i});
             volumes_.back().box.add(box_of(shapes[i]));
@@ -23,7 +23,7 @@ public:
             const auto in = through(volume.box, ray);
             if (!in || (hit && in->from > hit->t)) continue;
             for (std::size_t i = volume.first; i < volume.last; ++i)
-                asker_.ask(ray, i, hit, counts);
+                tester_.test(ray, i, hit, counts);
         }
         return hit;
     }
@@ -33,14 +33,14 @@ private:
         Box box;
         std::size_t first = 0, last = 0;
     };
-    Asker asker_;
+    ShapeTester tester_;
     std::vector<Volume> volumes_;
 };
 
 }  // namespace
 
-std::unique_ptr<RayCaster> cast_by_volumes(const Asker& asker) {
-    return std::make_unique<BoundingVolumes>(asker);
+std::unique_ptr<RayCaster> cast_by_volumes(const ShapeTester& tester) {
+    return std::make_unique<BoundingVolumes>(tester);
 }
 
 }  // namespace gw::raytrace

@@ -1,13 +1,38 @@
-// The methods of casting.h, one file each: cast_by_grid.cpp and its siblings. Does not choose among them.
+// What all methods of casting.h share: the box around a shape, the test of one shape, the nearest
+// hit so far. And the methods. Does not choose among them.
 #pragma once
 
-#include "raytrace/casting/shape_tester.h"
+#include "raytrace/casting/box.h"
+#include "raytrace/casting/casting.h"
+
+#include <optional>
 
 namespace gw::raytrace {
 
-std::unique_ptr<RayCaster> cast_by_brute_force(const Asker& asker);
-std::unique_ptr<RayCaster> cast_by_volumes(const Asker& asker);
-std::unique_ptr<RayCaster> cast_by_hierarchy(const Asker& asker);
-std::unique_ptr<RayCaster> cast_by_grid(const Asker& asker);
+Box box_of(const CastShape& shape);
+
+/// Tests shapes one at a time. Refers to them.
+class ShapeTester {
+public:
+    ShapeTester(const std::vector<CastShape>& shapes, InsideTest test)
+        : shapes_(shapes), test_(test) {}
+
+    /// Counts the test; `nearest` becomes the shape's hit where that is nearer, or as near and
+    /// earlier.
+    void test(const Ray& ray, std::size_t shape, std::optional<CastHit>& nearest,
+              CastCounts& counts) const;
+
+    const std::vector<CastShape>& shapes() const { return shapes_; }
+
+private:
+    const std::vector<CastShape>& shapes_;
+    InsideTest test_;
+};
+
+/// Every shape is tested [L9].
+std::unique_ptr<RayCaster> cast_by_brute_force(const ShapeTester& tester);
+std::unique_ptr<RayCaster> cast_by_volumes(const ShapeTester& tester);
+std::unique_ptr<RayCaster> cast_by_hierarchy(const ShapeTester& tester);
+std::unique_ptr<RayCaster> cast_by_grid(const ShapeTester& tester);
 
 }  // namespace gw::raytrace

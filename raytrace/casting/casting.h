@@ -26,9 +26,9 @@ struct CastShape {
 /// `icosphere`), scaled the same in all directions, is the sphere itself.
 std::vector<CastShape> cast_shapes(const scene::Scene& scene);
 
-/// How the nearest is found.
-///   BruteForce        every shape is asked
-///   BoundingVolumes   a box around every object; its shapes are asked where the box is met
+/// How the nearest shape is found.
+///   BruteForce        every shape is tested
+///   BoundingVolumes   a box around every object; its shapes are tested if the ray meets the box
 ///   Hierarchy         boxes in boxes, halved at the middle of the longest side
 ///   Grid              a voxel grid; voxels are walked along the ray (Amanatides, Woo 1987)
 enum class CastMethod { BruteForce, BoundingVolumes, Hierarchy, Grid };
@@ -58,7 +58,7 @@ struct CastHit {
 class RayCaster {
 public:
     virtual ~RayCaster() = default;
-    /// Of shapes equally near the first. Any number of threads may ask.
+    /// Of shapes equally near the first. Any number of threads may call it.
     virtual std::optional<CastHit> nearest(const Ray& ray, CastCounts& counts) const = 0;
 };
 

@@ -1,5 +1,5 @@
-// Three ways to ask whether a point lies in a polygon of the plane [L11]. They agree on convex
-// polygons, but for points exactly on their sides; where they differ:
+// Three tests whether a point lies in a plane polygon [L11]. They agree on convex polygons, except
+// for points exactly on a side. Elsewhere they differ:
 //
 //                   concave                     crossing itself (a region around which it winds w times)
 //   crossings       as filled by its border     inside where w is odd

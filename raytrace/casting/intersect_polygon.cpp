@@ -45,4 +45,13 @@ std::optional<double> intersect(const Ray& ray, const PlanePolygon& polygon, Ins
     return t;
 }
 
+std::optional<Hit> nearest_hit(const Ray& ray, std::span<const PlanePolygon> polygons) {
+    std::optional<Hit> nearest;
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        const auto t = intersect(ray, polygons[i]);
+        if (t && (!nearest || *t < nearest->t)) nearest = Hit{i, *t};
+    }
+    return nearest;
+}
+
 }  // namespace gw::raytrace

@@ -5,6 +5,7 @@
 #include "raytrace/casting/ray.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace gw::raytrace {
@@ -29,5 +30,14 @@ std::optional<double> plane_parameter(const Ray& ray, const dvec3& point, const 
 /// Where the ray meets the polygon, t > 0.
 std::optional<double> intersect(const Ray& ray, const PlanePolygon& polygon,
                                 InsideTest test = InsideTest::Crossings);
+
+struct Hit {
+    std::size_t polygon = 0;
+    double t = 0;
+};
+
+/// The nearest of all intersections [L9], found by testing every polygon; of polygons equally near
+/// the first. None: the background.
+std::optional<Hit> nearest_hit(const Ray& ray, std::span<const PlanePolygon> polygons);
 
 }  // namespace gw::raytrace

@@ -1,4 +1,4 @@
-// A ray: P = E t + P_E. [L9] Does not know what it may meet.
+// A ray: P = E t + P_E [L9]. Does not intersect.
 #pragma once
 
 #include "gw/base/types.h"

@@ -1,5 +1,5 @@
-// A binary tree of boxes over triangles, built from the top: what the wide tree is made of.
-// The same tree for any number of threads.
+// A binary tree of boxes over triangles, built from the top, the same for any number of threads.
+// Does not widen it (build_tree.cpp).
 #pragma once
 
 #include "raytrace/hierarchy/binned_split.h"

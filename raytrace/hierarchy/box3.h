@@ -1,5 +1,5 @@
-// Axis-aligned boxes of float32, four numbers a corner so that they are met a vector at a time; the
-// fourth is not looked at. Empty until something is added.
+// Axis-aligned boxes of float32. Corners have four numbers, so that the compiler uses vectors; the
+// fourth has no meaning. Empty until something is added. Does not intersect rays (search.cpp).
 #pragma once
 
 #include "gw/base/types.h"

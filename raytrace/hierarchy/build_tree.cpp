@@ -1,7 +1,9 @@
-#include "raytrace/hierarchy/build_tree.h"
-
+// Building the hierarchy: triangles are halved by the surface area heuristic in bins (Wald 2007)
+// until eight or fewer are left. The binary tree is made wide by taking in the largest
+// grandchildren (Wald, Benthin, Boulos 2008). Does not search (search.cpp).
 #include "gw/base/parallel.h"
 #include "raytrace/hierarchy/binary_tree.h"
+#include "raytrace/hierarchy/hierarchy.h"
 
 #include <algorithm>
 #include <array>
@@ -61,24 +63,34 @@ Children wide_children(const BinaryTree& tree, std::uint32_t index) {
     return children;
 }
 
-/// Two units in the last place more on either side: a ray may run in a box's face.
-void set_bounds(WideNode& node, std::size_t child, const Box3& box) {
+/// The largest coordinate of a box.
+float size_of(const Box3& box) {
+    float size = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        size = std::max({size, std::abs(box.low[axis]), std::abs(box.high[axis])});
+    return size;
+}
+
+/// A few units in the last place more on either side, of coordinates as large as `size`: a ray may
+/// run in a box's face, and is rounded.
+void set_bounds(WideNode& node, std::size_t child, const Box3& box, float size) {
+    const float slack = size * 0x1p-22f + 0x1p-100f;
     for (int axis = 0; axis < 3; ++axis) {
         const float low = box.low[axis], high = box.high[axis];
         const bool empty = low > high;
-        node.bound[axis][0][child] = empty ? low : (low - std::abs(low) * 0x1p-22f) - 0x1p-100f;
-        node.bound[axis][1][child] = empty ? high : (high + std::abs(high) * 0x1p-22f) + 0x1p-100f;
+        node.bound[axis][0][child] = empty ? low : low - slack;
+        node.bound[axis][1][child] = empty ? high : high + slack;
     }
 }
 
 void fill_packet(std::span<const HierarchyTriangle> triangles, std::span<const Item> items,
                  TrianglePacket& packet) {
     for (std::size_t i = 0; i < std::size_t(width_of_tree); ++i) {
-        packet.triangle[i] = packet.polygon[i] = no_polygon;
+        packet.triangle[i] = packet.number[i] = no_triangle;
         if (i >= items.size()) continue;
         const HierarchyTriangle& t = triangles[items[i].triangle];
         packet.triangle[i] = items[i].triangle;
-        packet.polygon[i] = t.polygon;
+        packet.number[i] = t.number;
         for (int c = 0; c < 3; ++c)
             for (int axis = 0; axis < 3; ++axis)
                 packet.corner[c][axis][i] = t.corner[std::size_t(c)][axis];
@@ -92,6 +104,7 @@ struct Widened {
 };
 
 Widened widen(const BinaryTree& tree) {
+    const float size = size_of(tree.front().box);
     Widened wide;
     wide.nodes.reserve(tree.size() / 5);
     wide.leaves.reserve(tree.size() / 2 + 1);
@@ -112,7 +125,7 @@ Widened widen(const BinaryTree& tree) {
         const Children children = wide_children(tree, from);
         for (std::size_t i = 0; i < std::size_t(width_of_tree); ++i) {
             const bool used = i < children.count;
-            set_bounds(wide.nodes[to], i, used ? tree[children.node[i]].box : Box3{});
+            set_bounds(wide.nodes[to], i, used ? tree[children.node[i]].box : Box3{}, size);
             const std::uint32_t child = used ? child_of(children.node[i]) : 0;
             wide.nodes[to].child[i] = child;
             if (used && !(child & leaf_bit)) open.emplace_back(children.node[i], child);
@@ -120,8 +133,6 @@ Widened widen(const BinaryTree& tree) {
     }
     return wide;
 }
-
-}  // namespace
 
 WideTree build_tree(std::span<const HierarchyTriangle> triangles, int threads) {
     if (triangles.empty()) return {};
@@ -136,6 +147,15 @@ WideTree build_tree(std::span<const HierarchyTriangle> triangles, int threads) {
                     result.packets[i]);
     });
     return result;
+}
+
+}  // namespace
+
+Hierarchy::Hierarchy(std::span<const HierarchyTriangle> triangles, int threads)
+    : tree_(build_tree(triangles, threads)) {
+    for (const HierarchyTriangle& t : triangles)
+        for (const vec3& corner : t.corner)
+            for (int k = 0; k < 3; ++k) size_ = std::max(size_, std::abs(corner[k]));
 }
 
 }  // namespace gw::raytrace

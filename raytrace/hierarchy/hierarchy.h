@@ -1,12 +1,12 @@
-// Our own hierarchy of bounding volumes [L12]: triangles in a tree of eight children a node, found
-// by vectors. Every ray gives the same bits whatever the vectors' width and the number of threads:
-// of all triangles that the ray meets the nearest, of equally near ones the one with the smallest
-// number. Does not know scenes (world.h does) and does not shade.
+// The hierarchy of bounding volumes [L12]: triangles in a tree of eight children a node, tested by
+// vectors. The result does not depend on the vectors' width or the number of threads: the nearest
+// triangle that the ray meets, of equally near ones the one with the smallest number. Does not know
+// scenes (world.h) and does not shade.
 //
-// What a ray meets is decided triangle by triangle by the watertight test of Woop, Benthin and Wald
-// 2013: the sign of each side's edge function is exact, so neighbours that share a side leave no
-// gap. The boxes are met with a margin wider than the rounding of both tests (Ize 2013), so the
-// tree decides nothing.
+// The watertight test of Woop, Benthin and Wald 2013 decides for every triangle whether the ray
+// meets it: the sign of each edge function is exact, so triangles that share a side leave no gap.
+// Boxes have a margin wider than the rounding of both tests (Ize 2013), so the tree decides
+// nothing.
 #pragma once
 
 #include "raytrace/hierarchy/wide_tree.h"
@@ -17,27 +17,36 @@
 
 namespace gw::raytrace {
 
-/// A triangle, world space. Rays pass through the polygon that they start from: `polygon`.
+/// A triangle, world space. A ray passes through triangles whose `number` it skips.
 struct HierarchyTriangle {
     std::array<vec3, 3> corner;
-    std::uint32_t polygon = 0;
+    std::uint32_t number = 0;
 };
 
-inline constexpr std::uint32_t no_polygon = 0xffffffffu;
+inline constexpr std::uint32_t no_triangle = 0xffffffffu;
 
-/// Meets what lies at low < t < high of origin + t direction, but for polygon `skip`.
+/// Meets triangles at low < t < high of origin + t direction, except those of number `skip`.
 struct HierarchyRay {
     vec3 origin{0};
     float low = 0;
     vec3 direction{0};  ///< of any length but 0
     float high = 0;
-    std::uint32_t skip = no_polygon;
+    std::uint32_t skip = no_triangle;
 };
 
 struct HierarchyHit {
     float t = 0;
     std::uint32_t triangle = 0;  ///< index into the triangles that the hierarchy was made of
     bool operator==(const HierarchyHit&) const = default;
+};
+
+/// Decides about triangles that float32 cannot exclude: see Hierarchy::find.
+class TriangleTest {
+public:
+    virtual ~TriangleTest() = default;
+    /// Tests the triangle of this number, and remembers the nearest. Returns the t up to which
+    /// nearer triangles matter; less than 0: none does any more.
+    virtual float test(std::uint32_t number) = 0;
 };
 
 class Hierarchy {
@@ -51,10 +60,15 @@ public:
     /// Whether the ray meets anything at all: for shadows.
     bool occluded(const HierarchyRay& ray) const;
 
+    /// Gives every triangle to the test that the ray may meet if its numbers, and the triangle's
+    /// corners, are rounded to float32. The order of triangles is not specified.
+    void find(const HierarchyRay& ray, TriangleTest& test) const;
+
     const WideTree& tree() const { return tree_; }
 
 private:
     WideTree tree_;
+    float size_ = 0;  ///< the largest coordinate
 };
 
 }  // namespace gw::raytrace

@@ -4,7 +4,7 @@
 #define HWY_TARGET_INCLUDE "raytrace/hierarchy/search.cpp"
 #include <hwy/foreach_target.h>
 
-#include "raytrace/hierarchy/search.h"
+#include "raytrace/hierarchy/hierarchy.h"
 
 #include <hwy/highway.h>
 
@@ -176,17 +176,50 @@ inline bool meet_triangles(const TrianglePacket& packet, int count, Prepared& r,
             float t = t_of[lane];
             if ((on_edge >> lane & 1) && !meet_again(x, y, z, edge, lane, t)) continue;
             const std::size_t at = std::size_t(i + lane);
-            if (!(t > r.low) || packet.polygon[at] == r.skip) continue;
+            if (!(t > r.low) || packet.number[at] == r.skip) continue;
             if constexpr (any) {
                 if (t < r.high) return true;
             } else if (t < r.high || (t == r.high && packet.triangle[at] < found.triangle &&
-                                      found.triangle != no_polygon)) {
+                                      found.triangle != no_triangle)) {
                 r.high = t;
                 found = {t, packet.triangle[at]};
             }
         }
     }
     return false;
+}
+
+/// Gives the triangles to the test that the ray meets, or passes by no more than `rounding`.
+/// Shrinks r.high; it is less than r.low when no triangle matters any more.
+inline void find_triangles(const TrianglePacket& packet, int count, Prepared& r, float rounding,
+                           TriangleTest& test) {
+    const D d;
+    for (int i = 0; i < count; i += int(hn::Lanes(d))) {
+        V x[3], y[3], sum = hn::Zero(d);
+        for (int c = 0; c < 3; ++c) {
+            const V along = hn::Sub(load(packet.corner[c][r.kz] + i), all(r.origin[r.kz]));
+            x[c] = hn::Sub(hn::Sub(load(packet.corner[c][r.kx] + i), all(r.origin[r.kx])),
+                           hn::Mul(all(r.sx), along));
+            y[c] = hn::Sub(hn::Sub(load(packet.corner[c][r.ky] + i), all(r.origin[r.ky])),
+                           hn::Mul(all(r.sy), along));
+            sum = hn::Add(sum, hn::Add(hn::Abs(x[c]), hn::Abs(y[c])));
+        }
+        const auto edge_of = [&](int a, int b) {
+            return hn::Sub(hn::Mul(x[b], y[a]), hn::Mul(y[b], x[a]));
+        };
+        const V edge[3] = {edge_of(1, 2), edge_of(2, 0), edge_of(0, 1)};
+        const V least = hn::Min(edge[0], hn::Min(edge[1], edge[2]));
+        const V most = hn::Max(edge[0], hn::Max(edge[1], edge[2]));
+        const V slack = hn::Mul(sum, all(rounding));
+        unsigned met = bits_of(hn::Or(hn::Ge(least, hn::Neg(slack)), hn::Le(most, slack)));
+        met &= (1u << (count - i)) - 1;
+        for (; met != 0; met &= met - 1) {
+            const std::size_t at = std::size_t(i + std::countr_zero(met));
+            if (packet.number[at] == r.skip) continue;
+            r.high = test.test(packet.number[at]);
+            if (r.high < r.low) return;
+        }
+    }
 }
 
 /// A child to visit, and where the ray enters it.
@@ -199,7 +232,7 @@ struct Visit {
 constexpr int stack_size = deepest * (width_of_tree - 1) + 1;
 
 /// Children to visit later, the next one last.
-struct Later {
+struct TraversalStack {
     Visit visit[stack_size];
     int count = 0;
 
@@ -217,7 +250,7 @@ struct Later {
 /// The child to visit next, of those met, which are one at least; the others are visited later, the
 /// nearest first. Mostly there are one or two.
 inline std::uint32_t nearest_child(const WideNode& node, unsigned met, const float* enter,
-                                   Later& later) {
+                                   TraversalStack& stack) {
     const int first = std::countr_zero(met);
     met &= met - 1;
     if (met == 0) return node.child[first];
@@ -225,25 +258,25 @@ inline std::uint32_t nearest_child(const WideNode& node, unsigned met, const flo
     met &= met - 1;
     if (met == 0) {
         if (enter[second] < enter[first]) {
-            later.add(node, first, enter);
+            stack.add(node, first, enter);
             return node.child[second];
         }
-        later.add(node, second, enter);
+        stack.add(node, second, enter);
         return node.child[first];
     }
-    const int bottom = later.count;
-    later.add(node, first, enter);
-    later.add_in_order(node, second, enter, bottom);
-    for (; met != 0; met &= met - 1) later.add_in_order(node, std::countr_zero(met), enter, bottom);
-    return later.visit[--later.count].child;
+    const int bottom = stack.count;
+    stack.add(node, first, enter);
+    stack.add_in_order(node, second, enter, bottom);
+    for (; met != 0; met &= met - 1) stack.add_in_order(node, std::countr_zero(met), enter, bottom);
+    return stack.visit[--stack.count].child;
 }
 
 /// The same in any order.
 inline std::uint32_t last_child(const WideNode& node, unsigned met, const float* enter,
-                                Later& later) {
+                                TraversalStack& stack) {
     int last = std::countr_zero(met);
     for (met &= met - 1; met != 0; met &= met - 1) {
-        later.add(node, last, enter);
+        stack.add(node, last, enter);
         last = std::countr_zero(met);
     }
     return node.child[last];
@@ -251,12 +284,12 @@ inline std::uint32_t last_child(const WideNode& node, unsigned met, const float*
 
 template <bool any>
 inline HierarchyHit search(const WideTree& tree, const HierarchyRay& ray) {
-    HierarchyHit found{0, no_polygon};
+    HierarchyHit found{0, no_triangle};
     if (tree.nodes.empty()) return found;
     Prepared r = prepare(ray);
     const InLanes lanes = in_lanes(r);
     alignas(32) float enter[width_of_tree];
-    Later later;
+    TraversalStack stack;
     std::uint32_t child = 0;
     for (;;) {
         if (child & leaf_bit) {
@@ -266,16 +299,43 @@ inline HierarchyHit search(const WideTree& tree, const HierarchyRay& ray) {
         } else {
             const WideNode& node = tree.nodes[child];
             if (const unsigned met = meet_boxes(node, r, lanes, enter); met != 0) {
-                child = any ? last_child(node, met, enter, later)
-                            : nearest_child(node, met, enter, later);
+                child = any ? last_child(node, met, enter, stack)
+                            : nearest_child(node, met, enter, stack);
                 continue;
             }
         }
         do {
-            if (later.count == 0) return found;
-            --later.count;
-        } while (!any && later.visit[later.count].enter > r.high * margin);
-        child = later.visit[later.count].child;
+            if (stack.count == 0) return found;
+            --stack.count;
+        } while (!any && stack.visit[stack.count].enter > r.high * margin);
+        child = stack.visit[stack.count].child;
+    }
+}
+
+void find(const WideTree& tree, const HierarchyRay& ray, float rounding, TriangleTest& test) {
+    if (tree.nodes.empty()) return;
+    Prepared r = prepare(ray);
+    const InLanes lanes = in_lanes(r);
+    alignas(32) float enter[width_of_tree];
+    TraversalStack stack;
+    std::uint32_t child = 0;
+    for (;;) {
+        if (child & leaf_bit) {
+            find_triangles(tree.packets[packet_of_leaf(child)], count_of_leaf(child), r, rounding,
+                           test);
+            if (r.high < r.low) return;
+        } else {
+            const WideNode& node = tree.nodes[child];
+            if (const unsigned met = meet_boxes(node, r, lanes, enter); met != 0) {
+                child = nearest_child(node, met, enter, stack);
+                continue;
+            }
+        }
+        do {
+            if (stack.count == 0) return;
+            --stack.count;
+        } while (stack.visit[stack.count].enter > r.high * margin);
+        child = stack.visit[stack.count].child;
     }
 }
 
@@ -283,7 +343,7 @@ HierarchyHit nearest(const WideTree& tree, const HierarchyRay& ray) {
     return search<false>(tree, ray);
 }
 bool any(const WideTree& tree, const HierarchyRay& ray) {
-    return search<true>(tree, ray).triangle != no_polygon;
+    return search<true>(tree, ray).triangle != no_triangle;
 }
 
 }  // namespace gw::raytrace::HWY_NAMESPACE
@@ -293,15 +353,25 @@ HWY_AFTER_NAMESPACE();
 
 namespace gw::raytrace {
 
+HWY_EXPORT(find);
 HWY_EXPORT(nearest);
 HWY_EXPORT(any);
 
-HierarchyHit search_nearest(const WideTree& tree, const HierarchyRay& ray) noexcept {
-    return HWY_DYNAMIC_DISPATCH(nearest)(tree, ray);
+std::optional<HierarchyHit> Hierarchy::nearest(const HierarchyRay& ray) const {
+    const HierarchyHit hit = HWY_DYNAMIC_DISPATCH(nearest)(tree_, ray);
+    if (hit.triangle == no_triangle) return std::nullopt;
+    return hit;
 }
 
-bool search_any(const WideTree& tree, const HierarchyRay& ray) noexcept {
-    return HWY_DYNAMIC_DISPATCH(any)(tree, ray);
+void Hierarchy::find(const HierarchyRay& ray, TriangleTest& test) const {
+    // Of corners and rays, after the shear, where coordinates are at most three times as large.
+    float size = size_;
+    for (int k = 0; k < 3; ++k) size = std::max(size, std::abs(ray.origin[k]));
+    HWY_DYNAMIC_DISPATCH(find)(tree_, ray, size * 0x1p-20f, test);
+}
+
+bool Hierarchy::occluded(const HierarchyRay& ray) const {
+    return HWY_DYNAMIC_DISPATCH(any)(tree_, ray);
 }
 
 }  // namespace gw::raytrace

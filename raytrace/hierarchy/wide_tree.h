@@ -1,5 +1,5 @@
-// The tree's nodes and leaves as they lie in memory: eight boxes, or eight triangles, side by side
-// for vectors. Does not build (build_tree.h) and does not search (search.h).
+// The memory layout of the tree's nodes and leaves: eight boxes, or eight triangles, side by side
+// for vectors. Does not build (build_tree.cpp) and does not search (search.cpp).
 #pragma once
 
 #include "gw/base/types.h"
@@ -33,7 +33,7 @@ inline constexpr int deepest = 96;
 struct alignas(32) TrianglePacket {
     float corner[3][3][width_of_tree];  ///< corner; axis; triangle
     std::uint32_t triangle[width_of_tree];
-    std::uint32_t polygon[width_of_tree];
+    std::uint32_t number[width_of_tree];
 };
 
 struct WideTree {

@@ -3,11 +3,26 @@
 #include "gw/stages/vertex.h"
 #include "scene/geometry/weights.h"
 
+#include <algorithm>
+
 namespace gw::raytrace {
+namespace {
+
+/// A hit where a weight is less than this is moved inwards before rays leave it.
+constexpr double least_weight_inside = 0x1p-16;
+
+dvec3 start_of(const std::array<dvec3, 3>& corner, const scene::Weights& weights) {
+    scene::Weights moved = weights;
+    for (double& w : moved) w = std::max(w, least_weight_inside);
+    return scene::mix(scene::inside(moved), corner);
+}
+
+}  // namespace
+
 Surface surface(const scene::WorldTriangles& triangles, const scene::TrianglePoint& at,
                 const dvec3& direction, const scene::View& view) {
-    const scene::Weights w =
-        scene::inside(scene::weights_at(triangles.corners(at.triangle), at.p, at.normal));
+    const std::array<dvec3, 3> corner = triangles.corners(at.triangle);
+    const scene::Weights met = scene::weights_at(corner, at.p, at.normal), w = scene::inside(met);
     const bool front = dot3(at.normal, direction) < 0;
     const double side = front ? 1 : -1;
     const dvec3 normal = side * normalized(scene::mix(w, triangles.normals(at.triangle)));
@@ -20,7 +35,8 @@ Surface surface(const scene::WorldTriangles& triangles, const scene::TrianglePoi
             .direction = direction,
             .plane_normal = side * normalized(at.normal),
             .normal = normal,
-            .front = front};
+            .front = front,
+            .start = start_of(corner, met)};
 }
 
 void add_footprint(Surface& surface, const scene::WorldTriangles& triangles, const Ray& beside,

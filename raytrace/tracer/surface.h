@@ -1,4 +1,4 @@
-// What a ray sees of a triangle: position, normals and texture coordinates. Does not shade.
+// The surface at a ray's hit: position, normals and texture coordinates. Does not shade.
 #pragma once
 
 #include "raytrace/casting/ray.h"
@@ -16,6 +16,9 @@ struct Surface {
     dvec3 plane_normal{0};
     dvec3 normal{0};    ///< interpolated, length 1, on the side that is seen, world space
     bool front = true;  ///< the counter-clockwise side is seen
+    /// Where rays leave the surface: the hit, or a point of the triangle next to it that is a little
+    /// inside its border. A ray from outside the triangle would meet its neighbours wrongly.
+    dvec3 start{0};
 };
 
 /// `direction` of length 1. The texture's footprint is left 0 (see add_footprint).

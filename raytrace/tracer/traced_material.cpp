@@ -5,7 +5,7 @@
 namespace gw::raytrace {
 namespace {
 
-const std::vector<scene::Map>* some(const std::vector<scene::Map>& maps) {
+const std::vector<scene::Map>* unless_empty(const std::vector<scene::Map>& maps) {
     return maps.empty() ? nullptr : &maps;
 }
 
@@ -18,8 +18,8 @@ TracedMaterial traced_material(const scene::Material& m) {
     t.reflect = dvec3(m.Ks);
     t.transmit = (1 - double(m.d)) * dvec3(m.Tf);
     t.Ni = double(m.Ni);
-    t.reflection_far = some(m.refl);
-    t.refraction_far = m.refraction.empty() ? some(m.refl) : &m.refraction;
+    t.reflection_far = unless_empty(m.refl);
+    t.refraction_far = m.refraction.empty() ? unless_empty(m.refl) : &m.refraction;
     return t;
 }
 

@@ -1,12 +1,12 @@
-// Which materials ask for rays, in MTL's words: illum 3 and up. [K4, L9]
-// Does not follow rays (tracer.h does).
+// Which materials are traced, in MTL's words: illum 3 and up [K4, L9]. Does not follow rays
+// (tracer.h).
 #pragma once
 
 #include "scene/scene.h"
 
 namespace gw::raytrace {
 
-/// What a surface reflects and lets through, and what stands for what is far away.
+/// The parts of light that a surface reflects and transmits, and the maps of far-away light.
 ///
 ///   illum   reflected light        transmitted light
 ///   3, 4    Ks                     (1 - d) Tf, bent by Ni

@@ -115,8 +115,8 @@ dvec3 Tracer::followed(const Surface& surface, const Path& path, RayCounts& coun
 
 dvec3 Tracer::arriving(const Surface& from, const dvec3& direction, FarMaps far, const Path& path,
                        RayCounts& counts) const {
-    const auto at = world_.nearest({from.at.p, direction}, std::numeric_limits<double>::infinity(),
-                                   world_.triangles().id_of(from.at.triangle));
+    const auto at = world_.nearest({from.start, direction}, std::numeric_limits<double>::infinity(),
+                                   from.at.triangle);
     if (!at) return far_away(direction, far);
     const Surface hit = surface(world_.triangles(), *at, direction, view_);
     return shaded(hit, !options_.in_shadow, counts) + followed(hit, path, counts);
@@ -133,10 +133,11 @@ dvec3 Tracer::shaded(const Surface& surface, bool by_rays, RayCounts& counts) co
     const scene::Material& material = *look.drawn;
     scene::MapColors maps(material, surface.point);
     dvec3 sum = scene::own_color(material, surface.point);
-    const bool dull = material.Kd == vec3(0) && material.Ks == vec3(0);
+    const bool reflects_none = material.Kd == vec3(0) && material.Ks == vec3(0);
     for (const LightSource& light : look.lights)
-        sum += scene::light_color(material, light.eye, surface.point, maps,
-                                  !dull && arrives(light, surface, by_rays, counts) ? 1 : 0);
+        sum +=
+            scene::light_color(material, light.eye, surface.point, maps,
+                               !reflects_none && arrives(light, surface, by_rays, counts) ? 1 : 0);
     return sum;
 }
 
@@ -146,15 +147,15 @@ bool Tracer::arrives(const LightSource& source, const Surface& s, bool by_rays,
                      RayCounts& counts) const {
     const scene::Light& light = drawn_.lights[source.number];
     const bool directional = light.kind == scene::LightKind::Directional;
-    const dvec3 way = directional ? -dvec3(light.direction) : dvec3(light.position) - s.at.p;
-    if (!(dot3(way, s.normal) > 0)) return false;
+    const dvec3 toward = directional ? -dvec3(light.direction) : dvec3(light.position) - s.at.p;
+    if (!(dot3(toward, s.normal) > 0)) return false;
     if (light.shadow == scene::Shadow::None) return true;
-    if (!(dot3(way, s.plane_normal) > 0)) return false;
+    if (!(dot3(toward, s.plane_normal) > 0)) return false;
     if (!by_rays) return !options_.in_shadow(source.number, s.at);
     ++counts.shadow;
-    return !world_.occluded({s.at.p, way},
+    return !world_.occluded({s.start, toward},
                             directional ? std::numeric_limits<double>::infinity() : 1,
-                            world_.triangles().id_of(s.at.triangle));
+                            s.at.triangle);
 }
 
 }  // namespace gw::raytrace

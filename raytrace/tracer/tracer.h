@@ -1,17 +1,35 @@
-// Light along rays [L9]: eq. 3 where a ray ends, with shadows, and recursion into reflected and
-// transmitted rays. Serves the ordinary ray tracer, from the eye on, and eq. 5 [K4], from the first
-// hit on. Does not find the first hit.
+// Light along rays [L9]: eq. 3 with shadows where a ray ends, and recursion into reflected and
+// transmitted rays. For the ordinary ray tracer, and for eq. 5 [K4] from the first hit on. Does not
+// find the first hit.
 #pragma once
 
-#include "raytrace/tracer/ray_counts.h"
 #include "raytrace/tracer/surface.h"
 #include "raytrace/tracer/traced_material.h"
 #include "raytrace/tracer/world.h"
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace gw::raytrace {
+
+/// What was traced, counted by kind [K4f]. Sums are the same for any number of threads.
+struct RayCounts {
+    std::uint64_t primary = 0;      ///< from the eye
+    std::uint64_t reflected = 0;    ///< from any hit
+    std::uint64_t transmitted = 0;  ///< from any hit
+    std::uint64_t shadow = 0;       ///< towards lights
+    std::uint64_t shaded = 0;       ///< points at which eq. 3 was evaluated
+
+    void add(const RayCounts& c) {
+        primary += c.primary;
+        reflected += c.reflected;
+        transmitted += c.transmitted;
+        shadow += c.shadow;
+        shaded += c.shaded;
+    }
+    bool operator==(const RayCounts&) const = default;
+};
 
 struct TraceOptions {
     /// Rays in a path: the ray from the eye is the first, and with 2, as in Fig. 9 [K4f], what it
@@ -59,7 +77,7 @@ private:
         gw::Light eye;
         std::size_t number = 0;
     };
-    /// What there is to know of an object, looked up once. Refers to the members below.
+    /// The material and lights of an object, looked up once. Refers to the members below.
     struct Look {
         const scene::Material* drawn = nullptr;
         const TracedMaterial* traced = nullptr;

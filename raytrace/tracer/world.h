@@ -1,5 +1,9 @@
-// A scene as rays meet it: its triangles in world space, and hierarchies over all of them and over
-// those that cast shadows. Made once for all views. Does not shade.
+// A scene for rays: its triangles in world space, and hierarchies over all of them and over those
+// that cast shadows. Made once for all views. Does not shade.
+//
+// The hierarchy excludes in float32 what no rounding could let a ray meet; the rest is decided in
+// double, for neighbours alike. So on every path through a closed body entering and leaving
+// alternate: no ray loses the triangle next to the one that it starts from, or meets it twice.
 #pragma once
 
 #include "raytrace/casting/ray.h"
@@ -18,27 +22,24 @@ public:
 
     const scene::WorldTriangles& triangles() const { return triangles_; }
 
-    /// Where the ray meets the nearest triangle at 0 < t < high. `from`: the polygon that it starts
-    /// from, which it does not meet again; nor what lies within the rounding of positions around
-    /// its start. The point is on the triangle's plane, in double.
+    /// The nearest triangle that the ray meets at 0 < t < high. `from`: the triangle that it starts
+    /// from (Surface::start), which it does not meet again. The point is on the triangle's plane,
+    /// in double.
     std::optional<scene::TrianglePoint> nearest(const Ray& ray, double high,
-                                                std::uint32_t from = no_polygon) const;
-    /// Whether anything that casts a shadow lies there.
+                                                std::uint32_t from = no_triangle) const;
+    /// Whether the ray meets a triangle that casts a shadow.
     bool occluded(const Ray& ray, double high, std::uint32_t from) const;
 
     const Hierarchy& hierarchy() const { return all_; }
 
 private:
-    HierarchyRay hierarchy_ray(const Ray& ray, double high, std::uint32_t from) const;
-
     scene::WorldTriangles triangles_;
     Hierarchy all_;
     std::optional<Hierarchy> casting_;  ///< none: all cast
-    /// what lies nearer to a ray's start, world units, is not met
-    double skin_ = 0;
+    double size_ = 0;                   ///< the largest coordinate, world units
 };
 
-/// The triangles as the hierarchy takes them: float32, polygons by their identifiers.
+/// The triangles as the hierarchy takes them: float32, numbered as they come.
 std::vector<HierarchyTriangle> hierarchy_triangles(const scene::WorldTriangles& triangles);
 
 }  // namespace gw::raytrace

@@ -1,5 +1,5 @@
 // [K4, K4i] The item buffer and what is traced from it, against the ordinary ray tracer.
-#include "itembuffer/item_buffer.h"
+#include "scene/draw/item_buffer.h"
 
 #include "gw/fast/kernels.h"
 #include "itembuffer/adaptive.h"
@@ -46,11 +46,11 @@ TEST(ItemBuffer, IsTheSameInSeveralPasses) {
     const scene::Scene scene = fig9();
     const scene::View view = scene::make_view(scene, width, height);
     const auto m = machine();
-    const auto whole = draw_item_buffer(*m, scene, view, {});
+    const auto whole = scene::draw_item_buffer(*m, scene, view, {});
     EXPECT_GT(*std::max_element(whole.begin(), whole.end()), 70000u);
     for (const int bits : {1, 5, 8, 17}) {
         const std::size_t before = m->passes().size();
-        EXPECT_EQ(draw_item_buffer(*m, scene, view, {}, bits), whole) << bits;
+        EXPECT_EQ(scene::draw_item_buffer(*m, scene, view, {}, bits), whole) << bits;
         EXPECT_EQ(m->passes().size() - before, std::size_t((17 + bits - 1) / bits)) << bits;
     }
 }
@@ -74,8 +74,8 @@ TEST(ItemBuffer, ManyFindWhatIsSmallerThanAPixelInProportionToItsArea) {
     constexpr std::size_t count = 64;
     int empty_for_adaptive = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        const auto ids = draw_item_buffer(*m, walls.scene, view,
-                                          multipass::jitter_of({k, count}, vgx().subpixel_bits));
+        const auto ids = scene::draw_item_buffer(
+            *m, walls.scene, view, multipass::jitter_of({k, count}, vgx().subpixel_bits));
         for (const std::uint32_t id : ids) found[id] += 1.0 / count;
         empty_for_adaptive += std::count(ids.begin(), ids.end(), 2u) == 0;
     }
@@ -123,7 +123,7 @@ TEST(Adaptive, DividesPixelsWhoseNeighboursDiffer) {
     const scene::Scene scene = fig9();
     const scene::View view = scene::make_view(scene, width, height);
     const auto m = machine();
-    const auto ids = draw_item_buffer(*m, scene, view, {});
+    const auto ids = scene::draw_item_buffer(*m, scene, view, {});
     const raytrace::World world(scene);
     const raytrace::Tracer tracer(scene, world, view, {.depth = 1});
     const AdaptivePicture one = adaptive_picture(tracer, scene, view, ids, 1, vgx()),
@@ -167,7 +167,7 @@ TEST(Differences, AreOfAnotherPolygonExactlyWhereThePolygonsDiffer) {
     const scene::View view = scene::make_view(scene, width, height);
     const auto m = machine();
     const Differences d = differences(*m, scene, view, {});
-    const auto ids = draw_item_buffer(*m, scene, view, {});
+    const auto ids = scene::draw_item_buffer(*m, scene, view, {});
     const raytrace::World world(scene);
     const auto rays = raytrace::raytraced_picture({scene, world, view, {}}, scene, view, {}, vgx());
     for (std::size_t i = 0; i < ids.size(); ++i)
@@ -182,7 +182,7 @@ TEST(ItemBuffer, ShowsThePolygonThatRaysFindAwayFromEdges) {
     const raytrace::World world(scene);
     const raytrace::Tracer tracer(scene, world, view, {.depth = 1});
     for (const JitterState& jitter : {JitterState{}, JitterState{3, -2}}) {
-        const auto ids = draw_item_buffer(*m, scene, view, jitter);
+        const auto ids = scene::draw_item_buffer(*m, scene, view, jitter);
         const auto rays = raytrace::raytraced_picture(tracer, scene, view, jitter, vgx());
         int compared = 0, different = 0;
         for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -202,7 +202,7 @@ TEST(TracedComponent, TracesEveryPixelOfAPolygonThatReflectsAndNoOther) {
     const auto m = machine();
     const raytrace::World world(scene);
     const raytrace::Tracer tracer(scene, world, view, {});
-    const auto ids = draw_item_buffer(*m, scene, view, {});
+    const auto ids = scene::draw_item_buffer(*m, scene, view, {});
     const TracedComponent traced = traced_component(tracer, scene, view, ids, {}, vgx());
     const scene::PolygonIds numbers = scene::polygon_ids(scene);
     std::uint64_t glossy = 0;
@@ -224,7 +224,7 @@ TEST(TracedComponent, HasTheSameBitsForAllThreadsAndTargets) {
     const scene::Scene scene = fig9();
     const scene::View view = scene::make_view(scene, width, height);
     const auto m = machine();
-    const auto ids = draw_item_buffer(*m, scene, view, {});
+    const auto ids = scene::draw_item_buffer(*m, scene, view, {});
     const auto trace = [&](int threads) {
         const raytrace::World world(scene, threads);
         const raytrace::Tracer tracer(scene, world, view, {.depth = 3, .threads = threads});
@@ -249,7 +249,7 @@ TEST(Eq5, AgreesWithTheOrdinaryRayTracerWhereVertexLightingIsExact) {
     const auto passes = machine(), rays = machine();
     render(*passes, scene, view, {}, {.depth = 3});
     render_by_rays(*rays, scene, view, 1, {.depth = 3});
-    const auto ids = draw_item_buffer(*machine(), scene, view, {});
+    const auto ids = scene::draw_item_buffer(*machine(), scene, view, {});
     int compared = 0;
     for (std::size_t i = 0; i < ids.size(); ++i) {
         if (!away_from_edges(ids, i)) continue;

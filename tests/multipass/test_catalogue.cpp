@@ -44,14 +44,14 @@ TEST(Words, AreAllDifferent) {
         for (const auto& a : table)
             for (const auto& b : table) EXPECT_EQ(a.first == b.first, a.second == b.second);
     };
-    check(words(CompareFunc{}));
-    check(words(StencilOp{}));
-    check(words(BlendFactor{}));
-    check(words(PassMap{}));
-    check(words(PassLights{}));
-    check(words(PassObjects{}));
-    check(words(PassFog{}));
-    check(words(PassAction{}));
+    check(tokens(CompareFunc{}));
+    check(tokens(StencilOp{}));
+    check(tokens(BlendFactor{}));
+    check(tokens(PassMap{}));
+    check(tokens(PassLights{}));
+    check(tokens(PassObjects{}));
+    check(tokens(PassFog{}));
+    check(tokens(PassAction{}));
 }
 
 }  // namespace

@@ -103,13 +103,13 @@ TEST(OneWinner, IsTheSameWithAndWithoutCareForOtherPixels) {
 TEST(OneWinner, TiedPixelsAreFoundWithTheTrianglesNearThem) {
     const scene::Scene s = partly_doubled();
     const scene::View view = scene::make_view(s, size, size);
-    const Model model = make_model(s);
-    const Stage stage = make_stage(model, view);
+    const PassModel model = make_pass_model(s);
+    const PlacedModel placed = place_model(model, view);
     std::vector<std::uint32_t> winners(std::size_t(size) * size, 1);
-    EXPECT_TRUE(tied_pixels(stage, winners).spans.empty());
-    EXPECT_TRUE(tied_pixels(stage, winners).portions.empty());
+    EXPECT_TRUE(tied_pixels(placed, winners).spans.empty());
+    EXPECT_TRUE(tied_pixels(placed, winners).portions.empty());
     winners[size + 3] = 2;
-    const TiedPixels tied = tied_pixels(stage, winners);
+    const TiedPixels tied = tied_pixels(placed, winners);
     ASSERT_EQ(tied.spans.size(), 1u);
     EXPECT_EQ(tied.spans[0], (Span{.x = 3, .y = 1, .length = 1}));
     for (const Portion& portion : tied.portions)

@@ -12,7 +12,7 @@ namespace gw::multipass {
 namespace {
 
 std::vector<std::string> names(const scene::Scene& s, Renderer renderer = Renderer::Multipass) {
-    const Model model = make_model(s);
+    const PassModel model = make_pass_model(s);
     std::vector<std::string> result;
     for (const Step& step : schedule(passes_for(s, renderer), model))
         result.push_back(name_of(step, model));
@@ -40,7 +40,7 @@ TEST(Schedule, PutsTheShadowBeforeItsLightsPasses) {
               (std::vector<std::string>{"depth", "ambient key", "diffuse key", "specular key",
                                         "shadow fill", "ambient fill", "diffuse fill",
                                         "specular fill", "reflection", "refraction", "emission"}));
-    const Model model = make_model(s);
+    const PassModel model = make_pass_model(s);
     for (const Step& step : schedule(passes_for(s, Renderer::Multipass), model))
         EXPECT_EQ(step.pass.stencil.test, step.light == 1 && (step.pass.name == Name("diffuse") ||
                                                               step.pass.name == Name("specular")));
@@ -66,7 +66,7 @@ TEST(Concerns, OnlyThoseThatCanAddSomething) {
     scene::Scene s = two_squares();
     s.materials[0].map_Ka = {plain_map(1, 1, 1), plain_map(2, 2, 2)};
     s.lights[1].only = {"right"};
-    const Model model = make_model(s);
+    const PassModel model = make_pass_model(s);
     const Part &left = model.parts[0], &right = model.parts[1];
     EXPECT_TRUE(concerns({ambient_pass, 0, 0}, left, model));
     EXPECT_TRUE(concerns({ambient_pass, 0, 1}, left, model));

@@ -1,5 +1,6 @@
 // Shadow maps against rays, and against shadow volumes.
 #include "multipass/shadow/shadow_map.h"
+#include "scene/draw/item_buffer.h"
 #include "scene/draw/pixel_rays.h"
 
 #include "tests/multipass/shadow_cases.h"
@@ -62,14 +63,15 @@ TEST(ShadowMap, FollowsTheJitter) {
     // The mask of a picture that was moved by a pixel is the mask, moved by a pixel.
     const scene::Scene s = mapped(Case());
     const scene::View view = scene::make_view(s, window_width, window_height);
-    const Model model = make_model(s);
+    const PassModel model = make_pass_model(s);
     const auto machine = make_reference(vgx(), window_width, window_height);
     const auto maps =
         draw_shadow_maps(*machine, model, light_views(s.lights[0], scene::bounds(s), 256),
                          window_width, window_height);
     const auto mask = [&](const JitterState& jitter) {
         return shadow_mask(scene::WorldTriangles(s), s.lights[0], maps,
-                           draw_ids(*machine, model, view, jitter), view, jitter, vgx());
+                           scene::draw_item_buffer(*machine, *model.scene, view, jitter), view,
+                           jitter, vgx());
     };
     const auto still = mask({}), moved = mask({.x = 7, .y = 0}), back = mask({.x = -7, .y = 0});
     int differ = 0, common = 0;
@@ -84,7 +86,7 @@ TEST(ShadowMap, FollowsTheJitter) {
 
 TEST(ShadowMap, IsTheSameFromTilesAsFromOneWindow) {
     const scene::Scene s = mapped(Case());
-    const Model model = make_model(s);
+    const PassModel model = make_pass_model(s);
     const auto views = light_views(s.lights[0], scene::bounds(s), 128);
     const auto small = make_reference(vgx(), 50, 37), large = make_reference(vgx(), 128, 128);
     EXPECT_EQ(draw_shadow_maps(*small, model, views, 50, 37)[0].depth,
@@ -100,9 +102,9 @@ TEST(ShadowMapSize, IsThePowerOfTwoTwiceTheWindow) {
 TEST(WorldTriangles, MeetsThePolygonOfTheItemBuffer) {
     const Case c;
     const scene::View view = scene::make_view(c.s, window_width, window_height);
-    const Model model = make_model(c.s);
+    const PassModel model = make_pass_model(c.s);
     const auto machine = make_reference(vgx(), window_width, window_height);
-    const auto ids = draw_ids(*machine, model, view, {});
+    const auto ids = scene::draw_item_buffer(*machine, *model.scene, view, {});
     const scene::WorldTriangles table(c.s);
     const scene::PixelRays rays_of(view);
     const std::size_t middle = std::size_t(window_height / 2 * window_width + window_width / 4);

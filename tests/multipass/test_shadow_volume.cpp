@@ -111,13 +111,13 @@ TEST(ShadowVolume, OfCurvedBodies) {
 TEST(ShadowVolume, CountedOneByOneGivesTheSameShadow) {
     const Case c;
     const scene::View view = scene::make_view(c.s, window_width, window_height);
-    const Model model = make_model(c.s);
+    const PassModel model = make_pass_model(c.s);
     Shadows shadows = find_volumes(model, topologies(model));
-    const Stage stage = make_stage(model, enclosing(view, model, shadows));
+    const PlacedModel placed = place_model(model, enclosing(view, model, shadows));
     const auto stencil = [&](const CountRules& rules) {
         const auto machine = make_reference(vgx(), window_width, window_height);
         CommandList list = frame_list(c.s, view, {depth_pass}, vec3(0));
-        add_shadow_volumes(list, stage, "shadow", shadows.volumes[0], rules);
+        add_shadow_volumes(list, placed, "shadow", shadows.volumes[0], rules);
         machine->execute(list);
         EXPECT_FALSE(any_overflow(machine->passes()));
         return machine->planes().stencil;
@@ -166,16 +166,16 @@ TEST(ShadowVolume, FrontCapHasThePositionsOfTheMesh) {
 /// everywhere.
 std::vector<std::uint8_t> shadow_stencil(const scene::Scene& s, bool in_front,
                                          std::size_t* outside = nullptr) {
-    const Model model = make_model(s);
+    const PassModel model = make_pass_model(s);
     const Shadows shadows = find_volumes(model, topologies(model));
     const scene::View view =
         enclosing(scene::make_view(s, window_width, window_height), model, shadows);
-    const Stage stage = make_stage(model, view);
+    const PlacedModel placed = place_model(model, view);
     CommandList list = frame_list(s, view, {depth_pass}, vec3(0));
-    add_shadow_volumes(list, stage, "shadow", shadows.volumes[0], {.in_front = in_front});
+    add_shadow_volumes(list, placed, "shadow", shadows.volumes[0], {.in_front = in_front});
     for (std::size_t i = 0; outside && i < model.parts.size(); ++i)
         *outside += shadows.volumes[0][i].caps &&
-                    is_outside(shadows.volumes[0][i], stage.eye_from_object[i], view);
+                    is_outside(shadows.volumes[0][i], placed.eye_from_object[i], view);
     const auto machine = make_reference(vgx(), window_width, window_height);
     machine->execute(list);
     return machine->planes().stencil;

@@ -182,8 +182,8 @@ TEST(Translucency, HardwareBlendsEquation1) {
 TEST(FarToNear, PutsPolygonsOfAllObjectsInOneOrder) {
     const scene::Scene s =
         Stack().add(vec3(0), 0.5f).add(vec3(0), 0.5f).add(vec3(0), 1).reverse().s;
-    const Model model = make_model(s);
-    const auto order = far_to_near(make_stage(model, scene::make_view(s, size, size)));
+    const PassModel model = make_pass_model(s);
+    const auto order = far_to_near(place_model(model, scene::make_view(s, size, size)));
     ASSERT_EQ(order.size(), 2u);
     EXPECT_EQ(order[0].part, 2u);  // at z = 0
     EXPECT_EQ(order[1].part, 1u);
@@ -204,8 +204,8 @@ TEST(FarToNear, GoesByTheCentroidWhicheverCornerIsFirst) {
         add({{-1, -1, 2}, {1, -1, 0}, {0, 1, 0}});
         s.camera =
             scene::Camera{.eye = {0, 0, 9}, .near_plane = 1, .far_plane = 20, .ortho_height = 4};
-        const Model model = make_model(s);
-        const auto order = far_to_near(make_stage(model, scene::make_view(s, size, size)));
+        const PassModel model = make_pass_model(s);
+        const auto order = far_to_near(place_model(model, scene::make_view(s, size, size)));
         ASSERT_EQ(order.size(), 2u);
         EXPECT_EQ(order[0].part, 1u) << first;
     }
@@ -213,12 +213,12 @@ TEST(FarToNear, GoesByTheCentroidWhicheverCornerIsFirst) {
 
 TEST(Layers, CountAllFacesAPixelShows) {
     Stack stack = Stack().add(vec3(0), 0.5f).add(vec3(0), 1).add(vec3(0), 0.5f).add(vec3(0), 0.5f);
-    const Model model = make_model(stack.s);
+    const PassModel model = make_pass_model(stack.s);
     const scene::View view = scene::make_view(stack.s, size, size);
     const auto machine = make_reference(vgx(), size, size);
     machine->execute(frame_list(
         stack.s, view, passes_for(stack.s, Renderer::Multipass, Translucency::Layers), vec3(0)));
-    const Layers layers = find_layers(*machine, make_stage(model, view));
+    const Layers layers = find_layers(*machine, place_model(model, view));
     EXPECT_EQ(layers.depth.size(), 2u) << "the first square is behind the opaque one";
     EXPECT_GT(layers.depth[0][middle], layers.depth[1][middle]);
     Profile small = vgx();
@@ -230,12 +230,12 @@ TEST(Layers, AreOneOfEqualDepthsAndNoneInTheOpaquePlane) {
     Stack stack = Stack().add(vec3(0), 1).add(vec3(0), 0.5f);
     const scene::Material translucent = stack.s.materials[1];
     for (const double z : {0.0, 1.0}) add_square(stack.s, "in the plane", translucent, {0, 0, z});
-    const Model model = make_model(stack.s);
+    const PassModel model = make_pass_model(stack.s);
     const scene::View view = scene::make_view(stack.s, size, size);
     const auto machine = make_reference(vgx(), size, size);
     machine->execute(frame_list(
         stack.s, view, passes_for(stack.s, Renderer::Multipass, Translucency::Layers), vec3(0)));
-    const Layers layers = find_layers(*machine, make_stage(model, view));
+    const Layers layers = find_layers(*machine, place_model(model, view));
     ASSERT_EQ(layers.depth.size(), 1u);
     EXPECT_EQ(layers.present[0][middle], 1u);
     EXPECT_LT(layers.depth[0][middle], layers.opaque[middle]);

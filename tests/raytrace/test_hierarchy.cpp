@@ -51,16 +51,16 @@ std::optional<float> meet(const HierarchyRay& ray, const HierarchyTriangle& tria
     const float sum = (e[0] + e[1]) + e[2];
     if ((below && above) || sum == 0) return std::nullopt;
     const float t = ((e[0] * z[0] + e[1] * z[1]) + e[2] * z[2]) / sum;
-    if (!(t > ray.low && t < ray.high) || triangle.polygon == ray.skip) return std::nullopt;
+    if (!(t > ray.low && t < ray.high) || triangle.number == ray.skip) return std::nullopt;
     return t;
 }
 
 HierarchyHit by_brute_force(const HierarchyRay& ray,
                             const std::vector<HierarchyTriangle>& triangles) {
-    HierarchyHit best{0, no_polygon};
+    HierarchyHit best{0, no_triangle};
     for (std::size_t i = 0; i < triangles.size(); ++i)
         if (const auto t = meet(ray, triangles[i]);
-            t && (best.triangle == no_polygon || *t < best.t))
+            t && (best.triangle == no_triangle || *t < best.t))
             best = {*t, std::uint32_t(i)};
     return best;
 }
@@ -76,7 +76,7 @@ void expect_same_hits(const std::vector<HierarchyTriangle>& triangles, std::uint
         if (i % 7 == 0) ray.high = 0.5f, ray.low = 0.1f;
         const HierarchyHit expected = by_brute_force(ray, triangles);
         const auto found = hierarchy.nearest(ray);
-        ASSERT_EQ(found.has_value(), expected.triangle != no_polygon) << "ray " << i;
+        ASSERT_EQ(found.has_value(), expected.triangle != no_triangle) << "ray " << i;
         ASSERT_EQ(hierarchy.occluded(ray), found.has_value()) << "ray " << i;
         if (!found) continue;
         ++hits;
@@ -209,7 +209,7 @@ public:
                  0};
         r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(scene_, &context, &r);
-        if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {0, no_polygon};
+        if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {0, no_triangle};
         return {r.ray.tfar, r.hit.primID};
     }
 
@@ -228,7 +228,7 @@ TEST(Hierarchy, AgreesWithEmbree) {
         const HierarchyRay ray{random.point(2), 0, random.point(1), 1e30f};
         const HierarchyHit theirs = embree.nearest(ray);
         const auto ours = hierarchy.nearest(ray);
-        ASSERT_EQ(ours.has_value(), theirs.triangle != no_polygon) << i;
+        ASSERT_EQ(ours.has_value(), theirs.triangle != no_triangle) << i;
         if (!ours) continue;
         ++hits;
         EXPECT_EQ(ours->triangle, theirs.triangle) << i;

@@ -1,0 +1,122 @@
+// Random paths through closed bodies: a ray that enters a body must leave it before it enters again.
+#pragma once
+
+#include "gw/stages/vertex.h"
+#include "raytrace/tracer/surface.h"
+#include "raytrace/tracer/world.h"
+#include "scene/geometry/polygon_ids.h"
+
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gw::raytrace {
+
+/// Closed bodies, each an object of its own.
+class Bodies {
+public:
+    scene::Scene scene;
+
+    void add(MeshData mesh, const dmat4& world_from_object = dmat4(1)) {
+        scene.objects.push_back({.name = "body " + std::to_string(scene.objects.size()),
+                                 .mesh = scene::make_numbered_mesh(std::move(mesh), next_),
+                                 .world_from_object = world_from_object});
+        if (scene.materials.empty()) scene.materials.emplace_back();
+    }
+
+private:
+    std::uint32_t next_ = 0;
+};
+
+struct PathCounts {
+    std::uint64_t paths = 0, hits = 0;
+    std::uint64_t violations = 0;  ///< entered twice, or left without entering
+    std::uint64_t caught = 0;      ///< paths that left the scene inside a body
+};
+
+/// Follows paths from outside the scene, aimed at random points of triangles and closely beside
+/// their corners and sides. At every hit the path goes on to a random direction, on the same side of the triangle
+/// or on the other.
+class PathCounter {
+public:
+    PathCounter(const scene::Scene& scene, std::uint32_t seed)
+        : world_(scene, 1),
+          view_{.width = 1, .height = 1},
+          inside_(scene.objects.size()),
+          bits_(seed) {}
+
+    PathCounts count(std::uint64_t paths) {
+        PathCounts counts;
+        for (; counts.paths < paths; ++counts.paths) follow(counts);
+        return counts;
+    }
+
+private:
+    static constexpr int most_hits = 12;
+
+    double number() { return double(bits_() >> 8) * 0x1p-24; }
+    dvec3 direction() {
+        for (;;) {
+            const dvec3 d(2 * number() - 1, 2 * number() - 1, 2 * number() - 1);
+            const double square = dot3(d, d);
+            if (square > 1e-4 && square < 1) return normalized(d);
+        }
+    }
+    /// A random point of a triangle; or of one of its sides, or a corner, but for 10^-3 to 10^-9.
+    dvec3 target() {
+        const auto corner = world_.triangles().corners(bits_() % world_.triangles().size());
+        const auto kind = bits_() % 4;
+        const double b = kind == 0 ? 0 : number(), c = kind < 2 ? 0 : number() * (1 - b);
+        const dvec3 p = corner[0] + b * (corner[1] - corner[0]) + c * (corner[2] - corner[0]);
+        if (kind >= 2) return p;
+        double beside = 1e-3;
+        for (auto k = bits_() % 7; k > 0; --k) beside /= 10;
+        return p + beside * direction();
+    }
+
+    void follow(PathCounts& counts) {
+        inside_.assign(inside_.size(), false);
+        Ray ray{direction() * 50.0, {}};
+        ray.direction = normalized(target() - ray.origin);
+        std::uint32_t from = no_triangle;
+        for (int hit = 0; hit < most_hits; ++hit) {
+            const auto at = world_.nearest(ray, std::numeric_limits<double>::infinity(), from);
+            if (!at) {
+                for (const bool is_inside : inside_) counts.caught += is_inside;
+                return;
+            }
+            ++counts.hits;
+            const Surface s = surface(world_.triangles(), *at, ray.direction, view_);
+            const std::size_t body = world_.triangles().object_of(at->triangle);
+            if (inside_[body] == s.front) {
+                ++counts.violations;
+                return;
+            }
+            const bool through = bits_() % 4 != 0;
+            if (through) inside_[body] = s.front;
+            ray = {s.start, leaving(s, through)};
+            from = at->triangle;
+        }
+    }
+    /// On the seen side of the triangle, or through it; now and then grazing.
+    dvec3 leaving(const Surface& s, bool through) {
+        dvec3 d = direction();
+        double height = dot3(d, s.plane_normal);
+        if (bits_() % 4 == 0) {
+            d -= height * 0.999 * s.plane_normal;
+            height *= 0.001;
+        }
+        if ((height < 0) != through) d -= 2 * height * s.plane_normal;
+        return normalized(d);
+    }
+
+    World world_;
+    scene::View view_;
+    std::vector<bool> inside_;  ///< by object
+    std::mt19937 bits_;
+};
+
+}  // namespace gw::raytrace
