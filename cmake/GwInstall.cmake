@@ -19,11 +19,12 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/gwConfigVersion.cmake COM
 install(FILES ${PROJECT_BINARY_DIR}/gwConfig.cmake ${PROJECT_BINARY_DIR}/gwConfigVersion.cmake DESTINATION ${package_directory}
     COMPONENT development)
 
-# The module of image/ is for the command and for programs that link gw::image.
+# The module and the decoder of image/ are for the command and for programs that link gw::image.
 if(TARGET gw_formats)
     set(modules ${CMAKE_INSTALL_LIBDIR}/gw)
     set_target_properties(gw_formats PROPERTIES EXPORT_NAME formats)
     install(TARGETS gw_formats EXPORT gw LIBRARY DESTINATION ${modules} COMPONENT command)
+    install(TARGETS gw_decode RUNTIME DESTINATION ${modules} COMPONENT command)
 endif()
 
 if(TARGET gw)

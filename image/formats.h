@@ -5,7 +5,6 @@
 
 #include "image/layers.h"
 #include "image/picture.h"
-#include "image/texels.h"
 #include "image/write.h"
 
 #include <cstdint>
@@ -32,7 +31,6 @@ struct Formats {
                           float frames_per_second);
     void (*put_layers)(const Destination& file, const Layers& layers);
     Layers (*read_layers)(const std::filesystem::path& file, bool with_values);
-    Texels (*read_texels)(const std::filesystem::path& file);
 };
 
 Destination destination(OutputFile& file);

@@ -1,7 +1,7 @@
 #include "image/textures.h"
 
 #include "gw/error.h"
-#include "image/formats.h"
+#include "image/decoder_process.h"
 #include "image/png/png.h"
 
 #include <map>
@@ -37,11 +37,20 @@ std::filesystem::path key_of(const std::filesystem::path& file) {
     return error ? file : real;
 }
 
-void load(scene::Map& map, std::string_view statement, Cache& cache) {
+TextureRef read_texture(const std::filesystem::path& file, DecoderProcess& decoder) {
+    check_file(file);
+    const Texels texels = holds_png(file) ? read_png(file) : decoder.read(file);
+    const auto make = [&](const auto& rgba) {
+        return texture_of(file.filename().string(), texels.width, texels.height, rgba);
+    };
+    return std::visit(make, texels.rgba);
+}
+
+void load(scene::Map& map, std::string_view statement, Cache& cache, DecoderProcess& decoder) {
     if (map.texture || map.from_scene > 0) return;
     TextureRef& texture = cache[key_of(map.file)];
     try {
-        if (!texture) texture = read_texture(map.file);
+        if (!texture) texture = read_texture(map.file, decoder);
     } catch (const Error& error) {
         throw Error(map.origin.file, map.origin.line,
                     std::string(statement) + " " + map.file.string() + ": " + error.what());
@@ -52,16 +61,13 @@ void load(scene::Map& map, std::string_view statement, Cache& cache) {
 }  // namespace
 
 TextureRef read_texture(const std::filesystem::path& file) {
-    check_file(file);
-    const Texels texels = holds_png(file) ? read_png(file) : formats().read_texels(file);
-    const auto make = [&](const auto& rgba) {
-        return texture_of(file.filename().string(), texels.width, texels.height, rgba);
-    };
-    return std::visit(make, texels.rgba);
+    DecoderProcess decoder;
+    return read_texture(file, decoder);
 }
 
 void load_textures(scene::Scene& scene) {
     Cache cache;
+    DecoderProcess decoder;
     for (scene::Material& material : scene.materials) {
         const std::pair<std::string_view, std::vector<scene::Map>*> lists[] = {
             {"map_Ka", &material.map_Ka}, {"map_Kd", &material.map_Kd},
@@ -69,7 +75,7 @@ void load_textures(scene::Scene& scene) {
             {"refl", &material.refl},     {"refraction", &material.refraction},
         };
         for (const auto& [statement, maps] : lists) {
-            for (scene::Map& map : *maps) load(map, statement, cache);
+            for (scene::Map& map : *maps) load(map, statement, cache, decoder);
         }
     }
 }

@@ -13,11 +13,12 @@ namespace {
 SceneFile read_bare_obj(const std::filesystem::path& path) {
     Warnings warnings;
     ObjFile file = read_obj(path, {}, warnings);
+    const MaterialNames materials(file.materials);
     SceneBuilder builder;
     builder.scene.name = path.stem().string();
     for (ObjPart& part : file.parts) {
         const Material& material =
-            find_material({&file.materials}, part.material, {file.file, part.material_line});
+            find_material({&materials}, part.material, {file.file, part.material_line});
         builder.add({.name = part.name}, std::move(part.mesh), material, {file.file, 0});
     }
     return {std::move(builder.scene), warnings.lines(), {}};

@@ -5,8 +5,8 @@
 #include "scene/scene.h"
 
 #include <initializer_list>
-#include <map>
 #include <string_view>
+#include <unordered_map>
 
 namespace gw::scene {
 
@@ -14,23 +14,40 @@ class SceneBuilder {
 public:
     Scene scene;
 
-    /// Fills in the object's mesh and material. `material` must not move; errors of make_mesh are
-    /// reported at `origin`.
+    /// Adds an object. `material` must not move; errors of make_mesh are reported at `origin`.
     void add(Object object, MeshData mesh, const Material& material, const Origin& origin);
 
-private:
+    /// The mesh with the scene's next identifiers.
+    MeshRef numbered(MeshData mesh, const Origin& origin);
+
+    /// The index of a material in the scene; adds it when it is first asked for. It must not move.
     std::size_t index_of(const Material& material);
 
-    std::map<const Material*, std::size_t> indices_;
+private:
+    std::unordered_map<const Material*, std::size_t> indices_;
     std::uint32_t next_polygon_ = 0;
 };
 
 /// The material of surfaces without one: gw::Material's initial values, named "default".
 const Material& default_material();
 
+/// Materials by name; of several with one name, the first. The list must not change meanwhile.
+class MaterialNames {
+public:
+    explicit MaterialNames(const std::vector<Material>& list);
+
+    /// Null if there is none.
+    const Material* find(std::string_view name) const;
+    const std::vector<Material>& list() const { return *list_; }
+
+private:
+    const std::vector<Material>* list_ = nullptr;
+    std::unordered_map<std::string_view, const Material*> by_name_;
+};
+
 /// The first material of this name in the lists, in their order; the default one for an empty name.
 /// Throws Error from `origin`, naming the nearest material, if there is none.
-const Material& find_material(std::initializer_list<const std::vector<Material>*> lists,
+const Material& find_material(std::initializer_list<const MaterialNames*> lists,
                               std::string_view name, const Origin& origin);
 
 }  // namespace gw::scene

@@ -1,5 +1,6 @@
 // How the machine's time grows: bench_growth prints a table with fitted exponents and writes plots.
 // With --largest it draws the largest frame once and prints the memory it took.
+#include "bench/growth/scenes.h"
 #include "bench/growth/sweeps.h"
 #include "bench/peers/ours.h"
 #include "gw/machine.h"
@@ -21,7 +22,7 @@ namespace {
 struct Options {
     std::string scene = GW_SOURCE_DIR "/scenes/fig9.toml", folder = "build/growth", only;
     int repeats = 3;
-    bool largest = false;
+    bool largest = false, scenes = false;
 };
 
 /// The least wall time of some runs after one that warms up, in milliseconds: other processes only
@@ -73,6 +74,33 @@ void write_plot(const Sweep& sweep, const std::vector<dvec2>& points, const Opti
     image::write_file(base.string() + ".csv", plot::csv(plot));
 }
 
+double user_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return double(usage.ru_utime.tv_sec) + double(usage.ru_utime.tv_usec) * 1e-6;
+}
+
+/// Processor time of reading each file of a sweep, printed with its exponent.
+void read_scenes(const Options& options) {
+    for (const SceneSweep& sweep : scene_sweeps()) {
+        if (!options.only.empty() && sweep.name != options.only) continue;
+        std::vector<dvec2> points;
+        for (const double amount : sweep.amounts) {
+            const std::filesystem::path file =
+                std::filesystem::path(options.folder) / ("growth-" + sweep.file);
+            image::write_file(file, sweep.text(int(amount)));
+            const double start = user_seconds();
+            read_swept(file.string());
+            points.push_back({amount, (user_seconds() - start) * 1000});
+            std::filesystem::remove(file);
+            fmt::print("{:<20}{:>12.0f}{:>12.2f} ms\n", sweep.name, amount, points.back().y);
+            std::fflush(stdout);
+        }
+        print_law({sweep.name, {}}, points);
+        write_plot({sweep.name, {}}, points, options);
+    }
+}
+
 void draw_largest(const Options& options) {
     const Step step = largest(options.scene);
     const double took = milliseconds(step, 1);
@@ -87,6 +115,7 @@ void draw_largest(const Options& options) {
 void run(const Options& options) {
     if (options.largest) return draw_largest(options);
     std::filesystem::create_directories(options.folder);
+    if (options.scenes) return read_scenes(options);
     for (const Sweep& sweep : sweeps(options.scene)) {
         if (!options.only.empty() && sweep.name != options.only) continue;
         const std::vector<dvec2> points = measure(sweep, options.repeats);
@@ -106,9 +135,12 @@ int main(int argc, char** argv) {
     app.add_option("--scene", options.scene, "whose geometry is drawn")->capture_default_str();
     app.add_option("-o,--output", options.folder, "folder for the plots")->capture_default_str();
     app.add_option("--only", options.only,
-                   "one of triangles, pixels, passes, samples, lights, threads")
-        ->check(CLI::IsMember({"triangles", "pixels", "passes", "samples", "lights", "threads"}));
+                   "one of triangles, pixels, passes, samples, lights, threads; with --scenes one "
+                   "of its sweeps");
     app.add_option("--repeats", options.repeats, "timed repeats")->check(CLI::Range(1, 1000));
+    app.add_flag("--scenes", options.scenes,
+                 "time reading scene files: boxes, named-lights, materials, numbers, groups, "
+                 "smoothing-groups, faces-at-a-point, vertices-at-a-point");
     app.add_flag("--largest", options.largest, "draw the largest frame and print its memory");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -46,12 +46,6 @@ void check_readable(const Destination& file, const std::string& name, const OIIO
 
 }  // namespace
 
-std::string one_line(std::string text) {
-    while (!text.empty() && (text.back() == '\n' || text.back() == '.')) text.pop_back();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text.empty() ? "the library gives no reason" : text;
-}
-
 void refuse(const Destination& file, const std::string& why) {
     throw Error(file.target.string(), 0, "cannot be written: " + one_line(why));
 }

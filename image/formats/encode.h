@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/formats.h"
+#include "image/formats/one_line.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -23,9 +24,6 @@ struct Samples {
 /// samples; they must live until encode returns. Throws Error naming the target.
 void encode(const Destination& file, const OIIO::ImageSpec& spec,
             const std::function<Samples(OIIO::TypeDesc stored)>& convert);
-
-/// OpenImageIO's last error as one line.
-std::string one_line(std::string text);
 
 /// Throws Error: the target cannot be written, and why.
 [[noreturn]] void refuse(const Destination& file, const std::string& why);

@@ -9,7 +9,6 @@ extern "C" __attribute__((visibility("default"))) const Formats gw_formats{
     .put_animation = put_animation,
     .put_layers = put_layers,
     .read_layers = read_layers,
-    .read_texels = read_texels,
 };
 
 }  // namespace gw::image::oiio

@@ -12,6 +12,5 @@ void put_animation(const Destination& file, const std::vector<Picture>& frames,
                    float frames_per_second);
 void put_layers(const Destination& file, const Layers& layers);
 Layers read_layers(const std::filesystem::path& file, bool with_values);
-Texels read_texels(const std::filesystem::path& file);
 
 }  // namespace gw::image::oiio

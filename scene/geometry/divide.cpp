@@ -67,6 +67,17 @@ void number_all(MeshData& mesh) {
 
 }  // namespace
 
+double divided_triangles(const MeshData& mesh, int pieces) {
+    const double each = 2.0 * pieces * pieces;
+    const std::size_t corners = mesh.indices.empty() ? mesh.positions.size() : mesh.indices.size();
+    if (mesh.primitive == Primitive::Quads) return double(corners / 4) * each;
+    if (mesh.primitive != Primitive::Polygons) return double(corners);
+    if (mesh.polygon_sizes.empty()) return corners == 4 ? each : double(corners);
+    double sum = 0;
+    for (const std::uint32_t size : mesh.polygon_sizes) sum += size == 4 ? each : size - 2.0;
+    return sum;
+}
+
 MeshData divide(MeshData mesh, int pieces) {
     const bool quads = mesh.primitive == Primitive::Quads;
     if (pieces == 1 || !(quads || mesh.primitive == Primitive::Polygons)) return mesh;
@@ -80,7 +91,10 @@ MeshData divide(MeshData mesh, int pieces) {
     for (std::size_t first = 0; first < corners.size(); ++face) {
         const std::size_t size = quads ? 4 : mesh.polygon_sizes[face];
         const Corners whole(&corners[first], size);
-        size == 4 ? divider.add_divided(whole) : divider.add_whole(whole);
+        if (size == 4)
+            divider.add_divided(whole);
+        else
+            divider.add_whole(whole);
         first += size;
     }
     mesh.indices = std::move(divider.indices);

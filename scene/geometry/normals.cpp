@@ -6,9 +6,13 @@
 
 #include <algorithm>
 #include <span>
+#include <unordered_map>
 
 namespace gw::scene {
 namespace {
+
+/// Faces at one point are compared with each other up to this number.
+constexpr std::size_t most_compared = 1024;
 
 bool is_zero(const dvec3& v) { return v == dvec3(0); }
 
@@ -116,12 +120,27 @@ private:
         return sum;
     }
 
+    // The sum of each smoothing group at a point is the same for all faces of the group.
+    void sum_groups(std::span<const Meeting> meetings) {
+        groups_.clear();
+        all_ = dvec3(0);
+        for (const Meeting& m : meetings) {
+            const Face& face = faces_[m.face];
+            all_ += face.area;
+            if (face.smoothing > 0)
+                groups_.try_emplace(face.smoothing, 0).first->second += face.area;
+        }
+    }
+
+    // Compares pairs of faces only if they are smooth by angle. Of very many, each stays flat.
     dvec3 sum_at(std::span<const Meeting> meetings, std::uint32_t own) const {
-        const bool takes_all = is_zero(faces_[own].normal);
-        if (faces_[own].smoothing == smooth_off && !takes_all) return faces_[own].area;
+        const Face& face = faces_[own];
+        if (is_zero(face.normal)) return all_;
+        if (face.smoothing > 0) return groups_.at(face.smoothing);
+        if (face.smoothing == smooth_off || meetings.size() > most_compared) return face.area;
         dvec3 sum(0);
         for (const Meeting& other : meetings)
-            if (takes_all || other.face == own || smooth_together(faces_[own], faces_[other.face]))
+            if (other.face == own || smooth_together(face, faces_[other.face]))
                 sum += faces_[other.face].area;
         return sum;
     }
@@ -138,6 +157,7 @@ private:
         const std::size_t first = obj_.normals.size();
         const dvec3 common = normalized(common_sum(meetings));
         std::uint32_t common_index = absent;
+        if (is_zero(common)) sum_groups(meetings);
         for (const Meeting& meeting : meetings) {
             Corner& corner = obj_.corners[meeting.corner];
             if (corner.vn != absent) continue;
@@ -162,6 +182,8 @@ private:
     }
 
     ObjData& obj_;
+    std::unordered_map<std::int32_t, dvec3> groups_;  ///< sums at one point
+    dvec3 all_{0};                                    ///< the sum of all faces there
     double cos_crease_, cos_half_crease_;
     std::vector<Face> faces_;
     std::vector<std::uint32_t> begin_;

@@ -2,6 +2,8 @@
 
 #include "gw/error.h"
 
+#include <bit>
+
 namespace gw::scene {
 
 std::string index_fault(std::string_view kind, long long index, std::size_t count) {
@@ -29,28 +31,39 @@ void check_indices(const ObjData& obj) {
 
 namespace {
 
-// Numbers the different corners of one part in the order they come. Each position heads a list of
-// its vertices.
+std::uint64_t hash(const Corner& corner) {
+    std::uint64_t h = 0;
+    for (const std::uint32_t index : {corner.v, corner.vt, corner.vn}) {
+        h = (h ^ index) * 0x9e3779b97f4a7c15u;
+        h ^= h >> 32;
+    }
+    return h;
+}
+
+// Numbers the different corners of one part in the order they come.
 class Vertices {
 public:
-    explicit Vertices(std::size_t positions) : head_(positions, absent) {}
-
+    /// Begins a part of at most this many corners.
+    void begin(std::size_t most) {
+        corners_.clear();
+        mask_ = std::bit_ceil(2 * most + 1) - 1;
+        slots_.assign(mask_ + 1, absent);
+    }
     std::uint32_t index_of(const Corner& corner) {
-        for (std::uint32_t i = head_[corner.v]; i != absent; i = next_[i])
-            if (corners_[i] == corner) return i;
-        corners_.push_back(corner);
-        next_.push_back(head_[corner.v]);
-        return head_[corner.v] = static_cast<std::uint32_t>(corners_.size() - 1);
+        std::size_t slot = hash(corner) & mask_;
+        while (slots_[slot] != absent && corners_[slots_[slot]] != corner)
+            slot = (slot + 1) & mask_;
+        if (slots_[slot] == absent) {
+            slots_[slot] = static_cast<std::uint32_t>(corners_.size());
+            corners_.push_back(corner);
+        }
+        return slots_[slot];
     }
     const std::vector<Corner>& corners() const { return corners_; }
-    void clear() {
-        for (const Corner& corner : corners_) head_[corner.v] = absent;
-        corners_.clear();
-        next_.clear();
-    }
 
 private:
-    std::vector<std::uint32_t> head_, next_;
+    std::size_t mask_ = 0;
+    std::vector<std::uint32_t> slots_;
     std::vector<Corner> corners_;
 };
 
@@ -92,10 +105,11 @@ void gather_vertices(const ObjData& obj, const std::vector<Corner>& corners, Mes
 std::vector<MeshData> make_meshes(const ObjData& obj) {
     std::vector<MeshData> meshes(obj.parts.size());
     const PartOrder order = order_by_part(obj);
-    Vertices vertices(obj.positions.size());
+    Vertices vertices;
     for (std::size_t p = 0; p < obj.parts.size(); ++p) {
         MeshData& mesh = meshes[p];
         mesh.primitive = obj.parts[p].primitive;
+        vertices.begin(obj.parts[p].corners);
         mesh.indices.reserve(obj.parts[p].corners);
         for (std::uint32_t i = order.begin[p]; i < order.begin[p + 1]; ++i) {
             const Element& element = obj.elements[order.elements[i]];
@@ -104,7 +118,6 @@ std::vector<MeshData> make_meshes(const ObjData& obj) {
                 mesh.indices.push_back(vertices.index_of(obj.corners[element.first + k]));
         }
         gather_vertices(obj, vertices.corners(), mesh);
-        vertices.clear();
     }
     return meshes;
 }

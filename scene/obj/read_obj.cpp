@@ -8,6 +8,7 @@
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <set>
@@ -22,6 +23,10 @@ constexpr std::array obj_not_honoured = std::to_array<std::string_view>({
     "c_interp",   "d_interp",  "lod",  "mg",   "call", "csh",   "usemap", "maplib", "res",
     "shadow_obj", "trace_obj", "bsp",  "bzp",  "cdc",  "cdp",
 });
+
+// Each word of an mtllib may end a name, which is searched for in its folder.
+constexpr std::ptrdiff_t most_library_blanks = 1000;
+constexpr std::size_t longest_library_name = 255;
 
 class ObjReader {
 public:
@@ -132,6 +137,9 @@ private:
     void library() {
         std::string_view rest = in_.rest();
         if (rest.empty()) in_.fail("mtllib names no file; expected one or more");
+        if (std::ranges::count_if(rest, is_blank) >= most_library_blanks)
+            in_.fail("mtllib has too many words; expected fewer than " +
+                     std::to_string(most_library_blanks));
         while (!rest.empty()) {
             const auto [name, path] = longest_file(rest);
             rest = trim(rest.substr(name.size()));
@@ -141,14 +149,25 @@ private:
         }
     }
     std::pair<std::string_view, std::filesystem::path> longest_file(std::string_view names) {
-        for (std::size_t size = names.size(); size != names.npos;
-             size = names.find_last_of(" \t", size - 1))
+        for (const std::size_t size : ends_of_names(names))
             if (const auto path = existing_file(folder_, trim(names.substr(0, size))))
-                return {names.substr(0, size), *path};
-        const std::filesystem::path path = find_file(folder_, names);
-        if (!file_exists(path))
-            in_.fail("mtllib '" + printable(names) + "' does not exist; expected an MTL file");
-        return {names, path};
+                return {names.substr(0, size), readable(names.substr(0, size), *path)};
+        return {names, readable(names, find_file(folder_, names))};
+    }
+    /// Where the first name may end: after the whole text, or a word within the longest name.
+    static std::vector<std::size_t> ends_of_names(std::string_view names) {
+        std::vector<std::size_t> ends;
+        for (std::size_t at = names.find_first_of(" \t"); at <= longest_library_name;
+             at = names.find_first_of(" \t", at + 1))
+            ends.push_back(at);
+        ends.push_back(names.size());
+        std::ranges::reverse(ends);
+        return ends;
+    }
+    std::filesystem::path readable(std::string_view name, const std::filesystem::path& path) const {
+        if (const std::string fault = file_fault(path); !fault.empty())
+            in_.fail("mtllib '" + printable(name) + "' " + fault + "; expected an MTL file");
+        return path;
     }
 
     const std::filesystem::path folder_;

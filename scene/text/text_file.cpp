@@ -3,6 +3,8 @@
 #include "gw/error.h"
 #include "scene/text/statements.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -40,15 +42,6 @@ fs::path path_without_case(const fs::path& folder, const fs::path& name) {
     return found;
 }
 
-// A device has no end, and a pipe may have no writer: a scene must not be able to name them.
-void check_is_file(const fs::path& path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (fs::is_directory(status)) throw Error(path.string(), 0, "is a directory; expected a file");
-    if (fs::exists(status) && !fs::is_regular_file(status))
-        throw Error(path.string(), 0, "is a device or a pipe; expected a file");
-}
-
 void check_size(const fs::path& path, std::size_t size) {
     if (size > most_text)
         throw Error(path.string(), 0,
@@ -77,8 +70,20 @@ bool file_exists(const fs::path& path) {
     return fs::exists(path, ignored);
 }
 
+// A device has no end, and a pipe may have no writer: a scene must not be able to name them.
+std::string file_fault(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found) return "does not exist";
+    if (fs::is_directory(status)) return "is a directory";
+    if (fs::exists(status) && !fs::is_regular_file(status)) return "is a device or a pipe";
+    if (::access(path.c_str(), R_OK) == 0) return {};
+    return std::string("cannot be opened: ") + std::strerror(errno);
+}
+
 std::string read_text(const fs::path& path) {
-    check_is_file(path);
+    if (const std::string fault = file_fault(path); fault.starts_with("is "))
+        throw Error(path.string(), 0, fault + "; expected a file");
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"),
                                                              std::fclose);
     if (!in)

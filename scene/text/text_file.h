@@ -19,6 +19,10 @@ std::string read_text(const std::filesystem::path& path);
 /// False also for names that no file can have. Never throws.
 bool file_exists(const std::filesystem::path& path);
 
+/// Why this is no file to read: "does not exist", "is a directory", "is a device or a pipe",
+/// "cannot be opened: Permission denied"; empty for a readable file. Never throws.
+std::string file_fault(const std::filesystem::path& path);
+
 /// The path that a file in `folder` means by a name: quotes taken off, '\' read as '/'.
 std::filesystem::path named_path(const std::filesystem::path& folder, std::string_view name);
 

@@ -9,7 +9,7 @@ namespace gw::scene {
 namespace {
 
 /// The tables of [[light]], [[object]] or [[pass]]; a single [light] counts as one.
-std::vector<const TomlValue*> tables(const TomlValue& value) {
+std::vector<const TomlValue*> tables_in(const TomlValue& value) {
     if (value.kind == TomlKind::Table) return {&value};
     if (value.kind != TomlKind::Array) value.fail_expected("[[" + value.name + "]]");
     std::vector<const TomlValue*> list;
@@ -35,8 +35,8 @@ public:
         for (const std::string& name : to_strings(value)) {
             const std::filesystem::path path =
                 find_file(std::filesystem::path(*value.file).parent_path(), name);
-            if (!file_exists(path))
-                value.fail("mtllib '" + printable(name) + "' does not exist; expected an MTL file");
+            if (const std::string fault = file_fault(path); !fault.empty())
+                value.fail("mtllib '" + printable(name) + "' " + fault + "; expected an MTL file");
             for (Material& material : read_mtl(path, warnings_))
                 materials.push_back(std::move(material));
         }
@@ -61,7 +61,8 @@ void check_passes(const std::vector<TomlValue>& passes, const std::set<std::stri
 }  // namespace
 
 SceneFile read_toml(const std::filesystem::path& path) {
-    const TomlValue file = read_toml_file(path);
+    const TomlTables tables(path, "object");
+    const TomlValue& file = tables.rest();
     SceneBuilder builder;
     Scene& scene = builder.scene;
     scene.name = path.stem().string();
@@ -80,9 +81,9 @@ SceneFile read_toml(const std::filesystem::path& path) {
                    {"fog", [&](const TomlValue& value) { scene.fog = to_fog(value); }},
                    {"mtllib", [&](const TomlValue& value) { mtllib = &value; }},
                    {"material", [&](const TomlValue& value) { materials = &value; }},
-                   {"light", [&](const TomlValue& value) { lights = tables(value); }},
-                   {"object", [&](const TomlValue& value) { objects = tables(value); }},
-                   {"pass", [&](const TomlValue& value) { passes = tables(value); }},
+                   {"light", [&](const TomlValue& value) { lights = tables_in(value); }},
+                   {"object", [&](const TomlValue& value) { objects = tables_in(value); }},
+                   {"pass", [&](const TomlValue& value) { passes = tables_in(value); }},
                });
     Library library(warnings);
     if (materials) library.add_table(*materials);
@@ -90,8 +91,10 @@ SceneFile read_toml(const std::filesystem::path& path) {
 
     TomlObjects reader(builder, library.materials, warnings);
     for (const TomlValue* object : objects) reader.add(*object);
+    for (std::size_t i = 0; i < tables.pieces(); ++i)
+        for (const TomlValue& object : tables.further(i)) reader.add(object);
     if (scene.objects.empty())
-        throw Error(path.string(), 0,
+        throw Error(path.string(), objects.empty() ? 0 : objects[0]->line,
                     "has nothing to draw; expected an [[object]] that is visible");
     for (const TomlValue* light : lights) {
         scene.lights.push_back(to_light(*light));

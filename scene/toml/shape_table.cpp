@@ -3,6 +3,8 @@
 #include "scene/shapes/lathe.h"
 #include "scene/shapes/shapes.h"
 
+#include <cmath>
+
 namespace gw::scene {
 namespace {
 
@@ -19,7 +21,8 @@ ShapeParameter number(const char* name, int value, int low, int high = 4096) {
 Shape lathe(const char* name, Profile (*profile)()) {
     return {name,
             {number("slices", 64, 3), number("segments", 12, 1, 256)},
-            [profile](const Values& v) { return make_lathe(profile(), whole(v[0]), whole(v[1])); }};
+            [profile](const Values& v) { return make_lathe(profile(), whole(v[0]), whole(v[1])); },
+            [profile](const Values& v) { return 2 * double(profile().size()) * v[0] * v[1]; }};
 }
 
 std::vector<Shape> all_shapes() {
@@ -30,50 +33,62 @@ std::vector<Shape> all_shapes() {
          {size("width", 1), size("height", 1), size("depth", 1), number("segments", 1, 1, 1024)},
          [](const Values& v) {
              return make_box({v[0], v[1], v[2]}, whole(v[3]));
-         }},
+         },
+         [](const Values& v) { return 12 * v[3] * v[3]; },
+         true},
         {"cone",
          {size("radius", 1), size("height", 2), number("slices", 64, 3), number("stacks", 8, 1),
           number("capped", 1, 0, 1)},
-         [](const Values& v) {
-             return make_cone(v[0], v[1], whole(v[2]), whole(v[3]), v[4] != 0);
-         }},
+         [](const Values& v) { return make_cone(v[0], v[1], whole(v[2]), whole(v[3]), v[4] != 0); },
+         [](const Values& v) { return 2 * v[2] * (v[3] + 1); }},
         {"cylinder",
          {size("radius", 1), size("height", 2), number("slices", 64, 3), number("stacks", 1, 1),
           number("capped", 1, 0, 1)},
          [](const Values& v) {
              return make_cylinder(v[0], v[1], whole(v[2]), whole(v[3]), v[4] != 0);
-         }},
+         },
+         [](const Values& v) { return 2 * v[2] * (v[3] + 1); }},
         {"disc",
          {size("radius", 1), number("slices", 64, 3), number("rings", 1, 1)},
-         [](const Values& v) { return make_disc(v[0], whole(v[1]), whole(v[2])); }},
+         [](const Values& v) { return make_disc(v[0], whole(v[1]), whole(v[2])); },
+         [](const Values& v) { return 2 * v[1] * v[2]; }},
         lathe("goblet", goblet_profile),
         {"icosphere",
          {size("radius", 1), number("divisions", 4, 0, 9)},
-         [](const Values& v) { return make_icosphere(v[0], whole(v[1])); }},
+         [](const Values& v) { return make_icosphere(v[0], whole(v[1])); },
+         [](const Values& v) { return 20 * std::ldexp(1.0, 2 * whole(v[1])); }},
         lathe("pedestal", pedestal_profile),
         {"rectangle",
          {size("width", 1), size("depth", 1), number("columns", 1, 1), number("rows", 1, 1)},
-         [](const Values& v) { return make_rectangle(v[0], v[1], whole(v[2]), whole(v[3])); }},
+         [](const Values& v) { return make_rectangle(v[0], v[1], whole(v[2]), whole(v[3])); },
+         [](const Values& v) { return 2 * v[2] * v[3]; },
+         true},
         {"room",
          {size("width", 1), size("height", 1), size("depth", 1), number("segments", 1, 1, 1024)},
          [](const Values& v) {
              return make_room({v[0], v[1], v[2]}, whole(v[3]));
-         }},
+         },
+         [](const Values& v) { return 12 * v[3] * v[3]; },
+         true},
         {"sphere",
          {size("radius", 1), number("slices", 64, 3), number("stacks", 32, 2)},
-         [](const Values& v) { return make_sphere(v[0], whole(v[1]), whole(v[2])); }},
+         [](const Values& v) { return make_sphere(v[0], whole(v[1]), whole(v[2])); },
+         [](const Values& v) { return 2 * v[1] * v[2]; }},
         {"teapot",
          {number("segments", 12, 2, 256)},  // of 1 piece, the tip of the spout would be flat
-         [](const Values& v) { return make_teapot(whole(v[0])); }},
+         [](const Values& v) { return make_teapot(whole(v[0])); },
+         [](const Values& v) { return 64 * v[0] * v[0]; }},
         {"torus",
          {size("radius", 1), size("tube", 0.25), number("segments", 96, 3), number("sides", 48, 3)},
-         [](const Values& v) { return make_torus(v[0], v[1], whole(v[2]), whole(v[3])); }},
+         [](const Values& v) { return make_torus(v[0], v[1], whole(v[2]), whole(v[3])); },
+         [](const Values& v) { return 2 * v[2] * v[3]; }},
         {"torus_knot",
          {number("p", 2, 1, 64), number("q", 3, 1, 64), size("radius", 1), size("tube", 0.2),
           number("segments", 256, 3), number("sides", 32, 3)},
          [](const Values& v) {
              return make_torus_knot(whole(v[0]), whole(v[1]), v[2], v[3], whole(v[4]), whole(v[5]));
-         }},
+         },
+         [](const Values& v) { return 2 * v[4] * v[5]; }},
         lathe("vase", vase_profile),
     };
 }

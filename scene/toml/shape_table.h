@@ -23,8 +23,11 @@ struct ShapeParameter {
 struct Shape {
     std::string name;
     std::vector<ShapeParameter> parameters;
-    std::function<MeshData(const std::vector<double>& values)>
-        make;  ///< one value for each parameter, in order
+    /// Both take one value for each parameter, in order.
+    std::function<MeshData(const std::vector<double>& values)> make;
+    /// How many triangles `make` would give, or a few more.
+    std::function<double(const std::vector<double>& values)> triangles;
+    bool is_flat = false;  ///< of quads, which scene/geometry/divide.h divides
 };
 
 /// All of them, by name in alphabetical order.

@@ -81,6 +81,7 @@ std::string to_string(const TomlValue& value) {
 std::vector<std::string> to_strings(const TomlValue& value) {
     if (value.kind == TomlKind::String) return {value.text};
     if (value.kind != TomlKind::Array) value.fail_expected("a string or an array of strings");
+    if (value.elements.empty()) value.fail(value.name + " is empty; expected at least one string");
     std::vector<std::string> strings;
     for (const TomlValue& element : value.elements) strings.push_back(to_string(element));
     return strings;
@@ -109,6 +110,12 @@ dvec3 to_dvec3(const TomlValue& value) {
     expect_numbers(value, 3);
     return {to_double(value.elements[0]), to_double(value.elements[1]),
             to_double(value.elements[2])};
+}
+
+dvec3 to_placeable(const TomlValue& value) {
+    const dvec3 v = to_dvec3(value);
+    for (const TomlValue& element : value.elements) to_double(element, placeable);
+    return v;
 }
 
 vec3 to_color(const TomlValue& value) {

@@ -29,6 +29,8 @@ struct Range {
     double low = std::numeric_limits<double>::lowest(), high = std::numeric_limits<double>::max();
 };
 inline constexpr Range not_negative{0, std::numeric_limits<double>::max()};
+/// Coordinates far beyond any scene; products of three still fit a double, squares a float32.
+inline constexpr Range placeable{-1e18, 1e18};
 
 /// One value as a C++ type. A float is the float32 nearest to the text.
 float to_float(const TomlValue& value, Range range = {});
@@ -36,10 +38,12 @@ double to_double(const TomlValue& value, Range range = {});
 int to_int(const TomlValue& value, Range range);
 bool to_bool(const TomlValue& value);
 std::string to_string(const TomlValue& value);
-std::vector<std::string> to_strings(const TomlValue& value);  ///< one string, or an array of them
+std::vector<std::string> to_strings(
+    const TomlValue& value);  ///< one string, or an array of at least one
 vec2 to_vec2(const TomlValue& value);
 vec3 to_vec3(const TomlValue& value);
 dvec3 to_dvec3(const TomlValue& value);
+dvec3 to_placeable(const TomlValue& value);  ///< three numbers within `placeable`
 /// Three numbers from 0, or one for all three.
 vec3 to_color(const TomlValue& value);
 

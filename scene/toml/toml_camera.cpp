@@ -3,12 +3,20 @@
 
 namespace gw::scene {
 
+namespace {
+
+Key place_key(std::string name, dvec3& field) {
+    return {std::move(name), [&field](const TomlValue& value) { field = to_placeable(value); }};
+}
+
+}  // namespace
+
 Camera to_camera(const TomlValue& table) {
     Camera camera;
     read_table(table, {
-                          key("eye", camera.eye),
-                          key("at", camera.at),
-                          key("up", camera.up),
+                          place_key("eye", camera.eye),
+                          place_key("at", camera.at),
+                          place_key("up", camera.up),
                           key("fov", camera.fov, {0.1, 179}),
                           key("near", camera.near_plane, not_negative),
                           key("far", camera.far_plane, not_negative),
@@ -38,8 +46,8 @@ Fog to_fog(const TomlValue& table) {
             key("start", fog.start, not_negative),
             key("end", fog.end, not_negative),
         });
-    if (fog.mode == FogMode::Linear && fog.start == fog.end)
-        table.fail("fog.start is fog.end; expected two distances");
+    if (fog.mode == FogMode::Linear && fog.start >= fog.end)
+        table.fail("fog.end is not beyond fog.start; expected start < end");
     return fog;
 }
 

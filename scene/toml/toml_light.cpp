@@ -34,6 +34,13 @@ void read_attenuation(const TomlValue& value, Light& light) {
         value.fail(value.name + " is 0 everywhere; expected a factor above 0");
 }
 
+Key place_key(std::string name, vec3& field) {
+    return {std::move(name), [&field](const TomlValue& value) {
+                field = to_vec3(value);
+                to_placeable(value);
+            }};
+}
+
 void read_names(const TomlValue& value, std::set<std::string>& names) {
     for (std::string& name : to_strings(value)) names.insert(std::move(name));
 }
@@ -67,8 +74,8 @@ Light to_light(const TomlValue& table) {
                        {{"directional", LightKind::Directional},
                         {"point", LightKind::Point},
                         {"spot", LightKind::Spot}}),
-                   key("position", light.position),
-                   key("direction", light.direction),
+                   place_key("position", light.position),
+                   place_key("direction", light.direction),
                    color_key("Ia", light.Ia),
                    color_key("Id", light.Id),
                    {"Is", [&](const TomlValue& value) { light.Is = to_color(value); }},

@@ -1,10 +1,13 @@
 #include "scene/toml/toml_objects.h"
 
+#include "gw/error.h"
 #include "scene/geometry/divide.h"
+#include "scene/text/number.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
 
 #include <algorithm>
+#include <new>
 
 namespace gw::scene {
 
@@ -16,16 +19,20 @@ struct TomlObjects::ObjectTable {
     TomlShape shape;
     int divide = 1;
     bool visible = true;
-    Object placed;  ///< without name, mesh and material
+    Object placed;                                         ///< without name, mesh and material
+    std::map<const Material*, const Material*> changed{};  ///< by `material = {...}`
+
+    Origin origin() const { return {*table.file, table.line}; }
 };
 
 namespace {
 
-std::vector<std::string> names_of(const auto& named) {
-    std::vector<std::string> names;
-    for (const auto& n : named) names.push_back(n.name);
-    return names;
-}
+/// A scene refuses to generate more triangles: they would take about 1.5 GB.
+constexpr double most_triangles = 1 << 25;
+
+/// From this many objects on, objects of one shape share a mesh. Below, each mesh has identifiers
+/// of its own, as in recordings.
+constexpr std::size_t few_objects = 1000;
 
 Glare to_glare(const TomlValue& table) {
     Glare glare;
@@ -69,6 +76,11 @@ PixmapChoice to_pixmap(const TomlValue& table) {
 
 }  // namespace
 
+TomlObjects::SourceFile::SourceFile(ObjFile read)
+    : file(std::move(read)), materials(file.materials) {
+    for (const ObjPart& part : file.parts) parts.insert(part.name);
+}
+
 void TomlObjects::add(const TomlValue& table) {
     ObjectTable object{table};
     Placement placement;
@@ -92,84 +104,124 @@ void TomlObjects::add(const TomlValue& table) {
     add_shape_keys(table, keys, object.shape);
     read_table(table, keys);
     object.placed.world_from_object = world_from_object(placement);
-    if (object.file.empty() && !object.shape.make)
+    if (object.file.empty() && !object.shape.shape)
         table.fail("object has neither file nor shape; expected one of them");
-    if (!object.file.empty() && object.shape.make)
+    if (!object.file.empty() && object.shape.shape)
         table.fail("object has both file and shape; expected one of them");
-    object.shape.make ? add_shape(object) : add_file(object);
+    try {
+        object.shape.shape ? add_shape(object) : add_file(object);
+    } catch (const std::bad_alloc&) {
+        table.fail("object needs more memory than there is; expected fewer triangles");
+    }
 }
 
-void TomlObjects::add_mesh(const ObjectTable& object, const std::string& name, MeshData mesh,
-                           const Material& material) {
+void TomlObjects::count_triangles(const ObjectTable& object, double count) {
+    triangles_ += count;
+    if (triangles_ <= most_triangles) return;
+    object.table.fail("object has " + number_text(count) + " triangles, which makes " +
+                      number_text(triangles_) + "; expected at most " +
+                      number_text(most_triangles) + " of all shapes and divided files");
+}
+
+template <class Make>
+void TomlObjects::add_mesh(ObjectTable& object, const std::string& name, const MeshKey& key,
+                           const Material& material, const Make& make) {
     names_.insert(name);
     if (!object.visible) return;
     Object placed = object.placed;
     placed.name = name;
-    builder_.add(std::move(placed), divide(std::move(mesh), object.divide), material,
-                 {*object.table.file, object.table.line});
-}
-
-MeshData TomlObjects::make_shape(const ObjectTable& object) const {
-    try {
-        return object.shape.make(object.shape.parameters);
-    } catch (const Error& error) {
-        object.table.fail(error.what());
+    if (placed.glare && material.Ke == vec3(0) && material.map_Ke.empty())
+        warnings_.add(*object.table.file, object.table.line, "glare",
+                      "glare has no effect on an object that does not emit; expected Ke");
+    placed.material = builder_.index_of(material);
+    if (builder_.scene.objects.size() < few_objects) {
+        placed.mesh = builder_.numbered(divide(make(), object.divide), object.origin());
+    } else {
+        MeshRef& mesh = shared_[key];
+        if (!mesh) mesh = builder_.numbered(divide(make(), object.divide), object.origin());
+        placed.mesh = mesh;
     }
+    builder_.scene.objects.push_back(std::move(placed));
 }
 
-void TomlObjects::add_shape(const ObjectTable& object) {
+void TomlObjects::add_shape(ObjectTable& object) {
     if (object.crease) object.crease->fail("crease beside shape; expected it beside file");
     if (object.parts) object.parts->fail("parts beside shape; expected it beside file");
-    const std::string& name = object.name.empty() ? object.shape.name : object.name;
-    add_mesh(object, name, make_shape(object), material_of(object, {}, {}));
+    const Shape& shape = *object.shape.shape;
+    const std::vector<double>& values = object.shape.parameters;
+    const std::string& name = object.name.empty() ? shape.name : object.name;
+    const double pieces = shape.is_flat ? object.divide : 1;
+    if (object.visible) count_triangles(object, shape.triangles(values) * pieces * pieces);
+    add_mesh(object, name, {nullptr, shape.name, values, object.divide},
+             material_of(object, nullptr, nullptr), [&] {
+                 try {
+                     return shape.make(values);
+                 } catch (const Error& error) {
+                     object.table.fail(error.what());
+                 }
+             });
 }
 
-void TomlObjects::add_file(const ObjectTable& object) {
-    const ObjFile& file = file_of(object);
-    const std::vector<std::string> wanted =
-        object.parts ? to_strings(*object.parts) : std::vector<std::string>();
-    for (const std::string& part : wanted)
-        if (std::ranges::find(file.parts, part, &ObjPart::name) == file.parts.end())
-            object.parts->fail(unknown("part", part, names_of(file.parts)));
-    for (const ObjPart& part : file.parts) {
-        if (!wanted.empty() && std::ranges::find(wanted, part.name) == wanted.end()) continue;
+void TomlObjects::add_file(ObjectTable& object) {
+    const SourceFile& source = file_of(object);
+    std::set<std::string> wanted;
+    if (object.parts)
+        for (std::string& part : to_strings(*object.parts)) {
+            if (!source.parts.contains(part))
+                object.parts->fail(
+                    unknown("part", part, {source.parts.begin(), source.parts.end()}));
+            wanted.insert(std::move(part));
+        }
+    for (const ObjPart& part : source.file.parts) {
+        if (!wanted.empty() && !wanted.contains(part.name)) continue;
         const std::string& name = object.name.empty() ? part.name : object.name;
-        add_mesh(object, name, part.mesh, material_of(object, file, part));
+        if (object.visible && object.divide > 1)
+            count_triangles(object, divided_triangles(part.mesh, object.divide));
+        add_mesh(object, name, {&part, {}, {}, object.divide}, material_of(object, &source, &part),
+                 [&] { return part.mesh; });
     }
 }
 
-const ObjFile& TomlObjects::file_of(const ObjectTable& object) {
+const TomlObjects::SourceFile& TomlObjects::file_of(const ObjectTable& object) {
     const TomlValue& value = *object.table.find("file");
     const std::filesystem::path path =
         find_file(std::filesystem::path(*value.file).parent_path(), object.file);
-    if (!file_exists(path))
-        value.fail("file '" + printable(object.file) + "' does not exist; expected an OBJ file");
+    if (const std::string fault = file_fault(path); !fault.empty())
+        value.fail("file '" + printable(object.file) + "' " + fault + "; expected an OBJ file");
     ObjOptions options;
     if (object.crease) options.crease = to_double(*object.crease, {0, 180});
-    const auto found = files_.find({path.string(), options.crease.value_or(-1)});
+    const std::pair<std::string, double> key{path.string(), options.crease.value_or(-1)};
+    const auto found = files_.find(key);
     if (found != files_.end()) return found->second;
-    return files_[{path.string(), options.crease.value_or(-1)}] =
-               read_obj(path, options, warnings_);
+    return files_.try_emplace(key, read_obj(path, options, warnings_)).first->second;
 }
 
-const Material& TomlObjects::material_of(const ObjectTable& object, const ObjFile& file,
-                                         const ObjPart& part) {
+const Material& TomlObjects::material_of(ObjectTable& object, const SourceFile* source,
+                                         const ObjPart* part) {
+    static const std::vector<Material> none;
+    static const MaterialNames no_names(none);
+    const MaterialNames& own = source ? source->materials : no_names;
+    const auto base = [&]() -> const Material& {
+        if (!part) return default_material();
+        return find_material({&library_, &own}, part->material,
+                             {source->file.file, part->material_line});
+    };
     const TomlValue* const value = object.material;
-    if (!value)
-        return find_material({&library_, &file.materials}, part.material,
-                             {file.file, part.material_line});
+    if (!value) return base();
     if (value->kind == TomlKind::String)
-        return find_material({&library_, &file.materials}, value->text,
-                             {*value->file, value->line});
+        return find_material({&library_, &own}, value->text, {*value->file, value->line});
     if (value->kind != TomlKind::Table) value->fail_expected("a name or a table");
-    return changed_material(*value, find_material({&library_, &file.materials}, part.material,
-                                                  {file.file, part.material_line}));
+    return changed_material(object, base());
 }
 
-const Material& TomlObjects::changed_material(const TomlValue& changes, const Material& base) {
-    const auto [found, is_new] = changed_.try_emplace({&changes, &base}, base);
-    if (is_new) read_material(changes, found->second);
-    return found->second;
+const Material& TomlObjects::changed_material(ObjectTable& object, const Material& base) {
+    const auto [found, is_new] = object.changed.try_emplace(&base);
+    if (is_new) {
+        changed_.push_back(base);
+        read_material(*object.material, changed_.back());
+        found->second = &changed_.back();
+    }
+    return *found->second;
 }
 
 }  // namespace gw::scene

@@ -6,8 +6,10 @@
 #include "scene/scene_builder.h"
 #include "scene/toml/toml_sections.h"
 
+#include <deque>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace gw::scene {
 
@@ -17,6 +19,8 @@ public:
     /// files.
     TomlObjects(SceneBuilder& builder, const std::vector<Material>& library, Warnings& warnings)
         : builder_(builder), library_(library), warnings_(warnings) {}
+    TomlObjects(const TomlObjects&) = delete;
+    TomlObjects& operator=(const TomlObjects&) = delete;
 
     /// Adds the objects of one table. Throws Error with file and line.
     void add(const TomlValue& table);
@@ -26,22 +30,36 @@ public:
 
 private:
     struct ObjectTable;
-    void add_file(const ObjectTable& object);
-    void add_shape(const ObjectTable& object);
-    MeshData make_shape(const ObjectTable& object) const;
-    void add_mesh(const ObjectTable& object, const std::string& name, MeshData mesh,
-                  const Material& material);
-    const ObjFile& file_of(const ObjectTable& object);
-    const Material& material_of(const ObjectTable& object, const ObjFile& file,
-                                const ObjPart& part);
-    const Material& changed_material(const TomlValue& changes, const Material& base);
+    /// A file that was read, and its parts by their names.
+    struct SourceFile {
+        explicit SourceFile(ObjFile read);
+        SourceFile(const SourceFile&) = delete;
+        SourceFile& operator=(const SourceFile&) = delete;
+        ObjFile file;
+        MaterialNames materials;
+        std::set<std::string_view> parts;
+    };
+    /// A part of a file or a shape with its parameters, and its pieces (scene/geometry/divide.h).
+    using MeshKey = std::tuple<const ObjPart*, std::string, std::vector<double>, int>;
+
+    void add_file(ObjectTable& object);
+    void add_shape(ObjectTable& object);
+    void count_triangles(const ObjectTable& object, double count);
+    template <class Make>
+    void add_mesh(ObjectTable& object, const std::string& name, const MeshKey& key,
+                  const Material& material, const Make& make);
+    const SourceFile& file_of(const ObjectTable& object);
+    const Material& material_of(ObjectTable& object, const SourceFile* source, const ObjPart* part);
+    const Material& changed_material(ObjectTable& object, const Material& base);
 
     SceneBuilder& builder_;
-    const std::vector<Material>& library_;
+    const MaterialNames library_;
     Warnings& warnings_;
     /// read already, by path and crease angle
-    std::map<std::pair<std::string, double>, ObjFile> files_;
-    std::map<std::pair<const TomlValue*, const Material*>, Material> changed_;
+    std::map<std::pair<std::string, double>, SourceFile> files_;
+    std::deque<Material> changed_;  ///< materials of `material = {...}`; they do not move
+    std::map<MeshKey, MeshRef> shared_;
+    double triangles_ = 0;  ///< of all shapes and divided files
     std::set<std::string> names_;
 };
 

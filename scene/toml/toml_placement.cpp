@@ -7,14 +7,8 @@
 namespace gw::scene {
 namespace {
 
-// Far beyond any scene, and products of three still fit a double.
-constexpr Range placeable{-1e18, 1e18};
-
-dvec3 to_placeable(const TomlValue& value) {
-    const dvec3 v = to_dvec3(value);
-    for (const TomlValue& element : value.elements) to_double(element, placeable);
-    return v;
-}
+/// A hundred turns: sines of larger angles lose their last digits.
+constexpr Range turns{-36000, 36000};
 
 dmat4 to_scaling(const TomlValue& value) {
     const dvec3 by = value.is_number() ? dvec3(to_double(value, placeable)) : to_placeable(value);
@@ -26,8 +20,10 @@ dmat4 to_scaling(const TomlValue& value) {
 dmat4 to_axis_rotation(const TomlValue& table) {
     dvec3 axis(0);
     double degrees = 0;
-    read_table(table, {key("axis", axis), key("degrees", degrees, {-36000, 36000})});
+    read_table(table, {{"axis", [&](const TomlValue& value) { axis = to_placeable(value); }},
+                       key("degrees", degrees, turns)});
     if (axis == dvec3(0)) table.fail(table.name + ".axis is missing or 0; expected a direction");
+    if (!table.find("degrees")) table.fail(table.name + ".degrees is missing; expected an angle");
     return rotation(axis, degrees);
 }
 
@@ -36,8 +32,11 @@ dmat4 to_rotation(const TomlValue& value) {
     if (value.kind == TomlKind::Table) return to_axis_rotation(value);
     if (value.kind != TomlKind::Array)
         value.fail_expected("{axis, degrees} or degrees about x, y and z");
-    if (value.elements.empty() || value.elements[0].kind != TomlKind::Table)
-        return rotation_xyz(to_dvec3(value));
+    if (value.elements.empty() || value.elements[0].kind != TomlKind::Table) {
+        const dvec3 degrees = to_dvec3(value);
+        for (const TomlValue& element : value.elements) to_double(element, turns);
+        return rotation_xyz(degrees);
+    }
     dmat4 all(1);
     for (const TomlValue& element : value.elements) all = to_axis_rotation(element) * all;
     return all;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/read_scene.h"
+#include "scene/toml/shape_table.h"
 #include "scene/toml/toml_binder.h"
 
 namespace gw::scene {
@@ -28,9 +29,8 @@ dmat4 world_from_object(const Placement& placement);
 
 /// A shape that an [[object]] asks for, and the values of its parameters.
 struct TomlShape {
-    std::string name;
+    const Shape* shape = nullptr;  ///< null: the table has none
     std::vector<double> parameters;
-    std::function<MeshData(const std::vector<double>&)> make;  ///< empty: the table has no shape
 };
 /// Finds the shape of the table and appends its parameters' keys, which fill in `shape`; it must
 /// not move meanwhile.

@@ -34,8 +34,7 @@ void add_shape_keys(const TomlValue& table, std::vector<Key>& keys, TomlShape& s
     const TomlValue* value = table.find("shape");
     if (!value) return;
     const Shape& wanted = to_shape(*value);
-    shape.name = wanted.name;
-    shape.make = wanted.make;
+    shape.shape = &wanted;
     for (const ShapeParameter& parameter : wanted.parameters)
         shape.parameters.push_back(parameter.value);
     for (std::size_t i = 0; i < wanted.parameters.size(); ++i)

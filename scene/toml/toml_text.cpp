@@ -14,7 +14,8 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; 
 /// Passes over the text once, string by string and comment by comment.
 class Walk {
 public:
-    Walk(const std::string& file, std::string& text) : file_(file), text_(text) {}
+    Walk(const std::string& file, std::string& text, std::vector<std::size_t>* headers)
+        : file_(file), text_(text), headers_(headers) {}
 
     void run() {
         while (at_ < text_.size()) {
@@ -51,20 +52,63 @@ private:
             case ' ':
             case '\t':
             case '\r': break;
-            case '\n': value_ = value_ && !open_.empty(); break;
-            case ',': value_ = !open_.empty() && open_.back() == '['; break;
+            case '\n': end_line(); break;
+            case ',':
+                dots_ = 0;
+                value_ = !open_.empty() && open_.back().bracket == '[';
+                break;
             case '[':
             case '{':
-                if (value_) open_ += c;
+                value_ ? open(c) : begin_header();
                 value_ = value_ && c == '[';
                 break;
             case ']':
             case '}':
                 value_ = !open_.empty();
-                if (value_) open_.pop_back();
+                if (value_) close_bracket();
                 break;
+            case '.':
+                if (!value_) ++dots_;
+                check_levels();
+                [[fallthrough]];
             default: word_ = value_; value_ = value_ || c == '=';
         }
+    }
+
+    void end_line() {
+        line_begin_ = at_ + 1;
+        value_ = value_ && !open_.empty();
+        if (!open_.empty()) return;
+        if (in_header_) header_dots_ = dots_;
+        in_header_ = false;
+        dots_ = 0;
+    }
+
+    void begin_header() {
+        if (in_header_ || !open_.empty()) return;
+        in_header_ = true;
+        header_dots_ = 0;
+        if (headers_) headers_->push_back(line_begin_);
+    }
+
+    /// The dots of the key before a bracket count until the bracket is closed.
+    void open(char bracket) {
+        open_.push_back({bracket, dots_});
+        levels_ += 1 + dots_;
+        dots_ = 0;
+        check_levels();
+    }
+
+    void close_bracket() {
+        dots_ = open_.back().dots;
+        levels_ -= 1 + dots_;
+        open_.pop_back();
+    }
+
+    void check_levels() const {
+        if (levels_ + dots_ + (in_header_ ? 0 : header_dots_) >= most_toml_levels)
+            fail("too many levels of keys and brackets; expected fewer than " +
+                 std::to_string(most_toml_levels));
     }
 
     void comment() {
@@ -113,19 +157,31 @@ private:
         throw Error(file_, 1 + static_cast<int>(std::count(text_.begin(), here, '\n')), what);
     }
 
+    struct Bracket {
+        char bracket;
+        int dots;  ///< of the key before it
+    };
+
     const std::string& file_;
     std::string& text_;
+    std::vector<std::size_t>* headers_;
     std::size_t at_ = 0;
-    char before_ = '\n';  ///< the last character outside of comments that is not a blank
-    std::string open_;    ///< brackets of arrays and inline tables
+    char before_ = '\n';         ///< the last character outside of comments that is not a blank
+    std::vector<Bracket> open_;  ///< of arrays and inline tables
+    int levels_ = 0;             ///< of the open brackets and their keys
+    int dots_ = 0;               ///< in the key that is read now
+    int header_dots_ = 0;        ///< in the last header
+    bool in_header_ = false;
+    std::size_t line_begin_ = 0;
     bool value_ = false;  ///< a value comes next, not a key
     bool word_ = false;   ///< within a value without quotation marks
 };
 
 }  // namespace
 
-std::string toml_text(const std::string& file, std::string text) {
-    Walk(file, text).run();
+std::string toml_text(const std::string& file, std::string text,
+                      std::vector<std::size_t>* headers) {
+    Walk(file, text, headers).run();
     return text;
 }
 

@@ -2,13 +2,20 @@
 // white space, and for many of them its table has undefined behaviour. Does not parse.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace gw::scene {
 
+/// Tables, arrays and parts of dotted keys in each other. toml++ recurses for each level.
+inline constexpr int most_toml_levels = 64;
+
 /// The text with ASCII comments; line numbers stay. Throws Error "file:line: ..." for a character
 /// beyond ASCII outside of strings and comments, or at the start of a line after an escaped end of
-/// line in a string.
-std::string toml_text(const std::string& file, std::string text);
+/// line in a string, and for more than most_toml_levels. Appends to `headers` the beginnings of the
+/// lines that hold a header, [a.b] or [[a.b]].
+std::string toml_text(const std::string& file, std::string text,
+                      std::vector<std::size_t>* headers = nullptr);
 
 }  // namespace gw::scene

@@ -43,4 +43,31 @@ TomlValue read_toml_text(const std::string& text, const std::filesystem::path& n
 /// Throws Error where read_text does and where the text is not TOML.
 TomlValue read_toml_file(const std::filesystem::path& path);
 
+/// A file whose tables [[ARRAY]] are read a few at a time: toml++ takes a kilobyte for a table of
+/// five keys, and a scene may have a million. Throws Error as read_toml_file does.
+class TomlTables {
+public:
+    TomlTables(const std::filesystem::path& path, std::string_view array);
+
+    /// The file with the first tables of the array: one of them, or all.
+    const TomlValue& rest() const { return rest_; }
+
+    /// The other tables of the array come in this many pieces, in the order of the file.
+    std::size_t pieces() const { return pieces_.size(); }
+    std::vector<TomlValue> further(std::size_t piece) const;
+
+private:
+    struct Piece {
+        std::size_t begin = 0, end = 0;  ///< in text_
+        int lines_before = 0, lines = 0;
+    };
+    bool cut(const std::vector<std::size_t>& headers);
+    int count_lines(std::size_t begin, std::size_t end) const;
+
+    std::shared_ptr<const std::string> file_;
+    std::string array_, text_;
+    std::vector<Piece> pieces_;
+    TomlValue rest_;
+};
+
 }  // namespace gw::scene

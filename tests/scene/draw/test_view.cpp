@@ -196,6 +196,15 @@ TEST(Turntable, TurnsTheEyeAboutAt) {
     EXPECT_EQ(turntable(start, 360).eye, start.eye);
 }
 
+TEST(Turntable, TakesAnUpOfAnyLength) {
+    const Camera start{.eye = {5, 1, 1}, .at = {1, 1, 1}, .up = {0, 3, 4}};
+    Camera longer = start;
+    longer.up = {0, 6, 8};
+    EXPECT_EQ(turntable(start, 60).eye, turntable(longer, 60).eye);
+    const dvec3 arm = turntable(start, 60).eye - start.at;
+    EXPECT_NEAR(dot3(arm, arm), 16, 1e-12);
+}
+
 TEST(OverrideCamera, ReplacesWhatIsGiven) {
     const Camera camera = override_camera({.eye = {1, 2, 3}, .fov = 40}, {.eye = dvec3(9, 9, 9)});
     EXPECT_EQ(camera.eye, dvec3(9, 9, 9));

@@ -8,6 +8,8 @@
 #include "tests/scene/folder.h"
 
 #include <cmath>
+#include <set>
+#include <tuple>
 
 namespace gw::scene {
 namespace {
@@ -50,6 +52,41 @@ TEST(Normals, AreSmoothWithinTheCreaseAngleOnly) {
     EXPECT_EQ(vertices(folder, roof("0") + roof_faces, 0),
               6u);  // coplanar faces are one surface at any angle
     EXPECT_EQ(vertices(folder, roof("1") + roof_faces, 0), 8u);
+}
+
+// Triangles around one point on a steep cone, each with the given statement before it.
+std::string cone(int faces, bool with_groups) {
+    std::string text = "v 0 0 2000\n";
+    for (int i = 0; i < faces; ++i) {
+        const double turn = 6.283185307179586 * i / faces;
+        text += "v " + std::to_string(1000 * std::cos(turn)) + " " +
+                std::to_string(1000 * std::sin(turn)) + " 0\n";
+    }
+    for (int i = 0; i < faces; ++i) {
+        if (with_groups) text += "s " + std::to_string(1 + i / 2) + "\n";
+        text += "f 1 " + std::to_string(i + 2) + " " + std::to_string((i + 1) % faces + 2) + "\n";
+    }
+    return text;
+}
+
+std::size_t normals_at_the_tip(const std::string& text) {
+    Folder folder;
+    const MeshData mesh = folder.obj(text).parts[0].mesh;
+    std::set<std::tuple<float, float, float>> normals;
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        if (mesh.positions[i].z == 2000)
+            normals.insert({mesh.normals[i].x, mesh.normals[i].y, mesh.normals[i].z});
+    return normals.size();
+}
+
+TEST(Normals, OfVeryManySmoothingGroupsAtOnePointAreOneForEachGroup) {
+    EXPECT_EQ(normals_at_the_tip(cone(20000, true)), 10000u);
+}
+
+TEST(Normals, OfVeryManyFacesAtOnePointAreTheFacesOwn) {
+    EXPECT_EQ(normals_at_the_tip("s off\n" + cone(1500, false)),
+              normals_at_the_tip(cone(1500, false)));
+    EXPECT_EQ(normals_at_the_tip(cone(8, false)), 8u);
 }
 
 TEST(Normals, AreWeightedByArea) {

@@ -88,6 +88,16 @@ TEST_F(Mtl, ReadsTrAsOneMinusDAndPrefersD) {
     EXPECT_EQ(warned(), (Strings{"m.mtl:2: d -halo is read as d"}));
 }
 
+TEST_F(Mtl, AsksForDAndTrOfEachMaterialAnew) {
+    folder.write("m.mtl", "newmtl a\nd 0.5\nnewmtl b\nTr 0.25\nnewmtl c\nd 0.125\n");
+    const auto materials = read_mtl(folder.path() / "m.mtl", folder.warnings_list());
+    ASSERT_EQ(materials.size(), 3u);
+    EXPECT_EQ(materials[0].d, 0.5f);
+    EXPECT_EQ(materials[1].d, 0.75f);
+    EXPECT_EQ(materials[2].d, 0.125f);
+    EXPECT_EQ(folder.warnings(), Strings());
+}
+
 TEST_F(Mtl, LimitsWhatIsOutOfRange) {
     EXPECT_EQ(one("Ns 20000").Ns, 10000);
     EXPECT_EQ(warned(), (Strings{"m.mtl:2: Ns is out of range and limited to Ns 0 .. 10000"}));

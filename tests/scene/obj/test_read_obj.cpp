@@ -133,6 +133,23 @@ TEST(ReadObj, FindsLibrariesWithBlanksAndSeveralOnALine) {
     EXPECT_EQ(folder.warnings(), Strings());
 }
 
+TEST(ReadObj, TakesVeryManyGroupsAndVerticesAtOnePoint) {
+    Folder folder;
+    std::string groups = triangle, corners = triangle;
+    for (int i = 0; i < 20000; ++i) {
+        groups += "g part" + std::to_string(i) + "\nf 1 2 3\n";
+        corners += "vt " + std::to_string(i) + "\nf 1/-1 2 3\n";
+    }
+    const ObjFile parts = folder.obj(groups);
+    ASSERT_EQ(parts.parts.size(), 20000u);
+    EXPECT_EQ(parts.parts[19999].name, "part19999");
+    EXPECT_EQ(parts.parts[19999].mesh.positions.size(), 3u);
+    const MeshData mesh = folder.obj(corners).parts[0].mesh;
+    ASSERT_EQ(mesh.positions.size(), 20000u + 2u);
+    EXPECT_EQ(mesh.indices[3 * 19999], 20001u);
+    EXPECT_EQ(mesh.texcoords[20001].x, 19999);
+}
+
 TEST(ReadObj, WarnsOncePerKindOfWhatItDoesNotDraw) {
     Folder folder;
     folder.obj(triangle + "vp 0 1\nvp 1 1\ncstype bezier\nv 0 0 0 0.5\nf 1 2 3\n");

@@ -101,7 +101,14 @@ TEST_F(ObjError, MissingLibraries) {
               "m.obj:1: mtllib 'no such.mtl' does not exist; expected an MTL file");
     EXPECT_EQ(folder.obj_error("mtllib\n"), "m.obj:1: mtllib names no file; expected one or more");
     std::filesystem::create_directory(folder.path() / "d");
-    EXPECT_EQ(folder.obj_error("mtllib d\n"), "d: is a directory; expected a file");
+    EXPECT_EQ(folder.obj_error("mtllib d\n"),
+              "m.obj:1: mtllib 'd' is a directory; expected an MTL file");
+    EXPECT_EQ(folder.obj_error("mtllib /dev/null\n"),
+              "m.obj:1: mtllib '/dev/null' is a device or a pipe; expected an MTL file");
+    std::string words = "mtllib";
+    for (int i = 0; i < 100000; ++i) words += " a";
+    EXPECT_EQ(folder.obj_error(words + "\n"),
+              "m.obj:1: mtllib has too many words; expected fewer than 1000");
 }
 
 TEST_F(ObjError, LinesAreCountedThroughContinuations) {

@@ -261,4 +261,13 @@ TEST_F(Toml, WarningsOfItsFilesAreItsOwn) {
     EXPECT_EQ(folder.relative(f.warnings[0]), "w.obj:4: vp statements are not drawn");
 }
 
+TEST_F(Toml, WarnsOfGlareOfAnObjectThatDoesNotEmit) {
+    const std::string box = "[[object]]\nshape = 'box'\nglare = {}\n";
+    const SceneFile dark = file(box);
+    ASSERT_EQ(dark.warnings.size(), 1u);
+    EXPECT_EQ(folder.relative(dark.warnings[0]),
+              "s.toml:1: glare has no effect on an object that does not emit; expected Ke");
+    EXPECT_EQ(file(box + "material = {Ke = 1}\n").warnings, Strings());
+}
+
 }  // namespace gw::scene

@@ -126,6 +126,29 @@ TEST_F(TomlError, Cameras) {
               "s.toml:1: camera.far is not beyond camera.near; expected near < far");
 }
 
+TEST_F(TomlError, PlacesBeyondAnyScene) {
+    EXPECT_EQ(camera("eye = [1e39, 0, 0]"),
+              "s.toml:2: camera.eye is 1e39; expected a number from -1e+18 to 1e+18");
+    EXPECT_EQ(camera("at = [0, -1e19, 0]"),
+              "s.toml:2: camera.at is -1e19; expected a number from -1e+18 to 1e+18");
+    EXPECT_EQ(light("position = [0, 1e20, 0]"),
+              "s.toml:4: light.position is 1e20; expected a number from -1e+18 to 1e+18");
+}
+
+TEST_F(TomlError, FogThatEndsBeforeItStarts) {
+    EXPECT_EQ(fault("fog = {start = 5, end = 2}\n"),
+              "s.toml:1: fog.end is not beyond fog.start; expected start < end");
+    EXPECT_EQ(fault("fog = {start = 5}\n"),
+              "s.toml:1: fog.end is not beyond fog.start; expected start < end");
+}
+
+TEST_F(TomlError, EmptyListsOfNames) {
+    EXPECT_EQ(light("position = [0, 0, 0]\nonly = []"),
+              "s.toml:5: light.only is empty; expected at least one string");
+    EXPECT_EQ(object("parts = []"),
+              "s.toml:3: object.parts is empty; expected at least one string");
+}
+
 TEST_F(TomlError, Lights) {
     EXPECT_EQ(light("Id = 1"),
               "s.toml:3: light has neither position nor direction; expected one of them, or both");
@@ -148,13 +171,18 @@ TEST_F(TomlError, Lights) {
 TEST_F(TomlError, Objects) {
     EXPECT_EQ(fault(""), "s.toml: has nothing to draw; expected an [[object]] that is visible");
     EXPECT_EQ(object("visible = false"),
-              "s.toml: has nothing to draw; expected an [[object]] that is visible");
+              "s.toml:1: has nothing to draw; expected an [[object]] that is visible");
     EXPECT_EQ(fault("\n[[object]]\nname = 'x'\n"),
               "s.toml:2: object has neither file nor shape; expected one of them");
     EXPECT_EQ(fault("[[object]]\nfile = 'no.obj'\n"),
               "s.toml:2: file 'no.obj' does not exist; expected an OBJ file");
     std::filesystem::create_directory(folder.path() / "d");
-    EXPECT_EQ(fault("[[object]]\nfile = 'd'\n"), "d: is a directory; expected a file");
+    EXPECT_EQ(fault("[[object]]\nfile = 'd'\n"),
+              "s.toml:2: file 'd' is a directory; expected an OBJ file");
+    EXPECT_EQ(fault("\nmtllib = ['d']\n[[object]]\nshape = 'box'\n"),
+              "s.toml:2: mtllib 'd' is a directory; expected an MTL file");
+    EXPECT_EQ(fault("[[object]]\nfile = '/dev/null'\n"),
+              "s.toml:2: file '/dev/null' is a device or a pipe; expected an OBJ file");
     EXPECT_EQ(object("parts = ['tri', 'quad']"),
               "s.toml:3: unknown part 'quad'; the nearest known is 'tri'");
     EXPECT_EQ(fault("[[object]]\nshape = 'no shape'\n").substr(0, 34),
@@ -170,6 +198,10 @@ TEST_F(TomlError, Placements) {
         "s.toml:3: object.rotate is 90; expected {axis, degrees} or degrees about x, y and z");
     EXPECT_EQ(object("rotate = {degrees = 90}"),
               "s.toml:3: object.rotate.axis is missing or 0; expected a direction");
+    EXPECT_EQ(object("rotate = {axis = [0, 1, 0]}"),
+              "s.toml:3: object.rotate.degrees is missing; expected an angle");
+    EXPECT_EQ(object("rotate = [1e30, 0, 0]"),
+              "s.toml:3: object.rotate is 1e30; expected a number from -36000 to 36000");
     EXPECT_EQ(object("rotate = [90, 0]"),
               "s.toml:3: object.rotate has 2 elements; expected an array of 3 numbers");
     EXPECT_EQ(object("translate = [1e300, 0, 0]"),

@@ -1,15 +1,18 @@
+#include "image/decoder/read_texels.h"
+
 #include "gw/error.h"
-#include "image/formats/encode.h"
-#include "image/formats/module.h"
-#include "image/formats/silence_stderr.h"
+#include "image/formats/one_line.h"
 
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <fstream>
 #include <string>
 
-namespace gw::image::oiio {
+namespace gw::image {
 namespace {
+
+using oiio::one_line;
 
 [[noreturn]] void refuse(const std::string& why, const std::string& expected) {
     throw Error(why + "; expected " + expected);
@@ -73,10 +76,26 @@ std::uint16_t word_from(float value) {
     return static_cast<std::uint16_t>(static_cast<double>(clamped) * 65535 + 0.5);
 }
 
+/// OpenImageIO divides by the largest value of a PGM or PPM file without looking at it.
+void check_largest_value(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string kind, word;
+    in >> kind;
+    if (kind != "P2" && kind != "P3" && kind != "P5" && kind != "P6") return;
+    for (int numbers = 0; numbers < 3 && in >> word;) {
+        if (word[0] == '#')
+            std::getline(in, word);
+        else
+            ++numbers;
+    }
+    if (word.find_first_not_of('0') == word.npos)
+        refuse("its largest value is 0", "one from 1 to 65535");
+}
+
 }  // namespace
 
 Texels read_texels(const std::filesystem::path& file) {
-    const SilenceStderr silence;
+    check_largest_value(file);
     const auto input = open(file);
     const OIIO::ImageSpec& spec = input->spec();
     check_spec(spec);
@@ -96,4 +115,4 @@ Texels read_texels(const std::filesystem::path& file) {
     return {spec.width, spec.height, spread_to_rgba<std::uint16_t>(values, channels, 65535)};
 }
 
-}  // namespace gw::image::oiio
+}  // namespace gw::image

@@ -1,0 +1,21 @@
+// What the decoder writes for each file name (a line) that it reads: this header, then `bytes` of
+// R, G, B, A, bottom row first, or of a message.
+#pragma once
+
+#include <cstdint>
+
+namespace gw::image {
+
+struct DecoderReply {
+    enum Kind : std::uint32_t { Message = 1, Bits8 = 8, Bits16 = 16 };
+    std::uint32_t kind = Message;
+    std::int32_t width = 0, height = 0;
+    std::uint64_t bytes = 0;
+};
+
+/// Of a file: processor time of the decoder, its memory, and the time until it is ended.
+inline constexpr int decoder_seconds = 20;
+inline constexpr std::uint64_t decoder_megabytes = 1024;
+inline constexpr int decoder_patience_seconds = 60;
+
+}  // namespace gw::image

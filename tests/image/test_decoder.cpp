@@ -1,0 +1,106 @@
+// Claims: damaged pictures of every format are textures or errors, in little memory and time;
+// decoding goes on after a crash.
+#include "image/decoder/reply.h"
+#include "image/decoder_process.h"
+
+#include "tests/image/files.h"
+#include "tests/image/refusal.h"
+
+#include <sys/resource.h>
+
+namespace gw::image {
+namespace {
+
+/// A picture of 20 x 12 pixels in the format of the extension; false if there is none.
+bool write_sample(const std::filesystem::path& file) {
+    const auto output = OIIO::ImageOutput::create(file.string());
+    if (!output) return false;
+    const OIIO::ImageSpec spec(20, 12, 3, OIIO::TypeDesc::UINT8);
+    std::vector<std::uint8_t> values(20 * 12 * 3);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::uint8_t(i * i / 7);
+    return output->open(file.string(), spec) &&
+           output->write_image(OIIO::TypeDesc::UINT8, values.data()) && output->close();
+}
+
+/// Some bytes replaced, most of them in the header; the seed chooses.
+std::string damaged(std::string bytes, std::uint32_t seed) {
+    const auto random = [&seed](std::size_t below) {
+        seed = seed * 1664525 + 1013904223;
+        return (seed >> 8) % below;
+    };
+    for (std::size_t n = 1 + random(6); n > 0; --n) {
+        const std::size_t end =
+            random(4) == 0 ? bytes.size() : std::min<std::size_t>(bytes.size(), 800);
+        const std::size_t at = random(end);
+        if (random(8) == 0)
+            bytes.resize(at + 1);
+        else
+            bytes[at] = "\0\xff\x7f\x80"[random(4)];
+    }
+    return bytes;
+}
+
+bool reads(DecoderProcess& decoder, const std::filesystem::path& file) {
+    try {
+        return decoder.read(file).width == 20;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+class DamagedPicture : public testing::TestWithParam<const char*> {};
+
+}  // namespace
+
+TEST_P(DamagedPicture, IsATextureOrAnErrorOfOneLine) {
+    const Folder folder;
+    const auto file = folder / (std::string("a.") + GetParam());
+    if (!write_sample(file)) GTEST_SKIP() << "not written by this OpenImageIO";
+    const std::string whole = bytes_of(file);
+    DecoderProcess decoder;
+    const bool readable = reads(decoder, file);  // some readers refuse what the writers write
+    for (std::uint32_t seed = 0; seed < 25; ++seed) {
+        folder.write(file.filename().string(), damaged(whole, seed));
+        try {
+            decoder.read(file);
+        } catch (const Error& error) {
+            const std::string message = error.what();
+            EXPECT_EQ(message.find('\n'), message.npos) << "seed " << seed;
+            EXPECT_LT(message.size(), 400u) << "seed " << seed;
+        }
+    }
+    folder.write(file.filename().string(), whole);
+    EXPECT_EQ(reads(decoder, file), readable);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DamagedPicture,
+                         testing::Values("sgi", "dpx", "cin", "tga", "bmp", "tif", "jpg", "gif",
+                                         "ppm", "hdr", "exr", "rla", "ico", "iff", "pic", "jp2",
+                                         "webp", "heic", "zfile", "fits"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST(DecoderProcess, LimitsMemory) {
+    rusage before{}, after{};
+    getrusage(RUSAGE_CHILDREN, &before);
+    const Folder folder;
+    const auto file = folder / "a.dpx";
+    ASSERT_TRUE(write_sample(file));
+    std::string bytes = bytes_of(file);
+    for (const std::size_t at : {772u, 776u})  // width and height, the high byte first
+        bytes.replace(at, 4, std::string("\0\0\xff\xff", 4));
+    folder.write("a.dpx", bytes);
+    EXPECT_NE(refusal(file), "");
+    getrusage(RUSAGE_CHILDREN, &after);
+    EXPECT_LT(std::uint64_t(after.ru_maxrss), 2 * decoder_megabytes * 1024);
+}
+
+TEST(DecoderProcess, RefusesAPortableMapWhoseLargestValueIsZero) {
+    const Folder folder;
+    for (const char* text : {"P2\n1 1\n0\n0\n", "P3\n# a comment 1\n1 1\n00\n0 0 0\n"}) {
+        folder.write("a.ppm", text);
+        EXPECT_EQ(refusal(folder / "a.ppm"),
+                  "its largest value is 0; expected one from 1 to 65535");
+    }
+}
+
+}  // namespace gw::image
