@@ -6,6 +6,9 @@
 
 #include "tests/image/files.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 namespace gw::image {
 
 namespace fs = std::filesystem;
@@ -61,6 +64,28 @@ TEST(OutputFolder, ReplacesItsOwnKindAndEmptyFoldersAndLinksToThem) {
     fill(folder / "link", "linked");
     EXPECT_TRUE(fs::is_symlink(folder / "link"));
     EXPECT_EQ(bytes_of(folder / "empty" / "a.txt"), "linked");
+}
+
+TEST(OutputFolder, IsWholeWhicheverProcessIsLast) {
+    const Folder folder;
+    std::vector<pid_t> children;
+    for (int i = 0; i < 8; ++i) {
+        children.push_back(::fork());
+        if (children.back() != 0) continue;
+        try {
+            for (int round = 0; round < 20; ++round) fill(folder / "out", std::to_string(i));
+        } catch (const Error&) {
+            ::_exit(1);
+        }
+        ::_exit(0);
+    }
+    for (const pid_t child : children) {
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        EXPECT_EQ(status, 0);
+    }
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"out"});
+    EXPECT_EQ(bytes_of(folder / "out" / "a.txt").size(), 1u);
 }
 
 TEST(OutputFolder, RefusesWhatItMayNotReplace) {
