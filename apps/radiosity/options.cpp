@@ -62,8 +62,9 @@ void add_computation(CLI::App& command, RadiosityOptions& o) {
                "Texels per unit length (default: the scene's)");
     add_whole(command, "--patch", o.model.patch, 1, 64,
               "A patch is a block of NxN texels (default 4)");
-    add_whole(command, "--parts", o.solver.form_factors.scan.most_parts, 1, 1024,
-              "Oversampling: a pixel is divided at most so often each way; 1: never (default 64)");
+    add_whole(
+        command, "--parts", o.solver.form_factors.scan.most_parts, 1, 1024,
+        "Oversampling: a pixel is divided into at most N parts each way; 1: never (default 64)");
     add_whole(command, "--seed", o.solver.form_factors.seed, 0, 2147483647,
               "Of the turns of the hemicubes (default 0)");
     command.add_flag("--save", o.save,
@@ -78,8 +79,8 @@ void add_computation(CLI::App& command, RadiosityOptions& o) {
             [&o](const std::vector<std::string>& words) {
                 for (const std::string& word : words) o.changes.push_back(change_from(word));
             },
-            "Then change an object and shoot the difference: emission=R,G,B, dim=FACTOR, Kd=R,G,B or "
-            "move=X,Y,Z. May be repeated; the picture is DIR/changed.png")
+            "Then change an object and shoot the difference: emission=R,G,B, dim=FACTOR, Kd=R,G,B "
+            "or move=X,Y,Z. May be repeated; the picture is DIR/changed.png")
         ->type_name("NAME:WHAT=VALUE");
     command.add_flag("--anew", o.anew,
                      "With --change: also solve the changed scene anew, to compare");
@@ -105,8 +106,8 @@ void add_display(CLI::App& command, RadiosityOptions& o) {
             [&o](const std::vector<std::string>& words) {
                 for (const std::string& word : words) o.views.push_back(view_from(word));
             },
-            "A view instead of the camera's: eye and what it looks at. May be repeated; nothing is solved "
-            "again")
+            "A view instead of the camera's: eye and what it looks at. May be repeated; nothing is "
+            "solved again")
         ->type_name("EYE/AT");
     add_whole(command, "--every", o.every, 1, 1000000000, "Also a picture after each N shots");
     command.add_flag("--no-ambient", o.no_ambient,
@@ -143,7 +144,8 @@ void check(const RadiosityOptions& options) {
     if (!options.form_factor.empty() &&
         (options.save || options.resume || options.record || !options.output.empty()))
         throw UsageError(
-            "--form-factor computes no picture; expected it without --output, --save, --resume and --record");
+            "--form-factor computes no picture; expected it without --output, --save, "
+            "--resume and --record");
     if (options.specular && options.display != "texture")
         throw UsageError("--specular draws pixmaps as textures; expected no --display beside it");
     if (!options.changes.empty() && options.save)

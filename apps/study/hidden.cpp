@@ -74,8 +74,8 @@ std::string exponents(const study::Growth& growth, const std::vector<study::Grow
         for (const study::GrowthCut& cut : growth.cuts)
             if (cut.axis == axis.name)
                 text += fmt::format(
-                    "{} was stopped after {:.6g}, which took {:.2g} s: the next would take longer than the "
-                    "limit\n",
+                    "{} was stopped after {:.6g}, which took {:.2g} s: the next would take longer "
+                    "than the limit\n",
                     cut.algorithm, cut.x, cut.seconds);
         text += "\n";
     }
@@ -127,11 +127,13 @@ public:
     void finish() {
         output_.add(options_.output / "index.html")
             .write_text(
-                "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Hidden surfaces: growth "
-                "and cost</title>\n"
+                "<!DOCTYPE html>\n"
+                "<html lang=\"en\"><meta charset=\"utf-8\"><title>Hidden surfaces: growth and "
+                "cost</title>\n"
                 "<style>body{font-family:sans-serif}pre{font-size:11px;overflow-x:auto}</style>\n"
-                "<h1>Hidden surfaces: growth and cost</h1>\n<p><a href=\"growth.csv\">growth.csv</a> <a "
-                "href=\"laws.csv\">laws.csv</a> <a href=\"costs.csv\">costs.csv</a></p>\n" +
+                "<h1>Hidden surfaces: growth and cost</h1>\n"
+                "<p><a href=\"growth.csv\">growth.csv</a> <a href=\"laws.csv\">laws.csv</a> <a "
+                "href=\"costs.csv\">costs.csv</a></p>\n" +
                 page_ + "</html>\n");
     }
 
@@ -143,7 +145,7 @@ private:
 
 }  // namespace
 
-int study_hidden(const HiddenStudyOptions& options) {
+int study_hidden(const HiddenStudyOptions& options, const Session& session) {
     const std::vector<study::PriceList> lists = read_lists(options.prices);
     const study::Recipes recipes = study::read_recipes(options.prices / "recipes.toml");
     image::OutputSet output;
@@ -179,10 +181,10 @@ int study_hidden(const HiddenStudyOptions& options) {
     output.add(options.output / "growth.csv").write_text(study::growth_csv(growth));
     output.add(options.output / "laws.csv").write_text(study::laws_csv(laws));
     output.add(options.output / "costs.csv").write_text(costs);
-    put_index(output, options.output);
+    put_index(output, options.output, session);
     output.commit();
     print(growth_text + ranking_texts);
-    return done;
+    return Done;
 }
 
 }  // namespace gw::apps
