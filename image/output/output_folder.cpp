@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void refuse(const fs::path& target, const std::string& why) {
+[[noreturn]] void refuse_folder(const fs::path& target, const std::string& why) {
     throw Error(target.string(), 0, why);
 }
 
@@ -45,19 +45,19 @@ OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> know
     const fs::path parent = target_.parent_path();
     std::error_code error;
     if (!fs::is_directory(parent, error))
-        refuse(asked_,
-               "cannot be made: folder " + parent.string() + " does not exist; expected one");
+        refuse_folder(
+            asked_, "cannot be made: folder " + parent.string() + " does not exist; expected one");
     if (::access(parent.c_str(), W_OK) != 0)
-        refuse(asked_, std::string("cannot be made: ") + std::strerror(errno) +
-                           "; expected a name in a folder that can be written into");
+        refuse_folder(asked_, std::string("cannot be made: ") + std::strerror(errno) +
+                                  "; expected a name in a folder that can be written into");
     check_replaceable();
     remove_stale_temporaries(parent);
     temporary_ = unused_name(parent);
     register_temporary_tree(temporary_);
     if (!fs::create_directory(temporary_, error)) {
         forget_temporary(temporary_);
-        refuse(asked_,
-               "cannot be made: " + (error ? error.message() : temporary_.string() + " is there"));
+        refuse_folder(asked_, "cannot be made: " +
+                                  (error ? error.message() : temporary_.string() + " is there"));
     }
     lock_ = ::open(temporary_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (lock_ >= 0) ::flock(lock_, LOCK_EX | LOCK_NB);  // for remove_stale_temporaries elsewhere
@@ -75,7 +75,7 @@ void OutputFolder::check_replaceable() const {
     std::error_code error;
     if (!fs::exists(target_, error)) return;
     if (!fs::is_directory(target_, error))
-        refuse(asked_, "is not a folder; expected a name for a new one");
+        refuse_folder(asked_, "is not a folder; expected a name for a new one");
     std::string stranger;
     bool empty = true, marked = false;
     for (const auto& entry : fs::directory_iterator(target_, error)) {
@@ -85,11 +85,11 @@ void OutputFolder::check_replaceable() const {
         if (std::ranges::find(known_, name) == known_.end()) stranger = name;
     }
     if (!empty && (!marked || !stranger.empty()))
-        refuse(asked_,
-               (stranger.empty() ? "has no " + known_.front() + " of this command"
-                                 : "holds " + stranger + ", which is not of this command") +
-                   "; expected a new name, an empty folder or an earlier output to replace");
-    if (error) refuse(asked_, "cannot be read: " + error.message());
+        refuse_folder(asked_,
+                      (stranger.empty() ? "has no " + known_.front() + " of this command"
+                                        : "holds " + stranger + ", which is not of this command") +
+                          "; expected a new name, an empty folder or an earlier output to replace");
+    if (error) refuse_folder(asked_, "cannot be read: " + error.message());
 }
 
 /// One try; another process may make or take the target in between.
@@ -124,7 +124,7 @@ void OutputFolder::commit() {
     };
     for (int tries = 1; another_process_was_faster() && tries < most_tries; ++tries)
         error = put_in_place();
-    if (error) refuse(asked_, "cannot be made: " + error.message());
+    if (error) refuse_folder(asked_, "cannot be made: " + error.message());
     std::error_code ignored;
     fs::remove_all(temporary_, ignored);  // where the earlier one is now, if there was one
     forget_temporary(temporary_);

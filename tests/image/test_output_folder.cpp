@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string failure(const fs::path& target) {
+std::string refusal_of(const fs::path& target) {
     try {
         OutputFolder(target, {"a.txt", "index.html"});
         return "";
@@ -95,11 +95,11 @@ TEST(OutputFolder, RefusesWhatItMayNotReplace) {
     write_file(folder / "file", "mine");
     fs::create_directory(folder / "site");
     write_file(folder / "site" / "index.html", "mine");
-    EXPECT_NE(failure(folder / "site").find("has no a.txt"), std::string::npos);
-    EXPECT_NE(failure(folder / "mine").find("holds thesis.txt"), std::string::npos);
-    EXPECT_NE(failure(folder / "file").find("is not a folder"), std::string::npos);
-    EXPECT_NE(failure(folder / "missing" / "out").find("does not exist"), std::string::npos);
-    EXPECT_EQ(failure(folder / "out"), "");
+    EXPECT_NE(refusal_of(folder / "site").find("has no a.txt"), std::string::npos);
+    EXPECT_NE(refusal_of(folder / "mine").find("holds thesis.txt"), std::string::npos);
+    EXPECT_NE(refusal_of(folder / "file").find("is not a folder"), std::string::npos);
+    EXPECT_NE(refusal_of(folder / "missing" / "out").find("does not exist"), std::string::npos);
+    EXPECT_EQ(refusal_of(folder / "out"), "");
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"file", "mine", "site"}));
 }
 
