@@ -67,12 +67,19 @@ void add_computation(CLI::App& command, RadiosityOptions& o) {
         "Oversampling: a pixel is divided into at most N parts each way; 1: never (default 64)");
     add_whole(command, "--seed", o.solver.form_factors.seed, 0, 2147483647,
               "Of the turns of the hemicubes (default 0)");
+}
+
+void add_saving(CLI::App& command, RadiosityOptions& o) {
     command.add_flag("--save", o.save,
                      "Save the pixmaps in DIR/pixmaps.exr, every few seconds and at the end");
     command.add_flag("--resume", o.resume, "Go on from DIR/pixmaps.exr");
     command.add_flag(
         "--record", o.record,
         "Also DIR/hemicubes.gwt and DIR/pictures.gwt, for gw replay, verify, pixel; on one thread");
+}
+
+/// What is asked of the solved scene.
+void add_questions(CLI::App& command, RadiosityOptions& o) {
     command
         .add_option_function<std::vector<std::string>>(
             "--change",
@@ -135,6 +142,8 @@ void add_radiosity_options(CLI::App& command, RadiosityOptions& options) {
                     "The folder for pictures, pixmaps and the report")
         ->type_name("DIR");
     add_computation(command, options);
+    add_saving(command, options);
+    add_questions(command, options);
     add_display(command, options);
 }
 
