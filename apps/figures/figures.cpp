@@ -67,7 +67,7 @@ void add_to_index(const fs::path& folder, IndexEntry entry) {
 void make_figure(const Figure& figure, const FiguresOptions& options, Progress& progress,
                  const std::string& which) {
     const fs::path folder = options.folder / figure.name;
-    image::make_folder(folder);
+    make_folder(folder);
     std::vector<RanPanel> panels;
     for (const Panel& panel : figure.panels) {
         progress.at(fmt::format("{}, {}, {} of {}", which, figure.name, panels.size() + 1,
@@ -85,7 +85,7 @@ int make_figures(const FiguresOptions& options) {
     if (options.folder.empty()) throw UsageError("DIR is missing; expected the name of a folder");
     if (!fs::exists("scenes"))
         throw Error("scenes: does not exist; expected to be run from the repository's root");
-    image::make_folder(options.folder);
+    make_folder(options.folder);
     image::check_target(options.folder / "index.html");
     read_index(options.folder);
     Progress progress("figures", options.quiet);

@@ -46,7 +46,7 @@ inspect::Recording reread(const inspect::Recording& recording) {
 void keep(const GoldenOptions& options, const GoldenRecording& golden) {
     if (options.recordings.empty()) return;
     fs::path file = options.recordings / golden.file;
-    image::make_folder(file.parent_path());
+    make_folder(file.parent_path());
     image::OutputSet output;
     output.add(file.replace_extension(".gwt")).write(inspect::encode(golden.recording));
     output.commit();
@@ -84,7 +84,7 @@ void check(const GoldenRecording& golden, const GoldenOptions& options, Tally& t
 
 void update(const GoldenRecording& golden, const GoldenOptions& options, Tally& tally) {
     const fs::path file = options.folder / golden.file;
-    image::make_folder(file.parent_path());
+    make_folder(file.parent_path());
     inspect::Manifest manifest =
         merge_runs(replayed_manifest(reread(golden.recording), options.machine.make(), nullptr));
     tally.passes += manifest.passes.size();
@@ -124,11 +124,11 @@ void run_figure(const Figure& figure, const GoldenOptions& options, Progress& pr
 int golden(const GoldenOptions& options) {
     if (!fs::exists("scenes"))
         throw Error("scenes: does not exist; expected to be run from the repository's root");
-    if (options.update) image::make_folder(options.folder);
+    if (options.update) make_folder(options.folder);
     if (!fs::is_directory(options.folder))
         throw Error(options.folder.string(), 0,
                     "is no folder; expected goldens, which --update makes");
-    if (!options.recordings.empty()) image::make_folder(options.recordings);
+    if (!options.recordings.empty()) make_folder(options.recordings);
     Progress progress("goldens", options.machine.quiet);
     Tally tally;
     for (const Figure* figure : wanted_figures(options.only))

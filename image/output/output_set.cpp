@@ -69,10 +69,4 @@ void OutputSet::commit() {
     made_.clear();
 }
 
-void make_folder(const fs::path& folder) {
-    OutputSet output;
-    output.make_folder(folder);
-    output.commit();
-}
-
 }  // namespace gw::image

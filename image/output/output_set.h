@@ -35,7 +35,4 @@ private:
     std::vector<std::unique_ptr<OutputFile>> files_;
 };
 
-/// Makes a folder that stays, unless it is there; its parent must be.
-void make_folder(const std::filesystem::path& folder);
-
 }  // namespace gw::image
