@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # The libraries of the command and of the tests are not installed.
-foreach(folder machine opengl scene image multipass raytrace itembuffer hiddensurface radiosity inspect report plot study testing)
+foreach(folder machine peer scene image multipass raytrace itembuffer hiddensurface radiosity inspect report plot study testing)
     if(TARGET gw_${folder})
         install(TARGETS gw_${folder} EXPORT gw COMPONENT development
             ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -37,7 +37,15 @@ if(TARGET gw)
     install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/gw COMPONENT command
         FILES_MATCHING PATTERN *.toml PATTERN *.obj PATTERN *.mtl PATTERN *.png PATTERN make_* EXCLUDE)
 endif()
+# Documents name each other, the examples and the schemas by their places in the repository.
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command PATTERN Doxyfile EXCLUDE)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+foreach(schema inspect/recording/recording.fbs inspect/manifest/values.fbs)
+    get_filename_component(folder ${schema} DIRECTORY)
+    install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT development)
+    install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DATADIR}/gw/schemas COMPONENT development)
+endforeach()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME gw)

@@ -1,4 +1,5 @@
-# cmake -DFILES=a,b -DOUTPUT=c.cpp -P embed.cmake: the files' bytes as C++ (inspect/report/embedded.h).
+# cmake -DFILES=a,b -DHEADER=h.h -DFUNCTION=gw::report::embedded -DOUTPUT=c.cpp -P embed.cmake: the files' bytes as C++. The header declares
+# the function: a file's bytes by its name.
 string(REPLACE "," ";" files "${FILES}")
 set(arrays "")
 set(rows "")
@@ -10,11 +11,11 @@ foreach(file IN LISTS files)
     string(APPEND arrays "constexpr unsigned char bytes_${identifier}[] = {${bytes}};\n")
     string(APPEND rows "    if (name == \"${name}\") return {reinterpret_cast<const char*>(bytes_${identifier}), sizeof bytes_${identifier}};\n")
 endforeach()
-file(WRITE ${OUTPUT} "#include \"inspect/report/embedded.h\"
+file(WRITE ${OUTPUT} "#include \"${HEADER}\"
 #include \"gw/error.h\"
 namespace {
 ${arrays}}
-std::string_view gw::report::embedded(std::string_view name) {
-${rows}    throw Error(std::string(name) + \": is not built in\");
+std::string_view ${FUNCTION}(std::string_view name) {
+${rows}    throw gw::Error(std::string(name) + \": is not built in\");
 }
 ")

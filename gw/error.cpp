@@ -1,9 +1,19 @@
 #include "gw/error.h"
 
 namespace gw {
+namespace {
+
+/// What a C string cannot hold would cut the message where it is caught.
+std::string without_zeros(std::string text) {
+    for (std::size_t at = text.find('\0'); at != text.npos; at = text.find('\0', at))
+        text.replace(at, 1, "\\x00");
+    return text;
+}
+
+}  // namespace
 
 Error::Error(std::string_view file, int line, std::string_view what)
-    : std::runtime_error(at_line(file, line, what)) {}
+    : std::runtime_error(without_zeros(at_line(file, line, what))) {}
 
 std::string at_line(std::string_view file, int line, std::string_view what) {
     std::string text(file);

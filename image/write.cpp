@@ -8,15 +8,22 @@
 
 namespace gw::image {
 
-void check_extension(const std::filesystem::path& file) {
-    if (is_png_name(file) || !formats().format_of(file).empty()) return;
+std::string extension_fault(const std::filesystem::path& file) {
+    if (is_png_name(file) || !formats().format_of(file).empty()) return "";
     const std::string extension = file.extension().string();
-    throw Error(
-        file.string(), 0,
-        (extension.empty() ? "has no extension"
-                           : "no picture format has the extension " + extension) +
-            "; expected .png, .exr, .tif, .jpg, .ppm, .tga or another that OpenImageIO writes");
+    return (extension.empty() ? "has no extension"
+                              : "no picture format has the extension " + extension) +
+           "; expected .png, .exr, .tif, .jpg, .ppm, .tga or another that OpenImageIO writes";
 }
+
+namespace {
+
+void check_extension(const std::filesystem::path& file) {
+    const std::string fault = extension_fault(file);
+    if (!fault.empty()) throw Error(file.string(), 0, fault);
+}
+
+}  // namespace
 
 void put_picture(OutputFile& file, const Picture& picture) {
     check_extension(file.target());

@@ -12,8 +12,9 @@
 
 namespace gw::image {
 
-/// Throws Error naming the usual extensions if OpenImageIO writes no format of this one.
-void check_extension(const std::filesystem::path& file);
+/// What is wrong with a picture's extension, with the usual ones; "" where OpenImageIO writes such
+/// files. Throws Error where OpenImageIO cannot be loaded.
+std::string extension_fault(const std::filesystem::path& file);
 
 /// Writes a picture of n bits. 8 bits are unchanged if the format stores 8 or more; otherwise each
 /// value becomes the nearest one of the bits stored (12 bits in 16: v 65535/4095). EXR and HDR hold

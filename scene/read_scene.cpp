@@ -21,7 +21,7 @@ SceneFile read_bare_obj(const std::filesystem::path& path) {
             find_material({&materials}, part.material, {file.file, part.material_line});
         builder.add({.name = part.name}, std::move(part.mesh), material, {file.file, 0});
     }
-    return {std::move(builder.scene), warnings.lines(), {}};
+    return {std::move(builder.scene), warnings.lines(), {}, warnings.files()};
 }
 
 }  // namespace

@@ -19,6 +19,8 @@ struct SceneFile {
     /// The tables of [[pass]], unread; multipass/passes/pass_toml.h reads them. The objects that
     /// they name exist.
     std::vector<TomlValue> passes;
+    /// Every file that was read: the scene, its OBJ and MTL files. Textures are read later.
+    std::vector<std::filesystem::path> files;
 };
 
 /// Reads a TOML scene (.toml) or a bare Wavefront OBJ (.obj; no lights, no camera), by the file's

@@ -2,7 +2,6 @@
 // other.
 #pragma once
 
-#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -44,11 +43,6 @@ public:
             found.push_back(entry.path().filename().string());
         std::ranges::sort(found);
         return found;
-    }
-
-    /// Whether its file system keeps extended attributes, asked without our own code.
-    bool keeps_attributes() const {
-        return ::setxattr(path_.c_str(), "user.probe", "1", 1, 0) == 0;
     }
 
 private:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "apps/command/cli_fwd.h"
+#include "apps/command/session.h"
 
 #include <functional>
 #include <stdexcept>
@@ -11,7 +12,7 @@
 
 namespace gw::apps {
 
-enum ExitCode { done = 0, failed = 1, usage = 2, differs = 3 };
+enum ExitCode { Done = 0, Failed = 1, Usage = 2, Differs = 3 };
 
 /// The command line is wrong, whatever the files hold: exit code 2. Readers and writers throw
 /// gw::Error: 1.
@@ -20,10 +21,11 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A subcommand: what was parsed (owned by `run`) and what to do then; `run` returns an ExitCode.
+/// A subcommand: its options, which parsing fills in, and what to do then; `run` returns an
+/// ExitCode.
 struct Command {
     CLI::App* app = nullptr;
-    std::function<int()> run;
+    std::function<int(Session&)> run;
 };
 
 Command add_render(CLI::App& app);
@@ -40,15 +42,15 @@ Command add_styles(CLI::App& app);
 Command add_cast(CLI::App& app);
 Command add_compare(CLI::App& app);
 Command add_figures(CLI::App& app);
-Command add_index(CLI::App& app);
 Command add_study(CLI::App& app);
 Command add_golden(CLI::App& app);
 Command add_radiosity(CLI::App& app);
 Command add_info(CLI::App& app);
 Command add_describe(CLI::App& app);
 
-/// Parses and runs, and returns an ExitCode. Throws UsageError, Error and what else goes wrong.
-int run_command(const std::vector<std::string>& arguments);
+/// Parses and runs the session's words, and returns an ExitCode. Throws UsageError, Error and what
+/// else goes wrong.
+int run_command(Session session);
 
 /// The whole program: parses, runs, prints every error as one line "gw: ..." on stderr.
 int run(const std::vector<std::string>& arguments);

@@ -3,48 +3,53 @@
 #include "apps/command/versions.h"
 #include "inspect/replay/recorder.h"
 
-#include <mutex>
-
 namespace gw::apps {
-namespace {
 
 /// Of one machine, which may be gone.
-struct Track {
+struct CommandRecorder::Track {
     Profile profile;
     int width = 0, height = 0;
     std::vector<CommandList> lists;
 };
 
-bool taping = false;
-std::mutex tracks_mutex;
-std::vector<std::shared_ptr<Track>> tracks;
-std::vector<inspect::ParameterSet> noted;
+namespace {
 
-class TapedMachine : public inspect::Recorder {
+/// Owns the machine that it records, and shares the lists with the recorder.
+class RecordedMachine : public inspect::Recorder {
 public:
-    TapedMachine(std::unique_ptr<Machine> machine, std::shared_ptr<Track> track)
-        : Recorder(*machine, track->lists),
-          machine_(std::move(machine)),
-          track_(std::move(track)) {}
+    RecordedMachine(std::unique_ptr<Machine> machine,
+                    std::shared_ptr<std::vector<CommandList>> lists)
+        : Recorder(*machine, *lists), machine_(std::move(machine)), lists_(std::move(lists)) {}
 
 private:
     std::unique_ptr<Machine> machine_;
-    std::shared_ptr<Track> track_;
+    std::shared_ptr<std::vector<CommandList>> lists_;
 };
 
 }  // namespace
 
-Tape::Tape() { taping = true; }
+CommandRecorder::CommandRecorder() = default;
+CommandRecorder::~CommandRecorder() = default;
 
-Tape::~Tape() {
-    taping = false;
-    tracks.clear();
-    noted.clear();
+std::unique_ptr<Machine> CommandRecorder::add(std::unique_ptr<Machine> machine, int width,
+                                              int height) {
+    auto track = std::make_shared<Track>(Track{machine->profile(), width, height, {}});
+    {
+        const std::scoped_lock lock(mutex_);
+        tracks_.push_back(track);
+    }
+    return std::make_unique<RecordedMachine>(
+        std::move(machine), std::shared_ptr<std::vector<CommandList>>(track, &track->lists));
 }
 
-std::vector<inspect::Recording> Tape::take(const std::string& scene, const std::string& renderer) {
+void CommandRecorder::add_parameter_sets(const std::map<std::string, std::string>& sets) {
+    for (const auto& [pass, set] : sets) sets_.push_back({pass, set});
+}
+
+std::vector<inspect::Recording> CommandRecorder::take(const std::string& scene,
+                                                      const std::string& renderer) {
     std::vector<inspect::Recording> recordings;
-    for (const auto& track : tracks) {
+    for (const auto& track : tracks_) {
         if (track->lists.empty()) continue;
         recordings.push_back({.producer = "gw " + version(),
                               .scene = scene,
@@ -52,24 +57,16 @@ std::vector<inspect::Recording> Tape::take(const std::string& scene, const std::
                               .profile = track->profile,
                               .width = track->width,
                               .height = track->height,
-                              .sets = noted,
+                              .sets = sets_,
                               .lists = std::move(track->lists)});
         track->lists.clear();
     }
     return recordings;
 }
 
-void note_parameter_sets(const std::function<std::map<std::string, std::string>()>& sets) {
-    if (!taping) return;
-    for (const auto& [pass, set] : sets()) noted.push_back({pass, set});
-}
-
-std::unique_ptr<Machine> taped(std::unique_ptr<Machine> machine, int width, int height) {
-    if (!taping) return machine;
-    auto track = std::make_shared<Track>(Track{machine->profile(), width, height, {}});
-    const std::scoped_lock lock(tracks_mutex);
-    tracks.push_back(track);
-    return std::make_unique<TapedMachine>(std::move(machine), std::move(track));
+std::unique_ptr<Machine> recorded(std::unique_ptr<Machine> machine, int width, int height,
+                                  CommandRecorder* recorder) {
+    return recorder ? recorder->add(std::move(machine), width, height) : std::move(machine);
 }
 
 }  // namespace gw::apps

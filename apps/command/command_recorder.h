@@ -1,13 +1,13 @@
-// What a command executes on its machines, kept: a command runs for its recordings. Does not write
-// files.
+// Keeps what the machines of a command execute, as recordings. Does not write files.
 #pragma once
 
 #include "inspect/recording/recording.h"
 
-#include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <vector>
 
 namespace gw {
 class Machine;
@@ -15,26 +15,32 @@ class Machine;
 
 namespace gw::apps {
 
-/// While one lives, all that is executed on machines that `taped` returns is kept. One at a time;
-/// the machines may be used by one thread each.
-class Tape {
+class CommandRecorder {
 public:
-    Tape();
-    ~Tape();
-    Tape(const Tape&) = delete;
-    Tape& operator=(const Tape&) = delete;
+    CommandRecorder();
+    ~CommandRecorder();
+    CommandRecorder(const CommandRecorder&) = delete;
+    CommandRecorder& operator=(const CommandRecorder&) = delete;
 
-    /// Of every machine, in the order in which they were made; those that executed nothing are left
-    /// out.
-    /// `scene` and `renderer` are names for the recordings. Gives them away: the tape is empty
-    /// afterwards.
+    /// The machine, every list that it executes kept. From any thread; each machine is used by one.
+    std::unique_ptr<Machine> add(std::unique_ptr<Machine> machine, int width, int height);
+    /// The recordings' parameter sets, by the passes' names.
+    void add_parameter_sets(const std::map<std::string, std::string>& sets);
+
+    /// A recording of each machine that executed something, in the order in which they were added.
+    /// `scene` and `renderer` are names for the recordings. Nothing stays behind.
     std::vector<inspect::Recording> take(const std::string& scene, const std::string& renderer);
+
+private:
+    struct Track;
+
+    std::mutex mutex_;
+    std::vector<std::shared_ptr<Track>> tracks_;
+    std::vector<inspect::ParameterSet> sets_;
 };
 
-/// Where a Tape lives: the recordings' parameter sets, by the passes' names.
-void note_parameter_sets(const std::function<std::map<std::string, std::string>()>& sets);
-
-/// The machine as it is, where no Tape lives; else one that keeps what it executes.
-std::unique_ptr<Machine> taped(std::unique_ptr<Machine> machine, int width, int height);
+/// The machine as it is where `recorder` is null, else added to it.
+std::unique_ptr<Machine> recorded(std::unique_ptr<Machine> machine, int width, int height,
+                                  CommandRecorder* recorder);
 
 }  // namespace gw::apps

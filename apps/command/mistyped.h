@@ -1,4 +1,4 @@
-// Words of the command line that nobody knows, and what was probably meant.
+// Unknown words of the command line, and the nearest known ones.
 #pragma once
 
 #include "apps/command/cli_fwd.h"

@@ -2,6 +2,7 @@
 
 #include "apps/command/command.h"
 #include "gw/machine.h"
+#include "image/write.h"
 #include "scene/text/suggest.h"
 
 #include <fmt/format.h>
@@ -82,6 +83,12 @@ dvec3 point_from(const std::string& option, const std::string& word) {
         if (i < 2) rest.remove_prefix(comma + 1);
     }
     return point;
+}
+
+void check_picture_target(const std::filesystem::path& file) {
+    const std::string fault = image::extension_fault(file);
+    if (!fault.empty()) throw UsageError(file.string() + ": " + fault);
+    image::check_target(file);
 }
 
 std::string one_of(const std::string& option, const std::string& word,

@@ -4,6 +4,7 @@
 
 #include "gw/base/types.h"
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,9 @@ std::pair<int, int> range_from(const std::string& option, const std::string& wor
 double number_from(const std::string& option, const std::string& word, double low, double high);
 /// "1,2.5,-3"
 dvec3 point_from(const std::string& option, const std::string& word);
+/// Of a picture to be written: throws UsageError where no format has its extension, Error where the
+/// file cannot be written.
+void check_picture_target(const std::filesystem::path& file);
 /// One of `known`; else the message lists them.
 std::string one_of(const std::string& option, const std::string& word,
                    const std::vector<std::string>& known);

@@ -31,15 +31,14 @@ void Progress::at(std::string what) {
 }
 
 void Progress::show() {
-    constexpr std::string_view to_line_start_and_clear = "\r\033[K";
     std::unique_lock lock(mutex_);
     for (int seconds = 1;; ++seconds) {
         if (ended_.wait_for(lock, std::chrono::seconds(1), [this] { return end_; })) {
-            if (seconds > 1) print_error(to_line_start_and_clear);
+            if (seconds > 1) clear_error_line();
             return;
         }
-        print_error(std::string(to_line_start_and_clear) + "gw: " + what_ + ", " +
-                    std::to_string(seconds) + " s");
+        clear_error_line();
+        print_error(as_one_line("gw: " + what_ + ", " + std::to_string(seconds) + " s"));
     }
 }
 

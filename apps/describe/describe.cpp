@@ -34,9 +34,9 @@ Command add_describe(CLI::App& app) {
     command->footer(
         "For this shell: source <(gw describe bash); to read: gw describe man | man -l -\n"
         "Example:\n  build/release/bin/gw describe man");
-    return {command, [&app, form] {
+    return {command, [&app, form](Session&) {
                 print(described(app, *form));
-                return done;
+                return Done;
             }};
 }
 

@@ -81,9 +81,9 @@ Command add_info(CLI::App& app) {
     const auto as_json = std::make_shared<bool>(false);
     command->add_flag("--json", *as_json, "The same as JSON");
     command->footer("Example:\n  build/release/bin/gw info --json");
-    return {command, [as_json] {
+    return {command, [as_json](Session&) {
                 print(*as_json ? json() : text());
-                return done;
+                return Done;
             }};
 }
 

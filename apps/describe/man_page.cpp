@@ -53,9 +53,14 @@ std::string command_section(const DescribedCommand& command) {
 
 std::string man_page(const CLI::App& root) {
     std::string page = fmt::format(
-        ".\\\" made by gw describe man\n.TH GW 1 \"\" \"gw {}\" \"User Commands\"\n.SH NAME\ngw \\- {}\n.SH "
-        "SYNOPSIS\n"
-        ".B gw\n\\fICOMMAND\\fR [\\fIOPTION\\fR]...\n.SH COMMANDS\n",
+        ".\\\" made by gw describe man\n"
+        ".TH GW 1 \"\" \"gw {}\" \"User Commands\"\n"
+        ".SH NAME\n"
+        "gw \\- {}\n"
+        ".SH SYNOPSIS\n"
+        ".B gw\n"
+        "\\fICOMMAND\\fR [\\fIOPTION\\fR]...\n"
+        ".SH COMMANDS\n",
         version(), roff("graphics workstation of 1991 in software, exact to the bit"));
     for (const DescribedCommand& command : described_commands(root))
         page += command_section(command);

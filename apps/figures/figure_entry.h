@@ -21,7 +21,7 @@ struct RanPanel {
 IndexEntry figure_entry(const Figure& figure, const std::filesystem::path& folder,
                         const std::vector<RanPanel>& panels);
 
-/// Figures in the order of their table, then what else is there.
+/// Figures in the order of their table, then all other entries.
 void sort_by_table(FolderIndex& index);
 
 }  // namespace gw::apps

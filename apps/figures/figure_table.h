@@ -1,5 +1,5 @@
-// The figures of the papers that this program makes, as a table: one entry each in
-// figure_table.cpp. A new figure is a new entry. Does not draw: figures.cpp runs the commands.
+// The figures of the papers that this program makes: those of figures.toml, which is built in. Does
+// not draw: figures.cpp runs the commands.
 #pragma once
 
 #include "apps/command/option_values.h"
@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gw::apps {
@@ -30,5 +31,8 @@ struct Figure {
 
 /// All of them, in the order of the page.
 const std::vector<Figure>& figures();
+
+/// "figures.toml", as it was when the program was built.
+std::string_view embedded_figures(std::string_view name);
 
 }  // namespace gw::apps

@@ -1,8 +1,8 @@
 // gw figures: the papers' figures into a folder, with a page that shows them.
 #include "apps/command/command.h"
 #include "apps/command/progress.h"
+#include "apps/command/shell_command.h"
 #include "apps/command/terminal.h"
-#include "apps/describe/shell_words.h"
 #include "apps/figures/figure_entry.h"
 #include "apps/figures/folder_index.h"
 #include "apps/figures/index_page.h"
@@ -45,8 +45,8 @@ RanPanel run_panel(const Panel& panel, const FiguresOptions& options, const Figu
         words.insert(words.end(), {"--counters", (folder / ran.counters).string()});
     }
     words.push_back("--quiet");
-    const Muted muted;
-    run_command(words);
+    const SilenceStdout muted;
+    run_command({.words = std::move(words), .is_inner = true});
     return ran;
 }
 
@@ -80,7 +80,7 @@ void make_figure(const Figure& figure, const FiguresOptions& options, Progress& 
 int make_figures(const FiguresOptions& options) {
     if (options.list) {
         print_list();
-        return done;
+        return Done;
     }
     if (options.folder.empty()) throw UsageError("DIR is missing; expected the name of a folder");
     if (!fs::exists("scenes"))
@@ -93,7 +93,7 @@ int make_figures(const FiguresOptions& options) {
     for (std::size_t i = 0; i < all.size(); ++i)
         make_figure(*all[i], options, progress, fmt::format("figure {} of {}", i + 1, all.size()));
     print((options.folder / "index.html").string() + "\n");
-    return done;
+    return Done;
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ Command add_figures(CLI::App& app) {
     command->add_flag("--list", options->list, "Print names, rows and titles, and draw nothing");
     command->add_flag("--quiet", options->quiet, "No progress");
     command->footer("Example:\n  build/release/bin/gw figures figures --only fig1");
-    return {command, [options] { return make_figures(*options); }};
+    return {command, [options](Session&) { return make_figures(*options); }};
 }
 
 }  // namespace gw::apps

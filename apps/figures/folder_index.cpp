@@ -1,7 +1,6 @@
 #include "apps/figures/folder_index.h"
 
-#include "apps/command/running_command.h"
-#include "apps/describe/shell_words.h"
+#include "apps/command/shell_command.h"
 #include "apps/figures/index_page.h"
 #include "gw/error.h"
 
@@ -144,19 +143,18 @@ IndexEntry entry_of(const std::vector<fs::path>& files, const fs::path& folder) 
     return entry;
 }
 
-void caption(IndexEntry& entry, const std::string& command) {
-    const std::vector<std::string> words = shell_words(command);
-    if (!words.empty()) entry.title = fs::path(words[0]).filename().string();
-    for (std::size_t i = 1;
-         i < std::min<std::size_t>(words.size(), 3) && !words[i].starts_with("-"); ++i)
+void caption(IndexEntry& entry, const std::vector<std::string>& words) {
+    entry.title = "gw";
+    for (std::size_t i = 0;
+         i < std::min<std::size_t>(words.size(), 2) && !words[i].starts_with("-"); ++i)
         entry.title += " " + words[i];
-    entry.commands = {{command, "", ""}};
+    entry.commands = {{shell_command(words), "", ""}};
 }
 
-void put_index(image::OutputSet& output, const fs::path& folder) {
-    if (RunningCommand::is_inner()) return;
+void put_index(image::OutputSet& output, const fs::path& folder, const Session& session) {
+    if (session.is_inner) return;
     IndexEntry entry = entry_of(output.targets(), folder);
-    caption(entry, shell_command(RunningCommand::words()));
+    caption(entry, session.words);
     const fs::path page = folder / "index.html";
     const bool page_is_ours = entry.page.empty() && (!fs::exists(page) || is_index_page(page));
     FolderIndex index;

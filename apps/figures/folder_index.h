@@ -2,6 +2,7 @@
 // the folder's index.json; index_page.h shows it. Does not draw.
 #pragma once
 
+#include "apps/command/session.h"
 #include "image/output/output_set.h"
 
 #include <filesystem>
@@ -55,13 +56,14 @@ void add_entry(FolderIndex& index, IndexEntry entry);
 IndexEntry entry_of(const std::vector<std::filesystem::path>& files,
                     const std::filesystem::path& folder);
 
-/// As made by this command, and named after it: "gw maps rings.gwt".
-void caption(IndexEntry& entry, const std::string& command);
+/// Of the command with these words, and named after it: "gw maps rings.gwt".
+void caption(IndexEntry& entry, const std::vector<std::string>& words);
 
-/// Adds to the folder's index.json and index.html what `output` is about to write there, as made by
-/// the command that runs. An index.html of another kind stays, and the folder is left alone where
-/// its index.json is of another kind: what was drawn is worth more than its index. Nothing where
-/// the command runs inside another, which says itself what it made.
-void put_index(image::OutputSet& output, const std::filesystem::path& folder);
+/// Adds to the folder's index.json and index.html what `output` is about to write there, as the
+/// work of the session's command. An index.html of another kind stays, and the folder is left alone
+/// where its index.json is of another kind: what was drawn is worth more than its index. Does
+/// nothing in an inner session: the outer command describes its output itself.
+void put_index(image::OutputSet& output, const std::filesystem::path& folder,
+               const Session& session);
 
 }  // namespace gw::apps

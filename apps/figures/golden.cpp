@@ -134,13 +134,13 @@ int golden(const GoldenOptions& options) {
     for (const Figure* figure : wanted_figures(options.only))
         run_figure(*figure, options, progress, tally);
     print(fmt::format("{}, {}: {}\n",
-                      inspect::counted(std::uint64_t(tally.manifests), "manifest", "manifests"),
-                      inspect::counted(std::uint64_t(tally.passes), "pass", "passes"),
+                      inspect::plural(std::uint64_t(tally.manifests), "manifest", "manifests"),
+                      inspect::plural(std::uint64_t(tally.passes), "pass", "passes"),
                       options.update ? "written"
                       : tally.different == 0
                           ? "all as they were"
-                          : inspect::counted(std::uint64_t(tally.different), "differs", "differ")));
-    return tally.different == 0 ? done : differs;
+                          : inspect::plural(std::uint64_t(tally.different), "differs", "differ")));
+    return tally.different == 0 ? Done : Differs;
 }
 
 }  // namespace
@@ -171,9 +171,10 @@ Command add_golden(CLI::App& app) {
                      "Also recordings of what differs, for gw replay and pixel")
         ->type_name("DIR2");
     command->footer(
-        "Exit code 3 where something differs.\nExample:\n  build/release/bin/gw golden tests/golden --only "
-        "fig1");
-    return {command, [options] { return golden(*options); }};
+        "Exit code 3 where something differs.\n"
+        "Example:\n"
+        "  build/release/bin/gw golden tests/golden --only fig1");
+    return {command, [options](Session&) { return golden(*options); }};
 }
 
 }  // namespace gw::apps

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Where the pictures go, which nobody looks at.
+/// A folder for the pictures, which are not looked at.
 class Scratch {
 public:
     Scratch() {
@@ -59,11 +59,12 @@ std::vector<std::string> small_words(const Panel& panel, const Profile& profile,
 
 std::vector<inspect::Recording> run_panel(const Panel& panel, const Profile& profile) {
     const Scratch scratch;
-    const Muted muted;
-    Tape tape;
+    const SilenceStdout muted;
+    CommandRecorder recorder;
     const std::vector<std::string> words = small_words(panel, profile, scratch.folder());
-    if (run_command(words) != done) throw Error("gw " + panel.command + ": does not work");
-    return tape.take(words[1], words[0]);
+    if (run_command({.words = words, .recorder = &recorder, .is_inner = true}) != Done)
+        throw Error("gw " + panel.command + ": does not work");
+    return recorder.take(words[1], words[0]);
 }
 
 }  // namespace

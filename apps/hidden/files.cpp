@@ -100,18 +100,20 @@ std::string html_row(const Compared& run) {
                            kind, run.algorithm->name, kind);
     return row +
            fmt::format(
-               "<td>{} ties<br>{} edges<br>{} snapped<br>{} wrong<br>{} splits<br>{} overdraw</td></tr>\n",
+               "<td>{} ties<br>{} edges<br>{} snapped<br>{} wrong<br>{} splits<br>{} "
+               "overdraw</td></tr>\n",
                c.ties, c.edges, c.snapped, c.wrong, c.splits, c.overdraw);
 }
 
 std::string html(const hs::Input& input, const std::vector<Compared>& all) {
     std::string text = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Hidden surfaces: {0}</title>\n"
-        "<style>body{{font-family:sans-serif}}th{{text-align:left;max-width:16em}}td{{vertical-align:top}}</"
-        "style>\n"
-        "<h1>Hidden surfaces: {0}</h1>\n<p>Differences from the Z-buffer: ties yellow, edges cyan, snapped "
-        "blue, wrong red. Writes: "
-        "black 0, blue 1, green 2, yellow 3, orange 4, red 5 and more.</p>\n<table>\n"
+        "<!DOCTYPE html>\n"
+        "<html lang=\"en\"><meta charset=\"utf-8\"><title>Hidden surfaces: {0}</title>\n"
+        "<style>body{{font-family:sans-serif}}th{{text-align:left;max-width:16em}}td{{vertical-align:top}}</style>\n"
+        "<h1>Hidden surfaces: {0}</h1>\n"
+        "<p>Differences from the Z-buffer: ties yellow, edges cyan, snapped blue, wrong red. "
+        "Writes: black 0, blue 1, green 2, yellow 3, orange 4, red 5 and more.</p>\n"
+        "<table>\n"
         "<tr><th></th><th>picture</th><th>difference</th><th>writes</th><th>counts</th></tr>\n",
         plot::escaped(input.scene.name));
     for (const Compared& run : all) text += html_row(run);

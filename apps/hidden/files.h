@@ -23,7 +23,8 @@ std::string counts_text(const std::vector<Compared>& all);
 std::string counts_csv(const std::vector<Compared>& all);
 std::string counts_json(const std::vector<Compared>& all);
 
-/// The places of a log that get a picture: of 0 .. steps at most so many, evenly, the last always.
+/// The places of a log that get a picture: evenly spread over 0 .. steps, at most `pictures`, the
+/// last always.
 std::vector<std::size_t> places(std::size_t steps, int pictures);
 
 /// steps.jsonl, step_0001.png ... (at most `pictures`, evenly over the log), steps.gif, pieces.svg

@@ -170,30 +170,27 @@ int hidden_grade(const HiddenOptions& options) {
         print(Json{{"right", right}, {"of", key.size()}, {"answers", list}}.dump(2) + "\n");
     else
         print(table(rows) + fmt::format("{} of {} right\n", right, key.size()));
-    return right == key.size() ? done : differs;
+    return right == key.size() ? Done : Differs;
 }
 
-int hidden_fragments(const HiddenOptions& options) {
-    try {
-        if (!options.marked.empty()) image::check_extension(options.marked);
-    } catch (const Error& error) {
-        throw UsageError(error.what());
-    }
-    for (const auto& target : {options.truth, options.marked})
-        if (!target.empty()) image::check_target(target);
+int hidden_fragments(const HiddenOptions& options, Session& session) {
+    if (!options.marked.empty()) check_picture_target(options.marked);
+    if (!options.truth.empty()) image::check_target(options.truth);
     Progress progress("reading", options.picture.quiet);
-    const Profile profile = load_profile(options.picture);
-    const scene::Scene scene = load_scene(options.picture);
+    const Profile profile = load_profile(options.picture, session);
+    const scene::Scene scene = load_scene(options.picture, session);
+    session.inputs.add(options.fragments);
+    for (const auto& target : {options.truth, options.marked}) session.inputs.check(target);
     const scene::View view =
         scene::make_view(scene, options.picture.size.width, options.picture.size.height);
     const hs::Input input = hs::make_input(scene, view, profile);
     hs::StepLog none;
-    const auto z_buffer = hs::run_on(*make_machine(options.picture, profile),
+    const auto z_buffer = hs::run_on(*make_machine(options.picture, profile, session),
                                      hs::algorithm_named("z-buffer"), input, none)
                               .ids;
     if (!options.truth.empty())
         image::write_file(options.truth, hs::fragments_text(z_buffer, input));
-    if (options.fragments.empty()) return done;
+    if (options.fragments.empty()) return Done;
     const std::string name = options.fragments.string();
     const auto grade = hs::grade_fragments(
         hs::read_fragments(name, scene::read_text(options.fragments), input), z_buffer, input);
@@ -201,7 +198,7 @@ int hidden_fragments(const HiddenOptions& options) {
         image::write_picture(options.marked,
                              marked(picture_of_ids(input, z_buffer, flat_colors(input)), grade));
     print(options.form == Form::Json ? json_of(grade) : text_of(grade, name));
-    return grade.all_right() ? done : differs;
+    return grade.all_right() ? Done : Differs;
 }
 
 }  // namespace gw::apps

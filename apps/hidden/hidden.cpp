@@ -59,12 +59,13 @@ void add_output_options(CLI::App& command, HiddenOptions& options) {
             [&](const std::string& word) {
                 options.pictures = whole_number_from("--pictures", word, 1, 9999);
             },
-            "At most so many pictures of steps (default 48), evenly over all")
+            "At most N pictures of steps (default 48), evenly over all")
         ->type_name("N");
     command
         .add_option(
             "--compare", options.compare,
-            "A sheet of all algorithms with difference pictures, and the counts as CSV, JSON and HTML")
+            "A sheet of all algorithms with difference pictures, and the counts as CSV, "
+            "JSON and HTML")
         ->type_name("DIR");
     CLI::Option* json = command.add_flag_callback(
         "--json", [&] { options.form = Form::Json; }, "The counts as JSON");
@@ -79,7 +80,8 @@ void add_exercise_options(CLI::App& command, HiddenOptions& options) {
         command
             .add_option(
                 "--quiz", options.quiz,
-                "Instead of a scene's pictures: exercises in DIR/handout, their answers in DIR/key.json")
+                "Instead of a scene's pictures: exercises in DIR/handout, "
+                "their answers in DIR/key.json")
             ->type_name("DIR");
     const auto number = [&, quiz](const char* name, int& to, int low, int high, const char* help) {
         command
@@ -141,8 +143,7 @@ void check(const HiddenOptions& options) {
         !(options.algorithm.empty() && options.steps.empty() && options.compare.empty()))
         throw UsageError(
             "--quiz, --grade, --fragments and --truth run no algorithm of your choice; expected no "
-            "--algorithm, "
-            "--steps or --compare");
+            "--algorithm, --steps or --compare");
     if (!options.quiz.empty() && !options.grade.empty())
         throw UsageError("--quiz and --grade exclude each other; expected one of them");
     if (exercises && !options.picture.scene.empty())
@@ -150,8 +151,8 @@ void check(const HiddenOptions& options) {
             "SCENE: --quiz makes its own scenes and --grade needs none; expected no SCENE");
     if (!exercises && options.picture.scene.empty())
         throw UsageError(
-            "SCENE is required; expected a TOML scene or a Wavefront OBJ file, or --quiz DIR or --grade KEY "
-            "ANSWERS");
+            "SCENE is required; expected a TOML scene or a Wavefront OBJ file, or --quiz DIR or "
+            "--grade KEY ANSWERS");
     if (!options.marked.empty() && options.fragments.empty())
         throw UsageError("--marked shows mistakes; expected --fragments FILE.csv");
     if (!options.steps.empty() && options.algorithm.empty())
@@ -167,16 +168,16 @@ std::vector<const hs::Algorithm*> wanted(const HiddenOptions& options) {
     return all;
 }
 
-int surfaces(const HiddenOptions& options) {
-    image::OutputSet output;
+int surfaces(const HiddenOptions& options, Session& session) {
+    Progress progress("reading", options.picture.quiet);
+    const Profile profile = load_profile(options.picture, session);
+    const scene::Scene scene = load_scene(options.picture, session);
+    image::OutputSet output(session.inputs);
     for (const auto& folder : {options.steps, options.compare})
         if (!folder.empty()) output.make_folder(folder);
-    Progress progress("reading", options.picture.quiet);
-    const Profile profile = load_profile(options.picture);
-    const scene::Scene scene = load_scene(options.picture);
     const scene::View view =
         scene::make_view(scene, options.picture.size.width, options.picture.size.height);
-    const auto machine = make_machine(options.picture, profile);
+    const auto machine = make_machine(options.picture, profile, session);
     const hs::Input input = hs::make_input(scene, view, profile);
     hs::StepLog none;
     progress.at("z-buffer");
@@ -193,20 +194,22 @@ int surfaces(const HiddenOptions& options) {
         put_steps(output, options.steps, input, all.front(), log.steps(), options.pictures);
     if (!options.compare.empty()) put_comparison(output, options.compare, input, all);
     for (const auto& folder : {options.steps, options.compare})
-        if (!folder.empty()) put_index(output, folder);
+        if (!folder.empty()) put_index(output, folder, session);
     output.commit();
     print(options.form == Form::Json  ? counts_json(all)
           : options.form == Form::Csv ? counts_csv(all)
                                       : counts_text(all));
-    return done;
+    return Done;
 }
 
-int hidden(const HiddenOptions& options) {
+int hidden(const HiddenOptions& options, Session& session) {
     check(options);
-    if (!options.quiz.empty()) return hidden_quiz(options);
+    if (!options.quiz.empty()) return hidden_quiz(options, session);
     if (!options.grade.empty()) return hidden_grade(options);
-    if (!options.fragments.empty() || !options.truth.empty()) return hidden_fragments(options);
-    return hs::line_algorithm_named(options.algorithm) ? hidden_lines(options) : surfaces(options);
+    if (!options.fragments.empty() || !options.truth.empty())
+        return hidden_fragments(options, session);
+    return hs::line_algorithm_named(options.algorithm) ? hidden_lines(options, session)
+                                                       : surfaces(options, session);
 }
 
 }  // namespace
@@ -217,8 +220,9 @@ Command add_hidden(CLI::App& app) {
     const auto options = std::make_shared<HiddenOptions>();
     add_options(*command, *options);
     command->footer(
-        "Example:\n  build/release/bin/gw hidden scenes/hidden/cycle.toml --algorithm newell --steps newell");
-    return {command, [options] { return hidden(*options); }};
+        "Example:\n  build/release/bin/gw hidden scenes/hidden/cycle.toml --algorithm newell "
+        "--steps newell");
+    return {command, [options](Session& session) { return hidden(*options, session); }};
 }
 
 }  // namespace gw::apps

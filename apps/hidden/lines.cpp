@@ -117,15 +117,15 @@ void put_line_steps(image::OutputSet& output, const HiddenOptions& options, cons
 
 }  // namespace
 
-int hidden_lines(const HiddenOptions& options) {
-    image::OutputSet output;
-    if (!options.steps.empty()) output.make_folder(options.steps);
+int hidden_lines(const HiddenOptions& options, Session& session) {
     Progress progress("reading", options.picture.quiet);
-    const Profile profile = load_profile(options.picture);
-    const scene::Scene scene = load_scene(options.picture);
+    const Profile profile = load_profile(options.picture, session);
+    const scene::Scene scene = load_scene(options.picture, session);
+    image::OutputSet output(session.inputs);
+    if (!options.steps.empty()) output.make_folder(options.steps);
     const scene::View view =
         scene::make_view(scene, options.picture.size.width, options.picture.size.height);
-    const auto machine = make_machine(options.picture, profile);
+    const auto machine = make_machine(options.picture, profile, session);
     const hs::Input input = hs::make_input(scene, view, profile);
     const hs::LineAlgorithm& algorithm = *hs::line_algorithm_named(options.algorithm);
     hs::StepLog log = options.steps.empty() ? hs::StepLog() : hs::StepLog(options.level);
@@ -135,10 +135,10 @@ int hidden_lines(const HiddenOptions& options) {
     if (!options.steps.empty())
         put_line_steps(output, options, input, result, log.steps(),
                        Pictures(*machine, input, algorithm, result.lines));
-    if (!options.steps.empty()) put_index(output, options.steps);
+    if (!options.steps.empty()) put_index(output, options.steps, session);
     output.commit();
     print(text_of(algorithm, result.counts, options.form));
-    return done;
+    return Done;
 }
 
 }  // namespace gw::apps

@@ -26,13 +26,13 @@ struct HiddenOptions {
 };
 
 /// `algorithm` is one of hidden lines: draws them, with counts and steps (lines.cpp).
-int hidden_lines(const HiddenOptions& options);
+int hidden_lines(const HiddenOptions& options, Session& session);
 
 /// Makes exercises (quiz.cpp). Needs no scene.
-int hidden_quiz(const HiddenOptions& options);
-/// Compares answers with a key; ExitCode `differs` unless all are right (grade.cpp).
+int hidden_quiz(const HiddenOptions& options, const Session& session);
+/// Compares answers with a key; ExitCode Differs unless all are right (grade.cpp).
 int hidden_grade(const HiddenOptions& options);
 /// Compares a fragment list with the Z-buffer's picture, the same; writes `truth` and `marked`.
-int hidden_fragments(const HiddenOptions& options);
+int hidden_fragments(const HiddenOptions& options, Session& session);
 
 }  // namespace gw::apps

@@ -48,7 +48,7 @@ image::Picture picture_of_difference(image::Picture picture,
 /// In colors_of_counts.
 image::Picture picture_of_counts(const std::vector<std::uint8_t>& counts, int width, int height);
 
-/// A small picture so many times as large, dots for pixels, that it is about 320 pixels wide.
+/// A small picture enlarged by a whole factor to about 320 pixels wide.
 image::Picture enlarged(const image::Picture& picture);
 
 /// Rows of pictures of one size, 4 pixels apart, the first row on top; none longer than that.

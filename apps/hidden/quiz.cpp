@@ -119,12 +119,14 @@ std::string toml_of(const hs::Question& question, const std::string& obj) {
     const scene::Camera& c = *question.scene.camera;
     const vec3& b = question.scene.background;
     std::string text = fmt::format(
-        "background = [{:.9g}, {:.9g}, {:.9g}]\n\n[camera]\neye = [{}, {}, {}]\nat = [{}, {}, {}]\n",
+        "background = [{:.9g}, {:.9g}, {:.9g}]\n\n[camera]\neye = [{}, {}, {}]\nat = [{}, {}, "
+        "{}]\n",
         b.x, b.y, b.z, c.eye.x, c.eye.y, c.eye.z, c.at.x, c.at.y, c.at.z);
     text += c.ortho_height > 0 ? fmt::format("ortho = {}\n", c.ortho_height)
                                : fmt::format("fov = {}\n", c.fov);
     return text +
-           "\n[[light]]\ndirection = [-0.4, -0.5, -0.8]\nIa = 0.4\nId = 0.6\n\n[[object]]\nfile = \"" +
+           "\n[[light]]\ndirection = [-0.4, -0.5, -0.8]\nIa = 0.4\nId = 0.6\n\n[[object]]\nfile "
+           "= \"" +
            obj + "\"\n";
 }
 
@@ -154,7 +156,7 @@ void add_question(const hs::Question& q, std::size_t number, const std::string& 
 
 }  // namespace
 
-int hidden_quiz(const HiddenOptions& options) {
+int hidden_quiz(const HiddenOptions& options, const Session& session) {
     image::OutputSet output;
     const std::filesystem::path handout = options.quiz / "handout";
     output.make_folder(options.quiz);
@@ -181,10 +183,10 @@ int hidden_quiz(const HiddenOptions& options) {
     output.add(handout / "questions.json").write_text(questions.dump(2) + "\n");
     output.add(handout / "answers.json").write_text(form.dump(2) + "\n");
     output.add(options.quiz / "key.json").write_text(key.dump(2) + "\n");
-    put_index(output, options.quiz);
+    put_index(output, options.quiz, session);
     output.commit();
     print(options.form == Form::Json ? questions.dump(2) + "\n" : all.text);
-    return done;
+    return Done;
 }
 
 }  // namespace gw::apps

@@ -35,10 +35,11 @@ scene::Scene plain(scene::Scene scene, scene::Shadow shadow) {
 
 class Figure {
 public:
-    Figure(const StylesOptions& options, const Profile& profile, const scene::Scene& scene)
+    Figure(const StylesOptions& options, const Profile& profile, const scene::Scene& scene,
+           const Session& session)
         : profile_(profile),
           view_(scene::make_view(scene, options.picture.size.width, options.picture.size.height)),
-          machine_(make_machine(options.picture, profile)) {}
+          machine_(make_machine(options.picture, profile, session)) {}
 
     image::Picture of(const CommandList& list) {
         machine_->execute(list);
@@ -65,24 +66,20 @@ private:
     std::unique_ptr<Machine> machine_;
 };
 
-int styles(const StylesOptions& options) {
-    try {
-        image::check_extension(options.output);
-    } catch (const Error& error) {
-        throw UsageError(error.what());
-    }
-    image::check_target(options.output);
+int styles(const StylesOptions& options, Session& session) {
+    check_picture_target(options.output);
     const Progress progress("drawing", options.picture.quiet);
-    const Profile profile = load_profile(options.picture);
-    const scene::Scene scene = load_scene(options.picture);
-    Figure figure(options, profile, scene);
+    const Profile profile = load_profile(options.picture, session);
+    const scene::Scene scene = load_scene(options.picture, session);
+    session.inputs.check(options.output);
+    Figure figure(options, profile, scene, session);
     const image::Picture a = figure.of(hs::wireframe(scene, figure.view())),
                          b = figure.of(hs::depth_cueing(scene, figure.view())),
                          c = figure.of(hs::hidden_lines(scene, figure.view(), profile)),
                          d = figure.of(plain(scene, scene::Shadow::None)),
                          e = figure.of(plain(scene, scene::Shadow::Volume)), f = figure.of(scene);
     image::write_picture(options.output, sheet_of({{a, b, c}, {d, e, f}}));
-    return done;
+    return Done;
 }
 
 }  // namespace
@@ -101,7 +98,7 @@ Command add_styles(CLI::App& app) {
         ->required()
         ->type_name("IMAGE");
     command->footer("Example:\n  build/release/bin/gw styles scenes/styles.toml -o styles.png");
-    return {command, [options] { return styles(*options); }};
+    return {command, [options](Session& session) { return styles(*options, session); }};
 }
 
 }  // namespace gw::apps

@@ -1,5 +1,6 @@
 #include "apps/radiosity/files.h"
 
+#include "gw/error.h"
 #include "image/layers.h"
 #include "radiosity/solver/saved.h"
 
@@ -26,6 +27,10 @@ void put_solution(image::OutputSet& files, const std::filesystem::path& file,
 
 radiosity::Solution load_solution(const std::filesystem::path& file, const radiosity::Model& model,
                                   const radiosity::FormFactorOptions& options) {
+    // A pipe has no end that could be waited for.
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored))
+        throw Error(file.string(), 0, "is not a regular file; expected one that --save wrote");
     // What it is for is said before what is wrong with its values.
     radiosity::check_saved({image::read_layer_facts(file).facts, {}}, model, options,
                            file.string());

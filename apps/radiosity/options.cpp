@@ -62,24 +62,32 @@ void add_computation(CLI::App& command, RadiosityOptions& o) {
                "Texels per unit length (default: the scene's)");
     add_whole(command, "--patch", o.model.patch, 1, 64,
               "A patch is a block of NxN texels (default 4)");
-    add_whole(command, "--parts", o.solver.form_factors.scan.most_parts, 1, 1024,
-              "Oversampling: a pixel is divided at most so often each way; 1: never (default 64)");
+    add_whole(
+        command, "--parts", o.solver.form_factors.scan.most_parts, 1, 1024,
+        "Oversampling: a pixel is divided into at most N parts each way; 1: never (default 64)");
     add_whole(command, "--seed", o.solver.form_factors.seed, 0, 2147483647,
               "Of the turns of the hemicubes (default 0)");
+}
+
+void add_saving(CLI::App& command, RadiosityOptions& o) {
     command.add_flag("--save", o.save,
                      "Save the pixmaps in DIR/pixmaps.exr, every few seconds and at the end");
     command.add_flag("--resume", o.resume, "Go on from DIR/pixmaps.exr");
     command.add_flag(
         "--record", o.record,
         "Also DIR/hemicubes.gwt and DIR/pictures.gwt, for gw replay, verify, pixel; on one thread");
+}
+
+/// What is asked of the solved scene.
+void add_questions(CLI::App& command, RadiosityOptions& o) {
     command
         .add_option_function<std::vector<std::string>>(
             "--change",
             [&o](const std::vector<std::string>& words) {
                 for (const std::string& word : words) o.changes.push_back(change_from(word));
             },
-            "Then change an object and shoot the difference: emission=R,G,B, dim=FACTOR, Kd=R,G,B or "
-            "move=X,Y,Z. May be repeated; the picture is DIR/changed.png")
+            "Then change an object and shoot the difference: emission=R,G,B, dim=FACTOR, Kd=R,G,B "
+            "or move=X,Y,Z. May be repeated; the picture is DIR/changed.png")
         ->type_name("NAME:WHAT=VALUE");
     command.add_flag("--anew", o.anew,
                      "With --change: also solve the changed scene anew, to compare");
@@ -105,8 +113,8 @@ void add_display(CLI::App& command, RadiosityOptions& o) {
             [&o](const std::vector<std::string>& words) {
                 for (const std::string& word : words) o.views.push_back(view_from(word));
             },
-            "A view instead of the camera's: eye and what it looks at. May be repeated; nothing is solved "
-            "again")
+            "A view instead of the camera's: eye and what it looks at. May be repeated; nothing is "
+            "solved again")
         ->type_name("EYE/AT");
     add_whole(command, "--every", o.every, 1, 1000000000, "Also a picture after each N shots");
     command.add_flag("--no-ambient", o.no_ambient,
@@ -134,6 +142,8 @@ void add_radiosity_options(CLI::App& command, RadiosityOptions& options) {
                     "The folder for pictures, pixmaps and the report")
         ->type_name("DIR");
     add_computation(command, options);
+    add_saving(command, options);
+    add_questions(command, options);
     add_display(command, options);
 }
 
@@ -143,7 +153,8 @@ void check(const RadiosityOptions& options) {
     if (!options.form_factor.empty() &&
         (options.save || options.resume || options.record || !options.output.empty()))
         throw UsageError(
-            "--form-factor computes no picture; expected it without --output, --save, --resume and --record");
+            "--form-factor computes no picture; expected it without --output, --save, "
+            "--resume and --record");
     if (options.specular && options.display != "texture")
         throw UsageError("--specular draws pixmaps as textures; expected no --display beside it");
     if (!options.changes.empty() && options.save)

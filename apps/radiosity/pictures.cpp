@@ -67,11 +67,12 @@ std::vector<bool> other_figures(const std::vector<Rgba>& a, const std::vector<Rg
 
 }  // namespace
 
-RadiosityPictures::RadiosityPictures(const RadiosityOptions& options, const scene::Scene& scene)
+RadiosityPictures::RadiosityPictures(const RadiosityOptions& options, const scene::Scene& scene,
+                                     Session& session)
     : options_(options),
       scene_(scene),
-      profile_(load_profile(options.picture)),
-      machine_(make_machine(options.picture, profile_)) {
+      profile_(load_profile(options.picture, session)),
+      machine_(make_machine(options.picture, profile_, session)) {
     std::vector<scene::Camera> cameras(std::max<std::size_t>(1, options.views.size()),
                                        *scene.camera);
     for (std::size_t i = 0; i < options.views.size(); ++i) {
@@ -149,8 +150,8 @@ std::string RadiosityPictures::put_view(const radiosity::Solver& solver, const s
     image::put_picture(files.add(with_ending(stem, "_strips.png")), picture(strips));
     image::put_picture(files.add(with_ending(stem, "_difference.png")), d.picture);
     return fmt::format(
-        "{}: texture and strips differ by {:.3f} of 255 in the mean, {} at most; {} pixels on outlines show "
-        "another figure\n",
+        "{}: texture and strips differ by {:.3f} of 255 in the mean, {} at most; {} pixels on "
+        "outlines show another figure\n",
         stem.filename().string(), d.mean, d.largest, d.others);
 }
 

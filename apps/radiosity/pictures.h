@@ -9,7 +9,7 @@ namespace gw::apps {
 
 class RadiosityPictures {
 public:
-    RadiosityPictures(const RadiosityOptions& options, const scene::Scene& scene);
+    RadiosityPictures(const RadiosityOptions& options, const scene::Scene& scene, Session& session);
 
     /// DIR/NAME.png, or NAME_1.png ... for several views; --display both: NAME_texture.png,
     /// NAME_strips.png and NAME_difference.png. Returns what is to be printed: how the two differ.

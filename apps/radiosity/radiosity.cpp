@@ -47,10 +47,11 @@ std::filesystem::path recording_file(const RadiosityOptions& options, const std:
 }
 
 /// What drew the hemicubes, and what drew the pictures; hemicubes_2 ... for further machines.
-void put_recordings(Tape& tape, const RadiosityOptions& options) {
-    image::OutputSet files;
+void put_recordings(CommandRecorder& recorder, const RadiosityOptions& options,
+                    const Session& session) {
+    image::OutputSet files(session.inputs);
     std::map<std::string, int> counts;
-    for (const inspect::Recording& r : tape.take(options.picture.scene.string(), "radiosity")) {
+    for (const inspect::Recording& r : recorder.take(options.picture.scene.string(), "radiosity")) {
         const std::string kind = r.profile == radiosity::id_profile() ? "hemicubes" : "pictures";
         const int number = ++counts[kind];
         files.add(recording_file(options, number > 1 ? fmt::format("{}_{}", kind, number) : kind))
@@ -61,9 +62,10 @@ void put_recordings(Tape& tape, const RadiosityOptions& options) {
 
 class Run {
 public:
-    Run(const RadiosityOptions& options, const scene::Scene& scene, radiosity::Model model,
-        Progress& progress)
+    Run(const RadiosityOptions& options, Session& session, const scene::Scene& scene,
+        radiosity::Model model, Progress& progress)
         : options_(options),
+          session_(session),
           progress_(progress),
           scene_(scene),
           solver_(std::move(model), options.solver) {}
@@ -86,7 +88,7 @@ public:
         while (!finished() && shoot()) after_shot();
         finish();
         if (!options_.changes.empty()) change();
-        return done;
+        return Done;
     }
 
 private:
@@ -111,14 +113,14 @@ private:
     void after_shot() {
         if (options_.every > 0 &&
             solver_.solution().shots % static_cast<std::uint64_t>(options_.every) == 0) {
-            image::OutputSet files;
-            RadiosityPictures(options_, scene_)
+            image::OutputSet files(session_.inputs);
+            RadiosityPictures(options_, scene_, session_)
                 .put(solver_, fmt::format("shot_{:06}", solver_.solution().shots), files);
-            put_index(files, options_.output);
+            put_index(files, options_.output, session_);
             files.commit();
         }
         if (options_.save && seconds_since(saved_at_) > seconds_between_saves) {
-            image::OutputSet files;
+            image::OutputSet files(session_.inputs);
             put_saved(files);
             files.commit();
             saved_at_ = Clock::now();
@@ -144,24 +146,25 @@ private:
     }
 
     void finish() {
-        image::OutputSet files;
-        const std::string text = RadiosityPictures(options_, scene_).put(solver_, "picture", files);
+        image::OutputSet files(session_.inputs);
+        const std::string text =
+            RadiosityPictures(options_, scene_, session_).put(solver_, "picture", files);
         if (options_.save) put_saved(files);
         put_report(steps_, options_.output, files);
-        put_index(files, options_.output);
+        put_index(files, options_.output, session_);
         files.commit();
         const Step& last = steps_.back();
         const radiosity::Model& model = solver_.model();
         print(fmt::format("{}, {}, {}, {}\n",
-                          inspect::counted(model.figures.size(), "figure", "figures"),
-                          inspect::counted(model.pixmaps.size(), "pixmap", "pixmaps"),
-                          inspect::counted(std::uint64_t(model.texel_count()), "texel", "texels"),
-                          inspect::counted(model.patches.size(), "patch", "patches")));
+                          inspect::plural(model.figures.size(), "figure", "figures"),
+                          inspect::plural(model.pixmaps.size(), "pixmap", "pixmaps"),
+                          inspect::plural(std::uint64_t(model.texel_count()), "texel", "texels"),
+                          inspect::plural(model.patches.size(), "patch", "patches")));
         print(fmt::format(
             "{}, {}, {:.1f} s: absorbed {:.4f}, unshot {:.4f}, escaped {:.4f} of what is "
             "emitted; books off by {:.1e}\n{}",
-            inspect::counted(std::uint64_t(last.shots), "shot", "shots"),
-            inspect::counted(std::uint64_t(last.hemicubes), "hemicube", "hemicubes"), last.seconds,
+            inspect::plural(std::uint64_t(last.shots), "shot", "shots"),
+            inspect::plural(std::uint64_t(last.hemicubes), "hemicube", "hemicubes"), last.seconds,
             last.absorbed, last.unshot, last.escaped, last.imbalance, text));
     }
 
@@ -177,10 +180,10 @@ private:
         print(fmt::format(
             "changed: the light of {} patches sent anew, {} hemicubes, {:.2f} s to {:.4f} unshot\n",
             update.patches, more, seconds_since(begin), unshot(solver_)));
-        image::OutputSet files;
+        image::OutputSet files(session_.inputs);
         const std::string text =
-            RadiosityPictures(options_, changed).put(solver_, "changed", files);
-        put_index(files, options_.output);
+            RadiosityPictures(options_, changed, session_).put(solver_, "changed", files);
+        put_index(files, options_.output, session_);
         files.commit();
         print(text);
         if (options_.anew) compare(radiosity::make_model(changed, options_.model));
@@ -192,7 +195,8 @@ private:
         radiosity::Solver anew(std::move(model), options_.solver);
         const int hemicubes = solve(anew);
         print(fmt::format(
-            "anew: {} hemicubes, {:.2f} s to {:.4f} unshot; radiosities differ by {:.2f} % of their mean\n",
+            "anew: {} hemicubes, {:.2f} s to {:.4f} unshot; "
+            "radiosities differ by {:.2f} % of their mean\n",
             hemicubes, seconds_since(begin), unshot(anew), 100 * mean_difference(solver_, anew)));
     }
 
@@ -213,6 +217,7 @@ private:
     }
 
     const RadiosityOptions& options_;
+    Session& session_;
     Progress& progress_;
     const scene::Scene& scene_;
     radiosity::Solver solver_;
@@ -223,23 +228,25 @@ private:
     Clock::time_point begin_ = Clock::now(), saved_at_ = begin_;
 };
 
-int compute(RadiosityOptions options) {
+int compute(RadiosityOptions options, Session session) {
     check(options);
     Progress progress("reading", options.picture.quiet);
-    const scene::Scene scene = load_scene(options.picture);
+    const scene::Scene scene = load_scene(options.picture, session);
     // The hemicubes of a recording have an order: one thread draws them.
     options.solver.form_factors.threads = options.record ? 1 : options.picture.threads;
-    options.solver.form_factors.make_machine = [](int size) {
-        return taped(make_fast(radiosity::id_profile(), size, size, {.threads = 1}), size, size);
+    CommandRecorder recorder;
+    if (options.record) session.recorder = &recorder;
+    options.solver.form_factors.make_machine = [&session](int size) {
+        return recorded(make_fast(radiosity::id_profile(), size, size, {.threads = 1}), size, size,
+                        session.recorder);
     };
-    const std::unique_ptr<Tape> tape = options.record ? std::make_unique<Tape>() : nullptr;
     radiosity::Model model = radiosity::make_model(scene, options.model);
     if (!options.form_factor.empty()) {
         print_form_factor(options, model, progress);
-        return done;
+        return Done;
     }
-    const int code = Run(options, scene, std::move(model), progress).run();
-    if (tape) put_recordings(*tape, options);
+    const int code = Run(options, session, scene, std::move(model), progress).run();
+    if (options.record) put_recordings(recorder, options, session);
     return code;
 }
 
@@ -251,9 +258,10 @@ Command add_radiosity(CLI::App& app) {
     const auto options = std::make_shared<RadiosityOptions>();
     add_radiosity_options(*command, *options);
     command->footer(
-        "Example:\n  build/release/bin/gw radiosity scenes/radiosity/cornell.toml -o box --shots 60 --gamma "
+        "Example:\n"
+        "  build/release/bin/gw radiosity scenes/radiosity/cornell.toml -o box --shots 60 --gamma "
         "2.2");
-    return {command, [options] { return compute(*options); }};
+    return {command, [options](Session& session) { return compute(*options, session); }};
 }
 
 }  // namespace gw::apps

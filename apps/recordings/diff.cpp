@@ -16,8 +16,6 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-
 namespace gw::apps {
 namespace {
 
@@ -26,13 +24,6 @@ struct DiffOptions {
     int pixels = 10;
     bool quiet = false;
 };
-
-bool is_manifest(const std::filesystem::path& file) {
-    const auto bytes = inspect::read_bytes(file);
-    const auto first =
-        std::find_if(bytes.begin(), bytes.end(), [](std::uint8_t c) { return c > ' '; });
-    return first != bytes.end() && *first == '{';
-}
 
 image::Picture picture_of(const inspect::ResultDifference& d) {
     return image::distance_picture(inspect::distances(d.a, d.b, d.plane), d.a.width, d.a.height);
@@ -44,12 +35,12 @@ int diff_manifests(const DiffOptions& options) {
     const auto finding = inspect::first_difference(a.manifest, b.manifest);
     if (!finding) {
         print("the same profile, window, passes, states, counters and planes\n");
-        return done;
+        return Done;
     }
     print(inspect::text(*finding, a.manifest.height));
     if (!finding->pass || !finding->what.starts_with("plane ") || a.values.empty() ||
         b.values.empty())
-        return differs;
+        return Differs;
     inspect::ResultDifference d = inspect::located(
         *finding,
         inspect::planes_after(a.values, a.manifest.width, a.manifest.height, *finding->pass),
@@ -57,46 +48,44 @@ int diff_manifests(const DiffOptions& options) {
     print(inspect::text(d.finding, a.manifest.height) +
           inspect::wrong_pixel_lines(d, std::size_t(options.pixels)));
     if (!options.picture.empty()) image::write_picture(options.picture, picture_of(d));
-    return differs;
+    return Differs;
 }
 
-int diff_recordings(const DiffOptions& options, Progress& progress) {
-    const inspect::Recording a = load_recording(options.a), b = load_recording(options.b);
+int diff_recordings(const DiffOptions& options, Session& session, Progress& progress) {
+    const inspect::Recording a = load_recording(options.a, session),
+                             b = load_recording(options.b, session);
     const auto commands = first_command_difference(a, b);
     if (commands) print("commands: " + text(*commands, a.height));
-    if (a.width != b.width || a.height != b.height) return differs;
+    if (a.width != b.width || a.height != b.height) return Differs;
     progress.at("replaying");
     const auto result = first_result_difference(a, b, inspect::maker_of("fast"));
     if (!result) {
         print(commands ? "result: the same planes after every pass that both have\n"
                        : "the same commands; the same planes after every pass\n");
-        return commands ? differs : done;
+        return commands ? Differs : Done;
     }
     const ivec2 worst = *result->finding.pixel;
     print("result: " + text(result->finding, a.height));
     print("first difference in its history:\n" + first_event_difference(a, b, worst.x, worst.y));
     print("wrong pixels, worst first:\n" + wrong_pixel_lines(*result, std::size_t(options.pixels)));
     if (!options.picture.empty()) image::write_picture(options.picture, picture_of(*result));
-    return differs;
+    return Differs;
 }
 
-int diff(const DiffOptions& options) {
-    if (!options.picture.empty()) {
-        image::check_target(options.picture);
-        try {
-            image::check_extension(options.picture);
-        } catch (const Error& error) {
-            throw UsageError(error.what());
-        }
-    }
+int diff(const DiffOptions& options, Session& session) {
+    if (!options.picture.empty()) check_picture_target(options.picture);
+    session.inputs.add(options.a);
+    session.inputs.add(options.b);
+    session.inputs.check(options.picture);
     Progress progress("reading", options.quiet);
-    const bool a = is_manifest(options.a), b = is_manifest(options.b);
+    const bool a = inspect::is_manifest(inspect::first_bytes(options.a)),
+               b = inspect::is_manifest(inspect::first_bytes(options.b));
     if (a != b)
         throw Error(
             (a ? options.b : options.a).string(), 0,
-            "is a recording, the other file a manifest; expected two of a kind (gw verify compares a "
-            "recording with a manifest)");
-    return a ? diff_manifests(options) : diff_recordings(options, progress);
+            "is a recording, the other file a manifest; expected two of a kind (gw verify compares "
+            "a recording with a manifest)");
+    return a ? diff_manifests(options) : diff_recordings(options, session, progress);
 }
 
 }  // namespace
@@ -112,7 +101,8 @@ Command add_diff(CLI::App& app) {
     command
         ->add_option(
             "-o,--output", options->picture,
-            "A picture of the first plane that differs: black where it does not, white where it is worst")
+            "A picture of the first plane that differs: black where it does not, "
+            "white where it is worst")
         ->type_name("IMAGE");
     command
         ->add_option_function<std::string>(
@@ -120,13 +110,15 @@ Command add_diff(CLI::App& app) {
             [options](const std::string& word) {
                 options->pixels = whole_number_from("--pixels", word, 1, 1000000);
             },
-            "List at most so many wrong pixels (default 10)")
+            "List at most N wrong pixels (default 10)")
         ->type_name("N");
     command->add_flag("--quiet", options->quiet, "No progress");
     command->footer(
-        "Exit code 3 where they differ.\nExample:\n  build/release/bin/gw record scenes/rings.toml -o "
-        "rings.gwt --size 160x120 && build/release/bin/gw diff rings.gwt rings.gwt");
-    return {command, [options] { return diff(*options); }};
+        "Exit code 3 where they differ.\n"
+        "Example:\n"
+        "  build/release/bin/gw record scenes/rings.toml -o rings.gwt --size 160x120 && "
+        "build/release/bin/gw diff rings.gwt rings.gwt");
+    return {command, [options](Session& session) { return diff(*options, session); }};
 }
 
 }  // namespace gw::apps

@@ -2,8 +2,8 @@
 #include "apps/command/command.h"
 #include "apps/command/option_values.h"
 #include "apps/command/progress.h"
+#include "apps/command/shell_command.h"
 #include "apps/command/terminal.h"
-#include "apps/describe/shell_words.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
 #include "hiddensurface/run/algorithm.h"
@@ -46,7 +46,8 @@ void add_choices(CLI::App& command, InspectOptions& options) {
     add("--passes", "A-B", "Only these passes, by their places from 0 (default: all, at most 1000)",
         [](auto& report, auto name, auto& word) { report.passes = span_from(name, word); });
     add("--history", "A-B|none",
-        "Pixel histories of these passes (default: from the first as many as make 3 million fragments)",
+        "Pixel histories of these passes (default: "
+        "from the first as many as make 3 million fragments)",
         [](auto& report, auto name, auto& word) {
             if (word == "none")
                 report.with_history = false;
@@ -88,14 +89,15 @@ bool writes_identifiers(const inspect::Recording& recording) {
     return std::ranges::find(names, recording.renderer) != names.end();
 }
 
-/// Passes that are not there are a wrong command line.
-void expect_passes(const inspect::Recording& recording, const report::ReportOptions& options) {
-    if (!options.passes && !options.history) return;
-    try {
-        report::check_spans(recording, options);
-    } catch (const Error& error) {
-        throw UsageError(error.what());
-    }
+/// What no recording could satisfy is a wrong command line.
+void check(const report::ReportOptions& options) {
+    const auto &passes = options.passes, &history = options.history;
+    if (passes && passes->last - passes->first >= report::most_passes)
+        throw UsageError(fmt::format("--passes {}-{}: too many for one page; expected at most {}",
+                                     passes->first, passes->last, report::most_passes));
+    if (passes && history && (history->first < passes->first || history->last > passes->last))
+        throw UsageError(fmt::format("--history {}-{}: expected passes of --passes {}-{}",
+                                     history->first, history->last, passes->first, passes->last));
 }
 
 /// Files are named as they will be, not where they are while the report is made.
@@ -112,7 +114,7 @@ void print_summary(const InspectOptions& options, const report::ReportSummary& s
     std::string text = (options.folder / "index.html").string() + "\n";
     text +=
         fmt::format("{} of {}, {:.1f} MB", summary.passes,
-                    inspect::counted(std::uint64_t(summary.passes_of_recording), "pass", "passes"),
+                    inspect::plural(std::uint64_t(summary.passes_of_recording), "pass", "passes"),
                     double(summary.bytes) / 1e6);
     if (summary.history)
         text += fmt::format(", pixel histories of passes {}-{}", summary.history->first,
@@ -122,17 +124,17 @@ void print_summary(const InspectOptions& options, const report::ReportSummary& s
     print(text + "\n");
 }
 
-int inspect_recording(InspectOptions& options) {
+int inspect_recording(InspectOptions& options, Session& session) {
     if (options.folder.empty())
         throw UsageError("--output is empty; expected the name of a folder");
+    check(options.report);
     image::OutputFolder folder(options.folder, report::report_files());
     options.report.prices =
         options.prices.empty() ? report::vgx_prices() : report::read_prices(options.prices);
     Progress progress("reading", options.quiet);
-    const inspect::Recording recording = load_recording(options.recording);
+    const inspect::Recording recording = load_recording(options.recording, session);
     options.report.file = options.recording.string();
     options.report.identifiers = writes_identifiers(recording);
-    expect_passes(recording, options.report);
     std::vector<std::string> words{"inspect", options.recording.string(), "-o",
                                    options.folder.string()};
     words.insert(words.end(), options.words.begin(), options.words.end());
@@ -145,7 +147,7 @@ int inspect_recording(InspectOptions& options) {
     } catch (const Error& error) {
         rethrow_with_final_names(error, options, folder.temporary());
     }
-    return done;
+    return Done;
 }
 
 }  // namespace
@@ -159,7 +161,7 @@ Command add_inspect(CLI::App& app) {
     command->footer(
         "Example:\n  build/release/bin/gw record scenes/rings.toml -o rings.gwt --size 320x240 && "
         "build/release/bin/gw inspect rings.gwt -o rings_report");
-    return {command, [options] { return inspect_recording(*options); }};
+    return {command, [options](Session& session) { return inspect_recording(*options, session); }};
 }
 
 }  // namespace gw::apps

@@ -36,8 +36,8 @@ std::optional<std::size_t> pass_named(const inspect::Recording& recording,
     if (word.find_first_not_of("0123456789") == word.npos && word.size() < 8 &&
         std::stoul(word) < passes.size())
         return std::stoul(word);
-    throw UsageError(fmt::format("--pass '{}': expected the name of a pass or its place, 0..{}",
-                                 word, passes.size() - 1));
+    throw Error(fmt::format("--pass '{}': expected the name of a pass or its place, 0..{}", word,
+                            passes.size() - 1));
 }
 
 /// Red where there are most, over green to blue for the fewest; black where there is none.
@@ -61,9 +61,9 @@ image::Picture why_killed(const inspect::FragmentMaps& maps, int width, int heig
 }
 
 void put_maps(const inspect::Recording& recording, const inspect::FragmentMaps& maps,
-              const std::filesystem::path& folder) {
+              const std::filesystem::path& folder, const Session& session) {
     const int w = recording.width, h = recording.height;
-    image::OutputSet output;
+    image::OutputSet output(session.inputs);
     output.make_folder(folder);
     image::put_picture(output.add(folder / "depth_complexity.png"), count_colors(maps.made, w, h));
     image::put_picture(output.add(folder / "overdraw.png"), count_colors(maps.written, w, h));
@@ -77,19 +77,19 @@ void put_maps(const inspect::Recording& recording, const inspect::FragmentMaps& 
                        h,
                        {"made", "written", "alpha_killed", "stencil_killed", "depth_killed"},
                        std::move(values)});
-    put_index(output, folder);
+    put_index(output, folder, session);
     output.commit();
 }
 
-int make_maps(const MapsOptions& options) {
+int make_maps(const MapsOptions& options, Session& session) {
     if (options.folder.empty())
         throw UsageError("--output is empty; expected the name of a folder");
     Progress progress("reading", options.quiet);
-    const inspect::Recording recording = load_recording(options.recording);
+    const inspect::Recording recording = load_recording(options.recording, session);
     const auto pass = pass_named(recording, options.pass);
     progress.at("replaying on the reference machine");
-    put_maps(recording, inspect::fragment_maps(recording, pass), options.folder);
-    return done;
+    put_maps(recording, inspect::fragment_maps(recording, pass), options.folder, session);
+    return Done;
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ Command add_maps(CLI::App& app) {
     command->footer(
         "Example:\n  build/release/bin/gw record scenes/rings.toml -o rings.gwt --size 320x240 && "
         "build/release/bin/gw maps rings.gwt -o rings_maps");
-    return {command, [options] { return make_maps(*options); }};
+    return {command, [options](Session& session) { return make_maps(*options, session); }};
 }
 
 }  // namespace gw::apps

@@ -37,7 +37,7 @@ private:
 bool without_two_side(inspect::Recording& recording) {
     bool changed = false;
     for (CommandList& list : recording.lists)
-        for (Command& command : list.commands)
+        for (gw::Command& command : list.commands)
             if (auto* set = std::get_if<SetState>(&command)) {
                 changed = changed || set->state.lighting.two_side;
                 set->state.lighting.two_side = false;

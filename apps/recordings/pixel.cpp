@@ -5,6 +5,7 @@
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
 #include "apps/recordings/recording_files.h"
+#include "gw/error.h"
 #include "inspect/replay/pixel_report.h"
 
 #include <fmt/format.h>
@@ -40,11 +41,11 @@ void add_options(CLI::App& command, PixelOptions& options) {
     command.add_flag("--quiet", options.quiet, "No progress");
 }
 
-int show_pixel(const PixelOptions& options) {
+int show_pixel(const PixelOptions& options, Session& session) {
     Progress progress("reading", options.quiet);
-    const inspect::Recording recording = load_recording(options.recording);
+    const inspect::Recording recording = load_recording(options.recording, session);
     if (options.x >= recording.width || options.y >= recording.height)
-        throw UsageError(
+        throw Error(
             fmt::format("pixel {} {} is outside the picture of {} x {}; expected 0..{} 0..{}",
                         options.x, options.y, recording.width, recording.height,
                         recording.width - 1, recording.height - 1));
@@ -56,7 +57,7 @@ int show_pixel(const PixelOptions& options) {
                         .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
                     "\n"
               : table(history_rows(events)));
-    return done;
+    return Done;
 }
 
 }  // namespace
@@ -69,7 +70,7 @@ Command add_pixel(CLI::App& app) {
     command->footer(
         "Example:\n  build/release/bin/gw record scenes/rings.toml -o rings.gwt --size 320x240 && "
         "build/release/bin/gw pixel rings.gwt 160 120");
-    return {command, [options] { return show_pixel(*options); }};
+    return {command, [options](Session& session) { return show_pixel(*options, session); }};
 }
 
 }  // namespace gw::apps

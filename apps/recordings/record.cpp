@@ -33,32 +33,34 @@ void add_options(CLI::App& command, RecordOptions& options) {
     command
         .add_option(
             "--manifest", options.manifest,
-            "Also what gw verify checks: state, counters and digests of every pass, as JSON, and the "
-            "values of the planes beside it")
+            "Also what gw verify checks: state, counters and digests of every pass, as JSON, and "
+            "the values of the planes beside it")
         ->type_name("FILE.json");
     command.add_flag(
         "!--no-values", options.values,
         "With --manifest: no values; gw verify then names no pixel of another recording");
 }
 
-int record_scene(const RecordOptions& options) {
+int record_scene(const RecordOptions& options, Session& session) {
     if (options.output.empty()) throw UsageError("--output is empty; expected the name of a file");
     image::check_target(options.output);
     if (options.manifest == options.output)
         throw UsageError("--manifest and --output are the same file; expected two");
     if (!options.manifest.empty()) image::check_target(options.manifest);
     Progress progress("reading", options.picture.quiet);
-    const Drawing drawing = make_drawing(options.picture);
+    const Drawing drawing = make_drawing(options.picture, session);
+    session.inputs.check(options.output);
+    session.inputs.check(options.manifest);
     progress.at("drawing");
-    const inspect::Recording recording = record(drawing, options.algorithm);
+    const inspect::Recording recording = record(drawing, session, options.algorithm);
     progress.at("writing");
-    image::OutputSet output;
+    image::OutputSet output(session.inputs);
     output.add(options.output).write(inspect::encode(recording));
     if (!options.manifest.empty())
         put_manifest(output, options.manifest, recording,
                      inspect::maker_of(options.picture.machine), options.values);
     output.commit();
-    return done;
+    return Done;
 }
 
 }  // namespace
@@ -69,7 +71,7 @@ Command add_record(CLI::App& app) {
     const auto options = std::make_shared<RecordOptions>();
     add_options(*command, *options);
     command->footer("Example:\n  build/release/bin/gw record scenes/rings.toml -o rings.gwt");
-    return {command, [options] { return record_scene(*options); }};
+    return {command, [options](Session& session) { return record_scene(*options, session); }};
 }
 
 }  // namespace gw::apps

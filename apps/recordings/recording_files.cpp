@@ -33,7 +33,8 @@ inspect::Recording recording_of(const Drawing& drawing, std::vector<CommandList>
     return recording;
 }
 
-inspect::Recording record(const Drawing& drawing, const std::string& algorithm) {
+inspect::Recording record(const Drawing& drawing, const Session& session,
+                          const std::string& algorithm) {
     const Size size = drawing.options.size;
     const scene::View view = scene::make_view(drawing.scene, size.width, size.height);
     if (!algorithm.empty()) {
@@ -43,15 +44,16 @@ inspect::Recording record(const Drawing& drawing, const std::string& algorithm) 
         recording.sets.clear();
         return recording;
     }
-    const auto machine = make_machine(drawing.options, drawing.profile);
+    const auto machine = make_machine(drawing.options, drawing.profile, session);
     std::vector<CommandList> lists;
     inspect::Recorder recorder(*machine, lists);
     draw(drawing, view, recorder);
     return recording_of(drawing, std::move(lists));
 }
 
-inspect::Recording load_recording(const std::filesystem::path& file) {
-    const std::vector<std::uint8_t> bytes = inspect::read_bytes(file);
+inspect::Recording load_recording(const std::filesystem::path& file, Session& session) {
+    session.inputs.add(file);
+    const std::vector<std::uint8_t> bytes = inspect::read_recording_bytes(file);
     try {
         return inspect::decode(bytes);
     } catch (const Error& error) {
@@ -62,6 +64,10 @@ inspect::Recording load_recording(const std::filesystem::path& file) {
 void put_manifest(image::OutputSet& output, const std::filesystem::path& file,
                   const inspect::Recording& recording, const inspect::MachineMaker& make,
                   bool with_values) {
+    // Beside a device or a pipe there is no place for values.
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored))
+        with_values = false;
     const auto written = replayed_manifest_file(recording, make, file, with_values);
     if (with_values) output.add(inspect::values_file(file)).write(written.values);
     output.add(file).write_text(to_json(written.manifest));

@@ -15,13 +15,14 @@ inspect::Recording recording_of(const Drawing& drawing, std::vector<CommandList>
 
 /// Everything that entered the machine while the drawing was drawn, or while a hidden-surface
 /// algorithm of this name drew the scene ("": none).
-inspect::Recording record(const Drawing& drawing, const std::string& algorithm = "");
+inspect::Recording record(const Drawing& drawing, const Session& session,
+                          const std::string& algorithm);
 
-/// Throws Error "T.gwt: what is wrong".
-inspect::Recording load_recording(const std::filesystem::path& file);
+/// An input of the session. Throws Error "T.gwt: what is wrong".
+inspect::Recording load_recording(const std::filesystem::path& file, Session& session);
 
 /// Replays the recording and adds what came out to the files of `output`: the manifest and, where
-/// wanted, its values beside it, "M.values" for "M.json".
+/// wanted and `file` is no device, its values beside it, "M.values" for "M.json".
 void put_manifest(image::OutputSet& output, const std::filesystem::path& file,
                   const inspect::Recording& recording, const inspect::MachineMaker& make,
                   bool with_values);

@@ -1,4 +1,4 @@
-// gw replay: a recording on a machine of this process, without the scene that it was made of.
+// gw replay: executes a recording, without the scene that it came from.
 #include "apps/command/command.h"
 #include "apps/command/option_values.h"
 #include "apps/command/progress.h"
@@ -44,7 +44,8 @@ void add_options(CLI::App& command, ReplayOptions& options) {
             [&](const std::string& word) {
                 options.on_osmesa = one_of("--on", word, {"osmesa"}) == "osmesa";
             },
-            "osmesa: also through Mesa's OpenGL; prints how colour, Z and stencil differ after each pass")
+            "osmesa: also through Mesa's OpenGL; prints how colour, "
+            "Z and stencil differ after each pass")
         ->type_name("NAME");
 #endif
 }
@@ -54,18 +55,12 @@ void check(const ReplayOptions& options) {
         (options.machine.both() || !options.picture.empty() || !options.planes.empty()))
         throw UsageError(
             "--on osmesa only prints; expected no --output, --planes or --machine both");
-    if (options.picture.empty()) return;
-    image::check_target(options.picture);
-    try {
-        image::check_extension(options.picture);
-    } catch (const Error& error) {
-        throw UsageError(error.what());
-    }
+    if (!options.picture.empty()) check_picture_target(options.picture);
 }
 
 void write_files(const ReplayOptions& options, const inspect::Recording& recording,
-                 const Planes& planes) {
-    image::OutputSet output;
+                 const Planes& planes, const Session& session) {
+    image::OutputSet output(session.inputs);
     if (!options.planes.empty()) {
         output.make_folder(options.planes);
         image::put_planes(output, options.planes, planes, recording.profile);
@@ -74,19 +69,20 @@ void write_files(const ReplayOptions& options, const inspect::Recording& recordi
         image::put_picture(output.add(options.picture),
                            image::picture_of(planes.color, planes.width, planes.height,
                                              recording.profile.color_bits));
-    if (!options.planes.empty()) put_index(output, options.planes);
+    if (!options.planes.empty()) put_index(output, options.planes, session);
     output.commit();
 }
 
-int replay(const ReplayOptions& options) {
+int replay(const ReplayOptions& options, Session& session) {
     check(options);
     Progress progress("reading", options.machine.quiet);
-    const inspect::Recording recording = load_recording(options.recording);
+    const inspect::Recording recording = load_recording(options.recording, session);
+    session.inputs.check(options.picture);
     progress.at("replaying");
 #ifdef GW_WITH_OSMESA
     if (options.on_osmesa) {
         print(compare_with_osmesa(recording, options.machine.make()));
-        return done;
+        return Done;
     }
 #endif
     if (options.machine.both()) {
@@ -94,20 +90,20 @@ int replay(const ReplayOptions& options) {
             compare_machines(recording, inspect::maker_of("reference"), options.machine.make());
         if (finding) {
             print("reference (expected) and fast differ: " + text(*finding, recording.height));
-            return differs;
+            return Differs;
         }
     }
     const auto machine = options.machine.make()(recording);
     inspect::Player(recording, *machine).play();
-    write_files(options, recording, machine->planes());
+    write_files(options, recording, machine->planes(), session);
     print(fmt::format("{}, {}, {} x {} pixels on profile {}{}\n",
-                      inspect::counted(machine->passes().size(), "pass", "passes"),
-                      inspect::counted(inspect::command_count(recording), "command", "commands"),
+                      inspect::plural(machine->passes().size(), "pass", "passes"),
+                      inspect::plural(inspect::command_count(recording), "command", "commands"),
                       recording.width, recording.height, recording.profile.name,
                       options.machine.both()
                           ? ": reference and fast agree in every plane and counter after every pass"
                           : ""));
-    return done;
+    return Done;
 }
 
 }  // namespace
@@ -117,10 +113,10 @@ Command add_replay(CLI::App& app) {
     const auto options = std::make_shared<ReplayOptions>();
     add_options(*command, *options);
     command->footer(
-        "Example:\n  build/release/bin/gw record scenes/rings.toml -o rings.gwt && build/release/bin/gw "
-        "replay "
-        "rings.gwt --machine both -o rings.png");
-    return {command, [options] { return replay(*options); }};
+        "Example:\n"
+        "  build/release/bin/gw record scenes/rings.toml -o rings.gwt && build/release/bin/gw "
+        "replay rings.gwt --machine both -o rings.png");
+    return {command, [options](Session& session) { return replay(*options, session); }};
 }
 
 }  // namespace gw::apps

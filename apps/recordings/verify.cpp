@@ -33,12 +33,13 @@ void add_options(CLI::App& command, VerifyOptions& options) {
     command.add_flag("!--no-values", options.values, "With --update: no values beside it");
 }
 
-int update(const VerifyOptions& options, const inspect::Recording& recording) {
-    image::OutputSet output;
+int update(const VerifyOptions& options, const inspect::Recording& recording,
+           const Session& session) {
+    image::OutputSet output(session.inputs);
     put_manifest(output, options.manifest, recording, options.machine.make(), options.values);
     output.commit();
     print(options.manifest.string() + ": written\n");
-    return done;
+    return Done;
 }
 
 int report(const inspect::Verification& verification, const VerifyOptions& options, int height) {
@@ -52,7 +53,7 @@ int report(const inspect::Verification& verification, const VerifyOptions& optio
             "  the commands are those of the manifest: the machine is not the one that wrote it\n");
     print(
         fmt::format("{}: not as {} says\n", options.recording.string(), options.manifest.string()));
-    return differs;
+    return Differs;
 }
 
 int check(const VerifyOptions& options, const inspect::Recording& recording, Progress& progress) {
@@ -63,26 +64,33 @@ int check(const VerifyOptions& options, const inspect::Recording& recording, Pro
             compare_machines(recording, inspect::maker_of("reference"), options.machine.make());
         if (finding) {
             print("reference (expected) and fast differ: " + text(*finding, recording.height));
-            return differs;
+            return Differs;
         }
     }
     progress.at("verifying");
     const auto verification = inspect::verify(recording, expected.manifest, expected.values,
                                               options.machine.make(), options.machine.make_other());
     if (verification.finding) return report(verification, options, recording.height);
+    if (!verification.same_commands)
+        print(fmt::format(
+            "{}: its commands are not those of {}, though they make the same planes{}\n",
+            options.recording.string(), options.manifest.string(),
+            verification.same_scene ? "" : "; meshes or maps are others too"));
     print(fmt::format("{}: as {} says, {}, every plane and counter{}\n", options.recording.string(),
                       options.manifest.string(),
-                      inspect::counted(expected.manifest.passes.size(), "pass", "passes"),
+                      inspect::plural(expected.manifest.passes.size(), "pass", "passes"),
                       options.machine.both() ? ", on reference and fast" : ""));
-    return done;
+    return Done;
 }
 
-int verify_recording(const VerifyOptions& options) {
+int verify_recording(const VerifyOptions& options, Session& session) {
     if (options.update) image::check_target(options.manifest);
     Progress progress("reading", options.machine.quiet);
-    const inspect::Recording recording = load_recording(options.recording);
+    const inspect::Recording recording = load_recording(options.recording, session);
+    if (options.update) session.inputs.check(options.manifest);
     progress.at("replaying");
-    return options.update ? update(options, recording) : check(options, recording, progress);
+    return options.update ? update(options, recording, session)
+                          : check(options, recording, progress);
 }
 
 }  // namespace
@@ -93,9 +101,10 @@ Command add_verify(CLI::App& app) {
     const auto options = std::make_shared<VerifyOptions>();
     add_options(*command, *options);
     command->footer(
-        "Example:\n  build/release/bin/gw record scenes/rings.toml -o rings.gwt --manifest rings.json && "
+        "Example:\n"
+        "  build/release/bin/gw record scenes/rings.toml -o rings.gwt --manifest rings.json && "
         "build/release/bin/gw verify rings.gwt rings.json --machine both");
-    return {command, [options] { return verify_recording(*options); }};
+    return {command, [options](Session& session) { return verify_recording(*options, session); }};
 }
 
 }  // namespace gw::apps

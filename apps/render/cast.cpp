@@ -57,12 +57,7 @@ void add_choice(CLI::App& command, const std::string& name, const Table& table, 
 
 void check_picture(const std::string& option, const std::filesystem::path& file) {
     if (file.empty()) throw UsageError(option + " is empty; expected the name of a picture");
-    try {
-        image::check_extension(file);
-    } catch (const Error& error) {
-        throw UsageError(error.what());
-    }
-    image::check_target(file);
+    check_picture_target(file);
 }
 
 /// Tests of a pixel from black to white, the dearest pixel white.
@@ -91,27 +86,29 @@ std::string counts_table(const raytrace::CastPicture& picture, std::size_t shape
                   {"shapes in the scene", std::to_string(shapes), ""}});
 }
 
-int cast(const CastOptions& options) {
+int cast(const CastOptions& options, Session& session) {
     check_picture("--output", options.output);
     if (!options.tests.empty()) check_picture("--tests", options.tests);
     if (options.output == options.tests)
         throw UsageError("--output and --tests are the same file; expected two");
     const Progress progress("casting", options.picture.quiet);
-    const scene::Scene scene = load_scene(options.picture);
+    const scene::Scene scene = load_scene(options.picture, session);
+    session.inputs.check(options.output);
+    session.inputs.check(options.tests);
     const Size size = options.picture.size;
     const auto shapes = raytrace::cast_shapes(scene);
     const auto caster = raytrace::make_caster(options.method, shapes, options.inside);
     const auto picture = raytrace::cast_picture(*caster, shapes, scene,
                                                 scene::make_view(scene, size.width, size.height),
                                                 options.picture.threads);
-    image::OutputSet output;
+    image::OutputSet output(session.inputs);
     image::put_picture(output.add(options.output),
                        image::picture_of(picture.color, size.width, size.height, 8));
     if (!options.tests.empty())
         image::put_picture(output.add(options.tests), picture_of_tests(picture.tests, size));
     output.commit();
     print(counts_table(picture, shapes.size()));
-    return done;
+    return Done;
 }
 
 }  // namespace
@@ -130,7 +127,8 @@ Command add_cast(CLI::App& app) {
                "How the nearest shape is found: brute-force, volumes, hierarchy (default) or grid");
     add_choice(
         *command, "--inside", inside_tests, options->inside,
-        "Ray and polygon: crossings (default), products or angles; they differ on concave polygons");
+        "Ray and polygon: crossings (default), products or angles; "
+        "they differ on concave polygons");
     command->add_option("-o,--output", options->output, "The picture")
         ->required()
         ->type_name("IMAGE");
@@ -139,9 +137,10 @@ Command add_cast(CLI::App& app) {
                      "Also a picture of the tests that each pixel cost, the dearest white")
         ->type_name("IMAGE");
     command->footer(
-        "Example:\n  build/release/bin/gw cast scenes/hidden/solids.toml --method grid -o cast.png --tests "
+        "Example:\n"
+        "  build/release/bin/gw cast scenes/hidden/solids.toml --method grid -o cast.png --tests "
         "tests.png");
-    return {command, [options] { return cast(*options); }};
+    return {command, [options](Session& session) { return cast(*options, session); }};
 }
 
 }  // namespace gw::apps

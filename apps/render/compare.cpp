@@ -63,7 +63,7 @@ std::string counts_table(const itembuffer::Differences& d) {
            fmt::format(
                "\nmean and largest in units of the frame buffer; colours are added by {}\n"
                "away from edges {} pixels, of them another polygon: {}\n",
-               inspect::counted(std::uint64_t(d.passes), "pass", "passes"), d.away_from_edges,
+               inspect::plural(std::uint64_t(d.passes), "pass", "passes"), d.away_from_edges,
                d.another_polygon_there);
 }
 
@@ -76,16 +76,16 @@ std::string counts_csv(const itembuffer::Differences& d) {
     return text;
 }
 
-int compare(const CompareOptions& options) {
+int compare(const CompareOptions& options, Session& session) {
     if (options.folder.empty())
         throw UsageError("--output is empty; expected the name of a folder");
     const Progress progress("drawing both ways", options.picture.quiet);
-    const Profile profile = load_profile(options.picture);
-    const scene::Scene scene = load_scene(options.picture);
+    const Profile profile = load_profile(options.picture, session);
+    const scene::Scene scene = load_scene(options.picture, session);
     const Size size = options.picture.size;
-    image::OutputSet output;
+    image::OutputSet output(session.inputs);
     output.make_folder(options.folder);
-    const auto machine = make_machine(options.picture, profile);
+    const auto machine = make_machine(options.picture, profile, session);
     const itembuffer::Differences d =
         differences(*machine, scene, scene::make_view(scene, size.width, size.height),
                     draw_options(options.picture).rays);
@@ -105,10 +105,10 @@ int compare(const CompareOptions& options) {
     put("difference.png", sixteen_times, profile.color_bits);
     put("reasons.png", why, 8);
     output.add(options.folder / "differences.csv").write_text(counts_csv(d));
-    put_index(output, options.folder);
+    put_index(output, options.folder, session);
     output.commit();
     print(counts_table(d));
-    return done;
+    return Done;
 }
 
 }  // namespace
@@ -124,11 +124,12 @@ Command add_compare(CLI::App& app) {
     command
         ->add_option(
             "-o,--output", options->folder,
-            "Folder of both pictures, sixteen times their difference, its reasons, the table as CSV")
+            "Folder of both pictures, sixteen times their difference, its reasons, "
+            "the table as CSV")
         ->required()
         ->type_name("DIR");
     command->footer("Example:\n  build/release/bin/gw compare scenes/fig9.toml -o differences");
-    return {command, [options] { return compare(*options); }};
+    return {command, [options](Session& session) { return compare(*options, session); }};
 }
 
 }  // namespace gw::apps

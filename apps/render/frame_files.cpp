@@ -89,9 +89,9 @@ void put_planes(const Drawing& drawing, Machine& machine, const scene::View& vie
 
 }  // namespace
 
-Drawing make_drawing(const PictureOptions& options) {
-    const Profile profile = load_profile(options);
-    SceneWithPasses loaded = load_scene_with_passes(options);
+Drawing make_drawing(const PictureOptions& options, Session& session) {
+    const Profile profile = load_profile(options, session);
+    SceneWithPasses loaded = load_scene_with_passes(options, session);
     return {options, renderer_named(options.renderer), profile, std::move(loaded.scene),
             std::move(loaded.passes)};
 }
@@ -104,15 +104,15 @@ void draw(const Drawing& drawing, const scene::View& view, Machine& machine) {
     drawing.renderer.draw(machine, with_maps(drawing, view, machine), view, options_of(drawing));
 }
 
-void draw_frame(const Drawing& drawing, const FrameFiles& files) {
-    image::OutputSet output;
+void draw_frame(const Drawing& drawing, const FrameFiles& files, const Session& session) {
+    image::OutputSet output(session.inputs);
     for (const auto& folder : {files.components, files.planes}) {
         if (!folder.empty()) output.make_folder(folder);
     }
     const scene::View view =
         scene::make_view(drawing.scene, drawing.options.size.width, drawing.options.size.height);
-    const auto machine = make_machine(drawing.options, drawing.profile);
-    note_parameter_sets([&] { return parameter_sets(drawing); });
+    const auto machine = make_machine(drawing.options, drawing.profile, session);
+    if (session.recorder) session.recorder->add_parameter_sets(parameter_sets(drawing));
     if (files.manifest.empty()) {
         draw(drawing, view, *machine);
     } else {
@@ -131,7 +131,7 @@ void draw_frame(const Drawing& drawing, const FrameFiles& files) {
     if (!files.planes.empty()) put_planes(drawing, *machine, view, files, output);
     if (!files.components.empty()) put_components(drawing, *machine, view, picture, files, output);
     for (const auto& folder : {files.components, files.planes})
-        if (!folder.empty()) put_index(output, folder);
+        if (!folder.empty()) put_index(output, folder, session);
     output.commit();
 }
 

@@ -1,6 +1,5 @@
-// One frame of a drawing, and the files that are asked for: picture, components, planes, manifest,
-// counters.
-// All or none appear. Does not parse options.
+// One frame of a drawing as files: picture, components, planes, manifest, counters. All or none
+// appear. Does not parse options.
 #pragma once
 
 #include "apps/render/picture_options.h"
@@ -26,15 +25,15 @@ struct Drawing {
 };
 
 /// Reads scene and profile.
-Drawing make_drawing(const PictureOptions& options);
+Drawing make_drawing(const PictureOptions& options, Session& session);
 
 /// The passes that draw it: the scene's own in place of multipass's.
 multipass::PassList passes_of(const Drawing& drawing);
 
-/// Draws the picture, as often as `samples` says.
+/// Draws the picture: `samples` times, superposed.
 void draw(const Drawing& drawing, const scene::View& view, Machine& machine);
 
 /// Throws Error; then none of the files is there that was not before.
-void draw_frame(const Drawing& drawing, const FrameFiles& files);
+void draw_frame(const Drawing& drawing, const FrameFiles& files, const Session& session);
 
 }  // namespace gw::apps

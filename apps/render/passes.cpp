@@ -42,14 +42,14 @@ struct Printout {
     double seconds = 0;  ///< estimated
 };
 
-Printout run_passes(const PassesOptions& wanted) {
+Printout run_passes(const PassesOptions& wanted, Session& session) {
     const PictureOptions& options = wanted.picture;
     auto prices = wanted.prices.empty() ? report::vgx_prices() : report::read_prices(wanted.prices);
     const Progress progress("drawing", options.quiet);
-    const Drawing drawing = make_drawing(options);
+    const Drawing drawing = make_drawing(options, session);
     Printout printout{passes_of(drawing), std::move(prices), {}, {}};
     const auto sets = parameter_sets(drawing);
-    const auto machine = make_machine(options, drawing.profile);
+    const auto machine = make_machine(options, drawing.profile, session);
     draw(drawing, scene::make_view(drawing.scene, options.size.width, options.size.height),
          *machine);
     for (const PassReport& report : machine->passes()) {
@@ -80,7 +80,7 @@ std::string text(const Printout& printout) {
     };
     for (const RunPass& run : printout.runs)
         add_row(run.report.name, run.report.counters, run.seconds);
-    add_row(inspect::counted(printout.runs.size(), "pass", "passes"), printout.sum,
+    add_row(inspect::plural(printout.runs.size(), "pass", "passes"), printout.sum,
             printout.seconds);
     return multipass::print_passes(printout.list) + "\n" + table(rows) +
            fmt::format("\nestimated: time by a price list, of {}\n", printout.prices.machine);
@@ -124,20 +124,20 @@ std::string csv(const Printout& printout) {
     return out;
 }
 
-int print_passes(const PassesOptions& options) {
+int print_passes(const PassesOptions& options, Session& session) {
     if (!renderer_named(options.picture.renderer).passes) {
         throw UsageError("renderer " + options.picture.renderer +
                          " has no passes; expected hardware or multipass");
     }
     if (options.form == Form::Toml) {
-        print(multipass::to_toml(passes_of(make_drawing(options.picture))));
-        return done;
+        print(multipass::to_toml(passes_of(make_drawing(options.picture, session))));
+        return Done;
     }
-    const Printout printout = run_passes(options);
+    const Printout printout = run_passes(options, session);
     print(options.form == Form::Json  ? json(printout)
           : options.form == Form::Csv ? csv(printout)
                                       : text(printout));
-    return done;
+    return Done;
 }
 
 }  // namespace
@@ -162,7 +162,7 @@ Command add_passes(CLI::App& app) {
                      "Another price list for the estimated time (default: a VGX's)")
         ->type_name("FILE.toml");
     command->footer("Example:\n  build/release/bin/gw passes scenes/rings.toml");
-    return {command, [options] { return print_passes(*options); }};
+    return {command, [options](Session& session) { return print_passes(*options, session); }};
 }
 
 }  // namespace gw::apps

@@ -5,6 +5,7 @@
 #include "apps/command/terminal.h"
 #include "apps/recordings/machine_options.h"
 #include "apps/render/renderers.h"
+#include "gw/error.h"
 #include "image/textures.h"
 #include "multipass/frame/superpose.h"
 #include "multipass/passes/pass_toml.h"
@@ -56,8 +57,8 @@ void add_machine_options(CLI::App& command, PictureOptions& options) {
             [&](const std::string& word) {
                 options.samples = whole_number_from("--samples", word, 1, 32768);
             },
-            "Pictures superposed against jagged edges (default 1; beyond what the accumulation buffer holds, "
-            "in groups)")
+            "Pictures superposed against jagged edges (default 1; beyond what the accumulation "
+            "buffer holds, in groups)")
         ->type_name("N");
     command
         .add_option("--profile", options.profile,
@@ -86,7 +87,8 @@ void add_effect_options(CLI::App& command, PictureOptions& options) {
         std::map<std::string, multipass::Translucency>{
             {"sorted", Sorted}, {"unsorted", Unsorted}, {"layers", Layers}},
         options.translucency,
-        "Translucent faces: sorted by distance (default), unsorted, or in exact layers pixel by pixel");
+        "Translucent faces: sorted by distance (default), unsorted, "
+        "or in exact layers pixel by pixel");
     add_choice(command, "--shadow",
                std::map<std::string, scene::Shadow>{{"none", scene::Shadow::None},
                                                     {"volume", scene::Shadow::Volume},
@@ -96,7 +98,8 @@ void add_effect_options(CLI::App& command, PictureOptions& options) {
     add_choice(
         command, "--averaging", std::map<std::string, bool>{{"simple", false}, {"weighted", true}},
         options.weighted,
-        "Of --samples: simple (default), or with integer weights that fall towards the pixel's border");
+        "Of --samples: simple (default), or with integer weights that fall towards the pixel's "
+        "border");
 }
 
 void add_ray_options(CLI::App& command, PictureOptions& options) {
@@ -106,7 +109,8 @@ void add_ray_options(CLI::App& command, PictureOptions& options) {
             [&](const std::string& word) {
                 options.traced = one_of("--reflections", word, {"rays", "maps"}) == "rays";
             },
-            "Of materials with illum 3 to 7: by rays from an item buffer (default), or by maps only")
+            "Of materials with illum 3 to 7: by rays from an item buffer (default), "
+            "or by maps only")
         ->type_name("rays|maps");
     command
         .add_option_function<std::string>(
@@ -131,6 +135,13 @@ std::vector<std::string> profile_names() {
     std::vector<std::string> names;
     for (const Profile& profile : profiles()) names.push_back(profile.name);
     return names;
+}
+
+void add_textures(image::InputFiles& inputs, const scene::Scene& scene) {
+    for (const scene::Material& m : scene.materials)
+        for (const auto* maps :
+             {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.refl, &m.refraction})
+            for (const scene::Map& map : *maps) inputs.add(map.file);
 }
 
 }  // namespace
@@ -165,7 +176,7 @@ void remove_pass_options(CLI::App& command) {
         command.remove_option(command.get_option(option));
 }
 
-SceneWithPasses load_scene_with_passes(const PictureOptions& options) {
+SceneWithPasses load_scene_with_passes(const PictureOptions& options, Session& session) {
     if (options.scene.empty()) throw UsageError("SCENE is empty; expected the name of a file");
     if (options.camera.eye && options.camera.eye == options.camera.at) {
         throw UsageError("--eye and --at are the same point; expected two");
@@ -173,12 +184,14 @@ SceneWithPasses load_scene_with_passes(const PictureOptions& options) {
     scene::SceneFile file = scene::read_scene(options.scene);
     if (!options.quiet) {
         for (const std::string& warning : file.warnings)
-            print_error("gw: warning: " + warning + "\n");
+            print_error("gw: warning: " + as_one_line(warning) + "\n");
     }
     scene::Scene& scene = file.scene;
     std::optional<multipass::PassList> passes;
     if (!file.passes.empty()) passes = multipass::read_passes(file.passes);
     image::load_textures(scene);
+    for (const std::filesystem::path& read : file.files) session.inputs.add(read);
+    add_textures(session.inputs, scene);
     scene::add_defaults(scene, options.size.width, options.size.height);
     scene.camera = scene::override_camera(*scene.camera, options.camera);
     if (options.up) scene.camera->up = *options.up;
@@ -187,8 +200,8 @@ SceneWithPasses load_scene_with_passes(const PictureOptions& options) {
     return {std::move(scene), std::move(passes)};
 }
 
-scene::Scene load_scene(const PictureOptions& options) {
-    return load_scene_with_passes(options).scene;
+scene::Scene load_scene(const PictureOptions& options, Session& session) {
+    return load_scene_with_passes(options, session).scene;
 }
 
 DrawOptions draw_options(const PictureOptions& options) {
@@ -201,8 +214,9 @@ DrawOptions draw_options(const PictureOptions& options) {
     return draw;
 }
 
-Profile load_profile(const PictureOptions& options) {
+Profile load_profile(const PictureOptions& options, Session& session) {
     const bool from_file = std::filesystem::path(options.profile).extension() == ".toml";
+    if (from_file) session.inputs.add(options.profile);
     const Profile profile =
         from_file ? scene::read_profile(options.profile)
                   : profile_named(one_of("--profile", options.profile, profile_names()));
@@ -210,21 +224,24 @@ Profile load_profile(const PictureOptions& options) {
     const int group = multipass::most_pictures(profile),
               most = options.weighted ? group : group * group;
     if (options.samples > most) {
-        throw UsageError(fmt::format(
+        const std::string what = fmt::format(
             "--samples '{}': more than profile {} superposes{}; expected 1..{}", options.samples,
-            profile.name, options.weighted ? " with weights" : "", most));
+            profile.name, options.weighted ? " with weights" : "", most);
+        if (from_file) throw Error(what);
+        throw UsageError(what);
     }
     return profile;
 }
 
 std::vector<std::string> machines() { return {"fast", "reference"}; }
 
-std::unique_ptr<Machine> make_machine(const PictureOptions& options, const Profile& profile) {
+std::unique_ptr<Machine> make_machine(const PictureOptions& options, const Profile& profile,
+                                      const Session& session) {
     const auto [width, height] = options.size;
-    return taped(options.machine == "reference"
-                     ? make_reference(profile, width, height)
-                     : make_fast(profile, width, height, {.threads = options.threads}),
-                 width, height);
+    auto machine = options.machine == "reference"
+                       ? make_reference(profile, width, height)
+                       : make_fast(profile, width, height, {.threads = options.threads});
+    return recorded(std::move(machine), width, height, session.recorder);
 }
 
 }  // namespace gw::apps

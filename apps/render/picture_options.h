@@ -4,6 +4,7 @@
 
 #include "apps/command/cli_fwd.h"
 #include "apps/command/option_values.h"
+#include "apps/command/session.h"
 #include "apps/render/renderers.h"
 #include "gw/machine.h"
 #include "multipass/frame/options.h"
@@ -43,24 +44,27 @@ void remove_pass_options(CLI::App& command);
 
 /// Reads the scene and its textures, fits what it leaves open, applies the camera options. Warnings
 /// of the readers go to stderr unless quiet. Throws Error.
-scene::Scene load_scene(const PictureOptions& options);
+/// What is read is an input of the session.
+scene::Scene load_scene(const PictureOptions& options, Session& session);
 
 /// The same, with the pass list that the scene brings, if it does.
 struct SceneWithPasses {
     scene::Scene scene;
     std::optional<multipass::PassList> passes;
 };
-SceneWithPasses load_scene_with_passes(const PictureOptions& options);
+SceneWithPasses load_scene_with_passes(const PictureOptions& options, Session& session);
 
 /// What of the options a renderer asks for.
 DrawOptions draw_options(const PictureOptions& options);
 
-/// A built-in profile by name, or one from a TOML file. Throws UsageError where it cannot hold so
-/// many samples.
-Profile load_profile(const PictureOptions& options);
+/// A built-in profile by name, or one from a TOML file. Throws UsageError, of a file Error, where
+/// it cannot hold so many samples.
+Profile load_profile(const PictureOptions& options, Session& session);
 
 /// "fast", "reference": those that this build has, the default first.
 std::vector<std::string> machines();
-std::unique_ptr<Machine> make_machine(const PictureOptions& options, const Profile& profile);
+/// Recorded where the session records.
+std::unique_ptr<Machine> make_machine(const PictureOptions& options, const Profile& profile,
+                                      const Session& session);
 
 }  // namespace gw::apps

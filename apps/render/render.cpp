@@ -1,4 +1,4 @@
-// gw render: a picture of a scene, and what else of the drawing is asked for.
+// gw render: a picture of a scene; its components, planes, manifest and counters on request.
 #include "apps/command/command.h"
 #include "apps/command/peak_memory.h"
 #include "apps/command/progress.h"
@@ -20,7 +20,7 @@ struct RenderOptions {
     FrameFiles files;
     int turntable = 0;     ///< pictures; 0: none
     std::string frames{};  ///< "A-B": these of the turntable's pictures only
-    bool memory = false;   ///< said how much was held
+    bool memory = false;   ///< print peak memory
 };
 
 void add_tone_options(CLI::App& command, image::Tone& tone) {
@@ -46,7 +46,7 @@ void add_options(CLI::App& command, RenderOptions& options) {
     add_picture_options(command, options.picture);
     command
         .add_option("-o,--output", options.files.picture,
-                    "The picture: .png, .exr, .tif or what else OpenImageIO writes")
+                    "The picture: .png, .exr, .tif or any other format that OpenImageIO writes")
         ->required()
         ->type_name("IMAGE");
     command
@@ -60,7 +60,8 @@ void add_options(CLI::App& command, RenderOptions& options) {
     command
         .add_option(
             "--frames", options.frames,
-            "Of a turntable pictures A to B only: processes share the work, and make the same files")
+            "Of a turntable pictures A to B only: processes share the work, "
+            "and make the same files")
         ->type_name("A-B");
     command
         .add_option("--components", options.files.components,
@@ -80,7 +81,7 @@ void add_options(CLI::App& command, RenderOptions& options) {
                     "Also how often each pass ran and what it counted, as JSON")
         ->type_name("FILE");
     add_tone_options(command, options.files.tone);
-    command.add_flag("--memory", options.memory, "Print how much memory was held at most");
+    command.add_flag("--memory", options.memory, "Print the peak memory");
 }
 
 void check_different(const FrameFiles& files) {
@@ -110,18 +111,13 @@ void check(const RenderOptions& options) {
     const FrameFiles& files = options.files;
     if (files.picture.empty())
         throw UsageError("--output is empty; expected the name of a picture");
-    image::check_target(files.picture);
-    try {
-        image::check_extension(files.picture);
-    } catch (const Error& error) {
-        throw UsageError(error.what());
-    }
+    check_picture_target(files.picture);
     const bool more_files = !files.components.empty() || !files.planes.empty() ||
                             !files.manifest.empty() || !files.counters.empty();
     if (options.turntable > 0 && more_files) {
         throw UsageError(
-            "--turntable cannot go with --components, --planes, --manifest or --counters; expected one "
-            "picture for these");
+            "--turntable cannot go with --components, --planes, --manifest or --counters; expected "
+            "one picture for these");
     }
     check_different(files);
     if (!files.components.empty() && !renderer_named(options.picture.renderer).passes) {
@@ -132,18 +128,21 @@ void check(const RenderOptions& options) {
         if (!file.empty()) image::check_target(file);
 }
 
-int render(const RenderOptions& options) {
+int render(const RenderOptions& options, Session& session) {
     check(options);
     Progress progress("reading", options.picture.quiet);
-    Drawing drawing = make_drawing(options.picture);
+    Drawing drawing = make_drawing(options.picture, session);
+    for (const auto& file : {options.files.picture, options.files.manifest, options.files.counters})
+        session.inputs.check(file);
     progress.at("drawing");
     if (options.turntable > 0) {
-        draw_turntable(drawing, options.files, options.turntable, frames_of(options), progress);
+        draw_turntable(drawing, options.files, options.turntable, frames_of(options), progress,
+                       session);
     } else {
-        draw_frame(drawing, options.files);
+        draw_frame(drawing, options.files, session);
     }
-    if (options.memory) fmt::print("memory held at most: {} MB\n", peak_memory() >> 20);
-    return done;
+    if (options.memory) fmt::print("peak memory: {} MB\n", peak_memory() >> 20);
+    return Done;
 }
 
 }  // namespace
@@ -153,7 +152,7 @@ Command add_render(CLI::App& app) {
     const auto options = std::make_shared<RenderOptions>();
     add_options(*command, *options);
     command->footer("Example:\n  build/release/bin/gw render scenes/rings.toml -o rings.png");
-    return {command, [options] { return render(*options); }};
+    return {command, [options](Session& session) { return render(*options, session); }};
 }
 
 }  // namespace gw::apps

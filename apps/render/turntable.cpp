@@ -37,16 +37,19 @@ std::function<void(const scene::View&)> view_drawer(const Drawing& drawing, Mach
 }  // namespace
 
 void draw_turntable(Drawing& drawing, const FrameFiles& files, int pictures,
-                    std::pair<int, int> first_last, Progress& progress) {
+                    std::pair<int, int> first_last, Progress& progress, const Session& session) {
     const Size size = drawing.options.size;
     const scene::Camera camera = *drawing.scene.camera;
-    const auto machine = make_machine(drawing.options, drawing.profile);
+    const auto machine = make_machine(drawing.options, drawing.profile, session);
     const auto draw_view = view_drawer(drawing, *machine);
-    for (int number = first_last.first; number <= first_last.second; ++number) {
+    const auto [first, last] = first_last;
+    for (int number = first; number <= last; ++number)
+        session.inputs.check(numbered(files.picture, number));
+    for (int number = first; number <= last; ++number) {
         progress.at(fmt::format("drawing picture {} of {}", number, pictures));
         drawing.scene.camera = scene::turntable(camera, 360.0 * (number - 1) / pictures);
         draw_view(scene::make_view(drawing.scene, size.width, size.height));
-        image::OutputSet output;
+        image::OutputSet output(session.inputs);
         const image::Picture picture = image::picture_of(machine->planes().color, size.width,
                                                          size.height, drawing.profile.color_bits);
         image::put_picture(output.add(numbered(files.picture, number)),

@@ -74,8 +74,8 @@ std::string exponents(const study::Growth& growth, const std::vector<study::Grow
         for (const study::GrowthCut& cut : growth.cuts)
             if (cut.axis == axis.name)
                 text += fmt::format(
-                    "{} was stopped after {:.6g}, which took {:.2g} s: the next would take longer than the "
-                    "limit\n",
+                    "{} was stopped after {:.6g}, which took {:.2g} s: the next would take longer "
+                    "than the limit\n",
                     cut.algorithm, cut.x, cut.seconds);
         text += "\n";
     }
@@ -127,11 +127,13 @@ public:
     void finish() {
         output_.add(options_.output / "index.html")
             .write_text(
-                "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Hidden surfaces: growth "
-                "and cost</title>\n"
+                "<!DOCTYPE html>\n"
+                "<html lang=\"en\"><meta charset=\"utf-8\"><title>Hidden surfaces: growth and "
+                "cost</title>\n"
                 "<style>body{font-family:sans-serif}pre{font-size:11px;overflow-x:auto}</style>\n"
-                "<h1>Hidden surfaces: growth and cost</h1>\n<p><a href=\"growth.csv\">growth.csv</a> <a "
-                "href=\"laws.csv\">laws.csv</a> <a href=\"costs.csv\">costs.csv</a></p>\n" +
+                "<h1>Hidden surfaces: growth and cost</h1>\n"
+                "<p><a href=\"growth.csv\">growth.csv</a> <a href=\"laws.csv\">laws.csv</a> <a "
+                "href=\"costs.csv\">costs.csv</a></p>\n" +
                 page_ + "</html>\n");
     }
 
@@ -141,9 +143,42 @@ private:
     std::string page_, heading_;
 };
 
+/// The rankings at every price list, as text and as CSV.
+struct Costs {
+    std::string text, csv = "prices,axis,x,rank,algorithm,seconds,dollars\n";
+};
+
+std::string cost_rows(const study::Ranking& ranking, const study::GrowthAxis& axis,
+                      const study::PriceList& list) {
+    std::string rows;
+    for (std::size_t i = 0; i < ranking.algorithms.size(); ++i) {
+        const auto& [algorithm, cost] = ranking.algorithms[i];
+        rows += fmt::format("{},{},{},{},{},{},{}\n", list.name, axis.name, ranking.x, i + 1,
+                            algorithm, cost.seconds, cost.dollars);
+    }
+    return rows;
+}
+
+Costs add_costs(const study::Growth& growth, const std::vector<study::PriceList>& lists,
+                const study::Recipes& recipes, Sheet& sheet) {
+    Costs costs;
+    for (const study::PriceList& list : lists)
+        for (const study::GrowthAxis& axis : study::growth_axes())
+            for (const bool lines : {false, true}) {
+                const auto rankings = study::rankings(growth, axis.name, lines, list, recipes);
+                if (rankings.empty()) continue;
+                costs.text += ranking_text(rankings, axis, list, lines);
+                for (const study::Ranking& ranking : rankings)
+                    costs.csv += cost_rows(ranking, axis, list);
+                sheet.add(fmt::format("{}cost_{}_{}", lines ? "lines_" : "", list.name, axis.name),
+                          "Costs", study::cost_plot(rankings, axis, list, lines));
+            }
+    return costs;
+}
+
 }  // namespace
 
-int study_hidden(const HiddenStudyOptions& options) {
+int study_hidden(const HiddenStudyOptions& options, const Session& session) {
     const std::vector<study::PriceList> lists = read_lists(options.prices);
     const study::Recipes recipes = study::read_recipes(options.prices / "recipes.toml");
     image::OutputSet output;
@@ -158,31 +193,16 @@ int study_hidden(const HiddenStudyOptions& options) {
     sheet.add_text("Exponents", growth_text);
     for (study::GrowthPlot& plot : study::growth_plots(growth))
         sheet.add(plot.name, "Against " + plot.axis, std::move(plot.plot));
-    std::string ranking_texts, costs = "prices,axis,x,rank,algorithm,seconds,dollars\n";
-    for (const study::PriceList& list : lists)
-        for (const study::GrowthAxis& axis : study::growth_axes())
-            for (const bool lines : {false, true}) {
-                const auto rankings = study::rankings(growth, axis.name, lines, list, recipes);
-                if (rankings.empty()) continue;
-                ranking_texts += ranking_text(rankings, axis, list, lines);
-                for (const study::Ranking& ranking : rankings)
-                    for (std::size_t i = 0; i < ranking.algorithms.size(); ++i)
-                        costs += fmt::format("{},{},{},{},{},{},{}\n", list.name, axis.name,
-                                             ranking.x, i + 1, ranking.algorithms[i].first,
-                                             ranking.algorithms[i].second.seconds,
-                                             ranking.algorithms[i].second.dollars);
-                sheet.add(fmt::format("{}cost_{}_{}", lines ? "lines_" : "", list.name, axis.name),
-                          "Costs", study::cost_plot(rankings, axis, list, lines));
-            }
-    sheet.add_text("Rankings", ranking_texts);
+    const Costs costs = add_costs(growth, lists, recipes, sheet);
+    sheet.add_text("Rankings", costs.text);
     sheet.finish();
     output.add(options.output / "growth.csv").write_text(study::growth_csv(growth));
     output.add(options.output / "laws.csv").write_text(study::laws_csv(laws));
-    output.add(options.output / "costs.csv").write_text(costs);
-    put_index(output, options.output);
+    output.add(options.output / "costs.csv").write_text(costs.csv);
+    put_index(output, options.output, session);
     output.commit();
-    print(growth_text + ranking_texts);
-    return done;
+    print(growth_text + costs.text);
+    return Done;
 }
 
 }  // namespace gw::apps

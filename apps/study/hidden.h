@@ -2,6 +2,8 @@
 // options.
 #pragma once
 
+#include "apps/command/session.h"
+
 #include <filesystem>
 #include <string>
 
@@ -20,6 +22,6 @@ struct HiddenStudyOptions {
 
 /// growth.csv, laws.csv, costs.csv, a plot for every counter and axis, index.html; prints exponents
 /// and rankings.
-int study_hidden(const HiddenStudyOptions& options);
+int study_hidden(const HiddenStudyOptions& options, const Session& session);
 
 }  // namespace gw::apps

@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <memory>
 
 namespace gw::apps {
@@ -34,14 +35,15 @@ struct StudyOptions {
 constexpr Size size{160, 120}, large{320, 240};
 
 /// The studies' scenes are the repository's.
-scene::Scene study_scene(const char* file) {
-    return load_scene({.scene = file, .size = size, .quiet = true});
+scene::Scene study_scene(const char* file, Session& session) {
+    return load_scene({.scene = file, .size = size, .quiet = true}, session);
 }
 
-study::MachineMaker maker(const StudyOptions& options, Size window) {
-    return [=](const Profile& profile) {
-        return taped(make_fast(profile, window.width, window.height, {.threads = options.threads}),
-                     window.width, window.height);
+study::MachineMaker maker(const StudyOptions& options, Size window, const Session& session) {
+    return [=, recorder = session.recorder](const Profile& profile) {
+        return recorded(
+            make_fast(profile, window.width, window.height, {.threads = options.threads}),
+            window.width, window.height, recorder);
     };
 }
 
@@ -63,27 +65,31 @@ void put_plot(image::OutputSet& output, const StudyOptions& options, const std::
     output.add(options.output / (name + ".csv")).write_text(plot::csv(plot));
 }
 
-int study_convergence(const StudyOptions& options) {
+/// A picture whose error falls with samples.
+struct Case {
+    const char *name, *scene, *title;
+    int dimensions;
+};
+constexpr Case cases[] = {
+    {"antialiasing", "scenes/edges.toml", "Anti-aliasing: error against samples", 2},
+    {"soft_shadow", "scenes/penumbra.toml", "Soft shadow: error against samples", 4},
+};
+
+int study_convergence(const StudyOptions& options, Session& session) {
     check(options);
     Progress progress("drawing", options.quiet);
     const auto say = [&](const std::string& what) { progress.at(what); };
     image::OutputSet output;
     output.make_folder(options.output);
-    struct Case {
-        const char *name, *scene, *title;
-        int dimensions;
-    };
     std::vector<std::vector<std::string>> rows{{"error falls as", "vgx", "reality", "ideal"}};
-    for (const Case& c :
-         {Case{"antialiasing", "scenes/edges.toml", "Anti-aliasing: error against samples", 2},
-          Case{"soft_shadow", "scenes/penumbra.toml", "Soft shadow: error against samples", 4}}) {
-        const auto errors =
-            study::convergence(study_scene(c.scene), profiles(), maker(options, size),
-                               {.largest = options.samples,
-                                .reference = 8 * options.samples,
-                                .width = size.width,
-                                .height = size.height},
-                               say);
+    for (const Case& c : cases) {
+        const auto errors = study::convergence(study_scene(c.scene, session), profiles(),
+                                               maker(options, size, session),
+                                               {.largest = options.samples,
+                                                .reference = 8 * options.samples,
+                                                .width = size.width,
+                                                .height = size.height},
+                                               say);
         put_plot(output, options, c.name, "convergence",
                  study::convergence_plot(errors, c.title, c.dimensions));
         rows.push_back({c.name});
@@ -94,10 +100,10 @@ int study_convergence(const StudyOptions& options) {
         }
         rows.push_back(std::move(grid));
     }
-    put_index(output, options.output);
+    put_index(output, options.output, session);
     output.commit();
     print(table(rows));
-    return done;
+    return Done;
 }
 
 std::string text_of(const study::Difference& d) {
@@ -124,26 +130,27 @@ std::string distance_table(const std::vector<study::Distance>& rows) {
     return "Distance from the scan-line picture: rms in 255ths of white\n" + table(lines);
 }
 
-int study_precision(const StudyOptions& options) {
+int study_precision(const StudyOptions& options, Session& session) {
     check(options);
     Progress progress("drawing", options.quiet);
     const auto say = [&](const std::string& what) { progress.at(what); };
-    const auto added = study::adding(study_scene("scenes/columns.toml"), {1, 4, 16, 64}, profiles(),
-                                     maker(options, large), large.width, large.height, say);
-    const auto apart =
-        study::distances({study_scene("scenes/rings.toml")}, {8, 16, 32, 64, 128}, profiles(),
-                         maker(options, large), large.width, large.height, say);
+    const auto added =
+        study::adding(study_scene("scenes/columns.toml", session), {1, 4, 16, 64}, profiles(),
+                      maker(options, large, session), large.width, large.height, say);
+    const auto apart = study::distances(
+        {study_scene("scenes/rings.toml", session)}, {8, 16, 32, 64, 128}, profiles(),
+        maker(options, large, session), large.width, large.height, say);
     image::OutputSet output;
     output.make_folder(options.output);
     put_plot(output, options, "adding", "precision", study::adding_plot(added));
     put_plot(output, options, "distance", "precision", study::distance_plot(apart));
-    put_index(output, options.output);
+    put_index(output, options.output, session);
     output.commit();
     print(adding_table(added) + "\n" + distance_table(apart));
-    return done;
+    return Done;
 }
 
-int study_hidden_surfaces(const StudyOptions& options) {
+int study_hidden_surfaces(const StudyOptions& options, Session& session) {
     check(options);
     HiddenStudyOptions hidden = options.hidden;
     hidden.output = options.output;
@@ -154,10 +161,10 @@ int study_hidden_surfaces(const StudyOptions& options) {
     if (!hidden.axis.empty()) hidden.command += " --axis " + hidden.axis;
     if (hidden.limit != HiddenStudyOptions{}.limit)
         hidden.command += fmt::format(" --limit {}", hidden.limit);
-    return study_hidden(hidden);
+    return study_hidden(hidden, session);
 }
 
-int study_hemicube(const StudyOptions& options) {
+int study_hemicube(const StudyOptions& options, Session& session) {
     check(options);
     Progress progress("drawing", options.quiet);
     const auto rows = study::hemicube_errors({16, 32, 64, 128, 256, 512}, 8,
@@ -165,7 +172,7 @@ int study_hemicube(const StudyOptions& options) {
     image::OutputSet output;
     output.make_folder(options.output);
     put_plot(output, options, "hemicube", "hemicube", study::hemicube_plot(rows));
-    put_index(output, options.output);
+    put_index(output, options.output, session);
     output.commit();
     std::vector<std::vector<std::string>> lines{
         {"hemicube", "pixels a texel", "rms drawn", "oversampled", "missed drawn", "oversampled"}};
@@ -175,7 +182,77 @@ int study_hemicube(const StudyOptions& options) {
                          percent(r.rms_drawn), percent(r.rms_oversampled), percent(r.missed_drawn),
                          percent(r.missed_oversampled)});
     print(table(lines));
-    return done;
+    return Done;
+}
+
+struct Study {
+    const char *name, *about;
+    int (*run)(const StudyOptions&, Session&);
+};
+
+constexpr Study studies[] = {
+    {"convergence", "error against the number of samples", study_convergence},
+    {"precision", "rounding of added passes, distance of renderers", study_precision},
+    {"hidden", "growth and cost of the hidden-surface algorithms", study_hidden_surfaces},
+    {"hemicube", "error of form factors against resolution", study_hemicube},
+};
+
+const Study& study_named(const std::string& word) {
+    std::vector<std::string> names;
+    for (const Study& study : studies) names.emplace_back(study.name);
+    one_of("STUDY", word, names);
+    return *std::ranges::find(studies, word, &Study::name);
+}
+
+std::string studies_help() {
+    std::string help;
+    for (const Study& study : studies)
+        help += fmt::format("{}{}: {}", help.empty() ? "" : "; ", study.name, study.about);
+    return help;
+}
+
+void add_common_options(CLI::App& command, StudyOptions& options) {
+    command
+        .add_option("-o,--output", options.output, "Folder of the plots; made where it is missing")
+        ->required()
+        ->type_name("DIR");
+    add_threads_option(command, options.threads,
+                       "Threads of the fast machine (default: all; hidden: 1)");
+    command
+        .add_option_function<std::string>(
+            "--samples",
+            [&options](const std::string& word) {
+                options.samples = whole_number_from("--samples", word, 4, 4096);
+            },
+            "convergence: up to N samples (default 256) against a picture of 8 N")
+        ->type_name("N");
+    command.add_flag("--quiet", options.quiet, "No progress");
+}
+
+void add_hidden_options(CLI::App& command, HiddenStudyOptions& options) {
+    command
+        .add_option_function<std::string>(
+            "--limit",
+            [&options](const std::string& word) {
+                options.limit = number_from("--limit", word, 0.001, 3600);
+            },
+            "hidden: an algorithm whose next size would take longer is stopped there (default 0.5)")
+        ->type_name("SECONDS");
+    command
+        .add_option_function<std::string>(
+            "--axis",
+            [&options](const std::string& word) {
+                std::vector<std::string> axes;
+                for (const study::GrowthAxis& axis : study::growth_axes())
+                    axes.push_back(axis.name);
+                options.axis = one_of("--axis", word, axes);
+            },
+            "hidden: polygons, depth, resolution or frames only (default: all)")
+        ->type_name("NAME");
+    command
+        .add_option("--prices", options.prices,
+                    "hidden: folder of recipes.toml and price lists (default scenes/hidden/prices)")
+        ->type_name("DIR");
 }
 
 }  // namespace
@@ -184,66 +261,18 @@ Command add_study(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "study", "Measurements of pictures, as plots (SVG) with their numbers (CSV)");
     const auto options = std::make_shared<StudyOptions>();
-    const auto which = std::make_shared<std::string>();
-    const std::vector<std::string> known{"convergence", "precision", "hidden", "hemicube"};
+    const auto study = std::make_shared<const Study*>();
     command
         ->add_option_function<std::string>(
-            "STUDY", [=](const std::string& word) { *which = one_of("STUDY", word, known); },
-            "convergence: error against the number of samples; precision: rounding of added passes, distance "
-            "of "
-            "renderers; hidden: growth and cost of the hidden-surface algorithms; hemicube: error of form "
-            "factors against "
-            "resolution")
+            "STUDY", [study](const std::string& word) { *study = &study_named(word); },
+            studies_help())
         ->required()
         ->type_name("NAME");
-    command
-        ->add_option("-o,--output", options->output,
-                     "Folder of the plots; made where it is missing")
-        ->required()
-        ->type_name("DIR");
-    add_threads_option(*command, options->threads,
-                       "Threads of the fast machine (default: all; hidden: 1)");
-    command
-        ->add_option_function<std::string>(
-            "--samples",
-            [=](const std::string& word) {
-                options->samples = whole_number_from("--samples", word, 4, 4096);
-            },
-            "convergence: up to N samples (default 256) against a picture of 8 N")
-        ->type_name("N");
-    command
-        ->add_option_function<std::string>(
-            "--limit",
-            [=](const std::string& word) {
-                options->hidden.limit = number_from("--limit", word, 0.001, 3600);
-            },
-            "hidden: an algorithm whose next size would take longer is stopped there (default 0.5)")
-        ->type_name("SECONDS");
-    command
-        ->add_option_function<std::string>(
-            "--axis",
-            [=](const std::string& word) {
-                std::vector<std::string> axes;
-                for (const study::GrowthAxis& axis : study::growth_axes())
-                    axes.push_back(axis.name);
-                options->hidden.axis = one_of("--axis", word, axes);
-            },
-            "hidden: polygons, depth, resolution or frames only (default: all)")
-        ->type_name("NAME");
-    command
-        ->add_option(
-            "--prices", options->hidden.prices,
-            "hidden: folder of recipes.toml and price lists (default scenes/hidden/prices)")
-        ->type_name("DIR");
-    command->add_flag("--quiet", options->quiet, "No progress");
+    add_common_options(*command, *options);
+    add_hidden_options(*command, options->hidden);
     command->footer(
         "Example:\n  build/release/bin/gw study convergence --samples 16 -o convergence");
-    return {command, [=] {
-                if (*which == "hidden") return study_hidden_surfaces(*options);
-                if (*which == "hemicube") return study_hemicube(*options);
-                return *which == "convergence" ? study_convergence(*options)
-                                               : study_precision(*options);
-            }};
+    return {command, [=](Session& session) { return (*study)->run(*options, session); }};
 }
 
 }  // namespace gw::apps

@@ -1,10 +1,11 @@
 #include "image/output/output_file.h"
 
 #include "gw/error.h"
-#include "image/output/origin.h"
 #include "image/output/temporaries.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <atomic>
 #include <cerrno>
@@ -26,10 +27,20 @@ fs::path folder_of(const fs::path& file) {
     throw Error(target.string(), 0, "cannot be written: " + std::string(why));
 }
 
+/// Absolute; links followed, also one whose own target does not exist.
 fs::path follow_links(const fs::path& target) {
+    constexpr int most_links = 40;
+    fs::path at = target;
     std::error_code error;
-    const fs::path real = fs::canonical(target, error);
-    return error ? target : real;
+    for (int links = 0; fs::is_symlink(fs::symlink_status(at, error)); ++links) {
+        if (const fs::path real = fs::canonical(at, error); !error) return real;
+        if (links == most_links) refuse(target, "too many links");
+        const fs::path to = fs::read_symlink(at, error);
+        if (error) refuse(target, error.message());
+        at = folder_of(at) / to;
+    }
+    const fs::path folder = fs::canonical(folder_of(at), error);
+    return error ? at : folder / at.filename();
 }
 
 bool is_device(const fs::path& target) {
@@ -38,7 +49,8 @@ bool is_device(const fs::path& target) {
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-// Short, because the target's own name may be as long as a name can be.
+// Short, because the target's own name may be as long as a name can be. remove_stale_temporaries
+// knows its form.
 fs::path temporary_name(const fs::path& folder) {
     static std::atomic<unsigned> count = 0;
     return folder / (".gw-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp");
@@ -48,37 +60,46 @@ fs::path temporary_name(const fs::path& folder) {
 
 void check_target(const fs::path& target) {
     std::error_code error;
-    const fs::path folder = folder_of(target);
     if (!target.has_filename()) refuse(target, "it names a folder; expected the name of a file");
     if (fs::is_directory(target, error))
         refuse(target, "it is a folder; expected the name of a file");
+    const fs::path real = is_device(target) ? target : follow_links(target);
+    const fs::path folder = folder_of(real);
     if (!fs::exists(folder, error)) {
-        refuse(target, "folder " + folder.string() + " does not exist; expected one to write into");
+        const fs::path named = real == target ? folder : folder_of(target);
+        refuse(target, "folder " + (fs::exists(named, error) ? folder : named).string() +
+                           " does not exist; expected one to write into");
     }
-    if (!fs::is_directory(folder, error)) {
-        refuse(target, folder.string() + " is not a folder; expected one to write into");
-    }
-    if (::access(fs::exists(target, error) ? target.c_str() : folder.c_str(), W_OK) != 0) {
+    if (!fs::is_directory(folder, error))
+        refuse(target, folder_of(target).string() + " is not a folder; expected one to write into");
+    if (fs::exists(real, error) && ::access(real.c_str(), W_OK) != 0)
         refuse(target, std::strerror(errno));
-    }
+    if (!is_device(target) && ::access(folder.c_str(), W_OK) != 0)
+        refuse(target, std::strerror(errno));
 }
 
 OutputFile::OutputFile(const fs::path& target) : asked_(target) {
     check_target(target);
-    target_ = follow_links(target);
-    if (is_device(target_)) {
+    if (is_device(target)) {
+        target_ = target;
         descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
         if (descriptor_ < 0) fail(errno);
     } else {
+        target_ = follow_links(target);
         open_temporary();
     }
 }
 
+/// Readable by nobody else until commit where it replaces a file, whose mode may be as strict.
 void OutputFile::open_temporary() {
+    const fs::path folder = folder_of(target_);
+    remove_stale_temporaries(folder);
+    struct stat old {};
+    const mode_t mode = ::stat(target_.c_str(), &old) == 0 ? 0600 : 0666;
     do {
-        const fs::path name = temporary_name(folder_of(target_));
+        const fs::path name = temporary_name(folder);
         register_temporary(name);
-        descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         const int error = errno;
         if (descriptor_ >= 0) {
             temporary_ = name;
@@ -87,6 +108,7 @@ void OutputFile::open_temporary() {
             if (error != EEXIST) fail(error);
         }
     } while (descriptor_ < 0);
+    ::flock(descriptor_, LOCK_EX | LOCK_NB);  // for remove_stale_temporaries elsewhere
 }
 
 OutputFile::~OutputFile() {
@@ -117,10 +139,21 @@ void OutputFile::close() {
     if (descriptor >= 0 && ::close(descriptor) != 0) fail(errno);
 }
 
+void OutputFile::keep_owner_and_mode() const {
+    struct stat old {
+    }, now{};
+    if (::stat(target_.c_str(), &old) != 0 || ::stat(temporary_.c_str(), &now) != 0) return;
+    const bool same_owner = old.st_uid == now.st_uid && old.st_gid == now.st_gid;
+    const bool taken = same_owner || ::chown(temporary_.c_str(), old.st_uid, old.st_gid) == 0;
+    // Another owner's bits are not ours to give away.
+    const mode_t mode = taken ? old.st_mode & 07777 : old.st_mode & 0777 & now.st_mode;
+    if (::chmod(temporary_.c_str(), mode) != 0) fail(errno);
+}
+
 void OutputFile::commit() {
     close();
     if (temporary_.empty()) return;
-    note_origin(temporary_);
+    keep_owner_and_mode();
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     forget_temporary(temporary_);
     temporary_.clear();

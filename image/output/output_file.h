@@ -16,8 +16,10 @@ void check_target(const std::filesystem::path& target);
 
 /// Between construction and commit the bytes lie in `temporary()`, in the target's folder. Without
 /// a commit, on an exception and on a signal (image/output/temporaries.h) that file is removed and
-/// the target is as it was. A link is followed. A target that is no regular file (a device, a pipe)
-/// is written to directly. Throws Error "out.png: cannot be written: No space left on device".
+/// the target is as it was. A link is followed, also one to a file that does not exist yet. A file
+/// that is replaced keeps its owner and mode. A target that is no regular file (a device, a pipe)
+/// is written to directly. What a killed process left in the folder is removed. Throws Error
+/// "out.png: cannot be written: No space left on device".
 class OutputFile {
 public:
     explicit OutputFile(const std::filesystem::path& target);
@@ -29,6 +31,8 @@ public:
     const std::filesystem::path& target() const { return asked_; }
     /// Empty where the target is written to directly.
     const std::filesystem::path& temporary() const { return temporary_; }
+    /// Absolute, links followed.
+    const std::filesystem::path& real_target() const { return target_; }
     void write(std::span<const std::uint8_t> bytes);
     void write_text(std::string_view text);
     void commit();
@@ -36,10 +40,11 @@ public:
 private:
     [[noreturn]] void fail(int error) const;
     void open_temporary();
+    void keep_owner_and_mode() const;
     void close();
 
     std::filesystem::path asked_;
-    std::filesystem::path target_;  ///< links followed
+    std::filesystem::path target_;
     std::filesystem::path temporary_;
     int descriptor_ = -1;
 };

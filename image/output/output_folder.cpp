@@ -3,12 +3,16 @@
 #include "gw/error.h"
 #include "image/output/temporaries.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <system_error>
 
 namespace gw::image {
 
@@ -47,15 +51,20 @@ OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> know
         refuse_folder(asked_, std::string("cannot be made: ") + std::strerror(errno) +
                                   "; expected a name in a folder that can be written into");
     check_replaceable();
+    remove_stale_temporaries(parent);
     temporary_ = unused_name(parent);
     register_temporary_tree(temporary_);
     if (!fs::create_directory(temporary_, error)) {
         forget_temporary(temporary_);
-        refuse_folder(asked_, "cannot be made: " + error.message());
+        refuse_folder(asked_, "cannot be made: " +
+                                  (error ? error.message() : temporary_.string() + " is there"));
     }
+    lock_ = ::open(temporary_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock_ >= 0) ::flock(lock_, LOCK_EX | LOCK_NB);  // for remove_stale_temporaries elsewhere
 }
 
 OutputFolder::~OutputFolder() {
+    if (lock_ >= 0) ::close(lock_);
     if (temporary_.empty()) return;
     std::error_code ignored;
     fs::remove_all(temporary_, ignored);
@@ -83,24 +92,43 @@ void OutputFolder::check_replaceable() const {
     if (error) refuse_folder(asked_, "cannot be read: " + error.message());
 }
 
-void OutputFolder::commit() {
+/// One try; another process may make or take the target in between.
+std::error_code OutputFolder::put_in_place() const {
     std::error_code error;
-    fs::path old;
-    if (fs::exists(target_, error)) {
-        check_replaceable();
-        old = unused_name(target_.parent_path());
-        fs::rename(target_, old, error);
-        if (error) refuse_folder(asked_, "cannot be replaced: " + error.message());
+    if (!fs::exists(target_, error)) {
+        fs::rename(temporary_, target_, error);
+        return error;
     }
+    check_replaceable();
+#ifdef RENAME_EXCHANGE
+    if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0)
+        return {};  // at no time is there neither
+    if (errno == ENOENT) return std::make_error_code(std::errc::no_such_file_or_directory);
+#endif
+    const fs::path old = unused_name(target_.parent_path());
+    fs::rename(target_, old, error);
+    if (error) return error;
     fs::rename(temporary_, target_, error);
-    if (error) {
-        std::error_code ignored;
-        if (!old.empty()) fs::rename(old, target_, ignored);
-        refuse_folder(asked_, "cannot be made: " + error.message());
-    }
+    std::error_code ignored;
+    if (error) fs::rename(old, target_, ignored);
+    fs::remove_all(old, ignored);
+    return error;
+}
+
+void OutputFolder::commit() {
+    constexpr int most_tries = 100;
+    std::error_code error = put_in_place();
+    const auto another_process_was_faster = [&] {
+        return error == std::errc::directory_not_empty || error == std::errc::file_exists ||
+               error == std::errc::no_such_file_or_directory;
+    };
+    for (int tries = 1; another_process_was_faster() && tries < most_tries; ++tries)
+        error = put_in_place();
+    if (error) refuse_folder(asked_, "cannot be made: " + error.message());
+    std::error_code ignored;
+    fs::remove_all(temporary_, ignored);  // where the earlier one is now, if there was one
     forget_temporary(temporary_);
     temporary_.clear();
-    if (!old.empty()) fs::remove_all(old, error);
 }
 
 }  // namespace gw::image

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace gw::image {
@@ -28,9 +29,11 @@ public:
 
 private:
     void check_replaceable() const;
+    std::error_code put_in_place() const;
 
     std::filesystem::path asked_, target_, temporary_;
     std::vector<std::string> known_;
+    int lock_ = -1;  ///< on the temporary folder: its process lives
 };
 
 }  // namespace gw::image

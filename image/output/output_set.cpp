@@ -36,6 +36,7 @@ void OutputSet::make_folder(const fs::path& folder) {
     register_temporary(folder);
     if (!fs::create_directory(folder, error)) {
         forget_temporary(folder);
+        if (!error) return;  // another process made it meanwhile
         throw Error(folder.string(), 0,
                     "folder cannot be made: " + error.message() +
                         "; expected a name in a folder that can be written into");
@@ -44,7 +45,14 @@ void OutputSet::make_folder(const fs::path& folder) {
 }
 
 OutputFile& OutputSet::add(const fs::path& target) {
-    files_.push_back(std::make_unique<OutputFile>(target));
+    inputs_.check(target);
+    auto file = std::make_unique<OutputFile>(target);
+    for (const auto& other : files_)
+        if (!file->temporary().empty() && file->real_target() == other->real_target())
+            throw Error(target.string(), 0,
+                        "cannot be written: it is also " + other->target().string() +
+                            ", another output; expected two names");
+    files_.push_back(std::move(file));
     return *files_.back();
 }
 

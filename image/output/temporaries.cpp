@@ -2,15 +2,24 @@
 
 #include "gw/error.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace gw::image {
 namespace {
@@ -76,7 +85,51 @@ void take_from(std::span<std::atomic<char*>> slots, const std::filesystem::path&
     }
 }
 
+/// The process that made ".gw-PID-N.tmp" or ".gw-PID-folder-N.tmp"; 0: not such a name.
+pid_t process_of(const std::string& name) {
+    int pid = 0, number = 0, end = 0;
+    for (const char* form : {".gw-%9d-%9d.tmp%n", ".gw-%9d-folder-%9d.tmp%n"}) {
+        end = 0;
+        if (std::sscanf(name.c_str(), form, &pid, &number, &end) == 2 && end == int(name.size()))
+            return pid;
+    }
+    return 0;
+}
+
+bool is_gone(pid_t process) { return ::kill(process, 0) != 0 && errno == ESRCH; }
+
+/// Ours to remove, and locked by nobody: a process of another container has a number of its own.
+bool is_stale(const std::filesystem::path& name) {
+    const int descriptor = ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) return false;
+    struct stat status {};
+    const bool stale = ::fstat(descriptor, &status) == 0 && status.st_uid == ::geteuid() &&
+                       ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+    ::close(descriptor);
+    return stale;
+}
+
+/// Whether this is the first call for the folder.
+bool is_first_visit(const std::filesystem::path& folder) {
+    static std::mutex mutex;
+    static std::set<std::filesystem::path> visited;
+    const std::scoped_lock lock(mutex);
+    return visited.insert(folder).second;
+}
+
 }  // namespace
+
+void remove_stale_temporaries(const std::filesystem::path& folder) {
+    std::error_code error;
+    if (!is_first_visit(std::filesystem::absolute(folder, error))) return;
+    std::vector<std::filesystem::path> stale;
+    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+         at.increment(error)) {
+        const pid_t process = process_of(at->path().filename().string());
+        if (process > 0 && is_gone(process) && is_stale(at->path())) stale.push_back(at->path());
+    }
+    for (const std::filesystem::path& name : stale) std::filesystem::remove_all(name, error);
+}
 
 void register_temporary(const std::filesystem::path& name) { add_to(names, name); }
 void register_temporary_tree(const std::filesystem::path& name) { add_to(trees, name); }

@@ -1,5 +1,6 @@
-// The temporary files and new folders that exist now, so that a signal can remove them.
-// Does not create, name or write them: OutputFile, OutputSet and OutputFolder do.
+// The temporary files and new folders that exist now, so that a signal can remove them; and those
+// that a killed process left. Does not create or write them: OutputFile, OutputSet and OutputFolder
+// do.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +12,10 @@ namespace gw::image {
 void register_temporary(const std::filesystem::path& name);
 /// The same of a folder that goes away with all that is in it.
 void register_temporary_tree(const std::filesystem::path& name);
+/// Removes from a folder the temporary files and folders of processes that are gone: killed, or cut
+/// off with the machine. Once per folder and process. Files of other users stay, and files that a
+/// process locks which is not seen from here, as in another container.
+void remove_stale_temporaries(const std::filesystem::path& folder);
 /// Forgets it, after it was renamed, removed or committed.
 void forget_temporary(const std::filesystem::path& name);
 

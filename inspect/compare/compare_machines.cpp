@@ -1,6 +1,7 @@
 #include "inspect/compare/compare_machines.h"
 
 #include "gw/names.h"
+#include "inspect/recording/check_lists.h"
 #include "inspect/replay/digesting_machine.h"
 #include "inspect/replay/player.h"
 
@@ -36,6 +37,7 @@ MachineMaker maker_of(const std::string& machine, int threads) {
 }
 
 std::vector<PassReport> reports_of(const Recording& recording, const MachineMaker& make) {
+    validate_lists(recording);
     const auto machine = make(recording);
     DigestingMachine digesting(*machine);
     Player(recording, digesting).play();

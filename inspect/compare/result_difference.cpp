@@ -48,7 +48,7 @@ ResultDifference located(Finding finding, Planes a, Planes b) {
         const auto [x, y, distance] = wrong.front();
         result.plane = plane;
         result.finding.what = fmt::format("plane {}, {}, the worst one", name_of(plane),
-                                          counted(wrong.size(), "pixel", "pixels"));
+                                          plural(wrong.size(), "pixel", "pixels"));
         result.finding.pixel = ivec2(x, y);
         result.finding.expected = value_at(result.a, plane, x, y);
         result.finding.actual = value_at(result.b, plane, x, y);

@@ -1,6 +1,7 @@
 #include "inspect/compare/verify.h"
 
 #include "inspect/manifest/profile_json.h"
+#include "inspect/recording/check_lists.h"
 #include "inspect/replay/digesting_machine.h"
 #include "inspect/replay/player.h"
 #include "inspect/text/plural.h"
@@ -57,6 +58,30 @@ std::optional<Finding> pass_difference(const ManifestPass& expected, const Manif
     return finding;
 }
 
+std::string list_of(const std::vector<ManifestPass>& passes, std::size_t first, std::size_t end) {
+    constexpr std::size_t most = 5;
+    std::string names;
+    for (std::size_t i = first; i < std::min(end, first + most); ++i)
+        names += fmt::format("{}{} '{}'", i > first ? ", " : "", i, passes[i].report.name);
+    return end - first > most ? names + fmt::format(" and {} more", end - first - most) : names;
+}
+
+/// Which passes one side lacks, where the names before and after them are the same.
+void note_missing_passes(Finding& finding, const std::vector<ManifestPass>& expected,
+                         const std::vector<ManifestPass>& actual) {
+    const std::size_t shorter = std::min(expected.size(), actual.size());
+    const auto name = [](const auto& passes, std::size_t i) { return passes[i].report.name; };
+    std::size_t before = 0, after = 0;
+    while (before < shorter && name(expected, before) == name(actual, before)) ++before;
+    while (after < shorter - before &&
+           name(expected, expected.size() - 1 - after) == name(actual, actual.size() - 1 - after))
+        ++after;
+    const std::string missing = list_of(expected, before, expected.size() - after),
+                      added = list_of(actual, before, actual.size() - after);
+    if (!missing.empty()) finding.notes.push_back("missing: pass " + missing);
+    if (!added.empty()) finding.notes.push_back("not expected: pass " + added);
+}
+
 Planes played(const Recording& recording, const MachineMaker& make, std::size_t pass) {
     const auto machine = make(recording);
     Player(recording, *machine).play_to(pass_ranges(recording).at(pass).end);
@@ -83,9 +108,9 @@ void find_pixel(Finding& finding, const std::optional<Planes>& expected, const P
         finding.pixel = pixel;
         finding.expected = value_at(*expected, plane, pixel->x, pixel->y);
         finding.actual = value_at(actual, plane, pixel->x, pixel->y);
-        finding.notes.push_back(counted(wrong_pixels(*expected, actual, plane).size(),
-                                        "pixel of this plane differs",
-                                        "pixels of this plane differ"));
+        finding.notes.push_back(plural(wrong_pixels(*expected, actual, plane).size(),
+                                       "pixel of this plane differs",
+                                       "pixels of this plane differ"));
         return;
     }
 }
@@ -94,6 +119,7 @@ void find_pixel(Finding& finding, const std::optional<Planes>& expected, const P
 
 Manifest replayed_manifest(const Recording& recording, const MachineMaker& make,
                            ValuesWriter* values) {
+    validate_lists(recording);
     const auto machine = make(recording);
     DigestingMachine digesting(*machine);
     play_by_pass(recording, digesting, [&](std::size_t) {
@@ -105,12 +131,17 @@ Manifest replayed_manifest(const Recording& recording, const MachineMaker& make,
 std::optional<Finding> first_difference(const Manifest& expected, const Manifest& actual) {
     if (auto finding = head_difference(expected, actual)) return finding;
     for (std::size_t i = 0; i < std::min(expected.passes.size(), actual.passes.size()); ++i)
-        if (auto finding = pass_difference(expected.passes[i], actual.passes[i], i)) return finding;
-    if (expected.passes.size() != actual.passes.size())
-        return Finding{.what = "number of passes",
-                       .expected = std::to_string(expected.passes.size()),
-                       .actual = std::to_string(actual.passes.size())};
-    return {};
+        if (auto finding = pass_difference(expected.passes[i], actual.passes[i], i)) {
+            if (finding->what == "name")
+                note_missing_passes(*finding, expected.passes, actual.passes);
+            return finding;
+        }
+    if (expected.passes.size() == actual.passes.size()) return {};
+    Finding finding{.what = "number of passes",
+                    .expected = std::to_string(expected.passes.size()),
+                    .actual = std::to_string(actual.passes.size())};
+    note_missing_passes(finding, expected.passes, actual.passes);
+    return finding;
 }
 
 Verification verify(const Recording& recording, const Manifest& manifest,

@@ -7,8 +7,22 @@ namespace gw::inspect {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+const Beginning manifest_beginning{is_manifest, "is not JSON; expected a manifest that gw wrote"};
+const Beginning values_beginning{
+    [](std::string_view bytes) { return has_identifier(bytes, "GWV1"); },
+    "is no file of values; expected one that gw wrote, or none"};
+
+}  // namespace
+
+bool is_manifest(std::string_view bytes) {
+    const auto first = bytes.find_first_not_of(" \t\r\n");
+    return first != bytes.npos && bytes[first] == '{';
+}
+
 ManifestFile load_manifest(const fs::path& file) {
-    const std::vector<std::uint8_t> bytes = read_bytes(file);
+    const std::vector<std::uint8_t> bytes = read_bytes(file, manifest_beginning);
     ManifestFile result;
     try {
         result.manifest =
@@ -20,7 +34,7 @@ ManifestFile load_manifest(const fs::path& file) {
     if (name != fs::path(name).filename())
         throw Error(file.string(), 0, "'values' is no name of a file beside it");
     if (!name.empty() && fs::exists(file.parent_path() / name))
-        result.values = read_bytes(file.parent_path() / name);
+        result.values = read_bytes(file.parent_path() / name, values_beginning);
     return result;
 }
 

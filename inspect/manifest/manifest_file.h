@@ -1,10 +1,10 @@
-// A manifest as a file, and the file of values beside it. Reads; whoever writes files writes what
-// is here.
+// A manifest as a file, and the file of values beside it. Reads files; does not write them.
 #pragma once
 
 #include "inspect/compare/verify.h"
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 namespace gw::inspect {
@@ -15,6 +15,9 @@ struct ManifestFile {
     Manifest manifest;
     std::vector<std::uint8_t> values;
 };
+
+/// Whether a file that begins so may be a manifest: JSON's first character.
+bool is_manifest(std::string_view bytes);
 
 /// Throws Error "M.json: what is wrong".
 ManifestFile load_manifest(const std::filesystem::path& file);

@@ -1,6 +1,7 @@
 #include "inspect/manifest/values.h"
 
 #include "gw/error.h"
+#include "inspect/manifest/packing.h"
 #include "values_generated.h"
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 namespace gw::inspect {
 namespace {
 
-constexpr std::uint32_t values_version = 1;
+constexpr std::uint32_t values_version = 2;
 
 template <typename T>
 using Vector = flatbuffers::Vector<T>;
@@ -28,30 +29,38 @@ std::span<T> numbers(std::array<T, 4>& v) {
     return v;
 }
 
-/// What differs, as runs and the numbers in them.
-template <typename Number>
-struct Changes {
-    std::vector<gwt::Run> runs;
-    std::vector<Number> values;
-};
+/// The pixels that differ.
 template <typename T>
-auto changes(const std::vector<T>& before, const std::vector<T>& now) {
-    Changes<std::remove_cvref_t<decltype(numbers(now[0])[0])>> c;
+std::vector<std::uint8_t> changes(const std::vector<T>& before, const std::vector<T>& now) {
+    PackedChanges c;
     for (std::size_t i = 0; i < now.size(); ++i) {
         if (now[i] == before[i]) continue;
         const auto at = static_cast<std::uint32_t>(i);
-        const bool follows = !c.runs.empty() && c.runs.back().first() + c.runs.back().count() == at;
-        if (follows)
-            c.runs.back() = gwt::Run(c.runs.back().first(), c.runs.back().count() + 1);
+        if (!c.runs.empty() && c.runs.back().first + c.runs.back().count == at)
+            ++c.runs.back().count;
         else
-            c.runs.emplace_back(at, 1u);
+            c.runs.push_back({at, 1});
         const auto pixel = numbers(now[i]);
-        c.values.insert(c.values.end(), pixel.begin(), pixel.end());
+        c.numbers.insert(c.numbers.end(), pixel.begin(), pixel.end());
     }
-    return c;
+    return pack(c, numbers(now[0]).size());
 }
 
-/// Overwrites the runs' pixels.
+/// Overwrites the pixels of a packed plane.
+template <typename T>
+void apply(const Vector<std::uint8_t>* bytes, std::vector<T>& plane) {
+    if (!bytes) return;
+    const std::size_t channels = numbers(plane[0]).size();
+    const PackedChanges changes = unpack({bytes->data(), bytes->size()}, plane.size(), channels);
+    std::size_t next = 0;
+    for (const PixelRun& run : changes.runs)
+        for (std::size_t i = run.first; i < std::size_t(run.first) + run.count; ++i)
+            for (auto& number : numbers(plane[i]))
+                number =
+                    static_cast<std::remove_reference_t<decltype(number)>>(changes.numbers[next++]);
+}
+
+/// Of version 1: overwrites the runs' pixels.
 template <typename T, typename Number>
 void apply(const Runs* runs, const Vector<Number>* values, std::vector<T>& plane) {
     if (!runs) return;
@@ -87,16 +96,22 @@ void ValuesWriter::add(const Planes& planes) {
     const auto depth = changes(before.depth, planes.depth);
     const auto stencil = changes(before.stencil, planes.stencil);
     const auto accum = changes(before.accum, planes.accum);
-    const auto size = [](const auto& c) {
-        return c.runs.size() * sizeof(gwt::Run) + c.values.size() * sizeof(c.values[0]);
-    };
     auto& out = parts_->out;
-    if (out.GetSize() + size(color) + size(depth) + size(stencil) + size(accum) >
+    if (out.GetSize() + color.size() + depth.size() + stencil.size() + accum.size() >
         (std::uint64_t{1} << 31) - (1 << 20))
         throw Error("values of more than 2 GB; expected less: a smaller window, or no values");
-    parts_->passes.push_back(
-        gwt::CreatePassValuesDirect(out, &color.runs, &color.values, &depth.runs, &depth.values,
-                                    &stencil.runs, &stencil.values, &accum.runs, &accum.values));
+    const auto stored = [&out](const std::vector<std::uint8_t>& bytes) {
+        return bytes.empty() ? flatbuffers::Offset<Vector<std::uint8_t>>()
+                             : out.CreateVector(bytes);
+    };
+    const auto stored_color = stored(color), stored_depth = stored(depth),
+               stored_stencil = stored(stencil), stored_accum = stored(accum);
+    gwt::PassValuesBuilder pass(out);
+    pass.add_packed_color(stored_color);
+    pass.add_packed_depth(stored_depth);
+    pass.add_packed_stencil(stored_stencil);
+    pass.add_packed_accum(stored_accum);
+    parts_->passes.push_back(pass.Finish());
     parts_->before = planes;
 }
 
@@ -114,10 +129,11 @@ Planes planes_after(std::span<const std::uint8_t> bytes, int width, int height, 
         !gwt::ValuesBufferHasIdentifier(bytes.data()) || !gwt::VerifyValuesBuffer(verifier))
         throw Error("values that are cut short or damaged; expected a file as gw wrote it");
     const gwt::Values& values = *gwt::GetValues(bytes.data());
-    if (values.version() != values_version || values.width() != width || values.height() != height)
+    if (values.version() < 1 || values.version() > values_version || values.width() != width ||
+        values.height() != height)
         throw Error(fmt::format(
-            "values of {} x {} pixels, version {}; expected {} x {}, version {}", values.width(),
-            values.height(), values.version(), width, height, values_version));
+            "values of {} x {} pixels, version {}; expected {} x {}, version 1 or {}",
+            values.width(), values.height(), values.version(), width, height, values_version));
     const std::size_t count = values.passes() ? values.passes()->size() : 0;
     if (pass >= count)
         throw Error(fmt::format("values of {} passes; expected those of pass {}", count, pass));
@@ -128,6 +144,10 @@ Planes planes_after(std::span<const std::uint8_t> bytes, int width, int height, 
         apply(p.depth_runs(), p.depth(), planes.depth);
         apply(p.stencil_runs(), p.stencil(), planes.stencil);
         apply(p.accum_runs(), p.accum(), planes.accum);
+        apply(p.packed_color(), planes.color);
+        apply(p.packed_depth(), planes.depth);
+        apply(p.packed_stencil(), planes.stencil);
+        apply(p.packed_accum(), planes.accum);
     }
     return planes;
 }

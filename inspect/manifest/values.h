@@ -18,7 +18,7 @@ public:
     ~ValuesWriter();
     /// The planes after the next pass.
     void add(const Planes& planes);
-    /// Once, after all passes. Throws Error where there is more than 2 GB.
+    /// Once, after all passes. Throws Error for more than 2 GB.
     std::vector<std::uint8_t> finish();
 
 private:
@@ -26,7 +26,7 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-/// The planes after pass `pass`, from bytes that nobody vouches for. Throws Error where they are
+/// The planes after pass `pass`, from untrusted bytes. Throws Error where they are
 /// damaged, of another size, or hold no such pass.
 Planes planes_after(std::span<const std::uint8_t> bytes, int width, int height, std::size_t pass);
 

@@ -21,7 +21,8 @@ public:
     explicit Memory(const Limits& limits) : limits_(limits) {}
     void add(const CopyTexture& c) {
         Slot& slot = slots_[c.slot];
-        slot.area = area(c.rect), slot.paired = {};
+        slot.area = area(c.rect);
+        slot.paired = {};
         keep(slot.bytes, 16 * slot.area);
     }
     void add(const Read& r) { keep(readbacks_[r.key], 64 + 16 * area(r.rect)); }
@@ -65,8 +66,6 @@ void check_geometry(const Draw& draw, std::uint64_t tiles, const Limits& limits)
                                 primitives, limits.geometry / tiles));
 }
 
-}  // namespace
-
 void follow(const CommandList& list, ListContext& context) {
     for (const Command& command : list.commands) {
         if (const auto* begin = std::get_if<BeginPass>(&command)) context.pass = begin->name;
@@ -76,24 +75,37 @@ void follow(const CommandList& list, ListContext& context) {
     }
 }
 
-void check_lists(const Recording& r, const Limits& limits) {
-    const std::uint64_t tiles =
-        std::uint64_t((r.width + 63) / 64) * std::uint64_t((r.height + 63) / 64);
-    Memory memory(limits);
+/// Calls `check` with every list that is valid, and names the list in errors.
+void for_each_list(const Recording& r, const auto& check) {
     ListContext context;
     for (std::size_t i = 0; i < r.lists.size(); ++i) {
         try {
             validate(r.lists[i], r.profile, r.width, r.height, context);
-            for (const Command& command : r.lists[i].commands) {
-                std::visit([&](const auto& c) { memory.add(c); }, command);
-                if (const auto* draw = std::get_if<Draw>(&command))
-                    check_geometry(*draw, tiles, limits);
-            }
+            check(r.lists[i]);
         } catch (const Error& error) {
             throw Error(fmt::format("list {}: {}", i, error.what()));
         }
         follow(r.lists[i], context);
     }
+}
+
+}  // namespace
+
+void validate_lists(const Recording& recording) {
+    for_each_list(recording, [](const CommandList&) {});
+}
+
+void check_lists(const Recording& r, const Limits& limits) {
+    const std::uint64_t tiles =
+        std::uint64_t((r.width + 63) / 64) * std::uint64_t((r.height + 63) / 64);
+    Memory memory(limits);
+    for_each_list(r, [&](const CommandList& list) {
+        for (const Command& command : list.commands) {
+            std::visit([&](const auto& c) { memory.add(c); }, command);
+            if (const auto* draw = std::get_if<Draw>(&command))
+                check_geometry(*draw, tiles, limits);
+        }
+    });
 }
 
 }  // namespace gw::inspect

@@ -6,10 +6,10 @@
 
 namespace gw::inspect {
 
-/// Changes `context` as the execution of a valid list does.
-void follow(const CommandList& list, ListContext& context);
-
-/// Throws Error where a list is not valid after those before it, or where the limits are exceeded.
+/// Throws Error "list 0: command 12 (Draw) of pass 'diffuse': ..." where a list is not valid after
+/// those before it.
+void validate_lists(const Recording& recording);
+/// The same, and throws Error where the limits are exceeded.
 void check_lists(const Recording& recording, const Limits& limits);
 
 }  // namespace gw::inspect

@@ -1,5 +1,5 @@
-// From bytes that nobody vouches for to a recording: the verifier of FlatBuffers, then checks of
-// our own, then gw's `validate`.
+// From untrusted bytes to a recording: FlatBuffers' verifier, then checks of our own, then gw's
+// `validate`.
 #include "gw/machine.h"
 #include "inspect/recording/check_lists.h"
 #include "inspect/recording/file_state.h"
@@ -125,7 +125,7 @@ private:
         return Read{c.key(), our_enum<Plane>(c.plane()), rect(c.rect()), c.packed()};
     }
     static Rect rect(const gwt::Rect* stored) { return stored ? from_file(*stored) : Rect{}; }
-    Command command(gwt::Command type, const void* stored);
+    Command command(gwt::CommandType type, const gwt::AnyCommand* stored);
     CommandList list(const gwt::CommandList& stored);
 
     const gwt::Recording& file_;
@@ -169,31 +169,68 @@ Command Decoder::command(const gwt::Draw& c) {
         .mesh = at(meshes_, c.mesh(), "mesh"), .id_base = c.id_base(), .id_shift = c.id_shift()};
     if (c.eye_from_object()) draw.eye_from_object = from_file(*c.eye_from_object());
     if (c.material()) draw.material = from_file(*c.material());
-    if (c.lights()) draw.lights = at(light_sets_, *c.lights(), "lights");
-    if (c.texture()) draw.map.texture = at(textures_, *c.texture(), "texture");
-    if (c.slot()) draw.map.slot = *c.slot();
-    if (c.texture() && c.slot()) throw Error("both a texture and a slot; expected one of them");
+    if (c.lights() != no_place) draw.lights = at(light_sets_, c.lights(), "lights");
+    if (c.texture() != no_place) draw.map.texture = at(textures_, c.texture(), "texture");
+    if (c.slot() != no_place) draw.map.slot = c.slot();
+    if (c.texture() != no_place && c.slot() != no_place)
+        throw Error("both a texture and a slot; expected one of them");
     return draw;
 }
 
-Command Decoder::command(gwt::Command type, const void* stored) {
-    if (!stored) throw Error("empty");
+/// Calls `use` with the table that `stored` stands for; false where the type is unknown.
+bool with_command(gwt::CommandType type, const gwt::AnyCommand* stored, const auto& use) {
+    const auto as = [&]<typename Table>(const Table*) {
+        use(*reinterpret_cast<const Table*>(stored));
+        return true;
+    };
     switch (type) {
-        case gwt::Command::BeginPass: return command(*static_cast<const gwt::BeginPass*>(stored));
-        case gwt::Command::Clear: return command(*static_cast<const gwt::Clear*>(stored));
-        case gwt::Command::SetState: return command(*static_cast<const gwt::SetState*>(stored));
-        case gwt::Command::Draw: return command(*static_cast<const gwt::Draw*>(stored));
-        case gwt::Command::WriteSpans: return command(*static_cast<const gwt::WriteSpans*>(stored));
-        case gwt::Command::WritePixels:
-            return command(*static_cast<const gwt::WritePixels*>(stored));
-        case gwt::Command::Accumulate: return command(*static_cast<const gwt::Accumulate*>(stored));
-        case gwt::Command::Copy: return command(*static_cast<const gwt::Copy*>(stored));
-        case gwt::Command::CopyTexture:
-            return command(*static_cast<const gwt::CopyTexture*>(stored));
-        case gwt::Command::Read: return command(*static_cast<const gwt::Read*>(stored));
-        case gwt::Command::NONE: break;
+        case gwt::CommandType::BeginPass: return as(static_cast<gwt::BeginPass*>(nullptr));
+        case gwt::CommandType::Clear: return as(static_cast<gwt::Clear*>(nullptr));
+        case gwt::CommandType::SetState: return as(static_cast<gwt::SetState*>(nullptr));
+        case gwt::CommandType::Draw: return as(static_cast<gwt::Draw*>(nullptr));
+        case gwt::CommandType::WriteSpans: return as(static_cast<gwt::WriteSpans*>(nullptr));
+        case gwt::CommandType::WritePixels: return as(static_cast<gwt::WritePixels*>(nullptr));
+        case gwt::CommandType::Accumulate: return as(static_cast<gwt::Accumulate*>(nullptr));
+        case gwt::CommandType::Copy: return as(static_cast<gwt::Copy*>(nullptr));
+        case gwt::CommandType::CopyTexture: return as(static_cast<gwt::CopyTexture*>(nullptr));
+        case gwt::CommandType::Read: return as(static_cast<gwt::Read*>(nullptr));
+        case gwt::CommandType::NONE: break;
     }
-    throw Error(fmt::format("of the unknown kind {}", int(type)));
+    return false;
+}
+
+Command Decoder::command(gwt::CommandType type, const gwt::AnyCommand* stored) {
+    Command result;
+    if (!with_command(type, stored, [&](const auto& c) { result = command(c); }))
+        throw Error(fmt::format("of the unknown kind {}", int(type)));
+    return result;
+}
+
+/// What the generated verifier cannot know: that commands are the tables that their types name.
+bool commands_are_whole(const gwt::CommandList& list, flatbuffers::Verifier& verifier) {
+    const auto* types = list.commands_type();
+    const auto* commands = list.commands();
+    if (!types || !commands) return !types && !commands;
+    if (types->size() != commands->size()) return false;
+    for (unsigned i = 0; i < types->size(); ++i) {
+        bool whole = true;
+        with_command(static_cast<gwt::CommandType>(types->Get(i)), commands->Get(i),
+                     [&](const auto& c) { whole = c.Verify(verifier); });
+        if (!whole) return false;
+    }
+    return true;
+}
+
+bool is_whole(std::span<const std::uint8_t> bytes) {
+    // The verifier counts a table as often as it is referred to, so that this bounds its own time
+    // too; a command counts twice.
+    flatbuffers::Verifier verifier(bytes.data(), bytes.size(), 16, 1 << 25);
+    if (bytes.size() >= FLATBUFFERS_MAX_BUFFER_SIZE || !gwt::VerifyRecordingBuffer(verifier))
+        return false;
+    const auto* lists = gwt::GetRecording(bytes.data())->lists();
+    return !lists || std::all_of(lists->begin(), lists->end(), [&](const gwt::CommandList* list) {
+        return commands_are_whole(*list, verifier);
+    });
 }
 
 /// Decodes every element; an error names which one it is.
@@ -221,12 +258,12 @@ CommandList Decoder::list(const gwt::CommandList& stored) {
     charge(std::uint64_t{commands.size()} * sizeof(Command));
     result.commands.reserve(commands.size());
     for (unsigned i = 0; i < commands.size(); ++i) {
-        const auto type = static_cast<gwt::Command>(types->Get(i));
+        const auto type = static_cast<gwt::CommandType>(types->Get(i));
         try {
             result.add(command(type, commands.Get(i)));
         } catch (const Error& error) {
-            throw Error(
-                fmt::format("command {} ({}): {}", i, gwt::EnumNameCommand(type), error.what()));
+            throw Error(fmt::format("command {} ({}): {}", i, gwt::EnumNameCommandType(type),
+                                    error.what()));
         }
     }
     return result;
@@ -269,10 +306,7 @@ Recording decode(std::span<const std::uint8_t> bytes, const Limits& limits) {
         return decode(std::vector<std::uint8_t>(bytes.begin(), bytes.end()), limits);
     if (bytes.size() < identifier_end || !gwt::RecordingBufferHasIdentifier(bytes.data()))
         throw Error("not a recording; expected a file that gw record wrote");
-    // The verifier counts a table as often as it is referred to, so that this bounds its own time
-    // too.
-    flatbuffers::Verifier verifier(bytes.data(), bytes.size(), 16, 1 << 24);
-    if (bytes.size() >= FLATBUFFERS_MAX_BUFFER_SIZE || !gwt::VerifyRecordingBuffer(verifier))
+    if (!is_whole(bytes))
         throw Error(
             "a recording that is cut short or damaged; expected a file as gw record wrote it");
     return Decoder(*gwt::GetRecording(bytes.data()), limits).decode();

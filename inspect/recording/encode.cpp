@@ -187,13 +187,9 @@ std::uint32_t Encoder::state(const State& state) { return place_of(states_, stat
 
 Offset<void> Encoder::command(const Draw& c) {
     const std::uint32_t mesh_place = mesh(c.mesh);
-    const auto optional = [](bool there, auto place) {
-        return there ? flatbuffers::Optional<std::uint32_t>(place()) : flatbuffers::nullopt;
-    };
-    const auto lights_place = optional(c.lights != nullptr, [&] { return lights(c.lights); });
-    const auto texture_place =
-        optional(c.map.texture != nullptr, [&] { return texture(c.map.texture); });
-    const auto slot = optional(c.map.slot.has_value(), [&] { return *c.map.slot; });
+    const std::uint32_t lights_place = c.lights ? lights(c.lights) : no_place;
+    const std::uint32_t texture_place = c.map.texture ? texture(c.map.texture) : no_place;
+    const std::uint32_t slot = c.map.slot.value_or(no_place);
     const auto matrix = to_file(c.eye_from_object);
     const auto material = to_file(c.material);
     return gwt::CreateDraw(out_, mesh_place, &matrix, &material, lights_place, texture_place, slot,
@@ -202,12 +198,13 @@ Offset<void> Encoder::command(const Draw& c) {
 }
 
 Offset<gwt::CommandList> Encoder::list(const CommandList& list) {
-    std::vector<gwt::Command> types;
-    std::vector<Offset<void>> commands;
+    std::vector<gwt::CommandType> types;
+    std::vector<Offset<gwt::AnyCommand>> commands;
     for (const Command& c : list.commands) {
         need(sizeof(gwt::Matrix) + 256);
-        types.push_back(static_cast<gwt::Command>(c.index() + 1));  // the union's 0 is "none"
-        commands.push_back(std::visit([this](const auto& value) { return command(value); }, c));
+        types.push_back(static_cast<gwt::CommandType>(c.index() + 1));  // CommandType's 0 is NONE
+        commands.emplace_back(
+            std::visit([this](const auto& value) { return command(value); }, c).o);
     }
     return gwt::CreateCommandListDirect(out_, &types, &commands);
 }
@@ -221,7 +218,7 @@ Offset<gwt::Profile> Encoder::profile(const Profile& p) {
 }
 
 std::vector<std::uint8_t> Encoder::encode(const Recording& r) {
-    static_assert(std::variant_size_v<Command> == std::size_t(gwt::Command::MAX));
+    static_assert(std::variant_size_v<Command> == std::size_t(gwt::CommandType::MAX));
     std::vector<Offset<gwt::CommandList>> lists;
     for (const CommandList& l : r.lists) lists.push_back(list(l));
     std::vector<Offset<gwt::State>> states;

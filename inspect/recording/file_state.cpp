@@ -108,16 +108,17 @@ AlphaState from_file(const gwt::Alpha& a) { return {a.test(), from_file(a.func()
 
 template <typename Face>
 gwt::StencilFace face_to_file(const Face& f) {
-    return {to_file(f.func),  f.ref,       f.mask, to_file(f.fail), to_file(f.zfail),
-            to_file(f.zpass), f.write_mask};
+    const auto byte = [](auto word) { return static_cast<std::uint8_t>(to_file(word)); };
+    return {byte(f.func), f.ref, f.mask, byte(f.fail), byte(f.zfail), byte(f.zpass), f.write_mask};
 }
 StencilFace from_file(const gwt::StencilFace& f) {
-    return {.func = from_file(f.func()),
+    const auto op = [](std::uint8_t byte) { return from_file(gwt::StencilOp{byte}); };
+    return {.func = from_file(gwt::CompareFunc{f.func()}),
             .ref = f.ref(),
             .mask = f.mask(),
-            .fail = from_file(f.fail()),
-            .zfail = from_file(f.zfail()),
-            .zpass = from_file(f.zpass()),
+            .fail = op(f.fail()),
+            .zfail = op(f.zfail()),
+            .zpass = op(f.zpass()),
             .write_mask = f.write_mask()};
 }
 gwt::Stencil to_file(const StencilState& s) {

@@ -17,9 +17,7 @@ inline gwt::DVec4 to_file(const dvec4& v) { return {v.x, v.y, v.z, v.w}; }
 inline gwt::Rect to_file(const Rect& r) { return {r.x, r.y, r.width, r.height}; }
 inline gwt::Rgba to_file(const Rgba& c) { return {c[0], c[1], c[2], c[3]}; }
 inline gwt::Matrix to_file(const dmat4& m) {
-    const std::array<gwt::DVec4, 4> columns{to_file(m[0]), to_file(m[1]), to_file(m[2]),
-                                            to_file(m[3])};
-    return gwt::Matrix(flatbuffers::make_span(columns));
+    return {to_file(m[0]), to_file(m[1]), to_file(m[2]), to_file(m[3])};
 }
 
 inline vec2 from_file(const gwt::Vec2& v) { return {v.x(), v.y()}; }
@@ -29,10 +27,12 @@ inline dvec4 from_file(const gwt::DVec4& v) { return {v.x(), v.y(), v.z(), v.w()
 inline Rect from_file(const gwt::Rect& r) { return {r.x(), r.y(), r.width(), r.height()}; }
 inline Rgba from_file(const gwt::Rgba& c) { return {c.r(), c.g(), c.b(), c.a()}; }
 inline dmat4 from_file(const gwt::Matrix& m) {
-    dmat4 result;
-    for (unsigned i = 0; i < 4; ++i) result[int(i)] = from_file(*m.columns()->Get(i));
-    return result;
+    return {from_file(m.column0()), from_file(m.column1()), from_file(m.column2()),
+            from_file(m.column3())};
 }
+
+/// In place of a member's place in a table: there is none.
+inline constexpr std::uint32_t no_place = 0xffffffff;
 
 /// The enumerations of the schema are gw's, value by value.
 template <typename File, typename Ours>

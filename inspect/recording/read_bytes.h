@@ -1,14 +1,30 @@
-// A whole file, or what comes out of a pipe, as bytes. Does not interpret them.
+// A whole file as bytes, once its size and its beginning are what was expected. Does not interpret
+// them further.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace gw::inspect {
 
-/// Throws Error naming the file where it is missing, a folder, a device, larger than 2 GB or cannot
-/// be read.
-std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file);
+/// What a file must begin with, and the words for it: "not a recording; expected ...".
+struct Beginning {
+    std::function<bool(std::string_view)> fits;  ///< of the first bytes, at most 4096
+    const char* otherwise = "";
+};
+
+/// The first bytes, at most 4096. Throws Error as read_bytes does.
+std::string first_bytes(const std::filesystem::path& file);
+
+/// Throws Error naming the file where it is missing, no regular file (a pipe may never end), larger
+/// than 2 GB, begins otherwise or cannot be read. Nothing more is read of a file that is refused.
+std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file, const Beginning& beginning);
+
+/// FlatBuffers' file identifier, in bytes 4 to 7.
+bool has_identifier(std::string_view bytes, std::string_view identifier);
 
 }  // namespace gw::inspect

@@ -1,12 +1,12 @@
 // A recording: everything that entered one machine, as a value, and its form as bytes.
-// docs/recordings.md.
-// Does not read or write files, and does not execute: replay.h does.
+// docs/recordings.md. Does not write files and does not execute: inspect/replay does.
 #pragma once
 
 #include "gw/command_list.h"
 #include "gw/profile.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -49,8 +49,12 @@ struct Limits {
     std::uint64_t geometry = std::uint64_t{1} << 31;
 };
 
-/// Bytes that nobody vouches for. Whatever they are: a recording whose lists are valid on its
-/// profile and window, or an Error that says what is wrong.
+/// The bytes of a file, for `decode`. Reads only the beginning of a file that is no recording, and
+/// throws Error "T.gwt: not a recording; ...".
+std::vector<std::uint8_t> read_recording_bytes(const std::filesystem::path& file);
+
+/// From untrusted bytes: a recording whose lists are valid on its profile and window, or an Error
+/// that says what is wrong.
 Recording decode(std::span<const std::uint8_t> bytes, const Limits& limits = {});
 
 }  // namespace gw::inspect

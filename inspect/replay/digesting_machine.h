@@ -1,6 +1,5 @@
-// A machine that takes digests of all planes after every pass and otherwise is the one it is made
-// of.
-// Does not execute anything itself.
+// Forwards to a machine and takes digests of all planes after every pass. Does not execute anything
+// itself.
 #pragma once
 
 #include "inspect/replay/forwarding_machine.h"

@@ -1,5 +1,5 @@
 // An observer of a recording's replay that knows which command is being executed, and in which
-// pass. What it does with the fragments is for those who derive from it.
+// pass. Subclasses decide what to do with the fragments.
 #pragma once
 
 #include "gw/reference/observer.h"

@@ -1,6 +1,5 @@
-// A machine that keeps every list that it is given and otherwise is the one it is made of. Whatever
-// a host computes from read-backs comes back in lists, so that these are all that entered the
-// machine.
+// Forwards to a machine and keeps every list that it executes. Whatever a host computes from
+// read-backs comes back in lists, so the lists are all that entered the machine.
 #pragma once
 
 #include "inspect/replay/forwarding_machine.h"

@@ -21,7 +21,7 @@ constexpr const char* page_files[] = {"index.html", "report.css", "report.js", "
                                       "words.js"};
 
 /// What comes out is counted before the slower machine is watched: both count the same.
-inspect::Manifest counted(const inspect::Recording& recording) {
+inspect::Manifest replayed_counters(const inspect::Recording& recording) {
     const auto machine = make_fast(recording.profile, recording.width, recording.height);
     inspect::Player(recording, *machine).play();
     return manifest_of(recording, machine->passes());
@@ -120,14 +120,6 @@ private:
     bool with_small_ = false;
 };
 
-}  // namespace
-
-std::vector<std::string> report_files() {
-    std::vector<std::string> names{"data.js", "pictures", "history"};
-    names.insert(names.end(), std::begin(page_files), std::end(page_files));
-    return names;
-}
-
 void check_spans(const inspect::Recording& recording, const ReportOptions& options) {
     const std::size_t count = inspect::pass_ranges(recording).size();
     const PassSpan shown = passes_shown(count, options);
@@ -144,11 +136,19 @@ void check_spans(const inspect::Recording& recording, const ReportOptions& optio
                         kept->first, kept->last, shown.first, shown.last));
 }
 
+}  // namespace
+
+std::vector<std::string> report_files() {
+    std::vector<std::string> names{"data.js", "pictures", "history"};
+    names.insert(names.end(), std::begin(page_files), std::end(page_files));
+    return names;
+}
+
 ReportSummary write_report(const inspect::Recording& recording, const std::filesystem::path& folder,
                            const ReportOptions& options) {
     check_spans(recording, options);
     options.progress("counting");
-    const inspect::Manifest manifest = counted(recording);
+    const inspect::Manifest manifest = replayed_counters(recording);
     const PassSpan shown = passes_shown(manifest.passes.size(), options);
     std::optional<PassSpan> kept = options.history;
     if (!options.with_history)

@@ -51,12 +51,9 @@ struct ReportSummary {
 /// The names that a report's folder holds.
 std::vector<std::string> report_files();
 
-/// Throws Error where the recording has no pass, `passes` are not of the recording or more than
-/// `most_passes`, or `history` is not of the passes that are shown.
-void check_spans(const inspect::Recording& recording, const ReportOptions& options);
-
-/// Into a folder that is empty. Throws Error where check_spans does, and where the files would be
-/// more than `most_bytes`.
+/// Into a folder that is empty. Throws Error where the recording has no pass, `passes` are not of
+/// the recording or more than `most_passes`, `history` is not of the passes shown, and where the
+/// files would be more than `most_bytes`.
 ReportSummary write_report(const inspect::Recording& recording, const std::filesystem::path& folder,
                            const ReportOptions& options);
 

@@ -2,7 +2,7 @@
 
 #include "gw/error.h"
 #include "inspect/manifest/manifest_file.h"
-#include "inspect/testing/failure_pictures.h"
+#include "inspect/testing/failure_files.h"
 
 namespace gw::testing {
 namespace {
@@ -15,7 +15,8 @@ AssertionResult failure_of(const inspect::Verification& v, const inspect::Record
                            const std::filesystem::path& golden) {
     AssertionResult failure = AssertionFailure();
     failure << golden.string() << ": " << text(*v.finding, recording.height);
-    if (!v.same_commands) failure << "the golden was made of another command list\n";
+    if (!v.same_commands) failure << "the golden is of another command list\n";
+    failure << write_failure_recording(golden.stem().string(), recording, golden, *v.finding);
     if (!v.actual_planes) return failure;
     const std::string name = golden.stem().string() + "-pass" + std::to_string(*v.finding->pass);
     return failure << write_failure_pictures(name, v.expected_planes, *v.actual_planes,

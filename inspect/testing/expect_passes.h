@@ -16,7 +16,7 @@ namespace gw::testing {
 /// Success: after every pass all planes and counters are as the golden says, on the reference and
 /// the fast machine. Failure: a message with the first differing pass, plane, pixel, both values
 /// and the stage, and where the pictures of that plane are: actual and, where known, expected and
-/// difference (failure_pictures.h). Never throws: a golden that is missing or damaged and a list
+/// difference (failure_files.h). Never throws: a golden that is missing or damaged and a list
 /// that is not valid are failures that say so.
 ::testing::AssertionResult passes_eq(const inspect::Recording& recording,
                                      const std::filesystem::path& golden);

@@ -1,7 +1,7 @@
 #include "inspect/testing/matchers.h"
 
 #include "inspect/compare/plane_values.h"
-#include "inspect/testing/failure_pictures.h"
+#include "inspect/testing/failure_files.h"
 #include "inspect/text/plural.h"
 
 #include <fmt/format.h>
@@ -51,7 +51,7 @@ bool inside(const Planes& planes, int x, int y) {
     return x >= 0 && y >= 0 && x < planes.width && y < planes.height;
 }
 
-/// Planes of one pixel that holds what is expected serve as the words for a value.
+/// `one`: planes of one pixel with the expected value, which is compared as text.
 PlanesMatcher pixel_is(Plane plane, int x, int y, const Planes& one) {
     const std::string value = value_at(one, plane, 0, 0);
     const std::string says = fmt::format("{} at ({}, {}) is {}", name_of(plane), x, y, value);
@@ -73,7 +73,7 @@ std::string difference(Plane plane, const Planes& expected, const Planes& actual
     if (wrong.empty()) return "";
     const auto [x, y, distance] = wrong.front();
     return fmt::format("where {} differs at {}, worst at ({}, {}): expected {}, got {}",
-                       name_of(plane), inspect::counted(wrong.size(), "pixel", "pixels"), x, y,
+                       name_of(plane), inspect::plural(wrong.size(), "pixel", "pixels"), x, y,
                        value_at(expected, plane, x, y), value_at(actual, plane, x, y));
 }
 

@@ -4,7 +4,7 @@
 
 namespace gw::inspect {
 
-std::string counted(std::uint64_t number, std::string_view one, std::string_view many) {
+std::string plural(std::uint64_t number, std::string_view one, std::string_view many) {
     return fmt::format("{} {}", number, number == 1 ? one : many);
 }
 

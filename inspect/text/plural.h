@@ -8,6 +8,6 @@
 namespace gw::inspect {
 
 /// "1 pass", "2 passes"
-std::string counted(std::uint64_t number, std::string_view one, std::string_view many);
+std::string plural(std::uint64_t number, std::string_view one, std::string_view many);
 
 }  // namespace gw::inspect

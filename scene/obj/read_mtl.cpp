@@ -218,6 +218,7 @@ private:
 }  // namespace
 
 std::vector<Material> read_mtl(const std::filesystem::path& path, Warnings& warnings) {
+    warnings.add_file(path);
     const std::string text = read_text(path);
     return MtlReader(path, text, warnings).read();
 }

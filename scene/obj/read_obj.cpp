@@ -196,6 +196,7 @@ const std::array<ObjReader::Keyword, 12> ObjReader::keywords{{
 }  // namespace
 
 ObjFile read_obj(const std::filesystem::path& path, const ObjOptions& options, Warnings& warnings) {
+    warnings.add_file(path);
     const std::string text = read_text(path);
     ObjReader reader(path, text, warnings);
     ObjData obj = reader.read();

@@ -1,9 +1,10 @@
-// Warnings about statements that a reader understands but does not honour. Not errors, and never
-// silent.
+// Warnings: what the readers of a scene understood but do not honour, and which files they read.
+// Never an error; never silent either.
 #pragma once
 
 #include "gw/error.h"
 
+#include <filesystem>
 #include <set>
 #include <string>
 #include <string_view>
@@ -19,9 +20,14 @@ public:
     }
     const std::vector<std::string>& lines() const { return lines_; }
 
+    /// Notes a file that was read.
+    void add_file(std::filesystem::path file) { files_.push_back(std::move(file)); }
+    const std::vector<std::filesystem::path>& files() const { return files_; }
+
 private:
     std::vector<std::string> lines_;
     std::set<std::string> said_;
+    std::vector<std::filesystem::path> files_;
 };
 
 }  // namespace gw::scene

@@ -100,7 +100,8 @@ SceneFile read_toml(const std::filesystem::path& path) {
         scene.lights.push_back(to_light(*light));
         if (const TomlValue* only = light->find("only")) check_names(*only, reader.names());
     }
-    SceneFile result{std::move(scene), warnings.lines(), {}};
+    warnings.add_file(path);
+    SceneFile result{std::move(scene), warnings.lines(), {}, warnings.files()};
     for (const TomlValue* pass : passes) result.passes.push_back(*pass);
     check_passes(result.passes, reader.names());
     return result;

@@ -21,16 +21,4 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-std::string unescaped(std::string_view text) {
-    std::string out;
-    while (!text.empty()) {
-        std::size_t taken = 1;
-        out += text[0];
-        for (const auto& [character, entity] : entities)
-            if (text.starts_with(entity)) out.back() = character, taken = entity.size();
-        text.remove_prefix(taken);
-    }
-    return out;
-}
-
 }  // namespace gw::plot

@@ -9,7 +9,5 @@ namespace gw::plot {
 /// As it is read, whatever it says: in the text of an element or in an attribute in double or
 /// single quotes.
 std::string escaped(std::string_view text);
-/// The text that was escaped so.
-std::string unescaped(std::string_view text);
 
 }  // namespace gw::plot

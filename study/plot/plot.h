@@ -37,9 +37,6 @@ struct Plot {
 /// axis.
 std::string svg(const Plot& plot);
 
-/// Plot::command of a plot that svg drew; "" of another drawing.
-std::string command_of(std::string_view svg);
-
 /// "x,series 1,series 2": a row for every x that occurs, ascending, a field empty where a series
 /// has no such point. Numbers read back as the same doubles.
 std::string csv(const Plot& plot);

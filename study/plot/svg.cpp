@@ -12,7 +12,6 @@ namespace {
 
 constexpr double width = 720, left = 76, right = 500, top = 40, bottom = 380, line_height = 17;
 constexpr std::size_t caption_columns = 104;
-constexpr const char *desc_begin = "<desc class=\"command\">", *desc_end = "</desc>";
 
 /// Okabe, Ito: told apart by most colour-blind readers.
 constexpr const char* colors[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
@@ -155,18 +154,11 @@ std::string svg(const Plot& plot) {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
         "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
         width, y);
-    if (!plot.command.empty()) out += desc_begin + escaped(plot.command) + desc_end + "\n";
+    if (!plot.command.empty())
+        out += "<desc class=\"command\">" + escaped(plot.command) + "</desc>\n";
     out += ticks(paper) + frame(plot);
     for (std::size_t i = 0; i < plot.series.size(); ++i) out += drawn(plot.series[i], i, paper);
     return out + legend(plot.series) + below + "</svg>\n";
-}
-
-std::string command_of(std::string_view svg) {
-    const std::size_t begin = svg.find(desc_begin);
-    if (begin == svg.npos) return "";
-    const std::size_t from = begin + std::string_view(desc_begin).size(),
-                      end = svg.find(desc_end, from);
-    return end == svg.npos ? "" : unescaped(svg.substr(from, end - from));
 }
 
 }  // namespace gw::plot

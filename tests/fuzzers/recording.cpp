@@ -37,7 +37,7 @@ void replay(const inspect::Recording& recording) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    if (size > 8192) return -1;
+    if (size > 262144) return -1;
     const inspect::Limits limits{
         .decoded_bytes = 64 << 20, .machine_bytes = 64 << 20, .geometry = std::uint64_t{1} << 24};
     try {

@@ -6,13 +6,16 @@
 
 #include "tests/image/files.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 namespace gw::image {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-std::string failure(const fs::path& target) {
+std::string refusal_of(const fs::path& target) {
     try {
         OutputFolder(target, {"a.txt", "index.html"});
         return "";
@@ -63,6 +66,28 @@ TEST(OutputFolder, ReplacesItsOwnKindAndEmptyFoldersAndLinksToThem) {
     EXPECT_EQ(bytes_of(folder / "empty" / "a.txt"), "linked");
 }
 
+TEST(OutputFolder, IsWholeWhicheverProcessIsLast) {
+    const Folder folder;
+    std::vector<pid_t> children;
+    for (int i = 0; i < 8; ++i) {
+        children.push_back(::fork());
+        if (children.back() != 0) continue;
+        try {
+            for (int round = 0; round < 20; ++round) fill(folder / "out", std::to_string(i));
+        } catch (const Error&) {
+            ::_exit(1);
+        }
+        ::_exit(0);
+    }
+    for (const pid_t child : children) {
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        EXPECT_EQ(status, 0);
+    }
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"out"});
+    EXPECT_EQ(bytes_of(folder / "out" / "a.txt").size(), 1u);
+}
+
 TEST(OutputFolder, RefusesWhatItMayNotReplace) {
     const Folder folder;
     fs::create_directory(folder / "mine");
@@ -70,11 +95,11 @@ TEST(OutputFolder, RefusesWhatItMayNotReplace) {
     write_file(folder / "file", "mine");
     fs::create_directory(folder / "site");
     write_file(folder / "site" / "index.html", "mine");
-    EXPECT_NE(failure(folder / "site").find("has no a.txt"), std::string::npos);
-    EXPECT_NE(failure(folder / "mine").find("holds thesis.txt"), std::string::npos);
-    EXPECT_NE(failure(folder / "file").find("is not a folder"), std::string::npos);
-    EXPECT_NE(failure(folder / "missing" / "out").find("does not exist"), std::string::npos);
-    EXPECT_EQ(failure(folder / "out"), "");
+    EXPECT_NE(refusal_of(folder / "site").find("has no a.txt"), std::string::npos);
+    EXPECT_NE(refusal_of(folder / "mine").find("holds thesis.txt"), std::string::npos);
+    EXPECT_NE(refusal_of(folder / "file").find("is not a folder"), std::string::npos);
+    EXPECT_NE(refusal_of(folder / "missing" / "out").find("does not exist"), std::string::npos);
+    EXPECT_EQ(refusal_of(folder / "out"), "");
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"file", "mine", "site"}));
 }
 

@@ -5,6 +5,9 @@
 
 #include "tests/image/files.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <csignal>
 
 namespace gw::image {
@@ -41,6 +44,32 @@ TEST(OutputSet, KeepsAFolderThatWasThere) {
         files.make_folder(folder / "sub");
     }
     EXPECT_EQ(folder.names(), std::vector<std::string>{"sub"});
+}
+
+TEST(OutputSet, SharesANewFolderWithOtherProcesses) {
+    const Folder folder;
+    constexpr int processes = 8, rounds = 50;
+    std::vector<pid_t> children;
+    for (int i = 0; i < processes; ++i) {
+        children.push_back(::fork());
+        if (children.back() != 0) continue;
+        int failures = 0;
+        for (int round = 0; round < rounds; ++round) try {
+                OutputSet files;
+                files.make_folder(folder / std::to_string(round));
+                files.add(folder / std::to_string(round) / std::to_string(i)).write_text("whole");
+                files.commit();
+            } catch (const Error&) {
+                ++failures;
+            }
+        ::_exit(failures);
+    }
+    for (const pid_t child : children) {
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        EXPECT_EQ(status, 0);
+    }
+    EXPECT_EQ(folder.names("0").size(), std::size_t(processes));
 }
 
 TEST(OutputSet, RefusesAFileAsFolderAndAFolderWithoutParent) {

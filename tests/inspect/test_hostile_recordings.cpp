@@ -39,6 +39,34 @@ TEST(HostileRecording, CutShortIsRefused) {
         ASSERT_NE(refusal(std::span(bytes).first(size)), "none") << size;
 }
 
+/// Longer than what fuzzers begin with: a mesh of 20,000 vertices, 2,000 commands, a long name.
+TEST(HostileRecording, DamagedBytesOfALongOneNeverDoHarm) {
+    Recording recording = recording_of(
+        Draw{.mesh = make_mesh({.positions = std::vector<vec3>(19998, vec3(0.5f)),
+                                .polygon_ids = std::vector<std::uint32_t>(6666, 7)})});
+    recording.scene = std::string(100000, 's');
+    for (int i = 0; i < 1000; ++i) {
+        recording.lists.emplace_back();
+        recording.lists.back().add(BeginPass{"pass " + std::to_string(i)});
+        recording.lists.back().add(Draw{.mesh = triangle()});
+    }
+    const auto bytes = encode(recording);
+    ASSERT_GT(bytes.size(), 400000u);
+    std::uint32_t seed = 7;
+    const auto random = [&seed](std::size_t below) {
+        seed = seed * 1664525 + 1013904223;
+        return (seed >> 4) % below;
+    };
+    int refused = 0;
+    for (int k = 0; k < 200; ++k) {
+        auto damaged = bytes;
+        for (int n = 0; n < 64; ++n)
+            damaged[random(damaged.size())] = static_cast<std::uint8_t>(random(256));
+        refused += refusal(damaged, {.decoded_bytes = 256 << 20}) != "none";
+    }
+    EXPECT_GT(refused, 100);
+}
+
 TEST(HostileRecording, OfAnotherKindIsRefusedByName) {
     EXPECT_EQ(refusal(std::vector<std::uint8_t>(100, 'x')),
               "not a recording; expected a file that gw record wrote");

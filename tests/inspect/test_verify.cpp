@@ -4,6 +4,8 @@
 
 #include "gw/error.h"
 #include "inspect/compare/verify.h"
+#include "inspect/manifest/manifest_file.h"
+#include "test_paths.h"
 #include "tests/inspect/same.h"
 #include "tests/inspect/three_passes.h"
 #include "tests/inspect/wrong_machine.h"
@@ -146,6 +148,59 @@ TEST(Verify, StatesNamesAndNumbersOfPassesCount) {
     other = three_passes();
     other.profile = reality();
     EXPECT_EQ(verify(other, manifest, {}, fast, reference).finding->what, "profile");
+}
+
+TEST(Verify, NamesThePassThatIsMissingOrNew) {
+    const Manifest manifest = replayed_manifest(three_passes(), fast, nullptr);
+    Recording other = three_passes();
+    auto& commands = other.lists[0].commands;
+    commands.erase(commands.begin() + 2, commands.end());
+    EXPECT_EQ(verify(other, manifest, {}, fast, reference).finding->notes,
+              std::vector<std::string>{"missing: pass 1 'first'"});
+    other = three_passes();
+    other.lists.pop_back();
+    EXPECT_EQ(verify(other, manifest, {}, fast, reference).finding->notes,
+              std::vector<std::string>{"missing: pass 2 'second'"});
+    other = three_passes();
+    for (int i = 0; i < 7; ++i) other.lists[1].add(BeginPass{"more"});
+    EXPECT_EQ(verify(other, manifest, {}, fast, reference).finding->notes,
+              std::vector<std::string>{"not expected: pass 3 'more', 4 'more', 5 'more', 6 'more', "
+                                       "7 'more' and 2 more"});
+    other = three_passes();
+    std::get<BeginPass>(other.lists[1].commands[0]).name = "third";
+    EXPECT_EQ(
+        verify(other, manifest, {}, fast, reference).finding->notes,
+        (std::vector<std::string>{"missing: pass 2 'second'", "not expected: pass 2 'third'"}));
+}
+
+TEST(Verify, OfAListThatIsNotValidNamesListPassAndCommand) {
+    Recording recording = three_passes();
+    recording.lists[0].add(Read{.rect = {0, 0, 100, 100}});
+    const auto refusal = [&](const auto& run) -> std::string {
+        try {
+            run();
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "none";
+    };
+    const std::string begin = "list 0: command 4 (Read) of pass 'first': ";
+    EXPECT_TRUE(refusal([&] { replayed_manifest(recording, fast, nullptr); }).starts_with(begin));
+    EXPECT_TRUE(refusal([&] { compare_machines(recording, reference, fast); }).starts_with(begin));
+    EXPECT_TRUE(refusal([&] { decode(encode(recording)); }).starts_with(begin));
+}
+
+TEST(Values, OfVersion1AreReadAsWell) {
+    const ManifestFile golden =
+        load_manifest(GW_SOURCE_DIR "/examples/golden/goldens/pyramid.json");
+    ASSERT_FALSE(golden.values.empty());
+    for (std::size_t i = 0; i < golden.manifest.passes.size(); ++i) {
+        const Planes planes =
+            planes_after(golden.values, golden.manifest.width, golden.manifest.height, i);
+        for (const Plane plane : planes_in_order)
+            EXPECT_EQ(digest(planes, plane),
+                      golden.manifest.passes[i].report.digests[std::size_t(plane)]);
+    }
 }
 
 TEST(Values, AreThePlanesAfterEachPass) {

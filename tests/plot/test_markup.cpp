@@ -10,9 +10,4 @@ TEST(Escaped, IsHarmlessInTextAndInAttributes) {
     EXPECT_EQ(escaped("輪 plain"), "輪 plain");
 }
 
-TEST(Unescaped, IsWhatWasEscaped) {
-    for (const char* text : {"<a href=\"x\">'&'", "&amp;lt;", "a & b; &", ""})
-        EXPECT_EQ(unescaped(escaped(text)), text);
-}
-
 }  // namespace gw::plot

@@ -199,10 +199,38 @@ TEST_F(Reports, RefusePassesThatAreNotThereAndSizesBeyondTheLimit) {
     options.passes = PassSpan{1, 2};
     options.history = PassSpan{0, 1};
     expect_refused(recording, options, "expected passes of 1-2");
+    options.passes = PassSpan{0, 1};
+    options.history = PassSpan{1, 2};
+    expect_refused(recording, options, "expected passes of 0-1");
     options = {};
     options.most_bytes = 3000;
     expect_refused(recording, options, "the report needs more than 0 MB");
     expect_refused({.width = 4, .height = 4}, {}, "t.gwt: has no pass");
+}
+
+TEST_F(Reports, HaveAThousandPassesAndNoMore) {
+    inspect::Recording recording{.width = 1, .height = 1};
+    recording.lists.emplace_back();
+    for (std::size_t i = 0; i <= most_passes; ++i) {
+        recording.lists[0].add(BeginPass{"pass"});
+        recording.lists[0].add(Clear{.planes = all_planes});
+    }
+    ReportOptions options;
+    options.with_history = false;
+    options.passes = PassSpan{0, most_passes};
+    expect_refused(recording, options,
+                   "1001 passes are too many for one page; expected at most 1000");
+    options.passes = PassSpan{1, most_passes};
+    EXPECT_EQ(write(recording, options).passes, most_passes);
+}
+
+TEST_F(Reports, KeepHistoriesOfExactlyThePassesShown) {
+    ReportOptions options;
+    options.passes = options.history = PassSpan{1, 2};
+    const auto summary = write(inspect::three_passes(), options);
+    ASSERT_TRUE(summary.history);
+    EXPECT_EQ(summary.history->first, 1u);
+    EXPECT_EQ(summary.history->last, 2u);
 }
 
 TEST_F(Reports, AreInTheLimitToTheByte) {

@@ -4,8 +4,9 @@
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
+#include "inspect/manifest/manifest_file.h"
 #include "inspect/testing/expect_passes.h"
-#include "inspect/testing/failure_pictures.h"
+#include "inspect/testing/failure_files.h"
 #include "inspect/testing/matchers.h"
 
 #include <cstdlib>
@@ -63,7 +64,7 @@ TEST_F(ExpectPasses, NamesPassPlanePixelAndBothValues) {
         ::testing::HasSubstr(
             "pass 1 'mark', plane color, pixel 1 1: expected 200 0 0 255, got 201 0 0 255"));
     EXPECT_THAT(message, ::testing::HasSubstr("2 pixels of this plane differ"));
-    EXPECT_THAT(message, ::testing::HasSubstr("made of another command list"));
+    EXPECT_THAT(message, ::testing::HasSubstr("is of another command list"));
 }
 
 TEST_F(ExpectPasses, LeavesActualExpectedAndDifference) {
@@ -76,6 +77,30 @@ TEST_F(ExpectPasses, LeavesActualExpectedAndDifference) {
         EXPECT_TRUE(fs::exists(file)) << file;
         EXPECT_THAT(message, ::testing::HasSubstr(file.string()));
     }
+}
+
+TEST_F(ExpectPasses, LeavesARecordingForDiffAndPixel) {
+    write_golden(recording(200), golden);
+    const std::string message = message_of(passes_eq(two_passes(201), golden));
+    const std::string base =
+        (output_folder() / "ExpectPasses.LeavesARecordingForDiffAndPixel-two").string();
+    EXPECT_THAT(message, ::testing::HasSubstr("gw diff " + golden.string() + " " + base + ".json"));
+    EXPECT_THAT(message, ::testing::HasSubstr("gw pixel " + base + ".gwt 1 1"));
+    const auto left = inspect::decode(inspect::read_recording_bytes(base + ".gwt"));
+    EXPECT_EQ(encode(left), encode(recording(201)));
+    const auto difference = first_difference(inspect::load_manifest(golden).manifest,
+                                             inspect::load_manifest(base + ".json").manifest);
+    ASSERT_TRUE(difference);
+    EXPECT_EQ(difference->what, "plane color");
+    EXPECT_FALSE(inspect::load_manifest(base + ".json").values.empty());
+}
+
+TEST_F(ExpectPasses, AMissingPassIsNamed) {
+    write_golden(recording(200), golden);
+    CommandList list = two_passes(200);
+    list.commands.resize(2);
+    EXPECT_THAT(message_of(passes_eq(list, golden)),
+                ::testing::HasSubstr("missing: pass 1 'mark'"));
 }
 
 TEST_F(ExpectPasses, WithoutValuesTheActualPictureIsLeft) {
@@ -102,7 +127,7 @@ TEST_F(ExpectPasses, AListThatIsNotValidIsAFailure) {
     CommandList list = two_passes(200);
     list.add(Read{.rect = {0, 0, 100, 100}});
     EXPECT_THAT(message_of(passes_eq(list, golden)),
-                ::testing::HasSubstr("command 4 (Read) of pass 'mark': rect = 0 0 100 100; "
+                ::testing::HasSubstr("list 0: command 4 (Read) of pass 'mark': rect = 0 0 100 100; "
                                      "expected one inside the window"));
 }
 

@@ -1,7 +1,7 @@
 // Claims: each matcher for planes holds for its value and for no other, and says what it found.
 #include <gtest/gtest.h>
 
-#include "inspect/testing/failure_pictures.h"
+#include "inspect/testing/failure_files.h"
 #include "inspect/testing/matchers.h"
 
 #include <cstdlib>

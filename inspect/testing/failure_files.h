@@ -3,6 +3,8 @@
 
 #include "gw/planes.h"
 #include "gw/profile.h"
+#include "inspect/compare/finding.h"
+#include "inspect/recording/recording.h"
 
 #include <filesystem>
 #include <optional>
@@ -20,5 +22,11 @@ std::filesystem::path output_folder();
 /// file; where it cannot be written, the line says why.
 std::string write_failure_pictures(const std::string& name, const std::optional<Planes>& expected,
                                    const Planes& actual, const Profile& profile);
+
+/// What a golden was compared with, as "SUITE.TEST-NAME.gwt" for gw pixel and gw inspect, and its
+/// manifest and values for gw diff. Returns a line for each command that shows the difference.
+std::string write_failure_recording(const std::string& name, const inspect::Recording& actual,
+                                    const std::filesystem::path& golden,
+                                    const inspect::Finding& finding);
 
 }  // namespace gw::testing

@@ -1,10 +1,13 @@
-#include "inspect/testing/failure_pictures.h"
+#include "inspect/testing/failure_files.h"
 
 #include "gw/error.h"
+#include "image/output/output_set.h"
 #include "image/planes.h"
 #include "image/write.h"
 #include "inspect/compare/plane_values.h"
+#include "inspect/manifest/manifest_file.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,6 +63,31 @@ std::string write_failure_pictures(const std::string& name, const std::optional<
         return "pictures:\n" + write_all(name, expected, actual, profile);
     } catch (const std::exception& error) {  // Error, or what std::filesystem throws
         return std::string("no pictures: ") + error.what() + "\n";
+    }
+}
+
+std::string write_failure_recording(const std::string& name, const inspect::Recording& actual,
+                                    const std::filesystem::path& golden,
+                                    const inspect::Finding& finding) {
+    try {
+        std::filesystem::create_directories(output_folder());
+        const std::filesystem::path base = output_folder() / (name_of_test() + "-" + name);
+        const std::filesystem::path recording = base.string() + ".gwt",
+                                    manifest = base.string() + ".json";
+        image::OutputSet files;
+        files.add(recording).write(inspect::encode(actual));
+        const auto made =
+            inspect::replayed_manifest_file(actual, inspect::maker_of("reference"), manifest, true);
+        files.add(inspect::values_file(manifest)).write(made.values);
+        files.add(manifest).write_text(to_json(made.manifest));
+        files.commit();
+        std::string lines = "recording:\n  gw diff " + golden.string() + " " + manifest.string();
+        if (finding.pixel)
+            lines += fmt::format("\n  gw pixel {} {} {}", recording.string(), finding.pixel->x,
+                                 actual.height - 1 - finding.pixel->y);
+        return lines + "\n";
+    } catch (const std::exception& error) {
+        return std::string("no recording: ") + error.what() + "\n";
     }
 }
 

@@ -93,8 +93,10 @@ TEST_F(Inspect, BadRecordingsAndOptionsAreRefusedWithOneLine) {
     expect_refused(1, {"inspect", "missing.gwt", "-o", "r"}, {"missing.gwt", "cannot be opened"});
     expect_refused(1, {"inspect", "short.gwt", "-o", "r"}, {"short.gwt", "cut short or damaged"});
     expect_refused(1, {"inspect", "empty.gwt", "-o", "r"}, {"empty.gwt", "not a recording"});
-    expect_refused(2, {"inspect", "t.gwt", "-o", "r", "--passes", "0-99"},
+    expect_refused(1, {"inspect", "t.gwt", "-o", "r", "--passes", "0-99"},
                    {"0-99", "expected passes of 0-"});
+    expect_refused(2, {"inspect", "t.gwt", "-o", "r", "--passes", "0-1000"},
+                   {"--passes 0-1000", "at most 1000"});
     expect_refused(2, {"inspect", "t.gwt", "-o", "r", "--passes", "3-1"},
                    {"--passes '3-1'", "A-B"});
     expect_refused(2, {"inspect", "t.gwt", "-o", "r", "--history", "some"}, {"--history 'some'"});
