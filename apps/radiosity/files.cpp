@@ -19,12 +19,13 @@ image::Layers layers_of(const radiosity::Saved& saved) {
 }  // namespace
 
 void put_solution(image::OutputSet& files, const std::filesystem::path& file,
-                  const radiosity::Model& model, const radiosity::FormFactorOptions& options,
+                  const radiosity::PixmapModel& model, const radiosity::FormFactorOptions& options,
                   const radiosity::Solution& solution) {
     image::put_layers(files.add(file), layers_of(radiosity::save(model, options, solution)));
 }
 
-radiosity::Solution load_solution(const std::filesystem::path& file, const radiosity::Model& model,
+radiosity::Solution load_solution(const std::filesystem::path& file,
+                                  const radiosity::PixmapModel& model,
                                   const radiosity::FormFactorOptions& options) {
     // What it is for is said before what is wrong with its values.
     radiosity::check_saved({image::read_layer_facts(file).facts, {}}, model, options,

@@ -61,7 +61,7 @@ void put_recordings(Tape& tape, const RadiosityOptions& options) {
 
 class Run {
 public:
-    Run(const RadiosityOptions& options, const scene::Scene& scene, radiosity::Model model,
+    Run(const RadiosityOptions& options, const scene::Scene& scene, radiosity::PixmapModel model,
         Progress& progress)
         : options_(options),
           progress_(progress),
@@ -151,7 +151,7 @@ private:
         put_index(files, options_.output);
         files.commit();
         const Step& last = steps_.back();
-        const radiosity::Model& model = solver_.model();
+        const radiosity::PixmapModel& model = solver_.model();
         print(fmt::format("{}, {}, {}, {}\n",
                           inspect::counted(model.figures.size(), "figure", "figures"),
                           inspect::counted(model.pixmaps.size(), "pixmap", "pixmaps"),
@@ -186,7 +186,7 @@ private:
         if (options_.anew) compare(radiosity::make_model(changed, options_.model));
     }
 
-    void compare(radiosity::Model model) {
+    void compare(radiosity::PixmapModel model) {
         progress_.at("solving anew");
         const auto begin = Clock::now();
         radiosity::Solver anew(std::move(model), options_.solver);
@@ -233,7 +233,7 @@ int compute(RadiosityOptions options) {
         return taped(make_fast(radiosity::id_profile(), size, size, {.threads = 1}), size, size);
     };
     const std::unique_ptr<Tape> tape = options.record ? std::make_unique<Tape>() : nullptr;
-    radiosity::Model model = radiosity::make_model(scene, options.model);
+    radiosity::PixmapModel model = radiosity::make_model(scene, options.model);
     if (!options.form_factor.empty()) {
         print_form_factor(options, model, progress);
         return done;

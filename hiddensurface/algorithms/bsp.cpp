@@ -31,8 +31,7 @@ Output run(const Input& input, StepLog& log) {
 }  // namespace
 
 Algorithm bsp() {
-    return {.place = 40,
-            .name = "bsp",
+    return {.name = "bsp",
             .title = "BSP tree, built before the eye is known [L5]",
             .claim = Claim::Always,
             .in_world = true,

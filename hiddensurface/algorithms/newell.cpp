@@ -208,8 +208,7 @@ private:
 }  // namespace
 
 Algorithm newell() {
-    return {.place = 30,
-            .name = "newell",
+    return {.name = "newell",
             .title = "Newell, Newell and Sancha: five tests and splitting [L5]",
             .claim = Claim::Always,
             .run = [](const Input& input, StepLog& log) { return Newell(input, log).run(); }};

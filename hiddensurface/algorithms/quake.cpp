@@ -172,8 +172,7 @@ private:
 }  // namespace
 
 Algorithm quake() {
-    return {.place = 88,
-            .name = "quake",
+    return {.name = "quake",
             .title = "Quake's sorted spans: keys from the BSP tree (1996)",
             .claim = Claim::Always,
             .in_world = true,

@@ -61,8 +61,7 @@ Output run(const Input& input, StepLog& log) {
 }  // namespace
 
 Algorithm ray_casting() {
-    return {.place = 70,
-            .name = "ray-casting",
+    return {.name = "ray-casting",
             .title = "Ray casting, every ray against every polygon [L9]",
             .claim = Claim::Always,
             .run = run};

@@ -149,8 +149,7 @@ private:
 }  // namespace
 
 Algorithm watkins() {
-    return {.place = 82,
-            .name = "watkins",
+    return {.name = "watkins",
             .title = "Watkins' scan line: spans guessed from the line above (1970)",
             .claim = Claim::Always,
             .run = [](const Input& input, StepLog& log) { return Watkins(input, log).run(); }};

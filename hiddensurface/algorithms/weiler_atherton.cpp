@@ -220,7 +220,6 @@ private:
 
 Algorithm weiler_atherton() {
     return {
-        .place = 84,
         .name = "weiler-atherton",
         .title = "Weiler and Atherton: polygons clipped by polygons (1977)",
         .claim = Claim::Always,

@@ -45,7 +45,6 @@ enum class Claim {
 };
 
 struct Algorithm {
-    int place = 0;      ///< in tables: the lecture's order
     std::string name;   ///< for the command line
     std::string title;  ///< for people, with the lecture's row
     Claim claim = Claim::Sometimes;
@@ -62,8 +61,7 @@ std::vector<std::string> algorithm_names();
 const Algorithm& algorithm_named(const std::string& name);
 
 /// The beginning of every list without a depth buffer: a pass of this name, depth test off, colour
-/// cleared to
-/// 0. Depth is neither cleared nor read nor written.
+/// cleared to 0. Depth is neither cleared nor read nor written.
 CommandList begin_picture(const Input& input, const std::string& name);
 /// Pixels in the colours of identifiers, through the machine's spans.
 void add_painted(CommandList& list, const std::vector<Painted>& painted);

@@ -15,7 +15,7 @@ int texture_side(int texels) {
 }
 
 /// The triangles of an object that lie in one pixmap.
-MeshRef mesh_in(const Model& model, const Mesh& drawn, std::uint32_t number) {
+MeshRef mesh_in(const PixmapModel& model, const Mesh& drawn, std::uint32_t number) {
     MeshData data;
     for (const Triangle& triangle : drawn.triangles()) {
         const Facet& facet = model.facets[drawn.polygon_id(triangle.polygon)];
@@ -30,7 +30,7 @@ MeshRef mesh_in(const Model& model, const Mesh& drawn, std::uint32_t number) {
 }
 
 /// The pixmaps of an object's facets, ascending.
-std::vector<std::uint32_t> pixmaps_of(const Model& model, const Mesh& drawn) {
+std::vector<std::uint32_t> pixmaps_of(const PixmapModel& model, const Mesh& drawn) {
     std::vector<std::uint32_t> found;
     for (std::uint32_t p = 0; p < drawn.polygon_count(); ++p)
         found.push_back(model.facets[drawn.polygon_id(p)].pixmap);
@@ -41,7 +41,8 @@ std::vector<std::uint32_t> pixmaps_of(const Model& model, const Mesh& drawn) {
 
 }  // namespace
 
-TextureRef texture_of(const Model& model, std::uint32_t number, const Shown& colors, double scale) {
+TextureRef texture_of(const PixmapModel& model, std::uint32_t number,
+                      const DisplayedPixmaps& colors, double scale) {
     const Pixmap& pixmap = model.pixmaps[number];
     const int width = texture_side(pixmap.width), height = texture_side(pixmap.height);
     std::vector<std::uint16_t> rgba;
@@ -93,8 +94,8 @@ CommandList figures_of(CommandList list) {
     return list;
 }
 
-CommandList texture_list(const Model& model, const Shown& colors, const scene::View& view,
-                         const Brightness& brightness) {
+CommandList texture_list(const PixmapModel& model, const DisplayedPixmaps& colors,
+                         const scene::View& view, const Brightness& brightness) {
     State state = picture_state(view);
     state.texture = {.wrap_s = Wrap::Clamp, .wrap_t = Wrap::Clamp, .env = TexEnv::Replace};
     CommandList list;

@@ -7,7 +7,8 @@ namespace {
 
 /// The triangles of one of the scene's objects that lie in a pixmap, every corner a vertex of its
 /// own.
-MeshRef part_in(const Model& model, std::size_t drawn, const Mesh& mesh, std::uint32_t pixmap) {
+MeshRef part_in(const PixmapModel& model, std::size_t drawn, const Mesh& mesh,
+                std::uint32_t pixmap) {
     const Source& source = model.sources[drawn];
     const std::vector<vec3>& world = model.drawn.objects[drawn].mesh->data().positions;
     const auto triangles = mesh.triangles();
@@ -25,7 +26,7 @@ MeshRef part_in(const Model& model, std::size_t drawn, const Mesh& mesh, std::ui
     return make_mesh(std::move(data));
 }
 
-scene::Material glowing(scene::Material material, const TextureRef& texture) {
+scene::Material emissive(scene::Material material, const TextureRef& texture) {
     material.Ka = material.Kd = vec3(0);
     material.Ke = vec3(1);
     material.map_Ka.clear();
@@ -42,8 +43,8 @@ bool faces(const scene::Camera& camera, const std::array<dvec3, 3>& p) {
 
 }  // namespace
 
-scene::Scene glowing(const scene::Scene& scene, const Model& model, const Shown& colors,
-                     double scale) {
+scene::Scene emissive_scene(const scene::Scene& scene, const PixmapModel& model,
+                            const DisplayedPixmaps& colors, double scale) {
     scene::Scene out = scene;
     out.objects.clear();
     for (scene::Light& light : out.lights) light.Is = light.Is.value_or(light.Id) * float(scale);
@@ -56,8 +57,8 @@ scene::Scene glowing(const scene::Scene& scene, const Model& model, const Shown&
             out.objects.push_back(object);
             out.objects.back().mesh = part_in(model, i, *object.mesh, pixmap);
             out.objects.back().material = out.materials.size();
-            out.materials.push_back(glowing(scene.materials[object.material],
-                                            texture_of(model, pixmap, colors, scale)));
+            out.materials.push_back(emissive(scene.materials[object.material],
+                                             texture_of(model, pixmap, colors, scale)));
         }
     }
     return out;

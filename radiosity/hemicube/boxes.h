@@ -16,14 +16,14 @@ struct Boxes {
     std::vector<double> u, v, width, height;  ///< the middle and the sides
     std::vector<double> value;
     /// 2, of boxes of at most a texel each way; 3, of at most two
-    std::vector<std::int32_t> cells;
+    std::vector<std::int32_t> texels_across;
     std::size_t count = 0;
 
-    void make_room(std::size_t more) {
+    void reserve(std::size_t more) {
         const std::size_t size = count + more + longest_vector;
         if (size <= u.size()) return;
         for (auto* values : {&u, &v, &width, &height, &value}) values->resize(2 * size);
-        cells.resize(2 * size);
+        texels_across.resize(2 * size);
     }
 };
 

@@ -99,7 +99,7 @@ bool find_footprints(const FacetMap& map, int y, const double* deltas, SeenPixel
         hn::StoreU(at.v, d, boxes.v.data() + i);
         hn::StoreU(box(a.u, b.u), d, boxes.width.data() + i);
         hn::StoreU(box(a.v, b.v), d, boxes.height.data() + i);
-        store_int(hn::IfThenElse(small, all(2), all(3)), boxes.cells.data() + i);
+        store_int(hn::IfThenElse(small, all(2), all(3)), boxes.texels_across.data() + i);
         store_int(nx, pixels.nx.data() + i);
         store_int(ny, pixels.ny.data() + i);
     }
@@ -134,11 +134,11 @@ HWY_EXPORT(find_pixels);
 HWY_EXPORT(find_footprints);
 HWY_EXPORT(find_parts);
 
-void SeenPixels::make_room(std::size_t row) {
+void SeenPixels::reserve(std::size_t row) {
     for (auto* values : {&x, &nx, &ny}) values->resize(row + longest_vector);
 }
 
-void Parts::make_room(std::size_t more) {
+void Parts::reserve(std::size_t more) {
     const std::size_t size = count + more + longest_vector;
     if (size <= x.size()) return;
     for (auto* values : {&x, &y, &u, &v}) values->resize(2 * size);

@@ -26,7 +26,7 @@ struct SeenPixels {
     std::vector<std::int32_t> nx, ny;  ///< in how many parts the pixel is to be divided
     std::size_t count = 0;
 
-    void make_room(std::size_t row);
+    void reserve(std::size_t row);
 };
 
 /// x and count: those of row[first .. end - 1] that are `pixel`.
@@ -47,7 +47,7 @@ struct Parts {
     std::vector<std::int32_t> inside;  ///< 1: falls on the facet, 0
     std::size_t count = 0;
 
-    void make_room(std::size_t more);
+    void reserve(std::size_t more);
 };
 
 /// u, v and inside, from x and y.

@@ -20,7 +20,7 @@ struct ScanOptions {
 /// Adds to factors[texel] the delta form factors of the pixels that see `pixmap`; returns those
 /// that see backs of its figures. `factors` are those of the whole model; only those of this pixmap
 /// are touched, so pixmaps can be scanned in parallel [F2.2p].
-double scan_pixmap(const Model& model, std::uint32_t pixmap, const Hemicube& hemicube,
+double scan_pixmap(const PixmapModel& model, std::uint32_t pixmap, const Hemicube& hemicube,
                    const IdBuffers& buffers, const DeltaFormFactors& delta,
                    const ScanOptions& options, std::span<double> factors);
 

@@ -8,7 +8,7 @@
 namespace gw::radiosity {
 namespace {
 
-void check_emission(const Model& model) {
+void check_emission(const PixmapModel& model) {
     for (const Figure& figure : model.figures)
         if (figure.E != dvec3(0)) return;
     throw Error(
@@ -36,7 +36,7 @@ scene::Scene joined(const scene::Scene& drawn) {
 
 }  // namespace
 
-Model make_model(const scene::Scene& scene, const ModelOptions& options) {
+PixmapModel make_model(const scene::Scene& scene, const ModelOptions& options) {
     ModelBuilder builder(scene, options);
     for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
         // lines, points have no area

@@ -16,6 +16,6 @@ struct ModelOptions {
 /// missing, outside 0 .. 1, without area or covering a texel twice; a figure without area; a
 /// reflectance above 1; a pixmap that is larger than 4096 texels a side or shared with another
 /// size; a scene in which nothing emits.
-Model make_model(const scene::Scene& scene, const ModelOptions& options = {});
+PixmapModel make_model(const scene::Scene& scene, const ModelOptions& options = {});
 
 }  // namespace gw::radiosity

@@ -57,7 +57,7 @@ void put_split(std::vector<float>& values, double v) {
     values.push_back(static_cast<float>(v - double(head)));
 }
 
-SavedPixmap pixmap_of(const Model& model, const Solution& solution, const Pixmap& pixmap) {
+SavedPixmap pixmap_of(const PixmapModel& model, const Solution& solution, const Pixmap& pixmap) {
     SavedPixmap out{pixmap.name, pixmap.width, pixmap.height, {}};
     for (std::size_t t = pixmap.first; t < pixmap.first + pixmap.count(); ++t) {
         const dvec3 B = radiosity_at(model, solution, t);
@@ -94,7 +94,7 @@ const std::vector<std::string>& saved_channels() {
     return channels;
 }
 
-std::string fingerprint(const Model& model) {
+std::string fingerprint(const PixmapModel& model) {
     Fingerprint print;
     print.add(model.extent);
     for (const Pixmap& pixmap : model.pixmaps) {
@@ -124,7 +124,7 @@ std::string fingerprint(const FormFactorOptions& options) {
                        options.points.emitter_part, options.seed);
 }
 
-Saved save(const Model& model, const FormFactorOptions& options, const Solution& solution) {
+Saved save(const PixmapModel& model, const FormFactorOptions& options, const Solution& solution) {
     Saved saved;
     for (const Pixmap& pixmap : model.pixmaps)
         saved.pixmaps.push_back(pixmap_of(model, solution, pixmap));
@@ -140,7 +140,7 @@ Saved save(const Model& model, const FormFactorOptions& options, const Solution&
     return saved;
 }
 
-void check_saved(const Saved& saved, const Model& model, const FormFactorOptions& options,
+void check_saved(const Saved& saved, const PixmapModel& model, const FormFactorOptions& options,
                  const std::string& file) {
     const auto expect = [&](const char* name, const std::string& wanted, const std::string& what) {
         if (fact(saved, name) == wanted) return;
@@ -160,7 +160,7 @@ void check_saved(const Saved& saved, const Model& model, const FormFactorOptions
            fmt::format("was computed with {}", fact(saved, "method")));
 }
 
-Solution load(const Saved& saved, const Model& model, const FormFactorOptions& options,
+Solution load(const Saved& saved, const PixmapModel& model, const FormFactorOptions& options,
               const std::string& file) {
     check_saved(saved, model, options, file);
     const auto damaged = [&](const char* what) {

@@ -9,7 +9,7 @@
 namespace gw::radiosity {
 namespace {
 
-bool same_pixmaps(const Model& a, const Model& b) {
+bool same_pixmaps(const PixmapModel& a, const PixmapModel& b) {
     return std::equal(a.pixmaps.begin(), a.pixmaps.end(), b.pixmaps.begin(), b.pixmaps.end(),
                       [](const Pixmap& p, const Pixmap& q) {
                           return p.width == q.width && p.height == q.height;
@@ -18,7 +18,7 @@ bool same_pixmaps(const Model& a, const Model& b) {
 }
 
 /// Moved, not resized; positions are float32.
-bool same_areas(const Model& a, const Model& b) {
+bool same_areas(const PixmapModel& a, const PixmapModel& b) {
     return std::equal(
         a.patches.begin(), a.patches.end(), b.patches.begin(), b.patches.end(),
         [](const Patch& p, const Patch& q) { return std::abs(p.area - q.area) <= 1e-4 * p.area; });
@@ -36,7 +36,7 @@ double most_to_sphere(const dvec3& from, const dvec3& center, double radius) {
 }
 
 /// The facets that are elsewhere now, in both models.
-std::vector<const Facet*> moved_facets(const Model& a, const Model& b) {
+std::vector<const Facet*> moved_facets(const PixmapModel& a, const PixmapModel& b) {
     std::vector<const Facet*> moved;
     for (std::size_t i = 0; i < a.facets.size(); ++i)
         if (!same_place(a.facets[i], b.facets[i]))
@@ -44,14 +44,14 @@ std::vector<const Facet*> moved_facets(const Model& a, const Model& b) {
     return moved;
 }
 
-dvec3 middle(const Model& model, const Patch& patch) {
+dvec3 middle(const PixmapModel& model, const Patch& patch) {
     const Facet& facet = model.facets[model.pixmaps[patch.pixmap].facets.front()];
     return facet.at({patch.x + patch.width / 2.0, patch.y + patch.height / 2.0});
 }
 
 }  // namespace
 
-Update Solver::update(Model to, double tolerance) {
+Update Solver::update(PixmapModel to, double tolerance) {
     if (!same_pixmaps(*model_, to) || !same_areas(*model_, to))
         throw Error(
             "the changed scene has other figures or pixmaps; expected the same, moved or of other materials");
@@ -68,7 +68,7 @@ Update Solver::update(Model to, double tolerance) {
 }
 
 // B = E + rho H: what it changes by has not been sent.
-void Solver::change_materials(const Model& to) {
+void Solver::change_materials(const PixmapModel& to) {
     for (std::size_t t = 0; t < to.texel_count(); ++t) {
         const dvec3 before = radiosity_at(*model_, solution_, t);
         model_->E[t] = to.E[t];
@@ -80,7 +80,7 @@ void Solver::change_materials(const Model& to) {
     model_->figures = to.figures;
 }
 
-Update Solver::move(Model to, double tolerance) {
+Update Solver::move(PixmapModel to, double tolerance) {
     struct Affected {
         std::size_t patch;
         double most;  ///< flux, all channels, that may go elsewhere now
@@ -113,7 +113,7 @@ Update Solver::move(Model to, double tolerance) {
 
     // A patch's light is taken back with its old form factors and sent with the new ones in one go:
     // books balance whenever this is canceled.
-    auto next = std::make_unique<Model>(std::move(to));
+    auto next = std::make_unique<PixmapModel>(std::move(to));
     auto next_factors = std::make_unique<FormFactors>(*next, options_.form_factors);
     Update done;
     const auto send_anew = [&] {

@@ -12,7 +12,7 @@ namespace {
 
 const FormFactorOptions coarse{.hemicube = 32, .points = {.smallest_of_pixmap = 1.0 / 4}};
 
-Model box(float rho = 0.5f) {
+PixmapModel box(float rho = 0.5f) {
     return make_model(closed_box({1, 1, 1}, rho, 1), {.texels_per_unit = 4});
 }
 
@@ -30,7 +30,7 @@ TEST(Saved, NShotsAreKShotsSavedLoadedAndTheRest) {
     EXPECT_EQ(shots(rest, 19), expected);
 }
 
-std::string refusal(const Saved& saved, const Model& model,
+std::string refusal(const Saved& saved, const PixmapModel& model,
                     const FormFactorOptions& options = coarse) {
     try {
         load(saved, model, options, "file");

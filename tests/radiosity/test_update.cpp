@@ -21,7 +21,9 @@ scene::Scene room(float y, float emission = 4, float rho = 0.5f) {
     return scene;
 }
 
-Model model_of(const scene::Scene& scene) { return make_model(scene, {.texels_per_unit = 3}); }
+PixmapModel model_of(const scene::Scene& scene) {
+    return make_model(scene, {.texels_per_unit = 3});
+}
 
 int solve(Solver& solver) {
     int hemicubes = 0;
