@@ -20,13 +20,14 @@ struct SavedPixmap {
 const std::vector<std::string>& saved_channels();
 
 struct Saved {
-    std::map<std::string, std::string>
-        facts;  ///< kind, version, scene, model, method, shots, escaped, backs, contents
+    /// kind, version, scene, model, objects, method, shots, escaped, backs, contents
+    std::map<std::string, std::string> facts;
     std::vector<SavedPixmap> pixmaps;
 };
 
 /// Two of these agree where going on gives the same bits: figures, pixmaps, materials; and how form
-/// factors are found.
+/// factors are found. Names of objects are compared apart from these: no bit depends on them, but
+/// what a user means by a name does.
 std::string fingerprint(const PixmapModel& model);
 std::string fingerprint(const FormFactorOptions& options);
 

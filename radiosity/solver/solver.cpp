@@ -30,7 +30,9 @@ Solver::Solver(PixmapModel model, const SolverOptions& options)
     : model_(std::make_unique<PixmapModel>(std::move(model))),
       options_(options),
       form_factors_(std::make_unique<FormFactors>(*model_, options.form_factors)),
-      solution_(initial_solution(*model_)) {}
+      solution_(initial_solution(*model_)) {
+    check_emission(*model_);
+}
 
 void Solver::resume(Solution solution) {
     if (solution.H.size() != model_->texel_count() ||

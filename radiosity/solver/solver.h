@@ -43,7 +43,7 @@ struct Update {
 
 class Solver {
 public:
-    /// Throws Error where an option is out of range.
+    /// Throws Error where an option is out of range, or nothing emits.
     explicit Solver(PixmapModel model, const SolverOptions& options = {});
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;
@@ -62,10 +62,10 @@ public:
 
     /// Goes on with a model in which emitters were dimmed or recoloured, reflectances changed or
     /// figures moved: only the difference is shot [F4]. The pixmaps must be the same in number and
-    /// size. After a move the light of a patch is sent anew if it met the moved figure; patches
+    /// size. After a move the light of a patch is sent anew if it met the moved figure. Patches
     /// whose part in this is, all together, below `tolerance` of the emitted energy are left as
-    /// they are. Throws Error for another scene, Canceled as shoot does (then the model is the new
-    /// one, and some light is still where it fell before).
+    /// they are. Throws Error for another scene or one in which nothing emits. Throws Canceled as
+    /// shoot does; then the model is the new one, and some light is still where it fell before.
     Update update(PixmapModel model, double tolerance = 0.002);
 
 private:
@@ -75,7 +75,12 @@ private:
     dvec3 unshot_flux(const Patch& patch) const;
     dvec3 shot_flux(const Patch& patch) const;
     void change_materials(const PixmapModel& to);
+
+    struct Affected;
     Update move(PixmapModel to, double tolerance);
+    std::vector<Affected> affected_by(const PixmapModel& to) const;
+    static void keep_largest(std::vector<Affected>& affected, double least);
+    void send_anew(const std::vector<Affected>& affected, FormFactors& next, Update& done);
 
     std::unique_ptr<PixmapModel> model_;  ///< stays where it is: form_factors_ refers to it
     SolverOptions options_;

@@ -54,7 +54,9 @@ dvec3 middle(const PixmapModel& model, const Patch& patch) {
 Update Solver::update(PixmapModel to, double tolerance) {
     if (!same_pixmaps(*model_, to) || !same_areas(*model_, to))
         throw Error(
-            "the changed scene has other figures or pixmaps; expected the same, moved or of other materials");
+            "the changed scene has other figures or pixmaps; expected the same, moved or of "
+            "other materials");
+    check_emission(to);
     change_materials(to);
     if (moved_facets(*model_, to).empty()) {
         // Form factors stay; only what depends on materials is new.
@@ -80,60 +82,67 @@ void Solver::change_materials(const PixmapModel& to) {
     model_->figures = to.figures;
 }
 
-Update Solver::move(PixmapModel to, double tolerance) {
-    struct Affected {
-        std::size_t patch;
-        double most;  ///< flux, all channels, that may go elsewhere now
-        dvec3 flux;
-    };
+/// A patch whose light may go elsewhere after a move.
+struct Solver::Affected {
+    std::size_t patch;
+    double most;  ///< flux, all channels, that may go elsewhere
+    dvec3 flux;   ///< all that it has sent
+};
+
+std::vector<Solver::Affected> Solver::affected_by(const PixmapModel& to) const {
     const std::vector<const Facet*> moved = moved_facets(*model_, to);
     std::vector<Affected> affected;
-    double sum = 0;
     for (std::size_t p = 0; p < model_->patches.size(); ++p) {
         const Patch& patch = model_->patches[p];
         const dvec3 flux = shot_flux(patch);
         if (flux == dvec3(0)) continue;
-        const bool itself =
-            !same_place(model_->facets[model_->pixmaps[patch.pixmap].facets.front()],
-                        to.facets[to.pixmaps[patch.pixmap].facets.front()]);
-        double part = itself ? 1 : 0;
+        const bool moves = !same_place(model_->facets[model_->pixmaps[patch.pixmap].facets.front()],
+                                       to.facets[to.pixmaps[patch.pixmap].facets.front()]);
+        double part = moves ? 1 : 0;
         for (const Facet* facet : moved)
             part += most_to_sphere(middle(*model_, patch), facet->center, facet->radius);
         affected.push_back({p, magnitude(flux) * std::min(part, 1.0), flux});
-        sum += affected.back().most;
     }
+    return affected;
+}
+
+// Largest first, until the rest sends less than `least` elsewhere.
+void Solver::keep_largest(std::vector<Affected>& affected, double least) {
+    double left = 0;
+    for (const Affected& a : affected) left += a.most;
     std::stable_sort(affected.begin(), affected.end(),
                      [](const Affected& a, const Affected& b) { return a.most > b.most; });
-    const dvec3 emitted = books(*model_, solution_).emitted;
-    double left = sum;
     std::size_t count = 0;
-    while (count < affected.size() && left > tolerance * magnitude(emitted))
-        left -= affected[count++].most;
+    while (count < affected.size() && left > least) left -= affected[count++].most;
     affected.resize(count);
+}
 
-    // A patch's light is taken back with its old form factors and sent with the new ones in one go:
-    // books balance whenever this is canceled.
+// A patch's light is taken back with its old form factors and sent with the new ones in one go:
+// the books balance whenever this is canceled.
+void Solver::send_anew(const std::vector<Affected>& affected, FormFactors& next, Update& done) {
+    for (const Affected& a : affected) {
+        const Row before = row_of(a.patch, &done.hemicubes), now = next.from_patch(a.patch);
+        receive(before, -a.flux);
+        receive(now, a.flux);
+        done.hemicubes += now.hemicubes;
+        ++done.patches;
+    }
+}
+
+Update Solver::move(PixmapModel to, double tolerance) {
+    std::vector<Affected> affected = affected_by(to);
+    keep_largest(affected, tolerance * magnitude(books(*model_, solution_).emitted));
     auto next = std::make_unique<PixmapModel>(std::move(to));
     auto next_factors = std::make_unique<FormFactors>(*next, options_.form_factors);
-    Update done;
-    const auto send_anew = [&] {
-        for (const Affected& a : affected) {
-            const Row before = row_of(a.patch, &done.hemicubes),
-                      now = next_factors->from_patch(a.patch);
-            receive(before, -a.flux);
-            receive(now, a.flux);
-            done.hemicubes += now.hemicubes;
-            ++done.patches;
-        }
-    };
     const auto change_over = [&] {
         model_ = std::move(next);
         form_factors_ = std::move(next_factors);
         rows_.clear();
         row_bytes_ = 0;
     };
+    Update done;
     try {
-        send_anew();
+        send_anew(affected, *next_factors, done);
     } catch (...) {
         change_over();
         throw;

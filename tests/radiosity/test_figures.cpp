@@ -100,6 +100,16 @@ TEST(Figures, SeveralFiguresShareAPixmap) {
     EXPECT_THROW(make_model(scene), Error);
 }
 
+// Form factors are those of the figures alone; only a solver needs light.
+TEST(Figures, NeedNoLight) {
+    scene::Scene dark = one(square());
+    dark.materials[0].Ke = vec3(0);
+    const PixmapModel model = make_model(dark);
+    EXPECT_EQ(model.figures.size(), 1u);
+    EXPECT_THROW(check_emission(model), Error);
+    EXPECT_NO_THROW(check_emission(make_model(one(square()))));
+}
+
 /// The message of the Error that a scene gives.
 std::string refusal(const scene::Scene& scene) {
     try {
@@ -124,9 +134,6 @@ TEST(Figures, WhatIsWrongIsSaid) {
     says(one(bad, given(4, 4)), "no texture coordinates");
     says(one({.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}}), "has no area and is to emit");
     says(one(square(), {}, 1.25f), "reflects 1.25");
-    scene::Scene dark = one(square());
-    dark.materials[0].Ke = vec3(0);
-    says(dark, "nothing emits light");
     MeshData twice = square();  // two quads, one place in the pixmap
     for (int k = 0; k < 4; ++k) {
         twice.positions.push_back(twice.positions[std::size_t(k)] + vec3(0, 1, 0));
