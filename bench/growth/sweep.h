@@ -1,9 +1,6 @@
-// The frames whose time is taken as one quantity grows, the rest as in workload d of bench/peers.
-// Does not time.
+// What bench_growth measures: one quantity grows, everything else stays. A file for each family of
+// sweeps; main.cpp times them and writes tables and plots.
 #pragma once
-
-#include "bench/peers/frame.h"
-#include "bench/peers/workload.h"
 
 #include <functional>
 #include <string>
@@ -11,24 +8,32 @@
 
 namespace gw::growth {
 
-/// One frame of a sweep: made when its turn comes, since the largest fill memory.
+/// One place of a sweep. Runs in a process of its own, so that its peak memory is its own.
 struct Step {
     double amount = 0;  ///< of what grows
-    int threads = 1;
-    std::function<peers::Frame()> frame;
-    peers::Workload workload;
+    /// Prepares, then returns the least time of so many runs, in milliseconds.
+    std::function<double(int repeats)> milliseconds;
 };
 
 struct Sweep {
-    std::string name;  ///< of what grows
+    std::string name;      ///< for --only, and of its files
+    std::string quantity;  ///< that grows: the plot's axis
     std::vector<Step> steps;
 };
 
-/// Triangles 1x .. 64x, pixels 320x240 .. 4096x4096, passes 1 .. 128, samples 1 .. 256, lights 1 ..
-/// 128, threads 1 and 2.
-std::vector<Sweep> sweeps(const std::string& scene);
+/// The least wall time of some runs after one that warms up, in milliseconds: other processes only
+/// add.
+double least_time(int repeats, const std::function<void()>& run);
+
+/// Frames like workload d of bench/peers, of the scene's geometry: triangles 1x .. 64x, pixels
+/// 320x240 .. 4096x4096, passes 1 .. 128, samples 1 .. 256, lights 1 .. 128, threads 1 and 2.
+std::vector<Sweep> machine_sweeps(const std::string& scene);
+
+/// Scenes of 1 .. 1,000,000 boxes of 12 triangles: reading, drawing, tracing, solving; materials
+/// and lights.
+std::vector<Sweep> scene_sweeps();
 
 /// 64x the triangles (5 millions) in 4096x4096 pixels with 64 passes: what must stay below 4 GiB.
-Step largest(const std::string& scene);
+Step largest_frame(const std::string& scene);
 
 }  // namespace gw::growth
