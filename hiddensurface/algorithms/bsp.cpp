@@ -18,9 +18,10 @@ Output run(const Input& input, StepLog& log) {
     };
     const Tree tree = build_tree(input.polygons, order, candidates, on_split);
     output.counts.planes = tree.plane_tests;
-    output.counts.nodes = tree.nodes;
+    output.counts.nodes = tree.nodes.size();
     output.counts.splits = tree.splits;
-    output.counts.peak_bytes = tree.nodes * sizeof(TreeNode) + tree.pieces * sizeof(TreePiece);
+    output.counts.peak_bytes =
+        output.counts.nodes * sizeof(TreeNode) + tree.pieces * sizeof(TreePiece);
     output.counts.facings = far_to_near(tree, eye_of(input.view), [&](const TreePiece& piece) {
         const Piece drawn = window_piece(input, piece);
         if (drawn.count > 0) draw_piece(input, drawn, output, log);
@@ -35,6 +36,7 @@ Algorithm bsp() {
             .title = "BSP tree, built before the eye is known [L5]",
             .claim = Claim::Always,
             .in_world = true,
+            .growth = {GrowthLaw::Superlinear, 40},
             .run = run};
 }
 

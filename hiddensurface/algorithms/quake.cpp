@@ -92,7 +92,7 @@ private:
                        [&](const TreePiece& piece, FacetIndex by, const auto& back,
                            const auto& front) { log_split(input_, piece, by, back, front, log_); });
         output_.counts.planes = tree.plane_tests;
-        output_.counts.nodes = tree.nodes;
+        output_.counts.nodes = tree.nodes.size();
         output_.counts.splits = tree.splits;
         std::size_t key = tree.pieces;
         output_.counts.facings =
@@ -176,6 +176,7 @@ Algorithm quake() {
             .title = "Quake's sorted spans: keys from the BSP tree (1996)",
             .claim = Claim::Always,
             .in_world = true,
+            .growth = {GrowthLaw::Superlinear, 40},
             .run = [](const Input& input, StepLog& log) { return SortedSpans(input, log).run(); }};
 }
 

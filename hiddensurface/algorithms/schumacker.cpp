@@ -55,6 +55,7 @@ Algorithm schumacker() {
             .title = "Schumacker's clusters: priorities for every eye (1969)",
             .claim = Claim::Always,
             .in_world = true,
+            .growth = {GrowthLaw::Superlinear, 40},
             .run = run};
 }
 

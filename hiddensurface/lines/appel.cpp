@@ -302,6 +302,7 @@ LineAlgorithm appel() {
         .title = "Appel 1967: quantitative invisibility",
         .claim =
             "right for any faces, also where they go through each other; draws no lines where they do",
+        .growth = {GrowthLaw::Superlinear, 3},
         .run = [](const Input& input, StepLog& log) { return Appel(input, log).run(); }};
 }
 

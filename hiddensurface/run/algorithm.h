@@ -44,6 +44,17 @@ enum class Claim {
     Sometimes  ///< fails in cases that the lecture shows
 };
 
+enum class GrowthLaw {
+    Linear,      ///< or nearly: never too long
+    Rays,        ///< every polygon at every pixel
+    Superlinear  ///< by a power that depends on the scene
+};
+/// How the work grows with the polygons; estimate.h tells from it what a run would take.
+struct Growth {
+    GrowthLaw law = GrowthLaw::Linear;
+    double nanoseconds = 0;  ///< of a question, about; 0: Linear
+};
+
 struct Algorithm {
     std::string name;   ///< for the command line
     std::string title;  ///< for people, with the lecture's row
@@ -51,6 +62,7 @@ struct Algorithm {
     bool uses_depth_plane = false;
     /// decides before the snap to the grid: may differ where that turns two over
     bool in_world = false;
+    Growth growth{};
     std::function<Output(const Input&, StepLog&)> run;
 };
 

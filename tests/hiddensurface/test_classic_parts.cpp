@@ -271,7 +271,8 @@ TEST(Schumacker, CutsNothingOfConvexSolidsThatPlanesSeparate) {
     Stage one(polygon_scene(std::move(data)));
     const ClusterTree tree = build_clusters(one.input.polygons, {});
     EXPECT_EQ(tree.clusters, 1u);
-    for (const RankedSide& side : tree.root->sides) EXPECT_EQ(side.priority, side.front ? 1u : 2u);
+    for (const RankedSide& side : tree.nodes[0].sides)
+        EXPECT_EQ(side.priority, side.front ? 1u : 2u);
 }
 
 TEST(Schumacker, DividesWhatHasNoPriorities) {

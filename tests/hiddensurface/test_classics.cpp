@@ -54,6 +54,19 @@ TEST_P(Classics, AgreeWithTheZBuffer) {
         if (name != "ray-casting") expect_few_differences(algorithm_named(name), family, sum);
 }
 
+// A window that is higher than wide, a single row, a single column: Warnock's quarters and the
+// lists of lines are of every shape.
+TEST(Windows, OfEveryShapeAgreeWithTheZBuffer) {
+    for (const auto& [w, h] : {std::pair{37, 90}, {90, 37}, {1, 40}, {40, 1}, {33, 33}, {2, 65}}) {
+        Stage stage(random_triangles(3, 40), vgx(), w, h);
+        for (const Algorithm& algorithm : algorithms())
+            if (algorithm.claim == Claim::Always) {
+                EXPECT_EQ(stage.run(algorithm.name).counts.wrong, 0u)
+                    << algorithm.name << ", " << w << "x" << h;
+            }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Classics,
                          testing::Combine(testing::Range<std::size_t>(0, small_families().size()),
                                           testing::Range(0u, scenes / scenes_of_a_case)),
