@@ -2,6 +2,7 @@
 // Area Sorting, SIGGRAPH 1977. In the window, after perspective: the polygon with the nearest
 // corner is the clip polygon, and all others are clipped by its outline, whole though parts of it
 // may be hidden already.
+//
 // What falls inside and lies behind it is hidden. Where some of the inside lies before it, the
 // inside is sorted out in the same way first, clipped by one of those; a polygon that was the clip
 // polygon on the way there is not taken again, so that cyclic overlap ends. Then the outside is

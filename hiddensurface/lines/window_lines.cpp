@@ -109,4 +109,20 @@ std::optional<Part> hidden_part(const WindowLines& scene, const WindowFace& face
     return part;
 }
 
+Box box_of(std::initializer_list<GridPoint> points) {
+    Box box{*points.begin(), *points.begin()};
+    for (const GridPoint& p : points) {
+        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y),
+                    std::max(box.high.z, p.z)};
+    }
+    return box;
+}
+
+/// `front` may hide something of `line`: they meet in the window, and it is not all behind.
+bool may_hide(const Box& front, const Box& line) {
+    return front.low.x <= line.high.x && line.low.x <= front.high.x && front.low.y <= line.high.y &&
+           line.low.y <= front.high.y && front.low.z <= line.high.z;
+}
+
 }  // namespace gw::hiddensurface

@@ -1,6 +1,6 @@
 #include "radiosity/display/displayed_pixmaps.h"
 
-#include "radiosity/model/seams.h"
+#include "radiosity/display/seams.h"
 
 #include <algorithm>
 #include <cmath>

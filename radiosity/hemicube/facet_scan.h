@@ -34,8 +34,8 @@ private:
     void add_parts(const Divided& divided);
 
     std::span<double> factors_;
-    SeenPixels pixels_;  ///< of one row ...
-    Boxes row_;          ///< ... and what they cover
+    FacetPixels pixels_;  ///< of one row ...
+    Boxes row_;           ///< ... and what they cover
     Parts parts_;
     std::vector<Divided> divided_;
     Boxes boxes_;

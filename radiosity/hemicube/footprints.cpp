@@ -19,7 +19,7 @@ inline V all(double v) { return hn::Set(D(), v); }
 inline V larger(V a, V b) { return hn::Max(hn::Abs(a), hn::Abs(b)); }
 
 void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel,
-                 SeenPixels& found) {
+                 FacetPixels& found) {
     const hn::ScalableTag<std::int32_t> d;
     const int lanes = int(hn::Lanes(d));
     const auto wanted = hn::Set(d, std::int32_t(pixel));
@@ -73,7 +73,7 @@ inline V parts(V texels, double most) {
 
 inline void store_int(V v, std::int32_t* to) { hn::StoreU(hn::DemoteTo(I(), v), I(), to); }
 
-bool find_footprints(const FacetMap& map, int y, const double* deltas, SeenPixels& pixels,
+bool find_footprints(const FacetMap& map, int y, const double* deltas, FacetPixels& pixels,
                      Boxes& boxes) {
     const D d;
     const Homography& h = map.texel_from_pixel;
@@ -134,7 +134,7 @@ HWY_EXPORT(find_pixels);
 HWY_EXPORT(find_footprints);
 HWY_EXPORT(find_parts);
 
-void SeenPixels::reserve(std::size_t row) {
+void FacetPixels::reserve(std::size_t row) {
     for (auto* values : {&x, &nx, &ny}) values->resize(row + longest_vector);
 }
 
@@ -146,11 +146,11 @@ void Parts::reserve(std::size_t more) {
 }
 
 void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel,
-                 SeenPixels& found) noexcept {
+                 FacetPixels& found) noexcept {
     HWY_DYNAMIC_DISPATCH(find_pixels)(row, first, end, pixel, found);
 }
 
-bool find_footprints(const FacetMap& map, int y, const double* deltas, SeenPixels& pixels,
+bool find_footprints(const FacetMap& map, int y, const double* deltas, FacetPixels& pixels,
                      Boxes& boxes) noexcept {
     return HWY_DYNAMIC_DISPATCH(find_footprints)(map, y, deltas, pixels, boxes);
 }

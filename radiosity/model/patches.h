@@ -1,5 +1,4 @@
-// Patches [F2] and the points of a patch that hemicubes are put on.
-// Does not draw.
+// Patches [F2], and the points of a patch on which hemicubes stand. Does not draw.
 #pragma once
 
 #include "radiosity/model/pixmap_model.h"

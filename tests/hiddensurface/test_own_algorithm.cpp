@@ -40,11 +40,11 @@ TEST(OwnAlgorithm, IsTheListingOfBothPages) {
 }
 
 TEST(OwnAlgorithm, ShowsWhatIsFarthest) {
-    Stage stage(random_layers(1, 16), vgx(), 16, 12);
+    Setup setup(random_layers(1, 16), vgx(), 16, 12);
     StepLog log(Level::Polygon);
-    Result result = run_on(*stage.machine, mine(), stage.input, log);
-    compare(result, stage.z_buffer.ids, stage.input);
-    const auto& polygons = stage.input.polygons;
+    Result result = run_on(*setup.machine, mine(), setup.input, log);
+    compare(result, setup.z_buffer.ids, setup.input);
+    const auto& polygons = setup.input.polygons;
     const auto farthest =
         std::max_element(polygons.begin(), polygons.end(),
                          [](const auto& a, const auto& b) { return a.farthest < b.farthest; });

@@ -1,4 +1,4 @@
-#include "radiosity/model/seams.h"
+#include "radiosity/display/seams.h"
 
 #include "radiosity/model/triangle.h"
 
