@@ -6,8 +6,6 @@
 namespace gw::hiddensurface {
 namespace {
 
-constexpr std::size_t candidates = 8;
-
 Output run(const Input& input, StepLog& log) {
     Output output{.list = begin_picture(input, "BSP tree")};
     std::vector<std::size_t> order(input.polygons.size());
@@ -16,7 +14,7 @@ Output run(const Input& input, StepLog& log) {
                               const std::vector<Loop>& front) {
         log_split(input, piece, by, back, front, log);
     };
-    const Tree tree = build_tree(input.polygons, order, candidates, on_split);
+    const Tree tree = build_tree(input.polygons, order, splitters_tried, on_split);
     output.counts.planes = tree.plane_tests;
     output.counts.nodes = tree.nodes.size();
     output.counts.splits = tree.splits;

@@ -21,8 +21,6 @@
 namespace gw::hiddensurface {
 namespace {
 
-constexpr std::size_t candidates = 8;
-
 /// A surface's pixels x0 .. x1 - 1 on consecutive lines down from the first.
 struct Surface {
     std::size_t key = 0;  ///< smaller is nearer
@@ -88,7 +86,7 @@ private:
         std::vector<std::size_t> order(input_.polygons.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         const Tree tree =
-            build_tree(input_.polygons, order, candidates,
+            build_tree(input_.polygons, order, splitters_tried,
                        [&](const TreePiece& piece, FacetIndex by, const auto& back,
                            const auto& front) { log_split(input_, piece, by, back, front, log_); });
         output_.counts.planes = tree.plane_tests;

@@ -7,9 +7,9 @@
 namespace gw::hiddensurface {
 namespace {
 
-class Builder {
+class WindowLinesBuilder {
 public:
-    explicit Builder(const Input& input)
+    explicit WindowLinesBuilder(const Input& input)
         : largest_((std::int64_t{1} << input.profile.depth_bits) - 1) {
         for (std::size_t p = 0; p < input.polygons.size(); ++p)
             for (const WindowTriangle& t : input.polygons[p].triangles)
@@ -79,11 +79,7 @@ bool keep_positive(int128 at_a, int128 at_b, Part& part) {
 
 }  // namespace
 
-WindowLines window_lines(const Input& input) { return Builder(input).take(); }
-
-std::int64_t turn(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
-    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-}
+WindowLines window_lines(const Input& input) { return WindowLinesBuilder(input).take(); }
 
 int128 behind(const WindowLines& scene, const WindowFace& face, const GridPoint& p) {
     const GridPoint &p0 = scene.corners[face.corner[0]], &p1 = scene.corners[face.corner[1]],

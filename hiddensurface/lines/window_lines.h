@@ -39,8 +39,6 @@ Box box_of(std::initializer_list<GridPoint> points);
 /// Whether their boxes meet in the window, and some of `front` is not behind all of `line`.
 bool may_hide(const Box& front, const Box& line);
 
-/// Above 0: r lies to the left of p -> q in the window. Twice the area of the three.
-std::int64_t turn(const GridPoint& p, const GridPoint& q, const GridPoint& r);
 /// Above 0: p lies behind the face's plane, seen from the eye; 0: on it.
 int128 behind(const WindowLines& scene, const WindowFace& face, const GridPoint& p);
 

@@ -10,10 +10,6 @@ namespace {
 
 using Corner = std::pair<std::int64_t, std::int64_t>;  ///< x, y
 
-std::int64_t turn(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
-    return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-}
-
 std::array<GridPoint, 3> counter_clockwise(std::array<GridPoint, 3> t) {
     if (turn(t[0], t[1], t[2]) < 0) std::swap(t[1], t[2]);
     return t;

@@ -15,6 +15,10 @@ struct GridPoint {
     std::int64_t x = 0, y = 0, z = 0;
     bool operator==(const GridPoint&) const = default;
 };
+/// Above 0: r lies to the left of p -> q in the window. Twice the area of the three.
+constexpr std::int64_t turn(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
+    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+}
 inline dvec3 to_dvec3(const GridPoint& p) { return {double(p.x), double(p.y), double(p.z)}; }
 
 /// Pixels x0 .. x1 - 1 of row y, bottom row 0.

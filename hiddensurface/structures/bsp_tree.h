@@ -59,6 +59,9 @@ struct Tree {
 using SplitSink = std::function<void(const TreePiece&, FacetIndex by, const std::vector<Loop>&,
                                      const std::vector<Loop>&)>;
 
+/// How many splitters the algorithms try at a node.
+inline constexpr std::size_t splitters_tried = 8;
+
 /// `order`: indices of polygons. At every node the plane is that of the piece which cuts fewest
 /// others among the first `candidates` of those left (1: always the first).
 Tree build_tree(const std::vector<Polygon>& polygons, const std::vector<std::size_t>& order,

@@ -12,7 +12,7 @@ namespace gw::hiddensurface {
 namespace {
 
 constexpr std::size_t largest_cluster = 512;  ///< faces: each is compared with each
-constexpr std::size_t candidates = 16;        ///< planes of faces tried before all of them
+constexpr std::size_t tried_first = 16;       ///< planes of faces tried before all of them
 
 /// Whether a piece has points in front of a face's plane and behind it.
 struct Reach {
@@ -211,7 +211,7 @@ private:
     /// none of these divides, of all.
     Separation by_a_face(const std::vector<TreePiece>& pieces) {
         Separation best;
-        const std::size_t tried = std::min(candidates, pieces.size());
+        const std::size_t tried = std::min(tried_first, pieces.size());
         for (std::size_t c = 0; c < tried; ++c) consider(pieces, c * pieces.size() / tried, best);
         for (std::size_t i = 0; i < pieces.size() && best.cost == none; ++i)
             consider(pieces, i, best);
