@@ -13,10 +13,6 @@ Solution initial_solution(const PixmapModel& model) {
     return solution;
 }
 
-double magnitude(const dvec3& flux) {
-    return (std::abs(flux.x) + std::abs(flux.y)) + std::abs(flux.z);
-}
-
 dvec3 radiosity_at(const PixmapModel& model, const Solution& solution, std::size_t texel) {
     return model.E[texel] + model.rho[texel] * solution.H[texel];
 }

@@ -23,9 +23,6 @@ struct Solution {
 /// Before the first shot: all that is emitted is unshot.
 Solution initial_solution(const PixmapModel& model);
 
-/// Of all channels together.
-double magnitude(const dvec3& flux);
-
 dvec3 radiosity_at(const PixmapModel& model, const Solution& solution, std::size_t texel);
 
 /// The nearest value that two float32 hold, a head and a rest. All H and unshot are such values, so
