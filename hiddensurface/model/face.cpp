@@ -68,7 +68,7 @@ Side side_of(const GridPoint& a, const GridPoint& b, int s) {
     return {-dy * one, dx * one, dx * (half - a.y) - dy * (half - a.x) - (owns_its_points ? 0 : 1)};
 }
 
-ExactPlane plane_of(const std::array<GridPoint, 3>& t, int s) {
+ExactPlane exact_plane_of(const std::array<GridPoint, 3>& t, int s) {
     const auto& [p, q, r] = t;
     const int128 ux = q.x - p.x, uy = q.y - p.y, uz = q.z - p.z;
     const int128 vx = r.x - p.x, vy = r.y - p.y, vz = r.z - p.z;
@@ -101,7 +101,7 @@ Face make_face(const Input& input, std::size_t polygon, std::vector<GridPoint> o
     for (std::size_t i = 0; i < face.corners.size(); ++i)
         face.sides.push_back(
             side_of(face.corners[i], face.corners[(i + 1) % face.corners.size()], s));
-    face.plane = plane_of(counter_clockwise(triangle.corners), s);
+    face.plane = exact_plane_of(counter_clockwise(triangle.corners), s);
     face.bounds = bounds_of(face.corners, s, input.window());
     face.nearest = face.farthest = face.corners[0].z;
     for (const GridPoint& p : face.corners) {

@@ -10,7 +10,7 @@ namespace gw::radiosity {
 namespace {
 
 constexpr double least_cos = 0.766044443;  // 40 degrees
-constexpr double reach = 1.5;              ///< texels beyond the border that filters can see
+constexpr double filter_reach = 1.5;       ///< texels beyond the border that filters can see
 
 dvec3 space(const dvec2& v) { return {v.x, v.y, 0}; }
 
@@ -90,7 +90,7 @@ private:
     /// Where a texel's middle lies in space, by the facet nearest to it; none where filters do not
     /// see it.
     Place place_of(const Pixmap& pixmap, const dvec2& uv) const {
-        double nearest = reach;
+        double nearest = filter_reach;
         Place place;
         for (std::uint32_t number : pixmap.facets) {
             const Facet& facet = model_.facets[number];

@@ -19,8 +19,8 @@ inline scene::Scene case_scene(const std::string& name) {
 }
 
 /// A scene, its view and what the algorithms see of it.
-struct Setup {
-    explicit Setup(scene::Scene given, Profile with = vgx(), int width = 160, int height = 120)
+struct Trial {
+    explicit Trial(scene::Scene given, Profile with = vgx(), int width = 160, int height = 120)
         : scene(std::move(given)),
           view(scene::make_view(scene, width, height)),
           machine(make_fast(with, width, height, {.threads = 1})),
@@ -28,7 +28,7 @@ struct Setup {
         StepLog none;
         z_buffer = run_on(*machine, algorithm_named("z-buffer"), input, none);
     }
-    Setup(const Setup&) = delete;
+    Trial(const Trial&) = delete;
 
     /// Compared with the Z-buffer.
     Result run(const std::string& name) {

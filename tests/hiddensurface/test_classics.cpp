@@ -39,11 +39,11 @@ TEST_P(Classics, AgreeWithTheZBuffer) {
     const std::uint32_t first = std::get<1>(GetParam()) * scenes_of_a_case + 1;
     std::map<std::string, Counts> sums;
     for (std::uint32_t seed = first; seed < first + scenes_of_a_case; ++seed) {
-        Setup setup(family.scene(seed), vgx(), width, height);
+        Trial trial(family.scene(seed), vgx(), width, height);
         for (const Algorithm& algorithm : algorithms()) {
             if (algorithm.claim != Claim::Always || algorithm.uses_depth_plane) continue;
             if (algorithm.name == "ray-casting" && seed % 10 != 0) continue;
-            const Counts counts = setup.run(algorithm.name).counts;
+            const Counts counts = trial.run(algorithm.name).counts;
             EXPECT_EQ(counts.wrong, 0u) << algorithm.name << ", seed " << seed;
             EXPECT_EQ(counts.undecided, 0u) << algorithm.name << ", seed " << seed;
             add(sums[algorithm.name], counts);
@@ -58,10 +58,10 @@ TEST_P(Classics, AgreeWithTheZBuffer) {
 // lists of lines are of every shape.
 TEST(Windows, OfEveryShapeAgreeWithTheZBuffer) {
     for (const auto& [w, h] : {std::pair{37, 90}, {90, 37}, {1, 40}, {40, 1}, {33, 33}, {2, 65}}) {
-        Setup setup(random_triangles(3, 40), vgx(), w, h);
+        Trial trial(random_triangles(3, 40), vgx(), w, h);
         for (const Algorithm& algorithm : algorithms())
             if (algorithm.claim == Claim::Always) {
-                EXPECT_EQ(setup.run(algorithm.name).counts.wrong, 0u)
+                EXPECT_EQ(trial.run(algorithm.name).counts.wrong, 0u)
                     << algorithm.name << ", " << w << "x" << h;
             }
     }

@@ -40,11 +40,11 @@ TEST(OwnAlgorithm, IsTheListingOfBothPages) {
 }
 
 TEST(OwnAlgorithm, ShowsWhatIsFarthest) {
-    Setup setup(random_layers(1, 16), vgx(), 16, 12);
+    Trial trial(random_layers(1, 16), vgx(), 16, 12);
     StepLog log(Level::Polygon);
-    Result result = run_on(*setup.machine, mine(), setup.input, log);
-    compare(result, setup.z_buffer.ids, setup.input);
-    const auto& polygons = setup.input.polygons;
+    Result result = run_on(*trial.machine, mine(), trial.input, log);
+    compare(result, trial.z_buffer.ids, trial.input);
+    const auto& polygons = trial.input.polygons;
     const auto farthest =
         std::max_element(polygons.begin(), polygons.end(),
                          [](const auto& a, const auto& b) { return a.farthest < b.farthest; });
