@@ -12,19 +12,18 @@ namespace {
 /// not estimated.
 constexpr std::size_t sample_size = 1024;
 
-std::vector<std::size_t> visible_polygons(const Input& input) {
-    std::vector<std::size_t> visible;
-    for (std::size_t i = 0; i < input.polygons.size(); ++i)
-        if (input.polygons[i].visible()) visible.push_back(i);
-    return visible;
-}
-
 /// Evenly over the scene's order.
-Input sample(const Input& input, const std::vector<std::size_t>& visible, std::size_t count) {
+Input sample(const Input& input, std::size_t count) {
     Input some{input.scene, input.view, input.profile, {}};
     for (std::size_t i = 0; i < count; ++i)
-        some.polygons.push_back(input.polygons[visible[i * visible.size() / count]]);
+        some.polygons.push_back(input.polygons[i * input.polygons.size() / count]);
     return some;
+}
+
+double rays(const Input& input) {
+    double visible = 0;
+    for (const Polygon& polygon : input.polygons) visible += polygon.visible() ? 1 : 0;
+    return visible * double(input.view.width) * double(input.view.height);
 }
 
 double questions(const Counts& c) {
@@ -53,17 +52,15 @@ double grown(double a, double b, double times) {
 
 template <class AnyAlgorithm>
 Estimate estimate_of(const AnyAlgorithm& algorithm, const Input& input) {
-    const std::vector<std::size_t> visible = visible_polygons(input);
-    Estimate found{algorithm.name, visible.size()};
+    Estimate found{algorithm.name, input.polygons.size()};
     const Growth& growth = algorithm.growth;
-    if (growth.law == GrowthLaw::Rays)
-        found.seconds = 1e-9 * growth.nanoseconds * double(visible.size()) *
-                        double(input.view.width) * double(input.view.height);
-    if (growth.law != GrowthLaw::Superlinear || visible.size() < 2 * sample_size) return found;
-    const Sample half = run_sample(algorithm, sample(input, visible, sample_size / 2)),
-                 whole = run_sample(algorithm, sample(input, visible, sample_size));
-    const double times = double(visible.size()) / double(sample_size);
-    found.seconds = 1e-9 * growth.nanoseconds * grown(half.questions, whole.questions, times);
+    const double second = 1e-9 * growth.nanoseconds;
+    if (growth.law == GrowthLaw::Rays) found.seconds = second * rays(input);
+    if (growth.law != GrowthLaw::Superlinear || found.polygons < 2 * sample_size) return found;
+    const Sample half = run_sample(algorithm, sample(input, sample_size / 2)),
+                 whole = run_sample(algorithm, sample(input, sample_size));
+    const double times = double(found.polygons) / double(sample_size);
+    found.seconds = second * grown(half.questions, whole.questions, times);
     found.bytes = grown(half.bytes, whole.bytes, times);
     return found;
 }

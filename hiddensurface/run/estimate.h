@@ -10,7 +10,7 @@ namespace gw::hiddensurface {
 
 struct Estimate {
     std::string algorithm;
-    std::size_t polygons = 0;       ///< in the window
+    std::size_t polygons = 0;       ///< of the scene: those outside the window may cost as much
     double seconds = 0, bytes = 0;  ///< 0: grows with the scene, or the scene is small
 };
 Estimate estimate(const Algorithm& algorithm, const Input& input);

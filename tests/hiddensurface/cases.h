@@ -11,6 +11,8 @@
 
 namespace gw::hiddensurface {
 
+Algorithm mine();  ///< mine.cpp, the lecture's example
+
 inline scene::Scene case_scene(const std::string& name) {
     scene::Scene scene =
         scene::read_scene(std::string(GW_SOURCE_DIR "/scenes/hidden/") + name + ".toml").scene;

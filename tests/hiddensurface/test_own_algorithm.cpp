@@ -10,9 +10,6 @@
 #include <sstream>
 
 namespace gw::hiddensurface {
-
-Algorithm mine();
-
 namespace {
 
 std::string text_of(const std::string& file) {
