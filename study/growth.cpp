@@ -46,14 +46,14 @@ std::vector<Place> places(const std::string& axis, bool lines) {
     return all;
 }
 
-struct Stage {
-    Stage(const Place& place, double degrees, const GrowthOptions& options)
+struct Setup {
+    Setup(const Place& place, double degrees, const GrowthOptions& options)
         : scene(place.scene(degrees)),
           view((scene::add_defaults(scene, place.width, place.height),
                 scene::make_view(scene, place.width, place.height))),
           machine(make_fast(vgx(), place.width, place.height, {.threads = options.threads})),
           input(hs::make_input(scene, view, vgx())) {}
-    Stage(const Stage&) = delete;
+    Setup(const Setup&) = delete;
 
     /// Mean number of polygons over a pixel of the window.
     double depth() const {
@@ -85,13 +85,13 @@ std::vector<std::uint32_t> order_of(const hs::Input& input, const hs::Result& re
     return ids;
 }
 
-std::map<std::string, double> measured(const hs::Algorithm& algorithm, Stage& stage,
-                                       Stage* before) {
+std::map<std::string, double> measured(const hs::Algorithm& algorithm, Setup& setup,
+                                       Setup* before) {
     hs::StepLog none;
     std::map<std::string, double> values;
     values["seconds"] =
-        seconds_of([&] { stage.machine->execute(algorithm.run(stage.input, none).list); });
-    const hs::Result result = hs::run_on(*stage.machine, algorithm, stage.input, none);
+        seconds_of([&] { setup.machine->execute(algorithm.run(setup.input, none).list); });
+    const hs::Result result = hs::run_on(*setup.machine, algorithm, setup.input, none);
     for (const auto& [name, count] : hs::count_names()) values[name] = double(result.counts.*count);
     if (!before) return values;
     const hs::Result earlier = hs::run_on(*before->machine, algorithm, before->input, none);
@@ -100,19 +100,19 @@ std::map<std::string, double> measured(const hs::Algorithm& algorithm, Stage& st
         changed += result.ids[i] != earlier.ids[i] ? 1 : 0;
     values["changed"] = changed;
     values["moved"] =
-        double(moves_between(order_of(before->input, earlier), order_of(stage.input, result)));
+        double(moves_between(order_of(before->input, earlier), order_of(setup.input, result)));
     return values;
 }
 
-std::map<std::string, double> measured(const hs::LineAlgorithm& algorithm, Stage& stage,
-                                       Stage* before) {
+std::map<std::string, double> measured(const hs::LineAlgorithm& algorithm, Setup& setup,
+                                       Setup* before) {
     hs::StepLog none;
     std::map<std::string, double> values;
     values["seconds"] = seconds_of([&] {
-        const hs::LineOutput output = algorithm.run(stage.input, none);
-        stage.machine->execute(hs::draw_lines(stage.input, algorithm.name, output.lines));
+        const hs::LineOutput output = algorithm.run(setup.input, none);
+        setup.machine->execute(hs::draw_lines(setup.input, algorithm.name, output.lines));
     });
-    const hs::LineResult result = hs::run_on(*stage.machine, algorithm, stage.input, none);
+    const hs::LineResult result = hs::run_on(*setup.machine, algorithm, setup.input, none);
     for (const auto& [name, count] : hs::line_count_names())
         values[name] = double(result.counts.*count);
     if (!before) return values;
@@ -148,10 +148,10 @@ public:
                     cut(axis, algorithm.name, times[algorithm.name].back());
                 break;
             }
-            Stage stage(place, place.degrees, options_);
-            std::unique_ptr<Stage> before;
-            if (place.degrees > 0) before = std::make_unique<Stage>(place, 0, options_);
-            const double x = axis == "depth"        ? stage.depth()
+            Setup setup(place, place.degrees, options_);
+            std::unique_ptr<Setup> before;
+            if (place.degrees > 0) before = std::make_unique<Setup>(place, 0, options_);
+            const double x = axis == "depth"        ? setup.depth()
                              : axis == "resolution" ? double(place.width) * place.height
                                                     : place.parameter;
             for (const auto& algorithm : algorithms) {
@@ -162,7 +162,7 @@ public:
                 }
                 say_(fmt::format("{} {:.6g}: {}", axis, x, algorithm.name));
                 growth_.points.push_back(
-                    {axis, lines, x, algorithm.name, measured(algorithm, stage, before.get())});
+                    {axis, lines, x, algorithm.name, measured(algorithm, setup, before.get())});
                 t.push_back(growth_.points.back().values.at("seconds"));
             }
         }

@@ -14,7 +14,7 @@ namespace {
 constexpr double half = 1;     ///< the wall is a square from -half to half, at distance 1
 constexpr double texels = 16;  ///< per unit
 
-radiosity::Model wall() {
+radiosity::PixmapModel wall() {
     scene::Scene scene{.name = "wall"};
     scene.materials.push_back({.name = "light", .Kd = vec3(0), .Ke = vec3(1)});
     const float h = float(half);
@@ -32,7 +32,7 @@ double corner(double x, double y) {
     return (x / a * atan2(y / a, 1) + y / b * atan2(x / b, 1)) / (2 * pi);
 }
 
-std::vector<double> exact(const radiosity::Model& model) {
+std::vector<double> exact(const radiosity::PixmapModel& model) {
     std::vector<double> factors(model.texel_count());
     const radiosity::Facet& facet = model.facets.front();
     for (int y = 0; y < model.pixmaps[0].height; ++y)
@@ -48,7 +48,7 @@ struct Deviation {
     double squares = 0, missed = 0;
 };
 
-Deviation deviation(const radiosity::Model& model, const std::vector<double>& truth, int size,
+Deviation deviation(const radiosity::PixmapModel& model, const std::vector<double>& truth, int size,
                     int parts, int turn) {
     radiosity::FormFactors factors(model, {.hemicube = size,
                                            .scan = {.most_parts = parts},
@@ -76,7 +76,7 @@ plot::Series series(const std::vector<HemicubeError>& rows, const char* name,
 
 std::vector<HemicubeError> hemicube_errors(const std::vector<int>& sizes, int turns,
                                            const std::function<void(const std::string&)>& say) {
-    const radiosity::Model model = wall();
+    const radiosity::PixmapModel model = wall();
     const std::vector<double> truth = exact(model);
     const double count = double(truth.size()) * turns;
     std::vector<HemicubeError> rows;

@@ -9,6 +9,7 @@
 #include "gw/error.h"
 #include "hiddensurface/lines/line_algorithm.h"
 #include "hiddensurface/quiz/quiz.h"
+#include "hiddensurface/run/estimate.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -62,10 +63,9 @@ void add_output_options(CLI::App& command, HiddenOptions& options) {
             "At most N pictures of steps (default 48), evenly over all")
         ->type_name("N");
     command
-        .add_option(
-            "--compare", options.compare,
-            "A sheet of all algorithms with difference pictures, and the counts as CSV, "
-            "JSON and HTML")
+        .add_option("--compare", options.compare,
+                    "A sheet of all algorithms with difference pictures, and the counts as CSV, "
+                    "JSON and HTML")
         ->type_name("DIR");
     CLI::Option* json = command.add_flag_callback(
         "--json", [&] { options.form = Form::Json; }, "The counts as JSON");
@@ -76,13 +76,11 @@ void add_output_options(CLI::App& command, HiddenOptions& options) {
 }
 
 void add_exercise_options(CLI::App& command, HiddenOptions& options) {
-    CLI::Option* quiz =
-        command
-            .add_option(
-                "--quiz", options.quiz,
-                "Instead of a scene's pictures: exercises in DIR/handout, "
-                "their answers in DIR/key.json")
-            ->type_name("DIR");
+    CLI::Option* quiz = command
+                            .add_option("--quiz", options.quiz,
+                                        "Instead of a scene's pictures: exercises in DIR/handout, "
+                                        "their answers in DIR/key.json")
+                            ->type_name("DIR");
     const auto number = [&, quiz](const char* name, int& to, int low, int high, const char* help) {
         command
             .add_option_function<std::string>(
@@ -132,6 +130,12 @@ void add_options(CLI::App& command, HiddenOptions& options) {
             },
             algorithms_help())
         ->type_name("NAME");
+    command
+        .add_option_function<std::string>(
+            "--limit",
+            [&](const std::string& word) { options.limit = number_from("--limit", word, 0, 1e9); },
+            "Leave out algorithms that would take longer (default 300); 0: none")
+        ->type_name("SECONDS");
     add_output_options(command, options);
     add_exercise_options(command, options);
 }
@@ -168,6 +172,25 @@ std::vector<const hs::Algorithm*> wanted(const HiddenOptions& options) {
     return all;
 }
 
+/// Those that take no longer than the limit. Says which are left out; throws Error if all are.
+std::vector<const hs::Algorithm*> within_limit(const HiddenOptions& options,
+                                               const hs::Input& input) {
+    std::vector<const hs::Algorithm*> within;
+    std::string last;
+    for (const hs::Algorithm* algorithm : wanted(options)) {
+        const hs::Estimate estimate = hs::estimate(*algorithm, input);
+        if (!hs::is_beyond(estimate, options.limit)) {
+            within.push_back(algorithm);
+            continue;
+        }
+        last = hs::text_of(estimate);
+        if (options.algorithm.empty())
+            print_error("gw: warning: left out: " + last + "; --limit 0 to try\n");
+    }
+    if (within.empty()) throw Error(last + "; --limit 0 to try");
+    return within;
+}
+
 int surfaces(const HiddenOptions& options, Session& session) {
     Progress progress("reading", options.picture.quiet);
     const Profile profile = load_profile(options.picture, session);
@@ -179,12 +202,14 @@ int surfaces(const HiddenOptions& options, Session& session) {
         scene::make_view(scene, options.picture.size.width, options.picture.size.height);
     const auto machine = make_machine(options.picture, profile, session);
     const hs::Input input = hs::make_input(scene, view, profile);
+    progress.at("estimating");
+    const std::vector<const hs::Algorithm*> chosen = within_limit(options, input);
     hs::StepLog none;
     progress.at("z-buffer");
     const hs::Result expected = hs::run_on(*machine, hs::algorithm_named("z-buffer"), input, none);
     hs::StepLog log = options.steps.empty() ? hs::StepLog() : hs::StepLog(options.level);
     std::vector<Compared> all;
-    for (const hs::Algorithm* algorithm : wanted(options)) {
+    for (const hs::Algorithm* algorithm : chosen) {
         progress.at(algorithm->name);
         all.push_back({algorithm, hs::run_on(*machine, *algorithm, input, log)});
         hs::compare(all.back().result, expected.ids, input);

@@ -6,8 +6,10 @@
 #include "apps/hidden/files.h"
 #include "apps/hidden/options.h"
 #include "apps/hidden/pictures.h"
+#include "gw/error.h"
 #include "hiddensurface/lines/draw_lines.h"
 #include "hiddensurface/lines/lines_svg.h"
+#include "hiddensurface/run/estimate.h"
 #include "image/animation.h"
 #include "image/write.h"
 
@@ -128,6 +130,9 @@ int hidden_lines(const HiddenOptions& options, Session& session) {
     const auto machine = make_machine(options.picture, profile, session);
     const hs::Input input = hs::make_input(scene, view, profile);
     const hs::LineAlgorithm& algorithm = *hs::line_algorithm_named(options.algorithm);
+    if (const hs::Estimate estimate = hs::estimate(algorithm, input);
+        hs::is_beyond(estimate, options.limit))
+        throw Error(hs::text_of(estimate) + "; --limit 0 to try");
     hs::StepLog log = options.steps.empty() ? hs::StepLog() : hs::StepLog(options.level);
     progress.at(algorithm.name);
     const hs::LineResult result = hs::run_on(*machine, algorithm, input, log);

@@ -11,6 +11,8 @@ enum class Form { Text, Json, Csv };
 struct HiddenOptions {
     PictureOptions picture{.size = {320, 240}};
     std::string algorithm;  ///< empty: all of hidden surfaces
+    /// Seconds that a run may take by its estimate; 0: any.
+    double limit = 300;
     std::filesystem::path steps, compare;
     hiddensurface::Level level = hiddensurface::Level::Polygon;
     int pictures = 48;

@@ -20,6 +20,13 @@ Color to_color(const dvec3& v) {
     return {byte(v.x), byte(v.y), byte(v.z)};
 }
 
+/// Kd; of a material without, the colour that it shows otherwise; grey where it has none at all.
+dvec3 color_of(const scene::Material& material) {
+    for (const vec3& color : {material.Kd, material.Ka, material.Ke, material.Ks})
+        if (color != vec3(0)) return dvec3(color);
+    return dvec3(0.3);
+}
+
 /// |cos| of the angle between normal and line of sight.
 double turned(const hs::Polygon& polygon, const dvec3& eye) {
     const dvec3 n = hs::polygon_normal(polygon.world), to_eye = eye - polygon.world[0];
@@ -89,7 +96,7 @@ std::map<std::uint32_t, Color> flat_colors(const hs::Input& input) {
         const scene::Material& material =
             input.scene.materials.at(input.scene.objects[polygon.object].material);
         colors[polygon.id] =
-            to_color(dvec3(material.Kd) * (0.4 + 0.6 * turned(polygon, input.view.camera.eye)));
+            to_color(color_of(material) * (0.4 + 0.6 * turned(polygon, input.view.camera.eye)));
     }
     return colors;
 }

@@ -20,12 +20,13 @@ image::Layers layers_of(const radiosity::Saved& saved) {
 }  // namespace
 
 void put_solution(image::OutputSet& files, const std::filesystem::path& file,
-                  const radiosity::Model& model, const radiosity::FormFactorOptions& options,
+                  const radiosity::PixmapModel& model, const radiosity::FormFactorOptions& options,
                   const radiosity::Solution& solution) {
     image::put_layers(files.add(file), layers_of(radiosity::save(model, options, solution)));
 }
 
-radiosity::Solution load_solution(const std::filesystem::path& file, const radiosity::Model& model,
+radiosity::Solution load_solution(const std::filesystem::path& file,
+                                  const radiosity::PixmapModel& model,
                                   const radiosity::FormFactorOptions& options) {
     // A pipe has no end that could be waited for.
     std::error_code ignored;

@@ -10,11 +10,12 @@
 namespace gw::apps {
 
 void put_solution(image::OutputSet& files, const std::filesystem::path& file,
-                  const radiosity::Model& model, const radiosity::FormFactorOptions& options,
+                  const radiosity::PixmapModel& model, const radiosity::FormFactorOptions& options,
                   const radiosity::Solution& solution);
 
 /// Throws Error for a file that is missing, damaged, or of another scene, method or version.
-radiosity::Solution load_solution(const std::filesystem::path& file, const radiosity::Model& model,
+radiosity::Solution load_solution(const std::filesystem::path& file,
+                                  const radiosity::PixmapModel& model,
                                   const radiosity::FormFactorOptions& options);
 
 }  // namespace gw::apps

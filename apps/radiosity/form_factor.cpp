@@ -12,7 +12,7 @@ namespace {
 
 /// The mean over a figure's patches of what they send to another figure, and what the first one's
 /// area is.
-std::pair<double, double> form_factor(const radiosity::Model& model,
+std::pair<double, double> form_factor(const radiosity::PixmapModel& model,
                                       radiosity::FormFactors& factors, const std::string& from,
                                       const std::string& to, Progress& progress) {
     std::set<std::uint32_t> sources, targets;
@@ -36,7 +36,7 @@ std::pair<double, double> form_factor(const radiosity::Model& model,
     return {sum / area, area};
 }
 
-void check_figure(const radiosity::Model& model, const std::string& name) {
+void check_figure(const radiosity::PixmapModel& model, const std::string& name) {
     std::set<std::string> names;
     for (const radiosity::Figure& figure : model.figures) names.insert(figure.name);
     if (names.contains(name)) return;
@@ -47,7 +47,7 @@ void check_figure(const radiosity::Model& model, const std::string& name) {
 
 }  // namespace
 
-void print_form_factor(const RadiosityOptions& options, const radiosity::Model& model,
+void print_form_factor(const RadiosityOptions& options, const radiosity::PixmapModel& model,
                        Progress& progress) {
     const std::string &a = options.form_factor[0], &b = options.form_factor[1];
     check_figure(model, a);

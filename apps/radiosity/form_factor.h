@@ -7,7 +7,7 @@
 namespace gw::apps {
 
 /// Prints both form factors. Throws Error for a name that no figure has.
-void print_form_factor(const RadiosityOptions& options, const radiosity::Model& model,
+void print_form_factor(const RadiosityOptions& options, const radiosity::PixmapModel& model,
                        Progress& progress);
 
 }  // namespace gw::apps

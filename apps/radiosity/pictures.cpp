@@ -85,8 +85,8 @@ RadiosityPictures::RadiosityPictures(const RadiosityOptions& options, const scen
                                           options.picture.size.height));
 }
 
-RadiosityPictures::Image RadiosityPictures::draw(const radiosity::Model& model,
-                                                 const radiosity::Shown& colors,
+RadiosityPictures::Image RadiosityPictures::draw(const radiosity::PixmapModel& model,
+                                                 const radiosity::DisplayedPixmaps& colors,
                                                  const scene::View& view, bool strips) {
     const radiosity::Brightness brightness{pow(2, options_.exposure), scene_.background};
     const CommandList list =
@@ -104,10 +104,11 @@ RadiosityPictures::Image RadiosityPictures::draw(const radiosity::Model& model,
 }
 
 // [F4, K4] What radiosity leaves out, by the passes of equations 2 and 5 over the scene that glows.
-std::vector<Rgba> RadiosityPictures::with_components(const radiosity::Model& model,
-                                                     const radiosity::Shown& colors,
+std::vector<Rgba> RadiosityPictures::with_components(const radiosity::PixmapModel& model,
+                                                     const radiosity::DisplayedPixmaps& colors,
                                                      const scene::View& view) {
-    const scene::Scene all = radiosity::glowing(scene_, model, colors, pow(2, options_.exposure));
+    const scene::Scene all =
+        radiosity::emissive_scene(scene_, model, colors, pow(2, options_.exposure));
     const scene::Scene seen = radiosity::without_backs(all, view.camera);
     multipass::Options passes;
     std::optional<raytrace::World> world;
@@ -132,8 +133,8 @@ std::vector<Rgba> RadiosityPictures::with_components(const radiosity::Model& mod
 std::string RadiosityPictures::put_view(const radiosity::Solver& solver, const scene::View& view,
                                         const std::filesystem::path& stem,
                                         image::OutputSet& files) {
-    const radiosity::Shown colors =
-        radiosity::shown(solver.model(), solver.solution(), !options_.no_ambient);
+    const radiosity::DisplayedPixmaps colors =
+        radiosity::displayed_pixmaps(solver.model(), solver.solution(), !options_.no_ambient);
     const auto picture = [&](const Image& image) {
         return to_picture(image.color, view, profile_.color_bits, options_.gamma);
     };

@@ -20,9 +20,10 @@ private:
     struct Image {
         std::vector<Rgba> color, figures;  ///< figures: only where two pictures are compared
     };
-    Image draw(const radiosity::Model& model, const radiosity::Shown& colors,
+    Image draw(const radiosity::PixmapModel& model, const radiosity::DisplayedPixmaps& colors,
                const scene::View& view, bool strips);
-    std::vector<Rgba> with_components(const radiosity::Model& model, const radiosity::Shown& colors,
+    std::vector<Rgba> with_components(const radiosity::PixmapModel& model,
+                                      const radiosity::DisplayedPixmaps& colors,
                                       const scene::View& view);
     std::string put_view(const radiosity::Solver& solver, const scene::View& view,
                          const std::filesystem::path& stem, image::OutputSet& files);

@@ -63,7 +63,7 @@ void put_recordings(CommandRecorder& recorder, const RadiosityOptions& options,
 class Run {
 public:
     Run(const RadiosityOptions& options, Session& session, const scene::Scene& scene,
-        radiosity::Model model, Progress& progress)
+        radiosity::PixmapModel model, Progress& progress)
         : options_(options),
           session_(session),
           progress_(progress),
@@ -154,7 +154,7 @@ private:
         put_index(files, options_.output, session_);
         files.commit();
         const Step& last = steps_.back();
-        const radiosity::Model& model = solver_.model();
+        const radiosity::PixmapModel& model = solver_.model();
         print(fmt::format("{}, {}, {}, {}\n",
                           inspect::plural(model.figures.size(), "figure", "figures"),
                           inspect::plural(model.pixmaps.size(), "pixmap", "pixmaps"),
@@ -189,7 +189,7 @@ private:
         if (options_.anew) compare(radiosity::make_model(changed, options_.model));
     }
 
-    void compare(radiosity::Model model) {
+    void compare(radiosity::PixmapModel model) {
         progress_.at("solving anew");
         const auto begin = Clock::now();
         radiosity::Solver anew(std::move(model), options_.solver);
@@ -240,7 +240,7 @@ int compute(RadiosityOptions options, Session session) {
         return recorded(make_fast(radiosity::id_profile(), size, size, {.threads = 1}), size, size,
                         session.recorder);
     };
-    radiosity::Model model = radiosity::make_model(scene, options.model);
+    radiosity::PixmapModel model = radiosity::make_model(scene, options.model);
     if (!options.form_factor.empty()) {
         print_form_factor(options, model, progress);
         return Done;

@@ -7,14 +7,14 @@
 namespace gw::bench {
 namespace {
 
-radiosity::Model cornell() {
+radiosity::PixmapModel cornell() {
     return radiosity::make_model(
         scene::read_scene(GW_SOURCE_DIR "/scenes/radiosity/cornell.toml").scene,
         {.texels_per_unit = 64 / 559.2});
 }
 
 void drawn(benchmark::State& state) {
-    const radiosity::Model model = cornell();
+    const radiosity::PixmapModel model = cornell();
     const int size = int(state.range(0));
     radiosity::HemicubePainter painter(size);
     radiosity::IdBuffers buffers;
@@ -25,7 +25,7 @@ void drawn(benchmark::State& state) {
 BENCHMARK(drawn)->Name("radiosity/hemicube")->Arg(128)->Arg(512)->Unit(benchmark::kMicrosecond);
 
 void form_factors(benchmark::State& state) {
-    const radiosity::Model model = cornell();
+    const radiosity::PixmapModel model = cornell();
     radiosity::FormFactors factors(model, {.threads = 1});
     const std::vector<radiosity::ShootPoint> points{{{278, 540, 278}, {0, -1, 0}, 1, 10}};
     for (auto _ : state) benchmark::DoNotOptimize(factors.from_points(points, 0));

@@ -1,14 +1,14 @@
-// How the machine's time grows: bench_growth prints a table with fitted exponents and writes plots.
-// With --largest it draws the largest frame once and prints the memory it took.
-#include "bench/growth/scenes.h"
-#include "bench/growth/sweeps.h"
-#include "bench/peers/ours.h"
-#include "gw/machine.h"
+// How time and memory grow: bench_growth prints a table with fitted exponents and writes plots.
+// With --largest it draws the largest frame once and prints its peak memory.
+#include "bench/growth/sweep.h"
+#include "gw/error.h"
 #include "image/output/output_file.h"
 #include "study/plot/plot.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -17,111 +17,160 @@
 #include <filesystem>
 
 namespace gw::growth {
-namespace {
 
-struct Options {
-    std::string scene = GW_SOURCE_DIR "/scenes/fig9.toml", folder = "build/growth", only;
-    int repeats = 3;
-    bool largest = false, scenes = false;
-};
-
-/// The least wall time of some runs after one that warms up, in milliseconds: other processes only
-/// add. Every frame has another view.
-double milliseconds(const Step& step, int repeats) {
-    const peers::Frame frame = step.frame();
-    const auto machine = make_fast(vgx(), frame.width, frame.height, {.threads = step.threads});
-    CommandList list = peers::command_list(step.workload, frame);
+double least_time(int repeats, const std::function<void()>& run) {
     double least = 0;
     for (int i = 0; i <= repeats; ++i) {
-        list = peers::moved(std::move(list));
         const auto start = std::chrono::steady_clock::now();
-        machine->execute(list), machine->reset_passes();
+        run();
         const std::chrono::duration<double, std::milli> took =
             std::chrono::steady_clock::now() - start;
-        if (i == 1 || took.count() < least) least = took.count();
+        if (i <= 1 || took.count() < least) least = took.count();
+        if (i == 0 && took.count() > 1000) break;  // long runs are their own warming up
     }
     return least;
 }
 
-/// One sweep's times, printed as they come.
-std::vector<dvec2> measure(const Sweep& sweep, int repeats) {
-    std::vector<dvec2> points;
+namespace {
+
+struct Options {
+    std::string scene = GW_SOURCE_DIR "/scenes/fig9.toml", folder = "build/growth";
+    std::vector<std::string> only;
+    int repeats = 3;
+    double limit = 60;
+    bool largest = false;
+};
+
+struct Cost {
+    double milliseconds = 0, megabytes = 0;  ///< peak memory
+};
+
+/// In a child process. Throws Error where that fails.
+Cost cost_of(const Step& step, int repeats) {
+    int pipe_ends[2];
+    if (pipe(pipe_ends) != 0) throw Error("no pipe to a measured process");
+    std::fflush(nullptr);
+    const pid_t child = fork();
+    if (child < 0) throw Error("no process for a measurement");
+    if (child == 0) {
+        double took = 0;
+        try {
+            took = step.milliseconds(repeats);
+        } catch (const std::exception& error) {
+            fmt::print(stderr, "bench_growth: {}\n", error.what());
+            std::fflush(stderr);
+            _exit(1);
+        }
+        const bool written = write(pipe_ends[1], &took, sizeof took) == sizeof took;
+        _exit(written ? 0 : 1);
+    }
+    close(pipe_ends[1]);
+    Cost cost;
+    const bool got =
+        read(pipe_ends[0], &cost.milliseconds, sizeof cost.milliseconds) == sizeof(double);
+    close(pipe_ends[0]);
+    int status = 0;
+    rusage usage{};
+    wait4(child, &status, 0, &usage);
+    if (!got || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+        throw Error("a measured process failed");
+    cost.megabytes = double(usage.ru_maxrss) / 1024;
+    return cost;
+}
+
+struct Measured {
+    std::vector<dvec2> time, memory;
+};
+
+/// As much longer as the last step was than the one before.
+double next_time(const std::vector<dvec2>& time) {
+    if (time.size() < 2) return time.empty() ? 0 : time.back().y;
+    return time.back().y * std::max(1.0, time.back().y / time[time.size() - 2].y);
+}
+
+/// One sweep, printed as it goes; it stops where the next step would take longer than the limit.
+Measured measure(const Sweep& sweep, const Options& options) {
+    Measured measured;
     for (const Step& step : sweep.steps) {
-        points.push_back({step.amount, milliseconds(step, repeats)});
-        fmt::print("{:<10}{:>12.0f}{:>12.2f} ms\n", sweep.name, step.amount, points.back().y);
+        if (next_time(measured.time) > 1000 * options.limit) {
+            fmt::print("{:<16}{:>12.0f}   not run: longer than {:.0f} s\n", sweep.name, step.amount,
+                       options.limit);
+            break;
+        }
+        const Cost cost = cost_of(step, options.repeats);
+        measured.time.push_back({step.amount, std::max(cost.milliseconds, 1e-4)});
+        measured.memory.push_back({step.amount, cost.megabytes});
+        fmt::print("{:<16}{:>12.0f}{:>14.3f} ms{:>10.0f} MB\n", sweep.name, step.amount,
+                   cost.milliseconds, cost.megabytes);
         std::fflush(stdout);
     }
-    return points;
+    return measured;
 }
 
-void print_law(const Sweep& sweep, const std::vector<dvec2>& points) {
-    const dvec2 &first = points.front(), &last = points.back();
-    fmt::print("{:<10}exponent {:.2f}; first {:.2f} ms, each more {:.3g} ms\n\n", sweep.name,
-               plot::power_law(points).exponent, first.y, (last.y - first.y) / (last.x - first.x));
+/// Of the largest amounts, where what is done once no longer counts; 0: too few.
+double last_exponent(const std::vector<dvec2>& points) {
+    if (points.size() < 2) return 0;
+    const auto from = points.end() - std::min<std::ptrdiff_t>(3, std::ptrdiff_t(points.size()));
+    return plot::power_law({from, points.end()}).exponent;
 }
 
-void write_plot(const Sweep& sweep, const std::vector<dvec2>& points, const Options& options) {
+void print_law(const Sweep& sweep, const Measured& measured) {
+    if (measured.time.size() < 2) return;
+    fmt::print(
+        "{:<16}exponent {:.2f}, of the last three {:.2f}; memory of the last three {:.2f}\n\n",
+        sweep.name, plot::power_law(measured.time).exponent, last_exponent(measured.time),
+        last_exponent(measured.memory));
+}
+
+void write_plot(const Sweep& sweep, const Measured& measured, const Options& options) {
+    if (measured.time.size() < 2) return;
     const plot::Plot plot{
-        .title = fmt::format("Time of a frame by {}", sweep.name),
-        .caption = fmt::format("Fitted exponent {:.2f}.", plot::power_law(points).exponent),
+        .title = fmt::format("{} by {}", sweep.name, sweep.quantity),
+        .caption =
+            fmt::format("Exponent of the last three points {:.2f}.", last_exponent(measured.time)),
         .command = fmt::format("build/release/bin/bench_growth --only {}", sweep.name),
-        .x = {sweep.name, 2},
-        .y = {"milliseconds", 10},
-        .series = {{"measured", points}}};
+        .x = {sweep.quantity, sweep.steps.back().amount > 1000 ? 10 : 2},
+        .y = {"milliseconds; MB", 10},
+        .series = {{"milliseconds", measured.time}, {"MB at the peak", measured.memory}}};
     const std::filesystem::path base =
         std::filesystem::path(options.folder) / ("growth-" + sweep.name);
     image::write_file(base.string() + ".svg", plot::svg(plot));
     image::write_file(base.string() + ".csv", plot::csv(plot));
 }
 
-double user_seconds() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return double(usage.ru_utime.tv_sec) + double(usage.ru_utime.tv_usec) * 1e-6;
-}
-
-/// Processor time of reading each file of a sweep, printed with its exponent.
-void read_scenes(const Options& options) {
-    for (const SceneSweep& sweep : scene_sweeps()) {
-        if (!options.only.empty() && sweep.name != options.only) continue;
-        std::vector<dvec2> points;
-        for (const double amount : sweep.amounts) {
-            const std::filesystem::path file =
-                std::filesystem::path(options.folder) / ("growth-" + sweep.file);
-            image::write_file(file, sweep.text(int(amount)));
-            const double start = user_seconds();
-            read_swept(file.string());
-            points.push_back({amount, (user_seconds() - start) * 1000});
-            std::filesystem::remove(file);
-            fmt::print("{:<20}{:>12.0f}{:>12.2f} ms\n", sweep.name, amount, points.back().y);
-            std::fflush(stdout);
-        }
-        print_law({sweep.name, {}}, points);
-        write_plot({sweep.name, {}}, points, options);
-    }
-}
-
 void draw_largest(const Options& options) {
-    const Step step = largest(options.scene);
-    const double took = milliseconds(step, 1);
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    fmt::print(
-        "{:.0f} triangles, 4096x4096 pixels, {} passes, {} threads: {:.0f} ms, {:.2f} GiB at most\n",
-        step.amount, step.workload.passes.size() - 1, step.threads, took,
-        double(usage.ru_maxrss) / (1024 * 1024));
+    const Step step = largest_frame(options.scene);
+    const Cost cost = cost_of(step, 1);
+    fmt::print("{:.0f} triangles, 4096x4096 pixels, 64 passes, 2 threads: {:.0f} ms, {:.2f} GiB\n",
+               step.amount, cost.milliseconds, cost.megabytes / 1024);
+}
+
+std::vector<Sweep> all_sweeps(const std::string& scene) {
+    std::vector<Sweep> all;
+    for (auto&& family : {machine_sweeps(scene), scene_sweeps(), reader_sweeps()})
+        all.insert(all.end(), family.begin(), family.end());
+    return all;
+}
+
+bool wanted(const std::string& name, const std::vector<std::string>& only) {
+    return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
 }
 
 void run(const Options& options) {
     if (options.largest) return draw_largest(options);
     std::filesystem::create_directories(options.folder);
-    if (options.scenes) return read_scenes(options);
-    for (const Sweep& sweep : sweeps(options.scene)) {
-        if (!options.only.empty() && sweep.name != options.only) continue;
-        const std::vector<dvec2> points = measure(sweep, options.repeats);
-        print_law(sweep, points);
-        write_plot(sweep, points, options);
+    for (const Sweep& sweep : all_sweeps(options.scene)) {
+        if (!wanted(sweep.name, options.only)) continue;
+        const Measured measured = measure(sweep, options);
+        print_law(sweep, measured);
+        write_plot(sweep, measured, options);
     }
+}
+
+std::vector<std::string> names() {
+    std::vector<std::string> names;
+    for (const Sweep& sweep : all_sweeps("")) names.push_back(sweep.name);
+    return names;
 }
 
 }  // namespace
@@ -130,17 +179,16 @@ void run(const Options& options) {
 int main(int argc, char** argv) {
     gw::growth::Options options;
     CLI::App app{
-        "How the machine's time grows with triangles, pixels, passes, samples, lights, threads.\n"
-        "Example: bench_growth --only passes"};
-    app.add_option("--scene", options.scene, "whose geometry is drawn")->capture_default_str();
+        "How time and memory grow with triangles, pixels, passes, objects, lights ...\n"
+        "Example: bench_growth --only passes --only scene-draw"};
+    app.add_option("--scene", options.scene, "whose geometry the machine's sweeps draw")
+        ->capture_default_str();
     app.add_option("-o,--output", options.folder, "folder for the plots")->capture_default_str();
-    app.add_option("--only", options.only,
-                   "one of triangles, pixels, passes, samples, lights, threads; with --scenes one "
-                   "of its sweeps");
+    app.add_option("--only", options.only, "only these sweeps")
+        ->check(CLI::IsMember(gw::growth::names()));
     app.add_option("--repeats", options.repeats, "timed repeats")->check(CLI::Range(1, 1000));
-    app.add_flag("--scenes", options.scenes,
-                 "time reading scene files: boxes, named-lights, materials, numbers, groups, "
-                 "smoothing-groups, faces-at-a-point, vertices-at-a-point");
+    app.add_option("--limit", options.limit, "seconds: a sweep ends before a longer run")
+        ->capture_default_str();
     app.add_flag("--largest", options.largest, "draw the largest frame and print its memory");
     CLI11_PARSE(app, argc, argv);
     try {

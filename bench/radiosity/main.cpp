@@ -76,7 +76,7 @@ public:
         for (int i = 0; i < threads; ++i)
             all_.push_back(std::make_unique<radiosity::HemicubePainter>(size));
     }
-    void draw(const radiosity::Model& model, const std::vector<radiosity::Hemicube>& cubes) {
+    void draw(const radiosity::PixmapModel& model, const std::vector<radiosity::Hemicube>& cubes) {
         parallel_for(cubes.size(), threads_, [&](std::size_t i, int worker) {
             const auto w = std::size_t(worker);
             all_[w]->draw(model, cubes[i], buffers_[w]);
@@ -90,7 +90,7 @@ private:
 };
 
 Row measure(double x, int size, double texels, int segments, const Options& options) {
-    const radiosity::Model model =
+    const radiosity::PixmapModel model =
         radiosity::make_model(box_with(segments), {.texels_per_unit = texels});
     radiosity::FormFactors factors(model, {.hemicube = size, .threads = options.threads});
     Painters painters(size, options.threads);
@@ -160,7 +160,7 @@ struct Shares {
     double drawn = 0, whole = 0;
 };
 
-Shares shares_of(const radiosity::Model& model) {
+Shares shares_of(const radiosity::PixmapModel& model) {
     radiosity::FormFactors factors(model, {.threads = 1});
     radiosity::HemicubePainter painter(128);
     radiosity::IdBuffers buffers;
@@ -191,7 +191,7 @@ void cornell() {
         while (radiosity::books(solver.model(), solver.solution()).unshot_share() > 0.01)
             hemicubes += solver.shoot()->hemicubes;
     });
-    const radiosity::Model& model = solver.model();
+    const radiosity::PixmapModel& model = solver.model();
     const Shares shares = shares_of(model);
     fmt::print(
         "\nCornell box, {} texels, {} patches, to 1 % unshot: {} shots, {} hemicubes of 128, {:.1f} s on "

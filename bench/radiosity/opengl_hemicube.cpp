@@ -30,7 +30,7 @@ struct OpenGlHemicube::Context {
     std::vector<unsigned char> window, read;
     std::vector<peers::GlMesh> meshes;
 
-    Context(const radiosity::Model& model, int pixels)
+    Context(const radiosity::PixmapModel& model, int pixels)
         : size(pixels), window(std::size_t(pixels) * std::size_t(pixels) * 4), read(window.size()) {
         use();
         for (const scene::Object& object : model.drawn.objects)
@@ -56,7 +56,7 @@ struct OpenGlHemicube::Context {
     }
 };
 
-OpenGlHemicube::OpenGlHemicube(const radiosity::Model& model, int size)
+OpenGlHemicube::OpenGlHemicube(const radiosity::PixmapModel& model, int size)
     : context_(std::make_unique<Context>(model, size)) {}
 OpenGlHemicube::~OpenGlHemicube() = default;
 

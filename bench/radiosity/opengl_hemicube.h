@@ -10,7 +10,7 @@ namespace gw::bench {
 class OpenGlHemicube {
 public:
     /// Throws Error where OSMesa gives no context. GALLIUM_DRIVER chooses the driver.
-    OpenGlHemicube(const radiosity::Model& model, int size);
+    OpenGlHemicube(const radiosity::PixmapModel& model, int size);
     ~OpenGlHemicube();
     OpenGlHemicube(const OpenGlHemicube&) = delete;
     OpenGlHemicube& operator=(const OpenGlHemicube&) = delete;

@@ -187,8 +187,7 @@ private:
 }  // namespace
 
 Algorithm a_buffer() {
-    return {.place = 86,
-            .name = "a-buffer",
+    return {.name = "a-buffer",
             .title = "A-buffer: masks of 32 points a pixel (1984)",
             .claim = Claim::Always,
             .run = [](const Input& input, StepLog& log) { return ABuffer(input, log).run(); }};

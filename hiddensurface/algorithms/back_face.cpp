@@ -24,7 +24,7 @@ Output run(const Input& input, StepLog& log) {
 }  // namespace
 
 Algorithm back_face() {
-    return {.place = 10, .name = "back-face", .title = "Back-face culling alone [L3]", .run = run};
+    return {.name = "back-face", .title = "Back-face culling alone [L3]", .run = run};
 }
 
 }  // namespace gw::hiddensurface

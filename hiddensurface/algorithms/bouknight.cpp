@@ -113,8 +113,7 @@ private:
 }  // namespace
 
 Algorithm bouknight() {
-    return {.place = 81,
-            .name = "bouknight",
+    return {.name = "bouknight",
             .title = "Bouknight's scan line: edges switch faces on and off (1970)",
             .claim = Claim::Always,
             .run = [](const Input& input, StepLog& log) { return Bouknight(input, log).run(); }};

@@ -6,8 +6,6 @@
 namespace gw::hiddensurface {
 namespace {
 
-constexpr std::size_t candidates = 8;
-
 Output run(const Input& input, StepLog& log) {
     Output output{.list = begin_picture(input, "BSP tree")};
     std::vector<std::size_t> order(input.polygons.size());
@@ -16,11 +14,12 @@ Output run(const Input& input, StepLog& log) {
                               const std::vector<Loop>& front) {
         log_split(input, piece, by, back, front, log);
     };
-    const Tree tree = build_tree(input.polygons, order, candidates, on_split);
+    const Tree tree = build_tree(input.polygons, order, splitters_tried, on_split);
     output.counts.planes = tree.plane_tests;
-    output.counts.nodes = tree.nodes;
+    output.counts.nodes = tree.nodes.size();
     output.counts.splits = tree.splits;
-    output.counts.peak_bytes = tree.nodes * sizeof(TreeNode) + tree.pieces * sizeof(TreePiece);
+    output.counts.peak_bytes =
+        output.counts.nodes * sizeof(TreeNode) + tree.pieces * sizeof(TreePiece);
     output.counts.facings = far_to_near(tree, eye_of(input.view), [&](const TreePiece& piece) {
         const Piece drawn = window_piece(input, piece);
         if (drawn.count > 0) draw_piece(input, drawn, output, log);
@@ -31,11 +30,11 @@ Output run(const Input& input, StepLog& log) {
 }  // namespace
 
 Algorithm bsp() {
-    return {.place = 40,
-            .name = "bsp",
+    return {.name = "bsp",
             .title = "BSP tree, built before the eye is known [L5]",
             .claim = Claim::Always,
             .in_world = true,
+            .growth = {GrowthLaw::Superlinear, 40},
             .run = run};
 }
 

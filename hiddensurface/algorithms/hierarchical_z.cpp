@@ -116,7 +116,6 @@ private:
 
 Algorithm hierarchical_z() {
     return {
-        .place = 87,
         .name = "hierarchical-z",
         .title = "Hierarchical Z: octree and pyramid of depths (1993)",
         .claim = Claim::Always,

@@ -208,10 +208,10 @@ private:
 }  // namespace
 
 Algorithm newell() {
-    return {.place = 30,
-            .name = "newell",
+    return {.name = "newell",
             .title = "Newell, Newell and Sancha: five tests and splitting [L5]",
             .claim = Claim::Always,
+            .growth = {GrowthLaw::Superlinear, 40},
             .run = [](const Input& input, StepLog& log) { return Newell(input, log).run(); }};
 }
 

@@ -21,8 +21,6 @@
 namespace gw::hiddensurface {
 namespace {
 
-constexpr std::size_t candidates = 8;
-
 /// A surface's pixels x0 .. x1 - 1 on consecutive lines down from the first.
 struct Surface {
     std::size_t key = 0;  ///< smaller is nearer
@@ -88,11 +86,11 @@ private:
         std::vector<std::size_t> order(input_.polygons.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         const Tree tree =
-            build_tree(input_.polygons, order, candidates,
+            build_tree(input_.polygons, order, splitters_tried,
                        [&](const TreePiece& piece, FacetIndex by, const auto& back,
                            const auto& front) { log_split(input_, piece, by, back, front, log_); });
         output_.counts.planes = tree.plane_tests;
-        output_.counts.nodes = tree.nodes;
+        output_.counts.nodes = tree.nodes.size();
         output_.counts.splits = tree.splits;
         std::size_t key = tree.pieces;
         output_.counts.facings =
@@ -172,11 +170,11 @@ private:
 }  // namespace
 
 Algorithm quake() {
-    return {.place = 88,
-            .name = "quake",
+    return {.name = "quake",
             .title = "Quake's sorted spans: keys from the BSP tree (1996)",
             .claim = Claim::Always,
             .in_world = true,
+            .growth = {GrowthLaw::Superlinear, 40},
             .run = [](const Input& input, StepLog& log) { return SortedSpans(input, log).run(); }};
 }
 

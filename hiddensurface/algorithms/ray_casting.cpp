@@ -61,10 +61,10 @@ Output run(const Input& input, StepLog& log) {
 }  // namespace
 
 Algorithm ray_casting() {
-    return {.place = 70,
-            .name = "ray-casting",
+    return {.name = "ray-casting",
             .title = "Ray casting, every ray against every polygon [L9]",
             .claim = Claim::Always,
+            .growth = {GrowthLaw::Rays, 10},
             .run = run};
 }
 

@@ -19,8 +19,7 @@ Output run(const Input& input, StepLog& log) {
 }  // namespace
 
 Algorithm scan_line() {
-    return {.place = 50,
-            .name = "scan-line",
+    return {.name = "scan-line",
             .title = "Scan-line: edges, segments sorted in x, sample spans [L6]",
             .claim = Claim::Always,
             .run = run};

@@ -51,11 +51,11 @@ Output run(const Input& input, StepLog& log) {
 }  // namespace
 
 Algorithm schumacker() {
-    return {.place = 79,
-            .name = "schumacker",
+    return {.name = "schumacker",
             .title = "Schumacker's clusters: priorities for every eye (1969)",
             .claim = Claim::Always,
             .in_world = true,
+            .growth = {GrowthLaw::Superlinear, 40},
             .run = run};
 }
 

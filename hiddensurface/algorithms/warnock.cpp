@@ -130,8 +130,7 @@ private:
 }  // namespace
 
 Algorithm warnock() {
-    return {.place = 80,
-            .name = "warnock",
+    return {.name = "warnock",
             .title = "Warnock's area subdivision (1969)",
             .claim = Claim::Always,
             .run = [](const Input& input, StepLog& log) { return Warnock(input, log).run(); }};

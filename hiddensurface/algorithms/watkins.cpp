@@ -11,7 +11,8 @@
 // where they do.
 //
 // Ours: pixels; the two ends of a face are one segment where Watkins joined edges; a guess too
-// short is joined to its neighbour.
+// short is joined to its neighbour. Watkins halves a span that is not simple; here the span ends
+// where another segment comes into view, and that pixel is found by halving.
 #include "hiddensurface/structures/active_faces.h"
 
 #include <algorithm>
@@ -149,8 +150,7 @@ private:
 }  // namespace
 
 Algorithm watkins() {
-    return {.place = 82,
-            .name = "watkins",
+    return {.name = "watkins",
             .title = "Watkins' scan line: spans guessed from the line above (1970)",
             .claim = Claim::Always,
             .run = [](const Input& input, StepLog& log) { return Watkins(input, log).run(); }};

@@ -2,6 +2,7 @@
 // Area Sorting, SIGGRAPH 1977. In the window, after perspective: the polygon with the nearest
 // corner is the clip polygon, and all others are clipped by its outline, whole though parts of it
 // may be hidden already.
+//
 // What falls inside and lies behind it is hidden. Where some of the inside lies before it, the
 // inside is sorted out in the same way first, clipped by one of those; a polygon that was the clip
 // polygon on the way there is not taken again, so that cyclic overlap ends. Then the outside is
@@ -71,24 +72,45 @@ private:
         return &fragments_.back();
     }
 
-    /// Nearest first, and all of it inside the clip polygons on the way here. What was clipped by a
-    /// face never meets it again: all its fragments in the list are inside then.
-    void sort_out(FragmentList list) {
-        while (!list.empty()) {
-            const auto nearest = std::find_if(list.begin(), list.end(), [this](const Fragment* f) {
-                return !on_the_way_[f->face];
-            });
-            if (nearest == list.end()) break;
-            const std::size_t clip = (*nearest)->face;
+    /// Fragments that are all inside the clip polygons on the way here, nearest first; `clip` is the
+    /// last of these.
+    struct Nested {
+        FragmentList list;
+        std::size_t clip = no_clip;
+    };
+    static constexpr std::size_t no_clip = std::size_t(-1);
+
+    /// What was clipped by a face never meets it again: all its fragments in the list are inside
+    /// then. Levels are a list, since there may be as many as faces.
+    void sort_out(FragmentList all) {
+        std::vector<Nested> levels;
+        levels.push_back({std::move(all)});
+        while (!levels.empty()) {
+            const std::size_t clip = next_clip(levels.back().list);
+            if (clip == no_clip) {
+                leave(levels.back());
+                levels.pop_back();
+                continue;
+            }
             FragmentList inside, outside;
-            for (Fragment* fragment : list) sort_in(*fragment, clip, inside, outside);
+            for (Fragment* fragment : levels.back().list) sort_in(*fragment, clip, inside, outside);
+            levels.back().list = std::move(outside);
             on_the_way_[clip] = true;
-            sort_out(std::move(inside));
-            on_the_way_[clip] = false;
-            list = std::move(outside);
+            levels.push_back({std::move(inside), clip});
         }
-        // No two of these overlap: of two that do, one was behind and is gone.
-        for (const Fragment* fragment : list) show(*fragment);
+    }
+
+    /// The nearest face that is not a clip polygon already.
+    std::size_t next_clip(const FragmentList& list) const {
+        const auto nearest = std::find_if(
+            list.begin(), list.end(), [this](const Fragment* f) { return !on_the_way_[f->face]; });
+        return nearest == list.end() ? no_clip : (*nearest)->face;
+    }
+
+    /// No two of these overlap: of two that do, one was behind and is gone.
+    void leave(const Nested& level) {
+        for (const Fragment* fragment : level.list) show(*fragment);
+        if (level.clip != no_clip) on_the_way_[level.clip] = false;
     }
 
     void sort_in(Fragment& fragment, std::size_t clip, FragmentList& inside,
@@ -211,7 +233,7 @@ private:
     std::vector<Face> faces_;
     Lines lines_;
     std::vector<Contour> outlines_;  ///< of the faces
-    std::vector<bool> on_the_way_;   ///< faces that are clip polygons around the list
+    std::vector<bool> on_the_way_;   ///< faces that are clip polygons of an open level
     std::deque<Fragment> fragments_;
     std::uint64_t sides_ = 0;
 };
@@ -220,10 +242,10 @@ private:
 
 Algorithm weiler_atherton() {
     return {
-        .place = 84,
         .name = "weiler-atherton",
         .title = "Weiler and Atherton: polygons clipped by polygons (1977)",
         .claim = Claim::Always,
+        .growth = {GrowthLaw::Superlinear, 20},
         .run = [](const Input& input, StepLog& log) { return WeilerAtherton(input, log).run(); }};
 }
 

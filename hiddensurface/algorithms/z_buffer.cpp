@@ -69,8 +69,7 @@ Output run(const Input& input, StepLog& log) {
 }  // namespace
 
 Algorithm z_buffer() {
-    return {.place = 60,
-            .name = "z-buffer",
+    return {.name = "z-buffer",
             .title = "Z-buffer, the machine's [L8]",
             .claim = Claim::Always,
             .uses_depth_plane = true,

@@ -1,5 +1,19 @@
-#include "hiddensurface/lines/appel.h"
-
+// Appel's quantitative invisibility: A. Appel, "The notion of quantitative invisibility and the
+// machine rendering of solids", Proc. ACM National Conference 1967, pp. 387-393.
+//
+// The quantitative invisibility of a point is the number of faces that hide it; a line is visible
+// where the number is 0. Along a line it changes only where the line passes behind a contour: a
+// side with more or fewer faces beyond it than before it. At a common corner the number is carried
+// from one line of a connected figure to the next, and only the faces at that corner are asked. So
+// all faces are counted for one line of a figure; for the others only contours are crossed.
+//
+// Claims: right for any faces, open or closed, convex or not. Appel has no faces that pierce each
+// other. Here a line is also compared with every face whose box meets its own, and the number
+// changes where the line goes through a face. Where a contour runs exactly through a corner or
+// along a line in the window, the number cannot be carried; that line is compared with every face
+// (`starts`).
+//
+// Does not draw the lines in which faces pierce each other: no polygon has them as a side.
 #include "hiddensurface/lines/window_lines.h"
 
 #include <fmt/format.h>
@@ -9,28 +23,6 @@
 
 namespace gw::hiddensurface {
 namespace {
-
-struct Box {
-    GridPoint low, high;
-};
-
-Box box_of(std::initializer_list<GridPoint> points) {
-    Box box{*points.begin(), *points.begin()};
-    for (const GridPoint& p : points) {
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y),
-                    std::max(box.high.z, p.z)};
-    }
-    return box;
-}
-
-/// `front` may hide something of `line`: they meet in the window, and it is not all behind.
-bool may_hide(const Box& front, const Box& line) {
-    return front.low.x <= line.high.x && line.low.x <= front.high.x && front.low.y <= line.high.y &&
-           line.low.y <= front.high.y && front.low.z <= line.high.z;
-}
-
-int sign(int128 v) { return v < 0 ? -1 : v > 0 ? 1 : 0; }
 
 /// The number changes by `delta` at t of the line.
 struct Change {
@@ -302,6 +294,7 @@ LineAlgorithm appel() {
         .title = "Appel 1967: quantitative invisibility",
         .claim =
             "right for any faces, also where they go through each other; draws no lines where they do",
+        .growth = {GrowthLaw::Superlinear, 3},
         .run = [](const Input& input, StepLog& log) { return Appel(input, log).run(); }};
 }
 

@@ -1,5 +1,4 @@
-// A height field found in a scene: y over a grid of x and z, every cell a quadrilateral or two
-// triangles.
+// A height field in a scene: y over a grid of x and z, every cell a quadrilateral or two triangles.
 // Does not draw.
 #pragma once
 

@@ -11,8 +11,7 @@ public:
     /// `up`: the highest; else the lowest.
     explicit Horizon(bool up) : sign_(up ? 1 : -1) {}
 
-    /// The parts of a -> b (u, v), a.x < b.x, that lie beyond the horizon, and where there is none
-    /// yet.
+    /// The parts of a -> b (u, v), a.x < b.x, beyond the horizon, or where there is no horizon yet.
     /// Counts one crossing for every piece of the horizon compared.
     std::vector<Part> beyond(const dvec2& a, const dvec2& b, LineCounts& counts) const;
     /// Raises (lowers) the horizon to a -> b where that is beyond.

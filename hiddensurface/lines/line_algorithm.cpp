@@ -1,14 +1,16 @@
 #include "hiddensurface/lines/line_algorithm.h"
 
-#include "hiddensurface/lines/appel.h"
-#include "hiddensurface/lines/floating_horizon.h"
-#include "hiddensurface/lines/roberts.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace gw::hiddensurface {
+
+// Each in the file of its name in this folder.
+LineAlgorithm roberts();
+LineAlgorithm appel();
+LineAlgorithm floating_horizon();
+
 namespace {
 
 /// Shorter parts are the rounding of two ends that are one.

@@ -55,6 +55,7 @@ struct LineAlgorithm {
     std::string name;   ///< for the command line
     std::string title;  ///< for people
     std::string claim;  ///< what it is right about, and what it does not claim
+    Growth growth{};
     std::function<LineOutput(const Input&, StepLog&)> run;
 };
 

@@ -1,5 +1,20 @@
-#include "hiddensurface/lines/roberts.h"
-
+// Roberts' algorithm: L. G. Roberts, "Machine perception of three-dimensional solids", MIT Lincoln
+// Laboratory TR 315, 1963. The first hidden-line algorithm: in object space, every line is compared
+// with every body.
+//
+// A convex body is the points with u.V >= 0 for all columns of its volume matrix V: its planes.
+// Lines between two faces that look away are dropped. A point s + t d of a line is hidden if some
+// point s + t d + alpha g on its way to the eye (g, alpha > 0) is inside a body. Roberts finds the
+// least and greatest t among the corners of the region of (t, alpha) in which all columns agree.
+// Here alpha is eliminated first. One inequality in t is left for each face that looks at the eye
+// (the point is behind it) and for each side of the contour (the point is inside it). The hidden
+// part is where all hold, so a body hides at most one part of a line.
+//
+// Claims: right for any polygons. Roberts has convex solids and figures put together from them.
+// Here, whatever is not a closed convex solid beyond the near plane is taken piece by piece: each
+// plane convex piece is a body without thickness. Solids may pierce each other: the hidden parts
+// are right, but the lines in which they pierce are not drawn (Petty and Mach added them in 1977).
+// Decides in the world, before the snap.
 #include "hiddensurface/lines/bodies.h"
 #include "hiddensurface/lines/world_lines.h"
 #include "hiddensurface/model/normal.h"
@@ -67,6 +82,7 @@ LineAlgorithm roberts() {
         .claim =
             "right for any polygons, best for convex solids; draws no lines where solids go through each "
             "other",
+        .growth = {GrowthLaw::Superlinear, 5},
         .run = run};
 }
 

@@ -7,9 +7,9 @@
 namespace gw::hiddensurface {
 namespace {
 
-class Builder {
+class WindowLinesBuilder {
 public:
-    explicit Builder(const Input& input)
+    explicit WindowLinesBuilder(const Input& input)
         : largest_((std::int64_t{1} << input.profile.depth_bits) - 1) {
         for (std::size_t p = 0; p < input.polygons.size(); ++p)
             for (const WindowTriangle& t : input.polygons[p].triangles)
@@ -79,7 +79,7 @@ bool keep_positive(int128 at_a, int128 at_b, Part& part) {
 
 }  // namespace
 
-WindowLines window_lines(const Input& input) { return Builder(input).take(); }
+WindowLines window_lines(const Input& input) { return WindowLinesBuilder(input).take(); }
 
 int128 behind(const WindowLines& scene, const WindowFace& face, const GridPoint& p) {
     const GridPoint &p0 = scene.corners[face.corner[0]], &p1 = scene.corners[face.corner[1]],
@@ -103,6 +103,22 @@ std::optional<Part> hidden_part(const WindowLines& scene, const WindowFace& face
     }
     if (!keep_positive(behind(scene, face, a), behind(scene, face, b), part)) return std::nullopt;
     return part;
+}
+
+Box box_of(std::initializer_list<GridPoint> points) {
+    Box box{*points.begin(), *points.begin()};
+    for (const GridPoint& p : points) {
+        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y),
+                    std::max(box.high.z, p.z)};
+    }
+    return box;
+}
+
+/// `front` may hide something of `line`: they meet in the window, and it is not all behind.
+bool may_hide(const Box& front, const Box& line) {
+    return front.low.x <= line.high.x && line.low.x <= front.high.x && front.low.y <= line.high.y &&
+           line.low.y <= front.high.y && front.low.z <= line.high.z;
 }
 
 }  // namespace gw::hiddensurface

@@ -32,6 +32,13 @@ struct WindowLines {
 };
 WindowLines window_lines(const Input& input);
 
+struct Box {
+    GridPoint low, high;
+};
+Box box_of(std::initializer_list<GridPoint> points);
+/// Whether their boxes meet in the window, and some of `front` is not behind all of `line`.
+bool may_hide(const Box& front, const Box& line);
+
 /// Above 0: p lies behind the face's plane, seen from the eye; 0: on it.
 int128 behind(const WindowLines& scene, const WindowFace& face, const GridPoint& p);
 

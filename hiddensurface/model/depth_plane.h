@@ -9,13 +9,13 @@
 namespace gw::hiddensurface {
 
 __extension__ using int128 = __int128;
+constexpr int sign(int128 v) { return v < 0 ? -1 : v > 0 ? 1 : 0; }
 
 /// z = floor(value / 2^16), kept in 0 .. largest; value(x, y) = a0 2^16 + 2^15 + floor((gx (PX -
 /// x0) + gy (PY - y0)) / 2^s) at the centre (PX, PY) of pixel x, y.
 struct DepthPlane {
-    int128 gx = 0,
-           /// per pixel, 16 fraction bits: -n_x / n_z and -n_y / n_z to nearest, ties to even
-        gy = 0;
+    /// Per pixel, 16 fraction bits: -n_x / n_z and -n_y / n_z to nearest, ties to even.
+    int128 gx = 0, gy = 0;
     std::int64_t a0 = 0, x0 = 0, y0 = 0;
     int subpixel_bits = 3;
     std::int64_t largest = 0;  ///< of the depth plane

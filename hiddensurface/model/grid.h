@@ -17,7 +17,7 @@ struct GridPoint {
 };
 
 /// Above 0: r lies to the left of p -> q in the window. Twice the area of the three.
-inline std::int64_t turn(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
+constexpr std::int64_t turn(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
     return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
 }
 inline dvec3 to_dvec3(const GridPoint& p) { return {double(p.x), double(p.y), double(p.z)}; }

@@ -26,7 +26,7 @@ Loop half_of(const Loop& loop, const dvec4& plane, double sign) {
     return half;
 }
 
-bool is_inside(const Cut& cut, double x, double y) {
+bool is_inside(const PixelCut& cut, double x, double y) {
     return ((cut.line.x * x + cut.line.y * y) + cut.line.z < 0) == cut.negative;
 }
 
@@ -37,11 +37,11 @@ bool is_on(const dvec3& line, const dvec2& p) {
 }
 
 /// The run's pixels inside all cuts.
-void add_cut(const Run& run, const std::vector<Cut>& cuts, int s, std::vector<Run>& out) {
+void add_cut(const Run& run, const std::vector<PixelCut>& cuts, int s, std::vector<Run>& out) {
     const double y = double(center(run.y, s));
     Run open{run.y, run.x0, run.x0};
     for (int x = run.x0; x < run.x1; ++x) {
-        const bool inside = std::all_of(cuts.begin(), cuts.end(), [&](const Cut& cut) {
+        const bool inside = std::all_of(cuts.begin(), cuts.end(), [&](const PixelCut& cut) {
             return is_inside(cut, double(center(x, s)), y);
         });
         if (inside && open.x1 < x) open.x0 = x;
@@ -111,7 +111,7 @@ std::vector<CutEdge> edges_made(const Piece& piece) {
     for (const Loop& part : piece.parts)
         for (std::size_t i = 0; i < part.size(); ++i) {
             const dvec2 a(part[i]), b(part[(i + 1) % part.size()]);
-            if (std::any_of(piece.cuts.begin(), piece.cuts.end(), [&](const Cut& cut) {
+            if (std::any_of(piece.cuts.begin(), piece.cuts.end(), [&](const PixelCut& cut) {
                     return is_on(cut.line, a) && is_on(cut.line, b);
                 }))
                 made.emplace_back(a, b);

@@ -11,7 +11,7 @@
 namespace gw::hiddensurface {
 
 /// Pixels whose centre (x, y) on the grid has a.x x + a.y y + a.z < 0 (or not, where `!negative`).
-struct Cut {
+struct PixelCut {
     dvec3 line{0};
     bool negative = true;
 };
@@ -22,7 +22,7 @@ struct Piece {
     std::size_t first = 0, count = 0;  ///< of the polygon's triangles
     /// convex, on the window grid: for deciding, not for drawing
     std::vector<Loop> parts;
-    std::vector<Cut> cuts;
+    std::vector<PixelCut> cuts;
 };
 
 /// All of polygon number `index`.

@@ -8,11 +8,11 @@
 namespace gw::hiddensurface {
 
 /// Refers to the scene, which must stay.
-struct QuizStage {
-    explicit QuizStage(const scene::Scene& scene)
+struct QuestionContext {
+    explicit QuestionContext(const scene::Scene& scene)
         : view(scene::make_view(scene, quiz_width, quiz_height)),
           input(make_input(scene, view, vgx())) {}
-    QuizStage(const QuizStage&) = delete;
+    QuestionContext(const QuestionContext&) = delete;
     scene::View view;
     Input input;
 

@@ -40,9 +40,9 @@ std::string words_of(const std::vector<std::uint32_t>& ids) {
 std::optional<Question> ask_order(QuizRandom& random) {
     constexpr std::size_t rounding = 2, plain = 150;
     Question q{.scene = tilted_polygons(random, 4, 4)};
-    const QuizStage stage(q.scene);
-    const auto over = polygons_over(stage.input);
-    const auto expected = stage.run("z-buffer").ids;
+    const QuestionContext context(q.scene);
+    const auto over = polygons_over(context.input);
+    const auto expected = context.run("z-buffer").ids;
     PixelGroups groups;
     for (std::size_t i = 0; i < over.size(); ++i) groups[{over[i], expected[i]}] += 1;
     std::vector<std::uint32_t> order{1, 2, 3, 4};
@@ -79,10 +79,10 @@ std::optional<Question> ask_test(QuizRandom& random) {
     const char wanted = char('0' + random.whole(1, 6));
     for (int i = 0; i < 60; ++i) {
         Question q{.scene = tilted_polygons(random, 2, 3, 0.6)};
-        const QuizStage stage(q.scene);
+        const QuestionContext context(q.scene);
         char decides = 0;
         std::vector<std::uint32_t> pair;
-        for (const Step& step : stage.steps("newell", Level::Polygon)) {
+        for (const Step& step : context.steps("newell", Level::Polygon)) {
             if (step.action != Action::Compare || step.test.size() < 2 || step.test[1] != ':')
                 continue;
             if (pair.empty()) pair = step.polygons;
@@ -115,8 +115,8 @@ std::optional<Question> ask_test(QuizRandom& random) {
 
 std::optional<Question> ask_pieces(QuizRandom& random) {
     Question q{.scene = tilted_polygons(random, 3, 3)};
-    const QuizStage stage(q.scene);
-    const Result newell = stage.run("newell");
+    const QuestionContext context(q.scene);
+    const Result newell = context.run("newell");
     if (newell.counts.splits == 0 || newell.counts.splits > 3 || newell.counts.undecided > 0)
         return std::nullopt;
     for (const std::uint32_t id : {1u, 2u, 3u})

@@ -22,14 +22,14 @@ std::string corners_of(const Polygon& polygon) {
 
 std::optional<Question> ask_facing(QuizRandom& random) {
     Question q{.scene = whole_number_solid(random)};
-    const QuizStage stage(q.scene);
-    const dvec4 eye = eye_of(stage.view);
+    const QuestionContext context(q.scene);
+    const dvec4 eye = eye_of(context.view);
     std::vector<std::uint32_t> back;
     q.text = fmt::format(
         "The eye is at ({:g}, {:g}, {:g}). Which faces of this solid look away from it, by the sign of D_f? "
         "Corners run counter-clockwise seen from outside:",
         eye.x, eye.y, eye.z);
-    for (const Polygon& polygon : stage.input.polygons) {
+    for (const Polygon& polygon : context.input.polygons) {
         const double d_f = facing(eye, polygon.world[0], polygon_normal(polygon.world));
         if (d_f == 0) return std::nullopt;
         if (d_f < 0) back.push_back(polygon.id);
@@ -48,16 +48,16 @@ std::optional<Question> ask_facing(QuizRandom& random) {
 std::optional<Question> ask_writes(QuizRandom& random) {
     std::vector<int> distances;
     Question q{.scene = facing_rectangles(random, 5, distances)};
-    const QuizStage stage(q.scene);
-    const auto over = polygons_over(stage.input);
-    const Result z_buffer = stage.run("z-buffer");
+    const QuestionContext context(q.scene);
+    const auto over = polygons_over(context.input);
+    const Result z_buffer = context.run("z-buffer");
     const int x = random.whole(60, quiz_width - 60), y = random.whole(50, quiz_height - 50);
-    const std::size_t at = stage.pixel(x, y);
+    const std::size_t at = context.pixel(x, y);
     if (over[at].size() < 3 || z_buffer.writes[at] < 2) return std::nullopt;
     // Not beside an edge, or the picture does not tell.
     for (const int dx : {-5, 0, 5})
         for (const int dy : {-5, 0, 5})
-            if (over[stage.pixel(x + dx, y + dy)] != over[at]) return std::nullopt;
+            if (over[context.pixel(x + dx, y + dy)] != over[at]) return std::nullopt;
     q.kind = "writes";
     q.text = "Rectangles face the eye, at distances";
     for (std::size_t i = 0; i < distances.size(); ++i)
@@ -74,10 +74,10 @@ std::optional<Question> ask_writes(QuizRandom& random) {
 
 std::optional<Question> ask_spans(QuizRandom& random) {
     Question q{.scene = tilted_polygons(random, 3, 3)};
-    const QuizStage stage(q.scene);
+    const QuestionContext context(q.scene);
     const int row = random.whole(60, quiz_height - 60);
     int spans = 0, shortest = quiz_width;
-    for (const Step& step : stage.steps("scan-line", Level::Span)) {
+    for (const Step& step : context.steps("scan-line", Level::Span)) {
         if (step.action != Action::Compare || step.level != Level::Span || step.row != row ||
             step.before.empty())
             continue;
@@ -100,8 +100,8 @@ std::optional<Question> ask_spans(QuizRandom& random) {
 /// Appel's number in the middle of a side.
 std::optional<Question> ask_invisibility(QuizRandom& random) {
     Question q{.scene = tilted_polygons(random, 5, 3)};
-    const QuizStage stage(q.scene);
-    const WindowLines lines = window_lines(stage.input);
+    const QuestionContext context(q.scene);
+    const WindowLines lines = window_lines(context.input);
     const WindowSide& side = lines.sides[std::size_t(random.whole(0, int(lines.sides.size()) - 1))];
     const GridPoint &a = lines.corners[side.a], &b = lines.corners[side.b];
     int number = 0;
@@ -112,7 +112,7 @@ std::optional<Question> ask_invisibility(QuizRandom& random) {
         number += 1;
     }
     if (number == 0 || !side.drawn) return std::nullopt;
-    const double unit = double(1 << stage.input.subpixel_bits());
+    const double unit = double(1 << context.input.subpixel_bits());
     q.point = dvec2(double(a.x + b.x) / 2 / unit, double(a.y + b.y) / 2 / unit);
     if (q.point->x < 10 || q.point->y < 10 || q.point->x > quiz_width - 10 ||
         q.point->y > quiz_height - 10)

@@ -44,14 +44,25 @@ enum class Claim {
     Sometimes  ///< fails in cases that the lecture shows
 };
 
+enum class GrowthLaw {
+    Linear,      ///< or nearly: never too long
+    Rays,        ///< every polygon at every pixel
+    Superlinear  ///< by a power that depends on the scene
+};
+/// How the work grows with the polygons; estimate.h tells from it what a run would take.
+struct Growth {
+    GrowthLaw law = GrowthLaw::Linear;
+    double nanoseconds = 0;  ///< of a question, about; 0: Linear
+};
+
 struct Algorithm {
-    int place = 0;      ///< in tables: the lecture's order
     std::string name;   ///< for the command line
     std::string title;  ///< for people, with the lecture's row
     Claim claim = Claim::Sometimes;
     bool uses_depth_plane = false;
     /// decides before the snap to the grid: may differ where that turns two over
     bool in_world = false;
+    Growth growth{};
     std::function<Output(const Input&, StepLog&)> run;
 };
 
@@ -62,8 +73,7 @@ std::vector<std::string> algorithm_names();
 const Algorithm& algorithm_named(const std::string& name);
 
 /// The beginning of every list without a depth buffer: a pass of this name, depth test off, colour
-/// cleared to
-/// 0. Depth is neither cleared nor read nor written.
+/// cleared to 0. Depth is neither cleared nor read nor written.
 CommandList begin_picture(const Input& input, const std::string& name);
 /// Pixels in the colours of identifiers, through the machine's spans.
 void add_painted(CommandList& list, const std::vector<Painted>& painted);

@@ -1,6 +1,5 @@
 // Why a pixel differs from the Z-buffer's: a tie of depths, an edge that splitting made, the snap,
-// or wrong.
-// Does not run algorithms.
+// or wrong. Does not run algorithms.
 #pragma once
 
 #include "hiddensurface/run/algorithm.h"

@@ -18,11 +18,23 @@ public:
     }
 
     Tree build(const std::vector<std::size_t>& order) {
-        tree_.root = node(pieces_of(polygons_, order));
+        pending_.push_back({.pieces = pieces_of(polygons_, order)});
+        while (!pending_.empty()) {
+            Pending next = std::move(pending_.back());
+            pending_.pop_back();
+            if (!next.pieces.empty()) add_node(std::move(next));
+        }
         return std::move(tree_);
     }
 
 private:
+    /// Pieces that become a subtree on one side of a node; of no node: the root.
+    struct Pending {
+        std::vector<TreePiece> pieces;
+        std::size_t parent = no_node;
+        bool in_front = false;
+    };
+
     dvec4 plane(FacetIndex i) const {
         return unit_plane(polygons_[i.polygon].world_facets[i.facet]);
     }
@@ -49,22 +61,24 @@ private:
         return best;
     }
 
-    std::unique_ptr<TreeNode> node(std::vector<TreePiece> pieces) {
-        if (pieces.empty()) return nullptr;
-        auto out = std::make_unique<TreeNode>();
-        tree_.nodes += 1;
-        const std::size_t first = best(pieces);
+    void add_node(Pending from) {
+        std::vector<TreePiece>& pieces = from.pieces;
+        const std::size_t first = best(pieces), number = tree_.nodes.size();
         const FacetIndex by = pieces[first].of;
-        out->plane = plane(by);
-        out->pieces.push_back(std::move(pieces[first]));
+        TreeNode node{.plane = plane(by)};
+        node.pieces.push_back(std::move(pieces[first]));
         pieces.erase(pieces.begin() + std::ptrdiff_t(first));
-        std::vector<TreePiece> front, back;
-        for (TreePiece& piece : pieces) sort_in(std::move(piece), by, *out, front, back);
-        tree_.pieces += out->pieces.size();
-        pieces = std::vector<TreePiece>();  // = {} would keep the memory, at every level
-        out->front = node(std::move(front));
-        out->back = node(std::move(back));
-        return out;
+        Pending front{{}, number, true}, back{{}, number, false};
+        for (TreePiece& piece : pieces)
+            sort_in(std::move(piece), by, node, front.pieces, back.pieces);
+        tree_.pieces += node.pieces.size();
+        tree_.nodes.push_back(std::move(node));
+        if (from.parent != no_node) {
+            TreeNode& parent = tree_.nodes[from.parent];
+            (from.in_front ? parent.front : parent.back) = number;
+        }
+        pending_.push_back(std::move(back));
+        pending_.push_back(std::move(front));
     }
 
     void sort_in(TreePiece piece, FacetIndex by, TreeNode& at, std::vector<TreePiece>& front,
@@ -87,18 +101,8 @@ private:
     const SplitSink& on_split_;
     double tolerance_ = 0;
     Tree tree_;
+    std::vector<Pending> pending_;
 };
-
-std::uint64_t walk(const TreeNode* node, const dvec4& eye,
-                   const std::function<void(const TreePiece&)>& visit) {
-    if (!node) return 0;
-    const bool in_front = dot4(node->plane, eye) >= 0;
-    std::uint64_t compared = 1 + walk((in_front ? node->back : node->front).get(), eye, visit);
-    // Of pieces in one plane the first is drawn last and stays, as in a Z-buffer that keeps z < Z.
-    for (auto piece = node->pieces.rbegin(); piece != node->pieces.rend(); ++piece) visit(*piece);
-    compared += walk((in_front ? node->front : node->back).get(), eye, visit);
-    return compared;
-}
 
 }  // namespace
 
@@ -155,7 +159,31 @@ Tree build_tree(const std::vector<Polygon>& polygons, const std::vector<std::siz
 
 std::uint64_t far_to_near(const Tree& tree, const dvec4& eye,
                           const std::function<void(const TreePiece&)>& visit) {
-    return walk(tree.root.get(), eye, visit);
+    struct Open {
+        const TreeNode* node;
+        bool eye_in_front;
+    };
+    std::vector<Open> open;  // nodes whose far side is being visited
+    std::uint64_t compared = 0;
+    const auto descend_to_farthest = [&](std::size_t node) {
+        while (node != no_node) {
+            const TreeNode& n = tree.nodes[node];
+            compared += 1;
+            open.push_back({&n, dot4(n.plane, eye) >= 0});
+            node = open.back().eye_in_front ? n.back : n.front;
+        }
+    };
+    descend_to_farthest(tree.nodes.empty() ? no_node : 0);
+    while (!open.empty()) {
+        const auto [node, eye_in_front] = open.back();
+        open.pop_back();
+        // The first of several pieces in one plane is drawn last and stays, as in a Z-buffer that
+        // keeps z < Z.
+        for (auto piece = node->pieces.rbegin(); piece != node->pieces.rend(); ++piece)
+            visit(*piece);
+        descend_to_farthest(eye_in_front ? node->front : node->back);
+    }
+    return compared;
 }
 
 }  // namespace gw::hiddensurface

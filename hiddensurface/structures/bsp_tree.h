@@ -5,7 +5,6 @@
 #include "hiddensurface/model/polygon.h"
 
 #include <functional>
-#include <memory>
 
 namespace gw::hiddensurface {
 
@@ -39,15 +38,19 @@ std::pair<TreePiece, TreePiece> cut_piece(const TreePiece& piece, FacetIndex by,
 std::vector<TreePiece> pieces_of(const std::vector<Polygon>& polygons,
                                  const std::vector<std::size_t>& order);
 
+inline constexpr std::size_t no_node = std::size_t(-1);
+
 struct TreeNode {
-    dvec4 plane{0, 0, 0, 0};        ///< of the first piece; the normal's length is 1
-    std::vector<TreePiece> pieces;  ///< in the plane
-    std::unique_ptr<TreeNode> front, back;
+    dvec4 plane{0, 0, 0, 0};                      ///< of the first piece; the normal's length is 1
+    std::vector<TreePiece> pieces;                ///< in the plane
+    std::size_t front = no_node, back = no_node;  ///< indices into Tree::nodes
 };
 
+/// A tree may be as deep as it has nodes: a convex solid's is one chain. So the nodes are a list,
+/// and nothing here calls itself.
 struct Tree {
-    std::unique_ptr<TreeNode> root;
-    std::uint64_t nodes = 0, pieces = 0, splits = 0;
+    std::vector<TreeNode> nodes;  ///< the root first
+    std::uint64_t pieces = 0, splits = 0;
     std::uint64_t plane_tests = 0;  ///< polygons compared with planes
 };
 
@@ -56,14 +59,16 @@ struct Tree {
 using SplitSink = std::function<void(const TreePiece&, FacetIndex by, const std::vector<Loop>&,
                                      const std::vector<Loop>&)>;
 
+/// How many splitters the algorithms try at a node.
+inline constexpr std::size_t splitters_tried = 8;
+
 /// `order`: indices of polygons. At every node the plane is that of the piece which cuts fewest
 /// others among the first `candidates` of those left (1: always the first).
 Tree build_tree(const std::vector<Polygon>& polygons, const std::vector<std::size_t>& order,
                 std::size_t candidates = 1, const SplitSink& on_split = {});
 
-/// Every piece once, none before one that it may hide. `eye`: (P_E, 1), or (direction towards it,
-/// 0).
-/// Returns the number of planes compared with the eye.
+/// Visits every piece once, none before one that it may hide. `eye`: (P_E, 1), or (direction
+/// towards it, 0). Returns the number of planes compared with the eye.
 std::uint64_t far_to_near(const Tree& tree, const dvec4& eye,
                           const std::function<void(const TreePiece&)>& visit);
 

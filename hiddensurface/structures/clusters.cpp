@@ -12,7 +12,7 @@ namespace gw::hiddensurface {
 namespace {
 
 constexpr std::size_t largest_cluster = 512;  ///< faces: each is compared with each
-constexpr std::size_t candidates = 16;        ///< planes of faces tried before all of them
+constexpr std::size_t tried_first = 16;       ///< planes of faces tried before all of them
 
 /// Whether a piece has points in front of a face's plane and behind it.
 struct Reach {
@@ -107,33 +107,50 @@ public:
     ClusterTree build() {
         std::vector<std::size_t> order(polygons_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
-        tree_.root = node(pieces_of(polygons_, order));
+        pending_.push_back({.pieces = pieces_of(polygons_, order)});
+        while (!pending_.empty()) {
+            Pending next = std::move(pending_.back());
+            pending_.pop_back();
+            add_node(std::move(next));
+        }
         return std::move(tree_);
     }
 
 private:
+    /// Pieces that become a subtree on one side of a node; of no node: the root.
+    struct Pending {
+        std::vector<TreePiece> pieces;
+        std::size_t parent = no_node;
+        bool in_front = false;
+    };
+
     dvec4 plane(const TreePiece& piece) const {
         return unit_plane(polygons_[piece.of.polygon].world_facets[piece.of.facet]);
     }
 
-    std::unique_ptr<ClusterNode> node(std::vector<TreePiece> pieces) {
-        auto out = std::make_unique<ClusterNode>();
-        if (pieces.size() <= largest_cluster && make_cluster(pieces, *out)) return out;
+    void add_node(Pending from) {
+        const std::size_t number = tree_.nodes.size();
+        tree_.nodes.emplace_back();
+        if (from.parent != no_node) {
+            ClusterNode& parent = tree_.nodes[from.parent];
+            (from.in_front ? parent.front : parent.back) = number;
+        }
+        std::vector<TreePiece>& pieces = from.pieces;
+        ClusterNode& node = tree_.nodes.back();
+        if (pieces.size() <= largest_cluster && make_cluster(pieces, node)) return;
         Separation best = between(pieces);
         if (best.cost == none) best = by_a_face(pieces);
         if (best.cost == none) {
             // Every face has all others behind it: one convex solid, or rounding.
-            if (!make_cluster(pieces, *out)) force_cluster(pieces, *out);
-            return out;
+            if (!make_cluster(pieces, node)) force_cluster(pieces, node);
+            return;
         }
         tree_.separations += 1;
-        std::vector<TreePiece> front, back;
-        for (TreePiece& piece : pieces) sort_in(std::move(piece), best, front, back);
-        pieces = std::vector<TreePiece>();  // = {} would keep the memory, at every level
-        out->plane = best.plane;
-        out->front = node(std::move(front));
-        out->back = node(std::move(back));
-        return out;
+        node.plane = best.plane;
+        Pending front{{}, number, true}, back{{}, number, false};
+        for (TreePiece& piece : pieces) sort_in(std::move(piece), best, front.pieces, back.pieces);
+        pending_.push_back(std::move(back));
+        pending_.push_back(std::move(front));
     }
 
     Priorities priorities(const std::vector<TreePiece>& pieces) {
@@ -194,7 +211,7 @@ private:
     /// none of these divides, of all.
     Separation by_a_face(const std::vector<TreePiece>& pieces) {
         Separation best;
-        const std::size_t tried = std::min(candidates, pieces.size());
+        const std::size_t tried = std::min(tried_first, pieces.size());
         for (std::size_t c = 0; c < tried; ++c) consider(pieces, c * pieces.size() / tried, best);
         for (std::size_t i = 0; i < pieces.size() && best.cost == none; ++i)
             consider(pieces, i, best);
@@ -237,22 +254,20 @@ private:
     const SplitSink& on_split_;
     double tolerance_;
     ClusterTree tree_;
+    std::vector<Pending> pending_;
 };
 
-std::uint64_t walk(const ClusterNode& node, const std::vector<Polygon>& polygons, const dvec4& eye,
-                   const std::function<void(const TreePiece&, const RankedSide&)>& visit) {
-    if (node.front) {
-        const bool in_front = dot4(node.plane, eye) >= 0;
-        return 1 + walk(in_front ? *node.back : *node.front, polygons, eye, visit) +
-               walk(in_front ? *node.front : *node.back, polygons, eye, visit);
-    }
+/// The cluster's sides that the eye sees. Returns the signs asked.
+std::uint64_t visit_cluster(const ClusterNode& cluster, const std::vector<Polygon>& polygons,
+                            const dvec4& eye,
+                            const std::function<void(const TreePiece&, const RankedSide&)>& visit) {
     std::vector<bool> before;
-    for (const TreePiece& piece : node.pieces)
+    for (const TreePiece& piece : cluster.pieces)
         before.push_back(
             dot4(unit_plane(polygons[piece.of.polygon].world_facets[piece.of.facet]), eye) >= 0);
-    for (const RankedSide& side : node.sides)
-        if (side.front == before[side.piece]) visit(node.pieces[side.piece], side);
-    return node.pieces.size();
+    for (const RankedSide& side : cluster.sides)
+        if (side.front == before[side.piece]) visit(cluster.pieces[side.piece], side);
+    return cluster.pieces.size();
 }
 
 }  // namespace
@@ -264,7 +279,21 @@ ClusterTree build_clusters(const std::vector<Polygon>& polygons, const SplitSink
 std::uint64_t far_to_near(const ClusterTree& tree, const std::vector<Polygon>& polygons,
                           const dvec4& eye,
                           const std::function<void(const TreePiece&, const RankedSide&)>& visit) {
-    return walk(*tree.root, polygons, eye, visit);
+    std::uint64_t asked = 0;
+    std::vector<std::size_t> open{0};  // the farthest last
+    while (!open.empty()) {
+        const ClusterNode& node = tree.nodes[open.back()];
+        open.pop_back();
+        if (node.front == no_node) {
+            asked += visit_cluster(node, polygons, eye, visit);
+            continue;
+        }
+        asked += 1;
+        const bool in_front = dot4(node.plane, eye) >= 0;
+        open.push_back(in_front ? node.front : node.back);
+        open.push_back(in_front ? node.back : node.front);
+    }
+    return asked;
 }
 
 }  // namespace gw::hiddensurface

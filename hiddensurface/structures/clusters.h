@@ -16,15 +16,16 @@ struct RankedSide {
 
 /// A separating plane with what is on both sides, or a cluster.
 struct ClusterNode {
-    dvec4 plane{0, 0, 0, 0};  ///< of length 1; of a cluster 0
-    std::unique_ptr<ClusterNode> front, back;
+    dvec4 plane{0, 0, 0, 0};                      ///< of length 1; of a cluster 0
+    std::size_t front = no_node, back = no_node;  ///< indices into ClusterTree::nodes
     std::vector<TreePiece> pieces;
     /// greatest number first; of one number the scene's first last
     std::vector<RankedSide> sides;
 };
 
+/// As deep as it has planes where faces are peeled off one by one: a list, as Tree.
 struct ClusterTree {
-    std::unique_ptr<ClusterNode> root;
+    std::vector<ClusterNode> nodes;  ///< the root first
     std::uint64_t clusters = 0, separations = 0, pieces = 0, splits = 0, plane_tests = 0;
     std::uint64_t cyclic = 0;  ///< clusters that have no priorities and that no plane divides
 };

@@ -7,8 +7,6 @@
 namespace gw::hiddensurface {
 namespace {
 
-int sign(int128 v) { return v > 0 ? 1 : v < 0 ? -1 : 0; }
-
 int128 floor_div(int128 a, int128 b) {
     const int128 q = a / b;
     return q * b > a ? q - 1 : q;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 
 namespace gw::radiosity {
 namespace {
@@ -14,34 +15,27 @@ int texture_side(int texels) {
     return static_cast<int>(std::bit_ceil(static_cast<unsigned>(texels + 2)));
 }
 
-/// The triangles of an object that lie in one pixmap.
-MeshRef mesh_in(const Model& model, const Mesh& drawn, std::uint32_t number) {
-    MeshData data;
+/// An object's triangles by the pixmap that they lie in, in one pass over the object.
+std::map<std::uint32_t, MeshRef> meshes_by_pixmap(const PixmapModel& model, const Mesh& drawn) {
+    std::map<std::uint32_t, MeshData> parts;
     for (const Triangle& triangle : drawn.triangles()) {
         const Facet& facet = model.facets[drawn.polygon_id(triangle.polygon)];
-        if (facet.pixmap != number) continue;
+        MeshData& data = parts[facet.pixmap];
         for (std::uint32_t vertex : triangle.vertex) {
             const vec3& p = drawn.data().positions[vertex];
             data.positions.push_back(p);
-            data.texcoords.push_back(st_of(model.pixmaps[number], facet.texel_of(dvec3(p))));
+            data.texcoords.push_back(st_of(model.pixmaps[facet.pixmap], facet.texel_of(dvec3(p))));
         }
     }
-    return make_mesh(std::move(data));
-}
-
-/// The pixmaps of an object's facets, ascending.
-std::vector<std::uint32_t> pixmaps_of(const Model& model, const Mesh& drawn) {
-    std::vector<std::uint32_t> found;
-    for (std::uint32_t p = 0; p < drawn.polygon_count(); ++p)
-        found.push_back(model.facets[drawn.polygon_id(p)].pixmap);
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
+    std::map<std::uint32_t, MeshRef> meshes;
+    for (auto& [pixmap, data] : parts) meshes.emplace(pixmap, make_mesh(std::move(data)));
+    return meshes;
 }
 
 }  // namespace
 
-TextureRef texture_of(const Model& model, std::uint32_t number, const Shown& colors, double scale) {
+TextureRef texture_of(const PixmapModel& model, std::uint32_t number,
+                      const DisplayedPixmaps& colors, double scale) {
     const Pixmap& pixmap = model.pixmaps[number];
     const int width = texture_side(pixmap.width), height = texture_side(pixmap.height);
     std::vector<std::uint16_t> rgba;
@@ -93,8 +87,8 @@ CommandList figures_of(CommandList list) {
     return list;
 }
 
-CommandList texture_list(const Model& model, const Shown& colors, const scene::View& view,
-                         const Brightness& brightness) {
+CommandList texture_list(const PixmapModel& model, const DisplayedPixmaps& colors,
+                         const scene::View& view, const Brightness& brightness) {
     State state = picture_state(view);
     state.texture = {.wrap_s = Wrap::Clamp, .wrap_t = Wrap::Clamp, .env = TexEnv::Replace};
     CommandList list;
@@ -103,9 +97,9 @@ CommandList texture_list(const Model& model, const Shown& colors, const scene::V
     for (std::uint32_t p = 0; p < model.pixmaps.size(); ++p)
         textures.push_back(texture_of(model, p, colors, brightness.scale));
     for (const scene::Object& object : model.drawn.objects)
-        for (std::uint32_t pixmap : pixmaps_of(model, *object.mesh)) {
+        for (auto& [pixmap, mesh] : meshes_by_pixmap(model, *object.mesh)) {
             Draw draw = scene::placed(object, view);
-            draw.mesh = mesh_in(model, *object.mesh, pixmap);
+            draw.mesh = std::move(mesh);
             draw.map.texture = textures[pixmap];
             name_figure(draw, pixmap);
             list.add(std::move(draw));

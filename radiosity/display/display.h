@@ -18,24 +18,25 @@ struct Brightness {
     vec3 background{0};
 };
 
-/// A pixmap is a texture, bilinear, with the border of Shown. In both lists the identifier of a
-/// draw's polygons, shifted right by figure_shift, is its pixmap's number + 1: drawn with
-/// ColorSource::PolygonId (figures_of) they say which figure a pixel shows.
-CommandList texture_list(const Model& model, const Shown& colors, const scene::View& view,
-                         const Brightness& brightness);
+/// Draws each pixmap as a bilinear texture, with the border of DisplayedPixmaps. In both lists the
+/// identifier of a draw's polygons, shifted right by figure_shift, is its pixmap's number + 1. Drawn
+/// with ColorSource::PolygonId (figures_of), the identifiers tell which figure a pixel shows.
+CommandList texture_list(const PixmapModel& model, const DisplayedPixmaps& colors,
+                         const scene::View& view, const Brightness& brightness);
 
 /// Each triangle as one strip of rows, divided at least as finely as the pixmap (Fig. 4), colours
 /// looked up bilinearly at the vertices. Triangles that share a side have the same vertices on it:
 /// no gaps. Strips are made in parallel.
-CommandList strip_list(const Model& model, const Shown& colors, const scene::View& view,
-                       const Brightness& brightness, int threads = 0);
+CommandList strip_list(const PixmapModel& model, const DisplayedPixmaps& colors,
+                       const scene::View& view, const Brightness& brightness, int threads = 0);
 
 inline constexpr int figure_shift = 20;
 /// The list with identifiers in place of colours.
 CommandList figures_of(CommandList list);
 
 /// The texture of a pixmap; where texel coordinates lie in it.
-TextureRef texture_of(const Model& model, std::uint32_t pixmap, const Shown& colors, double scale);
+TextureRef texture_of(const PixmapModel& model, std::uint32_t pixmap,
+                      const DisplayedPixmaps& colors, double scale);
 vec2 st_of(const Pixmap& pixmap, const dvec2& uv);
 
 }  // namespace gw::radiosity

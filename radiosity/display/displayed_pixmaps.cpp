@@ -1,13 +1,13 @@
 #include "radiosity/display/displayed_pixmaps.h"
 
-#include "radiosity/model/seams.h"
+#include "radiosity/display/seams.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace gw::radiosity {
 
-Shown::Shown(const Model& model) {
+DisplayedPixmaps::DisplayedPixmaps(const PixmapModel& model) {
     std::size_t count = 0;
     for (const Pixmap& p : model.pixmaps) {
         places_.push_back({count, p.width, p.height});
@@ -16,7 +16,7 @@ Shown::Shown(const Model& model) {
     colors_.resize(count);
 }
 
-dvec3 Shown::at(std::uint32_t pixmap, const dvec2& uv) const {
+dvec3 DisplayedPixmaps::at(std::uint32_t pixmap, const dvec2& uv) const {
     const Place& p = places_[pixmap];
     const double u = std::clamp(uv.x, 0.0, double(p.width)) - 0.5,
                  v = std::clamp(uv.y, 0.0, double(p.height)) - 0.5;
@@ -27,9 +27,10 @@ dvec3 Shown::at(std::uint32_t pixmap, const dvec2& uv) const {
     return row(y) * (1 - wy) + row(y + 1) * wy;
 }
 
-Shown shown(const Model& model, const Solution& solution, bool with_ambient) {
+DisplayedPixmaps displayed_pixmaps(const PixmapModel& model, const Solution& solution,
+                                   bool with_ambient) {
     const dvec3 light = with_ambient ? ambient(model, solution) : dvec3(0);
-    Shown colors(model);
+    DisplayedPixmaps colors(model);
     for (std::uint32_t p = 0; p < model.pixmaps.size(); ++p) {
         const Pixmap& pixmap = model.pixmaps[p];
         for (int y = -1; y <= pixmap.height; ++y)

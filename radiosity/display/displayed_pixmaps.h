@@ -7,9 +7,9 @@
 namespace gw::radiosity {
 
 /// Of all pixmaps, each (width + 2) x (height + 2).
-class Shown {
+class DisplayedPixmaps {
 public:
-    explicit Shown(const Model& model);
+    explicit DisplayedPixmaps(const PixmapModel& model);
 
     /// Of a pixmap, by its number: -1 <= x <= width, -1 <= y <= height.
     dvec3& at(std::uint32_t pixmap, int x, int y) { return colors_[index(pixmap, x, y)]; }
@@ -36,6 +36,7 @@ private:
 /// What is shown at each texel: radiosity, with the estimate of what is yet to come where
 /// `with_ambient` [F1c]. Beyond a figure's border its nearest texel is repeated, so that nothing
 /// leaks in; where a smooth surface goes on in another pixmap, what that one shows (seams.h).
-Shown shown(const Model& model, const Solution& solution, bool with_ambient);
+DisplayedPixmaps displayed_pixmaps(const PixmapModel& model, const Solution& solution,
+                                   bool with_ambient);
 
 }  // namespace gw::radiosity

@@ -5,27 +5,31 @@
 namespace gw::radiosity {
 namespace {
 
-/// The triangles of one of the scene's objects that lie in a pixmap, every corner a vertex of its
-/// own.
-MeshRef part_in(const Model& model, std::size_t drawn, const Mesh& mesh, std::uint32_t pixmap) {
+/// The triangles of one of the scene's objects by the pixmap that they lie in, every corner a
+/// vertex of its own.
+std::map<std::uint32_t, MeshRef> parts_by_pixmap(const PixmapModel& model, std::size_t drawn,
+                                                 const Mesh& mesh) {
     const Source& source = model.sources[drawn];
     const std::vector<vec3>& world = model.drawn.objects[drawn].mesh->data().positions;
     const auto triangles = mesh.triangles();
-    MeshData data;
+    std::map<std::uint32_t, MeshData> parts;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        if (source.facets[t] == no_facet || model.facets[source.facets[t]].pixmap != pixmap)
-            continue;
+        if (source.facets[t] == no_facet) continue;
         const Facet& facet = model.facets[source.facets[t]];
+        MeshData& data = parts[facet.pixmap];
         for (std::uint32_t v : triangles[t].vertex) {
             data.positions.push_back(mesh.data().positions[v]);
             if (!mesh.data().normals.empty()) data.normals.push_back(mesh.data().normals[v]);
-            data.texcoords.push_back(st_of(model.pixmaps[pixmap], facet.texel_of(dvec3(world[v]))));
+            data.texcoords.push_back(
+                st_of(model.pixmaps[facet.pixmap], facet.texel_of(dvec3(world[v]))));
         }
     }
-    return make_mesh(std::move(data));
+    std::map<std::uint32_t, MeshRef> meshes;
+    for (auto& [pixmap, data] : parts) meshes.emplace(pixmap, make_mesh(std::move(data)));
+    return meshes;
 }
 
-scene::Material glowing(scene::Material material, const TextureRef& texture) {
+scene::Material emissive(scene::Material material, const TextureRef& texture) {
     material.Ka = material.Kd = vec3(0);
     material.Ke = vec3(1);
     material.map_Ka.clear();
@@ -42,22 +46,19 @@ bool faces(const scene::Camera& camera, const std::array<dvec3, 3>& p) {
 
 }  // namespace
 
-scene::Scene glowing(const scene::Scene& scene, const Model& model, const Shown& colors,
-                     double scale) {
+scene::Scene emissive_scene(const scene::Scene& scene, const PixmapModel& model,
+                            const DisplayedPixmaps& colors, double scale) {
     scene::Scene out = scene;
     out.objects.clear();
     for (scene::Light& light : out.lights) light.Is = light.Is.value_or(light.Id) * float(scale);
     for (std::size_t i = 0; i < model.sources.size(); ++i) {
         const scene::Object& object = scene.objects[model.sources[i].object];
-        std::map<std::uint32_t, MeshRef> parts;
-        for (std::uint32_t facet : model.sources[i].facets)
-            if (facet != no_facet) parts.try_emplace(model.facets[facet].pixmap);
-        for (auto& [pixmap, mesh] : parts) {
+        for (auto& [pixmap, mesh] : parts_by_pixmap(model, i, *object.mesh)) {
             out.objects.push_back(object);
-            out.objects.back().mesh = part_in(model, i, *object.mesh, pixmap);
+            out.objects.back().mesh = std::move(mesh);
             out.objects.back().material = out.materials.size();
-            out.materials.push_back(glowing(scene.materials[object.material],
-                                            texture_of(model, pixmap, colors, scale)));
+            out.materials.push_back(emissive(scene.materials[object.material],
+                                             texture_of(model, pixmap, colors, scale)));
         }
     }
     return out;

@@ -12,8 +12,8 @@ namespace gw::radiosity {
 /// `scene` is the one that `model` was made of. Ka and Kd are 0, Ke is 1 and its map the pixmap,
 /// `scale` times the radiosity; lights' highlights are scaled too. An object becomes one for each
 /// of its pixmaps.
-scene::Scene glowing(const scene::Scene& scene, const Model& model, const Shown& colors,
-                     double scale);
+scene::Scene emissive_scene(const scene::Scene& scene, const PixmapModel& model,
+                            const DisplayedPixmaps& colors, double scale);
 
 /// With nothing in place of the triangles that turn their backs to the camera, which do not emit;
 /// identifiers of polygons stay the same.

@@ -20,7 +20,7 @@ Corner corner_of(const vec3& p) { return {p.x, p.y, p.z}; }
 /// different objects.
 class Sides {
 public:
-    explicit Sides(const Model& model) {
+    explicit Sides(const PixmapModel& model) {
         for (const scene::Object& object : model.drawn.objects)
             for (const Triangle& t : object.mesh->triangles()) {
                 const Facet& facet = model.facets[object.mesh->polygon_id(t.polygon)];
@@ -58,7 +58,7 @@ private:
 /// together.
 class Strip {
 public:
-    Strip(const Model& model, const Shown& colors, double scale, const Mesh& drawn,
+    Strip(const PixmapModel& model, const DisplayedPixmaps& colors, double scale, const Mesh& drawn,
           const Triangle& triangle, const Sides& sides)
         : facet_(model.facets[drawn.polygon_id(triangle.polygon)]), colors_(colors), scale_(scale) {
         data_.primitive = Primitive::TriangleStrip;
@@ -110,7 +110,7 @@ private:
     }
 
     const Facet& facet_;
-    const Shown& colors_;
+    const DisplayedPixmaps& colors_;
     const double scale_;
     int rows_ = 1;
     std::array<vec3, 3> corner_;
@@ -120,8 +120,8 @@ private:
 
 }  // namespace
 
-CommandList strip_list(const Model& model, const Shown& colors, const scene::View& view,
-                       const Brightness& brightness, int threads) {
+CommandList strip_list(const PixmapModel& model, const DisplayedPixmaps& colors,
+                       const scene::View& view, const Brightness& brightness, int threads) {
     CommandList list;
     begin_picture(list, "radiosity as strips", picture_state(view), brightness.background);
     const Sides sides(model);

@@ -27,11 +27,11 @@ Range reach(int count, bool ends_before, bool ends_after) {
 }  // namespace
 
 FacetScan::FacetScan(int size, std::span<double> factors) : factors_(factors) {
-    pixels_.make_room(std::size_t(size));
-    row_.make_room(std::size_t(size));
+    pixels_.reserve(std::size_t(size));
+    row_.reserve(std::size_t(size));
 }
 
-void FacetScan::front(const Model& model, std::uint32_t number, const Homography& map,
+void FacetScan::front(const PixmapModel& model, std::uint32_t number, const Homography& map,
                       const IdBuffer& buffer, const Region& region,
                       const std::vector<double>& deltas, const ScanOptions& options) {
     const Facet& facet = model.facets[number];
@@ -60,7 +60,7 @@ void FacetScan::row(const FacetMap& map, const IdBuffer& buffer, std::uint32_t f
     parts_.count = 0;
     if (find_footprints(map, y, deltas, pixels_, row_)) divide(buffer, facet_pixel, y);
     find_parts(map, parts_);
-    boxes_.make_room(row_.count + parts_.count);
+    boxes_.reserve(row_.count + parts_.count);
     std::size_t next = 0;
     for (const Divided& divided : divided_) {
         append(row_, next, divided.pixel, boxes_);
@@ -78,14 +78,14 @@ void FacetScan::divide(const IdBuffer& buffer, std::uint32_t facet_pixel, int y)
     const std::uint32_t* const row_above = y + 1 < buffer.rows ? row + buffer.size : nullptr;
     for (std::size_t i = 0; i < pixels_.count; ++i) {
         const int x = pixels_.x[i], nx = pixels_.nx[i], ny = pixels_.ny[i];
-        if (row_.cells[i] == 2) continue;
+        if (row_.texels_across[i] == 2) continue;
         const bool left = x > 0 && row[x - 1] != facet_pixel,
                    right = x + 1 < buffer.size && row[x + 1] != facet_pixel,
                    below = row_below && row_below[x] != facet_pixel,
                    above = row_above && row_above[x] != facet_pixel;
         if (nx * ny == 1 && !left && !right && !below && !above) continue;
         const Range columns = reach(nx, left, right), rows = reach(ny, below, above);
-        parts_.make_room(std::size_t(columns.count()) * std::size_t(rows.count()));
+        parts_.reserve(std::size_t(columns.count()) * std::size_t(rows.count()));
         divided_.push_back({i, parts_.count, 0});
         for (int j = rows.first; j < rows.end; ++j) {
             const double middle = y + (j + 0.5) / ny;
@@ -117,7 +117,7 @@ void FacetScan::add_parts(const Divided& divided) {
         boxes_.width[i] = row_.width[pixel];
         boxes_.height[i] = row_.height[pixel];
         boxes_.value[i] = value;
-        boxes_.cells[i] = 3;
+        boxes_.texels_across[i] = 3;
     }
     boxes_.count = next;
 }

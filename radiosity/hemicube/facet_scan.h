@@ -15,7 +15,7 @@ public:
 
     /// A facet's front. `deltas`: delta form factors of the buffer's pixels. `region`: where its
     /// pixels are.
-    void front(const Model& model, std::uint32_t facet, const Homography& map,
+    void front(const PixmapModel& model, std::uint32_t facet, const Homography& map,
                const IdBuffer& buffer, const Region& region, const std::vector<double>& deltas,
                const ScanOptions& options);
 
@@ -34,8 +34,8 @@ private:
     void add_parts(const Divided& divided);
 
     std::span<double> factors_;
-    SeenPixels pixels_;  ///< of one row ...
-    Boxes row_;          ///< ... and what they cover
+    FacetPixels pixels_;  ///< of one row ...
+    Boxes row_;           ///< ... and what they cover
     Parts parts_;
     std::vector<Divided> divided_;
     Boxes boxes_;

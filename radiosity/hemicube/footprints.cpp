@@ -19,7 +19,7 @@ inline V all(double v) { return hn::Set(D(), v); }
 inline V larger(V a, V b) { return hn::Max(hn::Abs(a), hn::Abs(b)); }
 
 void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel,
-                 SeenPixels& found) {
+                 FacetPixels& found) {
     const hn::ScalableTag<std::int32_t> d;
     const int lanes = int(hn::Lanes(d));
     const auto wanted = hn::Set(d, std::int32_t(pixel));
@@ -73,7 +73,7 @@ inline V parts(V texels, double most) {
 
 inline void store_int(V v, std::int32_t* to) { hn::StoreU(hn::DemoteTo(I(), v), I(), to); }
 
-bool find_footprints(const FacetMap& map, int y, const double* deltas, SeenPixels& pixels,
+bool find_footprints(const FacetMap& map, int y, const double* deltas, FacetPixels& pixels,
                      Boxes& boxes) {
     const D d;
     const Homography& h = map.texel_from_pixel;
@@ -99,7 +99,7 @@ bool find_footprints(const FacetMap& map, int y, const double* deltas, SeenPixel
         hn::StoreU(at.v, d, boxes.v.data() + i);
         hn::StoreU(box(a.u, b.u), d, boxes.width.data() + i);
         hn::StoreU(box(a.v, b.v), d, boxes.height.data() + i);
-        store_int(hn::IfThenElse(small, all(2), all(3)), boxes.cells.data() + i);
+        store_int(hn::IfThenElse(small, all(2), all(3)), boxes.texels_across.data() + i);
         store_int(nx, pixels.nx.data() + i);
         store_int(ny, pixels.ny.data() + i);
     }
@@ -134,11 +134,11 @@ HWY_EXPORT(find_pixels);
 HWY_EXPORT(find_footprints);
 HWY_EXPORT(find_parts);
 
-void SeenPixels::make_room(std::size_t row) {
+void FacetPixels::reserve(std::size_t row) {
     for (auto* values : {&x, &nx, &ny}) values->resize(row + longest_vector);
 }
 
-void Parts::make_room(std::size_t more) {
+void Parts::reserve(std::size_t more) {
     const std::size_t size = count + more + longest_vector;
     if (size <= x.size()) return;
     for (auto* values : {&x, &y, &u, &v}) values->resize(2 * size);
@@ -146,11 +146,11 @@ void Parts::make_room(std::size_t more) {
 }
 
 void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel,
-                 SeenPixels& found) noexcept {
+                 FacetPixels& found) noexcept {
     HWY_DYNAMIC_DISPATCH(find_pixels)(row, first, end, pixel, found);
 }
 
-bool find_footprints(const FacetMap& map, int y, const double* deltas, SeenPixels& pixels,
+bool find_footprints(const FacetMap& map, int y, const double* deltas, FacetPixels& pixels,
                      Boxes& boxes) noexcept {
     return HWY_DYNAMIC_DISPATCH(find_footprints)(map, y, deltas, pixels, boxes);
 }

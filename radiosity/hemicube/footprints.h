@@ -3,10 +3,33 @@
 // does).
 #pragma once
 
-#include "radiosity/hemicube/boxes.h"
 #include "radiosity/hemicube/homography.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 namespace gw::radiosity {
+
+/// What vector code may write, or read, behind the last of a list's values.
+inline constexpr std::size_t longest_vector = 64;
+
+/// A list of boxes, in the order in which texels receive what they carry. Each member has room for
+/// `count` boxes and a vector more.
+struct Boxes {
+    std::vector<double> u, v, width, height;  ///< the middle and the sides
+    std::vector<double> value;
+    /// 2, of boxes of at most a texel each way; 3, of at most two
+    std::vector<std::int32_t> texels_across;
+    std::size_t count = 0;
+
+    void reserve(std::size_t more) {
+        const std::size_t size = count + more + longest_vector;
+        if (size <= u.size()) return;
+        for (auto* values : {&u, &v, &width, &height, &value}) values->resize(2 * size);
+        texels_across.resize(2 * size);
+    }
+};
 
 /// One facet in one face.
 struct FacetMap {
@@ -21,23 +44,23 @@ struct FacetMap {
 };
 
 /// The pixels of a row that see the facet. Each member has room for a row and a vector more.
-struct SeenPixels {
+struct FacetPixels {
     std::vector<std::int32_t> x;       ///< ascending
     std::vector<std::int32_t> nx, ny;  ///< in how many parts the pixel is to be divided
     std::size_t count = 0;
 
-    void make_room(std::size_t row);
+    void reserve(std::size_t row);
 };
 
 /// x and count: those of row[first .. end - 1] that are `pixel`.
 void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel,
-                 SeenPixels& found) noexcept;
+                 FacetPixels& found) noexcept;
 
 /// nx, ny, and the box of each pixel, or where it is to be divided, of one of its parts, about the
 /// pixel's middle; with its delta form factor. y: the row, whose `deltas` these are. `boxes` is
 /// overwritten, and has room. Returns whether a box may be longer than a texel, or a pixel is to be
 /// divided.
-bool find_footprints(const FacetMap& map, int y, const double* deltas, SeenPixels& pixels,
+bool find_footprints(const FacetMap& map, int y, const double* deltas, FacetPixels& pixels,
                      Boxes& boxes) noexcept;
 
 /// Parts of pixels: where their middles are in the face, and in texels. Each member has room for
@@ -47,7 +70,7 @@ struct Parts {
     std::vector<std::int32_t> inside;  ///< 1: falls on the facet, 0
     std::size_t count = 0;
 
-    void make_room(std::size_t more);
+    void reserve(std::size_t more);
 };
 
 /// u, v and inside, from x and y.

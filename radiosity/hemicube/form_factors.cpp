@@ -44,7 +44,7 @@ void check(const FormFactorOptions& options) {
         throw Error("options of a patch's points that are not above 0; expected positive numbers");
 }
 
-FormFactors::FormFactors(const Model& model, const FormFactorOptions& options)
+FormFactors::FormFactors(const PixmapModel& model, const FormFactorOptions& options)
     : model_(model), options_(options) {
     check(options);
     delta_ = delta_form_factors(options.hemicube);

@@ -31,7 +31,7 @@ void check(const FormFactorOptions& options);
 
 /// What a patch (or point) sends where. texels + backs + escaped = 1.
 struct Row {
-    std::vector<std::uint32_t> texels;  ///< elements (Model) that receive anything, ascending
+    std::vector<std::uint32_t> texels;  ///< elements (PixmapModel) that receive anything, ascending
     std::vector<double> factors;        ///< form factor to each
     double backs = 0;                   ///< to sides of figures that neither emit nor reflect
     double escaped = 0;                 ///< out of the scene
@@ -40,7 +40,7 @@ struct Row {
 
 class FormFactors {
 public:
-    FormFactors(const Model& model, const FormFactorOptions& options);
+    FormFactors(const PixmapModel& model, const FormFactorOptions& options);
 
     /// Throws Canceled when asked to stop.
     Row from_patch(std::size_t patch);
@@ -56,7 +56,7 @@ private:
     void scan(std::size_t count);
     void sum(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count, Row& row);
 
-    const Model& model_;
+    const PixmapModel& model_;
     FormFactorOptions options_;
     DeltaFormFactors delta_;
     std::vector<std::unique_ptr<HemicubePainter>> painters_;  ///< one for each thread

@@ -64,7 +64,7 @@ HemicubePainter::HemicubePainter(int size)
     : HemicubePainter(make_fast(id_profile(), size, size, {.threads = 1})) {}
 HemicubePainter::HemicubePainter(std::unique_ptr<Machine> machine) : machine_(std::move(machine)) {}
 
-void HemicubePainter::draw(const Model& model, const Hemicube& hemicube, IdBuffers& buffers) {
+void HemicubePainter::draw(const PixmapModel& model, const Hemicube& hemicube, IdBuffers& buffers) {
     CommandList list;
     list.commands.reserve(hemicube_faces * (4 + model.joined.objects.size()));
     for (std::uint32_t face = 0; face < hemicube_faces; ++face) {
@@ -87,8 +87,8 @@ void HemicubePainter::draw(const Model& model, const Hemicube& hemicube, IdBuffe
     machine_->execute(list);
     machine_->reset_passes();
     for (IdBuffer& buffer : buffers) {
-        buffer.seen.assign(model.facets.size() + 1, 0);
-        mark_seen(buffer.pixels, std::size_t(buffer.size), buffer.seen.data());
+        buffer.present.assign(model.facets.size() + 1, 0);
+        mark_present_ids(buffer.pixels, std::size_t(buffer.size), buffer.present.data());
     }
 }
 

@@ -29,7 +29,7 @@ Hemicube hemicube_at(const dvec3& position, const dvec3& normal, double turn, do
 struct IdBuffer {
     int size = 0, rows = 0;
     CacheAlignedVector<std::uint32_t> pixels;
-    std::vector<char> seen;  ///< by identifier: whether any pixel has it
+    std::vector<char> present;  ///< by identifier: whether any pixel has it
 };
 /// A pixel that sees nothing, and one that sees a facet.
 inline constexpr std::uint32_t nothing = 0;
@@ -44,7 +44,7 @@ public:
     explicit HemicubePainter(int size);
     /// On a machine of id_profile(), square.
     explicit HemicubePainter(std::unique_ptr<Machine> machine);
-    void draw(const Model& model, const Hemicube& hemicube, IdBuffers& buffers);
+    void draw(const PixmapModel& model, const Hemicube& hemicube, IdBuffers& buffers);
 
 private:
     std::unique_ptr<Machine> machine_;

@@ -17,10 +17,10 @@ constexpr std::uint32_t id_bits = 0xFFFFFF;
 
 /// Of an identifier's pixels only one that neither the next nor the one above has is marked: the
 /// last is one.
-void mark_all(std::span<const std::uint32_t> pixels, std::size_t row, char* seen) {
+void mark_present(std::span<const std::uint32_t> pixels, std::size_t row, char* present) {
     const hn::ScalableTag<std::uint32_t> d;
     const std::uint32_t* const at = pixels.data();
-    const auto mark = [&](std::size_t i) { seen[at[i] & id_bits] = 1; };
+    const auto mark = [&](std::size_t i) { present[at[i] & id_bits] = 1; };
     std::size_t i = 0;
     for (; i + row + hn::Lanes(d) <= pixels.size(); i += hn::Lanes(d)) {
         const auto pixel = hn::LoadU(d, at + i);
@@ -42,10 +42,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace gw::radiosity {
 
-HWY_EXPORT(mark_all);
+HWY_EXPORT(mark_present);
 
-void mark_seen(std::span<const std::uint32_t> pixels, std::size_t row, char* seen) {
-    HWY_DYNAMIC_DISPATCH(mark_all)(pixels, row, seen);
+void mark_present_ids(std::span<const std::uint32_t> pixels, std::size_t row, char* present) {
+    HWY_DYNAMIC_DISPATCH(mark_present)(pixels, row, present);
 }
 
 }  // namespace gw::radiosity

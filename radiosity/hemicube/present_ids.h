@@ -6,8 +6,8 @@
 
 namespace gw::radiosity {
 
-/// seen[id] becomes 1 for the identifier, the low 24 bits, of every packed colour; `row` of them
+/// present[id] becomes 1 for the identifier, the low 24 bits, of every packed colour; `row` of them
 /// are a row.
-void mark_seen(std::span<const std::uint32_t> pixels, std::size_t row, char* seen);
+void mark_present_ids(std::span<const std::uint32_t> pixels, std::size_t row, char* present);
 
 }  // namespace gw::radiosity

@@ -1,5 +1,4 @@
-// The pixels of an ID buffer that a facet can be in: the region spanned by its corners, clipped
-// [F2.2].
+// The pixels of an ID buffer that a facet can be in: the region spanned by its corners [F2.2].
 // A corner may lie behind the face; the region is clipped before it is projected.
 #pragma once
 

@@ -4,7 +4,7 @@
 
 namespace gw::radiosity {
 
-double scan_pixmap(const Model& model, std::uint32_t pixmap, const Hemicube& hemicube,
+double scan_pixmap(const PixmapModel& model, std::uint32_t pixmap, const Hemicube& hemicube,
                    const IdBuffers& buffers, const DeltaFormFactors& delta,
                    const ScanOptions& options, std::span<double> factors) {
     double backs = 0;
@@ -17,7 +17,7 @@ double scan_pixmap(const Model& model, std::uint32_t pixmap, const Hemicube& hem
         for (std::size_t face = 0; face < hemicube_faces; ++face) {
             const IdBuffer& buffer = buffers[face];
             const scene::View& view = hemicube.views[face];
-            if (!buffer.seen[number + 1]) continue;
+            if (!buffer.present[number + 1]) continue;
             find_region(facet, view, face == 0, region);
             const std::vector<double>& deltas = face == 0 ? delta.top : delta.side;
             if (back) {
@@ -34,7 +34,7 @@ double scan_pixmap(const Model& model, std::uint32_t pixmap, const Hemicube& hem
 double escaping(const IdBuffers& buffers, const DeltaFormFactors& delta) {
     double sum = 0;
     for (std::size_t face = 0; face < hemicube_faces; ++face) {
-        if (!buffers[face].seen[0]) continue;
+        if (!buffers[face].present[0]) continue;
         const std::vector<double>& pixels = face == 0 ? delta.top : delta.side;
         for (std::size_t i = 0; i < pixels.size(); ++i)
             if (buffers[face].pixels[i] == nothing) sum += pixels[i];

@@ -1,5 +1,4 @@
-// From the pixels of an ID buffer to texels [F2.2]: the share of a point's light that each texel
-// receives.
+// From the pixels of an ID buffer to texels [F2.2]: each texel's share of the light of a point.
 // Does not draw the buffers and knows no energy.
 #pragma once
 
@@ -12,15 +11,15 @@
 namespace gw::radiosity {
 
 struct ScanOptions {
-    /// Pixels that are larger than a texel are divided [F2.2o], each way at most so often. 1:
-    /// never, and every pixel goes to the one texel that its middle falls on (Fig. 3a).
+    /// Pixels larger than a texel are divided [F2.2o], at most into so many parts each way. 1: not
+    /// at all, and every pixel goes to the one texel under its middle (Fig. 3a).
     int most_parts = 64;
 };
 
 /// Adds to factors[texel] the delta form factors of the pixels that see `pixmap`; returns those
 /// that see backs of its figures. `factors` are those of the whole model; only those of this pixmap
 /// are touched, so pixmaps can be scanned in parallel [F2.2p].
-double scan_pixmap(const Model& model, std::uint32_t pixmap, const Hemicube& hemicube,
+double scan_pixmap(const PixmapModel& model, std::uint32_t pixmap, const Hemicube& hemicube,
                    const IdBuffers& buffers, const DeltaFormFactors& delta,
                    const ScanOptions& options, std::span<double> factors);
 

@@ -46,7 +46,7 @@ struct Shares {
     HWY_ALIGN double value[most_cells * most_cells][HWY_LANES(double)];  ///< by rows of texels
     std::int32_t u[HWY_LANES(double)], v[HWY_LANES(double)];             ///< the first texel
     std::int32_t corner[HWY_LANES(double)];                              ///< v * width + u
-    /// Boxes::cells, or 0 where some are not the pixmap's
+    /// Boxes::texels_across, or 0 where some are not the pixmap's
     std::int32_t inside[HWY_LANES(double)];
 };
 
@@ -56,7 +56,7 @@ inline void share(const FacetMap& map, const Boxes& boxes, std::size_t i, Shares
     const auto load = [&](const std::vector<double>& values) {
         return hn::LoadU(d, values.data() + i);
     };
-    const V cells = hn::PromoteTo(d, hn::LoadU(I(), boxes.cells.data() + i));
+    const V cells = hn::PromoteTo(d, hn::LoadU(I(), boxes.texels_across.data() + i));
     const auto two = hn::Eq(cells, all(2));
     const Cells u(load(boxes.u), hn::Add(load(boxes.width), all(least)), map.u, two),
         v(load(boxes.v), hn::Add(load(boxes.height), all(least)), map.v, two);
@@ -128,7 +128,8 @@ void spread(const FacetMap& map, const Boxes& boxes, const TexelSums& sums) {
         for (std::size_t i = first; i < end; i += lanes)
             share(map, boxes, i, shares[(i - first) / lanes]);
         for (std::size_t i = first; i < end; ++i)
-            add(shares[(i - first) / lanes], (i - first) % lanes, boxes.cells[i], map, sums);
+            add(shares[(i - first) / lanes], (i - first) % lanes, boxes.texels_across[i], map,
+                sums);
     }
 }
 
@@ -142,7 +143,7 @@ void append(const Boxes& from, std::size_t first, std::size_t end, Boxes& to) {
     copy(D(), from.width, to.width);
     copy(D(), from.height, to.height);
     copy(D(), from.value, to.value);
-    copy(I(), from.cells, to.cells);
+    copy(I(), from.texels_across, to.texels_across);
     to.count += end - first;
 }
 

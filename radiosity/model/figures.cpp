@@ -8,14 +8,6 @@
 namespace gw::radiosity {
 namespace {
 
-void check_emission(const Model& model) {
-    for (const Figure& figure : model.figures)
-        if (figure.E != dvec3(0)) return;
-    throw Error(
-        "scene '" + model.drawn.name +
-        "': nothing emits light; expected a material with Ke, or pixmap = {emission = ...} of an object");
-}
-
 /// The objects as one mesh; polygon identifiers are facets, which ascend from object to object.
 scene::Scene joined(const scene::Scene& drawn) {
     MeshData whole;
@@ -36,7 +28,15 @@ scene::Scene joined(const scene::Scene& drawn) {
 
 }  // namespace
 
-Model make_model(const scene::Scene& scene, const ModelOptions& options) {
+void check_emission(const PixmapModel& model) {
+    for (const Figure& figure : model.figures)
+        if (figure.E != dvec3(0)) return;
+    throw Error("scene '" + model.drawn.name +
+                "': nothing emits light; expected a material with Ke, or pixmap = {emission = ...} "
+                "of an object");
+}
+
+PixmapModel make_model(const scene::Scene& scene, const ModelOptions& options) {
     ModelBuilder builder(scene, options);
     for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
         // lines, points have no area
@@ -45,7 +45,6 @@ Model make_model(const scene::Scene& scene, const ModelOptions& options) {
         scene.objects[i].pixmap.given_st ? add_given(builder) : add_automatic(builder);
         builder.end();
     }
-    check_emission(builder.model);
     cover_texels(builder.model);
     builder.model.patches = patches_of(builder.model, options.patch);
     builder.model.joined = joined(builder.model.drawn);

@@ -1,5 +1,5 @@
 // A scene's objects as figures with ST and pixmaps [F2.1]: given ST, or automatic ones where they
-// are missing. Does not compute areas of texels (coverage.h does).
+// are missing. Does not compute areas of texels (texel_coverage.h does).
 #pragma once
 
 #include "radiosity/model/pixmap_model.h"
@@ -15,7 +15,10 @@ struct ModelOptions {
 /// Throws Error, from the file and line of the object's pixmap where there is one, for: ST that are
 /// missing, outside 0 .. 1, without area or covering a texel twice; a figure without area; a
 /// reflectance above 1; a pixmap that is larger than 4096 texels a side or shared with another
-/// size; a scene in which nothing emits.
-Model make_model(const scene::Scene& scene, const ModelOptions& options = {});
+/// size.
+PixmapModel make_model(const scene::Scene& scene, const ModelOptions& options = {});
+
+/// Throws Error where no figure emits: there is nothing to solve. Form factors need no light.
+void check_emission(const PixmapModel& model);
 
 }  // namespace gw::radiosity

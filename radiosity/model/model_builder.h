@@ -16,7 +16,7 @@ class ModelBuilder {
 public:
     ModelBuilder(const scene::Scene& scene, const ModelOptions& options);
 
-    Model model;
+    PixmapModel model;
 
     /// The object that is added now: its welded surface in the world, and the facets of its
     /// triangles.

@@ -24,7 +24,7 @@ struct Covered {
     bool whole(const Part& part) const { return facet && facet_share >= part.whole() * (1 - 1e-9); }
 };
 
-Covered covered(const Model& model, const Pixmap& pixmap, const Part& part) {
+Covered covered(const PixmapModel& model, const Pixmap& pixmap, const Part& part) {
     Covered best;
     for (std::uint32_t number : pixmap.facets) {
         const Facet& facet = model.facets[number];
@@ -66,7 +66,7 @@ double smallest_part(const Pixmap& pixmap, const PointOptions& options) {
 
 class Points {
 public:
-    Points(const Model& model, const Patch& patch, const PointOptions& options)
+    Points(const PixmapModel& model, const Patch& patch, const PointOptions& options)
         : model_(model),
           patch_(patch),
           pixmap_(model.pixmaps[patch.pixmap]),
@@ -133,7 +133,7 @@ private:
         return false;
     }
 
-    const Model& model_;
+    const PixmapModel& model_;
     const Patch& patch_;
     const Pixmap& pixmap_;
     const PointOptions& options_;
@@ -142,7 +142,7 @@ private:
 
 }  // namespace
 
-std::vector<Patch> patches_of(const Model& model, int side) {
+std::vector<Patch> patches_of(const PixmapModel& model, int side) {
     std::vector<Patch> patches;
     for (std::uint32_t i = 0; i < model.pixmaps.size(); ++i) {
         const Pixmap& pixmap = model.pixmaps[i];
@@ -162,7 +162,7 @@ std::vector<Patch> patches_of(const Model& model, int side) {
     return patches;
 }
 
-std::vector<ShootPoint> points_of(const Model& model, const Patch& patch,
+std::vector<ShootPoint> points_of(const PixmapModel& model, const Patch& patch,
                                   const PointOptions& options) {
     std::vector<ShootPoint> points = Points(model, patch, options).points;
     double sum = 0;

@@ -1,5 +1,4 @@
-// Patches [F2] and the points of a patch that hemicubes are put on.
-// Does not draw.
+// Patches [F2], and the points of a patch on which hemicubes stand. Does not draw.
 #pragma once
 
 #include "radiosity/model/pixmap_model.h"
@@ -7,7 +6,7 @@
 namespace gw::radiosity {
 
 /// Blocks of side x side texels, those with an area.
-std::vector<Patch> patches_of(const Model& model, int side);
+std::vector<Patch> patches_of(const PixmapModel& model, int side);
 
 /// Where one hemicube stands for a part of a patch.
 struct ShootPoint {
@@ -30,7 +29,7 @@ struct PointOptions {
 
 /// Four points for each undivided part: those of Gauss' rule, exact for cubic integrands, where the
 /// part is whole, and the middle of what is covered where it is not.
-std::vector<ShootPoint> points_of(const Model& model, const Patch& patch,
+std::vector<ShootPoint> points_of(const PixmapModel& model, const Patch& patch,
                                   const PointOptions& options = {});
 
 }  // namespace gw::radiosity

@@ -43,7 +43,7 @@ struct Facet {
 struct Pixmap {
     std::string name;
     int width = 0, height = 0;
-    std::size_t first = 0;              ///< of its texels in the arrays of Model; row 0 is t = 0
+    std::size_t first = 0;  ///< of its texels in the arrays of PixmapModel; row 0 is t = 0
     std::vector<std::uint32_t> facets;  ///< that lie in it, ascending
     bool whole = false;                 ///< every texel is an element
     std::size_t count() const { return std::size_t(width) * std::size_t(height); }
@@ -76,7 +76,7 @@ struct Source {
 };
 inline constexpr std::uint32_t no_facet = 0xffffffff;
 
-struct Model {
+struct PixmapModel {
     std::vector<Figure> figures;
     std::vector<Facet> facets;
     std::vector<Pixmap> pixmaps;

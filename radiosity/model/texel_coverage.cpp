@@ -49,7 +49,7 @@ void for_each_share(const Triangle2& triangle, const Pixmap& pixmap, Visit visit
 }
 
 /// Breadth first from the covered texels, in the order of the texels.
-void find_nearest(Model& model, Pixmap& pixmap, const std::vector<char>& covered) {
+void find_nearest(PixmapModel& model, Pixmap& pixmap, const std::vector<char>& covered) {
     std::deque<std::size_t> queue;
     for (std::size_t t = pixmap.first; t < pixmap.first + pixmap.count(); ++t) {
         model.nearest[t] = covered[t] ? static_cast<std::uint32_t>(t) : no_texel;
@@ -72,7 +72,7 @@ void find_nearest(Model& model, Pixmap& pixmap, const std::vector<char>& covered
 }
 
 /// Which texels count: those covered enough, or the fullest one of a pixmap that has no_texel.
-std::vector<char> covered_enough(const Model& model, const std::vector<double>& share) {
+std::vector<char> covered_enough(const PixmapModel& model, const std::vector<double>& share) {
     std::vector<char> covered(share.size());
     for (const Pixmap& pixmap : model.pixmaps) {
         const auto first = share.begin() + static_cast<std::ptrdiff_t>(pixmap.first);
@@ -86,7 +86,7 @@ std::vector<char> covered_enough(const Model& model, const std::vector<double>& 
 }
 
 /// A texel with too little area and its nearest neighbours are one element.
-void join_elements(Model& model) {
+void join_elements(PixmapModel& model) {
     const std::size_t count = model.texel_count();
     model.element_area = model.area;
     model.next_of_element.assign(count, no_texel);
@@ -99,7 +99,7 @@ void join_elements(Model& model) {
     }
 }
 
-void refuse_overlap(const Model& model, const std::vector<double>& share) {
+void refuse_overlap(const PixmapModel& model, const std::vector<double>& share) {
     for (const Pixmap& pixmap : model.pixmaps)
         for (std::size_t i = 0; i < pixmap.count(); ++i) {
             if (share[pixmap.first + i] <= 1 + 1e-3) continue;
@@ -112,7 +112,7 @@ void refuse_overlap(const Model& model, const std::vector<double>& share) {
 
 }  // namespace
 
-void cover_texels(Model& model) {
+void cover_texels(PixmapModel& model) {
     const std::size_t count =
         model.pixmaps.empty() ? 0 : model.pixmaps.back().first + model.pixmaps.back().count();
     model.area.assign(count, 0);

@@ -6,10 +6,10 @@
 
 namespace gw::radiosity {
 
-/// Fills in what Model has for texels, figures, facets and pixmaps being known. A texel of which
-/// less than half is covered is one element with its nearest neighbour: few pixels of an ID buffer
-/// fall on it, and a quotient by almost nothing is noise. Throws Error where figures cover a texel
-/// twice.
-void cover_texels(Model& model);
+/// Fills in the model's texels; its figures, facets and pixmaps are there already. A texel of which
+/// less than half is covered forms one element with its nearest neighbour: few pixels of an ID
+/// buffer fall on it, and a quotient by almost nothing is noise. Throws Error where figures cover a
+/// texel twice.
+void cover_texels(PixmapModel& model);
 
 }  // namespace gw::radiosity

@@ -3,6 +3,7 @@
 #include "gw/error.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <bit>
 #include <cstdlib>
@@ -11,8 +12,8 @@ namespace gw::radiosity {
 namespace {
 
 constexpr const char* kind = "radiosity pixmaps";
-constexpr const char* version =
-    "2";  ///< also of the form factors: going on must give the same bits
+/// Also of the form factors: going on must give the same bits.
+constexpr const char* version = "2";
 
 /// FNV-1a over 64-bit words, twice with different beginnings.
 class Fingerprint {
@@ -28,6 +29,10 @@ public:
     void add(float v) { add(std::uint64_t{std::bit_cast<std::uint32_t>(v)}); }
     void add(const dvec3& v) {
         for (int c = 0; c < 3; ++c) add(v[c]);
+    }
+    void add(const std::string& text) {
+        add(std::uint64_t{text.size()});
+        for (const char c : text) add(std::uint64_t{static_cast<unsigned char>(c)});
     }
     std::string text() const { return fmt::format("{:016x}{:016x}", high_, low_); }
 
@@ -57,7 +62,7 @@ void put_split(std::vector<float>& values, double v) {
     values.push_back(static_cast<float>(v - double(head)));
 }
 
-SavedPixmap pixmap_of(const Model& model, const Solution& solution, const Pixmap& pixmap) {
+SavedPixmap pixmap_of(const PixmapModel& model, const Solution& solution, const Pixmap& pixmap) {
     SavedPixmap out{pixmap.name, pixmap.width, pixmap.height, {}};
     for (std::size_t t = pixmap.first; t < pixmap.first + pixmap.count(); ++t) {
         const dvec3 B = radiosity_at(model, solution, t);
@@ -73,6 +78,21 @@ std::string contents(const std::vector<SavedPixmap>& pixmaps) {
     for (const SavedPixmap& pixmap : pixmaps)
         for (float v : pixmap.values) print.add(v);
     return print.text();
+}
+
+/// All names of figures and pixmaps, by a fingerprint; the first few to be read.
+std::string objects(const PixmapModel& model) {
+    constexpr std::size_t most = 8;
+    Fingerprint print;
+    std::vector<std::string> shown;
+    for (const Figure& figure : model.figures) {
+        print.add(figure.name);
+        if (shown.size() <= most && (shown.empty() || shown.back() != figure.name))
+            shown.push_back(figure.name);
+    }
+    for (const Pixmap& pixmap : model.pixmaps) print.add(pixmap.name);
+    if (shown.size() > most) shown.back() = "...";
+    return fmt::format("{} ({})", fmt::join(shown, ", "), print.text());
 }
 
 std::string fact(const Saved& saved, const char* name) {
@@ -94,7 +114,7 @@ const std::vector<std::string>& saved_channels() {
     return channels;
 }
 
-std::string fingerprint(const Model& model) {
+std::string fingerprint(const PixmapModel& model) {
     Fingerprint print;
     print.add(model.extent);
     for (const Pixmap& pixmap : model.pixmaps) {
@@ -124,7 +144,7 @@ std::string fingerprint(const FormFactorOptions& options) {
                        options.points.emitter_part, options.seed);
 }
 
-Saved save(const Model& model, const FormFactorOptions& options, const Solution& solution) {
+Saved save(const PixmapModel& model, const FormFactorOptions& options, const Solution& solution) {
     Saved saved;
     for (const Pixmap& pixmap : model.pixmaps)
         saved.pixmaps.push_back(pixmap_of(model, solution, pixmap));
@@ -132,6 +152,7 @@ Saved save(const Model& model, const FormFactorOptions& options, const Solution&
                    {"version", version},
                    {"scene", model.drawn.name},
                    {"model", fingerprint(model)},
+                   {"objects", objects(model)},
                    {"method", fingerprint(options)},
                    {"shots", std::to_string(solution.shots)},
                    {"escaped", text_of(solution.escaped)},
@@ -140,7 +161,7 @@ Saved save(const Model& model, const FormFactorOptions& options, const Solution&
     return saved;
 }
 
-void check_saved(const Saved& saved, const Model& model, const FormFactorOptions& options,
+void check_saved(const Saved& saved, const PixmapModel& model, const FormFactorOptions& options,
                  const std::string& file) {
     const auto expect = [&](const char* name, const std::string& wanted, const std::string& what) {
         if (fact(saved, name) == wanted) return;
@@ -150,17 +171,18 @@ void check_saved(const Saved& saved, const Model& model, const FormFactorOptions
     expect("version", version,
            fmt::format("was saved in version '{}' of the format", fact(saved, "version")));
     if (fact(saved, "model") != fingerprint(model))
-        throw Error(
-            file, 0,
-            fmt::format(
-                "was computed for scene '{}' as it was then; expected one of '{}' with the same figures, "
-                "materials and pixmaps",
-                fact(saved, "scene"), model.drawn.name));
+        throw Error(file, 0,
+                    fmt::format("was computed for scene '{}' as it was then; expected one of '{}' "
+                                "with the same figures, materials and pixmaps",
+                                fact(saved, "scene"), model.drawn.name));
+    if (saved.facts.contains("objects"))  // older files have none
+        expect("objects", objects(model),
+               fmt::format("was computed for objects named {}", fact(saved, "objects")));
     expect("method", fingerprint(options),
            fmt::format("was computed with {}", fact(saved, "method")));
 }
 
-Solution load(const Saved& saved, const Model& model, const FormFactorOptions& options,
+Solution load(const Saved& saved, const PixmapModel& model, const FormFactorOptions& options,
               const std::string& file) {
     check_saved(saved, model, options, file);
     const auto damaged = [&](const char* what) {

@@ -20,25 +20,26 @@ struct SavedPixmap {
 const std::vector<std::string>& saved_channels();
 
 struct Saved {
-    std::map<std::string, std::string>
-        facts;  ///< kind, version, scene, model, method, shots, escaped, backs, contents
+    /// kind, version, scene, model, objects, method, shots, escaped, backs, contents
+    std::map<std::string, std::string> facts;
     std::vector<SavedPixmap> pixmaps;
 };
 
 /// Two of these agree where going on gives the same bits: figures, pixmaps, materials; and how form
-/// factors are found.
-std::string fingerprint(const Model& model);
+/// factors are found. Names of objects are compared apart from these: no bit depends on them, but
+/// what a user means by a name does.
+std::string fingerprint(const PixmapModel& model);
 std::string fingerprint(const FormFactorOptions& options);
 
-Saved save(const Model& model, const FormFactorOptions& options, const Solution& solution);
+Saved save(const PixmapModel& model, const FormFactorOptions& options, const Solution& solution);
 
 /// Throws Error saying what differs: another kind of file, version, scene or method, or contents
 /// that are damaged. `file`: for the message.
-Solution load(const Saved& saved, const Model& model, const FormFactorOptions& options,
+Solution load(const Saved& saved, const PixmapModel& model, const FormFactorOptions& options,
               const std::string& file);
 
 /// Whether `saved` was computed for this model: what `load` throws about, without the values.
-void check_saved(const Saved& saved, const Model& model, const FormFactorOptions& options,
+void check_saved(const Saved& saved, const PixmapModel& model, const FormFactorOptions& options,
                  const std::string& file);
 
 }  // namespace gw::radiosity

@@ -5,7 +5,7 @@
 
 namespace gw::radiosity {
 
-Solution initial_solution(const Model& model) {
+Solution initial_solution(const PixmapModel& model) {
     Solution solution;
     solution.H.assign(model.texel_count(), dvec3(0));
     for (const dvec3& E : model.E)
@@ -13,7 +13,7 @@ Solution initial_solution(const Model& model) {
     return solution;
 }
 
-dvec3 radiosity_at(const Model& model, const Solution& solution, std::size_t texel) {
+dvec3 radiosity_at(const PixmapModel& model, const Solution& solution, std::size_t texel) {
     return model.E[texel] + model.rho[texel] * solution.H[texel];
 }
 
@@ -36,7 +36,7 @@ double Books::unshot_share() const {
     return all > 0 ? (unshot_size.x + unshot_size.y + unshot_size.z) / all : 0;
 }
 
-Books books(const Model& model, const Solution& solution) {
+Books books(const PixmapModel& model, const Solution& solution) {
     Books b;
     for (std::size_t t = 0; t < model.texel_count(); ++t) {
         b.emitted += model.area[t] * model.E[t];
@@ -50,7 +50,7 @@ Books books(const Model& model, const Solution& solution) {
     return b;
 }
 
-dvec3 ambient(const Model& model, const Solution& solution) {
+dvec3 ambient(const PixmapModel& model, const Solution& solution) {
     dvec3 unshot(0), rho(0);
     double area = 0;
     for (std::size_t t = 0; t < model.texel_count(); ++t) {

@@ -21,9 +21,9 @@ struct Solution {
 };
 
 /// Before the first shot: all that is emitted is unshot.
-Solution initial_solution(const Model& model);
+Solution initial_solution(const PixmapModel& model);
 
-dvec3 radiosity_at(const Model& model, const Solution& solution, std::size_t texel);
+dvec3 radiosity_at(const PixmapModel& model, const Solution& solution, std::size_t texel);
 
 /// The nearest value that two float32 hold, a head and a rest. All H and unshot are such values, so
 /// that files of float32 hold a solution bit for bit.
@@ -38,10 +38,10 @@ struct Books {
     /// unshot_size by what is emitted, all channels together.
     double unshot_share() const;
 };
-Books books(const Model& model, const Solution& solution);
+Books books(const PixmapModel& model, const Solution& solution);
 
 /// Cohen's estimate of the light that is yet to come, for display only [F1c]: as if the unshot
 /// energy were spread evenly and reflected by the mean surface for ever.
-dvec3 ambient(const Model& model, const Solution& solution);
+dvec3 ambient(const PixmapModel& model, const Solution& solution);
 
 }  // namespace gw::radiosity

@@ -18,7 +18,7 @@ std::size_t bytes_of(const Row& row) {
 }
 
 template <class Visit>
-void for_each_texel(const Model& model, const Patch& patch, Visit visit) {
+void for_each_texel(const PixmapModel& model, const Patch& patch, Visit visit) {
     const Pixmap& pixmap = model.pixmaps[patch.pixmap];
     for (int y = patch.y; y < patch.y + patch.height; ++y)
         for (int x = patch.x; x < patch.x + patch.width; ++x) visit(pixmap.texel(x, y));
@@ -26,11 +26,13 @@ void for_each_texel(const Model& model, const Patch& patch, Visit visit) {
 
 }  // namespace
 
-Solver::Solver(Model model, const SolverOptions& options)
-    : model_(std::make_unique<Model>(std::move(model))),
+Solver::Solver(PixmapModel model, const SolverOptions& options)
+    : model_(std::make_unique<PixmapModel>(std::move(model))),
       options_(options),
       form_factors_(std::make_unique<FormFactors>(*model_, options.form_factors)),
-      solution_(initial_solution(*model_)) {}
+      solution_(initial_solution(*model_)) {
+    check_emission(*model_);
+}
 
 void Solver::resume(Solution solution) {
     if (solution.H.size() != model_->texel_count() ||

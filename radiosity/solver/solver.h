@@ -43,8 +43,8 @@ struct Update {
 
 class Solver {
 public:
-    /// Throws Error where an option is out of range.
-    explicit Solver(Model model, const SolverOptions& options = {});
+    /// Throws Error where an option is out of range, or nothing emits.
+    explicit Solver(PixmapModel model, const SolverOptions& options = {});
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;
 
@@ -52,7 +52,7 @@ public:
     /// changed then.
     std::optional<Shot> shoot();
 
-    const Model& model() const { return *model_; }
+    const PixmapModel& model() const { return *model_; }
     const Solution& solution() const { return solution_; }
     /// Continues another one, of the same model. Throws Error where its arrays have other lengths.
     void resume(Solution solution);
@@ -62,11 +62,11 @@ public:
 
     /// Goes on with a model in which emitters were dimmed or recoloured, reflectances changed or
     /// figures moved: only the difference is shot [F4]. The pixmaps must be the same in number and
-    /// size. After a move the light of a patch is sent anew if it met the moved figure; patches
+    /// size. After a move the light of a patch is sent anew if it met the moved figure. Patches
     /// whose part in this is, all together, below `tolerance` of the emitted energy are left as
-    /// they are. Throws Error for another scene, Canceled as shoot does (then the model is the new
-    /// one, and some light is still where it fell before).
-    Update update(Model model, double tolerance = 0.002);
+    /// they are. Throws Error for another scene or one in which nothing emits. Throws Canceled as
+    /// shoot does; then the model is the new one, and some light is still where it fell before.
+    Update update(PixmapModel model, double tolerance = 0.002);
 
 private:
     Row row_of(std::size_t patch, int* drawn);
@@ -74,10 +74,15 @@ private:
     void receive(const Row& row, const dvec3& flux);
     dvec3 unshot_flux(const Patch& patch) const;
     dvec3 shot_flux(const Patch& patch) const;
-    void change_materials(const Model& to);
-    Update move(Model to, double tolerance);
+    void change_materials(const PixmapModel& to);
 
-    std::unique_ptr<Model> model_;  ///< stays where it is: form_factors_ refers to it
+    struct Affected;
+    Update move(PixmapModel to, double tolerance);
+    std::vector<Affected> affected_by(const PixmapModel& to) const;
+    static void keep_largest(std::vector<Affected>& affected, double least);
+    void send_anew(const std::vector<Affected>& affected, FormFactors& next, Update& done);
+
+    std::unique_ptr<PixmapModel> model_;  ///< stays where it is: form_factors_ refers to it
     SolverOptions options_;
     std::unique_ptr<FormFactors> form_factors_;
     Solution solution_;

@@ -9,7 +9,7 @@
 namespace gw::radiosity {
 namespace {
 
-bool same_pixmaps(const Model& a, const Model& b) {
+bool same_pixmaps(const PixmapModel& a, const PixmapModel& b) {
     return std::equal(a.pixmaps.begin(), a.pixmaps.end(), b.pixmaps.begin(), b.pixmaps.end(),
                       [](const Pixmap& p, const Pixmap& q) {
                           return p.width == q.width && p.height == q.height;
@@ -18,7 +18,7 @@ bool same_pixmaps(const Model& a, const Model& b) {
 }
 
 /// Moved, not resized; positions are float32.
-bool same_areas(const Model& a, const Model& b) {
+bool same_areas(const PixmapModel& a, const PixmapModel& b) {
     return std::equal(
         a.patches.begin(), a.patches.end(), b.patches.begin(), b.patches.end(),
         [](const Patch& p, const Patch& q) { return std::abs(p.area - q.area) <= 1e-4 * p.area; });
@@ -36,7 +36,7 @@ double most_to_sphere(const dvec3& from, const dvec3& center, double radius) {
 }
 
 /// The facets that are elsewhere now, in both models.
-std::vector<const Facet*> moved_facets(const Model& a, const Model& b) {
+std::vector<const Facet*> moved_facets(const PixmapModel& a, const PixmapModel& b) {
     std::vector<const Facet*> moved;
     for (std::size_t i = 0; i < a.facets.size(); ++i)
         if (!same_place(a.facets[i], b.facets[i]))
@@ -44,17 +44,19 @@ std::vector<const Facet*> moved_facets(const Model& a, const Model& b) {
     return moved;
 }
 
-dvec3 middle(const Model& model, const Patch& patch) {
+dvec3 middle(const PixmapModel& model, const Patch& patch) {
     const Facet& facet = model.facets[model.pixmaps[patch.pixmap].facets.front()];
     return facet.at({patch.x + patch.width / 2.0, patch.y + patch.height / 2.0});
 }
 
 }  // namespace
 
-Update Solver::update(Model to, double tolerance) {
+Update Solver::update(PixmapModel to, double tolerance) {
     if (!same_pixmaps(*model_, to) || !same_areas(*model_, to))
         throw Error(
-            "the changed scene has other figures or pixmaps; expected the same, moved or of other materials");
+            "the changed scene has other figures or pixmaps; expected the same, moved or of "
+            "other materials");
+    check_emission(to);
     change_materials(to);
     if (moved_facets(*model_, to).empty()) {
         // Form factors stay; only what depends on materials is new.
@@ -68,7 +70,7 @@ Update Solver::update(Model to, double tolerance) {
 }
 
 // B = E + rho H: what it changes by has not been sent.
-void Solver::change_materials(const Model& to) {
+void Solver::change_materials(const PixmapModel& to) {
     for (std::size_t t = 0; t < to.texel_count(); ++t) {
         const dvec3 before = radiosity_at(*model_, solution_, t);
         model_->E[t] = to.E[t];
@@ -80,60 +82,67 @@ void Solver::change_materials(const Model& to) {
     model_->figures = to.figures;
 }
 
-Update Solver::move(Model to, double tolerance) {
-    struct Affected {
-        std::size_t patch;
-        double most;  ///< flux, all channels, that may go elsewhere now
-        dvec3 flux;
-    };
+/// A patch whose light may go elsewhere after a move.
+struct Solver::Affected {
+    std::size_t patch;
+    double most;  ///< flux, all channels, that may go elsewhere
+    dvec3 flux;   ///< all that it has sent
+};
+
+std::vector<Solver::Affected> Solver::affected_by(const PixmapModel& to) const {
     const std::vector<const Facet*> moved = moved_facets(*model_, to);
     std::vector<Affected> affected;
-    double sum = 0;
     for (std::size_t p = 0; p < model_->patches.size(); ++p) {
         const Patch& patch = model_->patches[p];
         const dvec3 flux = shot_flux(patch);
         if (flux == dvec3(0)) continue;
-        const bool itself =
-            !same_place(model_->facets[model_->pixmaps[patch.pixmap].facets.front()],
-                        to.facets[to.pixmaps[patch.pixmap].facets.front()]);
-        double part = itself ? 1 : 0;
+        const bool moves = !same_place(model_->facets[model_->pixmaps[patch.pixmap].facets.front()],
+                                       to.facets[to.pixmaps[patch.pixmap].facets.front()]);
+        double part = moves ? 1 : 0;
         for (const Facet* facet : moved)
             part += most_to_sphere(middle(*model_, patch), facet->center, facet->radius);
         affected.push_back({p, magnitude(flux) * std::min(part, 1.0), flux});
-        sum += affected.back().most;
     }
+    return affected;
+}
+
+// Largest first, until the rest sends less than `least` elsewhere.
+void Solver::keep_largest(std::vector<Affected>& affected, double least) {
+    double left = 0;
+    for (const Affected& a : affected) left += a.most;
     std::stable_sort(affected.begin(), affected.end(),
                      [](const Affected& a, const Affected& b) { return a.most > b.most; });
-    const dvec3 emitted = books(*model_, solution_).emitted;
-    double left = sum;
     std::size_t count = 0;
-    while (count < affected.size() && left > tolerance * magnitude(emitted))
-        left -= affected[count++].most;
+    while (count < affected.size() && left > least) left -= affected[count++].most;
     affected.resize(count);
+}
 
-    // A patch's light is taken back with its old form factors and sent with the new ones in one go:
-    // books balance whenever this is canceled.
-    auto next = std::make_unique<Model>(std::move(to));
+// A patch's light is taken back with its old form factors and sent with the new ones in one go:
+// the books balance whenever this is canceled.
+void Solver::send_anew(const std::vector<Affected>& affected, FormFactors& next, Update& done) {
+    for (const Affected& a : affected) {
+        const Row before = row_of(a.patch, &done.hemicubes), now = next.from_patch(a.patch);
+        receive(before, -a.flux);
+        receive(now, a.flux);
+        done.hemicubes += now.hemicubes;
+        ++done.patches;
+    }
+}
+
+Update Solver::move(PixmapModel to, double tolerance) {
+    std::vector<Affected> affected = affected_by(to);
+    keep_largest(affected, tolerance * magnitude(books(*model_, solution_).emitted));
+    auto next = std::make_unique<PixmapModel>(std::move(to));
     auto next_factors = std::make_unique<FormFactors>(*next, options_.form_factors);
-    Update done;
-    const auto send_anew = [&] {
-        for (const Affected& a : affected) {
-            const Row before = row_of(a.patch, &done.hemicubes),
-                      now = next_factors->from_patch(a.patch);
-            receive(before, -a.flux);
-            receive(now, a.flux);
-            done.hemicubes += now.hemicubes;
-            ++done.patches;
-        }
-    };
     const auto change_over = [&] {
         model_ = std::move(next);
         form_factors_ = std::move(next_factors);
         rows_.clear();
         row_bytes_ = 0;
     };
+    Update done;
     try {
-        send_anew();
+        send_anew(affected, *next_factors, done);
     } catch (...) {
         change_over();
         throw;

@@ -1,6 +1,5 @@
 // Small line and scatter plots as SVG text, their numbers as CSV text, and the slope of a power
-// law.
-// Does not measure, and does not write files.
+// law. Does not measure, and does not write files.
 #pragma once
 
 #include "gw/base/types.h"

@@ -11,6 +11,8 @@
 
 namespace gw::hiddensurface {
 
+Algorithm mine();  ///< mine.cpp, the lecture's example
+
 inline scene::Scene case_scene(const std::string& name) {
     scene::Scene scene =
         scene::read_scene(std::string(GW_SOURCE_DIR "/scenes/hidden/") + name + ".toml").scene;
@@ -19,8 +21,8 @@ inline scene::Scene case_scene(const std::string& name) {
 }
 
 /// A scene, its view and what the algorithms see of it.
-struct Stage {
-    explicit Stage(scene::Scene given, Profile with = vgx(), int width = 160, int height = 120)
+struct Trial {
+    explicit Trial(scene::Scene given, Profile with = vgx(), int width = 160, int height = 120)
         : scene(std::move(given)),
           view(scene::make_view(scene, width, height)),
           machine(make_fast(with, width, height, {.threads = 1})),
@@ -28,7 +30,7 @@ struct Stage {
         StepLog none;
         z_buffer = run_on(*machine, algorithm_named("z-buffer"), input, none);
     }
-    Stage(const Stage&) = delete;
+    Trial(const Trial&) = delete;
 
     /// Compared with the Z-buffer.
     Result run(const std::string& name) {

@@ -7,10 +7,7 @@
 namespace gw::hiddensurface {
 
 Algorithm mine() {  // the function's name is the file's
-    return {.place = 100,
-            .name = "mine",
-            .title = "Near to far",
-            .run = [](const Input& input, StepLog& log) {
+    return {.name = "mine", .title = "Near to far", .run = [](const Input& input, StepLog& log) {
                 Output output{.list = begin_picture(input, "mine")};
                 std::vector<std::size_t> order(input.polygons.size());
                 std::iota(order.begin(), order.end(), std::size_t{0});

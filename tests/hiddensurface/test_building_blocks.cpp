@@ -146,20 +146,20 @@ TEST(DepthPlane, IncrementsAndClosedFormAgree) {
 // The algorithms' pixels and depths are the machine's.
 TEST(Project, HasTheMachinesPixelsAndDepths) {
     for (const Profile& profile : profiles()) {
-        Stage stage(random_triangles(7, 40), profile);
+        Trial trial(random_triangles(7, 40), profile);
         Planes mine(160, 120);
         const auto far_value = std::uint32_t((std::uint64_t{1} << profile.depth_bits) - 1);
         for (auto& z : mine.depth) z = far_value;
-        for (const Polygon& polygon : stage.input.polygons)
+        for (const Polygon& polygon : trial.input.polygons)
             for (const WindowTriangle& t : polygon.triangles)
                 for (const auto& run :
-                     scan_convert(t.corners, profile.subpixel_bits, stage.input.window()))
+                     scan_convert(t.corners, profile.subpixel_bits, trial.input.window()))
                     for (int x = run.x0; x < run.x1; ++x) {
                         std::uint32_t& z = mine.depth[mine.index(x, run.y)];
                         z = std::min(z, std::uint32_t(t.depth.at(x, run.y)));
                     }
-        stage.machine->execute(scene::id_pass(stage.scene, stage.view));
-        EXPECT_EQ(mine.depth, stage.machine->planes().depth) << profile.name;
+        trial.machine->execute(scene::id_pass(trial.scene, trial.view));
+        EXPECT_EQ(mine.depth, trial.machine->planes().depth) << profile.name;
     }
 }
 

@@ -106,8 +106,8 @@ TEST(Region, GetsAHoleWhereTheClipIsInside) {
 
 TEST(Faces, HaveThePixelsAndTheOrderOfTheirTriangles) {
     for (std::uint32_t seed = 1; seed <= 10; ++seed) {
-        Stage stage(piercing_rectangles(seed), vgx(), 72, 54);
-        const Input& input = stage.input;
+        Trial trial(piercing_rectangles(seed), vgx(), 72, 54);
+        const Input& input = trial.input;
         const std::vector<Face> faces = faces_of(input);
         std::map<std::size_t, std::vector<int>> count;
         for (const Face& face : faces) {
@@ -156,14 +156,14 @@ TEST(DepthPyramid, HidesWhatEveryPixelOfTheRectangleHides) {
 }
 
 TEST(Octree, HasEveryPolygonOnceAndItsWindowBoxHasAllOfIt) {
-    Stage stage(random_triangles(3, 60));
-    const std::unique_ptr<Cube> root = build_octree(stage.input.polygons, 2);
-    std::vector<int> found(stage.input.polygons.size());
+    Trial trial(random_triangles(3, 60));
+    const std::unique_ptr<Cube> root = build_octree(trial.input.polygons, 2);
+    std::vector<int> found(trial.input.polygons.size());
     std::function<void(const Cube&)> visit = [&](const Cube& cube) {
-        const WindowBox box = window_box(cube.low, cube.high, stage.view, stage.input.profile);
+        const WindowBox box = window_box(cube.low, cube.high, trial.view, trial.input.profile);
         for (const std::size_t i : cube.polygons) {
             found[i] += 1;
-            for (const WindowTriangle& t : stage.input.polygons[i].triangles)
+            for (const WindowTriangle& t : trial.input.polygons[i].triangles)
                 for (GridPoint p : t.corners) {
                     EXPECT_GE(p.z, box.nearest);
                     p.x =
@@ -181,7 +181,7 @@ TEST(Octree, HasEveryPolygonOnceAndItsWindowBoxHasAllOfIt) {
     };
     visit(*root);
     for (std::size_t i = 0; i < found.size(); ++i)
-        EXPECT_EQ(found[i], stage.input.polygons[i].visible() ? 1 : 0) << i;
+        EXPECT_EQ(found[i], trial.input.polygons[i].visible() ? 1 : 0) << i;
 }
 
 TEST(Octree, IsWalkedFromTheEyesCornerToTheOppositeOne) {
@@ -203,10 +203,10 @@ TEST(CoincidentFaces, ShowTheScenesFirst) {
     scene::Scene scene = piercing_rectangles(1);
     const scene::Object object = scene.objects[0];
     scene.objects.push_back(object);
-    Stage stage(std::move(scene));
+    Trial trial(std::move(scene));
     for (const Algorithm& algorithm : algorithms())
         if (algorithm.claim == Claim::Always && algorithm.name != "newell") {
-            const std::vector<std::uint32_t> ids = stage.run(algorithm.name).ids;
+            const std::vector<std::uint32_t> ids = trial.run(algorithm.name).ids;
             EXPECT_LE(*std::max_element(ids.begin(), ids.end()), 10u) << algorithm.name;
         }
 }
@@ -218,18 +218,18 @@ TEST(CoincidentFaces, ShowTheScenesFirstBesideWhatBeginsFartherLeft) {
         for (const auto& [x, y] :
              {std::pair(0, -1), std::pair(3, -1), std::pair(3, 1), std::pair(0, 1)})
             data.positions.push_back(vec3(left + float(x), float(y), 0));
-    Stage stage(polygon_scene(std::move(data)));
-    EXPECT_EQ(stage.z_buffer.ids[60 * 160 + 80], 1u);
+    Trial trial(polygon_scene(std::move(data)));
+    EXPECT_EQ(trial.z_buffer.ids[60 * 160 + 80], 1u);
     for (const Algorithm& algorithm : algorithms())
         if (algorithm.claim == Claim::Always && algorithm.name != "newell") {
-            EXPECT_EQ(stage.run(algorithm.name).ids, stage.z_buffer.ids) << algorithm.name;
+            EXPECT_EQ(trial.run(algorithm.name).ids, trial.z_buffer.ids) << algorithm.name;
         }
 }
 
 // Bit for bit, also where surfaces lie in each other and polygons come in another order.
 TEST(HierarchicalZ, IsTheZBuffer) {
     for (std::uint32_t seed = 1; seed <= 10; ++seed) {
-        Stage blocks(touching_blocks(seed)), triangles(coplanar_triangles(seed));
+        Trial blocks(touching_blocks(seed)), triangles(coplanar_triangles(seed));
         EXPECT_EQ(blocks.run("hierarchical-z").ids, blocks.z_buffer.ids) << seed;
         EXPECT_EQ(triangles.run("hierarchical-z").ids, triangles.z_buffer.ids) << seed;
     }
@@ -246,10 +246,10 @@ TEST(HierarchicalZ, ShowsTheScenesFirstOfWhatLiesInAPlane) {
     for (const float x : {-1.9f, -0.9f, 0.1f, 1.1f})
         for (const float y : {-0.9f, 0.1f}) add(x, y, 0.8f, 0.8f);
     add(-2, -1, 4, 2);
-    Stage stage(polygon_scene(std::move(data)));
+    Trial trial(polygon_scene(std::move(data)));
     for (std::uint32_t id = 1; id <= 9; ++id)
-        EXPECT_GT(std::count(stage.z_buffer.ids.begin(), stage.z_buffer.ids.end(), id), 100) << id;
-    EXPECT_EQ(stage.run("hierarchical-z").ids, stage.z_buffer.ids);
+        EXPECT_GT(std::count(trial.z_buffer.ids.begin(), trial.z_buffer.ids.end(), id), 100) << id;
+    EXPECT_EQ(trial.run("hierarchical-z").ids, trial.z_buffer.ids);
 }
 
 // [Schumacker 1969] One convex solid: front sides have no priorities among them; solids apart need
@@ -257,33 +257,34 @@ TEST(HierarchicalZ, ShowsTheScenesFirstOfWhatLiesInAPlane) {
 TEST(Schumacker, CutsNothingOfConvexSolidsThatPlanesSeparate) {
     std::uint64_t cut_by_the_bsp_tree = 0;
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
-        Stage stage(convex_solids(seed), vgx(), 72, 54);
-        const ClusterTree tree = build_clusters(stage.input.polygons, {});
+        Trial trial(convex_solids(seed), vgx(), 72, 54);
+        const ClusterTree tree = build_clusters(trial.input.polygons, {});
         EXPECT_EQ(tree.splits, 0u) << seed;
         EXPECT_EQ(tree.cyclic, 0u) << seed;
         EXPECT_EQ(tree.clusters, tree.separations + 1);
-        cut_by_the_bsp_tree += stage.run("bsp").counts.splits;
+        cut_by_the_bsp_tree += trial.run("bsp").counts.splits;
     }
     EXPECT_GT(cut_by_the_bsp_tree, 10u);
     Random random(1);
     MeshData data;
     add_solid(data, vec3(0), random);
-    Stage one(polygon_scene(std::move(data)));
+    Trial one(polygon_scene(std::move(data)));
     const ClusterTree tree = build_clusters(one.input.polygons, {});
     EXPECT_EQ(tree.clusters, 1u);
-    for (const RankedSide& side : tree.root->sides) EXPECT_EQ(side.priority, side.front ? 1u : 2u);
+    for (const RankedSide& side : tree.nodes[0].sides)
+        EXPECT_EQ(side.priority, side.front ? 1u : 2u);
 }
 
 TEST(Schumacker, DividesWhatHasNoPriorities) {
-    Stage cycle(case_scene("cycle")), pierce(case_scene("pierce"));
+    Trial cycle(case_scene("cycle")), pierce(case_scene("pierce"));
     EXPECT_GE(cycle.run("schumacker").counts.splits, 1u);
     EXPECT_GE(pierce.run("schumacker").counts.splits, 1u);
 }
 
 // [Watkins 1970] What is hidden ends none of his spans, and every one of Bouknight's.
 TEST(Watkins, LooksAtALineOnceWhereAWallHidesAll) {
-    Stage stage(behind_a_wall());
-    const Counts bouknight = stage.run("bouknight").counts, watkins = stage.run("watkins").counts;
+    Trial trial(behind_a_wall());
+    const Counts bouknight = trial.run("bouknight").counts, watkins = trial.run("watkins").counts;
     EXPECT_EQ(watkins.spans, 120u);
     EXPECT_GT(bouknight.spans, 1000u);
     EXPECT_LT(watkins.depths * 2, bouknight.depths);
@@ -292,12 +293,12 @@ TEST(Watkins, LooksAtALineOnceWhereAWallHidesAll) {
 // [Greene 1993] Behind a layer that fills the window everything is rejected: nothing but the layer
 // is drawn.
 TEST(HierarchicalZ, RejectsWhatIsBehindAWall) {
-    Stage stage(behind_a_wall());
-    const Result result = stage.run("hierarchical-z");
-    EXPECT_EQ(result.ids, stage.z_buffer.ids);
+    Trial trial(behind_a_wall());
+    const Result result = trial.run("hierarchical-z");
+    EXPECT_EQ(result.ids, trial.z_buffer.ids);
     EXPECT_GT(result.counts.rejected, 0u);
-    EXPECT_LT(result.counts.passed, stage.z_buffer.counts.passed);
-    EXPECT_LT(result.counts.depths, stage.z_buffer.counts.depths);
+    EXPECT_LT(result.counts.passed, trial.z_buffer.counts.passed);
+    EXPECT_LT(result.counts.depths, trial.z_buffer.counts.depths);
 }
 
 // [Carpenter 1984] A square that covers 3/8 of a pixel across and 1/2 down has 3 x 2 of its points.
@@ -309,8 +310,8 @@ TEST(ABuffer, GivesEveryPolygonItsPartOfThePixel) {
         data.positions.push_back(vec3(float(x), float(y), -1));
     scene::Scene scene = polygon_scene(std::move(data));
     scene.camera->ortho_height = 8;
-    Stage stage(std::move(scene), vgx(), 8, 8);
-    const Result result = stage.run("a-buffer");
+    Trial trial(std::move(scene), vgx(), 8, 8);
+    const Result result = trial.run("a-buffer");
     std::map<std::pair<int, int>, double> sums;
     for (const Share& share : result.shares) {
         sums[{share.x, share.y}] += share.part;
@@ -321,15 +322,15 @@ TEST(ABuffer, GivesEveryPolygonItsPartOfThePixel) {
     }
     EXPECT_EQ(sums.size(), 64u);
     for (const auto& [pixel, sum] : sums) EXPECT_EQ(sum, 1.0);
-    EXPECT_EQ(result.ids, stage.z_buffer.ids);
+    EXPECT_EQ(result.ids, trial.z_buffer.ids);
 }
 
 // [Weiler, Atherton 1977] Three in a cycle: each a polygon with what hides it taken out; together
 // every pixel once.
 TEST(WeilerAtherton, EndsACycleWithPolygonsThatDoNotOverlap) {
-    Stage stage(case_scene("cycle"));
-    const Result result = stage.run("weiler-atherton");
-    EXPECT_EQ(result.ids, stage.z_buffer.ids);
+    Trial trial(case_scene("cycle"));
+    const Result result = trial.run("weiler-atherton");
+    EXPECT_EQ(result.ids, trial.z_buffer.ids);
     EXPECT_EQ(result.counts.overdraw, 0u);
     EXPECT_EQ(result.counts.nodes, 5u);
     EXPECT_EQ(result.pieces.size(), 5u);
@@ -338,16 +339,16 @@ TEST(WeilerAtherton, EndsACycleWithPolygonsThatDoNotOverlap) {
 // [Warnock 1969] One face: one window. The lower half of the picture hidden by a wall costs one
 // look a quarter.
 TEST(Warnock, LooksOnceWhereThePictureIsSimple) {
-    Stage one(random_layers(1, 1));
+    Trial one(random_layers(1, 1));
     EXPECT_EQ(one.run("warnock").counts.nodes, 1u);
-    Stage many(random_layers(1, 16));
+    Trial many(random_layers(1, 16));
     EXPECT_EQ(many.run("warnock").counts.nodes, 1u);
 }
 
 // [Abrash 1997] No depths, no overdraw; the keys do it.
 TEST(Quake, ComparesKeysOnly) {
-    Stage stage(case_scene("solids"));
-    const Counts counts = stage.run("quake").counts;
+    Trial trial(case_scene("solids"));
+    const Counts counts = trial.run("quake").counts;
     EXPECT_EQ(counts.depths, 0u);
     EXPECT_EQ(counts.overdraw, 0u);
     EXPECT_GT(counts.keys, 0u);

@@ -39,11 +39,11 @@ TEST_P(Classics, AgreeWithTheZBuffer) {
     const std::uint32_t first = std::get<1>(GetParam()) * scenes_of_a_case + 1;
     std::map<std::string, Counts> sums;
     for (std::uint32_t seed = first; seed < first + scenes_of_a_case; ++seed) {
-        Stage stage(family.scene(seed), vgx(), width, height);
+        Trial trial(family.scene(seed), vgx(), width, height);
         for (const Algorithm& algorithm : algorithms()) {
             if (algorithm.claim != Claim::Always || algorithm.uses_depth_plane) continue;
             if (algorithm.name == "ray-casting" && seed % 10 != 0) continue;
-            const Counts counts = stage.run(algorithm.name).counts;
+            const Counts counts = trial.run(algorithm.name).counts;
             EXPECT_EQ(counts.wrong, 0u) << algorithm.name << ", seed " << seed;
             EXPECT_EQ(counts.undecided, 0u) << algorithm.name << ", seed " << seed;
             add(sums[algorithm.name], counts);
@@ -52,6 +52,19 @@ TEST_P(Classics, AgreeWithTheZBuffer) {
     EXPECT_GE(sums.size(), 4u);
     for (const auto& [name, sum] : sums)
         if (name != "ray-casting") expect_few_differences(algorithm_named(name), family, sum);
+}
+
+// A window that is higher than wide, a single row, a single column: Warnock's quarters and the
+// lists of lines are of every shape.
+TEST(Windows, OfEveryShapeAgreeWithTheZBuffer) {
+    for (const auto& [w, h] : {std::pair{37, 90}, {90, 37}, {1, 40}, {40, 1}, {33, 33}, {2, 65}}) {
+        Trial trial(random_triangles(3, 40), vgx(), w, h);
+        for (const Algorithm& algorithm : algorithms())
+            if (algorithm.claim == Claim::Always) {
+                EXPECT_EQ(trial.run(algorithm.name).counts.wrong, 0u)
+                    << algorithm.name << ", " << w << "x" << h;
+            }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Classics,

@@ -37,31 +37,31 @@ constexpr int x = 80, y = 60;
 // The first one's corners move 0.45 units to the right and its surface back, the second one's the
 // other way.
 TEST(Snap, IsWhatTurnsTwoSurfacesOver) {
-    Stage stage(two_slopes(0.4 * unit, 0.55, 0.45));
-    const Differences differences(stage.input, {});
-    EXPECT_EQ(stage.z_buffer.ids[160 * y + x], 2u);
+    Trial trial(two_slopes(0.4 * unit, 0.55, 0.45));
+    const Differences differences(trial.input, {});
+    EXPECT_EQ(trial.z_buffer.ids[160 * y + x], 2u);
     EXPECT_EQ(differences.at(1, 2, x, y), Difference::Snap);
     EXPECT_EQ(differences.at(2, 2, x, y), Difference::None);
     EXPECT_EQ(differences.at(0, 2, x, y), Difference::Wrong);
-    const Counts tree = stage.run("bsp").counts;
+    const Counts tree = trial.run("bsp").counts;
     EXPECT_GT(tree.snapped, 500u);
     EXPECT_EQ(tree.wrong, 0u);
-    EXPECT_EQ(stage.run("newell").ids, stage.z_buffer.ids);
+    EXPECT_EQ(trial.run("newell").ids, trial.z_buffer.ids);
 }
 
 TEST(Snap, ExcusesNothingThatIsBehindInTheScene) {
-    Stage stage(two_slopes(0.4 * unit, 0, 0));  // as near to each other, and on the grid
-    EXPECT_EQ(stage.z_buffer.ids[160 * y + x], 1u);
-    EXPECT_EQ(Differences(stage.input, {}).at(2, 1, x, y), Difference::Wrong);
-    EXPECT_EQ(stage.run("bsp").ids, stage.z_buffer.ids);
+    Trial trial(two_slopes(0.4 * unit, 0, 0));  // as near to each other, and on the grid
+    EXPECT_EQ(trial.z_buffer.ids[160 * y + x], 1u);
+    EXPECT_EQ(Differences(trial.input, {}).at(2, 1, x, y), Difference::Wrong);
+    EXPECT_EQ(trial.run("bsp").ids, trial.z_buffer.ids);
 }
 
 // The depths as drawn are farther apart than half a unit at every corner makes them, whatever the
 // scene says.
 TEST(Snap, ReachesHalfAUnitAtEveryCorner) {
-    Stage stage(two_slopes(-3 * unit, 0, 0));
-    EXPECT_EQ(stage.z_buffer.ids[160 * y + x], 2u);
-    EXPECT_EQ(Differences(stage.input, {}).at(1, 2, x, y), Difference::Wrong);
+    Trial trial(two_slopes(-3 * unit, 0, 0));
+    EXPECT_EQ(trial.z_buffer.ids[160 * y + x], 2u);
+    EXPECT_EQ(Differences(trial.input, {}).at(1, 2, x, y), Difference::Wrong);
 }
 
 /// Two neighbours in the rim of scenes/teapot.toml's left bowl, of one surface, as it sees them:
@@ -80,14 +80,14 @@ scene::Scene rim_of_a_bowl() {
 // In the scene neither of the two covers the centre of a pixel, and on their planes the one that
 // the tree shows lies behind; the snap moves its depth by more than its snapped slopes say.
 TEST(Snap, MovesFacetsSeenFromTheEdgeByTheSlopesOfTheScene) {
-    Stage stage(rim_of_a_bowl(), vgx(), 320, 240);
-    const Result tree = stage.run("bsp");
+    Trial trial(rim_of_a_bowl(), vgx(), 320, 240);
+    const Result tree = trial.run("bsp");
     EXPECT_EQ(tree.counts.wrong, 0u);
     EXPECT_EQ(tree.counts.snapped, 1u);
     EXPECT_EQ(tree.difference[320 * 93 + 20], Difference::Snap);
     EXPECT_EQ(tree.ids[320 * 93 + 20], 1u);
-    EXPECT_EQ(stage.z_buffer.ids[320 * 93 + 20], 2u);
-    EXPECT_EQ(stage.run("newell").ids, stage.z_buffer.ids);
+    EXPECT_EQ(trial.z_buffer.ids[320 * 93 + 20], 2u);
+    EXPECT_EQ(trial.run("newell").ids, trial.z_buffer.ids);
 }
 
 }  // namespace gw::hiddensurface

@@ -22,8 +22,8 @@ protected:
     Counts run(const std::string& algorithm, std::uint32_t count = scenes) const {
         Counts sum;
         for (std::uint32_t seed = 1; seed <= count; ++seed) {
-            Stage stage(family().scene(seed));
-            const Counts counts = stage.run(algorithm).counts;
+            Trial trial(family().scene(seed));
+            const Counts counts = trial.run(algorithm).counts;
             if (algorithm_named(algorithm).claim == Claim::Always) {
                 EXPECT_EQ(counts.wrong, 0u)
                     << algorithm << ", " << family().name << ", seed " << seed;

@@ -195,8 +195,8 @@ class LineFamilies : public testing::TestWithParam<std::size_t> {};
 TEST_P(LineFamilies, AreHiddenExactlyByQuantitativeInvisibility) {
     const Family& family = families()[GetParam()];
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
-        Stage stage(family.scene(seed));
-        expect_agreement(stage.input, "appel", 1e-6, 20,
+        Trial trial(family.scene(seed));
+        expect_agreement(trial.input, "appel", 1e-6, 20,
                          family.name + (", seed " + std::to_string(seed)));
     }
 }
@@ -206,8 +206,8 @@ TEST_P(LineFamilies, AreHiddenByRobertsToTheSnap) {
     // else lines lie on faces: nothing is clear
     const bool apart = family.snapped_one_in >= 10000;
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
-        Stage stage(family.scene(seed), ideal());
-        expect_agreement(stage.input, "roberts", 2, apart ? 60 : 100,
+        Trial trial(family.scene(seed), ideal());
+        expect_agreement(trial.input, "roberts", 2, apart ? 60 : 100,
                          family.name + (", seed " + std::to_string(seed)));
     }
 }
@@ -221,11 +221,11 @@ INSTANTIATE_TEST_SUITE_P(All, LineFamilies, testing::Range<std::size_t>(0, famil
 
 TEST(Lines, OfConvexSolidsAreRightByBothAndRobertsComparesSolids) {
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
-        Stage stage(convex_solids(seed), ideal());
-        expect_agreement(stage.input, "roberts", 2, 30, "solids");
-        expect_agreement(stage.input, "appel", 1e-6, 5, "solids");
-        const LineOutput roberts = lines_of(stage.input, "roberts"),
-                         appel = lines_of(stage.input, "appel");
+        Trial trial(convex_solids(seed), ideal());
+        expect_agreement(trial.input, "roberts", 2, 30, "solids");
+        expect_agreement(trial.input, "appel", 1e-6, 5, "solids");
+        const LineOutput roberts = lines_of(trial.input, "roberts"),
+                         appel = lines_of(trial.input, "appel");
         EXPECT_EQ(roberts.counts.faces, 6u) << seed;
         EXPECT_EQ(roberts.counts.lines, 6u * 12) << seed;
         EXPECT_NEAR(whole_length(roberts.lines), whole_length(appel.lines),
@@ -238,8 +238,8 @@ TEST(Lines, OfConvexSolidsAreRightByBothAndRobertsComparesSolids) {
 
 // One line of each connected figure is counted against all faces, the others by their crossings.
 TEST(Lines, CarryTheNumberFromCornerToCorner) {
-    Stage stage(convex_solids(3));
-    const LineOutput appel = lines_of(stage.input, "appel");
+    Trial trial(convex_solids(3));
+    const LineOutput appel = lines_of(trial.input, "appel");
     EXPECT_EQ(appel.counts.starts, 6u);
     EXPECT_EQ(appel.counts.lines, 6u * 12);
 }
@@ -248,9 +248,9 @@ TEST(Lines, CarryTheNumberFromCornerToCorner) {
 TEST(Lines, LogEveryChangeOfTheNumber) {
     std::size_t pierced = 0, changes = 0;
     for (std::uint32_t seed = 1; seed <= 6; ++seed) {
-        Stage stage(convex_solids(seed));
+        Trial trial(convex_solids(seed));
         StepLog log(Level::Span);
-        const LineOutput output = line_algorithm_named("appel")->run(stage.input, log);
+        const LineOutput output = line_algorithm_named("appel")->run(trial.input, log);
         std::size_t drawn = 0;
         for (const Step& step : log.steps()) {
             drawn += step.action == Action::Draw ? 1 : 0;
@@ -266,24 +266,24 @@ TEST(Lines, LogEveryChangeOfTheNumber) {
 
 TEST(Lines, OfCurvedSurfacesAreRight) {
     for (const char* name : {"solids", "cycle", "pierce", "two_undecidable"}) {
-        Stage stage(case_scene(name), ideal());
-        expect_agreement(stage.input, "appel", 1e-6, 20, name);
-        expect_agreement(stage.input, "roberts", 2, 40, name);
+        Trial trial(case_scene(name), ideal());
+        expect_agreement(trial.input, "appel", 1e-6, 20, name);
+        expect_agreement(trial.input, "roberts", 2, 40, name);
     }
     scene::Scene scene = scene::read_scene(GW_SOURCE_DIR "/scenes/styles.toml").scene;
     scene::add_defaults(scene, 320, 240);
-    Stage stage(std::move(scene), ideal(), 320, 240);
-    expect_agreement(stage.input, "appel", 1e-6, 20, "teapot");
-    expect_agreement(stage.input, "roberts", 2, 60, "teapot");
+    Trial trial(std::move(scene), ideal(), 320, 240);
+    expect_agreement(trial.input, "appel", 1e-6, 20, "teapot");
+    expect_agreement(trial.input, "roberts", 2, 60, "teapot");
 }
 
 TEST(Lines, OfHillsAreRightByTheFloatingHorizon) {
     for (std::uint32_t seed = 1; seed <= 24; ++seed) {
-        Stage stage(hills(seed, seed % 4 == 0 ? -1.5 : 2.0), ideal());
+        Trial trial(hills(seed, seed % 4 == 0 ? -1.5 : 2.0), ideal());
         const std::string where = "hills, seed " + std::to_string(seed);
-        expect_agreement(stage.input, "floating-horizon", 2, 30, where);
-        const LineOutput horizon = lines_of(stage.input, "floating-horizon"),
-                         appel = lines_of(stage.input, "appel");
+        expect_agreement(trial.input, "floating-horizon", 2, 30, where);
+        const LineOutput horizon = lines_of(trial.input, "floating-horizon"),
+                         appel = lines_of(trial.input, "appel");
         EXPECT_EQ(horizon.lines.size(), 2u * 14 * 15) << seed;
         EXPECT_NEAR(length(horizon.lines), length(appel.lines), 0.01 * length(appel.lines)) << seed;
     }
@@ -291,9 +291,9 @@ TEST(Lines, OfHillsAreRightByTheFloatingHorizon) {
 
 TEST(Lines, FloatingHorizonRefusesWhatIsNoHeightField) {
     const auto message = [](scene::Scene scene) -> std::string {
-        Stage stage(std::move(scene));
+        Trial trial(std::move(scene));
         try {
-            lines_of(stage.input, "floating-horizon");
+            lines_of(trial.input, "floating-horizon");
         } catch (const Error& error) {
             return error.what();
         }
@@ -314,10 +314,10 @@ TEST(Lines, AreNearlyTheZBuffersPicture) {
           std::pair(std::move(teapot), std::vector<std::string>{"roberts", "appel"}),
           std::pair(case_scene("hills"),
                     std::vector<std::string>{"roberts", "appel", "floating-horizon"})}) {
-        Stage stage(std::move(scene), reality(), 320, 240);
+        Trial trial(std::move(scene), reality(), 320, 240);
         for (const std::string& name : names) {
             const LineResult result =
-                run_on(*stage.machine, *line_algorithm_named(name), stage.input, none);
+                run_on(*trial.machine, *line_algorithm_named(name), trial.input, none);
             EXPECT_GT(result.counts.pixels, 500u) << name;
             EXPECT_LE(result.counts.missing * 100, 3 * result.counts.pixels) << name;
             EXPECT_LE(result.counts.extra * 100, 3 * result.counts.pixels) << name;

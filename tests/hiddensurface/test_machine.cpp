@@ -24,10 +24,10 @@ void fill_depth(Machine& machine) {
 }  // namespace
 
 TEST(DepthPlaneOfTheMachine, IsNeitherReadNorWrittenWhereNotUsed) {
-    Stage stage(random_triangles(5, 20));
+    Trial trial(random_triangles(5, 20));
     for (const Algorithm& algorithm : algorithms()) {
         StepLog none;
-        const Output output = algorithm.run(stage.input, none);
+        const Output output = algorithm.run(trial.input, none);
         for (const auto& make : {+[] { return make_reference(vgx(), 160, 120); },
                                  +[] { return make_fast(vgx(), 160, 120, {.threads = 1}); }}) {
             const auto machine = make();
@@ -47,13 +47,13 @@ TEST(DepthPlaneOfTheMachine, IsNeitherReadNorWrittenWhereNotUsed) {
 }
 
 TEST(Counts, AddUp) {
-    Stage stage(random_triangles(6, 25));
+    Trial trial(random_triangles(6, 25));
     std::uint64_t complexity = 0;
-    for (const std::uint8_t n : depth_complexity(stage.input)) complexity += n;
+    for (const std::uint8_t n : depth_complexity(trial.input)) complexity += n;
     for (const Algorithm& algorithm : algorithms()) {
-        const Result result = stage.run(algorithm.name);
+        const Result result = trial.run(algorithm.name);
         const Counts& c = result.counts;
-        EXPECT_EQ(c.polygons, stage.z_buffer.counts.polygons);
+        EXPECT_EQ(c.polygons, trial.z_buffer.counts.polygons);
         EXPECT_EQ(c.overdraw, c.passed - c.pixels);
         std::uint64_t writes = 0;
         for (const std::uint8_t n : result.writes) writes += n;
@@ -62,20 +62,20 @@ TEST(Counts, AddUp) {
     // Pieces have every pixel of their polygon once.
     for (const char* name :
          {"painter-farthest", "painter-nearest", "painter-centroid", "newell", "bsp", "schumacker"})
-        EXPECT_EQ(stage.run(name).counts.passed, complexity) << name;
+        EXPECT_EQ(trial.run(name).counts.passed, complexity) << name;
     for (const char* name : {"scan-line", "ray-casting", "warnock", "bouknight", "watkins",
                              "a-buffer", "quake", "weiler-atherton"})
-        EXPECT_EQ(stage.run(name).counts.overdraw, 0u) << name;
-    EXPECT_EQ(stage.z_buffer.counts.fragments, complexity);
-    EXPECT_EQ(stage.z_buffer.counts.depths, complexity);
+        EXPECT_EQ(trial.run(name).counts.overdraw, 0u) << name;
+    EXPECT_EQ(trial.z_buffer.counts.fragments, complexity);
+    EXPECT_EQ(trial.z_buffer.counts.depths, complexity);
 }
 
 TEST(StepLog, RebuildsThePictureForwardsAndEveryStateBackwards) {
-    Stage stage(random_triangles(8, 8), vgx(), 160, 120);
+    Trial trial(random_triangles(8, 8), vgx(), 160, 120);
     for (const Level level : {Level::Polygon, Level::Pixel})
         for (const Algorithm& algorithm : algorithms()) {
             StepLog log(level);
-            const Result result = stage.run(algorithm.name, log);
+            const Result result = trial.run(algorithm.name, log);
             std::vector<Step> steps;
             for (const Step& step : log.steps()) {
                 steps.push_back(step_from_json(to_json(step)));

@@ -10,9 +10,6 @@
 #include <sstream>
 
 namespace gw::hiddensurface {
-
-Algorithm mine();
-
 namespace {
 
 std::string text_of(const std::string& file) {
@@ -40,11 +37,11 @@ TEST(OwnAlgorithm, IsTheListingOfBothPages) {
 }
 
 TEST(OwnAlgorithm, ShowsWhatIsFarthest) {
-    Stage stage(random_layers(1, 16), vgx(), 16, 12);
+    Trial trial(random_layers(1, 16), vgx(), 16, 12);
     StepLog log(Level::Polygon);
-    Result result = run_on(*stage.machine, mine(), stage.input, log);
-    compare(result, stage.z_buffer.ids, stage.input);
-    const auto& polygons = stage.input.polygons;
+    Result result = run_on(*trial.machine, mine(), trial.input, log);
+    compare(result, trial.z_buffer.ids, trial.input);
+    const auto& polygons = trial.input.polygons;
     const auto farthest =
         std::max_element(polygons.begin(), polygons.end(),
                          [](const auto& a, const auto& b) { return a.farthest < b.farthest; });

@@ -27,8 +27,8 @@ std::string text_of(const Question& q) {
     return text;
 }
 
-struct QuizStage : Stage {
-    explicit QuizStage(const Question& q) : Stage(q.scene, vgx(), quiz_width, quiz_height) {}
+struct QuizTrial : Trial {
+    explicit QuizTrial(const Question& q) : Trial(q.scene, vgx(), quiz_width, quiz_height) {}
 };
 
 std::vector<Question> of_kind(const std::string& kind) { return make_quiz(5, 6, kind); }
@@ -51,19 +51,19 @@ TEST(Quiz, IsTheSameForTheSameSeed) {
 // By drawing the four choices: the machine paints the pieces one over the other.
 TEST(Quiz, HasOneOrderThatPaintsThePicture) {
     for (const Question& q : of_kind("order")) {
-        QuizStage stage(q);
+        QuizTrial trial(q);
         ASSERT_EQ(q.choices.size(), 4u);
         for (std::size_t c = 0; c < 4; ++c) {
-            Output output{.list = begin_picture(stage.input, "choice")};
+            Output output{.list = begin_picture(trial.input, "choice")};
             StepLog none;
             std::istringstream words(q.choices[c]);
             for (std::uint32_t id; words >> id;)
-                draw_piece(stage.input, whole(id - 1, stage.input.polygons[id - 1]), output, none);
-            stage.machine->execute(output.list);
+                draw_piece(trial.input, whole(id - 1, trial.input.polygons[id - 1]), output, none);
+            trial.machine->execute(output.list);
             int different = 0;
-            for (std::size_t i = 0; i < stage.z_buffer.ids.size(); ++i)
+            for (std::size_t i = 0; i < trial.z_buffer.ids.size(); ++i)
                 different +=
-                    scene::id_of(stage.machine->planes().color[i]) != stage.z_buffer.ids[i] ? 1 : 0;
+                    scene::id_of(trial.machine->planes().color[i]) != trial.z_buffer.ids[i] ? 1 : 0;
             if (q.answer == std::string(1, char('a' + c)))
                 EXPECT_LE(different, 2) << q.choices[c];
             else
@@ -77,10 +77,10 @@ TEST(Quiz, HasOneOrderThatPaintsThePicture) {
 TEST(Quiz, NamesTheFirstOfNewellsTestsThatSaysYes) {
     std::set<std::string> answers;
     for (const Question& q : make_quiz(5, 12, "test")) {
-        QuizStage stage(q);
+        QuizTrial trial(q);
         const int p = q.text[8] - '1';  // "Polygon 2 reaches farthest"
-        const Facet &a = stage.input.polygons[std::size_t(p)].facets[0],
-                    &b = stage.input.polygons[std::size_t(1 - p)].facets[0];
+        const Facet &a = trial.input.polygons[std::size_t(p)].facets[0],
+                    &b = trial.input.polygons[std::size_t(1 - p)].facets[0];
         const auto extent_of = [](const Facet& f, int axis) {
             double low = 1e30, high = -1e30;
             for (const dvec3& v : f.parts[0]) {
@@ -114,8 +114,8 @@ TEST(Quiz, NamesTheFirstOfNewellsTestsThatSaysYes) {
 
 TEST(Quiz, CountsPiecesThatGiveThePicture) {
     for (const Question& q : of_kind("pieces")) {
-        QuizStage stage(q);
-        const Result newell = stage.run("newell");
+        QuizTrial trial(q);
+        const Result newell = trial.run("newell");
         EXPECT_EQ(q.answer, std::to_string(3 + newell.counts.splits));
         EXPECT_EQ(newell.counts.wrong, 0u);
     }
@@ -124,15 +124,15 @@ TEST(Quiz, CountsPiecesThatGiveThePicture) {
 // A face looks away where the eye is on the solid's side of its plane.
 TEST(Quiz, FindsTheFacesThatLookAway) {
     for (const Question& q : of_kind("facing")) {
-        QuizStage stage(q);
+        QuizTrial trial(q);
         dvec3 middle(0);
-        for (const Polygon& polygon : stage.input.polygons)
-            middle += polygon.world[0] / double(stage.input.polygons.size());
+        for (const Polygon& polygon : trial.input.polygons)
+            middle += polygon.world[0] / double(trial.input.polygons.size());
         std::string back;
-        for (const Polygon& polygon : stage.input.polygons) {
+        for (const Polygon& polygon : trial.input.polygons) {
             const dvec4 plane = plane_of(polygon_normal(polygon.world), polygon.world[0]);
             EXPECT_LT(side(plane, middle), 0) << "turned inwards: " << q.text;
-            if (side(plane, stage.view.camera.eye) < 0)
+            if (side(plane, trial.view.camera.eye) < 0)
                 back += (back.empty() ? "" : " ") + std::to_string(polygon.id);
         }
         EXPECT_EQ(q.answer, back) << q.text;
@@ -141,13 +141,13 @@ TEST(Quiz, FindsTheFacesThatLookAway) {
 
 TEST(Quiz, CountsWritesAsTheDistancesSay) {
     for (const Question& q : of_kind("writes")) {
-        QuizStage stage(q);
-        const auto over = polygons_over(stage.input);
+        QuizTrial trial(q);
+        const auto over = polygons_over(trial.input);
         const std::size_t at = std::size_t(q.point->y) * quiz_width + std::size_t(q.point->x);
         double nearest = 1e30;
         int writes = 0;
         for (const std::uint32_t id : over[at]) {
-            const double distance = stage.input.polygons[id - 1].nearest;
+            const double distance = trial.input.polygons[id - 1].nearest;
             if (distance < nearest) writes += 1;
             nearest = std::min(nearest, distance);
         }
@@ -159,8 +159,8 @@ TEST(Quiz, CountsWritesAsTheDistancesSay) {
 // ends.
 TEST(Quiz, CountsSpansOfALine) {
     for (const Question& q : of_kind("spans")) {
-        QuizStage stage(q);
-        const auto over = polygons_over(stage.input);
+        QuizTrial trial(q);
+        const auto over = polygons_over(trial.input);
         int spans = 0;
         const auto at = [&](int x) {
             return over[std::size_t(*q.row) * quiz_width + std::size_t(x)];
@@ -173,9 +173,9 @@ TEST(Quiz, CountsSpansOfALine) {
 
 TEST(Quiz, CountsTrianglesBeforeAPoint) {
     for (const Question& q : of_kind("invisibility")) {
-        QuizStage stage(q);
+        QuizTrial trial(q);
         const std::size_t at = std::size_t(q.point->y) * quiz_width + std::size_t(q.point->x);
-        const auto over = polygons_over(stage.input)[at];
+        const auto over = polygons_over(trial.input)[at];
         const int answer = std::stoi(q.answer);
         EXPECT_GE(answer, 1);
         EXPECT_LE(answer, int(over.size()) + 1);
@@ -190,21 +190,21 @@ TEST(Quiz, TakesAnswersAsTheyAreWritten) {
 }
 
 TEST(FragmentList, OfTheTruthIsRight) {
-    Stage stage(case_scene("cycle"), vgx(), 48, 36);
-    const std::string truth = fragments_text(stage.z_buffer.ids, stage.input);
-    const auto grade = grade_fragments(read_fragments("truth.csv", truth, stage.input),
-                                       stage.z_buffer.ids, stage.input);
+    Trial trial(case_scene("cycle"), vgx(), 48, 36);
+    const std::string truth = fragments_text(trial.z_buffer.ids, trial.input);
+    const auto grade = grade_fragments(read_fragments("truth.csv", truth, trial.input),
+                                       trial.z_buffer.ids, trial.input);
     EXPECT_TRUE(grade.all_right());
-    EXPECT_EQ(grade.expected, stage.z_buffer.counts.pixels);
+    EXPECT_EQ(grade.expected, trial.z_buffer.counts.pixels);
     EXPECT_EQ(grade.right, grade.expected);
 }
 
 // One mistake of each kind, put into the truth.
 TEST(FragmentList, IsGradedByTheMistakesMade) {
-    Stage stage(case_scene("cycle"), vgx(), 48, 36);
+    Trial trial(case_scene("cycle"), vgx(), 48, 36);
     auto list =
-        read_fragments("list", fragments_text(stage.z_buffer.ids, stage.input), stage.input);
-    const auto over = polygons_over(stage.input);
+        read_fragments("list", fragments_text(trial.z_buffer.ids, trial.input), trial.input);
+    const auto over = polygons_over(trial.input);
     const auto at = [&](const Fragment& f) -> const std::vector<std::uint32_t>& {
         return over[std::size_t(35 - f.y) * 48 + std::size_t(f.x)];
     };
@@ -217,7 +217,7 @@ TEST(FragmentList, IsGradedByTheMistakesMade) {
     two->id = at(*two)[0] == two->id ? at(*two)[1] : at(*two)[0];  // the hidden one
     one->id = one->id % 3 + 1;  // not over this pixel, so the right one is missing
     list.push_back(first);      // a second time
-    const auto grade = grade_fragments(list, stage.z_buffer.ids, stage.input);
+    const auto grade = grade_fragments(list, trial.z_buffer.ids, trial.input);
     EXPECT_EQ(grade.wrong, 1u);
     EXPECT_EQ(grade.misplaced, 1u);
     EXPECT_EQ(grade.missing, 1u);
@@ -227,14 +227,14 @@ TEST(FragmentList, IsGradedByTheMistakesMade) {
     EXPECT_EQ(grade.mistakes.back().mistake, Mistake::Missing);
     EXPECT_EQ(grade.mistakes.back().x, second.x);
     EXPECT_EQ(grade.mistakes.back().y, second.y);
-    EXPECT_EQ(grade_fragments({}, stage.z_buffer.ids, stage.input).missing, grade.expected);
+    EXPECT_EQ(grade_fragments({}, trial.z_buffer.ids, trial.input).missing, grade.expected);
 }
 
 TEST(FragmentList, RefusesWhatIsNone) {
-    Stage stage(case_scene("cycle"), vgx(), 48, 36);
+    Trial trial(case_scene("cycle"), vgx(), 48, 36);
     const auto message = [&](const char* text) -> std::string {
         try {
-            read_fragments("list.csv", text, stage.input);
+            read_fragments("list.csv", text, trial.input);
         } catch (const Error& error) {
             return error.what();
         }

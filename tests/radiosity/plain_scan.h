@@ -14,7 +14,7 @@ namespace gw::radiosity {
 /// One facet in one face.
 class PlainScan {
 public:
-    PlainScan(const Model& model, std::uint32_t number, const IdBuffer& buffer,
+    PlainScan(const PixmapModel& model, std::uint32_t number, const IdBuffer& buffer,
               const Homography& map, int most_parts, std::span<double> factors)
         : map_(map),
           u_{model.facets[number].low.x, model.facets[number].high.x,
@@ -178,7 +178,7 @@ private:
 };
 
 /// The front of every facet of a pixmap.
-inline void plain_scan(const Model& model, std::uint32_t pixmap, const Hemicube& hemicube,
+inline void plain_scan(const PixmapModel& model, std::uint32_t pixmap, const Hemicube& hemicube,
                        const IdBuffers& buffers, const DeltaFormFactors& delta,
                        const ScanOptions& options, std::span<double> factors) {
     Region region;

@@ -36,7 +36,7 @@ inline scene::Scene closed_box(const vec3& s, float rho, float emission) {
 
 /// The form factor to the texels of an object's figures.
 template <class Row>
-double to_object(const Model& model, const Row& row, const std::string& name) {
+double to_object(const PixmapModel& model, const Row& row, const std::string& name) {
     double sum = 0;
     for (std::size_t i = 0; i < row.texels.size(); ++i)
         for (const Figure& figure : model.figures) {

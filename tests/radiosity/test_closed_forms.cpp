@@ -15,7 +15,8 @@ void add(scene::Scene& scene, const std::string& name, const Quad& quad, float e
 }
 
 /// From one object to another: the mean of its patches' rows.
-double between(const Model& model, const std::string& from, const std::string& to, int hemicube) {
+double between(const PixmapModel& model, const std::string& from, const std::string& to,
+               int hemicube) {
     FormFactors factors(model, {.hemicube = hemicube});
     double f = 0, area = 0;
     for (std::size_t p = 0; p < model.patches.size(); ++p) {
@@ -80,7 +81,7 @@ TEST_P(ClosedForms, BothWaysAndReciprocal) {
     scene::Scene scene;
     add(scene, "a", c.a, 1);
     add(scene, "b", c.b);
-    const Model model = make_model(scene, {.texels_per_unit = texels});
+    const PixmapModel model = make_model(scene, {.texels_per_unit = texels});
     const double ab = between(model, "a", "b", 96), ba = between(model, "b", "a", 96);
     EXPECT_NEAR(ab / c.exact, 1, 0.005) << c.name;
     EXPECT_NEAR(ba / (c.exact * length(c.a.cross()) / length(c.b.cross())), 1, 0.005) << c.name;
@@ -98,7 +99,7 @@ TEST(ClosedForms, AnOccluderBetweenTwoSquares) {
     add(scene, "floor", floor, 1);
     add(scene, "ceiling", ceiling);
     add(scene, "screen", between_them);
-    const Model model = make_model(scene, {.texels_per_unit = 8});
+    const PixmapModel model = make_model(scene, {.texels_per_unit = 8});
     EXPECT_NEAR(
         between(model, "floor", "ceiling", 64) / quad_to_quad_behind(floor, ceiling, between_them),
         1, 0.005);
@@ -119,7 +120,7 @@ TEST(ClosedForms, CoaxialDiscsOfDifferentRadii) {
     };
     add_disc("small", 0.5, 0, true);
     add_disc("large", 1.5, 0.75, false);
-    const Model model = make_model(scene, {.texels_per_unit = 4});
+    const PixmapModel model = make_model(scene, {.texels_per_unit = 4});
     EXPECT_NEAR(between(model, "small", "large", 64) / coaxial_discs(0.5, 1.5, 0.75), 1, 0.005);
     EXPECT_NEAR(between(model, "large", "small", 64) / coaxial_discs(1.5, 0.5, 0.75), 1, 0.005);
 }
@@ -140,7 +141,7 @@ TEST(ClosedForms, APointBeforeASphere) {
     scene::Scene scene;
     scene.materials.push_back({.name = "glow", .Kd = vec3(0), .Ke = vec3(1)});
     scene.objects.push_back({.name = "ball", .mesh = make_mesh(ball)});
-    const Model model = make_model(scene, {.texels_per_unit = 4});
+    const PixmapModel model = make_model(scene, {.texels_per_unit = 4});
     FormFactors factors(model, {.hemicube = 128});
     const double d2 = 0.6 * 0.6 + 1.2 * 1.2, exact = 0.25 / d2 * 1.2 / std::sqrt(d2);
     EXPECT_NEAR(

@@ -47,13 +47,13 @@ std::vector<vec4> vertex_colors(const CommandList& list) {
 }
 
 /// Whether one texel alone being bright brightens a vertex.
-void expect_every_texel_in_strips(const Model& model) {
+void expect_every_texel_in_strips(const PixmapModel& model) {
     for (std::uint32_t p = 0; p < model.pixmaps.size(); ++p)
         for (int y = 0; y < model.pixmaps[p].height; ++y)
             for (int x = 0; x < model.pixmaps[p].width; ++x) {
                 const std::size_t t = model.pixmaps[p].texel(x, y);
                 if (model.nearest[t] != t || model.area[t] == 0) continue;
-                Shown colors(model);
+                DisplayedPixmaps colors(model);
                 colors.at(p, x, y) = dvec3(1);
                 const std::vector<vec4> vertices =
                     vertex_colors(strip_list(model, colors, view, {}, 1));
@@ -83,8 +83,8 @@ TEST(Strips, LeaveNoGaps) {
     scene::Scene scene = closed_box({2, 2, 2}, 0.5f, 1);
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         scene.objects[i].pixmap.texels_per_unit = 2.5 + 1.7 * double(i);
-    const Model model = make_model(scene);
-    Shown colors(model);
+    const PixmapModel model = make_model(scene);
+    DisplayedPixmaps colors(model);
     const scene::View inside = scene::make_view(
         {.eye = {0.61, 0.93, 0.77}, .at = {2, 0.1, 2}, .fov = 100}, scene::bounds(scene), 256, 256);
     const auto machine = make_fast(ideal(), 256, 256, {.threads = 1});
@@ -96,7 +96,7 @@ TEST(Strips, LeaveNoGaps) {
 }
 
 /// The largest difference of colours at vertices that several charts share.
-double seam(const Model& model, const Shown& colors) {
+double seam(const PixmapModel& model, const DisplayedPixmaps& colors) {
     std::map<std::array<float, 3>, std::vector<double>> at;
     const Mesh& mesh = *model.drawn.objects[0].mesh;
     for (const Triangle& t : mesh.triangles()) {
@@ -117,7 +117,7 @@ double seam(const Model& model, const Shown& colors) {
 // A sphere lit from above, bright 0 to 1. Where each chart's border repeats its own texels, a seam
 // is as large as the light changes in a texel; where it shows the neighbour's, a fraction of that.
 TEST(Seams, ChartsOfASphereMeet) {
-    const Model model = make_model(with(sphere(24, 12)), {.texels_per_unit = 6});
+    const PixmapModel model = make_model(with(sphere(24, 12)), {.texels_per_unit = 6});
     ASSERT_GT(model.pixmaps.size(), 4u);
     Solution solution = initial_solution(model);
     for (std::uint32_t number = 0; number < model.facets.size(); ++number) {
@@ -128,7 +128,7 @@ TEST(Seams, ChartsOfASphereMeet) {
                 // times Kd
                 solution.H[pixmap.texel(x, y)] = dvec3(facet.at({x + 0.5, y + 0.5}).y + 1);
     }
-    Shown repeated(model);
+    DisplayedPixmaps repeated(model);
     for (std::uint32_t p = 0; p < model.pixmaps.size(); ++p)
         for (int y = -1; y <= model.pixmaps[p].height; ++y)
             for (int x = -1; x <= model.pixmaps[p].width; ++x)
@@ -137,7 +137,8 @@ TEST(Seams, ChartsOfASphereMeet) {
                                  model.nearest[model.pixmaps[p].texel(
                                      std::clamp(x, 0, model.pixmaps[p].width - 1),
                                      std::clamp(y, 0, model.pixmaps[p].height - 1))]);
-    const double open = seam(model, repeated), closed = seam(model, shown(model, solution, false));
+    const double open = seam(model, repeated),
+                 closed = seam(model, displayed_pixmaps(model, solution, false));
     EXPECT_GT(open, 0.06);
     EXPECT_LT(closed, open / 2);
 }
@@ -146,9 +147,9 @@ TEST(Glow, EmitsRadiosityAndKeepsHighlights) {
     scene::Scene scene = closed_box({1, 1, 1}, 0.5f, 1);
     scene.materials[0].Ks = vec3(0.25f);
     scene.lights.push_back({.name = "lamp", .Is = vec3(1)});
-    const Model model = make_model(scene, {.texels_per_unit = 4});
+    const PixmapModel model = make_model(scene, {.texels_per_unit = 4});
     const scene::Scene glow =
-        glowing(scene, model, shown(model, initial_solution(model), false), 0.5);
+        emissive_scene(scene, model, displayed_pixmaps(model, initial_solution(model), false), 0.5);
     ASSERT_EQ(glow.objects.size(), 6u);
     const scene::Material& m = glow.materials[glow.objects[0].material];
     EXPECT_EQ(m.Kd, vec3(0));
@@ -161,9 +162,9 @@ TEST(Glow, EmitsRadiosityAndKeepsHighlights) {
 // A room is looked into from outside: its wall before the eye is not drawn, the others are.
 TEST(Glow, BacksAreLeftOutAndIdentifiersStay) {
     const scene::Scene scene = closed_box({2, 2, 2}, 0.5f, 1);
-    const Model model = make_model(scene, {.texels_per_unit = 2});
+    const PixmapModel model = make_model(scene, {.texels_per_unit = 2});
     const scene::Scene glow =
-        glowing(scene, model, shown(model, initial_solution(model), false), 1);
+        emissive_scene(scene, model, displayed_pixmaps(model, initial_solution(model), false), 1);
     const scene::Scene seen = without_backs(glow, {.eye = {1, 1, 8}, .at = {1, 1, 0}});
     for (std::size_t i = 0; i < 6; ++i) {
         EXPECT_EQ(seen.objects[i].mesh->polygon_count(), glow.objects[i].mesh->polygon_count());

@@ -11,7 +11,7 @@
 namespace gw::radiosity {
 namespace {
 
-double area(const Model& model) {
+double area(const PixmapModel& model) {
     return std::accumulate(model.area.begin(), model.area.end(), 0.0);
 }
 
@@ -34,7 +34,7 @@ scene::PixmapChoice given(int width, int height, std::string name = "") {
 }
 
 TEST(Figures, AnAutomaticRectangleHasWholeTexelsOnly) {
-    const Model model = make_model(one(square()), {.texels_per_unit = 3.1});
+    const PixmapModel model = make_model(one(square()), {.texels_per_unit = 3.1});
     ASSERT_EQ(model.pixmaps.size(), 1u);
     EXPECT_EQ(model.pixmaps[0].width, 7);
     EXPECT_EQ(model.pixmaps[0].height, 7);
@@ -49,7 +49,7 @@ TEST(Figures, ABoxHasSixPixmapsAndOneFacetEach) {
 // A triangle's border cuts texels: they count by what is covered.
 TEST(Figures, BorderTexelsCountByTheirCoveredArea) {
     const MeshData triangle{.positions = {{0, 0, 0}, {0, 0, 4}, {4, 0, 0}}};
-    const Model model = make_model(one(triangle), {.texels_per_unit = 1});
+    const PixmapModel model = make_model(one(triangle), {.texels_per_unit = 1});
     EXPECT_NEAR(area(model), 8, 1e-9);
 }
 
@@ -65,7 +65,7 @@ TEST(Figures, STMayBeRotatedShearedAndMirrored) {
     for (const auto& map : maps) {
         MeshData mesh = square();
         for (vec2& st : mesh.texcoords) st = map(st * 1.4f - 0.7f);
-        const Model model = make_model(one(mesh, given(40, 30)));
+        const PixmapModel model = make_model(one(mesh, given(40, 30)));
         ASSERT_EQ(model.facets.size(), 1u);
         EXPECT_NEAR(area(model), 4, 1e-5);
         for (std::size_t k = 0; k < 4; ++k) {
@@ -80,7 +80,7 @@ TEST(Figures, STMayBeRotatedShearedAndMirrored) {
 TEST(Figures, STThatAreNotAffineArePerTriangle) {
     MeshData mesh = square();
     mesh.positions[2].x = 1;
-    const Model model = make_model(one(mesh, given(16, 16)));
+    const PixmapModel model = make_model(one(mesh, given(16, 16)));
     EXPECT_EQ(model.facets.size(), 2u);
     EXPECT_NEAR(area(model), 3, 1e-6);
 }
@@ -92,12 +92,22 @@ TEST(Figures, SeveralFiguresShareAPixmap) {
     scene::Scene scene = one(left, given(8, 4, "both"));
     scene.objects.push_back(
         {.name = "other", .mesh = make_mesh(right), .pixmap = given(8, 4, "both")});
-    const Model model = make_model(scene);
+    const PixmapModel model = make_model(scene);
     EXPECT_EQ(model.pixmaps.size(), 1u);
     EXPECT_EQ(model.figures.size(), 2u);
     EXPECT_NEAR(area(model), 8, 1e-6);
     scene.objects[1].pixmap.width = 9;
     EXPECT_THROW(make_model(scene), Error);
+}
+
+// Form factors are those of the figures alone; only a solver needs light.
+TEST(Figures, NeedNoLight) {
+    scene::Scene dark = one(square());
+    dark.materials[0].Ke = vec3(0);
+    const PixmapModel model = make_model(dark);
+    EXPECT_EQ(model.figures.size(), 1u);
+    EXPECT_THROW(check_emission(model), Error);
+    EXPECT_NO_THROW(check_emission(make_model(one(square()))));
 }
 
 /// The message of the Error that a scene gives.
@@ -124,9 +134,6 @@ TEST(Figures, WhatIsWrongIsSaid) {
     says(one(bad, given(4, 4)), "no texture coordinates");
     says(one({.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}}), "has no area and is to emit");
     says(one(square(), {}, 1.25f), "reflects 1.25");
-    scene::Scene dark = one(square());
-    dark.materials[0].Ke = vec3(0);
-    says(dark, "nothing emits light");
     MeshData twice = square();  // two quads, one place in the pixmap
     for (int k = 0; k < 4; ++k) {
         twice.positions.push_back(twice.positions[std::size_t(k)] + vec3(0, 1, 0));

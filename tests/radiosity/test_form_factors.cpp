@@ -22,7 +22,7 @@ TEST(DeltaFormFactors, AddUpToOne) {
 }
 
 /// The mean of patches' rows over an object, weighted by area.
-double between(const Model& model, FormFactors& factors, const std::string& from,
+double between(const PixmapModel& model, FormFactors& factors, const std::string& from,
                const std::string& to) {
     double f = 0, area = 0;
     for (std::size_t p = 0; p < model.patches.size(); ++p) {
@@ -42,7 +42,7 @@ TEST(FormFactors, ParallelSquares) {
     scene::Scene scene;
     add_quad(scene, "a", {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1);
     add_quad(scene, "b", {0, 1, 0}, {1, 0, 0}, {0, 0, 1});
-    const Model model = make_model(scene, {.texels_per_unit = 4});
+    const PixmapModel model = make_model(scene, {.texels_per_unit = 4});
     FormFactors factors(model, {.hemicube = 512});
     EXPECT_NEAR(between(model, factors, "a", "b") / 0.19982489569838738, 1, 0.005);
 }
@@ -51,7 +51,7 @@ TEST(FormFactors, PerpendicularSquares) {
     scene::Scene scene;
     add_quad(scene, "a", {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1);
     add_quad(scene, "b", {0, 0, 0}, {0, 1, 0}, {0, 0, 1});
-    const Model model = make_model(scene, {.texels_per_unit = 4});
+    const PixmapModel model = make_model(scene, {.texels_per_unit = 4});
     FormFactors factors(model, {.hemicube = 512});
     EXPECT_NEAR(between(model, factors, "a", "b") / 0.20004377607540315, 1, 0.005);
     EXPECT_NEAR(between(model, factors, "b", "a") / 0.20004377607540315, 1, 0.005);
@@ -60,7 +60,7 @@ TEST(FormFactors, PerpendicularSquares) {
 /// From a point on the floor, looking up.
 double from_point(const scene::Scene& scene, const std::string& to, const dvec3& at,
                   std::uint64_t seed) {
-    const Model model = make_model(scene, {.texels_per_unit = 4});
+    const PixmapModel model = make_model(scene, {.texels_per_unit = 4});
     FormFactors factors(model, {.hemicube = 512, .seed = seed});
     return to_object(model, factors.from_points({{at, {0, 1, 0}, 1, 1}}, 0), to);
 }
@@ -115,7 +115,7 @@ TEST(FormFactors, CoaxialDiscs) {
     };
     add_disc("a", 0, true);
     add_disc("b", 1, false);
-    const Model model = make_model(scene, {.texels_per_unit = 4});
+    const PixmapModel model = make_model(scene, {.texels_per_unit = 4});
     FormFactors factors(model, {.hemicube = 128});
     EXPECT_NEAR(between(model, factors, "a", "b") / 0.38196601125010515, 1, 0.005);
 }

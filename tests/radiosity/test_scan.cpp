@@ -25,13 +25,13 @@ scene::Scene lamp_and_wall() {
     return scene;
 }
 
-Row row_with(const Model& model, int hemicube, int parts, int threads = 0) {
+Row row_with(const PixmapModel& model, int hemicube, int parts, int threads = 0) {
     FormFactors factors(model,
                         {.hemicube = hemicube, .scan = {.most_parts = parts}, .threads = threads});
     return factors.from_patch(0);
 }
 
-double texels_lit(const Model& model, const Row& row) {
+double texels_lit(const PixmapModel& model, const Row& row) {
     const Pixmap& wall = model.pixmaps[1];
     return static_cast<double>(std::count_if(row.texels.begin(), row.texels.end(),
                                              [&](std::uint32_t t) { return t >= wall.first; }));
@@ -40,7 +40,7 @@ double texels_lit(const Model& model, const Row& row) {
 // [F2.2o] Fig. 3: a coarse buffer misses texels; divided virtually, it reaches all of them. From
 // one point, so that no other one makes up for what it misses; with the hemicube turned in any way.
 TEST(Oversampling, NoVisibleTexelIsLeftWithoutEnergy) {
-    const Model model = make_model(lamp_and_wall(), {.texels_per_unit = 10});
+    const PixmapModel model = make_model(lamp_and_wall(), {.texels_per_unit = 10});
     for (std::uint64_t seed = 0; seed < 16; ++seed)
         for (const int parts : {1, 64}) {
             FormFactors factors(model,
@@ -60,7 +60,7 @@ TEST(Oversampling, NorIsATexelOfASlantingWall) {
     scene::Scene scene;
     add_quad(scene, "lamp", {-0.05f, 0, -0.05f}, {0, 0, 0.1f}, {0.1f, 0, 0}, 0, 1);
     add_quad(scene, "wall", {0.3f, 0.2f, -1}, {0.2f, 0.1f, 2}, {1, 3, 0.5f}, 0.5f);
-    const Model model = make_model(scene, {.texels_per_unit = 10});
+    const PixmapModel model = make_model(scene, {.texels_per_unit = 10});
     double elements = 0;
     for (std::size_t t = model.pixmaps[1].first; t < model.texel_count(); ++t)
         elements += model.nearest[t] == t && model.area[t] > 0 ? 1 : 0;
@@ -74,7 +74,7 @@ TEST(Oversampling, NorIsATexelOfASlantingWall) {
 
 // The energy is the same: oversampling only spreads it.
 TEST(Oversampling, ChangesNoSum) {
-    const Model model = make_model(lamp_and_wall(), {.texels_per_unit = 10});
+    const PixmapModel model = make_model(lamp_and_wall(), {.texels_per_unit = 10});
     const Row with = row_with(model, 64, 64), without = row_with(model, 64, 1);
     EXPECT_NEAR(std::accumulate(with.factors.begin(), with.factors.end(), 0.0),
                 std::accumulate(without.factors.begin(), without.factors.end(), 0.0), 1e-12);
@@ -100,7 +100,7 @@ scene::Scene solid_in_a_box() {
 
 // Every pixel is some facet's, none is lost between regions.
 TEST(Scan, NoPixelIsLost) {
-    const Model model = make_model(solid_in_a_box(), {.texels_per_unit = 6});
+    const PixmapModel model = make_model(solid_in_a_box(), {.texels_per_unit = 6});
     FormFactors factors(model, {.hemicube = 64});
     for (std::size_t p = 0; p < model.patches.size(); p += 5) {
         const Row row = factors.from_patch(p);
@@ -114,7 +114,7 @@ TEST(Scan, NoPixelIsLost) {
 }
 
 TEST(Scan, AnyNumberOfThreadsGivesTheSameBits) {
-    const Model model = make_model(lamp_and_wall(), {.texels_per_unit = 10});
+    const PixmapModel model = make_model(lamp_and_wall(), {.texels_per_unit = 10});
     const Row one = row_with(model, 64, 64, 1);
     for (int threads : {2, 5}) {
         const Row more = row_with(model, 64, 64, threads);
@@ -128,7 +128,7 @@ TEST(Scan, AnyNumberOfThreadsGivesTheSameBits) {
 // borders.
 TEST(Scan, IsThePlainOneToTheBitOnEveryVectorTarget) {
     for (const double texels : {3.0, 40.0}) {
-        const Model model = make_model(solid_in_a_box(), {.texels_per_unit = texels});
+        const PixmapModel model = make_model(solid_in_a_box(), {.texels_per_unit = texels});
         for (const int parts : {1, 2, 64}) {
             const DeltaFormFactors delta = delta_form_factors(50);
             const Hemicube cube = hemicube_at({0.02, 0.9, 0.3 * parts / 64}, {0.6, -0.8, 0},
@@ -159,15 +159,15 @@ TEST(Seen, HasTheIdentifiersThatAreThere) {
         for (int round = 0; round < 400; ++round) {
             const std::size_t row = 1 + random() % 40, rows = 1 + random() % 6;
             std::vector<std::uint32_t> pixels;
-            std::vector<char> expected(50), seen(50);
+            std::vector<char> expected(50), present(50);
             while (pixels.size() < row * rows) {
                 const std::uint32_t id = random() % 50;
                 const std::size_t run = std::min(1 + random() % 30, row * rows - pixels.size());
                 pixels.insert(pixels.end(), run, 0xFF000000 | id);
                 expected[id] = 1;
             }
-            mark_seen(pixels, row, seen.data());
-            ASSERT_EQ(seen, expected) << target << ", round " << round;
+            mark_present_ids(pixels, row, present.data());
+            ASSERT_EQ(present, expected) << target << ", round " << round;
         }
     }
     fast::use_simd_target("");
@@ -177,7 +177,7 @@ TEST(Scan, BacksAreSeenAndAreNoSurface) {
     scene::Scene scene;
     // faces up, seen from below
     add_quad(scene, "wall", {-2, 0.5f, -2}, {0, 0, 4}, {4, 0, 0}, 0.5f, 1);
-    const Model model = make_model(scene, {.texels_per_unit = 4});
+    const PixmapModel model = make_model(scene, {.texels_per_unit = 4});
     FormFactors factors(model, {.hemicube = 32});
     const Row row = factors.from_points({{{0, 0, 0}, {0, 1, 0}, 1, 0.1}}, 0);
     EXPECT_GT(row.backs, 0.5);

@@ -93,7 +93,7 @@ TEST(Solver, ACanceledShotChangesNothing) {
 // Cohen's estimate is exact where all is evenly bright: before any shot the furnace shows its
 // solution.
 TEST(Solver, TheAmbientEstimateOfAFurnaceIsItsSolution) {
-    const Model model = make_model(closed_box({1, 2, 1}, 0.75f, 1), few_texels);
+    const PixmapModel model = make_model(closed_box({1, 2, 1}, 0.75f, 1), few_texels);
     const Solution start = initial_solution(model);
     EXPECT_NEAR(radiosity_at(model, start, 0).x + model.rho[0].x * ambient(model, start).x, 4,
                 1e-6);

@@ -21,7 +21,9 @@ scene::Scene room(float y, float emission = 4, float rho = 0.5f) {
     return scene;
 }
 
-Model model_of(const scene::Scene& scene) { return make_model(scene, {.texels_per_unit = 3}); }
+PixmapModel model_of(const scene::Scene& scene) {
+    return make_model(scene, {.texels_per_unit = 3});
+}
 
 int solve(Solver& solver) {
     int hemicubes = 0;
@@ -66,6 +68,40 @@ TEST_F(UpdateTest, ADimmedLampDrawsNothingAnew) {
 TEST_F(UpdateTest, OtherReflectancesDrawNextToNothing) {
     const auto [more, anew] = compare(room(1.75f, 4, 0.4f), 5 * enough);
     EXPECT_LT(more, anew / 4);
+}
+
+/// What is shot after an update has the bits of a solver that never saw the scene before it.
+void expect_shots_of_a_fresh_solver(Solver& solver) {
+    Solver fresh(solver.model(), coarse);
+    fresh.resume(solver.solution());
+    for (int i = 0; i < 20 && solver.shoot(); ++i) fresh.shoot();
+    EXPECT_EQ(solver.solution(), fresh.solution());
+}
+
+/// A board between lamp and floor, at this x.
+scene::Scene room_with_board(float x) {
+    scene::Scene scene = room(1.75f);
+    add_quad(scene, "board", {x, 1, 0.5f}, {0, 0, 1}, {1, 0, 0}, 0.5f);
+    return scene;
+}
+
+TEST(Update, KeepsNoFormFactorsAfterABlockerHasMoved) {
+    Solver solver(model_of(room_with_board(0.1f)), coarse);
+    solve(solver);
+    solver.update(model_of(room_with_board(0.8f)), 0);
+    expect_shots_of_a_fresh_solver(solver);
+}
+
+TEST_F(UpdateTest, KeepsNoFormFactorsOfAPatchThatBeginsToEmit) {
+    scene::Scene glowing_floor = room(1.75f);
+    glowing_floor.materials[0].Ke = vec3(1);
+    solver.update(model_of(glowing_floor));
+    expect_shots_of_a_fresh_solver(solver);
+}
+
+TEST_F(UpdateTest, ADarkSceneIsRefused) {
+    EXPECT_THROW(solver.update(model_of(room(1.75f, 0))), Error);
+    EXPECT_THROW(Solver(model_of(room(1.75f, 0)), coarse), Error);
 }
 
 TEST_F(UpdateTest, AMovedLampIsSentAnew) { compare(room(1.5f), 5 * enough); }

@@ -31,6 +31,44 @@ TEST_F(Hidden, TellsWhichAlgorithmsAreWrongAboutACycle) {
     }
 }
 
+// A material may have its colour in Ka, Ke or Ks alone.
+TEST_F(Hidden, PaintsAMaterialWithoutKdInItsOtherColours) {
+    write("cards.mtl",
+          "newmtl a\nKa 1 0 0\nKd 0 0 0\nnewmtl e\nKe 0 1 0\nKd 0 0 0\nnewmtl none\nKd 0 0 0\n");
+    write("cards.obj",
+          "mtllib cards.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 3 0 0\n"
+          "v 3 1 0\nusemtl a\nf 1 2 3 4\nusemtl e\nf 2 5 6 3\nusemtl none\nf 5 7 8 6\n");
+    ASSERT_EQ(gw({"hidden", "cards.obj", "--eye", "1.5,0.5,9", "--at", "1.5,0.5,0", "--fov", "20",
+                  "--size", "60x20", "--algorithm", "z-buffer", "--steps", "s"})
+                  .code,
+              0);
+    const Pixels picture = read_pixels(in("s/picture.png"));
+    const std::vector<float> red = picture.at(15, 10), green = picture.at(30, 10),
+                             grey = picture.at(45, 10);
+    EXPECT_GT(red[0], 0.5f);
+    EXPECT_EQ(red[1], 0);
+    EXPECT_GT(green[1], 0.5f);
+    EXPECT_EQ(green[0], 0);
+    EXPECT_GT(grey[0], 0.1f);
+    EXPECT_EQ(grey[0], grey[2]);
+}
+
+// What is quadratic by nature says so before it begins.
+TEST_F(Hidden, SaysBeforehandWhatWouldTakeLong) {
+    write("ball.toml", "[[object]]\nshape = \"sphere\"\nslices = 128\nstacks = 64\n");
+    const std::vector<std::string> all{"hidden", "ball.toml", "--size", "48x36",
+                                       "--csv",  "--limit",   "0.00001"};
+    std::vector<std::string> one = all;
+    one.insert(one.end(), {"--algorithm", "newell"});
+    expect_refused(1, one, {"newell: ", " polygons would take about ", "; --limit 0 to try"});
+    const Outcome outcome = gw(all);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("gw: warning: left out: newell: "), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(outcome.out.find("newell"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("z-buffer"), std::string::npos) << outcome.out;
+}
+
 TEST_F(Hidden, PrintsTheSameCountsAsCsv) {
     const Outcome outcome = hidden({"--csv", "--algorithm", "newell"});
     std::istringstream lines(outcome.out);

@@ -95,6 +95,23 @@ TEST_F(Radiosity, AChangeIsComparedWithSolvingAnew) {
     EXPECT_TRUE(std::filesystem::exists(in("out/changed.png")));
 }
 
+TEST_F(Radiosity, FormFactorsNeedNoLight) {
+    std::string dark = bytes_of(in("box.toml"));
+    dark.replace(dark.find(", emission = 4"), 14, "");
+    write("dark.toml", dark);
+    const std::vector<std::string> tail{"--form-factor", "lamp", "ball", "--hemicube", "16"};
+    const auto asked = [&](const char* scene) {
+        std::vector<std::string> words{"radiosity", scene};
+        words.insert(words.end(), tail.begin(), tail.end());
+        return gw(words);
+    };
+    const Outcome lit = asked("box.toml"), unlit = asked("dark.toml");
+    EXPECT_EQ(unlit.code, 0) << unlit.err;
+    EXPECT_NE(unlit.out.find("F(lamp -> ball) = "), std::string::npos) << unlit.out;
+    EXPECT_NE(lit.out.find("F(lamp -> ball) = "), std::string::npos) << lit.out;
+    expect_refused(1, {"radiosity", "dark.toml", "-o", "out"}, {"nothing emits light"});
+}
+
 TEST_F(Radiosity, HighlightsAreAdded) {
     ASSERT_EQ(solve({"--shots", "1"}).code, 0);
     const std::string dull = bytes_of(in("out/picture.png"));

@@ -1,9 +1,12 @@
-#include "bench/growth/scenes.h"
-
+#include "bench/growth/sweep.h"
 #include "gw/error.h"
 #include "scene/read_scene.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 
 namespace gw::growth {
 namespace {
@@ -67,27 +70,52 @@ std::string vertices(int amount) {
                     [](int i) { return fmt::format("vt {}\nf 1/-1 2 3\n", i); });
 }
 
-}  // namespace
+/// The file of a sweep, for as long as it is read.
+struct SweptFile {
+    std::filesystem::path path;
+    SweptFile(const std::string& name, const std::string& text)
+        : path(std::filesystem::temp_directory_path() /
+               fmt::format("growth-{}-{}", getpid(), name)) {
+        std::ofstream(path) << text;
+    }
+    ~SweptFile() { std::filesystem::remove(path); }
+    void read() const {
+        try {
+            scene::read_scene(path.string());
+        } catch (const Error&) {  // numbers
+        }
+    }
+};
 
-std::vector<SceneSweep> scene_sweeps() {
-    const std::vector<double> amounts{1000, 10000, 100000, 1000000};
-    return {
-        {"boxes", amounts, "boxes.toml", boxes},
-        {"named-lights", {1000, 10000, 100000}, "lights.toml", lights},
-        {"materials", {1000, 10000, 100000}, "materials.toml", materials},
-        {"numbers", amounts, "numbers.toml", numbers},
-        {"groups", amounts, "groups.obj", groups},
-        {"smoothing-groups", amounts, "smooth.obj", [](int n) { return fan(n, true); }},
-        {"faces-at-a-point", amounts, "fan.obj", [](int n) { return fan(n, false); }},
-        {"vertices-at-a-point", amounts, "vertices.obj", vertices},
-    };
+struct File {
+    std::string name;  ///< the extension chooses the reader
+    std::function<std::string(int amount)> text;
+};
+
+Sweep sweep(const std::string& name, const std::vector<int>& amounts, const File& file) {
+    Sweep made{"read-" + name, name, {}};
+    for (const int amount : amounts)
+        made.steps.push_back({double(amount), [amount, file](int repeats) {
+                                  const SweptFile swept(file.name, file.text(amount));
+                                  return least_time(repeats, [&] { swept.read(); });
+                              }});
+    return made;
 }
 
-void read_swept(const std::string& path) {
-    try {
-        scene::read_scene(path);
-    } catch (const Error&) {  // numbers
-    }
+}  // namespace
+
+std::vector<Sweep> reader_sweeps() {
+    const std::vector<int> large{1000, 10000, 100000, 1000000}, small{1000, 10000, 100000};
+    return {
+        sweep("boxes", large, {"boxes.toml", boxes}),
+        sweep("named-lights", small, {"lights.toml", lights}),
+        sweep("materials", small, {"materials.toml", materials}),
+        sweep("numbers", large, {"numbers.toml", numbers}),
+        sweep("groups", large, {"groups.obj", groups}),
+        sweep("smoothing-groups", large, {"smooth.obj", [](int n) { return fan(n, true); }}),
+        sweep("faces-at-a-point", large, {"fan.obj", [](int n) { return fan(n, false); }}),
+        sweep("vertices-at-a-point", large, {"vertices.obj", vertices}),
+    };
 }
 
 }  // namespace gw::growth

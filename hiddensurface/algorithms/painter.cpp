@@ -1,4 +1,9 @@
-#include "hiddensurface/structures/painter.h"
+// The painter's algorithm [L5]: polygons sorted by one distance each and drawn far to near.
+// Three variants: by the farthest corner, the nearest corner, the centroid.
+//
+// Does not claim to be right: the distance of one point does not always say which polygon hides
+// which. Never splits.
+#include "hiddensurface/run/algorithm.h"
 
 #include <algorithm>
 
@@ -25,8 +30,7 @@ void log_order(const Input& input, const std::vector<std::size_t>& order, StepLo
     log.add({Level::Polygon, Action::Sort, std::move(ids), "distance", "far to near"});
 }
 
-}  // namespace
-
+/// `key`: Polygon::farthest, nearest or centroid. Equal distances keep the scene's order.
 Output paint(const Input& input, StepLog& log, const std::string& pass, double Polygon::*key) {
     Output output{.list = begin_picture(input, pass)};
     const std::vector<std::size_t> given = visible_polygons(input);
@@ -44,5 +48,21 @@ Output paint(const Input& input, StepLog& log, const std::string& pass, double P
     for (const std::size_t i : order) draw_piece(input, whole(i, input.polygons[i]), output, log);
     return output;
 }
+
+Algorithm painter(const std::string& variant, const std::string& point, double Polygon::*key) {
+    return {.name = "painter-" + variant,
+            .title = "Painter's algorithm by the " + point + " [L5]",
+            .run = [=](const Input& input, StepLog& log) {
+                return paint(input, log, "painter's, " + variant, key);
+            }};
+}
+
+}  // namespace
+
+Algorithm painter_farthest() { return painter("farthest", "farthest corner", &Polygon::farthest); }
+
+Algorithm painter_nearest() { return painter("nearest", "nearest corner", &Polygon::nearest); }
+
+Algorithm painter_centroid() { return painter("centroid", "centroid", &Polygon::centroid); }
 
 }  // namespace gw::hiddensurface

@@ -1,4 +1,4 @@
-#include "radiosity/model/seams.h"
+#include "radiosity/display/seams.h"
 
 #include "radiosity/model/triangle.h"
 
@@ -10,7 +10,7 @@ namespace gw::radiosity {
 namespace {
 
 constexpr double least_cos = 0.766044443;  // 40 degrees
-constexpr double reach = 1.5;              ///< texels beyond the border that filters can see
+constexpr double filter_reach = 1.5;       ///< texels beyond the border that filters can see
 
 dvec3 space(const dvec2& v) { return {v.x, v.y, 0}; }
 
@@ -22,7 +22,8 @@ struct Place {
 
 class Seams {
 public:
-    Seams(const Model& model, const Shown& own, const Shown& before, Shown& after)
+    Seams(const PixmapModel& model, const DisplayedPixmaps& own, const DisplayedPixmaps& before,
+          DisplayedPixmaps& after)
         : model_(model),
           own_(own),
           before_(before),
@@ -89,7 +90,7 @@ private:
     /// Where a texel's middle lies in space, by the facet nearest to it; none where filters do not
     /// see it.
     Place place_of(const Pixmap& pixmap, const dvec2& uv) const {
-        double nearest = reach;
+        double nearest = filter_reach;
         Place place;
         for (std::uint32_t number : pixmap.facets) {
             const Facet& facet = model_.facets[number];
@@ -107,20 +108,20 @@ private:
         return place;
     }
 
-    const Model& model_;
-    const Shown& own_;     ///< nothing taken over
-    const Shown& before_;  ///< what is taken over
-    Shown& after_;
+    const PixmapModel& model_;
+    const DisplayedPixmaps& own_;     ///< nothing taken over
+    const DisplayedPixmaps& before_;  ///< what is taken over
+    DisplayedPixmaps& after_;
     std::vector<std::vector<std::uint32_t>> facets_of_object_;
 };
 
 }  // namespace
 
-void close_seams(const Model& model, Shown& colors) {
+void close_seams(const PixmapModel& model, DisplayedPixmaps& colors) {
     // Twice: what a texel takes over may itself be one at a border.
-    const Shown own = colors;
+    const DisplayedPixmaps own = colors;
     for (int round = 0; round < 2; ++round) {
-        const Shown before = colors;
+        const DisplayedPixmaps before = colors;
         Seams(model, own, before, colors).close();
     }
 }

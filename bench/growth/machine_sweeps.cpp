@@ -1,6 +1,9 @@
-#include "bench/growth/sweeps.h"
-
 #include "bench/growth/subdivide.h"
+#include "bench/growth/sweep.h"
+#include "bench/peers/frame.h"
+#include "bench/peers/ours.h"
+#include "bench/peers/workload.h"
+#include "gw/machine.h"
 
 #include <cmath>
 
@@ -53,31 +56,49 @@ Workload samples(int count) {
     return w;
 }
 
+/// Every run has another view, so nothing kept of the last one serves it.
+Step step(double amount, const std::function<Frame()>& frame, const Workload& workload,
+          int threads = 1) {
+    return {amount, [=](int repeats) {
+                const Frame f = frame();
+                const auto machine = make_fast(vgx(), f.width, f.height, {.threads = threads});
+                CommandList list = peers::command_list(workload, f);
+                return least_time(repeats, [&] {
+                    list = peers::moved(std::move(list));
+                    machine->execute(list);
+                    machine->reset_passes();
+                });
+            }};
+}
+
 }  // namespace
 
-std::vector<Sweep> sweeps(const std::string& scene) {
+std::vector<Sweep> machine_sweeps(const std::string& scene) {
     const auto usual = [scene] { return peers::scene_frame(scene.c_str()); };
-    Sweep triangles{"triangles", {}}, pixels{"pixels", {}}, pass{"passes", {}},
-        sample{"samples", {}}, light{"lights", {}}, threads{"threads", {}};
+    Sweep triangles{"triangles", "triangles", {}}, pixels{"pixels", "pixels", {}},
+        pass{"passes", "passes", {}}, sample{"samples", "samples", {}},
+        light{"lights", "lights", {}}, threads{"threads", "threads", {}};
     for (int times = 0; times <= 3; ++times)
-        triangles.steps.push_back({77628 * std::pow(4.0, times), 1,
-                                   [=] { return divided_frame(scene, 640, 480, times); },
-                                   passes(3)});
-    for (const auto& [w, h] :
+        triangles.steps.push_back(step(
+            77628 * std::pow(4.0, times), [=] { return divided_frame(scene, 640, 480, times); },
+            passes(3)));
+    for (const auto& [width, height] :
          {std::pair{320, 240}, {640, 480}, {1280, 960}, {2560, 1920}, {4096, 4096}})
-        pixels.steps.push_back({double(w) * h, 1,
-                                [=, w = w, h = h] { return divided_frame(scene, w, h, 0); },
-                                passes(3)});
-    for (int n = 1; n <= 128; n *= 2) pass.steps.push_back({double(n), 1, usual, passes(n)});
-    for (int n = 1; n <= 256; n *= 4) sample.steps.push_back({double(n), 1, usual, samples(n)});
+        pixels.steps.push_back(step(
+            double(width) * height,
+            [=, w = width, h = height] { return divided_frame(scene, w, h, 0); }, passes(3)));
+    for (int n = 1; n <= 128; n *= 2) pass.steps.push_back(step(n, usual, passes(n)));
+    for (int n = 1; n <= 256; n *= 4) sample.steps.push_back(step(n, usual, samples(n)));
     for (int n = 1; n <= many_lights; n *= 2)
-        light.steps.push_back({double(n), 1, [=] { return lit_frame(scene); }, passes(3 * n, n)});
-    for (int n = 1; n <= 2; ++n) threads.steps.push_back({double(n), n, usual, passes(12)});
+        light.steps.push_back(step(
+            n, [=] { return lit_frame(scene); }, passes(3 * n, n)));
+    for (int n = 1; n <= 2; ++n) threads.steps.push_back(step(n, usual, passes(12), n));
     return {triangles, pixels, pass, sample, light, threads};
 }
 
-Step largest(const std::string& scene) {
-    return {77628 * 64.0, 2, [=] { return divided_frame(scene, 4096, 4096, 3); }, passes(64)};
+Step largest_frame(const std::string& scene) {
+    return step(
+        77628 * 64.0, [=] { return divided_frame(scene, 4096, 4096, 3); }, passes(64), 2);
 }
 
 }  // namespace gw::growth

@@ -10,6 +10,6 @@ namespace gw::radiosity {
 /// Texels that figures cover in part, or not at all, next to their pixmap's border: their uncovered
 /// share takes the colour of the same object's nearest point in another pixmap, where the surface
 /// bends by less than 40 degrees between the two and is no farther than a texel.
-void close_seams(const Model& model, Shown& colors);
+void close_seams(const PixmapModel& model, DisplayedPixmaps& colors);
 
 }  // namespace gw::radiosity

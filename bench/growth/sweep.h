@@ -1,0 +1,43 @@
+// What bench_growth measures: one quantity grows, everything else stays. A file for each family of
+// sweeps; main.cpp times them and writes tables and plots.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gw::growth {
+
+/// One place of a sweep. Runs in a process of its own, so that its peak memory is its own.
+struct Step {
+    double amount = 0;  ///< of what grows
+    /// Prepares, then returns the least time of so many runs, in milliseconds.
+    std::function<double(int repeats)> milliseconds;
+};
+
+struct Sweep {
+    std::string name;      ///< for --only, and of its files
+    std::string quantity;  ///< that grows: the plot's axis
+    std::vector<Step> steps;
+};
+
+/// The least wall time of some runs after one that warms up, in milliseconds: other processes only
+/// add.
+double least_time(int repeats, const std::function<void()>& run);
+
+/// Frames like workload d of bench/peers, of the scene's geometry: triangles 1x .. 64x, pixels
+/// 320x240 .. 4096x4096, passes 1 .. 128, samples 1 .. 256, lights 1 .. 128, threads 1 and 2.
+std::vector<Sweep> machine_sweeps(const std::string& scene);
+
+/// Scenes of 1 .. 1,000,000 boxes of 12 triangles: reading, drawing, tracing, solving; materials
+/// and lights.
+std::vector<Sweep> scene_sweeps();
+
+/// Files with 1,000 .. 1,000,000 of one thing: boxes, lights, materials, numbers of an array in
+/// TOML; groups, smoothing groups, faces and vertices at one point in OBJ.
+std::vector<Sweep> reader_sweeps();
+
+/// 64x the triangles (5 millions) in 4096x4096 pixels with 64 passes: what must stay below 4 GiB.
+Step largest_frame(const std::string& scene);
+
+}  // namespace gw::growth
