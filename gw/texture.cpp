@@ -18,7 +18,9 @@ void check(const std::string& name, int width, int height, std::size_t values) {
                     " texels of 4");
 }
 
-int power_of_two(int side) { return static_cast<int>(std::bit_ceil(static_cast<unsigned>(side))); }
+int next_power_of_two(int side) {
+    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(side)));
+}
 
 // The position of texel centre i of `to` texels among `from` texels: between `low` and `high`,
 // `weight` / (2 `to`) of the distance from low to high. Clamped at the ends, so that opposite sides
@@ -38,7 +40,7 @@ Position position_of(int i, int from, int to) {
 // Bilinear, rounded once to nearest, ties up. The four weights add up to 4 * width * height of the
 // result.
 TextureLevel resample(int width, int height, std::span<const std::uint16_t> rgba) {
-    TextureLevel level{power_of_two(width), power_of_two(height), {}};
+    TextureLevel level{next_power_of_two(width), next_power_of_two(height), {}};
     if (level.width == width && level.height == height) {
         level.rgba.assign(rgba.begin(), rgba.end());
         return level;
