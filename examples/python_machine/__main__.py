@@ -1,0 +1,69 @@
+"""python3 -m python_machine RECORDING.gwt [MANIFEST.json] ...
+
+Executes recordings and compares every pass with its manifest (by default the file beside the
+recording, NAME.json). Exit code 0: all agree; 3: a difference; 2: usage.
+"""
+import json
+import pathlib
+import sys
+
+import numpy as np
+
+from .machine import Machine
+from .recordings import Reader
+
+
+def differences(name, counters, digests, expected):
+    """What a pass has otherwise than its manifest says."""
+    if name != expected["name"]:
+        yield f"name '{name}', expected '{expected['name']}'"
+    for plane, digest in expected["digests"].items():
+        if digests[plane] != digest:
+            yield f"plane {plane}"
+    wanted = expected["counters"]
+    for counter in sorted(set(wanted) | set(counters)):
+        if counters.get(counter, 0) != wanted.get(counter, 0):
+            yield f"{counter} {counters.get(counter, 0)}, expected {wanted.get(counter, 0)}"
+
+
+def check(recording):
+    """The number of passes, and the lines to print of the first that differs."""
+    expected = json.loads(recording.with_suffix(".json").read_text(encoding="utf-8"))["passes"]
+    reader = Reader(recording)
+    machine = Machine(reader.profile, reader.width, reader.height)
+    passes = 0
+    for number, ended in enumerate(machine.execute(reader.commands())):
+        if number >= len(expected):
+            return passes, [f"pass {number + 1} '{ended[0]}': the manifest has only {number}"]
+        lines = [f"pass {number + 1} '{ended[0]}': {line}"
+                 for line in differences(*ended, expected[number])]
+        if lines:
+            return passes, lines
+        passes += 1
+    if passes < len(expected):
+        return passes, [f"{passes} passes, expected {len(expected)}"]
+    return passes, []
+
+
+def main(arguments):
+    if not arguments:
+        print(__doc__.strip(), file=sys.stderr)
+        return 2
+    np.seterr(all="ignore")
+    agree, passes, differing = 0, 0, 0
+    for argument in arguments:
+        recording = pathlib.Path(argument)
+        count, lines = check(recording)
+        passes += count
+        if lines:
+            differing += 1
+            for line in lines:
+                print(f"{recording}: {line}")
+        else:
+            agree += 1
+    print(f"{agree} of {agree + differing} recordings agree, {passes} passes")
+    return 3 if differing else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

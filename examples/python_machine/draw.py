@@ -1,0 +1,92 @@
+"""[R1.9] A Draw from its mesh to fragments: chapters 6 to 12 in their order."""
+import numpy as np
+
+from . import fog
+from .fragments import FragmentStage
+from .geometry import PrimitiveStage
+from .numbers import one, rne
+from .rasterization import Frame, Perspective, covered, offset, quotient, reciprocal
+from .state import ColorSource, Resolved, ShadeModel, draw_box
+from .texture import TextureStage, environment, look_ups
+
+
+def run(machine, draw):
+    counters = machine.counters
+    counters["draws"] += 1
+    counters["vertices"] += len(draw.mesh.positions)
+    before = counters["fragments"]
+    stage = PixelStage(machine, draw)
+    for ready in PrimitiveStage(machine, draw).run():
+        stage.run(ready)
+    if draw.is_textured() and machine.state.color_source != ColorSource.PolygonId:
+        counters["texels"] += ((counters["fragments"] - before)
+                               * look_ups(machine.state.texture.min_filter))
+
+
+class PixelStage:
+    """Stages 7 to 12 of [R1.9]."""
+
+    def __init__(self, machine, draw):
+        self.machine, self.state, self.profile = machine, machine.state, machine.profile
+        self.box = draw_box(self.state, machine.width, machine.height)
+        self.fragments = FragmentStage(machine, Resolved(self.state, self.profile))
+        has_id = self.state.color_source == ColorSource.PolygonId
+        self.texture = None
+        if draw.is_textured() and not has_id:
+            self.texture = TextureStage(self.state.texture, self.profile,
+                                        machine.texture_of(draw))
+        self.fog = self.state.fog if self.state.fog.enable and not has_id else None
+        self.fog_table = None
+        if self.fog and fog.per_fragment(self.state, self.profile):
+            self.fog_table = fog.Table(self.fog, self.profile.color_bits)
+
+    def run(self, ready):
+        s, bits = self.profile.subpixel_bits, self.profile.color_bits
+        x, y = covered(ready.corners, self.box, self.state, s)
+        if len(x) == 0:
+            return
+        frame = Frame(ready.corners, s)
+        depths = self.depths(ready, frame, x, y)
+        colors = self.colors(ready, frame, x, y)
+        if self.texture:
+            texels = self.texture.texels(frame, ready.corners, x, y)
+            colors = environment(colors, texels, self.state.texture, bits)
+        if self.fog:
+            colors = fog.fogged(colors, self.fog_factors(ready, frame, x, y), self.fog, bits)
+        self.fragments.run(x, y, colors, depths, ready.front)
+
+    def depths(self, ready, frame, x, y):
+        """[R9.11], [R9.12]"""
+        plane = frame.plane([c.Z for c in ready.corners])
+        values = plane.at(x, y)
+        if ready.filled and self.state.polygon_offset.enable:
+            moved = values + offset(self.state, plane, self.profile.depth_bits)
+            values = np.clip(moved, 0, one(self.profile.depth_bits))
+        return values
+
+    def colors(self, ready, frame, x, y):
+        """[R9.10], [R9.16]"""
+        given = [c.color for c in ready.corners]
+        channels = [[color[c] for color in given] for c in range(4)]
+        if not (self.profile.perspective_color and self.state.shade_model == ShadeModel.Smooth):
+            return np.stack([frame.plane(values).at(x, y) for values in channels], axis=1)
+        most = one(self.profile.color_bits)
+        perspective = Perspective(frame, [c.w for c in ready.corners])
+        W = reciprocal(perspective.q, x, y)
+        result = []
+        for values in channels:
+            plane, e = perspective.value([v / most for v in values], 0, 10)
+            u = quotient(plane, W, x, y) * np.float32(2.0**e)
+            nearest = np.rint(u * np.float32(most)).astype(np.int64)
+            result.append(np.clip(nearest, min(values), max(values)))
+        return np.stack(result, axis=1)
+
+    def fog_factors(self, ready, frame, x, y):
+        """[R11.5], [R11.6]"""
+        values = [c.vertex.fog for c in ready.corners]
+        if not self.fog_table:
+            return frame.plane([rne(v) for v in values]).at(x, y)
+        perspective = Perspective(frame, [c.w for c in ready.corners])
+        plane, e = perspective.value(values, 0, 40)
+        u = quotient(plane, reciprocal(perspective.q, x, y), x, y)
+        return self.fog_table.factors(u, e)

@@ -1,0 +1,140 @@
+"""Chapter 12: what happens to fragments. Those of one call lie on different pixels."""
+import numpy as np
+
+from .numbers import mul, one
+from .state import BlendFactor, CompareFunc, StencilOp
+
+
+def compare(func, incoming, stored):
+    """[R12.4]"""
+    if func == CompareFunc.Never:
+        return np.zeros(len(stored), bool)
+    if func == CompareFunc.Less:
+        return incoming < stored
+    if func == CompareFunc.Equal:
+        return incoming == stored
+    if func == CompareFunc.LEqual:
+        return incoming <= stored
+    if func == CompareFunc.Greater:
+        return incoming > stored
+    if func == CompareFunc.NotEqual:
+        return incoming != stored
+    if func == CompareFunc.GEqual:
+        return incoming >= stored
+    return np.ones(len(stored), bool)
+
+
+def stencil_operation(operation, stored, ref, most):
+    """[R12.6]"""
+    if operation == StencilOp.Keep:
+        return stored
+    if operation == StencilOp.Zero:
+        return np.zeros_like(stored)
+    if operation == StencilOp.Replace:
+        return np.full_like(stored, ref & most)
+    if operation == StencilOp.Incr:
+        return np.where(stored < most, stored + 1, most)
+    if operation == StencilOp.Decr:
+        return np.where(stored > 0, stored - 1, 0)
+    if operation == StencilOp.Invert:
+        return ~stored & most
+    step = 1 if operation == StencilOp.IncrWrap else -1
+    return (stored + step) & most
+
+
+def factors(factor, s, d, one_value):
+    """[R12.12] Of all channels: arrays like s."""
+    s_alpha, d_alpha = s[:, 3:], d[:, 3:]
+    values = {
+        BlendFactor.Zero: 0, BlendFactor.One: one_value,
+        BlendFactor.SrcColor: s, BlendFactor.OneMinusSrcColor: one_value - s,
+        BlendFactor.DstColor: d, BlendFactor.OneMinusDstColor: one_value - d,
+        BlendFactor.SrcAlpha: s_alpha, BlendFactor.OneMinusSrcAlpha: one_value - s_alpha,
+        BlendFactor.DstAlpha: d_alpha, BlendFactor.OneMinusDstAlpha: one_value - d_alpha,
+        BlendFactor.SrcAlphaSaturate: np.minimum(s_alpha, one_value - d_alpha),
+    }
+    result = np.broadcast_to(values[factor], s.shape).copy()
+    if factor == BlendFactor.SrcAlphaSaturate:
+        result[:, 3] = one_value
+    return result
+
+
+def blended(blend, s, d, bits):
+    """[R12.10], [R12.11]"""
+    if not blend.enable:
+        return s
+    total = (mul(s, factors(blend.src, s, d, one(bits)), bits)
+             + mul(d, factors(blend.dst, s, d, one(bits)), bits))
+    return np.minimum(one(bits), total)
+
+
+class FragmentStage:
+    """[R12.1] The steps, on a machine's planes, under one resolved state."""
+
+    def __init__(self, machine, resolved):
+        self.machine, self.state = machine, resolved
+        self.bits = machine.profile.color_bits
+
+    def run(self, x, y, colors, depths, front):
+        """x, y: pixels, each once. colors: rows of R, G, B, A."""
+        state, planes, counters = self.state, self.machine.planes, self.machine.counters
+        counters["fragments"] += len(x)
+        alive = compare(state.alpha_func, colors[:, 3], np.full(len(x), state.alpha_ref))
+        counters["alpha_killed"] += count(~alive)
+        x, y, colors, depths = x[alive], y[alive], colors[alive], depths[alive]
+
+        face = state.faces[0 if front else 1]
+        reached_stencil = len(x)
+        stored = planes.stencil[y, x]
+        passed = compare(face.func, np.full(len(x), face.ref & face.mask), stored & face.mask)
+        self.update_stencil(face, "fail", x[~passed], y[~passed])
+        counters["stencil_killed"] += count(~passed)
+        x, y, colors, depths = x[passed], y[passed], colors[passed], depths[passed]
+
+        reached_depth = len(x)
+        passed = compare(state.depth_func, depths, planes.depth[y, x])
+        self.update_stencil(face, "zfail", x[~passed], y[~passed])
+        counters["depth_killed"] += count(~passed)
+        x, y, colors, depths = x[passed], y[passed], colors[passed], depths[passed]
+
+        self.update_stencil(face, "zpass", x, y)
+        if state.depth_mask:
+            planes.depth[y, x] = depths
+        self.write_colors(x, y, colors)
+        counters["written"] += len(x)
+        self.count_bytes(reached_stencil, reached_depth, len(x))
+
+    def update_stencil(self, face, name, x, y):
+        """[R12.7]"""
+        plane, most = self.machine.planes.stencil, one(self.machine.profile.stencil_bits)
+        stored = plane[y, x]
+        new = stencil_operation(face.operations[name], stored, face.ref, most)
+        plane[y, x] = (stored & ~face.write_mask) | (new & face.write_mask)
+
+    def write_colors(self, x, y, colors):
+        """[R12.13]"""
+        plane = self.machine.planes.color
+        result = blended(self.state.blend, colors, plane[y, x], self.bits)
+        for c, on in enumerate(self.state.color_mask):
+            if on:
+                plane[y, x, c] = result[:, c]
+
+    def count_bytes(self, reached_stencil, reached_depth, written):
+        """[R14.8]"""
+        state, size = self.state, self.machine.bytes_of
+        total = 0
+        if state.stencil_test:
+            changes = any(face.can_change() for face in state.faces)
+            total += reached_stencil * size["Stencil"] * (2 if changes else 1)
+        if state.depth_func != CompareFunc.Always:
+            total += reached_depth * size["Depth"]
+        if state.depth_mask:
+            total += written * size["Depth"]
+        if any(state.color_mask):
+            twice = state.blend.enable or not all(state.color_mask)
+            total += written * size["Color"] * (2 if twice else 1)
+        self.machine.counters["bytes"] += total
+
+
+def count(mask):
+    return int(np.count_nonzero(mask))

@@ -1,0 +1,354 @@
+"""Chapter 6: primitives, vertices, clipping, window coordinates."""
+import math
+from dataclasses import dataclass, replace
+
+from . import fog, lighting, texture_coordinates
+from .numbers import (cross, divide, dot3, dot4, floor, quantize, clamp01, rne, to_integer,
+                      transform, unit)
+from .polygons import edges_of, triangulated
+from .state import ColorSource, Face, PolygonMode, ShadeModel, Winding, viewport_of
+
+# ---- Primitives -----------------------------------------------------------------------------
+
+
+@dataclass
+class PrimitiveOf:
+    """A point, line or triangle: places of its corners in the mesh [R6.2]."""
+    corners: tuple
+    flat: int
+    polygon: int
+    edges: tuple = (True, True, True)
+
+
+def primitives(mesh):
+    """[R6.1] to [R6.5] In order."""
+    c = mesh.indices if mesh.indices else list(range(len(mesh.positions)))
+    n, kind = len(c), mesh.primitive
+    if n == 0:
+        return
+    if kind == "Points":
+        for i in range(n):
+            yield PrimitiveOf((c[i],), c[i], i)
+    elif kind == "Lines":
+        for i in range(n // 2):
+            yield PrimitiveOf((c[2 * i], c[2 * i + 1]), c[2 * i + 1], i)
+    elif kind == "LineStrip":
+        for i in range(n - 1):
+            yield PrimitiveOf((c[i], c[i + 1]), c[i + 1], i)
+    elif kind == "Triangles":
+        for i in range(n // 3):
+            yield PrimitiveOf(tuple(c[3 * i:3 * i + 3]), c[3 * i + 2], i)
+    elif kind == "TriangleStrip":
+        for i in range(n - 2):
+            order = (i + 1, i, i + 2) if i % 2 == 1 else (i, i + 1, i + 2)
+            yield PrimitiveOf(tuple(c[k] for k in order), c[i + 2], i)
+    elif kind == "TriangleFan":
+        for i in range(n - 2):
+            yield PrimitiveOf((c[0], c[i + 1], c[i + 2]), c[i + 2], i)
+    elif kind == "Quads":
+        for i in range(n // 4):
+            yield from polygon_triangles(mesh, c[4 * i:4 * i + 4], c[4 * i + 3], i)
+    else:
+        start = 0
+        for i, size in enumerate(mesh.polygon_sizes or [n]):
+            yield from polygon_triangles(mesh, c[start:start + size], c[start], i)
+            start += size
+
+
+def polygon_triangles(mesh, corners, flat, number):
+    """[R6.3], [R6.4]"""
+    if len(corners) == 3:
+        yield PrimitiveOf(tuple(corners), flat, number)
+        return
+    for t in triangulated([mesh.positions[i] for i in corners]):
+        yield PrimitiveOf(tuple(corners[k] for k in t), flat, number, edges_of(t, len(corners)))
+
+
+def identifier(mesh, polygon):
+    """[R6.5]"""
+    return mesh.polygon_ids[polygon] if mesh.polygon_ids else polygon
+
+
+# ---- Vertices -------------------------------------------------------------------------------
+
+
+@dataclass
+class Vertex:
+    clip: tuple
+    distances: tuple  # to the six user planes
+    colors: tuple  # front and back, four integers each
+    texture: tuple = (0.0, 0.0, 0.0, 1.0)
+    fog: float = 0.0
+
+
+class VertexStage:
+    """[R6.8] to [R6.14] What a draw does to every position of its mesh."""
+
+    def __init__(self, state, profile, draw):
+        self.state, self.profile, self.draw = state, profile, draw
+        m = draw.eye_from_object
+        self.clip_from_object = [transform(state.projection, column) for column in m]
+        x, y, z = m[0][:3], m[1][:3], m[2][:3]
+        g = -1.0 if dot3(x, cross(y, z)) < 0 else 1.0
+        self.normal_columns = [tuple(g * v for v in cross(a, b))
+                               for a, b in ((y, z), (z, x), (x, y))]
+
+    def normal(self, N):
+        """[R6.11]"""
+        a, b, c = self.normal_columns
+        return unit(tuple((a[i] * N[0] + b[i] * N[1]) + c[i] * N[2] for i in range(3)))
+
+    def vertex(self, i):
+        state, mesh = self.state, self.draw.mesh
+        p = mesh.positions[i] + (1.0,)
+        clip, p_eye = transform(self.clip_from_object, p), transform(self.draw.eye_from_object, p)
+        n = self.normal(mesh.normals[i] if mesh.normals else (0.0, 0.0, 1.0))
+        distances = tuple(dot4(plane.plane, p_eye) if plane.enable else 0.0
+                          for plane in state.clip_planes)
+        vertex = Vertex(clip, distances, self.colors(i, p_eye, n))
+        if self.draw.is_textured():
+            own = mesh.texcoords[i] if mesh.texcoords else (0.0, 0.0)
+            vertex.texture = texture_coordinates.at_vertex(state.texture, own, p_eye, n)
+        if state.fog.enable:
+            vertex.fog = fog.vertex_value(state, self.profile, p_eye)
+        return vertex
+
+    def colors(self, i, p_eye, n):
+        """[R6.12]"""
+        mesh, bits = self.draw.mesh, self.profile.color_bits
+        if self.state.color_source == ColorSource.Lighting:
+            p = p_eye[:3]
+            front = self.lit(p, n)
+            if not self.state.lighting.two_side:
+                return front, front
+            return front, self.lit(p, tuple(-x for x in n))
+        color = mesh.colors[i] if mesh.colors else (1.0,) * 4
+        front = tuple(quantize(v, bits) for v in color)
+        return front, front
+
+    def lit(self, p, n):
+        return lighting.lit_color(self.profile, self.state, self.draw.material, self.draw.lights,
+                                  p, n)
+
+    def id_color(self, polygon):
+        """[R6.13]"""
+        value = ((self.draw.id_base + identifier(self.draw.mesh, polygon)) % 2**32
+                 ) >> self.draw.id_shift
+        return (value & 255, (value >> 8) & 255, (value >> 16) & 255,
+                (1 << self.profile.color_bits) - 1)
+
+
+# ---- Clipping -------------------------------------------------------------------------------
+
+
+class Clipper:
+    """[R6.15] to [R6.19]"""
+
+    def __init__(self, viewport):
+        hx, hy = viewport.width / 2, viewport.height / 2
+        cx, cy = viewport.x + hx, viewport.y + hy
+        self.distances = [
+            lambda v: v.clip[2] + v.clip[3],
+            lambda v: v.clip[3] - v.clip[2],
+            *(lambda v, k=k: v.distances[k] for k in range(6)),
+            lambda v: hx * v.clip[0] + (cx + 6144) * v.clip[3],
+            lambda v: (10240 - cx) * v.clip[3] - hx * v.clip[0],
+            lambda v: hy * v.clip[1] + (cy + 6144) * v.clip[3],
+            lambda v: (10240 - cy) * v.clip[3] - hy * v.clip[1],
+        ]
+
+    def clipped(self, vertices):
+        """The vertices that are left, or None if rejected; and whether a plane cut."""
+        fewest = min(len(vertices), 3)
+        if not all(math.isfinite(c) for v in vertices for c in v.clip):
+            return None, False
+        cut = False
+        for distance in self.distances:
+            d = [distance(v) for v in vertices]
+            if all(x >= 0 for x in d):
+                continue
+            cut = True
+            vertices = walk(vertices, d, closed=fewest == 3)
+            if len(vertices) < fewest:
+                return None, False
+        for v in vertices:
+            if not all(math.isfinite(c) for c in v.clip) or not v.clip[3] > 0:
+                return None, False
+        return vertices, cut
+
+
+def walk(vertices, d, closed):
+    """[R6.17] Sutherland and Hodgman's walk."""
+    kept = []
+    for i, a in enumerate(vertices):
+        if d[i] >= 0:
+            kept.append(a)
+        if i + 1 == len(vertices) and not closed:
+            break
+        k = (i + 1) % len(vertices)
+        a_inside, b_inside = d[i] >= 0, d[k] >= 0
+        if a_inside and not b_inside:
+            kept.append(between(a, vertices[k], d[i], d[k]))
+        elif b_inside and not a_inside:
+            kept.append(between(vertices[k], a, d[k], d[i]))
+    return kept
+
+
+def between(inside, outside, d_inside, d_outside):
+    """[R6.18]"""
+    t = divide(d_inside, d_inside - d_outside)
+
+    def mix(a, b):
+        return tuple(x + t * (y - x) for x, y in zip(a, b))
+
+    return Vertex(mix(inside.clip, outside.clip), mix(inside.distances, outside.distances),
+                  tuple(tuple(rne(v) for v in mix(a, b))
+                        for a, b in zip(inside.colors, outside.colors)),
+                  mix(inside.texture, outside.texture),
+                  inside.fog + t * (outside.fog - inside.fog))
+
+
+# ---- Window coordinates ---------------------------------------------------------------------
+
+
+@dataclass
+class Corner:
+    """A vertex in the window: X and Y on the sub-pixel grid, Z in units of the depth plane."""
+    X: int
+    Y: int
+    Z: int
+    vertex: Vertex
+    color: tuple = ()
+
+    @property
+    def w(self):
+        return self.vertex.clip[3]
+
+
+def window_corner(vertex, state, viewport, profile):
+    """[R6.20], [R6.21]"""
+    x, y, z, w = vertex.clip
+    hx, hy = viewport.width / 2, viewport.height / 2
+    cx, cy = viewport.x + hx, viewport.y + hy
+    n, f = clamp01(state.depth_range.near_value), clamp01(state.depth_range.far_value)
+    x_w = divide(x, w) * hx + cx
+    y_w = divide(y, w) * hy + cy
+    z_w = divide(z, w) * ((f - n) / 2) + (f + n) / 2
+    s = profile.subpixel_bits
+    X, Y = (to_integer(floor(v * 2**s + 0.5), -6144 * 2**s, 10240 * 2**s - 1) for v in (x_w, y_w))
+    return Corner(X, Y, quantize(z_w, profile.depth_bits), vertex)
+
+
+def area2(p, q, r):
+    """[R6.23] Twice the signed area."""
+    return (q.X - p.X) * (r.Y - p.Y) - (q.Y - p.Y) * (r.X - p.X)
+
+
+def pieces(corners, area):
+    """[R6.25], [R6.26] The pieces that make fragments."""
+    n = len(corners)
+
+    def fan(first):
+        return [(corners[first], corners[(first + k) % n], corners[(first + k + 1) % n])
+                for k in range(1, n - 1)]
+
+    def turned_over(piece):
+        return area2(*piece) * area < 0
+
+    first = 0 if n == 3 else next(
+        (f for f in range(n) if not any(turned_over(p) for p in fan(f))), 0)
+    return [p for p in fan(first) if area2(*p) * area > 0]
+
+
+@dataclass
+class Ready:
+    """What rasterization gets: 1 corner, 2 or 3, jitter and colours decided; and its facing."""
+    corners: tuple
+    front: bool
+    filled: bool
+
+
+class PrimitiveStage:
+    """Stages 2 to 6 of [R1.9] for the primitives of one draw, with their counters."""
+
+    def __init__(self, machine, draw):
+        self.state, self.profile = machine.state, machine.profile
+        self.counters, self.draw = machine.counters, draw
+        self.viewport = viewport_of(machine.state, machine.width, machine.height)
+        self.clipper = Clipper(self.viewport)
+        self.vertices = VertexStage(machine.state, machine.profile, draw)
+        self.cache = [self.vertices.vertex(i) for i in range(len(draw.mesh.positions))]
+
+    def run(self):
+        for primitive in primitives(self.draw.mesh):
+            self.counters["primitives"] += 1
+            yield from self.primitive(primitive)
+
+    def primitive(self, primitive):
+        vertices = [self.cache[i] for i in primitive.corners]
+        corners, cut = self.window(vertices)
+        if corners is None:
+            self.counters["rejected"] += 1
+            return
+        self.counters["clipped"] += cut
+        if len(vertices) == 3:
+            yield from self.triangle(primitive, vertices, corners)
+        elif len(vertices) == 2 and (corners[0].X, corners[0].Y) == (corners[1].X, corners[1].Y):
+            self.counters["degenerate"] += 1
+        else:
+            self.counters["drawn"] += 1
+            yield self.ready(primitive, corners, front=True, filled=False)
+
+    def window(self, vertices):
+        kept, cut = self.clipper.clipped(vertices)
+        if kept is None:
+            return None, False
+        return [window_corner(v, self.state, self.viewport, self.profile) for v in kept], cut
+
+    def triangle(self, primitive, vertices, corners):
+        """[R6.23], [R6.24], [R6.7]"""
+        area = sum(area2(corners[0], corners[k], corners[k + 1])
+                   for k in range(1, len(corners) - 1))
+        if area == 0:
+            self.counters["degenerate"] += 1
+            return
+        winding = Winding.CCW if area > 0 else Winding.CW
+        front = winding == self.state.cull.front
+        cull = self.state.cull
+        if cull.enable and cull.face in (Face.FrontAndBack, Face.Front if front else Face.Back):
+            self.counters["culled"] += 1
+            return
+        self.counters["drawn"] += 1
+        if self.state.polygon_mode == PolygonMode.Fill:
+            for piece in pieces(corners, area):
+                yield self.ready(primitive, piece, front, filled=True)
+        else:
+            yield from self.outline(primitive, vertices, front)
+
+    def outline(self, primitive, vertices, front):
+        """[R6.7] Uncounted lines or points along the edges."""
+        points = self.state.polygon_mode == PolygonMode.Point
+        for k in range(3):
+            if not primitive.edges[k]:
+                continue
+            ends = [vertices[k]] if points else [vertices[k], vertices[(k + 1) % 3]]
+            corners, _ = self.window(ends)
+            if corners is None:
+                continue
+            if not points and (corners[0].X, corners[0].Y) == (corners[1].X, corners[1].Y):
+                continue
+            yield self.ready(primitive, corners, front, filled=False)
+
+    def ready(self, primitive, corners, front, filled):
+        """[R6.22] jitter; [R6.6], [R6.13] colours."""
+        side = 0 if front else 1
+        if self.state.color_source == ColorSource.PolygonId:
+            colors = [self.vertices.id_color(primitive.polygon)] * len(corners)
+        elif self.state.shade_model == ShadeModel.Flat:
+            colors = [self.cache[primitive.flat].colors[side]] * len(corners)
+        else:
+            colors = [c.vertex.colors[side] for c in corners]
+        jitter = self.state.jitter
+        moved = tuple(replace(c, X=c.X + jitter.x, Y=c.Y + jitter.y, color=color)
+                      for c, color in zip(corners, colors))
+        return Ready(moved, front, filled)

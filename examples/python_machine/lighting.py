@@ -1,0 +1,56 @@
+"""Chapter 8: lighting at a vertex, in eye space."""
+import math
+
+from .elementary import power
+from .numbers import divide, dot3, quantize, rescale, unit
+
+
+def lit_color(profile, state, material, lights, p, n):
+    """[R8.1], [R8.2] p: the vertex; n: its normal. Four integers of color_bits."""
+    ambient = state.lighting.model_ambient
+    total = [material.Ke[c] + ambient[c] * material.Ka[c] for c in range(3)]
+    for light in lights:
+        direction, strength = towards(light, p)
+        diffuse, specular = reflection(state, material, p, n, direction)
+        for c in range(3):
+            total[c] = total[c] + strength * (
+                (light.Ia[c] * material.Ka[c] + (light.Id[c] * material.Kd[c]) * diffuse)
+                + (light.Is[c] * material.Ks[c]) * specular)
+    total.append(material.alpha)
+    return tuple(rescale(quantize(v, profile.lit_bits), profile.lit_bits, profile.color_bits)
+                 for v in total)
+
+
+def towards(light, p):
+    """[R8.3], [R8.4] The direction towards a light, and its strength there."""
+    x, y, z, w = light.position
+    if w == 0:
+        return unit((x, y, z)), 1.0
+    v = tuple(divide(a, w) - b for a, b in zip((x, y, z), p))
+    direction = unit(v)
+    d = math.sqrt(dot3(v, v))
+    a = ((light.constant_attenuation + light.linear_attenuation * d)
+         + light.quadratic_attenuation * (d * d))
+    return direction, divide(spot(light, direction), a if a > 1e-30 else 1e-30)
+
+
+def spot(light, direction):
+    """[R8.5]"""
+    if light.spot_cos_cutoff <= -1:
+        return 1.0
+    c = dot3(tuple(-x for x in direction), unit(light.spot_direction))
+    if c < light.spot_cos_cutoff or c <= 0:
+        return 0.0
+    return power(c if c < 1 else 1.0, light.spot_exponent)
+
+
+def reflection(state, material, p, n, direction):
+    """[R8.6], [R8.7] The factors diffuse and specular."""
+    eye = unit(tuple(-x for x in p)) if state.lighting.local_viewer else (0.0, 0.0, 1.0)
+    cosine = dot3(n, direction)
+    if not cosine > 0:
+        return 0.0, 0.0
+    if all(k == 0 for k in material.Ks):
+        return cosine, 0.0
+    c = dot3(n, unit(tuple(a + b for a, b in zip(direction, eye))))
+    return cosine, power((c if c < 1 else 1.0) if c > 0 else 0.0, material.Ns)

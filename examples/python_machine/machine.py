@@ -1,0 +1,93 @@
+"""Chapters 1, 5 and 14: the machine, its passes, counters and digests.
+
+It takes lists that a machine accepts: the refusals of [R5.7] are not part of this example.
+"""
+from collections import Counter
+
+import numpy as np
+import xxhash
+
+from . import draw, pixels
+from .state import Plane, State
+from .texture import Texture
+
+
+class Planes:
+    """[R1.5], [R1.6] Arrays [row from the bottom, column], of integers."""
+
+    def __init__(self, width, height):
+        self.color = np.zeros((height, width, 4), np.int64)
+        self.depth = np.zeros((height, width), np.int64)
+        self.stencil = np.zeros((height, width), np.int64)
+        self.accum = np.zeros((height, width, 4), np.int64)
+
+    def of(self, plane):
+        return (self.color, self.depth, self.stencil, self.accum)[plane]
+
+
+STORED = {Plane.Color: "<u2", Plane.Depth: "<u4", Plane.Stencil: "u1", Plane.Accum: "<i4"}
+
+
+def digest(planes, plane):
+    """[R14.10] As 32 hexadecimal digits."""
+    values = planes.of(plane).astype(STORED[plane])
+    height, width = values.shape[:2]
+    blocks = b"".join(
+        xxhash.xxh3_128_digest(values[y:y + 64, x:x + 64].tobytes())
+        for y in range(0, height, 64) for x in range(0, width, 64))
+    return xxhash.xxh3_128_hexdigest(blocks)
+
+
+class Machine:
+    """[R1.1] A machine has a profile and a window, and executes commands."""
+
+    def __init__(self, profile, width, height):
+        self.profile, self.width, self.height = profile, width, height
+        self.planes = Planes(width, height)
+        self.state = State()
+        self.slots, self.readbacks = {}, {}
+        self.counters = Counter()
+        self.textures = {}
+        self.pass_name = None
+        # [R14.8]
+        self.bytes_of = {"Color": 4 * -(-profile.color_bits // 8),
+                         "Depth": -(-profile.depth_bits // 8), "Stencil": 1,
+                         "Accum": 4 * -(-profile.accum_bits // 8)}
+
+    def execute(self, commands):
+        """Runs commands; yields (name, counters, digests) of each pass that ends [R14.1]."""
+        for command in commands:
+            if command.kind == "BeginPass":
+                if self.pass_name is not None:
+                    yield self.end_pass()
+                self.pass_name = command.name
+            elif command.kind == "SetState":
+                self.state = command.state
+            else:
+                if self.pass_name is None:
+                    self.pass_name = ""
+                self.run(command)
+        if self.pass_name is not None:
+            yield self.end_pass()
+
+    def end_pass(self):
+        digests = {plane.name.lower(): digest(self.planes, plane) for plane in Plane}
+        ended = (self.pass_name, {k: v for k, v in self.counters.items() if v}, digests)
+        self.counters.clear()
+        return ended
+
+    def run(self, command):
+        """[R5.1]"""
+        {"Clear": pixels.clear, "Draw": draw.run, "WriteSpans": pixels.write_spans,
+         "WritePixels": pixels.write_pixels, "Accumulate": pixels.accumulate,
+         "Copy": pixels.copy, "CopyTexture": pixels.copy_texture,
+         "Read": pixels.read}[command.kind](self, command)
+
+    def texture_of(self, command):
+        """The texture of a draw: an image's pyramid, made once, or a slot."""
+        if command.texture is None:
+            return self.slots[command.slot]
+        key = id(command.texture)
+        if key not in self.textures:
+            self.textures[key] = Texture.of_image(command.texture, self.profile.color_bits)
+        return self.textures[key]

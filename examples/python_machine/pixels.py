@@ -1,0 +1,146 @@
+"""Chapter 13: commands that act on whole pixels."""
+import numpy as np
+
+from .fragments import FragmentStage
+from .numbers import one, quantize
+from .rasterization import rectangle
+from .state import Plane, Resolved, corners_of, intersection, pixel_box, stencil_write_mask
+from .texture import Texture
+
+
+def box_of(machine):
+    return pixel_box(machine.state, machine.width, machine.height)
+
+
+def size_of(box):
+    return (box[2] - box[0]) * (box[3] - box[1])
+
+
+def visited(machine, plane, pixels, times=1):
+    """[R14.7], [R14.8]"""
+    machine.counters["pixels"] += pixels
+    machine.counters["bytes"] += times * pixels * machine.bytes_of[Plane(plane).name]
+
+
+def store(machine, plane, x, y, values):
+    """Through the plane's mask, as Clear writes it [R13.2]."""
+    state, planes = machine.state, machine.planes
+    if plane == Plane.Color:
+        mask = state.color_mask
+        for c, on in enumerate((mask.r, mask.g, mask.b, mask.a)):
+            if on:
+                planes.color[y, x, c] = values[:, c]
+    elif plane == Plane.Depth:
+        if state.depth.mask:
+            planes.depth[y, x] = values
+    else:
+        mask = stencil_write_mask(state, machine.profile)
+        planes.stencil[y, x] = (planes.stencil[y, x] & ~mask) | (values & mask)
+
+
+def clear(machine, command):
+    """[R13.2]"""
+    box, profile = box_of(machine), machine.profile
+    x, y = rectangle(box)
+    values = {
+        Plane.Color: np.tile([quantize(v, profile.color_bits) for v in command.color],
+                             (len(x), 1)),
+        Plane.Depth: quantize(command.depth, profile.depth_bits),
+        Plane.Stencil: command.stencil,
+    }
+    for plane in Plane:
+        if not command.planes & (1 << plane):
+            continue
+        visited(machine, plane, size_of(box))
+        if plane == Plane.Accum:
+            machine.planes.accum[y, x] = 0
+        else:
+            store(machine, plane, x, y, values[plane])
+
+
+def write_spans(machine, command):
+    """[R13.3]"""
+    left, bottom, right, top = box_of(machine)
+    stage = FragmentStage(machine, Resolved(machine.state, machine.profile))
+    for span in command.spans:
+        x = np.arange(max(span.x, left), min(span.x + span.length, right), dtype=np.int64)
+        if not bottom <= span.y < top or len(x) == 0:
+            continue
+        places = np.full(len(x), span.first) if span.flat else span.first + (x - span.x)
+        stage.run(x, np.full(len(x), span.y), command.colors[places],
+                  np.full(len(x), command.depth, np.int64), front=True)
+
+
+def write_pixels(machine, command):
+    """[R13.4]"""
+    rect = command.rect
+    x, y = rectangle(intersection(box_of(machine), corners_of(rect)))
+    places = (y - rect.y) * rect.width + (x - rect.x)
+    if command.plane == Plane.Color:
+        stage = FragmentStage(machine, Resolved(machine.state, machine.profile))
+        stage.run(x, y, command.colors[places], np.full(len(x), command.depth, np.int64),
+                  front=True)
+    else:
+        visited(machine, command.plane, len(x))
+        store(machine, command.plane, x, y, command.values[places])
+
+
+def copy(machine, command):
+    """[R13.5]"""
+    source = command.source
+    window = (0, 0, machine.width, machine.height)
+    i, j = rectangle(intersection(window, corners_of(source)))
+    x, y = i - source.x + command.x, j - source.y + command.y
+    left, bottom, right, top = box_of(machine)
+    kept = (x >= left) & (x < right) & (y >= bottom) & (y < top)
+    plane = machine.planes.of(command.plane)
+    values = plane[j[kept], i[kept]].copy()
+    visited(machine, command.plane, len(values), times=2)
+    store(machine, command.plane, x[kept], y[kept], values)
+
+
+def copy_texture(machine, command):
+    """[R13.6]"""
+    left, bottom, right, top = corners_of(command.rect)
+    values = machine.planes.of(command.plane)[bottom:top, left:right].copy()
+    machine.slots[command.slot] = Texture.of_plane(values, command.plane == Plane.Depth,
+                                                   machine.profile)
+    visited(machine, command.plane, size_of((left, bottom, right, top)))
+
+
+def read(machine, command):
+    """[R13.7] The values as rows, from the bottom."""
+    left, bottom, right, top = corners_of(command.rect)
+    values = machine.planes.of(command.plane)[bottom:top, left:right].copy()
+    if command.packed:
+        values = values @ np.array([1, 2**8, 2**16, 2**24])
+    machine.readbacks[command.key] = values
+    visited(machine, command.plane, size_of((left, bottom, right, top)))
+
+
+# ---- Accumulation ---------------------------------------------------------------------------
+
+
+def accumulate(machine, command):
+    """[R13.8], [R13.9]"""
+    x, y = rectangle(box_of(machine))
+    planes, bits = machine.planes, machine.profile.accum_bits
+
+    def weighted(a):
+        limit = 2.0**40
+        return np.clip(np.rint(a.astype(np.float64) * command.value), -limit,
+                       limit).astype(np.int64)
+
+    old, color = planes.accum[y, x], planes.color[y, x]
+    most = one(machine.profile.color_bits)
+    if command.op == "Return":
+        store(machine, Plane.Color, x, y, np.clip(weighted(old), 0, most))
+    else:
+        new = {"Accum": lambda: old + weighted(color), "Load": lambda: weighted(color),
+               "Add": lambda: old + weighted(np.full_like(old, most)),
+               "Mult": lambda: weighted(old)}[command.op]()
+        wrapped = ((new + 2**(bits - 1)) & one(bits)) - 2**(bits - 1)
+        machine.counters["accum_overflows"] += int(np.count_nonzero(wrapped != new))
+        planes.accum[y, x] = wrapped
+    machine.counters["pixels"] += len(x)
+    machine.counters["bytes"] += len(x) * (machine.bytes_of["Accum"] + machine.bytes_of["Color"])

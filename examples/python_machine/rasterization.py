@@ -1,0 +1,247 @@
+"""Chapter 9: which pixels a piece, line or point covers, and integer planes over them."""
+from dataclasses import dataclass
+
+import numpy as np
+
+from .numbers import bounded, clamp01, rne, rne_quotient, to_integer
+
+# ---- Coverage -------------------------------------------------------------------------------
+
+
+def no_pixels():
+    return np.zeros(0, np.int64), np.zeros(0, np.int64)
+
+
+def rectangle(box):
+    """All pixels of a box, rows upwards."""
+    y, x = np.mgrid[box[1]:box[3], box[0]:box[2]]
+    return x.ravel().astype(np.int64), y.ravel().astype(np.int64)
+
+
+def covered(corners, box, state, s):
+    """Columns and rows of the pixels inside the box that the corners cover, each once."""
+    if len(corners) == 3:
+        return piece_pixels(corners, box, s)
+    if len(corners) == 2:
+        return line_pixels(corners, box, state.line_width, s)
+    return point_pixels(corners[0], box, state.point_size, s)
+
+
+def piece_pixels(corners, box, s):
+    """[R9.1], [R9.2]"""
+    a, b, c = counter_clockwise(corners)
+    xs, ys = [p.X for p in (a, b, c)], [p.Y for p in (a, b, c)]
+    bounds = (min(xs) >> s, min(ys) >> s, (max(xs) >> s) + 1, (max(ys) >> s) + 1)
+    low = (max(box[0], bounds[0]), max(box[1], bounds[1]))
+    high = (min(box[2], bounds[2]), min(box[3], bounds[3]))
+    if low[0] >= high[0] or low[1] >= high[1]:
+        return no_pixels()
+    x, y = rectangle((*low, *high))
+    px, py = centers(x, s), centers(y, s)
+    inside = np.ones(len(x), bool)
+    for start, end in ((a, b), (b, c), (c, a)):
+        dx, dy = end.X - start.X, end.Y - start.Y
+        top_left = dy < 0 or (dy == 0 and dx < 0)
+        e = dx * (py - start.Y) - dy * (px - start.X) - (0 if top_left else 1)
+        inside &= e >= 0
+    return x[inside], y[inside]
+
+
+def centers(i, s):
+    return (i << s) + (1 << (s - 1))
+
+
+def counter_clockwise(corners):
+    a, b, c = corners
+    return (a, b, c) if doubled_area(a, b, c) > 0 else (a, c, b)
+
+
+def doubled_area(a, b, c):
+    return (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X)
+
+
+def line_pixels(corners, box, width, s):
+    """[R9.3], [R9.4]"""
+    first, second = corners
+    x_major = abs(second.X - first.X) >= abs(second.Y - first.Y)
+    if x_major:
+        x0, y0, x1, y1 = first.X, first.Y, second.X, second.Y
+        low, high, rows = box[0], box[2], (box[1], box[3])
+    else:
+        x0, y0, x1, y1 = first.Y, first.X, second.Y, second.X
+        low, high, rows = box[1], box[3], (box[0], box[2])
+    dx, dy = x1 - x0, y1 - y0
+    column = np.arange(low, high, dtype=np.int64)
+    px = centers(column, s)
+    inside = (px >= x0) & (px < x1) if dx > 0 else (px > x1) & (px <= x0)
+    column, px = column[inside], px[inside]
+    sign = 1 if dx > 0 else -1
+    numerator = sign * (y0 * dx + dy * (px - x0) - (width - 1) * 2**(s - 1) * dx)
+    row = numerator // (sign * dx * 2**s)
+    major = np.repeat(column, width)
+    minor = (row[:, None] + np.arange(width)).ravel()
+    kept = (minor >= rows[0]) & (minor < rows[1])
+    major, minor = major[kept], minor[kept]
+    return (major, minor) if x_major else (minor, major)
+
+
+def point_pixels(corner, box, size, s):
+    """[R9.5]"""
+    column, row = ((v - (size - 1) * 2**(s - 1)) >> s for v in (corner.X, corner.Y))
+    low = (max(box[0], column), max(box[1], row))
+    high = (min(box[2], column + size), min(box[3], row + size))
+    if low[0] >= high[0] or low[1] >= high[1]:
+        return no_pixels()
+    return rectangle((*low, *high))
+
+
+# ---- Planes ---------------------------------------------------------------------------------
+
+
+class Frame:
+    """[R9.6], [R9.7] How integers at the corners become gradients, for one piece, line or point."""
+
+    def __init__(self, corners, s):
+        self.s = s
+        if len(corners) == 3:
+            self.set_piece(corners)
+        elif len(corners) == 2:
+            self.set_line(corners)
+        else:
+            self.order, self.X0, self.Y0 = (0,), corners[0].X, corners[0].Y
+
+    def set_piece(self, corners):
+        first = min(range(3), key=lambda i: (corners[i].Y, corners[i].X))
+        order = (first, (first + 1) % 3, (first + 2) % 3)
+        self.D = doubled_area(*(corners[i] for i in order))
+        if self.D < 0:
+            order, self.D = (order[0], order[2], order[1]), -self.D
+        self.order = order
+        p0, p1, p2 = (corners[i] for i in order)
+        self.X0, self.Y0 = p0.X, p0.Y
+        self.d1, self.d2 = (p1.X - p0.X, p1.Y - p0.Y), (p2.X - p0.X, p2.Y - p0.Y)
+
+    def set_line(self, corners):
+        dx, dy = corners[1].X - corners[0].X, corners[1].Y - corners[0].Y
+        self.x_major = abs(dx) >= abs(dy)
+        along = dx if self.x_major else dy
+        self.order = (0, 1) if along > 0 else (1, 0)
+        self.D = abs(along)
+        self.X0, self.Y0 = corners[self.order[0]].X, corners[self.order[0]].Y
+
+    def plane(self, values):
+        """The plane with an integer at each corner, in the corners' own order."""
+        a = [values[i] for i in self.order]
+        scale = 1 << (16 + self.s)
+        if len(a) == 3:
+            (dx1, dy1), (dx2, dy2) = self.d1, self.d2
+            g = (rne_quotient(((a[1] - a[0]) * dy2 - (a[2] - a[0]) * dy1) * scale, self.D),
+                 rne_quotient(((a[2] - a[0]) * dx1 - (a[1] - a[0]) * dx2) * scale, self.D))
+        elif len(a) == 2:
+            along = rne_quotient((a[1] - a[0]) * scale, self.D)
+            g = (along, 0) if self.x_major else (0, along)
+        else:
+            g = (0, 0)
+        return IntegerPlane(a[0], *g, self.X0, self.Y0, self.s)
+
+
+@dataclass
+class IntegerPlane:
+    a0: int
+    Gx: int
+    Gy: int
+    X0: int
+    Y0: int
+    s: int
+
+    def at_pixel(self, i, j):
+        """[R9.8] At any one pixel, as an integer of any size."""
+        moved = (self.Gx * (int(centers(i, self.s)) - self.X0)
+                 + self.Gy * (int(centers(j, self.s)) - self.Y0)) >> self.s
+        return (self.a0 * 2**16 + 2**15 + moved) >> 16
+
+    def at(self, x, y):
+        """[R9.8] At covered pixels. Their values fit 40 bits, so sums modulo 2^64 give them."""
+        dx = (centers(x, self.s) - self.X0).astype(np.uint64)
+        dy = (centers(y, self.s) - self.Y0).astype(np.uint64)
+        total = np.uint64(self.Gx % 2**64) * dx + np.uint64(self.Gy % 2**64) * dy
+        start = np.uint64(((self.a0 * 2**16 + 2**15) << self.s) % 2**64)
+        # 64 - s - 16 bits are left, with the sign at the top.
+        return (total + start).astype(np.int64) >> (self.s + 16)
+
+
+def offset(state, plane, depth_bits):
+    """[R9.12] Polygon offset of a filled piece."""
+    m = float(min(max(abs(plane.Gx), abs(plane.Gy)), 2**62))
+    o = rne(state.polygon_offset.factor * m / 65536) + rne(state.polygon_offset.units)
+    return to_integer(o, -2**depth_bits, 2**depth_bits)
+
+
+# ---- Perspective ----------------------------------------------------------------------------
+
+
+class Perspective:
+    """[R9.13] The denominator Q of a piece, line or point."""
+
+    def __init__(self, frame, w):
+        self.frame, self.w, self.w_min = frame, w, min(w)
+        self.q = frame.plane([to_integer(rne(2.0**30 * (self.w_min / v)), 1, 2**30) for v in w])
+
+    def value(self, values, k, largest_exponent):
+        """[R9.14] The numerator's plane and its exponent e."""
+        most = max(values) - k
+        e = next((e for e in range(largest_exponent + 1) if 2.0**e >= most), largest_exponent)
+        u = [to_integer(rne((2.0**30 * clamp01((v - k) / 2.0**e)) * (self.w_min / w)), 0, 2**30)
+             for v, w in zip(values, self.w)]
+        return self.frame.plane(u), e
+
+
+class Projective:
+    """[R9.17] The denominator of coordinates with a q of their own."""
+
+    def __init__(self, frame, w, q):
+        self.frame, self.w = frame, w
+        ratios = [a / b for a, b in zip(q, w)]
+        self.H = 0.0
+        for ratio in ratios:
+            self.H = abs(ratio) if self.H < abs(ratio) else self.H
+        self.usable = 0 < self.H < float("inf")
+        self.q = frame.plane([self.rounded(r / self.H) if self.usable else 0 for r in ratios])
+
+    @staticmethod
+    def rounded(v):
+        return to_integer(rne(2.0**30 * v), -2**30, 2**30)
+
+    def value(self, values):
+        if not self.usable:
+            return self.frame.plane([0] * len(values)), 0
+        scaled = [v / w / self.H for v, w in zip(values, self.w)]
+        most = 0.0
+        for v in scaled:
+            most = abs(v) if most < abs(v) else most
+        e = next((e for e in range(-60, 61) if 2.0**e >= most), 60)
+        return self.frame.plane([self.rounded(v / 2.0**e) for v in scaled]), e
+
+
+def reciprocal(q, x, y):
+    """[R9.15] W, float32, at covered pixels; where Q < 1 any number."""
+    return np.float32(1) / np.maximum(q.at(x, y), 1).astype(np.float32)
+
+
+def quotient(u, W, x, y):
+    """[R9.15] u, float32."""
+    return u.at(x, y).astype(np.float32) * W
+
+
+def slopes(u, q, x, y):
+    """[R9.18] In double, at pixels."""
+    i0, j0 = u.X0 >> u.s, u.Y0 >> u.s
+
+    def narrowed(v):
+        return float(np.float32(bounded(float(v), 2.0**62)))
+
+    Ux, Uy, Qx, Qy = (narrowed(v) for v in (u.Gx, u.Gy, q.Gx, q.Gy))
+    u0, q0 = narrowed(u.at_pixel(i0, j0)), narrowed(q.at_pixel(i0, j0))
+    A, B = Ux * q0 - u0 * Qx, Uy * q0 - u0 * Qy
+    K = float(np.float32((Ux * Qy - Uy * Qx) / 65536))
+    return np.maximum(np.abs(A + K * (y - j0)), np.abs(B - K * (x - i0)))

@@ -1,0 +1,244 @@
+"""Chapter 15: recordings, read with the classes that flatc makes of the schema."""
+import importlib
+from dataclasses import dataclass, fields, is_dataclass
+from typing import Any
+
+import numpy as np
+
+from .state import Box, ClipPlane, State, float32, identity
+
+NONE = 2**32 - 1
+
+
+def generated(name):
+    """A class or enumeration of flatc's; T classes hold plain members."""
+    module = importlib.import_module(f"gw.gwt.{name.removesuffix('T')}")
+    return getattr(module, name)
+
+
+def names_of(enumeration):
+    return {v: k for k, v in vars(generated(enumeration)).items() if not k.startswith("_")}
+
+
+# ---- Values ---------------------------------------------------------------------------------
+
+
+def member_name(name):
+    """What flatc calls a member; `is`, a word of Python's, gets a `_` by scripts of ours."""
+    head, *rest = name.split("_")
+    made = head[0].lower() + head[1:] + "".join(part.capitalize() for part in rest)
+    return "is_" if made == "is" else made
+
+
+def vector(v):
+    """A structure x, y, z, w as a tuple, as far as it goes."""
+    return tuple(getattr(v, c) for c in "xyzw" if hasattr(v, c))
+
+
+def matrix(m):
+    """[R15.2]"""
+    return [vector(getattr(m, f"column{k}")) for k in range(4)]
+
+
+def filled(value, given):
+    """Fills a dataclass from an object with members of the same names; absent ones stay."""
+    for member in fields(value):
+        part = getattr(given, member_name(member.name), None)
+        current = getattr(value, member.name)
+        if part is None:
+            continue  # [R15.1]
+        if is_dataclass(current):
+            filled(current, part)
+        elif isinstance(current, tuple):
+            setattr(value, member.name, vector(part))
+        elif isinstance(current, list) and isinstance(current[0], ClipPlane):
+            if len(part):
+                setattr(value, member.name, [filled(ClipPlane(), p) for p in part])
+        elif isinstance(current, list):
+            setattr(value, member.name, matrix(part))
+        else:
+            setattr(value, member.name, part)
+    return value
+
+
+@dataclass
+class Profile:
+    """[R1.3]"""
+    name: str = ""
+    color_bits: int = 0
+    depth_bits: int = 0
+    stencil_bits: int = 0
+    accum_bits: int = 0
+    subpixel_bits: int = 0
+    lit_bits: int = 0
+    max_lights: int = 0
+    fragment_fog: bool = False
+    perspective_color: bool = False
+    polygon_offset: bool = False
+    shadow_texture: bool = False
+    stencil_wrap: bool = False
+    two_sided_stencil: bool = False
+
+
+@dataclass
+class Material:
+    """[R5.5]"""
+    Ka: tuple = (float32(0.2),) * 3
+    Kd: tuple = (float32(0.8),) * 3
+    Ks: tuple = (0.0,) * 3
+    Ke: tuple = (0.0,) * 3
+    Ns: float = 0.0
+    alpha: float = 1.0
+
+
+@dataclass
+class Light:
+    """[R5.6]"""
+    position: tuple = (0.0, 0.0, 1.0, 0.0)
+    Ia: tuple = (0.0,) * 3
+    Id: tuple = (1.0,) * 3
+    Is: tuple = (1.0,) * 3
+    spot_direction: tuple = (0.0, 0.0, -1.0)
+    spot_exponent: float = 0.0
+    spot_cos_cutoff: float = -1.0
+    constant_attenuation: float = 1.0
+    linear_attenuation: float = 0.0
+    quadratic_attenuation: float = 0.0
+
+
+@dataclass
+class Mesh:
+    """[R5.3]"""
+    primitive: str
+    positions: list
+    normals: list
+    texcoords: list
+    colors: list
+    indices: list
+    polygon_sizes: list
+    polygon_ids: list
+
+
+def mesh_of(table):
+    data = generated("MeshT").InitFromObj(table)
+
+    def vectors(name):
+        return [vector(v) for v in (getattr(data, name) or [])]
+
+    def integers(name):
+        given = getattr(data, name)
+        return [] if given is None else [int(v) for v in given]
+
+    return Mesh(names_of("Primitive")[data.primitive], vectors("positions"), vectors("normals"),
+                vectors("texcoords"), vectors("colors"), integers("indices"),
+                integers("polygonSizes"), integers("polygonIds"))
+
+
+def image_of(table):
+    """[R5.4], [R15.2] Rows of texels of 16 bits, from the bottom."""
+    if table.Texels8Length():
+        texels = table.Texels8AsNumpy().astype(np.int64) * 257
+    else:
+        texels = table.Texels16AsNumpy().astype(np.int64)
+    return texels.reshape(table.Height(), table.Width(), 4)
+
+
+# ---- Commands -------------------------------------------------------------------------------
+
+
+@dataclass
+class Command:
+    """A command of [R5.1]: its name, and its members by the manual's words."""
+    kind: str
+    members: dict
+
+    def __getattr__(self, name):
+        try:
+            return self.members[name]
+        except KeyError:
+            raise AttributeError(name) from None
+
+    def is_textured(self):
+        """[R5.2]"""
+        return self.texture is not None or self.slot is not None
+
+
+def box(given):
+    return filled(Box(), given) if given is not None else Box()
+
+
+def rgba(colors):
+    return np.array([(c.r, c.g, c.b, c.a) for c in colors or []], dtype=np.int64).reshape(-1, 4)
+
+
+class Reader:
+    """A recording's profile, window and commands [R15.3], [R15.4]."""
+
+    def __init__(self, path):
+        with open(path, "rb") as file:
+            self.table = generated("Recording").GetRootAs(file.read(), 0)
+        if self.table.Version() != 1:
+            raise ValueError(f"{path}: version {self.table.Version()}; expected 1")
+        table = self.table
+        self.width, self.height = table.Width(), table.Height()
+        self.profile = filled(Profile(), generated("ProfileT").InitFromObj(table.Profile()))
+        self.meshes = [mesh_of(table.Meshes(i)) for i in range(table.MeshesLength())]
+        self.textures = [image_of(table.Textures(i)) for i in range(table.TexturesLength())]
+        self.states = [filled(State(), generated("StateT").InitFromObj(table.States(i)))
+                       for i in range(table.StatesLength())]
+        self.light_sets = [
+            [filled(Light(), light) for light in
+             generated("LightsT").InitFromObj(table.LightSets(i)).lights or []]
+            for i in range(table.LightSetsLength())]
+
+    def commands(self):
+        """Of all lists, in order: how they are cut changes nothing [R1.2]."""
+        kinds = names_of("CommandType")
+        for i in range(self.table.ListsLength()):
+            commands = self.table.Lists(i)
+            for k in range(commands.CommandsLength()):
+                place = commands.Commands(k)._tab
+                kind = kinds[commands.CommandsType(k)]
+                table = generated(kind)()
+                table.Init(place.Bytes, place.Pos)
+                given = generated(kind + "T").InitFromObj(table)
+                yield Command(kind, getattr(self, "read_" + kind)(given))
+
+    def read_BeginPass(self, c):
+        return {"name": (c.name or b"").decode() if isinstance(c.name, bytes) else c.name or ""}
+
+    def read_SetState(self, c):
+        return {"state": self.states[c.state]}
+
+    def read_Clear(self, c):
+        return {"planes": c.planes, "color": vector(c.color) if c.color else (0.0,) * 4,
+                "depth": c.depth, "stencil": c.stencil}
+
+    def read_Draw(self, c):
+        return {"mesh": self.meshes[c.mesh],
+                "eye_from_object": matrix(c.eyeFromObject) if c.eyeFromObject else identity(),
+                "material": filled(Material(), c.material) if c.material else Material(),
+                "lights": [] if c.lights == NONE else self.light_sets[c.lights],
+                "texture": None if c.texture == NONE else self.textures[c.texture],
+                "slot": None if c.slot == NONE else c.slot,
+                "id_base": c.idBase, "id_shift": c.idShift}
+
+    def read_WriteSpans(self, c):
+        return {"spans": c.spans or [], "colors": rgba(c.colors), "depth": c.depth}
+
+    def read_WritePixels(self, c):
+        values: Any = [] if c.values is None else c.values
+        return {"rect": box(c.rect), "plane": c.plane, "colors": rgba(c.colors),
+                "values": np.array(values, dtype=np.int64), "depth": c.depth}
+
+    def read_Accumulate(self, c):
+        return {"op": names_of("AccumOp")[c.op], "value": c.value}
+
+    def read_Copy(self, c):
+        return {"plane": c.plane, "source": box(c.source), "x": c.x, "y": c.y}
+
+    def read_CopyTexture(self, c):
+        return {"slot": c.slot, "plane": c.plane, "rect": box(c.rect)}
+
+    def read_Read(self, c):
+        return {"key": c.key, "plane": c.plane, "rect": box(c.rect), "packed": c.packed}

@@ -1,0 +1,279 @@
+"""Chapter 4: the state with its initial values, and what fragments meet of it."""
+import struct
+from dataclasses import dataclass, field
+from enum import IntEnum
+
+from .numbers import one, quantize
+
+
+def float32(v):
+    """The nearest float32, as a float."""
+    return struct.unpack("f", struct.pack("f", v))[0]
+
+
+# ---- [R4.2] enumerations --------------------------------------------------------------------
+
+CompareFunc = IntEnum("CompareFunc", "Never Less Equal LEqual Greater NotEqual GEqual Always",
+                      start=0)
+StencilOp = IntEnum("StencilOp", "Keep Zero Replace Incr Decr Invert IncrWrap DecrWrap", start=0)
+BlendFactor = IntEnum(
+    "BlendFactor", "Zero One SrcColor OneMinusSrcColor DstColor OneMinusDstColor SrcAlpha "
+    "OneMinusSrcAlpha DstAlpha OneMinusDstAlpha SrcAlphaSaturate", start=0)
+Face = IntEnum("Face", "Front Back FrontAndBack", start=0)
+Winding = IntEnum("Winding", "CW CCW", start=0)
+PolygonMode = IntEnum("PolygonMode", "Point Line Fill", start=0)
+ShadeModel = IntEnum("ShadeModel", "Flat Smooth", start=0)
+ColorSource = IntEnum("ColorSource", "Vertex Lighting PolygonId", start=0)
+FogMode = IntEnum("FogMode", "Linear Exp Exp2", start=0)
+FogCoordinate = IntEnum("FogCoordinate", "Profile Vertex Fragment", start=0)
+MinFilter = IntEnum(
+    "MinFilter", "Nearest Linear NearestMipmapNearest LinearMipmapNearest NearestMipmapLinear "
+    "LinearMipmapLinear", start=0)
+MagFilter = IntEnum("MagFilter", "Nearest Linear", start=0)
+Wrap = IntEnum("Wrap", "Repeat Clamp", start=0)
+TexEnv = IntEnum("TexEnv", "Modulate Decal Blend Replace", start=0)
+TexGen = IntEnum("TexGen", "None SphereMap RefractionMap EyeLinear", start=0)
+NO_TEXGEN = TexGen["None"]
+Plane = IntEnum("Plane", "Color Depth Stencil Accum", start=0)
+
+
+def identity():
+    """A matrix is a list of four columns [R2.7]."""
+    return [tuple(1.0 if i == j else 0.0 for i in range(4)) for j in range(4)]
+
+
+# ---- [R4.1] the state -----------------------------------------------------------------------
+
+
+@dataclass
+class Viewport:
+    x: int = 0
+    y: int = 0
+    width: int = 0
+    height: int = 0
+
+
+@dataclass
+class DepthRange:
+    near_value: float = 0.0
+    far_value: float = 1.0
+
+
+@dataclass
+class ClipPlane:
+    enable: bool = False
+    plane: tuple = (0.0, 0.0, 0.0, 0.0)
+
+
+@dataclass
+class Cull:
+    enable: bool = False
+    face: int = Face.Back
+    front: int = Winding.CCW
+
+
+@dataclass
+class PolygonOffset:
+    enable: bool = False
+    factor: float = 0.0
+    units: float = 0.0
+
+
+@dataclass
+class Jitter:
+    x: int = 0
+    y: int = 0
+
+
+@dataclass
+class Lighting:
+    local_viewer: bool = False
+    two_side: bool = False
+    model_ambient: tuple = (0.0, 0.0, 0.0, 1.0)
+
+
+@dataclass
+class Fog:
+    enable: bool = False
+    mode: int = FogMode.Exp
+    density: float = 1.0
+    start: float = 0.0
+    end: float = 1.0
+    color: tuple = (0.0, 0.0, 0.0, 0.0)
+    coordinate: int = FogCoordinate.Profile
+
+
+@dataclass
+class Texture:
+    min_filter: int = MinFilter.Linear
+    mag_filter: int = MagFilter.Linear
+    wrap_s: int = Wrap.Repeat
+    wrap_t: int = Wrap.Repeat
+    env: int = TexEnv.Modulate
+    env_color: tuple = (0.0, 0.0, 0.0, 0.0)
+    gen: int = NO_TEXGEN
+    eta: float = 1.0
+    eye_linear: list = field(default_factory=identity)
+    shadow_compare: bool = False
+
+
+@dataclass
+class Box:
+    x: int = 0
+    y: int = 0
+    width: int = 0
+    height: int = 0
+
+
+@dataclass
+class Scissor:
+    test: bool = False
+    box: Box = field(default_factory=Box)
+
+
+@dataclass
+class Alpha:
+    test: bool = False
+    func: int = CompareFunc.Always
+    ref: float = 0.0
+
+
+@dataclass
+class StencilFace:
+    func: int = CompareFunc.Always
+    ref: int = 0
+    mask: int = 2**32 - 1
+    fail: int = StencilOp.Keep
+    zfail: int = StencilOp.Keep
+    zpass: int = StencilOp.Keep
+    write_mask: int = 2**32 - 1
+
+
+@dataclass
+class Stencil:
+    test: bool = False
+    front: StencilFace = field(default_factory=StencilFace)
+    two_side: bool = False
+    back: StencilFace = field(default_factory=StencilFace)
+
+
+@dataclass
+class Depth:
+    test: bool = False
+    func: int = CompareFunc.Less
+    mask: bool = True
+
+
+@dataclass
+class Blend:
+    enable: bool = False
+    src: int = BlendFactor.One
+    dst: int = BlendFactor.Zero
+
+
+@dataclass
+class ColorMask:
+    r: bool = True
+    g: bool = True
+    b: bool = True
+    a: bool = True
+
+
+@dataclass
+class State:
+    projection: list = field(default_factory=identity)
+    viewport: Viewport = field(default_factory=Viewport)
+    depth_range: DepthRange = field(default_factory=DepthRange)
+    clip_planes: list = field(default_factory=lambda: [ClipPlane() for _ in range(6)])
+    cull: Cull = field(default_factory=Cull)
+    polygon_mode: int = PolygonMode.Fill
+    polygon_offset: PolygonOffset = field(default_factory=PolygonOffset)
+    jitter: Jitter = field(default_factory=Jitter)
+    point_size: int = 1
+    line_width: int = 1
+    shade_model: int = ShadeModel.Smooth
+    color_source: int = ColorSource.Vertex
+    lighting: Lighting = field(default_factory=Lighting)
+    fog: Fog = field(default_factory=Fog)
+    texture: Texture = field(default_factory=Texture)
+    scissor: Scissor = field(default_factory=Scissor)
+    alpha: Alpha = field(default_factory=Alpha)
+    stencil: Stencil = field(default_factory=Stencil)
+    depth: Depth = field(default_factory=Depth)
+    blend: Blend = field(default_factory=Blend)
+    color_mask: ColorMask = field(default_factory=ColorMask)
+
+
+# ---- Resolved state -------------------------------------------------------------------------
+
+
+def viewport_of(state, width, height):
+    """[R4.3]"""
+    v = state.viewport
+    return Viewport(0, 0, width, height) if v.width == 0 and v.height == 0 else v
+
+
+def intersection(box, other):
+    """Of boxes (left, bottom, right, top), right and top excluded; possibly empty."""
+    left, bottom = max(box[0], other[0]), max(box[1], other[1])
+    return left, bottom, max(left, min(box[2], other[2])), max(bottom, min(box[3], other[3]))
+
+
+def corners_of(box):
+    return box.x, box.y, box.x + box.width, box.y + box.height
+
+
+def pixel_box(state, width, height):
+    """[R4.4] The part of the window that anything may touch."""
+    window = (0, 0, width, height)
+    return intersection(window, corners_of(state.scissor.box)) if state.scissor.test else window
+
+
+def draw_box(state, width, height):
+    """[R4.4] The part in which primitives make fragments."""
+    return intersection(pixel_box(state, width, height),
+                        corners_of(viewport_of(state, width, height)))
+
+
+@dataclass
+class ResolvedFace:
+    func: int
+    ref: int
+    mask: int
+    operations: dict
+    write_mask: int
+
+    def can_change(self):
+        """[R14.8]"""
+        return self.write_mask != 0 and any(op != StencilOp.Keep for op in self.operations.values())
+
+
+def resolved_face(face, test, bits):
+    if not test:
+        keep = dict.fromkeys(("fail", "zfail", "zpass"), StencilOp.Keep)
+        return ResolvedFace(CompareFunc.Always, 0, 0, keep, 0)
+    operations = {"fail": face.fail, "zfail": face.zfail, "zpass": face.zpass}
+    return ResolvedFace(face.func, face.ref % 2**32, face.mask & one(bits), operations,
+                        face.write_mask & one(bits))
+
+
+class Resolved:
+    """[R4.5] The state that fragments meet."""
+
+    def __init__(self, state, profile):
+        self.depth_func = state.depth.func if state.depth.test else CompareFunc.Always
+        self.depth_mask = state.depth.mask and state.depth.test
+        self.alpha_func = state.alpha.func if state.alpha.test else CompareFunc.Always
+        self.alpha_ref = quantize(state.alpha.ref, profile.color_bits)
+        self.stencil_test = state.stencil.test
+        front = resolved_face(state.stencil.front, state.stencil.test, profile.stencil_bits)
+        back = resolved_face(state.stencil.back, state.stencil.test, profile.stencil_bits)
+        self.faces = (front, back if state.stencil.two_side else front)
+        self.blend = state.blend
+        mask = state.color_mask
+        self.color_mask = (mask.r, mask.g, mask.b, mask.a)
+
+
+def stencil_write_mask(state, profile):
+    """[R4.6] Of clears, copies and rectangles."""
+    return state.stencil.front.write_mask & one(profile.stencil_bits)
