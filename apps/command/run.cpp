@@ -20,10 +20,10 @@ int report(ExitCode code, std::string_view what) {
 }
 
 void add_commands(CLI::App& app, std::vector<Command>& commands) {
-    for (auto add :
-         {add_render, add_passes, add_record, add_replay, add_verify, add_diff, add_pixel, add_maps,
-          add_inspect, add_hidden, add_styles, add_cast, add_compare, add_radiosity, add_figures,
-          add_study, add_golden, add_info, add_describe}) {
+    for (auto add : {add_render, add_passes, add_record,  add_replay,    add_verify,
+                     add_diff,   add_pixel,  add_maps,    add_inspect,   add_hidden,
+                     add_styles, add_cast,   add_compare, add_radiosity, add_figures,
+                     add_study,  add_golden, add_info,    add_describe,  add_conformance}) {
         commands.push_back(add(app));
         commands.back().app->allow_extras();  // so that `mistyped` sees the word
     }

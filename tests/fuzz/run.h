@@ -1,7 +1,7 @@
 // Runs a list on two machines: command by command, whole, and in pieces. Does not print.
 #pragma once
 
-#include "tests/fuzz/case.h"
+#include "conformance/generate/case.h"
 #include "tests/fuzz/check/compare.h"
 
 #include <functional>

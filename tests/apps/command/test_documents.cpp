@@ -50,6 +50,12 @@ TEST_F(Documents, RecordingsCommandsWork) {
     expect_to_work(commands);
 }
 
+TEST_F(Documents, ConformanceCommandsWork) {
+    const auto commands = examples(bytes_of(GW_SOURCE_DIR "/docs/conformance.md"));
+    EXPECT_GE(commands.size(), 5u);
+    expect_to_work(commands);
+}
+
 struct Lecture : ExampleTest {
     static std::vector<std::string> commands(const std::string& page) {
         return examples(bytes_of(std::string(GW_SOURCE_DIR "/docs/") + page), "gw ");

@@ -1,7 +1,7 @@
 // Blocks that store the depth plane of the triangle that covers them. The planes differ by less
 // than a unit or by one, they cross, they are many, they lie at the ends of the range. The
 // reference machine writes every pixel.
-#include "tests/fuzz/generate/random.h"
+#include "conformance/generate/random.h"
 #include "tests/gw/workbench.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // Random lists with one wrong value: both machines refuse a list with the same message and draw
 // nothing, or they accept it and agree. Does not know which values are wrong.
-#include "tests/fuzz/generate/corrupt.h"
+#include "conformance/generate/corrupt.h"
 #include "tests/fuzz/run.h"
 #include "tests/gw/workbench.h"
 

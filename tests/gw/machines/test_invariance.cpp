@@ -1,8 +1,8 @@
 // Multi-pass invariance: coverage and Z depend on the fields that docs/manual/machine.md, "Stages",
 // lists, and on no other. Every other field is changed between a depth pass and a pass under Equal:
 // each fragment that passed must pass again.
-#include "tests/fuzz/generate/draw.h"
-#include "tests/fuzz/generate/state.h"
+#include "conformance/generate/draw.h"
+#include "conformance/generate/state.h"
 #include "tests/fuzz/run.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // The result does not depend on cuts of a list, the order of draws that do not meet, state that is
 // switched off, threads or tiles. Lists are those of gw-fuzz. Does not compare the two machines:
 // test_fuzz.cpp does.
-#include "tests/fuzz/generate/draw.h"
-#include "tests/fuzz/generate/state.h"
+#include "conformance/generate/draw.h"
+#include "conformance/generate/state.h"
 #include "tests/fuzz/run.h"
 
 #include <gtest/gtest.h>
@@ -29,6 +29,7 @@ const Suite& suite_named(std::string_view name) {
                          [&](const Suite& s) { return name == s.name; });
 }
 
+// [R1.2] [R1.8] [R14.5]
 TEST(Metamorphic, AListMayBeCutAnywhere) {
     for (const char* name : {"multipass", "everything", "coincident", "jitter"})
         for (std::uint64_t i = 0; i < 4; ++i) {
@@ -43,6 +44,7 @@ TEST(Metamorphic, AListMayBeCutAnywhere) {
         }
 }
 
+// [R1.2]
 TEST(Metamorphic, ThreadsAndTilesDoNotMatter) {
     for (const Suite& suite : suites())
         for (std::uint64_t i = 0; i < 4; ++i) {

@@ -1,0 +1,24 @@
+// Draws: a mesh with materials, lights and textures. Does not set state: suites do.
+#pragma once
+
+#include "conformance/generate/mesh.h"
+#include "conformance/generate/script.h"
+
+namespace gw::fuzz {
+
+Material any_material(Random& random);
+/// At most `most` lights around the eye distances 0 .. depth.
+LightsRef any_lights(Random& random, int most, double depth);
+/// Sides of 1 to 64; seldom no power of two, seldom longer.
+TextureRef any_texture(Random& random);
+/// A texture, or one of the script's slots; shadow_compare only with depth slots.
+TextureBinding any_binding(Script& script);
+
+/// Adds a draw of the mesh in the script's frame and state. It has a material and lights where the
+/// state lights, and a texture in `mapped_percent` of 100 cases.
+void draw(Script& script, MeshRef mesh, int mapped_percent = 0);
+
+/// The largest eye distance of the script's vertices, for fog and lights.
+double eye_depth(const Frame& frame);
+
+}  // namespace gw::fuzz

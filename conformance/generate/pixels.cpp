@@ -1,0 +1,133 @@
+#include "conformance/generate/pixels.h"
+
+#include "conformance/generate/script.h"
+#include "conformance/generate/state.h"
+#include "gw/base/arithmetic.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace gw::fuzz {
+namespace {
+
+std::uint32_t any_value(Random& r, int bits) {
+    const int kind = r.below(10);
+    if (kind < 2) return 0;
+    if (kind < 4) return max_of_bits(bits);
+    return kind < 6 ? max_of_bits(bits) / 2 : r.bits(bits);
+}
+
+/// A rectangle, sometimes partly outside the window.
+Rect any_rect(Random& r, const Case& w) {
+    Rect rect{r.between(-4, w.width), r.between(-4, w.height), r.between(0, w.width + 6),
+              r.between(0, w.height + 6)};
+    if (r.chance(50)) rect.width = std::min(rect.width, 17);
+    return rect;
+}
+
+Rect any_inner_rect(Random& r, const Case& w) {
+    if (r.chance(20)) return {0, 0, w.width, w.height};
+    Rect rect{r.below(w.width), r.below(w.height)};
+    rect.width = r.between(r.chance(5) ? 0 : 1, w.width - rect.x);
+    rect.height = r.between(r.chance(5) ? 0 : 1, w.height - rect.y);
+    return rect;
+}
+
+}  // namespace
+
+Rgba any_pixel(Random& r, int color_bits) {
+    Rgba out;
+    for (std::uint16_t& v : out) v = static_cast<std::uint16_t>(any_value(r, color_bits));
+    return out;
+}
+
+Clear any_clear(Random& r) {
+    Clear c;
+    c.planes = static_cast<PlaneMask>(r.below(16));
+    c.color = any_color(r);
+    c.depth = r.chance(60) ? 1 : r.chance(50) ? 0.5 : r.real(-0.5, 1.5);
+    c.stencil = r.chance(60) ? r.below(4) : r.between(-300, 300);
+    return c;
+}
+
+WriteSpans any_spans(Random& r, const Case& w) {
+    WriteSpans out;
+    const int colors = r.between(1, 40);
+    for (int i = 0; i < colors; ++i) out.colors.push_back(any_pixel(r, w.profile.color_bits));
+    const int spans = r.between(0, 12);
+    for (int i = 0; i < spans; ++i) {
+        Span s{r.between(-3, w.width), r.between(-1, w.height)};
+        s.flat = r.chance(50);
+        s.first = std::uint32_t(r.below(colors));
+        s.length = s.flat ? r.between(0, w.width + 3) : r.between(0, colors - int(s.first));
+        out.spans.push_back(s);
+    }
+    if (r.chance(5)) out.spans.push_back({-4096, 0, 2147483647, 0, true});
+    out.depth = any_value(r, w.profile.depth_bits);
+    return out;
+}
+
+WritePixels any_pixels(Random& r, const Case& w) {
+    WritePixels out{any_rect(r, w),
+                    r.pick({Plane::Color, Plane::Color, Plane::Depth, Plane::Stencil})};
+    const int count = out.rect.width * out.rect.height;
+    const bool constant = r.chance(20);
+    if (out.plane == Plane::Color) {
+        const Rgba all = any_pixel(r, w.profile.color_bits);
+        for (int i = 0; i < count; ++i)
+            out.colors.push_back(constant ? all : any_pixel(r, w.profile.color_bits));
+    } else {
+        const int bits = out.plane == Plane::Depth ? w.profile.depth_bits : w.profile.stencil_bits;
+        for (int i = 0; i < count; ++i) out.values.push_back(any_value(r, bits));
+    }
+    out.depth = any_value(r, w.profile.depth_bits);
+    return out;
+}
+
+Accumulate any_accumulate(Random& r, const Profile& p) {
+    Accumulate a{r.any(AccumOp::Return)};
+    const int kind = r.below(10);
+    const float large = float(1 << (p.accum_bits - p.color_bits - 1 > 20 ? 20 : p.accum_bits - 8));
+    if (kind < 4) a.value = 1;
+    if (kind == 4) a.value = 1.0f / float(r.between(1, 16));
+    if (kind == 5) a.value = float(r.real(-2, 2));
+    if (kind == 6) a.value = float(r.between(-4, 4));
+    if (kind == 7) a.value = float(r.between(1, 9)) / 2;  // ties
+    if (kind == 8) a.value = large * float(r.real(-1, 1));
+    if (kind == 9) a.value = r.pick({0.0f, -1.0f, 1e30f, -1e30f, 1e-30f, 0.5f});
+    return a;
+}
+
+Copy any_copy(Random& r, const Case& w) {
+    Copy c{r.pick({Plane::Color, Plane::Depth, Plane::Stencil}), any_rect(r, w)};
+    c.x = r.between(-w.width, w.width);
+    c.y = r.between(-w.height, w.height);
+    if (r.chance(40)) {  // a small overlap
+        c.x = c.source.x + r.between(-3, 3);
+        c.y = c.source.y + r.between(-3, 3);
+    }
+    return c;
+}
+
+Read any_read(Random& r, const Case& w) {
+    Read read{std::uint32_t(r.below(5)), r.any(Plane::Accum), any_inner_rect(r, w)};
+    read.packed = read.plane == Plane::Color && w.profile.color_bits <= 8 && read.key % 2 == 1;
+    return read;
+}
+
+void copy_texture(Script& s, Plane plane) {
+    Random& r = s.random;
+    const int width = s.out.width, height = s.out.height;
+    Rect rect;
+    rect.width = 1 << r.below(std::bit_width(unsigned(width)));
+    rect.height = 1 << r.below(std::bit_width(unsigned(height)));
+    rect.x = r.between(0, width - rect.width);
+    rect.y = r.between(0, height - rect.height);
+    const auto slot = std::uint32_t(r.chance(90) ? r.below(3) : 255);
+    std::erase(s.color_slots, slot);
+    std::erase(s.depth_slots, slot);
+    (plane == Plane::Color ? s.color_slots : s.depth_slots).push_back(slot);
+    add(s, CopyTexture{slot, plane, rect});
+}
+
+}  // namespace gw::fuzz

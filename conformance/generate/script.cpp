@@ -1,0 +1,68 @@
+#include "conformance/generate/script.h"
+
+#include "conformance/generate/pixels.h"
+#include "conformance/generate/profile.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace gw::fuzz {
+namespace {
+
+/// A side, mostly small, seldom a few tiles of 64, so that a list stays cheap.
+int any_side(Random& r) {
+    const int kind = r.below(100);
+    if (kind < 6) return 1;
+    if (kind < 20) return r.between(1, 9);
+    if (kind < 70) return r.between(8, 40);
+    if (kind < 80) return r.pick({63, 64, 65});
+    if (kind < 95) return r.between(40, 110);
+    return r.between(100, 200);
+}
+
+const State* last_state(const CommandList& list) {
+    for (auto command = list.commands.rbegin(); command != list.commands.rend(); ++command)
+        if (const auto* set = std::get_if<SetState>(&*command)) return &set->state;
+    return nullptr;
+}
+
+}  // namespace
+
+Script script(Random& random, const Profile& profile) {
+    Script s{random, {profile}};
+    s.out.width = any_side(random);
+    s.out.height = s.out.width > 110 ? random.between(1, 150) : any_side(random);
+    s.frame = any_frame(random, s.out.width, s.out.height, profile.subpixel_bits);
+    s.state.projection = s.frame.projection;
+    if (random.chance(90)) {
+        Clear clear = any_clear(random);
+        clear.planes = all_planes;
+        if (random.chance(80)) clear.depth = 1;
+        s.out.list.add(clear);
+    }
+    return s;
+}
+
+Script script(Random& random) { return script(random, any_profile(random)); }
+
+void set_state(Script& s) {
+    const State* last = last_state(s.out.list);
+    if (s.state != (last ? *last : State{})) s.out.list.add(SetState{s.state});
+}
+
+void add(Script& s, Command command) {
+    set_state(s);
+    s.out.list.add(std::move(command));
+}
+
+void between_draws(Script& s) {
+    Random& r = s.random;
+    if (r.chance(12))
+        s.out.list.add(
+            BeginPass{fmt::format("pass {}", s.out.list.commands.size()),
+                      r.chance(50) ? static_cast<PlaneMask>(r.below(16)) : PlaneMask{0}});
+    if (r.chance(5)) s.out.list.add(any_read(r, s.out));
+}
+
+}  // namespace gw::fuzz

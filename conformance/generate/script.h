@@ -1,0 +1,32 @@
+// A list under construction, with the data that the generators of a suite share. Does not choose
+// commands: suites do.
+#pragma once
+
+#include "conformance/generate/case.h"
+#include "conformance/generate/frame.h"
+
+namespace gw::fuzz {
+
+struct Script {
+    Random& random;
+    Case out;
+    State state;  ///< of the next draw; `draw` and the pixel commands set it first
+    Frame frame;
+    std::vector<std::uint32_t> color_slots, depth_slots;  ///< filled by CopyTexture
+};
+
+/// A window, a frame to place vertices in, and clears of every plane: depth to 1, colour and
+/// stencil to random values.
+Script script(Random& random, const Profile& profile);
+/// The same on any profile.
+Script script(Random& random);
+
+/// Adds SetState where the state differs from the last one that was set.
+void set_state(Script& script);
+/// Adds set_state and the command.
+void add(Script& script, Command command);
+
+/// Sometimes adds a new pass, digests or a read-back, as hosts do between draws.
+void between_draws(Script& script);
+
+}  // namespace gw::fuzz

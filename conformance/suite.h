@@ -1,0 +1,31 @@
+// The conformance suite: recordings that reach the rules of docs/manual.md. docs/conformance.md.
+// Does not play them: what must come out is in their manifests.
+#pragma once
+
+#include "inspect/recording/recording.h"
+
+#include <string>
+#include <vector>
+
+namespace gw::conformance {
+
+/// Recordings about one subject.
+struct Group {
+    std::string name;   ///< its recordings are "NAME_01", "NAME_02", ...
+    std::string about;  ///< one line
+    std::string rules;  ///< reached: "R6.15-R6.19 R9.4"
+};
+/// In the order of the manual's chapters.
+const std::vector<Group>& groups();
+
+struct Member {
+    std::string name;
+    inspect::Recording recording;
+};
+/// The recordings of a group: the same ones each time, on every machine.
+std::vector<Member> members(const Group& group);
+
+/// The rules of Group::rules, one by one: "R6.15", "R6.16", ...
+std::vector<std::string> rules_of(const Group& group);
+
+}  // namespace gw::conformance

@@ -1,0 +1,55 @@
+// Shadow maps: a depth pass copied to a slot, then draws that compare r with the slot.
+#include "conformance/generate/draw.h"
+#include "conformance/generate/pixels.h"
+#include "conformance/generate/profile.h"
+#include "conformance/generate/state.h"
+#include "conformance/suites/suites.h"
+
+namespace gw::fuzz {
+namespace {
+
+/// Gives s, t, r in 0 .. 1 over the frame's picture and depths, from a slightly moved eye; q is the
+/// eye distance in a deep frame.
+dmat4 shadow_matrix(Random& r, const Frame& f) {
+    const dmat4& p = f.projection;
+    dmat4 m(0);
+    for (int c = 0; c < 4; ++c) {
+        for (int i = 0; i < 3; ++i) m[c][i] = 0.5 * (p[c][i] + p[c][3]);
+        m[c][3] = p[c][3];
+    }
+    for (int c = 0; c < 4; ++c)
+        for (int i = 0; i < 3; ++i) m[c][i] *= 1 + (r.chance(50) ? 0 : r.real(-0.25, 0.25));
+    if (r.chance(30)) m[3][2] += r.real(-0.02, 0.02);
+    return m;
+}
+
+Profile shadow_profile(Random& r) {
+    Profile p = r.chance(40) ? reality() : r.chance(50) ? ideal() : user_profile(r);
+    p.extensions.shadow_texture = true;
+    return p;
+}
+
+}  // namespace
+
+Case shadow_case(Random& r) {
+    Script s = script(r, shadow_profile(r));
+    s.state.depth.test = true;
+    draw(s, any_triangles(r, s.frame, {.most = 6}));
+    copy_texture(s, Plane::Depth);
+    const int draws = r.between(1, 5);
+    for (int i = 0; i < draws; ++i) {
+        s.state.texture = any_texture_state(r);
+        s.state.texture.gen = r.chance(90) ? TexGen::EyeLinear : r.any(TexGen::EyeLinear);
+        s.state.texture.eye_linear = shadow_matrix(r, s.frame);
+        s.state.texture.shadow_compare = r.chance(85);
+        s.state.depth.func = r.pick({DepthFunc::Less, DepthFunc::LEqual, DepthFunc::Always});
+        const MeshWish wish{.normals = true, .texcoords = true, .most = 6};
+        const double z = any_z(r, s.frame);
+        draw(s, r.chance(30) ? cover_mesh(r, s.frame, wish, z) : any_mesh(r, s.frame, wish), 100);
+        if (r.chance(30)) copy_texture(s, Plane::Depth);
+        between_draws(s);
+    }
+    return s.out;
+}
+
+}  // namespace gw::fuzz

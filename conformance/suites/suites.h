@@ -1,0 +1,34 @@
+// The makers of the suites' cases, one per file of conformance/suites/. Does not list the planes and
+// counters that each must reach: suites.cpp does.
+#pragma once
+
+#include "conformance/generate/case.h"
+
+namespace gw::fuzz {
+
+Case accumulation_case(Random& random);
+Case alpha_mask_case(Random& random);
+Case blend_case(Random& random);
+Case clip_case(Random& random);
+Case coincident_case(Random& random);
+Case depth_case(Random& random);
+Case everything_case(Random& random);
+Case fog_case(Random& random);
+Case generated_texture_case(Random& random);
+Case identifier_case(Random& random);
+Case jitter_case(Random& random);
+Case lighting_case(Random& random);
+Case lines_and_points_case(Random& random);
+Case multipass_case(Random& random);
+Case pixels_case(Random& random);
+Case polygon_mode_case(Random& random);
+Case profile_case(Random& random);
+Case raster_case(Random& random);
+Case shadow_case(Random& random);
+Case stencil_case(Random& random);
+Case texture_case(Random& random);
+Case texture_churn_case(Random& random);
+Case tiny_draws_case(Random& random);
+Case viewport_case(Random& random);
+
+}  // namespace gw::fuzz
