@@ -134,6 +134,7 @@ TEST(FloatEnvironment, HoldsInEveryBody) {
 }
 
 /// Both machines draw the same under any float environment of the caller.
+// [R1.2] [R2.1]
 TEST(FloatEnvironment, DoesNotReachAPixel) {
     CommandList list;
     list.add(Clear{.planes = all_planes, .color = vec4(0.3f)});

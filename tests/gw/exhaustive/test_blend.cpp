@@ -113,6 +113,7 @@ TEST(ExhaustiveBlend, SamplesOf10And12And16Bits) {
     }
 }
 
+// [R12.12]
 TEST(ExhaustiveBlend, AFactorOfTheWrongSideIsRefused) {
     Workbench bench;
     bench.state.blend = {true, BlendFactor::SrcColor, BlendFactor::One};

@@ -8,6 +8,7 @@ namespace {
 
 using namespace test;
 
+// [R12.6]
 TEST(ExhaustiveStencil, TheTableForEveryOperationValueAndReference) {
     for (int bits = 1; bits <= 8; ++bits)
         for (const StencilOp op : ops)
@@ -36,6 +37,7 @@ TEST(ExhaustiveStencil, EveryOperationValueMaskAndSomeReferencesThroughTheMachin
             }
 }
 
+// [R12.5]
 TEST(ExhaustiveStencil, TheComparisonPutsTheReferenceFirst) {
     // [GL11] 4.1.4: passes where (ref & mask) func (stored & mask).
     const auto passes = [](StencilFunc func, int ref, int stored) {
@@ -92,6 +94,7 @@ TEST(ExhaustiveStencil, EachFateHasItsOperation) {
     for (int x = 0; x < 256; ++x) EXPECT_EQ(row.at(x), x < 50 ? 100 : x <= 100 ? 255 - x : 0) << x;
 }
 
+// [R12.8]
 TEST(ExhaustiveStencil, TwoSidesHaveTheirOwnState) {
     Workbench bench(ideal(), 8, 8);
     bench.state.stencil = {.test = true, .zpass = StencilOp::IncrWrap, .two_side = true};
@@ -128,6 +131,7 @@ bool holds(CompareFunc func, std::int64_t incoming, std::int64_t stored) {
     return table[int(func)];
 }
 
+// [R12.4] [R12.9]
 TEST(ExhaustiveCompare, DepthAtItsBorders) {
     for (const Profile& profile : profiles()) {
         const auto top = std::uint32_t((1ull << profile.depth_bits) - 1), half = top / 2;
@@ -151,6 +155,7 @@ TEST(ExhaustiveCompare, DepthAtItsBorders) {
     }
 }
 
+// [R12.4]
 TEST(ExhaustiveCompare, AlphaForEveryValueAndReferenceOf8Bits) {
     Workbench bench(vgx(), 256, 1);
     std::vector<Rgba> row;

@@ -1,10 +1,10 @@
 // Hundreds of short lists on one pair of machines. Meshes and textures of a list are deleted after
 // it, so that later ones may have their addresses; some are used again. Random lists of
-// tests/fuzz/suites are alone on their machines and keep everything.
-#include "tests/fuzz/generate/draw.h"
-#include "tests/fuzz/generate/pixels.h"
-#include "tests/fuzz/generate/script.h"
-#include "tests/fuzz/generate/state.h"
+// conformance/suites are alone on their machines and keep everything.
+#include "conformance/generate/draw.h"
+#include "conformance/generate/pixels.h"
+#include "conformance/generate/script.h"
+#include "conformance/generate/state.h"
 #include "tests/gw/workbench.h"
 
 namespace gw::fuzz {

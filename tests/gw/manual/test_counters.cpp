@@ -11,6 +11,7 @@ using test::Workbench;
 
 std::vector<vec3> square(float z) { return {{8, 8, z}, {24, 8, z}, {24, 24, z}, {8, 24, z}}; }
 
+// [R14.8]
 TEST(ManualCounters, BytesByHand) {
     Workbench bench;
     bench.clear(all_planes, vec4(0), 0.5);
@@ -28,6 +29,7 @@ TEST(ManualCounters, BytesByHand) {
     EXPECT_EQ(c.bytes, 4096u);
 }
 
+// [R14.2] [R14.4]
 TEST(ManualCounters, PrimitivesByTheirFate) {
     Workbench bench;
     bench.state.cull.enable = true;
@@ -60,6 +62,7 @@ TEST(ManualCounters, PrimitivesByTheirFate) {
     EXPECT_EQ(c.drawn, 3u);
 }
 
+// [R5.2] [R14.6]
 TEST(ManualCounters, TexelsGoByTheMinificationFilter) {
     const std::pair<MinFilter, unsigned> lookups[] = {{MinFilter::Nearest, 1},
                                                       {MinFilter::Linear, 4},
@@ -77,6 +80,7 @@ TEST(ManualCounters, TexelsGoByTheMinificationFilter) {
     }
 }
 
+// [R14.10]
 TEST(ManualCounters, DigestOfTwoPixels) {
     Workbench bench(vgx(), 2, 1);
     bench.run(WritePixels{{0, 0, 2, 1}, Plane::Stencil, {}, {1, 2}, 0});
@@ -84,6 +88,7 @@ TEST(ManualCounters, DigestOfTwoPixels) {
               "018a82ed9ec33d2363c34a21b5d85086");
 }
 
+// [R14.10]
 TEST(ManualCounters, DigestsGoBlockByBlock) {
     // 70 x 65 pixels of depth: four blocks of 64x64, 6x64, 64x1, 6x1, by hand.
     Workbench bench(vgx(), 70, 65);
@@ -108,6 +113,7 @@ TEST(ManualCounters, DigestsGoBlockByBlock) {
     EXPECT_EQ(digest(bench.planes(), Plane::Depth), (Digest{h.high64, h.low64}));
 }
 
+// [R14.1]
 TEST(ManualCounters, PassesAreCountedApart) {
     Workbench bench(vgx(), 4, 4);
     CommandList list;

@@ -19,6 +19,7 @@ Draw drawn(std::vector<vec3> positions, Primitive primitive = Primitive::Quads) 
     return {.mesh = make_mesh(mesh_data(primitive, std::move(positions)))};
 }
 
+// [R6.19]
 TEST(ExtremeInput, ZeroWIsRejected) {
     Workbench bench(vgx(), 16, 16);
     bench.state.projection = dmat4(0);
@@ -32,6 +33,7 @@ TEST(ExtremeInput, ZeroWIsRejected) {
     EXPECT_EQ(bench.take_counters().rejected, 1u);
 }
 
+// [R6.15]
 TEST(ExtremeInput, CoordinatesTooLargeForClipCoordinatesReject) {
     Workbench bench(vgx(), 16, 16);
     bench.state.projection[0][0] = 1e300;
@@ -53,6 +55,7 @@ TEST(ExtremeInput, AHugeTriangleCoversTheWindow) {
     for (const float size : {1e20f, largest}) EXPECT_EQ(fragments(size), 128u) << size;
 }
 
+// [R2.1]
 TEST(ExtremeInput, DenormalsAreKept) {
     Workbench bench(vgx(), 16, 16);
     bench.state.projection[0][0] = bench.state.projection[1][1] = 1 / double(denormal);
@@ -64,6 +67,7 @@ TEST(ExtremeInput, DenormalsAreKept) {
     EXPECT_EQ(bench.take_counters().fragments, 256u);
 }
 
+// [R6.23] [R9.3]
 TEST(ExtremeInput, DegenerateShapesAreCountedAndDrawNothing) {
     Workbench bench(vgx(), 16, 16);
     bench.draw(drawn({{3, 3, 0}, {3, 3, 0}, {3, 3, 0}, {3, 3, 0}}));
@@ -199,6 +203,7 @@ Draw nasty_draw(Random& random) {
     return draw;
 }
 
+// [R5.7]
 TEST(ExtremeInput, ExtremeNumbersEverywhereGiveTheSameBitsOnBothMachines) {
     std::uint64_t fragments = 0;
     for (int i = 0; i < 3000 && !HasFailure(); ++i) {

@@ -11,6 +11,7 @@ namespace {
 
 using test::Workbench;
 
+// [R11.2] [R11.6] [R11.7]
 TEST(ManualFog, FactorsAndTable) {
     const FogState linear{
         .enable = true, .mode = FogMode::Linear, .start = 0, .end = 4, .color = {0, 0, 1, 1}};
@@ -39,6 +40,7 @@ int fogged(const FogState& fog, float z, const Profile& profile = vgx()) {
     return bench.color(1, 1)[0];
 }
 
+// [R11.1] [R11.3] [R11.4] [R11.5]
 TEST(ManualFog, VertexAndFragmentFogThroughTheMachine) {
     FogState fog{.enable = true, .density = 0.5f, .coordinate = FogCoordinate::Vertex};
     EXPECT_EQ(fogged(fog, 2), 94);
@@ -90,6 +92,7 @@ TEST(ManualFog, BlackFogPlusFoggedBlackIsOnePassOfFog) {
         }
 }
 
+// [R6.13]
 TEST(ManualFog, IdentifiersAreNeverFogged) {
     Workbench bench;
     bench.state.fog = {

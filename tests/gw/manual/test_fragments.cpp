@@ -7,6 +7,7 @@ namespace {
 using test::Workbench;
 const Rect pixel{0, 0, 1, 1};
 
+// [R12.13]
 TEST(ManualFragments, TheColourMask) {
     Workbench bench(vgx(), 1, 1);
     bench.write(pixel, {1, 2, 3, 4});
@@ -15,6 +16,7 @@ TEST(ManualFragments, TheColourMask) {
     EXPECT_EQ(bench.color(0, 0), (Rgba{10, 2, 0, 4}));
 }
 
+// [R12.5] [R12.6] [R12.7]
 TEST(ManualFragments, StencilByHand) {
     Workbench bench(vgx(), 1, 1);
     const auto after = [&](const StencilState& state) {
@@ -46,6 +48,7 @@ TEST(ManualFragments, StencilByHand) {
     EXPECT_EQ(after({.test = false, .func = StencilFunc::Never, .fail = StencilOp::Zero}), 5);
 }
 
+// [R12.1]
 TEST(ManualFragments, TestsInTheirOrder) {
     // A fragment that fails the alpha test changes no stencil value; one that fails the stencil
     // test changes no depth.
@@ -69,6 +72,7 @@ TEST(ManualFragments, TestsInTheirOrder) {
     EXPECT_EQ(c.stencil_killed, 1u);
 }
 
+// [R12.10] [R12.11] [R12.12]
 TEST(ManualFragments, BlendByHand) {
     Workbench bench(vgx(), 1, 1);
     const auto over = [&](BlendFactor src, BlendFactor dst) {

@@ -9,6 +9,7 @@ namespace {
 
 using test::Workbench;
 
+// [R6.7]
 TEST(ManualGeometry, FillOutlineAndCorners) {
     const std::vector<vec3> quad{
         {8.5f, 8.5f, 0}, {24.5f, 8.5f, 0}, {24.5f, 24.5f, 0}, {8.5f, 24.5f, 0}};
@@ -22,6 +23,7 @@ TEST(ManualGeometry, FillOutlineAndCorners) {
     }
 }
 
+// [R6.3]
 TEST(ManualGeometry, AConcavePolygon) {
     Workbench bench;
     bench.draw(Primitive::Polygons, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 2, 0}, {0, 4, 0}});
@@ -32,6 +34,7 @@ TEST(ManualGeometry, AConcavePolygon) {
     EXPECT_EQ(bench.color(1, 2)[3], 0);
 }
 
+// [R6.2] [R6.6]
 TEST(ManualGeometry, FlatFacesHaveTheirOwnVertexColour) {
     const auto flat = [](Primitive primitive, std::vector<vec3> p, int x, int y) {
         Workbench bench;
@@ -64,6 +67,7 @@ dmat4 frustum() {
     return m;
 }
 
+// [R6.9] [R6.20] [R6.21]
 TEST(ManualGeometry, AVertexGoesToTheWindow) {
     State state;
     state.projection = frustum();
@@ -79,6 +83,7 @@ TEST(ManualGeometry, AVertexGoesToTheWindow) {
     EXPECT_EQ(w.w, 4);
 }
 
+// [R6.11]
 TEST(ManualGeometry, NormalsGoByTheInverseTranspose) {
     // Scaled by 2 along x, a normal (1, 1, 0) becomes (1, 2, 0) / sqrt 5. A mirror turns the normal
     // with the surface.
@@ -105,6 +110,7 @@ TEST(ManualGeometry, NormalsGoByTheInverseTranspose) {
     EXPECT_EQ(red(mirror, {1, 0, 0}), 0);
 }
 
+// [R6.16] [R6.17] [R6.18]
 TEST(ManualGeometry, ANewVertexStartsFromTheInside) {
     Vertex in, out;
     in.clip = {0, 0, 1, 2};
@@ -121,6 +127,64 @@ TEST(ManualGeometry, ANewVertexStartsFromTheInside) {
     }
 }
 
+/// The triangle of the page: near plane first, then user plane 0, then nothing.
+// [R6.10] [R6.16] [R6.17] [R6.18] [R11.5]
+TEST(ManualGeometry, ATriangleCutTwice) {
+    const std::array<dvec4, 3> position{{{0, 0, -3, 1}, {4, 0, 1, 1}, {0, 4, 1, 1}}};
+    const std::array<double, 3> red{255, 10, 0}, fog{255, 94, 191};
+    std::vector<Vertex> corners(3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        corners[i].clip = position[i];
+        corners[i].distance[0] = dot4({-1, 0, 0, 1}, position[i]);
+        corners[i].color[0] = red[i];
+        corners[i].fog = fog[i];
+    }
+    const Clipped clipped = clip(corners, {32, 32, 32, 32});
+    EXPECT_TRUE(clipped.cut);
+    const std::array<dvec4, 4> left{{{1, 3, 1, 1}, {0, 4, 1, 1}, {0, 2, -1, 1}, {1, 1, -1, 1}}};
+    const std::array<double, 4> left_red{2, 0, 128, 130}, left_fog{166.75, 191, 223, 198.75};
+    ASSERT_EQ(clipped.vertices.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(clipped.vertices[i].clip, left[i]);
+        EXPECT_EQ(clipped.vertices[i].color[0], left_red[i]);
+        EXPECT_EQ(clipped.vertices[i].fog, left_fog[i]);
+    }
+}
+
+/// Jitter moves coverage, and neither facing nor pieces.
+// [R6.22]
+TEST(ManualGeometry, JitterMovesPixelsByWholeUnits) {
+    const auto pixels = [](int x, int y) {
+        Workbench bench(vgx(), 16, 16);
+        bench.state.jitter = {x, y};
+        bench.draw(Primitive::Quads,
+                   {{2.5f, 2.5f, 0}, {4.5f, 2.5f, 0}, {4.5f, 4.5f, 0}, {2.5f, 4.5f, 0}});
+        std::vector<std::array<int, 2>> out;
+        for (int j = 0; j < 16; ++j)
+            for (int i = 0; i < 16; ++i)
+                if (bench.color(i, j)[3] != 0) out.push_back({i, j});
+        return out;
+    };
+    using Pixels = std::vector<std::array<int, 2>>;
+    EXPECT_EQ(pixels(0, 0), (Pixels{{2, 3}, {3, 3}, {2, 4}, {3, 4}}));
+    EXPECT_EQ(pixels(1, 0), (Pixels{{3, 3}, {4, 3}, {3, 4}, {4, 4}}));
+    EXPECT_EQ(pixels(0, -1), (Pixels{{2, 2}, {3, 2}, {2, 3}, {3, 3}}));
+}
+
+/// Vertex colours are quantized; without colours they are white; lines take them from their ends.
+// [R6.8] [R6.12]
+TEST(ManualGeometry, VertexColoursAreQuantized) {
+    Workbench bench;
+    bench.draw(Primitive::Points, {{3.5f, 3.5f, 0}, {5.5f, 5.5f, 0}},
+               {{0.5f, 0.25f, -1, 1}, {2, 0, 0, 0.5f}});
+    EXPECT_EQ(bench.color(3, 3), (Rgba{128, 64, 0, 255}));
+    EXPECT_EQ(bench.color(5, 5), (Rgba{255, 0, 0, 128}));
+    EXPECT_EQ(bench.take_counters().vertices, 2u);
+    bench.draw(Primitive::Points, {{7.5f, 7.5f, 0}});
+    EXPECT_EQ(bench.color(7, 7), (Rgba{255, 255, 255, 255}));
+}
+
+// [R6.25]
 TEST(ManualGeometry, AFanStartsWhereNoPieceIsTurnedOver) {
     const std::vector<SnappedPoint> corners{{80, 80}, {160, 80}, {160, 160}, {120, 119}};
     const Fan fan = fan_of(corners);
@@ -132,6 +196,7 @@ TEST(ManualGeometry, AFanStartsWhereNoPieceIsTurnedOver) {
     EXPECT_EQ(fan_of(mirrored).first, 1u);
 }
 
+// [R6.23] [R6.24]
 TEST(ManualGeometry, FacingIsOfTheSnappedPolygon) {
     const std::vector<vec3> ccw{{8, 8, 0}, {24, 8, 0}, {24, 24, 0}},
         cw{{8, 8, 0}, {24, 24, 0}, {24, 8, 0}};

@@ -19,6 +19,7 @@ const Material shiny{
     .Ka = vec3(0.5f), .Kd = vec3(0.5f), .Ks = vec3(0.25f), .Ke = vec3(0.0625f), .Ns = 2};
 const Light slanting{.position = {0, 3, 4, 0}, .Ia = vec3(0.25f)};
 
+// [R8.1] [R8.2] [R8.7]
 TEST(ManualLighting, TermByTerm) {
     EXPECT_EQ(red(shiny, slanting), 207);
     Profile narrow = vgx();
@@ -37,12 +38,14 @@ TEST(ManualLighting, TermByTerm) {
     EXPECT_EQ(only([](Material& m) { m.Ks = shiny.Ks, m.Ns = 0; }), 64);  // 0.25, everywhere
 }
 
+// [R8.7]
 TEST(ManualLighting, BehindTheSurfaceOnlyAmbientLight) {
     Light behind = slanting;
     behind.position = {0, 3, -4, 0};
     EXPECT_EQ(red(shiny, behind), 48);  // 0.0625 + 0.125 = 0.1875: 47.81
 }
 
+// [R8.3] [R8.4] [R8.5]
 TEST(ManualLighting, AttenuationAndSpot) {
     const Material diffuse{.Ka = vec3(0), .Kd = vec3(1)};
     Light point{
@@ -60,6 +63,7 @@ TEST(ManualLighting, AttenuationAndSpot) {
     EXPECT_EQ(red(diffuse, bare), 255);  // an attenuation of 0 is clamped to 1e-30
 }
 
+// [R8.6]
 TEST(ManualLighting, ALocalViewerSeesTheHighlightFromTheEye) {
     // The surface at (3, 0, -4): e = (-0.6, 0, 0.8); light towards (0.6, 0, 0.8): h = (0, 0, 1).
     const Material gloss{.Ka = vec3(0), .Kd = vec3(0), .Ks = vec3(1), .Ns = 50};
@@ -69,6 +73,7 @@ TEST(ManualLighting, ALocalViewerSeesTheHighlightFromTheEye) {
     EXPECT_EQ(red(gloss, light, {3, 0, -4}), 18);
 }
 
+// [R8.1] [R8.2]
 TEST(ManualLighting, LightsAddAndTheSumIsClampedOnce) {
     Draw draw{.material = {.Ka = vec3(0), .Kd = vec3(1), .Ke = vec3(-1), .alpha = 0.5f}};
     draw.lights = std::make_shared<const std::vector<Light>>(3, Light{.Id = vec3(0.5f)});

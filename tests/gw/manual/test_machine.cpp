@@ -7,6 +7,7 @@ namespace {
 using test::error_of;
 using test::Workbench;
 
+// [R1.3] [R1.5]
 TEST(ManualMachine, AnOddProfile) {
     const Profile odd{.name = "odd",
                       .color_bits = 10,
@@ -31,6 +32,7 @@ TEST(ManualMachine, AnOddProfile) {
               4u * 3);  // columns 2 to 5, rows 3 to 5: the lower side on centres
 }
 
+// [R1.3]
 TEST(ManualMachine, ProfilesAreThoseOfTheTable) {
     const auto row = [](const Profile& p) {
         return std::vector<int>{p.color_bits, p.depth_bits,    p.stencil_bits,
@@ -67,6 +69,7 @@ TEST(ManualMachine, ProfilesOutOfRangeAreNamed) {
               "profile 'vgx': max_lights = 0; expected 1 to 1024");
 }
 
+// [R1.4]
 TEST(ManualMachine, ExtensionsAreRefusedByName) {
     const auto refused = [](const Profile& profile, auto change) {
         Workbench bench(profile, 4, 4);
@@ -97,6 +100,7 @@ TEST(ManualMachine, ExtensionsAreRefusedByName) {
     EXPECT_EQ(refused(ideal(), two_sided), "");
 }
 
+// [R1.7]
 TEST(ManualMachine, ARefusedListChangesNothing) {
     Workbench bench(vgx(), 4, 4);
     CommandList list;
@@ -107,6 +111,7 @@ TEST(ManualMachine, ARefusedListChangesNothing) {
     EXPECT_EQ(bench.planes(), Planes(4, 4));
 }
 
+// [R1.6]
 TEST(ManualMachine, PixelsCountFromTheBottomLeft) {
     Workbench bench(vgx(), 5, 3);
     bench.write({4, 2, 1, 1}, {9, 9, 9, 9});
@@ -114,6 +119,7 @@ TEST(ManualMachine, PixelsCountFromTheBottomLeft) {
     EXPECT_EQ(bench.planes().color[14], (Rgba{9, 9, 9, 9}));
 }
 
+// [R4.5] [R4.6]
 TEST(ManualMachine, TheDepthMaskGuardsClearsTheTestGuardsFragments) {
     const std::vector<vec3> square{{0, 0, 5}, {4, 0, 5}, {4, 4, 5}, {0, 4, 5}};
     Workbench bench(vgx(), 4, 4);
@@ -128,6 +134,7 @@ TEST(ManualMachine, TheDepthMaskGuardsClearsTheTestGuardsFragments) {
     EXPECT_EQ(bench.depth(1, 1), 16777215u);
 }
 
+// [R1.9] [R1.10]
 TEST(ManualMachine, ShadingStateDoesNotMoveFragments) {
     Workbench bench(reality(), 64, 64);
     MeshData square = test::mesh_data(Primitive::Quads,
@@ -150,6 +157,7 @@ TEST(ManualMachine, ShadingStateDoesNotMoveFragments) {
     EXPECT_EQ(c.written, 256u);
 }
 
+// [R1.11]
 TEST(ManualMachine, LimitsAreNamed) {
     EXPECT_EQ(error_of([] { make_reference(vgx(), 4097, 1); }),
               "window of 4097 x 1 pixels; expected 1 to 4096 each");

@@ -8,6 +8,7 @@
 namespace gw {
 namespace {
 
+// [R2.8] [R2.10]
 TEST(ManualNumbers, QuantizeMulAndRescale) {
     EXPECT_EQ(quantize(0.5, 8), 128u);
     EXPECT_EQ(quantize(0.25, 8), 64u);
@@ -22,6 +23,7 @@ TEST(ManualNumbers, QuantizeMulAndRescale) {
     EXPECT_EQ(rescale(25700, 16, 8), 100u);
 }
 
+// [R2.10]
 TEST(ManualNumbers, MulIsTheNearestForAllOperandsOf8And12Bits) {
     for (const int bits : {8, 12}) {
         const std::uint32_t one = (1u << bits) - 1;
@@ -41,6 +43,7 @@ TEST(ManualNumbers, RescalingUpAndDownKeepsAValue) {
             }
 }
 
+// [R2.6]
 TEST(ManualNumbers, FloatsAreClampedBeforeTheyBecomeIntegers) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     EXPECT_EQ(to_integer(infinity, -5, 7), 7);

@@ -6,6 +6,7 @@ namespace {
 
 using test::Workbench;
 
+// [R13.5]
 TEST(ManualPixels, OverlappingCopies) {
     Workbench bench(vgx(), 16, 4);
     bench.run(WritePixels{{4, 0, 4, 1}, Plane::Depth, {}, {1, 2, 3, 4}, 0});
@@ -19,6 +20,7 @@ TEST(ManualPixels, OverlappingCopies) {
     EXPECT_EQ(bench.depth(4, 0), 1u);
 }
 
+// [R4.4] [R13.1] [R13.2] [R13.4]
 TEST(ManualPixels, MasksAndScissorGuardEveryPlane) {
     Workbench bench(vgx(), 8, 8);
     bench.state.scissor = {true, {2, 2, 3, 3}};
@@ -33,6 +35,7 @@ TEST(ManualPixels, MasksAndScissorGuardEveryPlane) {
     EXPECT_EQ(bench.depth(3, 3), 16777215u);
 }
 
+// [R13.8] [R13.9]
 TEST(ManualPixels, AccumulationByHand) {
     Workbench bench(vgx(), 1, 1);
     const auto acc = [&] { return bench.accum(0, 0)[0]; };
@@ -53,6 +56,7 @@ TEST(ManualPixels, AccumulationByHand) {
     EXPECT_EQ(bench.take_counters().accum_overflows, 0u);
 }
 
+// [R12.2] [R12.3] [R13.3]
 TEST(ManualPixels, SpansAndRectanglesAreFragments) {
     Workbench bench(vgx(), 8, 8);
     bench.clear();
@@ -70,6 +74,7 @@ TEST(ManualPixels, SpansAndRectanglesAreFragments) {
 }
 
 /// Across whole blocks and tiles of the fast machine and across parts of them.
+// [R13.7]
 TEST(ManualPixels, PackedColorsAreWordsRLowest) {
     Workbench bench(vgx(), 80, 80);
     bench.clear(all_planes, vec4(1, 0, 0, 0));

@@ -11,6 +11,7 @@ namespace {
 
 using test::Workbench;
 
+// [R9.1] [R9.2]
 TEST(ManualRasterization, EdgeFunctions) {
     const std::array<std::array<std::int64_t, 2>, 3> v{{{82, 28}, {561, 160}, {120, 486}}};
     const std::array<std::int64_t, 3> expected{54319, 127657, 32388};
@@ -26,6 +27,7 @@ TEST(ManualRasterization, EdgeFunctions) {
     EXPECT_EQ(bench.color(20, 20)[3], 255);
 }
 
+// [R9.2]
 TEST(ManualRasterization, CentresOnSidesBelongToLeftAndTopSides) {
     Workbench bench(vgx(), 8, 8);
     bench.draw(Primitive::Quads,
@@ -36,6 +38,7 @@ TEST(ManualRasterization, CentresOnSidesBelongToLeftAndTopSides) {
                 << x << " " << y;
 }
 
+// [R9.3] [R9.4] [R9.5]
 TEST(ManualRasterization, ALineAndAPoint) {
     Workbench bench(vgx(), 64, 64);
     bench.draw(Primitive::Lines, {{2, 2, 0}, {12, 7, 0}});
@@ -60,6 +63,7 @@ TEST(ManualRasterization, ALineAndAPoint) {
     EXPECT_EQ(bench.take_counters().fragments, 9u);
 }
 
+// [R9.6] [R9.8]
 TEST(ManualRasterization, IncrementsEqualTheClosedForm) {
     // [L8]: z + dz/dx from pixel to pixel in both directions, with 16 fraction bits.
     using namespace reference;
@@ -88,6 +92,7 @@ TEST(ManualRasterization, IncrementsEqualTheClosedForm) {
     }
 }
 
+// [R9.6]
 TEST(ManualRasterization, GradientsAreToNearestAndTiesToEven) {
     for (const auto& [num, q] :
          {std::pair(-7, -4), {-5, -2}, {-3, -2}, {-1, 0}, {1, 0}, {3, 2}, {5, 2}, {7, 4}})
@@ -97,6 +102,7 @@ TEST(ManualRasterization, GradientsAreToNearestAndTiesToEven) {
             << num << " / 5";
 }
 
+// [R9.11] [R9.12]
 TEST(ManualRasterization, PolygonOffset) {
     Workbench bench(reality(), 16, 16);
     bench.clear();
@@ -119,6 +125,7 @@ TEST(ManualRasterization, PolygonOffset) {
     EXPECT_EQ(bench.depth(0, 4), 1000u);
 }
 
+// [R9.7] [R9.13] [R9.14] [R9.15]
 TEST(ManualRasterization, HalfWayOnTheScreenIsAThirdOfTheWay) {
     using namespace reference;
     const std::array<double, 2> w{1, 2}, v{0, 1};
@@ -138,6 +145,7 @@ TEST(ManualRasterization, HalfWayOnTheScreenIsAThirdOfTheWay) {
     EXPECT_NEAR(U * (1 / Q), 1 / 3.0f, 6e-8f);
 }
 
+// [R9.13]
 TEST(ManualRasterization, AtTheFarEndQIsAtLeastOne) {
     const std::array<double, 3> w{1e-9, 1, 1e12};
     EXPECT_EQ(denominators(w), (std::array<std::int64_t, 3>{1 << 30, 1, 1}));

@@ -10,6 +10,7 @@ namespace {
 
 using test::Workbench;
 
+// [R10.1] [R10.2] [R10.3]
 TEST(ManualTexture, SphereAndRefractionMap) {
     const dvec4 p(0, 0, -2, 1);
     const auto st = [&](TexGen gen, const dvec3& n, double eta) {
@@ -54,6 +55,7 @@ int red(int size, int x, MinFilter min, MagFilter mag, Wrap wrap = Wrap::Repeat)
     return bench.color(x, 1)[0];
 }
 
+// [R10.8] [R10.9] [R10.10] [R10.11]
 TEST(ManualTexture, NearestAndLinear) {
     EXPECT_EQ(red(16, 5, MinFilter::Nearest, MagFilter::Nearest), 80);
     EXPECT_EQ(red(16, 5, MinFilter::Linear, MagFilter::Linear), 70);
@@ -63,6 +65,7 @@ TEST(ManualTexture, NearestAndLinear) {
     EXPECT_EQ(red(16, 0, MinFilter::Linear, MagFilter::Linear, Wrap::Clamp), 0);
 }
 
+// [R10.12] [R10.14]
 TEST(ManualTexture, LevelOfDetail) {
     EXPECT_EQ(red(3, 1, MinFilter::NearestMipmapNearest, MagFilter::Nearest), 160);
     EXPECT_EQ(red(3, 1, MinFilter::NearestMipmapLinear, MagFilter::Nearest), 177);
@@ -72,6 +75,7 @@ TEST(ManualTexture, LevelOfDetail) {
     EXPECT_EQ(red(1, 0, MinFilter::NearestMipmapNearest, MagFilter::Nearest), 0);
 }
 
+// [R10.13]
 TEST(ManualTexture, LevelsAreChosenByTheBitsOfRho) {
     const auto choose = [](MinFilter min, MagFilter mag, float rho) {
         return choose_level({.min_filter = min, .mag_filter = mag}, rho, 5);
@@ -99,6 +103,7 @@ TEST(ManualTexture, LevelsAreChosenByTheBitsOfRho) {
     EXPECT_EQ(choose(MinFilter::LinearMipmapLinear, MagFilter::Nearest, HUGE_VALF).level, 4);
 }
 
+// [R10.17]
 TEST(ManualTexture, EnvironmentsByHand) {
     // Fragment (200, 100, 50, 128), texel (10, 20, 30, 64), constant (255, 0, 128, 7); 8 bits.
     const auto drawn = [](TexEnv env) {
@@ -121,6 +126,8 @@ TEST(ManualTexture, EnvironmentsByHand) {
     EXPECT_EQ(drawn(TexEnv::Replace), (Rgba{10, 20, 30, 64}));
 }
 
+// [R10.4] [R10.18] [R10.19]
+// [R10.4] [R10.18]
 TEST(ManualTexture, ShadowsByComparison) {
     // A depth slot of one texel, 0.5: r = 0.25 is lit, 0.75 is in shadow. q = 0 is behind the
     // projector and lit.

@@ -11,6 +11,7 @@ using namespace reference;
 const std::array<WindowVertex, 3> vertices{
     {{82, 28, 1000000}, {561, 160, 5000000}, {120, 486, 9000000}}};
 
+// [R9.6]
 TEST(WorkedTriangle, HasTheManualsGradients) {
     const SnappedTriangle t = snapped_triangle(vertices, {}, 3);
     EXPECT_EQ(t.area2, 214366);
@@ -25,6 +26,7 @@ TEST(WorkedTriangle, HasTheManualsGradients) {
     EXPECT_EQ(z.at(64, 20), 4905769);
 }
 
+// [R9.8] [R9.9]
 TEST(WorkedTriangle, IsDrawnSo) {
     test::Workbench bench(vgx(), 128, 64);
     bench.state.depth = {.test = true, .func = DepthFunc::Always};

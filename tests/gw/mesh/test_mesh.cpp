@@ -25,6 +25,7 @@ std::string error_of(MeshData data) {
     return "";
 }
 
+// [R6.2]
 TEST(Mesh, TrianglesAreTakenAsTheyStand) {
     const MeshRef mesh = make_mesh(points(6, Primitive::Triangles));
     EXPECT_EQ(mesh->kind(), MeshKind::Triangles);
@@ -33,6 +34,7 @@ TEST(Mesh, TrianglesAreTakenAsTheyStand) {
     EXPECT_EQ(mesh->polygon_count(), 2u);
 }
 
+// [R6.2]
 TEST(Mesh, AStripTurnsEverySecondTriangle) {
     const MeshRef mesh = make_mesh(points(5, Primitive::TriangleStrip));
     ASSERT_EQ(mesh->triangles().size(), 3u);
@@ -47,6 +49,7 @@ TEST(Mesh, AFanSharesItsFirstVertex) {
     EXPECT_EQ(mesh->triangles()[1], (Triangle{Vertices{0, 2, 3}, 3, 1, 7}));
 }
 
+// [R6.2] [R6.4]
 TEST(Mesh, AQuadIsTwoTrianglesOfOnePolygonAndHasTheColourOfItsLastVertex) {
     MeshData data{.primitive = Primitive::Quads,
                   .positions = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
@@ -81,6 +84,7 @@ TEST(Mesh, APolygonHasTheColourOfItsFirstVertex) {
     EXPECT_EQ(mesh->triangles()[2], (Triangle{Vertices{3, 5, 6}, 3, 1, 0b110}));
 }
 
+// [R5.3]
 TEST(Mesh, WithoutSizesAllVerticesAreOnePolygon) {
     const MeshRef mesh =
         make_mesh({.primitive = Primitive::Polygons,
@@ -109,6 +113,7 @@ TEST(Mesh, Points) {
               (std::vector<std::uint32_t>{2, 2}));
 }
 
+// [R5.3] [R6.5]
 TEST(Mesh, PolygonIdsAreTheGivenOnesOrTheOrdinals) {
     MeshData data = points(6, Primitive::Triangles);
     EXPECT_EQ(make_mesh(data)->polygon_id(1), 1u);
@@ -125,6 +130,7 @@ TEST(Mesh, AFlatTriangleIsKept) {
     EXPECT_EQ(make_mesh({.positions = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}})->triangles().size(), 1u);
 }
 
+// [R5.8] [R6.1]
 TEST(Mesh, ErrorsSayWhatWasExpected) {
     EXPECT_EQ(error_of(points(7, Primitive::Triangles)),
               "mesh: 7 indices do not fit Triangles: a multiple of 3");
@@ -155,6 +161,7 @@ TEST(Mesh, ErrorsSayWhatWasExpected) {
     EXPECT_EQ(error_of(data), "mesh: polygon_sizes are for Polygons only");
 }
 
+// [R5.8]
 TEST(Mesh, ValuesMustBeFinite) {
     MeshData data = points(3, Primitive::Triangles);
     data.positions[1].z = std::numeric_limits<float>::infinity();

@@ -34,6 +34,7 @@ TEST(Orient, AgreesWithIntegersOnNearlyCollinearPoints) {
     EXPECT_GT(zeros, 50000);
 }
 
+// [R7.2]
 TEST(Orient, IsExactWhereDoublesRound) {
     // c is off the line through a and b by one unit in the last place of a tiny number.
     const vec2 a{0x1p60f, 0x1p60f}, b{-0x1p60f, -0x1p60f};

@@ -21,6 +21,7 @@ std::vector<int> first_channel(const TextureLevel& level) {
     return values;
 }
 
+// [R5.4]
 TEST(Texture, EightBitTexelsAreSpreadOverSixteen) {
     const std::vector<std::uint8_t> rgba{0, 1, 128, 255};
     EXPECT_EQ(make_texture8("t", 1, 1, rgba)->levels[0].rgba,
@@ -32,6 +33,7 @@ TEST(Texture, PowersOfTwoAreTakenAsTheyStand) {
     EXPECT_EQ(make_texture("t", 4, 2, rgba)->levels[0].rgba, rgba);
 }
 
+// [R10.6]
 TEST(Texture, LevelsAreMeansDownToOneTexel) {
     const auto t = make_texture("t", 4, 2, grey({0, 4, 100, 100, 4, 3, 100, 101}));
     ASSERT_EQ(t->levels.size(), 3u);
@@ -61,6 +63,7 @@ TEST(Texture, OtherSidesGrowToTheNextPowerOfTwo) {
     EXPECT_EQ(first_channel(t->levels[0]), (std::vector<int>{0, 500, 1100, 1600}));
 }
 
+// [R10.7]
 TEST(Texture, ResamplingIsExactBilinearToNearest) {
     std::mt19937 random(5);
     const int w = 5, h = 3;

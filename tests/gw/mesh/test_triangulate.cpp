@@ -192,6 +192,7 @@ TEST(Triangulate, SpikesAndRepeatedCornersBecomeFlatTriangles) {
     expect_cover({{0, 0}, {4, 0}, {4, 4}, {4, 9}, {4, 4}, {0, 4}}, 2);
 }
 
+// [R7.4]
 TEST(Triangulate, AnyInputGivesTwoTrianglesLessThanCorners) {
     // one point
     EXPECT_EQ(triangulate(Polygon(7, vec2(3, 3))).size(), 5u);
@@ -254,6 +255,7 @@ TEST(Triangulate, RandomOutlinesOnAGrid) {
     }
 }
 
+// [R7.1]
 TEST(Triangulate, KeepsTheOrientationOfAPolygonInSpace) {
     const std::vector<vec3> u{{0, 0, 1}, {0, 6, 1}, {0, 6, 6}, {0, 4, 6},
                               {0, 4, 3}, {0, 2, 3}, {0, 2, 6}, {0, 0, 6}};

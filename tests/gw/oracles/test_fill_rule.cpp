@@ -95,6 +95,7 @@ void add_one(Workbench& bench) {
 }
 vec4 one_unit(const Profile& p) { return {1 / float((1 << p.color_bits) - 1), 0, 0, 0}; }
 
+// [R9.2]
 TEST(FillRule, ATriangulatedSquareCoversEachPixelOnce) {
     int triangles = 0;
     for (const Profile& profile : profiles())
@@ -148,6 +149,7 @@ MeshData shaken_grid(Random& random) {
     return data;
 }
 
+// [R6.26]
 TEST(FillRule, BothSidesOfAUserPlaneCoverEachPixelOnce) {
     // Cut triangles are snapped again. Where the snap crosses two sides of a sliver, a pixel may
     // have two owners: two pixels in these 3000 pictures with about 60000 cuts.

@@ -129,6 +129,7 @@ int texel_at(std::int64_t position) {
     return int(((a * (256 - weight) + b * weight) * 256 + 32768) >> 16);
 }
 
+// [R9.15]
 TEST(PerspectiveOracle, TextureCoordinates) {
     const TextureRef texture = ramp();
     Worst worst;
@@ -161,6 +162,7 @@ TEST(PerspectiveOracle, TextureCoordinates) {
     RecordProperty("of_bound", (testing::Message() << worst.of_bound).GetString());
 }
 
+// [R9.10] [R9.16]
 TEST(PerspectiveOracle, GouraudOnIdeal) {
     Worst worst;
     for (int i = 0; i < 1500 && !HasFailure(); ++i) {

@@ -1,0 +1,279 @@
+// docs/manual/commands.md, "Refusals": every message of the page happens, and no other one does.
+// [R1.4] [R1.7] [R1.11] [R5.7] [R5.8]
+#include "gw/error.h"
+#include "gw/machine.h"
+#include "test_paths.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <regex>
+#include <set>
+
+namespace gw {
+namespace {
+
+/// The messages of the page's two tables, their last column.
+std::vector<std::string> messages_of_the_page() {
+    std::ifstream page(GW_SOURCE_DIR "/docs/manual/commands.md");
+    std::vector<std::string> out;
+    bool inside = false;
+    for (std::string line; std::getline(page, line);) {
+        if (line.starts_with("## ")) inside = line == "## Refusals";
+        if (!inside || !line.starts_with("| ") || line.find("| message") != line.npos) continue;
+        const std::size_t bar = line.rfind(" |"), start = line.rfind("| ", bar - 1) + 2;
+        out.push_back(line.substr(start, bar - start));
+    }
+    return out;
+}
+
+/// Capitals that stand alone are places for values.
+std::regex pattern_of(const std::string& message) {
+    std::string out;
+    for (const char c : message) {
+        if (std::string("()[].*+?^$|\\").find(c) != std::string::npos) out += '\\';
+        out += c;
+    }
+    out = std::regex_replace(out, std::regex(R"(\bWxH\b)"), "\\d+x\\d+");
+    return std::regex(std::regex_replace(out, std::regex(R"(\b[A-Z]\b)"), "[^;]*"));
+}
+
+std::string message_of(const std::function<void()>& refused) {
+    try {
+        refused();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// What a list of these commands is refused with on vgx in 16 x 16 pixels, without "command N".
+std::string refusal(std::vector<Command> commands, const Profile& profile = vgx()) {
+    const std::string text = message_of([&] { validate({commands}, profile, 16, 16); });
+    const std::string head = "command " + std::to_string(commands.size() - 1) + " (";
+    if (!text.starts_with(head)) return text.empty() ? "not refused" : text;
+    return text.substr(text.find("): ") + 3);
+}
+
+constexpr float nan = NAN, infinity = INFINITY;
+
+std::string refused_state(const std::function<void(State&)>& change) {
+    SetState set;
+    change(set.state);
+    return refusal({set});
+}
+
+MeshRef a_mesh() { return make_mesh({.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}); }
+
+std::string refused_draw(const std::function<void(Draw&)>& change) {
+    Draw draw{.mesh = a_mesh()};
+    change(draw);
+    return refusal({draw});
+}
+
+std::string refused_light(const std::function<void(Light&)>& change) {
+    Light light;
+    change(light);
+    return refused_draw(
+        [&](Draw& d) { d.lights = std::make_shared<const std::vector<Light>>(1, light); });
+}
+
+std::vector<std::string> refused_states() {
+    std::vector<std::string> out;
+    const auto add = [&](const std::function<void(State&)>& f) { out.push_back(refused_state(f)); };
+    add([](State& s) { s.polygon_offset.enable = true; });
+    add([](State& s) { s.projection[2][1] = infinity; });
+    add([](State& s) { s.viewport = {0, 0, 4097, 1}; });
+    add([](State& s) { s.viewport = {0, 0, 1, 0}; });
+    add([](State& s) { s.viewport.x = -4097; });
+    add([](State& s) { s.viewport.y = 4097; });
+    add([](State& s) { s.depth_range.near_value = nan; });
+    add([](State& s) { s.depth_range.far_value = infinity; });
+    add([](State& s) { s.clip_planes[5].plane.w = nan; });
+    add([](State& s) { s.jitter.x = 8; });
+    add([](State& s) { s.jitter.y = -8; });
+    add([](State& s) { s.point_size = 0; });
+    add([](State& s) { s.line_width = 129; });
+    add([](State& s) { s.polygon_offset.factor = infinity; });
+    add([](State& s) { s.polygon_offset.units = nan; });
+    add([](State& s) { s.blend.src = BlendFactor::SrcColor; });
+    add([](State& s) { s.blend.src = BlendFactor::OneMinusSrcColor; });
+    add([](State& s) { s.blend.dst = BlendFactor::DstColor; });
+    add([](State& s) { s.blend.dst = BlendFactor::OneMinusDstColor; });
+    add([](State& s) { s.blend.dst = BlendFactor::SrcAlphaSaturate; });
+    add([](State& s) {
+        s.fog.enable = true;
+        s.fog.start = nan;
+    });
+    add([](State& s) {
+        s.fog.enable = true;
+        s.fog.end = infinity;
+    });
+    add([](State& s) {
+        s.fog.enable = true;
+        s.fog.color.y = nan;
+    });
+    add([](State& s) { s.fog = {.enable = true, .mode = FogMode::Linear, .start = 2, .end = 2}; });
+    add([](State& s) { s.fog = {.enable = true, .mode = FogMode::Exp2, .density = 0}; });
+    add([](State& s) { s.scissor.box.height = -1; });
+    add([](State& s) { s.alpha.ref = nan; });
+    add([](State& s) { s.lighting.model_ambient.z = nan; });
+    add([](State& s) { s.texture.eta = nan; });
+    add([](State& s) { s.texture.eye_linear[3][3] = nan; });
+    add([](State& s) { s.texture.env_color.x = infinity; });
+    return out;
+}
+
+std::vector<std::string> refused_draws() {
+    std::vector<std::string> out;
+    const auto add = [&](const std::function<void(Draw&)>& f) { out.push_back(refused_draw(f)); };
+    add([](Draw& d) { d.mesh = nullptr; });
+    add([](Draw& d) { d.eye_from_object[0][0] = nan; });
+    add([](Draw& d) { d.eye_from_object[0][3] = 1; });
+    add([](Draw& d) { d.material.Ks.y = nan; });
+    add([](Draw& d) { d.material.Ns = 10001; });
+    add([](Draw& d) { d.material.alpha = nan; });
+    add([](Draw& d) { d.id_shift = 32; });
+    add([](Draw& d) { d.lights = std::make_shared<const std::vector<Light>>(9); });
+    add([](Draw& d) { d.map.slot = 3; });
+    add([](Draw& d) {
+        const std::vector<std::uint16_t> texel(4);
+        d.map = {make_texture("t", 1, 1, texel), 3};
+    });
+    const auto light = [&](const std::function<void(Light&)>& f) {
+        out.push_back(refused_light(f));
+    };
+    light([](Light& l) { l.position.w = nan; });
+    light([](Light& l) { l.Ia.x = nan; });
+    light([](Light& l) { l.Id.x = nan; });
+    light([](Light& l) { l.Is.x = nan; });
+    light([](Light& l) { l.spot_direction.x = nan; });
+    light([](Light& l) { l.spot_exponent = 129; });
+    light([](Light& l) { l.spot_cos_cutoff = 2; });
+    light([](Light& l) { l.quadratic_attenuation = -1; });
+
+    SetState compare;
+    compare.state.texture.shadow_compare = true;
+    const std::vector<std::uint16_t> texel(4);
+    const Draw mapped{.mesh = a_mesh(), .map = {make_texture("t", 1, 1, texel), {}}};
+    out.push_back(refusal({compare, mapped}, ideal()));
+    const Draw slot{.mesh = a_mesh(), .map = {nullptr, 0}};
+    out.push_back(refusal({CopyTexture{0, Plane::Color, {0, 0, 1, 1}}, compare, slot}, ideal()));
+    return out;
+}
+
+std::vector<std::string> refused_pixel_commands() {
+    const Rgba white{255, 255, 255, 255}, too_white{256, 0, 0, 0};
+    return {
+        refusal({WriteSpans{{}, {too_white}, 0}}),
+        refusal({WriteSpans{{}, {white}, 1u << 24}}),
+        refusal({WriteSpans{{{-4097, 0, 1, 0, true}}, {white}, 0}}),
+        refusal({WriteSpans{{{0, 4097, 1, 0, true}}, {white}, 0}}),
+        refusal({WriteSpans{{{0, 0, -1, 0, true}}, {white}, 0}}),
+        refusal({WriteSpans{{{0, 0, 2, 0, false}}, {white}, 0}}),
+        refusal({WritePixels{{0, 0, 4097, 1}, Plane::Color, {}, {}, 0}}),
+        refusal({WritePixels{{0, 0, 1, -1}, Plane::Color, {}, {}, 0}}),
+        refusal({WritePixels{{4097, 0, 1, 1}, Plane::Color, {white}, {}, 0}}),
+        refusal({WritePixels{{0, -4097, 1, 1}, Plane::Color, {white}, {}, 0}}),
+        refusal({WritePixels{{0, 0, 1, 1}, Plane::Accum, {}, {0}, 0}}),
+        refusal({WritePixels{{0, 0, 1, 1}, Plane::Depth, {}, {}, 0}}),
+        refusal({WritePixels{{0, 0, 1, 1}, Plane::Stencil, {}, {256}, 0}}),
+        refusal({Copy{Plane::Accum, {}, 0, 0}}),
+        refusal({Copy{Plane::Color, {0, 0, 1, 1}, 0, 5000}}),
+        refusal({Read{0, Plane::Color, {15, 0, 2, 1}}}),
+        refusal({CopyTexture{256, Plane::Color, {0, 0, 1, 1}}}),
+        refusal({CopyTexture{0, Plane::Stencil, {0, 0, 1, 1}}}),
+        refusal({CopyTexture{0, Plane::Color, {0, 0, 3, 1}}}),
+        refusal({CopyTexture{0, Plane::Color, {0, 0, 1, 0}}}),
+        refusal({Read{0, Plane::Depth, {0, 0, 1, 1}, true}}),
+        refusal({Read{0, Plane::Color, {0, 0, 1, 1}, true}}, reality()),
+        refusal({Accumulate{AccumOp::Accum, infinity}}),
+        refusal({Clear{0, {nan, 0, 0, 0}}}),
+        refusal({Clear{0, {0, 0, 0, 0}, double(infinity)}}),
+    };
+}
+
+std::vector<std::string> refused_values() {
+    const std::vector<vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const auto mesh = [&](const std::function<void(MeshData&)>& change) {
+        MeshData data{.positions = corners};
+        change(data);
+        return message_of([&] { make_mesh(data); });
+    };
+    Profile profile = vgx();
+    profile.color_bits = 7;
+    const std::vector<std::uint16_t> texel(4);
+    return {
+        message_of([&] { validate(profile); }),
+        message_of([] { check_window(4097, 1); }),
+        mesh([](MeshData& d) {
+            d.normals = {{0, 0, 1}, {0, 0, 1}};
+        }),
+        mesh([](MeshData& d) { d.positions[1].y = nan; }),
+        mesh([](MeshData& d) {
+            d.indices = {0, 1, 3};
+        }),
+        mesh([](MeshData& d) {
+            d.indices = {0, 1};
+        }),
+        mesh([](MeshData& d) { d.polygon_sizes = {3}; }),
+        mesh([](MeshData& d) {
+            d.primitive = Primitive::Polygons;
+            d.polygon_sizes = {2};
+        }),
+        mesh([](MeshData& d) {
+            d.primitive = Primitive::Polygons;
+            d.polygon_sizes = {4};
+        }),
+        mesh([](MeshData& d) {
+            d.polygon_ids = {1, 2};
+        }),
+        message_of([&] { make_texture("t", 4097, 1, texel); }),
+        message_of([&] { make_texture("t", 2, 1, texel); }),
+    };
+}
+
+// Too large for a test.
+const std::set<std::string> not_tried{
+    "mesh: V positions; at most 268435456",
+    "mesh: V indices are too many",
+    "mesh: V triangles; at most 268435456",
+};
+
+TEST(ManualRefusals, EachIsListedAndHappens) {
+    std::vector<std::string> happened;
+    for (const auto& some :
+         {refused_states(), refused_draws(), refused_pixel_commands(), refused_values()})
+        happened.insert(happened.end(), some.begin(), some.end());
+    const std::vector<std::string> listed = messages_of_the_page();
+    EXPECT_GE(listed.size(), 90u);
+    std::set<std::string> found = not_tried;
+    for (const std::string& message : happened) {
+        bool is_listed = false;
+        for (const std::string& candidate : listed)
+            if (std::regex_match(message, pattern_of(candidate))) {
+                found.insert(candidate);
+                is_listed = true;
+            }
+        EXPECT_TRUE(is_listed) << message;
+    }
+    for (const std::string& message : listed)
+        EXPECT_TRUE(found.contains(message)) << "does not happen: " << message;
+}
+
+/// A list that is refused has changed nothing.
+TEST(ManualRefusals, ARefusedListChangesNothing) {
+    const auto machine = make_reference(vgx(), 4, 4);
+    CommandList list;
+    list.add(Clear{all_planes, {1, 1, 1, 1}, 1, 7});
+    list.add(CopyTexture{0, Plane::Color, {0, 0, 3, 1}});
+    EXPECT_THROW(machine->execute(list), Error);
+    EXPECT_EQ(machine->planes().color[0], (Rgba{0, 0, 0, 0}));
+    EXPECT_TRUE(machine->passes().empty());
+}
+
+}  // namespace
+}  // namespace gw
