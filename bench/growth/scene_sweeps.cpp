@@ -7,7 +7,7 @@
 #include "raytrace/tracer/world.h"
 #include "scene/draw/fit.h"
 #include "scene/read_scene.h"
-#include "scene/shapes/box.h"
+#include "scene/shapes/shapes.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -101,11 +101,11 @@ double draw_items(const Lattice& lattice, int repeats) {
 /// All boxes in one mesh.
 double find_topology(const Lattice& lattice, int repeats) {
     MeshData all;
-    const Mesh box(scene::make_box(dvec3(lattice.size), 1));
+    const MeshRef box = make_mesh(scene::make_box(dvec3(lattice.size), 1));
     for (int i = 0; i < lattice.count; ++i)
-        for (const Triangle& t : box.triangles())
+        for (const Triangle& t : box->triangles())
             for (const std::uint32_t v : t.vertex)
-                all.positions.push_back(box.data().positions[v] + vec3(lattice.place(i)));
+                all.positions.push_back(box->data().positions[v] + vec3(lattice.place(i)));
     const MeshRef mesh = make_mesh(std::move(all));
     return least_time(repeats, [&] { multipass::topology(*mesh); });
 }

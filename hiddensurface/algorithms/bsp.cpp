@@ -34,7 +34,7 @@ Algorithm bsp() {
             .title = "BSP tree, built before the eye is known [L5]",
             .claim = Claim::Always,
             .in_world = true,
-            .growth = {GrowthLaw::Superlinear, 40},
+            .growth = {GrowthLaw::Superlinear, 10},
             .run = run};
 }
 

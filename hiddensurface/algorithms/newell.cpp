@@ -211,7 +211,7 @@ Algorithm newell() {
     return {.name = "newell",
             .title = "Newell, Newell and Sancha: five tests and splitting [L5]",
             .claim = Claim::Always,
-            .growth = {GrowthLaw::Superlinear, 40},
+            .growth = {GrowthLaw::Superlinear, 25},
             .run = [](const Input& input, StepLog& log) { return Newell(input, log).run(); }};
 }
 

@@ -174,7 +174,7 @@ Algorithm quake() {
             .title = "Quake's sorted spans: keys from the BSP tree (1996)",
             .claim = Claim::Always,
             .in_world = true,
-            .growth = {GrowthLaw::Superlinear, 40},
+            .growth = {GrowthLaw::Superlinear, 10},
             .run = [](const Input& input, StepLog& log) { return SortedSpans(input, log).run(); }};
 }
 

@@ -64,7 +64,7 @@ Algorithm ray_casting() {
     return {.name = "ray-casting",
             .title = "Ray casting, every ray against every polygon [L9]",
             .claim = Claim::Always,
-            .growth = {GrowthLaw::Rays, 10},
+            .growth = {GrowthLaw::Rays, 50},
             .run = run};
 }
 

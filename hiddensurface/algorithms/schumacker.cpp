@@ -30,7 +30,7 @@ Output run(const Input& input, StepLog& log) {
     output.counts.nodes = tree.clusters + tree.separations;
     output.counts.splits = tree.splits;
     output.counts.undecided = tree.cyclic;
-    output.counts.peak_bytes = output.counts.nodes * sizeof(ClusterNode) +
+    output.counts.peak_bytes = tree.comparison_bytes + output.counts.nodes * sizeof(ClusterNode) +
                                tree.pieces * (sizeof(TreePiece) + 2 * sizeof(RankedSide));
     output.counts.facings =
         far_to_near(tree, input.polygons, eye_of(input.view),
@@ -55,7 +55,7 @@ Algorithm schumacker() {
             .title = "Schumacker's clusters: priorities for every eye (1969)",
             .claim = Claim::Always,
             .in_world = true,
-            .growth = {GrowthLaw::Superlinear, 40},
+            .growth = {GrowthLaw::Superlinear, 30},
             .run = run};
 }
 

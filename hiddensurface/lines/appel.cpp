@@ -294,7 +294,7 @@ LineAlgorithm appel() {
         .title = "Appel 1967: quantitative invisibility",
         .claim =
             "right for any faces, also where they go through each other; draws no lines where they do",
-        .growth = {GrowthLaw::Superlinear, 3},
+        .growth = {GrowthLaw::Superlinear, 4},
         .run = [](const Input& input, StepLog& log) { return Appel(input, log).run(); }};
 }
 

@@ -82,7 +82,7 @@ LineAlgorithm roberts() {
         .claim =
             "right for any polygons, best for convex solids; draws no lines where solids go through each "
             "other",
-        .growth = {GrowthLaw::Superlinear, 5},
+        .growth = {GrowthLaw::Superlinear, 3},
         .run = run};
 }
 

@@ -82,8 +82,8 @@ std::string duration(double seconds) {
     const Unit* unit = &units[0];
     for (const Unit& larger : units)
         if (seconds >= 2 * larger.seconds) unit = &larger;
-    const double number = seconds / unit->seconds;
-    return fmt::format("{} {}", grouped(std::size_t(std::ceil(number))), unit->name);
+    const auto number = std::size_t(std::ceil(seconds / unit->seconds));
+    return number <= 1 ? "a second" : fmt::format("{} {}", grouped(number), unit->name);
 }
 
 std::string memory(double bytes) {

@@ -156,6 +156,8 @@ private:
     Priorities priorities(const std::vector<TreePiece>& pieces) {
         std::vector<dvec4> planes;
         for (const TreePiece& piece : pieces) planes.push_back(plane(piece));
+        tree_.comparison_bytes = std::max<std::uint64_t>(
+            tree_.comparison_bytes, pieces.size() * pieces.size() * sizeof(Reach));
         return {pieces, planes, tolerance_, tree_.plane_tests};
     }
 

@@ -27,6 +27,7 @@ struct ClusterNode {
 struct ClusterTree {
     std::vector<ClusterNode> nodes;  ///< the root first
     std::uint64_t clusters = 0, separations = 0, pieces = 0, splits = 0, plane_tests = 0;
+    std::uint64_t comparison_bytes = 0;  ///< peak memory of a cluster's faces against each other
     std::uint64_t cyclic = 0;  ///< clusters that have no priorities and that no plane divides
 };
 
