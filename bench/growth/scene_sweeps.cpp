@@ -1,11 +1,11 @@
 #include "bench/growth/sweep.h"
 #include "hiddensurface/run/algorithm.h"
-#include "itembuffer/item_buffer.h"
 #include "multipass/frame/driver.h"
 #include "multipass/shadow/topology.h"
 #include "radiosity/model/figures.h"
 #include "raytrace/tracer/world.h"
 #include "scene/draw/fit.h"
+#include "scene/draw/item_buffer.h"
 #include "scene/read_scene.h"
 #include "scene/shapes/shapes.h"
 
@@ -95,7 +95,7 @@ double draw_items(const Lattice& lattice, int repeats) {
     const scene::Scene scene = boxes(lattice);
     const scene::View view = scene::make_view(scene, width, height);
     const auto machine = make_fast(vgx(), width, height, {.threads = 1});
-    return least_time(repeats, [&] { itembuffer::draw_item_buffer(*machine, scene, view, {}); });
+    return least_time(repeats, [&] { scene::draw_item_buffer(*machine, scene, view, {}); });
 }
 
 /// All boxes in one mesh.
