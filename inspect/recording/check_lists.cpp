@@ -66,15 +66,6 @@ void check_geometry(const Draw& draw, std::uint64_t tiles, const Limits& limits)
                                 primitives, limits.geometry / tiles));
 }
 
-void follow(const CommandList& list, ListContext& context) {
-    for (const Command& command : list.commands) {
-        if (const auto* begin = std::get_if<BeginPass>(&command)) context.pass = begin->name;
-        if (const auto* set = std::get_if<SetState>(&command)) context.state = set->state;
-        if (const auto* copy = std::get_if<CopyTexture>(&command))
-            context.slots[copy->slot] = copy->plane;
-    }
-}
-
 /// Calls `check` with every list that is valid, and names the list in errors.
 void for_each_list(const Recording& r, const auto& check) {
     ListContext context;
@@ -90,6 +81,15 @@ void for_each_list(const Recording& r, const auto& check) {
 }
 
 }  // namespace
+
+void follow(const CommandList& list, ListContext& context) {
+    for (const Command& command : list.commands) {
+        if (const auto* begin = std::get_if<BeginPass>(&command)) context.pass = begin->name;
+        if (const auto* set = std::get_if<SetState>(&command)) context.state = set->state;
+        if (const auto* copy = std::get_if<CopyTexture>(&command))
+            context.slots[copy->slot] = copy->plane;
+    }
+}
 
 void validate_lists(const Recording& recording) {
     for_each_list(recording, [](const CommandList&) {});

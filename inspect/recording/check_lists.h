@@ -6,6 +6,9 @@
 
 namespace gw::inspect {
 
+/// Changes `context` as the execution of a valid list does.
+void follow(const CommandList& list, ListContext& context);
+
 /// Throws Error "list 0: command 12 (Draw) of pass 'diffuse': ..." where a list is not valid after
 /// those before it.
 void validate_lists(const Recording& recording);
