@@ -1,8 +1,8 @@
 #include "conformance/suite.h"
 
 #include "conformance/directed/directed.h"
-#include "conformance/suites/suites.h"
-#include "gw/command_name.h"
+#include "conformance/suites.h"
+#include "gw/names.h"
 
 #include <fmt/format.h>
 
@@ -72,7 +72,7 @@ inspect::Recording recording_of(const Case& c, const std::string& name) {
     for (const Command& command : c.list.commands) {
         if (std::holds_alternative<BeginPass>(command)) continue;
         if (!std::holds_alternative<SetState>(command))
-            list.add(BeginPass{fmt::format("{:02} {}", ++ordinal, command_name(command))});
+            list.add(BeginPass{fmt::format("{:02} {}", ++ordinal, name_of(command))});
         list.add(command);
     }
     out.lists.push_back(std::move(list));

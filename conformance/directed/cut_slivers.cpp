@@ -11,12 +11,13 @@ using namespace fuzz;
 
 namespace {
 
-constexpr int side = 48;
+constexpr int window_side = 48;
 
 MeshRef small_triangles(Random& r) {
     MeshData data;
     for (int i = 0; i < 250; ++i) {
-        const double x = r.real(0, side), y = r.real(0, side), size = r.pick({1.0, 2.0, 4.0});
+        const double x = r.real(0, window_side), y = r.real(0, window_side),
+                     size = r.pick({1.0, 2.0, 4.0});
         for (int k = 0; k < 3; ++k) {
             const double dx = r.real(-size, size);
             data.positions.push_back({float(x + dx), float(y + r.real(-size, size)), 0});
@@ -29,8 +30,8 @@ MeshRef small_triangles(Random& r) {
 void any_planes(Random& r, State& state) {
     for (ClipPlane& p : state.clip_planes) {
         const double a = r.real(-1, 1), b = r.real(-1, 1);
-        const double x = r.real(0.2, 0.8) * side, y = r.real(0.2, 0.8) * side;
-        const double sign = a * (side / 2.0 - x) + b * (side / 2.0 - y) < 0 ? -1 : 1;
+        const double x = r.real(0.2, 0.8) * window_side, y = r.real(0.2, 0.8) * window_side;
+        const double sign = a * (window_side / 2.0 - x) + b * (window_side / 2.0 - y) < 0 ? -1 : 1;
         p = {true, sign * dvec4(a, b, 0, -(a * x + b * y))};
     }
 }
@@ -38,10 +39,10 @@ void any_planes(Random& r, State& state) {
 }  // namespace
 
 Case cut_slivers_case(Random& r) {
-    Script s{r, {user_profile(r), side, side}};
+    Script s{r, {user_profile(r), window_side, window_side}};
     s.out.profile.subpixel_bits = 1;
-    s.frame = {side, side};
-    s.state.projection[0][0] = s.state.projection[1][1] = 2.0 / side;
+    s.frame = {window_side, window_side};
+    s.state.projection[0][0] = s.state.projection[1][1] = 2.0 / window_side;
     s.state.projection[3] = {-1, -1, 0, 1};
     s.state.stencil = {.test = true, .zpass = StencilOp::Incr};
     add(s, Clear{all_planes});

@@ -29,7 +29,7 @@ struct Suite {
     std::vector<CounterField> counters;
 };
 
-/// All suites, in the order of conformance/suites/suites.cpp.
+/// All suites, in the order of conformance/suites.cpp.
 const std::vector<Suite>& suites();
 
 /// List `index` of a suite.

@@ -2,7 +2,7 @@
 // counters that no colour shows.
 #include "conformance/generate/draw.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites/suites.h"
+#include "conformance/suites.h"
 
 namespace gw::fuzz {
 

@@ -1,7 +1,7 @@
 // Clipping: planes through the picture, vertices behind the eye, w of any size.
 #include "conformance/generate/draw.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites/suites.h"
+#include "conformance/suites.h"
 
 #include <cmath>
 

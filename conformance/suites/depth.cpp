@@ -1,7 +1,7 @@
 // The depth test and its plane.
 #include "conformance/generate/draw.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites/suites.h"
+#include "conformance/suites.h"
 
 namespace gw::fuzz {
 

@@ -3,7 +3,7 @@
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/profile.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites/suites.h"
+#include "conformance/suites.h"
 
 namespace gw::fuzz {
 namespace {

@@ -1,7 +1,7 @@
 // Fog in every mode, at the vertex and per fragment.
 #include "conformance/generate/draw.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites/suites.h"
+#include "conformance/suites.h"
 
 namespace gw::fuzz {
 

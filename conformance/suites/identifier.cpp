@@ -1,7 +1,7 @@
 // Item buffers: identifiers as colours, exact under any other state.
 #include "conformance/generate/draw.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites/suites.h"
+#include "conformance/suites.h"
 
 namespace gw::fuzz {
 namespace {

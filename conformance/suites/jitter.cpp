@@ -1,7 +1,7 @@
 // Multi-sampling by accumulation: the same draws with other jitters [K4a].
 #include "conformance/generate/draw.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites/suites.h"
+#include "conformance/suites.h"
 
 namespace gw::fuzz {
 

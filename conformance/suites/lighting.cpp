@@ -1,7 +1,7 @@
 // Lighting at the vertices.
 #include "conformance/generate/draw.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites/suites.h"
+#include "conformance/suites.h"
 
 namespace gw::fuzz {
 

@@ -1,7 +1,7 @@
 // Lines and points: wide, steep, clipped, on grid points, textured and fogged.
 #include "conformance/generate/draw.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites/suites.h"
+#include "conformance/suites.h"
 
 namespace gw::fuzz {
 

@@ -1,7 +1,7 @@
 // Coverage: the pixels of a triangle and their depths and colours.
 #include "conformance/generate/draw.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites/suites.h"
+#include "conformance/suites.h"
 
 namespace gw::fuzz {
 

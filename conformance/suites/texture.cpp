@@ -2,7 +2,7 @@
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites/suites.h"
+#include "conformance/suites.h"
 
 namespace gw::fuzz {
 

@@ -1,5 +1,5 @@
 // docs/manual/numbers.md, state.md, commands.md: definitions, and initial values.
-#include "gw/command_name.h"
+#include "gw/names.h"
 #include "gw/stages/lighting.h"
 #include "gw/stages/perspective.h"
 #include "gw/stages/texels.h"
@@ -89,7 +89,7 @@ TEST(ManualCommands, EveryCommandIsInTheTable) {
                                    CopyTexture{}, Read{}};
     ASSERT_EQ(all.size(), std::variant_size_v<Command>);
     for (const Command& command : all) {
-        const std::string name = command_name(command);
+        const std::string name = name_of(command);
         EXPECT_NE(text.find("| " + name + " | "), text.npos) << name;
         EXPECT_NE(text.find("| " + name + " `"), text.npos) << name;
     }

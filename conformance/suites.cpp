@@ -1,5 +1,5 @@
 // The table of suites, with the planes and counters that each must reach.
-#include "conformance/suites/suites.h"
+#include "conformance/suites.h"
 
 namespace gw::fuzz {
 namespace {
