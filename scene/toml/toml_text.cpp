@@ -8,7 +8,6 @@
 namespace gw::scene {
 namespace {
 
-bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 /// Passes over the text once, string by string and comment by comment.

@@ -8,6 +8,8 @@
 
 namespace gw::scene {
 
+inline bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
+
 /// Tables, arrays and parts of dotted keys in each other. toml++ recurses for each level.
 inline constexpr int most_toml_levels = 64;
 

@@ -49,8 +49,6 @@ std::string_view kind_text(TomlKind kind) {
 
 namespace {
 
-bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
-
 // Converts toml++'s nodes.
 class Converter {
 public:
