@@ -21,8 +21,8 @@ struct Sweep {
     std::vector<Step> steps;
 };
 
-/// The least wall time of some runs after one that warms up, in milliseconds: other processes only
-/// add.
+/// The least time of some runs after one that warms up, in milliseconds: wall or processor time,
+/// whichever is less, so that other processes' turns do not count.
 double least_time(int repeats, const std::function<void()>& run);
 
 /// Frames like workload d of bench/peers, of the scene's geometry: triangles 1x .. 64x, pixels
