@@ -1,6 +1,7 @@
 #include "apps/render/frame_files.h"
 
 #include "apps/command/command_recorder.h"
+#include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/recordings/recording_files.h"
 #include "apps/render/parameter_sets.h"
@@ -66,16 +67,21 @@ std::vector<Rgba> component(const Drawing& drawing, scene::Scene scene,
 }
 
 void put_components(const Drawing& drawing, Machine& machine, const scene::View& view,
-                    const image::Picture& sum, const FrameFiles& files, image::OutputSet& output) {
+                    const FrameFiles& files, image::OutputSet& output) {
     const std::string extension = files.picture.extension().string();
     std::set<std::string> taken{"sum"};
     const scene::Scene ready = with_maps(drawing, view, machine);
-    for (const auto& list : multipass::component_lists(drawing.scene, passes_of(drawing))) {
-        image::put_picture(
-            output.add(files.components / (file_name(list.name, taken) + extension)),
-            picture_of(drawing, component(drawing, ready, list, view, machine), files.tone));
-    }
-    image::put_picture(output.add(files.components / ("sum" + extension)), sum);
+    const auto put = [&](const std::string& name, const std::vector<Rgba>& color) {
+        image::put_picture(output.add(files.components / (name + extension)),
+                           picture_of(drawing, color, files.tone));
+    };
+    const auto images =
+        multipass::component_images(multipass::component_lists(drawing.scene, passes_of(drawing)),
+                                    [&](const multipass::ComponentList& list) {
+                                        return component(drawing, ready, list, view, machine);
+                                    });
+    for (const auto& image : images) put(file_name(image.name, taken), image.color);
+    put("sum", multipass::sum_of(images, drawing.profile));
 }
 
 void put_planes(const Drawing& drawing, Machine& machine, const scene::View& view,
@@ -92,8 +98,10 @@ void put_planes(const Drawing& drawing, Machine& machine, const scene::View& vie
 Drawing make_drawing(const PictureOptions& options, Session& session) {
     const Profile profile = load_profile(options, session);
     SceneWithPasses loaded = load_scene_with_passes(options, session);
-    return {options, renderer_named(options.renderer), profile, std::move(loaded.scene),
-            std::move(loaded.passes)};
+    const Renderer& renderer = renderer_named(options.renderer);
+    const std::string warning = left_out(renderer, loaded.scene);
+    if (!options.quiet && !warning.empty()) print_error("gw: warning: " + warning + "\n");
+    return {options, renderer, profile, std::move(loaded.scene), std::move(loaded.passes)};
 }
 
 multipass::PassList passes_of(const Drawing& drawing) {
@@ -129,7 +137,7 @@ void draw_frame(const Drawing& drawing, const FrameFiles& files, const Session& 
     const image::Picture picture = picture_of(drawing, machine->planes().color, files.tone);
     image::put_picture(output.add(files.picture), picture);
     if (!files.planes.empty()) put_planes(drawing, *machine, view, files, output);
-    if (!files.components.empty()) put_components(drawing, *machine, view, picture, files, output);
+    if (!files.components.empty()) put_components(drawing, *machine, view, files, output);
     for (const auto& folder : {files.components, files.planes})
         if (!folder.empty()) put_index(output, folder, session);
     output.commit();

@@ -6,6 +6,9 @@
 #include "multipass/frame/driver.h"
 #include "multipass/frame/superpose.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace gw::apps {
@@ -52,6 +55,15 @@ void draw_adaptive(Machine& machine, const scene::Scene& scene, const scene::Vie
     itembuffer::render_adaptive(machine, scene, view, options.passes.samples, options.rays);
 }
 
+bool has_effect(const std::string& name, const scene::Scene& scene) {
+    if (name == "translucency") return multipass::has_translucent(scene);
+    if (name == "fog") return scene.fog.has_value();
+    if (name == "glare")
+        return std::any_of(scene.objects.begin(), scene.objects.end(),
+                           [](const scene::Object& object) { return object.glare.has_value(); });
+    return !scene.reflection_in_shadow;
+}
+
 }  // namespace
 
 const std::vector<Renderer>& renderers() {
@@ -64,12 +76,14 @@ const std::vector<Renderer>& renderers() {
         {"scanline",
          "equation 3 at every pixel of a scan line's spans; no shadows",
          draw_scan_lines,
-         {}},
-        {"raytrace", "the ordinary ray tracer", draw_rays, {}},
+         {},
+         {"translucency", "fog", "glare", "reflection_in_shadow = false"}},
+        {"raytrace", "the ordinary ray tracer", draw_rays, {}, {"glare"}},
         {"adaptive",
          "one item buffer, and more rays only where its neighbours differ",
          draw_adaptive,
-         {}},
+         {},
+         {"translucency", "glare"}},
     };
     return all;
 }
@@ -83,6 +97,15 @@ std::vector<std::string> renderer_names() {
     std::vector<std::string> names;
     for (const Renderer& renderer : renderers()) names.push_back(renderer.name);
     return names;
+}
+
+std::string left_out(const Renderer& renderer, const scene::Scene& scene) {
+    std::vector<std::string> names;
+    for (const std::string& name : renderer.leaves_out)
+        if (has_effect(name, scene)) names.push_back(name);
+    if (names.empty()) return "";
+    return fmt::format("renderer '{}' leaves out of this scene: {}", renderer.name,
+                       fmt::join(names, ", "));
 }
 
 multipass::PassList pass_list(const Renderer& renderer, const scene::Scene& scene,

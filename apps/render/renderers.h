@@ -32,12 +32,16 @@ struct Renderer {
     /// Whose pass list it draws, where it draws one: only then there are passes and components to
     /// show.
     std::optional<multipass::Renderer> passes;
+    /// Names of scene effects that it does not draw.
+    std::vector<std::string> leaves_out{};
 };
 
 const std::vector<Renderer>& renderers();
 /// By a name of renderer_names().
 const Renderer& renderer_named(const std::string& name);
 std::vector<std::string> renderer_names();
+/// A line about the scene's effects that the renderer does not draw; empty: it draws all.
+std::string left_out(const Renderer& renderer, const scene::Scene& scene);
 /// The passes of a renderer that has them, for a scene: those of the options where they have any.
 multipass::PassList pass_list(const Renderer& renderer, const scene::Scene& scene,
                               const DrawOptions& options);

@@ -63,7 +63,8 @@ scene::SurfacePoint Surfaces::at(std::size_t object, std::uint32_t triangle, con
     const Weights here = weights(at.x, at.y), w = inside(here);
     scene::SurfacePoint out{.p = mix(w, p), .n = normalized(mix(w, n)), .st = mix(w, st)};
     if (!front) out.n = -out.n;
-    out.to_eye = normalized(-out.p);  // a local viewer, as the machine's
+    out.to_eye =
+        scene::is_orthographic(view_) ? dvec3(0, 0, 1) : normalized(-out.p);  // as the machine's
     out.st_dx = mix(weights(at.x + 1, at.y), st) - mix(here, st);
     out.st_dy = mix(weights(at.x, at.y + 1), st) - mix(here, st);
     return out;

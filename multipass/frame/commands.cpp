@@ -92,14 +92,17 @@ State state_of(const PlacedModel& placed, const Step& step) {
 TextureState lookup_of(const PlacedModel& placed, const Step& step, std::size_t index) {
     const Part& part = placed.model->parts[index];
     const MappedMesh* map = adds(step, part, *placed.model) ? map_of(step, part) : nullptr;
-    return map ? map->lookup : TextureState{};
+    if (!map) return {};
+    TextureState lookup = map->lookup;
+    if (placed.mesh_of(*map) != map->mesh) lookup.gen = TexGen::None;
+    return lookup;
 }
 
 Draw draw_of(const PlacedModel& placed, const Step& step, const Portion& portion) {
     const Part& part = placed.model->parts[portion.part];
     if (!adds(step, part, *placed.model)) return black_draw(placed, portion);
     const MappedMesh* map = map_of(step, part);
-    Draw draw{.mesh = portion.of(map ? map->mesh : part.mesh),
+    Draw draw{.mesh = portion.of(map ? placed.mesh_of(*map) : part.mesh),
               .eye_from_object = placed.eye_from_object[portion.part]};
     draw.material = material_for(step.pass.material, *part.material);
     if (step.light) draw.lights = placed.lights[*step.light];

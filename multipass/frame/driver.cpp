@@ -63,16 +63,15 @@ CommandList frame_list(const scene::Scene& scene, const scene::View& view, const
 
 std::vector<ComponentImage> render_components(Machine& machine, const scene::Scene& scene,
                                               const scene::View& view, const Options& options) {
-    std::vector<ComponentImage> images;
-    scene::Scene ready = with_scene_maps(machine, scene, view, options);
-    for (const ComponentList& component : component_lists(scene, pass_list(scene, options))) {
-        Options of_component = options;
-        of_component.passes = component.passes;
-        ready.background = component.background ? scene.background : vec3(0);
-        render(machine, ready, view, of_component);
-        images.push_back({component.name, machine.planes().color});
-    }
-    return images;
+    scene::Scene with_maps = with_scene_maps(machine, scene, view, options);
+    return component_images(component_lists(scene, pass_list(scene, options)),
+                            [&](const ComponentList& list) {
+                                Options of_component = options;
+                                of_component.passes = list.passes;
+                                with_maps.background = list.background ? scene.background : vec3(0);
+                                render(machine, with_maps, view, of_component);
+                                return machine.planes().color;
+                            });
 }
 
 std::string print_passes(const PassList& passes) {

@@ -50,10 +50,6 @@ CommandList frame_list(const scene::Scene& scene, const scene::View& view, const
                        const vec3& background, bool one_winner = false, int stencil_bits = 8);
 
 /// One picture per component (Fig. 4).
-struct ComponentImage {
-    std::string name;
-    std::vector<Rgba> color;  ///< bottom row first
-};
 std::vector<ComponentImage> render_components(Machine& machine, const scene::Scene& scene,
                                               const scene::View& view, const Options& options);
 

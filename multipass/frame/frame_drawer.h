@@ -43,7 +43,7 @@ private:
     vec3 background_;
     PassModel model_;
     std::vector<Step> steps_;
-    std::vector<Topology> topologies_;
+    std::vector<TopologyRef> topologies_;
     Shadows shadows_;
     PlacedModel placed_;
     std::vector<Rgba> traced_;

@@ -4,6 +4,8 @@
 #include "scene/draw/draw_commands.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 namespace gw::multipass {
 namespace {
@@ -11,20 +13,18 @@ namespace {
 using scene::Component;
 
 /// Meshes that a map's scale and offset changed, each made once.
-struct MeshCache {
-    struct Entry {
-        MeshRef from;
-        vec2 scale, offset;
-        MeshRef to;
-    };
-    std::vector<Entry> entries;
-
+class MeshCache {
+public:
     MeshRef mapped(const MeshRef& mesh, const scene::Map& map) {
-        for (const Entry& e : entries)
-            if (e.from == mesh && e.scale == map.scale && e.offset == map.offset) return e.to;
-        entries.push_back({mesh, map.scale, map.offset, scene::mapped_mesh(mesh, map)});
-        return entries.back().to;
+        const Key key{mesh, map.scale.x, map.scale.y, map.offset.x, map.offset.y};
+        MeshRef& made = meshes_[key];
+        if (!made) made = scene::mapped_mesh(mesh, map);
+        return made;
     }
+
+private:
+    using Key = std::tuple<MeshRef, float, float, float, float>;
+    std::map<Key, MeshRef> meshes_;
 };
 
 TextureState lookup_of(const scene::Map& map, PassMap kind, const scene::Material& material) {

@@ -1,6 +1,10 @@
 #include "multipass/frame/placed_model.h"
 
+#include "gw/stages/texgen.h"
+#include "gw/stages/vertex.h"
 #include "scene/draw/draw_commands.h"
+
+#include <glm/gtc/matrix_inverse.hpp>
 
 namespace gw::multipass {
 namespace {
@@ -21,6 +25,26 @@ MeshRef pick(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
     return make_mesh(std::move(to));
 }
 
+/// The mesh with the coordinates that its map generates for the view vector (0, 0, 1).
+MeshRef with_coordinates(const MappedMesh& map, const dmat4& eye_from_object) {
+    MeshData data = map.mesh->data();
+    const dmat3 normal_eye_from_object = glm::inverseTranspose(dmat3(eye_from_object));
+    data.texcoords.resize(data.positions.size());
+    for (std::size_t i = 0; i < data.positions.size(); ++i) {
+        const dvec3 n = data.normals.empty() ? dvec3(0, 0, 1) : dvec3(data.normals[i]);
+        data.texcoords[i] = vec2(texture_coordinates(map.lookup, {}, dvec4(0, 0, -1, 1),
+                                                     normalized(normal_eye_from_object * n)));
+    }
+    return make_mesh(std::move(data));
+}
+
+void generate_coordinates(PlacedModel& placed) {
+    for (std::size_t i = 0; i < placed.model->parts.size(); ++i)
+        for (const PassMap kind : {PassMap::Reflection, PassMap::Refraction})
+            for (const MappedMesh& map : placed.model->parts[i].maps_for(kind))
+                placed.generated.emplace(&map, with_coordinates(map, placed.eye_from_object[i]));
+}
+
 }  // namespace
 
 PlacedModel place_model(const PassModel& model, const scene::View& view) {
@@ -31,6 +55,7 @@ PlacedModel place_model(const PassModel& model, const scene::View& view) {
         placed.lights.push_back(
             std::make_shared<const std::vector<Light>>(1, scene::eye_light(light, view)));
     placed.glare.resize(model.parts.size());
+    if (scene::is_orthographic(view)) generate_coordinates(placed);
     return placed;
 }
 
@@ -52,7 +77,7 @@ Portion portion_of(const PlacedModel& placed, std::size_t index,
     const Part& part = placed.model->parts[index];
     add(part.mesh);
     for (const auto& maps : part.maps)
-        for (const MappedMesh& map : maps) add(map.mesh);
+        for (const MappedMesh& map : maps) add(placed.mesh_of(map));
     return portion;
 }
 

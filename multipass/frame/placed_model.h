@@ -6,6 +6,7 @@
 #include "scene/draw/view.h"
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -33,8 +34,17 @@ struct PlacedModel {
     std::vector<dmat4> eye_from_object;  ///< by part
     std::vector<LightsRef> lights;       ///< by light: a list with this light alone
     std::vector<dvec3> glare;            ///< by part: the displacement of its glare, eye space
+    /// Meshes with texture coordinates for reflection and refraction maps, for orthographic views:
+    /// the machine's assume an eye at a finite distance.
+    std::map<const MappedMesh*, MeshRef> generated;
     /// Translucent polygons in drawing order; empty: in the order of the scene.
     std::vector<Portion> far_to_near;
+
+    /// The mesh that a map is drawn with in this view.
+    const MeshRef& mesh_of(const MappedMesh& map) const {
+        const auto found = generated.find(&map);
+        return found == generated.end() ? map.mesh : found->second;
+    }
 };
 
 PlacedModel place_model(const PassModel& model, const scene::View& view);

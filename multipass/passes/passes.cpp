@@ -1,5 +1,6 @@
 #include "multipass/passes/passes.h"
 
+#include "gw/base/arithmetic.h"
 #include "gw/error.h"
 #include "multipass/passes/catalogue.h"
 #include "scene/draw/draw_commands.h"
@@ -13,7 +14,7 @@ namespace {
 
 /// Draws light of its own kind: what Fig. 4 shows as an image.
 bool is_component(const Pass& pass) {
-    return is_additive(pass) || (pass.blend.enable && pass.blend.src != BlendFactor::Zero);
+    return pass.blend.enable && pass.blend.src != BlendFactor::Zero;
 }
 
 bool any_glare(const scene::Scene& scene) {
@@ -117,13 +118,48 @@ PassList hardware_list(const scene::Scene& scene) {
     return list;
 }
 
-/// The list that draws one component alone: what is no component, and this pass, if there is one.
-PassList alone(const PassList& passes, const Pass* component) {
+/// The passes that are no components, and the components that are wanted. Others still dim what is
+/// behind their objects: so a further component only adds.
+template <class Wanted>
+PassList without_components(const PassList& passes, const Wanted& wanted) {
     PassList list;
-    for (const Pass& pass : passes)
-        if (pass.action != PassAction::Add && (!is_component(pass) || &pass == component))
-            list.push_back(pass);
+    for (const Pass& pass : passes) {
+        const bool draws = !is_component(pass) || wanted(pass);
+        if (!draws && pass.blend.dst == BlendFactor::One) continue;
+        list.push_back(pass);
+        if (!draws) list.back().blend.src = BlendFactor::Zero;
+    }
     return list;
+}
+
+/// Without images in the accumulation buffer: a single component needs none.
+PassList alone(const PassList& passes, const Pass* component) {
+    PassList list = without_components(passes, [&](const Pass& p) { return &p == component; });
+    std::erase_if(list, [](const Pass& pass) { return pass.action == PassAction::Add; });
+    return list;
+}
+
+/// Draws more than black by itself, and is no component: eq. 1.
+const Pass* base_pass(const PassList& passes) {
+    const auto base = std::find_if(passes.begin(), passes.end(), [](const Pass& pass) {
+        return pass.action == PassAction::Draw && pass.color && !is_component(pass) &&
+               pass.material != PassMaterial{.Map = pass.material.Map};
+    });
+    return base == passes.end() ? nullptr : &*base;
+}
+
+bool only_adds(const PassList& passes) {
+    return std::all_of(passes.begin(), passes.end(), [](const Pass& pass) {
+        return !pass.blend.enable ||
+               (pass.blend.src == BlendFactor::One && pass.blend.dst == BlendFactor::One);
+    });
+}
+
+/// Of colours: each image stays as opaque as it is drawn.
+void subtract(std::vector<Rgba>& image, const std::vector<Rgba>& before) {
+    for (std::size_t i = 0; i < image.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            image[i][c] = static_cast<std::uint16_t>(image[i][c] - before[i][c]);
 }
 
 std::size_t lights_on(const scene::Scene& scene, const scene::Object& object) {
@@ -147,10 +183,48 @@ PassList passes_for(const scene::Scene& scene, Renderer renderer, Translucency t
 
 std::vector<ComponentList> component_lists(const scene::Scene& scene, const PassList& passes) {
     std::vector<ComponentList> lists;
-    if (scene.background != vec3(0)) lists.push_back({"background", alone(passes, nullptr), true});
-    for (const Pass& pass : passes)
-        if (is_component(pass)) lists.push_back({pass.name.str(), alone(passes, &pass), false});
+    const bool on_black = scene.background == vec3(0), adds = only_adds(passes);
+    const Pass* base = base_pass(passes);
+    if (!on_black || base)
+        lists.push_back({on_black ? base->name.str() : "background",
+                         adds ? alone(passes, nullptr)
+                              : without_components(passes, [](const Pass&) { return false; }),
+                         true});
+    for (const Pass& pass : passes) {
+        if (!is_component(pass)) continue;
+        if (adds)
+            lists.push_back({pass.name.str(), alone(passes, &pass), false});
+        else
+            lists.push_back({pass.name.str(),
+                             without_components(passes, [&](const Pass& p) { return &p <= &pass; }),
+                             true, true});
+    }
     return lists;
+}
+
+std::vector<ComponentImage> component_images(
+    const std::vector<ComponentList>& lists,
+    const std::function<std::vector<Rgba>(const ComponentList&)>& draw) {
+    std::vector<ComponentImage> images;
+    std::vector<Rgba> before;
+    for (const ComponentList& list : lists) {
+        std::vector<Rgba> drawn = draw(list);
+        images.push_back({list.name, drawn});
+        if (list.difference && !before.empty()) subtract(images.back().color, before);
+        before = std::move(drawn);
+    }
+    return images;
+}
+
+std::vector<Rgba> sum_of(const std::vector<ComponentImage>& images, const Profile& profile) {
+    std::vector<Rgba> sum(images.empty() ? 0 : images.front().color.size());
+    const std::uint32_t most = max_of_bits(profile.color_bits);
+    for (const ComponentImage& image : images)
+        for (std::size_t i = 0; i < sum.size(); ++i)
+            for (std::size_t c = 0; c < 4; ++c)
+                sum[i][c] = static_cast<std::uint16_t>(
+                    std::min(most, std::uint32_t(sum[i][c]) + image.color[i][c]));
+    return sum;
 }
 
 void check_lights(const scene::Scene& scene, const PassList& passes, const Profile& profile) {

@@ -6,6 +6,7 @@
 #include "multipass/passes/pass.h"
 #include "scene/scene.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,12 +32,28 @@ struct ComponentList {
     std::string name;
     PassList passes;
     bool background = false;  ///< on the scene's background; else on black
+    bool difference = false;  ///< the image is this picture less the one before it in the list
 };
 
-/// One per additive pass, in order, and first the background where that is not black. Their images,
-/// added with saturation, are the picture of the whole list bit for bit: adding in another order
-/// changes no saturated sum.
+/// One for each component pass, in order; first the base, if the picture without components is not
+/// black. Their images, added with saturation, are the picture of the whole list bit for bit.
+///
+/// If all components are added, each list draws one component alone: the order changes no saturated
+/// sum. If translucent objects dim what is behind them, an image is what its component adds to the
+/// picture of those before it: dimmed, rounded and saturated as in the picture.
 std::vector<ComponentList> component_lists(const scene::Scene& scene, const PassList& passes);
+
+/// A component's picture (Fig. 4).
+struct ComponentImage {
+    std::string name;
+    std::vector<Rgba> color;  ///< bottom row first
+};
+/// The images of the lists, whose pictures `draw` returns.
+std::vector<ComponentImage> component_images(
+    const std::vector<ComponentList>& lists,
+    const std::function<std::vector<Rgba>(const ComponentList&)>& draw);
+/// Their sum, saturated.
+std::vector<Rgba> sum_of(const std::vector<ComponentImage>& images, const Profile& profile);
 
 /// Throws Error if one pass with all lights has more lights on an object than the profile allows in
 /// a pass. The message names the limit and the multi-pass renderer, which has none [K3p].

@@ -247,14 +247,14 @@ ShadowVolume shadow_volume(const Topology& t, const LightInObject& light, bool m
 }
 
 std::vector<ShadowVolume> shadow_volumes(const PassModel& model,
-                                         const std::vector<Topology>& topologies,
+                                         const std::vector<TopologyRef>& topologies,
                                          std::size_t light) {
     const scene::Bounds bounds = scene::bounds(*model.scene);
     std::vector<ShadowVolume> volumes(model.parts.size());
     for (std::size_t i = 0; i < volumes.size(); ++i) {
         if (model.parts[i].translucent || !model.parts[i].object->casts_shadow) continue;
         const dmat4& placement = model.parts[i].object->world_from_object;
-        volumes[i] = shadow_volume(topologies[i],
+        volumes[i] = shadow_volume(*topologies[i],
                                    light_in_object(model.scene->lights[light], placement, bounds),
                                    glm::determinant(dmat3(placement)) < 0);
     }

@@ -31,7 +31,7 @@ ShadowVolume shadow_volume(const Topology& topology, const LightInObject& light,
 /// The volumes of all parts in one light, by part; those of parts that cast no shadow have no caps.
 /// Translucent parts cast none.
 std::vector<ShadowVolume> shadow_volumes(const PassModel& model,
-                                         const std::vector<Topology>& topologies,
+                                         const std::vector<TopologyRef>& topologies,
                                          std::size_t light);
 
 /// The view with its far plane moved behind these volumes, so that it does not cut them.

@@ -4,27 +4,27 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
 
 namespace gw::multipass {
 
-std::vector<Topology> topologies(const PassModel& model) {
+std::vector<TopologyRef> topologies(const PassModel& model) {
     const auto& lights = model.scene->lights;
     const auto casts = [](const scene::Light& light) {
         return light.shadow == scene::Shadow::Volume;
     };
     if (std::none_of(lights.begin(), lights.end(), casts)) return {};
-    std::vector<Topology> result;
+    std::vector<TopologyRef> result;
+    std::unordered_map<const Mesh*, TopologyRef> of_mesh;
     for (const Part& part : model.parts) {
-        const auto same =
-            std::find_if(model.parts.begin(), model.parts.begin() + std::ptrdiff_t(result.size()),
-                         [&](const Part& p) { return p.mesh == part.mesh; });
-        const auto index = std::size_t(same - model.parts.begin());
-        result.push_back(index < result.size() ? result[index] : topology(*part.mesh));
+        TopologyRef& shared = of_mesh[part.mesh.get()];
+        if (!shared) shared = std::make_shared<const Topology>(topology(*part.mesh));
+        result.push_back(shared);
     }
     return result;
 }
 
-Shadows find_volumes(const PassModel& model, const std::vector<Topology>& topologies) {
+Shadows find_volumes(const PassModel& model, const std::vector<TopologyRef>& topologies) {
     const auto& lights = model.scene->lights;
     Shadows shadows;
     shadows.volumes.resize(lights.size());

@@ -25,10 +25,10 @@ struct Shadows {
 };
 
 /// The topology of every part's mesh, found once per mesh; empty if no light casts a volume.
-std::vector<Topology> topologies(const PassModel& model);
+std::vector<TopologyRef> topologies(const PassModel& model);
 
 /// Volumes of the lights that cast them; masks stay empty.
-Shadows find_volumes(const PassModel& model, const std::vector<Topology>& topologies);
+Shadows find_volumes(const PassModel& model, const std::vector<TopologyRef>& topologies);
 
 /// Finds the masks of the lights with shadow maps for a view. Overwrites the machine's planes.
 void find_masks(Shadows& shadows, Machine& machine, const PassModel& model, const scene::View& view,

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace gw::multipass {
@@ -28,6 +29,9 @@ struct Topology {
     /// border.
     bool closed = true;
 };
+
+/// Parts that have one mesh share its topology.
+using TopologyRef = std::shared_ptr<const Topology>;
 
 /// Meshes of lines or points have no triangles.
 Topology topology(const Mesh& mesh);

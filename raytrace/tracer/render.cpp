@@ -35,13 +35,21 @@ dvec3 color_at(const Frame& f, const scene::TrianglePoint& at, int x, int y, con
     return seen_color(f.tracer, s, f.scene, f.profile, counts);
 }
 
+/// The identifier of the opaque polygon at the hit or behind it, as the item buffer has it.
+std::uint32_t opaque_id(const Frame& f, const scene::TrianglePoint& at, const Ray& ray) {
+    const scene::WorldTriangles& triangles = f.tracer.world().triangles();
+    if (!(f.tracer.opacity(at.triangle) < 1)) return triangles.id_of(at.triangle);
+    const auto behind = f.tracer.behind(surface(triangles, at, normalized(ray.direction), f.view));
+    return behind ? opaque_id(f, behind->at, ray) : 0;
+}
+
 void trace_pixel(const Frame& f, int x, int y, RaytracedPicture& picture, RayCounts& counts) {
     const std::size_t i = f.view.index(x, y);
     const Ray ray = ray_of(f, x, y);
     ++counts.primary;
     const auto at = f.tracer.world().nearest(ray, 1);
     const dvec3 color = at ? color_at(f, *at, x, y, ray, counts) : dvec3(f.scene.background);
-    picture.ids[i] = at ? f.tracer.world().triangles().id_of(at->triangle) : 0;
+    picture.ids[i] = at ? opaque_id(f, *at, ray) : 0;
     picture.color[i] = stored(color, f.profile.color_bits);
 }
 
@@ -79,10 +87,16 @@ CommandList commands(const RaytracedPicture& picture, const scene::View& view) {
 
 dvec3 seen_color(const Tracer& tracer, const Surface& surface, const scene::Scene& scene,
                  const Profile& profile, RayCounts& counts) {
-    const dvec3 color = tracer.local(surface, counts) + tracer.traced(surface, counts);
-    if (!scene.fog) return color;
-    const double seen = seen_through_fog(scene, surface.point.p, profile);
-    return seen * color + (1 - seen) * dvec3(scene.fog->color);
+    dvec3 color = tracer.local(surface, counts) + tracer.traced(surface, counts);
+    if (scene.fog) {
+        const double seen = seen_through_fog(scene, surface.point.p, profile);
+        color = seen * color + (1 - seen) * dvec3(scene.fog->color);
+    }
+    const double d = tracer.opacity(surface.at.triangle);
+    if (!(d < 1)) return color;
+    const auto behind = tracer.behind(surface);
+    return d * color + (1 - d) * (behind ? seen_color(tracer, *behind, scene, profile, counts)
+                                         : dvec3(scene.background));
 }
 
 double seen_through_fog(const scene::Scene& scene, const dvec3& p_eye, const Profile& profile) {

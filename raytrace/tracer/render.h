@@ -29,7 +29,8 @@ RaytracedPicture raytraced_picture(const Tracer& tracer, const scene::Scene& sce
 /// The picture as a pixel rectangle, all tests off.
 CommandList commands(const RaytracedPicture& picture, const scene::View& view);
 
-/// What the eye sees of a surface: eq. 3, what is traced, and fog.
+/// The light that a surface sends to the eye: eq. 3, the traced component, and fog. A translucent
+/// surface is blended over what is behind it [K3.4].
 dvec3 seen_color(const Tracer& tracer, const Surface& surface, const scene::Scene& scene,
                  const Profile& profile, RayCounts& counts);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace gw::raytrace {
 namespace {
@@ -71,13 +72,28 @@ Tracer::Tracer(const scene::Scene& scene, const World& world, const scene::View&
       options_(std::move(options)),
       materials_(scene.materials) {
     for (const scene::Material& m : materials_) traced_.push_back(traced_material(m));
+    for (std::size_t i = 0; i < scene.lights.size() && !scene.reflection_in_shadow; ++i)
+        if (!keeps_off_reflections_ && scene.lights[i].shadow != scene::Shadow::None)
+            keeps_off_reflections_ = {scene::eye_light(scene.lights[i], view), i};
+    std::map<std::vector<std::size_t>, std::shared_ptr<const std::vector<LightSource>>> lists;
     for (const scene::Object& object : scene.objects) {
         const TracedMaterial& traced = traced_[object.material];
-        looks_.push_back({&drawn_.materials[object.material], &traced, traced.any(), {}});
+        std::vector<std::size_t> numbers;
         for (std::size_t i = 0; i < scene.lights.size(); ++i)
-            if (scene::lights_object(scene.lights[i], object))
-                looks_.back().lights.push_back({scene::eye_light(scene.lights[i], view), i});
+            if (scene::lights_object(scene.lights[i], object)) numbers.push_back(i);
+        // Most objects have the same lights.
+        auto& lights = lists[numbers];
+        if (!lights) lights = light_list(scene, numbers, view);
+        looks_.push_back({&drawn_.materials[object.material], &traced, traced.any(), lights});
     }
+}
+
+std::shared_ptr<const std::vector<Tracer::LightSource>> Tracer::light_list(
+    const scene::Scene& scene, const std::vector<std::size_t>& numbers, const scene::View& view) {
+    std::vector<LightSource> list;
+    for (const std::size_t i : numbers)
+        list.push_back({scene::eye_light(scene.lights[i], view), i});
+    return std::make_shared<const std::vector<LightSource>>(std::move(list));
 }
 
 bool Tracer::looks_up_maps(std::uint32_t triangle) const {
@@ -119,7 +135,22 @@ dvec3 Tracer::arriving(const Surface& from, const dvec3& direction, FarMaps far,
                                    from.at.triangle);
     if (!at) return far_away(direction, far);
     const Surface hit = surface(world_.triangles(), *at, direction, view_);
-    return shaded(hit, !options_.in_shadow, counts) + followed(hit, path, counts);
+    const dvec3 color = shaded(hit, !options_.in_shadow, counts) + followed(hit, path, counts);
+    const double d = opacity(at->triangle);
+    const Path behind{path.rays_left, path.weight * (1 - d)};
+    if (behind.weight < least_weight) return color;
+    ++counts.transmitted;
+    return d * color + (1 - d) * arriving(hit, direction, far, behind, counts);
+}
+
+std::optional<Surface> Tracer::behind(const Surface& translucent) const {
+    const auto at =
+        world_.nearest({translucent.start, translucent.direction},
+                       std::numeric_limits<double>::infinity(), translucent.at.triangle);
+    if (!at) return std::nullopt;
+    const Surface hit = surface(world_.triangles(), *at, translucent.direction, view_);
+    if (-hit.point.p.z > view_.camera.far_plane) return std::nullopt;
+    return hit;
 }
 
 dvec3 Tracer::far_away(const dvec3& direction, FarMaps far) const {
@@ -133,12 +164,21 @@ dvec3 Tracer::shaded(const Surface& surface, bool by_rays, RayCounts& counts) co
     const scene::Material& material = *look.drawn;
     scene::MapColors maps(material, surface.point);
     dvec3 sum = scene::own_color(material, surface.point);
+    if (!material.refl.empty() && !reflects_map(surface, by_rays, counts))
+        sum -= dvec3(scene::coefficient(material, scene::Component::Reflection)) *
+               scene::map_color(material, scene::Component::Reflection, surface.point);
     const bool reflects_none = material.Kd == vec3(0) && material.Ks == vec3(0);
-    for (const LightSource& light : look.lights)
+    for (const LightSource& light : *look.lights)
         sum +=
             scene::light_color(material, light.eye, surface.point, maps,
                                !reflects_none && arrives(light, surface, by_rays, counts) ? 1 : 0);
     return sum;
+}
+
+/// False: the light that keeps reflection maps out of its shadow does not arrive [K3.2].
+bool Tracer::reflects_map(const Surface& s, bool by_rays, RayCounts& counts) const {
+    return !keeps_off_reflections_ || opacity(s.at.triangle) < 1 ||
+           arrives(*keeps_off_reflections_, s, by_rays, counts);
 }
 
 /// Light on a face whose plane looks away from it is in shadow although interpolated normals catch
@@ -149,7 +189,7 @@ bool Tracer::arrives(const LightSource& source, const Surface& s, bool by_rays,
     const bool directional = light.kind == scene::LightKind::Directional;
     const dvec3 toward = directional ? -dvec3(light.direction) : dvec3(light.position) - s.at.p;
     if (!(dot3(toward, s.normal) > 0)) return false;
-    if (light.shadow == scene::Shadow::None) return true;
+    if (light.shadow == scene::Shadow::None || opacity(s.at.triangle) < 1) return true;
     if (!(dot3(toward, s.plane_normal) > 0)) return false;
     if (!by_rays) return !options_.in_shadow(source.number, s.at);
     ++counts.shadow;

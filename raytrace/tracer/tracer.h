@@ -9,6 +9,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace gw::raytrace {
@@ -65,6 +67,11 @@ public:
 
     /// Whether `traced` can be anything but black there.
     bool is_traced(std::uint32_t triangle) const { return look_of(triangle).is_traced; }
+    /// Less than 1: the surface is translucent and blended over the light from behind [K3.4].
+    double opacity(std::uint32_t triangle) const { return double(look_of(triangle).drawn->d); }
+    /// The surface that is seen through a translucent one, before the far plane; none: the
+    /// background.
+    std::optional<Surface> behind(const Surface& translucent) const;
     /// Whether texture coordinates matter there.
     bool looks_up_maps(std::uint32_t triangle) const;
 
@@ -82,10 +89,13 @@ private:
         const scene::Material* drawn = nullptr;
         const TracedMaterial* traced = nullptr;
         bool is_traced = false;
-        std::vector<LightSource> lights;
+        std::shared_ptr<const std::vector<LightSource>> lights;
     };
     using FarMaps = const std::vector<scene::Map>*;
 
+    static std::shared_ptr<const std::vector<LightSource>> light_list(
+        const scene::Scene& scene, const std::vector<std::size_t>& numbers,
+        const scene::View& view);
     const Look& look_of(std::uint32_t triangle) const {
         return looks_[world_.triangles().object_of(triangle)];
     }
@@ -93,6 +103,7 @@ private:
     dvec3 followed(const Surface& surface, const Path& path, RayCounts& counts) const;
     dvec3 arriving(const Surface& from, const dvec3& direction, FarMaps far, const Path& path,
                    RayCounts& counts) const;
+    bool reflects_map(const Surface& surface, bool by_rays, RayCounts& counts) const;
     dvec3 far_away(const dvec3& direction, FarMaps far) const;
     dvec3 shaded(const Surface& surface, bool by_rays, RayCounts& counts) const;
     bool arrives(const LightSource& light, const Surface& surface, bool by_rays,
@@ -107,6 +118,8 @@ private:
     std::vector<scene::Material> materials_;
     std::vector<TracedMaterial> traced_;  ///< by material
     std::vector<Look> looks_;             ///< by object
+    /// The first light that casts a shadow, if reflection maps are kept out of it.
+    std::optional<LightSource> keeps_off_reflections_;
 };
 
 }  // namespace gw::raytrace

@@ -44,7 +44,7 @@ State view_state(const View& view) {
     state.viewport = {0, 0, view.width, view.height};
     state.depth = {.test = true, .func = DepthFunc::Less, .mask = true};
     state.color_source = ColorSource::Lighting;
-    state.lighting = {.local_viewer = true, .two_side = true};
+    state.lighting = {.local_viewer = !is_orthographic(view), .two_side = true};
     return state;
 }
 

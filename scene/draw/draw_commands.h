@@ -16,6 +16,12 @@ namespace gw::scene {
 /// a local viewer, both sides of a face lit (arbitrary models have no known inside).
 State view_state(const View& view);
 
+/// Whether lines of sight are parallel: the view vector is the same at all points.
+inline bool is_orthographic(const View& view) {
+    const dmat4& m = view.clip_from_eye;
+    return m[0].w == 0 && m[1].w == 0 && m[2].w == 0;
+}
+
 /// An object's mesh in eye space, without material, lights or map.
 Draw placed(const Object& object, const View& view);
 

@@ -2,10 +2,7 @@
 #pragma once
 
 #include "scene/geometry/transform.h"
-#include "scene/shapes/box.h"
-#include "scene/shapes/cylinder.h"
-#include "scene/shapes/sphere.h"
-#include "scene/shapes/torus.h"
+#include "scene/shapes/shapes.h"
 #include "tests/raytrace/closed_bodies.h"
 
 namespace gw::raytrace {
