@@ -63,8 +63,8 @@ std::string as_one_line(std::string_view text) {
     std::string line;
     if (text.size() > most_before + most_after) {
         std::size_t end = most_before, begin = text.size() - most_after;
-        while (continues_character(text[end])) --end;
-        while (continues_character(text[begin])) ++begin;
+        while (end > 0 && continues_character(text[end])) --end;
+        while (begin < text.size() && continues_character(text[begin])) ++begin;
         line = without_controls(text.substr(0, end)) + " [...] " +
                without_controls(text.substr(begin));
     } else {

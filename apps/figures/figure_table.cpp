@@ -1,7 +1,7 @@
 #include "apps/figures/figure_table.h"
 
-#include "scene/toml/read_toml_text.h"
 #include "scene/toml/toml_binder.h"
+#include "scene/toml/toml_value.h"
 
 namespace gw::apps {
 namespace {

@@ -1,6 +1,7 @@
 // The files that a run reads: no output may replace one. Does not read them.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <set>
 #include <utility>

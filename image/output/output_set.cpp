@@ -30,7 +30,7 @@ void OutputSet::make_folder(const fs::path& folder) {
                             "; expected one that can");
         return;
     }
-    if (fs::exists(folder, error)) {
+    if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
         throw Error(folder.string(), 0, "is not a folder; expected one, or a name for a new one");
     }
     register_temporary(folder);
