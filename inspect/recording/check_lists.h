@@ -15,4 +15,7 @@ void validate_lists(const Recording& recording);
 /// The same, and throws Error where the limits are exceeded.
 void check_lists(const Recording& recording, const Limits& limits);
 
+/// Makes the context that of the next list.
+void follow(const CommandList& list, ListContext& context);
+
 }  // namespace gw::inspect
