@@ -1,4 +1,5 @@
 // docs/manual/numbers.md, state.md, commands.md: definitions, and initial values.
+#include "gw/base/arithmetic.h"
 #include "gw/names.h"
 #include "gw/stages/lighting.h"
 #include "gw/stages/perspective.h"
