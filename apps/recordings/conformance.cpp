@@ -46,7 +46,7 @@ std::vector<conformance::Group> chosen(const std::vector<std::string>& names) {
 int list_groups() {
     for (const conformance::Group& group : conformance::groups())
         print(fmt::format("{:18} {}\n{:18} {}\n", group.name, group.about, "", group.rules));
-    return done;
+    return Done;
 }
 
 int write_suite(const ConformanceOptions& options) {
@@ -69,7 +69,7 @@ int write_suite(const ConformanceOptions& options) {
     }
     output.commit();
     print(fmt::format("{}: {} recordings and their manifests\n", options.folder.string(), count));
-    return done;
+    return Done;
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ Command add_conformance(CLI::App& app) {
     command->footer(
         "Example:\n  build/release/bin/gw conformance suite --only fog && "
         "build/release/bin/gw verify suite/fog_01.gwt suite/fog_01.json");
-    return {command, [options] { return write_suite(*options); }};
+    return {command, [options](Session&) { return write_suite(*options); }};
 }
 
 }  // namespace gw::apps
