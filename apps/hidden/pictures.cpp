@@ -22,7 +22,7 @@ Color to_color(const dvec3& v) {
 
 /// Kd; of a material without, the colour that it shows otherwise; grey where it has none at all.
 dvec3 color_of(const scene::Material& material) {
-    for (const vec3& color : {material.Kd, material.Ka, material.Ke, material.Ks})
+    for (const vec3& color : {material.Kd, material.Ke, material.Ka, material.Ks})
         if (color != vec3(0)) return dvec3(color);
     return dvec3(0.3);
 }

@@ -22,7 +22,7 @@ image::Picture blank(int width, int height);
 /// `pixel`: row by row from the bottom left one, 0.
 void put(image::Picture& picture, std::size_t pixel, const Color& color);
 
-/// A colour for each identifier: its material's Kd (Ka, Ke or Ks where Kd is black), darker the
+/// A colour for each identifier: its material's Kd (Ke, Ka or Ks where Kd is black), darker the
 /// more it is turned from the eye; 0 is the background.
 std::map<std::uint32_t, Color> flat_colors(const hiddensurface::Input& input);
 
