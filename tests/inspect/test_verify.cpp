@@ -155,8 +155,8 @@ TEST(Verify, NamesThePassThatIsMissingOrNew) {
     Recording other = three_passes();
     auto& commands = other.lists[0].commands;
     commands.erase(commands.begin() + 2, commands.end());
-    EXPECT_EQ(verify(other, manifest, {}, fast, reference).finding->notes,
-              std::vector<std::string>{"missing: pass 1 'first'"});
+    EXPECT_EQ(verify(other, manifest, {}, fast, reference).finding->notes.back(),
+              "missing: pass 1 'first'");
     other = three_passes();
     other.lists.pop_back();
     EXPECT_EQ(verify(other, manifest, {}, fast, reference).finding->notes,
