@@ -66,8 +66,8 @@ int write_suite(const ConformanceOptions& options) {
                          inspect::maker_of("reference"), options.values);
             ++count;
         }
+        output.commit();  // a group at a time: few files are open at once
     }
-    output.commit();
     print(fmt::format("{}: {} recordings and their manifests\n", options.folder.string(), count));
     return Done;
 }

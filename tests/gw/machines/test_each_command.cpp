@@ -140,6 +140,7 @@ TEST(EachCommand, PixelRectanglesReadBack) {
     EXPECT_EQ(bench.readbacks().at(10).values, (CacheAlignedVector<std::uint32_t>{5, 6}));
 }
 
+// [R10.16] [R13.6]
 TEST(EachCommand, ACopiedTextureIsLookedUp) {
     Workbench bench;
     bench.write({0, 0, 4, 4}, {10, 20, 30, 40});
