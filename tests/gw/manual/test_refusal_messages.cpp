@@ -234,6 +234,7 @@ std::vector<std::string> refused_values() {
             d.polygon_sizes = {4};
         }),
         mesh([](MeshData& d) {
+            d.indices = {0, 1, 2, 2, 1, 0};
             d.polygon_ids = {1, 2, 3};
         }),
         mesh([](MeshData& d) { d.primitive = Primitive(8); }),
