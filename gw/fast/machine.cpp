@@ -2,8 +2,9 @@
 #include "gw/machine.h"
 
 #include "gw/base/parallel.h"
-#include "gw/fast/kernels.h"
 #include "gw/fast/plan/plan.h"
+#include "gw/fast/simd/simd_target.h"
+#include "gw/fast/tile/clear.h"
 #include "gw/fast/tile/tile_run.h"
 #include "gw/stages/tables.h"
 
@@ -19,6 +20,7 @@ public:
     FastMachine(const Profile& profile, int width, int height, const FastOptions& options)
         : profile_(profile),
           threads_(options.threads > 0 ? options.threads : hardware_threads()),
+          runner_(threads_),
           frame_(width, height, options.log2_tile),
           planes_(width, height) {}
 
@@ -30,9 +32,9 @@ public:
             {machine_.state, machine_.slot_planes, machine_.targets, pass_name(machine_.passes)});
         std::span<const Command> rest(list.commands);
         while (!rest.empty()) {
-            std::size_t done = 0;
-            run_segment(plan_segment(rest, machine_, profile_, grid(), threads_, done));
-            rest = rest.subspan(done);
+            std::size_t consumed = 0;
+            run_segment(plan_segment(rest, machine_, profile_, grid(), threads_, consumed));
+            rest = rest.subspan(consumed);
             if (!rest.empty() && is_barrier(rest[0], machine_.passes)) {
                 std::visit([this](const auto& command) { run_barrier(command); }, rest[0]);
                 rest = rest.subspan(1);
@@ -43,7 +45,7 @@ public:
 
     const Planes& planes() override {
         if (!planes_are_current_) {
-            for (std::size_t i = 0; i < grid().count(); ++i) settle_blocks(frame_.tile(i));
+            for (std::size_t i = 0; i < grid().count(); ++i) write_back_blocks(frame_.tile(i));
             frame_.read(planes_);
         }
         planes_are_current_ = true;
@@ -64,7 +66,7 @@ private:
         if (segment.ops.empty()) return;
         if (segment.uses_accum) frame_.need_accum();
         planes_are_current_ = false;
-        std::vector<OpCounts> totals = run_tiles(segment, frame_, profile_, threads_, rooms_);
+        std::vector<OpCounts> totals = runner_.run(segment, frame_, profile_);
         for (std::size_t i = 0; i < totals.size(); ++i)
             machine_.passes[segment.ops[i].pass].counters +=
                 counters_of(segment.ops[i], totals[i], profile_);
@@ -106,8 +108,8 @@ private:
 
     Profile profile_;
     int threads_;
+    TileRunner runner_;
     Frame frame_;
-    WorkerRooms rooms_;
     Planes planes_;
     bool planes_are_current_ = true;
     MachineState machine_;
@@ -116,6 +118,8 @@ private:
 
 }  // namespace
 }  // namespace fast
+
+std::string simd_target() { return fast::simd_target(); }
 
 std::unique_ptr<Machine> make_fast(const Profile& profile, int width, int height,
                                    const FastOptions& options) {

@@ -1,6 +1,8 @@
 // Sutherland and Hodgman's algorithm, plane by plane.
 #include "gw/stages/clip.h"
 
+#include "gw/stages/resolve.h"
+
 #include "gw/base/arithmetic.h"
 
 #include <bit>

@@ -10,13 +10,10 @@
 
 namespace gw {
 
+struct ViewportTransform;
+
 /// The guard band in window pixels: snapped coordinates fit [guard_low, guard_high).
 inline constexpr int guard_low = -6144, guard_high = 10240;
-
-/// The map from clip coordinates to the window, with the viewport's default resolved.
-struct ViewportTransform {
-    double half_width = 1, half_height = 1, center_x = 0, center_y = 0;
-};
 
 /// The clip planes in their order: near, far, user 0 .. 5, guard left, right, bottom, top.
 inline constexpr int clip_plane_count = 2 + max_clip_planes + 4;

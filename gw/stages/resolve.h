@@ -5,10 +5,14 @@
 
 #include "gw/planes.h"
 #include "gw/profile.h"
-#include "gw/stages/clip.h"
 #include "gw/state.h"
 
 namespace gw {
+
+/// The map from clip coordinates to the window, with the viewport's default resolved.
+struct ViewportTransform {
+    double half_width = 1, half_height = 1, center_x = 0, center_y = 0;
+};
 
 struct Resolved {
     State state;     ///< with depth, stencil and alpha tests normalised

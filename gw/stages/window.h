@@ -4,6 +4,7 @@
 
 #include "gw/base/arithmetic.h"
 #include "gw/stages/clip.h"
+#include "gw/stages/resolve.h"
 
 #include <cstdint>
 

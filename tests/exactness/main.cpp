@@ -2,7 +2,7 @@
 // for each plane. Every compiler and processor must give the lines of digests.txt. Does not compare
 // them: tests/exactness/compare does. Exit 1 for an error, 2 for usage.
 #include "gw/error.h"
-#include "gw/fast/kernels.h"
+#include "gw/fast/simd/simd_target.h"
 #include "gw/names.h"
 #include "tests/exactness/pictures.h"
 #include "tests/fuzz/check/suite_digest.h"

@@ -2,7 +2,7 @@
 // Exit 0: no difference; 1: an error, or lists too uniform to prove anything; 2: usage; 3: a
 // difference, with the command that repeats it.
 #include "gw/error.h"
-#include "gw/fast/kernels.h"
+#include "gw/fast/simd/simd_target.h"
 #include "tests/fuzz/check/describe.h"
 #include "tests/fuzz/check/diversity.h"
 #include "tests/fuzz/check/explain.h"

@@ -1,7 +1,7 @@
 // [K4, K4i] The item buffer and what is traced from it, against the ordinary ray tracer.
 #include "scene/draw/item_buffer.h"
 
-#include "gw/fast/kernels.h"
+#include "gw/fast/simd/simd_target.h"
 #include "itembuffer/adaptive.h"
 #include "itembuffer/differences.h"
 #include "itembuffer/superposed_ray_tracer.h"

@@ -1,6 +1,6 @@
 // From pixels to texels [F2.2]: nothing lost, nothing missed, the same bits for any number of
 // threads.
-#include "gw/fast/kernels.h"
+#include "gw/fast/simd/simd_target.h"
 #include "radiosity/hemicube/form_factors.h"
 #include "radiosity/hemicube/present_ids.h"
 #include "tests/radiosity/plain_scan.h"

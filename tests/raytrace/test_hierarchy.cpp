@@ -1,6 +1,6 @@
 // [L12] The hierarchy finds what asking every triangle finds, bit for bit, on every target; Embree
 // agrees; and nothing leaks between neighbours.
-#include "gw/fast/kernels.h"
+#include "gw/fast/simd/simd_target.h"
 #include "tests/raytrace/random_triangles.h"
 
 #include <embree3/rtcore.h>

@@ -1,4 +1,4 @@
-// Colours on their way into the frame buffer: products, blending, masks. docs/manual.md, "Fragment
+// Writing colours to the frame buffer: blending, masks. docs/manual.md, "Fragment
 // operations"; scalar twin: gw/reference/fragment.cpp. Does not test. Included once per Highway
 // target.
 #if defined(GW_FAST_BLEND_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -14,26 +14,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
-
-/// mul(a, b, n) of gw/base/arithmetic.h.
-HWY_INLINE V32 mul_lanes(V32 a, V32 b, int n) {
-    const D32 d;
-    const auto t = hn::Add(hn::Mul(a, b), hn::Set(d, 1u << (n - 1)));
-    return hn::ShiftRightSame(hn::Add(t, hn::ShiftRightSame(t, n)), n);
-}
-
-/// The same for n = 8 in 16-bit lanes.
-template <class D>
-HWY_INLINE hn::Vec<D> mul_bytes(D d, hn::Vec<D> a, hn::Vec<D> b) {
-    const auto t = hn::Add(hn::Mul(a, b), hn::Set(d, std::uint16_t{128}));
-    return hn::ShiftRight<8>(hn::Add(t, hn::ShiftRight<8>(t)));
-}
-
-HWY_INLINE V32 load_channel(const std::uint16_t* p) {
-    return hn::PromoteTo(D32(), hn::Load(Half16(), p));
-}
-
-HWY_INLINE hn::Vec<Half16> narrow(V32 v) { return hn::DemoteTo(Half16(), hn::BitCast(I32(), v)); }
 
 /// Both sides of a blend, by channel.
 template <class V>
@@ -69,8 +49,10 @@ HWY_NOINLINE inline void blend_bytes(const BlendState& b, const ColorBlock& src,
     const auto max = hn::Set(d, std::uint16_t{255});
     for (std::size_t i = 0; i < block_pixels; i += lanes16) {
         BlendLanes<hn::Vec<D16>> l;
-        for (std::size_t c = 0; c < 4; ++c)
-            l.src[c] = hn::Load(d, src.channel[c] + i), l.dst[c] = hn::Load(d, dst.channel[c] + i);
+        for (std::size_t c = 0; c < 4; ++c) {
+            l.src[c] = hn::Load(d, src.channel[c] + i);
+            l.dst[c] = hn::Load(d, dst.channel[c] + i);
+        }
         for (std::size_t c = 0; c < 4; ++c) {
             const auto s = mul_bytes(d, l.src[c], blend_factor_lanes(d, b.src, l, c, max));
             const auto t = mul_bytes(d, l.dst[c], blend_factor_lanes(d, b.dst, l, c, max));
@@ -94,7 +76,7 @@ HWY_INLINE hn::Vec<DRow> alphas_of(const ColorBlock& block, std::size_t i) {
 #endif
 }
 
-/// Transparency, the commonest blend after the sum, in 8 bits: SrcAlpha, OneMinusSrcAlpha.
+/// Transparency, the second commonest blend, in 8 bits: SrcAlpha, OneMinusSrcAlpha.
 HWY_NOINLINE inline void mix_by_alpha(const ColorBlock& src, ColorBlock& stored,
                                       std::uint32_t mask) {
     const DRow d;
@@ -135,7 +117,7 @@ HWY_NOINLINE inline void blend_block(const BlendState& b, int bits, const ColorB
     }
 }
 
-/// One, One is a saturating sum: what the passes of [K3] do all the time.
+/// One, One is a saturating sum: the blend of the passes of [K3].
 HWY_INLINE void add_block(int bits, const ColorBlock& src, const ColorBlock& dst, ColorBlock& out) {
     const D16 d;
     const auto max = hn::Set(d, std::uint16_t(max_of_bits(bits)));

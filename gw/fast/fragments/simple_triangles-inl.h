@@ -1,98 +1,29 @@
 // Triangles without alpha test and polygon offset: depth passes, shadow volumes, identifiers, first
-// coloured passes. Tests and depth writes on vectors of 32-bit lanes, without leaving them; stencil
-// operations and colour only where a fragment lives to see them. docs/manual.md, "Fragment
-// operations"; the general way is gw/fast/fragments/fragments-inl.h. Included once per Highway
-// target.
-#if defined(GW_FAST_PLAIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GW_FAST_PLAIN_INL_H_
-#undef GW_FAST_PLAIN_INL_H_
+// coloured passes. Tests and depth writes stay in vectors of 32-bit lanes; stencil operations and
+// colour only run for fragments that reach them. docs/manual.md, "Fragment operations"; the general
+// case is gw/fast/fragments/fragments-inl.h. Included once per Highway target.
+#if defined(GW_FAST_SIMPLE_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_SIMPLE_TRIANGLES_INL_H_
+#undef GW_FAST_SIMPLE_TRIANGLES_INL_H_
 #else
-#define GW_FAST_PLAIN_INL_H_
+#define GW_FAST_SIMPLE_TRIANGLES_INL_H_
 #endif
 
+#include "gw/fast/fragments/depth-inl.h"
+#include "gw/fast/fragments/lane_counts-inl.h"
 #include "gw/fast/fragments/paint-inl.h"
+#include "gw/fast/fragments/stencil-inl.h"
 #include "gw/fast/raster/cover-inl.h"
-#include "gw/stages/tables.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Whether a draw's triangles may go this way.
-HWY_INLINE bool is_plain(const Resolved& r) {
-    return r.state.alpha.func == AlphaFunc::Always && !r.state.polygon_offset.enable;
-}
-
-/// A triangle's fragments by fate, lane by lane.
-struct PlainCounts {
-    LaneCounter made, stencil_passed, written;
-    HWY_INLINE void clear() { made.clear(), stencil_passed.clear(), written.clear(); }
-    HWY_INLINE void add_to(PlainCounts& sum) const {
-        sum.made.add(made), sum.stencil_passed.add(stencil_passed), sum.written.add(written);
-    }
-    HWY_INLINE void add_to(OpCounts& counts) const {
-        const std::uint64_t f = made.total(), s = stencil_passed.total(), w = written.total();
-        counts.fragments += f, counts.stencil_killed += f - s, counts.depth_killed += s - w,
-            counts.written += w;
-    }
-};
-
-/// The depth test, of three kinds so that the loop has no choice to make.
-struct NoDepth {
-    static constexpr bool tests = false;
-    HWY_INLINE M32 operator()(V32, V32) const { return hn::FirstN(D32(), lanes32); }
-};
-struct LessThan {
-    static constexpr bool tests = true;
-    HWY_INLINE M32 operator()(V32 incoming, V32 stored) const { return hn::Lt(incoming, stored); }
-    HWY_INLINE bool of_one(std::uint32_t incoming, std::uint32_t stored) const {
-        return incoming < stored;
-    }
-};
-struct AnyCompare {
-    static constexpr bool tests = true;
-    DepthFunc func;
-    HWY_INLINE M32 operator()(V32 incoming, V32 stored) const {
-        return compare_lanes(D32(), func, incoming, stored);
-    }
-    HWY_INLINE bool of_one(std::uint32_t incoming, std::uint32_t stored) const {
-        return compare(func, incoming, stored);
-    }
-};
-
-/// Calls draw(passes) with the kind of a draw.
-template <class Draw>
-HWY_INLINE void with_depth_test(const DrawOp& op, const Draw& draw) {
-    const DepthFunc func = op.state.state.depth.func;
-    if (func == DepthFunc::Less)
-        draw(LessThan{});
-    else if (!needs_depth(op))
-        draw(NoDepth{});
-    else
-        draw(AnyCompare{func});
-}
-
-/// Depth test and update of the lanes, a LaneSet or AllLanes; those that pass.
-template <class Compare, class Lanes>
-HWY_INLINE LaneSet run_depth(const DepthWalk& walk, const Compare& passes, bool update,
-                             const Lanes& lanes, DepthBlock& block) {
-    const D32 d;
-    LaneSet alive;
-    for (std::size_t k = 0; k < parts; ++k) {
-        std::uint32_t* stored = block.value + k * lanes32;
-        const auto z = walk.walk.at(k);
-        alive.part[k] = among(lanes, k, passes(z, hn::Load(d, stored)));
-        if (update) store_lanes(z, alive.part[k], d, stored);
-    }
-    return alive;
-}
-
-/// The same behind a stencil test, with the three operations: most blocks of a shadow volume change
-/// nothing.
-/// Where the test always passes, stencil_passed is not counted: it is made.
+/// Stencil and depth test with the three stencil operations: most blocks of a shadow volume change
+/// nothing. If the test always passes, stencil_passed is not counted: it equals `made`.
 template <class Compare>
 HWY_INLINE LaneSet run_stencil(const StencilFace& face, std::uint32_t max, const DepthWalk& walk,
                                const Compare& passes, bool update, const LaneSet& lanes,
-                               StencilBlock& stencil, DepthBlock& depth, PlainCounts& counts) {
+                               StencilBlock& stencil, DepthBlock& depth, LaneCounts& counts) {
     LaneSet tested = lanes;
     if (face.func != StencilFunc::Always) {
         const std::uint32_t made = lanes.bits(), kept = stencil_test(face, stencil, made);
@@ -112,8 +43,7 @@ HWY_INLINE LaneSet run_stencil(const StencilFace& face, std::uint32_t max, const
     return alive;
 }
 
-/// What becomes of a triangle's blocks where the stencil plane has no part in it. Holds copies:
-/// they stay in registers.
+/// Draws a triangle's blocks if the stencil test is idle. Holds copies: they stay in registers.
 template <class Compare, class Paint>
 struct Unstenciled {
     Tile tile;
@@ -138,21 +68,22 @@ struct Unstenciled {
 };
 
 /// One triangle of a batch. Out of line: the counters stay in registers.
-template <class Way, class Compare, class Paint>
+template <class Size, class Compare, class Paint>
 HWY_NOINLINE void draw_unstenciled(const TileDraw& draw, const Triangles& t, std::size_t i,
                                    const BoxLanes& box, const Compare& passes, const Paint& paint,
-                                   PlainCounts& sum) {
+                                   LaneCounts& sum) {
     const DepthPlane plane = Compare::tests ? depth_of(draw, t, i) : DepthPlane{};
     DepthWalk walk(plane);
     LaneCounter made, written;
-    made.clear(), written.clear();
-    Way::visit(box, t, i, walk,
-               Unstenciled<Compare, Paint>{draw.tile, passes, paint, walk,
-                                           draw.op->state.state.depth.mask, made, written});
-    PlainCounts{made, made, Compare::tests ? written : made}.add_to(sum);
+    made.clear();
+    written.clear();
+    Size::visit(box, t, i, walk,
+                Unstenciled<Compare, Paint>{draw.tile, passes, paint, walk,
+                                            draw.op->state.state.depth.mask, made, written});
+    LaneCounts{made, made, Compare::tests ? written : made}.add_to(sum);
 }
 
-/// The same where it has.
+/// Draws a triangle's blocks if the stencil test is not idle.
 template <class Compare, class Paint>
 struct Stenciled {
     Tile tile;
@@ -162,7 +93,7 @@ struct Stenciled {
     bool update;
     StencilFace face;
     std::uint32_t max;
-    PlainCounts& counts;
+    LaneCounts& counts;
 
     GW_PER_BLOCK void operator()(int bx, int by, const LaneSet& lanes) const {
         const std::size_t block = tile.block(bx, by);
@@ -172,53 +103,54 @@ struct Stenciled {
     }
 };
 
-template <class Way, class Compare, class Paint>
+template <class Size, class Compare, class Paint>
 HWY_NOINLINE void draw_stenciled(const TileDraw& draw, const Triangles& t, std::size_t i,
                                  const BoxLanes& box, const Compare& passes, const Paint& paint,
-                                 PlainCounts& sum) {
+                                 LaneCounts& sum) {
     const Resolved& r = draw.op->state;
     const DepthPlane plane = Compare::tests ? depth_of(draw, t, i) : DepthPlane{};
     DepthWalk walk(plane);
-    PlainCounts counts;
+    LaneCounts counts;
     counts.clear();
     const StencilFace& face = t.corners.primitive[i]->front ? r.front : r.back;
-    Way::visit(box, t, i, walk,
-               Stenciled<Compare, Paint>{draw.tile, passes, paint, walk, r.state.depth.mask, face,
-                                         r.stencil_max, counts});
+    Size::visit(box, t, i, walk,
+                Stenciled<Compare, Paint>{draw.tile, passes, paint, walk, r.state.depth.mask, face,
+                                          r.stencil_max, counts});
     if (face.func == StencilFunc::Always) counts.stencil_passed = counts.made;
     counts.add_to(sum);
 }
 
-/// Behind a stencil test only what paints nothing, as shadow volumes do, has a loop for each kind
-/// of depth test.
+/// With a stencil test, only triangles that paint nothing (shadow volumes) have a loop for each
+/// kind of depth test.
 template <class Compare, class Paint>
-HWY_INLINE void draw_plain(const TileDraw& draw, const Triangles& t, std::size_t i,
-                           const BoxLanes& box, const Compare& passes, const Paint& paint,
-                           PlainCounts& sum) {
+HWY_INLINE void draw_simple(const TileDraw& draw, const Triangles& t, std::size_t i,
+                            const BoxLanes& box, const Compare& passes, const Paint& paint,
+                            LaneCounts& sum) {
     const Resolved& r = draw.op->state;
     const AnyCompare any{r.state.depth.func};
-    by_size(t, i, [&]<class Way>(Way) {
+    by_size(t, i, [&]<class Size>(Size) {
         if (ignores_stencil(t.corners.primitive[i]->front ? r.front : r.back))
-            draw_unstenciled<Way>(draw, t, i, box, passes, paint, sum);
+            draw_unstenciled<Size>(draw, t, i, box, passes, paint, sum);
         else if constexpr (std::is_same_v<Paint, NoPaint>)
-            draw_stenciled<Way>(draw, t, i, box, passes, paint, sum);
+            draw_stenciled<Size>(draw, t, i, box, passes, paint, sum);
         else
-            draw_stenciled<Way>(draw, t, i, box, any, paint, sum);
+            draw_stenciled<Size>(draw, t, i, box, any, paint, sum);
     });
 }
 
 template <class Paint>
-HWY_INLINE void draw_plain(const TileDraw& draw, const Triangles& t, std::size_t i,
-                           const BoxLanes& box, const Paint& paint, PlainCounts& counts) {
+HWY_INLINE void draw_simple(const TileDraw& draw, const Triangles& t, std::size_t i,
+                            const BoxLanes& box, const Paint& paint, LaneCounts& counts) {
     with_depth_test(
-        *draw.op, [&](const auto& passes) { draw_plain(draw, t, i, box, passes, paint, counts); });
+        *draw.op, [&](const auto& passes) { draw_simple(draw, t, i, box, passes, paint, counts); });
 }
 
 /// Draws a batch of triangles.
-inline void draw_plain(const TileDraw& draw, std::span<const std::uint32_t> bin, OpCounts& counts) {
+inline void draw_simple(const TileDraw& draw, std::span<const std::uint32_t> bin,
+                        OpCounts& counts) {
     const BoxLanes box(draw);
     Triangles t;
-    PlainCounts lanes;
+    LaneCounts lanes;
     lanes.clear();
     set_up_triangles(draw, bin, needs_depth(*draw.op), t);
     BatchPlanes planes(draw, t.corners);
@@ -226,7 +158,7 @@ inline void draw_plain(const TileDraw& draw, std::span<const std::uint32_t> bin,
     for (std::size_t i = 0; i < t.count(); ++i)
         if (!t.empty(i))
             with_paint(paints, planes, i,
-                       [&](const auto& paint) { draw_plain(draw, t, i, box, paint, lanes); });
+                       [&](const auto& paint) { draw_simple(draw, t, i, box, paint, lanes); });
     lanes.add_to(counts);
 }
 

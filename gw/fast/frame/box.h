@@ -25,12 +25,13 @@ struct BlockBox {
 
 inline BlockBox block_box(const Rect& rect, const Tile& tile) {
     BlockBox b;
-    b.x0 = std::clamp(rect.x - tile.x, 0, tile.side),
+    b.x0 = std::clamp(rect.x - tile.x, 0, tile.side);
     b.x1 = std::clamp(rect.x + rect.width - tile.x, 0, tile.side);
-    b.y0 = std::clamp(rect.y - tile.y, 0, tile.side),
+    b.y0 = std::clamp(rect.y - tile.y, 0, tile.side);
     b.y1 = std::clamp(rect.y + rect.height - tile.y, 0, tile.side);
     if (b.x1 - b.x0 == tile.side && b.y1 - b.y0 == tile.side) {
-        b.column.fill(0xFFFF), b.row.fill(0xFFFF);
+        b.column.fill(0xFFFF);
+        b.row.fill(0xFFFF);
         return b;
     }
     const auto lanes = [&](int block, int low, int high, std::uint32_t line, int step) {

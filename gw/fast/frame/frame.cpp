@@ -1,5 +1,6 @@
-// Tiled planes.
 #include "gw/fast/frame/frame.h"
+
+#include "gw/planes.h"
 
 namespace gw::fast {
 
@@ -10,7 +11,7 @@ Frame::Frame(int width, int height, int log2_tile) : grid_{width, height, log2_t
     stencil_.resize(blocks);
     uniform_.resize(blocks / (group_blocks * group_blocks));
     has_uniform_.resize(grid_.count());
-    held_.resize(grid_.count());
+    depth_planes_.resize(grid_.count());
 }
 
 void Frame::need_accum() {
@@ -29,7 +30,7 @@ Tile Frame::tile(std::size_t index) {
             accum_.empty() ? nullptr : &accum_[first],
             &uniform_[first / (group_blocks * group_blocks)],
             &has_uniform_[index],
-            &held_[index]};
+            &depth_planes_[index]};
 }
 
 namespace {

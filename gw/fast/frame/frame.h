@@ -3,20 +3,23 @@
 #pragma once
 
 #include "gw/fast/frame/uniform.h"
-#include "gw/planes.h"
 
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
+namespace gw {
+struct Planes;
+}
+
 namespace gw::fast {
 
 inline constexpr int block_side = 4, block_pixels = 16;
 inline constexpr std::size_t max_tile_blocks = 256;  ///< of a tile of 64 x 64 pixels, the largest
 
-/// Pixels of one block: the colours by channel, everything else by pixel. Lane = 4 (y mod 4) + x
-/// mod 4.
+/// Pixels of one block: the colours by channel, everything else by pixel.
+/// Lane = 4 (y mod 4) + x mod 4.
 struct alignas(64) ColorBlock {
     std::uint16_t channel[4][block_pixels];
 };
@@ -53,7 +56,7 @@ struct Tile {
     AccumBlock* accum = nullptr;
     UniformGroup* uniform = nullptr;
     UniformPlanes* has_uniform = nullptr;
-    HeldPlanes* held = nullptr;
+    DepthPlanes* depth_planes = nullptr;
 
     std::size_t blocks() const { return block(0, side / block_side); }
     std::size_t block(int bx, int by) const {
@@ -78,7 +81,7 @@ public:
     /// Makes the accumulation plane (zero) where there is none yet.
     void need_accum();
 
-    /// Tiles have to be settled.
+    /// All uniform blocks must have been written back.
     void read(Planes& planes) const;
     void write(const Planes& planes);
 
@@ -90,7 +93,7 @@ private:
     std::vector<AccumBlock> accum_;
     std::vector<UniformGroup> uniform_;
     std::vector<UniformPlanes> has_uniform_;  ///< by tile
-    std::vector<HeldPlanes> held_;            ///< by tile
+    std::vector<DepthPlanes> depth_planes_;   ///< by tile
 };
 
 }  // namespace gw::fast

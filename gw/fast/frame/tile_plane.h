@@ -14,4 +14,10 @@ struct TilePlane {
     bool operator==(const TilePlane&) const = default;
 };
 
+/// A primitive's depths: a plane, and the polygon offset that is added to its values.
+struct DepthPlane {
+    TilePlane plane;
+    std::int64_t offset = 0;
+};
+
 }  // namespace gw::fast

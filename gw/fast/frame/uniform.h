@@ -1,5 +1,5 @@
-// What blocks have in common all over, kept instead of their pixels. Does not know how it comes
-// about: gw/fast/uniform/uniform-inl.h.
+// Values that all pixels of a block share, stored instead of its pixels. Does not say how blocks
+// become uniform: gw/fast/uniform/uniform-inl.h.
 #pragma once
 
 #include "gw/base/types.h"
@@ -12,30 +12,29 @@
 
 namespace gw::fast {
 
-/// Blocks come in groups of 4x4: a vector holds what a group's blocks have.
+/// Blocks come in groups of 4x4: a vector holds one value of each block of a group.
 inline constexpr int group_blocks = 4;
 
-/// What all pixels of a block have, for 16 blocks, a bit or an element each: block 4 (y mod 4) + x
-/// mod 4.
-/// Where a block's bit is set, this stands here alone, and what the plane holds of the block has no
-/// meaning until settle_blocks() writes it.
+/// The common value of each of 16 blocks, an element or a bit each: block 4 (y mod 4) + x mod 4.
+/// If a block's bit is set, its value is stored only here: the block's pixels in the plane have no
+/// meaning until write_back_blocks() writes them.
 struct alignas(64) UniformGroup {
     std::uint64_t color[16] = {};  ///< bits of an Rgba
-    std::uint32_t depth[16] = {};  ///< the one depth, or which of the tile's held planes
+    std::uint32_t depth[16] = {};  ///< the one depth, or an index into the tile's DepthPlanes
     std::uint16_t one_color = 0;
-    std::uint16_t one_depth = 0;  ///< all pixels have one depth,
-    /// or those of the triangle that covers them, as hardware compresses depths
-    std::uint16_t one_plane = 0;
+    std::uint16_t one_depth = 0;  ///< all pixels have one depth
+    std::uint16_t one_plane =
+        0;  ///< the depths are those of one plane, as hardware compresses them
 
     Rgba color_of(std::uint32_t block) const { return std::bit_cast<Rgba>(color[block]); }
 };
 
-/// Planes of depths that a tile's blocks hold; values at these blocks are below 2^32 without
+/// The depth planes of a tile's blocks; at those blocks their values are below 2^32 without
 /// wrapping.
-using HeldPlanes = std::vector<TilePlane>;
-inline constexpr std::size_t max_held_planes = 256;
+using DepthPlanes = std::vector<TilePlane>;
+inline constexpr std::size_t max_depth_planes = 256;
 
-/// Planes of a tile of which some block's value stands in its UniformGroup.
+/// Which planes of a tile have uniform blocks.
 struct UniformPlanes {
     bool color = false, depth = false;
 };

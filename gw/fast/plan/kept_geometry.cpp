@@ -1,4 +1,3 @@
-// Sets found again.
 #include "gw/fast/plan/kept_geometry.h"
 
 #include <utility>

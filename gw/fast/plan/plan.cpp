@@ -1,9 +1,6 @@
-// Planning a segment.
 #include "gw/fast/plan/plan.h"
 
 #include "gw/base/parallel.h"
-#include "gw/fast/raster/primitive.h"
-#include "gw/fast/visible/visible_record.h"
 #include "gw/stages/fog.h"
 
 #include <algorithm>
@@ -39,7 +36,7 @@ struct Planner {
         segment.ops.push_back({std::move(op), machine.passes.size() - 1});
     }
 
-    /// What is made later, with the state as it is now.
+    /// Work to do later, with the state as it is now.
     auto job(const Draw& draw, auto run) {
         return [state = machine.state, &draw, run] { run(state, draw); };
     }
@@ -81,19 +78,19 @@ struct Planner {
         return &out;
     }
     const VertexColors* colors(GeometrySet& set, const Draw& draw) {
-        return shared(segment.colors, machine.done.colors, set, draw,
+        return shared(segment.colors, machine.recycled.colors, set, draw,
                       color_key(set, machine.state, draw), shade_vertices);
     }
     const VertexFog* fog(GeometrySet& set, const Draw& draw) {
-        return shared(segment.fogs, machine.done.fogs, set, draw, fog_key(set, machine.state),
+        return shared(segment.fogs, machine.recycled.fogs, set, draw, fog_key(set, machine.state),
                       fog_vertices);
     }
     const VertexTexcoords* texcoords(GeometrySet& set, const Draw& draw) {
-        return shared(segment.texcoords, machine.done.texcoords, set, draw,
+        return shared(segment.texcoords, machine.recycled.texcoords, set, draw,
                       texcoord_key(set, machine.state), texture_vertices);
     }
 
-    /// Makes what is shared: geometry first, then what stands at its vertices.
+    /// Makes what draws share: geometry first, then the values at its vertices.
     void run_jobs(int threads) {
         machine.geometry.give(segment.sets);
         for (const auto* jobs : {&geometry_jobs, &vertex_jobs})
@@ -193,15 +190,16 @@ bool reads_again(const Command& command, const Segment& segment) {
 }  // namespace
 
 Segment plan_segment(std::span<const Command> commands, MachineState& machine,
-                     const Profile& profile, const TileGrid& grid, int threads, std::size_t& done) {
+                     const Profile& profile, const TileGrid& grid, int threads,
+                     std::size_t& consumed) {
     Planner planner{machine, profile, grid, {}};
-    for (done = 0; done < commands.size(); ++done) {
-        const Command& command = commands[done];
+    for (consumed = 0; consumed < commands.size(); ++consumed) {
+        const Command& command = commands[consumed];
         if (is_barrier(command, machine.passes) || reads_again(command, planner.segment)) break;
         std::visit([&](const auto& c) { planner.add(c); }, command);
     }
     planner.run_jobs(threads);
-    plan_coverages(planner.segment);
+    share_visibility(planner.segment);
     return std::move(planner.segment);
 }
 
@@ -210,9 +208,12 @@ void retire(Segment segment, MachineState& machine) {
         for (auto& element : all) element.clear();
     };
     machine.geometry.keep(std::exchange(segment.sets, {}));
-    clear(segment.colors), clear(segment.fogs), clear(segment.texcoords);
-    segment.ops.clear(), segment.fog_tables.clear();
-    machine.done = std::move(segment);
+    clear(segment.colors);
+    clear(segment.fogs);
+    clear(segment.texcoords);
+    segment.ops.clear();
+    segment.fog_tables.clear();
+    machine.recycled = std::move(segment);
 }
 
 }  // namespace gw::fast

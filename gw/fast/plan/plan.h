@@ -1,10 +1,12 @@
-// A list made ready to run tile by tile: what is shared is made once, every command becomes an
-// operation on a tile. docs/manual.md promises nothing about it: only that the bits are the
-// reference machine's. Does not touch pixels.
+// A list made ready to run tile by tile: every command becomes an operation on tiles, and draws
+// share geometry and vertex values. The bits are the reference machine's; nothing else is promised.
+// Does not touch pixels.
 #pragma once
 
+#include "gw/fast/frame/frame.h"
+#include "gw/fast/plan/draw_op.h"
 #include "gw/fast/plan/kept_geometry.h"
-#include "gw/fast/shade/texels.h"
+#include "gw/fast/plan/texels.h"
 #include "gw/fast/vertices/vertex_values.h"
 #include "gw/machine.h"
 
@@ -16,34 +18,6 @@
 #include <vector>
 
 namespace gw::fast {
-
-struct DrawOp {
-    const Draw* draw = nullptr;
-    Resolved state;
-    const GeometrySet* set = nullptr;
-    const VertexColors* colors = nullptr;        ///< null where no colour is needed
-    const VertexFog* fog = nullptr;              ///< null: no fog
-    const VertexTexcoords* texcoords = nullptr;  ///< null: untextured
-    const FastTexels* texels = nullptr;          ///< null: untextured
-    const TexelPairs* pairs = nullptr;           ///< of `texels`, where its filter is bilinear
-    /// textured, whether or not anyone sees the colour
-    bool texels_counted = false;
-    const std::vector<std::uint32_t>* fog_table = nullptr;
-    bool needs_color = true;  ///< some plane or the alpha test sees it
-    bool perspective_color = false;
-    /// which record of visible fragments it makes or uses; -1: none
-    int coverage = -1;
-    bool counts_by_pixel = false;  ///< its record counts each pixel's fragments
-    FragmentBytes bytes;
-};
-/// Whether its fragments meet the depth plane.
-inline bool needs_depth(const DrawOp& op) {
-    return op.state.state.depth.func != DepthFunc::Always || op.state.state.depth.mask;
-}
-/// The planes that it must find settled.
-inline UniformPlanes touched_planes(const DrawOp& op) {
-    return {op.state.writes_color, needs_depth(op)};
-}
 
 struct ClearOp {
     const Clear* clear = nullptr;
@@ -86,10 +60,10 @@ struct Segment {
     std::deque<VertexTexcoords> texcoords;
     std::deque<std::vector<std::uint32_t>> fog_tables;
     bool uses_accum = false;
-    int coverages = 0;  ///< records of visible fragments
+    int visible_records = 0;
 };
 
-/// What persists in a machine from list to list, as far as planning needs it.
+/// The part of a machine's state that planning needs; persists from list to list.
 struct MachineState {
     State state;
     std::vector<PassReport> passes;
@@ -99,16 +73,24 @@ struct MachineState {
     std::map<std::uint32_t, Readback> readbacks;
     ReadTargets targets;  ///< of the list in execution
     KeptGeometry geometry;
-    Segment done;  ///< the last one, emptied: the next takes its memory
+    Segment recycled;  ///< the last one, emptied: the next reuses its memory
 };
 
 /// Plans the commands up to the next barrier (which is not included) and counts their geometry.
-/// `done` is how many commands were taken.
+/// `consumed`: how many commands that were.
 Segment plan_segment(std::span<const Command> commands, MachineState& machine,
-                     const Profile& profile, const TileGrid& grid, int threads, std::size_t& done);
+                     const Profile& profile, const TileGrid& grid, int threads,
+                     std::size_t& consumed);
 
-/// Takes back what a segment that has run holds: its memory serves the next one.
+/// Takes back a segment that has run: the next one reuses its memory.
 void retire(Segment segment, MachineState& machine);
+
+/// Gives draws that may share a record of visible fragments its number. A draw may if it compares
+/// Equal, has no alpha test and changes the stencil only where it is visible, everywhere there; and
+/// if only such draws have touched depth since the record was made. The depth pass of the same
+/// geometry makes the record on its way, if depths only became less between the two: then no
+/// fragment that failed in it can be visible.
+void share_visibility(Segment& segment);
 
 /// Whether a command reads pixels across tiles, or takes digests: it runs between segments.
 bool is_barrier(const Command& command, const std::vector<PassReport>& passes);

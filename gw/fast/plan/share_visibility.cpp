@@ -1,23 +1,9 @@
-// Which draws share a record.
-#include "gw/fast/visible/visible_record.h"
-
 #include "gw/fast/plan/plan.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace gw::fast {
-
-void Coverage::clear() {
-    drawn = made = false;
-    primitives.clear();
-    depth.clear();
-    blocks.clear();
-    fragments.clear();
-    total = 0;
-    runs.clear();
-    texture.texcoords = nullptr;
-}
 
 namespace {
 
@@ -29,19 +15,19 @@ bool may_share(const DrawOp& op) {
            (keeps_stencil(face) || counts_visible) && !(s.stencil.test && s.stencil.two_side);
 }
 
-/// What decides a draw's fragments and their depths.
-struct Shared {
+/// Everything that decides a draw's fragments and their depths.
+struct FragmentsKey {
     const GeometrySet* set;
     JitterState jitter;
     Rect box;
     PolygonOffsetState offset;
-    bool operator==(const Shared&) const = default;
+    bool operator==(const FragmentsKey&) const = default;
 };
-Shared shared(const DrawOp& op) {
+FragmentsKey fragments_key(const DrawOp& op) {
     return {op.set, op.state.state.jitter, op.state.draw_box, op.state.state.polygon_offset};
 }
 
-/// What an operation does to depths: `Less` never makes one greater. Under Equal a written depth is
+/// How an operation changes depths: `Less` never makes one greater. Under Equal a written depth is
 /// the stored one.
 enum class Change { None, Less, Any };
 
@@ -62,8 +48,7 @@ Change change(const ClearOp& op) {
 Change change(const AccumulateOp&) { return Change::None; }
 Change change(const ReadOp&) { return Change::None; }
 
-/// Whether a draw is a depth pass of nothing but triangles, whose fragments all reach the depth
-/// test.
+/// Whether a draw is a depth pass of triangles only, all of whose fragments reach the depth test.
 bool may_record(const DrawOp& op) {
     const State& s = op.state.state;
     return change(op) == Change::Less && s.alpha.func == AlphaFunc::Always &&
@@ -73,7 +58,7 @@ bool may_record(const DrawOp& op) {
 
 /// Draws of one record.
 struct Group {
-    Shared key;
+    FragmentsKey key;
     int depth_version;
     DrawOp* depth_pass;  ///< null: the first of `draws` makes the record
     std::vector<DrawOp*> draws;
@@ -81,18 +66,18 @@ struct Group {
 
 struct Grouping {
     std::vector<Group> groups;
-    std::vector<std::pair<Shared, DrawOp*>> depth_passes;  ///< since when depths only became less
+    std::vector<std::pair<FragmentsKey, DrawOp*>> depth_passes;  ///< since depths could last grow
     int depth_version = 0;
 
-    /// The last depth pass of a geometry; it serves one record.
-    DrawOp* take_depth_pass(const Shared& key) {
+    /// The last depth pass of a geometry; it makes one record.
+    DrawOp* take_depth_pass(const FragmentsKey& key) {
         const auto found = std::find_if(depth_passes.rbegin(), depth_passes.rend(),
                                         [&](const auto& pass) { return pass.first == key; });
         if (found == depth_passes.rend()) return nullptr;
         return std::exchange(found->second, nullptr);
     }
     void add(DrawOp& op) {
-        const Shared key = shared(op);
+        const FragmentsKey key = fragments_key(op);
         const auto found = std::find_if(groups.rbegin(), groups.rend(), [&](const Group& g) {
             return g.key == key && g.depth_version == depth_version;
         });
@@ -110,13 +95,13 @@ struct Grouping {
 
 }  // namespace
 
-void plan_coverages(Segment& segment) {
+void share_visibility(Segment& segment) {
     Grouping grouping;
     for (TileOp& tile_op : segment.ops) {
         DrawOp* op = std::get_if<DrawOp>(&tile_op.op);
         if (op && may_share(*op)) grouping.add(*op);
         grouping.pass_by(tile_op);
-        if (op && may_record(*op)) grouping.depth_passes.push_back({shared(*op), op});
+        if (op && may_record(*op)) grouping.depth_passes.push_back({fragments_key(*op), op});
     }
     for (Group& group : grouping.groups) {
         if (group.draws.size() < 2 && !group.depth_pass) continue;
@@ -124,9 +109,11 @@ void plan_coverages(Segment& segment) {
         const bool by_pixel = std::any_of(
             group.draws.begin(), group.draws.end(),
             [](const DrawOp* op) { return op->state.front.func != StencilFunc::Always; });
-        for (DrawOp* op : group.draws)
-            op->coverage = segment.coverages, op->counts_by_pixel = by_pixel;
-        segment.coverages += 1;
+        for (DrawOp* op : group.draws) {
+            op->visible_record = segment.visible_records;
+            op->counts_by_pixel = by_pixel;
+        }
+        segment.visible_records += 1;
     }
 }
 

@@ -1,8 +1,7 @@
 // Corners of up to 16 triangles, and planes through values at them, a vector of triangles at a
-// time.
-// docs/manual.md, "Planes"; scalar twin: gw/fast/raster/setup.h. Doubles hold integers here: a
-// plane that could need more bits than they have is not `sure`, and its triangle goes the scalar
-// way. Included once per Highway target.
+// time. docs/manual.md, "Planes"; scalar twin: gw/fast/raster/setup.h. Doubles hold integers here:
+// a plane that could need more than their bits is not `sure`, and the scalar code sets its triangle
+// up. Included once per Highway target.
 #if defined(GW_FAST_CORNERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_CORNERS_INL_H_
 #undef GW_FAST_CORNERS_INL_H_
@@ -10,8 +9,13 @@
 #define GW_FAST_CORNERS_INL_H_
 #endif
 
+#include "gw/fast/plan/draw_op.h"
+#include "gw/fast/plan/tile_draw.h"
 #include "gw/fast/raster/primitive.h"
+#include "gw/fast/raster/setup.h"
 #include "gw/fast/simd/doubles-inl.h"
+#include "gw/fast/vertices/geometry.h"
+#include "gw/profile.h"
 
 #include <algorithm>
 #include <span>
@@ -29,8 +33,8 @@ HWY_INLINE PrimitiveFrame frame_of(const TileDraw& draw, std::uint32_t ordinal) 
 
 /// A value at each corner of each triangle: out[corner][lane] = value(vertex).
 template <typename T, class Value>
-HWY_INLINE void gather(const Corners& t, T (&out)[3][batch_room], const Value& value) {
-    for (std::size_t i = 0; i < t.room; ++i)
+HWY_INLINE void gather(const Corners& t, T (&out)[3][batch_capacity], const Value& value) {
+    for (std::size_t i = 0; i < t.filled; ++i)
         for (std::size_t k = 0; k < 3; ++k) out[k][i] = value(t.primitive[i]->vertex[k]);
 }
 
@@ -39,22 +43,24 @@ HWY_INLINE void gather_positions(const TileDraw& draw, std::span<const std::uint
     const GeometrySet& set = *draw.op->set;
     const JitterState& jitter = draw.op->state.state.jitter;
     t.s = draw.profile->subpixel_bits;
-    t.count = std::min(ordinals.size(), batch_room);
-    t.room = t.count <= batch_room / 2 ? batch_room / 2 : batch_room;
-    for (std::size_t i = 0; i < t.room; ++i) {
+    t.count = std::min(ordinals.size(), batch_capacity);
+    t.filled = t.count <= batch_capacity / 2 ? batch_capacity / 2 : batch_capacity;
+    for (std::size_t i = 0; i < t.filled; ++i) {
         t.ordinal[i] = ordinals[i < t.count ? i : 0];
         t.primitive[i] = &set.primitives[t.ordinal[i]];
     }
     const auto put = [&](std::size_t i, const auto& store) {
         for (std::size_t k = 0; k < 3; ++k) {
             const SnappedVertex& v = set.at[t.primitive[i]->vertex[k]];
-            store(v.x + jitter.x, t.x[k]), store(v.y + jitter.y, t.y[k]), store(v.z, t.z[k]);
+            store(v.x + jitter.x, t.x[k]);
+            store(v.y + jitter.y, t.y[k]);
+            store(v.z, t.z[k]);
         }
     };
-    // The first to all lanes: a bin of a large triangle's tile has few more.
+    // The first to all lanes: a tile of a large triangle has few others.
     put(0, [&](auto value, auto* lanes) {
-        const hn::CappedTag<decltype(value), batch_room / 2> d;
-        for (std::size_t i = 0; i < t.room; i += hn::Lanes(d))
+        const hn::CappedTag<decltype(value), batch_capacity / 2> d;
+        for (std::size_t i = 0; i < t.filled; i += hn::Lanes(d))
             hn::Store(hn::Set(d, value), d, lanes + i);
     });
     for (std::size_t i = 1; i < t.count; ++i)
@@ -79,11 +85,11 @@ HWY_INLINE V64 load_unsigned(const std::uint32_t* p) {
 
 #endif  // HWY_HAVE_FLOAT64
 
-/// Gathers the corners and what planes need of them.
+/// Gathers the corners and the differences that planes need.
 HWY_INLINE void gather_corners(const TileDraw& draw, std::span<const std::uint32_t> ordinals,
                                Corners& t) {
     gather_positions(draw, ordinals, t);
-    for (std::size_t i = 0; i < t.room; ++i) {
+    for (std::size_t i = 0; i < t.filled; ++i) {
         t.to_x[i] = draw.tile.x - (t.x[0][i] >> t.s);
         t.to_y[i] = draw.tile.y - (t.y[0][i] >> t.s);
     }
@@ -94,16 +100,19 @@ HWY_INLINE void gather_corners(const TileDraw& draw, std::span<const std::uint32
     const auto to_center = [&](V64 v) {
         return hn::Sub(hn::Add(hn::Mul(hn::Floor(hn::Mul(v, inverse)), cell), half), v);
     };
-    for (std::size_t i = 0; i < t.room; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < t.filled; i += hn::Lanes(d)) {
         const auto x0 = load_integers(t.x[0] + i), y0 = load_integers(t.y[0] + i);
         const auto dx1 = hn::Sub(load_integers(t.x[1] + i), x0),
                    dy1 = hn::Sub(load_integers(t.y[1] + i), y0);
         const auto dx2 = hn::Sub(load_integers(t.x[2] + i), x0),
                    dy2 = hn::Sub(load_integers(t.y[2] + i), y0);
-        hn::Store(dx1, d, t.dx1 + i), hn::Store(dy1, d, t.dy1 + i);
-        hn::Store(dx2, d, t.dx2 + i), hn::Store(dy2, d, t.dy2 + i);
+        hn::Store(dx1, d, t.dx1 + i);
+        hn::Store(dy1, d, t.dy1 + i);
+        hn::Store(dx2, d, t.dx2 + i);
+        hn::Store(dy2, d, t.dy2 + i);
         hn::Store(hn::Sub(hn::Mul(dx1, dy2), hn::Mul(dx2, dy1)), d, t.area2 + i);
-        hn::Store(to_center(x0), d, t.ax + i), hn::Store(to_center(y0), d, t.ay + i);
+        hn::Store(to_center(x0), d, t.ax + i);
+        hn::Store(to_center(y0), d, t.ay + i);
     }
 #endif
 }
@@ -111,9 +120,9 @@ HWY_INLINE void gather_corners(const TileDraw& draw, std::span<const std::uint32
 /// One plane for each triangle of a batch.
 struct PlaneBatch {
     /// at the centre of corner 0's pixel, 16 fraction bits
-    alignas(64) std::int64_t base[batch_room];
-    alignas(64) std::int64_t c[batch_room];  ///< the same at the tile, modulo 2^64
-    alignas(64) std::int64_t gx[batch_room], gy[batch_room];
+    alignas(64) std::int64_t base[batch_capacity];
+    alignas(64) std::int64_t c[batch_capacity];  ///< the same at the tile, modulo 2^64
+    alignas(64) std::int64_t gx[batch_capacity], gy[batch_capacity];
     std::uint32_t sure = 0;  ///< lanes that hold their plane
 
     HWY_INLINE TilePlane at(std::size_t i) const {
@@ -123,7 +132,7 @@ struct PlaneBatch {
 
 #if HWY_HAVE_FLOAT64
 
-/// Nearest integers to (first - second) 2^shift / area2, and the lanes where that is what they are.
+/// Nearest integers to (first - second) 2^shift / area2, and the lanes where they are proved so.
 struct GradientLanes {
     V64 value;
     hn::Mask<D64> sure;
@@ -158,7 +167,7 @@ HWY_INLINE void set_up_planes(const Corners& t, const Value& value, PlaneBatch& 
     const D64 d;
     const I64ForD64 i64;
     out.sure = 0;
-    for (std::size_t i = 0; i < t.room; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < t.filled; i += hn::Lanes(d)) {
         const auto dx1 = hn::Load(d, t.dx1 + i), dy1 = hn::Load(d, t.dy1 + i);
         const auto dx2 = hn::Load(d, t.dx2 + i), dy2 = hn::Load(d, t.dy2 + i);
         const auto area2 = hn::Load(d, t.area2 + i);
@@ -176,8 +185,10 @@ HWY_INLINE void set_up_planes(const Corners& t, const Value& value, PlaneBatch& 
         };
         const auto to_tile =
             hn::Add(hn::Mul(gx, steps(t.to_x + i)), hn::Mul(gy, steps(t.to_y + i)));
-        hn::Store(corner, i64, out.base + i), hn::Store(hn::Add(corner, to_tile), i64, out.c + i);
-        hn::Store(gx, i64, out.gx + i), hn::Store(gy, i64, out.gy + i);
+        hn::Store(corner, i64, out.base + i);
+        hn::Store(hn::Add(corner, to_tile), i64, out.c + i);
+        hn::Store(gx, i64, out.gx + i);
+        hn::Store(gy, i64, out.gy + i);
         std::uint64_t bits = 0;
         hn::StoreMaskBits(d, hn::And(x.sure, y.sure), reinterpret_cast<std::uint8_t*>(&bits));
         out.sure |= (std::uint32_t(bits) & ((1u << hn::Lanes(d)) - 1)) << i;

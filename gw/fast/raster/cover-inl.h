@@ -44,8 +44,7 @@ struct EdgeWalk {
     HWY_INLINE LaneSet covered() const {
         return inside([&](std::size_t k, std::size_t part) { return edge[k].at[part]; });
     }
-    /// The same wherever this stands: of a block among others, whose edge functions are known at
-    /// its corner.
+    /// Coverage of any block, from edge values at its corner.
     HWY_INLINE LaneSet covered(const SquareEdges& blocks, std::size_t block) const {
         return inside([&](std::size_t k, std::size_t part) {
             return hn::Add(hn::Set(D32(), blocks.at[k][block]), edge[k].lanes.lane[part]);
@@ -84,8 +83,7 @@ struct BlockRange {
     }
 };
 
-/// Of 4x4 squares: those that the triangle does not touch and those that it covers, as far as its
-/// edges tell.
+/// The squares of 4x4 that the triangle does not touch, and those that it covers, by its edges.
 struct Extents {
     std::uint32_t outside, inside;
 };
@@ -146,7 +144,7 @@ struct BoxLanes {
     }
 };
 
-/// A block that the triangle covers wholly; without a box to cut it the visitor may be told so.
+/// A block that the triangle covers wholly. If no box cuts it, a visitor may take AllLanes.
 template <class Visit>
 HWY_INLINE void visit_full_block(const BoxLanes& box, int bx, int by, const Visit& visit) {
     if constexpr (std::is_invocable_v<Visit, int, int, AllLanes>) {
@@ -166,7 +164,7 @@ HWY_INLINE void visit_full_blocks(const BoxLanes& box, const BlockRange& r, Walk
             visit_full_block(box, bx, by, visit);
 }
 
-/// A visitor may want whole blocks by the group: of the 4x4 blocks from (x, y) on, those of a mask.
+/// A visitor may take whole blocks in groups: of the 4x4 blocks from (x, y) on, those of a mask.
 template <class Visit>
 concept TakesGroups = requires(const Visit& visit) {
     visit.whole_blocks(0, 0, 0u);
@@ -186,7 +184,8 @@ HWY_INLINE void visit_full_group(const BoxLanes& box, int x, int y, Walk& walk,
 template <class Walk, class Visit>
 HWY_INLINE void visit_covered_blocks(const BoxLanes& box, EdgeWalk& edge, const BlockRange& r,
                                      Walk& walk, const Visit& visit) {
-    edge.start_rows(r.x0, r.y0), walk.start_rows(r.x0, r.y0);
+    edge.start_rows(r.x0, r.y0);
+    walk.start_rows(r.x0, r.y0);
     for (int by = r.y0; by <= r.y1; ++by, edge.next_row(), walk.next_row())
         for (int bx = r.x0; bx <= r.x1; ++bx, edge.next_block(), walk.next_block()) {
             LaneSet lanes = edge.covered();
@@ -195,15 +194,16 @@ HWY_INLINE void visit_covered_blocks(const BoxLanes& box, EdgeWalk& edge, const 
         }
 }
 
-/// Of a group that the triangle's border crosses, the blocks that it may touch: `blocks`, one bit
-/// each.
+/// The blocks of a group that the triangle's border crosses and may touch: `blocks`, one bit each.
 template <class Walk, class Visit>
 HWY_INLINE void visit_blocks(const BoxLanes& box, const EdgeWalk& edge, const SquareEdges& edges,
                              int x, int y, std::uint32_t blocks, std::uint32_t full, Walk& walk,
                              const Visit& visit) {
     if constexpr (TakesGroups<Visit>) {
-        if ((blocks & full) != 0 && box.has_group(x, y))
-            visit.whole_blocks(x, y, blocks & full), blocks &= ~full;
+        if ((blocks & full) != 0 && box.has_group(x, y)) {
+            visit.whole_blocks(x, y, blocks & full);
+            blocks &= ~full;
+        }
     }
     for (; blocks != 0; blocks &= blocks - 1) {
         const int i = std::countr_zero(blocks), bx = x + i % group_blocks,
@@ -221,9 +221,8 @@ HWY_INLINE void visit_blocks(const BoxLanes& box, const EdgeWalk& edge, const Sq
     }
 }
 
-/// Blocks are visited in groups of 4x4, so that a large triangle's empty and full parts cost next
-/// to nothing.
-/// First the groups are sorted into untouched, covered and crossed.
+/// Visits blocks in groups of 4x4, so that a large triangle's empty and full parts cost almost
+/// nothing. First the groups are sorted into untouched, covered and crossed.
 template <class Walk, class Visit>
 HWY_INLINE void visit_groups(const BoxLanes& box, const TileEdges& edges, EdgeWalk& edge,
                              const BlockRange& all, Walk& walk, const Visit& visit) {
@@ -248,8 +247,7 @@ HWY_INLINE void visit_groups(const BoxLanes& box, const TileEdges& edges, EdgeWa
     }
 }
 
-/// Ways to visit the covered blocks of one of the triangles: visit(bx, by, lanes), while `walk`
-/// stands at that block.
+/// Visitors of the covered blocks of one triangle: visit(bx, by, lanes), with `walk` at that block.
 struct SmallTriangle {
     /// Of at most 2x2 blocks: their lanes are known.
     template <class Walk, class Visit>
@@ -276,7 +274,8 @@ struct LargeTriangle {
         const BlockRange all{t.x0[i] / block_side, t.y0[i] / block_side, (t.x1[i] - 1) / block_side,
                              (t.y1[i] - 1) / block_side};
         EdgeWalk edge;
-        edge.aim(edges), walk.aim();
+        edge.aim(edges);
+        walk.aim();
         if (all.x1 - all.x0 < group_blocks && all.y1 - all.y0 < group_blocks)
             visit_covered_blocks(box, edge, all, walk, visit);
         else
@@ -284,21 +283,27 @@ struct LargeTriangle {
     }
 };
 
-/// Calls draw(way) with the way to visit triangle i.
+/// Calls draw(size) with the visitor of triangle i.
 template <class Draw>
 HWY_INLINE void by_size(const Triangles& t, std::size_t i, const Draw& draw) {
-    t.is_small(i) ? draw(SmallTriangle{}) : draw(LargeTriangle{});
+    if (t.is_small(i))
+        draw(SmallTriangle{});
+    else
+        draw(LargeTriangle{});
 }
 
-/// Hands on a bin in its order: triangles in batches, lines and points one by one.
+/// Visits a bin in order: triangles in batches, lines and points one by one.
 template <class Batch, class Single>
 HWY_INLINE void walk_bin(const TileDraw& draw, std::span<const std::uint32_t> bin,
                          const Batch& triangles, const Single& other) {
     const std::uint32_t triangles_end = draw.op->set->triangle_count;
     while (!bin.empty()) {
         std::size_t n = 0;
-        while (n < std::min(bin.size(), batch_room) && bin[n] < triangles_end) ++n;
-        n == 0 ? other(bin[0]) : triangles(bin.first(n));
+        while (n < std::min(bin.size(), batch_capacity) && bin[n] < triangles_end) ++n;
+        if (n == 0)
+            other(bin[0]);
+        else
+            triangles(bin.first(n));
         bin = bin.subspan(std::max<std::size_t>(n, 1));
     }
 }

@@ -1,8 +1,12 @@
-// Set-up of a primitive's planes from its vertices' values.
 #include "gw/fast/raster/primitive.h"
 
 #include "gw/base/arithmetic.h"
+#include "gw/fast/plan/draw_op.h"
+#include "gw/fast/plan/tile_draw.h"
+#include "gw/fast/raster/setup.h"
+#include "gw/fast/vertices/vertex_values.h"
 #include "gw/stages/fog.h"
+#include "gw/stages/texels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +90,8 @@ struct Maker {
         for (std::size_t i = 0; i < corners(); ++i) fractions[i] = double(a[i]) / max;
         const auto [low, high] =
             std::minmax_element(a.begin(), a.begin() + std::ptrdiff_t(corners()));
-        out.low[c] = std::uint32_t(*low), out.high[c] = std::uint32_t(*high);
+        out.low[c] = std::uint32_t(*low);
+        out.high[c] = std::uint32_t(*high);
         out.color[c] = frame.plane(numerators(used(fractions), used(w()), 0).at);
     }
 
@@ -124,11 +129,13 @@ struct Maker {
                 gather<dvec4>([&](std::uint32_t v) { return op().texcoords->strq[v]; });
             const Projective p = projective(std::span(strq).first(corners()), used(w()));
             q = p.denominator;
-            s = p.numerator[0], t = p.numerator[1];
+            s = p.numerator[0];
+            t = p.numerator[1];
             out.r = texture_plane(p.numerator[2], Wrap::Repeat);
         } else {
             q = denominators(used(w()));
-            s = coordinate(0, ts.wrap_s), t = coordinate(1, ts.wrap_t);
+            s = coordinate(0, ts.wrap_s);
+            t = coordinate(1, ts.wrap_t);
             out.r = {};
         }
         out.q = frame.plane(q);
@@ -146,7 +153,8 @@ struct Maker {
                 double(std::int64_t(((int128{a[frame.base]} << 16) + (1 << 15) + step) >> 16))};
     }
     void slopes(TexturePlanes& out, const Values& q, const Values& s, const Values& t) const {
-        out.slope_x = draw.tile.x - int(frame.to_x), out.slope_y = draw.tile.y - int(frame.to_y);
+        out.slope_x = draw.tile.x - int(frame.to_x);
+        out.slope_y = draw.tile.y - int(frame.to_y);
         const PlaneSlope base = slope_of(out.q, q);
         out.s.slope = coordinate_slope(slope_of(out.s.plane, s), base);
         out.t.slope = coordinate_slope(slope_of(out.t.plane, t), base);

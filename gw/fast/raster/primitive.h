@@ -1,13 +1,16 @@
-// One primitive's planes in a tile, as one draw wants them. docs/manual.md, "Planes",
-// "Perspective".
-// Does not evaluate planes over blocks: the kernels do.
+// One primitive's planes in a tile, for one draw, and batches of such planes. docs/manual.md,
+// "Planes", "Perspective". Does not evaluate planes over blocks: the kernels do.
 #pragma once
 
-#include "gw/fast/kernels.h"
-#include "gw/fast/raster/setup.h"
+#include "gw/fast/frame/frame.h"
+#include "gw/fast/frame/tile_plane.h"
 #include "gw/stages/perspective.h"
 
 namespace gw::fast {
+
+struct PrimitiveFrame;
+struct SetupPrimitive;
+struct TileDraw;
 
 /// Colour and fog.
 struct ColorPlanes {
@@ -20,28 +23,28 @@ struct ColorPlanes {
 };
 
 /// Primitives that are set up together.
-inline constexpr std::size_t batch_room = 16;
+inline constexpr std::size_t batch_capacity = 16;
 
-/// Triangles of a set by ordinal, a lane each; lanes from `count` to `room` repeat the first.
+/// Triangles of a set by ordinal, a lane each; lanes from `count` to `filled` repeat the first.
 struct Corners {
-    std::size_t count = 0, room = batch_room;
+    std::size_t count = 0, filled = batch_capacity;
     int s = 3;
-    std::uint32_t ordinal[batch_room];
-    const SetupPrimitive* primitive[batch_room];
-    alignas(64) std::int32_t x[3][batch_room], y[3][batch_room];  ///< jittered
-    alignas(64) std::uint32_t z[3][batch_room];
+    std::uint32_t ordinal[batch_capacity];
+    const SetupPrimitive* primitive[batch_capacity];
+    alignas(64) std::int32_t x[3][batch_capacity], y[3][batch_capacity];  ///< jittered
+    alignas(64) std::uint32_t z[3][batch_capacity];
     /// pixels from corner 0's to the tile
-    alignas(64) std::int32_t to_x[batch_room], to_y[batch_room];
-    alignas(64) double dx1[batch_room], dy1[batch_room], dx2[batch_room], dy2[batch_room],
-        area2[batch_room];
+    alignas(64) std::int32_t to_x[batch_capacity], to_y[batch_capacity];
+    alignas(64) double dx1[batch_capacity], dy1[batch_capacity], dx2[batch_capacity],
+        dy2[batch_capacity], area2[batch_capacity];
     /// from corner 0 to the centre of its pixel
-    alignas(64) double ax[batch_room], ay[batch_room];
+    alignas(64) double ax[batch_capacity], ay[batch_capacity];
 };
 
 /// Planes of at most 16 bits, modulo 2^32, of a batch: R, G, B, A and the fog factor at the
 /// vertices.
 struct NarrowBatch {
-    alignas(64) std::uint32_t c[5][batch_room], gx[5][batch_room], gy[5][batch_room];
+    alignas(64) std::uint32_t c[5][batch_capacity], gx[5][batch_capacity], gy[5][batch_capacity];
     /// triangles whose R, G and B are 0 at all vertices, a bit each; not all are known
     std::uint32_t black = 0;
 };
@@ -67,15 +70,10 @@ struct TexturePlanes {
     int slope_x = 0, slope_y = 0;  ///< window pixel that the slopes are given at
 };
 
-/// Where a batch's planes stand while it is drawn: one a worker.
-struct BatchRoom {
-    ColorPlanes color[batch_room];
-    TexturePlanes texture[batch_room];
-};
-
-struct DepthPlane {
-    TilePlane plane;
-    std::int64_t offset = 0;
+/// A batch's planes while it is drawn: one for each worker thread.
+struct BatchScratch {
+    ColorPlanes color[batch_capacity];
+    TexturePlanes texture[batch_capacity];
 };
 
 DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive,
@@ -86,12 +84,6 @@ void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive,
 Rgba flat_color(const TileDraw& draw, const SetupPrimitive& primitive);
 void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive,
                          const PrimitiveFrame& frame, TexturePlanes& out);
-
-/// Whether a draw's texture is looked up pixel by pixel: projective coordinates and the shadow
-/// comparison.
-inline bool textures_by_pixel(const TextureState& s) {
-    return s.gen == TexGen::EyeLinear || s.shadow_compare;
-}
 
 /// Lanes of `mask` in block (bx, by), one by one.
 void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by,

@@ -1,5 +1,7 @@
-// Set-up of a primitive in a tile.
 #include "gw/fast/raster/setup.h"
+
+#include "gw/fast/frame/frame.h"
+#include "gw/fast/vertices/geometry.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -37,8 +39,10 @@ PrimitiveFrame primitive_frame(const GeometrySet& set, const SetupPrimitive& p,
         f.x[i] = std::int64_t{set.at[p.vertex[i]].x} + jitter.x;
         f.y[i] = std::int64_t{set.at[p.vertex[i]].y} + jitter.y;
     }
-    f.dx1 = f.x[1] - f.x[0], f.dy1 = f.y[1] - f.y[0];
-    f.dx2 = f.x[2] - f.x[0], f.dy2 = f.y[2] - f.y[0];
+    f.dx1 = f.x[1] - f.x[0];
+    f.dy1 = f.y[1] - f.y[0];
+    f.dx2 = f.x[2] - f.x[0];
+    f.dy2 = f.y[2] - f.y[0];
     if (p.kind == MeshKind::Triangles) f.area2 = f.dx1 * f.dy2 - f.dx2 * f.dy1;
     if (p.kind == MeshKind::Lines) {
         f.x_major = std::abs(f.dx1) >= std::abs(f.dy1);
@@ -48,8 +52,10 @@ PrimitiveFrame primitive_frame(const GeometrySet& set, const SetupPrimitive& p,
     }
     const std::int64_t half = std::int64_t{1} << (s - 1);
     const std::int64_t xr = f.x[f.base] >> s, yr = f.y[f.base] >> s;
-    f.ax = (xr << s) + half - f.x[f.base], f.ay = (yr << s) + half - f.y[f.base];
-    f.to_x = tile.x - xr, f.to_y = tile.y - yr;
+    f.ax = (xr << s) + half - f.x[f.base];
+    f.ay = (yr << s) + half - f.y[f.base];
+    f.to_x = tile.x - xr;
+    f.to_y = tile.y - yr;
     return f;
 }
 

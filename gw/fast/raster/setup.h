@@ -1,11 +1,11 @@
 // A primitive's integer planes, relative to a tile. docs/manual.md, "Planes": closed form modulo
-// 2^64.
-// Does not evaluate them: the kernels do, a block at a time.
+// 2^64. Does not evaluate them: the kernels do, a block at a time.
 #pragma once
 
 #include "gw/base/arithmetic.h"
 #include "gw/fast/frame/tile_plane.h"
-#include "gw/fast/vertices/geometry.h"
+#include "gw/mesh.h"
+#include "gw/state.h"
 
 #include <array>
 #include <bit>
@@ -13,6 +13,10 @@
 #include <cstdint>
 
 namespace gw::fast {
+
+struct GeometrySet;
+struct SetupPrimitive;
+struct Tile;
 
 __extension__ using int128 = __int128;
 

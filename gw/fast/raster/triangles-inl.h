@@ -1,5 +1,5 @@
-// Up to 16 triangles of a tile made ready to rasterize: edges, pixel boxes, depth planes, and what
-// small ones cover. docs/manual.md, "Coverage", "Planes"; scalar twin: gw/fast/raster/setup.cpp.
+// Sets up to 16 triangles of a tile up: edges, pixel boxes, depth planes, and the coverage of small
+// ones. docs/manual.md, "Coverage", "Planes"; scalar twin: gw/fast/raster/setup.cpp.
 // Does not rasterize. Included once per Highway target.
 #if defined(GW_FAST_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_TRIANGLES_INL_H_
@@ -18,13 +18,14 @@ namespace gw::fast::HWY_NAMESPACE {
 struct Triangles {
     Corners corners;
     /// as in TileEdges
-    alignas(64) std::int32_t c[3][batch_room], a[3][batch_room], b[3][batch_room];
-    alignas(64) std::int32_t x0[batch_room], y0[batch_room], x1[batch_room], y1[batch_room];
+    alignas(64) std::int32_t c[3][batch_capacity], a[3][batch_capacity], b[3][batch_capacity];
+    alignas(64) std::int32_t x0[batch_capacity], y0[batch_capacity], x1[batch_capacity],
+        y1[batch_capacity];
     PlaneBatch depth;
-    /// Triangles that touch at most 2x2 blocks, a bit each, and what they cover of these: 16 lanes
-    /// of the left block from bit 0, of the right one from bit 16.
+    /// Triangles that touch at most 2x2 blocks, a bit each, and the lanes that they cover: 16 of
+    /// the left block from bit 0, of the right one from bit 16.
     std::uint32_t small = 0;
-    alignas(64) std::uint32_t lower[batch_room], upper[batch_room];
+    alignas(64) std::uint32_t lower[batch_capacity], upper[batch_capacity];
 
     std::size_t count() const { return corners.count; }
     TileEdges edges(std::size_t i) const {
@@ -45,14 +46,15 @@ HWY_INLINE DepthPlane depth_of(const TileDraw& draw, const Triangles& t, std::si
 }
 
 /// First and one past the last pixel whose centre lies in a triangle's extent along one axis.
-HWY_INLINE void pixel_extents(const std::int32_t (&at)[3][batch_room], std::size_t room, int s,
-                              int tile, int low, int high, std::int32_t* first, std::int32_t* end) {
-    const hn::CappedTag<std::int32_t, batch_room / 2> d;
+HWY_INLINE void pixel_extents(const std::int32_t (&at)[3][batch_capacity], std::size_t filled,
+                              int s, int tile, int low, int high, std::int32_t* first,
+                              std::int32_t* end) {
+    const hn::CappedTag<std::int32_t, batch_capacity / 2> d;
     const auto half = hn::Set(d, 1 << (s - 1)), to = hn::Set(d, tile), one = hn::Set(d, 1);
     const auto in_box = [&](auto v) {
         return hn::Max(hn::Set(d, low), hn::Min(v, hn::Set(d, high)));
     };
-    for (std::size_t i = 0; i < room; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < filled; i += hn::Lanes(d)) {
         const auto p0 = hn::Load(d, at[0] + i), p1 = hn::Load(d, at[1] + i),
                    p2 = hn::Load(d, at[2] + i);
         const auto least = hn::Min(hn::Min(p0, p1), p2), most = hn::Max(hn::Max(p0, p1), p2);
@@ -73,8 +75,10 @@ HWY_INLINE void set_up_edges(const TileDraw& draw, Triangles& t, std::size_t fir
     const auto px = all(double((draw.tile.x << s) + (1 << (s - 1)))),
                py = all(double((draw.tile.y << s) + (1 << (s - 1))));
     V64 x[3], y[3];
-    for (std::size_t k = 0; k < 3; ++k)
-        x[k] = load_integers(t.corners.x[k] + first), y[k] = load_integers(t.corners.y[k] + first);
+    for (std::size_t k = 0; k < 3; ++k) {
+        x[k] = load_integers(t.corners.x[k] + first);
+        y[k] = load_integers(t.corners.y[k] + first);
+    }
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t j = (k + 1) % 3;
         const auto dx = hn::Sub(x[j], x[k]), dy = hn::Sub(y[j], y[k]);
@@ -105,8 +109,11 @@ HWY_INLINE void set_up_depths(Triangles& t) {
 HWY_INLINE void set_up_edges(const TileDraw& draw, Triangles& t) {
     for (std::size_t i = 0; i < t.count(); ++i) {
         const TileEdges e = tile_edges(frame_of(draw, t.corners.ordinal[i]), draw.tile);
-        for (std::size_t k = 0; k < 3; ++k)
-            t.c[k][i] = e.c[k], t.a[k][i] = e.a[k], t.b[k][i] = e.b[k];
+        for (std::size_t k = 0; k < 3; ++k) {
+            t.c[k][i] = e.c[k];
+            t.a[k][i] = e.a[k];
+            t.b[k][i] = e.b[k];
+        }
     }
 }
 
@@ -116,13 +123,14 @@ HWY_INLINE void set_up_depths(Triangles& t) { t.depth.sure = 0; }
 
 /// Triangles' edge functions at the same pixel of each one's own blocks.
 struct EdgeLanes {
-    using D = hn::CappedTag<std::int32_t, batch_room / 2>;
+    using D = hn::CappedTag<std::int32_t, batch_capacity / 2>;
     hn::Vec<D> at[3], row[3], a[3], b[3];
 
     HWY_INLINE EdgeLanes(const Triangles& t, std::size_t first, hn::Vec<D> x, hn::Vec<D> y) {
         const D d;
         for (std::size_t k = 0; k < 3; ++k) {
-            a[k] = hn::Load(d, t.a[k] + first), b[k] = hn::Load(d, t.b[k] + first);
+            a[k] = hn::Load(d, t.a[k] + first);
+            b[k] = hn::Load(d, t.b[k] + first);
             at[k] = row[k] =
                 hn::Add(hn::Load(d, t.c[k] + first), hn::Add(hn::Mul(a[k], x), hn::Mul(b[k], y)));
         }
@@ -158,7 +166,7 @@ HWY_INLINE void cover_small(Triangles& t) {
     const hn::RebindToUnsigned<EdgeLanes::D> u;
     const auto one = hn::Set(d, 1), two = hn::Set(d, 2), left_block = hn::Set(d, 0xFFFF);
     t.small = 0;
-    for (std::size_t i = 0; i < t.corners.room; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < t.corners.filled; i += hn::Lanes(d)) {
         const auto block = [&](const std::int32_t* p) {
             return hn::ShiftRight<2>(hn::Load(d, p + i));
         };
@@ -186,9 +194,9 @@ inline void set_up_triangles(const TileDraw& draw, std::span<const std::uint32_t
                              Triangles& t) {
     gather_corners(draw, bin, t.corners);
     const int s = t.corners.s;
-    pixel_extents(t.corners.x, t.corners.room, s, draw.tile.x, draw.box.x0, draw.box.x1, t.x0,
+    pixel_extents(t.corners.x, t.corners.filled, s, draw.tile.x, draw.box.x0, draw.box.x1, t.x0,
                   t.x1);
-    pixel_extents(t.corners.y, t.corners.room, s, draw.tile.y, draw.box.y0, draw.box.y1, t.y0,
+    pixel_extents(t.corners.y, t.corners.filled, s, draw.tile.y, draw.box.y0, draw.box.y1, t.y0,
                   t.y1);
     set_up_edges(draw, t);
     cover_small(t);

@@ -8,6 +8,7 @@
 #endif
 
 #include "gw/fast/shade/modulate-inl.h"
+#include "gw/fast/shade/shade-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -15,21 +16,21 @@ namespace gw::fast::HWY_NAMESPACE {
 struct BatchPlanes {
     const TileDraw& draw;
     const Corners& corners;
-    BatchRoom& room;
+    BatchScratch& scratch;
     bool narrow, flat, modulates, made = false;
     std::size_t channels;
     NarrowBatch narrow_color;
     ShadeInputs in;
-    std::size_t flat_in = batch_room;  ///< whose one colour stands in the inputs
+    std::size_t flat_in = batch_capacity;  ///< the triangle whose one colour is in `in`
     ModulatedTexels modulated;
 
     HWY_INLINE BatchPlanes(const TileDraw& d, const Corners& c)
         : draw(d),
           corners(c),
-          room(*d.room),
+          scratch(*d.scratch),
           narrow(is_narrow(*d.op)),
           flat(narrow && is_flat(*d.op) && !has_fog(d.op->state.state)),
-          modulates(ModulatedTexels::serves(*d.op)),
+          modulates(ModulatedTexels::applies_to(*d.op)),
           channels(has_fog(d.op->state.state) ? 5 : 4) {}
 
     HWY_INLINE void make() {
@@ -40,23 +41,23 @@ struct BatchPlanes {
         if (narrow)
             set_up_narrow(draw, corners, narrow_color);
         else
-            set_up_colors(draw, corners, room.color);
-        if (draw.op->texels) set_up_textures(draw, corners, room.texture);
+            set_up_colors(draw, corners, scratch.color);
+        if (draw.op->texels) set_up_textures(draw, corners, scratch.texture);
+    }
+    HWY_INLINE void evaluate(std::size_t i, int bx, int by, std::uint32_t mask) {
+        if (!narrow) return wide_colors(scratch.color[i], *draw.op, bx, by, mask, in);
+        narrow_colors(narrow_color, i, channels, bx, by, in);
+        flat_in = i;
     }
     /// The colours of triangle i in a block, of the lanes of `mask`.
     HWY_NOINLINE const ColorBlock& color_of(std::size_t i, int bx, int by, std::uint32_t mask) {
         make();
         if (modulates) {
-            modulated.write(draw, narrow_color, room.texture[i], i, bx, by, in.out);
+            modulated.write(draw, narrow_color, scratch.texture[i], i, bx, by, in.out);
             return in.out;
         }
-        if (flat && flat_in == i)
-            ;
-        else if (narrow)
-            narrow_colors(narrow_color, i, channels, bx, by, in), flat_in = i;
-        else
-            wide_colors(room.color[i], *draw.op, bx, by, mask, in);
-        if (draw.op->texels) look_up(room.texture[i], draw, bx, by, mask, in);
+        if (!flat || flat_in != i) evaluate(i, bx, by, mask);
+        if (draw.op->texels) look_up(scratch.texture[i], draw, bx, by, mask, in);
         return shaded(draw, in.texel, in);
     }
 };

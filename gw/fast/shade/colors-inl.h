@@ -1,6 +1,6 @@
-// Colour and fog planes of up to 16 triangles at once, as gw/fast/raster/primitive.cpp makes them
-// one by one: that is the twin, and the way for what is rare. docs/manual.md, "Planes". Does not
-// evaluate them. Included once per Highway target.
+// Colour and fog planes of up to 16 triangles at once. docs/manual.md, "Planes"; scalar twin, also
+// used for rare cases: gw/fast/raster/primitive.cpp. Does not evaluate them. Included once per
+// Highway target.
 #if defined(GW_FAST_COLORS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_COLORS_INL_H_
 #undef GW_FAST_COLORS_INL_H_
@@ -10,6 +10,7 @@
 
 #include "gw/fast/raster/corners-inl.h"
 #include "gw/fast/simd/lanes-inl.h"
+#include "gw/fast/vertices/vertex_values.h"
 
 #include <cstring>
 
@@ -40,7 +41,8 @@ HWY_NOINLINE inline void narrow_one(const TileDraw& draw, const Corners& t, std:
     color_one(draw, t, i, wide);
     for (std::size_t k = 0; k < 5; ++k) {
         const TilePlane& p = k < 4 ? wide.color[k] : wide.fog;
-        out.c[k][i] = std::uint32_t(p.c), out.gx[k][i] = std::uint32_t(p.gx),
+        out.c[k][i] = std::uint32_t(p.c);
+        out.gx[k][i] = std::uint32_t(p.gx);
         out.gy[k][i] = std::uint32_t(p.gy);
     }
 }
@@ -49,11 +51,11 @@ HWY_NOINLINE inline void narrow_one(const TileDraw& draw, const Corners& t, std:
 
 /// The vertices' colours, four channels of 16 bits in a word.
 struct ColorWords {
-    alignas(64) std::uint64_t at[3][batch_room];
+    alignas(64) std::uint64_t at[3][batch_capacity];
 };
 HWY_INLINE void gather_colors(const TileDraw& draw, const Corners& t, ColorWords& out) {
     const VertexColors& colors = *draw.op->colors;
-    for (std::size_t i = 0; i < t.room; ++i) {
+    for (std::size_t i = 0; i < t.filled; ++i) {
         const bool front = t.primitive[i]->front || colors.back.empty();
         const Rgba* from = (front ? colors.front : colors.back).data();
         for (std::size_t k = 0; k < 3; ++k)
@@ -83,19 +85,19 @@ HWY_NOINLINE inline void channel_planes(const Corners& t, const ColorWords& colo
 }
 
 HWY_INLINE void fog_planes(const TileDraw& draw, const Corners& t, PlaneBatch& out) {
-    alignas(64) double factor[3][batch_room];
+    alignas(64) double factor[3][batch_capacity];
     gather(t, factor, [&](std::uint32_t v) { return draw.op->fog->value[v]; });
     set_up_planes(
         t, [&](std::size_t k, std::size_t i) { return nearest(hn::Load(D64(), factor[k] + i)); },
         out);
 }
 
-/// Bits in which some triangle's corners differ: a channel without any has one value on each
-/// triangle, as most alphas do, ambient and dark light.
+/// Bits in which any triangle's corners differ. A channel without such bits is constant on each
+/// triangle, as are most alphas, ambient light and darkness.
 HWY_INLINE std::uint64_t differing_bits(const Corners& t, const ColorWords& colors) {
     const U64ForD64 u;
     auto any = hn::Zero(u);
-    for (std::size_t i = 0; i < t.room; i += hn::Lanes(u)) {
+    for (std::size_t i = 0; i < t.filled; i += hn::Lanes(u)) {
         const auto first = hn::Load(u, colors.at[0] + i);
         any = hn::Or(any, hn::Or(hn::Xor(first, hn::Load(u, colors.at[1] + i)),
                                  hn::Xor(first, hn::Load(u, colors.at[2] + i))));
@@ -111,7 +113,7 @@ HWY_INLINE std::uint32_t black_lanes(const Corners& t, const ColorWords& colors)
     const U64ForD64 u;
     const auto rgb = hn::Set(u, 0xFFFFFFFFFFFFu);
     std::uint32_t black = 0;
-    for (std::size_t i = 0; i < t.room; i += hn::Lanes(u)) {
+    for (std::size_t i = 0; i < t.filled; i += hn::Lanes(u)) {
         const auto corner = [&](std::size_t k) { return hn::Load(u, colors.at[k] + i); };
         const auto any = hn::And(hn::Or(hn::Or(corner(0), corner(1)), corner(2)), rgb);
         black |= bits_of(u, hn::Eq(any, hn::Zero(u)), hn::Lanes(u)) << i;
@@ -120,22 +122,24 @@ HWY_INLINE std::uint32_t black_lanes(const Corners& t, const ColorWords& colors)
 }
 HWY_INLINE void put_constant(const Corners& t, const ColorWords& colors, std::size_t k,
                              NarrowBatch& out) {
-    for (std::size_t i = 0; i < t.room; ++i) {
+    for (std::size_t i = 0; i < t.filled; ++i) {
         out.c[k][i] = std::uint32_t(colors.at[0][i] >> (16 * k) & 0xFFFF) * 65536u + 32768u;
         out.gx[k][i] = out.gy[k][i] = 0;
     }
 }
 
-/// Puts a batch's plane of one channel where it belongs, modulo 2^32.
+/// Stores a batch's plane of one channel, modulo 2^32.
 HWY_INLINE void put_channel(const Corners& t, const PlaneBatch& plane, std::size_t k,
                             NarrowBatch& out) {
     const auto low = [&](const std::int64_t* from, std::uint32_t* to) {
-        for (std::size_t i = 0; i < t.room; i += hn::Lanes(D64()))
+        for (std::size_t i = 0; i < t.filled; i += hn::Lanes(D64()))
             hn::Store(hn::TruncateTo(U32ForD64(),
                                      hn::BitCast(U64ForD64(), hn::Load(I64ForD64(), from + i))),
                       U32ForD64(), to + i);
     };
-    low(plane.c, out.c[k]), low(plane.gx, out.gx[k]), low(plane.gy, out.gy[k]);
+    low(plane.c, out.c[k]);
+    low(plane.gx, out.gx[k]);
+    low(plane.gy, out.gy[k]);
 }
 
 /// Smooth colours of a batch; the lanes that are sure.
@@ -171,9 +175,10 @@ HWY_INLINE std::uint32_t fog_factors(const TileDraw& draw, const Corners& t, Nar
 HWY_INLINE void flat_colors(const TileDraw& draw, const Corners& t, NarrowBatch& out) {
     for (std::size_t i = 0; i < t.count; ++i) {
         const Rgba color = flat_color(draw, *t.primitive[i]);
-        for (std::size_t k = 0; k < 4; ++k)
-            out.c[k][i] = (std::uint32_t{color[k]} << 16) + (1u << 15),
+        for (std::size_t k = 0; k < 4; ++k) {
+            out.c[k][i] = (std::uint32_t{color[k]} << 16) + (1u << 15);
             out.gx[k][i] = out.gy[k][i] = 0;
+        }
         out.black |= (color[0] | color[1] | color[2]) == 0 ? 1u << i : 0;
     }
 }
@@ -195,7 +200,7 @@ inline void set_up_narrow(const TileDraw& draw, const Corners& t, NarrowBatch& o
         if (!(sure >> i & 1)) narrow_one(draw, t, i, out);
 }
 
-/// Colour planes of a batch where narrow ones do not serve, out[0 .. count - 1].
+/// Colour planes of a batch if narrow ones do not suffice, out[0 .. count - 1].
 inline void set_up_colors(const TileDraw& draw, const Corners& t, ColorPlanes* out) {
     for (std::size_t i = 0; i < t.count; ++i) color_one(draw, t, i, out[i]);
 }

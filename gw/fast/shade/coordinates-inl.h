@@ -1,7 +1,6 @@
-// Texture coordinate planes of up to 16 triangles at once, as gw/fast/raster/primitive.cpp makes
-// them one by one: that is the twin, and the way for what is rare. docs/manual.md, "Perspective".
-// Does not evaluate them.
-// Included once per Highway target.
+// Texture coordinate planes of up to 16 triangles at once. docs/manual.md, "Perspective"; scalar
+// twin, also used for rare cases: gw/fast/raster/primitive.cpp. Does not evaluate them. Included
+// once per Highway target.
 #if defined(GW_FAST_COORDINATES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_COORDINATES_INL_H_
 #undef GW_FAST_COORDINATES_INL_H_
@@ -10,6 +9,8 @@
 #endif
 
 #include "gw/fast/raster/corners-inl.h"
+#include "gw/fast/vertices/vertex_values.h"
+#include "gw/stages/texels.h"
 
 #include <cmath>
 
@@ -26,14 +27,14 @@ HWY_NOINLINE inline void texture_one(const TileDraw& draw, const Corners& t, std
 /// One texture coordinate of a batch: numerators() of gw/stages/perspective.h in vectors.
 struct CoordinateBatch {
     PlaneBatch plane;
-    alignas(64) double exponent[batch_room], k[batch_room];
+    alignas(64) double exponent[batch_capacity], k[batch_capacity];
     std::uint32_t finite = 0;
 };
 
 struct Vertices3 {
     V64 at[3];
 };
-HWY_INLINE Vertices3 load3(const double (&p)[3][batch_room], std::size_t i) {
+HWY_INLINE Vertices3 load3(const double (&p)[3][batch_capacity], std::size_t i) {
     const D64 d;
     return {{hn::Load(d, p[0] + i), hn::Load(d, p[1] + i), hn::Load(d, p[2] + i)}};
 }
@@ -44,14 +45,14 @@ inline constexpr double coordinate_unit = 1073741824.0;  // 2^30
 
 /// wmin / w_i at each corner of a batch.
 struct RatioBatch {
-    alignas(64) double at[3][batch_room];
+    alignas(64) double at[3][batch_capacity];
     std::uint32_t finite = 0;
 };
 
 /// Numerators of lanes i ..: values to `out`, exponent and k to the batch.
 HWY_INLINE void numerator_lanes(const Vertices3& s, const Vertices3& ratio, Wrap wrap,
                                 std::size_t i, CoordinateBatch& batch,
-                                double (&out)[3][batch_room]) {
+                                double (&out)[3][batch_capacity]) {
     const D64 d;
     const auto zero = hn::Zero(d), one = all(1), unit = all(coordinate_unit);
     auto k = hn::Floor(least(s));
@@ -85,7 +86,7 @@ HWY_INLINE std::uint32_t finite_lanes(const Vertices3& v) {
     return std::uint32_t(bits) & ((1u << hn::Lanes(d)) - 1);
 }
 
-HWY_INLINE void planes_through(const Corners& t, const double (&value)[3][batch_room],
+HWY_INLINE void planes_through(const Corners& t, const double (&value)[3][batch_capacity],
                                PlaneBatch& out) {
     set_up_planes(
         t, [&](std::size_t k, std::size_t i) { return hn::Load(D64(), value[k] + i); }, out);
@@ -93,10 +94,10 @@ HWY_INLINE void planes_through(const Corners& t, const double (&value)[3][batch_
 
 HWY_NOINLINE inline void make_ratios(const TileDraw& draw, const Corners& t, RatioBatch& out) {
     const D64 d;
-    alignas(64) double w[3][batch_room];
+    alignas(64) double w[3][batch_capacity];
     gather(t, w, [&](std::uint32_t vertex) { return draw.op->set->w[vertex]; });
     out.finite = 0;
-    for (std::size_t i = 0; i < t.room; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < t.filled; i += hn::Lanes(d)) {
         const Vertices3 at = load3(w, i);
         const auto low = least(at);
         const Vertices3 ratio{
@@ -108,10 +109,10 @@ HWY_NOINLINE inline void make_ratios(const TileDraw& draw, const Corners& t, Rat
 
 HWY_NOINLINE inline void coordinate_planes(const TileDraw& draw, const Corners& t, int c, Wrap wrap,
                                            const RatioBatch& ratio, CoordinateBatch& out) {
-    alignas(64) double s[3][batch_room], numerator[3][batch_room];
+    alignas(64) double s[3][batch_capacity], numerator[3][batch_capacity];
     gather(t, s, [&](std::uint32_t v) { return draw.op->texcoords->strq[v][c]; });
     out.finite = 0;
-    for (std::size_t i = 0; i < t.room; i += hn::Lanes(D64())) {
+    for (std::size_t i = 0; i < t.filled; i += hn::Lanes(D64())) {
         const Vertices3 at = load3(s, i);
         out.finite |= finite_lanes(at) << i;
         numerator_lanes(at, load3(ratio.at, i), wrap, i, out, numerator);
@@ -122,10 +123,10 @@ HWY_NOINLINE inline void coordinate_planes(const TileDraw& draw, const Corners& 
 HWY_NOINLINE inline void denominator_planes(const Corners& t, const RatioBatch& ratio,
                                             PlaneBatch& out) {
     const D64 d;
-    alignas(64) double q[3][batch_room];
+    alignas(64) double q[3][batch_capacity];
     const auto unit = all(coordinate_unit);
     for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t i = 0; i < t.room; i += hn::Lanes(d)) {
+        for (std::size_t i = 0; i < t.filled; i += hn::Lanes(d)) {
             const auto v = nearest(hn::Mul(unit, hn::Load(d, ratio.at[k] + i)));
             hn::Store(hn::Max(all(1), hn::Min(v, unit)), d, q[k] + i);
         }
@@ -136,16 +137,18 @@ HWY_INLINE PlaneSlope slope_of(const PlaneBatch& p, std::size_t i) {
     return {double(p.gx[i]), double(p.gy[i]), double(p.base[i] >> 16)};
 }
 
-/// Each member by itself: a whole one made first is stored in pieces, and waits for these when it
-/// is copied.
+/// Member by member: a copy of a whole plane would wait for its parts to be stored.
 HWY_INLINE void put_plane(const PlaneBatch& from, std::size_t i, TilePlane& out) {
-    out.c = static_cast<std::uint64_t>(from.c[i]), out.gx = from.gx[i], out.gy = from.gy[i];
+    out.c = static_cast<std::uint64_t>(from.c[i]);
+    out.gx = from.gx[i];
+    out.gy = from.gy[i];
     out.sliver = false;
 }
 HWY_INLINE void put_texture_plane(const CoordinateBatch& c, std::size_t i, const PlaneBatch& q,
                                   bool slopes, TexturePlane& out) {
     put_plane(c.plane, i, out.plane);
-    out.exponent = int(c.exponent[i]), out.k = std::int32_t(c.k[i]);
+    out.exponent = int(c.exponent[i]);
+    out.k = std::int32_t(c.k[i]);
     out.slope = {};
     if (slopes) out.slope = coordinate_slope(slope_of(c.plane, i), slope_of(q, i));
 }
@@ -168,9 +171,12 @@ HWY_INLINE void set_up_perspective(const TileDraw& draw, const Corners& t, Textu
             texture_one(draw, t, i, out[i]);
             continue;
         }
-        put_plane(q, i, out[i].q), out[i].r = {};
-        put_texture_plane(u, i, q, slopes, out[i].s), put_texture_plane(v, i, q, slopes, out[i].t);
-        out[i].slope_x = draw.tile.x - t.to_x[i], out[i].slope_y = draw.tile.y - t.to_y[i];
+        put_plane(q, i, out[i].q);
+        out[i].r = {};
+        put_texture_plane(u, i, q, slopes, out[i].s);
+        put_texture_plane(v, i, q, slopes, out[i].t);
+        out[i].slope_x = draw.tile.x - t.to_x[i];
+        out[i].slope_y = draw.tile.y - t.to_y[i];
     }
 }
 

@@ -1,7 +1,6 @@
 // The commonest textured triangle in 8 bits: one level, a bilinear filter, modulated by the colour,
-// no fog.
-// Coordinates, texels and products stay in vectors from block to block. Does the same as the stages
-// of shade-inl.h one by one. Does not blend. Included once per Highway target.
+// no fog. Coordinates, texels and products stay in vectors from block to block. Gives the same bits
+// as the stages of shade-inl.h. Does not blend. Included once per Highway target.
 #if defined(GW_FAST_MODULATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_MODULATE_INL_H_
 #undef GW_FAST_MODULATE_INL_H_
@@ -9,8 +8,10 @@
 #define GW_FAST_MODULATE_INL_H_
 #endif
 
+#include "gw/fast/shade/colors-inl.h"
 #include "gw/fast/shade/repeated_texels.h"
-#include "gw/fast/shade/shade-inl.h"
+#include "gw/fast/shade/sampler-inl.h"
+#include "gw/fast/simd/walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -37,9 +38,9 @@ struct TexelPosition {
 
 #if HWY_TARGET == HWY_SCALAR
 
-/// One lane has no room for two channels.
+/// One lane cannot hold two channels.
 struct ModulatedTexels {
-    HWY_INLINE static bool serves(const DrawOp&) { return false; }
+    HWY_INLINE static bool applies_to(const DrawOp&) { return false; }
     HWY_INLINE void write(const TileDraw&, const NarrowBatch&, const TexturePlanes&, std::size_t,
                           int, int, ColorBlock&) {}
 };
@@ -62,7 +63,8 @@ HWY_INLINE void store_words(const TexelWords& words, std::size_t part, ColorBloc
                   out.channel[c]);
     };
     static_cast<void>(part);
-    two(0), two(2);
+    two(0);
+    two(2);
 #else
     const TexelLanes t = words.channels();
     for (std::size_t c = 0; c < 4; ++c) store16(t.channel[c], out.channel[c] + part * lanes32);
@@ -76,10 +78,10 @@ struct ModulatedTexels {
     TexelWords color[parts];
     float w = 1;
     bool affine = true;
-    std::size_t aimed = batch_room;  ///< at which triangle of the batch
-    KeptTexels* kept = nullptr;      ///< where this triangle came before
+    std::size_t aimed = batch_capacity;  ///< at which triangle of the batch
+    KeptTexels* kept = nullptr;          ///< where this triangle came before
 
-    HWY_INLINE static bool serves(const DrawOp& op) {
+    HWY_INLINE static bool applies_to(const DrawOp& op) {
         const State& s = op.state.state;
         return op.pairs && !needs_rho(s.texture) && !textures_by_pixel(s.texture) &&
                s.texture.env == TexEnv::Modulate && is_narrow(op) && !has_fog(s);
@@ -115,7 +117,8 @@ private:
             w = hn::GetLane(reciprocal_lanes(p.q, pixels_of(0, 0, 0)));
         else
             q.aim(p.q);
-        s.aim(p.s, level.log2_width), t.aim(p.t, level.log2_height);
+        s.aim(p.s, level.log2_width);
+        t.aim(p.t, level.log2_height);
     }
     HWY_INLINE void set_colors(const NarrowBatch& p, std::size_t triangle, int bx, int by) {
         const D32 d;
@@ -137,7 +140,8 @@ private:
         KeptTexels::Block& at = kept->blocks[block];
         if (kept->known[block]) return {hn::Load(d, at.rb + lane), hn::Load(d, at.ga + lane)};
         const TexelWords found = texels(op, level, bx, by, part);
-        hn::Store(found.rb, d, at.rb + lane), hn::Store(found.ga, d, at.ga + lane);
+        hn::Store(found.rb, d, at.rb + lane);
+        hn::Store(found.ga, d, at.ga + lane);
         if (part + 1 == parts) kept->known.set(block);
         return found;
     }

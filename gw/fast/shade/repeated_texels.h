@@ -1,7 +1,8 @@
-// Texels of triangles that are drawn again and again in one tile with the same texture, as
-// full-screen passes and passes over the same walls are: looked up once. Does not look them up.
+// Keeps the texels of triangles that are drawn repeatedly in one tile with the same texture, as in
+// full-screen passes and passes over the same walls. Does not look them up.
 #pragma once
 
+#include "gw/fast/plan/texels.h"
 #include "gw/fast/raster/primitive.h"
 
 #include <array>
@@ -10,7 +11,7 @@
 
 namespace gw::fast {
 
-/// All that a triangle's filtered texels in a tile depend on, where they are of one level.
+/// Everything that a triangle's filtered texels in a tile depend on, if they are of one level.
 struct TexelKey {
     const TexelPairs* pairs = nullptr;
     TilePlane q, s, t;
@@ -33,14 +34,14 @@ struct KeptTexels {
     std::vector<Block> blocks;
 };
 
-/// Of the tile that is being drawn. Most triangles come once: only what comes a second time is
-/// kept.
+/// Of the tile that is being drawn. Most triangles come once: texels are kept from the second time
+/// on.
 class RepeatedTexels {
 public:
     void clear() {
         for (KeptTexels& kept : kept_) kept.key.pairs = nullptr;
     }
-    /// Where a triangle's texels are kept; null where it is the first with its key.
+    /// A triangle's kept texels; null for the first triangle with its key.
     KeptTexels* find(const TexelKey& key) {
         for (KeptTexels& kept : kept_)
             if (kept.key == key) {

@@ -10,8 +10,13 @@
 
 #include "gw/fast/shade/texels-inl.h"
 
+#include <bit>
+
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
+
+/// 2^e, a normal number.
+inline double power_of_two(int e) { return std::bit_cast<double>(std::uint64_t(e + 1023) << 52); }
 
 /// A part of a block's coordinates, in vectors.
 struct Coordinates {
@@ -96,7 +101,8 @@ private:
     /// Of the four texels around a position.
     HWY_INLINE TexelLanes mean(VI u, VI v, const Level& level) const {
         const I32 i;
-        u = hn::Sub(u, hn::Set(i, 128)), v = hn::Sub(v, hn::Set(i, 128));
+        u = hn::Sub(u, hn::Set(i, 128));
+        v = hn::Sub(v, hn::Set(i, 128));
         const auto x = hn::ShiftRight<8>(u), y = hn::ShiftRight<8>(v);
         const auto wx = weight(state.wrap_s, u, x), wy = weight(state.wrap_t, v, y);
         const auto left = column_of(level, x), low = row_of(level, y);

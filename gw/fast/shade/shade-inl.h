@@ -25,8 +25,7 @@ HWY_INLINE void shade_depth(const DepthPlane& p, std::uint32_t max_depth, int bx
     if (p.offset != 0) offset_depths(p.offset, max_depth, out);
 }
 
-/// What shading needs of 16 pixels, each of its own primitive: one lane is filled by the primitive
-/// that it shows.
+/// The inputs of shading for 16 pixels: each lane belongs to the primitive that it shows.
 struct ShadeInputs {
     ColorBlock color;
     ColorBlock texel;
@@ -35,10 +34,6 @@ struct ShadeInputs {
     TextureLanes divided;
     alignas(64) std::uint32_t fog[block_pixels];
 };
-
-HWY_INLINE V32 narrow_value(V32 c, V32 gx, V32 gy, Pixels at) {
-    return hn::ShiftRight<16>(hn::Add(hn::Add(c, hn::Mul(gx, at.x)), hn::Mul(gy, at.y)));
-}
 
 /// Coefficients of narrow planes, each lane of its own primitive: vectors, so that they stay in
 /// registers.
@@ -57,9 +52,11 @@ struct NarrowLanes {
             v = hn::IfThenElse(lanes.part[i], hn::Set(d, value), v);
         };
         for (std::size_t k = 0; k < channels; ++k)
-            for (std::size_t i = 0; i < parts; ++i)
-                put(c[k][i], i, p.c[k][j]), put(gx[k][i], i, p.gx[k][j]),
-                    put(gy[k][i], i, p.gy[k][j]);
+            for (std::size_t i = 0; i < parts; ++i) {
+                put(c[k][i], i, p.c[k][j]);
+                put(gx[k][i], i, p.gx[k][j]);
+                put(gy[k][i], i, p.gy[k][j]);
+            }
     }
     /// Colour, and the fog factor where there are five channels.
     HWY_INLINE void store(int bx, int by, ShadeInputs& in) const {
@@ -117,7 +114,7 @@ HWY_NOINLINE inline void interpolated_color(const ColorPlanes& p, int bits, int 
     }
 }
 
-/// What multi-pass rendering does all the time: modulate in 8 bits.
+/// The commonest operation of multi-pass rendering: modulate in 8 bits.
 HWY_INLINE void modulate_bytes(const ColorBlock& color, const ColorBlock& texel, ColorBlock& out) {
     const D16 d;
     for (std::size_t c = 0; c < 4; ++c)
@@ -125,30 +122,6 @@ HWY_INLINE void modulate_bytes(const ColorBlock& color, const ColorBlock& texel,
             hn::Store(
                 mul_bytes(d, hn::Load(d, color.channel[c] + i), hn::Load(d, texel.channel[c] + i)),
                 d, out.channel[c] + i);
-}
-
-/// Whether a textured draw does no more than add its modulated colour, in 8 bits: most of the
-/// passes of [K3].
-HWY_INLINE bool adds_modulated(const Resolved& r) {
-    const BlendState& b = r.state.blend;
-    const ColorMask& m = r.state.color_mask;
-    return r.bits == 8 && r.state.texture.env == TexEnv::Modulate && !has_fog(r.state) &&
-           r.state.color_source != ColorSource::PolygonId && b.enable &&
-           b.src == BlendFactor::One && b.dst == BlendFactor::One && m.r && m.g && m.b && m.a;
-}
-HWY_INLINE void add_modulated(const ColorBlock& color, const ColorBlock& texel, ColorBlock& stored,
-                              std::uint32_t mask) {
-    const D16 d;
-    const auto max = hn::Set(d, std::uint16_t{255});
-    for (std::size_t i = 0; i < block_pixels; i += lanes16) {
-        const auto lanes = lanes_of(d, mask, i);
-        for (std::size_t c = 0; c < 4; ++c) {
-            std::uint16_t* to = stored.channel[c] + i;
-            const auto own =
-                mul_bytes(d, hn::Load(d, color.channel[c] + i), hn::Load(d, texel.channel[c] + i));
-            store_lanes(hn::Min(hn::Add(own, hn::Load(d, to)), max), lanes, d, to);
-        }
-    }
 }
 
 /// texture_environment() of gw/stages/tables.h.
@@ -230,7 +203,7 @@ HWY_INLINE Sampler sampler_of(const DrawOp& op) {
     return {*op.texels, op.pairs, op.state.state.texture, op.state.bits};
 }
 
-/// Colour, texture, fog, in that order. `texel`: what the texture unit found, if there is one.
+/// Colour, texture, fog, in that order. `texel`: of the texture unit, if the draw is textured.
 HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const ColorBlock& texel,
                                              ShadeInputs& in) {
     const DrawOp& op = *draw.op;

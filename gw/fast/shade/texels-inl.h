@@ -1,4 +1,4 @@
-// Texels for 16 pixels, fetched from where they stand and filtered. docs/manual.md, "Textures";
+// Texels for 16 pixels, fetched and filtered. docs/manual.md, "Textures";
 // scalar twin: gw/stages/texels.cpp. Does not know coordinates or levels. Included once per Highway
 // target.
 #if defined(GW_FAST_TEXELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -8,7 +8,8 @@
 #define GW_FAST_TEXELS_INL_H_
 #endif
 
-#include "gw/fast/simd/planes-inl.h"
+#include "gw/fast/plan/texels.h"
+#include "gw/fast/simd/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {

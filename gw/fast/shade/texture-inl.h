@@ -11,17 +11,15 @@
 
 #include "gw/fast/raster/primitive.h"
 #include "gw/fast/shade/sampler-inl.h"
+#include "gw/fast/simd/planes-inl.h"
 
 #include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// 2^e, a normal number.
-inline double power_of_two(int e) { return std::bit_cast<double>(std::uint64_t(e + 1023) << 52); }
-
-/// What the texture unit needs of 16 pixels, each of its own primitive: planes' values and how to
-/// scale them.
+/// The inputs of the texture unit for 16 pixels, each of its own primitive: values of planes and
+/// their scales.
 struct TextureInputs {
     alignas(64) std::uint32_t q[block_pixels], u[block_pixels], v[block_pixels];
     alignas(64) std::int32_t u_exponent[block_pixels],
@@ -180,8 +178,10 @@ HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p, 
             return hn::Mul(hn::Mul(to_floats(wide_plane(t.plane, at)), w),
                            hn::Set(f, static_cast<float>(power_of_two(t.exponent))));
         };
-        hn::Store(over(p.s), f, out.u + i), hn::Store(over(p.t), f, out.v + i);
-        hn::Store(hn::Set(d, p.s.k), d, out.u_k + i), hn::Store(hn::Set(d, p.t.k), d, out.v_k + i);
+        hn::Store(over(p.s), f, out.u + i);
+        hn::Store(over(p.t), f, out.v + i);
+        hn::Store(hn::Set(d, p.s.k), d, out.u_k + i);
+        hn::Store(hn::Set(d, p.t.k), d, out.v_k + i);
         if (needs_rho(s.state)) hn::Store(rho_lanes(hn::Load(f, slope + i), w), f, out.rho + i);
     }
 }

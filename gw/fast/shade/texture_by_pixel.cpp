@@ -1,10 +1,13 @@
 // Texturing lane by lane where lanes may differ in level: mipmaps, projective coordinates, shadow
-// comparison.
-// docs/manual.md, "Textures". Shares the integer filters of gw/stages/texels.h with the reference
-// machine.
+// comparison. docs/manual.md, "Textures". Shares the integer filters of gw/stages/texels.h with the
+// reference machine.
 #include "gw/fast/raster/primitive.h"
 
 #include "gw/base/arithmetic.h"
+#include "gw/fast/plan/draw_op.h"
+#include "gw/fast/plan/texels.h"
+#include "gw/fast/plan/tile_draw.h"
+#include "gw/profile.h"
 
 #include <algorithm>
 #include <bit>

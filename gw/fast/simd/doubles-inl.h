@@ -1,7 +1,6 @@
 // Vectors of doubles for the vertex stages, in the order of operations of gw/base/types.h and
-// gw/stages/vertex.h.
-// Does not know what is computed with them. Included once per Highway target, where it has vectors
-// of doubles.
+// gw/stages/vertex.h. Does not know what the values mean. Included once per Highway target, where
+// it has vectors of doubles.
 #if defined(GW_FAST_DOUBLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_DOUBLES_INL_H_
 #undef GW_FAST_DOUBLES_INL_H_

@@ -1,6 +1,5 @@
-// A block's 16 lanes as vectors of 8, 16 and 32 bits, and masks of them. Does not know what they
-// hold.
-// Included once per Highway target.
+// A block's 16 lanes as vectors of 8, 16 and 32 bits, masks of them, and products of channels. Does
+// not know what the lanes mean. Included once per Highway target.
 #if defined(GW_FAST_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_LANES_INL_H_
 #undef GW_FAST_LANES_INL_H_
@@ -50,8 +49,8 @@ HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> m, std::size_t lanes) {
     return static_cast<std::uint32_t>(bits) & ((1u << lanes) - 1);
 }
 
-/// Stores the lanes of a mask; the others are written as they are, where no instruction leaves them
-/// out. So nobody else may write beside them, and nobody does: a tile is one thread's.
+/// Stores the lanes of a mask. Targets without masked stores rewrite the other lanes unchanged: no
+/// other thread may write them meanwhile, and none does, since one thread draws a tile.
 template <class D>
 HWY_INLINE void store_lanes(hn::Vec<D> v, hn::Mask<D> lanes, D d, hn::TFromD<D>* p) {
 #if HWY_TARGET <= HWY_AVX3
@@ -59,6 +58,26 @@ HWY_INLINE void store_lanes(hn::Vec<D> v, hn::Mask<D> lanes, D d, hn::TFromD<D>*
 #else
     hn::StoreU(hn::IfThenElse(lanes, v, hn::LoadU(d, p)), d, p);
 #endif
+}
+
+/// A block's channel, 16 bits a lane, as 32 bits a lane; and back.
+HWY_INLINE V32 load_channel(const std::uint16_t* p) {
+    return hn::PromoteTo(D32(), hn::Load(Half16(), p));
+}
+HWY_INLINE hn::Vec<Half16> narrow(V32 v) { return hn::DemoteTo(Half16(), hn::BitCast(I32(), v)); }
+HWY_INLINE void store16(V32 v, std::uint16_t* p) { hn::Store(narrow(v), Half16(), p); }
+
+/// mul(a, b, n) of gw/base/arithmetic.h.
+HWY_INLINE V32 mul_lanes(V32 a, V32 b, int n) {
+    const D32 d;
+    const auto t = hn::Add(hn::Mul(a, b), hn::Set(d, 1u << (n - 1)));
+    return hn::ShiftRightSame(hn::Add(t, hn::ShiftRightSame(t, n)), n);
+}
+/// The same for n = 8 in 16-bit lanes.
+template <class D>
+HWY_INLINE hn::Vec<D> mul_bytes(D d, hn::Vec<D> a, hn::Vec<D> b) {
+    const auto t = hn::Add(hn::Mul(a, b), hn::Set(d, std::uint16_t{128}));
+    return hn::ShiftRight<8>(hn::Add(t, hn::ShiftRight<8>(t)));
 }
 
 /// incoming func stored, as in gw/stages/tables.h.

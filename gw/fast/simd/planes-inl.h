@@ -8,8 +8,10 @@
 #define GW_FAST_PLANES_INL_H_
 #endif
 
-#include "gw/fast/fragments/fragments-inl.h"
-#include "gw/fast/raster/primitive.h"
+#include "gw/fast/frame/tile_plane.h"
+#include "gw/fast/simd/lanes-inl.h"
+
+#include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -30,11 +32,12 @@ HWY_INLINE Pixels pixels_of(int bx, int by, std::size_t first) {
 }
 
 /// A value of at most 16 bits: one chain modulo 2^32.
+HWY_INLINE V32 narrow_value(V32 c, V32 gx, V32 gy, Pixels at) {
+    return hn::ShiftRight<16>(hn::Add(hn::Add(c, hn::Mul(gx, at.x)), hn::Mul(gy, at.y)));
+}
 HWY_INLINE V32 narrow_plane(const TilePlane& p, Pixels at) {
-    const D32 d;
-    const auto x = hn::Mul(hn::Set(d, std::uint32_t(p.gx)), at.x),
-               y = hn::Mul(hn::Set(d, std::uint32_t(p.gy)), at.y);
-    return hn::ShiftRight<16>(hn::Add(hn::Add(hn::Set(d, std::uint32_t(p.c)), x), y));
+    const auto all = [](auto v) { return hn::Set(D32(), std::uint32_t(v)); };
+    return narrow_value(all(p.c), all(p.gx), all(p.gy), at);
 }
 
 /// A value of up to 32 bits: high and low halves apart, exact modulo 2^32.
@@ -61,8 +64,6 @@ HWY_INLINE void offset_depths(std::int64_t offset, std::uint32_t max_depth, Dept
     for (std::uint32_t& z : depth.value)
         z = std::uint32_t(std::clamp<std::int64_t>(z + offset, 0, max_depth));
 }
-
-HWY_INLINE void store16(V32 v, std::uint16_t* p) { hn::Store(narrow(v), Half16(), p); }
 
 }  // namespace gw::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,5 +1,4 @@
-// Which of Highway's targets runs: the best, or one that a test asks for.
-#include "gw/fast/kernels.h"
+#include "gw/fast/simd/simd_target.h"
 
 #include <hwy/highway.h>
 #include <hwy/targets.h>
@@ -32,5 +31,3 @@ bool use_simd_target(const std::string& name) {
 }
 
 }  // namespace gw::fast
-
-std::string gw::simd_target() { return fast::simd_target(); }

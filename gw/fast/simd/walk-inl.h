@@ -10,8 +10,8 @@
 
 #include "gw/fast/simd/planes-inl.h"
 
-// What is done with a block is compiled into each place that visits blocks where it is short. In
-// 128-bit lanes it is four times as long: called there, which halves the time that compiling takes.
+// The work on a block is inlined into each loop over blocks. In 128-bit lanes its code is four
+// times as long: there it is called, which halves compile time.
 #undef GW_PER_BLOCK
 #if HWY_MAX_BYTES >= 32
 #define GW_PER_BLOCK HWY_INLINE
@@ -25,7 +25,7 @@ namespace gw::fast::HWY_NAMESPACE {
 /// Vectors that a block's 16 lanes fill.
 inline constexpr std::size_t parts = block_pixels / lanes32;
 
-/// Some of a block's lanes.
+/// A subset of a block's lanes.
 struct LaneSet {
     M32 part[parts];
 
@@ -42,10 +42,10 @@ struct LaneSet {
     }
 };
 
-/// All of a block's lanes, known where the code is compiled.
+/// All of a block's lanes, known at compile time.
 struct AllLanes {};
 
-/// Those of a part's lanes that are in the set.
+/// The lanes of a part that are in the set.
 HWY_INLINE M32 among(const LaneSet& lanes, std::size_t part, M32 mask) {
     return hn::And(lanes.part[part], mask);
 }
@@ -91,7 +91,9 @@ struct LinearLanes {
 
     HWY_INLINE void aim(std::uint32_t c_, std::uint32_t gx_, std::uint32_t gy_) {
         const D32 d;
-        c = c_, gx = gx_, gy = gy_;
+        c = c_;
+        gx = gx_;
+        gy = gy_;
         const auto x = hn::Set(d, gx), y = hn::Set(d, gy);
         for (std::size_t i = 0; i < parts; ++i)
             lane[i] = hn::Add(hn::Mul(x, hn::Load(d, lane_x + i * lanes32)),
@@ -113,7 +115,7 @@ struct Linear {
     HWY_INLINE void aim(std::uint32_t c, std::uint32_t gx, std::uint32_t gy) {
         const D32 d;
         lanes.aim(c, gx, gy);
-        right = hn::Set(d, gx * std::uint32_t(block_side)),
+        right = hn::Set(d, gx * std::uint32_t(block_side));
         up = hn::Set(d, gy * std::uint32_t(block_side));
     }
     HWY_INLINE void start(int bx, int by) {
@@ -177,8 +179,8 @@ struct DepthWalk {
     }
 };
 
-/// Nothing that would change from block to block.
-struct Standing {
+/// A walk with nothing to evaluate.
+struct NullWalk {
     HWY_INLINE void aim() {}
     HWY_INLINE void start(int, int) {}
     HWY_INLINE void start_rows(int, int) {}

@@ -4,9 +4,9 @@
 #define HWY_TARGET_INCLUDE "gw/fast/tile/accumulate.cpp"
 #include <hwy/foreach_target.h>
 
-#include "gw/fast/kernels.h"
 #include "gw/fast/simd/doubles-inl.h"
 #include "gw/fast/simd/lanes-inl.h"
+#include "gw/fast/tile/accumulate.h"
 #include "gw/stages/accumulation.h"
 
 #include <hwy/highway.h>

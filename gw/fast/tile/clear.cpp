@@ -1,10 +1,9 @@
-// Clearing a tile's colours and depths, and writing out what is kept of uniform blocks.
-// docs/manual.md, "Pixels"; scalar twin: gw/reference/pixels.cpp. Does not clear stencils or sums.
+// docs/manual.md, "Pixels"; scalar twin: gw/reference/pixels.cpp.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/tile/clear.cpp"
 #include <hwy/foreach_target.h>
 
-#include "gw/fast/kernels.h"
+#include "gw/fast/tile/clear.h"
 #include "gw/fast/uniform/uniform-inl.h"
 
 #include <hwy/highway.h>
@@ -12,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// The lanes of `mask` of one block's values; whole blocks are the rule.
+/// Sets the lanes of `mask` of one block; most blocks are whole.
 template <class D, class T>
 HWY_INLINE void fill(D d, T (&values)[block_pixels], T value, std::uint32_t mask) {
     const auto v = hn::Set(d, value);
@@ -33,7 +32,7 @@ HWY_INLINE void clear_color(const ClearBlocks& clear, int bx, int by, std::uint3
         group.one_color = std::uint16_t(group.one_color | 1u << i);
         return;
     }
-    settle_color(clear.tile, bx, by);
+    write_back_color(clear.tile, bx, by);
     ColorBlock& block = clear.tile.color[clear.tile.block(bx, by)];
     for (std::size_t c = 0; c < 4; ++c)
         if (clear.channel[c]) fill(D16(), block.channel[c], clear.color[c], mask);
@@ -48,7 +47,7 @@ HWY_INLINE void clear_depth(const ClearBlocks& clear, int bx, int by, std::uint3
         group.one_plane = std::uint16_t(group.one_plane & ~(1u << i));
         return;
     }
-    settle_depth(clear.tile, bx, by);
+    write_back_depth(clear.tile, bx, by);
     fill(D32(), clear.tile.depth[clear.tile.block(bx, by)].value, clear.depth, mask);
 }
 
@@ -70,7 +69,7 @@ void clear_all(const ClearBlocks& clear) {
     const bool color = clear.channel != std::array<bool, 4>{};
     clear.tile.has_uniform->color |= clear.clears_color();
     clear.tile.has_uniform->depth |= clear.clears_depth;
-    if (box.whole(clear.tile) && clear.clears_depth) clear.tile.held->clear();
+    if (box.whole(clear.tile) && clear.clears_depth) clear.tile.depth_planes->clear();
     const bool groups = (box.x0 | box.y0 | box.x1 | box.y1) % (group_blocks * block_side) == 0;
     if (groups && clear.clears_color() && clear.clears_depth) return clear_groups(clear);
     for (int by = box.y0 / block_side; by * block_side < box.y1; ++by)
@@ -81,7 +80,7 @@ void clear_all(const ClearBlocks& clear) {
         }
 }
 
-void settle_all(const Tile& tile, UniformPlanes which) { settle_tile(tile, which); }
+void write_back_all(const Tile& tile, UniformPlanes which) { write_back_tile(tile, which); }
 
 }  // namespace gw::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -90,11 +89,11 @@ HWY_AFTER_NAMESPACE();
 namespace gw::fast {
 
 HWY_EXPORT(clear_all);
-HWY_EXPORT(settle_all);
+HWY_EXPORT(write_back_all);
 
 void clear_blocks(const ClearBlocks& clear) { HWY_DYNAMIC_DISPATCH(clear_all)(clear); }
-void settle_blocks(const Tile& tile, UniformPlanes which) {
-    HWY_DYNAMIC_DISPATCH(settle_all)(tile, which);
+void write_back_blocks(const Tile& tile, UniformPlanes which) {
+    HWY_DYNAMIC_DISPATCH(write_back_all)(tile, which);
 }
 
 }  // namespace gw::fast

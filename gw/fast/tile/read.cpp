@@ -4,8 +4,8 @@
 #define HWY_TARGET_INCLUDE "gw/fast/tile/read.cpp"
 #include <hwy/foreach_target.h>
 
-#include "gw/fast/kernels.h"
 #include "gw/fast/simd/lanes-inl.h"
+#include "gw/fast/tile/read.h"
 
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
@@ -62,9 +62,7 @@ HWY_INLINE void put_block(const ColorBlock& block, std::uint32_t* lowest, std::p
     const D32 d;
     alignas(64) std::uint32_t words[block_pixels];
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-        const auto channel = [&](std::size_t c) {
-            return hn::PromoteTo(d, hn::Load(Half16(), block.channel[c] + i));
-        };
+        const auto channel = [&](std::size_t c) { return load_channel(block.channel[c] + i); };
         const auto rg = hn::Or(channel(0), hn::ShiftLeft<8>(channel(1))),
                    ba = hn::Or(channel(2), hn::ShiftLeft<8>(channel(3)));
         hn::Store(hn::Or(rg, hn::ShiftLeft<16>(ba)), d, words + i);
@@ -119,8 +117,10 @@ HWY_INLINE void put_blocks(const Tile& tile, int x, int by, Pixel* lowest, std::
     if (one == 0xF) return put_colors(group.color + first, lowest, width);
     for (int i = 0; i < group_blocks; ++i) {
         Pixel* to = lowest + i * block_side;
-        one >> i & 1 ? put_color(group.color[first + std::uint32_t(i)], to, width)
-                     : put_block(block[i], to, width);
+        if (one >> i & 1)
+            put_color(group.color[first + std::uint32_t(i)], to, width);
+        else
+            put_block(block[i], to, width);
     }
 }
 
@@ -178,7 +178,10 @@ HWY_INLINE void read_rows(const ReadColors& read, Pixel* out) {
 }
 
 void read_all(const ReadColors& read) {
-    read.packed ? read_rows(read, read.packed) : read_rows(read, read.out);
+    if (read.packed)
+        read_rows(read, read.packed);
+    else
+        read_rows(read, read.out);
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -1,9 +1,12 @@
-// One tile's way through all operations.
 #include "gw/fast/tile/tile_run.h"
 
 #include "gw/base/parallel.h"
-#include "gw/fast/kernels.h"
 #include "gw/fast/shade/repeated_texels.h"
+#include "gw/fast/tile/accumulate.h"
+#include "gw/fast/tile/clear.h"
+#include "gw/fast/tile/draw.h"
+#include "gw/fast/tile/read.h"
+#include "gw/fast/vertices/geometry.h"
 #include "gw/fast/visible/visible_record.h"
 #include "gw/stages/tables.h"
 
@@ -11,29 +14,17 @@
 
 namespace gw::fast {
 
-OpCounts& OpCounts::operator+=(const OpCounts& o) {
-    fragments += o.fragments;
-    alpha_killed += o.alpha_killed;
-    stencil_killed += o.stencil_killed;
-    depth_killed += o.depth_killed;
-    written += o.written;
-    pixels += o.pixels;
-    accum_overflows += o.accum_overflows;
-    return *this;
-}
-
-struct WorkerRoom {
-    std::vector<Coverage> coverages;
-    BatchRoom batch;
+struct TileScratch {
+    std::vector<VisibleRecord> visible_records;
+    BatchScratch batch;
     RepeatedTexels texels;
 };
-void DeleteRoom::operator()(WorkerRoom* room) const { delete room; }
 
 namespace {
 
 constexpr std::uint32_t every_lane = 0xFFFF;
 
-/// Whole blocks are the rule, and counting bits is a call on processors of any age.
+/// Most blocks are full; portable popcount is a function call.
 std::uint64_t lane_count(std::uint32_t mask) {
     return mask == every_lane ? block_pixels : std::uint64_t(std::popcount(mask));
 }
@@ -70,18 +61,18 @@ struct TileRun {
     Tile tile;
     std::size_t index;
     OpCounts* counts = nullptr;
-    WorkerRoom& room;
+    TileScratch& scratch;
 
     BlockBox box(const Rect& rect) const { return block_box(rect, tile); }
 
     void run(const DrawOp& op) {
         if (op.set->tile_bin(index).empty()) return;
-        const TileDraw draw{&op,    &profile,    tile,        box(op.state.draw_box),
-                            counts, &room.batch, &room.texels};
+        const TileDraw draw{&op,    &profile,       tile,           box(op.state.draw_box),
+                            counts, &scratch.batch, &scratch.texels};
         if (draw.box.empty()) return;
-        if (op.coverage < 0) return draw_primitives(draw, op.set->tile_bin(index));
-        settle_blocks(tile, touched_planes(op));
-        Coverage& record = room.coverages[std::size_t(op.coverage)];
+        if (op.visible_record < 0) return draw_primitives(draw, op.set->tile_bin(index));
+        write_back_blocks(tile, touched_planes(op));
+        VisibleRecord& record = scratch.visible_records[std::size_t(op.visible_record)];
         if (op.state.state.depth.func != DepthFunc::Equal)
             return draw_recording(draw, op.set->tile_bin(index), record);
         if (!record.made) record_primitives(draw, op.set->tile_bin(index), record);
@@ -141,7 +132,7 @@ struct TileRun {
     }
 
     void run(const SpansOp& op) {
-        settle_blocks(tile);
+        write_back_blocks(tile);
         DepthBlock depth;
         ColorBlock color;
         std::fill(std::begin(depth.value), std::end(depth.value), op.write->depth);
@@ -168,7 +159,7 @@ struct TileRun {
     }
 
     void run(const PixelsOp& op) {
-        settle_blocks(tile);
+        write_back_blocks(tile);
         const WritePixels& w = *op.write;
         const Resolved& r = op.state;
         DepthBlock depth;
@@ -197,7 +188,7 @@ struct TileRun {
     }
 
     void run(const AccumulateOp& op) {
-        settle_blocks(tile);
+        write_back_blocks(tile);
         for_each_block(tile, box(op.state.pixel_box),
                        [&](std::size_t b, int, int, std::uint32_t mask) {
                            counts->pixels += lane_count(mask);
@@ -213,7 +204,7 @@ struct TileRun {
         if (op.read->plane == Plane::Color)
             return read_colors(
                 {tile, inside, op.read->rect, op.color, op.read->packed ? op.values : nullptr});
-        settle_blocks(tile);
+        write_back_blocks(tile);
         for_each_block(tile, inside, [&](std::size_t b, int bx, int by, std::uint32_t mask) {
             switch (op.read->plane) {
                 case Plane::Color: return;
@@ -226,7 +217,7 @@ struct TileRun {
             }
         });
     }
-    /// Copies the lanes of `mask`, a row at a time where they are all there.
+    /// Copies the lanes of `mask`, whole rows if it has all lanes.
     template <typename From, typename To>
     void read_block(const ReadOp& op, int bx, int by, std::uint32_t mask, const From& from,
                     To* to) const {
@@ -243,21 +234,22 @@ struct TileRun {
 
 }  // namespace
 
-std::vector<OpCounts> run_tiles(const Segment& segment, Frame& frame, const Profile& profile,
-                                int threads, WorkerRooms& rooms) {
-    const std::size_t tiles = frame.grid().count();
-    std::vector<std::vector<OpCounts>> by_worker(std::size_t(threads),
+TileRunner::TileRunner(int threads) {
+    for (int i = 0; i < threads; ++i) scratch_.push_back(std::make_unique<TileScratch>());
+}
+TileRunner::~TileRunner() = default;
+
+std::vector<OpCounts> TileRunner::run(const Segment& segment, Frame& frame,
+                                      const Profile& profile) {
+    std::vector<std::vector<OpCounts>> by_worker(scratch_.size(),
                                                  std::vector<OpCounts>(segment.ops.size()));
-    if (rooms.size() < std::size_t(threads)) rooms.resize(std::size_t(threads));
-    for (auto& room : rooms) {
-        if (!room) room.reset(new WorkerRoom);
-        if (room->coverages.size() < std::size_t(segment.coverages))
-            room->coverages.resize(std::size_t(segment.coverages));
-    }
-    parallel_for(tiles, threads, [&](std::size_t i, int worker) {
-        TileRun run{profile, frame.tile(i), i, nullptr, *rooms[std::size_t(worker)]};
-        for (Coverage& record : run.room.coverages) record.clear();
-        run.room.texels.clear();
+    for (auto& scratch : scratch_)
+        if (scratch->visible_records.size() < std::size_t(segment.visible_records))
+            scratch->visible_records.resize(std::size_t(segment.visible_records));
+    parallel_for(frame.grid().count(), int(scratch_.size()), [&](std::size_t i, int worker) {
+        TileRun run{profile, frame.tile(i), i, nullptr, *scratch_[std::size_t(worker)]};
+        for (VisibleRecord& record : run.scratch.visible_records) record.clear();
+        run.scratch.texels.clear();
         for (std::size_t k = 0; k < segment.ops.size(); ++k) {
             run.counts = &by_worker[std::size_t(worker)][k];
             std::visit([&](const auto& op) { run.run(op); }, segment.ops[k].op);

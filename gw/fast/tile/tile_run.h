@@ -1,33 +1,31 @@
-// Running a segment's operations on every tile, on all threads.
-// Does not plan, and does not know vectors: kernels.h does.
+// Runs a segment's operations on every tile, on all threads. Does not plan and does not know
+// vectors: gw/fast/tile/draw.h and the other kernels do.
 #pragma once
 
+#include "gw/fast/frame/frame.h"
 #include "gw/fast/plan/plan.h"
+#include "gw/fast/plan/tile_draw.h"
 
 #include <memory>
+#include <vector>
 
 namespace gw::fast {
 
-/// Fragments of one operation by fate, or its pixels; summed over tiles.
-struct OpCounts {
-    std::uint64_t fragments = 0, alpha_killed = 0, stencil_killed = 0, depth_killed = 0,
-                  written = 0;
-    std::uint64_t pixels = 0, accum_overflows = 0;
-    OpCounts& operator+=(const OpCounts& other);
+/// Each worker thread keeps its scratch memory from tile to tile and from list to list.
+struct TileScratch;
+class TileRunner {
+public:
+    explicit TileRunner(int threads);
+    ~TileRunner();
+
+    /// Runs all operations on all tiles; the counts by operation.
+    std::vector<OpCounts> run(const Segment& segment, Frame& frame, const Profile& profile);
+
+private:
+    std::vector<std::unique_ptr<TileScratch>> scratch_;  ///< by worker
 };
 
-/// What a worker keeps from tile to tile and from list to list, so that it need not be made anew.
-struct WorkerRoom;
-struct DeleteRoom {
-    void operator()(WorkerRoom* room) const;
-};
-using WorkerRooms = std::vector<std::unique_ptr<WorkerRoom, DeleteRoom>>;
-
-/// Runs all operations on all tiles; the counts by operation.
-std::vector<OpCounts> run_tiles(const Segment& segment, Frame& frame, const Profile& profile,
-                                int threads, WorkerRooms& rooms);
-
-/// What an operation's counts add to its pass.
+/// The contribution of an operation's counts to its pass.
 Counters counters_of(const TileOp& op, const OpCounts& counts, const Profile& profile);
 
 /// Copy and CopyTexture run on the host's planes, between segments. The number of pixels copied.

@@ -1,7 +1,6 @@
-// The depth test of a triangle whose depth changes from pixel to pixel, over blocks that may have
-// one depth or the depths of one plane. A block that it covers and passes wholly holds its plane
-// from then on: two planes compare by their difference at a block's corners. Does not paint.
-// Included once per Highway target.
+// The depth test of a sloping triangle over blocks that may have one depth or the depths of one
+// plane. A block that it covers and passes wholly stores its plane from then on: two planes compare
+// by their difference at a block's corners. Does not paint. Included once per Highway target.
 #if defined(GW_FAST_SLOPING_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_SLOPING_DEPTH_INL_H_
 #undef GW_FAST_SLOPING_DEPTH_INL_H_
@@ -9,7 +8,8 @@
 #define GW_FAST_SLOPING_DEPTH_INL_H_
 #endif
 
-#include "gw/fast/fragments/simple_triangles-inl.h"
+#include "gw/fast/fragments/depth-inl.h"
+#include "gw/fast/raster/cover-inl.h"
 #include "gw/fast/uniform/uniform-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,18 +21,20 @@ struct ExactPlane {
 
     HWY_INLINE explicit ExactPlane(const TilePlane& p)
         : c(static_cast<std::int64_t>(p.c)), gx(p.gx), gy(p.gy) {}
-    HWY_INLINE static bool serves(const TilePlane& p) {
+    HWY_INLINE static bool applies_to(const TilePlane& p) {
         const auto fits = [](std::int64_t g) { return std::abs(g) < std::int64_t{1} << 47; };
         return !p.sliver && fits(p.gx) && fits(p.gy);
     }
     HWY_INLINE ExactPlane minus(const ExactPlane& p) const {
         ExactPlane difference = *this;
-        difference.c -= p.c, difference.gx -= p.gx, difference.gy -= p.gy;
+        difference.c -= p.c;
+        difference.gx -= p.gx;
+        difference.gy -= p.gy;
         return difference;
     }
 };
 
-/// How a triangle's depths compare with the stored ones at all of some pixels.
+/// How a triangle's depths compare with the stored ones at all pixels of a range.
 enum class Order { Unknown, Less, Equal, Greater };
 
 /// Of a plane that is the difference of two, before rounding: 1 and more are told apart.
@@ -50,54 +52,35 @@ HWY_INLINE Order order_of(const ExactPlane& difference, const BlockRange& r) {
 
 /// A triangle's depth, moving with its blocks, and what is known of it as a whole.
 struct SlopingWalk : DepthWalk {
-    /// Between these are its depths at all pixels that it covers; of any 32 bits where that is not
-    /// known, or a tile may not hold its plane.
+    /// Bounds of its depths at all pixels that it covers; any 32 bits if they are not known, or if
+    /// a block may not store its plane.
     std::uint32_t least = 0, most = ~0u;
-    std::uint32_t held = ~0u;  ///< which of the tile's held planes
+    std::uint32_t stored = ~0u;  ///< which of the tile's depth planes
 
     HWY_INLINE explicit SlopingWalk(const DepthPlane& p) : DepthWalk(p) {}
 
-    /// The corners' depths, and one more for the gradients' rounding, which comes to half a unit in
-    /// 2^15 pixels.
+    /// The corners' depths, and one more for the gradients' rounding, half a unit in 2^15 pixels.
     HWY_INLINE void find_bounds(const Corners& t, std::size_t i) {
         const auto near = [](std::int32_t pixels) { return std::abs(pixels) < 1 << 14; };
         const std::uint32_t low = std::min({t.z[0][i], t.z[1][i], t.z[2][i]}),
                             high = std::max({t.z[0][i], t.z[1][i], t.z[2][i]});
         if (low == 0 || high == ~0u || !near(t.to_x[i]) || !near(t.to_y[i])) return;
-        if (ExactPlane::serves(plane.plane)) least = low - 1, most = high + 1;
+        if (!ExactPlane::applies_to(plane.plane)) return;
+        least = low - 1;
+        most = high + 1;
     }
-    HWY_INLINE bool may_be_held() const { return most != ~0u || least != 0; }
+    HWY_INLINE bool may_be_stored() const { return most != ~0u || least != 0; }
 
-    HWY_INLINE std::uint32_t hold(const Tile& tile) {
-        if (held == ~0u) {
-            held = std::uint32_t(tile.held->size());
-            tile.held->push_back(plane.plane);
+    HWY_INLINE std::uint32_t store_plane(const Tile& tile) {
+        if (stored == ~0u) {
+            stored = std::uint32_t(tile.depth_planes->size());
+            tile.depth_planes->push_back(plane.plane);
         }
-        return held;
+        return stored;
     }
 };
 
-/// What comes of the depth test for whole blocks of a group, a bit each; what fails is in neither.
-struct GroupVerdicts {
-    std::uint32_t pass = 0, unknown = 0;
-};
-
-/// Of a group's blocks, those of which test(lanes of their depths) holds.
-template <class Test>
-HWY_INLINE std::uint32_t blocks_where(const UniformGroup& group, const Test& test) {
-    const D32 d;
-    std::uint32_t blocks = 0;
-    for (std::size_t i = 0; i < block_pixels; i += lanes32)
-        blocks |= bits_of(d, test(hn::Load(d, group.depth + i)), lanes32) << i;
-    return blocks;
-}
-HWY_INLINE void set_depths(UniformGroup& group, std::uint32_t blocks, std::uint32_t depth) {
-    const D32 d;
-    for (std::size_t i = 0; i < block_pixels; i += lanes32)
-        store_lanes(hn::Set(d, depth), lanes_of(d, blocks, i), d, group.depth + i);
-}
-
-/// Like the tests of gw/fast/uniform/uniform_depth-inl.h.
+/// The depth test of a sloping triangle; see WithoutDepth.
 template <class Compare>
 struct SlopingDepth {
     const Tile& tile;
@@ -106,7 +89,7 @@ struct SlopingDepth {
     const bool update;
 
     template <class Then>
-    HWY_INLINE void some(int bx, int by, const LaneSet& lanes, const Then& then) const {
+    HWY_INLINE void test_lanes(int bx, int by, const LaneSet& lanes, const Then& then) const {
         UniformGroup& group = tile.group(bx, by);
         const std::uint32_t i = tile.in_group(bx, by);
         DepthBlock& block = tile.depth[tile.block(bx, by)];
@@ -114,7 +97,7 @@ struct SlopingDepth {
         if (group.one_depth >> i & 1) {
             alive = first(group, i, block, lanes);
         } else {
-            if (group.one_plane >> i & 1) settle_depth(tile, bx, by);
+            if (group.one_plane >> i & 1) write_back_depth(tile, bx, by);
             alive = run_depth(walk, passes, update, lanes, block);
         }
         then(alive);
@@ -133,7 +116,7 @@ struct SlopingDepth {
         if ((blocks & group.one_plane) != 0)
             compare_planes(group, x, y, blocks & group.one_plane, out);
         if (update && out.pass != 0) {
-            set_depths(group, out.pass, walk.hold(tile));
+            set_depths(group, out.pass, walk.store_plane(tile));
             group.one_depth = std::uint16_t(group.one_depth & ~out.pass);
             group.one_plane = std::uint16_t(group.one_plane | out.pass);
         }
@@ -148,16 +131,16 @@ private:
         const std::uint32_t incoming = order == Order::Greater, stored = order == Order::Less;
         if (passes.of_one(incoming, stored)) out.pass |= blocks;
     }
-    /// Those that hold planes, plane by plane: few have more than one.
+    /// Blocks that store planes, plane by plane: few groups have more than one.
     HWY_NOINLINE void compare_planes(const UniformGroup& group, int x, int y, std::uint32_t blocks,
                                      GroupVerdicts& out) const {
-        if (!walk.may_be_held()) return decide(Order::Unknown, blocks, out);
+        if (!walk.may_be_stored()) return decide(Order::Unknown, blocks, out);
         const ExactPlane own(walk.plane.plane);
         while (blocks != 0) {
-            const std::uint32_t held = group.depth[std::countr_zero(blocks)];
-            const auto same = [&](V32 stored) { return hn::Eq(stored, hn::Set(D32(), held)); };
+            const std::uint32_t index = group.depth[std::countr_zero(blocks)];
+            const auto same = [&](V32 stored) { return hn::Eq(stored, hn::Set(D32(), index)); };
             const std::uint32_t of_plane = blocks & blocks_where(group, same);
-            const ExactPlane difference = own.minus(ExactPlane((*tile.held)[held]));
+            const ExactPlane difference = own.minus(ExactPlane((*tile.depth_planes)[index]));
             decide(order_of(difference, {x, y, x + group_blocks - 1, y + group_blocks - 1}),
                    of_plane, out);
             blocks &= ~of_plane;

@@ -1,9 +1,7 @@
-// Blocks whose pixels all have one colour, or one depth or the depths of one plane: what a Clear
-// leaves, and a triangle of one colour that covers them. While they have, that is kept and the
-// planes are not written.
-// Such blocks are made by clear_blocks() and by draws of draws_uniform(), and known to these and to
-// read_colors(); everything else settles the planes that it touches first. Included once per
-// Highway target.
+// Uniform blocks: all pixels have one colour, or one depth, or the depths of one plane, and only
+// that is stored. clear_blocks() and the draws of draws_uniform() make such blocks; these and
+// read_colors() can use them, everything else writes them back to the planes first. Included once
+// per Highway target.
 #if defined(GW_FAST_UNIFORM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_UNIFORM_INL_H_
 #undef GW_FAST_UNIFORM_INL_H_
@@ -16,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-HWY_INLINE void settle_color(const Tile& tile, int bx, int by) {
+HWY_INLINE void write_back_color(const Tile& tile, int bx, int by) {
     UniformGroup& group = tile.group(bx, by);
     const std::uint32_t i = tile.in_group(bx, by);
     if ((group.one_color >> i & 1) == 0) return;
@@ -41,34 +39,55 @@ HWY_NOINLINE inline void write_depth(const Tile& tile, const TilePlane& plane, i
                   tile.depth[tile.block(bx, by)].value + k);
 }
 
-HWY_INLINE void settle_depth(const Tile& tile, int bx, int by) {
+HWY_INLINE void write_back_depth(const Tile& tile, int bx, int by) {
     UniformGroup& group = tile.group(bx, by);
     const std::uint32_t i = tile.in_group(bx, by), bit = 1u << i;
     if (group.one_depth & bit) write_depth(tile, group.depth[i], bx, by);
-    if (group.one_plane & bit) write_depth(tile, (*tile.held)[group.depth[i]], bx, by);
+    if (group.one_plane & bit) write_depth(tile, (*tile.depth_planes)[group.depth[i]], bx, by);
     group.one_depth = std::uint16_t(group.one_depth & ~bit);
     group.one_plane = std::uint16_t(group.one_plane & ~bit);
 }
 
-/// Calls settle(bx, by) for all blocks of a tile.
-template <class Settle>
-HWY_INLINE void settle_all_blocks(const Tile& tile, const Settle& settle) {
+/// Calls visit(bx, by) for all blocks of a tile.
+template <class Visit>
+HWY_INLINE void for_all_blocks(const Tile& tile, const Visit& visit) {
     const int side = tile.side / block_side;
     for (int by = 0; by < side; ++by)
-        for (int bx = 0; bx < side; ++bx) settle(bx, by);
+        for (int bx = 0; bx < side; ++bx) visit(bx, by);
 }
 
-HWY_INLINE void settle_tile(const Tile& tile, UniformPlanes which) {
+HWY_INLINE void write_back_tile(const Tile& tile, UniformPlanes which) {
     UniformPlanes& has = *tile.has_uniform;
     if (which.color && has.color) {
-        settle_all_blocks(tile, [&](int bx, int by) { settle_color(tile, bx, by); });
+        for_all_blocks(tile, [&](int bx, int by) { write_back_color(tile, bx, by); });
         has.color = false;
     }
     if (which.depth && has.depth) {
-        settle_all_blocks(tile, [&](int bx, int by) { settle_depth(tile, bx, by); });
+        for_all_blocks(tile, [&](int bx, int by) { write_back_depth(tile, bx, by); });
         has.depth = false;
-        tile.held->clear();
+        tile.depth_planes->clear();
     }
+}
+
+/// The result of a depth test for whole blocks of a group, a bit each; a block that fails is in
+/// neither.
+struct GroupVerdicts {
+    std::uint32_t pass = 0, unknown = 0;
+};
+
+/// The blocks of a group for whose depths the test is true: test(depths of a vector of blocks).
+template <class Test>
+HWY_INLINE std::uint32_t blocks_where(const UniformGroup& group, const Test& test) {
+    const D32 d;
+    std::uint32_t blocks = 0;
+    for (std::size_t i = 0; i < block_pixels; i += lanes32)
+        blocks |= bits_of(d, test(hn::Load(d, group.depth + i)), lanes32) << i;
+    return blocks;
+}
+HWY_INLINE void set_depths(UniformGroup& group, std::uint32_t blocks, std::uint32_t depth) {
+    const D32 d;
+    for (std::size_t i = 0; i < block_pixels; i += lanes32)
+        store_lanes(hn::Set(d, depth), lanes_of(d, blocks, i), d, group.depth + i);
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

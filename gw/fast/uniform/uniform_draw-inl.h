@@ -1,7 +1,6 @@
-// Triangles over uniform blocks: what they paint is one colour, stored or added, or nothing, and
-// there is no stencil operation. A block that one covers wholly stays uniform. The general way is
-// gw/fast/fragments/simple_triangles-inl.h.
-// Included once per Highway target.
+// Triangles over uniform blocks: they paint one colour, stored or added, or nothing, without
+// stencil operation. A block that one covers wholly stays uniform. Other triangles:
+// gw/fast/fragments/simple_triangles-inl.h. Included once per Highway target.
 #if defined(GW_FAST_UNIFORM_DRAW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_UNIFORM_DRAW_INL_H_
 #undef GW_FAST_UNIFORM_DRAW_INL_H_
@@ -9,7 +8,10 @@
 #define GW_FAST_UNIFORM_DRAW_INL_H_
 #endif
 
-#include "gw/fast/uniform/uniform_depth-inl.h"
+#include "gw/fast/fragments/flat_paint-inl.h"
+#include "gw/fast/fragments/lane_counts-inl.h"
+#include "gw/fast/uniform/level_depth-inl.h"
+#include "gw/fast/uniform/sloping_depth-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -22,8 +24,7 @@ HWY_INLINE bool all_level(const GeometrySet& set, std::span<const std::uint32_t>
     });
 }
 
-/// Whether all are triangles that reach over many blocks, so that what they cover is mostly whole
-/// ones.
+/// Whether all are triangles over many blocks, so that most blocks are covered wholly.
 HWY_INLINE bool all_large(const GeometrySet& set, std::span<const std::uint32_t> bin,
                           int subpixel_bits) {
     const std::int64_t side = std::int64_t{8 * block_side} << subpixel_bits;
@@ -38,14 +39,15 @@ HWY_INLINE bool all_large(const GeometrySet& set, std::span<const std::uint32_t>
     });
 }
 
-/// Whether a bin's triangles go this way. Where no colour is written only level and large ones do:
-/// others leave few blocks uniform.
+/// Whether a bin's triangles are drawn this way. If no colour is written, only level and large ones
+/// are: others leave few blocks uniform.
 HWY_INLINE bool draws_uniform(const DrawOp& op, std::span<const std::uint32_t> bin,
                               int subpixel_bits) {
     const Resolved& r = op.state;
-    if (!is_plain(r) || !ignores_stencil(r.front) || !ignores_stencil(r.back)) return false;
+    if (!takes_simple_path(r) || !ignores_stencil(r.front) || !ignores_stencil(r.back))
+        return false;
     if (op.set->triangle_count != op.set->primitives.size()) return false;
-    if (r.writes_color) return FlatPaint::serves(op);
+    if (r.writes_color) return FlatPaint::applies_to(op);
     return all_level(*op.set, bin) || all_large(*op.set, bin, subpixel_bits);
 }
 
@@ -71,15 +73,17 @@ struct OneColor {
         if (mask == all_lanes)
             return whole_blocks(tile.group(bx, by), bx, by, 1u << tile.in_group(bx, by));
         if (mask == 0) return;
-        settle_color(tile, bx, by);
-        paint.some(bx, by, mask);
+        write_back_color(tile, bx, by);
+        paint.write_lanes(bx, by, mask);
     }
-    /// Blocks of a group: what one colour is stored over or added to stays one colour.
+    /// Blocks of a group: one colour stored over or added to a uniform block leaves it uniform.
     HWY_INLINE void whole_blocks(UniformGroup& group, int bx, int by, std::uint32_t blocks) const {
         const hn::CappedTag<std::uint64_t, block_pixels> d;
         std::uint32_t one = blocks;
-        if (paint.store.adds)
-            add_to_pixels(bx, by, blocks & ~group.one_color), one &= group.one_color;
+        if (paint.store.adds) {
+            add_to_pixels(bx, by, blocks & ~group.one_color);
+            one &= group.one_color;
+        }
         for (std::size_t i = 0; i < block_pixels; i += hn::Lanes(d))
             store_lanes(result(hn::Load(d, group.color + i)), lanes_of(d, one, i), d,
                         group.color + i);
@@ -106,7 +110,8 @@ private:
 #endif
     }
     HWY_INLINE void add_to_pixels(int x, int y, std::uint32_t blocks) const {
-        x -= x % group_blocks, y -= y % group_blocks;
+        x -= x % group_blocks;
+        y -= y % group_blocks;
         const auto add_to = [&](int i) {
             paint(x + i % group_blocks, y + i / group_blocks, AllLanes{});
         };
@@ -117,7 +122,7 @@ private:
     }
 };
 
-/// What becomes of a triangle's blocks.
+/// Draws a triangle's blocks.
 template <class Depth, class Paint>
 struct UniformDraw {
     Tile tile;
@@ -130,7 +135,7 @@ struct UniformDraw {
         test(bx, by, lanes);
     }
     HWY_INLINE void test(int bx, int by, const LaneSet& lanes) const {
-        depth.some(bx, by, lanes, [&](const LaneSet& alive) {
+        depth.test_lanes(bx, by, lanes, [&](const LaneSet& alive) {
             written.add(alive);
             paint(bx, by, alive);
         });
@@ -150,65 +155,66 @@ struct UniformDraw {
     }
 };
 
-/// A triangle's blocks. Inlined where the walk is made: it stays in registers.
-template <class Way, class Paint, class Walk, class Depth>
+/// Draws a triangle's blocks. Inlined into its callers: the walk stays in registers.
+template <class Size, class Paint, class Walk, class Depth>
 HWY_INLINE void draw_blocks(const TileDraw& draw, const Triangles& t, std::size_t i,
-                            const BoxLanes& box, Walk& walk, const Depth& depth, PlainCounts& sum) {
+                            const BoxLanes& box, Walk& walk, const Depth& depth, LaneCounts& sum) {
     LaneCounter made, written;
-    made.clear(), written.clear();
-    Way::visit(box, t, i, walk,
-               UniformDraw<Depth, Paint>{draw.tile, depth, Paint(draw, *t.corners.primitive[i]),
-                                         made, written});
-    PlainCounts{made, made, written}.add_to(sum);
+    made.clear();
+    written.clear();
+    Size::visit(box, t, i, walk,
+                UniformDraw<Depth, Paint>{draw.tile, depth, Paint(draw, *t.corners.primitive[i]),
+                                          made, written});
+    LaneCounts{made, made, written}.add_to(sum);
 }
 
-template <class Way, class Paint>
+template <class Size, class Paint>
 HWY_NOINLINE void draw_untested(const TileDraw& draw, const Triangles& t, std::size_t i,
-                                const BoxLanes& box, PlainCounts& sum) {
-    Standing walk;
-    draw_blocks<Way, Paint>(draw, t, i, box, walk, WithoutDepth{}, sum);
+                                const BoxLanes& box, LaneCounts& sum) {
+    NullWalk walk;
+    draw_blocks<Size, Paint>(draw, t, i, box, walk, WithoutDepth{}, sum);
 }
-template <class Way, class Paint, class Compare>
+template <class Size, class Paint, class Compare>
 HWY_NOINLINE void draw_level(const TileDraw& draw, const Triangles& t, std::size_t i,
                              const BoxLanes& box, std::uint32_t z, const Compare& passes,
-                             PlainCounts& sum) {
-    Standing walk;
-    draw_blocks<Way, Paint>(
+                             LaneCounts& sum) {
+    NullWalk walk;
+    draw_blocks<Size, Paint>(
         draw, t, i, box, walk,
         LevelDepth<Compare>{draw.tile, z, passes, draw.op->state.state.depth.mask}, sum);
 }
-template <class Way, class Paint, class Compare>
+template <class Size, class Paint, class Compare>
 HWY_NOINLINE void draw_sloping(const TileDraw& draw, const Triangles& t, std::size_t i,
-                               const BoxLanes& box, const Compare& passes, PlainCounts& sum) {
+                               const BoxLanes& box, const Compare& passes, LaneCounts& sum) {
     const DepthPlane plane = depth_of(draw, t, i);
     SlopingWalk walk(plane);
-    if constexpr (std::is_same_v<Way, LargeTriangle>) walk.find_bounds(t.corners, i);
-    draw_blocks<Way, Paint>(
+    if constexpr (std::is_same_v<Size, LargeTriangle>) walk.find_bounds(t.corners, i);
+    draw_blocks<Size, Paint>(
         draw, t, i, box, walk,
         SlopingDepth<Compare>{draw.tile, walk, passes, draw.op->state.state.depth.mask}, sum);
 }
 
-/// Chooses the kind of triangle i's depths.
-template <class Way, class Paint, class Compare>
+/// Chooses the depth test of triangle i.
+template <class Size, class Paint, class Compare>
 HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, std::size_t i,
-                             const BoxLanes& box, const Compare& passes, PlainCounts& sum) {
+                             const BoxLanes& box, const Compare& passes, LaneCounts& sum) {
     const auto z = [&](std::size_t k) { return t.corners.z[k][i]; };
     if constexpr (!Compare::tests)
-        draw_untested<Way, Paint>(draw, t, i, box, sum);
+        draw_untested<Size, Paint>(draw, t, i, box, sum);
     else if (z(0) == z(1) && z(0) == z(2))
-        draw_level<Way, Paint>(draw, t, i, box, z(0), passes, sum);
+        draw_level<Size, Paint>(draw, t, i, box, z(0), passes, sum);
     else
-        draw_sloping<Way, Paint>(draw, t, i, box, passes, sum);
+        draw_sloping<Size, Paint>(draw, t, i, box, passes, sum);
 }
 
 template <class Paint>
-HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, PlainCounts& sum) {
+HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, LaneCounts& sum) {
     const BoxLanes box(draw);
     with_depth_test(*draw.op, [&](const auto& passes) {
         for (std::size_t i = 0; i < t.count(); ++i)
             if (!t.empty(i))
-                by_size(t, i, [&]<class Way>(Way) {
-                    draw_uniform<Way, Paint>(draw, t, i, box, passes, sum);
+                by_size(t, i, [&]<class Size>(Size) {
+                    draw_uniform<Size, Paint>(draw, t, i, box, passes, sum);
                 });
     });
 }
@@ -217,15 +223,17 @@ HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, PlainCoun
 inline void draw_uniform(const TileDraw& draw, std::span<const std::uint32_t> bin,
                          OpCounts& counts) {
     Triangles t;
-    PlainCounts lanes;
+    LaneCounts lanes;
     lanes.clear();
     set_up_triangles(draw, bin, needs_depth(*draw.op) && !all_level(*draw.op->set, bin), t);
-    if (draw.tile.held->size() + batch_room > max_held_planes)
-        settle_tile(draw.tile, {false, true});
+    if (draw.tile.depth_planes->size() + batch_capacity > max_depth_planes)
+        write_back_tile(draw.tile, {false, true});
     draw.tile.has_uniform->color |= draw.op->state.writes_color;
     draw.tile.has_uniform->depth |= draw.op->state.state.depth.mask;
-    draw.op->state.writes_color ? draw_uniform<OneColor>(draw, t, lanes)
-                                : draw_uniform<NoColor>(draw, t, lanes);
+    if (draw.op->state.writes_color)
+        draw_uniform<OneColor>(draw, t, lanes);
+    else
+        draw_uniform<NoColor>(draw, t, lanes);
     lanes.add_to(counts);
 }
 

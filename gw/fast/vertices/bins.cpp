@@ -1,5 +1,7 @@
 // Which primitives touch which tile: a counting sort that keeps their order.
+#include "gw/fast/frame/frame.h"
 #include "gw/fast/vertices/geometry.h"
+#include "gw/profile.h"
 
 #include <algorithm>
 #include <array>

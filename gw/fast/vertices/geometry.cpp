@@ -1,6 +1,7 @@
-// Geometry sets: vertices, then primitives.
 #include "gw/fast/vertices/geometry.h"
 
+#include "gw/command_list.h"
+#include "gw/fast/vertices/project.h"
 #include "gw/stages/fan.h"
 
 #include <algorithm>
@@ -37,8 +38,9 @@ struct Builder {
 
     void push_vertices() {
         const std::span<const vec3> positions(mesh.data().positions);
-        set.at.resize(positions.size()), set.w.resize(positions.size()),
-            outcode.resize(positions.size());
+        set.at.resize(positions.size());
+        set.w.resize(positions.size());
+        outcode.resize(positions.size());
         project(projection, {positions, outcode.data(), set.at.data(), set.w.data()});
     }
 
@@ -55,7 +57,7 @@ struct Builder {
     }
 
     /// Clips for good; false where nothing is left. New vertices go to the end of the arrays.
-    bool cut(std::array<std::uint32_t, 3> corners, std::uint32_t sides, Cut& out) {
+    bool clip(std::array<std::uint32_t, 3> corners, std::uint32_t sides, ClippedPrimitive& out) {
         std::vector<ClipPosition>& vertices = clipper.vertices;
         vertices.clear();
         Outcode any = 0;
@@ -66,22 +68,26 @@ struct Builder {
         // The planes before the first that cuts anything change nothing, nor do those that are off.
         const bool changed = clipper.clip(projection.viewport, planes & ~((any & (0u - any)) - 1));
         if (vertices.empty()) return false;
-        out.first = std::uint32_t(set.at.size()), out.count = std::uint32_t(vertices.size());
+        out.first = std::uint32_t(set.at.size());
+        out.count = std::uint32_t(vertices.size());
         set.at.resize(out.first + out.count);
         to_window(projection, vertices, &set.at[out.first]);
         for (const ClipPosition& v : vertices) set.w.push_back(v.clip.w);
         set.counters.clipped += changed ? 1 : 0;
-        // by members: a copy of `out` would wait for its parts
-        Cut& kept = set.cuts.emplace_back();
+        // By members: a copy of `out` would wait for its parts to be stored.
+        ClippedPrimitive& kept = set.clipped.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) kept.vertex[k] = corners[k];
-        kept.sides = sides, kept.first = out.first, kept.count = out.count;
+        kept.sides = sides;
+        kept.first = out.first;
+        kept.count = out.count;
         return true;
     }
 
-    /// Takes back a cut whose primitive is not drawn.
-    void drop(const Cut& c) {
-        set.cuts.pop_back();
-        set.at.resize(c.first), set.w.resize(c.first);
+    /// Takes back a clipped primitive is not drawn.
+    void drop(const ClippedPrimitive& c) {
+        set.clipped.pop_back();
+        set.at.resize(c.first);
+        set.w.resize(c.first);
     }
 
     /// Counter-clockwise, from the lowest vertex (of those, the leftmost); without branches, which
@@ -110,7 +116,7 @@ struct Builder {
     }
 
     /// The pieces of a polygon: of a whole triangle, or of what clipping left.
-    Fan fan(const Triangle& t, const Cut& piece) {
+    Fan fan(const Triangle& t, const ClippedPrimitive& piece) {
         if (piece.count == 0) return {area_of(t.vertex), 0};
         fan_corners.clear();
         for (std::uint32_t k = 0; k < piece.count; ++k)
@@ -118,7 +124,7 @@ struct Builder {
         return fan_of(fan_corners);
     }
 
-    void push_pieces(const Triangle& t, const Cut& piece, const Fan& pieces,
+    void push_pieces(const Triangle& t, const ClippedPrimitive& piece, const Fan& pieces,
                      const SetupPrimitive& p) {
         if (piece.count == 0) return push_piece(t.vertex, p, pieces.area2 > 0);
         const auto at = [&](std::size_t k) {
@@ -133,7 +139,8 @@ struct Builder {
         const std::int64_t area = area_of(t.vertex);
         const bool front = (area > 0) == (state.cull.front == Winding::CCW);
         if (area == 0 || culled[front]) {
-            (area == 0 ? set.counters.degenerate : set.counters.culled) += 1;
+            std::uint64_t& count = area == 0 ? set.counters.degenerate : set.counters.culled;
+            count += 1;
             return;
         }
         set.counters.drawn += 1;
@@ -145,23 +152,27 @@ struct Builder {
         const Outcode a = outcode[t.vertex[0]], b = outcode[t.vertex[1]], c = outcode[t.vertex[2]];
         const Outcode any = a | b | c;
         if (any == 0 && filled) return push_whole(t, ordinal);
-        Cut piece{t.vertex, 3, 0, 0};
+        ClippedPrimitive piece{t.vertex, 3, 0, 0};
         if (any != 0 &&
-            ((any & not_finite) != 0 || all_outside(a & b & c, any) || !cut(t.vertex, 3, piece))) {
+            ((any & not_finite) != 0 || all_outside(a & b & c, any) || !clip(t.vertex, 3, piece))) {
             set.counters.rejected += 1;
             return;
         }
         const Fan pieces = fan(t, piece);
         const bool front = (pieces.area2 > 0) == (state.cull.front == Winding::CCW);
         const bool drawn = pieces.area2 != 0 && !culled[front];
-        (pieces.area2 == 0 ? set.counters.degenerate
-         : drawn           ? set.counters.drawn
-                           : set.counters.culled) += 1;
+        std::uint64_t& count = pieces.area2 == 0 ? set.counters.degenerate
+                               : drawn           ? set.counters.drawn
+                                                 : set.counters.culled;
+        count += 1;
         if (piece.count != 0 && (!drawn || !filled)) drop(piece);
         if (!drawn) return;
         const SetupPrimitive p{
             {}, ordinal, t.polygon, t.provoking, std::uint8_t(front), MeshKind::Triangles};
-        filled ? push_pieces(t, piece, pieces, p) : push_outline(t, p);
+        if (filled)
+            push_pieces(t, piece, pieces, p);
+        else
+            push_outline(t, p);
     }
 
     void push_outline(const Triangle& t, const SetupPrimitive& p) {
@@ -176,13 +187,13 @@ struct Builder {
 
     void push_line(std::uint32_t a, std::uint32_t b, SetupPrimitive p, bool counted) {
         const Counters before = set.counters;
-        Cut piece{};
+        ClippedPrimitive piece{};
         p.kind = MeshKind::Lines;
         p.vertex = {a, b, b};
         const Outcode any = outcode[a] | outcode[b];
         bool left = (any & not_finite) == 0;
         if (left && any != 0) {
-            left = cut({a, b, b}, 2, piece);
+            left = clip({a, b, b}, 2, piece);
             if (left) p.vertex = {piece.first, piece.first + 1, piece.first + 1};
         }
         const bool degenerate = left && set.at[p.vertex[0]].x == set.at[p.vertex[1]].x &&
@@ -193,14 +204,16 @@ struct Builder {
             set.counters = before;
             return;
         }
-        (!left        ? set.counters.rejected
-         : degenerate ? set.counters.degenerate
-                      : set.counters.drawn) += 1;
+        std::uint64_t& count = !left        ? set.counters.rejected
+                               : degenerate ? set.counters.degenerate
+                                            : set.counters.drawn;
+        count += 1;
     }
 
     void push_point(std::uint32_t v, SetupPrimitive p, bool counted) {
         const bool left = outcode[v] == 0;
-        if (counted) (left ? set.counters.drawn : set.counters.rejected) += 1;
+        std::uint64_t& count = left ? set.counters.drawn : set.counters.rejected;
+        if (counted) count += 1;
         p.kind = MeshKind::Points;
         p.vertex = {v, v, v};
         if (left) set.primitives.push_back(p);
@@ -223,7 +236,7 @@ void push_primitives(Builder& b) {
     }
 }
 
-/// Lists the mesh vertices that primitives look at, by the side that they show.
+/// Lists the mesh vertices that primitives use, by the side that they show.
 void list_used_vertices(GeometrySet& set, std::uint32_t mesh_vertices) {
     std::vector<std::uint8_t> sides(mesh_vertices);
     for (const SetupPrimitive& p : set.primitives)

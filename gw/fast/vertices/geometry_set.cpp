@@ -1,5 +1,7 @@
-// What a geometry set depends on, and how it takes over what another has. Does not make it.
+// The key of a geometry set, and how a set takes over the contents of another. Does not make them.
 #include "gw/fast/vertices/geometry.h"
+
+#include "gw/command_list.h"
 
 #include <algorithm>
 #include <utility>
@@ -21,7 +23,9 @@ bool JitterRange::covers(const JitterRange& o) const {
 }
 
 void GeometrySet::take(GeometrySet& from) {
-    from.key = std::move(key), from.lists_used = lists_used, from.jitter = jitter;
+    from.key = std::move(key);
+    from.lists_used = lists_used;
+    from.jitter = jitter;
     *this = std::move(from);
 }
 
@@ -30,10 +34,15 @@ void GeometrySet::take_memory(GeometrySet& from) {
         (from.*member).clear();
         (from.*member).swap(this->*member);
     };
-    take(&GeometrySet::at), take(&GeometrySet::w), take(&GeometrySet::primitives),
-        take(&GeometrySet::cuts);
-    take(&GeometrySet::used), take(&GeometrySet::used_front), take(&GeometrySet::used_back);
-    take(&GeometrySet::bin_start), take(&GeometrySet::bin);
+    take(&GeometrySet::at);
+    take(&GeometrySet::w);
+    take(&GeometrySet::primitives);
+    take(&GeometrySet::clipped);
+    take(&GeometrySet::used);
+    take(&GeometrySet::used_front);
+    take(&GeometrySet::used_back);
+    take(&GeometrySet::bin_start);
+    take(&GeometrySet::bin);
 }
 
 }  // namespace gw::fast

@@ -1,4 +1,3 @@
-// The lighting equation, a vector of vertices at a time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/vertices/light.cpp"
 #include <hwy/foreach_target.h>
@@ -42,7 +41,8 @@ inline LightTerms light_terms(const Light& light, const Material& m) {
         t.gloss[c] = double(light.Is[c]) * m.Ks[c];
     }
     const auto some = [](const dvec3& v) { return v.x != 0 || v.y != 0 || v.z != 0; };
-    t.glossy = some(t.gloss), t.turns = t.glossy || some(t.lambert);
+    t.glossy = some(t.gloss);
+    t.turns = t.glossy || some(t.lambert);
     return t;
 }
 

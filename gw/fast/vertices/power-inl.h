@@ -1,4 +1,4 @@
-// gw::pow() a vector at a time, for what lighting asks of it: bases in [0, 1]. The steps, their
+// gw::pow() a vector at a time, for lighting: bases in [0, 1]. The steps, their
 // order and their tables are those of gw/base/elementary.cpp, so the bits are too. Included once
 // per Highway target, where it has vectors of doubles.
 #if defined(GW_FAST_POWER_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,4 +1,3 @@
-// Projection, a vector of vertices at a time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/vertices/project.cpp"
 #include <hwy/foreach_target.h>

@@ -3,6 +3,7 @@
 // gw/stages/window.h. Does not clip.
 #pragma once
 
+#include "gw/fast/vertices/geometry.h"
 #include "gw/stages/clip.h"
 #include "gw/stages/window.h"
 
@@ -12,7 +13,7 @@
 
 namespace gw::fast {
 
-/// What takes positions to the window.
+/// The transform from object space to the window.
 struct Projection {
     dmat4 clip_from_object{1}, eye_from_object{1};
     ViewportTransform viewport;
@@ -36,13 +37,7 @@ inline void place_position(const Projection& projection, const vec3& position, C
 using Outcode = std::uint32_t;
 inline constexpr Outcode not_finite = 1u << 30, not_in_front = 1u << 31;
 
-/// A vertex in the window: sub-pixels and depth units, together in memory.
-struct alignas(16) SnappedVertex {
-    std::int32_t x = 0, y = 0;
-    std::uint32_t z = 0;
-};
-
-/// Vertices of a mesh. Where the outcode is not 0, `at` is of no meaning and w is 1.
+/// Vertices of a mesh. If the outcode is not 0, `at` has no meaning and w is 1.
 struct ProjectedVertices {
     std::span<const vec3> positions;
     Outcode* outcode;

@@ -1,8 +1,10 @@
-// Running the vertex stages on the vertices that are used, and on those that clipping made.
+// Runs the vertex stages on the vertices in use, and on those that clipping made.
 #include "gw/fast/vertices/vertex_values.h"
 
+#include "gw/command_list.h"
 #include "gw/fast/vertices/light.h"
 #include "gw/fast/vertices/texgen.h"
+#include "gw/stages/clip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,15 +48,16 @@ Rgba to_rgba(const std::array<double, 4>& c) {
     return {std::uint16_t(c[0]), std::uint16_t(c[1]), std::uint16_t(c[2]), std::uint16_t(c[3])};
 }
 
-/// Whether a light's colour times the material's is 0: then so is what it gives, which is finite.
+/// Whether a light's colour times the material's is 0: then its contribution, which is finite, is
+/// 0.
 bool is_dark(const vec3& light, const vec3& own) {
     for (int c = 0; c < 3; ++c)
         if (!(double(light[c]) * double(own[c]) == 0)) return false;
     return true;
 }
 
-/// Whether no place is nearer to the light's centre than another: its strength is one number.
-/// Finite places are less than 2^300 away, so that 0 times the square of a distance is 0.
+/// Whether the light is equally strong everywhere. Finite places are less than 2^300 away, so 0
+/// times the square of a distance is 0.
 bool is_even(const Light& l, const Draw& draw) {
     if (l.position.w == 0) return true;
     double largest = 0;
@@ -67,7 +70,7 @@ bool is_even(const Light& l, const Draw& draw) {
            l.spot_cos_cutoff <= -1;
 }
 
-/// Whether all vertices have one colour, wherever they stand and whichever way they face.
+/// Whether all vertices have one colour, whatever their places and normals.
 bool is_uniform(const Draw& draw) {
     const Material& m = draw.material;
     return !draw.lights ||
@@ -80,12 +83,13 @@ bool is_uniform(const Draw& draw) {
 /// Calls store(index, vertex) for the vertices that clipping made.
 template <typename Store>
 void for_each_new_vertex(const GeometrySet& set, const VertexProgram& program, const Store& store) {
-    for (const Cut& cut : set.cuts) {
+    for (const ClippedPrimitive& primitive : set.clipped) {
         std::vector<Vertex> corners;
-        for (std::uint32_t k = 0; k < cut.sides; ++k)
-            corners.push_back(run_vertex(program, cut.vertex[k]));
+        for (std::uint32_t k = 0; k < primitive.sides; ++k)
+            corners.push_back(run_vertex(program, primitive.vertex[k]));
         const Clipped clipped = clip(std::move(corners), set.state.viewport);
-        for (std::uint32_t k = 0; k < cut.count; ++k) store(cut.first + k, clipped.vertices[k]);
+        for (std::uint32_t k = 0; k < primitive.count; ++k)
+            store(primitive.first + k, clipped.vertices[k]);
     }
 }
 

@@ -1,35 +1,40 @@
-// What a draw puts at the vertices of its geometry set: colours and fog, texture coordinates. Each
-// is shared by the draws that agree in what it depends on. Does not interpolate.
+// Values at the vertices of a geometry set: colours, fog, texture coordinates. Draws whose key is
+// equal share them. Does not interpolate.
 #pragma once
 
 #include "gw/fast/vertices/geometry.h"
+#include "gw/material.h"
 
-#include <memory>
 #include <vector>
 
 namespace gw::fast {
 
-/// What lit colours depend on beyond their geometry set.
+/// Everything that lit colours depend on.
 struct ColorKey {
     const GeometrySet* set = nullptr;
     Material material;
-    LightsRef lights;  ///< compared by what they are, not by where
+    LightsRef lights;  ///< compared by value, not by address
     ColorSource color_source = ColorSource::Vertex;
     LightingState lighting;
     bool operator==(const ColorKey& other) const;
 };
 ColorKey color_key(const GeometrySet& set, const State& state, const Draw& draw);
 
-/// By vertex of the set; what a draw has no use for is empty.
+/// By vertex of the set; a list that no draw needs is empty.
 struct VertexColors {
     ColorKey key;
     std::vector<Rgba> front, back;
     /// one colour everywhere: no light, or only ambient light as strong everywhere
     bool uniform = false;
-    void clear() { key = {}, front.clear(), back.clear(), uniform = false; }
+    void clear() {
+        key = {};
+        front.clear();
+        back.clear();
+        uniform = false;
+    }
 };
 
-/// What fog depends on: all of its state but the colour.
+/// Everything that fog depends on: its state but for the colour.
 struct FogKey {
     const GeometrySet* set = nullptr;
     FogState fog;
@@ -39,12 +44,15 @@ FogKey fog_key(const GeometrySet& set, const State& state);
 
 struct VertexFog {
     FogKey key;
-    /// the factor, or where it is found per fragment the table's coordinate
+    /// the factor; with fog per fragment, the coordinate in the fog table
     std::vector<double> value;
-    void clear() { key = {}, value.clear(); }
+    void clear() {
+        key = {};
+        value.clear();
+    }
 };
 
-/// What texture coordinates depend on.
+/// Everything that texture coordinates depend on.
 struct TexcoordKey {
     const GeometrySet* set = nullptr;
     TexGen gen = TexGen::None;
@@ -57,10 +65,13 @@ TexcoordKey texcoord_key(const GeometrySet& set, const State& state);
 struct VertexTexcoords {
     TexcoordKey key;
     std::vector<dvec4> strq;
-    void clear() { key = {}, strq.clear(); }
+    void clear() {
+        key = {};
+        strq.clear();
+    }
 };
 
-/// Each fills what has its key.
+/// Each fills an object that has its key.
 void shade_vertices(VertexColors& colors, const State& state, const Draw& draw,
                     const Profile& profile);
 void fog_vertices(VertexFog& fog, const State& state, const Draw& draw, const Profile& profile);

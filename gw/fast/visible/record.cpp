@@ -1,12 +1,10 @@
-// Records of visible fragments, made by the first pass under Equal;
-// gw/fast/visible/visible_record.h says when, gw/fast/visible/replay.cpp draws from them. Does not
-// decide which draws share a record.
+// Makes records of visible fragments: in a depth pass, or in the first pass under Equal.
+// gw/fast/visible/replay.cpp draws from them. Does not decide which draws share a record.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/visible/record.cpp"
 #include <hwy/foreach_target.h>
 
 #include "gw/fast/fragments/simple_triangles-inl.h"
-#include "gw/fast/kernels.h"
 #include "gw/fast/raster/lines_and_points-inl.h"
 #include "gw/fast/visible/visible_record.h"
 
@@ -15,14 +13,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Fragments of a record in the making: by pixel where some draw's stencil test asks, else their
-/// sum.
+/// Counts the fragments of a record: by pixel if a draw's stencil test asks, else their sum.
 struct FragmentCount {
-    Coverage& record;
+    VisibleRecord& record;
     bool by_pixel;
     LaneCounter sum;
 
-    FragmentCount(const TileDraw& draw, Coverage& r)
+    FragmentCount(const TileDraw& draw, VisibleRecord& r)
         : record(r), by_pixel(draw.op->counts_by_pixel) {
         sum.clear();
         const auto side = std::size_t(draw.tile.side);
@@ -43,14 +40,15 @@ struct FragmentCount {
     }
 };
 
-/// A primitive's block of a record in the making.
-HWY_INLINE void keep(Coverage& record, std::size_t block, std::uint32_t mask) {
+/// Adds a primitive's block to a record.
+HWY_INLINE void keep(VisibleRecord& record, std::size_t block, std::uint32_t mask) {
     if (mask != 0)
         record.blocks.push_back(
             {std::uint16_t(block), std::uint16_t(mask), std::uint32_t(record.primitives.size())});
 }
-/// Where a primitive is done: kept when some block was; whether it was.
-HWY_INLINE bool keep_primitive(Coverage& record, std::uint32_t ordinal, std::size_t blocks_before) {
+/// Ends a primitive: it is kept if any of its blocks was; whether it was.
+HWY_INLINE bool keep_primitive(VisibleRecord& record, std::uint32_t ordinal,
+                               std::size_t blocks_before) {
     if (record.blocks.size() == blocks_before) return false;
     record.primitives.push_back(ordinal);
     return true;
@@ -62,7 +60,8 @@ HWY_INLINE std::uint32_t visible_lanes(const TileDraw& draw, const DepthBlock& d
     return depth_test(DepthFunc::Equal, depth, draw.tile.depth[block], mask);
 }
 
-void record_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
+void record_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin,
+                      VisibleRecord& record) {
     Triangles t;
     set_up_triangles(draw, bin, true, t);
     const BoxLanes box(draw);
@@ -83,7 +82,7 @@ void record_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, 
     }
 }
 
-void record_line_or_point(const TileDraw& draw, std::uint32_t ordinal, Coverage& record) {
+void record_line_or_point(const TileDraw& draw, std::uint32_t ordinal, VisibleRecord& record) {
     const PrimitiveFrame frame = frame_of(draw, ordinal);
     const DepthPlane plane = depth_plane(draw, draw.op->set->primitives[ordinal], frame);
     const std::size_t before = record.blocks.size();
@@ -98,8 +97,8 @@ void record_line_or_point(const TileDraw& draw, std::uint32_t ordinal, Coverage&
     keep_primitive(record, ordinal, before);
 }
 
-/// What becomes of a depth pass's blocks: every lane that passes may stay visible, and so may a tie
-/// with what is stored.
+/// Draws the blocks of a depth pass: every lane that passes may stay visible, and so may a tie with
+/// the stored depth.
 template <class Paint>
 struct Recording {
     Tile tile;
@@ -128,27 +127,27 @@ struct Recording {
     }
 };
 
-template <class Way, class Paint>
+template <class Size, class Paint>
 HWY_NOINLINE void draw_recording(const TileDraw& draw, const Triangles& t, std::size_t i,
                                  const BoxLanes& box, const Paint& paint, FragmentCount& count,
                                  LaneCounter& written) {
     const DepthPlane plane = depth_of(draw, t, i);
     DepthWalk walk(plane);
-    Coverage& record = count.record;
+    VisibleRecord& record = count.record;
     const bool ties_pass = draw.op->state.state.depth.func == DepthFunc::LEqual;
     const std::size_t before = record.blocks.size();
-    Way::visit(box, t, i, walk,
-               Recording<Paint>{draw.tile, paint, walk, ties_pass, count, written});
+    Size::visit(box, t, i, walk,
+                Recording<Paint>{draw.tile, paint, walk, ties_pass, count, written});
     if (keep_primitive(record, t.corners.ordinal[i], before)) record.depth.push_back(plane.plane);
 }
 
 void draw_recording_all(const TileDraw& draw, std::span<const std::uint32_t> bin,
-                        Coverage& record) {
+                        VisibleRecord& record) {
     const BoxLanes box(draw);
     const Paints paints = paints_of(*draw.op);
     LaneCounter written;
     written.clear();
-    for (; !bin.empty(); bin = bin.subspan(std::min(bin.size(), batch_room))) {
+    for (; !bin.empty(); bin = bin.subspan(std::min(bin.size(), batch_capacity))) {
         Triangles t;
         set_up_triangles(draw, bin, true, t);
         BatchPlanes planes(draw, t.corners);
@@ -156,8 +155,8 @@ void draw_recording_all(const TileDraw& draw, std::span<const std::uint32_t> bin
         for (std::size_t i = 0; i < t.count(); ++i)
             if (!t.empty(i))
                 with_paint(paints, planes, i, [&](const auto& paint) {
-                    by_size(t, i, [&]<class Way>(Way) {
-                        draw_recording<Way>(draw, t, i, box, paint, count, written);
+                    by_size(t, i, [&]<class Size>(Size) {
+                        draw_recording<Size>(draw, t, i, box, paint, count, written);
                     });
                 });
     }
@@ -168,8 +167,8 @@ void draw_recording_all(const TileDraw& draw, std::span<const std::uint32_t> bin
     draw.counts->depth_killed += record.total - passed;
 }
 
-/// Of what a depth pass left, keeps what is still to be seen.
-inline void drop_hidden(const TileDraw& draw, Coverage& record) {
+/// Keeps those fragments of a depth pass that are still visible.
+inline void drop_hidden(const TileDraw& draw, VisibleRecord& record) {
     const int blocks_per_row = draw.tile.side / block_side;
     std::size_t blocks = 0, primitives = 0;
     std::uint32_t last = ~0u;
@@ -187,21 +186,26 @@ inline void drop_hidden(const TileDraw& draw, Coverage& record) {
     record.primitives.resize(primitives);
 }
 
-/// The run of a block's entries first .. end - 1. Written member by member: made first and copied,
-/// it would wait for its own stores.
-inline void add_run(Coverage& record, std::size_t block, std::uint32_t first, std::uint32_t end) {
+/// Adds the run of a block's entries first .. end - 1. Written member by member: a copy would wait
+/// for its parts to be stored.
+inline void add_run(VisibleRecord& record, std::size_t block, std::uint32_t first,
+                    std::uint32_t end) {
     std::uint32_t mask = 0, twice = 0;
     for (std::uint32_t i = first; i < end; ++i) {
         const std::uint32_t own = record.blocks[i].mask;
-        twice |= mask & own, mask |= own;
+        twice |= mask & own;
+        mask |= own;
     }
     BlockRun& run = record.runs.emplace_back();
-    run.block = std::uint16_t(block), run.mask = std::uint16_t(mask), run.tied = twice != 0;
-    run.first = first, run.count = end - first;
+    run.block = std::uint16_t(block);
+    run.mask = std::uint16_t(mask);
+    run.tied = twice != 0;
+    run.first = first;
+    run.count = end - first;
 }
 
 /// Sorts the entries by block, in each block in the primitives' order, and finds the blocks' runs.
-inline void sort_blocks(Coverage& record) {
+inline void sort_blocks(VisibleRecord& record) {
     std::array<std::uint32_t, max_tile_blocks + 1> start{};
     for (const VisibleBlock& v : record.blocks) start[v.block + 1u] += 1;
     for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
@@ -217,7 +221,7 @@ inline void sort_blocks(Coverage& record) {
 
 /// Makes the record of a draw under Equal: its visible blocks, their primitives' corners, and how
 /// many fragments there are.
-void record_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
+void record_all(const TileDraw& draw, std::span<const std::uint32_t> bin, VisibleRecord& record) {
     if (record.drawn)
         drop_hidden(draw, record);
     else
@@ -228,7 +232,7 @@ void record_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Covera
     sort_blocks(record);
     if (record.corners.size() < record.batches()) record.corners.resize(record.batches());
     for (std::size_t i = 0; i < record.batches(); ++i)
-        gather_corners(draw, std::span(record.primitives).subspan(i * batch_room),
+        gather_corners(draw, std::span(record.primitives).subspan(i * batch_capacity),
                        record.corners[i]);
     record.made = true;
 }
@@ -242,11 +246,24 @@ namespace gw::fast {
 HWY_EXPORT(draw_recording_all);
 HWY_EXPORT(record_all);
 
-void draw_recording(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
+void VisibleRecord::clear() {
+    drawn = made = false;
+    primitives.clear();
+    depth.clear();
+    blocks.clear();
+    fragments.clear();
+    total = 0;
+    runs.clear();
+    texture.texcoords = nullptr;
+}
+
+void draw_recording(const TileDraw& draw, std::span<const std::uint32_t> bin,
+                    VisibleRecord& record) {
     HWY_DYNAMIC_DISPATCH(draw_recording_all)(draw, bin, record);
 }
 
-void record_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin, Coverage& record) {
+void record_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin,
+                       VisibleRecord& record) {
     HWY_DYNAMIC_DISPATCH(record_all)(draw, bin, record);
 }
 

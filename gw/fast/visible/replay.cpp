@@ -1,10 +1,11 @@
-// Drawing from a record of visible fragments: block by block, each block's primitives at once.
-// gw/fast/visible/visible_record.h says when. Does not find visibility.
+// Draws from a record of visible fragments, block by block, each block's primitives at once. Does
+// not find visibility.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/visible/replay.cpp"
 #include <hwy/foreach_target.h>
 
-#include "gw/fast/kernels.h"
+#include "gw/fast/fragments/blend-inl.h"
+#include "gw/fast/fragments/stencil-inl.h"
 #include "gw/fast/shade/shade-inl.h"
 #include "gw/fast/visible/visible_record.h"
 
@@ -15,7 +16,7 @@ namespace gw::fast::HWY_NAMESPACE {
 
 /// Fragments of all blocks that the stencil test kills, from the counts; the others die by depth or
 /// are visible.
-HWY_INLINE std::uint64_t killed_by_stencil(const TileDraw& draw, const Coverage& record) {
+HWY_INLINE std::uint64_t killed_by_stencil(const TileDraw& draw, const VisibleRecord& record) {
     const D32 d;
     const StencilFace& face = draw.op->state.front;
     if (face.func == StencilFunc::Always) return 0;
@@ -35,7 +36,7 @@ HWY_INLINE std::uint64_t killed_by_stencil(const TileDraw& draw, const Coverage&
 }
 
 /// Makes the colour planes of the record's primitives, as this draw has them.
-HWY_INLINE void make_colors(const TileDraw& draw, bool narrow, Coverage& record) {
+HWY_INLINE void make_colors(const TileDraw& draw, bool narrow, VisibleRecord& record) {
     const std::size_t batches = record.batches();
     if (narrow && record.narrow.size() < batches) record.narrow.resize(batches);
     if (!narrow) record.colors.resize(record.primitives.size());
@@ -43,12 +44,12 @@ HWY_INLINE void make_colors(const TileDraw& draw, bool narrow, Coverage& record)
         if (narrow)
             set_up_narrow(draw, record.corners[i], record.narrow[i]);
         else
-            set_up_colors(draw, record.corners[i], record.colors.data() + i * batch_room);
+            set_up_colors(draw, record.corners[i], record.colors.data() + i * batch_capacity);
     }
 }
 
-/// Whether a draw leaves pixels as they are where its colours are black, but for their alpha: a sum
-/// of what is lit, seen through black fog or none.
+/// Whether black fragments change nothing but alpha: a sum of lit colours through black fog or
+/// none.
 HWY_INLINE bool adds_light(const DrawOp& op) {
     const State& s = op.state.state;
     const Rgba& fog = op.state.fog_color;
@@ -57,27 +58,53 @@ HWY_INLINE bool adds_light(const DrawOp& op) {
            (!has_fog(s) || (fog[0] | fog[1] | fog[2]) == 0);
 }
 
-/// Makes or keeps the texture planes of the record's primitives; what was looked up for others is
-/// gone.
-HWY_INLINE void make_textures(const TileDraw& draw, Coverage& record) {
+/// Makes or keeps the texture planes of the record's primitives; texels of another texture are
+/// dropped.
+HWY_INLINE void make_textures(const TileDraw& draw, VisibleRecord& record) {
     const DrawOp& op = *draw.op;
     TextureCache& cache = record.texture;
     TextureState state = op.state.state.texture;
-    state.env = TexEnv::Modulate, state.env_color = vec4(0);
+    state.env = TexEnv::Modulate;
+    state.env_color = vec4(0);
     if (cache.texcoords == op.texcoords && cache.texels == op.texels && cache.state == state)
         return;
-    cache.texcoords = op.texcoords, cache.texels = op.texels, cache.state = state;
+    cache.texcoords = op.texcoords;
+    cache.texels = op.texels;
+    cache.state = state;
     cache.planes.resize(record.primitives.size());
     cache.found.resize(record.runs.size());
     cache.made.assign(record.runs.size(), 0);
     for (std::size_t i = 0; i < record.batches(); ++i)
-        set_up_textures(draw, record.corners[i], cache.planes.data() + i * batch_room);
+        set_up_textures(draw, record.corners[i], cache.planes.data() + i * batch_capacity);
+}
+
+/// Whether a textured draw only adds its modulated colour, in 8 bits: most passes of [K3].
+HWY_INLINE bool adds_modulated(const Resolved& r) {
+    const BlendState& b = r.state.blend;
+    const ColorMask& m = r.state.color_mask;
+    return r.bits == 8 && r.state.texture.env == TexEnv::Modulate && !has_fog(r.state) &&
+           r.state.color_source != ColorSource::PolygonId && b.enable &&
+           b.src == BlendFactor::One && b.dst == BlendFactor::One && m.r && m.g && m.b && m.a;
+}
+HWY_INLINE void add_modulated(const ColorBlock& color, const ColorBlock& texel, ColorBlock& stored,
+                              std::uint32_t mask) {
+    const D16 d;
+    const auto max = hn::Set(d, std::uint16_t{255});
+    for (std::size_t i = 0; i < block_pixels; i += lanes16) {
+        const auto lanes = lanes_of(d, mask, i);
+        for (std::size_t c = 0; c < 4; ++c) {
+            std::uint16_t* to = stored.channel[c] + i;
+            const auto own =
+                mul_bytes(d, hn::Load(d, color.channel[c] + i), hn::Load(d, texel.channel[c] + i));
+            store_lanes(hn::Min(hn::Add(own, hn::Load(d, to)), max), lanes, d, to);
+        }
+    }
 }
 
 /// One draw from a record.
 struct Replay {
     const TileDraw& draw;
-    Coverage& record;
+    VisibleRecord& record;
     bool narrow, textured, by_pixel;
     std::size_t channels;
     bool adds_modulated, leaves_black;
@@ -99,8 +126,8 @@ struct Replay {
         NarrowLanes<n> lanes;
         lanes.clear();
         for (const VisibleBlock& entry : entries)
-            lanes.put(record.narrow[entry.primitive / batch_room], entry.primitive % batch_room,
-                      lane_set(entry.mask));
+            lanes.put(record.narrow[entry.primitive / batch_capacity],
+                      entry.primitive % batch_capacity, lane_set(entry.mask));
         lanes.store(bx(run), by(run), inputs);
     }
     /// The colours of some of a block's entries, which share no lane.
@@ -111,8 +138,8 @@ struct Replay {
                             inputs);
         } else if (entries.size() == 1) {
             const std::uint32_t i = entries[0].primitive;
-            narrow_colors(record.narrow[i / batch_room], i % batch_room, channels, bx(run), by(run),
-                          inputs);
+            narrow_colors(record.narrow[i / batch_capacity], i % batch_capacity, channels, bx(run),
+                          by(run), inputs);
         } else {
             channels == 5 ? narrow_colors_of<5>(run, entries) : narrow_colors_of<4>(run, entries);
         }
@@ -128,7 +155,7 @@ struct Replay {
         if (adds_modulated) return add_modulated(inputs.color, texel, stored, mask);
         write_color(draw.op->state, shaded(draw, texel, inputs), stored, mask);
     }
-    /// The run's texels, kept for the draws that follow.
+    /// The run's texels, kept for the next draws.
     HWY_INLINE const ColorBlock& found(const BlockRun& run) {
         const auto i = std::size_t(&run - record.runs.data());
         TextureCache& cache = record.texture;
@@ -150,12 +177,12 @@ struct Replay {
         sample_block(sampler, inputs.divided, out);
     }
 
-    /// Whether nothing changes where the run is: its colours are black and no alpha can grow.
+    /// Whether the run changes nothing: its colours are black and no alpha can grow.
     HWY_INLINE bool adds_nothing(const BlockRun& run, std::uint32_t mask) const {
         if (!leaves_black) return false;
         for (const VisibleBlock& entry : entries(run))
-            if (!(record.narrow[entry.primitive / batch_room].black >>
-                      entry.primitive % batch_room &
+            if (!(record.narrow[entry.primitive / batch_capacity].black >>
+                      entry.primitive % batch_capacity &
                   1))
                 return false;
         return !draw.op->state.state.color_mask.a || is_opaque(draw.tile.color[run.block], mask);
@@ -187,13 +214,15 @@ struct Replay {
             write(run, inputs.texel, own);
         }
     }
-    /// The stencil operation of what is visible: once a fragment.
-    HWY_INLINE void count(const BlockRun& run, std::uint32_t mask) const {
+    /// The stencil operation of the visible fragments.
+    HWY_INLINE void update_stencil(const BlockRun& run, std::uint32_t mask) const {
         const Resolved& r = draw.op->state;
         StencilBlock& stencil = draw.tile.stencil[run.block];
-        if (!run.tied) return update_stencil(r.front, r.front.zpass, r.stencil_max, stencil, mask);
-        for (const VisibleBlock& entry : entries(run))
-            update_stencil(r.front, r.front.zpass, r.stencil_max, stencil, entry.mask & mask);
+        const auto update = [&](std::uint32_t lanes) {
+            HWY_NAMESPACE::update_stencil(r.front, r.front.zpass, r.stencil_max, stencil, lanes);
+        };
+        if (!run.tied) return update(mask);
+        for (const VisibleBlock& entry : entries(run)) update(entry.mask & mask);
     }
     HWY_INLINE std::uint64_t fragments(const BlockRun& run, std::uint32_t mask) const {
         if (!run.tied) return std::uint64_t(std::popcount(mask));
@@ -205,7 +234,7 @@ struct Replay {
 };
 
 /// Draws from a record: visible blocks only, block by block.
-void replay_all(const TileDraw& draw, Coverage& record) {
+void replay_all(const TileDraw& draw, VisibleRecord& record) {
     const DrawOp& op = *draw.op;
     OpCounts& counts = *draw.counts;
     const std::uint64_t killed = killed_by_stencil(draw, record);
@@ -228,9 +257,12 @@ void replay_all(const TileDraw& draw, Coverage& record) {
             stencil_test(op.state.front, draw.tile.stencil[run.block], run.mask);
         if (mask == 0) continue;
         written += replay.fragments(run, mask);
-        if (op.state.front.zpass != StencilOp::Keep) replay.count(run, mask);
+        if (op.state.front.zpass != StencilOp::Keep) replay.update_stencil(run, mask);
         if (!colors || replay.adds_nothing(run, mask)) continue;
-        run.tied ? replay.paint_tied(run, mask) : replay.paint(run, mask);
+        if (run.tied)
+            replay.paint_tied(run, mask);
+        else
+            replay.paint(run, mask);
     }
     counts.fragments += record.total;
     counts.stencil_killed += killed;
@@ -246,7 +278,7 @@ namespace gw::fast {
 
 HWY_EXPORT(replay_all);
 
-void replay_primitives(const TileDraw& draw, Coverage& record) {
+void replay_primitives(const TileDraw& draw, VisibleRecord& record) {
     HWY_DYNAMIC_DISPATCH(replay_all)(draw, record);
 }
 

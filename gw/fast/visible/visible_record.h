@@ -1,24 +1,26 @@
-// Visible fragments found once: after a depth prepass, passes under Equal touch only the pixels
-// whose depth a primitive has, and those are the same for every pass of the same geometry. Every
-// primitive that ties is kept, never one a pixel. Does not draw; record.cpp makes a record,
-// replay.cpp draws from it.
+// Visible fragments found once: after a depth prepass, passes under Equal touch only pixels whose
+// depth is a primitive's, and these are the same for every pass of the same geometry. A record
+// keeps every primitive that ties, never just one a pixel. record.cpp makes records, replay.cpp
+// draws from them; gw/fast/plan/share_visibility.cpp says which draws share one.
 #pragma once
 
 #include "gw/fast/frame/frame.h"
 #include "gw/fast/raster/primitive.h"
-#include "gw/fast/raster/setup.h"
+#include "gw/state.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace gw::fast {
 
-struct Segment;
+struct FastTexels;
+struct VertexTexcoords;
 
 /// Pixels of one block where a primitive's depth equals the stored one.
 struct VisibleBlock {
     std::uint16_t block = 0, mask = 0;
-    std::uint32_t primitive = 0;  ///< in Coverage::primitives
+    std::uint32_t primitive = 0;  ///< in VisibleRecord::primitives
 };
 /// The entries of one block: blocks[first .. first + count - 1].
 struct BlockRun {
@@ -27,7 +29,7 @@ struct BlockRun {
     std::uint32_t first = 0, count = 0;
 };
 
-/// What the texture unit found in a record's blocks, kept while draws ask for the same.
+/// The texels of a record's blocks, kept while draws look up the same texture.
 struct TextureCache {
     const VertexTexcoords* texcoords = nullptr;
     const FastTexels* texels = nullptr;
@@ -38,35 +40,39 @@ struct TextureCache {
 };
 
 /// One draw's record in one tile.
-struct Coverage {
-    bool drawn = false;  ///< the depth pass left what may be visible in `primitives` and `blocks`
+struct VisibleRecord {
+    bool drawn = false;  ///< by the depth pass: `primitives` and `blocks` have what may be visible
     bool made = false;
     std::vector<std::uint32_t> primitives;  ///< ordinals in GeometrySet::primitives
     std::vector<TilePlane> depth;           ///< of `primitives`, until the record is made
     /// by block; within one in the order of the primitives
     std::vector<VisibleBlock> blocks;
-    /// how many fragments each pixel gets, where a draw asks
+    /// how many fragments each pixel gets, if a draw's stencil test asks
     std::vector<DepthBlock> fragments;
     std::uint64_t total = 0;  ///< fragments of the draw, visible or not
 
     std::vector<BlockRun> runs;          ///< of `blocks`
-    std::vector<VisibleBlock> by_block;  ///< room to sort `blocks`
+    std::vector<VisibleBlock> by_block;  ///< scratch to sort `blocks`
 
-    /// of `primitives`, a batch each; what follows the last is of no use
+    /// of `primitives`, a batch each; elements after the last batch are unused
     std::vector<Corners> corners;
     std::vector<NarrowBatch> narrow;  ///< the same, for the draw in progress
-    std::vector<ColorPlanes> colors;  ///< of `primitives` where narrow ones do not serve
+    std::vector<ColorPlanes> colors;  ///< of `primitives`, if narrow ones do not suffice
     TextureCache texture;
 
-    std::size_t batches() const { return (primitives.size() + batch_room - 1) / batch_room; }
+    std::size_t batches() const {
+        return (primitives.size() + batch_capacity - 1) / batch_capacity;
+    }
     void clear();
 };
 
-/// Gives draws that may share a record its number. A draw may where it compares Equal, has no alpha
-/// test, and where nothing but such draws has touched depth since the record was made; stencil
-/// operations only on what is visible, all of it. The depth pass of the same geometry makes the
-/// record on its way, where between the two depths only became less: then no fragment that failed
-/// in it can be visible.
-void plan_coverages(Segment& segment);
+/// Draws a depth pass and records what may be visible.
+void draw_recording(const TileDraw& draw, std::span<const std::uint32_t> bin,
+                    VisibleRecord& record);
+/// Completes the record for draws under Equal, from its depth pass if there was one.
+void record_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin,
+                       VisibleRecord& record);
+/// Draws from a complete record.
+void replay_primitives(const TileDraw& draw, VisibleRecord& record);
 
 }  // namespace gw::fast

@@ -33,7 +33,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-#include "gw/fast/kernels.h"
+#include "gw/fast/simd/simd_target.h"
 #include "tests/gw/random.h"
 
 #include <gtest/gtest.h>

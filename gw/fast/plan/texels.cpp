@@ -1,5 +1,4 @@
-// Packing texels.
-#include "gw/fast/shade/texels.h"
+#include "gw/fast/plan/texels.h"
 
 #include <algorithm>
 #include <utility>

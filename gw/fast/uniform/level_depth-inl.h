@@ -1,25 +1,24 @@
-// The depth test over blocks that may have one depth: of no test, and of a triangle that has one
-// depth and leaves the blocks that it covers uniform; of those that slope:
-// gw/fast/uniform/sloping_depth-inl.h. Does not paint.
-// Included once per Highway target.
-#if defined(GW_FAST_UNIFORM_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GW_FAST_UNIFORM_DEPTH_INL_H_
-#undef GW_FAST_UNIFORM_DEPTH_INL_H_
+// The depth test over blocks that may have one depth: no test, and the test of a level triangle,
+// which leaves the blocks that it covers uniform. Does not paint. Included once per Highway target.
+#if defined(GW_FAST_LEVEL_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_LEVEL_DEPTH_INL_H_
+#undef GW_FAST_LEVEL_DEPTH_INL_H_
 #else
-#define GW_FAST_UNIFORM_DEPTH_INL_H_
+#define GW_FAST_LEVEL_DEPTH_INL_H_
 #endif
 
-#include "gw/fast/uniform/sloping_depth-inl.h"
+#include "gw/fast/fragments/depth-inl.h"
+#include "gw/fast/uniform/uniform-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// some() calls then(alive) with those of a block's lanes that pass, or not at all; whole_blocks()
-/// tests blocks of a group, all lanes of each, and updates the depths of those that pass. What is
-/// unknown is to be tested lane by lane.
+/// test_lanes() calls then(alive) with those of a block's lanes that pass, or not at all;
+/// whole_blocks() tests blocks of a group, all lanes of each, and updates the depths of those that
+/// pass. What is unknown is to be tested lane by lane.
 struct WithoutDepth {
     template <class Then>
-    HWY_INLINE void some(int, int, const LaneSet& lanes, const Then& then) const {
+    HWY_INLINE void test_lanes(int, int, const LaneSet& lanes, const Then& then) const {
         then(lanes);
     }
     HWY_INLINE void start(int, int) const {}
@@ -28,7 +27,7 @@ struct WithoutDepth {
     }
 };
 
-/// Of a triangle that has one depth.
+/// The test of a triangle of one depth.
 template <class Compare>
 struct LevelDepth {
     const Tile& tile;
@@ -37,18 +36,19 @@ struct LevelDepth {
     const bool update;
 
     template <class Then>
-    HWY_INLINE void some(int bx, int by, const LaneSet& lanes, const Then& then) const {
+    HWY_INLINE void test_lanes(int bx, int by, const LaneSet& lanes, const Then& then) const {
         const D32 d;
         UniformGroup& group = tile.group(bx, by);
         const std::uint32_t i = tile.in_group(bx, by), bit = 1u << i;
         DepthBlock& block = tile.depth[tile.block(bx, by)];
         const bool one = (group.one_depth & bit) != 0;
         if (one && !passes.of_one(z, group.depth[i])) return;
-        if (update || !one) settle_depth(tile, bx, by);
+        if (update || !one) write_back_depth(tile, bx, by);
         const LaneSet alive = one ? lanes : compared(block, lanes);
-        if (update && alive.bits() == all_lanes)
-            group.depth[i] = z, group.one_depth = std::uint16_t(group.one_depth | bit);
-        else if (update)
+        if (update && alive.bits() == all_lanes) {
+            group.depth[i] = z;
+            group.one_depth = std::uint16_t(group.one_depth | bit);
+        } else if (update)
             for (std::size_t k = 0; k < parts; ++k)
                 store_lanes(hn::Set(d, z), alive.part[k], d, block.value + k * lanes32);
         then(alive);

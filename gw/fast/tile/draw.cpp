@@ -1,11 +1,14 @@
-// Drawing a bin of primitives in a tile: block by block through the fragment stages.
-// docs/manual.md, "Stages"; scalar twin: gw/reference/primitives.cpp. Does not plan or bin.
+// Chooses how the triangles of a bin are drawn: over uniform blocks, the simple path, or block by
+// block through all fragment stages. docs/manual.md, "Stages"; scalar twin:
+// gw/reference/primitives.cpp.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "gw/fast/raster/raster.cpp"
+#define HWY_TARGET_INCLUDE "gw/fast/tile/draw.cpp"
 #include <hwy/foreach_target.h>
 
-#include "gw/fast/kernels.h"
+#include "gw/fast/fragments/fragments-inl.h"
+#include "gw/fast/fragments/simple_triangles-inl.h"
 #include "gw/fast/raster/lines_and_points-inl.h"
+#include "gw/fast/tile/draw.h"
 #include "gw/fast/uniform/uniform_draw-inl.h"
 
 #include <hwy/highway.h>
@@ -13,8 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// A covered block of primitive i on its way through the stages, which ask for the colour when they
-/// need it.
+/// Runs a covered block of primitive i through the stages, which ask for the colour when they need
+/// it.
 HWY_INLINE void paint_block(BatchPlanes& planes, std::size_t i, const DepthBlock& depth, int bx,
                             int by, const LaneSet& lanes, OpCounts& counts) {
     const TileDraw& draw = planes.draw;
@@ -59,14 +62,17 @@ void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& c
 void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
     OpCounts counts;
     const bool uniform = draws_uniform(*draw.op, bin, draw.profile->subpixel_bits),
-               plain = is_plain(draw.op->state);
-    if (!uniform) settle_tile(draw.tile, touched_planes(*draw.op));
+               simple = takes_simple_path(draw.op->state);
+    if (!uniform) write_back_tile(draw.tile, touched_planes(*draw.op));
     walk_bin(
         draw, bin,
         [&](std::span<const std::uint32_t> batch) {
-            uniform ? draw_uniform(draw, batch, counts)
-            : plain ? draw_plain(draw, batch, counts)
-                    : draw_triangles(draw, batch, counts);
+            if (uniform)
+                draw_uniform(draw, batch, counts);
+            else if (simple)
+                draw_simple(draw, batch, counts);
+            else
+                draw_triangles(draw, batch, counts);
         },
         [&](std::uint32_t ordinal) { draw_line_or_point(draw, ordinal, counts); });
     *draw.counts += counts;

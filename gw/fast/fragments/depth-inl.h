@@ -1,0 +1,94 @@
+// The depth test, on blocks and on vectors. docs/manual.md, "Fragment operations"; scalar twin:
+// gw/reference/fragment.cpp. Special cases, each with the same result, at whole blocks:
+// gw/fast/uniform/level_depth-inl.h, a triangle of one depth over blocks of one depth;
+// gw/fast/uniform/sloping_depth-inl.h, a sloping triangle over blocks of one depth or one plane;
+// gw/fast/visible/record.cpp, a depth pass that also records ties. Does not paint. Included once
+// per Highway target.
+#if defined(GW_FAST_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_DEPTH_INL_H_
+#undef GW_FAST_DEPTH_INL_H_
+#else
+#define GW_FAST_DEPTH_INL_H_
+#endif
+
+#include "gw/fast/plan/draw_op.h"
+#include "gw/fast/simd/walk-inl.h"
+#include "gw/stages/tables.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+/// The general test: which lanes of `mask` pass.
+HWY_INLINE std::uint32_t depth_test(DepthFunc func, const DepthBlock& incoming,
+                                    const DepthBlock& stored, std::uint32_t mask) {
+    if (func == DepthFunc::Always) return mask;
+    const D32 d;
+    std::uint32_t pass = 0;
+    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        const auto m =
+            compare_lanes(d, func, hn::Load(d, incoming.value + i), hn::Load(d, stored.value + i));
+        pass |= bits_of(d, m, lanes32) << i;
+    }
+    return pass & mask;
+}
+
+HWY_INLINE void write_depth(const DepthBlock& incoming, DepthBlock& stored, std::uint32_t mask) {
+    const D32 d;
+    for (std::size_t i = 0; i < block_pixels; i += lanes32)
+        store_lanes(hn::Load(d, incoming.value + i), lanes_of(d, mask, i), d, stored.value + i);
+}
+
+/// The test of simple triangles, in three kinds so that the loop has no choice to make.
+struct NoDepth {
+    static constexpr bool tests = false;
+    HWY_INLINE M32 operator()(V32, V32) const { return hn::FirstN(D32(), lanes32); }
+};
+struct LessThan {
+    static constexpr bool tests = true;
+    HWY_INLINE M32 operator()(V32 incoming, V32 stored) const { return hn::Lt(incoming, stored); }
+    HWY_INLINE bool of_one(std::uint32_t incoming, std::uint32_t stored) const {
+        return incoming < stored;
+    }
+};
+struct AnyCompare {
+    static constexpr bool tests = true;
+    DepthFunc func;
+    HWY_INLINE M32 operator()(V32 incoming, V32 stored) const {
+        return compare_lanes(D32(), func, incoming, stored);
+    }
+    HWY_INLINE bool of_one(std::uint32_t incoming, std::uint32_t stored) const {
+        return compare(func, incoming, stored);
+    }
+};
+
+/// Calls draw(passes) with the kind of a draw.
+template <class Draw>
+HWY_INLINE void with_depth_test(const DrawOp& op, const Draw& draw) {
+    const DepthFunc func = op.state.state.depth.func;
+    if (func == DepthFunc::Less)
+        draw(LessThan{});
+    else if (!needs_depth(op))
+        draw(NoDepth{});
+    else
+        draw(AnyCompare{func});
+}
+
+/// Depth test and update of the lanes, a LaneSet or AllLanes; those that pass.
+template <class Compare, class Lanes>
+HWY_INLINE LaneSet run_depth(const DepthWalk& walk, const Compare& passes, bool update,
+                             const Lanes& lanes, DepthBlock& block) {
+    const D32 d;
+    LaneSet alive;
+    for (std::size_t k = 0; k < parts; ++k) {
+        std::uint32_t* stored = block.value + k * lanes32;
+        const auto z = walk.walk.at(k);
+        alive.part[k] = among(lanes, k, passes(z, hn::Load(d, stored)));
+        if (update) store_lanes(z, alive.part[k], d, stored);
+    }
+    return alive;
+}
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target

@@ -1,0 +1,56 @@
+// One draw as the planner hands it to the kernels: its resolved state and what it shares with other
+// draws. Does not own anything and does not know tiles: gw/fast/plan/tile_draw.h.
+#pragma once
+
+#include "gw/fast/frame/uniform.h"
+#include "gw/stages/resolve.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace gw {
+
+struct Draw;
+
+namespace fast {
+
+struct GeometrySet;
+struct VertexColors;
+struct VertexFog;
+struct VertexTexcoords;
+struct FastTexels;
+struct TexelPairs;
+
+struct DrawOp {
+    const Draw* draw = nullptr;
+    Resolved state;
+    const GeometrySet* set = nullptr;
+    const VertexColors* colors = nullptr;        ///< null: no stage needs a colour
+    const VertexFog* fog = nullptr;              ///< null: no fog
+    const VertexTexcoords* texcoords = nullptr;  ///< null: untextured
+    const FastTexels* texels = nullptr;          ///< null: untextured
+    const TexelPairs* pairs = nullptr;           ///< of `texels`, if the filter is bilinear
+    bool texels_counted = false;                 ///< textured, even if nothing reads the colour
+    const std::vector<std::uint32_t>* fog_table = nullptr;
+    bool needs_color = true;  ///< a plane or the alpha test reads it
+    bool perspective_color = false;
+    int visible_record = -1;       ///< the record that it makes or uses; -1: none
+    bool counts_by_pixel = false;  ///< its record counts each pixel's fragments
+    FragmentBytes bytes;
+};
+
+/// Whether its fragments meet the depth plane.
+inline bool needs_depth(const DrawOp& op) {
+    return op.state.state.depth.func != DepthFunc::Always || op.state.state.depth.mask;
+}
+/// The planes whose uniform blocks must be written back before it draws.
+inline UniformPlanes touched_planes(const DrawOp& op) {
+    return {op.state.writes_color, needs_depth(op)};
+}
+/// Whether a texture is looked up pixel by pixel: projective coordinates and the shadow comparison.
+inline bool textures_by_pixel(const TextureState& s) {
+    return s.gen == TexGen::EyeLinear || s.shadow_compare;
+}
+
+}  // namespace fast
+}  // namespace gw

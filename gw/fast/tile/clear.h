@@ -1,0 +1,28 @@
+// Clearing a tile's colours and depths, and writing uniform blocks to the planes, behind run-time
+// dispatch. Does not clear stencils or sums.
+#pragma once
+
+#include "gw/fast/frame/box.h"
+
+#include <array>
+#include <cstdint>
+
+namespace gw::fast {
+
+/// Colours and depths of a tile that a Clear sets: those inside the box, which is not empty.
+struct ClearBlocks {
+    Tile tile;
+    BlockBox box;
+    std::array<bool, 4> channel{};  ///< of the colour: which are cleared
+    bool clears_depth = false;
+    Rgba color{};
+    std::uint32_t depth = 0;
+
+    bool clears_color() const { return channel == std::array{true, true, true, true}; }
+};
+void clear_blocks(const ClearBlocks& clear);
+
+/// Writes the values of uniform blocks to these planes, for code that does not know such blocks.
+void write_back_blocks(const Tile& tile, UniformPlanes which = {true, true});
+
+}  // namespace gw::fast
