@@ -32,9 +32,8 @@ public:
             {machine_.state, machine_.slot_planes, machine_.targets, pass_name(machine_.passes)});
         std::span<const Command> rest(list.commands);
         while (!rest.empty()) {
-            std::size_t consumed = 0;
-            run_segment(plan_segment(rest, machine_, profile_, grid(), threads_, consumed));
-            rest = rest.subspan(consumed);
+            rest = rest.subspan(plan_segment(rest, machine_, profile_, grid(), threads_));
+            run_segment();
             if (!rest.empty() && is_barrier(rest[0], machine_.passes)) {
                 std::visit([this](const auto& command) { run_barrier(command); }, rest[0]);
                 rest = rest.subspan(1);
@@ -62,15 +61,17 @@ public:
 private:
     const TileGrid& grid() const { return frame_.grid(); }
 
-    void run_segment(Segment segment) {
+    void run_segment() {
+        const Segment& segment = machine_.segment;
         if (segment.ops.empty()) return;
         if (segment.uses_accum) frame_.need_accum();
         planes_are_current_ = false;
-        std::vector<OpCounts> totals = runner_.run(segment, frame_, profile_);
-        for (std::size_t i = 0; i < totals.size(); ++i)
-            machine_.passes[segment.ops[i].pass].counters +=
-                counters_of(segment.ops[i], totals[i], profile_);
-        retire(std::move(segment), machine_);
+        const std::vector<OpCounts> totals = runner_.run(segment, frame_, profile_);
+        for (std::size_t i = 0; i < totals.size(); ++i) {
+            const TileOp& op = segment.ops[segment.count_slots[i]];
+            machine_.passes[op.pass].counters += counters_of(op, totals[i], profile_);
+        }
+        end_segment(machine_);
     }
 
     void take_digests() {

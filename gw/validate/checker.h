@@ -19,6 +19,7 @@ struct Checker {
     std::size_t command = 0;
     const char* name = "";
     std::string_view pass{};
+    mutable const void* checked_lights = nullptr;  ///< of the last draw
 
     [[noreturn]] void fail(const std::string& what) const {
         throw Error(fmt::format("command {} ({}){}: {}", command, name,

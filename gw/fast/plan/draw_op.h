@@ -1,5 +1,5 @@
-// One draw as the planner hands it to the kernels: its resolved state and what it shares with other
-// draws. Does not own anything and does not know tiles: gw/fast/plan/tile_draw.h.
+// Draws as the planner hands them to the kernels: those of a set's parts, which have one resolved
+// state, and what they share with other draws. Does not own anything and does not know tiles: gw/fast/plan/tile_draw.h.
 #pragma once
 
 #include "gw/fast/frame/uniform.h"
@@ -22,8 +22,8 @@ struct FastTexels;
 struct TexelPairs;
 
 struct DrawOp {
-    const Draw* draw = nullptr;
-    Resolved state;
+    const Draw* const* draws;  ///< one for each part of `set`
+    const Resolved& state;
     const GeometrySet* set = nullptr;
     const VertexColors* colors = nullptr;        ///< null: no stage needs a colour
     const VertexFog* fog = nullptr;              ///< null: no fog

@@ -5,30 +5,56 @@
 
 #include "gw/fast/vertices/geometry.h"
 
-#include <deque>
 #include <memory>
+#include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace gw::fast {
 
+/// A part as a segment asks for it.
+struct PartKey {
+    const MeshRef* mesh = nullptr;
+    const dmat4* eye_from_object = nullptr;
+};
+
+/// A set goes when one of its meshes does, after four segments that did not use it, or when the
+/// sets that the current segment does not use take more than 64 MB.
 class KeptGeometry {
 public:
-    /// Gives each set that has nothing but its key and what its draws ask for (lists, jitter) what
-    /// was made for that key; the others get the memory of what is left.
-    void give(std::deque<GeometrySet>& sets);
-    /// Keeps the sets of a segment in place of those before, where it has any.
-    void keep(std::deque<GeometrySet> sets);
+    static constexpr std::uint64_t kept_segments = 4;
+    static constexpr std::size_t idle_bytes = std::size_t{64} << 20;
+
+    void begin_segment();
+    /// The set that was made for this state and these parts, in order; null: none. `hash` is theirs.
+    GeometrySet* find(std::uint64_t hash, const GeometryState& state,
+                      std::span<const PartKey> parts);
+    /// A new set. Call when all sets of the segment have been looked for: it may take the memory of
+    /// one that the segment does not use.
+    GeometrySet& make(std::uint64_t hash, const GeometryState& state,
+                      std::span<const PartKey> parts);
+    void end_segment();
+
+    std::size_t size() const { return sets_.size(); }
 
 private:
-    struct Kept {
-        GeometrySet set;  ///< its key without the mesh
-        const Mesh* address = nullptr;
-        std::weak_ptr<const Mesh> mesh;
-    };
-    Kept* find(const GeometrySet& wanted);
+    using SetRef = std::unique_ptr<GeometrySet>;
 
-    std::vector<Kept> kept_;
-    std::size_t next_ = 0;  ///< where the search begins: lists repeat in order
+    bool is_idle(const GeometrySet& set) const { return set.last_segment != segment_; }
+    bool is_stale(const GeometrySet& set) const;
+    SetRef take_spare();
+    void retire(SetRef set);
+    void retire_if_many_idle();
+    void sweep(std::size_t buckets);
+
+    std::unordered_map<std::uint64_t, SetRef> sets_;  ///< by hash
+    std::vector<SetRef> unlisted_;                    ///< of this segment: their hash is taken
+    std::vector<GeometrySet*> used_;                  ///< by this segment, of those in sets_
+    std::vector<SetRef> spare_;                       ///< empty, with their memory
+    std::size_t kept_bytes_ = 0, spare_bytes_ = 0;  ///< of sets_, as of the last segment; of spare_
+    bool has_made_ = false;                         ///< in this segment
+    std::size_t next_bucket_ = 0;
+    std::uint64_t segment_ = 0;
 };
 
 }  // namespace gw::fast

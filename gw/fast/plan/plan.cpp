@@ -3,161 +3,162 @@
 #include "gw/base/parallel.h"
 #include "gw/stages/fog.h"
 
-#include <algorithm>
-#include <functional>
-#include <utility>
+#include <array>
 
 namespace gw::fast {
-
-bool is_barrier(const Command& command, const std::vector<PassReport>& passes) {
-    if (std::holds_alternative<Copy>(command) || std::holds_alternative<CopyTexture>(command))
-        return true;
-    return std::holds_alternative<BeginPass>(command) && !passes.empty() &&
-           passes.back().digested != 0;
-}
-
 namespace {
 
-/// Adds a command at a time to a segment.
+std::uint64_t hash_of(const Light& l) {
+    Hash hash;
+    for (const float v : {l.position.x, l.position.y, l.position.z, l.Ia.x, l.Id.x, l.Id.y, l.Is.x})
+        hash.add(double(v));
+    return hash.value();
+}
+
+void add_material(Hash& hash, const Material& m) {
+    const std::array<double, 14> values{m.Ka.x, m.Ka.y, m.Ka.z, m.Kd.x, m.Kd.y, m.Kd.z, m.Ks.x,
+                                        m.Ks.y, m.Ks.z, m.Ke.x, m.Ke.y, m.Ke.z, m.Ns,   m.alpha};
+    hash.add_all(values.data(), values.size());
+}
+
+/// Makes the operations of a scanned segment.
 struct Planner {
     MachineState& machine;
     const Profile& profile;
-    const TileGrid& grid;
-    Segment segment;
-    std::vector<std::function<void()>> geometry_jobs{}, vertex_jobs{};
+    Segment& segment = machine.segment;
+    PointerTable<VertexColors> color_table{};
+    PointerTable<VertexFog> fog_table{};
+    PointerTable<VertexTexcoords> texcoord_table{};
+    std::vector<VertexColors*> colors{};
+    std::vector<VertexFog*> fogs{};
+    std::vector<VertexTexcoords*> texcoords{};
+    const std::vector<Light>* hashed_lights = nullptr;  ///< the last ones
+    std::uint64_t lights_hash = 0;
+    const Texture* last_texture = nullptr;
+    FastTexels* last_texels = nullptr;
 
-    Resolved resolved() const { return resolve(machine.state, profile, grid.width, grid.height); }
-    PassReport& pass() {
-        if (machine.passes.empty()) machine.passes.emplace_back();
-        return machine.passes.back();
-    }
-    void push(auto op) {
-        pass();
-        segment.ops.push_back({std::move(op), machine.passes.size() - 1});
-    }
-
-    /// Work to do later, with the state as it is now.
-    auto job(const Draw& draw, auto run) {
-        return [state = machine.state, &draw, run] { run(state, draw); };
-    }
-
-    GeometrySet& geometry(const Draw& draw) {
-        const GeometryKey key = geometry_key(machine.state, draw);
-        const auto found = std::find_if(segment.sets.begin(), segment.sets.end(),
-                                        [&](const GeometrySet& s) { return s.key == key; });
-        if (found != segment.sets.end()) return *found;
-        GeometrySet& set = segment.sets.emplace_back();
-        set.key = key;
-        geometry_jobs.push_back(job(draw, [this, &set](const State& s, const Draw& d) {
-            make_geometry(set, s, d, profile, grid.width, grid.height);
-            make_bins(set, profile, grid);
-        }));
-        return set;
+    std::uint64_t hash_of_lights(const LightsRef& lights) {
+        if (lights.get() == hashed_lights) return lights_hash;
+        Hash hash;
+        if (lights)
+            for (const Light& light : *lights) hash.add(hash_of(light));
+        hashed_lights = lights.get();
+        return lights_hash = hash.value();
     }
 
-    /// A new element, in the memory of an old one where there is any.
-    template <typename T>
-    static T& next(std::deque<T>& all, std::deque<T>& old) {
-        if (old.empty()) return all.emplace_back();
-        all.push_back(std::move(old.front()));
-        old.pop_front();
-        return all.back();
-    }
-
-    /// The one of `all` that has this key; else a new one, which `make` will fill.
-    template <typename Shared, typename Key, typename Make>
-    const Shared* shared(std::deque<Shared>& all, std::deque<Shared>& old, GeometrySet& set,
-                         const Draw& draw, const Key& key, const Make& make) {
-        set.lists_used = true;
-        for (const Shared& s : all)
-            if (s.key == key) return &s;
-        Shared& out = next(all, old);
-        out.key = key;
-        vertex_jobs.push_back(job(
-            draw, [this, &out, make](const State& s, const Draw& d) { make(out, s, d, profile); }));
+    /// The element of a table with the same inputs; else a new one, to be made later.
+    template <class T, class Same>
+    static T* shared(Pool<T>& pool, PointerTable<T>& table, std::vector<T*>& made,
+                     std::uint64_t hash, const VertexInputs& inputs, const Same& same) {
+        if (T* found = table.find(hash, [&](const T& t) { return same(t.inputs, inputs); }))
+            return found;
+        T& out = pool.next();
+        out.inputs = inputs;
+        table.add(hash, &out);
+        made.push_back(&out);
         return &out;
     }
-    const VertexColors* colors(GeometrySet& set, const Draw& draw) {
-        return shared(segment.colors, machine.recycled.colors, set, draw,
-                      color_key(set, machine.state, draw), shade_vertices);
+    const VertexColors* colors_of(const VertexInputs& in) {
+        Hash hash;
+        hash.add(in.set).add(std::uint64_t(in.state->color_source));
+        if (in.state->color_source == ColorSource::Lighting) {
+            hash.add(double(in.state->lighting.model_ambient.x));
+            for (std::size_t i = 0; i < in.set->parts.size(); ++i) {
+                add_material(hash, in.draws[i]->material);
+                hash.add(hash_of_lights(in.draws[i]->lights));
+            }
+        }
+        return shared(segment.colors, color_table, colors, hash.value(), in, same_colors);
     }
-    const VertexFog* fog(GeometrySet& set, const Draw& draw) {
-        return shared(segment.fogs, machine.recycled.fogs, set, draw, fog_key(set, machine.state),
-                      fog_vertices);
+    const VertexFog* fog_of(const VertexInputs& in) {
+        const FogState& fog = in.state->fog;
+        const std::uint64_t hash =
+            Hash().add(in.set).add(double(fog.density)).add(double(fog.end)).value();
+        return shared(segment.fogs, fog_table, fogs, hash, in, same_fog);
     }
-    const VertexTexcoords* texcoords(GeometrySet& set, const Draw& draw) {
-        return shared(segment.texcoords, machine.recycled.texcoords, set, draw,
-                      texcoord_key(set, machine.state), texture_vertices);
-    }
-
-    /// Makes what draws share: geometry first, then the values at its vertices.
-    void run_jobs(int threads) {
-        machine.geometry.give(segment.sets);
-        for (const auto* jobs : {&geometry_jobs, &vertex_jobs})
-            parallel_for(jobs->size(), threads, [&](std::size_t i, int) { (*jobs)[i](); });
-        for (const TileOp& op : segment.ops)
-            if (const DrawOp* draw = std::get_if<DrawOp>(&op.op))
-                machine.passes[op.pass].counters += draw->set->counters;
+    const VertexTexcoords* texcoords_of(const VertexInputs& in) {
+        const TextureState& t = in.state->texture;
+        Hash hash;
+        hash.add(in.set).add(std::uint64_t(t.gen)).add(double(t.eta));
+        if (t.gen == TexGen::EyeLinear) hash.add_all(&t.eye_linear[0][0], 16);
+        return shared(segment.texcoords, texcoord_table, texcoords, hash.value(), in,
+                      same_texcoords);
     }
 
     FastTexels* texels(const TextureBinding& binding) {
         if (binding.slot) return &machine.slots.at(*binding.slot);
-        auto& entry = machine.texels[binding.texture];
-        if (!entry)
-            entry = std::make_unique<FastTexels>(
-                make_fast_texels(make_texels(*binding.texture, profile.color_bits)));
-        return entry.get();
+        if (binding.texture.get() != last_texture) {
+            last_texture = binding.texture.get();
+            last_texels = &machine.texels.find_or_make(binding.texture, profile.color_bits);
+        }
+        return last_texels;
+    }
+    const std::vector<std::uint32_t>* table_of(ScannedState& state) {
+        if (!state.fog_table) {
+            segment.fog_tables.push_back(fog_table_of(state.state->fog));
+            state.fog_table = &segment.fog_tables.back();
+        }
+        return state.fog_table;
+    }
+    std::vector<std::uint32_t> fog_table_of(const FogState& fog) const {
+        return gw::fog_table(fog, profile.color_bits);
     }
 
-    void add(const Draw& draw) {
-        GeometrySet& set = geometry(draw);
-        set.jitter.include(machine.state.jitter);
+    /// The draws of one set, which are `steps`.
+    void add_draws(std::span<const Step> steps) {
+        ScannedState& scanned = *steps[0].state;
+        const State& state = *scanned.state;
+        const Draw& first = std::get<Draw>(*steps[0].command);
+        GeometrySet& set = *steps[0].part->set;
+        set.jitter.include(state.jitter);
+        const Draw* const* draws = segment.draws.data() + segment.draws.size();
+        for (const Step& step : steps) segment.draws.push_back(&std::get<Draw>(*step.command));
 
-        DrawOp op{&draw, resolved(), &set};
-        op.bytes = fragment_bytes(op.state, profile);
+        DrawOp op{.draws = draws, .state = scanned.resolved, .set = &set};
+        op.bytes = scanned.bytes;
         op.needs_color = op.state.writes_color || op.state.state.alpha.func != AlphaFunc::Always;
-        op.perspective_color =
-            profile.perspective_color && machine.state.shade_model == ShadeModel::Smooth;
-        const bool exact_id = machine.state.color_source == ColorSource::PolygonId;
-        op.texels_counted = draw.map.enabled() && !exact_id;
+        op.perspective_color = profile.perspective_color && state.shade_model == ShadeModel::Smooth;
+        const bool exact_id = state.color_source == ColorSource::PolygonId;
+        op.texels_counted = first.map.enabled() && !exact_id;
+        const VertexInputs inputs{&set, &state, draws};
         if (op.texels_counted && op.needs_color) {
-            FastTexels* found = texels(draw.map);
-            const TextureState& t = machine.state.texture;
+            FastTexels* const found = texels(first.map);
+            const TextureState& t = state.texture;
             op.texels = found;
             if (!textures_by_pixel(t) && (is_linear(t, false) || is_linear(t, true)))
                 op.pairs = texel_pairs(*found, t.wrap_s, t.wrap_t);
-            op.texcoords = texcoords(set, draw);
+            op.texcoords = texcoords_of(inputs);
         }
-        if (op.needs_color && !exact_id) op.colors = colors(set, draw);
-        if (op.colors && machine.state.fog.enable) op.fog = fog(set, draw);
-        if (machine.state.fog.enable && op.state.fragment_fog) {
-            segment.fog_tables.push_back(fog_table(machine.state.fog, profile.color_bits));
-            op.fog_table = &segment.fog_tables.back();
-        }
-        push(std::move(op));
+        if (op.needs_color && !exact_id) op.colors = colors_of(inputs);
+        if (op.colors && state.fog.enable) op.fog = fog_of(inputs);
+        if (state.fog.enable && op.state.fragment_fog) op.fog_table = table_of(scanned);
+        set.lists_used = set.lists_used || op.texcoords || op.colors || op.fog;
+        segment.ops.push_back({op, steps[0].pass});
     }
-    void add(const Clear& clear) {
+
+    void add(const Clear& clear, const Step& step) {
         segment.uses_accum = segment.uses_accum || (clear.planes & mask_of(Plane::Accum)) != 0;
-        push(ClearOp{&clear, resolved()});
+        segment.ops.push_back({ClearOp{&clear, step.state->resolved}, step.pass});
     }
-    void add(const WriteSpans& write) {
-        SpansOp op{&write, resolved(), {}};
-        op.bytes = fragment_bytes(op.state, profile);
-        push(std::move(op));
+    void add(const WriteSpans& write, const Step& step) {
+        segment.ops.push_back(
+            {SpansOp{&write, step.state->resolved, step.state->bytes}, step.pass});
     }
-    void add(const WritePixels& write) {
-        PixelsOp op{&write, resolved(), {}};
-        op.bytes = fragment_bytes(op.state, profile);
-        push(std::move(op));
+    void add(const WritePixels& write, const Step& step) {
+        segment.ops.push_back(
+            {PixelsOp{&write, step.state->resolved, step.state->bytes}, step.pass});
     }
-    void add(const Accumulate& accumulate) {
+    void add(const Accumulate& accumulate, const Step& step) {
         segment.uses_accum = true;
-        push(AccumulateOp{&accumulate, resolved()});
+        segment.ops.push_back({AccumulateOp{&accumulate, step.state->resolved}, step.pass});
     }
-    void add(const Read& read) {
+    void add(const Read& read, const Step& step) {
         segment.uses_accum = segment.uses_accum || read.plane == Plane::Accum;
+        segment.ops.push_back({target_of(read), step.pass});
+    }
+    ReadOp target_of(const Read& read) {
         if (const auto target = machine.targets.find(read.key); target != machine.targets.end())
-            return push(ReadOp{.read = &read, .values = target->second.data()});
+            return {.read = &read, .values = target->second.data()};
         Readback& out = machine.readbacks[read.key];
         out.plane = read.plane;
         out.rect = read.rect;
@@ -167,53 +168,88 @@ struct Planner {
         out.color.resize(color ? size : 0);
         out.accum.resize(accum ? size : 0);
         out.values.resize(color || accum ? 0 : size);
-        push(ReadOp{&read, out.color.data(), out.values.data(), out.accum.data()});
+        return {&read, out.color.data(), out.values.data(), out.accum.data()};
     }
-    void add(const SetState& set) { machine.state = set.state; }
-    void add(const BeginPass& begin) {
-        machine.passes.push_back({begin.name, {}, begin.digests, {}});
-    }
-    void add(const Copy&) {}
-    void add(const CopyTexture&) {}
-};
+    void add(const auto&, const Step&) {}
 
-/// Whether planning this read now would let two reads of one segment write the same readback.
-bool reads_again(const Command& command, const Segment& segment) {
-    const Read* read = std::get_if<Read>(&command);
-    if (!read) return false;
-    return std::any_of(segment.ops.begin(), segment.ops.end(), [&](const TileOp& op) {
-        const ReadOp* other = std::get_if<ReadOp>(&op.op);
-        return other && other->read->key == read->key;
-    });
-}
+    void add_steps() {
+        const std::span<const Step> steps = segment.scan.steps();
+        segment.draws.reserve(steps.size());  // their addresses are kept
+        for (std::size_t i = 0; i < steps.size();) {
+            if (steps[i].part) {
+                const std::size_t count = steps[i].part->set->parts.size();
+                add_draws(steps.subspan(i, count));
+                i += count;
+            } else {
+                std::visit([&](const auto& c) { add(c, steps[i]); }, *steps[i].command);
+                i += 1;
+            }
+        }
+    }
+
+    /// Makes what draws share: geometry first, then the values at its vertices.
+    void make_shared(const TileGrid& grid, int threads) {
+        const std::span<GeometrySet* const> sets = segment.scan.sets();
+        segment.scratch.resize(std::size_t(threads));
+        parallel_for(sets.size(), threads, [&](std::size_t i, int worker) {
+            GeometryScratch& scratch = segment.scratch[std::size_t(worker)];
+            make_geometry(*sets[i], profile, scratch);
+            make_bins(*sets[i], profile, grid, scratch);
+        });
+        const std::size_t fog_end = colors.size() + fogs.size();
+        parallel_for(fog_end + texcoords.size(), threads, [&](std::size_t i, int) {
+            if (i < colors.size())
+                shade_vertices(*colors[i], profile);
+            else if (i < fog_end)
+                fog_vertices(*fogs[i - colors.size()], profile);
+            else
+                texture_vertices(*texcoords[i - fog_end], profile);
+        });
+        for (const TileOp& op : segment.ops)
+            if (const DrawOp* draw = std::get_if<DrawOp>(&op.op))
+                machine.passes[op.pass].counters += draw->set->counters;
+    }
+};
 
 }  // namespace
 
-Segment plan_segment(std::span<const Command> commands, MachineState& machine,
-                     const Profile& profile, const TileGrid& grid, int threads,
-                     std::size_t& consumed) {
-    Planner planner{machine, profile, grid, {}};
-    for (consumed = 0; consumed < commands.size(); ++consumed) {
-        const Command& command = commands[consumed];
-        if (is_barrier(command, machine.passes) || reads_again(command, planner.segment)) break;
-        std::visit([&](const auto& c) { planner.add(c); }, command);
-    }
-    planner.run_jobs(threads);
-    share_visibility(planner.segment);
-    return std::move(planner.segment);
+std::size_t plan_segment(std::span<const Command> commands, MachineState& machine,
+                         const Profile& profile, const TileGrid& grid, int threads) {
+    Segment& segment = machine.segment;
+    const std::size_t consumed =
+        segment.scan.run(commands, machine.state, machine.passes, profile, grid.width, grid.height);
+    if (segment.scan.steps().empty()) return consumed;
+    segment.scan.form_sets(machine.geometry);
+    Planner planner{machine, profile};
+    planner.add_steps();
+    planner.make_shared(grid, threads);
+    share_visibility(segment);
+    list_by_tile(segment, grid);
+    return consumed;
 }
 
-void retire(Segment segment, MachineState& machine) {
+void end_segment(MachineState& machine) {
+    Segment& segment = machine.segment;
+    if (segment.scan.steps().empty()) return;
+    if (!segment.scan.sets().empty()) machine.geometry.end_segment();
+    machine.texels.end_segment();
+    segment.colors.release();
+    segment.fogs.release();
+    segment.texcoords.release();
     const auto clear = [](auto& all) {
-        for (auto& element : all) element.clear();
+        if (all.capacity() > 8 * all.size() + 4096) all = std::decay_t<decltype(all)>();
+        all.clear();
     };
-    machine.geometry.keep(std::exchange(segment.sets, {}));
-    clear(segment.colors);
-    clear(segment.fogs);
-    clear(segment.texcoords);
-    segment.ops.clear();
+    clear(segment.ops);
+    clear(segment.draws);
+    clear(segment.count_slots);
+    clear(segment.tiles);
+    clear(segment.tile_start);
+    clear(segment.tile_ops);
     segment.fog_tables.clear();
-    machine.recycled = std::move(segment);
+    for (GeometryScratch& scratch : segment.scratch) scratch.trim();
+    segment.uses_accum = false;
+    segment.visible_records = 0;
 }
 
 }  // namespace gw::fast

@@ -5,14 +5,15 @@
 
 #include "gw/fast/frame/frame.h"
 #include "gw/fast/plan/draw_op.h"
-#include "gw/fast/plan/kept_geometry.h"
-#include "gw/fast/plan/texels.h"
+#include "gw/fast/plan/kept_textures.h"
+#include "gw/fast/plan/pool.h"
+#include "gw/fast/plan/scan.h"
+#include "gw/fast/vertices/geometry_scratch.h"
 #include "gw/fast/vertices/vertex_values.h"
 #include "gw/machine.h"
 
-#include <array>
 #include <deque>
-#include <memory>
+#include <map>
 #include <span>
 #include <variant>
 #include <vector>
@@ -20,22 +21,22 @@
 namespace gw::fast {
 
 struct ClearOp {
-    const Clear* clear = nullptr;
-    Resolved state;
+    const Clear* clear;
+    const Resolved& state;
 };
 struct SpansOp {
-    const WriteSpans* write = nullptr;
-    Resolved state;
+    const WriteSpans* write;
+    const Resolved& state;
     FragmentBytes bytes;
 };
 struct PixelsOp {
-    const WritePixels* write = nullptr;
-    Resolved state;
+    const WritePixels* write;
+    const Resolved& state;
     FragmentBytes bytes;
 };
 struct AccumulateOp {
-    const Accumulate* accumulate = nullptr;
-    Resolved state;
+    const Accumulate* accumulate;
+    const Resolved& state;
 };
 struct ReadOp {
     const Read* read = nullptr;
@@ -45,22 +46,30 @@ struct ReadOp {
     std::array<std::int32_t, 4>* accum = nullptr;
 };
 
-/// An operation and the pass it is counted in.
+/// An operation, the pass it is counted in, and where its counts are summed.
 struct TileOp {
     std::variant<DrawOp, ClearOp, SpansOp, PixelsOp, AccumulateOp, ReadOp> op;
     std::size_t pass = 0;
+    std::uint32_t count_slot = 0;
 };
 
-/// A run of commands without a barrier.
+/// A run of commands without a barrier. Its memory is used again by the next one.
 struct Segment {
-    std::deque<TileOp> ops;
-    std::deque<GeometrySet> sets;
-    std::deque<VertexColors> colors;
-    std::deque<VertexFog> fogs;
-    std::deque<VertexTexcoords> texcoords;
+    Scan scan;
+    std::vector<TileOp> ops;
+    std::vector<const Draw*> draws;  ///< of all draw operations
+    Pool<VertexColors> colors;
+    Pool<VertexFog> fogs;
+    Pool<VertexTexcoords> texcoords;
     std::deque<std::vector<std::uint32_t>> fog_tables;
+    std::vector<GeometryScratch> scratch;  ///< by worker
     bool uses_accum = false;
     int visible_records = 0;
+
+    /// Operations with one slot add to one sum: an example of each slot.
+    std::vector<std::uint32_t> count_slots;
+    /// Tile tiles[i] runs tile_ops[tile_start[i] .. tile_start[i + 1] - 1].
+    std::vector<std::uint32_t> tiles, tile_start, tile_ops;
 };
 
 /// The part of a machine's state that planning needs; persists from list to list.
@@ -69,21 +78,20 @@ struct MachineState {
     std::vector<PassReport> passes;
     std::map<std::uint32_t, FastTexels> slots;
     std::map<std::uint32_t, Plane> slot_planes;
-    std::map<TextureRef, std::unique_ptr<FastTexels>> texels;
+    KeptTextures texels;
     std::map<std::uint32_t, Readback> readbacks;
     ReadTargets targets;  ///< of the list in execution
     KeptGeometry geometry;
-    Segment recycled;  ///< the last one, emptied: the next reuses its memory
+    Segment segment;  ///< the one in progress
 };
 
-/// Plans the commands up to the next barrier (which is not included) and counts their geometry.
-/// `consumed`: how many commands that were.
-Segment plan_segment(std::span<const Command> commands, MachineState& machine,
-                     const Profile& profile, const TileGrid& grid, int threads,
-                     std::size_t& consumed);
+/// Plans the commands up to the next barrier (which is not included) and counts their geometry; how
+/// many commands that were.
+std::size_t plan_segment(std::span<const Command> commands, MachineState& machine,
+                         const Profile& profile, const TileGrid& grid, int threads);
 
-/// Takes back a segment that has run: the next one reuses its memory.
-void retire(Segment segment, MachineState& machine);
+/// Ends a segment that has run: the next one reuses its memory.
+void end_segment(MachineState& machine);
 
 /// Gives draws that may share a record of visible fragments its number. A draw may if it compares
 /// Equal, has no alpha test and changes the stencil only where it is visible, everywhere there; and
@@ -92,7 +100,7 @@ void retire(Segment segment, MachineState& machine);
 /// fragment that failed in it can be visible.
 void share_visibility(Segment& segment);
 
-/// Whether a command reads pixels across tiles, or takes digests: it runs between segments.
-bool is_barrier(const Command& command, const std::vector<PassReport>& passes);
+/// Lists the operations by tile, and gives them their count slots.
+void list_by_tile(Segment& segment, const TileGrid& grid);
 
 }  // namespace gw::fast

@@ -1,6 +1,7 @@
 #include "gw/fast/plan/plan.h"
 
 #include <algorithm>
+#include <deque>
 #include <utility>
 
 namespace gw::fast {
@@ -56,6 +57,13 @@ bool may_record(const DrawOp& op) {
            ignores_stencil(op.state.back) && op.set->triangle_count == op.set->primitives.size();
 }
 
+std::uint64_t hash_of(const FragmentsKey& key) {
+    return Hash()
+        .add(key.set)
+        .add(std::uint64_t(key.jitter.x) << 32 | std::uint32_t(key.jitter.y))
+        .value();
+}
+
 /// Draws of one record.
 struct Group {
     FragmentsKey key;
@@ -64,31 +72,52 @@ struct Group {
     std::vector<DrawOp*> draws;
 };
 
-struct Grouping {
-    std::vector<Group> groups;
-    std::vector<std::pair<FragmentsKey, DrawOp*>> depth_passes;  ///< since depths could last grow
-    int depth_version = 0;
+/// The last depth pass of a geometry; it makes one record.
+struct DepthPass {
+    FragmentsKey key;
+    int epoch;  ///< depths have not grown since
+    DrawOp* op;
+};
 
-    /// The last depth pass of a geometry; it makes one record.
+struct Grouping {
+    std::deque<Group> groups;
+    PointerTable<Group> group_table;
+    std::deque<DepthPass> depth_passes;
+    PointerTable<DepthPass> depth_pass_table;
+    int depth_version = 0, epoch = 0;
+
+    DepthPass* depth_pass(const FragmentsKey& key) const {
+        return depth_pass_table.find(hash_of(key),
+                                     [&](const DepthPass& pass) { return pass.key == key; });
+    }
     DrawOp* take_depth_pass(const FragmentsKey& key) {
-        const auto found = std::find_if(depth_passes.rbegin(), depth_passes.rend(),
-                                        [&](const auto& pass) { return pass.first == key; });
-        if (found == depth_passes.rend()) return nullptr;
-        return std::exchange(found->second, nullptr);
+        DepthPass* const found = depth_pass(key);
+        return found && found->epoch == epoch ? std::exchange(found->op, nullptr) : nullptr;
+    }
+    void add_depth_pass(DrawOp& op) {
+        const FragmentsKey key = fragments_key(op);
+        if (DepthPass* const found = depth_pass(key)) {
+            *found = {key, epoch, &op};
+            return;
+        }
+        depth_pass_table.add(hash_of(key), &depth_passes.emplace_back(DepthPass{key, epoch, &op}));
     }
     void add(DrawOp& op) {
         const FragmentsKey key = fragments_key(op);
-        const auto found = std::find_if(groups.rbegin(), groups.rend(), [&](const Group& g) {
-            return g.key == key && g.depth_version == depth_version;
-        });
-        if (found != groups.rend())
+        const std::uint64_t hash =
+            Hash().add(hash_of(key)).add(std::uint64_t(depth_version)).value();
+        Group* const found = group_table.find(
+            hash, [&](const Group& g) { return g.key == key && g.depth_version == depth_version; });
+        if (found) {
             found->draws.push_back(&op);
-        else
-            groups.push_back({key, depth_version, take_depth_pass(key), {&op}});
+            return;
+        }
+        groups.push_back({key, depth_version, take_depth_pass(key), {&op}});
+        group_table.add(hash, &groups.back());
     }
     void pass_by(const TileOp& op) {
         const Change c = std::visit([](const auto& o) { return change(o); }, op.op);
-        if (c == Change::Any) depth_passes.clear();
+        if (c == Change::Any) epoch += 1;
         if (c != Change::None) depth_version += 1;
     }
 };
@@ -101,7 +130,7 @@ void share_visibility(Segment& segment) {
         DrawOp* op = std::get_if<DrawOp>(&tile_op.op);
         if (op && may_share(*op)) grouping.add(*op);
         grouping.pass_by(tile_op);
-        if (op && may_record(*op)) grouping.depth_passes.push_back({fragments_key(*op), op});
+        if (op && may_record(*op)) grouping.add_depth_pass(*op);
     }
     for (Group& group : grouping.groups) {
         if (group.draws.size() < 2 && !group.depth_pass) continue;

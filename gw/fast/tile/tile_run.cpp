@@ -10,14 +10,50 @@
 #include "gw/fast/visible/visible_record.h"
 #include "gw/stages/tables.h"
 
+#include <algorithm>
 #include <bit>
+#include <deque>
 
 namespace gw::fast {
 
+/// The records of the tile in progress, by number.
+class TileRecords {
+public:
+    VisibleRecord& operator[](int number) {
+        const auto i = std::size_t(number);
+        if (i >= place_.size()) place_.resize(std::max(i + 1, 2 * place_.size()));
+        if (place_[i] == 0) {
+            numbers_.push_back(i);
+            place_[i] = std::uint32_t(numbers_.size());
+            if (records_.size() < numbers_.size()) records_.emplace_back();
+        }
+        return records_[place_[i] - 1];
+    }
+    void clear() {
+        for (std::size_t k = 0; k < numbers_.size(); ++k) {
+            place_[numbers_[k]] = 0;
+            records_[k].clear();
+        }
+        numbers_.clear();
+    }
+    /// Gives memory back that segments with more records left.
+    void trim(std::size_t records) {
+        if (place_.size() <= 8 * records + 64) return;
+        place_ = {};
+        records_.clear();
+    }
+
+private:
+    std::vector<std::uint32_t> place_;  ///< by number: one more than the index in records_, or 0
+    std::vector<std::size_t> numbers_;  ///< of records_
+    std::deque<VisibleRecord> records_;
+};
+
 struct TileScratch {
-    std::vector<VisibleRecord> visible_records;
+    TileRecords records;
     BatchScratch batch;
     RepeatedTexels texels;
+    std::vector<OpCounts> counts;  ///< by slot
 };
 
 namespace {
@@ -59,23 +95,31 @@ auto pixels_of(const AccumBlock& block) {
 struct TileRun {
     const Profile& profile;
     Tile tile;
-    std::size_t index;
-    OpCounts* counts = nullptr;
     TileScratch& scratch;
+    OpCounts* counts = nullptr;
+    Rect last_rect{};
+    BlockBox last_box = block_box(last_rect, tile);
 
-    BlockBox box(const Rect& rect) const { return block_box(rect, tile); }
+    /// Most operations have the rectangle of the one before.
+    const BlockBox& box(const Rect& rect) {
+        if (!(rect == last_rect)) {
+            last_rect = rect;
+            last_box = block_box(rect, tile);
+        }
+        return last_box;
+    }
 
     void run(const DrawOp& op) {
-        if (op.set->tile_bin(index).empty()) return;
+        const std::span<const std::uint32_t> bin =
+            op.set->tile_bin(tile.x / tile.side, tile.y / tile.side);
         const TileDraw draw{&op,    &profile,       tile,           box(op.state.draw_box),
                             counts, &scratch.batch, &scratch.texels};
         if (draw.box.empty()) return;
-        if (op.visible_record < 0) return draw_primitives(draw, op.set->tile_bin(index));
+        if (op.visible_record < 0) return draw_primitives(draw, bin);
         write_back_blocks(tile, touched_planes(op));
-        VisibleRecord& record = scratch.visible_records[std::size_t(op.visible_record)];
-        if (op.state.state.depth.func != DepthFunc::Equal)
-            return draw_recording(draw, op.set->tile_bin(index), record);
-        if (!record.made) record_primitives(draw, op.set->tile_bin(index), record);
+        VisibleRecord& record = scratch.records[op.visible_record];
+        if (op.state.state.depth.func != DepthFunc::Equal) return draw_recording(draw, bin, record);
+        if (!record.made) record_primitives(draw, bin, record);
         replay_primitives(draw, record);
     }
 
@@ -241,23 +285,24 @@ TileRunner::~TileRunner() = default;
 
 std::vector<OpCounts> TileRunner::run(const Segment& segment, Frame& frame,
                                       const Profile& profile) {
-    std::vector<std::vector<OpCounts>> by_worker(scratch_.size(),
-                                                 std::vector<OpCounts>(segment.ops.size()));
-    for (auto& scratch : scratch_)
-        if (scratch->visible_records.size() < std::size_t(segment.visible_records))
-            scratch->visible_records.resize(std::size_t(segment.visible_records));
-    parallel_for(frame.grid().count(), int(scratch_.size()), [&](std::size_t i, int worker) {
-        TileRun run{profile, frame.tile(i), i, nullptr, *scratch_[std::size_t(worker)]};
-        for (VisibleRecord& record : run.scratch.visible_records) record.clear();
-        run.scratch.texels.clear();
-        for (std::size_t k = 0; k < segment.ops.size(); ++k) {
-            run.counts = &by_worker[std::size_t(worker)][k];
-            std::visit([&](const auto& op) { run.run(op); }, segment.ops[k].op);
+    for (auto& scratch : scratch_) {
+        scratch->counts.assign(segment.count_slots.size(), {});
+        scratch->records.trim(std::size_t(segment.visible_records));
+    }
+    parallel_for(segment.tiles.size(), int(scratch_.size()), [&](std::size_t i, int worker) {
+        TileScratch& scratch = *scratch_[std::size_t(worker)];
+        TileRun run{profile, frame.tile(segment.tiles[i]), scratch};
+        scratch.texels.clear();
+        for (std::size_t k = segment.tile_start[i]; k < segment.tile_start[i + 1]; ++k) {
+            const TileOp& op = segment.ops[segment.tile_ops[k]];
+            run.counts = &scratch.counts[op.count_slot];
+            std::visit([&](const auto& o) { run.run(o); }, op.op);
         }
+        scratch.records.clear();
     });
-    std::vector<OpCounts> totals(segment.ops.size());
-    for (const auto& counts : by_worker)
-        for (std::size_t k = 0; k < totals.size(); ++k) totals[k] += counts[k];
+    std::vector<OpCounts> totals(segment.count_slots.size());
+    for (const auto& scratch : scratch_)
+        for (std::size_t k = 0; k < totals.size(); ++k) totals[k] += scratch->counts[k];
     return totals;
 }
 

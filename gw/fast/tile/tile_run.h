@@ -18,7 +18,7 @@ public:
     explicit TileRunner(int threads);
     ~TileRunner();
 
-    /// Runs all operations on all tiles; the counts by operation.
+    /// Runs the operations of all tiles; the counts by slot.
     std::vector<OpCounts> run(const Segment& segment, Frame& frame, const Profile& profile);
 
 private:

@@ -1,6 +1,6 @@
 // Which primitives touch which tile: a counting sort that keeps their order.
 #include "gw/fast/frame/frame.h"
-#include "gw/fast/vertices/geometry.h"
+#include "gw/fast/vertices/geometry_scratch.h"
 #include "gw/profile.h"
 
 #include <algorithm>
@@ -8,11 +8,6 @@
 
 namespace gw::fast {
 namespace {
-
-/// Tiles [x0, x1) x [y0, y1) that a primitive may touch.
-struct TileRange {
-    std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
 
 /// Along one axis: pixels whose centres lie in [low, high] (in sub-pixels), widened by `margin`
 /// pixels, as tiles.
@@ -34,51 +29,59 @@ struct Axis {
 struct Binner {
     const GeometrySet& set;
     Axis x, y;
-    std::size_t columns;
 
     TileRange tiles(const SetupPrimitive& p) const {
         const auto [a, b, c] = p.vertex;
-        const int margin = p.kind == MeshKind::Lines    ? set.key.line_width
-                           : p.kind == MeshKind::Points ? set.key.point_size
+        const int margin = p.kind == MeshKind::Lines    ? set.state.line_width
+                           : p.kind == MeshKind::Points ? set.state.point_size
                                                         : 0;
         const SnappedVertex &va = set.at[a], &vb = set.at[b], &vc = set.at[c];
         const auto [x0, x1] = x.tiles(va.x, vb.x, vc.x, margin);
         const auto [y0, y1] = y.tiles(va.y, vb.y, vc.y, margin);
         return {x0, y0, x1, y1};
     }
-    std::vector<TileRange> ranges() const {
-        std::vector<TileRange> out(set.primitives.size());
-        for (std::size_t i = 0; i < out.size(); ++i) out[i] = tiles(set.primitives[i]);
-        return out;
-    }
+    /// Calls visit(place in the set's range of tiles) for each tile of a primitive.
     void for_each_tile(const TileRange& r, const auto& visit) const {
+        const std::size_t columns = std::size_t(set.tiles.x1 - set.tiles.x0);
         for (std::size_t row = r.y0; row < r.y1; ++row)
-            for (std::size_t column = r.x0; column < r.x1; ++column) visit(row * columns + column);
+            for (std::size_t column = r.x0; column < r.x1; ++column)
+                visit((row - set.tiles.y0) * columns + column - set.tiles.x0);
     }
 };
 
+void make_bins(GeometrySet& set, const Binner& binner, GeometryScratch& scratch) {
+    std::vector<TileRange>& ranges = scratch.ranges;
+    ranges.clear();
+    set.tiles = {};
+    for (const SetupPrimitive& p : set.primitives) {
+        ranges.push_back(binner.tiles(p));
+        set.tiles.include(ranges.back());
+    }
+    std::vector<std::uint32_t>& start = set.bin_start;
+    start.assign(set.tiles.count() + 1, 0);
+    for (const TileRange& r : ranges)
+        binner.for_each_tile(r, [&](std::size_t tile) { start[tile + 1] += 1; });
+    for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+    scratch.next.assign(start.begin(), start.end() - 1);
+    set.bin.resize(start.back());
+    for (std::uint32_t i = 0; i < ranges.size(); ++i)
+        binner.for_each_tile(ranges[i],
+                             [&](std::size_t tile) { set.bin[scratch.next[tile]++] = i; });
+}
+
 }  // namespace
 
-void make_bins(GeometrySet& set, const Profile& profile, const TileGrid& grid) {
+void make_bins(GeometrySet& set, const Profile& profile, const TileGrid& grid,
+               GeometryScratch& scratch) {
     if (!set.bin_start.empty() && set.binned.covers(set.jitter)) return;
     set.binned = set.jitter;
     const auto axis = [&](int size, int low, int high) {
         return Axis{profile.subpixel_bits, grid.log2_tile, size, low, high};
     };
-    const Binner binner{set, axis(grid.width, set.jitter.low.x, set.jitter.high.x),
-                        axis(grid.height, set.jitter.low.y, set.jitter.high.y),
-                        std::size_t(grid.columns())};
-    const std::vector<TileRange> ranges = binner.ranges();
-    std::vector<std::uint32_t> start(grid.count() + 1);
-    for (const TileRange& r : ranges)
-        binner.for_each_tile(r, [&](std::size_t tile) { start[tile + 1] += 1; });
-    for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-    std::vector<std::uint32_t> bin(start.back());
-    for (std::uint32_t i = 0; i < ranges.size(); ++i)
-        binner.for_each_tile(ranges[i], [&](std::size_t tile) { bin[next[tile]++] = i; });
-    set.bin_start = std::move(start);
-    set.bin = std::move(bin);
+    make_bins(set,
+              {set, axis(grid.width, set.jitter.low.x, set.jitter.high.x),
+               axis(grid.height, set.jitter.low.y, set.jitter.high.y)},
+              scratch);
 }
 
 }  // namespace gw::fast

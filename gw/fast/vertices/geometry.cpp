@@ -1,8 +1,6 @@
 #include "gw/fast/vertices/geometry.h"
 
-#include "gw/command_list.h"
-#include "gw/fast/vertices/project.h"
-#include "gw/stages/fan.h"
+#include "gw/fast/vertices/geometry_scratch.h"
 
 #include <algorithm>
 #include <bit>
@@ -19,13 +17,13 @@ std::uint32_t planes_on(const std::array<ClipPlane, max_clip_planes>& user) {
 }
 
 struct Builder {
-    const Mesh& mesh;
-    const State& state;
-    const Projection& projection;
     GeometrySet& set;
-    std::vector<Outcode> outcode{};
-    PositionClipper clipper{};
-    std::vector<SnappedPoint> fan_corners{};
+    Projection projection;
+    const Mesh* mesh = nullptr;
+    std::uint32_t part = 0, base = 0;  ///< the part in progress and its first vertex
+    GeometryScratch& scratch;
+    const GeometryState& state = set.state;
+    std::vector<Outcode>& outcode = scratch.outcode;
     std::uint32_t planes = planes_on(state.clip_planes);  ///< those that can cut
     bool filled = state.polygon_mode == PolygonMode::Fill;
     /// back, front
@@ -36,15 +34,29 @@ struct Builder {
                (cull.face == Face::FrontAndBack || (cull.face == Face::Front) == front);
     }
 
-    void push_vertices() {
-        const std::span<const vec3> positions(mesh.data().positions);
-        set.at.resize(positions.size());
-        set.w.resize(positions.size());
+    /// Projects the vertices of the next part.
+    void begin(std::uint32_t ordinal) {
+        GeometryPart& p = set.parts[ordinal];
+        part = ordinal;
+        mesh = p.mesh;
+        base = std::uint32_t(set.at.size());
+        p.vertex = base;
+        p.primitive = std::uint32_t(set.primitives.size());
+        p.clipped = std::uint32_t(set.clipped.size());
+        projection.clip_from_object = product(state.projection, p.eye_from_object);
+        projection.eye_from_object = p.eye_from_object;
+        const std::span<const vec3> positions(mesh->data().positions);
+        set.at.resize(base + positions.size());
+        set.w.resize(base + positions.size());
         outcode.resize(positions.size());
-        project(projection, {positions, outcode.data(), set.at.data(), set.w.data()});
+        project(projection, {positions, outcode.data(), &set.at[base], &set.w[base]});
     }
 
     SnappedPoint point(std::uint32_t v) const { return {set.at[v].x, set.at[v].y}; }
+    /// A mesh triangle's vertices in the set's arrays.
+    std::array<std::uint32_t, 3> in_set(const std::array<std::uint32_t, 3>& v) const {
+        return {base + v[0], base + v[1], base + v[2]};
+    }
     std::int64_t area_of(const std::array<std::uint32_t, 3>& v) const {
         return area2(point(v[0]), point(v[1]), point(v[2]));
     }
@@ -58,15 +70,16 @@ struct Builder {
 
     /// Clips for good; false where nothing is left. New vertices go to the end of the arrays.
     bool clip(std::array<std::uint32_t, 3> corners, std::uint32_t sides, ClippedPrimitive& out) {
-        std::vector<ClipPosition>& vertices = clipper.vertices;
+        std::vector<ClipPosition>& vertices = scratch.clipper.vertices;
         vertices.clear();
         Outcode any = 0;
         for (std::uint32_t k = 0; k < sides; ++k) {
-            place_position(projection, mesh.data().positions[corners[k]], vertices.emplace_back());
+            place_position(projection, mesh->data().positions[corners[k]], vertices.emplace_back());
             any |= outcode[corners[k]];
         }
         // The planes before the first that cuts anything change nothing, nor do those that are off.
-        const bool changed = clipper.clip(projection.viewport, planes & ~((any & (0u - any)) - 1));
+        const bool changed =
+            scratch.clipper.clip(projection.viewport, planes & ~((any & (0u - any)) - 1));
         if (vertices.empty()) return false;
         out.first = std::uint32_t(set.at.size());
         out.count = std::uint32_t(vertices.size());
@@ -117,16 +130,16 @@ struct Builder {
 
     /// The pieces of a polygon: of a whole triangle, or of what clipping left.
     Fan fan(const Triangle& t, const ClippedPrimitive& piece) {
-        if (piece.count == 0) return {area_of(t.vertex), 0};
-        fan_corners.clear();
+        if (piece.count == 0) return {area_of(in_set(t.vertex)), 0};
+        scratch.fan_corners.clear();
         for (std::uint32_t k = 0; k < piece.count; ++k)
-            fan_corners.push_back(point(piece.first + k));
-        return fan_of(fan_corners);
+            scratch.fan_corners.push_back(point(piece.first + k));
+        return fan_of(scratch.fan_corners);
     }
 
     void push_pieces(const Triangle& t, const ClippedPrimitive& piece, const Fan& pieces,
                      const SetupPrimitive& p) {
-        if (piece.count == 0) return push_piece(t.vertex, p, pieces.area2 > 0);
+        if (piece.count == 0) return push_piece(in_set(t.vertex), p, pieces.area2 > 0);
         const auto at = [&](std::size_t k) {
             return piece.first + std::uint32_t((pieces.first + k) % piece.count);
         };
@@ -135,8 +148,9 @@ struct Builder {
     }
 
     /// A triangle that no plane touches.
-    void push_whole(const Triangle& t, std::uint32_t ordinal) {
-        const std::int64_t area = area_of(t.vertex);
+    void push_whole(const Triangle& t) {
+        const std::array<std::uint32_t, 3> v = in_set(t.vertex);
+        const std::int64_t area = area_of(v);
         const bool front = (area > 0) == (state.cull.front == Winding::CCW);
         if (area == 0 || culled[front]) {
             std::uint64_t& count = area == 0 ? set.counters.degenerate : set.counters.culled;
@@ -144,14 +158,14 @@ struct Builder {
             return;
         }
         set.counters.drawn += 1;
-        set.primitives.push_back({canonical(t.vertex, area < 0), ordinal, t.polygon, t.provoking,
+        set.primitives.push_back({canonical(v, area < 0), part, t.polygon, base + t.provoking,
                                   std::uint8_t(front), MeshKind::Triangles});
     }
 
-    void push_triangle(const Triangle& t, std::uint32_t ordinal) {
+    void push_triangle(const Triangle& t) {
         const Outcode a = outcode[t.vertex[0]], b = outcode[t.vertex[1]], c = outcode[t.vertex[2]];
         const Outcode any = a | b | c;
-        if (any == 0 && filled) return push_whole(t, ordinal);
+        if (any == 0 && filled) return push_whole(t);
         ClippedPrimitive piece{t.vertex, 3, 0, 0};
         if (any != 0 &&
             ((any & not_finite) != 0 || all_outside(a & b & c, any) || !clip(t.vertex, 3, piece))) {
@@ -168,7 +182,7 @@ struct Builder {
         if (piece.count != 0 && (!drawn || !filled)) drop(piece);
         if (!drawn) return;
         const SetupPrimitive p{
-            {}, ordinal, t.polygon, t.provoking, std::uint8_t(front), MeshKind::Triangles};
+            {}, part, t.polygon, base + t.provoking, std::uint8_t(front), MeshKind::Triangles};
         if (filled)
             push_pieces(t, piece, pieces, p);
         else
@@ -189,7 +203,7 @@ struct Builder {
         const Counters before = set.counters;
         ClippedPrimitive piece{};
         p.kind = MeshKind::Lines;
-        p.vertex = {a, b, b};
+        p.vertex = {base + a, base + b, base + b};
         const Outcode any = outcode[a] | outcode[b];
         bool left = (any & not_finite) == 0;
         if (left && any != 0) {
@@ -215,65 +229,75 @@ struct Builder {
         std::uint64_t& count = left ? set.counters.drawn : set.counters.rejected;
         if (counted) count += 1;
         p.kind = MeshKind::Points;
-        p.vertex = {v, v, v};
+        p.vertex = {base + v, base + v, base + v};
         if (left) set.primitives.push_back(p);
     }
 };
 
 void push_primitives(Builder& b) {
-    const Mesh& mesh = b.mesh;
-    b.set.primitives.reserve(mesh.triangles().size() + mesh.lines().size() + mesh.points().size());
+    const Mesh& mesh = *b.mesh;
+    for (const Triangle& t : mesh.triangles()) b.push_triangle(t);
     std::uint32_t ordinal = 0;
-    for (const Triangle& t : mesh.triangles()) b.push_triangle(t, ordinal++);
-    if (b.filled) b.set.triangle_count = std::uint32_t(b.set.primitives.size());
-    for (const auto& line : mesh.lines()) {
-        b.push_line(line[0], line[1], {{}, ordinal, ordinal, line[1]}, true);
-        ++ordinal;
-    }
-    for (const std::uint32_t v : mesh.points()) {
-        b.push_point(v, {{}, ordinal, ordinal, v}, true);
-        ++ordinal;
-    }
+    for (const auto& line : mesh.lines())
+        b.push_line(line[0], line[1], {{}, b.part, ordinal++, b.base + line[1]}, true);
+    for (const std::uint32_t v : mesh.points())
+        b.push_point(v, {{}, b.part, ordinal++, b.base + v}, true);
+    Counters& c = b.set.counters;
+    c.draws += 1;
+    c.vertices += mesh.vertex_count();
+    c.primitives += mesh.triangles().size() + mesh.lines().size() + mesh.points().size();
 }
 
-/// Lists the mesh vertices that primitives use, by the side that they show.
-void list_used_vertices(GeometrySet& set, std::uint32_t mesh_vertices) {
-    std::vector<std::uint8_t> sides(mesh_vertices);
-    for (const SetupPrimitive& p : set.primitives)
-        for (const std::uint32_t v : {p.vertex[0], p.vertex[1], p.vertex[2], p.provoking})
-            if (v < mesh_vertices) sides[v] = std::uint8_t(sides[v] | (p.front ? 1 : 2));
-    for (std::uint32_t v = 0; v < mesh_vertices; ++v) {
+/// Lists the mesh vertices that a part's primitives use, by the side that they show.
+void list_used_vertices(GeometrySet& set, std::size_t ordinal, std::vector<std::uint8_t>& sides) {
+    GeometryPart& part = set.parts[ordinal];
+    const std::uint32_t vertices = part.mesh->vertex_count();
+    part.used = std::uint32_t(set.used.size());
+    part.used_front = std::uint32_t(set.used_front.size());
+    part.used_back = std::uint32_t(set.used_back.size());
+    sides.assign(vertices, 0);
+    const std::size_t end = set.end_of(ordinal, &GeometryPart::primitive, set.primitives.size());
+    for (std::size_t i = part.primitive; i < end; ++i) {
+        const SetupPrimitive& p = set.primitives[i];
+        for (const std::uint32_t at : {p.vertex[0], p.vertex[1], p.vertex[2], p.provoking}) {
+            const std::uint32_t v = at - part.vertex;
+            if (v < vertices) sides[v] = std::uint8_t(sides[v] | (p.front ? 1 : 2));
+        }
+    }
+    for (std::uint32_t v = 0; v < vertices; ++v) {
         if (sides[v] != 0) set.used.push_back(v);
         if (sides[v] & 1) set.used_front.push_back(v);
         if (sides[v] & 2) set.used_back.push_back(v);
     }
 }
 
-void build(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile,
-           int width, int height) {
-    set.state = resolve(state, profile, width, height);
-    const Projection projection{product(state.projection, draw.eye_from_object),
-                                draw.eye_from_object,
-                                set.state.viewport,
-                                state.depth_range,
-                                state.clip_planes,
-                                profile};
-    Builder b{*draw.mesh, state, projection, set};
-    b.push_vertices();
-    push_primitives(b);
-    Counters& c = set.counters;
-    c.draws = 1;
-    c.vertices = b.mesh.vertex_count();
-    c.primitives = b.mesh.triangles().size() + b.mesh.lines().size() + b.mesh.points().size();
+void build(GeometrySet& set, const Profile& profile, GeometryScratch& scratch) {
+    Builder b{.set = set,
+              .projection = {dmat4(1), dmat4(1), set.viewport, set.state.depth_range,
+                             set.state.clip_planes, profile},
+              .scratch = scratch};
+    std::size_t primitives = 0;
+    for (const GeometryPart& part : set.parts)
+        primitives +=
+            part.mesh->triangles().size() + part.mesh->lines().size() + part.mesh->points().size();
+    set.primitives.reserve(primitives);
+    for (std::uint32_t i = 0; i < set.parts.size(); ++i) {
+        b.begin(i);
+        push_primitives(b);
+    }
+    const bool triangles =
+        !set.primitives.empty() && b.filled && set.primitives.front().kind == MeshKind::Triangles;
+    set.triangle_count = triangles ? std::uint32_t(set.primitives.size()) : 0;
 }
 
 }  // namespace
 
-void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile,
-                   int width, int height) {
-    if (!set.made) build(set, state, draw, profile, width, height);
+void make_geometry(GeometrySet& set, const Profile& profile, GeometryScratch& scratch) {
+    if (!set.made) build(set, profile, scratch);
     set.made = true;
-    if (set.lists_used && set.used.empty()) list_used_vertices(set, draw.mesh->vertex_count());
+    if (!set.lists_used || set.lists_made) return;
+    set.lists_made = true;
+    for (std::size_t i = 0; i < set.parts.size(); ++i) list_used_vertices(set, i, scratch.sides);
 }
 
 }  // namespace gw::fast

@@ -1,6 +1,7 @@
-// A geometry set: one mesh under one transform, clipped, culled, snapped and binned once, for every
-// draw that shares it (passes, lights, jittered samples). docs/manual.md, "Vertices" to "Window
-// coordinates". Does not light, interpolate or make fragments.
+// A geometry set: meshes that are always drawn one after the other, each under its transform. They
+// are clipped, culled, snapped and binned once for all draws that share them (passes, lights,
+// jittered samples). docs/manual.md, "Vertices" to "Window coordinates". Does not light, interpolate
+// or make fragments.
 #pragma once
 
 #include "gw/counters.h"
@@ -8,16 +9,15 @@
 #include "gw/stages/resolve.h"
 #include "gw/state.h"
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-namespace gw {
-struct Draw;
-}
-
 namespace gw::fast {
 
+struct GeometryScratch;
 struct TileGrid;
 
 /// A vertex in the window: sub-pixels and depth units, together in memory.
@@ -26,36 +26,45 @@ struct alignas(16) SnappedVertex {
     std::uint32_t z = 0;
 };
 
-/// What a geometry set depends on; jitter is not in it.
-struct GeometryKey {
-    MeshRef mesh;
-    dmat4 eye_from_object{1}, projection{1};
+/// The part of a state that geometry depends on; jitter is not in it.
+struct GeometryState {
+    dmat4 projection{1};
     ViewportState viewport;
     DepthRangeState depth_range;
     std::array<ClipPlane, max_clip_planes> clip_planes{};
     CullState cull;
     PolygonMode polygon_mode = PolygonMode::Fill;
     int point_size = 1, line_width = 1;
-    bool operator==(const GeometryKey&) const = default;
+    bool operator==(const GeometryState&) const = default;
 };
-GeometryKey geometry_key(const State& state, const Draw& draw);
+GeometryState geometry_state(const State& state);
 
-/// A primitive ready for tiles: its vertices in the set's arrays (triangles in canonical order),
-/// and the primitive of the mesh that it came from.
+/// One mesh under one transform, and where its results begin in the set's arrays; they end where
+/// the next part's begin.
+struct GeometryPart {
+    const Mesh* mesh = nullptr;
+    std::weak_ptr<const Mesh> owner;  ///< expired: `mesh` is another mesh, or none
+    dmat4 eye_from_object{1};
+    std::uint32_t vertex = 0, primitive = 0, clipped = 0;
+    std::uint32_t used = 0, used_front = 0, used_back = 0;
+};
+
+/// A primitive ready for tiles: its vertices in the set's arrays (triangles in canonical order), and
+/// the part and polygon that it came from.
 struct SetupPrimitive {
     std::array<std::uint32_t, 3> vertex{};
-    std::uint32_t ordinal = 0;  ///< of the mesh's primitive
-    std::uint32_t polygon = 0;  ///< ordinal of its polygon
-    std::uint32_t provoking = 0;
+    std::uint32_t part = 0;
+    std::uint32_t polygon = 0;    ///< ordinal in the part's mesh
+    std::uint32_t provoking = 0;  ///< in the set's arrays
     std::uint8_t front = 1;
     MeshKind kind = MeshKind::Triangles;
 };
 
-/// A primitive that clipping changed: its `count` new vertices are at the end of the arrays.
+/// A primitive that clipping changed: its `count` new vertices are at `first` in the set's arrays.
 struct ClippedPrimitive {
     std::array<std::uint32_t, 3> vertex{};  ///< of the mesh
     std::uint32_t sides = 3;                ///< 3: triangle, 2: line
-    std::uint32_t first = 0, count = 0;     ///< in the set's arrays
+    std::uint32_t first = 0, count = 0;
 };
 
 /// From the least to the largest of several jitters, and none.
@@ -65,43 +74,63 @@ struct JitterRange {
     bool covers(const JitterRange& other) const;
 };
 
+/// Tiles [x0, x1) x [y0, y1).
+struct TileRange {
+    std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+    std::size_t count() const { return std::size_t(x1 - x0) * std::size_t(y1 - y0); }
+    void include(const TileRange& other);
+};
+
 struct GeometrySet {
-    GeometryKey key;
-    Resolved state;  ///< viewport transform
+    GeometryState state;
+    ViewportTransform viewport;
+    std::vector<GeometryPart> parts;
     std::vector<SnappedVertex> at;
     std::vector<double> w;
     std::vector<SetupPrimitive> primitives;
     std::uint32_t triangle_count = 0;  ///< how many of them are triangles: the first ones
     std::vector<ClippedPrimitive> clipped;
-    /// Mesh vertices that any primitive uses, any front face, any back face; in order. Made only if
-    /// a draw needs values at the vertices.
-    bool lists_used = false;
+    /// Mesh vertices that any primitive uses, any front face, any back face; in order, part by part.
+    /// Made only if a draw needs values at the vertices.
+    bool lists_used = false, lists_made = false;
     std::vector<std::uint32_t> used, used_front, used_back;
-    Counters counters;  ///< of one draw: vertices to drawn
+    Counters counters;  ///< of one draw of each part: vertices to drawn
 
-    JitterRange jitter;                    ///< what the list's draws use
-    JitterRange binned;                    ///< what bins are made for
-    std::vector<std::uint32_t> bin_start;  ///< per tile, and one past the last
+    JitterRange jitter;                    ///< of the segment's draws
+    JitterRange binned;                    ///< bins are made for
+    TileRange tiles;                       ///< that any primitive touches
+    std::vector<std::uint32_t> bin_start;  ///< per tile of `tiles`, and one past the last
     std::vector<std::uint32_t> bin;        ///< ordinals of `primitives`, in order
     bool made = false;                     ///< all but lists and bins
+    std::uint64_t last_segment = 0;        ///< that used it
+    std::size_t kept_bytes = 0;            ///< at the end of that segment
 
     std::size_t vertex_count() const { return at.size(); }
-    /// Takes everything that was made for the same key.
-    void take(GeometrySet& from);
-    /// Takes the memory of a set that nobody needs any more.
-    void take_memory(GeometrySet& from);
-    std::span<const std::uint32_t> tile_bin(std::size_t tile) const {
-        return std::span(bin).subspan(bin_start[tile], bin_start[tile + 1] - bin_start[tile]);
+    /// Empties it, but keeps its memory.
+    void clear();
+    std::size_t bytes() const;
+    /// A part's end in an array: where the next part begins.
+    std::size_t end_of(std::size_t part, std::uint32_t GeometryPart::*first,
+                       std::size_t size) const {
+        return part + 1 < parts.size() ? parts[part + 1].*first : size;
+    }
+    /// Ordinals of the primitives that touch a tile.
+    std::span<const std::uint32_t> tile_bin(int column, int row) const {
+        if (column < tiles.x0 || column >= tiles.x1 || row < tiles.y0 || row >= tiles.y1) return {};
+        const std::size_t i = std::size_t(row - tiles.y0) * std::size_t(tiles.x1 - tiles.x0) +
+                              std::size_t(column - tiles.x0);
+        return std::span(bin).subspan(bin_start[i], bin_start[i + 1] - bin_start[i]);
     }
 };
 
-/// Fills a set that has its key: transform, clipping, culling, snap. If the set is made already,
-/// only makes the lists if they are missing.
-void make_geometry(GeometrySet& set, const State& state, const Draw& draw, const Profile& profile,
-                   int width, int height);
+/// Fills a set that has its state and parts: transform, clipping, culling, snap. If the set is made
+/// already, only makes the lists if they are missing.
+void make_geometry(GeometrySet& set, const Profile& profile, GeometryScratch& scratch);
 
 /// Sorts the primitives into tiles, in order, unless the bins cover this jitter. Call when the
 /// range of the jitter is known.
-void make_bins(GeometrySet& set, const Profile& profile, const TileGrid& grid);
+void make_bins(GeometrySet& set, const Profile& profile, const TileGrid& grid,
+               GeometryScratch& scratch);
 
 }  // namespace gw::fast

@@ -1,17 +1,13 @@
-// The key of a geometry set, and how a set takes over the contents of another. Does not make them.
+// The state of a geometry set, its memory and the range of its jitter. Does not make it.
 #include "gw/fast/vertices/geometry.h"
 
-#include "gw/command_list.h"
-
 #include <algorithm>
-#include <utility>
 
 namespace gw::fast {
 
-GeometryKey geometry_key(const State& s, const Draw& draw) {
-    return {draw.mesh,     draw.eye_from_object, s.projection, s.viewport,
-            s.depth_range, s.clip_planes,        s.cull,       s.polygon_mode,
-            s.point_size,  s.line_width};
+GeometryState geometry_state(const State& s) {
+    return {s.projection, s.viewport,     s.depth_range, s.clip_planes,
+            s.cull,       s.polygon_mode, s.point_size,  s.line_width};
 }
 
 void JitterRange::include(const JitterState& j) {
@@ -22,27 +18,40 @@ bool JitterRange::covers(const JitterRange& o) const {
     return low.x <= o.low.x && low.y <= o.low.y && high.x >= o.high.x && high.y >= o.high.y;
 }
 
-void GeometrySet::take(GeometrySet& from) {
-    from.key = std::move(key);
-    from.lists_used = lists_used;
-    from.jitter = jitter;
-    *this = std::move(from);
+void TileRange::include(const TileRange& o) {
+    if (o.count() == 0) return;
+    if (count() == 0) {
+        *this = o;
+        return;
+    }
+    x0 = std::min(x0, o.x0);
+    y0 = std::min(y0, o.y0);
+    x1 = std::max(x1, o.x1);
+    y1 = std::max(y1, o.y1);
 }
 
-void GeometrySet::take_memory(GeometrySet& from) {
-    const auto take = [&](auto member) {
-        (from.*member).clear();
-        (from.*member).swap(this->*member);
-    };
-    take(&GeometrySet::at);
-    take(&GeometrySet::w);
-    take(&GeometrySet::primitives);
-    take(&GeometrySet::clipped);
-    take(&GeometrySet::used);
-    take(&GeometrySet::used_front);
-    take(&GeometrySet::used_back);
-    take(&GeometrySet::bin_start);
-    take(&GeometrySet::bin);
+void GeometrySet::clear() {
+    parts.clear();
+    at.clear();
+    w.clear();
+    primitives.clear();
+    triangle_count = 0;
+    clipped.clear();
+    lists_used = lists_made = made = false;
+    used.clear();
+    used_front.clear();
+    used_back.clear();
+    counters = {};
+    jitter = binned = {};
+    tiles = {};
+    bin_start.clear();
+    bin.clear();
+}
+
+std::size_t GeometrySet::bytes() const {
+    const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+    return sizeof(*this) + of(parts) + of(at) + of(w) + of(primitives) + of(clipped) + of(used) +
+           of(used_front) + of(used_back) + of(bin_start) + of(bin);
 }
 
 }  // namespace gw::fast

@@ -98,7 +98,7 @@ inline void add_light(const LightTerms& t, const Material& m, const Vec3& p_eye,
 }
 
 void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, bool back,
-               std::vector<Rgba>& colors) {
+               std::span<Rgba> colors) {
     const D64 d;
     const std::size_t lanes = hn::Lanes(d);
     const Material& m = p.draw->material;
@@ -135,7 +135,7 @@ void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, b
 #else  // no vectors of doubles here
 
 void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, bool back,
-               std::vector<Rgba>& colors) {
+               std::span<Rgba> colors) {
     for (const std::uint32_t i : indices) {
         const Vertex vertex = run_vertex(p, i);
         const auto& v = back ? vertex.back_color : vertex.color;
@@ -155,7 +155,7 @@ namespace gw::fast {
 HWY_EXPORT(light_all);
 
 void light_vertices(const VertexProgram& program, std::span<const std::uint32_t> indices, bool back,
-                    std::vector<Rgba>& colors) {
+                    std::span<Rgba> colors) {
     HWY_DYNAMIC_DISPATCH(light_all)(program, indices, back, colors);
 }
 

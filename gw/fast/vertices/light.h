@@ -14,6 +14,6 @@ namespace gw::fast {
 /// colors[index] = the colour that run_vertex gives the front (or back) of vertex `index`, for each
 /// of `indices`. Precondition: lighting is on.
 void light_vertices(const VertexProgram& program, std::span<const std::uint32_t> indices, bool back,
-                    std::vector<Rgba>& colors);
+                    std::span<Rgba> colors);
 
 }  // namespace gw::fast

@@ -19,7 +19,7 @@ struct Projection {
     ViewportTransform viewport;
     DepthRangeState depth_range;
     std::array<ClipPlane, max_clip_planes> clip_planes{};
-    Profile profile;
+    const Profile& profile;
 };
 
 /// The position part of run_vertex().

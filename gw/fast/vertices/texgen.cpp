@@ -15,9 +15,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// The general way.
+/// Any kind of generation.
 inline void generate_one_by_one(const VertexProgram& p, std::span<const std::uint32_t> indices,
-                                std::vector<dvec4>& strq) {
+                                std::span<dvec4> strq) {
     for (const std::uint32_t i : indices) strq[i] = run_vertex(p, i).texcoord;
 }
 
@@ -63,7 +63,7 @@ inline V64 bounded_lanes(V64 v, double limit) {
 }
 
 void generate_all(const VertexProgram& p, std::span<const std::uint32_t> indices,
-                  std::vector<dvec4>& strq) {
+                  std::span<dvec4> strq) {
     const D64 d;
     const TextureState& state = p.state->texture;
     if (state.gen != TexGen::SphereMap && state.gen != TexGen::RefractionMap)
@@ -85,7 +85,7 @@ void generate_all(const VertexProgram& p, std::span<const std::uint32_t> indices
 #else  // no vectors of doubles here
 
 void generate_all(const VertexProgram& p, std::span<const std::uint32_t> indices,
-                  std::vector<dvec4>& strq) {
+                  std::span<dvec4> strq) {
     generate_one_by_one(p, indices, strq);
 }
 
@@ -100,7 +100,7 @@ namespace gw::fast {
 HWY_EXPORT(generate_all);
 
 void generate_texcoords(const VertexProgram& program, std::span<const std::uint32_t> indices,
-                        std::vector<dvec4>& strq) {
+                        std::span<dvec4> strq) {
     HWY_DYNAMIC_DISPATCH(generate_all)(program, indices, strq);
 }
 

@@ -12,6 +12,6 @@ namespace gw::fast {
 /// texture_coordinates() of gw/stages/texgen.h, bounded, for the mesh's vertices `indices`: strq[i]
 /// for each.
 void generate_texcoords(const VertexProgram& program, std::span<const std::uint32_t> indices,
-                        std::vector<dvec4>& strq);
+                        std::span<dvec4> strq);
 
 }  // namespace gw::fast

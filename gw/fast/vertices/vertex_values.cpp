@@ -8,38 +8,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gw::fast {
 
-bool ColorKey::operator==(const ColorKey& o) const {
-    const auto same = [](const LightsRef& a, const LightsRef& b) {
-        return a == b || (a && b && *a == *b);
-    };
-    return set == o.set && color_source == o.color_source && material == o.material &&
-           lighting == o.lighting && same(lights, o.lights);
+namespace {
+
+bool same_lights(const LightsRef& a, const LightsRef& b) { return a == b || (a && b && *a == *b); }
+
+/// Everything that fog depends on: its state but for the colour.
+bool same_factors(FogState a, const FogState& b) {
+    a.color = b.color;
+    return a == b;
 }
 
-ColorKey color_key(const GeometrySet& set, const State& s, const Draw& draw) {
-    ColorKey key{&set, {}, nullptr, s.color_source, {}};
-    if (s.color_source == ColorSource::Lighting) {
-        key.material = draw.material;
-        key.lights = draw.lights;
-        key.lighting = s.lighting;
-    }
-    return key;
+}  // namespace
+
+bool same_colors(const VertexInputs& a, const VertexInputs& b) {
+    if (a.set != b.set || a.state->color_source != b.state->color_source) return false;
+    if (a.state->color_source != ColorSource::Lighting) return true;
+    if (!(a.state->lighting == b.state->lighting)) return false;
+    for (std::size_t i = 0; i < a.set->parts.size(); ++i)
+        if (!(a.draws[i]->material == b.draws[i]->material) ||
+            !same_lights(a.draws[i]->lights, b.draws[i]->lights))
+            return false;
+    return true;
 }
 
-FogKey fog_key(const GeometrySet& set, const State& s) {
-    FogKey key{&set, s.fog};
-    key.fog.color = vec4(0);
-    return key;
+bool same_fog(const VertexInputs& a, const VertexInputs& b) {
+    return a.set == b.set && same_factors(a.state->fog, b.state->fog);
 }
 
-TexcoordKey texcoord_key(const GeometrySet& set, const State& s) {
-    TexcoordKey key{&set, s.texture.gen};
-    if (s.texture.gen == TexGen::RefractionMap) key.eta = s.texture.eta;
-    if (s.texture.gen == TexGen::EyeLinear) key.eye_linear = s.texture.eye_linear;
-    return key;
+bool same_texcoords(const VertexInputs& a, const VertexInputs& b) {
+    const TextureState &s = a.state->texture, &t = b.state->texture;
+    return a.set == b.set && s.gen == t.gen && (s.gen != TexGen::RefractionMap || s.eta == t.eta) &&
+           (s.gen != TexGen::EyeLinear || s.eye_linear == t.eye_linear);
 }
 
 namespace {
@@ -80,81 +83,168 @@ bool is_uniform(const Draw& draw) {
            });
 }
 
-/// Calls store(index, vertex) for the vertices that clipping made.
-template <typename Store>
-void for_each_new_vertex(const GeometrySet& set, const VertexProgram& program, const Store& store) {
-    for (const ClippedPrimitive& primitive : set.clipped) {
-        std::vector<Vertex> corners;
-        for (std::uint32_t k = 0; k < primitive.sides; ++k)
-            corners.push_back(run_vertex(program, primitive.vertex[k]));
-        const Clipped clipped = clip(std::move(corners), set.state.viewport);
-        for (std::uint32_t k = 0; k < primitive.count; ++k)
-            store(primitive.first + k, clipped.vertices[k]);
+/// A part's vertices: those of the mesh that are used, by its own indices, and those of clipping.
+struct PartVertices {
+    const GeometrySet& set;
+    const GeometryPart& part;
+    std::size_t end, clipped_end;
+    std::span<const std::uint32_t> used, used_front, used_back;
+
+    PartVertices(const GeometrySet& s, std::size_t i)
+        : set(s),
+          part(s.parts[i]),
+          end(s.end_of(i, &GeometryPart::vertex, s.vertex_count())),
+          clipped_end(s.end_of(i, &GeometryPart::clipped, s.clipped.size())),
+          used(list(i, s.used, &GeometryPart::used)),
+          used_front(list(i, s.used_front, &GeometryPart::used_front)),
+          used_back(list(i, s.used_back, &GeometryPart::used_back)) {}
+
+    /// The part's elements of a vector by vertex.
+    template <typename T>
+    std::span<T> of(std::vector<T>& values) const {
+        return std::span(values).subspan(part.vertex, end - part.vertex);
     }
+    /// Calls store(index in the part, vertex) for the vertices that clipping made.
+    template <typename Store>
+    void for_each_new(const VertexProgram& program, const Store& store) const {
+        for (std::size_t i = part.clipped; i < clipped_end; ++i) {
+            const ClippedPrimitive& primitive = set.clipped[i];
+            std::vector<Vertex> corners;
+            for (std::uint32_t k = 0; k < primitive.sides; ++k)
+                corners.push_back(run_vertex(program, primitive.vertex[k]));
+            const Clipped clipped = clip(std::move(corners), set.viewport);
+            for (std::uint32_t k = 0; k < primitive.count; ++k)
+                store(primitive.first - part.vertex + k, clipped.vertices[k]);
+        }
+    }
+
+private:
+    std::span<const std::uint32_t> list(std::size_t i, const std::vector<std::uint32_t>& all,
+                                        std::uint32_t GeometryPart::*first) const {
+        const std::size_t at = part.*first;
+        return std::span(all).subspan(at, set.end_of(i, first, all.size()) - at);
+    }
+};
+
+/// A draw without its texture.
+class Untextured {
+public:
+    explicit Untextured(const Draw& draw) : draw_(&draw) {
+        if (!draw.map.enabled()) return;
+        copy_ = draw;
+        copy_->map = {};
+        draw_ = &*copy_;
+    }
+    const Draw& operator*() const { return *draw_; }
+
+private:
+    std::optional<Draw> copy_;
+    const Draw* draw_;
+};
+
+/// Colours from the mesh. They need no vertex program, but for vertices that clipping made.
+void color_part(const PartVertices& vertices, const VertexProgram* program, const Mesh& mesh,
+                const Profile& profile, std::span<Rgba> front) {
+    const std::vector<vec4>& colors = mesh.data().colors;
+    for (const std::uint32_t i : vertices.used)
+        front[i] = quantize_color(colors.empty() ? vec4(1) : colors[i], profile.color_bits);
+    if (program)
+        vertices.for_each_new(*program,
+                              [&](std::size_t i, const Vertex& v) { front[i] = to_rgba(v.color); });
+}
+
+/// Lit colours; whether the part has one colour.
+bool light_part(const PartVertices& vertices, const VertexProgram& program, std::span<Rgba> front,
+                std::span<Rgba> back) {
+    if (vertices.used.empty()) return true;
+    if (is_uniform(*program.draw)) {
+        const Rgba color = to_rgba(run_vertex(program, vertices.used[0]).color);
+        std::fill(front.begin(), front.end(), color);
+        std::fill(back.begin(), back.end(), color);
+        return true;
+    }
+    light_vertices(program, back.empty() ? vertices.used : vertices.used_front, false, front);
+    if (!back.empty()) light_vertices(program, vertices.used_back, true, back);
+    vertices.for_each_new(program, [&](std::size_t i, const Vertex& v) {
+        front[i] = to_rgba(v.color);
+        if (!back.empty()) back[i] = to_rgba(v.back_color);
+    });
+    return false;
+}
+
+/// Whether each primitive has one colour, as faces with normals or colours of their own have.
+bool has_one_color_each(const GeometrySet& set, const VertexColors& colors) {
+    return std::all_of(set.primitives.begin(), set.primitives.end(), [&](const SetupPrimitive& p) {
+        const Rgba* const of = (p.front || colors.back.empty() ? colors.front : colors.back).data();
+        const Rgba& color = of[p.provoking];
+        return of[p.vertex[0]] == color && of[p.vertex[1]] == color && of[p.vertex[2]] == color;
+    });
 }
 
 }  // namespace
 
-void shade_vertices(VertexColors& out, const State& s, const Draw& draw, const Profile& profile) {
-    const GeometrySet& set = *out.key.set;
-    const bool lit = s.color_source == ColorSource::Lighting, two_side = lit && s.lighting.two_side;
-    out.front.resize(set.vertex_count());
-    if (two_side) out.back.resize(set.vertex_count());
-    State unfogged = s;
+void shade_vertices(VertexColors& out, const Profile& profile) {
+    const auto& [set, state, draws] = out.inputs;
+    State unfogged = *state;
     unfogged.fog.enable = false;
-    Draw untextured = draw;
-    untextured.map = {};
-    const VertexProgram program = vertex_program(unfogged, untextured, profile);
-    const auto store = [&](std::size_t i, const Vertex& v) {
-        out.front[i] = to_rgba(v.color);
-        if (two_side) out.back[i] = to_rgba(v.back_color);
-    };
-    out.uniform = lit && !set.used.empty() && is_uniform(draw);
-    if (out.uniform) {
-        const Rgba color = to_rgba(run_vertex(program, set.used[0]).color);
-        std::fill(out.front.begin(), out.front.end(), color);
-        std::fill(out.back.begin(), out.back.end(), color);
-        return;
+    const bool lit = state->color_source == ColorSource::Lighting;
+    out.front.resize(set->vertex_count());
+    if (lit && state->lighting.two_side) out.back.resize(set->vertex_count());
+    out.uniform = lit;
+    for (std::size_t i = 0; i < set->parts.size(); ++i) {
+        const PartVertices vertices(*set, i);
+        const Untextured draw(*draws[i]);
+        std::optional<VertexProgram> program;
+        if (lit || vertices.part.clipped != vertices.clipped_end)
+            program = vertex_program(unfogged, *draw, profile);
+        const std::span<Rgba> front = vertices.of(out.front);
+        const std::span<Rgba> back = out.back.empty() ? std::span<Rgba>() : vertices.of(out.back);
+        if (lit)
+            out.uniform = light_part(vertices, *program, front, back) && out.uniform;
+        else
+            color_part(vertices, program ? &*program : nullptr, *draws[i]->mesh, profile, front);
     }
-    if (lit) light_vertices(program, two_side ? set.used_front : set.used, false, out.front);
-    if (two_side) light_vertices(program, set.used_back, true, out.back);
-    for (const std::uint32_t i : set.used)
-        if (!lit) store(i, run_vertex(program, i));
-    for_each_new_vertex(set, program, store);
+    out.uniform = out.uniform || has_one_color_each(*set, out);
 }
 
-void fog_vertices(VertexFog& out, const State& s, const Draw& draw, const Profile& profile) {
-    const GeometrySet& set = *out.key.set;
-    out.value.resize(set.vertex_count());
-    State unlit = s;
+void fog_vertices(VertexFog& out, const Profile& profile) {
+    const auto& [set, state, draws] = out.inputs;
+    State unlit = *state;
     unlit.color_source = ColorSource::PolygonId;
-    Draw untextured = draw;
-    untextured.map = {};
-    const VertexProgram program = vertex_program(unlit, untextured, profile);
-    for (const std::uint32_t i : set.used) {
-        const dvec4 p_object(dvec3(draw.mesh->data().positions[i]), 1);
-        out.value[i] = fog_of(program, transform(draw.eye_from_object, p_object).z);
+    out.value.resize(set->vertex_count());
+    for (std::size_t i = 0; i < set->parts.size(); ++i) {
+        const PartVertices vertices(*set, i);
+        const Untextured draw(*draws[i]);
+        const VertexProgram program = vertex_program(unlit, *draw, profile);
+        const std::span<double> value = vertices.of(out.value);
+        for (const std::uint32_t v : vertices.used) {
+            const dvec4 p_object(dvec3(draws[i]->mesh->data().positions[v]), 1);
+            value[v] = fog_of(program, transform(draws[i]->eye_from_object, p_object).z);
+        }
+        vertices.for_each_new(program,
+                              [&](std::size_t v, const Vertex& vertex) { value[v] = vertex.fog; });
     }
-    for_each_new_vertex(set, program,
-                        [&](std::size_t i, const Vertex& v) { out.value[i] = v.fog; });
 }
 
-void texture_vertices(VertexTexcoords& out, const State& s, const Draw& draw,
-                      const Profile& profile) {
-    const GeometrySet& set = *out.key.set;
-    out.strq.resize(set.vertex_count());
-    State unlit = s;
+void texture_vertices(VertexTexcoords& out, const Profile& profile) {
+    const auto& [set, state, draws] = out.inputs;
+    State unlit = *state;
     unlit.color_source = ColorSource::PolygonId;
     unlit.fog.enable = false;
-    const VertexProgram program = vertex_program(unlit, draw, profile);
-    const auto store = [&](std::size_t i, const Vertex& v) { out.strq[i] = v.texcoord; };
-    const std::vector<vec2>& given = draw.mesh->data().texcoords;
-    const bool as_given = s.texture.gen == TexGen::None && !given.empty();
-    if (as_given)
-        for (const std::uint32_t i : set.used) out.strq[i] = {given[i].x, given[i].y, 0, 1};
-    else
-        generate_texcoords(program, set.used, out.strq);
-    for_each_new_vertex(set, program, store);
+    out.strq.resize(set->vertex_count());
+    for (std::size_t i = 0; i < set->parts.size(); ++i) {
+        const PartVertices vertices(*set, i);
+        const std::span<dvec4> strq = vertices.of(out.strq);
+        const std::vector<vec2>& given = draws[i]->mesh->data().texcoords;
+        const bool as_given = state->texture.gen == TexGen::None && !given.empty();
+        if (as_given)
+            for (const std::uint32_t v : vertices.used) strq[v] = {given[v].x, given[v].y, 0, 1};
+        if (as_given && vertices.part.clipped == vertices.clipped_end) continue;
+        const VertexProgram program = vertex_program(unlit, *draws[i], profile);
+        if (!as_given) generate_texcoords(program, vertices.used, strq);
+        vertices.for_each_new(
+            program, [&](std::size_t v, const Vertex& vertex) { strq[v] = vertex.texcoord; });
+    }
 }
 
 }  // namespace gw::fast

@@ -1,81 +1,63 @@
-// Values at the vertices of a geometry set: colours, fog, texture coordinates. Draws whose key is
-// equal share them. Does not interpolate.
+// Values at the vertices of a geometry set: colours, fog, texture coordinates. Draws with equal
+// inputs share them. Does not interpolate.
 #pragma once
 
 #include "gw/fast/vertices/geometry.h"
-#include "gw/material.h"
 
+#include <cstddef>
 #include <vector>
+
+namespace gw {
+struct Draw;
+}
 
 namespace gw::fast {
 
-/// Everything that lit colours depend on.
-struct ColorKey {
+/// The draws of a set's parts, and the state that they have in common.
+struct VertexInputs {
     const GeometrySet* set = nullptr;
-    Material material;
-    LightsRef lights;  ///< compared by value, not by address
-    ColorSource color_source = ColorSource::Vertex;
-    LightingState lighting;
-    bool operator==(const ColorKey& other) const;
+    const State* state = nullptr;
+    const Draw* const* draws = nullptr;  ///< one for each part
 };
-ColorKey color_key(const GeometrySet& set, const State& state, const Draw& draw);
 
 /// By vertex of the set; a list that no draw needs is empty.
 struct VertexColors {
-    ColorKey key;
+    VertexInputs inputs;
     std::vector<Rgba> front, back;
-    /// one colour everywhere: no light, or only ambient light as strong everywhere
+    /// each primitive has one colour
     bool uniform = false;
+
     void clear() {
-        key = {};
         front.clear();
         back.clear();
         uniform = false;
     }
+    std::size_t bytes() const { return (front.capacity() + back.capacity()) * sizeof(Rgba); }
 };
-
-/// Everything that fog depends on: its state but for the colour.
-struct FogKey {
-    const GeometrySet* set = nullptr;
-    FogState fog;
-    bool operator==(const FogKey&) const = default;
-};
-FogKey fog_key(const GeometrySet& set, const State& state);
-
 struct VertexFog {
-    FogKey key;
+    VertexInputs inputs;
     /// the factor; with fog per fragment, the coordinate in the fog table
     std::vector<double> value;
-    void clear() {
-        key = {};
-        value.clear();
-    }
-};
 
-/// Everything that texture coordinates depend on.
-struct TexcoordKey {
-    const GeometrySet* set = nullptr;
-    TexGen gen = TexGen::None;
-    double eta = 1;
-    dmat4 eye_linear{1};
-    bool operator==(const TexcoordKey&) const = default;
+    void clear() { value.clear(); }
+    std::size_t bytes() const { return value.capacity() * sizeof(double); }
 };
-TexcoordKey texcoord_key(const GeometrySet& set, const State& state);
-
 struct VertexTexcoords {
-    TexcoordKey key;
+    VertexInputs inputs;
     std::vector<dvec4> strq;
-    void clear() {
-        key = {};
-        strq.clear();
-    }
+
+    void clear() { strq.clear(); }
+    std::size_t bytes() const { return strq.capacity() * sizeof(dvec4); }
 };
 
-/// Each fills an object that has its key.
-void shade_vertices(VertexColors& colors, const State& state, const Draw& draw,
-                    const Profile& profile);
-void fog_vertices(VertexFog& fog, const State& state, const Draw& draw, const Profile& profile);
-void texture_vertices(VertexTexcoords& texcoords, const State& state, const Draw& draw,
-                      const Profile& profile);
+/// Whether two draws get the same values. Lights are compared by value.
+bool same_colors(const VertexInputs& a, const VertexInputs& b);
+bool same_fog(const VertexInputs& a, const VertexInputs& b);
+bool same_texcoords(const VertexInputs& a, const VertexInputs& b);
+
+/// Each fills an object that has its inputs.
+void shade_vertices(VertexColors& colors, const Profile& profile);
+void fog_vertices(VertexFog& fog, const Profile& profile);
+void texture_vertices(VertexTexcoords& texcoords, const Profile& profile);
 
 }  // namespace gw::fast

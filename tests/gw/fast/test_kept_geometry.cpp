@@ -1,5 +1,5 @@
-// Geometry sets that outlive their list: which of them later lists use, and that a frame drawn with
-// them has the same bits as a frame drawn without.
+// Geometry sets that outlive their list: which are found again, and that a frame drawn with them
+// has the bits of one drawn without them.
 #include "gw/fast/plan/kept_geometry.h"
 #include "tests/gw/workbench.h"
 
@@ -11,56 +11,69 @@ MeshRef triangle(float x = 0) {
                       .positions = {{x, 0, 1}, {x + 40, 0, 9}, {x + 40, 50, 5}}});
 }
 
-/// One set as a plan has it before its vertices are computed.
-std::deque<GeometrySet> wanted(const MeshRef& mesh) {
-    std::deque<GeometrySet> sets(1);
-    sets[0].key.mesh = mesh;
-    return sets;
+/// The sets of a segment with one part.
+struct Asked {
+    GeometrySet* found;  ///< null: made anew
+    GeometrySet* set;
+};
+Asked ask(KeptGeometry& kept, const MeshRef& mesh, const GeometryState& state = {},
+          const dmat4& eye_from_object = dmat4(1)) {
+    const PartKey part{&mesh, &eye_from_object};
+    kept.begin_segment();
+    GeometrySet* const found = kept.find(1, state, {&part, 1});
+    GeometrySet* const set = found ? found : &kept.make(1, state, {&part, 1});
+    set->lists_used = true;
+    set->jitter.include({3, -4});
+    kept.end_segment();
+    return {found, set};
 }
 
-/// Keeps a set of `mesh`. Returns whether a later list whose key is changed gets this set.
-bool served(const MeshRef& mesh, void (*change)(GeometryKey&)) {
+TEST(KeptGeometry, FindsTheSameStateAndParts) {
     KeptGeometry kept;
-    std::deque<GeometrySet> first = wanted(mesh);
-    first[0].made = true;
-    first[0].primitives.resize(1);
-    kept.keep(std::move(first));
-    std::deque<GeometrySet> later = wanted(mesh);
-    change(later[0].key);
-    later[0].lists_used = true;
-    later[0].jitter.include({3, -4});
-    kept.give(later);
-    EXPECT_EQ(later[0].made, later[0].primitives.size() == 1);
-    EXPECT_EQ(later[0].key.mesh, mesh);
-    EXPECT_TRUE(later[0].lists_used && later[0].jitter.high.x == 3 && later[0].jitter.low.y == -4);
-    return later[0].made;
+    const MeshRef mesh = triangle();
+    GeometrySet* const set = ask(kept, mesh).set;
+    EXPECT_EQ(ask(kept, mesh).found, set);
+    GeometryState moved, culled;
+    moved.projection[3][0] = 1e-12;
+    culled.cull.enable = true;
+    EXPECT_FALSE(ask(kept, mesh, moved).found);
+    EXPECT_FALSE(ask(kept, mesh, culled).found);
+    EXPECT_FALSE(ask(kept, mesh, culled, dmat4(2)).found);
+    EXPECT_FALSE(ask(kept, triangle(), culled, dmat4(2)).found);
 }
-
-TEST(KeptGeometry, ServesTheSameKey) {
-    EXPECT_TRUE(served(triangle(), [](GeometryKey&) {}));
-    EXPECT_FALSE(served(triangle(), [](GeometryKey& k) { k.projection[3][0] = 1e-12; }));
-    EXPECT_FALSE(served(triangle(), [](GeometryKey& k) { k.cull.enable = true; }));
+TEST(KeptGeometry, FoundSetsForgetWhatTheirLastDrawsWanted) {
+    KeptGeometry kept;
+    const MeshRef mesh = triangle();
+    ask(kept, mesh);
+    const dmat4 identity{1};
+    const PartKey part{&mesh, &identity};
+    kept.begin_segment();
+    const GeometrySet* const set = kept.find(1, {}, {&part, 1});
+    ASSERT_TRUE(set);
+    EXPECT_TRUE(!set->lists_used && set->jitter.high.x == 0 && set->jitter.low.y == 0);
 }
 TEST(KeptGeometry, DoesNotKeepAMeshAlive) {
     KeptGeometry kept;
     MeshRef mesh = triangle();
     const std::weak_ptr<const Mesh> watched = mesh;
-    std::deque<GeometrySet> first = wanted(mesh);
-    first[0].made = true;
-    kept.keep(std::move(first));
+    ask(kept, mesh);
     mesh.reset();
     EXPECT_TRUE(watched.expired());
 }
-TEST(KeptGeometry, ASegmentWithoutGeometryChangesNothing) {
+TEST(KeptGeometry, DropsSetsThatFourSegmentsDidNotUse) {
     KeptGeometry kept;
     const MeshRef mesh = triangle();
-    std::deque<GeometrySet> first = wanted(mesh);
-    first[0].made = true;
-    kept.keep(std::move(first));
-    kept.keep({});
-    std::deque<GeometrySet> later = wanted(mesh);
-    kept.give(later);
-    EXPECT_TRUE(later[0].made);
+    ask(kept, mesh);
+    const auto other_segments = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+            kept.begin_segment();
+            kept.end_segment();
+        }
+    };
+    other_segments(4);
+    EXPECT_EQ(kept.size(), 1u);
+    other_segments(20);
+    EXPECT_EQ(kept.size(), 0u);
 }
 
 /// The fast machine draws each list with sets of the last one, the reference machine does not.
@@ -84,19 +97,15 @@ TEST(KeptGeometry, FramesHaveTheSameBits) {
     EXPECT_GT(bench.take_counters().fragments, 4000u);
 }
 
-/// A new mesh may have the address of a deleted one.
+/// A new mesh may have the address of one that is gone.
 TEST(KeptGeometry, AMeshAtTheSameAddressIsAnother) {
     const MeshRef memory = triangle();
     const auto born = [&] { return MeshRef(memory.get(), [](const Mesh*) {}); };
     KeptGeometry kept;
     MeshRef mesh = born();
-    std::deque<GeometrySet> first = wanted(mesh);
-    first[0].made = true;
-    kept.keep(std::move(first));
+    ask(kept, mesh);
     mesh = born();
-    std::deque<GeometrySet> later = wanted(mesh);
-    kept.give(later);
-    EXPECT_FALSE(later[0].made);
+    EXPECT_FALSE(ask(kept, mesh).found);
 }
 
 }  // namespace

@@ -1,0 +1,224 @@
+#include "gw/fast/plan/scan.h"
+
+#include <algorithm>
+#include <array>
+
+namespace gw::fast {
+namespace {
+
+/// A set has at most these, so that sets can be made in parallel and one part that moves does not
+/// make many others again.
+constexpr std::size_t most_parts = 256, most_vertices = 4096;
+constexpr std::size_t most_triangles_of_small = 256;
+
+bool is_small_mesh(const Mesh& mesh, const GeometryState& state) {
+    return mesh.kind() == MeshKind::Triangles && state.polygon_mode == PolygonMode::Fill &&
+           mesh.triangles().size() <= most_triangles_of_small &&
+           mesh.vertex_count() <= 2 * most_triangles_of_small;
+}
+
+template <class... Values>
+void add_integers(Hash& hash, Values... values) {
+    const std::array<double, sizeof...(values)> all{double(values)...};
+    hash.add_all(all.data(), all.size());
+}
+
+std::uint64_t hash_of(const GeometryState& s) {
+    Hash hash;
+    hash.add_all(&s.projection[0][0], 16);
+    add_integers(hash, s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height,
+                 s.cull.enable, s.cull.face, s.cull.front, s.polygon_mode, s.point_size,
+                 s.line_width);
+    hash.add(s.depth_range.near_value).add(s.depth_range.far_value);
+    for (const ClipPlane& plane : s.clip_planes)
+        if (plane.enable) hash.add_all(&plane.plane.x, 4);
+    return hash.value();
+}
+
+/// What states of one list usually differ in.
+std::uint64_t hash_of(const State& s) {
+    Hash hash;
+    hash.add_all(&s.projection[0][0], 16);
+    add_integers(hash, s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height,
+                 s.scissor.test, s.scissor.box.x, s.scissor.box.y, s.scissor.box.width, s.jitter.x,
+                 s.jitter.y, s.cull.enable, s.cull.face, s.shade_model, s.color_source,
+                 s.depth.test, s.depth.func, s.depth.mask);
+    add_integers(hash, s.blend.enable, s.blend.src, s.blend.dst, s.stencil.test, s.stencil.func,
+                 s.stencil.ref, s.stencil.mask, s.stencil.zfail, s.stencil.zpass,
+                 s.stencil.write_mask, s.alpha.test, s.alpha.func, s.fog.enable, s.fog.mode,
+                 s.texture.env, s.texture.gen, s.texture.min_filter, s.texture.wrap_s);
+    const std::array values{double(s.alpha.ref),           double(s.fog.density),
+                            double(s.fog.start),           double(s.fog.color.x),
+                            double(s.texture.env_color.x), double(s.lighting.model_ambient.x),
+                            s.depth_range.near_value,      double(s.polygon_offset.units)};
+    return hash.add_all(values.data(), values.size()).value();
+}
+
+std::uint64_t hash_of(const Draw& draw, const ScannedState& state) {
+    return Hash()
+        .add(draw.mesh.get())
+        .add(state.geometry_hash)
+        .add_all(&draw.eye_from_object[0][0], 16)
+        .value();
+}
+
+bool same_map(const TextureBinding& a, const TextureBinding& b) {
+    return a.texture == b.texture && a.slot == b.slot;
+}
+
+template <class T>
+void clear_and_trim(std::vector<T>& all) {
+    if (all.capacity() > 8 * all.size() + 4096) all = std::vector<T>();
+    all.clear();
+}
+
+}  // namespace
+
+bool is_barrier(const Command& command, const std::vector<PassReport>& passes) {
+    if (std::holds_alternative<Copy>(command) || std::holds_alternative<CopyTexture>(command))
+        return true;
+    return std::holds_alternative<BeginPass>(command) && !passes.empty() &&
+           passes.back().digested != 0;
+}
+
+void Scan::clear() {
+    states_.clear();
+    state_table_.clear();
+    parts_.clear();
+    part_table_.clear();
+    clear_and_trim(steps_);
+    clear_and_trim(sets_);
+    read_keys_.clear();
+    given_ = nullptr;
+    state_ = nullptr;
+}
+
+void Scan::use_state(const State& state) {
+    if (given_ == &state) return;
+    given_ = &state;
+    if (state_ && *state_->state == state) return;
+    const std::uint64_t hash = hash_of(state);
+    state_ = state_table_.find(hash, [&](const ScannedState& s) { return *s.state == state; });
+    if (state_) return;
+    Resolved resolved = resolve(state, *profile_, width_, height_);
+    const FragmentBytes bytes = fragment_bytes(resolved, *profile_);
+    const GeometryState geometry = geometry_state(state);
+    state_ = &states_.emplace_back(
+        ScannedState{&state, std::move(resolved), bytes, geometry, hash_of(geometry)});
+    state_table_.add(hash, state_);
+}
+
+ScannedPart& Scan::part_of(const Draw& draw) {
+    const std::uint64_t hash = hash_of(draw, *state_);
+    ScannedPart* const found = part_table_.find(hash, [&](const ScannedPart& p) {
+        return p.draw->mesh == draw.mesh && p.draw->eye_from_object == draw.eye_from_object &&
+               p.state->geometry == state_->geometry;
+    });
+    if (found) return *found;
+    ScannedPart& part = parts_.emplace_back(ScannedPart{
+        &draw, state_, hash, std::uint32_t(parts_.size()),
+        is_small_mesh(*draw.mesh, state_->geometry), !parts_.empty() && parts_.back().ends_set});
+    part_table_.add(hash, &part);
+    return part;
+}
+
+void Scan::end_run() {
+    if (steps_.empty() || !steps_.back().part) return;
+    ScannedPart& last = *steps_.back().part;
+    last.ends_set = true;
+    if (last.index + 1 < parts_.size()) parts_[last.index + 1].begins_set = true;
+}
+
+void Scan::add_step(const Command& command, ScannedPart* part) {
+    if (passes_->empty()) passes_->emplace_back();
+    steps_.push_back({&command, state_, passes_->size() - 1, part});
+}
+
+void Scan::add_draw(const Command& command, const Draw& draw) {
+    ScannedPart& part = part_of(draw);
+    const Step* const last = steps_.empty() || !steps_.back().part ? nullptr : &steps_.back();
+    const bool continues = last && last->state == state_ && last->pass + 1 == passes_->size() &&
+                           part.index == last->part->index + 1 && part.is_small &&
+                           last->part->is_small &&
+                           same_map(std::get<Draw>(*last->command).map, draw.map);
+    if (!continues) {
+        end_run();
+        part.begins_set = true;
+    }
+    add_step(command, &part);
+}
+
+std::size_t Scan::run(std::span<const Command> commands, State& state,
+                      std::vector<PassReport>& passes, const Profile& profile, int width,
+                      int height) {
+    clear();
+    profile_ = &profile;
+    width_ = width;
+    height_ = height;
+    passes_ = &passes;
+    initial_ = state;
+    const State* current = &initial_;
+    std::size_t consumed = 0;
+    for (; consumed < commands.size(); ++consumed) {
+        const Command& command = commands[consumed];
+        if (is_barrier(command, passes)) break;
+        if (const Read* read = std::get_if<Read>(&command);
+            read && !read_keys_.insert(read->key).second)
+            break;
+        if (const SetState* set = std::get_if<SetState>(&command)) {
+            current = &set->state;
+        } else if (const BeginPass* begin = std::get_if<BeginPass>(&command)) {
+            passes.push_back({begin->name, {}, begin->digests, {}});
+        } else {
+            use_state(*current);
+            if (const Draw* draw = std::get_if<Draw>(&command)) {
+                add_draw(command, *draw);
+            } else {
+                end_run();
+                add_step(command, nullptr);
+            }
+        }
+    }
+    end_run();
+    if (current != &initial_) state = *current;
+    return consumed;
+}
+
+void Scan::form_sets(KeptGeometry& kept) {
+    struct Wanted {
+        std::size_t first, count;
+        std::uint64_t hash;
+    };
+    std::vector<Wanted> wanted;
+    std::vector<PartKey> keys;
+    std::size_t vertices = 0;
+    for (ScannedPart& part : parts_) {
+        const std::size_t own = part.draw->mesh->vertex_count();
+        if (part.begins_set || !part.is_small || wanted.back().count == most_parts ||
+            vertices + own > most_vertices) {
+            wanted.push_back({part.index, 0, 0});
+            part.begins_set = true;
+            vertices = 0;
+        }
+        vertices += own;
+        wanted.back().count += 1;
+        wanted.back().hash = Hash().add(wanted.back().hash).add(part.hash).value();
+        keys.push_back({&part.draw->mesh, &part.draw->eye_from_object});
+    }
+    const auto keys_of = [&](const Wanted& w) {
+        return std::span<const PartKey>(keys).subspan(w.first, w.count);
+    };
+    if (wanted.empty()) return;
+    kept.begin_segment();
+    for (const Wanted& w : wanted)
+        sets_.push_back(kept.find(w.hash, parts_[w.first].state->geometry, keys_of(w)));
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const Wanted& w = wanted[i];
+        const ScannedState& state = *parts_[w.first].state;
+        if (!sets_[i]) sets_[i] = &kept.make(w.hash, state.geometry, keys_of(w));
+        sets_[i]->viewport = state.resolved.viewport;
+        for (std::size_t k = 0; k < w.count; ++k) parts_[w.first + k].set = sets_[i];
+    }
+}
+
+}  // namespace gw::fast

@@ -1,0 +1,88 @@
+// A segment's commands, read once: every state resolved once, every mesh under one transform found
+// once, and the sets of parts that are always drawn one after the other. Does not make operations.
+#pragma once
+
+#include "gw/command_list.h"
+#include "gw/counters.h"
+#include "gw/fast/plan/kept_geometry.h"
+#include "gw/fast/plan/pointer_table.h"
+#include "gw/stages/resolve.h"
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <unordered_set>
+#include <vector>
+
+namespace gw::fast {
+
+/// A state of the segment.
+struct ScannedState {
+    const State* state;
+    Resolved resolved;
+    FragmentBytes bytes;
+    GeometryState geometry;
+    std::uint64_t geometry_hash = 0;
+    const std::vector<std::uint32_t>* fog_table =
+        nullptr;  ///< made by the first draw that needs it
+};
+
+/// One mesh under one transform and one geometry state.
+struct ScannedPart {
+    const Draw* draw;           ///< the first of it
+    const ScannedState* state;  ///< of that draw
+    std::uint64_t hash;
+    std::uint32_t index;
+    bool is_small;  ///< it may share a set
+    /// A run of draws begins here, or ended at the part before; a run of draws ended here.
+    bool begins_set = false, ends_set = false;
+    GeometrySet* set = nullptr;
+};
+
+/// A command that touches planes.
+struct Step {
+    const Command* command;
+    ScannedState* state;
+    std::size_t pass;             ///< in the machine's passes
+    ScannedPart* part = nullptr;  ///< of a draw
+};
+
+class Scan {
+public:
+    /// Reads commands up to the next barrier, which is not included; how many there are. `state`
+    /// and `passes` follow the commands.
+    std::size_t run(std::span<const Command> commands, State& state,
+                    std::vector<PassReport>& passes, const Profile& profile, int width, int height);
+    /// Gives each part its set.
+    void form_sets(KeptGeometry& kept);
+
+    std::span<const Step> steps() const { return steps_; }
+    std::span<GeometrySet* const> sets() const { return sets_; }
+
+private:
+    void clear();
+    void use_state(const State& state);
+    ScannedPart& part_of(const Draw& draw);
+    void add_draw(const Command& command, const Draw& draw);
+    void add_step(const Command& command, ScannedPart* part);
+    void end_run();
+
+    const Profile* profile_ = nullptr;
+    int width_ = 0, height_ = 0;
+    std::vector<PassReport>* passes_ = nullptr;
+    State initial_;
+    const State* given_ = nullptr;  ///< of the commands: `state_` is this
+    ScannedState* state_ = nullptr;
+    std::deque<ScannedState> states_;
+    PointerTable<ScannedState> state_table_;
+    std::deque<ScannedPart> parts_;
+    PointerTable<ScannedPart> part_table_;
+    std::vector<Step> steps_;
+    std::vector<GeometrySet*> sets_;
+    std::unordered_set<std::uint32_t> read_keys_;
+};
+
+/// Whether a command reads pixels across tiles, or takes digests: it runs between segments.
+bool is_barrier(const Command& command, const std::vector<PassReport>& passes);
+
+}  // namespace gw::fast

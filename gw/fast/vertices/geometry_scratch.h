@@ -1,0 +1,27 @@
+// Vectors that making geometry sets needs again and again: one of each for a worker thread.
+#pragma once
+
+#include "gw/fast/vertices/project.h"
+#include "gw/stages/clip.h"
+#include "gw/stages/fan.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace gw::fast {
+
+struct GeometryScratch {
+    std::vector<Outcode> outcode;  ///< of a part's vertices
+    PositionClipper clipper;
+    std::vector<SnappedPoint> fan_corners;
+    std::vector<std::uint8_t> sides;  ///< that a part's vertices show
+    std::vector<TileRange> ranges;    ///< of a set's primitives
+    std::vector<std::uint32_t> next;  ///< in the bins of a set's tiles
+
+    /// Gives memory back that a large mesh left.
+    void trim() {
+        if (outcode.capacity() + ranges.capacity() > std::size_t{1} << 16) *this = {};
+    }
+};
+
+}  // namespace gw::fast
