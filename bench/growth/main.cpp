@@ -1,5 +1,6 @@
 // How time and memory grow: bench_growth prints a table with fitted exponents and writes plots.
 // With --largest it draws the largest frame once and prints its peak memory.
+#include "bench/growth/memory.h"
 #include "bench/growth/sweep.h"
 #include "gw/error.h"
 #include "image/output/output_file.h"
@@ -19,9 +20,11 @@
 
 namespace gw::growth {
 
-double least_time(int repeats, const std::function<void()>& run) {
+double least_time(int repeats, const std::function<void()>& run,
+                  const std::function<void()>& set_up) {
     double least = 0;
     for (int i = 0; i <= repeats; ++i) {
+        if (set_up) set_up();
         const auto start = std::chrono::steady_clock::now();
         const std::clock_t worked = std::clock();
         run();
@@ -43,6 +46,7 @@ struct Options {
     int repeats = 3;
     double limit = 60;
     bool largest = false;
+    int frames = 0;  ///< of a long run; 0: none
 };
 
 struct Cost {
@@ -151,7 +155,7 @@ void draw_largest(const Options& options) {
 
 std::vector<Sweep> all_sweeps(const std::string& scene) {
     std::vector<Sweep> all;
-    for (auto&& family : {machine_sweeps(scene), scene_sweeps(), reader_sweeps()})
+    for (auto&& family : {machine_sweeps(scene), draw_sweeps(), scene_sweeps(), reader_sweeps()})
         all.insert(all.end(), family.begin(), family.end());
     return all;
 }
@@ -160,9 +164,31 @@ bool wanted(const std::string& name, const std::vector<std::string>& only) {
     return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
 }
 
+/// The memory of a run of many frames, with a plot.
+void run_long(const Options& options) {
+    const std::vector<dvec2> samples = memory_by_frame(options.frames, [&](int frame) {
+        if (frame * 10LL % options.frames == 0)
+            fmt::print(stderr, "{} of {} frames\n", frame, options.frames);
+    });
+    const dvec2 &early = samples[samples.size() / 10], &last = samples.back();
+    fmt::print("{:.0f} frames: {:.1f} MB; {:.0f} frames: {:.1f} MB\n", early.x, early.y, last.x,
+               last.y);
+    const plot::Plot plot{
+        .title = "Memory by frames",
+        .caption = "Meshes and textures change in every frame.",
+        .command = fmt::format("build/release/bin/bench_growth --memory {}", options.frames),
+        .x = {"frames"},
+        .y = {"megabytes of the process"},
+        .series = {{"measured", samples}}};
+    const std::string base = options.folder + "/memory";
+    image::write_file(base + ".svg", plot::svg(plot));
+    image::write_file(base + ".csv", plot::csv(plot));
+}
+
 void run(const Options& options) {
     if (options.largest) return draw_largest(options);
     std::filesystem::create_directories(options.folder);
+    if (options.frames != 0) return run_long(options);
     for (const Sweep& sweep : all_sweeps(options.scene)) {
         if (!wanted(sweep.name, options.only)) continue;
         const Measured measured = measure(sweep, options);
@@ -194,6 +220,8 @@ int main(int argc, char** argv) {
     app.add_option("--limit", options.limit, "seconds: a sweep ends before a longer run")
         ->capture_default_str();
     app.add_flag("--largest", options.largest, "draw the largest frame and print its memory");
+    app.add_option("--memory", options.frames, "draw so many frames and plot the memory")
+        ->check(CLI::Range(100, 100000000));
     CLI11_PARSE(app, argc, argv);
     try {
         gw::growth::run(options);

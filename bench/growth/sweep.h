@@ -29,6 +29,10 @@ double least_time(int repeats, const std::function<void()>& run);
 /// 320x240 .. 4096x4096, passes 1 .. 128, samples 1 .. 256, lights 1 .. 128, threads 1 and 2.
 std::vector<Sweep> machine_sweeps(const std::string& scene);
 
+/// Quads of 8x8 pixels in 640x480, 100 .. 100,000 draws with their own matrices, states, textures;
+/// passes, lights and lists of them.
+std::vector<Sweep> draw_sweeps();
+
 /// Scenes of 1 .. 1,000,000 boxes of 12 triangles: reading, drawing, tracing, solving; materials
 /// and lights.
 std::vector<Sweep> scene_sweeps();
