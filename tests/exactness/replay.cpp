@@ -4,7 +4,7 @@
 // where one differs, 1 for an error, 2 for usage.
 #include "gw/error.h"
 #include "inspect/manifest/manifest_file.h"
-#include "inspect/recording/read_bytes.h"
+#include "inspect/recording/recording.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 /// Whether the machine of this name agrees with the manifest.
 bool replays(const std::filesystem::path& file, const std::string& machine) {
-    const inspect::Recording recording = inspect::decode(inspect::read_bytes(file));
+    const inspect::Recording recording = inspect::decode(inspect::read_recording_bytes(file));
     const inspect::ManifestFile expected =
         inspect::load_manifest(std::filesystem::path(file).replace_extension(".json"));
     const auto make = inspect::maker_of(machine, 1);
