@@ -86,9 +86,9 @@ dvec3 point_from(const std::string& option, const std::string& word) {
 }
 
 void check_picture_target(const std::filesystem::path& file) {
+    image::check_target(file);
     const std::string fault = image::extension_fault(file);
     if (!fault.empty()) throw UsageError(file.string() + ": " + fault);
-    image::check_target(file);
 }
 
 std::string one_of(const std::string& option, const std::string& word,

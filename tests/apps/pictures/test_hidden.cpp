@@ -164,8 +164,8 @@ TEST_F(Hidden, EscapesTheScenesName) {
 // A scene that takes long is not even read.
 TEST_F(Hidden, FindsOutFirstThatItCannotWrite) {
     write("file", "");
-    expect_refused(1, {"hidden", "none.toml", "--compare", "no/such"}, {"no/such"});
-    expect_refused(1, {"hidden", "none.toml", "--algorithm", "bsp", "--steps", "file"},
+    expect_refused(1, {"hidden", cycle, "--compare", "no/such"}, {"no/such"});
+    expect_refused(1, {"hidden", cycle, "--algorithm", "bsp", "--steps", "file"},
                    {"file", "not a folder"});
 }
 

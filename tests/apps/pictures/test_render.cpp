@@ -75,10 +75,10 @@ TEST_F(Render, GivesTheSameFilesForAnyNumberOfThreads) {
     EXPECT_EQ(bytes_of(in("a.json")), bytes_of(in("b.json")));
 }
 
-TEST_F(Render, SaysHowMuchMemoryWasHeld) {
+TEST_F(Render, PrintsPeakMemory) {
     const Outcome outcome = render({"lamps.toml", "-o", "a.png", "--memory"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_TRUE(std::regex_match(outcome.out, std::regex("memory held at most: [1-9][0-9]* MB\n")))
+    EXPECT_TRUE(std::regex_match(outcome.out, std::regex("peak memory: [1-9][0-9]* MB\n")))
         << outcome.out;
 }
 

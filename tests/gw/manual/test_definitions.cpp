@@ -63,9 +63,11 @@ TEST(ManualState, EveryFieldIsInTheTable) {
         std::string name =
             std::regex_replace(field.name, std::regex(R"(clip_planes\.\d)"), "clip_planes[0 .. 5]");
         const std::string member = name.substr(name.rfind('.') + 1);
-        EXPECT_TRUE(text.find("`" + name + "`") != text.npos ||
-                    text.find("`." + member + "`") != text.npos ||
-                    text.find("`" + name + ".") != text.npos)
+        EXPECT_TRUE(
+            text.find("`" + name + "`") != text.npos ||
+            text.find("`." + member + "`") != text.npos ||
+            text.find("`" + name + ".") != text.npos ||
+            (name.starts_with("stencil.back.") && text.find("`stencil.back.`") != text.npos))
             << name;
     }
     EXPECT_EQ(int(CompareFunc::Always), 7);
