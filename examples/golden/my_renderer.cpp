@@ -1,4 +1,4 @@
-#include "examples/golden/my_renderer.h"
+#include "my_renderer.h"
 
 namespace my_renderer {
 

@@ -1,5 +1,5 @@
 // What a project of yours would hold its renderer to.
-#include "examples/golden/my_renderer.h"
+#include "my_renderer.h"
 
 #include <gw/machine.h>
 #include <inspect/testing/expect_passes.h>

@@ -1,5 +1,7 @@
 #include "hiddensurface/run/estimate.h"
 
+#include "gw/base/elementary.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,7 +49,7 @@ Sample run_sample(const AnyAlgorithm& algorithm, const Input& input) {
 /// What b becomes for `times` as much, by its growth from a.
 double grown(double a, double b, double times) {
     if (a <= 0 || b <= 0) return b * times;
-    return b * std::pow(times, std::clamp(std::log2(b / a), 1.0, 2.5));
+    return b * gw::pow(times, std::clamp(gw::log(b / a) / gw::log(2.0), 1.0, 2.5));
 }
 
 template <class AnyAlgorithm>
