@@ -98,11 +98,10 @@ std::string html_row(const Compared& run) {
     for (const char* kind : kinds)
         row += fmt::format("<td><img src=\"{}{}.png\" alt=\"{}{}\"></td>", run.algorithm->name,
                            kind, run.algorithm->name, kind);
-    return row +
-           fmt::format(
-               "<td>{} ties<br>{} edges<br>{} snapped<br>{} wrong<br>{} splits<br>{} "
-               "overdraw</td></tr>\n",
-               c.ties, c.edges, c.snapped, c.wrong, c.splits, c.overdraw);
+    return row + fmt::format(
+                     "<td>{} ties<br>{} edges<br>{} snapped<br>{} wrong<br>{} splits<br>{} "
+                     "overdraw</td></tr>\n",
+                     c.ties, c.edges, c.snapped, c.wrong, c.splits, c.overdraw);
 }
 
 std::string html(const hs::Input& input, const std::vector<Compared>& all) {

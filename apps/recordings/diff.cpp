@@ -99,10 +99,9 @@ Command add_diff(CLI::App& app) {
         ->type_name("FILE");
     command->add_option("B", options->b, "Another of the same kind")->required()->type_name("FILE");
     command
-        ->add_option(
-            "-o,--output", options->picture,
-            "A picture of the first plane that differs: black where it does not, "
-            "white where it is worst")
+        ->add_option("-o,--output", options->picture,
+                     "A picture of the first plane that differs: black where it does not, "
+                     "white where it is worst")
         ->type_name("IMAGE");
     command
         ->add_option_function<std::string>(

@@ -125,10 +125,9 @@ Command add_cast(CLI::App& app) {
     command->get_option("--threads")->description("Processors that share the rows (default: all)");
     add_choice(*command, "--method", methods, options->method,
                "How the nearest shape is found: brute-force, volumes, hierarchy (default) or grid");
-    add_choice(
-        *command, "--inside", inside_tests, options->inside,
-        "Ray and polygon: crossings (default), products or angles; "
-        "they differ on concave polygons");
+    add_choice(*command, "--inside", inside_tests, options->inside,
+               "Ray and polygon: crossings (default), products or angles; "
+               "they differ on concave polygons");
     command->add_option("-o,--output", options->output, "The picture")
         ->required()
         ->type_name("IMAGE");

@@ -122,10 +122,9 @@ Command add_compare(CLI::App& app) {
          {"--renderer", "--samples", "--averaging", "--translucency", "--reflections"})
         command->remove_option(command->get_option(unused));
     command
-        ->add_option(
-            "-o,--output", options->folder,
-            "Folder of both pictures, sixteen times their difference, its reasons, "
-            "the table as CSV")
+        ->add_option("-o,--output", options->folder,
+                     "Folder of both pictures, sixteen times their difference, its reasons, "
+                     "the table as CSV")
         ->required()
         ->type_name("DIR");
     command->footer("Example:\n  build/release/bin/gw compare scenes/fig9.toml -o differences");

@@ -82,13 +82,12 @@ void add_choice(CLI::App& command, const std::string& name, std::map<std::string
 
 void add_effect_options(CLI::App& command, PictureOptions& options) {
     using enum multipass::Translucency;
-    add_choice(
-        command, "--translucency",
-        std::map<std::string, multipass::Translucency>{
-            {"sorted", Sorted}, {"unsorted", Unsorted}, {"layers", Layers}},
-        options.translucency,
-        "Translucent faces: sorted by distance (default), unsorted, "
-        "or in exact layers pixel by pixel");
+    add_choice(command, "--translucency",
+               std::map<std::string, multipass::Translucency>{
+                   {"sorted", Sorted}, {"unsorted", Unsorted}, {"layers", Layers}},
+               options.translucency,
+               "Translucent faces: sorted by distance (default), unsorted, "
+               "or in exact layers pixel by pixel");
     add_choice(command, "--shadow",
                std::map<std::string, scene::Shadow>{{"none", scene::Shadow::None},
                                                     {"volume", scene::Shadow::Volume},

@@ -58,10 +58,9 @@ void add_options(CLI::App& command, RenderOptions& options) {
             "N pictures IMAGE_001 ... around the scene")
         ->type_name("N");
     command
-        .add_option(
-            "--frames", options.frames,
-            "Of a turntable pictures A to B only: processes share the work, "
-            "and make the same files")
+        .add_option("--frames", options.frames,
+                    "Of a turntable pictures A to B only: processes share the work, "
+                    "and make the same files")
         ->type_name("A-B");
     command
         .add_option("--components", options.files.components,

@@ -41,9 +41,9 @@ TEST(HostileRecording, CutShortIsRefused) {
 
 /// Longer than what fuzzers begin with: a mesh of 20,000 vertices, 2,000 commands, a long name.
 TEST(HostileRecording, DamagedBytesOfALongOneNeverDoHarm) {
-    Recording recording = recording_of(
-        Draw{.mesh = make_mesh({.positions = std::vector<vec3>(19998, vec3(0.5f)),
-                                .polygon_ids = std::vector<std::uint32_t>(6666, 7)})});
+    Recording recording =
+        recording_of(Draw{.mesh = make_mesh({.positions = std::vector<vec3>(19998, vec3(0.5f)),
+                                             .polygon_ids = std::vector<std::uint32_t>(6666, 7)})});
     recording.scene = std::string(100000, 's');
     for (int i = 0; i < 1000; ++i) {
         recording.lists.emplace_back();

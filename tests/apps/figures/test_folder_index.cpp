@@ -2,8 +2,8 @@
 // each.
 #include "apps/figures/folder_index.h"
 #include "apps/figures/index_page.h"
-#include "tests/apps/support/examples.h"
 #include "tests/apps/scene_files.h"
+#include "tests/apps/support/examples.h"
 
 namespace gw::apps {
 
