@@ -173,13 +173,13 @@ void run_long(const Options& options) {
     const dvec2 &early = samples[samples.size() / 10], &last = samples.back();
     fmt::print("{:.0f} frames: {:.1f} MB; {:.0f} frames: {:.1f} MB\n", early.x, early.y, last.x,
                last.y);
-    const plot::Plot plot{
-        .title = "Memory by frames",
-        .caption = "Meshes and textures change in every frame.",
-        .command = fmt::format("build/release/bin/bench_growth --memory {}", options.frames),
-        .x = {"frames"},
-        .y = {"megabytes of the process"},
-        .series = {{"measured", samples}}};
+    plot::Plot plot;
+    plot.title = "Memory by frames";
+    plot.caption = "Meshes and textures change in every frame.";
+    plot.command = fmt::format("build/release/bin/bench_growth --memory {}", options.frames);
+    plot.x.label = "frames";
+    plot.y.label = "megabytes of the process";
+    plot.series.push_back({"measured", samples});
     const std::string base = options.folder + "/memory";
     image::write_file(base + ".svg", plot::svg(plot));
     image::write_file(base + ".csv", plot::csv(plot));

@@ -22,8 +22,10 @@ struct Sweep {
 };
 
 /// The least time of some runs after one that warms up, in milliseconds: wall or processor time,
-/// whichever is less, so that other processes' turns do not count.
-double least_time(int repeats, const std::function<void()>& run);
+/// whichever is less, so that other processes' turns do not count. `set_up` comes before each run
+/// and is not timed.
+double least_time(int repeats, const std::function<void()>& run,
+                  const std::function<void()>& set_up = nullptr);
 
 /// Frames like workload d of bench/peers, of the scene's geometry: triangles 1x .. 64x, pixels
 /// 320x240 .. 4096x4096, passes 1 .. 128, samples 1 .. 256, lights 1 .. 128, threads 1 and 2.
