@@ -132,14 +132,14 @@ void print_law(const Sweep& sweep, const Measured& measured) {
 
 void write_plot(const Sweep& sweep, const Measured& measured, const Options& options) {
     if (measured.time.size() < 2) return;
-    const plot::Plot plot{
-        .title = fmt::format("{} by {}", sweep.name, sweep.quantity),
-        .caption =
-            fmt::format("Exponent of the last three points {:.2f}.", last_exponent(measured.time)),
-        .command = fmt::format("build/release/bin/bench_growth --only {}", sweep.name),
-        .x = {sweep.quantity, sweep.steps.back().amount > 1000 ? 10 : 2},
-        .y = {"milliseconds; MB", 10},
-        .series = {{"milliseconds", measured.time}, {"MB at the peak", measured.memory}}};
+    plot::Plot plot;
+    plot.title = fmt::format("{} by {}", sweep.name, sweep.quantity);
+    plot.caption =
+        fmt::format("Exponent of the last three points {:.2f}.", last_exponent(measured.time));
+    plot.command = fmt::format("build/release/bin/bench_growth --only {}", sweep.name);
+    plot.x = {sweep.quantity, sweep.steps.back().amount > 1000 ? 10 : 2};
+    plot.y = {"milliseconds; MB", 10};
+    plot.series = {{"milliseconds", measured.time}, {"MB at the peak", measured.memory}};
     const std::filesystem::path base =
         std::filesystem::path(options.folder) / ("growth-" + sweep.name);
     image::write_file(base.string() + ".svg", plot::svg(plot));
