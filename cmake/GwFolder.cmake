@@ -33,6 +33,13 @@ function(gw_compile target)
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:gw_warnings>)
 endfunction()
 
+# gw_position_independent(TARGET): shared libraries and Python modules can link it. The compiler may still inline and clone its functions: no
+# symbol of it is replaced at run time.
+function(gw_position_independent target)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+endfunction()
+
 # gw_batch(TARGET): compiles its sources eight at a time (CMake's unity build), so that eight share the work of headers and templates. A
 # source that defines macros is compiled alone: Highway's kernels, and what configures a library. Within a batch, names in anonymous
 # namespaces must differ.
@@ -119,6 +126,7 @@ function(gw_library folder)
     add_library(gw_${name} ${sources})
     add_library(gw::${name} ALIAS gw_${name})
     gw_compile(gw_${name})
+    gw_position_independent(gw_${name})
     gw_use_precompiled(gw_${name} library)
     gw_batch(gw_${name})
     target_link_libraries(gw_${name} PUBLIC ${arg_LINK})

@@ -24,6 +24,7 @@ find_package(glm REQUIRED)
 set(gw_common_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <set> <span> <string>
     <string_view> <vector> <fmt/format.h> <glm/geometric.hpp> <glm/matrix.hpp>)
 gw_precompile(library LINK fmt::fmt glm::glm HEADERS ${gw_common_headers})
+gw_position_independent(gw_precompiled_library)  # as the libraries are: g++ takes no header that was compiled in another way
 if(GW_WITH_TESTS)
     find_package(GTest REQUIRED)
     gw_precompile(test LINK fmt::fmt glm::glm GTest::gtest_main HEADERS ${gw_common_headers} <gtest/gtest.h>)
