@@ -38,8 +38,8 @@ struct SetState {
     bool operator==(const SetState&) const = default;
 };
 
-/// The texture of a draw: a value, or a texture slot that CopyTexture filled. Texturing is off
-/// where neither is given.
+/// The texture of a draw: a value, or a texture slot that CopyTexture filled. Texturing is off if
+/// neither is given.
 struct TextureBinding {
     TextureRef texture;
     std::optional<std::uint32_t> slot;

@@ -3,7 +3,7 @@
 namespace gw {
 namespace {
 
-/// What a C string cannot hold would cut the message where it is caught.
+/// A zero byte would end the C string of what() too early.
 std::string without_zeros(std::string text) {
     for (std::size_t at = text.find('\0'); at != text.npos; at = text.find('\0', at))
         text.replace(at, 1, "\\x00");

@@ -29,7 +29,7 @@ struct Readback {
     bool operator==(const Readback&) const = default;
 };
 
-/// Memory of the caller that the values of a `Read` are written to, by the Read's key.
+/// The caller's memory for the values of Reads, by the Read's key.
 using ReadTargets = std::map<std::uint32_t, std::span<std::uint32_t>>;
 
 class Machine {
@@ -37,7 +37,7 @@ public:
     virtual ~Machine() = default;
 
     /// Executes a list. State, planes and texture slots persist from list to list.
-    /// Throws Error, before anything is drawn, where `validate` does.
+    /// Throws Error, before anything is drawn, if `validate` does.
     virtual void execute(const CommandList& list) = 0;
 
     virtual const Planes& planes() = 0;
@@ -51,7 +51,7 @@ public:
     virtual const Profile& profile() const = 0;
 };
 
-/// The part of a machine's condition that decides whether a list is valid.
+/// The facts about a machine that decide whether a list is valid.
 struct ListContext {
     State state;
     std::map<std::uint32_t, Plane> slots;  ///< filled texture slots and the plane each came from
@@ -72,7 +72,7 @@ void validate(const CommandList& list, const Profile& profile, int width, int he
 /// Throws Error for a window outside 1 .. max_window_size.
 void check_window(int width, int height);
 
-/// The manual in code: one fragment at a time. Throws Error where check_window does.
+/// The manual in code: one fragment at a time. Throws Error if check_window does.
 std::unique_ptr<Machine> make_reference(const Profile& profile, int width, int height);
 
 /// The vector instruction set that the fast machine uses on this processor, by Highway's name

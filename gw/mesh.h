@@ -30,7 +30,7 @@ struct MeshData {
     /// of any length; normalised by the machine. Empty: (0,0,1)
     std::vector<vec3> normals;
     std::vector<vec2> texcoords;         ///< s, t. Empty: (0,0)
-    std::vector<vec4> colors;            ///< used where lighting is off. Empty: (1,1,1,1)
+    std::vector<vec4> colors;            ///< used if lighting is off. Empty: (1,1,1,1)
     std::vector<std::uint32_t> indices;  ///< into the vertices. Empty: 0, 1, 2, ...
     /// Polygons only: the number of vertices of each. Empty: all vertices are one polygon
     std::vector<std::uint32_t> polygon_sizes;

@@ -30,7 +30,7 @@ struct Planes {
     std::vector<std::array<std::int32_t, 4>> accum;
 
     Planes() = default;
-    /// All zero, depth too: a machine's planes are undefined before Clear, and here that is 0.
+    /// All planes are 0, depth too. OpenGL leaves them undefined before the first clear.
     Planes(int width, int height);
     std::size_t index(int x, int y) const { return pixel_index(x, y, width); }
     bool operator==(const Planes&) const = default;

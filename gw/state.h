@@ -163,9 +163,9 @@ struct StencilFace {
     std::uint32_t write_mask = ~0u;
     bool operator==(const StencilFace&) const = default;
 };
-/// The stencil test. `func` .. `write_mask` hold for all fragments; with `two_side` (extension
-/// two_sided_stencil) they hold for front faces only. The fields of a face stand here too, not in a
-/// member, so that a pass is written as the papers write it.
+/// The stencil test. `func` .. `write_mask` apply to all fragments; with `two_side` (extension
+/// two_sided_stencil) they apply to front faces only. They repeat the fields of a face instead of
+/// being a member, so that a pass is written as the papers write it.
 struct StencilState {
     bool test = false;
     StencilFunc func = StencilFunc::Always;

@@ -33,8 +33,8 @@ using TextureRef = std::shared_ptr<const Texture>;
 inline constexpr int max_texture_size = 4096;
 
 /// Makes a texture from `width` x `height` RGBA texels of 16 bits, bottom row first. A side that is
-/// no power of two is resampled to the next larger one by integer bilinear interpolation. Levels
-/// are means of 2x2 texels. Throws Error when a side is outside 1 .. max_texture_size or the number
+/// not a power of two is resampled to the next larger one by integer bilinear interpolation. Levels
+/// are means of 2x2 texels. Throws Error if a side is outside 1 .. max_texture_size or the number
 /// of values is not 4 width height.
 TextureRef make_texture(std::string name, int width, int height,
                         std::span<const std::uint16_t> rgba);

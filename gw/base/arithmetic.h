@@ -1,5 +1,5 @@
 // The manual's scalar arithmetic: rounding, clamping, products of fractions.
-// docs/manual/numbers.md. Does not contain anything that belongs to one stage.
+// docs/manual/numbers.md. Contains nothing that belongs to one stage.
 #pragma once
 
 #include <algorithm>

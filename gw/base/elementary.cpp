@@ -1,5 +1,5 @@
-// Each function: reduce the argument to a node of a table and a small rest, take a few terms of the
-// Taylor series of the rest. Where a rounding would show, a value is carried as a Sum of two
+// Each function reduces its argument to a node of a table and a small rest, then takes a few terms
+// of the rest's Taylor series. A value whose rounding would show is carried as a Sum of two
 // doubles. Not written for speed: set-up, vertices and tables use it.
 #include "gw/base/elementary.h"
 
@@ -48,7 +48,7 @@ Sum divide(Sum a, Sum b) noexcept {
 // Nearest integer, ties to even; |x| < 2^51.
 double nearest(double x) noexcept { return (x + 0x1.8p52) - 0x1.8p52; }
 
-// c[0] + c[1] z + c[2] z^2 + ..., from the last term on.
+// c[0] + c[1] z + c[2] z^2 + ..., evaluated from the last term.
 template <std::size_t n>
 double polynomial(double z, const double (&c)[n]) noexcept {
     double sum = c[n - 1];
@@ -117,7 +117,7 @@ Sum log_as_sum(double x) noexcept {
     return two_sum(sum.hi, rest);
 }
 
-// An angle as quadrant * pi/2 + rest, |rest| <= pi/4 and a trifle.
+// An angle as quadrant * pi/2 + rest; |rest| exceeds pi/4 by rounding errors at most.
 struct Reduced {
     int quadrant;  // 0 .. 3
     Sum rest;
@@ -143,7 +143,7 @@ Reduced reduce_degrees(double x) noexcept {
     return {static_cast<int>(k) & 3, {rest.hi, rest.lo + r * degree.lo}};
 }
 
-// sin and cos on [-pi/4, pi/4]: Taylor series to x^17 and x^18, what comes before x^4 as a Sum.
+// sin and cos on [-pi/4, pi/4]: Taylor series to x^17 and x^18, terms below x^4 as a Sum.
 Sum sin_of_rest(Sum x) noexcept {
     constexpr double terms[] = {
         1 / 120.0,        -1 / 5040.0,          1 / 362880.0,         -1 / 39916800.0,
@@ -166,7 +166,7 @@ Sum cos_of_rest(Sum x) noexcept {
     return two_sum(head.hi, head.lo + (tail - 0.5 * z.lo));
 }
 
-// Signs are turned by subtraction from 0: no function returns -0 where it could return 0.
+// Signs are turned by subtraction from 0, so no function returns -0 if it could return 0.
 Sum sin_as_sum(Reduced x) noexcept {
     const Sum value = x.quadrant % 2 == 0 ? sin_of_rest(x.rest) : cos_of_rest(x.rest);
     return x.quadrant < 2 ? value : Sum{0 - value.hi, 0 - value.lo};
@@ -178,7 +178,7 @@ double sin_of(Reduced x) noexcept { return rounded(sin_as_sum(x)); }
 
 double cos_of(Reduced x) noexcept { return rounded(cos_as_sum(x)); }
 
-// Poles, which only degrees can hit, are +infinity.
+// +infinity at a pole, which only an angle in degrees can hit.
 double tan_of(Reduced x) noexcept {
     const Sum cosine = cos_as_sum(x);
     return cosine.hi == 0 ? infinity : rounded(divide(sin_as_sum(x), cosine));

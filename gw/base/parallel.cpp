@@ -33,8 +33,8 @@ int hardware_threads() {
 
 namespace {
 
-/// Whether the modes are those that a program starts with. One register tells; saving and restoring
-/// all modes takes as long as a small body.
+/// Whether the modes are those that a program starts with. Reading one register is cheap; saving
+/// and restoring all modes takes as long as a small body.
 bool is_default_environment() {
 #ifdef __SSE2_MATH__
     constexpr unsigned flags = 0x3F, initial = 0x1F80;
@@ -64,8 +64,8 @@ void serial_for(std::size_t count, const std::function<void(std::size_t, int)>& 
     for (std::size_t i = 0; i < count; ++i) body(i, 0);
 }
 
-/// How many of `wanted` threads the system starts, the calling one included. They wait until all
-/// have started. Where it refuses one, half of the threads leave room for the memory of their work.
+/// The number of `wanted` threads that the system starts, the calling one included. They wait until
+/// all have started. If it refuses one, returns half of them: their work needs memory too.
 int count_threads(int wanted) {
     std::promise<void> end;
     const std::shared_future<void> ended = end.get_future();
@@ -96,8 +96,8 @@ int count_threads(int wanted) {
     return running < wanted ? std::max(1, running / 2) : wanted;
 }
 
-/// The threads to use where `wanted` are asked for. oneTBB ends the program when the system refuses
-/// it a thread, so that more threads than ever before are started here first.
+/// The number of threads to use if the caller wants `wanted`. oneTBB ends the program when the
+/// system refuses it a thread, so each new maximum is first tried here.
 int granted_threads(int wanted) {
     static std::mutex mutex;
     static int granted = 1, refused = std::numeric_limits<int>::max();
@@ -124,8 +124,8 @@ void allow_threads(int threads) {
     allowed = std::make_unique<Control>(Control::max_allowed_parallelism, most);
 }
 
-/// Arenas that no call uses now. oneTBB's threads join a new arena late or never, so that arenas
-/// are kept for later calls.
+/// Arenas that no call uses now. oneTBB's threads join a new arena late or never, so arenas are
+/// kept for later calls.
 class Arenas {
 public:
     using Arena = std::unique_ptr<tbb::task_arena>;
@@ -196,7 +196,7 @@ void threaded_for(std::size_t count, int threads,
         for (int worker = 1; worker < threads; ++worker)
             pool.emplace_back([&work, worker] { work.run(worker); });
     } catch (const std::system_error&) {
-        // The threads that have started take all indices.
+        // The threads that did start take all indices.
     }
     work.run(0);
     for (std::thread& thread : pool) thread.join();

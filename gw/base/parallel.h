@@ -1,4 +1,4 @@
-// Threads: oneTBB, or std::thread where oneTBB is absent or a race detector must see every lock.
+// Threads: oneTBB, or std::thread if oneTBB is absent or a race detector must see every lock.
 // Does not promise an order: the results of the bodies must not depend on it.
 #pragma once
 
@@ -12,7 +12,7 @@ int hardware_threads();
 
 /// Calls body(i, worker) once for each i in 0 .. count - 1 on up to `threads` threads (0: all);
 /// `worker` in 0 .. threads - 1 names the calling thread. Returns when all calls have returned and
-/// rethrows the first exception. Where the system refuses threads, fewer are used.
+/// rethrows the first exception. If the system refuses threads, fewer are used.
 /// Every body runs with nearest-even rounding and gradual underflow.
 void parallel_for(std::size_t count, int threads,
                   const std::function<void(std::size_t, int)>& body);

@@ -1,6 +1,6 @@
 // The machine's vectors, matrices, colours and rectangles. Vectors and matrices are GLM's.
 // Does not use GLM's transcendental functions (rotate, perspective, pow): they call libm, whose
-// results differ from platform to platform.
+// results differ between platforms.
 #pragma once
 
 #include <glm/mat3x3.hpp>

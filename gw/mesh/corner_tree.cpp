@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t leaf_size = 8;
 
-// True only where the whole box lies to the right of the line from a to b, rounding allowed for.
+// True only if the whole box lies to the right of the line from a to b, rounding allowed for.
 bool right_of(vec2 a, vec2 b, vec2 low, vec2 high) {
     const dvec2 along = dvec2(b) - dvec2(a);
     // the box's leftmost

@@ -6,13 +6,13 @@
 namespace gw {
 namespace {
 
-// What may be cut off, from best to last resort. The first three keep a polygon that does not cross
-// itself so.
+// The corners that may be cut off, from best to last resort. If a polygon does not cross itself,
+// cuts of the first three kinds keep it so.
 enum class Cut {
     Ear,          // a triangle inside the polygon, no corner on its open diagonal
     TouchingEar,  // the same, corners on the diagonal allowed
     Flat,         // no area: a straight corner, a spike, a repeated corner
-    Convex,       // only where the polygon crosses itself: any corner that turns left
+    Convex,       // any corner that turns left: needed only if the polygon crosses itself
     Any,
 };
 
@@ -43,8 +43,8 @@ public:
           tree_(points, link()) {}
 
     std::vector<PolygonTriangle> run() {
-        // A pass that cuts something is repeated, a few times at least: then the next sort of cut
-        // is allowed.
+        // Passes repeat while they cut, up to eight times, or more while they halve the polygon.
+        // Then the next kind of cut is allowed.
         for (int cut = 0; remaining_ > 3; ++cut)
             for (int passes = 0; passes < 8; ++passes) {
                 const std::uint32_t before = remaining_;
@@ -57,8 +57,7 @@ public:
     }
 
 private:
-    // Closes the ring; returns the corners that do not turn left, the only ones that can be in an
-    // ear's way.
+    // Closes the ring. Returns the corners that do not turn left: only they can block an ear.
     std::vector<std::uint32_t> link() {
         std::vector<std::uint32_t> in_the_way;
         const std::uint32_t n = remaining_;
@@ -71,8 +70,8 @@ private:
         return in_the_way;
     }
 
-    // Looks at every corner once, and again at the neighbours of a cut, later: neighbours wait, so
-    // that ears are cut all around and not as one fan of slivers.
+    // Tries every corner once, then the neighbours of each cut. Neighbours wait in the queue, so
+    // ears are cut all around and not as one fan of slivers.
     void pass(Cut allowed) {
         queue_.clear();
         for (std::uint32_t i = 0, corner = head_; i < remaining_; ++i, corner = next_[corner])
@@ -97,7 +96,7 @@ private:
     bool is_ear(std::uint32_t corner, Cut allowed) const {
         const std::uint32_t p = previous_[corner], n = next_[corner];
         const std::array<vec2, 3> t{points_[p], points_[corner], points_[n]};
-        // another corner at this place: the border may lie along both sides, inside out
+        // If another corner is at this point, the triangle may lie outside the polygon.
         bool met = false;
         const bool blocked = tree_.any(t, [&](std::uint32_t q) {
             if (q == p || q == corner || q == n) return false;

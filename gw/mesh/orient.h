@@ -1,5 +1,5 @@
-// The exact side of a line that a point lies on. Coordinates are float32, so that every product is
-// exact in double. Does not compute a distance.
+// The exact side of a line that a point lies on. Coordinates are float32, so every product is exact
+// in double. Does not compute a distance.
 #pragma once
 
 #include "gw/base/types.h"

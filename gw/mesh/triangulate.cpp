@@ -8,8 +8,8 @@
 namespace gw {
 namespace {
 
-// Newell's normal and the sum of its terms' magnitudes, which still tells the plane where the
-// normal is zero.
+// Newell's normal and the sum of its terms' magnitudes, which still gives an axis if the normal is
+// zero.
 struct Newell {
     dvec3 normal{0}, magnitude{0};
 };
@@ -26,7 +26,7 @@ Newell newell(std::span<const vec3> corners) {
     return sum;
 }
 
-// The largest component; z, then y, where components are equal.
+// The largest component; z, then y, if components are equal.
 int main_axis(const dvec3& v) {
     if (v.z >= v.x && v.z >= v.y) return 2;
     return v.y >= v.x ? 1 : 0;
@@ -34,8 +34,8 @@ int main_axis(const dvec3& v) {
 
 bool rightward(vec2 a, vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-// Turns left or goes straight at every corner, and round only once: x and then y grows in one run
-// of sides.
+// Whether the polygon turns left or goes straight at every corner, and goes round only once: the
+// corners ascend by (x, y) in one run of sides.
 bool convex(std::span<const vec2> corners) {
     const std::size_t n = corners.size();
     int reversals = 0;

@@ -1,6 +1,6 @@
-// Triangles of a polygon, also of a concave one: ear clipping with exact decisions.
-// docs/manual/geometry.md, "Primitives". Does not move a vertex. Does not know holes; a polygon
-// whose bridge to the hole is walked twice has the same effect.
+// Triangles of a convex or concave polygon: ear clipping with exact decisions.
+// docs/manual/geometry.md, "Primitives". Does not move a vertex. Does not know holes; a border that
+// runs along a bridge to the hole and back has the same effect.
 #pragma once
 
 #include "gw/base/types.h"
@@ -26,7 +26,7 @@ std::vector<vec2> project_polygon(std::span<const vec3> corners);
 
 /// Exactly n - 2 triangles for any n >= 3 corners. Their signed areas add up to the polygon's.
 /// - A convex polygon becomes the fan from corner 0, unless a triangle of the fan would be flat.
-/// - A polygon that does not cross itself is covered without overlap, also where it touches itself.
+/// - A polygon that does not cross itself is covered without overlap, even if it touches itself.
 ///   Flat triangles appear only where the corners leave no other choice (spikes, repeated corners).
 /// - A polygon that crosses itself or has no area gives n - 2 triangles, always the same.
 std::vector<PolygonTriangle> triangulate(std::span<const vec2> corners);

@@ -90,7 +90,7 @@ void cover_line(const SnappedLine& line, int width, const Rect& box, const Pixel
     const auto& u = line.x_major ? line.x : line.y;
     const auto& v = line.x_major ? line.y : line.x;
     const std::int64_t du = u[1] - u[0], dv = v[1] - v[0];
-    if (du == 0) return;  // no length, since |du| >= |dv|
+    if (du == 0) return;  // no length, because |du| >= |dv|
     const auto [u0, u1] =
         pixel_range(std::min(u[0], u[1]), std::max(u[0], u[1]), s, line.x_major ? box.x : box.y,
                     line.x_major ? box.width : box.height);

@@ -46,8 +46,8 @@ void set_color(Interpolants& v, std::span<const Corner> corners, const PlaneMake
     }
 }
 
-/// k: the floor of the least coordinate. Repeat drops it. Clamp adds it back later, so there it is
-/// bounded.
+/// k: the floor of the least coordinate. Repeat drops k. Clamp adds it back later and therefore
+/// bounds it.
 double integer_part(const std::vector<double>& s, Wrap wrap) {
     const double k = std::floor(*std::min_element(s.begin(), s.end()));
     return wrap == Wrap::Repeat ? k : std::clamp(k, -1024.0, 1023.0);

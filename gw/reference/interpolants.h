@@ -42,8 +42,8 @@ struct Interpolants {
     PlaneEquation fog;                ///< factor (fog at the vertex)
     PerspectiveValue fog_coordinate;  ///< fragment fog
     PlaneEquation q;                  ///< denominator of all perspective values
-    PlaneEquation
-        texture_q;  ///< denominator of texture coordinates: differs from q where projective
+    /// denominator of texture coordinates; differs from q if they are projective
+    PlaneEquation texture_q;
     bool projective = false;
     PerspectiveValue s, t, r;
     int slope_x = 0, slope_y = 0;  ///< the pixel that the slopes refer to

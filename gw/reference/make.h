@@ -1,4 +1,4 @@
-// A reference machine with an observer. gw/machine.h makes one without.
+// Makes a reference machine with an observer. gw/machine.h makes one without.
 #pragma once
 
 #include "gw/machine.h"

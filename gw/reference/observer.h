@@ -17,7 +17,7 @@ struct Fragment {
     std::uint32_t primitive = 0;  ///< ordinal in the draw; span or pixel ordinal in a write
 };
 
-/// The test that killed a fragment; Written where none did.
+/// The test that killed a fragment; Written if none did.
 enum class Fate : std::uint8_t { AlphaTest, StencilTest, DepthTest, Written };
 
 /// One pixel's values in all planes.

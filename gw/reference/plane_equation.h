@@ -1,6 +1,6 @@
-// The plane of an interpolated value, with integer gradients that are exactly rounded. Closed form
-// and increments agree. docs/manual/rasterization.md, "Planes". [L8]: dz/dx = -n_x / n_z. Does not
-// know the meaning of the value.
+// The plane of an interpolated value, with correctly rounded integer gradients. Closed form and
+// increments agree. docs/manual/rasterization.md, "Planes". [L8]: dz/dx = -n_x / n_z. Does not know
+// the meaning of the value.
 #pragma once
 
 #include "gw/reference/coverage.h"

@@ -62,7 +62,7 @@ Shader shader(const Drawing& d, std::span<const Corner> corners, const PlaneMake
 void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const Source& s) {
     const std::array<WindowVertex, 3> window{corners[0].window, corners[1].window,
                                              corners[2].window};
-    // A piece that the snap has turned over lies inside its neighbours and makes no fragments.
+    // A piece that the snap turned over lies inside its neighbours and makes no fragments.
     const std::int64_t area = area2(window[0], window[1], window[2]);
     if (area == 0 || (area > 0) != s.counter_clockwise) return;
     const SnappedTriangle t = snapped_triangle(window, d.state().jitter, d.subpixel_bits());
@@ -74,7 +74,7 @@ void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const So
     cover_triangle(t, d.context.state.draw_box, [&](int x, int y) { shade.pixel(x, y); });
 }
 
-/// A line, clipped on its own also where it is the edge of a polygon.
+/// A line, clipped on its own, even if it is the edge of a polygon.
 void draw_line(const Drawing& d, const Vertex& a, const Vertex& b, const Source& s, bool counted) {
     const Clipped clipped = clip({a, b}, d.context.state.viewport);
     const bool left = !clipped.vertices.empty();

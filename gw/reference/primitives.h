@@ -1,6 +1,6 @@
 // The stages of a draw in order: vertices, assembly, clipping, culling, coverage, shading.
-// docs/manual/machine.md, "Stages". Each stage except culling has its own file. Does not
-// draw pixels of the host.
+// docs/manual/machine.md, "Stages". Each stage except culling has its own file. Does not draw
+// pixels of the host.
 #pragma once
 
 #include "gw/command_list.h"

@@ -1,6 +1,6 @@
-// The texture unit at one pixel: coordinates, level, filter. docs/manual/texture.md,
-// "Textures". Does not combine it with the fragment's colour: texture_environment in
-// gw/stages/tables.h does.
+// The texture unit at one pixel: coordinates, level, filter. docs/manual/texture.md, "Textures".
+// Does not combine the texel with the fragment's colour: texture_environment in gw/stages/tables.h
+// does.
 #pragma once
 
 #include "gw/reference/interpolants.h"

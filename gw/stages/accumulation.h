@@ -16,7 +16,7 @@ constexpr std::int32_t wrap_accum(std::int64_t v, int bits, bool& overflow) {
     return static_cast<std::int32_t>(wrapped);
 }
 
-/// Nearest integer to a * v, clamped to +-2^40: beyond, only the overflow is visible.
+/// Nearest integer to a * v, clamped to +-2^40: a larger value shows as an overflow only.
 inline std::int64_t weighted(std::int64_t a, float v) {
     constexpr double limit = 1099511627776.0;
     return to_integer(round_even(double(a) * double(v)), -limit, limit);

@@ -27,7 +27,7 @@ namespace {
 
 double mix(double a, double b, double t) { return a + t * (b - a); }
 
-/// Writes to the vector's element itself: copying a vertex stalls until its stores have retired.
+/// Writes directly to the vector's element: copying a vertex stalls until its stores have retired.
 void interpolate(const ClipPosition& in, const ClipPosition& out, double t, ClipPosition& v) {
     for (int i = 0; i < 4; ++i) v.clip[i] = mix(in.clip[i], out.clip[i], t);
     for (std::size_t i = 0; i < v.distance.size(); ++i)
@@ -93,8 +93,8 @@ void clip_plane(const std::vector<V>& in, const std::vector<double>& d, std::vec
     }
 }
 
-/// Clears `vertices` where the primitive is rejected. Returns whether anything was cut. `d` and
-/// `left` are scratch memory.
+/// Clears `vertices` if the primitive is rejected. Returns whether anything was cut. `d` and `left`
+/// are scratch memory.
 template <class V>
 bool clip_by_planes(std::vector<V>& vertices, const ViewportTransform& viewport,
                     std::uint32_t planes, std::vector<double>& d, std::vector<V>& left) {

@@ -28,8 +28,8 @@ struct Clipped {
     bool cut = false;  ///< whether a plane cut something off
 };
 
-/// Clips a polygon (3 or more vertices), a line (2) or a point (1). Rejects the whole primitive
-/// where the clip coordinates of a given or new vertex are not finite.
+/// Clips a polygon (3 or more vertices), a line (2) or a point (1). Rejects the whole primitive if
+/// the clip coordinates of a given or new vertex are not finite.
 Clipped clip(std::vector<Vertex> vertices, const ViewportTransform& viewport);
 
 /// The same for positions alone, in place. Keeps its memory from call to call.
@@ -43,7 +43,7 @@ struct PositionClipper {
 };
 
 /// I + t (O - I) with t = dI / (dI - dO), I inside and O outside. Always from inside to outside, so
-/// that both neighbours of an edge get the same bits.
+/// both neighbours of an edge get the same bits.
 Vertex interpolate(const Vertex& inside, const Vertex& outside, double t);
 
 }  // namespace gw

@@ -1,5 +1,5 @@
-// The snap may turn a corner of a convex polygon slightly reflex. The fan from that corner still
-// has no piece turned over.
+// The snap may make a corner of a convex polygon slightly reflex. No piece of the fan from that
+// corner is turned over.
 #include "gw/stages/fan.h"
 
 namespace gw {

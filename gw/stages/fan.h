@@ -19,7 +19,7 @@ constexpr std::int64_t area2(const SnappedPoint& a, const SnappedPoint& b, const
 /// first + k + 1, modulo n.
 struct Fan {
     std::int64_t area2 = 0;  ///< of the polygon: the sum over its pieces
-    /// the first corner whose fan has no piece that the snap turned over; 0 where there is none
+    /// the first corner whose fan has no piece that the snap turned over; 0 if there is none
     std::size_t first = 0;
 };
 

@@ -31,7 +31,7 @@ double fog_table_depth(const FogState& fog, int bits) {
     constexpr double ln2 = 0.693147180559945309417;
     switch (fog.mode) {
         case FogMode::Linear: return std::max({double(fog.start), double(fog.end), 1e-30});
-        // where exp(-density z) falls below half a unit
+        // the distance at which exp(-density z) falls below half a unit
         case FogMode::Exp: return ((bits + 1) * ln2) / fog.density;
         case FogMode::Exp2: return std::sqrt((bits + 1) * ln2) / fog.density;
     }

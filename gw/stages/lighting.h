@@ -1,5 +1,5 @@
 // The lighting equation at a vertex: equation 1 of [K2] without the map. Each component of equation
-// 2 [K3] is this one with the other components 0. docs/manual/lighting.md. Does not transform.
+// 2 [K3] is this equation with the other components 0. docs/manual/lighting.md. Does not transform.
 #pragma once
 
 #include "gw/command_list.h"
@@ -19,7 +19,7 @@ LightTerms light_terms(const Light& light, const dvec3& p_eye, const dvec3& n_ey
                        const dvec3& to_eye, double exponent, bool gloss);
 
 /// The lit colour R, G, B, A of a vertex in eye space; n_eye has length 1 or 0. Integers 0 ..
-/// 2^color_bits - 1, rounded to lit_bits before.
+/// 2^color_bits - 1, first rounded to lit_bits.
 std::array<double, 4> lit_color(const Draw& draw, const LightingState& state,
                                 const Profile& profile, const dvec3& p_eye, const dvec3& n_eye);
 

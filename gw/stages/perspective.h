@@ -25,7 +25,7 @@ std::array<std::int64_t, 3> denominators(std::span<const double> w);
 /// with 2^e >= max(s_i - k).
 Numerators numerators(std::span<const double> s, std::span<const double> w, double k,
                       int largest_exponent = 10);
-/// Of the fog coordinate, which is clamped to 2^40 fog tables.
+/// The fog coordinate's numerators; it is clamped to 2^40 fog tables.
 inline constexpr int largest_fog_exponent = 40;
 
 /// EyeLinear coordinates s_i / q_i, of any sign. Q_i = rne(2^30 (q_i / w_i) / H) with
@@ -42,8 +42,8 @@ struct PlaneSlope {
     double gx = 0, gy = 0;  ///< exact gradients, as doubles
     double value = 0;
 };
-/// |d(U/Q)| Q^2 along rows and columns. Each is linear in one pixel coordinate, so that no
-/// neighbour is read.
+/// |d(U/Q)| Q^2 along rows and columns. Each is linear in one pixel coordinate, so no neighbour is
+/// read.
 struct CoordinateSlope {
     double a = 0, b = 0;              ///< Ux Q - U Qx and Uy Q - U Qy at pixel (x, y)
     float k = 0;                      ///< (Ux Qy - Uy Qx) / 2^16

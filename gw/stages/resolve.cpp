@@ -8,7 +8,7 @@
 namespace gw {
 
 Rect intersect(const Rect& a, const Rect& b) {
-    // In 64 bits, because the sides of a given rectangle may lie beyond int.
+    // In 64 bits, because the sides of a given rectangle may exceed int.
     const std::int64_t x0 = std::max(a.x, b.x), y0 = std::max(a.y, b.y);
     const std::int64_t x1 = std::min(std::int64_t{a.x} + a.width, std::int64_t{b.x} + b.width);
     const std::int64_t y1 = std::min(std::int64_t{a.y} + a.height, std::int64_t{b.y} + b.height);

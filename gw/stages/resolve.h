@@ -1,6 +1,6 @@
 // State normalised once per draw, so that the fragment stages test less. docs/manual/machine.md,
-// "State". Does not change the meaning of a state: a test that is off becomes one that always
-// passes and writes nothing.
+// "State". Does not change the meaning of a state: a disabled test becomes one that always passes
+// and writes nothing.
 #pragma once
 
 #include "gw/planes.h"
@@ -20,20 +20,20 @@ struct Resolved {
     Rect pixel_box;  ///< scissor and window: where pixels may change
     Rect draw_box;   ///< pixel_box and viewport: where primitives make fragments
     ViewportTransform viewport;
-    /// masks cut to stencil_bits; Always and Keep where the test is off
+    /// masks cut to stencil_bits; Always and Keep if the test is off
     StencilFace front, back;
     std::uint32_t stencil_max = 255;
     std::uint32_t alpha_ref = 0;
     Rgba fog_color{}, env_color{};
     bool fragment_fog = false;
-    bool writes_color = true;  ///< the colour mask is set for a channel
+    bool writes_color = true;  ///< the colour mask is set for at least one channel
     /// as given: for clears and pixel rectangles, which no depth test guards
     bool depth_mask = true;
 };
 
 Resolved resolve(const State& state, const Profile& profile, int width, int height);
 
-/// Whether the stencil buffer neither stops a fragment of this side nor changes by it.
+/// Whether the stencil test passes every fragment of this side and changes no value.
 constexpr bool ignores_stencil(const StencilFace& f) {
     return f.func == StencilFunc::Always && keeps_stencil(f);
 }

@@ -44,7 +44,7 @@ constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::
     return stored;
 }
 
-/// [GL11] 4.1.6, tables 4.1 and 4.2: the factor of channel `c` (3 is alpha), where `max` is 1.0.
+/// [GL11] 4.1.6, tables 4.1 and 4.2: the factor of channel `c` (3 is alpha); `max` stands for 1.0.
 constexpr std::uint32_t blend_factor(BlendFactor factor, const Rgba& src, const Rgba& dst, int c,
                                      std::uint32_t max) {
     const auto i = std::size_t(c);

@@ -57,7 +57,7 @@ struct LevelChoice {
 };
 LevelChoice choose_level(const TextureState& state, float rho, int level_count);
 
-/// Whether the filter takes the mean of four texels of a level.
+/// Whether the filter averages four texels of a level.
 constexpr bool is_linear(const TextureState& s, bool magnify) {
     if (magnify) return s.mag_filter == MagFilter::Linear;
     return s.min_filter == MinFilter::Linear || s.min_filter == MinFilter::LinearMipmapNearest ||

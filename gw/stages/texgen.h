@@ -15,7 +15,7 @@ dvec4 texture_coordinates(const TextureState& state, const vec2& st, const dvec4
 dvec2 sphere_map(const dvec3& d);
 
 /// The direction of `u` after reflection at normal n: u - 2 n (n . u). `u` has length 1 and points
-/// to the surface.
+/// towards the surface.
 dvec3 reflected(const dvec3& u, const dvec3& n);
 /// The direction of `u` after refraction with eta = n1 / n2, or `reflected` at total reflection.
 dvec3 refracted(const dvec3& u, const dvec3& n, double eta);

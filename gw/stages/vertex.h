@@ -27,8 +27,8 @@ struct Vertex : ClipPosition {
     double fog = 0;
 };
 
-/// Texture coordinates and the fog distance are clamped to this (2^200), so that no later sum or
-/// product overflows.
+/// Texture coordinates and the fog distance are clamped to 2^200, so that no later sum or product
+/// overflows.
 inline constexpr double largest_coordinate = 0x1p200;
 
 /// The inputs of the vertex stages that are the same for all vertices of a draw.

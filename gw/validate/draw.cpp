@@ -1,4 +1,4 @@
-// Draw: its matrix, material and lights. make_mesh and make_texture have checked the rest.
+// Checks Draw: its matrix, material and lights. make_mesh and make_texture have checked the rest.
 #include "gw/validate/checker.h"
 
 namespace gw {
@@ -37,7 +37,7 @@ void check(const Checker& c, const Draw& draw) {
         c.fail("both a texture and a slot; expected one of them");
     c.require(draw.id_shift >= 0 && draw.id_shift < 32, "id_shift", draw.id_shift, "0 to 31");
     if (!draw.lights) return;
-    // Most draws have the lights of the draw before.
+    // Most draws have the lights of the previous draw.
     if (draw.lights.get() == c.checked_lights) return;
     if (int(draw.lights->size()) > c.profile.max_lights)
         c.fail(fmt::format("lights in one pass = {}; expected at most {} (profile {})",

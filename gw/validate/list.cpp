@@ -1,5 +1,5 @@
-// A command list in order: each command by itself, and the textures, slots and memory that earlier
-// commands and calls provide.
+// Checks a command list in order: each command by itself, and the textures, slots and memory that
+// earlier commands and calls provide.
 #include "gw/names.h"
 #include "gw/validate/checker.h"
 

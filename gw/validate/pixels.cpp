@@ -1,4 +1,4 @@
-// Commands on pixels: their rectangles, spans, values and planes. BeginPass: its digests.
+// Checks commands on pixels: their rectangles, spans, values and planes. BeginPass: its digests.
 #include "gw/validate/checker.h"
 
 #include <bit>

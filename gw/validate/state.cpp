@@ -1,4 +1,4 @@
-// SetState: extensions, enumerations, ranges and finite numbers of the whole state.
+// Checks SetState: extensions, enumerations, ranges and finite numbers of the whole state.
 #include "gw/validate/checker.h"
 
 namespace gw {
@@ -47,7 +47,7 @@ void check_rasterization(const Checker& c, const State& s) {
     c.finite("polygon_offset.units", s.polygon_offset.units);
 }
 
-/// [GL11] tables 4.1 and 4.2: the factors that are colours are for one side only.
+/// [GL11] tables 4.1 and 4.2: each colour factor is allowed on one side only.
 void check_blend(const Checker& c, const BlendState& b) {
     c.enumeration("blend.src", b.src, BlendFactor::SrcAlphaSaturate);
     c.enumeration("blend.dst", b.dst, BlendFactor::SrcAlphaSaturate);

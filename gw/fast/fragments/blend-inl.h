@@ -61,10 +61,10 @@ HWY_NOINLINE inline void blend_bytes(const BlendState& b, const ColorBlock& src,
     }
 }
 
-/// Channels in a row: the widest vectors hold two.
+/// A vector of one channel of a block, or of two if it is wide enough.
 using DRow = hn::CappedTag<std::uint16_t, 32>;
 
-/// The alphas that lanes i .. of a row belong to.
+/// The alpha of each pixel in lanes i .. of a row.
 HWY_INLINE hn::Vec<DRow> alphas_of(const ColorBlock& block, std::size_t i) {
     const DRow d;
     const std::uint16_t* alpha = block.channel[3] + i % block_pixels;
@@ -76,7 +76,7 @@ HWY_INLINE hn::Vec<DRow> alphas_of(const ColorBlock& block, std::size_t i) {
 #endif
 }
 
-/// Transparency, the second commonest blend, in 8 bits: SrcAlpha, OneMinusSrcAlpha.
+/// Transparency in 8 bits, the second most common blend: SrcAlpha, OneMinusSrcAlpha.
 HWY_NOINLINE inline void mix_by_alpha(const ColorBlock& src, ColorBlock& stored,
                                       std::uint32_t mask) {
     const DRow d;

@@ -1,5 +1,5 @@
 // The depth test, on blocks and on vectors. docs/manual.md, "Fragment operations"; scalar twin:
-// gw/reference/fragment.cpp. Special cases, each with the same result, at whole blocks:
+// gw/reference/fragment.cpp. Three special cases with the same result test whole blocks:
 // gw/fast/uniform/level_depth-inl.h, a triangle of one depth over blocks of one depth;
 // gw/fast/uniform/sloping_depth-inl.h, a sloping triangle over blocks of one depth or one plane;
 // gw/fast/visible/record.cpp, a depth pass that also records ties. Does not paint. Included once
@@ -38,7 +38,7 @@ HWY_INLINE void write_depth(const DepthBlock& incoming, DepthBlock& stored, std:
         store_lanes(hn::Load(d, incoming.value + i), lanes_of(d, mask, i), d, stored.value + i);
 }
 
-/// The test of simple triangles, in three kinds so that the loop has no choice to make.
+/// The test of simple triangles, in three kinds so that the loop has no branch.
 struct NoDepth {
     static constexpr bool tests = false;
     HWY_INLINE M32 operator()(V32, V32) const { return hn::FirstN(D32(), lanes32); }

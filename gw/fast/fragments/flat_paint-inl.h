@@ -35,8 +35,8 @@ struct SimpleStore {
     }
 };
 
-/// A triangle of one colour, as in item buffers and fills. A loop over blocks holds a copy of its
-/// own, which stays in registers.
+/// A triangle of one colour, as in item buffers and fills. Each loop over blocks copies it, so that
+/// it stays in registers.
 struct FlatPaint {
     SimpleStore store;
     ColorBlock color;
@@ -55,7 +55,7 @@ struct FlatPaint {
         if (mask == all_lanes) return operator()(bx, by, AllLanes{});
         if (mask != 0) write_lanes(bx, by, mask);
     }
-    /// Four channels in a row, which have the same lanes.
+    /// Four channels one after the other, with the same lanes.
     HWY_INLINE void write_lanes(int bx, int by, std::uint32_t mask) const {
         const hn::CappedTag<std::uint16_t, 32> d;
         for_each_vector(bx, by, [&](std::size_t i, auto result, std::uint16_t* to) {

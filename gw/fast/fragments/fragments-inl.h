@@ -1,5 +1,5 @@
-// All fragment stages on a block of 16 lanes: tests, stencil operations, depth, blending of the
-// lanes that are left. docs/manual.md, "Fragment operations"; scalar twin:
+// All fragment stages on a block of 16 lanes: tests, stencil operations, depth, then blending of
+// the lanes that pass. docs/manual.md, "Fragment operations"; scalar twin:
 // gw/reference/fragment.cpp. Does not shade. Included once per Highway target.
 #if defined(GW_FAST_FRAGMENTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_FRAGMENTS_INL_H_

@@ -1,4 +1,4 @@
-// Which triangles take the simple path, and their fragments counted lane by lane. Does not draw.
+// Selects the triangles for the simple path and counts their fragments lane by lane. Does not draw.
 // Included once per Highway target.
 #if defined(GW_FAST_LANE_COUNTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_LANE_COUNTS_INL_H_

@@ -37,7 +37,7 @@ struct BatchPaint {
     }
 };
 
-// Long if a block takes more than one vector: then called, not inlined, to save compile time.
+// If a block takes several vectors, write() is long: it is called, not inlined, to compile faster.
 #undef GW_SMOOTH_WRITE
 #if HWY_MAX_BYTES >= 64
 #define GW_SMOOTH_WRITE HWY_INLINE
@@ -81,7 +81,7 @@ struct SmoothPaint {
     }
 };
 
-/// Which paint a draw's triangles use.
+/// The paint of a draw's triangles.
 enum class Paints { Nothing, OneColor, Smooth, Any };
 HWY_INLINE Paints paints_of(const DrawOp& op) {
     if (!op.state.writes_color) return Paints::Nothing;

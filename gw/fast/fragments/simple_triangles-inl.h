@@ -18,8 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Stencil and depth test with the three stencil operations: most blocks of a shadow volume change
-/// nothing. If the test always passes, stencil_passed is not counted: it equals `made`.
+/// Stencil and depth test with the three stencil operations. Most blocks of a shadow volume change
+/// nothing. If the stencil test always passes, stencil_passed is not counted: it equals `made`.
 template <class Compare>
 HWY_INLINE LaneSet run_stencil(const StencilFace& face, std::uint32_t max, const DepthWalk& walk,
                                const Compare& passes, bool update, const LaneSet& lanes,
@@ -43,7 +43,8 @@ HWY_INLINE LaneSet run_stencil(const StencilFace& face, std::uint32_t max, const
     return alive;
 }
 
-/// Draws a triangle's blocks if the stencil test is idle. Holds copies: they stay in registers.
+/// Draws a triangle's blocks if the stencil test is idle. Its members are copies, which stay in
+/// registers.
 template <class Compare, class Paint>
 struct Unstenciled {
     Tile tile;
@@ -67,7 +68,7 @@ struct Unstenciled {
     }
 };
 
-/// One triangle of a batch. Out of line: the counters stay in registers.
+/// One triangle of a batch. Not inlined, so that the counters stay in registers.
 template <class Size, class Compare, class Paint>
 HWY_NOINLINE void draw_unstenciled(const TileDraw& draw, const Triangles& t, std::size_t i,
                                    const BoxLanes& box, const Compare& passes, const Paint& paint,

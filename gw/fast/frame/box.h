@@ -1,5 +1,4 @@
-// A rectangle of the window as seen from one tile: which lanes of which blocks lie inside.
-// Does not know what is drawn there.
+// A rectangle of the window as lanes of one tile's blocks. Does not know the drawing.
 #pragma once
 
 #include "gw/fast/frame/frame.h"

@@ -33,7 +33,7 @@ struct alignas(64) AccumBlock {
     std::int32_t channel[4][block_pixels];
 };
 
-/// How a window is cut into square tiles of 2^log2_tile pixels, rows of tiles from the bottom.
+/// A window divided into square tiles with sides of 2^log2_tile pixels, in rows from the bottom.
 struct TileGrid {
     int width = 0, height = 0, log2_tile = 6;
 
@@ -62,7 +62,7 @@ struct Tile {
     std::size_t block(int bx, int by) const {
         return std::size_t(by) * (std::size_t(side) / block_side) + std::size_t(bx);
     }
-    /// The group of block (bx, by), and which of its blocks that is.
+    /// The group of block (bx, by), and the block's index in the group.
     UniformGroup& group(int bx, int by) const {
         const std::size_t per_row = std::size_t(side) / (block_side * group_blocks);
         return uniform[std::size_t(by) / group_blocks * per_row + std::size_t(bx) / group_blocks];
@@ -78,7 +78,7 @@ public:
 
     const TileGrid& grid() const { return grid_; }
     Tile tile(std::size_t index);
-    /// Makes the accumulation plane (zero) where there is none yet.
+    /// Makes the accumulation plane (zero) if it does not exist yet.
     void need_accum();
 
     /// All uniform blocks must have been written back.

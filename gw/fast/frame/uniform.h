@@ -23,18 +23,18 @@ struct alignas(64) UniformGroup {
     std::uint32_t depth[16] = {};  ///< the one depth, or an index into the tile's DepthPlanes
     std::uint16_t one_color = 0;
     std::uint16_t one_depth = 0;  ///< all pixels have one depth
-    std::uint16_t one_plane =
-        0;  ///< the depths are those of one plane, as hardware compresses them
+    /// the depths are those of one plane, as hardware compresses them
+    std::uint16_t one_plane = 0;
 
     Rgba color_of(std::uint32_t block) const { return std::bit_cast<Rgba>(color[block]); }
 };
 
-/// The depth planes of a tile's blocks; at those blocks their values are below 2^32 without
+/// The depth planes of a tile's blocks. Their values at these blocks are below 2^32 without
 /// wrapping.
 using DepthPlanes = std::vector<TilePlane>;
 inline constexpr std::size_t max_depth_planes = 256;
 
-/// Which planes of a tile have uniform blocks.
+/// The planes of a tile that have uniform blocks.
 struct UniformPlanes {
     bool color = false, depth = false;
 };

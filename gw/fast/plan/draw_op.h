@@ -1,5 +1,6 @@
-// Draws as the planner hands them to the kernels: those of a set's parts, which have one resolved
-// state, and what they share with other draws. Does not own anything and does not know tiles: gw/fast/plan/tile_draw.h.
+// The draws of a geometry set's parts, as the planner passes them to the kernels. They have one
+// resolved state and share vertex values and textures with other draws. Owns nothing and does not
+// know tiles: gw/fast/plan/tile_draw.h does.
 #pragma once
 
 #include "gw/fast/frame/uniform.h"
@@ -39,7 +40,7 @@ struct DrawOp {
     FragmentBytes bytes;
 };
 
-/// Whether its fragments meet the depth plane.
+/// Whether its fragments read or write the depth plane.
 inline bool needs_depth(const DrawOp& op) {
     return op.state.state.depth.func != DepthFunc::Always || op.state.state.depth.mask;
 }

@@ -1,6 +1,6 @@
-// Geometry sets that outlive their segment: the lists of a frame (depth and winners, then the
-// passes; an item buffer) and frames of one view draw the same geometry again. Does not keep meshes
-// alive.
+// Geometry sets that outlive their segment, because the same geometry is drawn again. The lists of
+// a frame draw it (depth and winners, then the passes; an item buffer), and so do frames of one
+// view. Does not keep meshes alive.
 #pragma once
 
 #include "gw/fast/vertices/geometry.h"
@@ -12,25 +12,25 @@
 
 namespace gw::fast {
 
-/// A part as a segment asks for it.
+/// A part that a segment needs.
 struct PartKey {
     const MeshRef* mesh = nullptr;
     const dmat4* eye_from_object = nullptr;
 };
 
-/// A set goes when one of its meshes does, after four segments that did not use it, or when the
-/// sets that the current segment does not use take more than 64 MB.
+/// A set is dropped with any of its meshes, and after four segments that did not use it. It is also
+/// dropped if the sets that the current segment does not use take more than 64 MB.
 class KeptGeometry {
 public:
     static constexpr std::uint64_t kept_segments = 4;
     static constexpr std::size_t idle_bytes = std::size_t{64} << 20;
 
     void begin_segment();
-    /// The set that was made for this state and these parts, in order; null: none. `hash` is theirs.
+    /// The set made for this state and these parts, in order; null: none. `hash` is their hash.
     GeometrySet* find(std::uint64_t hash, const GeometryState& state,
                       std::span<const PartKey> parts);
-    /// A new set. Call when all sets of the segment have been looked for: it may take the memory of
-    /// one that the segment does not use.
+    /// A new set. Call it after all find() calls of the segment: it may take the memory of a set
+    /// that the segment does not use.
     GeometrySet& make(std::uint64_t hash, const GeometryState& state,
                       std::span<const PartKey> parts);
     void end_segment();
@@ -48,9 +48,9 @@ private:
     void sweep(std::size_t buckets);
 
     std::unordered_map<std::uint64_t, SetRef> sets_;  ///< by hash
-    std::vector<SetRef> unlisted_;                    ///< of this segment: their hash is taken
-    std::vector<GeometrySet*> used_;                  ///< by this segment, of those in sets_
-    std::vector<SetRef> spare_;                       ///< empty, with their memory
+    std::vector<SetRef> unlisted_;                  ///< of this segment; another set has their hash
+    std::vector<GeometrySet*> used_;                ///< by this segment, of those in sets_
+    std::vector<SetRef> spare_;                     ///< empty, with their memory
     std::size_t kept_bytes_ = 0, spare_bytes_ = 0;  ///< of sets_, as of the last segment; of spare_
     bool has_made_ = false;                         ///< in this segment
     std::size_t next_bucket_ = 0;

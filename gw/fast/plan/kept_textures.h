@@ -9,11 +9,11 @@
 
 namespace gw::fast {
 
-/// Packed texels go soon after nobody refers to their texture any more.
+/// Packed texels are dropped soon after the last reference to their texture.
 class KeptTextures {
 public:
     FastTexels& find_or_make(const TextureRef& texture, int bits);
-    /// Looks at a few of the kept textures.
+    /// Checks a few of the kept textures.
     void end_segment();
 
     std::size_t size() const { return all_.size(); }

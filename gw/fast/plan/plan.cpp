@@ -32,7 +32,7 @@ struct Planner {
     std::vector<VertexColors*> colors{};
     std::vector<VertexFog*> fogs{};
     std::vector<VertexTexcoords*> texcoords{};
-    const std::vector<Light>* hashed_lights = nullptr;  ///< the last ones
+    const std::vector<Light>* hashed_lights = nullptr;  ///< of the last draw
     std::uint64_t lights_hash = 0;
     const Texture* last_texture = nullptr;
     FastTexels* last_texels = nullptr;
@@ -46,7 +46,7 @@ struct Planner {
         return lights_hash = hash.value();
     }
 
-    /// The element of a table with the same inputs; else a new one, to be made later.
+    /// The element of a table with the same inputs, else a new one, which is filled later.
     template <class T, class Same>
     static T* shared(Pool<T>& pool, PointerTable<T>& table, std::vector<T*>& made,
                      std::uint64_t hash, const VertexInputs& inputs, const Same& same) {
@@ -104,7 +104,7 @@ struct Planner {
         return gw::fog_table(fog, profile.color_bits);
     }
 
-    /// The draws of one set, which are `steps`.
+    /// Adds the draws of one set; `steps` are its draws.
     void add_draws(std::span<const Step> steps) {
         ScannedState& scanned = *steps[0].state;
         const State& state = *scanned.state;

@@ -40,20 +40,20 @@ struct AccumulateOp {
 };
 struct ReadOp {
     const Read* read = nullptr;
-    // The first pixel of the result; one of the three is given.
+    // The first pixel of the result. One of the three pointers is set.
     Rgba* color = nullptr;
     std::uint32_t* values = nullptr;
     std::array<std::int32_t, 4>* accum = nullptr;
 };
 
-/// An operation, the pass it is counted in, and where its counts are summed.
+/// An operation, the pass that it is counted in, and the slot that sums its counts.
 struct TileOp {
     std::variant<DrawOp, ClearOp, SpansOp, PixelsOp, AccumulateOp, ReadOp> op;
     std::size_t pass = 0;
     std::uint32_t count_slot = 0;
 };
 
-/// A run of commands without a barrier. Its memory is used again by the next one.
+/// A run of commands without a barrier. The next segment reuses its memory.
 struct Segment {
     Scan scan;
     std::vector<TileOp> ops;
@@ -66,7 +66,7 @@ struct Segment {
     bool uses_accum = false;
     int visible_records = 0;
 
-    /// Operations with one slot add to one sum: an example of each slot.
+    /// One operation of each slot. Operations with the same slot add to the same sum.
     std::vector<std::uint32_t> count_slots;
     /// Tile tiles[i] runs tile_ops[tile_start[i] .. tile_start[i + 1] - 1].
     std::vector<std::uint32_t> tiles, tile_start, tile_ops;
@@ -85,19 +85,20 @@ struct MachineState {
     Segment segment;  ///< the one in progress
 };
 
-/// Plans the commands up to the next barrier (which is not included) and counts their geometry; how
-/// many commands that were.
+/// Plans the commands up to the next barrier (which is not included) and counts their geometry.
+/// Returns the number of commands.
 std::size_t plan_segment(std::span<const Command> commands, MachineState& machine,
                          const Profile& profile, const TileGrid& grid, int threads);
 
 /// Ends a segment that has run: the next one reuses its memory.
 void end_segment(MachineState& machine);
 
-/// Gives draws that may share a record of visible fragments its number. A draw may if it compares
-/// Equal, has no alpha test and changes the stencil only where it is visible, everywhere there; and
-/// if only such draws have touched depth since the record was made. The depth pass of the same
-/// geometry makes the record on its way, if depths only became less between the two: then no
-/// fragment that failed in it can be visible.
+/// Numbers the records of visible fragments and gives each number to the draws that share the
+/// record. A draw may use a record under three conditions. It compares Equal, without alpha test.
+/// It changes the stencil of all its visible fragments or of none, and of no others. Only such
+/// draws have touched depth since the record was made. The depth pass of the same geometry makes
+/// the record if depths only became less between the two: then no fragment that failed in it can be
+/// visible.
 void share_visibility(Segment& segment);
 
 /// Lists the operations by tile, and gives them their count slots.

@@ -20,7 +20,7 @@ public:
     }
     Hash& add(double v) { return add(std::bit_cast<std::uint64_t>(v + 0.0)); }
     Hash& add(const void* p) { return add(std::uint64_t(reinterpret_cast<std::uintptr_t>(p))); }
-    /// A sum of products, which do not wait for each other.
+    /// A sum of products, which the processor computes in parallel.
     Hash& add_all(const double* first, std::size_t count) {
         std::uint64_t sum = 0, factor = 0xD6E8FEB86659FD93u;
         for (std::size_t i = 0; i < count; ++i, factor += 0x9E3779B97F4A7C16u) {
@@ -35,7 +35,7 @@ private:
     std::uint64_t value_ = 0x243F6A8885A308D3u;
 };
 
-/// find() may miss an element whose hash many others have, so that it never searches for long.
+/// find() gives up after a few elements with the same hash, so it may miss one; it is always quick.
 template <class T>
 class PointerTable {
 public:

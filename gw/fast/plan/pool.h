@@ -1,4 +1,4 @@
-// Objects that every segment needs again, with their memory. Does not know what they are.
+// Objects whose memory the next segment reuses. Does not know their contents.
 #pragma once
 
 #include <algorithm>

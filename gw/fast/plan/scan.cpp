@@ -6,8 +6,8 @@
 namespace gw::fast {
 namespace {
 
-/// A set has at most these, so that sets can be made in parallel and one part that moves does not
-/// make many others again.
+/// The limits of one set, so that sets can be made in parallel and a moving part does not force
+/// many others to be made again.
 constexpr std::size_t most_parts = 256, most_vertices = 4096;
 constexpr std::size_t most_triangles_of_small = 256;
 
@@ -35,7 +35,7 @@ std::uint64_t hash_of(const GeometryState& s) {
     return hash.value();
 }
 
-/// What states of one list usually differ in.
+/// Hashes the fields in which states of one list usually differ.
 std::uint64_t hash_of(const State& s) {
     Hash hash;
     hash.add_all(&s.projection[0][0], 16);

@@ -1,5 +1,6 @@
-// A segment's commands, read once: every state resolved once, every mesh under one transform found
-// once, and the sets of parts that are always drawn one after the other. Does not make operations.
+// Reads a segment's commands once. Resolves every state once, finds every mesh under one transform
+// once, and forms sets of the parts that are always drawn one after the other. Does not make
+// operations.
 #pragma once
 
 #include "gw/command_list.h"
@@ -23,18 +24,18 @@ struct ScannedState {
     FragmentBytes bytes;
     GeometryState geometry;
     std::uint64_t geometry_hash = 0;
-    const std::vector<std::uint32_t>* fog_table =
-        nullptr;  ///< made by the first draw that needs it
+    /// made by the first draw that needs it
+    const std::vector<std::uint32_t>* fog_table = nullptr;
 };
 
 /// One mesh under one transform and one geometry state.
 struct ScannedPart {
-    const Draw* draw;           ///< the first of it
+    const Draw* draw;           ///< its first draw
     const ScannedState* state;  ///< of that draw
     std::uint64_t hash;
     std::uint32_t index;
     bool is_small;  ///< it may share a set
-    /// A run of draws begins here, or ended at the part before; a run of draws ended here.
+    /// a run of draws begins here, or ended at the previous part; a run of draws ended here
     bool begins_set = false, ends_set = false;
     GeometrySet* set = nullptr;
 };
@@ -49,8 +50,8 @@ struct Step {
 
 class Scan {
 public:
-    /// Reads commands up to the next barrier, which is not included; how many there are. `state`
-    /// and `passes` follow the commands.
+    /// Reads commands up to the next barrier, which is not included, and returns their number.
+    /// `state` and `passes` follow the commands.
     std::size_t run(std::span<const Command> commands, State& state,
                     std::vector<PassReport>& passes, const Profile& profile, int width, int height);
     /// Gives each part its set.

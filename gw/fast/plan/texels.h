@@ -10,14 +10,14 @@
 
 namespace gw::fast {
 
-/// Texels (i, j) and (i, j + 1) of one level, wrapped. Rows of pairs end with the first one of the
-/// row again, or the last where coordinates are clamped: two side by side are what a bilinear
-/// filter mixes.
+/// Texels (i, j) and (i, j + 1) of one level, wrapped. A bilinear filter mixes two pairs side by
+/// side. A row of pairs ends with its first pair again, or with its last if coordinates are
+/// clamped.
 struct TexelPair {
     std::uint32_t lower, upper;
 };
 
-/// A texture's pairs, level behind level.
+/// A texture's pairs, level after level.
 struct TexelPairs {
     /// of each level; a row is one longer than the level is wide
     std::array<std::int32_t, 16> first{};
@@ -27,14 +27,14 @@ struct TexelPairs {
 struct FastTexels {
     Texels texels;
     std::array<std::int32_t, 16> first{};  ///< of each level, in texels
-    std::vector<std::uint32_t> packed;     ///< 8 bits a channel, R lowest; where bits == 8.
+    std::vector<std::uint32_t> packed;     ///< if bits == 8: 8 bits a channel, R lowest
     std::vector<Rgba> wide;                ///< else
     std::array<TexelPairs, 4> pairs;       ///< by both wraps; made when asked for
 };
 
 FastTexels make_fast_texels(Texels texels);
 
-/// The texture's pairs where its coordinates wrap like this; null where it has more than 8 bits.
+/// The texture's pairs for these wraps; null if it has more than 8 bits.
 const TexelPairs* texel_pairs(FastTexels& texels, Wrap wrap_s, Wrap wrap_t);
 
 }  // namespace gw::fast

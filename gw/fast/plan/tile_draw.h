@@ -1,4 +1,4 @@
-// One draw in one tile: what every kernel is called with, and the counts that it adds to.
+// One draw in one tile: the argument of every kernel, and the counts that the kernel adds to.
 // Does not plan.
 #pragma once
 

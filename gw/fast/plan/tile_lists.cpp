@@ -1,4 +1,4 @@
-// Which operations a tile runs: those that may change or read any of its pixels.
+// Lists for each tile the operations that may change or read any of its pixels.
 #include "gw/fast/plan/plan.h"
 #include "gw/stages/tables.h"
 
@@ -34,7 +34,7 @@ private:
     std::size_t tile(int column, int row) const {
         return std::size_t(row) * std::size_t(grid.columns()) + std::size_t(column);
     }
-    /// Of a rectangle inside the window.
+    /// The tiles of a rectangle inside the window.
     TileRange range_of(const Rect& box) const {
         if (box.width <= 0 || box.height <= 0) return {};
         const auto last = [&](int first, int size) {

@@ -57,7 +57,7 @@ HWY_INLINE void gather_positions(const TileDraw& draw, std::span<const std::uint
             store(v.z, t.z[k]);
         }
     };
-    // The first to all lanes: a tile of a large triangle has few others.
+    // The first triangle fills all lanes: a tile inside a large triangle has few others.
     put(0, [&](auto value, auto* lanes) {
         const hn::CappedTag<decltype(value), batch_capacity / 2> d;
         for (std::size_t i = 0; i < t.filled; i += hn::Lanes(d))
@@ -132,7 +132,7 @@ struct PlaneBatch {
 
 #if HWY_HAVE_FLOAT64
 
-/// Nearest integers to (first - second) 2^shift / area2, and the lanes where they are proved so.
+/// Nearest integers to (first - second) 2^shift / area2, and the lanes in which this is proved.
 struct GradientLanes {
     V64 value;
     hn::Mask<D64> sure;
@@ -142,7 +142,7 @@ HWY_INLINE GradientLanes gradient_lanes(V64 first, V64 second, V64 area2, int sh
     const auto scaled = hn::Mul(hn::Sub(first, second), all(double(std::int64_t{1} << shift)));
     const auto q = hn::Div(scaled, area2);
     const auto g = nearest(q);
-    // The remainder, exactly: g in two parts, whose products with a small area need no more than 52
+    // The exact remainder: g is split in two, because each product with a small area then fits 52
     // bits.
     const auto upper = hn::Mul(hn::Floor(hn::Mul(g, all(1.0 / 67108864))), all(67108864));
     const auto twice = hn::Mul(

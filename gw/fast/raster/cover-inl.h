@@ -1,4 +1,4 @@
-// Which pixels of a tile a triangle covers, a block at a time. docs/manual.md, "Coverage";
+// Finds the pixels of a tile that a triangle covers, a block at a time. docs/manual.md, "Coverage";
 // scalar twin: gw/reference/coverage.cpp. Does not interpolate or test.
 // Included once per Highway target.
 #if defined(GW_FAST_COVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -68,7 +68,7 @@ private:
 struct BlockRange {
     int x0, y0, x1, y1;
 
-    /// Of 4x4 squares of `step` blocks from block (x, y) on, those that touch the range.
+    /// The squares that touch the range, of 4x4 squares of `step` blocks from block (x, y) on.
     HWY_INLINE std::uint32_t squares(int x, int y, int step) const {
         const auto lines = [&](int first, int low, int high) {
             std::uint32_t mask = 0;
@@ -83,7 +83,7 @@ struct BlockRange {
     }
 };
 
-/// The squares of 4x4 that the triangle does not touch, and those that it covers, by its edges.
+/// Of 4x4 squares, those that lie outside an edge, and those that lie inside all edges.
 struct Extents {
     std::uint32_t outside, inside;
 };
@@ -98,8 +98,8 @@ HWY_INLINE Extents extents_of(const TileEdges& e, int x, int y, int side, Square
             return hn::Add(hn::Mul(steps, hn::Set(d, side)), hn::Set(d, first));
         };
         const auto px = at(lane_x, x), py = at(lane_y, y);
-        auto most = hn::Zero(d),
-             least = hn::Zero(d);  // sign bits: some edge has all pixels, some pixel outside
+        // sign bits: an edge has all pixels outside; an edge has a pixel outside
+        auto most = hn::Zero(d), least = hn::Zero(d);
         for (std::size_t k = 0; k < 3; ++k) {
             const int across = e.a[k] * (side - 1), along = e.b[k] * (side - 1);
             const auto corner =
@@ -121,7 +121,7 @@ HWY_INLINE Extents extents_of(const TileEdges& e, int x, int y, int side, Square
     return out;
 }
 
-/// Lanes of the box in one block; all, where the box is the whole tile.
+/// Lanes of the box in one block; all lanes if the box is the whole tile.
 struct BoxLanes {
     const BlockBox& box;
     bool whole;
@@ -144,7 +144,7 @@ struct BoxLanes {
     }
 };
 
-/// A block that the triangle covers wholly. If no box cuts it, a visitor may take AllLanes.
+/// Visits a block that the triangle covers wholly. If no box cuts it, a visitor may take AllLanes.
 template <class Visit>
 HWY_INLINE void visit_full_block(const BoxLanes& box, int bx, int by, const Visit& visit) {
     if constexpr (std::is_invocable_v<Visit, int, int, AllLanes>) {
@@ -164,13 +164,13 @@ HWY_INLINE void visit_full_blocks(const BoxLanes& box, const BlockRange& r, Walk
             visit_full_block(box, bx, by, visit);
 }
 
-/// A visitor may take whole blocks in groups: of the 4x4 blocks from (x, y) on, those of a mask.
+/// A visitor that takes whole blocks in groups: a mask of the 4x4 blocks from (x, y) on.
 template <class Visit>
 concept TakesGroups = requires(const Visit& visit) {
     visit.whole_blocks(0, 0, 0u);
 };
 
-/// A group that the triangle covers wholly.
+/// Visits a group that the triangle covers wholly.
 template <class Walk, class Visit>
 HWY_INLINE void visit_full_group(const BoxLanes& box, int x, int y, Walk& walk,
                                  const Visit& visit) {
@@ -180,7 +180,7 @@ HWY_INLINE void visit_full_group(const BoxLanes& box, int x, int y, Walk& walk,
     visit_full_blocks(box, {x, y, x + group_blocks - 1, y + group_blocks - 1}, walk, visit);
 }
 
-/// Every block of a small range.
+/// Visits every block of a small range.
 template <class Walk, class Visit>
 HWY_INLINE void visit_covered_blocks(const BoxLanes& box, EdgeWalk& edge, const BlockRange& r,
                                      Walk& walk, const Visit& visit) {
@@ -194,7 +194,7 @@ HWY_INLINE void visit_covered_blocks(const BoxLanes& box, EdgeWalk& edge, const 
         }
 }
 
-/// The blocks of a group that the triangle's border crosses and may touch: `blocks`, one bit each.
+/// Visits those `blocks` of a group, one bit each, that the triangle may touch.
 template <class Walk, class Visit>
 HWY_INLINE void visit_blocks(const BoxLanes& box, const EdgeWalk& edge, const SquareEdges& edges,
                              int x, int y, std::uint32_t blocks, std::uint32_t full, Walk& walk,
@@ -249,7 +249,7 @@ HWY_INLINE void visit_groups(const BoxLanes& box, const TileEdges& edges, EdgeWa
 
 /// Visitors of the covered blocks of one triangle: visit(bx, by, lanes), with `walk` at that block.
 struct SmallTriangle {
-    /// Of at most 2x2 blocks: their lanes are known.
+    /// A triangle on at most 2x2 blocks, whose lanes are known.
     template <class Walk, class Visit>
     HWY_INLINE static void visit(const BoxLanes& box, const Triangles& t, std::size_t i, Walk& walk,
                                  const Visit& visit) {

@@ -1,6 +1,6 @@
-// Which pixels of a tile a line or point covers, collected by block. docs/manual.md, "Coverage";
-// scalar twin: gw/reference/coverage.cpp. Does not interpolate or test. Included once per Highway
-// target.
+// Finds the pixels of a tile that a line or point covers, collected by block. docs/manual.md,
+// "Coverage"; scalar twin: gw/reference/coverage.cpp. Does not interpolate or test. Included once
+// per Highway target.
 #if defined(GW_FAST_LINES_AND_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_LINES_AND_POINTS_INL_H_
 #undef GW_FAST_LINES_AND_POINTS_INL_H_

@@ -14,15 +14,15 @@ struct TileDraw;
 
 /// Colour and fog.
 struct ColorPlanes {
-    TilePlane color[4];  ///< numerators where `perspective`
+    TilePlane color[4];  ///< numerators if `perspective`
     bool perspective = false;
     std::uint32_t low[4] = {}, high[4] = {};
-    TilePlane q;    ///< denominator, where colour or fog needs one
+    TilePlane q;    ///< denominator, if colour or fog needs one
     TilePlane fog;  ///< factor, or numerator of the coordinate
     float fog_scale = 1;
 };
 
-/// Primitives that are set up together.
+/// The number of primitives that are set up together.
 inline constexpr std::size_t batch_capacity = 16;
 
 /// Triangles of a set by ordinal, a lane each; lanes from `count` to `filled` repeat the first.
@@ -45,7 +45,7 @@ struct Corners {
 /// vertices.
 struct NarrowBatch {
     alignas(64) std::uint32_t c[5][batch_capacity], gx[5][batch_capacity], gy[5][batch_capacity];
-    /// triangles whose R, G and B are 0 at all vertices, a bit each; not all are known
+    /// triangles known to have R, G and B 0 at all vertices, a bit each
     std::uint32_t black = 0;
 };
 
@@ -70,7 +70,7 @@ struct TexturePlanes {
     int slope_x = 0, slope_y = 0;  ///< window pixel that the slopes are given at
 };
 
-/// A batch's planes while it is drawn: one for each worker thread.
+/// A batch's planes while it is drawn; each worker thread has one scratch.
 struct BatchScratch {
     ColorPlanes color[batch_capacity];
     TexturePlanes texture[batch_capacity];

@@ -20,7 +20,7 @@ struct Tile;
 
 __extension__ using int128 = __int128;
 
-/// Nearest integer to num * 2^shift / den, ties to even. Double only guesses, integers decide.
+/// Nearest integer to num * 2^shift / den, ties to even. A double gives a guess; integers decide.
 int128 exact_gradient(std::int64_t num, int shift, std::int64_t den);
 
 inline std::int64_t gradient(std::int64_t num, int shift, std::int64_t den, bool& sliver) {
@@ -43,7 +43,7 @@ inline std::int64_t gradient(std::int64_t num, int shift, std::int64_t den, bool
     return g;
 }
 
-/// One primitive in one tile: what every plane of it shares.
+/// The data of one primitive in one tile that all its planes share.
 struct PrimitiveFrame {
     MeshKind kind = MeshKind::Triangles;
     int s = 3;
@@ -53,8 +53,8 @@ struct PrimitiveFrame {
     std::int64_t length = 1;                                     ///< lines: of the major axis
     /// vertex that planes start from
     std::size_t base = 0;
-    std::int64_t ax = 0, ay = 0, to_x = 0,
-                 to_y = 0;  ///< to the centre of the base's pixel, from there to the tile
+    std::int64_t ax = 0, ay = 0;      ///< from the base to the centre of its pixel
+    std::int64_t to_x = 0, to_y = 0;  ///< pixels from the base's to the tile
 
     /// Plane through values at the primitive's vertices (1, 2 or 3 of them).
     TilePlane plane(const std::array<std::int64_t, 3>& a) const {

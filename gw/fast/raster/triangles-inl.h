@@ -1,5 +1,5 @@
-// Sets up to 16 triangles of a tile up: edges, pixel boxes, depth planes, and the coverage of small
-// ones. docs/manual.md, "Coverage", "Planes"; scalar twin: gw/fast/raster/setup.cpp.
+// Set-up of up to 16 triangles of a tile: edges, pixel boxes, depth planes, and the coverage of
+// small ones. docs/manual.md, "Coverage", "Planes"; scalar twin: gw/fast/raster/setup.cpp.
 // Does not rasterize. Included once per Highway target.
 #if defined(GW_FAST_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_TRIANGLES_INL_H_
@@ -22,8 +22,8 @@ struct Triangles {
     alignas(64) std::int32_t x0[batch_capacity], y0[batch_capacity], x1[batch_capacity],
         y1[batch_capacity];
     PlaneBatch depth;
-    /// Triangles that touch at most 2x2 blocks, a bit each, and the lanes that they cover: 16 of
-    /// the left block from bit 0, of the right one from bit 16.
+    /// Triangles that touch at most 2x2 blocks, a bit each, and the lanes that they cover: bits 0
+    /// to 15 are the left block's, bits 16 to 31 the right one's.
     std::uint32_t small = 0;
     alignas(64) std::uint32_t lower[batch_capacity], upper[batch_capacity];
 
@@ -147,7 +147,7 @@ struct EdgeLanes {
     HWY_INLINE void next_row() {
         for (std::size_t k = 0; k < 3; ++k) at[k] = row[k] = hn::Add(row[k], b[k]);
     }
-    /// Lanes inside of two blocks side by side.
+    /// The lanes inside, for two blocks side by side.
     HWY_INLINE hn::Vec<D> covered_blocks() {
         const D d;
         auto left = hn::Zero(d), right = hn::Zero(d);
@@ -160,7 +160,7 @@ struct EdgeLanes {
     }
 };
 
-/// Finds the small triangles and what they cover, a vector of triangles at a time.
+/// Finds the small triangles and the pixels that they cover, a vector of triangles at a time.
 HWY_INLINE void cover_small(Triangles& t) {
     const EdgeLanes::D d;
     const hn::RebindToUnsigned<EdgeLanes::D> u;
@@ -179,7 +179,7 @@ HWY_INLINE void cover_small(Triangles& t) {
         if (hn::AllFalse(d, small)) continue;
         t.small |= bits_of(d, small, hn::Lanes(d)) << i;
         EdgeLanes edges(t, i, hn::ShiftLeft<2>(x), hn::ShiftLeft<2>(y));
-        // Blocks past the last one are not the tile's.
+        // Blocks past the last one lie outside the tile.
         const auto inside = hn::IfThenElse(hn::Lt(columns, one), left_block, hn::Set(d, -1));
         const auto lower = hn::And(edges.covered_blocks(), inside), upper = edges.covered_blocks();
         hn::Store(hn::BitCast(u, lower), u, t.lower + i);
@@ -188,8 +188,7 @@ HWY_INLINE void cover_small(Triangles& t) {
     }
 }
 
-/// Sets up the first triangles of a bin, as many as there is room for; their depth planes where
-/// asked.
+/// Sets up the first triangles of a bin, up to batch_capacity, with depth planes if asked.
 inline void set_up_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, bool depth,
                              Triangles& t) {
     gather_corners(draw, bin, t.corners);

@@ -1,5 +1,5 @@
-// A batch's colours, made when the first of its fragments needs them. Does not test or write.
-// Included once per Highway target.
+// A batch's colour and texture planes, made when a fragment first needs them. Does not test or
+// write. Included once per Highway target.
 #if defined(GW_FAST_BATCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_BATCH_INL_H_
 #undef GW_FAST_BATCH_INL_H_

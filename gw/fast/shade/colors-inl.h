@@ -66,7 +66,7 @@ HWY_INLINE void gather_colors(const TileDraw& draw, const Corners& t, ColorWords
 /// Integers below 2^52 as doubles.
 HWY_INLINE V64 to_double(hn::Vec<U64ForD64> v) {
     const D64 d;
-    // 2^52: its lowest bits are what is ored in
+    // 2^52: or-ing v into its lowest bits adds v
     const auto magic = hn::Set(d, 4503599627370496.0);
     return hn::Sub(hn::BitCast(d, hn::Or(v, hn::BitCast(U64ForD64(), magic))), magic);
 }
@@ -93,7 +93,7 @@ HWY_INLINE void fog_planes(const TileDraw& draw, const Corners& t, PlaneBatch& o
 }
 
 /// Bits in which any triangle's corners differ. A channel without such bits is constant on each
-/// triangle, as are most alphas, ambient light and darkness.
+/// triangle. Alpha, ambient light and black usually are.
 HWY_INLINE std::uint64_t differing_bits(const Corners& t, const ColorWords& colors) {
     const U64ForD64 u;
     auto any = hn::Zero(u);
@@ -108,7 +108,7 @@ HWY_INLINE std::uint64_t differing_bits(const Corners& t, const ColorWords& colo
     for (std::size_t i = 0; i < hn::Lanes(u); ++i) bits |= lanes[i];
     return bits;
 }
-/// Triangles without R, G and B.
+/// Triangles whose R, G and B are 0.
 HWY_INLINE std::uint32_t black_lanes(const Corners& t, const ColorWords& colors) {
     const U64ForD64 u;
     const auto rgb = hn::Set(u, 0xFFFFFFFFFFFFu);

@@ -49,7 +49,7 @@ struct RatioBatch {
     std::uint32_t finite = 0;
 };
 
-/// Numerators of lanes i ..: values to `out`, exponent and k to the batch.
+/// Numerators of lanes i ..: stores values in `out`, exponent and k in the batch.
 HWY_INLINE void numerator_lanes(const Vertices3& s, const Vertices3& ratio, Wrap wrap,
                                 std::size_t i, CoordinateBatch& batch,
                                 double (&out)[3][batch_capacity]) {
@@ -137,7 +137,7 @@ HWY_INLINE PlaneSlope slope_of(const PlaneBatch& p, std::size_t i) {
     return {double(p.gx[i]), double(p.gy[i]), double(p.base[i] >> 16)};
 }
 
-/// Member by member: a copy of a whole plane would wait for its parts to be stored.
+/// Copies member by member: a copy of a whole plane would wait for its parts to be stored.
 HWY_INLINE void put_plane(const PlaneBatch& from, std::size_t i, TilePlane& out) {
     out.c = static_cast<std::uint64_t>(from.c[i]);
     out.gx = from.gx[i];

@@ -1,6 +1,6 @@
-// The commonest textured triangle in 8 bits: one level, a bilinear filter, modulated by the colour,
-// no fog. Coordinates, texels and products stay in vectors from block to block. Gives the same bits
-// as the stages of shade-inl.h. Does not blend. Included once per Highway target.
+// The most common textured triangle in 8 bits: one level, a bilinear filter, modulated by the
+// colour, no fog. Coordinates, texels and products stay in vectors from block to block. Gives the
+// same bits as the stages of shade-inl.h. Does not blend. Included once per Highway target.
 #if defined(GW_FAST_MODULATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_MODULATE_INL_H_
 #undef GW_FAST_MODULATE_INL_H_
@@ -16,8 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// One coordinate of a triangle's texture at any block, in 1/256 texels from the first texel's
-/// middle.
+/// One coordinate of a triangle's texture at any block, in 1/256 texels from the centre of the
+/// first texel.
 struct TexelPosition {
     WidePlaneLanes plane;
     float scale;  ///< 256 texels 2^exponent
@@ -38,7 +38,7 @@ struct TexelPosition {
 
 #if HWY_TARGET == HWY_SCALAR
 
-/// One lane cannot hold two channels.
+/// A vector of one lane has no halves for two channels.
 struct ModulatedTexels {
     HWY_INLINE static bool applies_to(const DrawOp&) { return false; }
     HWY_INLINE void write(const TileDraw&, const NarrowBatch&, const TexturePlanes&, std::size_t,
@@ -47,7 +47,7 @@ struct ModulatedTexels {
 
 #else
 
-/// Four channels in 16-bit halves to their rows.
+/// Stores four channels, given in 16-bit halves, in their rows.
 HWY_INLINE void store_words(const TexelWords& words, std::size_t part, ColorBlock& out) {
 #if HWY_MAX_BYTES >= 64
     const hn::Repartition<std::int16_t, D32> h;
@@ -71,15 +71,15 @@ HWY_INLINE void store_words(const TexelWords& words, std::size_t part, ColorBloc
 #endif
 }
 
-/// A triangle's texels times its colours. Aimed once at each triangle.
+/// A triangle's texels times its colours. Set up once for each triangle.
 struct ModulatedTexels {
     WidePlaneLanes q;
     TexelPosition s, t;
     TexelWords color[parts];
     float w = 1;
     bool affine = true;
-    std::size_t aimed = batch_capacity;  ///< at which triangle of the batch
-    KeptTexels* kept = nullptr;          ///< where this triangle came before
+    std::size_t aimed = batch_capacity;  ///< the triangle of the batch that it is set up for
+    KeptTexels* kept = nullptr;          ///< texels of this triangle from an earlier draw
 
     HWY_INLINE static bool applies_to(const DrawOp& op) {
         const State& s = op.state.state;

@@ -11,7 +11,7 @@
 
 namespace gw::fast {
 
-/// Everything that a triangle's filtered texels in a tile depend on, if they are of one level.
+/// The inputs of a triangle's filtered texels in a tile, if they are of one level.
 struct TexelKey {
     const TexelPairs* pairs = nullptr;
     TilePlane q, s, t;
@@ -34,8 +34,8 @@ struct KeptTexels {
     std::vector<Block> blocks;
 };
 
-/// Of the tile that is being drawn. Most triangles come once: texels are kept from the second time
-/// on.
+/// The kept texels of the tile that is being drawn. Most triangles are drawn once, so texels are
+/// kept from the second time on.
 class RepeatedTexels {
 public:
     void clear() {

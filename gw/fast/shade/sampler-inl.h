@@ -1,4 +1,4 @@
-// Looking a texture up at 16 pixels' coordinates: addressing, and the filters of one level.
+// Looks up a texture at the coordinates of 16 pixels: addressing, and the filters of one level.
 // docs/manual.md, "Textures"; scalar twin: gw/stages/texels.cpp. Does not choose levels. Included
 // once per Highway target.
 #if defined(GW_FAST_SAMPLER_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -24,7 +24,7 @@ struct Coordinates {
     VI u_k, v_k;
 };
 
-/// One draw's texture as the lanes see it.
+/// One draw's texture, for look-ups in vectors.
 struct Sampler {
     const FastTexels& texels;
     const TexelPairs* pairs;  ///< null: more than 8 bits
@@ -33,8 +33,8 @@ struct Sampler {
 
     const TexelLevel& base() const { return texels.texels.levels[0]; }
 
-    /// u + k in 1/256 texels of the lanes' own levels, whose sides are 2^log2_size; u 2^.. at most
-    /// 2^30.
+    /// u + k in 1/256 texels of the lanes' own levels, whose sides are 2^log2_size; the scaled u is
+    /// at most 2^30.
     HWY_INLINE static VI coordinate(VF u, VI k, VI log2_size) {
         const I32 i;
         const F32 f;
@@ -51,8 +51,8 @@ struct Sampler {
                                     : hn::Min(hn::Max(index, hn::Zero(I32())), last);
     }
 
-    /// How far a texel's right or upper neighbour counts, in 256ths. The first texel's neighbours
-    /// beyond a clamped side are itself: there its weight is as good as none.
+    /// The weight of a texel's right or upper neighbour, in 256ths. Beyond a clamped side both
+    /// texels are the first one, so any weight gives the same mean.
     HWY_INLINE static V32 weight(Wrap wrap, VI position, VI texel) {
         const I32 i;
         auto fraction = hn::And(position, hn::Set(i, 255));
@@ -61,7 +61,7 @@ struct Sampler {
         return hn::BitCast(D32(), fraction);
     }
 
-    /// The lanes' levels: sides 2^log2_w x 2^log2_h, where their texels and their pairs start.
+    /// The lanes' levels: sides 2^log2_w x 2^log2_h, and the starts of their texels and pairs.
     struct Level {
         VI log2_w, log2_h, first, first_pair;
     };
@@ -98,7 +98,7 @@ private:
         const auto one = hn::Set(I32(), 1);
         return wrapped(state.wrap_t, y, hn::Sub(hn::Shl(one, level.log2_h), one));
     }
-    /// Of the four texels around a position.
+    /// The mean of the four texels around a position.
     HWY_INLINE TexelLanes mean(VI u, VI v, const Level& level) const {
         const I32 i;
         u = hn::Sub(u, hn::Set(i, 128));

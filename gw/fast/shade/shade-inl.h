@@ -25,7 +25,7 @@ HWY_INLINE void shade_depth(const DepthPlane& p, std::uint32_t max_depth, int bx
     if (p.offset != 0) offset_depths(p.offset, max_depth, out);
 }
 
-/// The inputs of shading for 16 pixels: each lane belongs to the primitive that it shows.
+/// The inputs of shading for 16 pixels, which may belong to different primitives.
 struct ShadeInputs {
     ColorBlock color;
     ColorBlock texel;
@@ -35,8 +35,8 @@ struct ShadeInputs {
     alignas(64) std::uint32_t fog[block_pixels];
 };
 
-/// Coefficients of narrow planes, each lane of its own primitive: vectors, so that they stay in
-/// registers.
+/// Coefficients of narrow planes; each lane may have its own primitive. They are vectors, so that
+/// they stay in registers.
 template <std::size_t channels>
 struct NarrowLanes {
     V32 c[channels][parts], gx[channels][parts], gy[channels][parts];
@@ -45,7 +45,7 @@ struct NarrowLanes {
         for (std::size_t k = 0; k < channels; ++k)
             for (std::size_t i = 0; i < parts; ++i) c[k][i] = gx[k][i] = gy[k][i] = hn::Zero(D32());
     }
-    /// Triangle j of a batch in these lanes.
+    /// Puts triangle j of a batch into these lanes.
     HWY_INLINE void put(const NarrowBatch& p, std::size_t j, const LaneSet& lanes) {
         const D32 d;
         const auto put = [&](V32& v, std::size_t i, std::uint32_t value) {
@@ -58,7 +58,7 @@ struct NarrowLanes {
                 put(gy[k][i], i, p.gy[k][j]);
             }
     }
-    /// Colour, and the fog factor where there are five channels.
+    /// Colour, and the fog factor if there are five channels.
     HWY_INLINE void store(int bx, int by, ShadeInputs& in) const {
         for (std::size_t i = 0; i < parts; ++i) {
             const Pixels at = pixels_of(bx, by, i * lanes32);
@@ -72,7 +72,7 @@ struct NarrowLanes {
     }
 };
 
-/// Colour, and the fog factor where there are five channels, of triangle j of a batch.
+/// Colour, and the fog factor if there are five channels, of triangle j of a batch.
 HWY_INLINE void narrow_colors(const NarrowBatch& p, std::size_t j, std::size_t channels, int bx,
                               int by, ShadeInputs& in) {
     const D32 d;
@@ -114,7 +114,7 @@ HWY_NOINLINE inline void interpolated_color(const ColorPlanes& p, int bits, int 
     }
 }
 
-/// The commonest operation of multi-pass rendering: modulate in 8 bits.
+/// The most common operation of multi-pass rendering: modulate in 8 bits.
 HWY_INLINE void modulate_bytes(const ColorBlock& color, const ColorBlock& texel, ColorBlock& out) {
     const D16 d;
     for (std::size_t c = 0; c < 4; ++c)
@@ -159,7 +159,7 @@ HWY_INLINE V32 fog_factor_lanes(const ColorPlanes& p, const DrawOp& op, Pixels a
     const auto f = hn::Mul(hn::Mul(to_floats(wide_plane(p.fog, at)), reciprocal_lanes(p.q, at)),
                            hn::Set(F32(), p.fog_scale));
     const auto clamped = hn::Max(hn::Zero(F32()), hn::Min(f, hn::Set(F32(), float(steps * 256))));
-    // Lanes that the primitive does not cover may hold anything: the index stays inside the table.
+    // Lanes outside the primitive have arbitrary values: the index must stay inside the table.
     const auto last = hn::Set(i, steps * 256);
     const auto position = hn::Max(hn::Zero(i), hn::Min(hn::ConvertTo(i, clamped), last));
     const auto entry = hn::ShiftRight<8>(position),

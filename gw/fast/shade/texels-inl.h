@@ -56,7 +56,7 @@ HWY_INLINE V32 bilinear_wide(V32 a, V32 b, V32 c, V32 e, V32 wx, V32 wy) {
     return hn::ShiftRight<16>(hn::Add(mix(mix(a, b, wx), mix(c, e, wx), wy), hn::Set(d, 1u << 15)));
 }
 
-/// Four packed texels of each lane: a b, and c e in the row after.
+/// Four packed texels of each lane: a b, and c e in the row above.
 struct PackedCorners {
     V32 a, b, c, e;
 };
@@ -101,8 +101,8 @@ HWY_INLINE TexelWords bilinear_bytes(const PackedCorners& t, V32 wx, V32 wy) {
 
 #else
 
-/// bilinear() of gw/stages/texels.h, 8 bits, of two channels; every product is a rounding 15-bit
-/// one. Texels come 64 times as large, weights (of 256) 128 times.
+/// bilinear() of gw/stages/texels.h, 8 bits, for two channels. Every product is a rounding 15-bit
+/// one. Texels are scaled by 64, weights (of 256) by 128.
 HWY_INLINE V32 bilinear_halves(V32 a, V32 b, V32 c, V32 e, V32 x, V32 y) {
     const hn::Repartition<std::int16_t, D32> h;
     const auto s = [&](V32 v) { return hn::BitCast(h, v); };
@@ -136,7 +136,7 @@ HWY_INLINE PackedCorners load_corners(const TexelPair* pairs, VI index) {
 
 #else
 
-/// Two pairs side by side for every fourth pixel, one behind the other.
+/// Two adjacent pairs for every fourth pixel, pixel after pixel.
 template <std::size_t lanes>
 HWY_INLINE hn::Vec<hn::FixedTag<std::uint32_t, lanes> > every_fourth(const TexelPair* pairs,
                                                                      const std::int32_t* index) {
@@ -148,7 +148,7 @@ HWY_INLINE hn::Vec<hn::FixedTag<std::uint32_t, lanes> > every_fourth(const Texel
                            every_fourth<lanes / 2>(pairs, index));
 }
 
-/// The pairs at `index` and behind it: pixels in rows become corners in rows, in every 128 bits.
+/// The pairs at `index` and the next ones, transposed in every 128 bits: a vector for each corner.
 HWY_INLINE PackedCorners load_corners(const TexelPair* pairs, VI index) {
     const D32 d;
     const hn::Repartition<std::uint64_t, D32> two;

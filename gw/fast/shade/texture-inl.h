@@ -1,7 +1,6 @@
 // Textures on a block of 16 pixels: coordinates and level of detail. docs/manual.md, "Textures";
-// scalar twins: gw/stages/texels.cpp, gw/reference/texture_unit.cpp. Does not combine with the
-// fragment's colour.
-// Included once per Highway target.
+// scalar twins: gw/stages/texels.cpp, gw/reference/texture_unit.cpp. Does not combine texels with
+// the fragment's colour. Included once per Highway target.
 #if defined(GW_FAST_TEXTURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_TEXTURE_INL_H_
 #undef GW_FAST_TEXTURE_INL_H_
@@ -18,8 +17,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// The inputs of the texture unit for 16 pixels, each of its own primitive: values of planes and
-/// their scales.
+/// The inputs of the texture unit for 16 pixels, which may belong to different primitives: values
+/// of planes and their scales.
 struct TextureInputs {
     alignas(64) std::uint32_t q[block_pixels], u[block_pixels], v[block_pixels];
     alignas(64) std::int32_t u_exponent[block_pixels],
@@ -27,7 +26,7 @@ struct TextureInputs {
     alignas(64) float slope[block_pixels];  ///< rho Q^2 2^16
 };
 
-/// What rho is made of: the larger slope of each row and column. docs/manual.md, "Level of detail".
+/// The input of rho: the larger slope of each row and column. docs/manual.md, "Level of detail".
 HWY_NOINLINE inline void store_slopes(const Sampler& s, const TexturePlanes& p, const Tile& tile,
                                       int bx, int by, std::uint32_t mask, float* slope) {
     const double scale_s = power_of_two(p.s.exponent + s.base().log2_width);
@@ -113,7 +112,7 @@ HWY_INLINE LevelLanes choose_levels(const Sampler& s, VF rho) {
     return out;
 }
 
-/// The lanes' texels at one level each, magnified and minified lanes by their own filters.
+/// The lanes' texels, each at its level. Magnified and minified lanes have their own filters.
 HWY_INLINE TexelLanes sample_level(const Sampler& s, const Coordinates& at, VI index,
                                    hn::Mask<I32> magnify) {
     const bool small = is_linear(s.state, false), large = is_linear(s.state, true);
@@ -142,7 +141,7 @@ HWY_INLINE VF rho_lanes(VF slope, VF w) {
     return hn::Mul(hn::Mul(slope, hn::Mul(w, w)), hn::Set(F32(), 1.0f / 65536));
 }
 
-/// Divides: what depends on the pixels and the texture's size, but not on its texels.
+/// The divisions of the texture unit. They depend on pixels and planes, but not on texels.
 HWY_NOINLINE inline void divide_block(const Sampler& s, const TextureInputs& in,
                                       TextureLanes& out) {
     const D32 u;
@@ -164,7 +163,7 @@ HWY_NOINLINE inline void divide_block(const Sampler& s, const TextureInputs& in,
     }
 }
 
-/// The same where one primitive covers the lanes of `mask`.
+/// The same if one primitive covers the lanes of `mask`.
 HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p, const Tile& tile,
                                       int bx, int by, std::uint32_t mask, TextureLanes& out) {
     const I32 d;
@@ -186,7 +185,7 @@ HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p, 
     }
 }
 
-/// The texels of all lanes: where the coordinates are anything, so are they.
+/// The texels of all lanes. Lanes with arbitrary coordinates get arbitrary texels.
 HWY_NOINLINE inline void sample_block(const Sampler& s, const TextureLanes& in, ColorBlock& out) {
     const I32 d;
     const F32 f;

@@ -1,6 +1,6 @@
-// Texturing lane by lane where lanes may differ in level: mipmaps, projective coordinates, shadow
-// comparison. docs/manual.md, "Textures". Shares the integer filters of gw/stages/texels.h with the
-// reference machine.
+// Texturing lane by lane, for lanes that may differ in level: mipmaps, projective coordinates,
+// shadow comparison. docs/manual.md, "Textures". Shares the integer filters of gw/stages/texels.h
+// with the reference machine.
 #include "gw/fast/raster/primitive.h"
 
 #include "gw/base/arithmetic.h"

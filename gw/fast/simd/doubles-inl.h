@@ -1,6 +1,6 @@
 // Vectors of doubles for the vertex stages, in the order of operations of gw/base/types.h and
-// gw/stages/vertex.h. Does not know what the values mean. Included once per Highway target, where
-// it has vectors of doubles.
+// gw/stages/vertex.h. Does not know the meaning of the values. Included once per Highway target
+// that has vectors of doubles.
 #if defined(GW_FAST_DOUBLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_DOUBLES_INL_H_
 #undef GW_FAST_DOUBLES_INL_H_
@@ -30,7 +30,7 @@ inline V64 nearest(V64 v) {
     const auto magic = all(0x1.8p52);
     return hn::Sub(hn::Add(v, magic), magic);
 }
-/// v where v > 0, else 0 (NaN too).
+/// v if v > 0, else 0 (NaN too).
 inline V64 positive(V64 v) { return hn::IfThenElseZero(hn::Gt(v, hn::Zero(D64())), v); }
 inline V64 at_most_one(V64 v) { return hn::IfThenElse(hn::Lt(v, all(1)), v, all(1)); }
 /// quantize() of gw/base/arithmetic.h, before the conversion: clamped, scaled, rounded to even.

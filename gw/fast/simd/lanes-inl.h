@@ -1,5 +1,5 @@
 // A block's 16 lanes as vectors of 8, 16 and 32 bits, masks of them, and products of channels. Does
-// not know what the lanes mean. Included once per Highway target.
+// not know the meaning of the lanes. Included once per Highway target.
 #if defined(GW_FAST_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_LANES_INL_H_
 #undef GW_FAST_LANES_INL_H_
@@ -49,8 +49,8 @@ HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> m, std::size_t lanes) {
     return static_cast<std::uint32_t>(bits) & ((1u << lanes) - 1);
 }
 
-/// Stores the lanes of a mask. Targets without masked stores rewrite the other lanes unchanged: no
-/// other thread may write them meanwhile, and none does, since one thread draws a tile.
+/// Stores the lanes of a mask. Targets without masked stores rewrite the other lanes unchanged.
+/// This is safe because only one thread draws a tile.
 template <class D>
 HWY_INLINE void store_lanes(hn::Vec<D> v, hn::Mask<D> lanes, D d, hn::TFromD<D>* p) {
 #if HWY_TARGET <= HWY_AVX3
@@ -60,7 +60,7 @@ HWY_INLINE void store_lanes(hn::Vec<D> v, hn::Mask<D> lanes, D d, hn::TFromD<D>*
 #endif
 }
 
-/// A block's channel, 16 bits a lane, as 32 bits a lane; and back.
+/// Loads a block's channel, 16 bits a lane, as 32 bits a lane; store16 reverses it.
 HWY_INLINE V32 load_channel(const std::uint16_t* p) {
     return hn::PromoteTo(D32(), hn::Load(Half16(), p));
 }

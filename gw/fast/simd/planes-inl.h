@@ -40,7 +40,7 @@ HWY_INLINE V32 narrow_plane(const TilePlane& p, Pixels at) {
     return narrow_value(all(p.c), all(p.gx), all(p.gy), at);
 }
 
-/// A value of up to 32 bits: high and low halves apart, exact modulo 2^32.
+/// A value of up to 32 bits, computed in two halves, exact modulo 2^32.
 HWY_INLINE V32 wide_plane(const TilePlane& p, Pixels at) {
     const auto high = [](std::int64_t v) { return hn::Set(D32(), std::uint32_t(v >> 16)); };
     const auto low = [](std::int64_t v) { return hn::Set(D32(), std::uint32_t(v & 0xFFFF)); };

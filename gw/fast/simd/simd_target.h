@@ -1,4 +1,4 @@
-// Which of Highway's targets runs: the best, or one that a test asks for.
+// Selects the Highway target that runs: the best one, or one that a test asks for.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace gw::fast {
 
-/// The vector instruction set in use, in Highway's words, and all that this processor has.
+/// The vector instruction set in use, by Highway's name, and all sets that this processor has.
 std::string simd_target();
 std::vector<std::string> simd_targets();
 /// Uses only the named target from now on (tests); "" goes back to the best. False if there is no

@@ -1,6 +1,6 @@
 // Linear functions over the blocks of a tile: evaluated at one block, then stepped from block to
 // block and row to row by additions modulo 2^32. Increments equal the closed form; docs/manual.md,
-// "Planes". Does not know what is walked over. Included once per Highway target.
+// "Planes". Does not know the meaning of the values. Included once per Highway target.
 #if defined(GW_FAST_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_WALK_INL_H_
 #undef GW_FAST_WALK_INL_H_
@@ -10,8 +10,8 @@
 
 #include "gw/fast/simd/planes-inl.h"
 
-// The work on a block is inlined into each loop over blocks. In 128-bit lanes its code is four
-// times as long: there it is called, which halves compile time.
+// The work on a block is inlined into each loop over blocks. With 128-bit vectors its code is four
+// times as long; calling it instead halves compile time.
 #undef GW_PER_BLOCK
 #if HWY_MAX_BYTES >= 32
 #define GW_PER_BLOCK HWY_INLINE
@@ -22,7 +22,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Vectors that a block's 16 lanes fill.
+/// The number of vectors that a block's 16 lanes fill.
 inline constexpr std::size_t parts = block_pixels / lanes32;
 
 /// A subset of a block's lanes.
@@ -57,7 +57,7 @@ HWY_INLINE LaneSet lane_set(std::uint32_t mask) {
     return s;
 }
 
-/// How often each lane was in a set; blocks of all lanes are counted apart.
+/// Counts how often each lane was in a set. Blocks with all lanes are counted separately.
 struct LaneCounter {
     V32 count[parts];
     std::uint64_t whole = 0;
@@ -106,8 +106,8 @@ struct LinearLanes {
     }
 };
 
-/// The same at a block that moves: aimed once, started at any block; from a range's first block on
-/// by steps.
+/// The same function at a moving block. aim() sets the function, start() the block; next_block()
+/// and next_row() step through a range.
 struct Linear {
     LinearLanes lanes;
     V32 at[parts], row[parts], right, up;
@@ -132,7 +132,7 @@ struct Linear {
     }
 };
 
-/// A value of up to 32 bits, as wide_plane() has it, in two halves that are each linear.
+/// A value of up to 32 bits, as in wide_plane(), in two halves that are each linear.
 template <class Half>
 struct WideHalves {
     Half high, low;

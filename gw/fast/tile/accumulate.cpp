@@ -44,15 +44,15 @@ inline std::uint64_t accumulate_lanes(const AccumulateOp& op, const Profile& pro
     return overflows;
 }
 
-/// Whether it adds whole multiples of colours, as the sum of samples does: integers of less than 32
-/// bits.
+/// Whether the operation adds integer multiples of colours in less than 32 bits, as the sum of
+/// samples does.
 inline bool is_whole(const AccumulateOp& op, int bits) {
     const Accumulate& a = *op.accumulate;
     const bool adds = a.op == AccumOp::Accum || a.op == AccumOp::Load || a.op == AccumOp::Add;
     return adds && bits <= 30 && std::abs(a.value) <= 256 && std::floor(a.value) == a.value;
 }
 
-/// One channel, all lanes, where is_whole(); how many overflowed.
+/// All lanes of one channel if is_whole(). Returns the number of overflows.
 inline std::uint64_t accumulate_whole(const AccumulateOp& op, int bits, std::int32_t* accum,
                                       const std::uint16_t* color) {
     const I32 d;
@@ -76,7 +76,7 @@ inline std::uint64_t accumulate_whole(const AccumulateOp& op, int bits, std::int
 
 using U16ForD64 = hn::Rebind<std::uint16_t, D64>;
 
-/// weighted() of gw/stages/accumulation.h: with weights up to 256 nothing comes near its limit.
+/// weighted() of gw/stages/accumulation.h, without its limit, which weights up to 256 never reach.
 inline V64 weighted_lanes(V64 a, double value) { return nearest(hn::Mul(a, all(value))); }
 
 /// wrap_accum(): exact, as integers below 2^52.
@@ -103,7 +103,7 @@ inline V64 accumulated_lanes(const AccumulateOp& op, V64 stored, const std::uint
     return stored;
 }
 
-/// All lanes of one channel; how many overflowed.
+/// All lanes of one channel. Returns the number of overflows.
 inline std::uint64_t accumulate_channel(const AccumulateOp& op, int bits, std::int32_t* accum,
                                         const std::uint16_t* color) {
     const I32ForD64 i32;
@@ -129,7 +129,7 @@ inline void return_channel(const AccumulateOp& op, const std::int32_t* accum,
     }
 }
 
-/// Any weight, all lanes at once where its products are exact.
+/// Any weight, all lanes at once if the products are exact.
 inline std::uint64_t accumulate_any(const AccumulateOp& op, const Profile& profile,
                                     AccumBlock& accum, ColorBlock& color, std::uint32_t mask) {
     if (mask != 0xFFFF || !(std::abs(op.accumulate->value) <= 256))

@@ -8,7 +8,7 @@
 
 namespace gw::fast {
 
-/// The lanes of `mask`; returns how many channels overflowed.
+/// Runs the command on the lanes of `mask`. Returns the number of channels that overflowed.
 std::uint64_t accumulate_block(const AccumulateOp& op, const Profile& profile, AccumBlock& accum,
                                ColorBlock& color, std::uint32_t mask);
 

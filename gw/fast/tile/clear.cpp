@@ -1,4 +1,5 @@
-// docs/manual.md, "Pixels"; scalar twin: gw/reference/pixels.cpp.
+// Clears a tile, group by group if possible. docs/manual.md, "Pixels"; scalar twin:
+// gw/reference/pixels.cpp.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/tile/clear.cpp"
 #include <hwy/foreach_target.h>
@@ -11,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Sets the lanes of `mask` of one block; most blocks are whole.
+/// Sets the lanes of `mask` in one block. Most blocks have all lanes in the mask.
 template <class D, class T>
 HWY_INLINE void fill(D d, T (&values)[block_pixels], T value, std::uint32_t mask) {
     const auto v = hn::Set(d, value);
@@ -23,7 +24,7 @@ HWY_INLINE void fill(D d, T (&values)[block_pixels], T value, std::uint32_t mask
     }
 }
 
-/// A block's colour: whole ones stay uniform.
+/// Sets a block's colour. A block that is set wholly becomes uniform.
 HWY_INLINE void clear_color(const ClearBlocks& clear, int bx, int by, std::uint32_t mask) {
     UniformGroup& group = clear.tile.group(bx, by);
     const std::uint32_t i = clear.tile.in_group(bx, by);
@@ -51,7 +52,7 @@ HWY_INLINE void clear_depth(const ClearBlocks& clear, int bx, int by, std::uint3
     fill(D32(), clear.tile.depth[clear.tile.block(bx, by)].value, clear.depth, mask);
 }
 
-/// Groups' colours and depths, where the box has whole groups only.
+/// Sets colours and depths of whole groups, if the box has no others.
 HWY_INLINE void clear_groups(const ClearBlocks& clear) {
     constexpr int side = group_blocks * block_side;
     UniformGroup group;

@@ -1,5 +1,5 @@
-// Clearing a tile's colours and depths, and writing uniform blocks to the planes, behind run-time
-// dispatch. Does not clear stencils or sums.
+// Clears a tile's colours and depths, and writes uniform blocks to the planes, behind run-time
+// dispatch. Does not clear stencil or accumulation.
 #pragma once
 
 #include "gw/fast/frame/box.h"
@@ -13,7 +13,7 @@ namespace gw::fast {
 struct ClearBlocks {
     Tile tile;
     BlockBox box;
-    std::array<bool, 4> channel{};  ///< of the colour: which are cleared
+    std::array<bool, 4> channel{};  ///< the colour channels to clear
     bool clears_depth = false;
     Rgba color{};
     std::uint32_t depth = 0;
@@ -22,7 +22,7 @@ struct ClearBlocks {
 };
 void clear_blocks(const ClearBlocks& clear);
 
-/// Writes the values of uniform blocks to these planes, for code that does not know such blocks.
+/// Writes the values of uniform blocks to these planes, for code that does not know uniform blocks.
 void write_back_blocks(const Tile& tile, UniformPlanes which = {true, true});
 
 }  // namespace gw::fast

@@ -1,4 +1,4 @@
-// From counts of fragments and pixels to a pass's counters: bytes and texels are linear in them.
+// Turns counts of fragments and pixels into a pass's counters: bytes and texels are linear in them.
 #include "gw/fast/tile/tile_run.h"
 #include "gw/stages/tables.h"
 

@@ -1,6 +1,5 @@
-// Chooses how the triangles of a bin are drawn: over uniform blocks, the simple path, or block by
-// block through all fragment stages. docs/manual.md, "Stages"; scalar twin:
-// gw/reference/primitives.cpp.
+// Chooses the path of a bin's triangles: over uniform blocks, the simple path, or block by block
+// through all fragment stages. docs/manual.md, "Stages"; scalar twin: gw/reference/primitives.cpp.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/tile/draw.cpp"
 #include <hwy/foreach_target.h>
@@ -16,8 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Runs a covered block of primitive i through the stages, which ask for the colour when they need
-/// it.
+/// Runs a covered block of primitive i through the stages. They make the colour when they need it.
 HWY_INLINE void paint_block(BatchPlanes& planes, std::size_t i, const DepthBlock& depth, int bx,
                             int by, const LaneSet& lanes, OpCounts& counts) {
     const TileDraw& draw = planes.draw;

@@ -1,5 +1,5 @@
-// Drawing a bin of primitives in a tile, and fragments that the host made, behind run-time
-// dispatch. Does not plan or bin.
+// Draws a bin of primitives in a tile, and fragments made by the host, behind run-time dispatch.
+// Does not plan or bin.
 #pragma once
 
 #include "gw/fast/plan/draw_op.h"
@@ -20,7 +20,7 @@ struct BlockFragments {
     std::uint32_t mask = 0;
     bool front = true;
 };
-/// Sends them through the tests to the planes.
+/// Runs the host's fragments through the tests to the planes.
 void process_fragments(const BlockFragments& fragments, const ColorBlock& color,
                        const DepthBlock& depth, const Tile& tile, OpCounts& counts);
 

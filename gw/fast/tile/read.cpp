@@ -1,4 +1,4 @@
-// Reading the colour plane back: a block's four channels become pixels side by side.
+// Reads the colour plane back: a block's four channels become pixels side by side.
 // docs/manual.md, "Pixels"; scalar twin: gw/reference/pixels.cpp. Does not know passes or counts.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/tile/read.cpp"
@@ -108,7 +108,7 @@ HWY_INLINE void put_colors(const std::uint64_t* color, std::uint32_t* lowest,
 
 #endif  // HWY_MAX_BYTES >= 64
 
-/// Four blocks side by side, of one group.
+/// Four blocks side by side, which belong to one group.
 template <class Pixel>
 HWY_INLINE void put_blocks(const Tile& tile, int x, int by, Pixel* lowest, std::ptrdiff_t width) {
     const UniformGroup& group = tile.group(x, by);
@@ -124,7 +124,7 @@ HWY_INLINE void put_blocks(const Tile& tile, int x, int by, Pixel* lowest, std::
     }
 }
 
-/// Where the box's pixels go: a row of `width` after the other.
+/// The destination of the box's pixels, in rows.
 template <class Pixel>
 struct Target {
     const ReadColors& read;
@@ -136,7 +136,7 @@ struct Target {
                (read.tile.x + read.box.x0 - rect.x);
     }
     HWY_INLINE std::size_t width() const { return std::size_t(read.box.x1 - read.box.x0); }
-    /// Rows on their way to the cache.
+    /// Starts to load rows into the cache.
     HWY_INLINE void prefetch(int first, int end) const {
         for (int y = first; y < std::min(end, read.box.y1); ++y)
             for (std::size_t x = 0; x < width(); x += 64 / sizeof(Pixel)) hwy::Prefetch(row(y) + x);

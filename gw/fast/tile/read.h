@@ -1,4 +1,4 @@
-// Reading a tile's colours back, behind run-time dispatch. Does not know passes or counts.
+// Reads a tile's colours back, behind run-time dispatch. Does not know passes or counts.
 #pragma once
 
 #include "gw/fast/frame/box.h"
@@ -7,13 +7,13 @@
 
 namespace gw::fast {
 
-/// Colours of a tile that a Read wants: those inside the box, which is not empty.
+/// The part of a Read that one tile provides: colours inside the box, which is not empty.
 struct ReadColors {
     Tile tile;
     BlockBox box;
     Rect rect;                        ///< of the command
     Rgba* out = nullptr;              ///< its pixels, rows from the bottom
-    std::uint32_t* packed = nullptr;  ///< the same as words; not null: these are written instead
+    std::uint32_t* packed = nullptr;  ///< if not null, packed words are written here instead
 };
 void read_colors(const ReadColors& read);
 

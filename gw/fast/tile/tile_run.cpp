@@ -36,7 +36,7 @@ public:
         }
         numbers_.clear();
     }
-    /// Gives memory back that segments with more records left.
+    /// Frees memory that segments with more records needed.
     void trim(std::size_t records) {
         if (place_.size() <= 8 * records + 64) return;
         place_ = {};
@@ -100,7 +100,7 @@ struct TileRun {
     Rect last_rect{};
     BlockBox last_box = block_box(last_rect, tile);
 
-    /// Most operations have the rectangle of the one before.
+    /// Most operations have the rectangle of the previous one.
     const BlockBox& box(const Rect& rect) {
         if (!(rect == last_rect)) {
             last_rect = rect;

@@ -18,7 +18,7 @@ public:
     explicit TileRunner(int threads);
     ~TileRunner();
 
-    /// Runs the operations of all tiles; the counts by slot.
+    /// Runs the operations of all tiles. Returns the counts by slot.
     std::vector<OpCounts> run(const Segment& segment, Frame& frame, const Profile& profile);
 
 private:
@@ -28,7 +28,8 @@ private:
 /// The contribution of an operation's counts to its pass.
 Counters counters_of(const TileOp& op, const OpCounts& counts, const Profile& profile);
 
-/// Copy and CopyTexture run on the host's planes, between segments. The number of pixels copied.
+/// Copy and CopyTexture run on the host's planes, between segments. copy_pixels returns the number
+/// of pixels.
 std::uint64_t copy_pixels(const Copy& command, const Resolved& state, Planes& planes);
 Texels copied_texels(const CopyTexture& command, const Planes& planes, const Profile& profile);
 

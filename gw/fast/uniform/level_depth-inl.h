@@ -13,9 +13,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// test_lanes() calls then(alive) with those of a block's lanes that pass, or not at all;
+/// test_lanes() calls then(alive) with the lanes of a block that pass, if there are any.
 /// whole_blocks() tests blocks of a group, all lanes of each, and updates the depths of those that
-/// pass. What is unknown is to be tested lane by lane.
+/// pass. The caller tests a block with an unknown result lane by lane.
 struct WithoutDepth {
     template <class Then>
     HWY_INLINE void test_lanes(int, int, const LaneSet& lanes, const Then& then) const {

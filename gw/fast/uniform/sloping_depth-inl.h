@@ -1,6 +1,6 @@
 // The depth test of a sloping triangle over blocks that may have one depth or the depths of one
-// plane. A block that it covers and passes wholly stores its plane from then on: two planes compare
-// by their difference at a block's corners. Does not paint. Included once per Highway target.
+// plane. If the whole block passes, it stores the triangle's plane. Two planes are compared by
+// their difference at a block's corners. Does not paint. Included once per Highway target.
 #if defined(GW_FAST_SLOPING_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_SLOPING_DEPTH_INL_H_
 #undef GW_FAST_SLOPING_DEPTH_INL_H_
@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// A plane of depths without wrapping: where a triangle covers pixels all terms stay below 2^56.
+/// A plane of depths that does not wrap: all its terms at covered pixels stay below 2^56.
 struct ExactPlane {
     std::int64_t c, gx, gy;
 
@@ -37,7 +37,8 @@ struct ExactPlane {
 /// How a triangle's depths compare with the stored ones at all pixels of a range.
 enum class Order { Unknown, Less, Equal, Greater };
 
-/// Of a plane that is the difference of two, before rounding: 1 and more are told apart.
+/// The order of two planes from their difference before rounding. Unknown if they differ by less
+/// than 1 at a pixel.
 HWY_INLINE Order order_of(const ExactPlane& difference, const BlockRange& r) {
     const std::int64_t corner = difference.c + difference.gx * (block_side * std::int64_t{r.x0}) +
                                 difference.gy * (block_side * std::int64_t{r.y0});
@@ -50,16 +51,16 @@ HWY_INLINE Order order_of(const ExactPlane& difference, const BlockRange& r) {
     return Order::Unknown;
 }
 
-/// A triangle's depth, moving with its blocks, and what is known of it as a whole.
+/// A triangle's depth, moving with its blocks, and bounds for the whole triangle.
 struct SlopingWalk : DepthWalk {
     /// Bounds of its depths at all pixels that it covers; any 32 bits if they are not known, or if
     /// a block may not store its plane.
     std::uint32_t least = 0, most = ~0u;
-    std::uint32_t stored = ~0u;  ///< which of the tile's depth planes
+    std::uint32_t stored = ~0u;  ///< its index in the tile's depth planes
 
     HWY_INLINE explicit SlopingWalk(const DepthPlane& p) : DepthWalk(p) {}
 
-    /// The corners' depths, and one more for the gradients' rounding, half a unit in 2^15 pixels.
+    /// The corners' depths, widened by 1 for the gradients' rounding (half a unit in 2^15 pixels).
     HWY_INLINE void find_bounds(const Corners& t, std::size_t i) {
         const auto near = [](std::int32_t pixels) { return std::abs(pixels) < 1 << 14; };
         const std::uint32_t low = std::min({t.z[0][i], t.z[1][i], t.z[2][i]}),
@@ -124,14 +125,14 @@ struct SlopingDepth {
     }
 
 private:
-    /// The verdict for blocks of an order.
+    /// The verdict for blocks in this order.
     HWY_INLINE void decide(Order order, std::uint32_t blocks, GroupVerdicts& out) const {
         if (order == Order::Unknown) return void(out.unknown |= blocks);
         out.unknown &= ~blocks;
         const std::uint32_t incoming = order == Order::Greater, stored = order == Order::Less;
         if (passes.of_one(incoming, stored)) out.pass |= blocks;
     }
-    /// Blocks that store planes, plane by plane: few groups have more than one.
+    /// Compares blocks that store planes, plane by plane. Few groups have more than one plane.
     HWY_NOINLINE void compare_planes(const UniformGroup& group, int x, int y, std::uint32_t blocks,
                                      GroupVerdicts& out) const {
         if (!walk.may_be_stored()) return decide(Order::Unknown, blocks, out);
@@ -146,7 +147,7 @@ private:
             blocks &= ~of_plane;
         }
     }
-    /// run_depth() where all pixels of the block have one depth.
+    /// run_depth() if all pixels of the block have one depth.
     HWY_INLINE LaneSet first(UniformGroup& group, std::uint32_t i, DepthBlock& block,
                              const LaneSet& lanes) const {
         const D32 d;

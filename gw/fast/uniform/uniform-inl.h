@@ -1,7 +1,7 @@
-// Uniform blocks: all pixels have one colour, or one depth, or the depths of one plane, and only
-// that is stored. clear_blocks() and the draws of draws_uniform() make such blocks; these and
-// read_colors() can use them, everything else writes them back to the planes first. Included once
-// per Highway target.
+// Uniform blocks: all pixels have one colour, one depth or the depths of one plane, and only this
+// value is stored. clear_blocks() and the draws of draws_uniform() make such blocks. Only these and
+// read_colors() use them; all other code first writes them back to the planes. Included once per
+// Highway target.
 #if defined(GW_FAST_UNIFORM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_UNIFORM_INL_H_
 #undef GW_FAST_UNIFORM_INL_H_
@@ -27,7 +27,7 @@ HWY_INLINE void write_back_color(const Tile& tile, int bx, int by) {
     group.one_color = std::uint16_t(group.one_color & ~(1u << i));
 }
 
-/// Depths of block (bx, by), which are all `depth` or those of a plane.
+/// Writes the depths of block (bx, by): `depth` at all pixels, or the depths of a plane.
 HWY_INLINE void write_depth(const Tile& tile, std::uint32_t depth, int bx, int by) {
     const D32 d;
     for (std::size_t k = 0; k < block_pixels; k += lanes32)
@@ -69,13 +69,13 @@ HWY_INLINE void write_back_tile(const Tile& tile, UniformPlanes which) {
     }
 }
 
-/// The result of a depth test for whole blocks of a group, a bit each; a block that fails is in
-/// neither.
+/// The result of a depth test for whole blocks of a group, a bit each. A block that fails is in
+/// neither mask.
 struct GroupVerdicts {
     std::uint32_t pass = 0, unknown = 0;
 };
 
-/// The blocks of a group for whose depths the test is true: test(depths of a vector of blocks).
+/// The blocks of a group whose depths satisfy test(depths of a vector of blocks).
 template <class Test>
 HWY_INLINE std::uint32_t blocks_where(const UniformGroup& group, const Test& test) {
     const D32 d;

@@ -1,5 +1,5 @@
-// Triangles over uniform blocks: they paint one colour, stored or added, or nothing, without
-// stencil operation. A block that one covers wholly stays uniform. Other triangles:
+// Triangles over uniform blocks, without stencil operations. They store or add one colour, or write
+// no colour. A block that a triangle covers wholly stays uniform. Other triangles:
 // gw/fast/fragments/simple_triangles-inl.h. Included once per Highway target.
 #if defined(GW_FAST_UNIFORM_DRAW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_UNIFORM_DRAW_INL_H_
@@ -16,7 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Whether all primitives of a bin are triangles of one depth each, as walls of a window are.
+/// Whether each primitive of a bin is a triangle with one depth, as of a wall parallel to the
+/// window.
 HWY_INLINE bool all_level(const GeometrySet& set, std::span<const std::uint32_t> bin) {
     return std::all_of(bin.begin(), bin.end(), [&](std::uint32_t ordinal) {
         const auto z = [&](std::size_t k) { return set.at[set.primitives[ordinal].vertex[k]].z; };
@@ -24,7 +25,7 @@ HWY_INLINE bool all_level(const GeometrySet& set, std::span<const std::uint32_t>
     });
 }
 
-/// Whether all are triangles over many blocks, so that most blocks are covered wholly.
+/// Whether all primitives are triangles over many blocks, so that most blocks are covered wholly.
 HWY_INLINE bool all_large(const GeometrySet& set, std::span<const std::uint32_t> bin,
                           int subpixel_bits) {
     const std::int64_t side = std::int64_t{8 * block_side} << subpixel_bits;
@@ -39,8 +40,8 @@ HWY_INLINE bool all_large(const GeometrySet& set, std::span<const std::uint32_t>
     });
 }
 
-/// Whether a bin's triangles are drawn this way. If no colour is written, only level and large ones
-/// are: others leave few blocks uniform.
+/// Whether a bin's triangles are drawn this way. Without colour this pays only for level and large
+/// triangles: others leave few blocks uniform.
 HWY_INLINE bool draws_uniform(const DrawOp& op, std::span<const std::uint32_t> bin,
                               int subpixel_bits) {
     const Resolved& r = op.state;
@@ -76,7 +77,7 @@ struct OneColor {
         write_back_color(tile, bx, by);
         paint.write_lanes(bx, by, mask);
     }
-    /// Blocks of a group: one colour stored over or added to a uniform block leaves it uniform.
+    /// Paints blocks of a group. A uniform block stays uniform if one colour is stored or added.
     HWY_INLINE void whole_blocks(UniformGroup& group, int bx, int by, std::uint32_t blocks) const {
         const hn::CappedTag<std::uint64_t, block_pixels> d;
         std::uint32_t one = blocks;

@@ -1,4 +1,4 @@
-// Which primitives touch which tile: a counting sort that keeps their order.
+// Sorts primitives into the tiles that they touch: a counting sort that keeps their order.
 #include "gw/fast/frame/frame.h"
 #include "gw/fast/vertices/geometry_scratch.h"
 #include "gw/profile.h"
@@ -9,8 +9,8 @@
 namespace gw::fast {
 namespace {
 
-/// Along one axis: pixels whose centres lie in [low, high] (in sub-pixels), widened by `margin`
-/// pixels, as tiles.
+/// The tiles along one axis with pixels whose centres lie in [low, high] (in sub-pixels), widened
+/// by `margin` pixels.
 struct Axis {
     int s, log2_tile, size, jitter_low, jitter_high;
 

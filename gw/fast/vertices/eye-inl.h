@@ -1,5 +1,5 @@
-// Vertices in eye space, a vector at a time: positions and unit normals as run_vertex() of
-// gw/stages/vertex.cpp has them. Included once per Highway target, where it has vectors of doubles.
+// Vertices in eye space, a vector at a time: positions and unit normals as in run_vertex() of
+// gw/stages/vertex.cpp. Included once per Highway target that has vectors of doubles.
 #if defined(GW_FAST_EYE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_EYE_INL_H_
 #undef GW_FAST_EYE_INL_H_
@@ -44,7 +44,7 @@ inline Vec3 gather(const std::vector<vec3>& from, std::span<const std::uint32_t>
     return {hn::Load(d, lanes[0]), hn::Load(d, lanes[1]), hn::Load(d, lanes[2])};
 }
 
-/// The mesh's vertices with these indices, as many as a vector holds; their normals where asked.
+/// The mesh's vertices with these indices, at most one vector of them; with normals if asked.
 inline EyeVertices eye_vertices(const VertexProgram& p, std::span<const std::uint32_t> indices,
                                 bool normals = true) {
     const MeshData& mesh = p.draw->mesh->data();

@@ -61,14 +61,14 @@ struct Builder {
         return area2(point(v[0]), point(v[1]), point(v[2]));
     }
 
-    /// Whether all corners lie outside the first plane that cuts any: clipping would leave exactly
-    /// nothing.
+    /// Whether all corners lie outside the first plane that any corner is outside of. Clipping
+    /// would leave nothing.
     static bool all_outside(Outcode all, Outcode any) {
         const Outcode planes = any & all_clip_planes;
         return planes != 0 && (all >> std::countr_zero(planes) & 1) != 0;
     }
 
-    /// Clips for good; false where nothing is left. New vertices go to the end of the arrays.
+    /// Clips and appends the new vertices to the set's arrays. Returns false if nothing is left.
     bool clip(std::array<std::uint32_t, 3> corners, std::uint32_t sides, ClippedPrimitive& out) {
         std::vector<ClipPosition>& vertices = scratch.clipper.vertices;
         vertices.clear();
@@ -77,7 +77,7 @@ struct Builder {
             place_position(projection, mesh->data().positions[corners[k]], vertices.emplace_back());
             any |= outcode[corners[k]];
         }
-        // The planes before the first that cuts anything change nothing, nor do those that are off.
+        // Planes before the first one that cuts change nothing, nor do disabled planes.
         const bool changed =
             scratch.clipper.clip(projection.viewport, planes & ~((any & (0u - any)) - 1));
         if (vertices.empty()) return false;
@@ -87,7 +87,7 @@ struct Builder {
         to_window(projection, vertices, &set.at[out.first]);
         for (const ClipPosition& v : vertices) set.w.push_back(v.clip.w);
         set.counters.clipped += changed ? 1 : 0;
-        // By members: a copy of `out` would wait for its parts to be stored.
+        // Member by member: a copy of `out` would wait for its parts to be stored.
         ClippedPrimitive& kept = set.clipped.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) kept.vertex[k] = corners[k];
         kept.sides = sides;
@@ -96,15 +96,15 @@ struct Builder {
         return true;
     }
 
-    /// Takes back a clipped primitive is not drawn.
+    /// Removes a clipped primitive that is not drawn.
     void drop(const ClippedPrimitive& c) {
         set.clipped.pop_back();
         set.at.resize(c.first);
         set.w.resize(c.first);
     }
 
-    /// Counter-clockwise, from the lowest vertex (of those, the leftmost); without branches, which
-    /// would be taken at random. No two vertices stand at one point.
+    /// Counter-clockwise from the lowest vertex; of equally low ones, from the leftmost. Without
+    /// branches, because they would be unpredictable. Precondition: the three points differ.
     std::array<std::uint32_t, 3> canonical(const std::array<std::uint32_t, 3>& v,
                                            bool clockwise) const {
         const std::array<std::uint32_t, 5> turned{v[0], v[clockwise ? 2 : 1], v[clockwise ? 1 : 2],
@@ -128,7 +128,7 @@ struct Builder {
         set.primitives.push_back(p);
     }
 
-    /// The pieces of a polygon: of a whole triangle, or of what clipping left.
+    /// The fan of a whole triangle, or of the polygon that clipping left.
     Fan fan(const Triangle& t, const ClippedPrimitive& piece) {
         if (piece.count == 0) return {area_of(in_set(t.vertex)), 0};
         scratch.fan_corners.clear();

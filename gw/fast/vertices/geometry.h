@@ -1,7 +1,7 @@
 // A geometry set: meshes that are always drawn one after the other, each under its transform. They
 // are clipped, culled, snapped and binned once for all draws that share them (passes, lights,
-// jittered samples). docs/manual.md, "Vertices" to "Window coordinates". Does not light, interpolate
-// or make fragments.
+// jittered samples). docs/manual.md, "Vertices" to "Window coordinates". Does not light,
+// interpolate or make fragments.
 #pragma once
 
 #include "gw/counters.h"
@@ -20,7 +20,7 @@ namespace gw::fast {
 struct GeometryScratch;
 struct TileGrid;
 
-/// A vertex in the window: sub-pixels and depth units, together in memory.
+/// A vertex in the window, in sub-pixels and depth units, adjacent in memory.
 struct alignas(16) SnappedVertex {
     std::int32_t x = 0, y = 0;
     std::uint32_t z = 0;
@@ -39,18 +39,18 @@ struct GeometryState {
 };
 GeometryState geometry_state(const State& state);
 
-/// One mesh under one transform, and where its results begin in the set's arrays; they end where
-/// the next part's begin.
+/// One mesh under one transform, and the first index of its results in the set's arrays. The next
+/// part's first index ends them.
 struct GeometryPart {
     const Mesh* mesh = nullptr;
-    std::weak_ptr<const Mesh> owner;  ///< expired: `mesh` is another mesh, or none
+    std::weak_ptr<const Mesh> owner;  ///< if expired, `mesh` may be another mesh
     dmat4 eye_from_object{1};
     std::uint32_t vertex = 0, primitive = 0, clipped = 0;
     std::uint32_t used = 0, used_front = 0, used_back = 0;
 };
 
-/// A primitive ready for tiles: its vertices in the set's arrays (triangles in canonical order), and
-/// the part and polygon that it came from.
+/// A primitive ready for tiles: its vertices in the set's arrays (triangles in canonical order),
+/// its part and its polygon.
 struct SetupPrimitive {
     std::array<std::uint32_t, 3> vertex{};
     std::uint32_t part = 0;
@@ -67,7 +67,7 @@ struct ClippedPrimitive {
     std::uint32_t first = 0, count = 0;
 };
 
-/// From the least to the largest of several jitters, and none.
+/// The range of several jitters, zero included.
 struct JitterRange {
     JitterState low, high;
     void include(const JitterState& jitter);
@@ -89,16 +89,16 @@ struct GeometrySet {
     std::vector<SnappedVertex> at;
     std::vector<double> w;
     std::vector<SetupPrimitive> primitives;
-    std::uint32_t triangle_count = 0;  ///< how many of them are triangles: the first ones
+    std::uint32_t triangle_count = 0;  ///< triangles come first
     std::vector<ClippedPrimitive> clipped;
-    /// Mesh vertices that any primitive uses, any front face, any back face; in order, part by part.
-    /// Made only if a draw needs values at the vertices.
+    /// The mesh vertices that primitives use, that front faces use, that back faces use; in order,
+    /// part by part. Made only if a draw needs values at the vertices.
     bool lists_used = false, lists_made = false;
     std::vector<std::uint32_t> used, used_front, used_back;
     Counters counters;  ///< of one draw of each part: vertices to drawn
 
     JitterRange jitter;                    ///< of the segment's draws
-    JitterRange binned;                    ///< bins are made for
+    JitterRange binned;                    ///< that the bins allow
     TileRange tiles;                       ///< that any primitive touches
     std::vector<std::uint32_t> bin_start;  ///< per tile of `tiles`, and one past the last
     std::vector<std::uint32_t> bin;        ///< ordinals of `primitives`, in order
@@ -110,7 +110,7 @@ struct GeometrySet {
     /// Empties it, but keeps its memory.
     void clear();
     std::size_t bytes() const;
-    /// A part's end in an array: where the next part begins.
+    /// A part's end in an array: the start of the next part.
     std::size_t end_of(std::size_t part, std::uint32_t GeometryPart::*first,
                        std::size_t size) const {
         return part + 1 < parts.size() ? parts[part + 1].*first : size;
@@ -124,8 +124,8 @@ struct GeometrySet {
     }
 };
 
-/// Fills a set that has its state and parts: transform, clipping, culling, snap. If the set is made
-/// already, only makes the lists if they are missing.
+/// Fills a set that has its state and parts: transform, clipping, culling, snap. If the set is
+/// already made, makes only its missing lists.
 void make_geometry(GeometrySet& set, const Profile& profile, GeometryScratch& scratch);
 
 /// Sorts the primitives into tiles, in order, unless the bins cover this jitter. Call when the

@@ -1,4 +1,4 @@
-// Vectors that making geometry sets needs again and again: one of each for a worker thread.
+// Scratch vectors for making geometry sets. Each worker thread has its own.
 #pragma once
 
 #include "gw/fast/vertices/project.h"
@@ -18,7 +18,7 @@ struct GeometryScratch {
     std::vector<TileRange> ranges;    ///< of a set's primitives
     std::vector<std::uint32_t> next;  ///< in the bins of a set's tiles
 
-    /// Gives memory back that a large mesh left.
+    /// Frees memory that a large mesh needed.
     void trim() {
         if (outcode.capacity() + ranges.capacity() > std::size_t{1} << 16) *this = {};
     }

@@ -16,13 +16,13 @@ namespace gw::fast::HWY_NAMESPACE {
 
 #if HWY_HAVE_FLOAT64
 
-/// What of a light and the material does not depend on the vertex.
+/// The terms of a light and the material that do not depend on the vertex.
 struct LightTerms {
     const Light& light;
     dvec3 position, spot_direction;
     dvec3 ambient, lambert, gloss;
     bool directional = true, spot = false, glossy = false;
-    bool turns = false;  ///< what it gives depends on the normal
+    bool turns = false;  ///< its contribution depends on the normal
 };
 
 inline LightTerms light_terms(const Light& light, const Material& m) {

@@ -11,8 +11,8 @@
 
 namespace gw::fast {
 
-/// colors[index] = the colour that run_vertex gives the front (or back) of vertex `index`, for each
-/// of `indices`. Precondition: lighting is on.
+/// Sets colors[index], for each of `indices`, to the colour that run_vertex gives the vertex's
+/// front (or back). Precondition: lighting is on.
 void light_vertices(const VertexProgram& program, std::span<const std::uint32_t> indices, bool back,
                     std::span<Rgba> colors);
 

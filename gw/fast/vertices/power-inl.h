@@ -1,6 +1,6 @@
-// gw::pow() a vector at a time, for lighting: bases in [0, 1]. The steps, their
-// order and their tables are those of gw/base/elementary.cpp, so the bits are too. Included once
-// per Highway target, where it has vectors of doubles.
+// gw::pow() a vector at a time, for lighting: bases in [0, 1]. Steps, order and tables are those of
+// gw/base/elementary.cpp, so the bits are the same. Included once per Highway target that has
+// vectors of doubles.
 #if defined(GW_FAST_POWER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_POWER_INL_H_
 #undef GW_FAST_POWER_INL_H_
@@ -112,7 +112,7 @@ inline V64 exp_of_sum(const SumLanes& x) {
     return hn::Mul(hn::Mul(value, power_of_two(first)), power_of_two(second));
 }
 
-/// base^exponent where `wanted`, else 0; bases in [0, 1].
+/// base^exponent if `wanted`, else 0; bases in [0, 1].
 inline V64 power(V64 base, double exponent, hn::Mask<D64> wanted) {
     const D64 d;
     const auto one = all(1), zero = hn::Zero(d);

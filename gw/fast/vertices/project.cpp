@@ -17,8 +17,8 @@ namespace gw::fast::HWY_NAMESPACE {
 
 constexpr std::size_t most_lanes = 8;
 
-/// floor(v 2^s + 1/2) kept inside the guard band; to_integer() of gw/base/arithmetic.h puts NaN at
-/// the low end.
+/// floor(v 2^s + 1/2), clamped to the guard band; to_integer() of gw/base/arithmetic.h turns NaN
+/// into its low end.
 inline V64 snapped(V64 v, int s) {
     const double scale = double(1 << s);
     const auto low = all(guard_low * scale), high = all(guard_high * scale - 1);
@@ -32,7 +32,7 @@ struct ClipLanes {
 
 using U64 = hn::RebindToUnsigned<D64>;
 
-/// Outcodes, plane by plane; a distance that is no number is outside.
+/// Outcodes, plane by plane. A distance that is NaN counts as outside.
 struct OutcodeLanes {
     hn::Vec<U64> bits;
 
@@ -53,7 +53,7 @@ inline void classify_fixed(const ClipLanes& c, const ViewportTransform& v, Outco
     out.plane(11, hn::Sub(times(guard_high - v.center_y, c.w), times(v.half_height, c.y)));
 }
 
-/// The user planes that are on: the distances of run_vertex().
+/// The distances to the enabled user planes, as in run_vertex().
 inline void classify_user(const Projection& p, const Vec3& at, OutcodeLanes& out) {
     const dmat4& m = p.eye_from_object;
     for (int k = 0; k < max_clip_planes; ++k) {
@@ -98,7 +98,7 @@ HWY_INLINE void put_window(const Projection& p, const ClipLanes& c, SnappedVerte
 
 HWY_INLINE float component_of(const vec3& p, int c) { return p[c]; }
 HWY_INLINE double component_of(const ClipPosition& p, int c) { return p.clip[c]; }
-/// Component c of up to a vector of points; the first's again where there are no more.
+/// Component c of up to a vector of points. Lanes beyond the last point repeat the first.
 template <class Point>
 HWY_INLINE V64 component(std::span<const Point> points, int c) {
     alignas(64) double values[most_lanes];

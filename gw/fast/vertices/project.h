@@ -1,4 +1,5 @@
-// Many vertices to the window at once: transform, classify, divide, snap, in vectors of doubles.
+// Takes many vertices to the window at once: transform, classify, divide, snap, in vectors of
+// doubles.
 // docs/manual.md, "Vertices", "Window coordinates"; scalar twins: gw/stages/vertex.cpp,
 // gw/stages/window.h. Does not clip.
 #pragma once
@@ -32,8 +33,8 @@ inline void place_position(const Projection& projection, const vec3& position, C
                                  transform(projection.eye_from_object, p_object));
 }
 
-/// Bit per clip plane that a vertex is outside of; the high bits reject it whatever the planes say.
-/// A vertex that is not finite has that bit alone.
+/// A bit for each clip plane that a vertex is outside of. The high bits reject the vertex whatever
+/// the planes say; a vertex that is not finite has only such a bit.
 using Outcode = std::uint32_t;
 inline constexpr Outcode not_finite = 1u << 30, not_in_front = 1u << 31;
 

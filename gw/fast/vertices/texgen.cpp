@@ -29,7 +29,7 @@ inline Vec3 reflected(const Vec3& u, const Vec3& n) {
             hn::Sub(u.z, hn::Mul(k, n.z))};
 }
 
-/// Total reflection where there is no refracted ray.
+/// The refracted ray, or the reflected one at total reflection.
 inline Vec3 refracted(const Vec3& u, const Vec3& n, double eta) {
     const auto c = hn::Neg(dot(n, u));
     const auto root = hn::Sub(all(1), hn::Mul(all(eta * eta), hn::Sub(all(1), hn::Mul(c, c))));

@@ -1,4 +1,4 @@
-// Runs the vertex stages on the vertices in use, and on those that clipping made.
+// Runs the vertex stages on the mesh vertices in use, and on the vertices that clipping made.
 #include "gw/fast/vertices/vertex_values.h"
 
 #include "gw/command_list.h"
@@ -16,7 +16,7 @@ namespace {
 
 bool same_lights(const LightsRef& a, const LightsRef& b) { return a == b || (a && b && *a == *b); }
 
-/// Everything that fog depends on: its state but for the colour.
+/// The inputs of fog: its state without the colour.
 bool same_factors(FogState a, const FogState& b) {
     a.color = b.color;
     return a == b;
@@ -51,16 +51,16 @@ Rgba to_rgba(const std::array<double, 4>& c) {
     return {std::uint16_t(c[0]), std::uint16_t(c[1]), std::uint16_t(c[2]), std::uint16_t(c[3])};
 }
 
-/// Whether a light's colour times the material's is 0: then its contribution, which is finite, is
-/// 0.
+/// Whether a light's colour times the material's is 0. Then its contribution is 0, because it is
+/// finite.
 bool is_dark(const vec3& light, const vec3& own) {
     for (int c = 0; c < 3; ++c)
         if (!(double(light[c]) * double(own[c]) == 0)) return false;
     return true;
 }
 
-/// Whether the light is equally strong everywhere. Finite places are less than 2^300 away, so 0
-/// times the square of a distance is 0.
+/// Whether the light is equally strong everywhere. A finite position is less than 2^300 away, so 0
+/// times the square of the distance is 0.
 bool is_even(const Light& l, const Draw& draw) {
     if (l.position.w == 0) return true;
     double largest = 0;
@@ -73,7 +73,7 @@ bool is_even(const Light& l, const Draw& draw) {
            l.spot_cos_cutoff <= -1;
 }
 
-/// Whether all vertices have one colour, whatever their places and normals.
+/// Whether all vertices have one colour, whatever their positions and normals.
 bool is_uniform(const Draw& draw) {
     const Material& m = draw.material;
     return !draw.lights ||
@@ -83,7 +83,7 @@ bool is_uniform(const Draw& draw) {
            });
 }
 
-/// A part's vertices: those of the mesh that are used, by its own indices, and those of clipping.
+/// A part's vertices: the mesh vertices in use, by the mesh's indices, and those made by clipping.
 struct PartVertices {
     const GeometrySet& set;
     const GeometryPart& part;
@@ -142,7 +142,7 @@ private:
     const Draw* draw_;
 };
 
-/// Colours from the mesh. They need no vertex program, but for vertices that clipping made.
+/// Colours from the mesh. Only vertices that clipping made need the vertex stages.
 void color_part(const PartVertices& vertices, const VertexProgram* program, const Mesh& mesh,
                 const Profile& profile, std::span<Rgba> front) {
     const std::vector<vec4>& colors = mesh.data().colors;
@@ -153,7 +153,7 @@ void color_part(const PartVertices& vertices, const VertexProgram* program, cons
                               [&](std::size_t i, const Vertex& v) { front[i] = to_rgba(v.color); });
 }
 
-/// Lit colours; whether the part has one colour.
+/// Lights the part's vertices. Returns whether the part has one colour.
 bool light_part(const PartVertices& vertices, const VertexProgram& program, std::span<Rgba> front,
                 std::span<Rgba> back) {
     if (vertices.used.empty()) return true;
@@ -172,7 +172,7 @@ bool light_part(const PartVertices& vertices, const VertexProgram& program, std:
     return false;
 }
 
-/// Whether each primitive has one colour, as faces with normals or colours of their own have.
+/// Whether each primitive has one colour, like a face with its own normal or colour.
 bool has_one_color_each(const GeometrySet& set, const VertexColors& colors) {
     return std::all_of(set.primitives.begin(), set.primitives.end(), [&](const SetupPrimitive& p) {
         const Rgba* const of = (p.front || colors.back.empty() ? colors.front : colors.back).data();

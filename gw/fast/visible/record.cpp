@@ -46,7 +46,7 @@ HWY_INLINE void keep(VisibleRecord& record, std::size_t block, std::uint32_t mas
         record.blocks.push_back(
             {std::uint16_t(block), std::uint16_t(mask), std::uint32_t(record.primitives.size())});
 }
-/// Ends a primitive: it is kept if any of its blocks was; whether it was.
+/// Ends a primitive. Keeps it if any of its blocks was kept, and returns whether it did.
 HWY_INLINE bool keep_primitive(VisibleRecord& record, std::uint32_t ordinal,
                                std::size_t blocks_before) {
     if (record.blocks.size() == blocks_before) return false;
@@ -54,7 +54,7 @@ HWY_INLINE bool keep_primitive(VisibleRecord& record, std::uint32_t ordinal,
     return true;
 }
 
-/// Lanes of one primitive's block whose depth is the stored one.
+/// The lanes of one primitive's block that have the stored depth.
 HWY_INLINE std::uint32_t visible_lanes(const TileDraw& draw, const DepthBlock& depth,
                                        std::size_t block, std::uint32_t mask) {
     return depth_test(DepthFunc::Equal, depth, draw.tile.depth[block], mask);
@@ -97,8 +97,8 @@ void record_line_or_point(const TileDraw& draw, std::uint32_t ordinal, VisibleRe
     keep_primitive(record, ordinal, before);
 }
 
-/// Draws the blocks of a depth pass: every lane that passes may stay visible, and so may a tie with
-/// the stored depth.
+/// Draws the blocks of a depth pass. Every lane that passes may stay visible, and so may every tie
+/// with the stored depth.
 template <class Paint>
 struct Recording {
     Tile tile;
@@ -186,8 +186,8 @@ inline void drop_hidden(const TileDraw& draw, VisibleRecord& record) {
     record.primitives.resize(primitives);
 }
 
-/// Adds the run of a block's entries first .. end - 1. Written member by member: a copy would wait
-/// for its parts to be stored.
+/// Adds the run of a block's entries first .. end - 1. Copies member by member: a copy of the whole
+/// would wait for its parts to be stored.
 inline void add_run(VisibleRecord& record, std::size_t block, std::uint32_t first,
                     std::uint32_t end) {
     std::uint32_t mask = 0, twice = 0;
@@ -219,8 +219,8 @@ inline void sort_blocks(VisibleRecord& record) {
             add_run(record, block, start[block], start[block + 1]);
 }
 
-/// Makes the record of a draw under Equal: its visible blocks, their primitives' corners, and how
-/// many fragments there are.
+/// Makes the record of a draw under Equal: its visible blocks, their primitives' corners, and the
+/// number of fragments.
 void record_all(const TileDraw& draw, std::span<const std::uint32_t> bin, VisibleRecord& record) {
     if (record.drawn)
         drop_hidden(draw, record);

@@ -1,4 +1,4 @@
-// Draws from a record of visible fragments, block by block, each block's primitives at once. Does
+// Draws from a record of visible fragments, block by block, all primitives of a block at once. Does
 // not find visibility.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/visible/replay.cpp"
@@ -14,8 +14,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Fragments of all blocks that the stencil test kills, from the counts; the others die by depth or
-/// are visible.
+/// The number of fragments that the stencil test kills, from the record's counts. All others are
+/// killed by depth or visible.
 HWY_INLINE std::uint64_t killed_by_stencil(const TileDraw& draw, const VisibleRecord& record) {
     const D32 d;
     const StencilFace& face = draw.op->state.front;
@@ -35,7 +35,7 @@ HWY_INLINE std::uint64_t killed_by_stencil(const TileDraw& draw, const VisibleRe
     return killed;
 }
 
-/// Makes the colour planes of the record's primitives, as this draw has them.
+/// Makes the colour planes of the record's primitives for this draw.
 HWY_INLINE void make_colors(const TileDraw& draw, bool narrow, VisibleRecord& record) {
     const std::size_t batches = record.batches();
     if (narrow && record.narrow.size() < batches) record.narrow.resize(batches);
@@ -48,8 +48,7 @@ HWY_INLINE void make_colors(const TileDraw& draw, bool narrow, VisibleRecord& re
     }
 }
 
-/// Whether black fragments change nothing but alpha: a sum of lit colours through black fog or
-/// none.
+/// Whether black fragments change nothing but alpha: the draw adds colours, with black fog or none.
 HWY_INLINE bool adds_light(const DrawOp& op) {
     const State& s = op.state.state;
     const Rgba& fog = op.state.fog_color;
@@ -58,8 +57,7 @@ HWY_INLINE bool adds_light(const DrawOp& op) {
            (!has_fog(s) || (fog[0] | fog[1] | fog[2]) == 0);
 }
 
-/// Makes or keeps the texture planes of the record's primitives; texels of another texture are
-/// dropped.
+/// Makes or keeps the texture planes of the record's primitives. Drops texels of another texture.
 HWY_INLINE void make_textures(const TileDraw& draw, VisibleRecord& record) {
     const DrawOp& op = *draw.op;
     TextureCache& cache = record.texture;
@@ -187,7 +185,7 @@ struct Replay {
                 return false;
         return !draw.op->state.state.color_mask.a || is_opaque(draw.tile.color[run.block], mask);
     }
-    /// Whether the lanes have the most alpha.
+    /// Whether the lanes have the largest alpha.
     HWY_INLINE bool is_opaque(const ColorBlock& stored, std::uint32_t mask) const {
         const D16 d;
         const auto most = hn::Set(d, std::uint16_t(max_of_bits(draw.op->state.bits)));
@@ -204,7 +202,7 @@ struct Replay {
             for (const VisibleBlock& entry : entries(run)) look_up(run, entry, entry.mask & mask);
         write(run, textured && !by_pixel ? found(run) : inputs.texel, mask);
     }
-    /// One primitive after the other: a pixel where two tie is written twice.
+    /// One primitive after the other: a pixel with a tie is written twice.
     HWY_INLINE void paint_tied(const BlockRun& run, std::uint32_t mask) {
         for (const VisibleBlock& entry : entries(run)) {
             const std::uint32_t own = entry.mask & mask;

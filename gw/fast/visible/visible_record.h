@@ -1,7 +1,7 @@
-// Visible fragments found once: after a depth prepass, passes under Equal touch only pixels whose
-// depth is a primitive's, and these are the same for every pass of the same geometry. A record
-// keeps every primitive that ties, never just one a pixel. record.cpp makes records, replay.cpp
-// draws from them; gw/fast/plan/share_visibility.cpp says which draws share one.
+// Visible fragments found once. After a depth prepass, a pass under Equal touches only pixels whose
+// stored depth is a primitive's, and these are the same for every pass of the same geometry. A
+// record keeps every primitive that ties, not only one a pixel. record.cpp makes records,
+// replay.cpp draws from them, and gw/fast/plan/share_visibility.cpp decides which draws share one.
 #pragma once
 
 #include "gw/fast/frame/frame.h"
@@ -25,7 +25,7 @@ struct VisibleBlock {
 /// The entries of one block: blocks[first .. first + count - 1].
 struct BlockRun {
     std::uint16_t block = 0, mask = 0;  ///< lanes of all entries
-    bool tied = false;                  ///< some lane has two
+    bool tied = false;                  ///< a lane has two primitives
     std::uint32_t first = 0, count = 0;
 };
 
@@ -35,19 +35,19 @@ struct TextureCache {
     const FastTexels* texels = nullptr;
     TextureState state;                 ///< without the environment
     std::vector<TexturePlanes> planes;  ///< of the record's primitives
-    std::vector<ColorBlock> found;      ///< of its runs, all their lanes
-    std::vector<std::uint8_t> made;     ///< which of them are
+    std::vector<ColorBlock> found;      ///< of each run, all lanes
+    std::vector<std::uint8_t> made;     ///< whether found[i] is made
 };
 
 /// One draw's record in one tile.
 struct VisibleRecord {
-    bool drawn = false;  ///< by the depth pass: `primitives` and `blocks` have what may be visible
+    bool drawn = false;  ///< by the depth pass; `primitives` and `blocks` may be visible
     bool made = false;
     std::vector<std::uint32_t> primitives;  ///< ordinals in GeometrySet::primitives
     std::vector<TilePlane> depth;           ///< of `primitives`, until the record is made
-    /// by block; within one in the order of the primitives
+    /// by block; in a block, in the order of the primitives
     std::vector<VisibleBlock> blocks;
-    /// how many fragments each pixel gets, if a draw's stencil test asks
+    /// the number of fragments at each pixel, if a draw's stencil test asks
     std::vector<DepthBlock> fragments;
     std::uint64_t total = 0;  ///< fragments of the draw, visible or not
 
@@ -66,10 +66,10 @@ struct VisibleRecord {
     void clear();
 };
 
-/// Draws a depth pass and records what may be visible.
+/// Draws a depth pass and records the fragments that may be visible.
 void draw_recording(const TileDraw& draw, std::span<const std::uint32_t> bin,
                     VisibleRecord& record);
-/// Completes the record for draws under Equal, from its depth pass if there was one.
+/// Completes the record for draws under Equal, from the depth pass if that drew it.
 void record_primitives(const TileDraw& draw, std::span<const std::uint32_t> bin,
                        VisibleRecord& record);
 /// Draws from a complete record.
