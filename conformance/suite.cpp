@@ -25,7 +25,7 @@ struct Source {
 // clang-format off
 const std::vector<Source>& sources() {
     static const std::vector<Source> all{
-        {{"profiles", "profiles of every width of bits, with everything", "R1.3 R2.8 R2.9 R2.10 R1.5 R9.10"}, fuzz::profile_case, 14},
+        {{"profiles", "profiles of every bit width, with all state and commands", "R1.3 R2.8 R2.9 R2.10 R1.5 R9.10"}, fuzz::profile_case, 14},
         {{"blocks", "a window of six blocks of 64 x 64 pixels", "R1.6 R14.10"}, blocks_case, 1},
         {{"everything", "all state and all commands at once", "R1.8-R1.10 R4.1-R4.6 R5.1-R5.3"}, fuzz::everything_case, 12},
         {{"mesh", "primitives, indices, identifiers, sizes, absent arrays", "R6.1-R6.8 R5.3 R15.1"}, mesh_case, 6},
@@ -49,7 +49,7 @@ const std::vector<Source>& sources() {
         {{"fog", "fog at the vertex and per fragment", "R11.1-R11.7 R3.6"}, fuzz::fog_case, 14},
         {{"stencil", "every stencil function, operation and mask", "R12.1-R12.8"}, fuzz::stencil_case, 8},
         {{"depth", "every depth function and mask", "R12.9"}, fuzz::depth_case, 6},
-        {{"coincident", "faces drawn again in other words, under Equal", "R1.10"}, fuzz::coincident_case, 4},
+        {{"coincident", "faces drawn again by other primitives, under Equal", "R1.10"}, fuzz::coincident_case, 4},
         {{"blend", "blend factors, colour masks, alpha test", "R12.4 R12.10-R12.13"}, fuzz::blend_case, 8},
         {{"pixels", "clears, spans, rectangles, copies, read-backs, slots", "R13.1-R13.7 R12.2 R12.3"}, fuzz::pixels_case, 10},
         {{"accumulation", "accumulation with every weight", "R13.8 R13.9"}, fuzz::accumulation_case, 6},

@@ -1,5 +1,5 @@
 // The conformance suite: recordings that reach the rules of docs/manual.md. docs/conformance.md.
-// Does not play them: what must come out is in their manifests.
+// Does not play them: their manifests hold the expected results.
 #pragma once
 
 #include "inspect/recording/recording.h"

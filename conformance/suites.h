@@ -1,4 +1,4 @@
-// The makers of the suites' cases, one per file of conformance/suites/. Does not list the planes and
+// The makers of the suites' cases, in the files of conformance/suites/. Does not list the planes and
 // counters that each must reach: suites.cpp does.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Lists about one subject that the random suites reach seldom. conformance/suite.cpp names them.
-// Does not share seeds with tests/fuzz: its digests stay.
+// Lists about one subject that the random suites seldom reach. conformance/suite.cpp names them.
+// Shares no seeds with tests/fuzz, so a change here leaves those digests alone.
 #pragma once
 
 #include "conformance/generate/case.h"

@@ -1,5 +1,4 @@
-// Polygons of few places, so that corners repeat, touch sides and lie on lines: simple concave ones,
-// such that touch themselves, and such that cross themselves, seen along every axis.
+// Polygons that are concave, touch or cross themselves, or are bent by the snap after a cut.
 #include "conformance/directed/directed.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/script.h"
@@ -11,11 +10,13 @@ namespace gw::conformance {
 
 using namespace fuzz;
 
+// Polygons with corners on a coarse grid, so that corners repeat, touch sides and lie on lines.
+// They are concave, touch themselves or cross themselves, and are seen along every axis.
 namespace {
 
 using Corners = std::vector<dvec2>;
 
-/// A height over each column, along and back: concave, sides that may touch.
+/// A height over each column, there and back: concave, with sides that may touch.
 Corners comb(Random& r, int columns) {
     Corners out;
     for (int i = 0; i <= columns; ++i) out.push_back({double(i), double(r.between(0, 3))});
@@ -23,7 +24,7 @@ Corners comb(Random& r, int columns) {
     return out;
 }
 
-/// Around the middle, at one of few distances each: a star.
+/// A star: each corner has one of a few distances from the middle.
 Corners star(Random& r, int count) {
     static const std::vector<dvec2> directions{
         {3, 0},  {2, 1},   {2, 2},   {1, 2},   {0, 3},  {-1, 2}, {-2, 2}, {-3, 1},
@@ -37,7 +38,7 @@ Corners star(Random& r, int count) {
     return out;
 }
 
-/// Any places of a grid: crosses itself nearly always, and touches itself.
+/// Random grid points: the polygon nearly always crosses and touches itself.
 Corners scribble(Random& r) {
     Corners out;
     const int count = r.between(4, 14), side = r.between(2, 6);
@@ -48,7 +49,7 @@ Corners scribble(Random& r) {
     return out;
 }
 
-/// A corner again, a spike, or a corner on a side.
+/// Repeats a corner, or adds a spike or a corner on a side.
 void disturb(Random& r, Corners& c) {
     const auto at = std::size_t(r.below(int(c.size())));
     const dvec2 a = c[at], b = c[(at + 1) % c.size()];
@@ -80,7 +81,7 @@ vec3 in_space(const dvec2& c, int axis, double slope) {
     return out;
 }
 
-/// That plane before the window: `axis` towards the eye, 6 units over the window's size.
+/// Turns that plane to the window: `axis` towards the eye, 7 units over the window's size.
 dmat4 facing(int axis, int width, int height) {
     dmat4 m(0);
     m[(axis + 1) % 3][0] = width / 7.0;
@@ -125,6 +126,53 @@ Case polygons_case(Random& r) {
         s.state.color_source = r.chance(80) ? ColorSource::Vertex : ColorSource::PolygonId;
         s.state.blend = {true, BlendFactor::One, r.pick({BlendFactor::One, BlendFactor::Zero})};
         draw(s, any_polygons(r, axis));
+    }
+    return s.out;
+}
+
+// Small triangles cut by six planes on a coarse grid. The snap bends some of the cut polygons so
+// much that every fan has a reversed triangle [R6.25] [R6.26]. The stencil counts the coverage.
+namespace {
+
+constexpr int window_side = 48;
+
+MeshRef small_triangles(Random& r) {
+    MeshData data;
+    for (int i = 0; i < 250; ++i) {
+        const double x = r.real(0, window_side), y = r.real(0, window_side),
+                     size = r.pick({1.0, 2.0, 4.0});
+        for (int k = 0; k < 3; ++k) {
+            const double dx = r.real(-size, size);
+            data.positions.push_back({float(x + dx), float(y + r.real(-size, size)), 0});
+        }
+    }
+    return make_mesh(data);
+}
+
+/// A plane for each direction, all near the middle of the window's cells.
+void any_planes(Random& r, State& state) {
+    for (ClipPlane& p : state.clip_planes) {
+        const double a = r.real(-1, 1), b = r.real(-1, 1);
+        const double x = r.real(0.2, 0.8) * window_side, y = r.real(0.2, 0.8) * window_side;
+        const double sign = a * (window_side / 2.0 - x) + b * (window_side / 2.0 - y) < 0 ? -1 : 1;
+        p = {true, sign * dvec4(a, b, 0, -(a * x + b * y))};
+    }
+}
+
+}  // namespace
+
+Case cut_slivers_case(Random& r) {
+    Script s{r, {user_profile(r), window_side, window_side}};
+    s.out.profile.subpixel_bits = 1;
+    s.frame = {window_side, window_side};
+    s.state.projection[0][0] = s.state.projection[1][1] = 2.0 / window_side;
+    s.state.projection[3] = {-1, -1, 0, 1};
+    s.state.stencil = {.test = true, .zpass = StencilOp::Incr};
+    add(s, Clear{all_planes});
+    const MeshRef mesh = small_triangles(r);
+    for (int i = 0; i < 12; ++i) {
+        any_planes(r, s.state);
+        draw(s, mesh);
     }
     return s.out;
 }

@@ -20,7 +20,7 @@ struct Case {
 using CounterField = std::uint64_t Counters::*;
 
 /// A family of random lists. Over a long range, each plane of `planes` must vary within a picture
-/// and each counter of `counters` must be moved, or the suite proves nothing.
+/// and each counter of `counters` must change, or the suite proves nothing.
 struct Suite {
     const char* name;
     const char* about;

@@ -9,13 +9,13 @@ namespace gw::fuzz {
 Material any_material(Random& random);
 /// At most `most` lights around the eye distances 0 .. depth.
 LightsRef any_lights(Random& random, int most, double depth);
-/// Sides of 1 to 64; seldom no power of two, seldom longer.
+/// Sides of 1 to 64, mostly powers of two; seldom longer.
 TextureRef any_texture(Random& random);
 /// A texture, or one of the script's slots; shadow_compare only with depth slots.
 TextureBinding any_binding(Script& script);
 
-/// Adds a draw of the mesh in the script's frame and state. It has a material and lights where the
-/// state lights, and a texture in `mapped_percent` of 100 cases.
+/// Adds a draw of the mesh in the script's frame and state. It has a material and lights if the
+/// colour source is Lighting, and a texture in `mapped_percent` of 100 cases.
 void draw(Script& script, MeshRef mesh, int mapped_percent = 0);
 
 /// The largest eye distance of the script's vertices, for fog and lights.

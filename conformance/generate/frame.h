@@ -11,7 +11,7 @@ namespace gw::fuzz {
 struct Frame {
     int width = 1, height = 1;  ///< of the viewport
     int subpixel_bits = 3;
-    /// z is the eye distance (w = z); else the normalized depth -1 .. 1 (w = 1)
+    /// z is the eye distance (w = z); if not deep, the normalized depth -1 .. 1 (w = 1)
     bool deep = false;
     double near_z = 1, far_z = 9;  ///< of a deep frame
     dmat4 projection{1};

@@ -1,7 +1,6 @@
 // A deterministic generator: the same numbers on every machine and with every compiler. Does not
 // use the standard distributions, whose results are not specified. Draw one number per full
-// expression or within braces, because compilers choose the order of operands and
-// arguments.
+// expression or within braces, because compilers choose the order of operands and arguments.
 #pragma once
 
 #include <cmath>

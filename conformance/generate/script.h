@@ -15,13 +15,18 @@ struct Script {
     std::vector<std::uint32_t> color_slots, depth_slots;  ///< filled by CopyTexture
 };
 
+/// Built-in or of a user; always valid.
+Profile any_profile(Random& random);
+/// Every field has a random value of its range.
+Profile user_profile(Random& random);
+
 /// A window, a frame to place vertices in, and clears of every plane: depth to 1, colour and
 /// stencil to random values.
 Script script(Random& random, const Profile& profile);
 /// The same on any profile.
 Script script(Random& random);
 
-/// Adds SetState where the state differs from the last one that was set.
+/// Adds SetState if the state differs from the last one that was set.
 void set_state(Script& script);
 /// Adds set_state and the command.
 void add(Script& script, Command command);

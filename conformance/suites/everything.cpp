@@ -1,7 +1,7 @@
 // All state and all commands at once.
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"
-#include "conformance/generate/profile.h"
+#include "conformance/generate/script.h"
 #include "conformance/generate/state.h"
 #include "conformance/suites.h"
 

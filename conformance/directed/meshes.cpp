@@ -1,6 +1,7 @@
-// Every primitive, with and without indices, identifiers, sizes and each array of values.
+// Meshes of every primitive, over windows of whole and cut blocks.
 #include "conformance/directed/directed.h"
 #include "conformance/generate/draw.h"
+#include "conformance/generate/mesh.h"
 #include "conformance/generate/script.h"
 #include "conformance/generate/state.h"
 
@@ -8,6 +9,7 @@ namespace gw::conformance {
 
 using namespace fuzz;
 
+// Every primitive, with and without indices, identifiers, sizes and each array of values.
 namespace {
 
 std::uint32_t polygon_count(Primitive primitive, std::uint32_t corners) {
@@ -68,6 +70,20 @@ Case mesh_case(Random& r) {
         draw(s, any_mesh_of(r, s.frame, Primitive(i)), 30);
     }
     draw(s, make_mesh({}));
+    return s.out;
+}
+
+// A window of 3 x 2 blocks, the last ones cut by its border: every plane differs in every block.
+Case blocks_case(Random& r) {
+    Script s{r, {reality(), 130, 67}};
+    s.frame = flat_frame(r, s.out.width, s.out.height, s.out.profile.subpixel_bits);
+    s.state.projection = s.frame.projection;
+    s.state.depth.test = true;
+    s.state.stencil = {.test = true, .zpass = StencilOp::Incr};
+    add(s, Clear{all_planes, {0.25f, 0.5f, 0.75f, 1}, 1, 3});
+    for (int i = 0; i < 4; ++i) draw(s, cover_mesh(r, s.frame, {}, r.real(-1, 1)));
+    for (int i = 0; i < 6; ++i) draw(s, any_triangles(r, s.frame, {.most = 4}));
+    add(s, Accumulate{AccumOp::Load, 1.5f});
     return s.out;
 }
 

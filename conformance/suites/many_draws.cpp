@@ -1,5 +1,4 @@
-// Hundreds of draws of a few triangles, each with its own matrix and material, in passes that draw
-// the same objects again, with changes of state between them.
+// Lists of many draws.
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/state.h"
@@ -8,6 +7,10 @@
 #include <utility>
 
 namespace gw::fuzz {
+
+// Hundreds of draws of a few triangles, each with its own matrix and material, in passes that draw
+// the same objects again, with changes of state between them.
+
 namespace {
 
 struct Object {
@@ -87,6 +90,51 @@ Case tiny_draws_case(Random& r) {
         begin_pass(s, pass);
         if (r.chance(20)) std::swap(objects.front(), objects.back());
         draw_objects(s, objects, changes_percent);
+    }
+    return s.out;
+}
+
+// Many textures in turn: new ones, recent ones again, slots refilled between draws.
+
+namespace {
+
+TextureRef small_texture(Random& r) {
+    const int width = 1 << r.below(4), height = 1 << r.below(4);
+    std::vector<std::uint16_t> rgba;
+    for (int i = 0; i < 4 * width * height; ++i)
+        rgba.push_back(static_cast<std::uint16_t>(r.bits(16)));
+    return make_texture("small", width, height, rgba);
+}
+
+TextureBinding next_binding(Script& s, std::vector<TextureRef>& recent) {
+    Random& r = s.random;
+    if (!s.color_slots.empty() && r.chance(25)) return {nullptr, r.pick(s.color_slots)};
+    if (!recent.empty() && r.chance(40)) return {r.pick(recent), {}};
+    recent.push_back(small_texture(r));
+    return {recent.back(), {}};
+}
+
+}  // namespace
+
+Case texture_churn_case(Random& r) {
+    Script s = script(r);
+    s.state.depth.test = r.chance(50);
+    s.state.depth.func = r.pick({DepthFunc::LEqual, DepthFunc::Always, DepthFunc::Equal});
+    s.state.blend = r.chance(40) ? any_blend(r) : BlendState{};
+    std::vector<MeshRef> meshes;
+    for (int i = 0; i < 4; ++i)
+        meshes.push_back(any_triangles(r, s.frame, {.texcoords = true, .most = 4}));
+    std::vector<TextureRef> recent;
+    const int draws = r.between(20, 90);
+    for (int i = 0; i < draws; ++i) {
+        if (r.chance(30)) s.state.texture = any_texture_state(r);
+        if (r.chance(10)) copy_texture(s, Plane::Color);
+        Draw d{.mesh = r.pick(meshes), .eye_from_object = s.frame.eye_from_object};
+        d.map = next_binding(s, recent);
+        const int repeats = r.pick({1, 1, 2, 3});
+        for (int k = 0; k < repeats; ++k) add(s, d);
+        if (recent.size() > 20) recent.erase(recent.begin(), recent.begin() + 10);
+        between_draws(s);
     }
     return s.out;
 }
