@@ -15,7 +15,7 @@ namespace {
 using fuzz::Case;
 using fuzz::Random;
 
-/// A group and what makes its recordings.
+/// A group, its generator and the number of its recordings.
 struct Source {
     Group group;
     Case (*make)(Random&);

@@ -1,7 +1,8 @@
 // Adaptive sampling on one item buffer [K4a], which the paper warns of. A pixel whose eight
-// neighbours show the same polygon gets one ray, any other several, cut with the polygons that the
-// item buffer has in these nine pixels. So it misses polygons smaller than a pixel, and needles
-// (Fig. 7), which several item buffers find (Fig. 8). Does not superpose pictures.
+// neighbours show the same polygon gets one ray; any other pixel gets several. They are cut with
+// the polygons that the item buffer has in these nine pixels. So it misses polygons smaller than a
+// pixel, and needles (Fig. 7), which several item buffers find (Fig. 8). Does not superpose
+// pictures.
 #pragma once
 
 #include "gw/machine.h"

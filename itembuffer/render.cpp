@@ -1,8 +1,9 @@
 #include "itembuffer/render.h"
 
-#include "itembuffer/hit_shadows.h"
 #include "itembuffer/traced_component.h"
+#include "multipass/frame/pass_model.h"
 #include "multipass/passes/catalogue.h"
+#include "multipass/shadow/shadow_lookup.h"
 #include "scene/draw/item_buffer.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 
 using multipass::Pass;
 
-/// Whether what the traced component is added to must have been drawn before this pass.
+/// Whether this pass must follow the traced component, which is added to the opaque picture.
 bool comes_after(const Pass& pass) {
     return pass.objects == multipass::PassObjects::Translucent ||
            pass.fog == multipass::PassFog::Scene || pass.action == multipass::PassAction::Add;
@@ -36,14 +37,52 @@ bool same_lights(const scene::Scene& a, const scene::Scene& b) {
                       });
 }
 
-/// What one sample leaves for the next.
+/// Shadow maps for the hits of traced rays [K4i, K3.2 a], instead of shadow rays. The machine draws
+/// the Z-buffers of all lights that cast shadows, as for the passes. They are valid for all views
+/// while neither lights nor objects move. Does not shade first hits: the passes do.
+class HitShadows {
+public:
+    /// `scene` is the drawn one. Overwrites the machine's planes.
+    HitShadows(Machine& machine, const scene::Scene& scene, int width, int height);
+    HitShadows(const HitShadows&) = delete;
+
+    /// As in raytrace::TraceOptions.
+    bool in_shadow(std::size_t light, const scene::TrianglePoint& at) const {
+        return lookups_[light].in_shadow(at);
+    }
+
+    /// The side of a map for a picture of this size: the power of two that is at least its longer
+    /// side. Half that of the passes' maps, since reflections mostly show things smaller.
+    static int size(int width, int height);
+
+private:
+    std::vector<std::vector<multipass::ShadowMap>> maps_;  ///< by light; none without a shadow
+    std::vector<multipass::ShadowLookup> lookups_;
+};
+
+int HitShadows::size(int width, int height) {
+    return multipass::shadow_map_size(width, height) / 2;
+}
+
+HitShadows::HitShadows(Machine& machine, const scene::Scene& scene, int width, int height) {
+    const multipass::PassModel model = multipass::make_pass_model(scene);
+    for (const scene::Light& light : scene.lights) {
+        maps_.emplace_back();
+        if (light.shadow == scene::Shadow::None) continue;
+        const auto views = multipass::light_views(light, scene::bounds(scene), size(width, height));
+        maps_.back() = multipass::draw_shadow_maps(machine, model, views, width, height);
+    }
+    for (const auto& maps : maps_) lookups_.emplace_back(maps, machine.profile());
+}
+
+/// Data kept from one sample to the next.
 struct Kept {
     scene::Scene scene;  ///< with the materials as the file has them
     Options options;
     std::optional<raytrace::World> world;
-    std::optional<HitShadows> shadows;  ///< where hits read shadow maps
+    std::optional<HitShadows> shadows;  ///< if hits read shadow maps
 
-    /// Makes both as of a sample's moment, where objects, or lights, are not where they were.
+    /// Makes both anew for a sample's moment if objects or lights have moved.
     void move_to(Machine& machine, const scene::Scene& now, const scene::View& view) {
         const bool same = world && same_places(scene, now), lit_the_same = same_lights(scene, now);
         scene.objects = now.objects;

@@ -30,8 +30,8 @@ multipass::Superposition render(Machine& machine, const scene::Scene& scene,
                                 const scene::View& view, const multipass::Options& passes,
                                 const Options& options = {});
 
-/// The driver of `render`, for one view after the other. Keeps what does not depend on the view,
-/// with hierarchies and shadow maps of reflected hits. The machine must outlive it.
+/// The driver of `render`, for one view after the other. Keeps all data that no view changes, among
+/// it hierarchies and shadow maps of reflected hits. The machine must outlive it.
 std::unique_ptr<multipass::Driver> make_driver(Machine& machine, const scene::Scene& scene,
                                                const multipass::Options& passes,
                                                const Options& options = {});

@@ -1,7 +1,7 @@
-// I_raytracing(x, y) of eq. 5 [K4]: at every pixel the ray from the eye is cut with the plane of
-// the item buffer's polygon, without a search. The light that this polygon reflects and transmits
-// is traced from there [K4i]; pixels whose polygon does neither are not traced. Does not draw and
-// does not add.
+// I_raytracing(x, y) of eq. 5 [K4]: at every pixel, the ray from the eye meets the plane of the
+// item buffer's polygon, without a search. The light that this polygon reflects and transmits is
+// traced from there [K4i]; pixels whose polygon does neither are not traced. Does not draw and does
+// not add.
 #pragma once
 
 #include "gw/profile.h"
@@ -19,7 +19,7 @@ struct TracedComponent {
 };
 
 /// `ids` and `jitter` are the item buffer's. Vertices are snapped before the machine fills a
-/// polygon, so a pixel's centre may lie a little outside the true one; its plane extends there, and
+/// polygon, so a pixel's centre may lie a little outside the true polygon. Its plane extends there;
 /// weights of texture coordinates and normals end at the border.
 TracedComponent traced_component(const raytrace::Tracer& tracer, const scene::Scene& scene,
                                  const scene::View& view, const std::vector<std::uint32_t>& ids,

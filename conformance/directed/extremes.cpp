@@ -74,7 +74,7 @@ Case extreme_lights_case(Random& r) {
         d.lights = std::make_shared<const std::vector<Light>>(std::move(lights));
         s.out.list.add(std::move(d));
     }
-    // [R8.7] Eye coordinates overflow where clip coordinates do not: a cosine is NaN.
+    // [R8.7] Eye coordinates overflow although clip coordinates do not: a cosine is NaN.
     Draw far{.mesh = lit_square(r, s.out.width, s.out.height)};
     far.eye_from_object[0].z = 1e308;
     far.eye_from_object[3].z = 1.5e308;

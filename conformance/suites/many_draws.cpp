@@ -8,8 +8,8 @@
 
 namespace gw::fuzz {
 
-// Hundreds of draws of a few triangles, each with its own matrix and material, in passes that draw
-// the same objects again, with changes of state between them.
+// Hundreds of draws of a few triangles, each with its own matrix and material. Passes draw the same
+// objects again, with changes of state between them.
 
 namespace {
 

@@ -2,7 +2,7 @@
 // Perspective is done already: on the window grid all lines of sight are parallel to z. No
 // reflection: raytrace/ follows rays further.
 #include "hiddensurface/run/algorithm.h"
-#include "raytrace/casting/intersect_polygon.h"
+#include "raytrace/casting/intersect.h"
 
 namespace gw::hiddensurface {
 namespace {

@@ -28,8 +28,7 @@ public:
         for (;;) {
             ++counts.voxels;
             for (const std::size_t i : voxels_[index(walk.at)]) tester_.test(ray, i, hit, counts);
-            // A shape reaches into other voxels: what is met beyond this one may not be the
-            // nearest.
+            // A shape reaches into other voxels: a hit beyond this voxel may not be the nearest.
             const int axis = walk.next[0] < walk.next[1] ? (walk.next[0] < walk.next[2] ? 0 : 2)
                                                          : (walk.next[1] < walk.next[2] ? 1 : 2);
             if (hit && hit->t < walk.next[std::size_t(axis)]) return hit;
@@ -42,7 +41,8 @@ public:
     }
 
 private:
-    /// The voxel, which way to the next along each axis, the t where it begins, the t between two.
+    /// The voxel; along each axis, the step to the next one, the t where that begins, and the t
+    /// between two.
     struct Walk {
         std::array<int, 3> at{}, step{};
         std::array<double, 3> next{}, delta{};

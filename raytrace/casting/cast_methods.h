@@ -1,9 +1,9 @@
-// What all methods of casting.h share: the box around a shape, the test of one shape, the nearest
-// hit so far. And the methods. Does not choose among them.
+// The methods of casting.h and the parts that they share: the box around a shape, the test of one
+// shape, the nearest hit so far. Does not choose among them.
 #pragma once
 
-#include "raytrace/casting/box.h"
 #include "raytrace/casting/casting.h"
+#include "raytrace/casting/intersect.h"
 
 #include <optional>
 
@@ -17,7 +17,7 @@ public:
     ShapeTester(const std::vector<CastShape>& shapes, InsideTest test)
         : shapes_(shapes), test_(test) {}
 
-    /// Counts the test; `nearest` becomes the shape's hit where that is nearer, or as near and
+    /// Counts the test; `nearest` becomes the shape's hit if that is nearer, or as near and
     /// earlier.
     void test(const Ray& ray, std::size_t shape, std::optional<CastHit>& nearest,
               CastCounts& counts) const;

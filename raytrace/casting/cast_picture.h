@@ -1,6 +1,6 @@
 // A picture by ray casting as it is taught [L9]: the nearest shape of every pixel, eq. 3 with the
-// shape's own normal. No maps, shadows or reflections: how many tests a pixel costs is what is
-// shown.
+// shape's own normal. No maps, shadows or reflections: it shows the number of tests that a pixel
+// costs.
 #pragma once
 
 #include "raytrace/casting/casting.h"

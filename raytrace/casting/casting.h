@@ -1,10 +1,9 @@
-// Ray casting as it is taught [L9, L12]: the nearest of all intersections, with every intersection
-// test counted, by brute force or by one of the lecture's accelerations. In double, one ray at a
-// time, to be read and compared; hierarchy.h is the fast one. Does not shade.
+// Ray casting as it is taught [L9, L12]: the nearest of all intersections, by brute force or by one
+// of the lecture's accelerations. Every intersection test is counted. In double, one ray at a time,
+// to be read and compared; hierarchy.h is the fast one. Does not shade.
 #pragma once
 
-#include "raytrace/casting/intersect_polygon.h"
-#include "raytrace/casting/sphere.h"
+#include "raytrace/casting/intersect.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -22,8 +21,8 @@ struct CastShape {
 };
 
 /// All polygons of a scene as their meshes have them: quads as quads, concave ones whole. A mesh
-/// whose vertices lie on a sphere around its origin and have its normals (shapes `sphere` and
-/// `icosphere`), scaled the same in all directions, is the sphere itself.
+/// becomes a sphere if its vertices lie on one around its origin and have its normals (shapes
+/// `sphere` and `icosphere`), and if it is scaled the same in all directions.
 std::vector<CastShape> cast_shapes(const scene::Scene& scene);
 
 /// How the nearest shape is found.

@@ -1,14 +1,45 @@
-// Where a range of triangles is halved: the surface area heuristic in bins (Wald 2007).
-// Does not know the tree.
+// Halves a range of triangles by the surface area heuristic in bins (Wald 2007). Does not know the
+// tree.
 #pragma once
 
-#include "raytrace/hierarchy/box3.h"
+#include "gw/base/types.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace gw::raytrace {
+
+/// An axis-aligned box of float32, empty until something is added. Corners have four numbers, so
+/// that the compiler uses vectors; the fourth has no meaning.
+struct alignas(16) Box3 {
+    float low[4], high[4];
+
+    Box3() {
+        for (int k = 0; k < 4; ++k) {
+            low[k] = std::numeric_limits<float>::infinity();
+            high[k] = -std::numeric_limits<float>::infinity();
+        }
+    }
+    void add(const vec3& p) {
+        for (int k = 0; k < 3; ++k) {
+            low[k] = p[k] < low[k] ? p[k] : low[k];
+            high[k] = p[k] > high[k] ? p[k] : high[k];
+        }
+    }
+    void add(const Box3& b) {
+        for (int k = 0; k < 4; ++k) {
+            low[k] = b.low[k] < low[k] ? b.low[k] : low[k];
+            high[k] = b.high[k] > high[k] ? b.high[k] : high[k];
+        }
+    }
+    /// Half the surface; 0 of an empty one.
+    float area() const {
+        const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+        return x < 0 ? 0 : (x * y + y * z) + z * x;
+    }
+};
 
 /// A triangle's box, its middle, and the triangle's number.
 struct Item {
@@ -17,14 +48,14 @@ struct Item {
     std::uint32_t triangle = 0;
 };
 
-/// What a range holds: its box, and the box of its items' middles.
+/// Items in a row, their box, and the box of their middles.
 struct Range {
     Box3 box, centers;
     std::size_t first = 0, last = 0;  ///< of the items
     std::size_t count() const { return last - first; }
 };
 
-/// What a box costs whose items are met eight at a time, as a packet holds them.
+/// The cost of a box whose items are tested eight at a time, as a packet holds them.
 float cost_of(const Box3& box, std::size_t count);
 
 /// Bins of equal width over the middles, along an axis.

@@ -1,7 +1,7 @@
 // The hierarchy of bounding volumes [L12]: triangles in a tree of eight children a node, tested by
-// vectors. The result does not depend on the vectors' width or the number of threads: the nearest
-// triangle that the ray meets, of equally near ones the one with the smallest number. Does not know
-// scenes (world.h) and does not shade.
+// vectors. The result is the nearest triangle that the ray meets, of equally near ones the one with
+// the smallest number. It does not depend on the vectors' width or the number of threads. Does not
+// know scenes (world.h) and does not shade.
 //
 // The watertight test of Woop, Benthin and Wald 2013 decides for every triangle whether the ray
 // meets it: the sign of each edge function is exact, so triangles that share a side leave no gap.

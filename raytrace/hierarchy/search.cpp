@@ -30,7 +30,7 @@ inline unsigned bits_of(M mask) {
     return bytes[0];
 }
 
-/// What is computed once a ray.
+/// Values computed once a ray.
 struct Prepared {
     float low, high;           ///< high shrinks to the nearest hit
     float origin[3], over[3];  ///< over: 1 / direction, finite
@@ -119,7 +119,8 @@ inline void edges_in_double(const float* x, const float* y, float* edge) {
     }
 }
 
-/// One triangle again, in double where an edge function is 0. Returns whether it is met, and t.
+/// Tests one triangle again, in double because an edge function is 0. Returns whether it is met,
+/// and t.
 inline bool meet_again(const V* x, const V* y, const V* z, const V* edge, int lane, float& t) {
     alignas(32) float lanes[width_of_tree];
     float fx[3], fy[3], fz[3], e[3];
@@ -364,7 +365,7 @@ std::optional<HierarchyHit> Hierarchy::nearest(const HierarchyRay& ray) const {
 }
 
 void Hierarchy::find(const HierarchyRay& ray, TriangleTest& test) const {
-    // Of corners and rays, after the shear, where coordinates are at most three times as large.
+    // Of corners and rays, after the shear, which makes coordinates at most three times as large.
     float size = size_;
     for (int k = 0; k < 3; ++k) size = std::max(size, std::abs(ray.origin[k]));
     HWY_DYNAMIC_DISPATCH(find)(tree_, ray, size * 0x1p-20f, test);

@@ -17,8 +17,8 @@ struct alignas(32) WideNode {
     float bound[3][2][width_of_tree];  ///< axis; low, high; child
     std::uint32_t child[width_of_tree];
 };
-/// A child is a node's index; or, with the highest bit, a packet's in the low 28 bits and the
-/// number of its triangles less 1 in the three bits between.
+/// A child is a node's index. If the highest bit is set, it is a packet: its index in the low 28
+/// bits, the number of its triangles less 1 in the three bits between.
 inline constexpr std::uint32_t leaf_bit = 0x80000000u;
 constexpr std::uint32_t leaf_of(std::size_t packet, std::size_t count) {
     return leaf_bit | static_cast<std::uint32_t>((count - 1) << 28 | packet);

@@ -1,6 +1,6 @@
 // The ordinary ray tracer [L9]: a ray from the eye through every pixel, the nearest of all
-// triangles, eq. 3 with shadow rays, and what follows. The baseline of eq. 5 [K4f]. Does not
-// superpose pictures.
+// triangles, eq. 3 with shadow rays, and the rays that follow. The baseline of eq. 5 [K4f]. Does
+// not superpose pictures.
 #pragma once
 
 #include "gw/command_list.h"
@@ -30,11 +30,11 @@ RaytracedPicture raytraced_picture(const Tracer& tracer, const scene::Scene& sce
 CommandList commands(const RaytracedPicture& picture, const scene::View& view);
 
 /// The light that a surface sends to the eye: eq. 3, the traced component, and fog. A translucent
-/// surface is blended over what is behind it [K3.4].
+/// surface is blended over the surface behind it [K3.4].
 dvec3 seen_color(const Tracer& tracer, const Surface& surface, const scene::Scene& scene,
                  const Profile& profile, RayCounts& counts);
 
-/// 1 where nothing is lost in the scene's fog .. 0, at this eye-space point.
+/// The part of the light that passes the scene's fog from this eye-space point, 0 .. 1.
 double seen_through_fog(const scene::Scene& scene, const dvec3& p_eye, const Profile& profile);
 
 /// Calls body(x, y, counts) for every pixel on `threads` threads and sums the counts. Square by

@@ -8,7 +8,7 @@
 namespace gw::raytrace {
 namespace {
 
-/// A hit where a weight is less than this is moved inwards before rays leave it.
+/// A hit with a weight less than this is moved inwards before rays leave it.
 constexpr double least_weight_inside = 0x1p-16;
 
 dvec3 start_of(const std::array<dvec3, 3>& corner, const scene::Weights& weights) {

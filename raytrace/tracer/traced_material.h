@@ -32,9 +32,9 @@ TracedMaterial traced_material(const scene::Material& material);
 bool is_traced(const scene::Material& material);
 bool any_traced(const scene::Scene& scene);
 
-/// The scene without what rays do [K4, K3.4]: traced materials lose their reflection (and, where
-/// they transmit, refraction) maps; those that transmit are drawn as opaque ones with d Ka and d
-/// Kd, and light goes through them unbent: they cast no shadow.
+/// The scene without the work of rays [K4, K3.4]. Traced materials lose their reflection maps.
+/// Those that transmit also lose their refraction maps, are drawn as opaque ones with d Ka and d
+/// Kd, and cast no shadow: light goes through them unbent.
 scene::Scene drawn_scene(const scene::Scene& scene);
 
 }  // namespace gw::raytrace

@@ -15,7 +15,7 @@
 
 namespace gw::raytrace {
 
-/// What was traced, counted by kind [K4f]. Sums are the same for any number of threads.
+/// Traced rays, counted by kind [K4f]. Sums are the same for any number of threads.
 struct RayCounts {
     std::uint64_t primary = 0;      ///< from the eye
     std::uint64_t reflected = 0;    ///< from any hit
@@ -34,8 +34,8 @@ struct RayCounts {
 };
 
 struct TraceOptions {
-    /// Rays in a path: the ray from the eye is the first, and with 2, as in Fig. 9 [K4f], what it
-    /// meets sends second rays, where paths end. 1: reflection maps only.
+    /// Rays in a path. 2, as in Fig. 9 [K4f]: the surface that the ray from the eye meets sends
+    /// second rays, where paths end. 1: reflection maps only.
     int depth = 2;
     int threads = 0;  ///< 0: all
     /// Whether a hit of a reflected ray is in the shadow of a light (by its number). Empty: shadow
@@ -60,9 +60,9 @@ public:
     /// Eq. 3 of the drawn scene [K3s], lights that cast shadows found by shadow rays.
     dvec3 local(const Surface& surface, RayCounts& counts) const;
 
-    /// I_raytracing of eq. 5 [K4]: what the surface reflects and lets through of the light that
-    /// arrives along second rays and those that follow. Where a path ends, reflection maps stand
-    /// for what is not traced.
+    /// I_raytracing of eq. 5 [K4]: the light that arrives along second rays and those that follow,
+    /// and that the surface reflects or transmits. At the end of a path, reflection maps replace
+    /// the light that is not traced.
     dvec3 traced(const Surface& surface, RayCounts& counts) const;
 
     /// Whether `traced` can be anything but black there.

@@ -47,7 +47,7 @@ bool same_plane(const dvec3& m, const dvec3& n) {
     return dot3(c, c) <= 1e-18 * dot3(m, m) * dot3(n, n);
 }
 
-/// Tests triangles in double and keeps the nearest, with all that are as near.
+/// Tests triangles in double and keeps the nearest, with all triangles that are as near.
 class NearestTest : public TriangleTest {
 public:
     NearestTest(const scene::WorldTriangles& triangles, const Ray& ray, double high, double size,
@@ -66,8 +66,8 @@ public:
     }
 
     bool found() const { return !nearest_.empty(); }
-    /// The first triangle of the nearest; none: the ray only grazes them. Where it meets an edge
-    /// between a front and a back it enters and leaves at once: so it passes by.
+    /// The first triangle of the nearest; none: the ray only grazes them. A ray that meets an edge
+    /// between a front and a back enters and leaves at once: so it passes by.
     Met result() const {
         for (const Met& met : nearest_)
             if (std::none_of(nearest_.begin(), nearest_.end(),

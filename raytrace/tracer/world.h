@@ -1,9 +1,10 @@
 // A scene for rays: its triangles in world space, and hierarchies over all of them and over those
 // that cast shadows. Made once for all views. Does not shade.
 //
-// The hierarchy excludes in float32 what no rounding could let a ray meet; the rest is decided in
-// double, for neighbours alike. So on every path through a closed body entering and leaving
-// alternate: no ray loses the triangle next to the one that it starts from, or meets it twice.
+// The hierarchy excludes in float32 the triangles that no rounding could let a ray meet. The rest
+// is decided in double, for neighbours alike. So on every path through a closed body entering and
+// leaving alternate: no ray loses the triangle next to the one that it starts from, or meets it
+// twice.
 #pragma once
 
 #include "raytrace/casting/ray.h"

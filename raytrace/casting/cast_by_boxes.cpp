@@ -1,4 +1,4 @@
-// Boxes in boxes [L12], halved at the middle of the longest side.
+// Boxes around objects, and boxes in boxes.
 #include "raytrace/casting/cast_methods.h"
 
 #include <algorithm>
@@ -7,6 +7,40 @@
 namespace gw::raytrace {
 namespace {
 
+/// A box around every object [L12]. Shapes of one object follow each other.
+class BoundingVolumes : public RayCaster {
+public:
+    explicit BoundingVolumes(const ShapeTester& tester) : tester_(tester) {
+        const auto& shapes = tester.shapes();
+        for (std::size_t i = 0; i < shapes.size(); ++i) {
+            if (i == 0 || shapes[i].object != shapes[i - 1].object) volumes_.push_back({{}, i, i});
+            volumes_.back().box.add(box_of(shapes[i]));
+            volumes_.back().last = i + 1;
+        }
+    }
+    std::optional<CastHit> nearest(const Ray& ray, CastCounts& counts) const override {
+        ++counts.rays;
+        std::optional<CastHit> hit;
+        for (const Volume& volume : volumes_) {
+            ++counts.boxes;
+            const auto in = through(volume.box, ray);
+            if (!in || (hit && in->from > hit->t)) continue;
+            for (std::size_t i = volume.first; i < volume.last; ++i)
+                tester_.test(ray, i, hit, counts);
+        }
+        return hit;
+    }
+
+private:
+    struct Volume {
+        Box box;
+        std::size_t first = 0, last = 0;
+    };
+    ShapeTester tester_;
+    std::vector<Volume> volumes_;
+};
+
+/// Boxes in boxes [L12], halved at the middle of the longest side.
 class BoxHierarchy : public RayCaster {
 public:
     explicit BoxHierarchy(const ShapeTester& tester)
@@ -75,6 +109,10 @@ private:
 };
 
 }  // namespace
+
+std::unique_ptr<RayCaster> cast_by_volumes(const ShapeTester& tester) {
+    return std::make_unique<BoundingVolumes>(tester);
+}
 
 std::unique_ptr<RayCaster> cast_by_hierarchy(const ShapeTester& tester) {
     return std::make_unique<BoxHierarchy>(tester);

@@ -1,5 +1,5 @@
 // [L9, L11]: the plane's parameter, the inside test with its corner cases, the nearest of all.
-#include "raytrace/casting/intersect_polygon.h"
+#include "raytrace/casting/intersect.h"
 
 #include <gtest/gtest.h>
 
