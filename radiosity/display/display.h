@@ -11,8 +11,8 @@
 
 namespace gw::radiosity {
 
-/// `scale` times a radiosity is what the frame buffer holds, clamped to 1. Sides of figures that do
-/// not emit are not drawn. The colour plane is cleared to `background`.
+/// The frame buffer holds `scale` times the radiosity, clamped to 1. Sides of figures that do not
+/// emit are not drawn. The colour plane is cleared to `background`.
 struct Brightness {
     double scale = 1;
     vec3 background{0};
@@ -34,7 +34,7 @@ inline constexpr int figure_shift = 20;
 /// The list with identifiers in place of colours.
 CommandList figures_of(CommandList list);
 
-/// The texture of a pixmap; where texel coordinates lie in it.
+/// The texture of a pixmap, and the texture coordinates of texel coordinates.
 TextureRef texture_of(const PixmapModel& model, std::uint32_t pixmap,
                       const DisplayedPixmaps& colors, double scale);
 vec2 st_of(const Pixmap& pixmap, const dvec2& uv);

@@ -33,9 +33,9 @@ private:
     std::vector<dvec3> colors_;
 };
 
-/// What is shown at each texel: radiosity, with the estimate of what is yet to come where
-/// `with_ambient` [F1c]. Beyond a figure's border its nearest texel is repeated, so that nothing
-/// leaks in; where a smooth surface goes on in another pixmap, what that one shows (seams.h).
+/// The colour at each texel: its radiosity and, if `with_ambient`, the estimate of the light yet to
+/// come [F1c]. Beyond a figure's border its nearest texel is repeated, so that nothing leaks in. If
+/// a smooth surface continues in another pixmap, the border shows that one's colours.
 DisplayedPixmaps displayed_pixmaps(const PixmapModel& model, const Solution& solution,
                                    bool with_ambient);
 

@@ -1,7 +1,6 @@
 // A solved scene as one that glows [F2.3, K4]: every surface emits its radiosity, as a texture, and
-// the rest of its material stays. What eq. 2 and 5 draw of it is the radiosity picture with
-// highlights, reflections and traced light on top, in which reflections show radiosity too. Does
-// not draw.
+// the rest of its material stays. Eq. 2 and 5 draw it as the radiosity picture with highlights,
+// reflections and traced light on top. Reflections show radiosity too. Does not draw.
 #pragma once
 
 #include "radiosity/display/display.h"

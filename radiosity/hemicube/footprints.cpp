@@ -56,7 +56,7 @@ struct OnFacet {
     }
 };
 
-/// What one pixel covers of the pixmap along x or y: the derivative of the homography.
+/// The part of the pixmap that one pixel covers along x or y: the derivative of the homography.
 struct Side {
     V u, v;
     Side(const OnFacet& at, const dvec3& along)

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t slots = 8;  ///< hemicubes at a time; does not depend on the threads
 
-/// Where the near plane is, in parts of what the point stands for; Gauss' points are a fifth of it
-/// from its border.
+/// The near plane's distance, in parts of the size of the point's part; Gauss' points are a fifth
+/// of that from its border.
 constexpr double near_part = 1.0 / 64;
 constexpr double least_near = 1e-6;  ///< in parts of the scene's extent
 

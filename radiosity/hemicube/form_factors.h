@@ -1,6 +1,6 @@
-// Form factors from a patch to all texels, by hemicubes [F2.2]. Knows no energy.
-// The same bits for any number of threads: hemicubes are drawn in parallel, pixmaps scanned in
-// parallel, and what a texel receives is summed in the order of the points [F2.2p, F4].
+// Form factors from a patch to all texels, by hemicubes [F2.2]. Knows no energy. The same bits for
+// any number of threads: hemicubes are drawn in parallel and pixmaps scanned in parallel. A texel's
+// light is summed in the order of the points [F2.2p, F4].
 #pragma once
 
 #include "radiosity/hemicube/scan.h"
@@ -29,7 +29,7 @@ struct FormFactorOptions {
 /// Throws Error naming the option that is out of its range.
 void check(const FormFactorOptions& options);
 
-/// What a patch (or point) sends where. texels + backs + escaped = 1.
+/// The distribution of a patch's (or point's) light. texels + backs + escaped = 1.
 struct Row {
     std::vector<std::uint32_t> texels;  ///< elements (PixmapModel) that receive anything, ascending
     std::vector<double> factors;        ///< form factor to each
@@ -61,7 +61,7 @@ private:
     DeltaFormFactors delta_;
     std::vector<std::unique_ptr<HemicubePainter>> painters_;  ///< one for each thread
 
-    /// A hemicube with what was found in it.
+    /// A hemicube and the results of its scan.
     struct Slot {
         Hemicube hemicube;
         IdBuffers buffers;

@@ -1,7 +1,6 @@
 #include "radiosity/hemicube/hemicube.h"
 
 #include "gw/base/elementary.h"
-#include "radiosity/hemicube/present_ids.h"
 #include "scene/draw/draw_commands.h"
 
 #include <algorithm>
@@ -13,8 +12,8 @@ namespace {
 /// Of cube_views: +y is the top, the others are the sides.
 constexpr std::array<std::size_t, hemicube_faces> cube_face{2, 0, 1, 4, 5};
 
-/// What lies lower over the horizon, in parts of the scene's extent, is not seen: the rest of the
-/// own plane.
+/// In parts of the scene's extent: a surface lower than this over the horizon is not seen. It is
+/// the rest of the patch's own plane.
 constexpr double horizon = 1e-7;
 
 /// cube_from_world: +y becomes the normal.

@@ -8,6 +8,7 @@
 #include "scene/draw/view.h"
 
 #include <memory>
+#include <span>
 
 namespace gw::radiosity {
 
@@ -23,8 +24,8 @@ struct Hemicube {
 Hemicube hemicube_at(const dvec3& position, const dvec3& normal, double turn, double near_plane,
                      double far_plane, int size);
 
-/// The pixels of a face, as the machine reads them back: packed colours, whose low 24 bits are the
-/// identifier, facet + 1, 0 where nothing is. Rows from the bottom; of a side only those over the
+/// The pixels of a face, as the machine reads them back: packed colours. Their low 24 bits are the
+/// identifier, facet + 1, or 0 for no facet. Rows from the bottom; of a side only those over the
 /// horizon.
 struct IdBuffer {
     int size = 0, rows = 0;
@@ -34,10 +35,12 @@ struct IdBuffer {
 /// A pixel that sees nothing, and one that sees a facet.
 inline constexpr std::uint32_t nothing = 0;
 constexpr std::uint32_t pixel_of(std::uint32_t facet) { return 0xFF000000 | (facet + 1); }
+/// present[id] becomes 1 for the identifier, the low 24 bits, of every packed colour; `row` is the
+/// number of pixels in a row.
+void mark_present_ids(std::span<const std::uint32_t> pixels, std::size_t row, char* present);
 using IdBuffers = std::array<IdBuffer, hemicube_faces>;
 
-/// Draws with a machine of its own, the fast one where none is given. Not for two threads at a
-/// time.
+/// Draws with a machine of its own, the fast one if none is given. Not for two threads at a time.
 class HemicubePainter {
 public:
     /// size x size pixels, even, 2 .. max_window_size.

@@ -3,7 +3,7 @@
 #define HWY_TARGET_INCLUDE "radiosity/hemicube/present_ids.cpp"
 #include <hwy/foreach_target.h>
 
-#include "radiosity/hemicube/present_ids.h"
+#include "radiosity/hemicube/hemicube.h"
 
 #include <hwy/highway.h>
 

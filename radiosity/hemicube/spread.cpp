@@ -4,7 +4,7 @@
 #define HWY_TARGET_INCLUDE "radiosity/hemicube/spread.cpp"
 #include <hwy/foreach_target.h>
 
-#include "radiosity/hemicube/spread.h"
+#include "radiosity/hemicube/footprints.h"
 
 #include <hwy/highway.h>
 
@@ -46,7 +46,7 @@ struct Shares {
     HWY_ALIGN double value[most_cells * most_cells][HWY_LANES(double)];  ///< by rows of texels
     std::int32_t u[HWY_LANES(double)], v[HWY_LANES(double)];             ///< the first texel
     std::int32_t corner[HWY_LANES(double)];                              ///< v * width + u
-    /// Boxes::texels_across, or 0 where some are not the pixmap's
+    /// Boxes::texels_across, or 0 if some are not the pixmap's
     std::int32_t inside[HWY_LANES(double)];
 };
 

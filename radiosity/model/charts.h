@@ -22,8 +22,7 @@ struct Surface {
         return cross3(points[b] - points[a], points[c] - points[a]);
     }
 
-    /// Whether it has an area: thinner than a millionth of its length, it is what rounding left of
-    /// nothing.
+    /// Whether it has an area. One thinner than a millionth of its length is a rounding error.
     bool solid(std::uint32_t t) const {
         double longest = 0;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -42,8 +41,8 @@ struct Chart {
     dvec3 along{0};  ///< unit, in the plane: the longest side on the border, or any direction
 };
 
-/// Triangles that share an edge are in one chart where the surface bends by at most 25 degrees
-/// there and they are within 40 degrees of the chart's first. Triangles without area are in none.
+/// Triangles that share an edge are in one chart if the surface bends there by at most 25 degrees
+/// and they are within 40 degrees of the chart's first. Triangles without area are in none.
 std::vector<Chart> charts(const Surface& surface);
 
 }  // namespace gw::radiosity

@@ -1,12 +1,157 @@
 #include "radiosity/model/figures.h"
 
 #include "gw/error.h"
+#include "radiosity/model/geometry.h"
 #include "radiosity/model/model_builder.h"
 #include "radiosity/model/patches.h"
-#include "radiosity/model/texel_coverage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
 
 namespace gw::radiosity {
 namespace {
+
+constexpr double least_share = 1.0 / 2;
+
+/// The first and last texel that [low, high] touches.
+std::pair<int, int> touched(double low, double high, int count) {
+    const int first = std::clamp(static_cast<int>(std::floor(low)), 0, count - 1);
+    return {first, std::clamp(static_cast<int>(std::ceil(high)) - 1, first, count - 1)};
+}
+
+std::pair<double, double> range(const Polygon2& polygon, int axis) {
+    double low = polygon[0][axis], high = low;
+    for (int i = 1; i < polygon.n; ++i) {
+        low = std::min(low, polygon[i][axis]);
+        high = std::max(high, polygon[i][axis]);
+    }
+    return {low, high};
+}
+
+/// visit(x, y, share) for each texel that the triangle covers a share of.
+template <class Visit>
+void for_each_share(const Triangle2& triangle, const Pixmap& pixmap, Visit visit) {
+    Polygon2 whole;
+    for (const dvec2& uv : triangle) whole.add(uv);
+    const auto [low_v, high_v] = range(whole, 1);
+    const auto [y0, y1] = touched(low_v, high_v, pixmap.height);
+    for (int y = y0; y <= y1; ++y) {
+        const Polygon2 row = cut(cut(whole, 1, y, 1), 1, y + 1, -1);
+        if (row.n < 3) continue;
+        const auto [low_u, high_u] = range(row, 0);
+        const auto [x0, x1] = touched(low_u, high_u, pixmap.width);
+        for (int x = x0; x <= x1; ++x) {
+            const Polygon2 piece = cut(cut(row, 0, x, 1), 0, x + 1, -1);
+            if (piece.n >= 3) visit(x, y, area(piece));
+        }
+    }
+}
+
+/// Breadth first from the covered texels, in the order of the texels.
+void find_nearest(PixmapModel& model, Pixmap& pixmap, const std::vector<char>& covered) {
+    std::deque<std::size_t> queue;
+    for (std::size_t t = pixmap.first; t < pixmap.first + pixmap.count(); ++t) {
+        model.nearest[t] = covered[t] ? static_cast<std::uint32_t>(t) : no_texel;
+        if (covered[t]) queue.push_back(t);
+    }
+    pixmap.whole = queue.size() == pixmap.count();
+    const auto width = std::size_t(pixmap.width);
+    for (; !queue.empty(); queue.pop_front()) {
+        const std::size_t t = queue.front(), local = t - pixmap.first;
+        const auto spread = [&](bool inside, std::size_t neighbour) {
+            if (!inside || model.nearest[neighbour] != no_texel) return;
+            model.nearest[neighbour] = model.nearest[t];
+            queue.push_back(neighbour);
+        };
+        spread(local % width > 0, t - 1);
+        spread(local % width + 1 < width, t + 1);
+        spread(local >= width, t - width);
+        spread(local + width < pixmap.count(), t + width);
+    }
+}
+
+/// The texels that become elements: those covered enough, or the fullest one of a pixmap that has
+/// none.
+std::vector<char> covered_enough(const PixmapModel& model, const std::vector<double>& share) {
+    std::vector<char> covered(share.size());
+    for (const Pixmap& pixmap : model.pixmaps) {
+        const auto first = share.begin() + static_cast<std::ptrdiff_t>(pixmap.first);
+        const auto fullest =
+            std::max_element(first, first + static_cast<std::ptrdiff_t>(pixmap.count()));
+        const double least = std::min(least_share, *fullest);
+        for (std::size_t t = pixmap.first; t < pixmap.first + pixmap.count(); ++t)
+            covered[t] = share[t] > 0 && share[t] >= least;
+    }
+    return covered;
+}
+
+/// A texel with too little area and its nearest neighbours are one element.
+void join_elements(PixmapModel& model) {
+    const std::size_t count = model.texel_count();
+    model.element_area = model.area;
+    model.next_of_element.assign(count, no_texel);
+    for (std::size_t t = count; t-- > 0;) {
+        const std::size_t first = model.nearest[t];
+        if (first == t || model.area[t] == 0) continue;
+        model.element_area[first] += model.area[t];
+        model.next_of_element[t] = model.next_of_element[first];
+        model.next_of_element[first] = static_cast<std::uint32_t>(t);
+    }
+}
+
+void refuse_overlap(const PixmapModel& model, const std::vector<double>& share) {
+    for (const Pixmap& pixmap : model.pixmaps)
+        for (std::size_t i = 0; i < pixmap.count(); ++i) {
+            if (share[pixmap.first + i] <= 1 + 1e-3) continue;
+            const auto width = std::size_t(pixmap.width);
+            throw Error(fmt::format(
+                "pixmap '{}': figures cover texel ({}, {}) {:.3f} times; expected ST that cover it once",
+                pixmap.name, i % width, i / width, share[pixmap.first + i]));
+        }
+}
+
+/// Fills in the model's texels; its figures, facets and pixmaps are there already. A texel of which
+/// less than half is covered forms one element with its nearest neighbour. Few pixels of an ID
+/// buffer fall on it, and a quotient by almost nothing is noise. Throws Error if figures cover a
+/// texel twice.
+void cover_texels(PixmapModel& model) {
+    const std::size_t count =
+        model.pixmaps.empty() ? 0 : model.pixmaps.back().first + model.pixmaps.back().count();
+    model.area.assign(count, 0);
+    model.rho.assign(count, dvec3(0));
+    model.E.assign(count, dvec3(0));
+    model.nearest.assign(count, 0);
+    model.share.assign(count, 0);
+    std::vector<double>& share = model.share;
+    for (const Facet& facet : model.facets) {
+        const Pixmap& pixmap = model.pixmaps[facet.pixmap];
+        const Figure& figure = model.figures[facet.figure];
+        for (const Triangle2& triangle : facet.triangles)
+            for_each_share(triangle, pixmap, [&](int x, int y, double part) {
+                const std::size_t t = pixmap.texel(x, y);
+                const double a = part * facet.texel_area;
+                share[t] += part;
+                model.area[t] += a;
+                model.rho[t] += a * figure.rho;
+                model.E[t] += a * figure.E;
+            });
+    }
+    refuse_overlap(model, share);
+    const std::vector<char> covered = covered_enough(model, share);
+    for (Pixmap& pixmap : model.pixmaps) find_nearest(model, pixmap, covered);
+    join_elements(model);
+    for (std::size_t t = 0; t < count; ++t) {
+        if (model.area[t] > 0) {
+            model.rho[t] /= model.area[t];
+            model.E[t] /= model.area[t];
+        } else {
+            model.rho[t] = model.E[t] = dvec3(0);
+        }
+    }
+}
 
 /// The objects as one mesh; polygon identifiers are facets, which ascend from object to object.
 scene::Scene joined(const scene::Scene& drawn) {

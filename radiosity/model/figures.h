@@ -1,5 +1,5 @@
-// A scene's objects as figures with ST and pixmaps [F2.1]: given ST, or automatic ones where they
-// are missing. Does not compute areas of texels (texel_coverage.h does).
+// A scene's objects as figures with ST and pixmaps [F2.1]: given ST, or automatic ones if they are
+// missing. Does not solve.
 #pragma once
 
 #include "radiosity/model/pixmap_model.h"
@@ -9,16 +9,16 @@ namespace gw::radiosity {
 struct ModelOptions {
     /// instead of the scene's; 0: the scene's, or 48 along its longest side
     double texels_per_unit = 0;
-    int patch = 4;  ///< a patch is a block of so many texels a side
+    int patch = 4;  ///< the texels along a side of a patch, which is a block
 };
 
-/// Throws Error, from the file and line of the object's pixmap where there is one, for: ST that are
-/// missing, outside 0 .. 1, without area or covering a texel twice; a figure without area; a
+/// Throws Error, with the file and line of the object's pixmap if it has one. Reasons are: ST that
+/// are missing, outside 0 .. 1, without area or covering a texel twice; a figure without area; a
 /// reflectance above 1; a pixmap that is larger than 4096 texels a side or shared with another
 /// size.
 PixmapModel make_model(const scene::Scene& scene, const ModelOptions& options = {});
 
-/// Throws Error where no figure emits: there is nothing to solve. Form factors need no light.
+/// Throws Error if no figure emits: there is nothing to solve. Form factors need no light.
 void check_emission(const PixmapModel& model);
 
 }  // namespace gw::radiosity

@@ -1,5 +1,4 @@
-// What figures, pixmaps and facets of a model are added with, object after object. For figures.cpp
-// and the two ways to ST, automatic_st.cpp and given_st.cpp.
+// Adds figures, pixmaps and facets to a model, object after object. For figures.cpp and st.cpp.
 #pragma once
 
 #include "radiosity/model/charts.h"
@@ -11,6 +10,13 @@
 namespace gw::radiosity {
 
 inline constexpr int largest_pixmap = 4096;
+
+/// The affine map that gives three points of a plane these texel coordinates; none if they have no
+/// area.
+std::optional<Facet> facet_of(const std::array<dvec3, 3>& p, const std::array<dvec2, 3>& uv);
+
+/// The map u = 0, v = 0 at `origin`, one texel along du and along dv.
+Facet facet_along(const dvec3& origin, const dvec3& du, const dvec3& dv, const dvec3& normal);
 
 class ModelBuilder {
 public:
@@ -24,7 +30,7 @@ public:
     const scene::Object& object() const { return scene_.objects[object_]; }
     const Surface& surface() const { return surface_; }
     std::array<dvec3, 3> corners(std::uint32_t triangle) const;
-    /// Makes it what id_pass draws.
+    /// Adds the object's triangles to model.drawn, which id_pass draws.
     void end();
 
     /// Throws Error from the object's pixmap.

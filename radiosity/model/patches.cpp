@@ -1,7 +1,6 @@
 #include "radiosity/model/patches.h"
 
-#include "radiosity/model/clip.h"
-#include "radiosity/model/triangle.h"
+#include "radiosity/model/geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +14,7 @@ struct Part {
     double whole() const { return (high.x - low.x) * (high.y - low.y); }
 };
 
-/// What figures cover of a part: its world area, and the middle of the facet that covers most.
+/// The covered area of a part: its world area, and the middle of the facet that covers most.
 struct Covered {
     const Facet* facet = nullptr;
     double area = 0;         ///< world, all facets
@@ -55,8 +54,8 @@ Covered covered(const PixmapModel& model, const Pixmap& pixmap, const Part& part
     return best;
 }
 
-/// In texels. Curved figures touch others in points, where no part would be small enough: their
-/// texels are.
+/// In texels. Curved figures touch others in points, near which no part would be small enough: a
+/// texel is.
 double smallest_part(const Pixmap& pixmap, const PointOptions& options) {
     if (pixmap.facets.size() > 1) return options.smallest_part;
     return (pixmap.whole ? 1 : 0.5) *

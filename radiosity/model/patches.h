@@ -8,7 +8,7 @@ namespace gw::radiosity {
 /// Blocks of side x side texels, those with an area.
 std::vector<Patch> patches_of(const PixmapModel& model, int side);
 
-/// Where one hemicube stands for a part of a patch.
+/// The position of one hemicube, which represents a part of a patch.
 struct ShootPoint {
     dvec3 position{0}, normal{0};
     double share = 0;  ///< of the patch's area; the shares of a patch add up to 1
@@ -17,18 +17,18 @@ struct ShootPoint {
 };
 
 struct PointOptions {
-    /// A part is divided while it is longer than `nearness` times its distance from what it can
-    /// see; what is farther than the part is long, but low over its plane, counts by its elevation
-    /// ...
+    /// A part is divided while it is longer than `nearness` times its distance from the surfaces
+    /// that it can see. A surface farther away than the part is long, but low over its plane,
+    /// counts by its elevation ...
     double nearness = 1;
-    /// ... but not into parts below so many texels, or so large a part of a narrow pixmap's side;
-    /// half as much where a plane figure covers texels in part. Parts of a patch that emits are
+    /// ... but not into parts smaller than this many texels, or than this part of a narrow pixmap's
+    /// side. Half of that if a plane figure covers texels in part. Parts of a patch that emits are
     /// divided down to `emitter_part` texels.
     double smallest_part = 1, smallest_of_pixmap = 1.0 / 8, emitter_part = 2;
 };
 
-/// Four points for each undivided part: those of Gauss' rule, exact for cubic integrands, where the
-/// part is whole, and the middle of what is covered where it is not.
+/// At most four points for each undivided part. If figures cover it all, they are those of Gauss' rule,
+/// exact for cubic integrands; else the middles of the covered quarters.
 std::vector<ShootPoint> points_of(const PixmapModel& model, const Patch& patch,
                                   const PointOptions& options = {});
 

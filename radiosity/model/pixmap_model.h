@@ -1,10 +1,10 @@
-// Figures and their pixmaps [F2, F2.1]: what radiosity is computed on. Plain data, world space.
+// Figures and their pixmaps [F2, F2.1], on which radiosity is computed. Plain data, world space.
 // Holds no energy (solution.h does) and does not know how ST were found (figures.h does).
 //
 // A figure is a surface with one pixmap. It consists of facets: plane pieces on which ST are one
-// affine map, so that a pixel of an ID buffer maps to its texel by one homography: a planar figure
-// is one facet, a curved one has a facet for each triangle. A texel is an element, a block of
-// texels a patch. The geometry is never subdivided.
+// affine map. So a pixel of an ID buffer maps to its texel by one homography. A planar figure is
+// one facet, a curved one has a facet for each triangle. A texel is an element, a block of texels a
+// patch. The geometry is never subdivided.
 #pragma once
 
 #include "gw/base/types.h"
@@ -69,7 +69,7 @@ struct Patch {
 
 inline constexpr std::uint32_t no_texel = 0xffffffff;
 
-/// What a drawn object was made of: an object of the scene, and the facet of each of its triangles.
+/// The source of a drawn object: an object of the scene, and the facet of each of its triangles.
 struct Source {
     std::uint32_t object = 0;
     std::vector<std::uint32_t> facets;  ///< no_facet: no area
@@ -83,8 +83,8 @@ struct PixmapModel {
     std::vector<Patch> patches;  ///< those with an area
 
     /// Of all texels of all pixmaps. A texel that no figure covers has area 0.
-    std::vector<double> area, share;  ///< world area; how much of the texel is covered, 0 .. 1
-    std::vector<dvec3> rho, E;        ///< means over what covers the texel
+    std::vector<double> area, share;  ///< world area; the covered part of the texel, 0 .. 1
+    std::vector<dvec3> rho, E;        ///< means over the figures that cover the texel
 
     /// Elements [F2]: a texel at a figure's border, of which little is covered, receives light as
     /// one with its nearest neighbour. Light that falls on texel t goes to element nearest[t],

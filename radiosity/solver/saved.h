@@ -1,5 +1,5 @@
 // A solution as rectangles of float32 values, and back, bit for bit [F4]: pixmaps are resources
-// that are drawn at another time, and a computation goes on later. Does not read or write files.
+// that can be drawn, or computed further, at another time. Does not read or write files.
 #pragma once
 
 #include "radiosity/hemicube/form_factors.h"
@@ -25,20 +25,20 @@ struct Saved {
     std::vector<SavedPixmap> pixmaps;
 };
 
-/// Two of these agree where going on gives the same bits: figures, pixmaps, materials; and how form
-/// factors are found. Names of objects are compared apart from these: no bit depends on them, but
-/// what a user means by a name does.
+/// Two fingerprints agree if going on gives the same bits: they cover figures, pixmaps and
+/// materials, and how form factors are found. Names of objects are compared apart from these: no
+/// bit depends on them, but a user's choice of an object does.
 std::string fingerprint(const PixmapModel& model);
 std::string fingerprint(const FormFactorOptions& options);
 
 Saved save(const PixmapModel& model, const FormFactorOptions& options, const Solution& solution);
 
-/// Throws Error saying what differs: another kind of file, version, scene or method, or contents
-/// that are damaged. `file`: for the message.
+/// Throws Error that names the difference: another kind of file, version, scene or method, or
+/// damaged contents. `file`: for the message.
 Solution load(const Saved& saved, const PixmapModel& model, const FormFactorOptions& options,
               const std::string& file);
 
-/// Whether `saved` was computed for this model: what `load` throws about, without the values.
+/// Throws as `load` does if `saved` was computed for another model. Does not read the values.
 void check_saved(const Saved& saved, const PixmapModel& model, const FormFactorOptions& options,
                  const std::string& file);
 

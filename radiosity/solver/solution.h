@@ -1,5 +1,5 @@
-// The light in the pixmaps [F1c, F2.2]: what has arrived at each texel, what it has still to send
-// on, and the books. Plain data and sums; does not shoot (solver.h does).
+// The light in the pixmaps [F1c, F2.2]: the light that has arrived at each texel, the light that it
+// has still to send on, and the books. Plain data and sums; does not shoot (solver.h does).
 #pragma once
 
 #include "radiosity/model/pixmap_model.h"
@@ -20,7 +20,7 @@ struct Solution {
     bool operator==(const Solution&) const = default;
 };
 
-/// Before the first shot: all that is emitted is unshot.
+/// Before the first shot, all emitted light is unshot.
 Solution initial_solution(const PixmapModel& model);
 
 dvec3 radiosity_at(const PixmapModel& model, const Solution& solution, std::size_t texel);
@@ -35,13 +35,13 @@ struct Books {
     dvec3 unshot_size{0};  ///< unshot without its signs: after an update some of it is negative
     /// The largest |absorbed + unshot + escaped - emitted| / emitted.
     double imbalance() const;
-    /// unshot_size by what is emitted, all channels together.
+    /// unshot_size as a part of the emitted light, all channels together.
     double unshot_share() const;
 };
 Books books(const PixmapModel& model, const Solution& solution);
 
-/// Cohen's estimate of the light that is yet to come, for display only [F1c]: as if the unshot
-/// energy were spread evenly and reflected by the mean surface for ever.
+/// Cohen's estimate of the light that is yet to come, for display only [F1c]. It spreads the unshot
+/// energy evenly and lets the mean surface reflect it for ever.
 dvec3 ambient(const PixmapModel& model, const Solution& solution);
 
 }  // namespace gw::radiosity

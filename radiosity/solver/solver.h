@@ -28,14 +28,14 @@ struct SolverOptions {
     std::size_t row_memory = std::size_t{512} << 20;
 };
 
-/// What one shot was.
+/// The record of one shot.
 struct Shot {
     std::size_t patch = 0;
     dvec3 flux{0};
     int hemicubes = 0;  ///< drawn; 0: the form factors were known
 };
 
-/// What an update did (update.cpp).
+/// The work of an update (update.cpp).
 struct Update {
     int hemicubes = 0;
     std::size_t patches = 0;  ///< whose light was taken back and sent anew
@@ -43,18 +43,18 @@ struct Update {
 
 class Solver {
 public:
-    /// Throws Error where an option is out of range, or nothing emits.
+    /// Throws Error if an option is out of range, or nothing emits.
     explicit Solver(PixmapModel model, const SolverOptions& options = {});
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;
 
-    /// One shot; none where nothing is unshot. Throws FormFactors::Canceled, and nothing has
-    /// changed then.
+    /// One shot; none if nothing is unshot. Throws FormFactors::Canceled, and nothing has changed
+    /// then.
     std::optional<Shot> shoot();
 
     const PixmapModel& model() const { return *model_; }
     const Solution& solution() const { return solution_; }
-    /// Continues another one, of the same model. Throws Error where its arrays have other lengths.
+    /// Continues another one, of the same model. Throws Error if its arrays have other lengths.
     void resume(Solution solution);
 
     /// The patch that is next, and its unshot flux.
@@ -82,7 +82,7 @@ private:
     static void keep_largest(std::vector<Affected>& affected, double least);
     void send_anew(const std::vector<Affected>& affected, FormFactors& next, Update& done);
 
-    std::unique_ptr<PixmapModel> model_;  ///< stays where it is: form_factors_ refers to it
+    std::unique_ptr<PixmapModel> model_;  ///< does not move in memory: form_factors_ refers to it
     SolverOptions options_;
     std::unique_ptr<FormFactors> form_factors_;
     Solution solution_;

@@ -59,7 +59,7 @@ Update Solver::update(PixmapModel to, double tolerance) {
     check_emission(to);
     change_materials(to);
     if (moved_facets(*model_, to).empty()) {
-        // Form factors stay; only what depends on materials is new.
+        // Form factors stay; only values that depend on materials are new.
         for (std::size_t p = 0; p < to.patches.size(); ++p) {
             if (model_->patches[p].emits != to.patches[p].emits) forget_row(p);
             model_->patches[p].emits = to.patches[p].emits;
@@ -69,7 +69,7 @@ Update Solver::update(PixmapModel to, double tolerance) {
     return move(std::move(to), tolerance);
 }
 
-// B = E + rho H: what it changes by has not been sent.
+// B = E + rho H: its change has not been sent.
 void Solver::change_materials(const PixmapModel& to) {
     for (std::size_t t = 0; t < to.texel_count(); ++t) {
         const dvec3 before = radiosity_at(*model_, solution_, t);
@@ -86,7 +86,7 @@ void Solver::change_materials(const PixmapModel& to) {
 struct Solver::Affected {
     std::size_t patch;
     double most;  ///< flux, all channels, that may go elsewhere
-    dvec3 flux;   ///< all that it has sent
+    dvec3 flux;   ///< all flux that it has sent
 };
 
 std::vector<Solver::Affected> Solver::affected_by(const PixmapModel& to) const {
@@ -117,8 +117,8 @@ void Solver::keep_largest(std::vector<Affected>& affected, double least) {
     affected.resize(count);
 }
 
-// A patch's light is taken back with its old form factors and sent with the new ones in one go:
-// the books balance whenever this is canceled.
+// Takes a patch's light back with its old form factors and sends it with the new ones in one step:
+// the books balance even if this is canceled.
 void Solver::send_anew(const std::vector<Affected>& affected, FormFactors& next, Update& done) {
     for (const Affected& a : affected) {
         const Row before = row_of(a.patch, &done.hemicubes), now = next.from_patch(a.patch);

@@ -2,8 +2,7 @@
 // compared with.
 #pragma once
 
-#include "radiosity/hemicube/homography.h"
-#include "radiosity/hemicube/region.h"
+#include "radiosity/hemicube/facet_view.h"
 #include "radiosity/hemicube/scan.h"
 
 #include <array>

@@ -2,7 +2,7 @@
 // threads.
 #include "gw/fast/simd/simd_target.h"
 #include "radiosity/hemicube/form_factors.h"
-#include "radiosity/hemicube/present_ids.h"
+#include "radiosity/hemicube/hemicube.h"
 #include "tests/radiosity/plain_scan.h"
 #include "tests/radiosity/scenes.h"
 

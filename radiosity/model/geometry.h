@@ -1,5 +1,5 @@
-// Convex polygons in a plane: cut by a line or a box, their area and centroid. Does not know what
-// they stand for.
+// Convex polygons in a plane: cut by a line or a box, their area and centroid. The nearest point of
+// a triangle in space.
 #pragma once
 
 #include "gw/base/types.h"
@@ -22,9 +22,12 @@ Polygon2 cut(const Polygon2& polygon, int axis, double limit, double sign);
 /// The part inside low .. high.
 Polygon2 cut_to_box(const Polygon2& polygon, const dvec2& low, const dvec2& high);
 
-/// Positive whatever the orientation.
+/// Positive for either orientation.
 double area(const Polygon2& polygon);
 /// Of a polygon with an area.
 dvec2 centroid(const Polygon2& polygon);
+
+/// The point of a triangle that is nearest to p. The triangle has an area.
+dvec3 nearest_point(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c);
 
 }  // namespace gw::radiosity

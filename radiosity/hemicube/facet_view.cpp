@@ -1,6 +1,4 @@
-#include "radiosity/hemicube/region.h"
-
-#include "radiosity/model/clip.h"
+#include "radiosity/hemicube/facet_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +33,7 @@ Polygon3 clipped(const Facet& facet, const scene::View& view, bool top) {
                           dvec3(view.eye_from_world[3]);
         polygon.p[std::size_t(polygon.n++)] = {eye.x, eye.y, -eye.z};
     }
-    // A frustum's sides meet in the eye, so that they clip what is behind it too.
+    // A frustum's sides meet in the eye, so they also clip the part behind it.
     for (const dvec3& plane :
          {dvec3(1, 0, 1), dvec3(-1, 0, 1), dvec3(0, -1, 1), dvec3(0, 1, top ? 1 : 0)})
         polygon = cut(polygon, plane);
@@ -93,6 +91,25 @@ void find_region(const Facet& facet, const scene::View& view, bool top, Region& 
         region.spans.push_back({std::max(0, static_cast<int>(std::floor(left)) - 1),
                                 std::min(size, static_cast<int>(std::floor(right)) + 2)});
     }
+}
+
+Homography homography(const Facet& facet, const Hemicube& hemicube, const scene::View& view,
+                      int first_row) {
+    const dmat4& m = view.eye_from_world;
+    const dvec3 right(m[0].x, m[1].x, m[2].x), up(m[0].y, m[1].y, m[2].y),
+        forward(-m[0].z, -m[1].z, -m[2].z);
+    // A ray p = c + t d meets the plane at t = height / -(n d). So uv = (uv(c) (n d) - height grad
+    // d) / (n d).
+    const double height = dot3(facet.normal, hemicube.position) - facet.offset;
+    const dvec2 uv = facet.texel_of(hemicube.position);
+    const auto of_direction = [&](const dvec3& d) {
+        const double w = dot3(facet.normal, d);
+        return dvec3(uv.x * w - height * dot3(facet.grad_u, d),
+                     uv.y * w - height * dot3(facet.grad_v, d), w);
+    };
+    const double step = 2.0 / view.width;
+    const dvec3 corner = forward - right + (first_row * step - 1) * up;
+    return {of_direction(corner), of_direction(step * right), of_direction(step * up)};
 }
 
 }  // namespace gw::radiosity
