@@ -46,11 +46,16 @@ DrawOptions options_of(const Drawing& drawing) {
     return options;
 }
 
-// The scene with the maps that are generated from it.
-scene::Scene with_maps(const Drawing& drawing, const scene::View& view, Machine& machine) {
+// Those that maps are generated from the scene with.
+multipass::Options options_of_maps(const Drawing& drawing) {
     multipass::Options options = options_of(drawing).passes;
     if (drawing.renderer.passes) options.passes = passes_of(drawing);
-    return multipass::with_scene_maps(machine, drawing.scene, view, options);
+    return options;
+}
+
+// The scene with the maps that are generated from it.
+scene::Scene with_maps(const Drawing& drawing, const scene::View& view, Machine& machine) {
+    return multipass::with_scene_maps(machine, drawing.scene, view, options_of_maps(drawing));
 }
 
 // The component's passes as the picture's, on black where the background is a component of its own.
@@ -109,7 +114,13 @@ multipass::PassList passes_of(const Drawing& drawing) {
 }
 
 void draw(const Drawing& drawing, const scene::View& view, Machine& machine) {
-    drawing.renderer.draw(machine, with_maps(drawing, view, machine), view, options_of(drawing));
+    const auto draw_scene = [&](const scene::Scene& scene) {
+        drawing.renderer.draw(machine, scene, view, options_of(drawing));
+    };
+    if (multipass::has_scene_maps(drawing.scene, options_of_maps(drawing)))
+        draw_scene(with_maps(drawing, view, machine));
+    else
+        draw_scene(drawing.scene);
 }
 
 void draw_frame(const Drawing& drawing, const FrameFiles& files, const Session& session) {

@@ -94,7 +94,7 @@ TextureState lookup_of(const PlacedModel& placed, const Step& step, std::size_t 
     const MappedMesh* map = adds(step, part, *placed.model) ? map_of(step, part) : nullptr;
     if (!map) return {};
     TextureState lookup = map->lookup;
-    if (placed.mesh_of(*map) != map->mesh) lookup.gen = TexGen::None;
+    if (placed.mesh_of(index, *map) != map->mesh) lookup.gen = TexGen::None;
     return lookup;
 }
 
@@ -102,7 +102,7 @@ Draw draw_of(const PlacedModel& placed, const Step& step, const Portion& portion
     const Part& part = placed.model->parts[portion.part];
     if (!adds(step, part, *placed.model)) return black_draw(placed, portion);
     const MappedMesh* map = map_of(step, part);
-    Draw draw{.mesh = portion.of(map ? placed.mesh_of(*map) : part.mesh),
+    Draw draw{.mesh = portion.of(map ? placed.mesh_of(portion.part, *map) : part.mesh),
               .eye_from_object = placed.eye_from_object[portion.part]};
     draw.material = material_for(step.pass.material, *part.material);
     if (step.light) draw.lights = placed.lights[*step.light];

@@ -4,17 +4,20 @@
 #include "multipass/maps/scene_maps.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace gw::multipass {
 
-/// The scene with its maps, and what is made of it.
+/// The scene with its maps, if some are generated from it, and what is made of it.
 struct Driver::PreparedScene {
-    scene::Scene scene;
+    std::optional<scene::Scene> with_maps;
     FrameDrawer drawer;
 
-    PreparedScene(Machine& machine, scene::Scene with_maps, const PassList& passes,
+    PreparedScene(Machine& machine, const scene::Scene& scene,
+                  std::optional<scene::Scene> generated, const PassList& passes,
                   const Options& options)
-        : scene(std::move(with_maps)), drawer(machine, scene, passes, options, scene.background) {}
+        : with_maps(std::move(generated)),
+          drawer(machine, with_maps ? *with_maps : scene, passes, options, scene.background) {}
 };
 
 Driver::Driver(Machine& machine, scene::Scene scene, const Options& options)
@@ -28,9 +31,12 @@ Driver::Driver(Machine& machine, scene::Scene scene, const Options& options)
 Driver::~Driver() = default;
 
 Superposition Driver::draw(const scene::View& view) {
-    if (!prepared_ || has_scene_maps(scene_, options_))
-        prepared_ = std::make_unique<PreparedScene>(
-            machine_, with_scene_maps(machine_, scene_, view, options_), passes_, options_);
+    std::optional<scene::Scene> with_maps;
+    if (has_scene_maps(scene_, options_))
+        with_maps = with_scene_maps(machine_, scene_, view, options_);
+    if (!prepared_ || with_maps)
+        prepared_ = std::make_unique<PreparedScene>(machine_, scene_, std::move(with_maps), passes_,
+                                                    options_);
     const int samples = std::max(options_.samples, samples_of(scene_));
     return superpose(
         machine_, samples, prepared_->drawer.images(),

@@ -29,6 +29,9 @@ PlacedModel place_with_shadows(const PassModel& model, const scene::View& view,
     return placed;
 }
 
+/// A model of more parts is drawn with a list for each step, so that memory follows one step.
+constexpr std::size_t many_parts = 1 << 16;
+
 bool traces(const std::vector<Step>& steps) {
     return std::any_of(steps.begin(), steps.end(),
                        [](const Step& s) { return s.pass.action == PassAction::Trace; });
@@ -48,7 +51,8 @@ FrameDrawer::FrameDrawer(Machine& machine, const scene::Scene& scene, PassList p
                          const Options& options, const vec3& background)
     : machine_(machine),
       still_(scene),
-      now_(scene),
+      moving_(moves(scene) ? std::optional(scene) : std::nullopt),
+      now_(moving_ ? *moving_ : still_),
       options_(options),
       background_(background),
       model_(make_pass_model(now_)),
@@ -57,8 +61,10 @@ FrameDrawer::FrameDrawer(Machine& machine, const scene::Scene& scene, PassList p
       shadows_(find_volumes(model_, topologies_)) {}
 
 void FrameDrawer::move(const scene::View& view, const Sample& sample) {
-    move_to(now_, still_, sample);
-    if (moves(still_)) shadows_ = find_volumes(model_, topologies_);
+    if (moving_) {
+        move_to(*moving_, still_, sample);
+        shadows_ = find_volumes(model_, topologies_);
+    }
     placed_ = place_with_shadows(model_, view_at(view, sample), shadows_);
     placed_.state.jitter = jitter_of(sample, machine_.profile().subpixel_bits);
     for (std::size_t i = 0; i < placed_.glare.size(); ++i)
@@ -112,9 +118,14 @@ bool FrameDrawer::attempt() {
 
 /// Draws the steps before `end` and says to the frame's rules what the count finds.
 void FrameDrawer::count_winners_of(Frame& frame, std::size_t end, TiedPixels& tied) {
-    CommandList list = commands(frame, 0, end);
-    list.append(count_winners(placed_));
-    machine_.execute(list);
+    if (model_.parts.size() <= many_parts) {
+        CommandList list = commands(frame, 0, end);
+        list.append(count_winners(placed_));
+        machine_.execute(list);
+    } else {
+        run(frame, 0, end);
+        machine_.execute(count_winners(placed_));
+    }
     frame.rules.one_winner = surplus_winners(std::span(machine_.passes()).last(2)) > 0;
     if (!frame.rules.one_winner || !can_mark_ties(placed_, frame.rules.stencil_bits)) return;
     tied = tied_pixels(placed_, machine_.readbacks().at(winners_key).values);
@@ -122,7 +133,16 @@ void FrameDrawer::count_winners_of(Frame& frame, std::size_t end, TiedPixels& ti
 }
 
 void FrameDrawer::run(const Frame& frame, std::size_t first, std::size_t last) {
-    if (first < last) machine_.execute(commands(frame, first, last));
+    if (first == last) return;
+    if (model_.parts.size() <= many_parts) return machine_.execute(commands(frame, first, last));
+    StepWriter writer(frame);
+    CommandList list;
+    list.commands.reserve(model_.parts.size() + 16);
+    for (std::size_t i = first; i < last; ++i) {
+        writer.add(list, i);
+        machine_.execute(list);
+        list.commands.clear();
+    }
 }
 
 void FrameDrawer::run_layers(const Frame& frame, const LayerSteps& steps) {

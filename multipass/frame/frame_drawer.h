@@ -10,6 +10,7 @@
 #include "multipass/ties/tied_pixels.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,8 @@ private:
 
     Machine& machine_;
     const scene::Scene& still_;
-    scene::Scene now_;  ///< at the sample's moment; the model refers to it
+    std::optional<scene::Scene> moving_;  ///< at the sample's moment; none: nothing moves
+    const scene::Scene& now_;             ///< `moving_`, or `still_`; the model refers to it
     Options options_;
     vec3 background_;
     PassModel model_;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <tuple>
+#include <utility>
 
 namespace gw::multipass {
 namespace {
@@ -52,24 +54,22 @@ Component component_of(PassMap map) {
     return Component::Diffuse;
 }
 
-void add_map(Part& part, PassMap kind, const scene::Map& map, MeshCache& cache) {
-    auto& list = part.maps[std::size_t(kind)];
-    list.push_back(
-        {cache.mapped(part.object->mesh, map), map.texture, lookup_of(map, kind, *part.material)});
-}
-
-void add_maps(Part& part, MeshCache& cache) {
+PartMaps maps_of(const MeshRef& mesh, const scene::Material& material, MeshCache& cache) {
+    PartMaps maps;
+    const auto add = [&](PassMap kind, const scene::Map& map) {
+        maps[std::size_t(kind)].push_back(
+            {cache.mapped(mesh, map), map.texture, lookup_of(map, kind, material)});
+    };
     for (const PassMap kind : {PassMap::Ambient, PassMap::Diffuse, PassMap::Specular,
                                PassMap::Emission, PassMap::Reflection, PassMap::Refraction})
-        for (const scene::Map& map : scene::maps(*part.material, component_of(kind)))
-            add_map(part, kind, map, cache);
-    if (const scene::Map* map = scene::hardware_map(*part.material))
-        add_map(part, PassMap::Object, *map, cache);
+        for (const scene::Map& map : scene::maps(material, component_of(kind))) add(kind, map);
+    if (const scene::Map* map = scene::hardware_map(material)) add(PassMap::Object, *map);
+    return maps;
 }
 
 /// One mesh for all passes where the maps allow it: passes that share a mesh share its geometry.
 MeshRef mesh_of(const Part& part) {
-    for (const auto& list : part.maps)
+    for (const auto& list : *part.maps)
         for (const MappedMesh& map : list)
             if (map.mesh != part.object->mesh) return map.mesh;
     return part.object->mesh;
@@ -90,10 +90,15 @@ vec3 value_of(const Parameter& p, const vec3& objects, const scene::Material& m)
 PassModel make_pass_model(const scene::Scene& scene) {
     PassModel model{.scene = &scene};
     MeshCache cache;
+    std::map<std::pair<const Mesh*, std::size_t>, std::shared_ptr<const PartMaps>> maps;
+    model.parts.reserve(scene.objects.size());
     for (const scene::Object& item : scene.objects) {
         Part part{.object = &item, .material = &scene.materials.at(item.material)};
         part.translucent = part.material->d < 1;
-        add_maps(part, cache);
+        auto& shared = maps[{item.mesh.get(), item.material}];
+        if (!shared)
+            shared = std::make_shared<const PartMaps>(maps_of(item.mesh, *part.material, cache));
+        part.maps = shared;
         part.mesh = mesh_of(part);
         model.parts.push_back(std::move(part));
     }

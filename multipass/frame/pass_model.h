@@ -8,6 +8,7 @@
 #include "scene/scene.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace gw::multipass {
@@ -19,15 +20,18 @@ struct MappedMesh {
     TextureState lookup;
 };
 
+/// The maps of an object, by PassMap.
+using PartMaps = std::array<std::vector<MappedMesh>, 8>;
+
 /// An object of the scene.
 struct Part {
     const scene::Object* object = nullptr;
     const scene::Material* material = nullptr;
     MeshRef mesh;  ///< for passes without a map
     bool translucent = false;
-    std::array<std::vector<MappedMesh>, 8> maps;  ///< by PassMap
+    std::shared_ptr<const PartMaps> maps;  ///< objects of one mesh and material share them
 
-    const std::vector<MappedMesh>& maps_for(PassMap map) const { return maps[std::size_t(map)]; }
+    const std::vector<MappedMesh>& maps_for(PassMap map) const { return (*maps)[std::size_t(map)]; }
 };
 
 /// Refers to the scene, which must outlive it.

@@ -42,18 +42,24 @@ void generate_coordinates(PlacedModel& placed) {
     for (std::size_t i = 0; i < placed.model->parts.size(); ++i)
         for (const PassMap kind : {PassMap::Reflection, PassMap::Refraction})
             for (const MappedMesh& map : placed.model->parts[i].maps_for(kind))
-                placed.generated.emplace(&map, with_coordinates(map, placed.eye_from_object[i]));
+                placed.generated.emplace(std::pair(i, &map),
+                                         with_coordinates(map, placed.eye_from_object[i]));
 }
 
 }  // namespace
 
 PlacedModel place_model(const PassModel& model, const scene::View& view) {
     PlacedModel placed{.model = &model, .view = view, .state = scene::view_state(view)};
+    placed.eye_from_object.reserve(model.parts.size());
     for (const Part& part : model.parts)
         placed.eye_from_object.push_back(scene::placed(*part.object, view).eye_from_object);
     for (const scene::Light& light : model.scene->lights)
         placed.lights.push_back(
             std::make_shared<const std::vector<Light>>(1, scene::eye_light(light, view)));
+    std::vector<Light> every;
+    for (const LightsRef& light : placed.lights) every.push_back(light->front());
+    if (!every.empty())
+        placed.every_light = std::make_shared<const std::vector<Light>>(std::move(every));
     placed.glare.resize(model.parts.size());
     if (scene::is_orthographic(view)) generate_coordinates(placed);
     return placed;
@@ -65,6 +71,7 @@ LightsRef lights_of(const PlacedModel& placed, const Part& part) {
     for (std::size_t i = 0; i < lights.size(); ++i)
         if (scene::lights_object(lights[i], *part.object))
             lit_by.push_back(placed.lights[i]->front());
+    if (lit_by.size() == lights.size()) return placed.every_light;
     return lit_by.empty() ? nullptr : std::make_shared<const std::vector<Light>>(std::move(lit_by));
 }
 
@@ -76,8 +83,8 @@ Portion portion_of(const PlacedModel& placed, std::size_t index,
     };
     const Part& part = placed.model->parts[index];
     add(part.mesh);
-    for (const auto& maps : part.maps)
-        for (const MappedMesh& map : maps) add(placed.mesh_of(map));
+    for (const auto& maps : *part.maps)
+        for (const MappedMesh& map : maps) add(placed.mesh_of(index, map));
     return portion;
 }
 

@@ -33,16 +33,17 @@ struct PlacedModel {
     State state;                         ///< that all passes share
     std::vector<dmat4> eye_from_object;  ///< by part
     std::vector<LightsRef> lights;       ///< by light: a list with this light alone
+    LightsRef every_light;               ///< all lights in one list; null: there are none
     std::vector<dvec3> glare;            ///< by part: the displacement of its glare, eye space
-    /// Meshes with texture coordinates for reflection and refraction maps, for orthographic views:
-    /// the machine's assume an eye at a finite distance.
-    std::map<const MappedMesh*, MeshRef> generated;
+    /// By part and map: meshes with texture coordinates for reflection and refraction maps, for
+    /// orthographic views. The machine's assume an eye at a finite distance.
+    std::map<std::pair<std::size_t, const MappedMesh*>, MeshRef> generated;
     /// Translucent polygons in drawing order; empty: in the order of the scene.
     std::vector<Portion> far_to_near;
 
-    /// The mesh that a map is drawn with in this view.
-    const MeshRef& mesh_of(const MappedMesh& map) const {
-        const auto found = generated.find(&map);
+    /// The mesh that a map of a part is drawn with in this view.
+    const MeshRef& mesh_of(std::size_t part, const MappedMesh& map) const {
+        const auto found = generated.find({part, &map});
         return found == generated.end() ? map.mesh : found->second;
     }
 };

@@ -21,9 +21,9 @@ std::array<std::vector<scene::Map>*, 2> looked_up_by_ray(scene::Material& m) {
 }
 
 /// The largest generated map of a material; 0: it has none.
-int size_of(scene::Material material) {
+int size_of(const scene::Material& material) {
     int size = 0;
-    for (const auto* maps : looked_up_by_ray(material))
+    for (const auto* maps : {&material.refl, &material.refraction})
         for (const scene::Map& map : *maps)
             if (!map.texture) size = std::max(size, map.from_scene);
     return size;

@@ -35,7 +35,7 @@ bool selected(const Pass& pass, const Part& part) {
         case PassObjects::Casting: return !part.translucent && part.object->casts_shadow;
         case PassObjects::Named: break;
     }
-    return std::find(pass.names.begin(), pass.names.end(), part.object->name) != pass.names.end();
+    return std::binary_search(pass.names.begin(), pass.names.end(), part.object->name);
 }
 
 /// Without a map of the component: the first run draws it as if the map was white, where that makes
@@ -53,8 +53,9 @@ void add_runs(std::vector<Step>& steps, const Pass& pass, std::optional<std::siz
     if (pass.action == PassAction::Shadow && !casts) return;
     Step step{.pass = pass, .light = light};
     if (light && !casts && pass.stencil == outside_shadow) step.pass.stencil = {};
-    for (step.map = 0; step.map < repetitions(model, pass.material.Map); ++step.map)
-        steps.push_back(step);
+    std::sort(step.pass.names.begin(), step.pass.names.end());
+    const std::size_t count = repetitions(model, pass.material.Map);
+    for (step.map = 0; step.map < count; ++step.map) steps.push_back(step);
 }
 
 /// Of a pass that runs once: its light, if it has one; none: it does not run at all.

@@ -13,7 +13,7 @@ namespace gw::multipass {
 
 /// One run of a pass.
 struct Step {
-    Pass pass;
+    Pass pass;                         ///< its names in order
     std::optional<std::size_t> light;  ///< of a pass of PassLights::Each
     std::size_t map = 0;               ///< which of the objects' maps of the pass's component
 

@@ -65,11 +65,16 @@ std::uint64_t surplus_winners(std::span<const PassReport> reports) {
 /// Every opaque part, or what of it is in the portions, black where the step does not concern it.
 void draw_first_come(CommandList& list, const PlacedModel& placed, const Step& step, State state,
                      const std::vector<Portion>& portions) {
+    bool set = false;
     for (const Portion& portion : portions) {
         const Part& part = placed.model->parts[portion.part];
         if (part.translucent && !concerns(step, part, *placed.model)) continue;
-        state.texture = lookup_of(placed, step, portion.part);
-        list.add(SetState{state});
+        const TextureState lookup = lookup_of(placed, step, portion.part);
+        if (!set || !(lookup == state.texture)) {
+            state.texture = lookup;
+            list.add(SetState{state});
+            set = true;
+        }
         list.add(draw_of(placed, step, portion));
     }
 }

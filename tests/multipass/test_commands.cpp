@@ -67,5 +67,24 @@ TEST(Commands, ClearTheDepthInAPassThatDoesNotUpdateIt) {
     EXPECT_EQ(draw(*machine, s, options), first);
 }
 
+TEST(Commands, OfManyPartsComeInSeveralLists) {
+    scene::Scene s = two_squares();
+    s.lights.resize(1);
+    const scene::Object square = s.objects[0];
+    for (int i = 0; i < 1 << 16; ++i) {
+        scene::Object more = square;
+        more.world_from_object = dmat4(1.0 / 64);
+        more.world_from_object[3] = {i % 256 / 64.0 - 2, i / 256 / 64.0 - 2, -1 - i % 7, 1};
+        s.objects.push_back(std::move(more));
+    }
+    const scene::View view = scene::make_view(s, size, size);
+    const PassList passes = passes_for(s, Renderer::Multipass);
+    const auto at_once = make_fast(vgx(), size, size), in_parts = make_fast(vgx(), size, size);
+    at_once->execute(frame_list(s, view, passes, s.background));
+    render(*in_parts, s, view, {.one_winner = OneWinner::Never});
+    EXPECT_TRUE(in_parts->planes() == at_once->planes());
+    EXPECT_TRUE(in_parts->passes() == at_once->passes());
+}
+
 }  // namespace
 }  // namespace gw::multipass

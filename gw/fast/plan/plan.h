@@ -85,8 +85,8 @@ struct MachineState {
     Segment segment;  ///< the one in progress
 };
 
-/// Plans the commands up to the next barrier (which is not included) and counts their geometry.
-/// Returns the number of commands.
+/// Plans the commands of the next segment, which ends before a barrier or when it is full, and
+/// counts their geometry. Returns the number of commands.
 std::size_t plan_segment(std::span<const Command> commands, MachineState& machine,
                          const Profile& profile, const TileGrid& grid, int threads);
 

@@ -10,6 +10,8 @@ namespace {
 /// many others to be made again.
 constexpr std::size_t most_parts = 256, most_vertices = 4096;
 constexpr std::size_t most_triangles_of_small = 256;
+/// A segment that has many parts ends at so many vertices, so that its memory is bounded.
+constexpr std::size_t many_parts = 1024, most_segment_vertices = std::size_t{1} << 22;
 
 bool is_small_mesh(const Mesh& mesh, const GeometryState& state) {
     return mesh.kind() == MeshKind::Triangles && state.polygon_mode == PolygonMode::Fill &&
@@ -86,6 +88,7 @@ void Scan::clear() {
     state_table_.clear();
     parts_.clear();
     part_table_.clear();
+    vertices_ = 0;
     clear_and_trim(steps_);
     clear_and_trim(sets_);
     read_keys_.clear();
@@ -115,11 +118,16 @@ ScannedPart& Scan::part_of(const Draw& draw) {
                p.state->geometry == state_->geometry;
     });
     if (found) return *found;
+    vertices_ += draw.mesh->vertex_count();
     ScannedPart& part = parts_.emplace_back(ScannedPart{
         &draw, state_, hash, std::uint32_t(parts_.size()),
         is_small_mesh(*draw.mesh, state_->geometry), !parts_.empty() && parts_.back().ends_set});
     part_table_.add(hash, &part);
     return part;
+}
+
+bool Scan::is_full() const {
+    return parts_.size() >= many_parts && vertices_ >= most_segment_vertices;
 }
 
 void Scan::end_run() {
@@ -172,6 +180,7 @@ std::size_t Scan::run(std::span<const Command> commands, State& state,
         } else {
             use_state(*current);
             if (const Draw* draw = std::get_if<Draw>(&command)) {
+                if (is_full()) break;
                 add_draw(command, *draw);
             } else {
                 end_run();

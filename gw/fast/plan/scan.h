@@ -50,8 +50,8 @@ struct Step {
 
 class Scan {
 public:
-    /// Reads commands up to the next barrier, which is not included, and returns their number.
-    /// `state` and `passes` follow the commands.
+    /// Reads commands up to the next barrier, which is not included, or until the segment is full.
+    /// Returns their number. `state` and `passes` follow the commands.
     std::size_t run(std::span<const Command> commands, State& state,
                     std::vector<PassReport>& passes, const Profile& profile, int width, int height);
     /// Gives each part its set.
@@ -67,6 +67,7 @@ private:
     void add_draw(const Command& command, const Draw& draw);
     void add_step(const Command& command, ScannedPart* part);
     void end_run();
+    bool is_full() const;
 
     const Profile* profile_ = nullptr;
     int width_ = 0, height_ = 0;
@@ -78,6 +79,7 @@ private:
     PointerTable<ScannedState> state_table_;
     std::deque<ScannedPart> parts_;
     PointerTable<ScannedPart> part_table_;
+    std::size_t vertices_ = 0;  ///< of the parts' meshes
     std::vector<Step> steps_;
     std::vector<GeometrySet*> sets_;
     std::unordered_set<std::uint32_t> read_keys_;

@@ -156,5 +156,32 @@ TEST(SharedWork, BlackMayBeLeftOutOfASum) {
             }
 }
 
+/// A triangle of a mesh that has many more vertices.
+MeshRef triangle_among(std::size_t vertices) {
+    MeshData data = mesh_data(Primitive::Triangles, {{0, 0, 9}, {8, 0, 9}, {0, 8, 9}});
+    data.positions.resize(vertices);
+    data.indices = {0, 1, 2};
+    return make_mesh(std::move(data));
+}
+
+TEST(SharedWork, AListMayHaveMoreVerticesThanASegment) {
+    Workbench bench;
+    bench.clear();
+    bench.state.blend = {.enable = true, .src = BlendFactor::One, .dst = BlendFactor::One};
+    const MeshRef mesh = triangle_among(4000);
+    CommandList list;
+    for (const DepthFunc func : {DepthFunc::Less, DepthFunc::Equal}) {
+        bench.state.depth = {.test = true, .func = func, .mask = func == DepthFunc::Less};
+        list.add(SetState{bench.state});
+        for (int i = 0; i < 1100; ++i) {
+            Draw draw{.mesh = mesh};
+            draw.eye_from_object[3] = {i % 61, i % 53, i % 17, 1};
+            list.add(draw);
+        }
+    }
+    bench.run(list);
+    EXPECT_EQ(bench.take_counters().draws, 2200u);
+}
+
 }  // namespace
 }  // namespace gw::test
