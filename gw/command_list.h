@@ -1,5 +1,5 @@
 // Command lists: the only input of a machine. A list is a value, which can be built, printed,
-// stored, replayed and compared. Does not execute anything and holds no pixels of a machine.
+// stored, replayed and compared. Does not execute anything and has no pixels of a machine.
 #pragma once
 
 #include "gw/material.h"

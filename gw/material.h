@@ -20,7 +20,7 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// A light in EYE space. Directional where position.w == 0: position.xyz points TOWARDS the light.
+/// A light in EYE space. Directional if position.w == 0: position.xyz points TOWARDS the light.
 struct Light {
     vec4 position{0, 0, 1, 0};
     vec3 Ia{0, 0, 0};
@@ -34,7 +34,7 @@ struct Light {
     bool operator==(const Light&) const = default;
 };
 
-/// The lights of one draw, shared by many draws. Null stands for none.
+/// The lights of one draw, shared by many draws. Null means none.
 using LightsRef = std::shared_ptr<const std::vector<Light>>;
 
 }  // namespace gw

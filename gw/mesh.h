@@ -88,9 +88,9 @@ using MeshRef = std::shared_ptr<const Mesh>;
 /// The largest number of vertices, and of triangles, of one mesh.
 inline constexpr std::uint32_t max_mesh_size = 1u << 28;
 
-/// Throws Error when an array has the wrong length, an index is out of range, a value is not
-/// finite, a polygon has fewer than 3 vertices or the counts do not fit the primitive. Polygons
-/// without area are accepted and draw nothing.
+/// Throws Error if an array has the wrong length, an index is out of range or a value is not
+/// finite. Throws Error too if a polygon has fewer than 3 vertices or the counts do not fit the
+/// primitive. Polygons without area are accepted and draw nothing.
 MeshRef make_mesh(MeshData data);
 
 }  // namespace gw

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int block = 64;
 
-/// Digest of one block: its rows, each cut at the window's edge, one after the other.
+/// Digest of one block: its rows in order, each cut at the window's edge.
 template <typename T>
 XXH128_hash_t block_digest(const std::vector<T>& plane, const Planes& p, int x0, int y0) {
     const auto width = std::size_t(std::min(block, p.width - x0));

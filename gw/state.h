@@ -38,7 +38,7 @@ using DepthFunc = CompareFunc;
 using StencilFunc = CompareFunc;
 using AlphaFunc = CompareFunc;
 
-/// Lower left corner and size in pixels. Width and height 0 stand for the whole window.
+/// Lower left corner and size in pixels. Width and height 0 mean the whole window.
 struct ViewportState {
     int x = 0, y = 0, width = 0, height = 0;
     bool operator==(const ViewportState&) const = default;
@@ -135,7 +135,7 @@ struct TextureState {
     TexGen gen = TexGen::None;
     double eta = 1;       ///< RefractionMap: n1 / n2
     dmat4 eye_linear{1};  ///< EyeLinear: rows give s, t, r, q
-    /// extension shadow_texture: 1 where r <= texel, else 0, as colour and alpha
+    /// extension shadow_texture: 1 if r <= texel, else 0, as colour and alpha
     bool shadow_compare = false;
     bool operator==(const TextureState&) const = default;
 };

@@ -22,9 +22,9 @@ int next_power_of_two(int side) {
     return static_cast<int>(std::bit_ceil(static_cast<unsigned>(side)));
 }
 
-// The position of texel centre i of `to` texels among `from` texels: between `low` and `high`,
-// `weight` / (2 `to`) of the distance from low to high. Clamped at the ends, so that opposite sides
-// never mix.
+// The position of texel centre i of `to` texels among `from` texels. It is between `low` and
+// `high`, at `weight` / (2 `to`) of the distance from low to high. Clamped at the ends, so that
+// opposite sides never mix.
 struct Position {
     int low, high;
     std::uint64_t weight;

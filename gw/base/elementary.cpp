@@ -83,8 +83,8 @@ double exp_of_sum(Sum x) noexcept {
     return scale(node.hi + (node.lo + node.hi * p), (static_cast<int>(k) - index) / 64);
 }
 
-// x = m * 2^k with m in [45.25/64, 90.5/64): around 1, so that x just below 1 has k = 0 and log x
-// keeps its precision.
+// x = m * 2^k with m in [45.25/64, 90.5/64), a range around 1. So x just below 1 has k = 0, and log
+// x keeps its precision.
 struct Scaled {
     double m;
     int k;

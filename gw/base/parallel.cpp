@@ -96,8 +96,8 @@ int count_threads(int wanted) {
     return running < wanted ? std::max(1, running / 2) : wanted;
 }
 
-/// The number of threads to use if the caller wants `wanted`. oneTBB ends the program when the
-/// system refuses it a thread, so each new maximum is first tried here.
+/// The number of threads to use if the caller wants `wanted`. If the system refuses oneTBB a
+/// thread, the program ends. So each new maximum is first tried here.
 int granted_threads(int wanted) {
     static std::mutex mutex;
     static int granted = 1, refused = std::numeric_limits<int>::max();

@@ -43,7 +43,7 @@ constexpr dvec3 transform3(const dmat3& m, const dvec3& v) {
             (m[0].z * v.x + m[1].z * v.y) + m[2].z * v.z};
 }
 
-/// One pixel's R, G, B, A as the frame buffer holds them: integers in 0 .. 2^color_bits - 1.
+/// One pixel's R, G, B, A as in the frame buffer: integers in 0 .. 2^color_bits - 1.
 using Rgba = std::array<std::uint16_t, 4>;
 
 /// A colour of at most 8 bits a channel in one word, R lowest.
@@ -61,7 +61,7 @@ constexpr std::size_t pixel_index(int x, int y, int width) {
 struct Rect {
     int x = 0, y = 0, width = 0, height = 0;
 
-    /// Of a rectangle whose sides are not negative.
+    /// The area of a rectangle whose sides are not negative.
     constexpr std::size_t area() const { return std::size_t(width) * std::size_t(height); }
     /// The index of the window's pixel i, j in the rectangle's rows.
     constexpr std::size_t index(int i, int j) const { return pixel_index(i - x, j - y, width); }

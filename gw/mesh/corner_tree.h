@@ -18,7 +18,7 @@ public:
     /// Removes a corner, if the tree has it.
     void remove(std::uint32_t corner);
 
-    /// Whether `blocks(corner)` holds for a corner inside or near the counter-clockwise triangle.
+    /// Whether `blocks(corner)` is true for a corner inside or near the counter-clockwise triangle.
     /// Corners near its tip, triangle[1], are tested first: they block most often.
     template <class Blocks>
     bool any(const std::array<vec2, 3>& triangle, Blocks blocks) const {

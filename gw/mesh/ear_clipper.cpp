@@ -106,7 +106,7 @@ private:
         return !blocked && (!met || encloses((dvec2(t[0]) + dvec2(t[1]) + dvec2(t[2])) / 3.0));
     }
 
-    // Whether the rest of the polygon goes round a point (not on its border) counter-clockwise.
+    // Whether the rest of the polygon winds round a point (not on its border) counter-clockwise.
     bool encloses(dvec2 point) const {
         int winding = 0;
         for (std::uint32_t i = 0, corner = head_; i < remaining_; ++i, corner = next_[corner]) {
@@ -149,7 +149,7 @@ private:
     }
 
     struct Waiting {
-        std::uint32_t corner, ticket;  // stale where the ticket is not the corner's latest
+        std::uint32_t corner, ticket;  // stale if the ticket is not the corner's latest
     };
 
     std::span<const vec2> points_;

@@ -34,8 +34,8 @@ int main_axis(const dvec3& v) {
 
 bool rightward(vec2 a, vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-// Whether the polygon turns left or goes straight at every corner, and goes round only once: the
-// corners ascend by (x, y) in one run of sides.
+// Whether the polygon turns left or runs straight at every corner, and turns round only once. Then
+// the corners ascend by (x, y) in one run of sides.
 bool convex(std::span<const vec2> corners) {
     const std::size_t n = corners.size();
     int reversals = 0;

@@ -27,7 +27,7 @@ std::vector<vec2> project_polygon(std::span<const vec3> corners);
 /// Exactly n - 2 triangles for any n >= 3 corners. Their signed areas add up to the polygon's.
 /// - A convex polygon becomes the fan from corner 0, unless a triangle of the fan would be flat.
 /// - A polygon that does not cross itself is covered without overlap, even if it touches itself.
-///   Flat triangles appear only where the corners leave no other choice (spikes, repeated corners).
+///   Flat triangles appear only if the corners leave no other choice (spikes, repeated corners).
 /// - A polygon that crosses itself or has no area gives n - 2 triangles, always the same.
 std::vector<PolygonTriangle> triangulate(std::span<const vec2> corners);
 

@@ -14,7 +14,7 @@ struct Shader {
     bool front = true;
     std::int64_t depth_offset = 0;
 
-    /// o = rne(factor m / 2^16) + rne(units), where m is the depth plane's larger gradient.
+    /// o = rne(factor m / 2^16) + rne(units), with m the depth plane's larger gradient.
     void set_depth_offset(const PolygonOffsetState& offset);
 
     /// Makes the fragment of a covered pixel and passes it to process_fragment.

@@ -7,7 +7,7 @@
 
 namespace gw {
 
-/// The low `bits` of v as a signed number. Sets `overflow` where this differs from v.
+/// The low `bits` of v as a signed number. Sets `overflow` if this differs from v.
 constexpr std::int32_t wrap_accum(std::int64_t v, int bits, bool& overflow) {
     const int unused = 64 - bits;
     const std::int64_t wrapped =

@@ -17,8 +17,8 @@ struct ViewportTransform {
 struct Resolved {
     State state;     ///< with depth, stencil and alpha tests normalised
     int bits = 8;    ///< of a colour channel
-    Rect pixel_box;  ///< scissor and window: where pixels may change
-    Rect draw_box;   ///< pixel_box and viewport: where primitives make fragments
+    Rect pixel_box;  ///< scissor and window: pixels outside never change
+    Rect draw_box;   ///< pixel_box and viewport: primitives make no fragments outside
     ViewportTransform viewport;
     /// masks cut to stencil_bits; Always and Keep if the test is off
     StencilFace front, back;

@@ -12,7 +12,7 @@
 
 namespace gw {
 
-/// [GL11] 4.1.3 to 4.1.5: whether `incoming` `func` `stored` holds. Incoming is the fragment's
+/// [GL11] 4.1.3 to 4.1.5: whether `incoming` `func` `stored` is true. Incoming is the fragment's
 /// depth or alpha, or the stencil reference; stored is the plane's value, or the alpha reference.
 constexpr bool compare(CompareFunc func, std::uint32_t incoming, std::uint32_t stored) {
     switch (func) {
@@ -44,7 +44,7 @@ constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::
     return stored;
 }
 
-/// [GL11] 4.1.6, tables 4.1 and 4.2: the factor of channel `c` (3 is alpha); `max` stands for 1.0.
+/// [GL11] 4.1.6, tables 4.1 and 4.2: the factor of channel `c` (3 is alpha); `max` is 1.0.
 constexpr std::uint32_t blend_factor(BlendFactor factor, const Rgba& src, const Rgba& dst, int c,
                                      std::uint32_t max) {
     const auto i = std::size_t(c);

@@ -37,8 +37,8 @@ constexpr int wrap_index(Wrap wrap, int i, int size) {
 std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
                        std::uint32_t wx, std::uint32_t wy, int bits);
 
-/// The texel at u, v, or the mean of the four around it. u, v are in units of 1/256 texel; texel i
-/// is [256 i, 256 i + 256).
+/// The texel at u, v, or the mean of the four texels around it. Coordinates are in units of 1/256
+/// texel; texel i is [256 i, 256 i + 256).
 Rgba lookup(const TexelLevel& level, bool linear, Wrap wrap_s, Wrap wrap_t, int u, int v, int bits);
 
 /// The mean of two levels, weight f in 0 .. 255 of 256 for `b`.

@@ -57,7 +57,7 @@ inline dvec4 transform(const dmat4& m, const dvec4& v) {
         out[i] = (m[0][i] * v.x + m[1][i] * v.y) + (m[2][i] * v.z + m[3][i] * v.w);
     return out;
 }
-/// The product whose columns are transform(a, column of b).
+/// The product a b: its columns are transform(a, column of b).
 dmat4 product(const dmat4& a, const dmat4& b);
 /// v / |v|; 0 for the zero vector.
 inline dvec3 normalized(const dvec3& v) {

@@ -1,4 +1,4 @@
-// The fast machine's planes: tiles of 4x4-pixel blocks, so that a vector holds a block and a tile
+// The fast machine's planes: tiles of 4x4-pixel blocks, so that a vector fits a block and a tile
 // stays in cache. Does not draw. Conversion to and from the host's Planes is here too.
 #pragma once
 
@@ -47,7 +47,7 @@ struct TileGrid {
     }
 };
 
-/// One tile's blocks, and where it lies in the window. `accum` is null until accumulation is used.
+/// One tile's blocks and its position in the window. `accum` is null until accumulation is used.
 struct Tile {
     int x = 0, y = 0, side = 64;
     ColorBlock* color = nullptr;

@@ -16,7 +16,7 @@ namespace gw::fast {
 inline constexpr int group_blocks = 4;
 
 /// The common value of each of 16 blocks, an element or a bit each: block 4 (y mod 4) + x mod 4.
-/// If a block's bit is set, its value is stored only here: the block's pixels in the plane have no
+/// If a block's bit is set, its value is stored only here. The block's pixels in the plane have no
 /// meaning until write_back_blocks() writes them.
 struct alignas(64) UniformGroup {
     std::uint64_t color[16] = {};  ///< bits of an Rgba

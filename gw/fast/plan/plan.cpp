@@ -187,7 +187,7 @@ struct Planner {
         }
     }
 
-    /// Makes what draws share: geometry first, then the values at its vertices.
+    /// Makes the data that draws share: geometry first, then the values at its vertices.
     void make_shared(const TileGrid& grid, int threads) {
         const std::span<GeometrySet* const> sets = segment.scan.sets();
         segment.scratch.resize(std::size_t(threads));

@@ -1,5 +1,5 @@
-// Textures as the fast machine's kernels read them: all levels in one array, and for the bilinear
-// filter the four texels that a pixel mixes side by side. Does not filter.
+// Textures in the layout of the fast machine's kernels: all levels in one array. For the bilinear
+// filter, the four texels that a pixel mixes are adjacent. Does not filter.
 #pragma once
 
 #include "gw/stages/texels.h"

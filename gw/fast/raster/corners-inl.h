@@ -1,7 +1,7 @@
 // Corners of up to 16 triangles, and planes through values at them, a vector of triangles at a
-// time. docs/manual.md, "Planes"; scalar twin: gw/fast/raster/setup.h. Doubles hold integers here:
-// a plane that could need more than their bits is not `sure`, and the scalar code sets its triangle
-// up. Included once per Highway target.
+// time. docs/manual.md, "Planes"; scalar twin: gw/fast/raster/setup.h. The doubles here are
+// integers. A plane that could need more than their bits is not `sure`, and scalar code sets up its
+// triangle. Included once per Highway target.
 #if defined(GW_FAST_CORNERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_CORNERS_INL_H_
 #undef GW_FAST_CORNERS_INL_H_
@@ -77,7 +77,7 @@ HWY_INLINE V64 load_integers(const std::int32_t* p) {
     return hn::PromoteTo(D64(), hn::Load(I32ForD64(), p));
 }
 
-/// Unsigned 32 bits: the conversion is signed, so the top bit goes through it as 2^31.
+/// Unsigned 32 bits: the conversion is signed, so the top bit is converted separately, as 2^31.
 HWY_INLINE V64 load_unsigned(const std::uint32_t* p) {
     const auto flipped = hn::Xor(hn::Load(U32ForD64(), p), hn::Set(U32ForD64(), 0x80000000u));
     return hn::Add(hn::PromoteTo(D64(), hn::BitCast(I32ForD64(), flipped)), all(2147483648.0));
@@ -123,7 +123,7 @@ struct PlaneBatch {
     alignas(64) std::int64_t base[batch_capacity];
     alignas(64) std::int64_t c[batch_capacity];  ///< the same at the tile, modulo 2^64
     alignas(64) std::int64_t gx[batch_capacity], gy[batch_capacity];
-    std::uint32_t sure = 0;  ///< lanes that hold their plane
+    std::uint32_t sure = 0;  ///< lanes whose plane is set
 
     HWY_INLINE TilePlane at(std::size_t i) const {
         return {static_cast<std::uint64_t>(c[i]), gx[i], gy[i]};

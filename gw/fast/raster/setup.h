@@ -96,7 +96,7 @@ private:
 PrimitiveFrame primitive_frame(const GeometrySet& set, const SetupPrimitive& p,
                                const JitterState& jitter, int subpixel_bits, const Tile& tile);
 
-/// Edge functions of a triangle at the tile's pixels: inside where c + a i + b j >= 0 for all
+/// Edge functions of a triangle at the tile's pixels: inside if c + a i + b j >= 0 for all
 /// three, in 32 bits.
 struct TileEdges {
     std::array<std::int32_t, 3> c{}, a{}, b{};

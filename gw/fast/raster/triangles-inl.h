@@ -22,7 +22,7 @@ struct Triangles {
     alignas(64) std::int32_t x0[batch_capacity], y0[batch_capacity], x1[batch_capacity],
         y1[batch_capacity];
     PlaneBatch depth;
-    /// Triangles that touch at most 2x2 blocks, a bit each, and the lanes that they cover: bits 0
+    /// Triangles that touch at most 2x2 blocks, a bit each, and the lanes that they cover. Bits 0
     /// to 15 are the left block's, bits 16 to 31 the right one's.
     std::uint32_t small = 0;
     alignas(64) std::uint32_t lower[batch_capacity], upper[batch_capacity];
@@ -135,7 +135,8 @@ struct EdgeLanes {
                 hn::Add(hn::Load(d, t.c[k] + first), hn::Add(hn::Mul(a[k], x), hn::Mul(b[k], y)));
         }
     }
-    /// Shifts in whether the pixel is outside, as a word's highest bit, and goes on to the next.
+    /// Shifts in whether the pixel is outside, as a word's highest bit, and steps to the next
+    /// pixel.
     HWY_INLINE void shift_in(hn::Vec<D>& lanes) {
         const D d;
         const auto any = hn::Or(hn::Or(at[0], at[1]), at[2]);

@@ -1,5 +1,5 @@
-// Keeps the texels of triangles that are drawn repeatedly in one tile with the same texture, as in
-// full-screen passes and passes over the same walls. Does not look them up.
+// Keeps the texels of triangles that are drawn repeatedly in one tile with the same texture.
+// Full-screen passes and passes over the same walls do so. Does not look them up.
 #pragma once
 
 #include "gw/fast/plan/texels.h"

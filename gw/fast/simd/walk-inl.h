@@ -1,4 +1,4 @@
-// Linear functions over the blocks of a tile: evaluated at one block, then stepped from block to
+// Linear functions over the blocks of a tile, evaluated at one block, then stepped from block to
 // block and row to row by additions modulo 2^32. Increments equal the closed form; docs/manual.md,
 // "Planes". Does not know the meaning of the values. Included once per Highway target.
 #if defined(GW_FAST_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,5 +1,6 @@
-// The depth test over blocks that may have one depth: no test, and the test of a level triangle,
-// which leaves the blocks that it covers uniform. Does not paint. Included once per Highway target.
+// The depth test over blocks that may have one depth: no test, and the test of a level triangle.
+// Blocks that a level triangle covers stay uniform. Does not paint. Included once per Highway
+// target.
 #if defined(GW_FAST_LEVEL_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_LEVEL_DEPTH_INL_H_
 #undef GW_FAST_LEVEL_DEPTH_INL_H_

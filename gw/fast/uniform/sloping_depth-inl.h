@@ -53,8 +53,8 @@ HWY_INLINE Order order_of(const ExactPlane& difference, const BlockRange& r) {
 
 /// A triangle's depth, moving with its blocks, and bounds for the whole triangle.
 struct SlopingWalk : DepthWalk {
-    /// Bounds of its depths at all pixels that it covers; any 32 bits if they are not known, or if
-    /// a block may not store its plane.
+    /// Bounds of its depths at all pixels that it covers: all 32 bits if they are unknown, or if a
+    /// block may not store its plane.
     std::uint32_t least = 0, most = ~0u;
     std::uint32_t stored = ~0u;  ///< its index in the tile's depth planes
 

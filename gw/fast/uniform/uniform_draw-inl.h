@@ -40,8 +40,8 @@ HWY_INLINE bool all_large(const GeometrySet& set, std::span<const std::uint32_t>
     });
 }
 
-/// Whether a bin's triangles are drawn this way. Without colour this pays only for level and large
-/// triangles: others leave few blocks uniform.
+/// Whether a bin's triangles are drawn this way. Without colour only level and large triangles are:
+/// others leave few blocks uniform.
 HWY_INLINE bool draws_uniform(const DrawOp& op, std::span<const std::uint32_t> bin,
                               int subpixel_bits) {
     const Resolved& r = op.state;

@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Counts the fragments of a record: by pixel if a draw's stencil test asks, else their sum.
+/// Counts the fragments of a record: by pixel if a draw's stencil test needs it, else their sum.
 struct FragmentCount {
     VisibleRecord& record;
     bool by_pixel;

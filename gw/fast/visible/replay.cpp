@@ -128,7 +128,7 @@ struct Replay {
                       entry.primitive % batch_capacity, lane_set(entry.mask));
         lanes.store(bx(run), by(run), inputs);
     }
-    /// The colours of some of a block's entries, which share no lane.
+    /// The colours of entries of one block that share no lane.
     HWY_INLINE void colors_of(const BlockRun& run, std::span<const VisibleBlock> entries) {
         if (!narrow) {
             for (const VisibleBlock& entry : entries)

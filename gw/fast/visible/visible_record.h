@@ -1,7 +1,7 @@
-// Visible fragments found once. After a depth prepass, a pass under Equal touches only pixels whose
-// stored depth is a primitive's, and these are the same for every pass of the same geometry. A
-// record keeps every primitive that ties, not only one a pixel. record.cpp makes records,
-// replay.cpp draws from them, and gw/fast/plan/share_visibility.cpp decides which draws share one.
+// Visible fragments, computed once. After a depth prepass, a pass under Equal touches only pixels
+// whose stored depth is a primitive's. These are the same for every pass of the same geometry. A
+// record keeps every primitive that ties, not only one a pixel. record.cpp makes records, and
+// replay.cpp draws from them; gw/fast/plan/share_visibility.cpp decides which draws share one.
 #pragma once
 
 #include "gw/fast/frame/frame.h"
@@ -17,7 +17,7 @@ namespace gw::fast {
 struct FastTexels;
 struct VertexTexcoords;
 
-/// Pixels of one block where a primitive's depth equals the stored one.
+/// Pixels of one block at which a primitive's depth equals the stored one.
 struct VisibleBlock {
     std::uint16_t block = 0, mask = 0;
     std::uint32_t primitive = 0;  ///< in VisibleRecord::primitives
@@ -47,7 +47,7 @@ struct VisibleRecord {
     std::vector<TilePlane> depth;           ///< of `primitives`, until the record is made
     /// by block; in a block, in the order of the primitives
     std::vector<VisibleBlock> blocks;
-    /// the number of fragments at each pixel, if a draw's stencil test asks
+    /// the number of fragments at each pixel, if a draw's stencil test needs it
     std::vector<DepthBlock> fragments;
     std::uint64_t total = 0;  ///< fragments of the draw, visible or not
 
