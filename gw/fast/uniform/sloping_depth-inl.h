@@ -37,8 +37,8 @@ struct ExactPlane {
 /// How a triangle's depths compare with the stored ones at all pixels of a range.
 enum class Order { Unknown, Less, Equal, Greater };
 
-/// The order of two planes from their difference before rounding. Unknown if they differ by less
-/// than 1 at a pixel.
+/// The order of two planes from their difference before rounding. Unless they are equal, it is
+/// unknown if they differ by less than 1 at a pixel.
 HWY_INLINE Order order_of(const ExactPlane& difference, const BlockRange& r) {
     const std::int64_t corner = difference.c + difference.gx * (block_side * std::int64_t{r.x0}) +
                                 difference.gy * (block_side * std::int64_t{r.y0});
