@@ -41,8 +41,8 @@ function(gw_position_independent target)
 endfunction()
 
 # gw_batch(TARGET): compiles its sources eight at a time (CMake's unity build), so that eight share the work of headers and templates. A
-# source that defines macros is compiled alone: Highway's kernels, and what configures a library. Within a batch, names in anonymous
-# namespaces must differ.
+# source that defines macros is compiled alone: Highway's kernels, and sources that configure a library. Within a batch, names in
+# anonymous namespaces must differ.
 function(gw_batch target)
     if(NOT GW_BATCHES)
         return()
@@ -105,7 +105,7 @@ function(gw_batch_tests target variable)
 endfunction()
 
 # gw_library(FOLDER [TARGET name] [EXCLUDE file...] [LINK library...])
-# Compiles all *.cpp below the calling folder into library gw_FOLDER, alias gw::FOLDER (name instead of FOLDER where given) and installs the
+# Compiles all *.cpp below the calling folder into library gw_FOLDER, alias gw::FOLDER (or the name, if given), and installs the
 # headers. A folder below it with a CMakeLists.txt is a target of its own. EXCLUDE: sources to leave out, headers not to install.
 function(gw_library folder)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "TARGET" "EXCLUDE;LINK")
@@ -131,9 +131,9 @@ function(gw_library folder)
     gw_batch(gw_${name})
     target_link_libraries(gw_${name} PUBLIC ${arg_LINK})
 
-    # Headers are included from the root of the repository, and so from the root of where they are installed.
+    # Headers are included from the root of the repository, and so from the root of their installation.
     file(GLOB_RECURSE headers CONFIGURE_DEPENDS *.h)
-    set(observer ${headers})  # what inspect's headers show of the reference machine
+    set(observer ${headers})  # inspect's headers include it
     list(FILTER observer INCLUDE REGEX "/gw/reference/observer\\.h$")
     list(FILTER headers EXCLUDE REGEX "-inl\\.h$|/gw/(fast|reference)/")
     foreach(other IN LISTS others)
