@@ -1,5 +1,5 @@
-// A window full of small quads, each a draw of its own, and in what the draws differ. Does not
-// draw.
+// A window full of small quads, each a separate draw, and the differences between the draws. Does
+// not draw.
 #pragma once
 
 #include "gw/command_list.h"
@@ -18,13 +18,13 @@ struct Quad {
 };
 std::vector<Quad> quads(int count);
 
-/// What each draw has of its own, beside its vertices.
+/// The part of a draw that is its own, besides its vertices.
 enum class Own { Nothing, Matrix, Material, State, Texture, All };
 inline constexpr std::array every_own{Own::Nothing, Own::Matrix,  Own::Material,
                                       Own::State,   Own::Texture, Own::All};
 const char* name_of(Own own);
 
-/// All states differ in what they test or write; all textures in their texels.
+/// All states differ in their tests or writes; all textures in their texels.
 inline constexpr int state_count = 8, texture_count = 1000, texture_side = 8;
 DepthFunc depth_func_of(int state);
 bool blends(int state);

@@ -35,7 +35,7 @@ double time_of(const auto& run) {
     return now() - start;
 }
 
-/// The least of some times.
+/// The least of several times.
 struct Least {
     double ms = 0;
     void add(double t) { ms = ms == 0 ? t : std::min(ms, t); }

@@ -86,7 +86,7 @@ struct OpenGl::Context {
     }
     ~Context() { OSMesaDestroyContext(mesa); }
 
-    /// A quad's corners; at the origin if it has a matrix of its own.
+    /// A quad's corners; at the origin if it has its own matrix.
     std::array<GlVertex, 4> corners(const Quad& q) const {
         const bool moves = has_own_matrix(own);
         const float x = moves ? 0 : q.x, y = moves ? 0 : q.y, z = moves ? 0 : q.z;

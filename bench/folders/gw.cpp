@@ -1,4 +1,4 @@
-// The machines: one multi-pass frame on each, what a digest costs.
+// The machines: one multi-pass frame on each, and the cost of a digest.
 #include "bench/folders/fig9.h"
 #include "gw/machine.h"
 

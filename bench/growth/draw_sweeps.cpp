@@ -11,7 +11,7 @@ namespace {
 
 using draws::Own;
 
-/// Executes lists one after the other.
+/// Executes lists in turn.
 class Lists {
 public:
     /// `make(shift)` gives the lists of a frame; another shift gives other vertices.
@@ -118,7 +118,7 @@ Sweep lights_by_draws() {
     return sweep;
 }
 
-/// Lists of three draws, one after the other.
+/// Lists of three draws, in turn.
 Sweep lists(const char* name, int width, int height) {
     Sweep sweep{name, name, {}};
     for (const int n : {10, 100, 1000, 10000})

@@ -56,7 +56,7 @@ Workload samples(int count) {
     return w;
 }
 
-/// Every run has another view, so nothing kept of the last one serves it.
+/// Every run has another view, so it cannot reuse kept data of the last one.
 Step step(double amount, const std::function<Frame()>& frame, const Workload& workload,
           int threads = 1) {
     return {amount, [=](int repeats) {

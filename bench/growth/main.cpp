@@ -96,7 +96,7 @@ double next_time(const std::vector<dvec2>& time) {
     return time.back().y * std::max(1.0, time.back().y / time[time.size() - 2].y);
 }
 
-/// One sweep, printed as it goes; it stops where the next step would take longer than the limit.
+/// Runs one sweep and prints its steps. Stops if the next step would take longer than the limit.
 Measured measure(const Sweep& sweep, const Options& options) {
     Measured measured;
     for (const Step& step : sweep.steps) {
@@ -115,7 +115,7 @@ Measured measure(const Sweep& sweep, const Options& options) {
     return measured;
 }
 
-/// Of the largest amounts, where what is done once no longer counts; 0: too few.
+/// Of the largest amounts, which make constant work negligible; 0: too few.
 double last_exponent(const std::vector<dvec2>& points) {
     if (points.size() < 2) return 0;
     const auto from = points.end() - std::min<std::ptrdiff_t>(3, std::ptrdiff_t(points.size()));

@@ -27,7 +27,7 @@ std::string boxes(int amount) {
         });
 }
 
-/// Every light names an object of its own.
+/// Every light names another object.
 std::string lights(int amount) {
     return repeated(amount, "", [](int i) {
         return fmt::format(

@@ -8,20 +8,20 @@
 
 namespace gw::growth {
 
-/// One place of a sweep. Runs in a process of its own, so that its peak memory is its own.
+/// One step of a sweep. Runs in a separate process, so that its peak memory can be measured.
 struct Step {
-    double amount = 0;  ///< of what grows
+    double amount = 0;  ///< of the growing quantity
     /// Prepares, then returns the least time of so many runs, in milliseconds.
     std::function<double(int repeats)> milliseconds;
 };
 
 struct Sweep {
     std::string name;      ///< for --only, and of its files
-    std::string quantity;  ///< that grows: the plot's axis
+    std::string quantity;  ///< the growing quantity: the plot's axis
     std::vector<Step> steps;
 };
 
-/// The least time of some runs after one that warms up, in milliseconds: wall or processor time,
+/// The least time of several runs after a warm-up, in milliseconds: wall or processor time,
 /// whichever is less, so that other processes' turns do not count. `set_up` comes before each run
 /// and is not timed.
 double least_time(int repeats, const std::function<void()>& run,
@@ -43,7 +43,7 @@ std::vector<Sweep> scene_sweeps();
 /// TOML; groups, smoothing groups, faces and vertices at one point in OBJ.
 std::vector<Sweep> reader_sweeps();
 
-/// 64x the triangles (5 millions) in 4096x4096 pixels with 64 passes: what must stay below 4 GiB.
+/// 64x the triangles (5 millions) in 4096x4096 pixels with 64 passes: must stay below 4 GiB.
 Step largest_frame(const std::string& scene);
 
 }  // namespace gw::growth

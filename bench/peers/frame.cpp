@@ -13,7 +13,7 @@
 namespace gw::peers {
 namespace {
 
-/// Blocks of two tones with some grain: bilinear filtering has something to do everywhere.
+/// Blocks of two tones with grain, so that bilinear filtering matters everywhere.
 TextureRef checks(const char* name, int side) {
     std::vector<std::uint8_t> rgba;
     for (int y = 0; y < side; ++y)

@@ -9,7 +9,7 @@
 
 namespace gw::peers {
 
-/// One mesh where it stands.
+/// One mesh at its place.
 struct Part {
     MeshRef mesh;
     dmat4 eye_from_object{1};

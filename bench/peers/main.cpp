@@ -46,7 +46,7 @@ Time median(std::vector<Time> times) {
     return *middle;
 }
 
-/// Share of pixels that differ by more than `bound` of 255 in some channel of R, G, B.
+/// Share of pixels that differ by more than `bound` of 255 in any channel of R, G, B.
 double differing(const Planes& ours, const std::vector<unsigned char>& theirs, int bound) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < ours.color.size(); ++i) {
@@ -61,7 +61,7 @@ double differing(const Planes& ours, const std::vector<unsigned char>& theirs, i
 /// One workload's row.
 struct Row {
     const Workload* workload = nullptr;
-    /// first: ours where the frame before had another view
+    /// first: ours if the previous frame had another view
     Time ours, first, buffers, lists, strips;
     double differing = 0;
 

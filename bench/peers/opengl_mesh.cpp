@@ -31,7 +31,7 @@ std::vector<GlVertex> vertices_of(const MeshData& m) {
     return out;
 }
 
-/// Every triangle with vertices of its own, as OpenGL 1.1 has no colour per face.
+/// Every triangle with separate vertices, because OpenGL 1.1 has no colour per face.
 std::vector<IdVertex> id_vertices(const Mesh& mesh, unsigned base) {
     std::vector<IdVertex> out;
     for (const Triangle& t : mesh.triangles()) {

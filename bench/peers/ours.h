@@ -8,8 +8,8 @@ namespace gw::peers {
 
 CommandList command_list(const Workload& workload, const Frame& frame);
 
-/// The same from so near by that no picture changes: nothing that a machine keeps of a frame serves
-/// the other.
+/// The same from another eye, so near that no picture changes. The machine cannot reuse kept data
+/// of the other frame.
 CommandList moved(CommandList list);
 
 }  // namespace gw::peers

@@ -39,7 +39,7 @@ std::vector<Pass> quads(const Pass& pass) {
         passes[std::size_t(i)].eye_from_quad[3].z = 0.8 - 0.016 * i;
     return passes;
 }
-/// The same where no quad's texels are those of the last: larger than the window, each elsewhere.
+/// The same with other texels for each quad: larger than the window, each at another position.
 std::vector<Pass> moved_quads(const Pass& pass) {
     std::vector<Pass> passes = quads(pass);
     for (int i = 0; i < fill_quads; ++i) {
@@ -49,13 +49,13 @@ std::vector<Pass> moved_quads(const Pass& pass) {
     }
     return passes;
 }
-/// The same where no block's pixels have one depth.
+/// The same, but no block's pixels have one depth.
 std::vector<Pass> sloping_quads(const Pass& pass) {
     std::vector<Pass> passes = quads(pass);
     for (Pass& p : passes) p.eye_from_quad[0].z = 0.1;
     return passes;
 }
-/// The same where no block's pixels have one colour.
+/// The same, but no block's pixels have one colour.
 std::vector<Pass> quads_over(const Pass& picture, const Pass& pass) {
     std::vector<Pass> passes = quads(pass);
     passes.insert(passes.begin(), picture);

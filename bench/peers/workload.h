@@ -1,4 +1,4 @@
-// The frames that are timed, as data that each peer plays in its own way. Does not draw.
+// The timed frames, as data that each peer plays in its own way. Does not draw.
 #pragma once
 
 #include "gw/state.h"
@@ -11,7 +11,7 @@ namespace gw::peers {
 
 enum class Geometry { Scene, Volumes, Quad };
 
-/// What a pass adds: one component of eq. 2, or what stands in for it.
+/// The light that a pass adds: one component of eq. 2, or a substitute.
 enum class Shade { None, Id, Lit, Ambient, Diffuse, Specular, Reflection, Black, VertexColor };
 
 enum class Stencil { Off, Increment, Decrement, OutsideShadow };

@@ -94,7 +94,7 @@ Row measure(double x, int size, double texels, int segments, const Options& opti
         radiosity::make_model(box_with(segments), {.texels_per_unit = texels});
     radiosity::FormFactors factors(model, {.hemicube = size, .threads = options.threads});
     Painters painters(size, options.threads);
-    constexpr int at_once = 32;  // four times what a solution draws before it scans
+    constexpr int at_once = 32;  // four times the number that a solution draws before it scans
     std::vector<radiosity::ShootPoint> points;
     std::vector<radiosity::Hemicube> cubes;  // each from elsewhere, as a solution's are
     for (int k = 0; k < at_once; ++k)

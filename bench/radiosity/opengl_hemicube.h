@@ -17,7 +17,7 @@ public:
 
     /// Draws the five faces and reads them back: of the sides the half over the horizon, as ours.
     void draw(const radiosity::Hemicube& hemicube);
-    /// What the last face read holds; bytes R, G, B, A are the identifier's.
+    /// The pixels of the last face that was read; bytes R, G, B, A are the identifier's.
     const std::vector<unsigned char>& read() const;
 
 private:

@@ -49,8 +49,8 @@ struct Frame {
         driver->draw(view);
     }
 
-    /// From elsewhere than the last, by so little that no picture changes: nothing kept of a frame
-    /// serves the next.
+    /// From another eye than the last, but so near that no picture changes. The next frame cannot
+    /// reuse kept data.
     double draw() {
         view.eye_from_world[3][0] += 1e-12;
         traced = 0;

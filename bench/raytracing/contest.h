@@ -12,14 +12,14 @@ namespace gw::bench {
 inline constexpr int width = 640, height = 480;
 
 struct Contest {
-    /// processor seconds of a frame: passes, item buffer, traced component; what no view decides
-    /// (hierarchy, shadow volumes) was made before
+    /// processor seconds of a frame: passes, item buffer, traced component; without data that are
+    /// independent of the view (hierarchy, shadow volumes)
     double item_buffer = 0;
     double traced = 0;            ///< of these, the item buffer and the traced component
-    double item_buffer_maps = 0;  ///< a frame where reflected hits read shadow maps, drawn before
+    double item_buffer_maps = 0;  ///< a frame whose reflected hits read earlier shadow maps
     double maps_drawn = 0;        ///< to draw these maps, once for all views
     double ray_tracing = 0;       ///< of the ordinary ray tracer's frame
-    double hierarchy = 0;         ///< to build it: both need it, neither figure above holds it
+    double hierarchy = 0;         ///< to build it: both need it, and no figure above includes it
     double share = 0;             ///< of pixels that are traced: g
     std::size_t triangles = 0;
     raytrace::RayCounts item_buffer_rays, ray_tracing_rays;

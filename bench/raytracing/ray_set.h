@@ -16,8 +16,8 @@ struct RaySet {
 RaySet rays_of_picture(const scene::Scene& scene, const raytrace::World& world,
                        const scene::View& view);
 
-/// Processor seconds of one thread, ours and Embree's (robust, one ray at a time), the best of some
-/// runs, and how many hits differ in whether there is one.
+/// Processor seconds of one thread, ours and Embree's (robust, one ray at a time), the best of
+/// several runs, and the number of rays that only one of them finds to hit.
 struct Race {
     double ours = 1e30, embree = 1e30;
     std::size_t rays = 0, differ = 0;
@@ -34,7 +34,7 @@ struct RayRaces {
 };
 RayRaces race(const RaySet& rays, const raytrace::World& world, int runs);
 
-/// Processor seconds of this process so far: what others run on the machine does not count.
+/// Processor seconds of this process so far: other processes do not count.
 double processor_seconds();
 
 }  // namespace gw::bench

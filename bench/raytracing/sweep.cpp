@@ -63,7 +63,7 @@ void set_share(scene::Scene& scene, double wanted) {
     }
 }
 
-/// Twelve balls of about `polygons` triangles together in the room, instead of what lies there.
+/// Twelve balls of about `polygons` triangles together in the room, instead of its objects.
 void set_polygons(scene::Scene& scene, double polygons) {
     const auto& shapes = scene::shapes();
     const auto sphere = std::find_if(shapes.begin(), shapes.end(),

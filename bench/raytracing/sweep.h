@@ -1,4 +1,4 @@
-// What is measured: scenes by one number, and what a measurement of one gives.
+// The measured scenes, each given by one number, and the results of a measurement.
 #pragma once
 
 #include "bench/raytracing/contest.h"
@@ -21,7 +21,7 @@ struct Sweep {
 /// Fig. 9 [K4f]; lights, glossy share of the pixels with one and four lights, polygons, samples.
 std::vector<Sweep> sweeps();
 
-/// Fig. 9, and the same room with twelve balls of so many triangles together.
+/// Fig. 9, and the same room with twelve balls of this number of triangles together.
 scene::Scene fig9();
 scene::Scene room_of_balls(double triangles);
 
@@ -29,7 +29,7 @@ struct Row {
     double x;
     Contest c;
     RayRaces rays;
-    std::size_t megabytes = 0;  ///< the most that the process has held so far
+    std::size_t megabytes = 0;  ///< the process's peak memory so far
 };
 
 }  // namespace gw::bench

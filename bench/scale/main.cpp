@@ -1,9 +1,8 @@
 // bench_scale -o DIR: large scenes. A sheet of waves of 10,000 to 5,000,000 triangles, written as
 // OBJ, drawn by `gw render` as a user would: by passes with shadow volumes, by passes with shadow
-// maps, with an item buffer and traced reflections, by the ordinary ray tracer; seconds of
-// processor time and the most memory that the process held. And how fast the OBJ is read, beside
-// tinyobjloader where that is installed. Writes DIR/seconds.svg, memory.svg and their numbers. Does
-// not compare pictures.
+// maps, with an item buffer and traced reflections, by the ordinary ray tracer. Measures seconds of
+// processor time, peak memory, and the speed of reading the OBJ, compared with tinyobjloader if it
+// is installed. Writes DIR/seconds.svg, memory.svg and their numbers. Does not compare pictures.
 #include "apps/command/peak_memory.h"
 #include "bench/scale/obj_file.h"
 #include "gw/error.h"
@@ -77,7 +76,7 @@ struct Used {
     double seconds = 0, megabytes = 0;
 };
 
-/// Runs a program to its end. Throws Error where it fails.
+/// Runs a program to its end. Throws Error if it fails.
 Used run_program(std::vector<std::string> words) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());

@@ -1,4 +1,4 @@
-// A sheet of waves as an OBJ file, as large as one wants: what reading and drawing are measured on.
+// A sheet of waves as an OBJ file of any size, to measure reading and drawing.
 #pragma once
 
 #include <cstddef>
@@ -6,9 +6,9 @@
 
 namespace gw::bench {
 
-/// About so many triangles. full: with vt and vn, corners as v/vt/vn; else v and v only, which
-/// leaves the normals to the reader. Returns the triangles written. Throws Error where the file
-/// cannot be written.
+/// Writes about this number of triangles. full: with vt and vn, corners as v/vt/vn; else v only, so
+/// that the reader computes normals. Returns the number of triangles written. Throws Error if the
+/// file cannot be written.
 std::size_t write_sheet(const std::filesystem::path& path, double triangles, bool full);
 
 /// Seconds of processor time for reading it into a mesh ready to draw, by our reader, and by

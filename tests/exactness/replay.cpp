@@ -1,7 +1,7 @@
 // gw-replay: replays recordings of another process, compiler or processor. Plays each T.gwt on both
 // machines and compares every plane and counter of every pass with T.json, as gw verify does.
 // scripts/exactness makes the files. Prints "recordings AGREE OF", counting each machine. Exit 3
-// where one differs, 1 for an error, 2 for usage.
+// if one differs, 1 for an error, 2 for usage.
 #include "gw/error.h"
 #include "inspect/manifest/manifest_file.h"
 #include "inspect/recording/recording.h"

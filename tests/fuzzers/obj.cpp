@@ -1,5 +1,5 @@
-// Any bytes as an OBJ file; what follows the line "#mtl" is the MTL file m.mtl beside it. Claim:
-// reading ends with a scene or with an Error of one line.
+// Any bytes as an OBJ file; the bytes after the line "#mtl" are the MTL file m.mtl beside it.
+// Claim: reading ends with a scene or with an Error of one line.
 #include "gw/error.h"
 #include "scene/read_scene.h"
 #include "tests/fuzzers/scene_folder.h"

@@ -1,6 +1,6 @@
 // Reads any bytes as a recording. Claim: they are refused with an Error, or they are a recording
-// that comes back from its own bytes. If it is small, both machines replay it to the same planes;
-// without the fast machine, only the reference machine replays it.
+// that encoding and decoding return unchanged. If it is small, both machines replay it to the same
+// planes; without the fast machine, only the reference machine replays it.
 #include "gw/error.h"
 #include "inspect/replay/player.h"
 

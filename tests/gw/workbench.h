@@ -30,7 +30,7 @@ inline MeshData mesh_data(Primitive primitive, std::vector<vec3> positions,
     return data;
 }
 
-/// The message of the Error that `action` throws; empty where it throws none.
+/// The message of the Error that `action` throws; empty if it throws none.
 template <typename Action>
 std::string error_of(const Action& action) {
     try {
@@ -65,7 +65,7 @@ public:
         list.add(std::move(command));
         run(list);
     }
-    /// Throws Error where the machines refuse the list, which they must do with one message.
+    /// Throws Error if the machines refuse the list, which they must do with one message.
     void run(const CommandList& list) {
         compared_ = false;
         const std::string refusal = error_of([&] { machine_->execute(list); });

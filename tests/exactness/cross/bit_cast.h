@@ -1,6 +1,6 @@
 // std::bit_cast for the C++ library of Debian's Emscripten, which is older than its compiler.
-// Included before every file where the library lacks it (tests/exactness/cross/CMakeLists.txt).
-// Does nothing where the library has it.
+// Included before every file if the library lacks it (tests/exactness/cross/CMakeLists.txt).
+// Does nothing if the library has it.
 #pragma once
 
 #include <version>

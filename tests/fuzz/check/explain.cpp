@@ -56,7 +56,7 @@ private:
     ivec2 pixel_;
 };
 
-/// The stage that decides the plane's value, given what the reference machine did.
+/// The stage that decides the plane's value, given the reference machine's events.
 std::string stage_of(const PixelObserver& seen, const Command& command, const Difference& d) {
     const bool draws = std::holds_alternative<Draw>(command);
     if (seen.lines.empty())

@@ -43,7 +43,7 @@ TEST(Elementary, PowIsAccurate) {
         const auto exact = [y](long double x) { return std::pow(x, static_cast<long double>(y)); };
         expect_below(worst_over_doubles(std::exp2(-1021.9 / y), 1, own, exact), pow_bound);
     }
-    // Huge exponents close to 1: the logarithm must hold its relative precision.
+    // Huge exponents close to 1: the logarithm must keep its relative precision.
     const auto own = [](double x) { return pow(x, 3e8); };
     const auto exact = [](long double x) { return std::pow(x, 3e8L); };
     expect_below(worst_over_doubles(1 - 1e-6, 1 + 1e-6, own, exact), pow_bound);
@@ -69,7 +69,7 @@ TEST(Elementary, SinCosTanAreAccurate) {
     }
 }
 
-// The doubles nearest to multiples of pi/2, where the reduction cancels most.
+// The doubles nearest to multiples of pi/2, at which the reduction cancels most.
 TEST(Elementary, SinCosAreAccurateNearTheirZeros) {
     Worst sin_worst, cos_worst;
     for (int k = 1; k * (pi_long / 2) < static_cast<long double>(largest_angle); ++k) {

@@ -60,7 +60,7 @@ std::size_t used_address_space() {
     return pages * std::size_t(sysconf(_SC_PAGESIZE));
 }
 
-/// In a process of its own whose address space has room for a few stacks only.
+/// In a separate process whose address space has space for only a few stacks.
 TEST(ParallelDeathTest, UsesFewerThreadsWhereTheSystemRefusesThem) {
     if (used_address_space() > std::size_t{200} << 20)
         GTEST_SKIP() << "this program, with sanitizers, reserves too much address space";
@@ -89,7 +89,7 @@ TEST(Parallel, RethrowsAnException) {
                      std::runtime_error);
 }
 
-/// Rounds upwards and flushes denormals to zero where the processor can, during its lifetime.
+/// Rounds upwards and flushes denormals to zero, if the processor can, during its lifetime.
 class OtherEnvironment {
 public:
     OtherEnvironment() {

@@ -1,4 +1,4 @@
-// The stencil operations by plain arithmetic, and a row of pixels that holds every stencil value.
+// The stencil operations by plain arithmetic, and a row of pixels with every stencil value.
 #pragma once
 
 #include "tests/gw/workbench.h"
@@ -27,7 +27,7 @@ inline int operated(StencilOp op, int stored, int ref, int count) {
     return -1;
 }
 
-/// Bit by bit: the new value's bit where the mask has a one, else the stored value's.
+/// Bit by bit: the new value's bit if the mask's is one, else the stored value's.
 inline int masked(int stored, int result, int mask) {
     int out = 0;
     for (int bit = 1; bit < 256; bit *= 2)
@@ -35,7 +35,7 @@ inline int masked(int stored, int result, int mask) {
     return out;
 }
 
-/// 256 pixels of a row hold every stored value.
+/// 256 pixels of a row have every stored value.
 struct Row {
     Workbench bench{ideal(), 256, 1};
     const Rect rect{0, 0, 256, 1};

@@ -98,7 +98,7 @@ void spoil_command(Random& r, CopyTexture& c) { spoil_one(r, c.slot, c.plane, c.
 void spoil_command(Random& r, Read& c) { spoil_one(r, c.plane, c.rect, c.packed); }
 
 /// Changes one field of one command: a mask, an enumeration, a number or a size. Most results are
-/// invalid lists; some are valid with an unusual value.
+/// invalid lists; the others are valid with an unusual value.
 void corrupt(Random& r, CommandList& list) {
     if (list.commands.empty()) return;
     Command& command = list.commands[std::size_t(r.below(int(list.commands.size())))];
@@ -109,7 +109,7 @@ std::string refusal(Machine& machine, const CommandList& list) {
     return test::error_of([&] { machine.execute(list); });
 }
 
-/// Empty where the machines agree about the list; `refused` says whether they refuse it.
+/// Empty if the machines agree about the list; `refused` says whether they refuse it.
 std::string disagreement_about(const Case& c, bool& refused) {
     const auto reference = make_reference(c.profile, c.width, c.height),
                fast = make_fast(c.profile, c.width, c.height, {.threads = 1});

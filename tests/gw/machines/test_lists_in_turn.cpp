@@ -1,5 +1,5 @@
-// Hundreds of short lists on one pair of machines. Meshes and textures of a list are deleted after
-// it, so that later ones may have their addresses; some are used again. Random lists of
+// Hundreds of short lists on one pair of machines. Most meshes and textures are deleted after their
+// list, so that later ones may have their addresses; the others are used again. Random lists of
 // conformance/suites are alone on their machines and keep everything.
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"

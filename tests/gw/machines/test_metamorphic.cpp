@@ -18,7 +18,7 @@ std::unique_ptr<Machine> run(const Case& c, const CommandList& list, int variant
     return machine;
 }
 
-/// Empty where the machines agree.
+/// Empty if the machines agree.
 std::string difference(Machine& a, Machine& b) {
     const auto d = first_difference(a, b);
     return d ? d->what + ": " + d->a + ", " + d->b : "";

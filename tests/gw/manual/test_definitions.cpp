@@ -55,7 +55,7 @@ TEST(ManualNumbers, ComparisonsWithNanAreFalse) {
     EXPECT_EQ(light_terms(spot, p, {0, 0, 1}, {0, 0, 1}, 1, true).ambient, 1 / 1e-30);
 }
 
-/// Fields stand as "`group.member`", or as "`.member`" after the first of their row.
+/// Fields are written as "`group.member`", or as "`.member`" after the first of their row.
 // [R4.1] [R4.2]
 TEST(ManualState, EveryFieldIsInTheTable) {
     const std::string text = page("state.md");

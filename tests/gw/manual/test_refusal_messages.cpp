@@ -30,7 +30,7 @@ std::vector<std::string> messages_of_the_page() {
     return out;
 }
 
-/// Capitals that stand alone are places for values.
+/// Single capitals are placeholders for values.
 std::regex pattern_of(const std::string& message) {
     std::string out;
     for (const char c : message) {

@@ -1,4 +1,4 @@
-// Invalid lists and meshes are refused by both machines, with a message that says what is wrong.
+// Invalid lists and meshes are refused by both machines, with a message that names the fault.
 // docs/manual/commands.md, "Refusals".
 #include "tests/gw/workbench.h"
 

@@ -66,13 +66,13 @@ std::map<std::string, std::set<std::string>> cited() {
     return out;
 }
 
-// Definitions that every test of arithmetic uses, and that no test can hold by itself.
+// Definitions that every test of arithmetic uses, and that no single test can check.
 const std::set<std::string> uncited{
-    "R1.1",  // what a machine is
+    "R1.1",  // the definition of a machine
     "R2.2",  // notation: the order of operations
     "R2.3",  // notation: float32
     "R2.4",  // notation: integers
-    "R2.9",  // a table of formats: each is held where it is made
+    "R2.9",  // a table of formats: each is checked with the stage that makes it
 };
 
 TEST(Manual, EveryRuleIsDeclaredOnce) {

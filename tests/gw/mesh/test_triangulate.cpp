@@ -28,7 +28,7 @@ std::array<vec2, 3> corners(const Polygon& p, const PolygonTriangle& t) {
     return {p[t.corner[0]], p[t.corner[1]], p[t.corner[2]]};
 }
 
-// Counter-clockwise open triangles are disjoint exactly where a side of one has the other on its
+// Counter-clockwise open triangles are disjoint if and only if a side of one has the other on its
 // right or on itself.
 bool apart(const std::array<vec2, 3>& a, const std::array<vec2, 3>& b) {
     const auto beyond = [](const std::array<vec2, 3>& s, const std::array<vec2, 3>& t) {
