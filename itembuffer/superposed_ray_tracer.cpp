@@ -8,9 +8,9 @@
 
 namespace gw::itembuffer {
 
-multipass::Superposition render_by_rays(Machine& machine, const scene::Scene& scene,
-                                        const scene::View& view, int samples,
-                                        const Options& options, bool weighted) {
+multipass::Superposition superpose_ray_traced(Machine& machine, const scene::Scene& scene,
+                                              const scene::View& view, int samples,
+                                              const Options& options, bool weighted) {
     scene::Scene now = scene;
     std::optional<raytrace::World> world;
     const auto draw = [&](const multipass::Sample& sample) {

@@ -9,8 +9,8 @@ namespace gw::itembuffer {
 
 /// Leaves the picture, the mean of at least `samples`, in the machine's colour plane. Ignores
 /// Options::shadow_maps: an ordinary ray tracer has none.
-multipass::Superposition render_by_rays(Machine& machine, const scene::Scene& scene,
-                                        const scene::View& view, int samples,
-                                        const Options& options, bool weighted = false);
+multipass::Superposition superpose_ray_traced(Machine& machine, const scene::Scene& scene,
+                                              const scene::View& view, int samples,
+                                              const Options& options, bool weighted = false);
 
 }  // namespace gw::itembuffer

@@ -1,28 +1,45 @@
-// What the files of the subcommands and main have in common. One file per subcommand: info.cpp,
-// render.cpp, ... Does not know what any of them does.
+// The command line: its words, its subcommands and their exit codes. Each subcommand has a file of
+// its own: info.cpp, render.cpp, ... Does not know what a subcommand does.
 #pragma once
 
-#include "apps/command/cli_fwd.h"
-#include "apps/command/session.h"
+#include "image/output/input_files.h"
 
 #include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+// CLI11's own header takes a compiler seconds.
+namespace CLI {
+class App;
+}
+
 namespace gw::apps {
+
+class CommandRecorder;
 
 enum ExitCode { Done = 0, Failed = 1, Usage = 2, Differs = 3 };
 
 /// The command line is wrong, whatever the files hold: exit code 2. Readers and writers throw
-/// gw::Error: 1.
+/// gw::Error, exit code 1.
 class UsageError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// A subcommand: its options, which parsing fills in, and what to do then; `run` returns an
-/// ExitCode.
+/// One run of the command line, as its subcommand gets it.
+struct Session {
+    /// The words after "gw": "maps", "a.gwt", "-o", "dir".
+    std::vector<std::string> words;
+    /// Records every list that a machine executes; null: no recording.
+    CommandRecorder* recorder = nullptr;
+    /// Files read so far: no output may replace them.
+    image::InputFiles inputs;
+    /// Another command runs this one, as gw figures does, and describes the output itself.
+    bool is_inner = false;
+};
+
+/// A subcommand: parsing fills in its options, then `run` acts on them and returns an ExitCode.
 struct Command {
     CLI::App* app = nullptr;
     std::function<int(Session&)> run;
@@ -49,11 +66,18 @@ Command add_radiosity(CLI::App& app);
 Command add_info(CLI::App& app);
 Command add_describe(CLI::App& app);
 
-/// Parses and runs the session's words, and returns an ExitCode. Throws UsageError, Error and what
-/// else goes wrong.
+/// Parses and runs the session's words. Returns an ExitCode; throws UsageError, Error or another
+/// std::exception.
 int run_command(Session session);
 
 /// The whole program: parses, runs, prints every error as one line "gw: ..." on stderr.
 int run(const std::vector<std::string>& arguments);
+
+/// The number of this version of gw.
+std::string version();
+
+/// The words after "gw" as a line for a shell at the repository's root, quoted where a shell would
+/// change them: "build/release/bin/gw render 'my scene.toml'".
+std::string shell_command(const std::vector<std::string>& words);
 
 }  // namespace gw::apps

@@ -1,11 +1,11 @@
 #include "apps/command/command_recorder.h"
 
-#include "apps/command/versions.h"
+#include "apps/command/command.h"
 #include "inspect/replay/recorder.h"
 
 namespace gw::apps {
 
-/// Of one machine, which may be gone.
+/// The lists of one machine, which may no longer exist.
 struct CommandRecorder::Track {
     Profile profile;
     int width = 0, height = 0;

@@ -1,4 +1,4 @@
-// Keeps what the machines of a command execute, as recordings. Does not write files.
+// Records every list that a command's machines execute. Does not write files.
 #pragma once
 
 #include "inspect/recording/recording.h"
@@ -22,13 +22,14 @@ public:
     CommandRecorder(const CommandRecorder&) = delete;
     CommandRecorder& operator=(const CommandRecorder&) = delete;
 
-    /// The machine, every list that it executes kept. From any thread; each machine is used by one.
+    /// The machine; every list that it executes is recorded. May be called from any thread; each
+    /// machine is used by one thread.
     std::unique_ptr<Machine> add(std::unique_ptr<Machine> machine, int width, int height);
     /// The recordings' parameter sets, by the passes' names.
     void add_parameter_sets(const std::map<std::string, std::string>& sets);
 
-    /// A recording of each machine that executed something, in the order in which they were added.
-    /// `scene` and `renderer` are names for the recordings. Nothing stays behind.
+    /// A recording of each machine that executed a list, in the order in which they were added.
+    /// `scene` and `renderer` are names for the recordings. Empties the recorder.
     std::vector<inspect::Recording> take(const std::string& scene, const std::string& renderer);
 
 private:
@@ -39,7 +40,7 @@ private:
     std::vector<inspect::ParameterSet> sets_;
 };
 
-/// The machine as it is where `recorder` is null, else added to it.
+/// The machine, added to the recorder; if `recorder` is null, the machine alone.
 std::unique_ptr<Machine> recorded(std::unique_ptr<Machine> machine, int width, int height,
                                   CommandRecorder* recorder);
 

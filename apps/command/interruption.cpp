@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
 
-// Plain memory, because a signal handler may touch nothing more. Texts alternate: one is whole at
-// any time.
+// Plain memory, because a signal handler may touch nothing more. The two texts alternate, so that
+// one is complete at any time.
 std::array<std::array<char, 501>, 2> texts{};
 std::atomic<std::size_t> current{0};
 std::array<struct sigaction, signals.size()> before{};

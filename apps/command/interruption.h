@@ -1,13 +1,13 @@
-// What is said when a signal ends long work: what is there, and how to go on.
-// Does not remove temporary files (image/output/temporaries.h does, next).
+// The text that is printed when a signal ends long work: which results exist, and how to go on.
+// Does not remove temporary files: image/output/temporaries.h does, next.
 #pragma once
 
 #include <string>
 
 namespace gw::apps {
 
-/// While one lives, SIGINT, SIGTERM and SIGHUP write the last text to stderr before they end the
-/// process as they would have without it.
+/// While one lives, SIGINT, SIGTERM and SIGHUP write the last text to stderr. Then they end the
+/// process as usual.
 class Interruption {
 public:
     Interruption();

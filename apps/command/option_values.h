@@ -1,5 +1,5 @@
-// Words of the command line as values. Each throws UsageError "--size 0x0: expected ...", which is
-// exit code 2. Does not know the options: they pass their names for the message.
+// Words of the command line as values. Each function throws UsageError "--size 0x0: expected ...",
+// exit code 2. Callers pass the option's name for the message.
 #pragma once
 
 #include "gw/base/types.h"
@@ -26,10 +26,10 @@ std::pair<int, int> range_from(const std::string& option, const std::string& wor
 double number_from(const std::string& option, const std::string& word, double low, double high);
 /// "1,2.5,-3"
 dvec3 point_from(const std::string& option, const std::string& word);
-/// Of a picture to be written: throws UsageError where no format has its extension, Error where the
-/// file cannot be written.
+/// Checks the name of a picture to write. Throws UsageError if no format has its extension, Error
+/// if the file cannot be written.
 void check_picture_target(const std::filesystem::path& file);
-/// One of `known`; else the message lists them.
+/// The word, which is one of `known`; the error message lists them.
 std::string one_of(const std::string& option, const std::string& word,
                    const std::vector<std::string>& known);
 

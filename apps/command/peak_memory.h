@@ -1,4 +1,4 @@
-// How much memory a process has held at most.
+// The peak memory of a process.
 #pragma once
 
 #include <sys/resource.h>
@@ -7,7 +7,7 @@
 
 namespace gw {
 
-/// In bytes; kept resident, programs and libraries included.
+/// In bytes: the largest resident set, programs and libraries included.
 inline std::size_t peak_memory(const rusage& usage) {
 #ifdef __APPLE__
     return std::size_t(usage.ru_maxrss);

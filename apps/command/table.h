@@ -1,5 +1,5 @@
-// Rows of words as a table: the first column to the left, the others to the right, two blanks
-// between; cut into parts where it is wider than a terminal.
+// Rows of words as a table. The first column is aligned to the left, the others to the right, with
+// two blanks between. A table that is wider than a terminal is cut into parts.
 #pragma once
 
 #include <string>
@@ -7,12 +7,11 @@
 
 namespace gw::apps {
 
-/// All rows are as long as the first.
+/// Each row has as many words as the first.
 std::string table(const std::vector<std::vector<std::string>>& rows);
 
-/// The same in parts below each other, each with the first column and as many of the others as each
-/// has: as few parts as lines of `width` characters allow, one column at least in each; an empty
-/// line between.
+/// The table in as few parts as lines of `width` characters allow, an empty line between them. Each
+/// part repeats the first column and has the same number of further columns, at least one.
 std::string table_in_parts(const std::vector<std::vector<std::string>>& rows, std::size_t width);
 
 }  // namespace gw::apps

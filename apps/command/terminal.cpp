@@ -4,11 +4,12 @@
 
 #include <fcntl.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <system_error>
 
 namespace gw::apps {
 namespace {
@@ -103,5 +104,40 @@ void print_error(std::string_view text) {
 void clear_error_line() { std::fputs("\r\033[K", stderr); }
 
 bool error_is_terminal() { return ::isatty(STDERR_FILENO) == 1; }
+
+Progress::Progress(std::string what, bool quiet) : what_(std::move(what)) {
+    if (quiet || !error_is_terminal()) return;
+    try {
+        thread_ = std::thread([this] { show(); });
+    } catch (const std::system_error&) {
+        // The system refuses another thread: the work goes on without progress.
+    }
+}
+
+Progress::~Progress() {
+    {
+        const std::lock_guard lock(mutex_);
+        end_ = true;
+    }
+    ended_.notify_one();
+    if (thread_.joinable()) thread_.join();
+}
+
+void Progress::at(std::string what) {
+    const std::lock_guard lock(mutex_);
+    what_ = std::move(what);
+}
+
+void Progress::show() {
+    std::unique_lock lock(mutex_);
+    for (int seconds = 1;; ++seconds) {
+        if (ended_.wait_for(lock, std::chrono::seconds(1), [this] { return end_; })) {
+            if (seconds > 1) clear_error_line();
+            return;
+        }
+        clear_error_line();
+        print_error(as_one_line("gw: " + what_ + ", " + std::to_string(seconds) + " s"));
+    }
+}
 
 }  // namespace gw::apps

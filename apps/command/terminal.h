@@ -1,20 +1,23 @@
-// Text to stdout and stderr. Names and messages may come from anybody's files: control characters
-// are shown, not obeyed. A full disk behind stdout is an error like any other.
+// Text to stdout and stderr, and a line of progress. Names and messages may come from any file:
+// control characters are printed as \x1b. Throws Error if stdout cannot be written.
 #pragma once
 
+#include <condition_variable>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace gw::apps {
 
 /// Control characters but newline and tab, and bytes that are not UTF-8, as \\x1b.
 std::string without_controls(std::string_view text);
-/// One line that fits on a screen or two: newlines are blanks, and a long text (a library may
-/// repeat a whole file) loses its middle.
+/// At most two screens on one line: newlines become blanks, and a long text loses its middle. (A
+/// library's message may repeat a whole file.)
 std::string as_one_line(std::string_view text);
 
 void print(std::string_view text);
-/// While one lives, `print` prints nothing: a command runs for the files that it writes.
+/// While one lives, `print` prints nothing: only the command's files are wanted.
 class SilenceStdout {
 public:
     SilenceStdout();
@@ -22,16 +25,39 @@ public:
     SilenceStdout(const SilenceStdout&) = delete;
     SilenceStdout& operator=(const SilenceStdout&) = delete;
 };
-/// Throws Error when something printed did not arrive.
+/// Throws Error if printed text could not be written.
 void flush_output();
 
-/// Where the process was started with closed standard streams: a file of ours must not become one
-/// of them.
+/// Occupies standard streams that were closed when the process started: no file may get their
+/// numbers.
 void hold_standard_streams();
 
 void print_error(std::string_view text);
-/// The cursor at the beginning of an empty line, for a line that replaces the last one.
+/// Clears the line on stderr and puts the cursor at its beginning.
 void clear_error_line();
 bool error_is_terminal();
+
+/// Prints "gw: drawing, 3 s" on a terminal when work takes longer than a second. Does not know how
+/// much is left: a machine executes a list as a whole.
+class Progress {
+public:
+    /// Silent if `quiet` or if stderr is no terminal.
+    Progress(std::string what, bool quiet);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// The work that is under way from now on: "frame 3 of 36".
+    void at(std::string what);
+
+private:
+    void show();
+
+    std::mutex mutex_;
+    std::condition_variable ended_;
+    bool end_ = false;
+    std::string what_;
+    std::thread thread_;
+};
 
 }  // namespace gw::apps

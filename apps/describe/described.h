@@ -2,7 +2,7 @@
 // told.
 #pragma once
 
-#include "apps/command/cli_fwd.h"
+#include "apps/command/command.h"
 
 #include <string>
 #include <vector>

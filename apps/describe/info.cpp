@@ -1,17 +1,40 @@
-// gw info: what this build of the machine is and what it was made with.
+// gw info: the profiles, limits and vectors of this build, and its compiler and libraries.
 #include "apps/command/command.h"
 #include "apps/command/terminal.h"
-#include "apps/command/versions.h"
 #include "gw/machine.h"
+#include "image/write.h"
 #include "inspect/manifest/profile_json.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <CLI/Version.hpp>
+#include <glm/detail/setup.hpp>
+#include <nlohmann/json_fwd.hpp>
+
 #include <memory>
 #include <thread>
 
 namespace gw::apps {
 namespace {
+
+/// The libraries and the compiler that gw was built with: name, number; in a fixed order.
+std::vector<std::pair<std::string, std::string>> versions() {
+    return {
+#ifdef __clang__
+        {"compiler", "clang++ " __clang_version__},
+#else
+        {"compiler", "g++ " __VERSION__},
+#endif
+        {"OpenImageIO", image::library_version()},
+        {"GLM", fmt::format("{}.{}.{}.{}", GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH,
+                            GLM_VERSION_REVISION)},
+        {"CLI11", CLI11_VERSION},
+        {"fmt",
+         fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
+        {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,
+                                      NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+    };
+}
 
 std::string extensions_of(const Profile& profile) {
     std::string names;
@@ -29,7 +52,7 @@ struct Row {
     const char* title;
     int Profile::*bits;
 };
-constexpr Row rows[] = {
+constexpr Row profile_rows[] = {
     {"colour, bits per channel", &Profile::color_bits},
     {"Z, bits", &Profile::depth_bits},
     {"stencil, bits", &Profile::stencil_bits},
@@ -48,7 +71,7 @@ std::string line(const std::string& title, const std::function<std::string(const
 std::string text() {
     std::string out = fmt::format("gw {}\n\nprofiles\n", version());
     out += line("", [](const Profile& p) { return p.name; });
-    for (const Row& row : rows) {
+    for (const Row& row : profile_rows) {
         out += line(row.title, [&](const Profile& p) { return std::to_string(p.*row.bits); });
     }
     out +=

@@ -1,10 +1,12 @@
-// The figures of the papers that this program makes: those of figures.toml, which is built in. Does
-// not draw: figures.cpp runs the commands.
+// The papers' figures as data: figures.toml, which is built into the program, and its commands as
+// words of the command line. Does not run them.
 #pragma once
 
+#include "apps/command/command.h"
 #include "apps/command/option_values.h"
 #include "apps/figures/folder_index.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,9 +14,9 @@
 
 namespace gw::apps {
 
-/// One command, as typed after "gw", and the pictures of it that are shown, in the figure's folder.
-/// "@" stands for the figure's folder, so that "-o @a.png" becomes "-o DIR/fig1/a.png". For the
-/// command render, the size and a file of counters are added.
+/// One command, as typed after "gw", and those of its pictures that the page shows. "@" stands for
+/// the figure's folder: "-o @a.png" becomes "-o DIR/fig1/a.png". The command render also gets the
+/// size and a file of counters.
 struct Panel {
     std::string command;
     std::vector<Shown> pictures;
@@ -24,15 +26,28 @@ struct Figure {
     std::string name;  ///< of its folder, and for --only
     std::string row;   ///< of docs/papers.md
     std::string title;
-    std::string text;  ///< what to look at; HTML's <, > and & are not special
+    std::string text;  ///< tells the reader where to look; HTML's <, > and & are not special
     std::vector<Panel> panels;
-    std::optional<Size> size = Size{};  ///< none: the commands say theirs themselves
+    std::optional<Size> size = Size{};  ///< none: the commands name their own
 };
 
-/// All of them, in the order of the page.
+/// All figures, in the order of the page.
 const std::vector<Figure>& figures();
 
-/// "figures.toml", as it was when the program was built.
+/// The text of the file "figures.toml" when the program was built.
 std::string_view embedded_figures(std::string_view name);
+
+/// The panel's words after "gw", with the folder in place of "@".
+std::vector<std::string> words_of(const Panel& panel, const std::filesystem::path& folder);
+
+/// The value of an option among words; null if the option is absent.
+const std::string* option_in(const std::vector<std::string>& words, const std::string& name);
+/// Gives the option this value; adds the option if it is absent.
+void set_option(std::vector<std::string>& words, const std::string& name, const std::string& value);
+
+/// Adds --only NAME, which may be repeated.
+void add_only_option(CLI::App& command, std::vector<std::string>& only);
+/// The figures of these names, in the table's order; all figures if there are no names.
+std::vector<const Figure*> wanted_figures(const std::vector<std::string>& only);
 
 }  // namespace gw::apps

@@ -1,25 +1,89 @@
-// gw figures: the papers' figures into a folder, with a page that shows them.
+// gw figures: draws the papers' figures into a folder, with a page that shows them.
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
-#include "apps/command/shell_command.h"
 #include "apps/command/terminal.h"
-#include "apps/figures/figure_entry.h"
+#include "apps/figures/figure_table.h"
 #include "apps/figures/folder_index.h"
-#include "apps/figures/index_page.h"
-#include "apps/figures/panel_words.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace gw::apps {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+// A figure as an entry of its folder's index: pictures, commands, what these counted. Does not
+// draw.
+/// A panel as it ran.
+struct RanPanel {
+    const Panel* panel = nullptr;
+    std::string command;   ///< to be pasted in a shell
+    std::string counters;  ///< file in the figure's folder, "" for none
+};
+
+/// 1234567 as "1,234,567".
+std::string grouped(std::uint64_t number) {
+    std::string digits = std::to_string(number);
+    for (int at = int(digits.size()) - 3; at > 0; at -= 3) digits.insert(std::size_t(at), ",");
+    return digits;
+}
+
+std::string counts_of(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw Error(file.string() + ": cannot be read");
+    const auto json = nlohmann::json::parse(stream);
+    const auto passes = json["passes"].get<std::uint64_t>();
+    const auto sum = [&](const char* name) {
+        return grouped(json["sum"][name].get<std::uint64_t>());
+    };
+    return fmt::format(
+        "{} {}; {} triangles and lines drawn, {} fragments, {} written, {} texels, {} bytes",
+        grouped(passes), passes == 1 ? "pass" : "passes", sum("drawn"), sum("fragments"),
+        sum("written"), sum("texels"), sum("bytes"));
+}
+
+/// Files are named from the folder of all figures. Reads the files of counters. Throws Error.
+IndexEntry figure_entry(const Figure& figure, const std::filesystem::path& folder,
+                        const std::vector<RanPanel>& panels) {
+    IndexEntry entry{.name = figure.name,
+                     .title = figure.title,
+                     .row = figure.row,
+                     .text = figure.text,
+                     .pictures = {},
+                     .files = {},
+                     .page = {},
+                     .commands = {}};
+    for (const RanPanel& ran : panels) {
+        for (const Shown& shown : ran.panel->pictures)
+            entry.pictures.push_back({figure.name + "/" + shown.file, shown.label});
+        IndexedCommand command{ran.command, {}, {}};
+        if (!ran.counters.empty()) {
+            command.counters = figure.name + "/" + ran.counters;
+            command.counts = counts_of(folder / command.counters);
+        }
+        entry.commands.push_back(std::move(command));
+    }
+    return entry;
+}
+
+/// Figures in the order of their table, then all other entries.
+void sort_by_table(FolderIndex& index) {
+    const auto place = [](const IndexEntry& entry) {
+        return std::ranges::find(figures(), entry.name, &Figure::name) - figures().begin();
+    };
+    std::ranges::stable_sort(index, {}, place);
+}
 
 struct FiguresOptions {
     fs::path folder;
@@ -102,16 +166,16 @@ Command add_figures(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("figures", "The figures of the papers, with a page that shows them");
     const auto options = std::make_shared<FiguresOptions>();
-    command->add_option("DIR", options->folder, "Where to; made where it is missing")
+    command->add_option("DIR", options->folder, "The folder of the figures; created if missing")
         ->type_name("DIR");
     add_only_option(*command, options->only);
     command
         ->add_option_function<std::string>(
             "--size",
             [options](const std::string& word) { options->size = size_from("--size", word); },
-            "Pixels of each picture (default: what suits the figure)")
+            "Pixels of each picture (default: the figure's own)")
         ->type_name("WxH");
-    command->add_flag("--list", options->list, "Print names, rows and titles, and draw nothing");
+    command->add_flag("--list", options->list, "Only print names, rows and titles");
     command->add_flag("--quiet", options->quiet, "No progress");
     command->footer("Example:\n  build/release/bin/gw figures figures --only fig1");
     return {command, [options](Session&) { return make_figures(*options); }};

@@ -1,13 +1,14 @@
 #include "apps/figures/folder_index.h"
 
-#include "apps/command/shell_command.h"
-#include "apps/figures/index_page.h"
 #include "gw/error.h"
+#include "study/plot/markup.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 
 namespace gw::apps {
 
@@ -57,7 +58,7 @@ bool has(const IndexEntry& entry, const std::string& file) {
            std::ranges::find(entry.pictures, file, &Shown::file) != entry.pictures.end();
 }
 
-/// Without the files of `other`.
+/// Removes the files of `other` from the entry.
 void take_away(IndexEntry& entry, const IndexEntry& other) {
     std::erase_if(entry.pictures, [&](const Shown& shown) { return has(other, shown.file); });
     std::erase_if(entry.files, [&](const std::string& file) { return has(other, file); });
@@ -74,6 +75,73 @@ std::string label_of(const fs::path& file) {
     std::string label = file.stem().string();
     std::ranges::replace(label, '_', ' ');
     return label;
+}
+
+using plot::escaped;
+
+constexpr const char* mark = "<meta name=\"generator\" content=\"gw index\">";
+
+constexpr const char* style = R"(<style>
+:root { color-scheme: light dark }
+body { font-family: system-ui, sans-serif; max-width: 84em; margin: 1em auto; padding: 0 1em; line-height: 1.4 }
+nav a { margin-right: 1em; white-space: nowrap }
+section { margin-top: 2.5em; border-top: 1px solid #8888 }
+h2 small { font-weight: normal; opacity: .75 }
+.panels { display: flex; flex-wrap: wrap; gap: 1em; align-items: flex-start }
+figure { margin: 0; flex: 0 1 24em }
+img { width: 100%; image-rendering: pixelated; background: #fff }
+code { display: block; font-size: 80%; overflow-wrap: anywhere; margin: .4em 0 }
+.counts, .files { font-size: 80%; opacity: .85 }
+.files a { margin-right: .8em }
+@media print { section { break-inside: avoid } }
+</style>
+)";
+
+/// The file's name as part of an address: unusual characters become %XX, byte by byte.
+std::string address_of(const std::string& file) {
+    std::string text;
+    for (const char c : file) {
+        const bool usual = std::isalnum(static_cast<unsigned char>(c)) ||
+                           std::string_view("-_./~").find(c) != std::string_view::npos;
+        text += usual ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    return text;
+}
+
+std::string link(const std::string& file, const std::string& words) {
+    return fmt::format("<a href=\"{}\">{}</a>", address_of(file), escaped(words));
+}
+
+std::string picture(const Shown& shown) {
+    return fmt::format(
+        "<figure><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\" "
+        "loading=\"lazy\"></a><figcaption>{1}</figcaption></figure>\n",
+        address_of(shown.file), escaped(shown.label));
+}
+
+std::string command(const IndexedCommand& made) {
+    std::string text = "<code>" + escaped(made.command) + "</code>\n";
+    if (made.counts.empty()) return text;
+    text += "<span class=\"counts\">" + escaped(made.counts);
+    if (!made.counters.empty()) text += " (" + link(made.counters, "pass by pass") + ")";
+    return text + "</span>\n";
+}
+
+std::string section(const IndexEntry& entry, const std::string& name) {
+    std::string text =
+        fmt::format("<section id=\"{}\"><h2>{}", escaped(name), escaped(entry.title));
+    if (!entry.row.empty()) text += " <small>[" + escaped(entry.row) + "]</small>";
+    text += "</h2>\n";
+    if (!entry.text.empty()) text += "<p>" + escaped(entry.text) + "</p>\n";
+    if (!entry.page.empty()) text += "<p>" + link(entry.page, entry.page) + "</p>\n";
+    text += "<div class=\"panels\">\n";
+    for (const Shown& shown : entry.pictures) text += picture(shown);
+    text += "</div>\n";
+    for (const IndexedCommand& made : entry.commands) text += command(made);
+    if (!entry.files.empty()) text += "<p class=\"files\">";
+    for (const std::string& file : entry.files) text += link(file, file) + "\n";
+    if (!entry.files.empty()) text += "</p>\n";
+    return text + "</section>\n";
 }
 
 }  // namespace
@@ -93,7 +161,7 @@ FolderIndex read_index(const fs::path& folder) {
         const Json json = Json::parse(std::ifstream(file, std::ios::binary));
         if (json.at("format") != format_name || json.at("version") != 1)
             throw Error(file.string(), 0,
-                        "is of another kind; expected the index of a folder that gw wrote");
+                        "has another format; expected the index of a folder that gw wrote");
         for (const Json& entry : json.at("entries")) index.push_back(entry_from(entry));
     } catch (const Json::exception& error) {
         throw Error(file.string(), 0,
@@ -166,6 +234,34 @@ void put_index(image::OutputSet& output, const fs::path& folder, const Session& 
     add_entry(index, std::move(entry));
     output.add(folder / index_file).write_text(to_json(index));
     if (page_is_ours) output.add(page).write_text(index_page(index, page_of_folder(folder)));
+}
+
+PageWords page_of_folder(const std::filesystem::path& folder) {
+    return {folder.lexically_normal().string(),
+            "The commands that made the pictures stand below them."};
+}
+
+std::string index_page(const FolderIndex& index, const PageWords& words) {
+    std::string links, sections;
+    for (std::size_t i = 0; i < index.size(); ++i) {
+        const std::string name =
+            index[i].name.empty() ? fmt::format("entry-{}", i + 1) : index[i].name;
+        links += fmt::format("<a href=\"#{}\">{}</a>\n", escaped(name), escaped(index[i].title));
+        sections += section(index[i], name);
+    }
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\">{}\n<meta name=\"viewport\" "
+        "content=\"width=device-width\">\n<title>GW: {}</title>\n{}<h1>{}</h1>\n<p>{}</p>\n"
+        "<nav>{}</nav>\n{}</html>\n",
+        mark, escaped(words.title), style, escaped(words.title), escaped(words.text), links,
+        sections);
+}
+
+bool is_index_page(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string begin(300, '\0');
+    stream.read(begin.data(), std::ptrdiff_t(begin.size()));
+    return begin.find(mark) != begin.npos;
 }
 
 }  // namespace gw::apps

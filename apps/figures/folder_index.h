@@ -1,8 +1,8 @@
-// What commands wrote into a folder: pictures and plots with the command that made each. Kept in
-// the folder's index.json; index_page.h shows it. Does not draw.
+// The index of a folder: the pictures and plots that commands wrote there, with the command of each.
+// It is stored in index.json and shown by index.html, plain HTML without network. Does not draw.
 #pragma once
 
-#include "apps/command/session.h"
+#include "apps/command/command.h"
 #include "image/output/output_set.h"
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace gw::apps {
 
-/// A picture or plot, and what is said under it.
+/// A picture or plot, and its caption.
 struct Shown {
     std::string file;  ///< from the folder of the index
     std::string label;
@@ -20,8 +20,8 @@ struct Shown {
 
 struct IndexedCommand {
     std::string command;   ///< to be pasted in a shell
-    std::string counts;    ///< what it counted, "" for nothing
-    std::string counters;  ///< the file with these counts pass by pass, "" for none
+    std::string counts;    ///< its counts in a line, "" for none
+    std::string counters;  ///< the file with the counts of each pass, "" for none
     bool operator==(const IndexedCommand&) const = default;
 };
 
@@ -30,8 +30,8 @@ struct IndexEntry {
     std::string name;  ///< of its section
     std::string title, row, text;
     std::vector<Shown> pictures;
-    std::vector<std::string> files;  ///< others: numbers, logs, exact values
-    std::string page;                ///< a page of its own that shows more, "" for none
+    std::vector<std::string> files;  ///< all others: numbers, logs, exact values
+    std::string page;                ///< a page that shows more, "" for none
     std::vector<IndexedCommand> commands;
     bool operator==(const IndexEntry&) const = default;
 };
@@ -43,27 +43,38 @@ using FolderIndex = std::vector<IndexEntry>;
 
 inline constexpr const char* index_file = "index.json";
 
-/// Empty where the folder has none. Throws Error "index.json: what" where it is damaged.
+/// Empty if the folder has none. Throws Error "index.json: what" if it is damaged.
 FolderIndex read_index(const std::filesystem::path& folder);
 std::string to_json(const FolderIndex& index);
 
-/// A file belongs to the entry that wrote it last: from the others it is taken, and an entry that
-/// has none any more goes away. An entry of the same commands is replaced where it stands but keeps
-/// its other files.
+/// Adds an entry, or replaces the entry of the same commands, which keeps its other files. A file
+/// belongs to the entry that wrote it last. An entry whose last file went to another is removed.
 void add_entry(FolderIndex& index, IndexEntry entry);
 
-/// Of files in a folder: what can be looked at is shown, the rest is named.
+/// An entry for files in a folder: pictures are shown, all other files are named.
 IndexEntry entry_of(const std::vector<std::filesystem::path>& files,
                     const std::filesystem::path& folder);
 
-/// Of the command with these words, and named after it: "gw maps rings.gwt".
+/// Gives the entry the command with these words and a title: "gw maps rings.gwt".
 void caption(IndexEntry& entry, const std::vector<std::string>& words);
 
-/// Adds to the folder's index.json and index.html what `output` is about to write there, as the
-/// work of the session's command. An index.html of another kind stays, and the folder is left alone
-/// where its index.json is of another kind: what was drawn is worth more than its index. Does
-/// nothing in an inner session: the outer command describes its output itself.
+/// Adds the files that `output` is about to write to the folder's index.json and index.html, as the
+/// work of the session's command. Keeps an index.html that gw did not write, and writes neither if
+/// index.json is not gw's: the pictures matter more than their index. Does nothing in an inner
+/// session: the outer command describes its output itself.
 void put_index(image::OutputSet& output, const std::filesystem::path& folder,
                const Session& session);
+
+struct PageWords {
+    std::string title, text;
+};
+/// The words of the page of any folder.
+PageWords page_of_folder(const std::filesystem::path& folder);
+
+/// A section for each entry, with its pictures, and the commands as captions.
+std::string index_page(const FolderIndex& index, const PageWords& words);
+
+/// True if index_page made the file: it may be replaced.
+bool is_index_page(const std::filesystem::path& file);
 
 }  // namespace gw::apps

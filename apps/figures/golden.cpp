@@ -1,28 +1,111 @@
-// gw golden: every pass of every figure, on each profile, against manifests that are kept in a
-// folder.
+// gw golden: compares every pass of every figure, on each profile, with a folder of manifests.
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
+#include "apps/command/command_recorder.h"
 #include "apps/command/terminal.h"
+#include "apps/figures/figure_table.h"
 #include "apps/figures/folder_index.h"
-#include "apps/figures/golden_run.h"
-#include "apps/figures/panel_words.h"
 #include "apps/recordings/machine_options.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
+#include "gw/profile.h"
 #include "image/write.h"
 #include "inspect/manifest/merge_runs.h"
+#include "inspect/recording/recording.h"
 #include "inspect/text/plural.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <cstdlib>
+#include <filesystem>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace gw::apps {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+/// A panel's recording, and the name of its manifest in the folder of goldens: "fig1/3_vgx.json".
+struct GoldenRecording {
+    std::filesystem::path file;
+    inspect::Recording recording;
+};
+
+/// A temporary folder for the pictures, which nobody looks at.
+class Scratch {
+public:
+    Scratch() {
+        std::string name = (fs::temp_directory_path() / "gw-golden-XXXXXX").string();
+        if (!::mkdtemp(name.data()))
+            throw Error(name + ": cannot be made; expected a folder for pictures");
+        folder_ = name;
+    }
+    ~Scratch() {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    const fs::path& folder() const { return folder_; }
+
+private:
+    fs::path folder_;
+};
+
+std::vector<std::string> small_words(const Panel& panel, const Profile& profile,
+                                     const fs::path& folder) {
+    std::vector<std::string> words = words_of(panel, folder);
+    words.push_back("--quiet");
+    if (words[0] == "study") {
+        set_option(words, "--samples", "4");
+        return words;
+    }
+    set_option(words, "--size", "96x72");
+    set_option(words, "--profile", profile.name);
+    if (option_in(words, "--samples")) set_option(words, "--samples", "2");
+    if (words[0] == "radiosity")
+        for (const auto& [option, value] :
+             {std::pair{"--shots", "2"}, {"--hemicube", "16"}, {"--threads", "1"}})
+            set_option(words, option, value);
+    return words;
+}
+
+std::vector<inspect::Recording> run_panel(const Panel& panel, const Profile& profile) {
+    const Scratch scratch;
+    const SilenceStdout muted;
+    CommandRecorder recorder;
+    const std::vector<std::string> words = small_words(panel, profile, scratch.folder());
+    if (run_command({.words = words, .recorder = &recorder, .is_inner = true}) != Done)
+        throw Error("gw " + panel.command + ": does not work");
+    return recorder.take(words[1], words[0]);
+}
+
+/// Panel `index` from 0, on these profiles. 96 x 72 pixels; radiosity: two shots of small
+/// hemicubes. A panel that superposes does it at most twice where the scene does not ask for more.
+/// What does not depend on the profile asked for (a study's machines, hemicubes) comes with the
+/// first of all profiles.
+std::vector<GoldenRecording> run_golden_panel(const Figure& figure, std::size_t index,
+                                              const std::vector<Profile>& profiles) {
+    const Panel& panel = figure.panels[index];
+    const bool has_profile = !panel.command.starts_with("study ");
+    std::vector<GoldenRecording> all;
+    std::set<std::string> taken;
+    for (const Profile& profile : profiles) {
+        const bool first = profile == gw::profiles().front();
+        if (!first && !has_profile) continue;
+        for (inspect::Recording& r : run_panel(panel, profile)) {
+            if (!first && r.profile != profile) continue;
+            const std::string stem = fmt::format("{}_{}", index + 1, r.profile.name);
+            std::string name = stem;
+            for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}_{}", stem, i);
+            all.push_back({fs::path(figure.name) / (name + ".json"), std::move(r)});
+        }
+    }
+    return all;
+}
 
 struct GoldenOptions {
     fs::path folder, recordings;
@@ -32,13 +115,13 @@ struct GoldenOptions {
     bool update = false;
 };
 
-/// What was found in all figures so far.
+/// The counts over all figures so far.
 struct Tally {
     std::size_t manifests = 0, passes = 0, different = 0;
     std::set<fs::path> files;
 };
 
-/// As another process would: from its bytes.
+/// The recording as another process would read it, from its bytes.
 inspect::Recording reread(const inspect::Recording& recording) {
     return inspect::decode(inspect::encode(recording));
 }
@@ -62,8 +145,8 @@ std::optional<inspect::Finding> difference(const inspect::Manifest& expected,
     if (finding)
         finding->notes.push_back(
             expected.commands_hash == actual.commands_hash
-                ? "the commands are the same: the machine is another one"
-                : "the commands are others: what makes the passes has changed");
+                ? "the commands are the same: the machine differs"
+                : "the commands differ: the code that makes the passes has changed");
     if (!finding && options.machine.both())
         finding =
             compare_machines(recording, inspect::maker_of("reference"), options.machine.make());
@@ -91,7 +174,7 @@ void update(const GoldenRecording& golden, const GoldenOptions& options, Tally& 
     image::write_file(file, to_json(manifest));
 }
 
-/// Manifests of a figure that none of its panels makes any more.
+/// Reports, or with --update removes, manifests that none of the figure's panels makes any more.
 void check_unknown(const Figure& figure, const GoldenOptions& options, Tally& tally) {
     std::set<fs::path> unknown;
     std::error_code none;
@@ -127,7 +210,7 @@ int golden(const GoldenOptions& options) {
     if (options.update) make_folder(options.folder);
     if (!fs::is_directory(options.folder))
         throw Error(options.folder.string(), 0,
-                    "is no folder; expected goldens, which --update makes");
+                    "is no folder; expected goldens, which --update writes");
     if (!options.recordings.empty()) make_folder(options.recordings);
     Progress progress("goldens", options.machine.quiet);
     Tally tally;
@@ -138,7 +221,7 @@ int golden(const GoldenOptions& options) {
                       inspect::plural(std::uint64_t(tally.passes), "pass", "passes"),
                       options.update ? "written"
                       : tally.different == 0
-                          ? "all as they were"
+                          ? "all unchanged"
                           : inspect::plural(std::uint64_t(tally.different), "differs", "differ")));
     return tally.different == 0 ? Done : Differs;
 }
@@ -146,8 +229,8 @@ int golden(const GoldenOptions& options) {
 }  // namespace
 
 Command add_golden(CLI::App& app) {
-    CLI::App* command = app.add_subcommand(
-        "golden", "Every pass of every figure against the manifests that are kept");
+    CLI::App* command =
+        app.add_subcommand("golden", "Compares every pass of every figure with stored manifests");
     const auto options = std::make_shared<GoldenOptions>();
     command->add_option("DIR", options->folder, "The folder of manifests, tests/golden")
         ->required()
@@ -161,17 +244,17 @@ Command add_golden(CLI::App& app) {
                 for (const Profile& profile : profiles()) names.push_back(profile.name);
                 options->profiles = {profile_named(one_of("--profile", word, names))};
             },
-            "On this profile only")
+            "Only this profile")
         ->type_name("NAME");
     add_machine_options(*command, options->machine);
     command->add_flag("--update", options->update,
-                      "Instead of checking them, write the manifests anew");
+                      "Write the manifests anew instead of checking them");
     command
         ->add_option("--recordings", options->recordings,
-                     "Also recordings of what differs, for gw replay and pixel")
+                     "Also write the recordings that differ, for gw replay and pixel")
         ->type_name("DIR2");
     command->footer(
-        "Exit code 3 where something differs.\n"
+        "Exit code 3 if something differs.\n"
         "Example:\n"
         "  build/release/bin/gw golden tests/golden --only fig1");
     return {command, [options](Session&) { return golden(*options); }};

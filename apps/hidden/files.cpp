@@ -1,7 +1,6 @@
 #include "apps/hidden/files.h"
 
 #include "apps/command/table.h"
-#include "apps/hidden/captions.h"
 #include "apps/hidden/pictures.h"
 #include "hiddensurface/run/pieces_svg.h"
 #include "image/animation.h"
@@ -60,7 +59,7 @@ std::vector<image::Picture> pictures_of(const hs::Input& input, const hs::Result
             picture_of_counts(result.writes, input.view.width, input.view.height)};
 }
 
-/// Only of an algorithm that finds parts of pixels.
+/// Only for an algorithm that finds parts of pixels.
 void put_shares(image::OutputSet& output, const std::filesystem::path& file, const hs::Input& input,
                 const hs::Result& result, const Colors& colors) {
     if (!result.shares.empty())
@@ -74,7 +73,7 @@ std::vector<image::Picture> sheet_row(std::vector<image::Picture> pictures, cons
     return pictures;
 }
 
-/// As many to a row as make the sheet about as high as it is wide.
+/// Groups the algorithms into rows so that the sheet is about as high as it is wide.
 std::vector<std::vector<image::Picture>> in_rows(std::vector<std::vector<image::Picture>> all) {
     const image::Picture& one = all.front().front();
     const std::size_t width = all.front().size() * std::size_t(one.width),

@@ -1,5 +1,5 @@
-// What gw hidden writes: the folder of steps, the folder of a comparison, tables. The caller makes
-// the folders (before the work: they may be impossible) and commits.
+// The files of gw hidden: the folder of steps, the folder of a comparison, tables. The caller
+// creates the folders before the work, so that a bad name is found early, and commits.
 #pragma once
 
 #include "hiddensurface/run/compare.h"
@@ -17,25 +17,25 @@ struct Compared {
     hiddensurface::Result result;
 };
 
-/// Of one algorithm a line for each counter; of several a line for each algorithm, the counters
-/// side by side as far as they fit a terminal, then the next ones below.
+/// For one algorithm a line for each counter. For several a line for each algorithm, with as many
+/// counters side by side as fit a terminal and the others below.
 std::string counts_text(const std::vector<Compared>& all);
 std::string counts_csv(const std::vector<Compared>& all);
 std::string counts_json(const std::vector<Compared>& all);
 
-/// The places of a log that get a picture: evenly spread over 0 .. steps, at most `pictures`, the
-/// last always.
+/// The steps of a log that get a picture: at most `pictures`, evenly over 0 .. steps, always with
+/// the last.
 std::vector<std::size_t> places(std::size_t steps, int pictures);
 
-/// steps.jsonl, step_0001.png ... (at most `pictures`, evenly over the log), steps.gif, pieces.svg
-/// where something was split, writes.png, picture.png, difference.png.
+/// Writes steps.jsonl, step_0001.png ... (at most `pictures`, evenly over the log), steps.gif,
+/// writes.png, picture.png, difference.png, and pieces.svg if a polygon was split.
 void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
                const hiddensurface::Input& input, const Compared& run,
                const std::vector<hiddensurface::Step>& steps, int pictures);
 
-/// sheet.png (for each algorithm picture, difference and writes side by side, each with a caption;
-/// several algorithms in a row where there are many), the same pictures one by one, complexity.png,
-/// counts.csv, counts.json, index.html.
+/// Writes sheet.png, the same pictures one by one, complexity.png, counts.csv, counts.json and
+/// index.html. The sheet has each algorithm's picture, difference and writes side by side, with
+/// captions; a row holds several algorithms if there are many.
 void put_comparison(image::OutputSet& output, const std::filesystem::path& folder,
                     const hiddensurface::Input& input, const std::vector<Compared>& all);
 

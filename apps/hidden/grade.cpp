@@ -1,7 +1,6 @@
-// gw hidden --grade and --fragments: what students hand in, against the key and against the
-// Z-buffer.
+// gw hidden --grade and --fragments: compares students' answers with the key, and their fragments
+// with the Z-buffer's.
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
 #include "apps/hidden/options.h"
@@ -37,7 +36,7 @@ Json read_json(const std::filesystem::path& file) {
     }
 }
 
-/// "b", 3, [1, 4] as it is compared.
+/// The canonical form of "b", 3 or [1, 4].
 std::string answer_of(const std::filesystem::path& file, const std::string& number,
                       const Json& value) {
     if (value.is_string()) return hs::canonical_answer(value);
@@ -129,7 +128,7 @@ std::string json_of(const hs::FragmentGrade& grade) {
     return json.dump(2) + "\n";
 }
 
-/// The picture darker, mistakes in the colours that --compare uses too: wrong red, doubled yellow,
+/// The darkened picture with the mistakes in --compare's colours: wrong red, doubled yellow,
 /// misplaced cyan, missing blue.
 image::Picture marked(image::Picture picture, const hs::FragmentGrade& grade) {
     for (std::uint16_t& v : picture.values) v = static_cast<std::uint16_t>(v / 3);

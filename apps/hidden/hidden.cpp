@@ -1,7 +1,6 @@
-// gw hidden: the lecture's hidden-surface algorithms, one or all, with counts, steps and
+// gw hidden: runs one or all of the lecture's hidden-surface algorithms, with counts, steps and
 // comparisons.
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
 #include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/hidden/files.h"
@@ -47,12 +46,12 @@ void add_output_options(CLI::App& command, HiddenOptions& options) {
     command
         .add_option(
             "--steps", options.steps,
-            "Of one algorithm: step log, numbered pictures, animated GIF, SVG of the pieces")
+            "For one algorithm: step log, numbered pictures, animated GIF, SVG of the pieces")
         ->type_name("DIR");
     command
         .add_option_function<std::string>(
             "--level", [&](const std::string& word) { options.level = level_from(word); },
-            "How fine the steps are: polygon (default), line, span, pixel")
+            "One step is a polygon (default), line, span or pixel")
         ->type_name("NAME");
     command
         .add_option_function<std::string>(
@@ -93,27 +92,27 @@ void add_exercise_options(CLI::App& command, HiddenOptions& options) {
             ->needs(quiz);
     };
     number("--seed", options.seed, 0, 2147483647,
-           "Of the quiz: the same seed gives the same questions (default 1)");
-    number("--questions", options.questions, 1, 99, "Of the quiz: how many (default 7)");
+           "With --quiz: the same seed gives the same questions (default 1)");
+    number("--questions", options.questions, 1, 99,
+           "With --quiz: the number of questions (default 7)");
     command
         .add_option_function<std::string>(
             "--kind",
             [&](const std::string& word) {
                 options.kind = one_of("--kind", word, hs::quiz_kinds());
             },
-            "Of the quiz: all questions of one kind (default: all kinds in turn)")
+            "With --quiz: questions of one kind (default: all kinds in turn)")
         ->type_name("NAME")
         ->needs(quiz);
-    command.add_option("--grade", options.grade, "Answers to a quiz against its key")
+    command.add_option("--grade", options.grade, "Compares answers to a quiz with its key")
         ->expected(2)
         ->type_name("KEY.json ANSWERS.json");
     command
         .add_option("--fragments", options.fragments,
-                    "A list x,y,polygon of what is seen, against the Z-buffer's picture")
+                    "Compares a list x,y,polygon of the visible fragments with the Z-buffer's")
         ->type_name("FILE.csv");
-    command.add_option("--truth", options.truth, "Writes the list as it should be")
-        ->type_name("FILE.csv");
-    command.add_option("--marked", options.marked, "Of --fragments: a picture of the mistakes")
+    command.add_option("--truth", options.truth, "Writes the correct list")->type_name("FILE.csv");
+    command.add_option("--marked", options.marked, "With --fragments: a picture of the mistakes")
         ->type_name("IMAGE");
 }
 
@@ -146,7 +145,7 @@ void check(const HiddenOptions& options) {
     if ((exercises || fragments) &&
         !(options.algorithm.empty() && options.steps.empty() && options.compare.empty()))
         throw UsageError(
-            "--quiz, --grade, --fragments and --truth run no algorithm of your choice; expected no "
+            "--quiz, --grade, --fragments and --truth choose the algorithm themselves; expected no "
             "--algorithm, --steps or --compare");
     if (!options.quiz.empty() && !options.grade.empty())
         throw UsageError("--quiz and --grade exclude each other; expected one of them");
@@ -162,7 +161,7 @@ void check(const HiddenOptions& options) {
     if (!options.steps.empty() && options.algorithm.empty())
         throw UsageError("--steps needs one algorithm; expected --algorithm NAME");
     if (!options.compare.empty() && !options.algorithm.empty())
-        throw UsageError("--compare is of all algorithms; expected no --algorithm");
+        throw UsageError("--compare compares all algorithms; expected no --algorithm");
 }
 
 std::vector<const hs::Algorithm*> wanted(const HiddenOptions& options) {
@@ -172,7 +171,8 @@ std::vector<const hs::Algorithm*> wanted(const HiddenOptions& options) {
     return all;
 }
 
-/// Those that take no longer than the limit. Says which are left out; throws Error if all are.
+/// The wanted algorithms within the time limit. Warns of each that is left out; throws Error if all
+/// are.
 std::vector<const hs::Algorithm*> within_limit(const HiddenOptions& options,
                                                const hs::Input& input) {
     std::vector<const hs::Algorithm*> within;

@@ -6,11 +6,11 @@ namespace gw::apps {
 namespace {
 
 constexpr int glyph_width = 5, glyph_height = 7, glyphs_in_row = 16;
-/// From letter to letter, and from line to line.
+/// The distance from letter to letter, and from line to line.
 constexpr int letter_width = 6, line_height = 10;
 constexpr std::uint16_t ground = 24;
 
-/// ' ' to '~' and a box for everything else: six rows of sixteen glyphs, seven lines each.
+/// ' ' to '~', and a box for all other characters: six rows of sixteen glyphs, seven lines each.
 // clang-format off
 constexpr std::string_view glyphs =
     "..... ..#.. .#.#. .#.#. ..#.. ##... .##.. ..#.. ...#. .#... ..... ..... ..... ..... ..... ..... "

@@ -12,9 +12,9 @@ namespace gw::apps {
 
 using Color = std::array<std::uint16_t, 3>;
 
-/// One line in a picture of 3 channels of 8 bits. `left`, `top`: of the first letter, in pixels
-/// from the picture's upper left corner; a dot is scale x scale pixels. What does not fit is left
-/// out; a character outside ASCII is a box.
+/// Writes one line into a picture of 3 channels of 8 bits. `left` and `top` place the first letter,
+/// in pixels from the picture's upper left corner. A dot is scale x scale pixels. Dots outside the
+/// picture are left out; a character outside ASCII is a box.
 void write_text(image::Picture& picture, int left, int top, int scale, const Color& color,
                 std::string_view text);
 
@@ -24,9 +24,9 @@ struct Word {
 };
 using TextLine = std::vector<Word>;
 
-/// The picture with lines of words above it on dark ground. A line's dots are as large as the line
-/// fits, at most a 160th of the picture's width; so the strip's height depends on the number of
-/// lines and the width only.
+/// The picture with lines of words above it on dark ground. Dots are as large as the line allows,
+/// at most a 160th of the picture's width. So the strip's height depends only on the width and the
+/// number of lines.
 image::Picture captioned(const image::Picture& picture, const std::vector<TextLine>& lines);
 
 }  // namespace gw::apps

@@ -1,6 +1,5 @@
-// gw hidden --algorithm of hidden lines: the drawing, its counts and steps.
+// gw hidden with a hidden-line algorithm: the drawing, its counts and steps.
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
 #include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/hidden/files.h"
@@ -48,7 +47,7 @@ public:
              const std::vector<hs::Line>& lines)
         : machine_(machine), input_(input), algorithm_(algorithm), lines_(lines) {}
 
-    /// The first `count` lines; the last of them as a whole in yellow where it is hidden.
+    /// The visible parts of the first `count` lines in white, the hidden parts of the last in yellow.
     image::Picture of_step(std::size_t count) {
         const std::vector<hs::Line> first(lines_.begin(), lines_.begin() + std::ptrdiff_t(count));
         std::vector<hs::Line> last;

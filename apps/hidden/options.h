@@ -1,4 +1,4 @@
-// The options of gw hidden, and what each kind of run does with them. Parsing: hidden.cpp.
+// The options of gw hidden, and its kinds of runs. hidden.cpp parses the options.
 #pragma once
 
 #include "apps/render/picture_options.h"
@@ -10,31 +10,30 @@ enum class Form { Text, Json, Csv };
 
 struct HiddenOptions {
     PictureOptions picture{.size = {320, 240}};
-    std::string algorithm;  ///< empty: all of hidden surfaces
-    /// Seconds that a run may take by its estimate; 0: any.
-    double limit = 300;
+    std::string algorithm;  ///< empty: all hidden-surface algorithms
+    double limit = 300;     ///< the longest estimated time of a run in seconds; 0: none
     std::filesystem::path steps, compare;
     hiddensurface::Level level = hiddensurface::Level::Polygon;
     int pictures = 48;
     Form form = Form::Text;
 
-    std::filesystem::path quiz;  ///< a folder: make exercises
+    std::filesystem::path quiz;  ///< the folder for exercises
     int seed = 1, questions = 7;
-    std::string kind;                          ///< of questions; empty: all in turn
+    std::string kind;                          ///< of the questions; empty: all kinds in turn
     std::vector<std::filesystem::path> grade;  ///< key, answers
     std::filesystem::path fragments;           ///< a student's list
-    /// files to write: the list as it should be, the mistakes
-    std::filesystem::path truth, marked;
+    std::filesystem::path truth, marked;       ///< files to write: the correct list, the mistakes
 };
 
-/// `algorithm` is one of hidden lines: draws them, with counts and steps (lines.cpp).
+/// Draws with a hidden-line algorithm, with counts and steps (lines.cpp).
 int hidden_lines(const HiddenOptions& options, Session& session);
 
 /// Makes exercises (quiz.cpp). Needs no scene.
 int hidden_quiz(const HiddenOptions& options, const Session& session);
-/// Compares answers with a key; ExitCode Differs unless all are right (grade.cpp).
+/// Compares answers with a key. Returns ExitCode Differs unless all are right (grade.cpp).
 int hidden_grade(const HiddenOptions& options);
-/// Compares a fragment list with the Z-buffer's picture, the same; writes `truth` and `marked`.
+/// Compares a fragment list with the Z-buffer's picture; writes `truth` and `marked`. Returns
+/// ExitCode Differs unless all are right (grade.cpp).
 int hidden_fragments(const HiddenOptions& options, Session& session);
 
 }  // namespace gw::apps

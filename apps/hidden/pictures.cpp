@@ -20,21 +20,21 @@ Color to_color(const dvec3& v) {
     return {byte(v.x), byte(v.y), byte(v.z)};
 }
 
-/// Kd; of a material without, the colour that it shows otherwise; grey where it has none at all.
+/// The first of Kd, Ke, Ka and Ks that is not black; grey if all are.
 dvec3 color_of(const scene::Material& material) {
     for (const vec3& color : {material.Kd, material.Ke, material.Ka, material.Ks})
         if (color != vec3(0)) return dvec3(color);
     return dvec3(0.3);
 }
 
-/// |cos| of the angle between normal and line of sight.
+/// |cos| of the angle between the normal and the line of sight.
 double turned(const hs::Polygon& polygon, const dvec3& eye) {
     const dvec3 n = hs::polygon_normal(polygon.world), to_eye = eye - polygon.world[0];
     const double size = std::sqrt(dot3(n, n) * dot3(to_eye, to_eye));
     return size > 0 ? std::abs(dot3(n, to_eye)) / size : 0;
 }
 
-/// Pixels of the polygon with a neighbour that is not.
+/// Colours the polygon's pixels that have a neighbour outside it.
 void draw_border(image::Picture& picture, const hs::Input& input, std::uint32_t id,
                  const Color& color) {
     const int width = picture.width, height = picture.height;
@@ -70,12 +70,32 @@ void draw_span(image::Picture& picture, const hs::Step& step) {
         put(picture, std::size_t(step.row * picture.width + x), white);
 }
 
-/// The window's outermost pixels.
+/// Colours the window's outermost pixels.
 void draw_window(image::Picture& picture, const Rect& w) {
     for (int y = w.y; y < w.y + w.height; ++y)
         for (int x = w.x; x < w.x + w.width; ++x)
             if (x == w.x || y == w.y || x == w.x + w.width - 1 || y == w.y + w.height - 1)
                 put(picture, std::size_t(y * picture.width + x), white);
+}
+
+constexpr std::size_t most_polygons = 8;
+
+TextLine subject_of(const hs::Step& step) {
+    TextLine line{{hs::name_of(step.action)}};
+    for (std::size_t i = 0; i < step.polygons.size() && i < most_polygons; ++i) {
+        const bool in_order = step.action == hs::Action::Sort;
+        line.push_back({std::to_string(step.polygons[i]), in_order || i == 0 ? white
+                                                          : i == 1           ? yellow
+                                                                             : grey});
+    }
+    if (step.polygons.size() > most_polygons) line.push_back({"...", grey});
+    if (step.row >= 0) line.push_back({fmt::format("line {}", step.row), grey});
+    return line;
+}
+
+TextLine question_of(const hs::Step& step) {
+    if (step.result.empty()) return {{step.test, grey}};
+    return {{step.test + ":", grey}, {step.result}};
 }
 
 }  // namespace
@@ -196,6 +216,31 @@ image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows) {
 
 std::string hex_of(const Color& color) {
     return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
+}
+
+std::vector<TextLine> caption_of_step(const std::string& algorithm, const hs::Replay& replay) {
+    const TextLine head{{algorithm},
+                        {fmt::format("{} of {}", replay.position(), replay.size()), grey}};
+    if (replay.position() == 0) return {head, {}, {}};
+    const hs::Step& step = replay.step(replay.position() - 1);
+    return {head, subject_of(step), question_of(step)};
+}
+
+std::array<std::vector<TextLine>, 3> captions_of(const std::string& algorithm,
+                                                 const hs::Counts& counts) {
+    const auto count = [](const char* name, std::uint64_t n) {
+        return fmt::format("{} {}", n, name);
+    };
+    TextLine times;
+    for (std::size_t i = 0; i < colors_of_counts.size(); ++i)
+        times.push_back({std::to_string(i), i == 0 ? grey : colors_of_counts[i]});
+    times.push_back({"or more", red});
+    return {{{{{algorithm}}, {{count("splits", counts.splits), grey}}},
+             {{{count("wrong", counts.wrong), counts.wrong > 0 ? red : white}},
+              {{count("ties", counts.ties), yellow},
+               {count("edges", counts.edges), cyan},
+               {count("snapped", counts.snapped), blue}}},
+             {{{"writes"}, {count("overdraw", counts.overdraw), grey}}, times}}};
 }
 
 }  // namespace gw::apps

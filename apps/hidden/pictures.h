@@ -1,8 +1,10 @@
-// Pictures that show what a hidden-surface algorithm does: polygons in flat colours, steps with
-// highlights, differences, counts. 3 channels of 8 bits. Does not run algorithms or write files.
+// Pictures of a hidden-surface algorithm's work: polygons in flat colours, steps with highlights,
+// differences, counts, and their captions. 3 channels of 8 bits. Does not run algorithms or write
+// files.
 #pragma once
 
 #include "apps/hidden/lettering.h"
+#include "hiddensurface/run/algorithm.h"
 #include "hiddensurface/run/compare.h"
 #include "hiddensurface/run/replay.h"
 
@@ -13,7 +15,7 @@ namespace gw::apps {
 inline constexpr Color white{255, 255, 255}, yellow{255, 230, 0}, grey{150, 150, 150},
     red{230, 20, 20}, cyan{0, 210, 230}, blue{70, 90, 255};
 
-/// 0, 1, 2, 3, 4, 5 times; more times is this red towards white.
+/// The colours of 0, 1, 2, 3, 4 and 5 times. More times turn this red towards white.
 inline constexpr std::array<Color, 6> colors_of_counts{
     {{0, 0, 0}, {50, 90, 230}, {20, 150, 60}, {240, 210, 40}, {240, 130, 20}, red}};
 
@@ -22,38 +24,48 @@ image::Picture blank(int width, int height);
 /// `pixel`: row by row from the bottom left one, 0.
 void put(image::Picture& picture, std::size_t pixel, const Color& color);
 
-/// A colour for each identifier: its material's Kd (Ke, Ka or Ks where Kd is black), darker the
-/// more it is turned from the eye; 0 is the background.
+/// A colour for each identifier: its material's Kd, darker the more the polygon is turned from the
+/// eye. If Kd is black, Ke, Ka or Ks takes its place. 0 is the background.
 std::map<std::uint32_t, Color> flat_colors(const hiddensurface::Input& input);
 
 image::Picture picture_of_ids(const hiddensurface::Input& input,
                               const std::vector<std::uint32_t>& ids,
                               const std::map<std::uint32_t, Color>& colors);
 
-/// Each pixel the sum of its polygons' colours by their parts; the background has the rest.
+/// Each pixel is the sum of its polygons' colours, weighted by their parts; the background has the
+/// rest.
 image::Picture picture_of_shares(const hiddensurface::Input& input,
                                  const std::vector<hiddensurface::Share>& shares,
                                  const std::map<std::uint32_t, Color>& colors);
 
-/// The replay's picture, and in it the last step: the border of its first polygon white, of the
+/// The replay's picture with the last step marked: the border of its first polygon white, of the
 /// second yellow, of others grey; its scan line lighter; its span white.
 image::Picture picture_of_step(const hiddensurface::Input& input,
                                const hiddensurface::Replay& replay,
                                const std::map<std::uint32_t, Color>& colors);
 
-/// Dark where equal; ties yellow, edges cyan, snapped blue, wrong pixels red.
+/// Equal pixels are dark, ties yellow, edges cyan, snapped blue, wrong pixels red.
 image::Picture picture_of_difference(image::Picture picture,
                                      const std::vector<hiddensurface::Difference>& difference);
 
-/// In colors_of_counts.
+/// The counts in colors_of_counts.
 image::Picture picture_of_counts(const std::vector<std::uint8_t>& counts, int width, int height);
 
-/// A small picture enlarged by a whole factor to about 320 pixels wide.
+/// A small picture, enlarged by a whole factor to a width of about 320 pixels.
 image::Picture enlarged(const image::Picture& picture);
 
-/// Rows of pictures of one size, 4 pixels apart, the first row on top; none longer than that.
+/// Rows of pictures of one size, 4 pixels apart. The first row is on top and the longest.
 image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows);
 
 std::string hex_of(const Color& color);
+
+/// A step's caption: the algorithm and the step's number; its action, with the polygons in the
+/// colours of their borders; its test and the result.
+std::vector<TextLine> caption_of_step(const std::string& algorithm,
+                                      const hiddensurface::Replay& replay);
+
+/// Captions for a comparison's picture, difference and writes.
+std::array<std::vector<TextLine>, 3> captions_of(const std::string& algorithm,
+                                                 const hiddensurface::Counts& counts);
 
 }  // namespace gw::apps

@@ -1,7 +1,6 @@
-// gw hidden --quiz: a handout of questions with pictures and scenes, and apart from it the key.
+// gw hidden --quiz: writes a handout of questions with pictures and scenes, and the key beside it.
 #include "hiddensurface/quiz/quiz.h"
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
 #include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/hidden/options.h"
@@ -20,32 +19,32 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// How far each pixel is, along its row and column, from one of another polygon or the border.
-std::vector<int> room_around(const std::vector<std::uint32_t>& ids) {
-    std::vector<int> room(ids.size(), hs::quiz_width);
+/// The distance of each pixel, along its row and column, to another polygon's pixel or the border.
+std::vector<int> clearance_of(const std::vector<std::uint32_t>& ids) {
+    std::vector<int> clearance(ids.size(), hs::quiz_width);
     for (const auto& [dx, dy] :
          {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
         std::vector<int> reach(ids.size());
         for (int k = 0; k < int(ids.size()); ++k) {
-            // what is behind comes first
+            // The neighbour at `behind` comes first.
             const int i = dx + dy > 0 ? k : int(ids.size()) - 1 - k;
             const int x = i % hs::quiz_width - dx, y = i / hs::quiz_width - dy;
             const bool inside = x >= 0 && y >= 0 && x < hs::quiz_width && y < hs::quiz_height;
             const auto at = std::size_t(i), behind = std::size_t(y * hs::quiz_width + x);
             if (inside && ids[behind] == ids[at]) reach[at] = reach[behind] + 1;
-            room[at] = std::min(room[at], reach[at]);
+            clearance[at] = std::min(clearance[at], reach[at]);
         }
     }
-    return room;
+    return clearance;
 }
 
-/// Where each polygon has most room, its number.
+/// Writes each polygon's number at its pixel with the largest clearance.
 void write_numbers(image::Picture& picture, const std::vector<std::uint32_t>& ids) {
-    const std::vector<int> room = room_around(ids);
+    const std::vector<int> clearance = clearance_of(ids);
     std::map<std::uint32_t, std::size_t> widest;
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const auto [at, is_new] = widest.try_emplace(ids[i], i);
-        if (room[i] > room[at->second]) at->second = i;
+        if (clearance[i] > clearance[at->second]) at->second = i;
     }
     widest.erase(0);
     for (const auto& [id, i] : widest)
@@ -69,8 +68,8 @@ void mark(image::Picture& picture, const hs::Question& question) {
             at(x + i, y + k, white);
 }
 
-/// Surfaces in flat colours, numbered; of a question about lines all sides over them; of one about
-/// faces that look away the sides alone, for what is seen does not.
+/// Numbered surfaces in flat colours. A question about lines shows all sides over them. A question
+/// about back faces shows the sides alone, because visible surfaces face the eye.
 image::Picture picture_of(const hs::Question& question) {
     const Profile profile = vgx();
     const scene::View view = scene::make_view(question.scene, hs::quiz_width, hs::quiz_height);

@@ -1,7 +1,6 @@
-// gw styles: one object six ways [L1 a to f], one figure.
+// gw styles: one scene in six styles [L1 a to f], as one figure.
 #include "hiddensurface/run/styles.h"
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
 #include "apps/command/terminal.h"
 #include "apps/hidden/pictures.h"
 #include "apps/render/picture_options.h"
@@ -24,7 +23,7 @@ struct StylesOptions {
     std::filesystem::path output;
 };
 
-/// No maps, and each light with shadows or none.
+/// The scene without maps; all lights cast shadows in this way.
 scene::Scene plain(scene::Scene scene, scene::Shadow shadow) {
     for (scene::Material& m : scene.materials)
         for (auto* maps : {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.refl, &m.refraction})

@@ -1,11 +1,15 @@
-// Saved pixmaps as files [F4]. Does not know when to save.
+// The files of gw radiosity beside its pictures: saved pixmaps [F4], and how the solution converges
+// [F1c]. Does not know when to save.
 #pragma once
 
 #include "image/output/output_set.h"
 #include "radiosity/hemicube/form_factors.h"
 #include "radiosity/solver/solution.h"
+#include "radiosity/solver/solver.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace gw::apps {
 
@@ -17,5 +21,19 @@ void put_solution(image::OutputSet& files, const std::filesystem::path& file,
 radiosity::Solution load_solution(const std::filesystem::path& file,
                                   const radiosity::PixmapModel& model,
                                   const radiosity::FormFactorOptions& options);
+
+/// The state after a shot. Shares are of the emitted energy.
+struct Step {
+    std::uint64_t shots = 0;
+    double seconds = 0, unshot = 0, absorbed = 0, escaped = 0, imbalance = 0;
+    int hemicubes = 0;
+};
+
+Step step_of(const radiosity::Solver& solver, double seconds, int hemicubes);
+
+/// Writes convergence.csv, convergence.svg and convergence_seconds.svg: the unshot share against
+/// shots and seconds.
+void put_report(const std::vector<Step>& steps, const std::filesystem::path& folder,
+                image::OutputSet& files);
 
 }  // namespace gw::apps

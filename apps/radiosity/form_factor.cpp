@@ -1,4 +1,4 @@
-#include "apps/radiosity/form_factor.h"
+#include "apps/radiosity/options.h"
 
 #include "apps/command/terminal.h"
 #include "gw/error.h"
@@ -10,8 +10,8 @@
 namespace gw::apps {
 namespace {
 
-/// The mean over a figure's patches of what they send to another figure, and what the first one's
-/// area is.
+/// The form factor from one figure to another, the mean over the first one's patches, and the first
+/// one's area.
 std::pair<double, double> form_factor(const radiosity::PixmapModel& model,
                                       radiosity::FormFactors& factors, const std::string& from,
                                       const std::string& to, Progress& progress) {

@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <set>
+
 namespace gw::apps {
 namespace {
 
@@ -34,7 +36,7 @@ std::pair<dvec3, dvec3> view_from(const std::string& word) {
     const std::size_t bar = word.find('/');
     if (bar == word.npos)
         throw UsageError("--view '" + word +
-                         "': expected EX,EY,EZ/AX,AY,AZ, the eye and what it looks at");
+                         "': expected EX,EY,EZ/AX,AY,AZ, the eye and the point it looks at");
     const std::pair view{point_from("--view", word.substr(0, bar)),
                          point_from("--view", word.substr(bar + 1))};
     if (view.first == view.second)
@@ -46,7 +48,7 @@ void add_computation(CLI::App& command, RadiosityOptions& o) {
     add_whole(command, "--shots", o.shots, 0, 1000000000,
               "Shots in all (default: as many as --until takes)");
     add_number(command, "--until", o.until, 1e-9, 1, "SHARE",
-               "Go on until so much of the emitted energy is unshot (default 0.01)");
+               "Go on until this share of the emitted energy is unshot (default 0.01)");
     command
         .add_option_function<std::string>(
             "--hemicube",
@@ -66,7 +68,7 @@ void add_computation(CLI::App& command, RadiosityOptions& o) {
         command, "--parts", o.solver.form_factors.scan.most_parts, 1, 1024,
         "Oversampling: a pixel is divided into at most N parts each way; 1: never (default 64)");
     add_whole(command, "--seed", o.solver.form_factors.seed, 0, 2147483647,
-              "Of the turns of the hemicubes (default 0)");
+              "Seed for the turns of the hemicubes (default 0)");
 }
 
 void add_saving(CLI::App& command, RadiosityOptions& o) {
@@ -78,7 +80,7 @@ void add_saving(CLI::App& command, RadiosityOptions& o) {
         "Also DIR/hemicubes.gwt and DIR/pictures.gwt, for gw replay, verify, pixel; on one thread");
 }
 
-/// What is asked of the solved scene.
+/// Questions about the solved scene.
 void add_questions(CLI::App& command, RadiosityOptions& o) {
     command
         .add_option_function<std::vector<std::string>>(
@@ -93,7 +95,7 @@ void add_questions(CLI::App& command, RadiosityOptions& o) {
                      "With --change: also solve the changed scene anew, to compare");
     command
         .add_option("--form-factor", o.form_factor,
-                    "Print the form factors between two figures, and do no more")
+                    "Only print the form factors between two figures")
         ->expected(2)
         ->type_name("A B");
 }
@@ -113,18 +115,43 @@ void add_display(CLI::App& command, RadiosityOptions& o) {
             [&o](const std::vector<std::string>& words) {
                 for (const std::string& word : words) o.views.push_back(view_from(word));
             },
-            "A view instead of the camera's: eye and what it looks at. May be repeated; nothing is "
-            "solved again")
+            "A view instead of the camera's: the eye and the point it looks at. May be repeated; "
+            "nothing is solved again")
         ->type_name("EYE/AT");
     add_whole(command, "--every", o.every, 1, 1000000000, "Also a picture after each N shots");
-    command.add_flag("--no-ambient", o.no_ambient,
-                     "Do not show the estimate of light that is yet to come");
+    command.add_flag("--no-ambient", o.no_ambient, "Do not show the estimate of unshot light");
     command.add_flag(
         "--specular", o.specular,
         "Add the specular and reflection passes, and rays where a material asks for them");
     add_number(command, "--exposure", o.exposure, -32, 32, "STOPS",
                "Radiosity times 2^STOPS (default 0)");
     add_number(command, "--gamma", o.gamma, 0.1, 10, "G", "The picture as v^(1/G) (default 1)");
+}
+
+constexpr const char* expected =
+    "expected NAME:emission=R,G,B, NAME:dim=FACTOR, NAME:Kd=R,G,B or NAME:move=X,Y,Z";
+
+void check_range(const std::string& word, const dvec3& v, double high) {
+    for (int c = 0; c < 3; ++c)
+        if (!(v[c] >= 0 && v[c] <= high))
+            throw UsageError("--change '" + word + "': expected numbers of 0 " +
+                             (high == 1 ? "to 1" : "and more"));
+}
+
+void change_object(const Change& change, scene::Scene& scene, scene::Object& object) {
+    scene::Material& material = scene.materials[object.material];
+    if (change.what == "move") {
+        object.world_from_object[3] += dvec4(change.value, 0);
+    } else if (change.what == "Kd") {
+        scene::Material own = material;  // others may share the material
+        own.Kd = vec3(change.value);
+        object.material = scene.materials.size();
+        scene.materials.push_back(std::move(own));
+    } else if (change.what == "dim") {
+        object.pixmap.emission = object.pixmap.emission.value_or(material.Ke) * vec3(change.value);
+    } else {
+        object.pixmap.emission = vec3(change.value);
+    }
 }
 
 }  // namespace
@@ -167,6 +194,37 @@ void check(const RadiosityOptions& options) {
     const bool own_camera = options.picture.camera.eye || options.picture.camera.at;
     if (own_camera && !options.views.empty())
         throw UsageError("--view cannot go with --eye or --at; expected one of them");
+}
+
+Change change_from(const std::string& word) {
+    const std::size_t equals = word.rfind('='), colon = word.rfind(':', equals);
+    if (equals == word.npos || colon == word.npos || colon == 0)
+        throw UsageError("--change '" + word + "': " + expected);
+    Change change{word.substr(0, colon), word.substr(colon + 1, equals - colon - 1)};
+    const std::string value = word.substr(equals + 1);
+    if (change.what == "dim")
+        change.value = dvec3(number_from("--change dim", value, 0, 1e9));
+    else if (change.what == "emission" || change.what == "Kd" || change.what == "move")
+        change.value = point_from("--change " + change.what, value);
+    else
+        throw UsageError("--change '" + word + "': " + expected);
+    if (change.what != "move") check_range(word, change.value, change.what == "Kd" ? 1 : 1e30);
+    return change;
+}
+
+void apply(const Change& change, scene::Scene& scene) {
+    bool found = false;
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        names.insert(scene.objects[i].name);
+        if (scene.objects[i].name != change.object) continue;
+        found = true;
+        change_object(change, scene, scene.objects[i]);
+    }
+    if (found) return;
+    std::string known;
+    for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
+    throw UsageError("--change: no object '" + change.object + "'; expected one of " + known);
 }
 
 }  // namespace gw::apps

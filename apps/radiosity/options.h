@@ -1,9 +1,9 @@
-// The options of gw radiosity and what they mean together. Does not compute.
+// The options of gw radiosity, and changes of a scene by name [F4]. Does not solve.
 #pragma once
 
-#include "apps/radiosity/changes.h"
 #include "apps/render/picture_options.h"
 #include "radiosity/solver/solver.h"
+#include "scene/scene.h"
 
 #include <filesystem>
 #include <optional>
@@ -13,14 +13,29 @@
 
 namespace gw::apps {
 
+class Progress;
+
+/// "lamp:emission=1,2,3" and its like.
+struct Change {
+    std::string object;  ///< all objects of this name
+    std::string what;    ///< emission, dim, Kd or move
+    dvec3 value{0};      ///< dim: three times its factor
+};
+
+/// Throws UsageError with the expected form.
+Change change_from(const std::string& word);
+
+/// Throws UsageError if no object has the name.
+void apply(const Change& change, scene::Scene& scene);
+
 struct RadiosityOptions {
     PictureOptions picture{.size = {512, 512}, .profile = "ideal"};
     std::filesystem::path output;
     radiosity::ModelOptions model;
     radiosity::SolverOptions solver;
-    int shots = -1;       ///< in all; -1: until `until`
-    double until = 0.01;  ///< unshot share
-    int every = 0;        ///< a picture after each so many shots
+    int shots = -1;       ///< in total; -1: as many as `until` takes
+    double until = 0.01;  ///< the unshot share that ends shooting
+    int every = 0;        ///< a picture after each `every` shots; 0: none
     bool save = false, resume = false, record = false;
     std::string display = "texture";             ///< texture, strips or both
     std::vector<std::pair<dvec3, dvec3>> views;  ///< eye, at; none: the camera
@@ -28,13 +43,18 @@ struct RadiosityOptions {
     bool no_ambient = false, specular = false;
     std::vector<std::string> form_factor;  ///< two names, or none
     std::vector<Change> changes;           ///< of the solved scene
-    bool anew = false;                     ///< also solve the changed scene anew
+    bool anew = false;                     ///< also solves the changed scene anew
 };
 
-/// Adds SCENE and all options. Wording is checked while parsing.
+/// Adds SCENE and all options. Parsing checks the words.
 void add_radiosity_options(CLI::App& command, RadiosityOptions& options);
 
-/// Throws UsageError where options do not go together.
+/// Throws UsageError if options exclude each other.
 void check(const RadiosityOptions& options);
+
+/// Prints the form factors between two figures. Throws Error for a name that no figure has
+/// (form_factor.cpp).
+void print_form_factor(const RadiosityOptions& options, const radiosity::PixmapModel& model,
+                       Progress& progress);
 
 }  // namespace gw::apps

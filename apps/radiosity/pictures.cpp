@@ -18,7 +18,7 @@
 namespace gw::apps {
 namespace {
 
-/// Eight bits are what pictures are looked at with.
+/// The picture in eight bits, for display.
 image::Picture to_picture(const std::vector<Rgba>& color, const scene::View& view, int bits,
                           double gamma) {
     image::Picture picture =
@@ -30,13 +30,13 @@ image::Picture to_picture(const std::vector<Rgba>& color, const scene::View& vie
 
 struct Difference {
     image::Picture picture;  ///< sixteen times too bright
-    double mean = 0;         ///< of 255, where both show the same figure
+    double mean = 0;         ///< of 255, over pixels that show the same figure in both
     int largest = 0;
-    int others = 0;  ///< pixels where they do not
+    int others = 0;  ///< pixels that show different figures
 };
 
-/// Vertices are snapped: a strip's outline may be a 256th of a pixel beside its triangle's, so that
-/// a pixel whose centre lies between them shows something else. `others`: whether, by pixel.
+/// Vertices are snapped, so a strip's outline may lie a 256th of a pixel beside its triangle's.
+/// A pixel whose centre lies between the two shows another figure; `others` marks these pixels.
 Difference difference(const image::Picture& a, const image::Picture& b,
                       const std::vector<bool>& others) {
     Difference d{.picture = a};
@@ -103,7 +103,8 @@ RadiosityPictures::Image RadiosityPictures::draw(const radiosity::PixmapModel& m
     return image;
 }
 
-// [F4, K4] What radiosity leaves out, by the passes of equations 2 and 5 over the scene that glows.
+// [F4, K4] Adds specular and traced components with the passes of equations 2 and 5, over the scene
+// whose pixmaps emit their radiosity.
 std::vector<Rgba> RadiosityPictures::with_components(const radiosity::PixmapModel& model,
                                                      const radiosity::DisplayedPixmaps& colors,
                                                      const scene::View& view) {
@@ -115,8 +116,8 @@ std::vector<Rgba> RadiosityPictures::with_components(const radiosity::PixmapMode
     if (raytrace::any_traced(all)) {
         world.emplace(all, options_.picture.threads);
         passes.passes = itembuffer::passes_with_tracing(seen, passes.translucency);
-        // First hits are those of the drawn scene; second rays meet what turns its back to the eye
-        // too.
+        // First hits come from the drawn scene; second rays also meet faces that turn their backs
+        // to the eye.
         passes.trace = [&](Machine& machine, const scene::Scene& now, const scene::View& at,
                            const JitterState& jitter) {
             const auto ids = scene::draw_item_buffer(machine, now, at, jitter);

@@ -1,4 +1,4 @@
-// Pictures of solved pixmaps: of every view, as textures and strips [F2.3]. Does not solve.
+// Pictures of solved pixmaps from every view, as textures and strips [F2.3]. Does not solve.
 #pragma once
 
 #include "apps/radiosity/options.h"
@@ -11,14 +11,15 @@ class RadiosityPictures {
 public:
     RadiosityPictures(const RadiosityOptions& options, const scene::Scene& scene, Session& session);
 
-    /// DIR/NAME.png, or NAME_1.png ... for several views; --display both: NAME_texture.png,
-    /// NAME_strips.png and NAME_difference.png. Returns what is to be printed: how the two differ.
+    /// Writes DIR/NAME.png, or NAME_1.png ... for several views. With --display both, writes
+    /// NAME_texture.png, NAME_strips.png and NAME_difference.png, and returns a line about their
+    /// difference for printing.
     std::string put(const radiosity::Solver& solver, const std::string& name,
                     image::OutputSet& files);
 
 private:
     struct Image {
-        std::vector<Rgba> color, figures;  ///< figures: only where two pictures are compared
+        std::vector<Rgba> color, figures;  ///< figures: only if two pictures are compared
     };
     Image draw(const radiosity::PixmapModel& model, const radiosity::DisplayedPixmaps& colors,
                const scene::View& view, bool strips);

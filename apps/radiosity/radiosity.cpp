@@ -1,15 +1,12 @@
-// gw radiosity: pixmaps are solved, saved, shown, changed [F].
+// gw radiosity: solves, saves, shows and changes pixmaps [F].
 #include "apps/command/command.h"
 #include "apps/command/command_recorder.h"
 #include "apps/command/interruption.h"
-#include "apps/command/progress.h"
 #include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/radiosity/files.h"
-#include "apps/radiosity/form_factor.h"
 #include "apps/radiosity/options.h"
 #include "apps/radiosity/pictures.h"
-#include "apps/radiosity/report.h"
 #include "inspect/text/plural.h"
 
 #include <fmt/format.h>
@@ -30,7 +27,8 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Of two solutions of the same figures, all channels, by the mean radiosity.
+/// The mean difference of two solutions of the same figures, over all channels, as a share of the
+/// mean radiosity.
 double mean_difference(const radiosity::Solver& a, const radiosity::Solver& b) {
     double off = 0, sum = 0;
     for (std::size_t t = 0; t < a.model().texel_count(); ++t) {
@@ -46,7 +44,7 @@ std::filesystem::path recording_file(const RadiosityOptions& options, const std:
     return options.output / (name + ".gwt");
 }
 
-/// What drew the hemicubes, and what drew the pictures; hemicubes_2 ... for further machines.
+/// Writes the recordings of the hemicubes and of the pictures; hemicubes_2 ... for further machines.
 void put_recordings(CommandRecorder& recorder, const RadiosityOptions& options,
                     const Session& session) {
     image::OutputSet files(session.inputs);
@@ -84,7 +82,7 @@ public:
         if (options_.resume) saved_shots_ = solver_.solution().shots;
         steps_.push_back(step_of(solver_, 0, 0));
         folder.commit();
-        say_what_is_there();
+        announce_last_save();
         while (!finished() && shoot()) after_shot();
         finish();
         if (!options_.changes.empty()) change();
@@ -126,12 +124,11 @@ private:
             saved_at_ = Clock::now();
             saved_shots_ = solver_.solution().shots;
         }
-        say_what_is_there();
+        announce_last_save();
     }
 
-    // Whatever ends the process, the last complete save is there: files are renamed when they are
-    // whole.
-    void say_what_is_there() {
+    // However the process ends, the last complete save exists: files are renamed when complete.
+    void announce_last_save() {
         const std::string shots =
             fmt::format("gw: stopped after {} shots; ", solver_.solution().shots);
         interruption_.say(saved_shots_
@@ -161,14 +158,14 @@ private:
                           inspect::plural(std::uint64_t(model.texel_count()), "texel", "texels"),
                           inspect::plural(model.patches.size(), "patch", "patches")));
         print(fmt::format(
-            "{}, {}, {:.1f} s: absorbed {:.4f}, unshot {:.4f}, escaped {:.4f} of what is "
-            "emitted; books off by {:.1e}\n{}",
+            "{}, {}, {:.1f} s: absorbed {:.4f}, unshot {:.4f}, escaped {:.4f} of the emitted "
+            "energy; books off by {:.1e}\n{}",
             inspect::plural(std::uint64_t(last.shots), "shot", "shots"),
             inspect::plural(std::uint64_t(last.hemicubes), "hemicube", "hemicubes"), last.seconds,
             last.absorbed, last.unshot, last.escaped, last.imbalance, text));
     }
 
-    // [F4] Shoots the difference; with --anew beside solving the changed scene from nothing.
+    // [F4] Shoots the difference; with --anew, also solves the changed scene from the beginning.
     void change() {
         scene::Scene changed = scene_;
         for (const Change& c : options_.changes) apply(c, changed);
@@ -204,7 +201,7 @@ private:
         return radiosity::books(solver.model(), solver.solution()).unshot_share();
     }
 
-    /// Hemicubes until as little is unshot as before the change.
+    /// Shoots until the unshot share is that before the change. Returns the number of hemicubes.
     int solve(radiosity::Solver& solver) const {
         const double until = std::max(options_.until, steps_.back().unshot);
         int hemicubes = 0;
@@ -232,7 +229,7 @@ int compute(RadiosityOptions options, Session session) {
     check(options);
     Progress progress("reading", options.picture.quiet);
     const scene::Scene scene = load_scene(options.picture, session);
-    // The hemicubes of a recording have an order: one thread draws them.
+    // One thread draws the hemicubes of a recording, so that their order is fixed.
     options.solver.form_factors.threads = options.record ? 1 : options.picture.threads;
     CommandRecorder recorder;
     if (options.record) session.recorder = &recorder;

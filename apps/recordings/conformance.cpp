@@ -1,6 +1,5 @@
-// gw conformance: the recordings that a machine is held against, and what must come out.
+// gw conformance: writes the recordings that test a machine, and the manifests it must agree with.
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
 #include "apps/command/terminal.h"
 #include "apps/recordings/recording_files.h"
 #include "conformance/suite.h"
@@ -19,13 +18,12 @@ struct ConformanceOptions {
 };
 
 void add_options(CLI::App& command, ConformanceOptions& options) {
-    command.add_option("DIR", options.folder, "Where the files go")->type_name("DIR");
-    command
-        .add_option("--only", options.groups, "Recordings of these groups; default all of --list")
+    command.add_option("DIR", options.folder, "The folder for the files")->type_name("DIR");
+    command.add_option("--only", options.groups, "Only these groups (default: all of --list)")
         ->type_name("GROUP");
     command.add_flag("--values", options.values,
                      "Also the planes after every pass, so that gw verify names pixels");
-    command.add_flag("--list", options.list, "Print the groups and the rules that they reach");
+    command.add_flag("--list", options.list, "Only print the groups and the rules they reach");
     command.add_flag("--quiet", options.quiet, "No progress");
 }
 
@@ -66,7 +64,7 @@ int write_suite(const ConformanceOptions& options) {
                          inspect::maker_of("reference"), options.values);
             ++count;
         }
-        output.commit();  // a group at a time: few files are open at once
+        output.commit();  // after each group, so that few files are open at once
     }
     print(fmt::format("{}: {} recordings and their manifests\n", options.folder.string(), count));
     return Done;
@@ -76,7 +74,7 @@ int write_suite(const ConformanceOptions& options) {
 
 Command add_conformance(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
-        "conformance", "Recordings and manifests that a machine of its own must agree with");
+        "conformance", "Recordings and manifests that a foreign machine must agree with");
     const auto options = std::make_shared<ConformanceOptions>();
     add_options(*command, *options);
     command->footer(

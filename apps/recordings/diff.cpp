@@ -1,8 +1,7 @@
-// gw diff: two recordings or two manifests, and the first difference in what they say and in what
-// comes out.
+// gw diff: the first difference of two recordings or two manifests, in their commands and in their
+// results.
 #include "apps/command/command.h"
 #include "apps/command/option_values.h"
-#include "apps/command/progress.h"
 #include "apps/command/terminal.h"
 #include "apps/recordings/machine_options.h"
 #include "apps/recordings/recording_files.h"
@@ -100,8 +99,8 @@ Command add_diff(CLI::App& app) {
     command->add_option("B", options->b, "Another of the same kind")->required()->type_name("FILE");
     command
         ->add_option("-o,--output", options->picture,
-                     "A picture of the first plane that differs: black where it does not, "
-                     "white where it is worst")
+                     "A picture of the first plane that differs: equal pixels black, "
+                     "the worst white")
         ->type_name("IMAGE");
     command
         ->add_option_function<std::string>(
@@ -113,7 +112,7 @@ Command add_diff(CLI::App& app) {
         ->type_name("N");
     command->add_flag("--quiet", options->quiet, "No progress");
     command->footer(
-        "Exit code 3 where they differ.\n"
+        "Exit code 3 if they differ.\n"
         "Example:\n"
         "  build/release/bin/gw record scenes/rings.toml -o rings.gwt --size 160x120 && "
         "build/release/bin/gw diff rings.gwt rings.gwt");

@@ -1,8 +1,6 @@
-// gw inspect: a recording as a page to look at: passes, planes, counters, time, pixel histories.
+// gw inspect: shows a recording as a page with passes, planes, counters, time and pixel histories.
 #include "apps/command/command.h"
 #include "apps/command/option_values.h"
-#include "apps/command/progress.h"
-#include "apps/command/shell_command.h"
 #include "apps/command/terminal.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
@@ -21,7 +19,7 @@ namespace {
 
 struct InspectOptions {
     std::filesystem::path recording, folder, prices;
-    std::vector<std::string> words;  ///< of the command line that says the same, without the folder
+    std::vector<std::string> words;  ///< the options of add_choices, as given
     report::ReportOptions report;
     bool quiet = false;
 };
@@ -43,23 +41,23 @@ void add_choices(CLI::App& command, InspectOptions& options) {
                 help)
             ->type_name(type);
     };
-    add("--passes", "A-B", "Only these passes, by their places from 0 (default: all, at most 1000)",
+    add("--passes", "A-B", "Only these passes, numbered from 0 (default: all, at most 1000)",
         [](auto& report, auto name, auto& word) { report.passes = span_from(name, word); });
     add("--history", "A-B|none",
         "Pixel histories of these passes (default: "
-        "from the first as many as make 3 million fragments)",
+        "the first ones, up to 3 million fragments)",
         [](auto& report, auto name, auto& word) {
             if (word == "none")
                 report.with_history = false;
             else
                 report.history = span_from(name, word);
         });
-    add("--limit", "MB", "The report may have this many megabytes, 1..100000 (default 500)",
+    add("--limit", "MB", "The largest report in megabytes, 1..100000 (default 500)",
         [](auto& report, auto name, auto& word) {
             report.most_bytes =
                 1'000'000 * std::uint64_t(whole_number_from(name, word, 1, 100'000));
         });
-    add("--lang", "NAME", "The language that the page begins with; it can be switched there",
+    add("--lang", "NAME", "The page's first language; the page can switch it",
         [](auto& report, auto name, auto& word) {
             report.language = one_of(name, word, {"en", "ja"}) == "ja" ? report::Language::Japanese
                                                                        : report::Language::English;
@@ -72,7 +70,7 @@ void add_options(CLI::App& command, InspectOptions& options) {
         ->type_name("FILE.gwt");
     command
         .add_option("-o,--output", options.folder,
-                    "Folder of the report: open its index.html. An earlier report is replaced")
+                    "The folder of the report: open its index.html. Replaces an earlier report")
         ->required()
         ->type_name("DIR");
     add_choices(command, options);
@@ -89,7 +87,7 @@ bool writes_identifiers(const inspect::Recording& recording) {
     return std::ranges::find(names, recording.renderer) != names.end();
 }
 
-/// What no recording could satisfy is a wrong command line.
+/// Throws UsageError for options that no recording could satisfy.
 void check(const report::ReportOptions& options) {
     const auto &passes = options.passes, &history = options.history;
     if (passes && passes->last - passes->first >= report::most_passes)
@@ -100,7 +98,7 @@ void check(const report::ReportOptions& options) {
                                      history->first, history->last, passes->first, passes->last));
 }
 
-/// Files are named as they will be, not where they are while the report is made.
+/// Replaces the temporary folder in the message by the final one.
 [[noreturn]] void rethrow_with_final_names(const Error& error, const InspectOptions& options,
                                            const std::filesystem::path& temporary) {
     std::string text = error.what();

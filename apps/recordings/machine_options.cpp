@@ -24,8 +24,8 @@ void add_machine_options(CLI::App& command, MachineOptions& options) {
             [&](const std::string& word) {
                 options.machine = one_of("--machine", word, {"fast", "reference", "both"});
             },
-            "Which machine replays it (default fast); both: compared after each pass, code 3 where "
-            "they differ")
+            "The machine that replays it (default fast); both: compared after each pass, exit code 3 "
+            "if they differ")
         ->type_name("NAME");
     add_threads_option(command, options.threads);
     command.add_flag("--quiet", options.quiet, "No progress");

@@ -1,7 +1,7 @@
-// The options of commands that replay recordings: which machine, how many threads. Does not replay.
+// The options of commands that replay recordings: the machine and its threads. Does not replay.
 #pragma once
 
-#include "apps/command/cli_fwd.h"
+#include "apps/command/command.h"
 #include "inspect/compare/compare_machines.h"
 
 #include <string>
@@ -14,17 +14,17 @@ struct MachineOptions {
     bool quiet = false;
 
     bool both() const { return machine == "both"; }
-    /// The machine that is asked for; the fast one where it is both.
+    /// Makes the wanted machine; for "both" the fast one.
     inspect::MachineMaker make() const {
         return inspect::maker_of(both() ? "fast" : machine, threads);
     }
-    /// The other one.
+    /// Makes the other machine.
     inspect::MachineMaker make_other() const {
         return inspect::maker_of(machine == "reference" ? "fast" : "reference", threads);
     }
 };
 
-/// Adds --threads, 1..1024; 0 where it is not given.
+/// Adds --threads, 1..1024; 0 if it is not given.
 void add_threads_option(CLI::App& command, int& threads,
                         const char* about = "Threads of the fast machine (default: all)");
 

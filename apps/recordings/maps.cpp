@@ -1,7 +1,7 @@
-// gw maps: what happened to the fragments of every pixel of a recording, as pictures.
+// gw maps: shows the fate of the fragments at every pixel of a recording, as pictures.
 #include "apps/command/command.h"
 #include "apps/command/option_values.h"
-#include "apps/command/progress.h"
+#include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
@@ -21,11 +21,11 @@ namespace {
 
 struct MapsOptions {
     std::filesystem::path recording, folder;
-    std::string pass;  ///< its name or its place; empty: all
+    std::string pass;  ///< its name or number; empty: all
     bool quiet = false;
 };
 
-/// The pass that is asked for: by its name, the first of this name, else by its place.
+/// The number of the first pass of this name; else the word is the number.
 std::optional<std::size_t> pass_named(const inspect::Recording& recording,
                                       const std::string& word) {
     if (word.empty()) return {};
@@ -36,18 +36,18 @@ std::optional<std::size_t> pass_named(const inspect::Recording& recording,
     if (word.find_first_not_of("0123456789") == word.npos && word.size() < 8 &&
         std::stoul(word) < passes.size())
         return std::stoul(word);
-    throw Error(fmt::format("--pass '{}': expected the name of a pass or its place, 0..{}", word,
+    throw Error(fmt::format("--pass '{}': expected the name of a pass or its number, 0..{}", word,
                             passes.size() - 1));
 }
 
-/// Red where there are most, over green to blue for the fewest; black where there is none.
+/// The largest count red, over green to blue for the smallest; zero black.
 image::Picture count_colors(std::vector<std::uint32_t> counts, int width, int height) {
     for (std::uint32_t& count : counts) count = ~count;
     return image::depth_colors(counts, width, height, 32);
 }
 
-/// White: all fragments were written. Red, green, blue: most of those killed died of the alpha,
-/// stencil, depth test; the earlier test where as many. Black: no fragment.
+/// White: all fragments were written. Red, green, blue: the alpha, stencil or depth test killed
+/// most; of equal counts the earlier test. Black: no fragment.
 image::Picture why_killed(const inspect::FragmentMaps& maps, int width, int height) {
     constexpr std::uint8_t white = 7;
     std::vector<std::uint8_t> codes(maps.made.size());
@@ -107,8 +107,7 @@ Command add_maps(CLI::App& app) {
             "overdraw.png, depth_complexity.png, why_killed.png, and all counts in fragments.exr")
         ->required()
         ->type_name("DIR");
-    command
-        ->add_option("--pass", options->pass, "Of one pass, by its name or place (default: of all)")
+    command->add_option("--pass", options->pass, "One pass, by its name or number (default: all)")
         ->type_name("NAME|N");
     command->add_flag("--quiet", options->quiet, "No progress");
     command->footer(

@@ -10,7 +10,7 @@
 namespace gw::apps {
 namespace {
 
-/// Mesa as a machine, as far as a recording needs one: it executes.
+/// Mesa as a machine that only executes.
 class MesaMachine : public Machine {
 public:
     explicit MesaMachine(const inspect::Recording& r)
@@ -32,8 +32,8 @@ private:
     std::map<std::uint32_t, Readback> readbacks_;
 };
 
-/// OpenGL chooses the lit side after clipping, which cannot be handed over as one colour: without
-/// it, for both.
+/// OpenGL chooses the lit side after clipping, so one colour for each vertex cannot express it.
+/// Switches two-sided lighting off; true if it was on.
 bool without_two_side(inspect::Recording& recording) {
     bool changed = false;
     for (CommandList& list : recording.lists)

@@ -1,4 +1,4 @@
-// A recording through Mesa's OpenGL, beside the machine. Part of a build with OSMesa only.
+// Plays a recording on Mesa's OpenGL and on the machine. Only in builds with OSMesa.
 #pragma once
 
 #include "apps/recordings/machine_options.h"
@@ -7,10 +7,9 @@
 
 namespace gw::apps {
 
-/// A table: of every pass, how many pixels of colour, Z and stencil differ, and how
-/// (inspect/compare/classify.h).
-/// Says in its first line what played it. Lighting of two sides is switched off for both first, and
-/// that is said. Throws Error where OpenGL cannot play it.
+/// A table of the pixels of colour, Z and stencil that differ after each pass, by kind
+/// (inspect/compare/classify.h). Its first line names OpenGL's renderer. Two-sided lighting is
+/// switched off in both first; the first line then says so. Throws Error if OpenGL cannot play it.
 std::string compare_with_osmesa(inspect::Recording recording, const inspect::MachineMaker& make);
 
 }  // namespace gw::apps

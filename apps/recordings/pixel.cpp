@@ -1,7 +1,6 @@
-// gw pixel: everything that happened to one pixel of a recording.
+// gw pixel: prints every fragment of one pixel of a recording, and its fate.
 #include "apps/command/command.h"
 #include "apps/command/option_values.h"
-#include "apps/command/progress.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
 #include "apps/recordings/recording_files.h"

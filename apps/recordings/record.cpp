@@ -1,6 +1,6 @@
-// gw record: everything that enters the machine while a scene is drawn, as a file.
+// gw record: writes everything that enters the machine while a scene is drawn.
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
+#include "apps/command/terminal.h"
 #include "apps/recordings/recording_files.h"
 #include "hiddensurface/run/algorithm.h"
 #include "image/output/output_set.h"
@@ -12,7 +12,7 @@ namespace {
 
 struct RecordOptions {
     PictureOptions picture;
-    std::string algorithm;  ///< of hidden surfaces; empty: the renderer's passes
+    std::string algorithm;  ///< a hidden-surface algorithm; empty: the renderer's passes
     std::filesystem::path output, manifest;
     bool values = true;
 };
@@ -33,8 +33,8 @@ void add_options(CLI::App& command, RecordOptions& options) {
     command
         .add_option(
             "--manifest", options.manifest,
-            "Also what gw verify checks: state, counters and digests of every pass, as JSON, and "
-            "the values of the planes beside it")
+            "Also write the manifest for gw verify: state, counters and digests of every pass as "
+            "JSON, and the planes' values beside it")
         ->type_name("FILE.json");
     command.add_flag(
         "!--no-values", options.values,

@@ -1,7 +1,7 @@
 #include "apps/recordings/recording_files.h"
 
-#include "apps/command/versions.h"
-#include "apps/render/parameter_sets.h"
+#include "apps/command/command.h"
+#include "apps/render/frame_files.h"
 #include "gw/error.h"
 #include "hiddensurface/run/algorithm.h"
 #include "inspect/recording/read_bytes.h"
@@ -64,7 +64,7 @@ inspect::Recording load_recording(const std::filesystem::path& file, Session& se
 void put_manifest(image::OutputSet& output, const std::filesystem::path& file,
                   const inspect::Recording& recording, const inspect::MachineMaker& make,
                   bool with_values) {
-    // Beside a device or a pipe there is no place for values.
+    // A device or a pipe has no folder for values beside it.
     std::error_code ignored;
     if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored))
         with_values = false;

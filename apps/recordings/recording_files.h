@@ -1,4 +1,4 @@
-// Recordings of drawings, and recordings in files. Does not parse options.
+// Recordings of drawings, and their files. Does not parse options.
 #pragma once
 
 #include "apps/render/frame_files.h"
@@ -10,19 +10,19 @@
 
 namespace gw::apps {
 
-/// What was executed while a drawing was drawn, with its names.
+/// The recording of lists that were executed for a drawing, with the drawing's names.
 inspect::Recording recording_of(const Drawing& drawing, std::vector<CommandList> lists);
 
-/// Everything that entered the machine while the drawing was drawn, or while a hidden-surface
-/// algorithm of this name drew the scene ("": none).
+/// Draws the drawing and records everything that enters the machine. A hidden-surface algorithm of
+/// this name draws the scene instead; "": none.
 inspect::Recording record(const Drawing& drawing, const Session& session,
                           const std::string& algorithm);
 
-/// An input of the session. Throws Error "T.gwt: what is wrong".
+/// Reads a recording, as an input of the session. Throws Error "T.gwt: what is wrong".
 inspect::Recording load_recording(const std::filesystem::path& file, Session& session);
 
-/// Replays the recording and adds what came out to the files of `output`: the manifest and, where
-/// wanted and `file` is no device, its values beside it, "M.values" for "M.json".
+/// Replays the recording and adds its manifest to the files of `output`. With values, adds
+/// "M.values" beside "M.json", unless `file` is a device.
 void put_manifest(image::OutputSet& output, const std::filesystem::path& file,
                   const inspect::Recording& recording, const inspect::MachineMaker& make,
                   bool with_values);

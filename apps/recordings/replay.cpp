@@ -1,7 +1,6 @@
-// gw replay: executes a recording, without the scene that it came from.
+// gw replay: executes a recording without its scene.
 #include "apps/command/command.h"
 #include "apps/command/option_values.h"
-#include "apps/command/progress.h"
 #include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/recordings/machine_options.h"

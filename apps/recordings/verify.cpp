@@ -1,6 +1,5 @@
-// gw verify: a recording against its manifest.
+// gw verify: compares a recording's replay with its manifest.
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
 #include "apps/command/terminal.h"
 #include "apps/recordings/machine_options.h"
 #include "apps/recordings/recording_files.h"
@@ -29,7 +28,7 @@ void add_options(CLI::App& command, VerifyOptions& options) {
         ->required()
         ->type_name("FILE.json");
     add_machine_options(command, options.machine);
-    command.add_flag("--update", options.update, "Instead of checking it, write the manifest anew");
+    command.add_flag("--update", options.update, "Write the manifest anew instead of checking it");
     command.add_flag("!--no-values", options.values, "With --update: no values beside it");
 }
 
@@ -75,7 +74,7 @@ int check(const VerifyOptions& options, const inspect::Recording& recording, Pro
         print(fmt::format(
             "{}: its commands are not those of {}, though they make the same planes{}\n",
             options.recording.string(), options.manifest.string(),
-            verification.same_scene ? "" : "; meshes or maps are others too"));
+            verification.same_scene ? "" : "; meshes or maps differ too"));
     print(fmt::format("{}: as {} says, {}, every plane and counter{}\n", options.recording.string(),
                       options.manifest.string(),
                       inspect::plural(expected.manifest.passes.size(), "pass", "passes"),
@@ -96,8 +95,8 @@ int verify_recording(const VerifyOptions& options, Session& session) {
 }  // namespace
 
 Command add_verify(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("verify", "A recording against its manifest: code 3 where they differ");
+    CLI::App* command = app.add_subcommand(
+        "verify", "Compares a recording with its manifest: exit code 3 if they differ");
     const auto options = std::make_shared<VerifyOptions>();
     add_options(*command, *options);
     command->footer(

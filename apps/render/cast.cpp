@@ -1,7 +1,5 @@
-// gw cast: ray casting as it is taught, by the method that is asked for, with what it cost. [L9 to
-// L12]
+// gw cast: ray casting as it is taught, by a chosen method, with its costs. [L9 to L12]
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
 #include "apps/render/picture_options.h"
@@ -37,7 +35,7 @@ struct CastOptions {
     std::filesystem::path output, tests;
 };
 
-/// An option whose words are a table's.
+/// Adds an option whose words are those of a table.
 template <class Table, class Value>
 void add_choice(CLI::App& command, const std::string& name, const Table& table, Value& value,
                 const std::string& help) {
@@ -60,7 +58,7 @@ void check_picture(const std::string& option, const std::filesystem::path& file)
     check_picture_target(file);
 }
 
-/// Tests of a pixel from black to white, the dearest pixel white.
+/// The number of tests at each pixel in grey: the dearest pixel is white.
 image::Picture picture_of_tests(const std::vector<std::uint32_t>& tests, const Size& size) {
     const std::uint64_t most =
         std::max<std::uint32_t>(1, *std::max_element(tests.begin(), tests.end()));
@@ -122,9 +120,10 @@ Command add_cast(CLI::App& app) {
     for (const char* unused : {"--machine", "--profile"})
         command->remove_option(command->get_option(unused));
     command->get_option("--size")->description("Pixels, both sides 1..4096 (default 320x240)");
-    command->get_option("--threads")->description("Processors that share the rows (default: all)");
-    add_choice(*command, "--method", methods, options->method,
-               "How the nearest shape is found: brute-force, volumes, hierarchy (default) or grid");
+    command->get_option("--threads")->description("Threads that share the rows (default: all)");
+    add_choice(
+        *command, "--method", methods, options->method,
+        "The search for the nearest shape: brute-force, volumes, hierarchy (default) or grid");
     add_choice(*command, "--inside", inside_tests, options->inside,
                "Ray and polygon: crossings (default), products or angles; "
                "they differ on concave polygons");

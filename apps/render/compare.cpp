@@ -1,6 +1,6 @@
-// gw compare: item buffer and ordinary ray tracing on one scene, what differs and why. [K4, K4f]
+// gw compare: the differences between item buffer and ordinary ray tracing, and their reasons. [K4,
+// K4f]
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"

@@ -4,7 +4,6 @@
 #include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/recordings/recording_files.h"
-#include "apps/render/parameter_sets.h"
 #include "image/planes.h"
 #include "image/write.h"
 #include "inspect/manifest/counters_json.h"
@@ -13,6 +12,7 @@
 #include "inspect/replay/recorder.h"
 #include "multipass/frame/driver.h"
 #include "multipass/maps/scene_maps.h"
+#include "multipass/passes/schedule.h"
 #include "scene/draw/draw_commands.h"
 
 #include <cctype>
@@ -38,7 +38,7 @@ std::string file_name(std::string name, std::set<std::string>& taken) {
     return unique;
 }
 
-// The scene's own passes are in place of multipass's.
+// The scene's own passes replace those of multipass.
 DrawOptions options_of(const Drawing& drawing) {
     DrawOptions options = draw_options(drawing.options);
     if (drawing.renderer.passes == multipass::Renderer::Multipass)
@@ -58,8 +58,8 @@ scene::Scene with_maps(const Drawing& drawing, const scene::View& view, Machine&
     return multipass::with_scene_maps(machine, drawing.scene, view, options_of_maps(drawing));
 }
 
-// The component's passes as the picture's, on black where the background is a component of its own.
-// The scene's maps are there already: they show everything.
+// Draws the component's passes, on black if the background is a component of its own. The scene has
+// its maps already, because they show all components.
 std::vector<Rgba> component(const Drawing& drawing, scene::Scene scene,
                             const multipass::ComponentList& list, const scene::View& view,
                             Machine& machine) {
@@ -152,6 +152,15 @@ void draw_frame(const Drawing& drawing, const FrameFiles& files, const Session& 
     for (const auto& folder : {files.components, files.planes})
         if (!folder.empty()) put_index(output, folder, session);
     output.commit();
+}
+
+std::map<std::string, std::string> parameter_sets(const Drawing& drawing) {
+    std::map<std::string, std::string> sets;
+    if (!drawing.renderer.passes) return sets;
+    const multipass::PassModel model = multipass::make_pass_model(drawing.scene);
+    for (const multipass::Step& step : multipass::schedule(passes_of(drawing), model))
+        sets[multipass::name_of(step, model)] = multipass::to_string(step.pass.material);
+    return sets;
 }
 
 }  // namespace gw::apps

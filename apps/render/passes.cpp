@@ -1,10 +1,8 @@
-// gw passes: the parameter sets of a scene as the paper writes them, with what the machine counted.
+// gw passes: a scene's parameter sets as the paper writes them, with the machine's counters.
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
 #include "apps/render/frame_files.h"
-#include "apps/render/parameter_sets.h"
 #include "gw/names.h"
 #include "inspect/manifest/counters_json.h"
 #include "inspect/report/prices.h"
@@ -33,7 +31,7 @@ struct RunPass {
     double seconds = 0;  ///< estimated
 };
 
-/// The list as the paper writes it, and what ran.
+/// The list as the paper writes it, and the passes that ran.
 struct Printout {
     multipass::PassList list;
     report::PriceList prices;
@@ -104,7 +102,7 @@ std::string json(const Printout& printout) {
            "\n";
 }
 
-// Names may hold anything but are one field.
+// A name with any characters as one field.
 std::string quoted(const std::string& text) {
     std::string field = "\"";
     for (char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -28,9 +28,9 @@ void add_camera_options(CLI::App& command, PictureOptions& options) {
                 name, [name, &to](const std::string& word) { to = point_from(name, word); }, help)
             ->type_name("X,Y,Z");
     };
-    point("--eye", camera.eye, "Where the eye is (default: the scene's camera, or fitted)");
-    point("--at", camera.at, "What it looks at");
-    point("--up", options.up, "Which way is up");
+    point("--eye", camera.eye, "The eye's position (default: the scene's camera, or fitted)");
+    point("--at", camera.at, "The point it looks at");
+    point("--up", options.up, "The direction that is up in the picture");
     command
         .add_option_function<std::string>(
             "--fov",
@@ -48,7 +48,7 @@ void add_machine_options(CLI::App& command, PictureOptions& options) {
             [&](const std::string& word) {
                 options.machine = one_of("--machine", word, machines());
             },
-            "Which machine draws: the same bits (default " + machines().front() + ")")
+            "The machine that draws; both give the same bits (default " + machines().front() + ")")
         ->type_name("NAME");
     add_threads_option(command, options.threads);
     command
@@ -66,7 +66,7 @@ void add_machine_options(CLI::App& command, PictureOptions& options) {
         ->type_name("NAME|FILE.toml");
 }
 
-// An option whose words stand for values.
+// Adds an option whose words stand for values.
 template <class Value, class Target>
 void add_choice(CLI::App& command, const std::string& name, std::map<std::string, Value> words,
                 Target& target, const std::string& help) {
@@ -97,8 +97,8 @@ void add_effect_options(CLI::App& command, PictureOptions& options) {
     add_choice(
         command, "--averaging", std::map<std::string, bool>{{"simple", false}, {"weighted", true}},
         options.weighted,
-        "Of --samples: simple (default), or with integer weights that fall towards the pixel's "
-        "border");
+        "Mean of --samples: simple (default), or weighted with integers that fall towards the "
+        "pixel's border");
 }
 
 void add_ray_options(CLI::App& command, PictureOptions& options) {
@@ -108,7 +108,7 @@ void add_ray_options(CLI::App& command, PictureOptions& options) {
             [&](const std::string& word) {
                 options.traced = one_of("--reflections", word, {"rays", "maps"}) == "rays";
             },
-            "Of materials with illum 3 to 7: by rays from an item buffer (default), "
+            "Reflections of materials with illum 3 to 7: by rays from an item buffer (default), "
             "or by maps only")
         ->type_name("rays|maps");
     command
@@ -117,7 +117,7 @@ void add_ray_options(CLI::App& command, PictureOptions& options) {
             [&](const std::string& word) {
                 options.rays.depth = whole_number_from("--depth", word, 1, 64);
             },
-            "Rays in a path, the one from the eye counted (default 2; glass wants 6 or so)")
+            "Rays in a path, with the one from the eye (default 2; glass needs about 6)")
         ->type_name("N");
     command
         .add_option_function<std::string>(
@@ -126,7 +126,7 @@ void add_ray_options(CLI::App& command, PictureOptions& options) {
                 options.rays.shadow_maps =
                     one_of("--reflected-shadows", word, {"rays", "maps"}) == "maps";
             },
-            "What finds shadows in reflections: shadow rays (default), or the lights' shadow maps")
+            "Shadows in reflections: by shadow rays (default), or by the lights' shadow maps")
         ->type_name("rays|maps");
 }
 
@@ -219,7 +219,7 @@ Profile load_profile(const PictureOptions& options, Session& session) {
     const Profile profile =
         from_file ? scene::read_profile(options.profile)
                   : profile_named(one_of("--profile", options.profile, profile_names()));
-    // Groups that fit, and as many groups; with weights one.
+    // As many groups as a group has samples; with weights only one group.
     const int group = multipass::most_pictures(profile),
               most = options.weighted ? group : group * group;
     if (options.samples > most) {

@@ -1,10 +1,9 @@
-// The options that gw render and gw passes share: which scene, seen how, drawn by what; and the
-// scene they give. Does not draw.
+// The options that gw render and gw passes share: scene, camera, renderer, machine. Loads the scene
+// and makes the machine. Does not draw.
 #pragma once
 
-#include "apps/command/cli_fwd.h"
+#include "apps/command/command.h"
 #include "apps/command/option_values.h"
-#include "apps/command/session.h"
 #include "apps/render/renderers.h"
 #include "gw/machine.h"
 #include "multipass/frame/options.h"
@@ -27,7 +26,7 @@ struct PictureOptions {
     std::string machine;  ///< empty: the first of machines()
     int threads = 0;      ///< 0: all
     int samples = 1;
-    bool weighted = false;  ///< the samples' mean
+    bool weighted = false;  ///< a weighted mean of the samples
     multipass::Translucency translucency = multipass::Translucency::Sorted;
     bool traced = true;  ///< illum 3 and up by rays
     itembuffer::Options rays;
@@ -37,33 +36,32 @@ struct PictureOptions {
     bool quiet = false;
 };
 
-/// Adds SCENE and the options. The wording is checked while parsing, files are not looked at.
+/// Adds SCENE and the options. Parsing checks the words, not the files.
 void add_picture_options(CLI::App& command, PictureOptions& options);
-/// For a command that chooses renderer and passes itself: takes their options away again.
+/// Removes the options of renderer and passes, for a command that chooses them itself.
 void remove_pass_options(CLI::App& command);
 
-/// Reads the scene and its textures, fits what it leaves open, applies the camera options. Warnings
-/// of the readers go to stderr unless quiet. Throws Error.
-/// What is read is an input of the session.
+/// Reads the scene and its textures, as inputs of the session. Fits a missing camera and light, and
+/// applies the camera options. Prints the readers' warnings unless quiet. Throws Error.
 scene::Scene load_scene(const PictureOptions& options, Session& session);
 
-/// The same, with the pass list that the scene brings, if it does.
+/// The scene, with its own pass list if it has one.
 struct SceneWithPasses {
     scene::Scene scene;
     std::optional<multipass::PassList> passes;
 };
 SceneWithPasses load_scene_with_passes(const PictureOptions& options, Session& session);
 
-/// What of the options a renderer asks for.
+/// The options for the renderer.
 DrawOptions draw_options(const PictureOptions& options);
 
-/// A built-in profile by name, or one from a TOML file. Throws UsageError, of a file Error, where
-/// it cannot hold so many samples.
+/// A built-in profile by name, or one from a TOML file. If it cannot superpose that many samples,
+/// throws UsageError, or Error for a profile from a file.
 Profile load_profile(const PictureOptions& options, Session& session);
 
-/// "fast", "reference": those that this build has, the default first.
+/// "fast", "reference": the machines of this build, the default first.
 std::vector<std::string> machines();
-/// Recorded where the session records.
+/// The machine, added to the session's recorder if it has one.
 std::unique_ptr<Machine> make_machine(const PictureOptions& options, const Profile& profile,
                                       const Session& session);
 

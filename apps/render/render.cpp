@@ -1,26 +1,77 @@
-// gw render: a picture of a scene; its components, planes, manifest and counters on request.
+// gw render: draws a picture of a scene, and on request its components, planes, manifest, counters.
+#include "itembuffer/render.h"
 #include "apps/command/command.h"
 #include "apps/command/peak_memory.h"
-#include "apps/command/progress.h"
+#include "apps/command/terminal.h"
 #include "apps/render/frame_files.h"
 #include "apps/render/picture_options.h"
 #include "apps/render/renderers.h"
-#include "apps/render/turntable.h"
 #include "gw/error.h"
+#include "image/output/output_set.h"
 #include "image/write.h"
+#include "multipass/maps/scene_maps.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <functional>
+#include <utility>
+
 namespace gw::apps {
 namespace {
+
+// "rings.png" becomes "rings_007.png".
+std::filesystem::path numbered(const std::filesystem::path& file, int number) {
+    std::filesystem::path name = file.stem();
+    name += fmt::format("_{:03}", number);
+    name += file.extension();
+    return file.parent_path() / name;
+}
+
+// Draws views of the scene. A driver keeps the results that do not depend on the view. Maps that
+// are generated from the scene do, so then each view is drawn alone.
+std::function<void(const scene::View&)> view_drawer(const Drawing& drawing, Machine& machine) {
+    DrawOptions options = draw_options(drawing.options);
+    if (drawing.renderer.passes) options.passes.passes = passes_of(drawing);
+    const bool by_passes = drawing.renderer.passes == multipass::Renderer::Multipass &&
+                           options.traced &&
+                           !multipass::has_scene_maps(drawing.scene, options.passes);
+    if (!by_passes) return [&](const scene::View& view) { draw(drawing, view, machine); };
+    const std::shared_ptr<multipass::Driver> driver =
+        itembuffer::make_driver(machine, drawing.scene, options.passes, options.rays);
+    return [driver](const scene::View& view) { driver->draw(view); };
+}
+
+/// Number first .. last of `pictures`, as IMAGE_001 ...; each is finished before the next is begun.
+/// Throws Error.
+void draw_turntable(Drawing& drawing, const FrameFiles& files, int pictures,
+                    std::pair<int, int> first_last, Progress& progress, const Session& session) {
+    const Size size = drawing.options.size;
+    const scene::Camera camera = *drawing.scene.camera;
+    const auto machine = make_machine(drawing.options, drawing.profile, session);
+    const auto draw_view = view_drawer(drawing, *machine);
+    const auto [first, last] = first_last;
+    for (int number = first; number <= last; ++number)
+        session.inputs.check(numbered(files.picture, number));
+    for (int number = first; number <= last; ++number) {
+        progress.at(fmt::format("drawing picture {} of {}", number, pictures));
+        drawing.scene.camera = scene::turntable(camera, 360.0 * (number - 1) / pictures);
+        draw_view(scene::make_view(drawing.scene, size.width, size.height));
+        image::OutputSet output(session.inputs);
+        const image::Picture picture = image::picture_of(machine->planes().color, size.width,
+                                                         size.height, drawing.profile.color_bits);
+        image::put_picture(output.add(numbered(files.picture, number)),
+                           image::toned(picture, files.tone));
+        output.commit();
+    }
+}
 
 struct RenderOptions {
     PictureOptions picture;
     FrameFiles files;
     int turntable = 0;     ///< pictures; 0: none
-    std::string frames{};  ///< "A-B": these of the turntable's pictures only
-    bool memory = false;   ///< print peak memory
+    std::string frames{};  ///< "A-B": only these pictures of the turntable
+    bool memory = false;   ///< prints peak memory
 };
 
 void add_tone_options(CLI::App& command, image::Tone& tone) {
@@ -30,7 +81,7 @@ void add_tone_options(CLI::App& command, image::Tone& tone) {
             [&tone](const std::string& word) {
                 tone.gamma = number_from("--gamma", word, 0.1, 10);
             },
-            "The picture as v^(1/G) (default 1: as the frame buffer holds it)")
+            "The picture as v^(1/G) (default 1: as in the frame buffer)")
         ->type_name("G");
     command
         .add_option_function<std::string>(
@@ -59,25 +110,24 @@ void add_options(CLI::App& command, RenderOptions& options) {
         ->type_name("N");
     command
         .add_option("--frames", options.frames,
-                    "Of a turntable pictures A to B only: processes share the work, "
-                    "and make the same files")
+                    "Only pictures A to B of the turntable, so that several processes can share it")
         ->type_name("A-B");
     command
         .add_option("--components", options.files.components,
-                    "Also a picture of each component, and their sum")
+                    "Also write a picture of each component, and their sum")
         ->type_name("DIR");
     command
         .add_option(
             "--planes", options.files.planes,
-            "Also Z, stencil, identifiers, accumulation: values as EXR, false colours as PNG")
+            "Also write Z, stencil, identifiers, accumulation: values as EXR, false colours as PNG")
         ->type_name("DIR");
     command
         .add_option("--manifest", options.files.manifest,
-                    "Also counters and digests of every pass, as JSON")
+                    "Also write counters and digests of every pass, as JSON")
         ->type_name("FILE");
     command
         .add_option("--counters", options.files.counters,
-                    "Also how often each pass ran and what it counted, as JSON")
+                    "Also write each pass's runs and counters, as JSON")
         ->type_name("FILE");
     add_tone_options(command, options.files.tone);
     command.add_flag("--memory", options.memory, "Print the peak memory");
@@ -101,8 +151,7 @@ std::pair<int, int> frames_of(const RenderOptions& options) {
     return range_from("--frames", options.frames, 1, options.turntable);
 }
 
-// What is wrong with the words alone is usage. Files that cannot be written are found before long
-// work.
+// Wrong words are a UsageError. Finds files that cannot be written before long work.
 void check(const RenderOptions& options) {
     if (!options.frames.empty() && options.turntable == 0)
         throw UsageError("--frames without --turntable; expected both, or neither for one picture");

@@ -46,8 +46,8 @@ void draw_scan_lines(Machine& machine, const scene::Scene& scene, const scene::V
 
 void draw_rays(Machine& machine, const scene::Scene& scene, const scene::View& view,
                const DrawOptions& options) {
-    itembuffer::render_by_rays(machine, scene, view, options.passes.samples, options.rays,
-                               options.passes.weighted);
+    itembuffer::superpose_ray_traced(machine, scene, view, options.passes.samples, options.rays,
+                                     options.passes.weighted);
 }
 
 void draw_adaptive(Machine& machine, const scene::Scene& scene, const scene::View& view,

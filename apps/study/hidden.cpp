@@ -1,7 +1,6 @@
 #include "apps/study/hidden.h"
 
 #include "apps/command/command.h"
-#include "apps/command/progress.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
@@ -20,7 +19,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// All TOML files of the folder but the recipes, by name.
+/// All price lists of the folder, by name: its TOML files but recipes.toml.
 std::vector<study::PriceList> read_lists(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;
     std::error_code error;
@@ -36,7 +35,7 @@ std::vector<study::PriceList> read_lists(const std::filesystem::path& folder) {
     return lists;
 }
 
-/// Values down, algorithms across: the exponents.
+/// A table of exponents: a row for each value, a column for each algorithm.
 std::string exponents(const std::vector<study::GrowthLaw>& laws, const std::string& axis,
                       bool lines) {
     std::vector<std::string> algorithms;
@@ -82,7 +81,7 @@ std::string exponents(const study::Growth& growth, const std::vector<study::Grow
     return text;
 }
 
-/// The three cheapest at each place, and where places are exchanged.
+/// The three cheapest algorithms at each x, and every x at which two change places.
 std::string ranking_text(const std::vector<study::Ranking>& rankings, const study::GrowthAxis& axis,
                          const study::PriceList& list, bool lines) {
     Rows rows{{axis.name, "cheapest", "second", "third"}};

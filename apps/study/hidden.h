@@ -1,8 +1,7 @@
-// gw study hidden: how the hidden-surface algorithms grow, and what they cost. Does not parse
-// options.
+// gw study hidden: growth and cost of the hidden-surface algorithms. Does not parse options.
 #pragma once
 
-#include "apps/command/session.h"
+#include "apps/command/command.h"
 
 #include <filesystem>
 #include <string>
@@ -17,11 +16,11 @@ struct HiddenStudyOptions {
     std::string axis;    ///< empty: all
     int threads = 1;
     bool quiet = false;
-    std::string command;  ///< as it was called, for the plots
+    std::string command;  ///< the command line, for the plots
 };
 
-/// growth.csv, laws.csv, costs.csv, a plot for every counter and axis, index.html; prints exponents
-/// and rankings.
+/// Writes growth.csv, laws.csv, costs.csv, a plot for every counter and axis, and index.html. Prints
+/// exponents and rankings.
 int study_hidden(const HiddenStudyOptions& options, const Session& session);
 
 }  // namespace gw::apps

@@ -1,7 +1,6 @@
-// gw study: measurements of pictures, as plots with their numbers.
+// gw study: measures pictures and algorithms; writes plots with their numbers.
 #include "apps/command/command.h"
 #include "apps/command/command_recorder.h"
-#include "apps/command/progress.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
@@ -28,13 +27,13 @@ namespace {
 struct StudyOptions {
     std::filesystem::path output;
     int threads = 0, samples = 256;
-    HiddenStudyOptions hidden;  ///< its own prices and limit
+    HiddenStudyOptions hidden;  ///< options of gw study hidden alone
     bool quiet = false;
 };
 
 constexpr Size size{160, 120}, large{320, 240};
 
-/// The studies' scenes are the repository's.
+/// A scene of the repository.
 scene::Scene study_scene(const char* file, Session& session) {
     return load_scene({.scene = file, .size = size, .quiet = true}, session);
 }
@@ -47,7 +46,7 @@ study::MachineMaker maker(const StudyOptions& options, Size window, const Sessio
     };
 }
 
-/// The folder, before long work: what cannot be written is found now.
+/// Creates the folder before long work, so that a bad name is found early.
 void check(const StudyOptions& options) {
     if (options.output.empty()) throw UsageError("-o is empty; expected the name of a folder");
     image::OutputSet output;
@@ -213,7 +212,7 @@ std::string studies_help() {
 
 void add_common_options(CLI::App& command, StudyOptions& options) {
     command
-        .add_option("-o,--output", options.output, "Folder of the plots; made where it is missing")
+        .add_option("-o,--output", options.output, "The folder of the plots; created if missing")
         ->required()
         ->type_name("DIR");
     add_threads_option(command, options.threads,
@@ -236,7 +235,7 @@ void add_hidden_options(CLI::App& command, HiddenStudyOptions& options) {
             [&options](const std::string& word) {
                 options.limit = number_from("--limit", word, 0.001, 3600);
             },
-            "hidden: an algorithm whose next size would take longer is stopped there (default 0.5)")
+            "hidden: stop an algorithm before a size that would take longer (default 0.5)")
         ->type_name("SECONDS");
     command
         .add_option_function<std::string>(

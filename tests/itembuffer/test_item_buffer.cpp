@@ -248,7 +248,7 @@ TEST(Eq5, AgreesWithTheOrdinaryRayTracerWhereVertexLightingIsExact) {
     const scene::View view = scene::make_view(scene, width, height);
     const auto passes = machine(), rays = machine();
     render(*passes, scene, view, {}, {.depth = 3});
-    render_by_rays(*rays, scene, view, 1, {.depth = 3});
+    superpose_ray_traced(*rays, scene, view, 1, {.depth = 3});
     const auto ids = scene::draw_item_buffer(*machine(), scene, view, {});
     int compared = 0;
     for (std::size_t i = 0; i < ids.size(); ++i) {

@@ -20,7 +20,7 @@ std::vector<Rgba> by_passes(const scene::Scene& s) {
 
 std::vector<Rgba> by_rays(const scene::Scene& s) {
     const auto machine = make_fast(vgx(), size, size);
-    render_by_rays(*machine, s, scene::make_view(s, size, size), 1, {});
+    superpose_ray_traced(*machine, s, scene::make_view(s, size, size), 1, {});
     return machine->planes().color;
 }
 

@@ -1,5 +1,5 @@
 // gw hidden and gw styles: what they write, print and refuse.
-#include "apps/hidden/captions.h"
+#include "apps/hidden/pictures.h"
 #include "test_paths.h"
 #include "tests/apps/pictures.h"
 #include "tests/apps/support/command_test.h"
@@ -43,14 +43,14 @@ TEST_F(Hidden, PaintsAMaterialWithoutKdInItsOtherColours) {
                   .code,
               0);
     const Pixels picture = read_pixels(in("s/picture.png"));
-    const std::vector<float> red = picture.at(22, 10), green = picture.at(30, 10),
-                             grey = picture.at(38, 10);
-    EXPECT_GT(red[0], 0.5f);
-    EXPECT_EQ(red[1], 0);
-    EXPECT_GT(green[1], 0.5f);
-    EXPECT_EQ(green[0], 0);
-    EXPECT_GT(grey[0], 0.1f);
-    EXPECT_EQ(grey[0], grey[2]);
+    const std::vector<float> ambient = picture.at(22, 10), emissive = picture.at(30, 10),
+                             without = picture.at(38, 10);
+    EXPECT_GT(ambient[0], 0.5f);
+    EXPECT_EQ(ambient[1], 0);
+    EXPECT_GT(emissive[1], 0.5f);
+    EXPECT_EQ(emissive[0], 0);
+    EXPECT_GT(without[0], 0.1f);
+    EXPECT_EQ(without[0], without[2]);
 }
 
 // What is quadratic by nature says so before it begins.

@@ -1,15 +1,53 @@
 // From arguments to an exit code. The only place that catches.
 #include "apps/command/command.h"
-#include "apps/command/mistyped.h"
 #include "apps/command/terminal.h"
-#include "apps/command/versions.h"
 #include "gw/error.h"
+#include "scene/text/suggest.h"
 
 #include <CLI/CLI.hpp>
+
+#include <algorithm>
 #include <new>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace gw::apps {
 namespace {
+
+std::vector<std::string> long_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+        for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    }
+    return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands(nullptr))
+        names.push_back(command->get_name());
+    return names;
+}
+
+/// The first word that parsing left over: "unknown option --siez of gw render; the nearest known is
+/// --size". Needs allow_extras().
+std::optional<std::string> mistyped(const CLI::App& app) {
+    const auto chosen = app.get_subcommands();
+    const CLI::App& at = chosen.empty() ? app : *chosen.front();
+    const std::vector<std::string> words = at.remaining();
+    if (words.empty()) return {};
+    const auto option =
+        std::find_if(words.begin(), words.end(), [](const std::string& w) { return w[0] == '-'; });
+    if (option != words.end()) {
+        const std::string name = option->substr(0, option->find('='));
+        return scene::unknown("option", name, long_names(at));
+    }
+    if (&at == &app) return scene::unknown("command", words.front(), command_names(app));
+    return "unexpected word '" + scene::printable(words.front()) + "' after gw " + at.get_name() +
+           "; expected what gw " + at.get_name() + " --help lists";
+}
 
 constexpr const char* about =
     "A graphics workstation of 1991 in software, and the rendering that was invented for it.";
@@ -48,7 +86,23 @@ int parse_and_run(CLI::App& app, const std::vector<Command>& commands, Session& 
     throw UsageError("no command; expected one of those that gw --help lists");
 }
 
+std::string quoted(const std::string& word) {
+    if (!word.empty() && word.find_first_of(" \t\n'\"\\$&;()<>|*?[]{}#~`!") == word.npos)
+        return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
 }  // namespace
+
+std::string version() { return GW_VERSION; }
+
+std::string shell_command(const std::vector<std::string>& words) {
+    std::string text = "build/release/bin/gw";
+    for (const std::string& word : words) text += " " + quoted(word);
+    return text;
+}
 
 int run_command(Session session) {
     CLI::App app{about, "gw"};
