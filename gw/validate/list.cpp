@@ -45,7 +45,10 @@ void check_in_context(const Checker& c, const Read& read, const ListContext& con
 }
 
 void follow(const auto&, ListContext&) {}
-void follow(const SetState& set, ListContext& context) { context.state = set.state; }
+/// Only the texture's state decides whether a later command is valid.
+void follow(const SetState& set, ListContext& context) {
+    context.state.texture = set.state.texture;
+}
 void follow(const CopyTexture& copy, ListContext& context) {
     context.slots[copy.slot] = copy.plane;
 }

@@ -16,6 +16,7 @@ struct Draw;
 namespace fast {
 
 struct GeometrySet;
+struct PartGroup;
 struct VertexColors;
 struct VertexFog;
 struct VertexTexcoords;
@@ -23,9 +24,10 @@ struct FastTexels;
 struct TexelPairs;
 
 struct DrawOp {
-    const Draw* const* draws;  ///< one for each part of `set`
+    const Draw* const* draws;  ///< one for each part of `group`
     const Resolved& state;
-    const GeometrySet* set = nullptr;
+    const PartGroup* group = nullptr;
+    const GeometrySet* set = nullptr;            ///< the group's
     const VertexColors* colors = nullptr;        ///< null: no stage needs a colour
     const VertexFog* fog = nullptr;              ///< null: no fog
     const VertexTexcoords* texcoords = nullptr;  ///< null: untextured
@@ -33,7 +35,8 @@ struct DrawOp {
     const TexelPairs* pairs = nullptr;           ///< of `texels`, if the filter is bilinear
     bool texels_counted = false;                 ///< textured, even if nothing reads the colour
     const std::vector<std::uint32_t>* fog_table = nullptr;
-    bool needs_color = true;  ///< a plane or the alpha test reads it
+    bool needs_color = true;     ///< a plane or the alpha test reads it
+    bool uniform_color = false;  ///< each primitive has one colour at all its vertices
     bool perspective_color = false;
     int visible_record = -1;       ///< the record that it makes or uses; -1: none
     bool counts_by_pixel = false;  ///< its record counts each pixel's fragments

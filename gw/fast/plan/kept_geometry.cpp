@@ -6,12 +6,18 @@
 namespace gw::fast {
 namespace {
 
+/// Whether a part is of this very mesh: another one may stand at the address of one that is gone.
+/// Their owners are compared, which does not look into memory.
+bool is_of(const GeometryPart& part, const MeshRef& mesh) {
+    return part.mesh == mesh.get() && !part.owner.owner_before(mesh) &&
+           !mesh.owner_before(part.owner);
+}
+
 bool matches(const GeometrySet& set, const GeometryState& state, std::span<const PartKey> parts) {
     if (set.parts.size() != parts.size() || !(set.state == state)) return false;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const GeometryPart& part = set.parts[i];
-        if (part.mesh != parts[i].mesh->get() || part.owner.expired() ||
-            part.eye_from_object != *parts[i].eye_from_object)
+        if (!is_of(part, *parts[i].mesh) || part.eye_from_object != *parts[i].eye_from_object)
             return false;
     }
     return true;
@@ -40,9 +46,10 @@ GeometrySet* KeptGeometry::find(std::uint64_t hash, const GeometryState& state,
 }
 
 bool KeptGeometry::is_stale(const GeometrySet& set) const {
-    return set.last_segment + kept_segments < segment_ ||
-           std::any_of(set.parts.begin(), set.parts.end(),
-                       [](const GeometryPart& part) { return part.owner.expired(); });
+    return is_idle(set) &&
+           (set.last_segment + kept_segments < segment_ ||
+            std::any_of(set.parts.begin(), set.parts.end(),
+                        [](const GeometryPart& part) { return part.owner.expired(); }));
 }
 
 KeptGeometry::SetRef KeptGeometry::take_spare() {

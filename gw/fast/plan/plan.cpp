@@ -21,17 +21,38 @@ void add_material(Hash& hash, const Material& m) {
     hash.add_all(values.data(), values.size());
 }
 
+/// The values of one kind that a segment's draws share.
+template <class T>
+struct SharedValues {
+    Pool<T>& pool;
+    PointerTable<T> table{};
+    std::vector<T*> made{};
+
+    T* make(const GroupDraws& group) {
+        T& out = pool.next();
+        out.inputs.begin(group);
+        made.push_back(&out);
+        return &out;
+    }
+    /// The values of the group's set under its state, with the group's parts among them.
+    T* find_or_make(std::uint64_t hash, const GroupDraws& group,
+                    bool (*same)(const VertexInputs&, const GroupDraws&)) {
+        T* out = table.find(hash, [&](const T& t) { return same(t.inputs, group); });
+        if (!out) table.add(hash, out = make(group));
+        out->inputs.add(group);
+        return out;
+    }
+};
+
 /// Makes the operations of a scanned segment.
 struct Planner {
     MachineState& machine;
     const Profile& profile;
     Segment& segment = machine.segment;
-    PointerTable<VertexColors> color_table{};
-    PointerTable<VertexFog> fog_table{};
-    PointerTable<VertexTexcoords> texcoord_table{};
-    std::vector<VertexColors*> colors{};
-    std::vector<VertexFog*> fogs{};
-    std::vector<VertexTexcoords*> texcoords{};
+    SharedValues<VertexColors> colors{segment.colors};
+    SharedValues<VertexFog> fogs{segment.fogs};
+    SharedValues<VertexTexcoords> texcoords{segment.texcoords};
+    std::vector<VertexColors*> last_colors{};           ///< by set: those made last
     const std::vector<Light>* hashed_lights = nullptr;  ///< of the last draw
     std::uint64_t lights_hash = 0;
     const Texture* last_texture = nullptr;
@@ -46,43 +67,43 @@ struct Planner {
         return lights_hash = hash.value();
     }
 
-    /// The element of a table with the same inputs, else a new one, which is filled later.
-    template <class T, class Same>
-    static T* shared(Pool<T>& pool, PointerTable<T>& table, std::vector<T*>& made,
-                     std::uint64_t hash, const VertexInputs& inputs, const Same& same) {
-        if (T* found = table.find(hash, [&](const T& t) { return same(t.inputs, inputs); }))
-            return found;
-        T& out = pool.next();
-        out.inputs = inputs;
-        table.add(hash, &out);
-        made.push_back(&out);
-        return &out;
-    }
-    const VertexColors* colors_of(const VertexInputs& in) {
+    std::uint64_t hash_of_colors(const GroupDraws& in) {
         Hash hash;
-        hash.add(in.set).add(std::uint64_t(in.state->color_source));
+        hash.add(&in.group).add(std::uint64_t(in.state->color_source));
         if (in.state->color_source == ColorSource::Lighting) {
             hash.add(double(in.state->lighting.model_ambient.x));
-            for (std::size_t i = 0; i < in.set->parts.size(); ++i) {
+            for (std::size_t i = 0; i < in.group.parts; ++i) {
                 add_material(hash, in.draws[i]->material);
                 hash.add(hash_of_lights(in.draws[i]->lights));
             }
         }
-        return shared(segment.colors, color_table, colors, hash.value(), in, same_colors);
+        return hash.value();
     }
-    const VertexFog* fog_of(const VertexInputs& in) {
+    /// Shares the colours of an equal draw of the group; else adds to those of its set.
+    const VertexColors* colors_of(const GroupDraws& in) {
+        const std::uint64_t hash = hash_of_colors(in);
+        if (VertexColors* const found = colors.table.find(
+                hash, [&](const VertexColors& c) { return same_colors(c.inputs, in); }))
+            return found;
+        VertexColors*& last = last_colors[in.group.set_number];
+        if (!last || !same_lighting(last->inputs, in) || !last->inputs.has_room_for(in.group))
+            last = colors.make(in);
+        last->inputs.add(in);
+        colors.table.add(hash, last);
+        return last;
+    }
+    const VertexFog* fog_of(const GroupDraws& in) {
         const FogState& fog = in.state->fog;
         const std::uint64_t hash =
-            Hash().add(in.set).add(double(fog.density)).add(double(fog.end)).value();
-        return shared(segment.fogs, fog_table, fogs, hash, in, same_fog);
+            Hash().add(in.group.set).add(double(fog.density)).add(double(fog.end)).value();
+        return fogs.find_or_make(hash, in, same_fog);
     }
-    const VertexTexcoords* texcoords_of(const VertexInputs& in) {
+    const VertexTexcoords* texcoords_of(const GroupDraws& in) {
         const TextureState& t = in.state->texture;
         Hash hash;
-        hash.add(in.set).add(std::uint64_t(t.gen)).add(double(t.eta));
+        hash.add(in.group.set).add(std::uint64_t(t.gen)).add(double(t.eta));
         if (t.gen == TexGen::EyeLinear) hash.add_all(&t.eye_linear[0][0], 16);
-        return shared(segment.texcoords, texcoord_table, texcoords, hash.value(), in,
-                      same_texcoords);
+        return texcoords.find_or_make(hash.value(), in, same_texcoords);
     }
 
     FastTexels* texels(const TextureBinding& binding) {
@@ -104,23 +125,24 @@ struct Planner {
         return gw::fog_table(fog, profile.color_bits);
     }
 
-    /// Adds the draws of one set; `steps` are its draws.
+    /// Adds the draws of one group; `steps` are its draws.
     void add_draws(std::span<const Step> steps) {
         ScannedState& scanned = *steps[0].state;
         const State& state = *scanned.state;
         const Draw& first = std::get<Draw>(*steps[0].command);
-        GeometrySet& set = *steps[0].part->set;
+        const PartGroup& group = *steps[0].part->group;
+        GeometrySet& set = *group.set;
         set.jitter.include(state.jitter);
         const Draw* const* draws = segment.draws.data() + segment.draws.size();
         for (const Step& step : steps) segment.draws.push_back(&std::get<Draw>(*step.command));
 
-        DrawOp op{.draws = draws, .state = scanned.resolved, .set = &set};
+        DrawOp op{.draws = draws, .state = scanned.resolved, .group = &group, .set = &set};
         op.bytes = scanned.bytes;
         op.needs_color = op.state.writes_color || op.state.state.alpha.func != AlphaFunc::Always;
         op.perspective_color = profile.perspective_color && state.shade_model == ShadeModel::Smooth;
         const bool exact_id = state.color_source == ColorSource::PolygonId;
         op.texels_counted = first.map.enabled() && !exact_id;
-        const VertexInputs inputs{&set, &state, draws};
+        const GroupDraws inputs{group, &state, draws};
         if (op.texels_counted && op.needs_color) {
             FastTexels* const found = texels(first.map);
             const TextureState& t = state.texture;
@@ -175,9 +197,10 @@ struct Planner {
     void add_steps() {
         const std::span<const Step> steps = segment.scan.steps();
         segment.draws.reserve(steps.size());  // their addresses are kept
+        last_colors.assign(segment.scan.sets().size(), nullptr);
         for (std::size_t i = 0; i < steps.size();) {
             if (steps[i].part) {
-                const std::size_t count = steps[i].part->set->parts.size();
+                const std::size_t count = steps[i].part->group->parts;
                 add_draws(steps.subspan(i, count));
                 i += count;
             } else {
@@ -196,18 +219,22 @@ struct Planner {
             make_geometry(*sets[i], profile, scratch);
             make_bins(*sets[i], profile, grid, scratch);
         });
-        const std::size_t fog_end = colors.size() + fogs.size();
-        parallel_for(fog_end + texcoords.size(), threads, [&](std::size_t i, int) {
-            if (i < colors.size())
-                shade_vertices(*colors[i], profile);
+        const std::size_t colors_end = colors.made.size(), fog_end = colors_end + fogs.made.size();
+        parallel_for(fog_end + texcoords.made.size(), threads, [&](std::size_t i, int) {
+            if (i < colors_end)
+                shade_vertices(*colors.made[i], profile);
             else if (i < fog_end)
-                fog_vertices(*fogs[i - colors.size()], profile);
+                fog_vertices(*fogs.made[i - colors_end], profile);
             else
-                texture_vertices(*texcoords[i - fog_end], profile);
+                texture_vertices(*texcoords.made[i - fog_end], profile);
         });
-        for (const TileOp& op : segment.ops)
-            if (const DrawOp* draw = std::get_if<DrawOp>(&op.op))
-                machine.passes[op.pass].counters += draw->set->counters;
+        segment.scan.finish_groups();
+        for (TileOp& op : segment.ops)
+            if (DrawOp* const draw = std::get_if<DrawOp>(&op.op)) finish(*draw, op.pass);
+    }
+    void finish(DrawOp& op, std::size_t pass) {
+        op.uniform_color = op.colors && op.colors->is_uniform(*op.group);
+        machine.passes[pass].counters += op.group->counters();
     }
 };
 

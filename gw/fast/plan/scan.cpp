@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 namespace gw::fast {
 namespace {
@@ -64,6 +65,11 @@ std::uint64_t hash_of(const Draw& draw, const ScannedState& state) {
         .value();
 }
 
+/// Then they are equal: found sooner than by their members.
+bool has_bytes_of(const State& a, const State& b) {
+    return std::memcmp(static_cast<const void*>(&a), &b, sizeof(State)) == 0;
+}
+
 bool same_map(const TextureBinding& a, const TextureBinding& b) {
     return a.texture == b.texture && a.slot == b.slot;
 }
@@ -84,6 +90,8 @@ bool is_barrier(const Command& command, const std::vector<PassReport>& passes) {
 }
 
 void Scan::clear() {
+    geometries_.clear();
+    geometry_table_.clear();
     states_.clear();
     state_table_.clear();
     parts_.clear();
@@ -91,6 +99,7 @@ void Scan::clear() {
     vertices_ = 0;
     clear_and_trim(steps_);
     clear_and_trim(sets_);
+    clear_and_trim(groups_);
     read_keys_.clear();
     given_ = nullptr;
     state_ = nullptr;
@@ -99,16 +108,28 @@ void Scan::clear() {
 void Scan::use_state(const State& state) {
     if (given_ == &state) return;
     given_ = &state;
-    if (state_ && *state_->state == state) return;
+    if (state_ && has_bytes_of(*state_->state, state)) return;
     const std::uint64_t hash = hash_of(state);
-    state_ = state_table_.find(hash, [&](const ScannedState& s) { return *s.state == state; });
+    state_ = state_table_.find(hash, [&](const ScannedState& s) {
+        return has_bytes_of(*s.state, state) || *s.state == state;
+    });
     if (state_) return;
     Resolved resolved = resolve(state, *profile_, width_, height_);
     const FragmentBytes bytes = fragment_bytes(resolved, *profile_);
     const GeometryState geometry = geometry_state(state);
-    state_ = &states_.emplace_back(
-        ScannedState{&state, std::move(resolved), bytes, geometry, hash_of(geometry)});
+    const std::uint64_t geometry_hash = hash_of(geometry);
+    state_ = &states_.emplace_back(ScannedState{&state, std::move(resolved), bytes,
+                                                share(geometry, geometry_hash), geometry_hash});
     state_table_.add(hash, state_);
+}
+
+const GeometryState* Scan::share(const GeometryState& geometry, std::uint64_t hash) {
+    if (const GeometryState* const found =
+            geometry_table_.find(hash, [&](const GeometryState& g) { return g == geometry; }))
+        return found;
+    const GeometryState* const made = &geometries_.emplace_back(geometry);
+    geometry_table_.add(hash, made);
+    return made;
 }
 
 ScannedPart& Scan::part_of(const Draw& draw) {
@@ -121,7 +142,7 @@ ScannedPart& Scan::part_of(const Draw& draw) {
     vertices_ += draw.mesh->vertex_count();
     ScannedPart& part = parts_.emplace_back(ScannedPart{
         &draw, state_, hash, std::uint32_t(parts_.size()),
-        is_small_mesh(*draw.mesh, state_->geometry), !parts_.empty() && parts_.back().ends_set});
+        is_small_mesh(*draw.mesh, *state_->geometry), !parts_.empty() && parts_.back().ends_group});
     part_table_.add(hash, &part);
     return part;
 }
@@ -133,8 +154,8 @@ bool Scan::is_full() const {
 void Scan::end_run() {
     if (steps_.empty() || !steps_.back().part) return;
     ScannedPart& last = *steps_.back().part;
-    last.ends_set = true;
-    if (last.index + 1 < parts_.size()) parts_[last.index + 1].begins_set = true;
+    last.ends_group = true;
+    if (last.index + 1 < parts_.size()) parts_[last.index + 1].begins_group = true;
 }
 
 void Scan::add_step(const Command& command, ScannedPart* part) {
@@ -151,7 +172,7 @@ void Scan::add_draw(const Command& command, const Draw& draw) {
                            same_map(std::get<Draw>(*last->command).map, draw.map);
     if (!continues) {
         end_run();
-        part.begins_set = true;
+        part.begins_group = true;
     }
     add_step(command, &part);
 }
@@ -193,6 +214,13 @@ std::size_t Scan::run(std::span<const Command> commands, State& state,
     return consumed;
 }
 
+bool Scan::begins_set(const ScannedPart& part, std::size_t parts, std::size_t vertices) const {
+    if (part.index == 0 || !part.is_small || parts == most_parts || vertices > most_vertices)
+        return true;
+    const ScannedPart& before = parts_[part.index - 1];
+    return !before.is_small || before.state->geometry != part.state->geometry;
+}
+
 void Scan::form_sets(KeptGeometry& kept) {
     struct Wanted {
         std::size_t first, count;
@@ -202,16 +230,19 @@ void Scan::form_sets(KeptGeometry& kept) {
     std::vector<PartKey> keys;
     std::size_t vertices = 0;
     for (ScannedPart& part : parts_) {
-        const std::size_t own = part.draw->mesh->vertex_count();
-        if (part.begins_set || !part.is_small || wanted.back().count == most_parts ||
-            vertices + own > most_vertices) {
+        vertices += part.draw->mesh->vertex_count();
+        if (begins_set(part, wanted.empty() ? 0 : wanted.back().count, vertices)) {
             wanted.push_back({part.index, 0, 0});
-            part.begins_set = true;
-            vertices = 0;
+            part.begins_group = true;
+            vertices = part.draw->mesh->vertex_count();
         }
-        vertices += own;
-        wanted.back().count += 1;
-        wanted.back().hash = Hash().add(wanted.back().hash).add(part.hash).value();
+        Wanted& set = wanted.back();
+        if (part.begins_group)
+            groups_.push_back({.set_number = std::uint32_t(wanted.size() - 1),
+                               .first_part = std::uint32_t(set.count)});
+        groups_.back().parts += 1;
+        set.count += 1;
+        set.hash = Hash().add(set.hash).add(part.hash).value();
         keys.push_back({&part.draw->mesh, &part.draw->eye_from_object});
     }
     const auto keys_of = [&](const Wanted& w) {
@@ -220,14 +251,22 @@ void Scan::form_sets(KeptGeometry& kept) {
     if (wanted.empty()) return;
     kept.begin_segment();
     for (const Wanted& w : wanted)
-        sets_.push_back(kept.find(w.hash, parts_[w.first].state->geometry, keys_of(w)));
+        sets_.push_back(kept.find(w.hash, *parts_[w.first].state->geometry, keys_of(w)));
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const Wanted& w = wanted[i];
         const ScannedState& state = *parts_[w.first].state;
-        if (!sets_[i]) sets_[i] = &kept.make(w.hash, state.geometry, keys_of(w));
+        if (!sets_[i]) sets_[i] = &kept.make(w.hash, *state.geometry, keys_of(w));
         sets_[i]->viewport = state.resolved.viewport;
-        for (std::size_t k = 0; k < w.count; ++k) parts_[w.first + k].set = sets_[i];
     }
+    auto part = parts_.begin();
+    for (PartGroup& group : groups_) {
+        group.set = sets_[group.set_number];
+        for (std::uint32_t k = 0; k < group.parts; ++k) (part++)->group = &group;
+    }
+}
+
+void Scan::finish_groups() {
+    for (PartGroup& group : groups_) group.finish();
 }
 
 }  // namespace gw::fast

@@ -1,6 +1,6 @@
 // Reads a segment's commands once. Resolves every state once, finds every mesh under one transform
-// once, and forms sets of the parts that are always drawn one after the other. Does not make
-// operations.
+// once, forms groups of the parts that are always drawn one after the other, and geometry sets of
+// neighbouring groups. Does not make operations.
 #pragma once
 
 #include "gw/command_list.h"
@@ -22,7 +22,7 @@ struct ScannedState {
     const State* state;
     Resolved resolved;
     FragmentBytes bytes;
-    GeometryState geometry;
+    const GeometryState* geometry;  ///< one for all states that have an equal one
     std::uint64_t geometry_hash = 0;
     /// made by the first draw that needs it
     const std::vector<std::uint32_t>* fog_table = nullptr;
@@ -36,8 +36,8 @@ struct ScannedPart {
     std::uint32_t index;
     bool is_small;  ///< it may share a set
     /// a run of draws begins here, or ended at the previous part; a run of draws ended here
-    bool begins_set = false, ends_set = false;
-    GeometrySet* set = nullptr;
+    bool begins_group = false, ends_group = false;
+    const PartGroup* group = nullptr;
 };
 
 /// A command that touches planes.
@@ -54,8 +54,10 @@ public:
     /// Returns their number. `state` and `passes` follow the commands.
     std::size_t run(std::span<const Command> commands, State& state,
                     std::vector<PassReport>& passes, const Profile& profile, int width, int height);
-    /// Gives each part its set.
+    /// Gives each part its group, and each group its set.
     void form_sets(KeptGeometry& kept);
+    /// Call when the sets are made.
+    void finish_groups();
 
     std::span<const Step> steps() const { return steps_; }
     std::span<GeometrySet* const> sets() const { return sets_; }
@@ -67,6 +69,8 @@ private:
     void add_draw(const Command& command, const Draw& draw);
     void add_step(const Command& command, ScannedPart* part);
     void end_run();
+    const GeometryState* share(const GeometryState& geometry, std::uint64_t hash);
+    bool begins_set(const ScannedPart& part, std::size_t parts, std::size_t vertices) const;
     bool is_full() const;
 
     const Profile* profile_ = nullptr;
@@ -75,6 +79,8 @@ private:
     State initial_;
     const State* given_ = nullptr;  ///< of the commands: `state_` is this
     ScannedState* state_ = nullptr;
+    std::deque<GeometryState> geometries_;
+    PointerTable<const GeometryState> geometry_table_;
     std::deque<ScannedState> states_;
     PointerTable<ScannedState> state_table_;
     std::deque<ScannedPart> parts_;
@@ -82,6 +88,7 @@ private:
     std::size_t vertices_ = 0;  ///< of the parts' meshes
     std::vector<Step> steps_;
     std::vector<GeometrySet*> sets_;
+    std::vector<PartGroup> groups_;
     std::unordered_set<std::uint32_t> read_keys_;
 };
 

@@ -18,14 +18,14 @@ bool may_share(const DrawOp& op) {
 
 /// Everything that decides a draw's fragments and their depths.
 struct FragmentsKey {
-    const GeometrySet* set;
+    const PartGroup* group;
     JitterState jitter;
     Rect box;
     PolygonOffsetState offset;
     bool operator==(const FragmentsKey&) const = default;
 };
 FragmentsKey fragments_key(const DrawOp& op) {
-    return {op.set, op.state.state.jitter, op.state.draw_box, op.state.state.polygon_offset};
+    return {op.group, op.state.state.jitter, op.state.draw_box, op.state.state.polygon_offset};
 }
 
 /// How an operation changes depths: `Less` never makes one greater. Under Equal a written depth is
@@ -59,7 +59,7 @@ bool may_record(const DrawOp& op) {
 
 std::uint64_t hash_of(const FragmentsKey& key) {
     return Hash()
-        .add(key.set)
+        .add(key.group)
         .add(std::uint64_t(key.jitter.x) << 32 | std::uint32_t(key.jitter.y))
         .value();
 }

@@ -14,13 +14,14 @@ struct ForEachTile {
     const Visit& visit;
 
     void operator()(const DrawOp& op) const {
-        const GeometrySet& set = *op.set;
-        const TileRange box = range_of(op.state.draw_box);
-        const TileRange tiles{std::max(set.tiles.x0, box.x0), std::max(set.tiles.y0, box.y0),
-                              std::min(set.tiles.x1, box.x1), std::min(set.tiles.y1, box.y1)};
+        const PartGroup& group = *op.group;
+        const TileRange box = range_of(op.state.draw_box), all = group.tiles;
+        const TileRange tiles{std::max(all.x0, box.x0), std::max(all.y0, box.y0),
+                              std::min(all.x1, box.x1), std::min(all.y1, box.y1)};
         for (int row = tiles.y0; row < tiles.y1; ++row)
             for (int column = tiles.x0; column < tiles.x1; ++column)
-                if (!set.tile_bin(column, row).empty()) visit(tile(column, row));
+                if (all.count() == 1 || !group.tile_bin(column, row).empty())
+                    visit(tile(column, row));
     }
     void operator()(const ClearOp& op) const { in_box(op.state.pixel_box); }
     void operator()(const SpansOp& op) const { in_box(op.state.pixel_box); }

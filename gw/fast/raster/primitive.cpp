@@ -53,7 +53,7 @@ struct Maker {
         for (std::size_t c = 0; c < 4; ++c) out.color[c] = PrimitiveFrame::constant(color[c]);
     }
     Rgba id_color() const {
-        const Draw& d = *op().draws[primitive.part];
+        const Draw& d = *op().draws[primitive.part - op().group->first_part];
         const std::uint32_t id = (d.id_base + d.mesh->polygon_id(primitive.polygon)) >> d.id_shift;
         return {std::uint16_t(id & 255), std::uint16_t(id >> 8 & 255),
                 std::uint16_t(id >> 16 & 255), std::uint16_t(max_of_bits(op().state.bits))};

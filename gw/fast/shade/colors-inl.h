@@ -24,7 +24,7 @@ HWY_INLINE bool is_narrow(const DrawOp& op) { return !op.perspective_color && !o
 HWY_INLINE bool is_flat(const DrawOp& op) {
     const State& s = op.state.state;
     return s.color_source == ColorSource::PolygonId || s.shade_model == ShadeModel::Flat ||
-           (op.colors && op.colors->uniform);
+           op.uniform_color;
 }
 HWY_INLINE bool has_fog(const State& s) {
     return s.fog.enable && s.color_source != ColorSource::PolygonId;

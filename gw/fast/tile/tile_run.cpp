@@ -111,7 +111,7 @@ struct TileRun {
 
     void run(const DrawOp& op) {
         const std::span<const std::uint32_t> bin =
-            op.set->tile_bin(tile.x / tile.side, tile.y / tile.side);
+            op.group->tile_bin(tile.x / tile.side, tile.y / tile.side);
         const TileDraw draw{&op,    &profile,       tile,           box(op.state.draw_box),
                             counts, &scratch.batch, &scratch.texels};
         if (draw.box.empty()) return;

@@ -53,10 +53,12 @@ void make_bins(GeometrySet& set, const Binner& binner, GeometryScratch& scratch)
     std::vector<TileRange>& ranges = scratch.ranges;
     ranges.clear();
     set.tiles = {};
+    for (GeometryPart& part : set.parts) part.tiles = {};
     for (const SetupPrimitive& p : set.primitives) {
         ranges.push_back(binner.tiles(p));
-        set.tiles.include(ranges.back());
+        set.parts[p.part].tiles.include(ranges.back());
     }
+    for (const GeometryPart& part : set.parts) set.tiles.include(part.tiles);
     std::vector<std::uint32_t>& start = set.bin_start;
     start.assign(set.tiles.count() + 1, 0);
     for (const TileRange& r : ranges)

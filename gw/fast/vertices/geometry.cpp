@@ -245,7 +245,15 @@ void push_primitives(Builder& b) {
     Counters& c = b.set.counters;
     c.draws += 1;
     c.vertices += mesh.vertex_count();
-    c.primitives += mesh.triangles().size() + mesh.lines().size() + mesh.points().size();
+    c.primitives += primitive_count(mesh);
+}
+
+PartCounts difference(const Counters& after, const Counters& before) {
+    const auto of = [&](std::uint64_t Counters::*count) {
+        return std::uint32_t(after.*count - before.*count);
+    };
+    return {of(&Counters::rejected), of(&Counters::clipped), of(&Counters::degenerate),
+            of(&Counters::culled), of(&Counters::drawn)};
 }
 
 /// Lists the mesh vertices that a part's primitives use, by the side that they show.
@@ -277,13 +285,13 @@ void build(GeometrySet& set, const Profile& profile, GeometryScratch& scratch) {
                              set.state.clip_planes, profile},
               .scratch = scratch};
     std::size_t primitives = 0;
-    for (const GeometryPart& part : set.parts)
-        primitives +=
-            part.mesh->triangles().size() + part.mesh->lines().size() + part.mesh->points().size();
+    for (const GeometryPart& part : set.parts) primitives += primitive_count(*part.mesh);
     set.primitives.reserve(primitives);
     for (std::uint32_t i = 0; i < set.parts.size(); ++i) {
+        const Counters before = set.counters;
         b.begin(i);
         push_primitives(b);
+        set.parts[i].counts = difference(set.counters, before);
     }
     const bool triangles =
         !set.primitives.empty() && b.filled && set.primitives.front().kind == MeshKind::Triangles;

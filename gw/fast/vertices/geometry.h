@@ -39,6 +39,19 @@ struct GeometryState {
 };
 GeometryState geometry_state(const State& state);
 
+/// Tiles [x0, x1) x [y0, y1).
+struct TileRange {
+    std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+    std::size_t count() const { return std::size_t(x1 - x0) * std::size_t(y1 - y0); }
+    void include(const TileRange& other);
+};
+
+/// Primitives of a part by fate, as in Counters.
+struct PartCounts {
+    std::uint32_t rejected = 0, clipped = 0, degenerate = 0, culled = 0, drawn = 0;
+};
+
 /// One mesh under one transform, and the first index of its results in the set's arrays. The next
 /// part's first index ends them.
 struct GeometryPart {
@@ -47,6 +60,8 @@ struct GeometryPart {
     dmat4 eye_from_object{1};
     std::uint32_t vertex = 0, primitive = 0, clipped = 0;
     std::uint32_t used = 0, used_front = 0, used_back = 0;
+    PartCounts counts;
+    TileRange tiles;  ///< that its primitives touch
 };
 
 /// A primitive ready for tiles: its vertices in the set's arrays (triangles in canonical order),
@@ -72,14 +87,6 @@ struct JitterRange {
     JitterState low, high;
     void include(const JitterState& jitter);
     bool covers(const JitterRange& other) const;
-};
-
-/// Tiles [x0, x1) x [y0, y1).
-struct TileRange {
-    std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-
-    std::size_t count() const { return std::size_t(x1 - x0) * std::size_t(y1 - y0); }
-    void include(const TileRange& other);
 };
 
 struct GeometrySet {
@@ -122,6 +129,26 @@ struct GeometrySet {
                               std::size_t(column - tiles.x0);
         return std::span(bin).subspan(bin_start[i], bin_start[i + 1] - bin_start[i]);
     }
+};
+
+inline std::size_t primitive_count(const Mesh& mesh) {
+    return mesh.triangles().size() + mesh.lines().size() + mesh.points().size();
+}
+
+/// Neighbouring parts of a set that every pass draws together.
+struct PartGroup {
+    GeometrySet* set = nullptr;
+    std::uint32_t set_number = 0;  ///< of the segment's sets
+    std::uint32_t first_part = 0, parts = 0;
+    std::uint32_t first_primitive = 0, end_primitive = 0;
+    TileRange tiles;
+
+    /// Finds the primitives and tiles of its parts. Call when the set is made.
+    void finish();
+    /// Ordinals of its primitives that touch a tile.
+    std::span<const std::uint32_t> tile_bin(int column, int row) const;
+    /// Counts one draw of each part, from vertices to drawn.
+    Counters counters() const;
 };
 
 /// Fills a set that has its state and parts: transform, clipping, culling, snap. If the set is

@@ -18,6 +18,39 @@ bool JitterRange::covers(const JitterRange& o) const {
     return low.x <= o.low.x && low.y <= o.low.y && high.x >= o.high.x && high.y >= o.high.y;
 }
 
+void PartGroup::finish() {
+    const std::uint32_t end = first_part + parts;
+    first_primitive = set->parts[first_part].primitive;
+    end_primitive =
+        std::uint32_t(set->end_of(end - 1, &GeometryPart::primitive, set->primitives.size()));
+    tiles = {};
+    for (std::uint32_t i = first_part; i < end; ++i) tiles.include(set->parts[i].tiles);
+}
+
+std::span<const std::uint32_t> PartGroup::tile_bin(int column, int row) const {
+    const std::span<const std::uint32_t> bin = set->tile_bin(column, row);
+    if (parts == set->parts.size()) return bin;
+    const auto first = std::lower_bound(bin.begin(), bin.end(), first_primitive);
+    return {first, std::lower_bound(first, bin.end(), end_primitive)};
+}
+
+Counters PartGroup::counters() const {
+    if (parts == set->parts.size()) return set->counters;
+    Counters sum;
+    for (std::uint32_t i = first_part; i < first_part + parts; ++i) {
+        const GeometryPart& part = set->parts[i];
+        sum.draws += 1;
+        sum.vertices += part.mesh->vertex_count();
+        sum.primitives += primitive_count(*part.mesh);
+        sum.rejected += part.counts.rejected;
+        sum.clipped += part.counts.clipped;
+        sum.degenerate += part.counts.degenerate;
+        sum.culled += part.counts.culled;
+        sum.drawn += part.counts.drawn;
+    }
+    return sum;
+}
+
 void TileRange::include(const TileRange& o) {
     if (o.count() == 0) return;
     if (count() == 0) {

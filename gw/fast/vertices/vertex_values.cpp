@@ -24,24 +24,53 @@ bool same_factors(FogState a, const FogState& b) {
 
 }  // namespace
 
-bool same_colors(const VertexInputs& a, const VertexInputs& b) {
-    if (a.set != b.set || a.state->color_source != b.state->color_source) return false;
-    if (a.state->color_source != ColorSource::Lighting) return true;
-    if (!(a.state->lighting == b.state->lighting)) return false;
-    for (std::size_t i = 0; i < a.set->parts.size(); ++i)
-        if (!(a.draws[i]->material == b.draws[i]->material) ||
-            !same_lights(a.draws[i]->lights, b.draws[i]->lights))
+void VertexInputs::begin(const GroupDraws& group) {
+    set = group.group.set;
+    state = group.state;
+    draws.assign(set->parts.size(), nullptr);
+}
+
+void VertexInputs::add(const GroupDraws& group) {
+    std::copy_n(group.draws, group.group.parts, draws.begin() + group.group.first_part);
+}
+
+bool VertexInputs::has_room_for(const PartGroup& group) const {
+    const auto first = draws.begin() + group.first_part;
+    return std::all_of(first, first + group.parts, [](const Draw* draw) { return !draw; });
+}
+
+bool VertexColors::is_uniform(const PartGroup& group) const {
+    const auto first = uniform.begin() + group.first_part;
+    return std::find(first, first + group.parts, 0) == first + group.parts;
+}
+
+bool same_lighting(const VertexInputs& a, const GroupDraws& b) {
+    return a.set == b.group.set && a.state->color_source == b.state->color_source &&
+           (a.state->color_source != ColorSource::Lighting ||
+            a.state->lighting == b.state->lighting);
+}
+
+bool same_colors(const VertexInputs& a, const GroupDraws& b) {
+    if (!same_lighting(a, b)) return false;
+    for (std::size_t i = 0; i < b.group.parts; ++i) {
+        const Draw* const draw = a.draws[b.group.first_part + i];
+        if (!draw) return false;
+        if (a.state->color_source == ColorSource::Lighting &&
+            !(draw->material == b.draws[i]->material &&
+              same_lights(draw->lights, b.draws[i]->lights)))
             return false;
+    }
     return true;
 }
 
-bool same_fog(const VertexInputs& a, const VertexInputs& b) {
-    return a.set == b.set && same_factors(a.state->fog, b.state->fog);
+bool same_fog(const VertexInputs& a, const GroupDraws& b) {
+    return a.set == b.group.set && same_factors(a.state->fog, b.state->fog);
 }
 
-bool same_texcoords(const VertexInputs& a, const VertexInputs& b) {
+bool same_texcoords(const VertexInputs& a, const GroupDraws& b) {
     const TextureState &s = a.state->texture, &t = b.state->texture;
-    return a.set == b.set && s.gen == t.gen && (s.gen != TexGen::RefractionMap || s.eta == t.eta) &&
+    return a.set == b.group.set && s.gen == t.gen &&
+           (s.gen != TexGen::RefractionMap || s.eta == t.eta) &&
            (s.gen != TexGen::EyeLinear || s.eye_linear == t.eye_linear);
 }
 
@@ -99,6 +128,7 @@ struct PartVertices {
           used_front(list(i, s.used_front, &GeometryPart::used_front)),
           used_back(list(i, s.used_back, &GeometryPart::used_back)) {}
 
+    bool is_clipped() const { return part.clipped != clipped_end; }
     /// The part's elements of a vector by vertex.
     template <typename T>
     std::span<T> of(std::vector<T>& values) const {
@@ -172,9 +202,13 @@ bool light_part(const PartVertices& vertices, const VertexProgram& program, std:
     return false;
 }
 
-/// Whether each primitive has one colour, like a face with its own normal or colour.
-bool has_one_color_each(const GeometrySet& set, const VertexColors& colors) {
-    return std::all_of(set.primitives.begin(), set.primitives.end(), [&](const SetupPrimitive& p) {
+/// Whether each primitive of a part has one colour, like a face with its own normal or colour.
+bool has_one_color_each(const GeometrySet& set, std::size_t part, const VertexColors& colors) {
+    const auto first = set.primitives.begin() + set.parts[part].primitive,
+               end = set.primitives.begin() +
+                     std::ptrdiff_t(
+                         set.end_of(part, &GeometryPart::primitive, set.primitives.size()));
+    return std::all_of(first, end, [&](const SetupPrimitive& p) {
         const Rgba* const of = (p.front || colors.back.empty() ? colors.front : colors.back).data();
         const Rgba& color = of[p.provoking];
         return of[p.vertex[0]] == color && of[p.vertex[1]] == color && of[p.vertex[2]] == color;
@@ -190,21 +224,25 @@ void shade_vertices(VertexColors& out, const Profile& profile) {
     const bool lit = state->color_source == ColorSource::Lighting;
     out.front.resize(set->vertex_count());
     if (lit && state->lighting.two_side) out.back.resize(set->vertex_count());
-    out.uniform = lit;
+    out.uniform.assign(set->parts.size(), 0);
     for (std::size_t i = 0; i < set->parts.size(); ++i) {
+        if (!draws[i]) continue;
         const PartVertices vertices(*set, i);
-        const Untextured draw(*draws[i]);
-        std::optional<VertexProgram> program;
-        if (lit || vertices.part.clipped != vertices.clipped_end)
-            program = vertex_program(unfogged, *draw, profile);
         const std::span<Rgba> front = vertices.of(out.front);
         const std::span<Rgba> back = out.back.empty() ? std::span<Rgba>() : vertices.of(out.back);
-        if (lit)
-            out.uniform = light_part(vertices, *program, front, back) && out.uniform;
-        else
-            color_part(vertices, program ? &*program : nullptr, *draws[i]->mesh, profile, front);
+        bool uniform = false;
+        if (lit || vertices.is_clipped()) {
+            const Untextured draw(*draws[i]);
+            const VertexProgram program = vertex_program(unfogged, *draw, profile);
+            if (lit)
+                uniform = light_part(vertices, program, front, back);
+            else
+                color_part(vertices, &program, *draws[i]->mesh, profile, front);
+        } else {
+            color_part(vertices, nullptr, *draws[i]->mesh, profile, front);
+        }
+        out.uniform[i] = uniform || has_one_color_each(*set, i, out);
     }
-    out.uniform = out.uniform || has_one_color_each(*set, out);
 }
 
 void fog_vertices(VertexFog& out, const Profile& profile) {
@@ -213,6 +251,7 @@ void fog_vertices(VertexFog& out, const Profile& profile) {
     unlit.color_source = ColorSource::PolygonId;
     out.value.resize(set->vertex_count());
     for (std::size_t i = 0; i < set->parts.size(); ++i) {
+        if (!draws[i]) continue;
         const PartVertices vertices(*set, i);
         const Untextured draw(*draws[i]);
         const VertexProgram program = vertex_program(unlit, *draw, profile);
@@ -233,13 +272,14 @@ void texture_vertices(VertexTexcoords& out, const Profile& profile) {
     unlit.fog.enable = false;
     out.strq.resize(set->vertex_count());
     for (std::size_t i = 0; i < set->parts.size(); ++i) {
+        if (!draws[i]) continue;
         const PartVertices vertices(*set, i);
         const std::span<dvec4> strq = vertices.of(out.strq);
         const std::vector<vec2>& given = draws[i]->mesh->data().texcoords;
         const bool as_given = state->texture.gen == TexGen::None && !given.empty();
         if (as_given)
             for (const std::uint32_t v : vertices.used) strq[v] = {given[v].x, given[v].y, 0, 1};
-        if (as_given && vertices.part.clipped == vertices.clipped_end) continue;
+        if (as_given && !vertices.is_clipped()) continue;
         const VertexProgram program = vertex_program(unlit, *draws[i], profile);
         if (!as_given) generate_texcoords(program, vertices.used, strq);
         vertices.for_each_new(

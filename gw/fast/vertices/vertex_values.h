@@ -1,5 +1,5 @@
-// Values at the vertices of a geometry set: colours, fog, texture coordinates. Draws with equal
-// inputs share them. Does not interpolate.
+// Values at the vertices of a geometry set: colours, fog, texture coordinates. Groups of its parts
+// share them, and draws with equal inputs do. Does not interpolate.
 #pragma once
 
 #include "gw/fast/vertices/geometry.h"
@@ -13,26 +13,39 @@ struct Draw;
 
 namespace gw::fast {
 
-/// The draws of a set's parts, and the state that they have in common.
+/// The draws of a group's parts, and their state.
+struct GroupDraws {
+    const PartGroup& group;
+    const State* state = nullptr;
+    const Draw* const* draws = nullptr;  ///< one for each part of the group
+};
+
+/// The draws of a set's parts, and a state: as good as theirs for the values.
 struct VertexInputs {
     const GeometrySet* set = nullptr;
     const State* state = nullptr;
-    const Draw* const* draws = nullptr;  ///< one for each part
+    std::vector<const Draw*> draws;  ///< one for each part; null: it needs no values
+
+    void begin(const GroupDraws& group);
+    void add(const GroupDraws& group);
+    /// Whether no part of the group has a draw yet.
+    bool has_room_for(const PartGroup& group) const;
 };
 
 /// By vertex of the set; a list that no draw needs is empty.
 struct VertexColors {
     VertexInputs inputs;
     std::vector<Rgba> front, back;
-    /// each primitive has one colour
-    bool uniform = false;
+    /// by part: each primitive has one colour
+    std::vector<std::uint8_t> uniform;
 
     void clear() {
         front.clear();
         back.clear();
-        uniform = false;
+        uniform.clear();
     }
     std::size_t bytes() const { return (front.capacity() + back.capacity()) * sizeof(Rgba); }
+    bool is_uniform(const PartGroup& group) const;
 };
 struct VertexFog {
     VertexInputs inputs;
@@ -50,10 +63,12 @@ struct VertexTexcoords {
     std::size_t bytes() const { return strq.capacity() * sizeof(dvec4); }
 };
 
-/// Whether two draws get the same values. Lights are compared by value.
-bool same_colors(const VertexInputs& a, const VertexInputs& b);
-bool same_fog(const VertexInputs& a, const VertexInputs& b);
-bool same_texcoords(const VertexInputs& a, const VertexInputs& b);
+/// Whether a state changes the values of a set as the inputs' state does.
+bool same_lighting(const VertexInputs& inputs, const GroupDraws& group);
+bool same_fog(const VertexInputs& inputs, const GroupDraws& group);
+bool same_texcoords(const VertexInputs& inputs, const GroupDraws& group);
+/// Whether the group has the colours of its parts in `inputs`. Lights are compared by value.
+bool same_colors(const VertexInputs& inputs, const GroupDraws& group);
 
 /// Each fills an object that has its inputs.
 void shade_vertices(VertexColors& colors, const Profile& profile);
