@@ -6,8 +6,8 @@
 namespace gw::fast {
 namespace {
 
-/// Whether a part is of this very mesh: another one may stand at the address of one that is gone.
-/// Their owners are compared, which does not look into memory.
+/// Whether a part is of this mesh. A new mesh may have the address of a deleted one, so their
+/// owners are compared too, which does not read the mesh.
 bool is_of(const GeometryPart& part, const MeshRef& mesh) {
     return part.mesh == mesh.get() && !part.owner.owner_before(mesh) &&
            !mesh.owner_before(part.owner);

@@ -79,7 +79,7 @@ struct Planner {
         }
         return hash.value();
     }
-    /// Shares the colours of an equal draw of the group; else adds to those of its set.
+    /// Shares the colours of an equal draw of the group, or adds the group's to those of its set.
     const VertexColors* colors_of(const GroupDraws& in) {
         const std::uint64_t hash = hash_of_colors(in);
         if (VertexColors* const found = colors.table.find(

@@ -65,7 +65,7 @@ std::uint64_t hash_of(const Draw& draw, const ScannedState& state) {
         .value();
 }
 
-/// Then they are equal: found sooner than by their members.
+/// Whether all bytes are the same. Then the states are equal, and comparing members is not needed.
 bool has_bytes_of(const State& a, const State& b) {
     return std::memcmp(static_cast<const void*>(&a), &b, sizeof(State)) == 0;
 }

@@ -1,5 +1,5 @@
 // Values at the vertices of a geometry set: colours, fog, texture coordinates. Groups of its parts
-// share them, and draws with equal inputs do. Does not interpolate.
+// share them, and so do draws with equal inputs. Does not interpolate.
 #pragma once
 
 #include "gw/fast/vertices/geometry.h"
@@ -20,7 +20,7 @@ struct GroupDraws {
     const Draw* const* draws = nullptr;  ///< one for each part of the group
 };
 
-/// The draws of a set's parts, and a state: as good as theirs for the values.
+/// The draws of a set's parts, and a state that gives the same values as theirs.
 struct VertexInputs {
     const GeometrySet* set = nullptr;
     const State* state = nullptr;
@@ -63,7 +63,7 @@ struct VertexTexcoords {
     std::size_t bytes() const { return strq.capacity() * sizeof(dvec4); }
 };
 
-/// Whether a state changes the values of a set as the inputs' state does.
+/// Whether a group's state gives the same values as the inputs' state.
 bool same_lighting(const VertexInputs& inputs, const GroupDraws& group);
 bool same_fog(const VertexInputs& inputs, const GroupDraws& group);
 bool same_texcoords(const VertexInputs& inputs, const GroupDraws& group);
