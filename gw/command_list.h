@@ -131,7 +131,7 @@ using Command = std::variant<BeginPass, Clear, SetState, Draw, WriteSpans, Write
                              Copy, CopyTexture, Read>;
 
 /// Commands in order. Meshes, textures and lights are immutable and shared between lists; == of
-/// commands compares their addresses, inspect/compare/command_difference.h their content.
+/// commands compares their addresses, inspect/compare/difference.h their content.
 struct CommandList {
     std::vector<Command> commands;
 

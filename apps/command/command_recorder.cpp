@@ -1,7 +1,7 @@
 #include "apps/command/command_recorder.h"
 
 #include "apps/command/command.h"
-#include "inspect/replay/recorder.h"
+#include "inspect/replay/forwarding_machine.h"
 
 namespace gw::apps {
 

@@ -3,7 +3,7 @@
 #include "apps/command/terminal.h"
 #include "gw/machine.h"
 #include "image/write.h"
-#include "inspect/manifest/profile_json.h"
+#include "inspect/manifest/json_of.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -12,6 +12,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 namespace gw::apps {

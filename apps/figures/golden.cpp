@@ -9,7 +9,7 @@
 #include "gw/error.h"
 #include "gw/profile.h"
 #include "image/write.h"
-#include "inspect/manifest/merge_runs.h"
+#include "inspect/manifest/manifest.h"
 #include "inspect/recording/recording.h"
 #include "inspect/text/plural.h"
 

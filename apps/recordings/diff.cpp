@@ -8,8 +8,7 @@
 #include "gw/error.h"
 #include "image/planes.h"
 #include "image/write.h"
-#include "inspect/compare/command_difference.h"
-#include "inspect/compare/result_difference.h"
+#include "inspect/compare/difference.h"
 #include "inspect/recording/read_bytes.h"
 
 #include <fmt/format.h>

@@ -5,10 +5,11 @@
 #include "apps/command/terminal.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
-#include "inspect/replay/pixel_report.h"
+#include "inspect/replay/pixel_history.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 namespace gw::apps {
 namespace {

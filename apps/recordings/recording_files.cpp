@@ -5,7 +5,7 @@
 #include "gw/error.h"
 #include "hiddensurface/run/algorithm.h"
 #include "inspect/recording/read_bytes.h"
-#include "inspect/replay/recorder.h"
+#include "inspect/replay/forwarding_machine.h"
 
 namespace gw::apps {
 namespace {

@@ -6,14 +6,16 @@
 #include "apps/recordings/recording_files.h"
 #include "image/planes.h"
 #include "image/write.h"
-#include "inspect/manifest/counters_json.h"
+#include "inspect/manifest/json_of.h"
 #include "inspect/manifest/manifest.h"
-#include "inspect/replay/digesting_machine.h"
-#include "inspect/replay/recorder.h"
+#include "inspect/replay/forwarding_machine.h"
+#include "multipass/effects/scene_maps.h"
 #include "multipass/frame/driver.h"
 #include "multipass/maps/scene_maps.h"
 #include "multipass/passes/schedule.h"
 #include "scene/draw/draw_commands.h"
+
+#include <nlohmann/json.hpp>
 
 #include <cctype>
 #include <set>

@@ -4,7 +4,7 @@
 #include "apps/command/terminal.h"
 #include "apps/render/frame_files.h"
 #include "gw/names.h"
-#include "inspect/manifest/counters_json.h"
+#include "inspect/manifest/json_of.h"
 #include "inspect/report/prices.h"
 #include "inspect/text/plural.h"
 #include "multipass/frame/driver.h"
@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 namespace gw::apps {
 namespace {

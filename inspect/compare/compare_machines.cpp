@@ -2,7 +2,7 @@
 
 #include "gw/names.h"
 #include "inspect/recording/check_lists.h"
-#include "inspect/replay/digesting_machine.h"
+#include "inspect/replay/forwarding_machine.h"
 #include "inspect/replay/player.h"
 
 #include <fmt/format.h>

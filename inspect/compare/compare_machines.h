@@ -1,5 +1,5 @@
 // The same recording on two machines: the proof that they are the same machine, or the first pass,
-// plane and pixel where they are not. Does not know which machines they are.
+// plane and pixel that differ. Does not know which machines they are.
 #pragma once
 
 #include "gw/machine.h"
@@ -26,7 +26,7 @@ std::optional<Finding> compare_machines(const Recording& recording, const Machin
                                         const MachineMaker& actual);
 
 /// Adds to a difference in a pass that two machines made of the same commands: the first pixel,
-/// both values, the command that made it. Leaves it as it is where their planes agree.
+/// both values, the command that made it. Leaves it as it is if their planes agree.
 void locate(Finding& finding, const Recording& recording, const MachineMaker& expected,
             const MachineMaker& actual);
 

@@ -11,7 +11,7 @@ struct StageCounter {
     std::uint64_t Counters::*count;
     const char* stage;
 };
-/// What a count says of the stages before it; bytes follow from the others.
+/// The stages that a wrong count accuses; bytes follow from the others.
 constexpr StageCounter stage_counters[] = {
     {&Counters::draws, "the commands themselves"},
     {&Counters::vertices, "the commands themselves"},

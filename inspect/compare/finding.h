@@ -1,5 +1,5 @@
-// A difference that was found: where, both values, and which stage of the machine made it. What
-// verify, diff and the comparison of machines answer.
+// A difference that was found: its place, both values, and the stage of the machine that made it.
+// The answer of verify, diff and the comparison of machines.
 #pragma once
 
 #include "gw/counters.h"
@@ -17,8 +17,8 @@ struct Finding {
     std::optional<std::size_t> pass;  ///< its place among the passes, from 0
     std::string pass_name;
     std::optional<ivec2> pixel;      ///< window coordinates
-    std::string expected, actual;    ///< "" where not known
-    std::string stage;               ///< "" where none can be named
+    std::string expected, actual;    ///< "" if unknown
+    std::string stage;               ///< "" if unknown
     std::vector<std::string> notes;  ///< a line each
 };
 
@@ -26,9 +26,9 @@ struct Finding {
 /// stage: ...", then the notes, a line each. Pixels in picture coordinates, top left first.
 std::string text(const Finding& finding, int height);
 
-/// The first stage, in the machine's order, whose count differs; "" where none does.
+/// The first stage, in the machine's order, whose count differs; "" if none does.
 std::string stage_of(const Counters& expected, const Counters& actual);
-/// The stages that only write this plane: what is left where all counts agree.
+/// The stages that only write this plane: those that remain if all counts agree.
 std::string stage_of(Plane plane);
 
 /// The first difference between two reports of a pass: name, counters, digests; `pass` is its

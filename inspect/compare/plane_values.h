@@ -1,5 +1,5 @@
-// Where two sets of planes differ. Pixels are in window coordinates here; `text`
-// functions of findings turn them into picture coordinates.
+// The pixels at which two sets of planes differ, in window coordinates; `text` functions of
+// findings turn them into picture coordinates.
 #pragma once
 
 #include "gw/names.h"

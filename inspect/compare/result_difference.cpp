@@ -1,6 +1,6 @@
-#include "inspect/compare/result_difference.h"
+#include "inspect/compare/difference.h"
 
-#include "inspect/replay/pixel_report.h"
+#include "inspect/replay/pixel_history.h"
 #include "inspect/replay/player.h"
 #include "inspect/text/plural.h"
 

@@ -1,12 +1,13 @@
 #include "inspect/compare/verify.h"
 
-#include "inspect/manifest/profile_json.h"
+#include "inspect/manifest/json_of.h"
 #include "inspect/recording/check_lists.h"
-#include "inspect/replay/digesting_machine.h"
+#include "inspect/replay/forwarding_machine.h"
 #include "inspect/replay/player.h"
 #include "inspect/text/plural.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -66,7 +67,7 @@ std::string list_of(const std::vector<ManifestPass>& passes, std::size_t first, 
     return end - first > most ? names + fmt::format(" and {} more", end - first - most) : names;
 }
 
-/// Which passes one side lacks, where the names before and after them are the same.
+/// The passes that one side lacks, if the names before and after them are the same.
 void note_missing_passes(Finding& finding, const std::vector<ManifestPass>& expected,
                          const std::vector<ManifestPass>& actual) {
     const std::size_t shorter = std::min(expected.size(), actual.size());
@@ -94,11 +95,11 @@ bool is_as_said(const Planes& planes, const ManifestPass& pass) {
     });
 }
 
-/// Names the first pixel of the finding's plane, both values where they are known.
+/// Names the first pixel of the finding's plane, and both values if they are known.
 void find_pixel(Finding& finding, const std::optional<Planes>& expected, const Planes& actual) {
     if (!expected) {
         finding.notes.push_back(
-            "which pixel is not known: there is no file of values beside the manifest that fits it");
+            "the pixel is unknown: no file of values beside the manifest fits it");
         return;
     }
     for (const Plane plane : planes_in_order) {

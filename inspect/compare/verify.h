@@ -11,8 +11,8 @@
 
 namespace gw::inspect {
 
-/// Replays a recording and says what came out. `values`: may be null; is given the planes after
-/// every pass.
+/// Replays a recording and describes the result. `values`: receives the planes after every pass;
+/// may be null.
 Manifest replayed_manifest(const Recording& recording, const MachineMaker& make,
                            ValuesWriter* values);
 
@@ -20,14 +20,13 @@ struct Verification {
     std::optional<Finding> finding;  ///< nothing: as the manifest says
     bool same_commands = true;       ///< the manifest is of this very recording
     bool same_scene = true;          ///< the same meshes and maps
-    /// Where the finding is in a plane: all planes after its pass; the expected ones where they are
+    /// If the finding is in a plane: all planes after its pass; the expected ones if they are
     /// known.
     std::optional<Planes> expected_planes, actual_planes;
 };
 
 /// `values`: of the file beside the manifest; empty: none. Then the expected value of a wrong pixel
-/// is taken from `other`, another machine, where its planes are as the manifest says; else it is
-/// not known.
+/// comes from `other`, another machine, if its planes are as the manifest says. Else it is unknown.
 Verification verify(const Recording& recording, const Manifest& manifest,
                     std::span<const std::uint8_t> values, const MachineMaker& make,
                     const MachineMaker& other);

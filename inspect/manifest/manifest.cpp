@@ -1,13 +1,17 @@
-// Manifests of recordings.
 #include "inspect/manifest/manifest.h"
 
 #include "inspect/recording/content.h"
 #include "inspect/replay/player.h"
 
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+
 namespace gw::inspect {
 namespace {
 
-/// Only what the machine sees: the same drawing has the same commands, whatever it is called.
+/// Only the machine's input: the same drawing has the same digest under any name.
 Digest commands_content(Recording recording) {
     recording.producer = recording.scene = recording.renderer = "";
     recording.sets.clear();
@@ -19,8 +23,8 @@ bool makes_fragments(const Command& command) {
            std::holds_alternative<WritePixels>(command);
 }
 
-/// The state of each pass: that of its first command that makes fragments; where it has none, its
-/// last one.
+/// The state of each pass: that of its first command that makes fragments; if it has none, its last
+/// one.
 std::vector<State> states_of(const Recording& recording, const std::vector<PassRange>& ranges) {
     std::vector<State> states(ranges.size());
     State state;
@@ -35,6 +39,33 @@ std::vector<State> states_of(const Recording& recording, const std::vector<PassR
             ++index;
         }
     return states;
+}
+
+struct PassRuns {
+    ManifestPass first;
+    std::array<std::vector<std::uint8_t>, 4> digests;  ///< of all runs, as bytes
+    int count = 0;
+};
+
+void add_bytes(std::vector<std::uint8_t>& bytes, const Digest& digest) {
+    for (const std::uint64_t half : {digest.high, digest.low})
+        for (int shift = 56; shift >= 0; shift -= 8) bytes.push_back(std::uint8_t(half >> shift));
+}
+
+void add(PassRuns& runs, const ManifestPass& pass) {
+    if (runs.count++ == 0)
+        runs.first = pass;
+    else
+        runs.first.report.counters += pass.report.counters;
+    for (std::size_t i = 0; i < 4; ++i) add_bytes(runs.digests[i], pass.report.digests[i]);
+}
+
+ManifestPass merged(const PassRuns& runs) {
+    ManifestPass pass = runs.first;
+    if (runs.count == 1) return pass;
+    pass.report.name += fmt::format(", {} runs", runs.count);
+    for (std::size_t i = 0; i < 4; ++i) pass.report.digests[i] = digest_of_bytes(runs.digests[i]);
+    return pass;
 }
 
 }  // namespace
@@ -57,6 +88,20 @@ Manifest manifest_of(const Recording& recording, const std::vector<PassReport>& 
         before = states[i];
     }
     return manifest;
+}
+
+Manifest merge_runs(const Manifest& manifest) {
+    std::map<std::string, std::size_t> places;
+    std::vector<PassRuns> all;
+    for (const ManifestPass& pass : manifest.passes) {
+        const auto [place, is_new] = places.try_emplace(pass.report.name, all.size());
+        if (is_new) all.emplace_back();
+        add(all[place->second], pass);
+    }
+    Manifest result = manifest;
+    result.passes.clear();
+    for (const PassRuns& runs : all) result.passes.push_back(merged(runs));
+    return result;
 }
 
 }  // namespace gw::inspect

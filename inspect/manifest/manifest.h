@@ -1,5 +1,5 @@
-// What a recording must give, pass by pass: JSON that people read and `gw verify` checks. The
-// schema is in docs/recordings.md. Names neither the machine nor its threads: they make no
+// The expected results of a recording, pass by pass: JSON that people read and `gw verify` checks.
+// The schema is in docs/recordings.md. Names neither the machine nor its threads: they make no
 // difference.
 #pragma once
 
@@ -14,8 +14,8 @@
 namespace gw::inspect {
 
 struct ManifestPass {
-    std::string set;  ///< the paper's parameter set; "" where the driver added the pass
-    /// what differs from the pass before (of the first: from GL's initial state)
+    std::string set;  ///< the paper's parameter set; "" if the driver added the pass
+    /// the fields that differ from the pass before (of the first: from GL's initial state)
     std::vector<Field> state;
     PassReport report;  ///< with digests of all planes
     bool operator==(const ManifestPass&) const = default;
@@ -38,6 +38,12 @@ inline constexpr int manifest_version = 1;
 
 /// `reports`: of all of its passes, with digests of all planes.
 Manifest manifest_of(const Recording& recording, const std::vector<PassReport>& reports);
+
+/// For lists of thousands of passes with a few names, as superposed pictures have. The result has a
+/// pass for each name, in the order of their first runs. "diffuse lamp, 16 runs" has the first
+/// run's state and parameter set, the sums of the counters, and digests of the runs' digests. A
+/// single run stays as it is.
+Manifest merge_runs(const Manifest& manifest);
 
 /// A line for each pass, so that files compare line by line.
 std::string to_json(const Manifest& manifest);

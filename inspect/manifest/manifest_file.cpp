@@ -12,7 +12,7 @@ namespace {
 const Beginning manifest_beginning{is_manifest, "is not JSON; expected a manifest that gw wrote"};
 const Beginning values_beginning{
     [](std::string_view bytes) { return has_identifier(bytes, "GWV1"); },
-    "is no file of values; expected one that gw wrote, or none"};
+    "is not a file of values; expected one that gw wrote, or none"};
 
 }  // namespace
 
@@ -32,7 +32,7 @@ ManifestFile load_manifest(const fs::path& file) {
     }
     const std::string& name = result.manifest.values;
     if (name != fs::path(name).filename())
-        throw Error(file.string(), 0, "'values' is no name of a file beside it");
+        throw Error(file.string(), 0, "'values' does not name a file beside it");
     if (!name.empty() && fs::exists(file.parent_path() / name))
         result.values = read_bytes(file.parent_path() / name, values_beginning);
     return result;

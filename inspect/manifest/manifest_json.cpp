@@ -6,9 +6,10 @@
 #include "gw/machine.h"
 #include "gw/names.h"
 #include "inspect/compare/plane_values.h"
-#include "inspect/manifest/profile_json.h"
+#include "inspect/manifest/json_of.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <charconv>
 
@@ -47,7 +48,8 @@ Json pass_json(const ManifestPass& pass) {
     return json;
 }
 
-/// An object whose members are taken one by one: what is missing, or left in the end, is an error.
+/// An object whose members are taken one by one: a missing member, or one left in the end, is an
+/// error.
 class Members {
 public:
     Members(const Json& json, std::string where) : json_(json), where_(std::move(where)) {

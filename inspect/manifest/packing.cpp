@@ -5,7 +5,7 @@
 namespace gw::inspect {
 namespace {
 
-/// Unsigned LEB128: seven bits a byte, the lowest first, the eighth set where more follow.
+/// Unsigned LEB128: seven bits a byte, the lowest first, the eighth set if more follow.
 void put(std::vector<std::uint8_t>& bytes, std::uint64_t number) {
     for (; number >= 0x80; number >>= 7) bytes.push_back(static_cast<std::uint8_t>(number | 0x80));
     bytes.push_back(static_cast<std::uint8_t>(number));

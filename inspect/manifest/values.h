@@ -1,6 +1,6 @@
 // The values of all planes after every pass, as bytes beside a manifest
-// (inspect/manifest/values.fbs): a pass stores what differs from the pass before. Does not read or
-// write files.
+// (inspect/manifest/values.fbs): a pass stores the pixels that differ from the pass before. Does
+// not read or write files.
 #pragma once
 
 #include "gw/planes.h"
@@ -26,7 +26,7 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-/// The planes after pass `pass`, from untrusted bytes. Throws Error where they are
+/// The planes after pass `pass`, from untrusted bytes. Throws Error if they are
 /// damaged, of another size, or hold no such pass.
 Planes planes_after(std::span<const std::uint8_t> bytes, int width, int height, std::size_t pass);
 

@@ -1,5 +1,5 @@
 // Matrices, fog and vertices of a draw.
-#include "inspect/peer/draw.h"
+#include "inspect/peer/commands.h"
 
 #include "gw/base/arithmetic.h"
 #include "gw/error.h"

@@ -1,7 +1,47 @@
-// The tables.
 #include "inspect/peer/gl.h"
 
+#include "gw/error.h"
+
+#include <fmt/format.h>
+
+#include <dlfcn.h>
+
 namespace gw::peer {
+namespace {
+
+void* library() {
+    void* handle = dlopen(GW_OSMESA_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+    if (!handle) throw Error(fmt::format("Mesa's OSMesa cannot be loaded: {}", dlerror()));
+    return handle;
+}
+
+/// The address of a function, as the type that it has.
+template <typename Function>
+void find(void* handle, const char* name, Function& out) {
+    void* address = dlsym(handle, name);
+    if (!address) throw Error(fmt::format("{} has no function {}", GW_OSMESA_LIBRARY, name));
+    out = reinterpret_cast<Function>(address);
+}
+
+// NOLINTNEXTLINE(readability-function-size): a table
+Functions load() {
+    void* handle = library();
+    Functions f{};
+#define GW_FIND(name) find(handle, "gl" #name, f.name);
+    GW_OPENGL_FUNCTIONS(GW_FIND)
+#undef GW_FIND
+#define GW_FIND(name) find(handle, #name, f.name);
+    GW_OSMESA_FUNCTIONS(GW_FIND)
+#undef GW_FIND
+    return f;
+}
+
+}  // namespace
+
+const Functions& gl() {
+    static const Functions functions = load();
+    return functions;
+}
 
 GLenum token(CompareFunc func) {
     switch (func) {
@@ -89,7 +129,7 @@ GLenum token(MinFilter filter) {
 
 GLenum token(MagFilter filter) { return filter == MagFilter::Nearest ? GL_NEAREST : GL_LINEAR; }
 
-/// Our Clamp has no border colour: what OpenGL 1.2 calls clamp to edge.
+/// Our Clamp has no border colour: it is OpenGL 1.2's clamp to edge.
 GLenum token(Wrap wrap) { return wrap == Wrap::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE; }
 
 GLenum token(TexEnv env) {

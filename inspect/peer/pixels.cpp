@@ -1,4 +1,4 @@
-#include "inspect/peer/pixels.h"
+#include "inspect/peer/commands.h"
 
 #include "inspect/peer/gl.h"
 

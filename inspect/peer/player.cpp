@@ -3,10 +3,8 @@
 
 #include "gw/error.h"
 #include "gw/names.h"
-#include "inspect/peer/draw.h"
+#include "inspect/peer/commands.h"
 #include "inspect/peer/gl.h"
-#include "inspect/peer/pixels.h"
-#include "inspect/peer/state.h"
 #include "inspect/peer/textures.h"
 
 #include <GL/osmesa.h>
@@ -40,7 +38,7 @@ OSMesaContext new_context() {
     return gl().OSMesaCreateContextAttribs(attributes, nullptr);
 }
 
-/// What differs from OpenGL's initial state for good.
+/// State that differs from OpenGL's initial state for good.
 void set_up() {
     gl().PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl().PixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -68,7 +66,8 @@ struct Player::Context {
           height(h),
           buffer(std::size_t{4} * std::size_t(w) * std::size_t(h)),
           mesa(new_context()) {
-        if (!mesa) throw Error("OSMesa makes no context of 8 colour, 24 depth and 8 stencil bits");
+        if (!mesa)
+            throw Error("OSMesa cannot make a context of 8 colour, 24 depth and 8 stencil bits");
         make_current();
         set_up();
         apply(before.state, width, height);
@@ -77,7 +76,7 @@ struct Player::Context {
 
     void make_current() {
         if (!gl().OSMesaMakeCurrent(mesa, buffer.data(), GL_UNSIGNED_BYTE, width, height))
-            throw Error(fmt::format("OSMesa takes no window of {}x{}", width, height));
+            throw Error(fmt::format("OSMesa refuses a window of {}x{}", width, height));
     }
 
     void run(const BeginPass&) {}

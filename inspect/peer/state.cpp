@@ -1,5 +1,5 @@
 // One function per group of the state.
-#include "inspect/peer/state.h"
+#include "inspect/peer/commands.h"
 
 #include "gw/error.h"
 #include "inspect/peer/gl.h"

@@ -1,5 +1,4 @@
-// Textures and texture slots as OpenGL's texture objects. Does not choose where a texture is looked
-// up.
+// Textures and texture slots as OpenGL's texture objects. Does not choose texture coordinates.
 #pragma once
 
 #include "gw/command_list.h"
@@ -11,7 +10,7 @@ namespace gw::peer {
 
 class Textures {
 public:
-    /// Binds what the draw uses, made on its first use, with the state's filters, wrap and
+    /// Binds the draw's texture, made on its first use, with the state's filters, wrap and
     /// environment; returns whether there is any.
     bool bind(const TextureBinding& binding, const TextureState& state);
     /// glCopyTexImage2D from the current planes.

@@ -9,13 +9,10 @@ namespace gw::inspect {
 /// Changes `context` as the execution of a valid list does.
 void follow(const CommandList& list, ListContext& context);
 
-/// Throws Error "list 0: command 12 (Draw) of pass 'diffuse': ..." where a list is not valid after
+/// Throws Error "list 0: command 12 (Draw) of pass 'diffuse': ..." if a list is not valid after
 /// those before it.
 void validate_lists(const Recording& recording);
-/// The same, and throws Error where the limits are exceeded.
+/// The same, and throws Error if the limits are exceeded.
 void check_lists(const Recording& recording, const Limits& limits);
-
-/// Makes the context that of the next list.
-void follow(const CommandList& list, ListContext& context);
 
 }  // namespace gw::inspect

@@ -1,5 +1,5 @@
-// Digests of what a recording is made of: equal content has equal digests, in any process.
-// Does not look at names: a map's name is no part of its value.
+// Digests of a recording's content: equal content has equal digests, in any process. Does not look
+// at names: a map's name is no part of its value.
 #pragma once
 
 #include "gw/mesh.h"
@@ -13,8 +13,8 @@ namespace gw::inspect {
 Digest content(const MeshData& mesh);
 Digest content(const Texture& texture);
 
-/// What is drawn, wherever it is seen from: XXH3-128 over the digests of the meshes and maps of a
-/// recording's draws, each once, in increasing order.
+/// The drawn scene, from any eye: XXH3-128 over the digests of the meshes and maps of a recording's
+/// draws, each once, in increasing order.
 Digest scene_content(const Recording& recording);
 
 /// XXH3-128 of bytes.

@@ -2,7 +2,6 @@
 // `validate`.
 #include "gw/machine.h"
 #include "inspect/recording/check_lists.h"
-#include "inspect/recording/file_state.h"
 #include "inspect/recording/file_values.h"
 #include "inspect/recording/recording.h"
 
@@ -57,7 +56,7 @@ public:
     Recording decode();
 
 private:
-    /// The same bytes of a file may be referred to many times: what counts is what they become.
+    /// The same bytes of a file may be referred to many times: the memory that they become counts.
     void charge(std::uint64_t bytes) {
         charged_ += bytes;
         if (charged_ > limits_.decoded_bytes)
@@ -177,7 +176,7 @@ Command Decoder::command(const gwt::Draw& c) {
     return draw;
 }
 
-/// Calls `use` with the table that `stored` stands for; false where the type is unknown.
+/// Calls `use` with the table that `stored` is; false if the type is unknown.
 bool with_command(gwt::CommandType type, const gwt::AnyCommand* stored, const auto& use) {
     const auto as = [&]<typename Table>(const Table*) {
         use(*reinterpret_cast<const Table*>(stored));
@@ -206,7 +205,8 @@ Command Decoder::command(gwt::CommandType type, const gwt::AnyCommand* stored) {
     return result;
 }
 
-/// What the generated verifier cannot know: that commands are the tables that their types name.
+/// Checks that commands are the tables that their types name, which the generated verifier cannot
+/// know.
 bool commands_are_whole(const gwt::CommandList& list, flatbuffers::Verifier& verifier) {
     const auto* types = list.commands_type();
     const auto* commands = list.commands();

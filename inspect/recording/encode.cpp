@@ -1,6 +1,5 @@
-// From a recording to bytes: what draws refer to once, then the commands.
+// From a recording to bytes: meshes, maps, lights and states once each, then the commands.
 #include "inspect/recording/content.h"
-#include "inspect/recording/file_state.h"
 #include "inspect/recording/file_values.h"
 
 #include <algorithm>
@@ -12,7 +11,7 @@ namespace {
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
-/// Room for what the builder adds to an array: its length, alignment, tables around it.
+/// Space for the builder's additions to an array: its length, alignment, tables around it.
 constexpr std::uint64_t largest_file = (std::uint64_t{1} << 31) - (1 << 20);
 
 gwt::Light to_file(const Light& l) {
@@ -170,8 +169,8 @@ std::uint32_t Encoder::texture(const TextureRef& ref) {
     return place;
 }
 
-/// Where an equal value was stored among the last ones; else it is stored. Looking farther back
-/// would cost more than it saves.
+/// The place of an equal value among the last ones stored; if there is none, it is stored. Looking
+/// farther back would cost more than it saves.
 template <typename T>
 std::uint32_t place_of(std::vector<T>& stored, const T& value) {
     constexpr std::ptrdiff_t farthest = 64;

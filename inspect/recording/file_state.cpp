@@ -1,6 +1,4 @@
 // Each group of the state in both directions.
-#include "inspect/recording/file_state.h"
-
 #include "inspect/recording/file_values.h"
 
 namespace gw::inspect {

@@ -4,6 +4,7 @@
 
 #include "gw/command_list.h"
 #include "gw/error.h"
+#include "gw/state.h"
 #include "recording_generated.h"
 
 #include <fmt/format.h>
@@ -47,5 +48,10 @@ Ours our_enum(File value) {
                                 int(File::MIN), int(File::MAX)));
     return static_cast<Ours>(value);
 }
+
+/// The pipeline's state. A group at its initial value is not stored.
+flatbuffers::Offset<gwt::State> to_file(flatbuffers::FlatBufferBuilder& out, const State& state);
+/// Throws Error for an enumeration's value that there is not.
+State from_file(const gwt::State& state);
 
 }  // namespace gw::inspect

@@ -26,7 +26,7 @@ std::ifstream opened(const std::filesystem::path& file) {
     return in;
 }
 
-/// At most so many bytes more.
+/// Reads at most `most` bytes more.
 template <class Bytes>
 void append(Bytes& bytes, std::ifstream& in, std::size_t most, const std::filesystem::path& file) {
     const std::size_t before = bytes.size();

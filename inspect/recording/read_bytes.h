@@ -1,5 +1,5 @@
-// A whole file as bytes, once its size and its beginning are what was expected. Does not interpret
-// them further.
+// A whole file as bytes, after a check of its size and its beginning. Does not interpret them
+// further.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,8 @@
 
 namespace gw::inspect {
 
-/// What a file must begin with, and the words for it: "not a recording; expected ...".
+/// The required beginning of a file, and the message if it differs: "not a recording; expected
+/// ...".
 struct Beginning {
     std::function<bool(std::string_view)> fits;  ///< of the first bytes, at most 4096
     const char* otherwise = "";
@@ -20,8 +21,8 @@ struct Beginning {
 /// The first bytes, at most 4096. Throws Error as read_bytes does.
 std::string first_bytes(const std::filesystem::path& file);
 
-/// Throws Error naming the file where it is missing, no regular file (a pipe may never end), larger
-/// than 2 GB, begins otherwise or cannot be read. Nothing more is read of a file that is refused.
+/// Throws Error naming the file if it is missing, no regular file (a pipe may never end), larger
+/// than 2 GB, begins otherwise or cannot be read. A refused file is not read any further.
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file, const Beginning& beginning);
 
 /// FlatBuffers' file identifier, in bytes 4 to 7.

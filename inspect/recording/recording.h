@@ -22,25 +22,25 @@ struct ParameterSet {
 struct Recording {
     std::string producer;  ///< the program and its version
     std::string scene;     ///< the name of the scene's file
-    std::string renderer;  ///< what made the lists
+    std::string renderer;  ///< the renderer that made the lists
     Profile profile;
     int width = 0, height = 0;
     std::vector<ParameterSet> sets;
     std::vector<CommandList> lists;  ///< as they were executed, one after the other
 };
 
-/// The parameter set of a pass; "" where none is known.
+/// The parameter set of a pass; "" if unknown.
 std::string set_of(const Recording& recording, const std::string& pass);
 
 /// The version of the schema that `encode` writes and `decode` reads.
 inline constexpr std::uint32_t recording_version = 1;
 
 /// As inspect/recording/recording.fbs says. Meshes, maps, lights and states that are equal are
-/// stored once. Throws Error where it would be larger than 2 GB, which is as much as the format
-/// holds.
+/// stored once. Throws Error if it would be larger than 2 GB, the format's limit.
 std::vector<std::uint8_t> encode(const Recording& recording);
 
-/// What a recording may ask of this process; more is refused. docs/recordings.md, "Limits".
+/// The most that a recording may demand of this process; more is refused. docs/recordings.md,
+/// "Limits".
 struct Limits {
     /// of commands, meshes, maps in memory
     std::uint64_t decoded_bytes = std::uint64_t{4} << 30;
@@ -53,8 +53,8 @@ struct Limits {
 /// throws Error "T.gwt: not a recording; ...".
 std::vector<std::uint8_t> read_recording_bytes(const std::filesystem::path& file);
 
-/// From untrusted bytes: a recording whose lists are valid on its profile and window, or an Error
-/// that says what is wrong.
+/// From untrusted bytes: a recording whose lists are valid on its profile and window. Throws Error
+/// with the reason if there is none.
 Recording decode(std::span<const std::uint8_t> bytes, const Limits& limits = {});
 
 }  // namespace gw::inspect

@@ -1,5 +1,5 @@
-// An observer of a recording's replay that knows which command is being executed, and in which
-// pass. Subclasses decide what to do with the fragments.
+// An observer of a recording's replay that knows the command in execution and its pass. Subclasses
+// use the fragments.
 #pragma once
 
 #include "gw/reference/observer.h"

@@ -1,4 +1,5 @@
-// Forwards every call to another machine; subclasses override one. Does not execute anything.
+// Machines that forward every call to another one, and two that override a call: to take digests,
+// and to record. They execute nothing themselves.
 #pragma once
 
 #include "gw/machine.h"
@@ -22,6 +23,49 @@ public:
 
 private:
     Machine& machine_;
+};
+
+/// Takes digests of all planes after every pass.
+class DigestingMachine : public ForwardingMachine {
+public:
+    using ForwardingMachine::ForwardingMachine;
+
+    void execute(const CommandList& list) override {
+        CommandList digesting;
+        // Commands before the first BeginPass are counted in a pass named "", which can ask for
+        // digests too.
+        if (passes().empty() && opens_unnamed_pass(list)) digesting.add(BeginPass{});
+        digesting.append(list);
+        for (Command& command : digesting.commands)
+            if (auto* pass = std::get_if<BeginPass>(&command)) pass->digests = all_planes;
+        ForwardingMachine::execute(digesting);
+    }
+
+private:
+    static bool opens_unnamed_pass(const CommandList& list) {
+        for (const Command& command : list.commands)
+            if (!std::holds_alternative<SetState>(command))
+                return !std::holds_alternative<BeginPass>(command);
+        return false;
+    }
+};
+
+/// Keeps every list that the machine executes. Results that a host computes from read-backs come
+/// back in lists, so the lists are the machine's whole input.
+class Recorder : public ForwardingMachine {
+public:
+    /// Refers to both, which must outlive it. The machine is new: nothing executed before is in the
+    /// lists.
+    Recorder(Machine& machine, std::vector<CommandList>& lists)
+        : ForwardingMachine(machine), lists_(lists) {}
+
+    void execute(const CommandList& list) override {
+        ForwardingMachine::execute(list);
+        lists_.push_back(list);
+    }
+
+private:
+    std::vector<CommandList>& lists_;
 };
 
 }  // namespace gw::inspect

@@ -1,10 +1,11 @@
-// Everything that happened to a pixel, in order; and what happened to the fragments of every pixel,
-// counted.
-// From the reference machine, exact, in one run. Does not draw pictures.
+// The events of a pixel, in order; and the fragments of every pixel, counted by their fate. From
+// the reference machine, exact, in one run. Does not draw pictures.
 #pragma once
 
 #include "gw/reference/observer.h"
 #include "inspect/recording/recording.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <string>
@@ -12,8 +13,8 @@
 
 namespace gw::inspect {
 
-/// A fragment that reached the pixel, or a command that wrote to it without one (clear, copy,
-/// accumulate, rectangles of Z and stencil): then there is no `fragment`.
+/// A fragment that reached the pixel, or a command that wrote to it without one: clear, copy,
+/// accumulate, rectangles of Z and stencil. Then there is no `fragment`.
 struct PixelEvent {
     std::size_t pass = 0;  ///< its place among the passes
     std::string pass_name;
@@ -42,5 +43,15 @@ struct FragmentMaps {
 
 /// Of one pass, or of all.
 FragmentMaps fragment_maps(const Recording& recording, std::optional<std::size_t> pass);
+
+// As a table and as JSON, in picture coordinates, top left first.
+
+/// Rows of words, the first of them the header: pass, command, event, values before and after. A
+/// plane whose values stay the same shows one value; accumulation is left out if it stays 0.
+std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>& events);
+
+/// {"x", "y", "profile", "width", "height", "events": [...]}
+nlohmann::ordered_json history_json(const Recording& recording, int x, int y,
+                                    const std::vector<PixelEvent>& events);
 
 }  // namespace gw::inspect

@@ -17,7 +17,7 @@ struct PassRange {
 };
 
 /// The passes of a recording, in order. Commands before the first BeginPass are in a pass named "",
-/// where there is more among them than SetState.
+/// if there is more among them than SetState.
 std::vector<PassRange> pass_ranges(const Recording& recording);
 
 std::size_t command_count(const Recording& recording);
@@ -34,13 +34,13 @@ public:
     /// Executes the commands up to and without command `end`. A list of which only a part is
     /// executed is validated whole before, so that a refusal names the command's number in it.
     void play_to(std::size_t end);
-    /// Executes what is left.
+    /// Executes the remaining commands.
     void play();
 
 private:
     const Recording& recording_;
     Machine& machine_;
-    ListContext context_;  ///< of lists[list_], or of the next list where one is in execution
+    ListContext context_;  ///< of lists[list_], or of the next list while one is in execution
     std::size_t list_ = 0, command_ = 0;  ///< the next one: of lists[list_]
     std::size_t done_ = 0;
 };

@@ -1,6 +1,39 @@
 #include "inspect/report/pass_observer.h"
 
+#include <algorithm>
+
 namespace gw::report {
+namespace {
+
+/// One more than the largest identifier.
+std::uint32_t id_count(const Mesh& mesh) {
+    const auto& ids = mesh.data().polygon_ids;
+    if (!ids.empty()) return *std::ranges::max_element(ids) + 1;
+    return mesh.polygon_count() +
+           static_cast<std::uint32_t>(mesh.lines().size() + mesh.points().size());
+}
+
+bool writes_color_or_depth(const State& s) {
+    const bool color = s.color_mask.r || s.color_mask.g || s.color_mask.b || s.color_mask.a;
+    return color || (s.depth.test && s.depth.mask);
+}
+
+}  // namespace
+
+PolygonPlane::PolygonPlane(const inspect::Recording& recording)
+    : width_(recording.width), ids_(std::size_t(recording.width) * std::size_t(recording.height)) {
+    std::uint32_t next = 1;
+    for (const CommandList& list : recording.lists)
+        for (const Command& command : list.commands)
+            if (const auto* draw = std::get_if<Draw>(&command))
+                if (first_.emplace(draw->mesh.get(), next).second) next += id_count(*draw->mesh);
+}
+
+void PolygonPlane::written(const Fragment& fragment, const Draw& draw, std::uint32_t polygon,
+                           const State& state) {
+    if (writes_color_or_depth(state))
+        id_at(fragment.x, fragment.y) = first_.at(draw.mesh.get()) + polygon;
+}
 
 void PassObserver::begin_command(std::size_t place) {
     FollowingObserver::begin_command(place);

@@ -8,6 +8,7 @@
 #include "scene/draw/draw_commands.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdlib>

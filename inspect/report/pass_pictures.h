@@ -1,19 +1,19 @@
-// The planes after every pass as pictures in the report's folder: what a pass left as it was is not
-// written again. Does not execute passes.
+// The planes after every pass as pictures in the report's folder: a plane that a pass left
+// unchanged is not written again. Does not execute passes.
 #pragma once
 
 #include "gw/planes.h"
 #include "gw/profile.h"
 #include "inspect/report/report_folder.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <map>
 
 namespace gw::report {
 
 /// The machine's planes, and the identifiers of the polygons that its pixels show
-/// (inspect/report/polygon_plane.h).
+/// (inspect/report/pass_observer.h).
 struct Snapshot {
     Planes planes;
     std::vector<std::uint32_t> polygons;
@@ -24,10 +24,11 @@ public:
     /// `start`: before the first pass that is shown. The folder must outlive it.
     PassPictures(ReportFolder& folder, const Profile& profile, Snapshot start);
 
-    /// Writes what the pass changed. For "color", "depth", "stencil", "accum", "polygons" and,
-    /// where wanted, "identifiers" (the colours, read as those of an item buffer): "before" and
-    /// "after", names of PNG files without the extension; where the pass changed the plane "change"
-    /// too, how many "pixels", and for colours "times", by what the change is amplified.
+    /// Writes the pass's changes. The result has members for "color", "depth", "stencil", "accum",
+    /// "polygons" and, if asked for, "identifiers": the colours, read as those of an item buffer.
+    /// Each has "before" and "after", names of PNG files without the extension. If the pass changed
+    /// the plane it also has "change", the number of "pixels" and, for colours, the amplification
+    /// "times".
     nlohmann::ordered_json add(std::size_t pass, Snapshot after, bool with_identifiers);
 
     /// Large pictures have a small one beside them, NAME_small.png.

@@ -1,5 +1,5 @@
-// A price list: what the counters of a pass would have cost in time on a machine of 1991.
-// Estimates, and labelled so; every price has its source. Does not count.
+// A price list: the estimated time of a pass on a machine of 1991, from its counters. Estimates are
+// labelled so; every price has its source. Does not count.
 #pragma once
 
 #include "gw/names.h"
@@ -23,7 +23,7 @@ struct PriceList {
     std::vector<Price> prices;
 };
 
-/// Throws Error "file:line: what; expected what".
+/// Throws Error "file:line: REASON; expected ...".
 PriceList read_prices(const std::filesystem::path& file);
 
 /// inspect/report/prices/vgx.toml, built in.

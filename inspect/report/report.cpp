@@ -11,6 +11,7 @@
 #include "inspect/report/report_json.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -20,7 +21,7 @@ namespace {
 constexpr const char* page_files[] = {"index.html", "report.css", "report.js", "history.js",
                                       "words.js"};
 
-/// What comes out is counted before the slower machine is watched: both count the same.
+/// Counts on the fast machine, before the slower one is observed: both count the same.
 inspect::Manifest replayed_counters(const inspect::Recording& recording) {
     const auto machine = make_fast(recording.profile, recording.width, recording.height);
     inspect::Player(recording, *machine).play();
@@ -28,11 +29,11 @@ inspect::Manifest replayed_counters(const inspect::Recording& recording) {
 }
 
 PassSpan passes_shown(std::size_t count, const ReportOptions& options) {
-    if (count == 0) throw Error(options.file, 0, "has no pass; expected one at least");
+    if (count == 0) throw Error(options.file, 0, "has no pass; expected at least one");
     return options.passes.value_or(PassSpan{0, std::min(count, most_passes) - 1});
 }
 
-/// From the first pass as many as there is room for.
+/// From the first pass, as many passes as `history_fragments` allows.
 std::optional<PassSpan> history_that_fits(const inspect::Manifest& manifest, PassSpan shown) {
     std::uint64_t fragments = 0;
     std::optional<PassSpan> fits;
@@ -63,7 +64,7 @@ std::vector<bool> passes_of_identifiers(const inspect::Recording& recording,
     return found;
 }
 
-/// Replays on the reference machine, which says what becomes of every fragment.
+/// Replays on the reference machine, which reports the fate of every fragment.
 class Replay {
 public:
     Replay(const inspect::Recording& recording, ReportFolder& folder)

@@ -1,6 +1,6 @@
-// A recording as a page that opens from disk: for every pass its parameter set, what it changed in
-// state and planes, counters and estimated time; and the histories of all pixels. docs/inspect.md.
-// Does not choose where the folder is.
+// A recording as a page that opens from disk. It shows, for every pass, its parameter set, its
+// changes of state and planes, counters and estimated time. It has the histories of all pixels.
+// docs/inspect.md. Does not choose the folder.
 #pragma once
 
 #include "inspect/report/prices.h"
@@ -28,7 +28,7 @@ struct ReportOptions {
     /// as many from the first as make no more than `history_fragments`
     std::optional<PassSpan> history;
     bool with_history = true;
-    /// the recording's colours are identifiers, even where no state says so
+    /// the recording's colours are identifiers, even if no state says so
     bool identifiers = false;
     std::uint64_t most_bytes = 500'000'000;
     PriceList prices;
@@ -38,10 +38,10 @@ struct ReportOptions {
 
 /// On one page.
 inline constexpr std::size_t most_passes = 1000;
-/// Fragments whose histories are kept where nothing is said: some 45 bytes each.
+/// The number of fragments whose histories are kept by default: about 45 bytes each.
 inline constexpr std::uint64_t history_fragments = 3'000'000;
 
-/// What was written.
+/// The parts that were written.
 struct ReportSummary {
     std::size_t passes = 0, passes_of_recording = 0;
     std::optional<PassSpan> history;
@@ -51,9 +51,9 @@ struct ReportSummary {
 /// The names that a report's folder holds.
 std::vector<std::string> report_files();
 
-/// Into a folder that is empty. Throws Error where the recording has no pass, `passes` are not of
-/// the recording or more than `most_passes`, `history` is not of the passes shown, and where the
-/// files would be more than `most_bytes`.
+/// Writes into an empty folder. Throws Error if the recording has no pass, `passes` are not of the
+/// recording or more than `most_passes`, or `history` is not of the passes shown. Also if the files
+/// would exceed `most_bytes`.
 ReportSummary write_report(const inspect::Recording& recording, const std::filesystem::path& folder,
                            const ReportOptions& options);
 

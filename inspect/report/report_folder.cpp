@@ -23,8 +23,8 @@ void ReportFolder::make_folder(const std::string& name) {
         throw Error((folder_ / name).string(), 0, "cannot be made: " + error.message());
 }
 
-void ReportFolder::expect_room(std::uint64_t bytes) const {
-    if (bytes > room())
+void ReportFolder::expect_space(std::uint64_t bytes) const {
+    if (bytes > bytes_left())
         throw Error(fmt::format(
             "the report needs more than {} MB; expected fewer passes (--passes A-B), histories "
             "of fewer passes (--history A-B or none), or a larger --limit",
@@ -32,14 +32,14 @@ void ReportFolder::expect_room(std::uint64_t bytes) const {
 }
 
 void ReportFolder::write(const std::string& name, std::string_view text) {
-    expect_room(text.size());
+    expect_space(text.size());
     image::write_file(folder_ / name, text);
     bytes_ += text.size();
 }
 
 // Not through a temporary file: the whole folder is one.
 void ReportFolder::append(const std::string& name, std::string_view text) {
-    expect_room(text.size());
+    expect_space(text.size());
     bytes_ += text.size();
     const int file =
         ::open((folder_ / name).c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
@@ -59,7 +59,7 @@ void ReportFolder::append(const std::string& name, std::string_view text) {
 void ReportFolder::write(const std::string& name, const image::Picture& picture) {
     image::write_picture(folder_ / name, picture);
     const std::uint64_t size = std::filesystem::file_size(folder_ / name);
-    expect_room(size);
+    expect_space(size);
     bytes_ += size;
 }
 

@@ -1,5 +1,5 @@
-// The files of a report, under way: counts their bytes and refuses to grow beyond a limit.
-// Does not know what is in them.
+// Writes the files of a report, counts their bytes and refuses to grow beyond a limit. Does not
+// know their contents.
 #pragma once
 
 #include "image/picture.h"
@@ -16,7 +16,7 @@ public:
     ReportFolder(std::filesystem::path folder, std::uint64_t most_bytes);
 
     void make_folder(const std::string& name);
-    /// Throws Error where the folder would hold more than the limit, or the file cannot be written.
+    /// Throws Error if the folder would hold more than the limit, or the file cannot be written.
     void write(const std::string& name, std::string_view text);
     void append(const std::string& name, std::string_view text);
     /// A picture, as PNG.
@@ -24,9 +24,9 @@ public:
 
     std::uint64_t bytes() const { return bytes_; }
     /// Bytes that it may still grow by.
-    std::uint64_t room() const { return most_bytes_ - bytes_; }
-    /// Throws Error where there is less room.
-    void expect_room(std::uint64_t bytes) const;
+    std::uint64_t bytes_left() const { return most_bytes_ - bytes_; }
+    /// Throws Error if less is left.
+    void expect_space(std::uint64_t bytes) const;
 
 private:
     std::filesystem::path folder_;

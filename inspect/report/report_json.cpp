@@ -1,10 +1,11 @@
 #include "inspect/report/report_json.h"
 
 #include "gw/names.h"
-#include "inspect/manifest/counters_json.h"
-#include "inspect/manifest/profile_json.h"
+#include "inspect/manifest/json_of.h"
 #include "inspect/replay/player.h"
 #include "inspect/report/tile_history.h"
+
+#include <nlohmann/json.hpp>
 
 namespace gw::report {
 namespace {

@@ -1,10 +1,10 @@
-// What a report's page shows, as JSON. docs/inspect.md, "The files", has its members.
+// The contents of a report's page, as JSON. docs/inspect.md, "The files", has its members.
 #pragma once
 
 #include "inspect/manifest/manifest.h"
 #include "inspect/report/report.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace gw::report {
 

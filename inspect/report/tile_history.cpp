@@ -8,7 +8,7 @@
 namespace gw::report {
 namespace {
 
-/// The planes whose values changed, as a JavaScript object; "0" where none did.
+/// The planes whose values changed, as a JavaScript object; "0" if none did.
 std::string change_text(const PixelValues& before, const PixelValues& after) {
     if (before == after) return "0";
     std::string text;
@@ -20,7 +20,7 @@ std::string change_text(const PixelValues& before, const PixelValues& after) {
     return "{" + text + "}";
 }
 
-/// -1 where there is none.
+/// -1 if there is none.
 std::string number_text(const auto& optional) {
     return optional ? std::to_string(*optional) : "-1";
 }
@@ -68,7 +68,7 @@ TileHistory::Tile& TileHistory::tile_of(int x, int y) {
 
 void TileHistory::put(Tile& tile, const std::string& row) {
     waiting_ += row.size();
-    if (waiting_ <= folder_.room()) tile.text += row;
+    if (waiting_ <= folder_.bytes_left()) tile.text += row;
 }
 
 void TileHistory::close_run(Tile& tile) {
@@ -102,7 +102,7 @@ void TileHistory::add(const TileEvent& event) {
 }
 
 void TileHistory::flush() {
-    folder_.expect_room(waiting_);
+    folder_.expect_space(waiting_);
     for (Tile& tile : tiles_) {
         close_run(tile);
         if (!tile.text.empty()) folder_.append("history/" + tile.name + ".js", tile.text);

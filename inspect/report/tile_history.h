@@ -1,6 +1,6 @@
-// The histories of all pixels, passes one after the other, as scripts of 64 x 64 pixels that a page
-// loads when a pixel is asked for (inspect/report/page/history.js reads them back). Tiles and
-// pixels are counted from the lower left corner. Does not observe a machine: PassObserver does.
+// The histories of all pixels, passes one after the other, as scripts of 64 x 64 pixels. A page
+// loads one when a pixel is asked for (inspect/report/page/history.js). Tiles and pixels are
+// counted from the lower left corner. Does not observe a machine: PassObserver does.
 #pragma once
 
 #include "gw/planes.h"
@@ -13,7 +13,7 @@
 
 namespace gw::report {
 
-/// What happened: a fragment, or a command that touched the pixel without one.
+/// An event: a fragment, or a command that touched the pixel without one.
 struct TileEvent {
     int x = 0, y = 0;  ///< window coordinates
     std::size_t command = 0;
@@ -28,14 +28,13 @@ class TileHistory {
 public:
     static constexpr int side = 64;
 
-    /// Of the events that follow, `start` being what the planes hold before the first. The folder
-    /// must outlive it.
+    /// `start`: the planes before the first event. The folder must outlive it.
     TileHistory(ReportFolder& folder, const Planes& start);
 
     /// Kept in memory until `flush`; after as many bytes as the folder may still hold nothing more
     /// is kept, and flush throws.
     void add(const TileEvent& event);
-    /// Throws Error where the folder is full.
+    /// Throws Error if the folder is full.
     void flush();
     void finish();
 

@@ -7,17 +7,31 @@
 // Made with GW_UPDATE_GOLDENS=1, or with write_golden.
 #pragma once
 
-#include "inspect/testing/golden.h"
+#include "inspect/recording/recording.h"
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 namespace gw::testing {
+
+/// A list and the machine it is meant for: width x height pixels, 1 .. max_window_size each.
+inspect::Recording recording_of(CommandList list, const Profile& profile, int width, int height);
+
+/// Writes "NAME.json" and beside it "NAME.values" with the planes after every pass, by which wrong
+/// pixels are found. Both appear whole or not at all. Throws Error if the list is not valid or a
+/// file cannot be written.
+void write_golden(const inspect::Recording& recording, const std::filesystem::path& golden);
+
+/// The environment variable GW_UPDATE_GOLDENS is set and neither empty nor 0: goldens are written
+/// instead of compared. The only way in which a test changes one.
+bool updates_goldens();
 
 /// Success: after every pass all planes and counters are as the golden says, on the reference and
 /// the fast machine. Failure: a message with the first differing pass, plane, pixel, both values
-/// and the stage, and where the pictures of that plane are: actual and, where known, expected and
-/// difference (failure_files.h). Never throws: a golden that is missing or damaged and a list
-/// that is not valid are failures that say so.
+/// and the stage. It names the pictures of that plane: actual and, if known, expected and
+/// difference (failure_files.h). Never throws: a missing or damaged golden and an invalid list are
+/// failures that say so.
 ::testing::AssertionResult passes_eq(const inspect::Recording& recording,
                                      const std::filesystem::path& golden);
 

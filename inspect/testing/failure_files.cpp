@@ -61,7 +61,7 @@ std::string write_failure_pictures(const std::string& name, const std::optional<
                                    const Planes& actual, const Profile& profile) {
     try {
         return "pictures:\n" + write_all(name, expected, actual, profile);
-    } catch (const std::exception& error) {  // Error, or what std::filesystem throws
+    } catch (const std::exception& error) {  // Error, or an exception of std::filesystem
         return std::string("no pictures: ") + error.what() + "\n";
     }
 }

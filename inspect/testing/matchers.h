@@ -33,8 +33,7 @@ PlanesMatcher HasStencil(int x, int y, std::uint8_t stencil);
 PlanesMatcher HasAccum(int x, int y, std::array<std::int32_t, 4> sum);
 
 /// Every pixel of one plane has the same bits as in `expected`. A mismatch names the number of
-/// wrong pixels and the worst of them, and leaves pictures (failure_files.h) where `profile` is
-/// given.
+/// wrong pixels and the worst of them, and leaves pictures (failure_files.h) if `profile` is given.
 PlanesMatcher PlaneEq(Plane plane, Planes expected, std::optional<Profile> profile = {});
 /// All four planes.
 PlanesMatcher PlanesEq(Planes expected, std::optional<Profile> profile = {});

@@ -1,5 +1,5 @@
 // The state's fields by name, with their values as text: "depth.func" "LEqual". Names are those of
-// gw/state.h, words GL's. Does not choose what to show.
+// gw/state.h, words GL's. Does not choose fields.
 #pragma once
 
 #include "gw/state.h"

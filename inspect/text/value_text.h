@@ -1,5 +1,5 @@
 // Values of commands and states as text: numbers in full precision, enumerations by GL's words.
-// Does not name what the values are.
+// Does not name the values.
 #pragma once
 
 #include "gw/command_list.h"
@@ -24,7 +24,7 @@ std::string text(const Rgba& c);
 std::string text(const Rect& r);  ///< "x y width height"
 std::string text(const Span& s);
 std::string text(const ColorMask& m);                     ///< "rg-a"
-std::string text(const std::optional<std::uint32_t>& v);  ///< "none" where there is none
+std::string text(const std::optional<std::uint32_t>& v);  ///< "none" if there is none
 
 std::string text(Primitive v);
 std::string text(Plane v);

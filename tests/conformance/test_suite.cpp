@@ -5,7 +5,7 @@
 #include "gw/machine.h"
 #include "inspect/manifest/manifest.h"
 #include "inspect/recording/content.h"
-#include "inspect/replay/digesting_machine.h"
+#include "inspect/replay/forwarding_machine.h"
 #include "inspect/replay/player.h"
 #include "test_paths.h"
 

@@ -3,8 +3,7 @@
 // it.
 #include <gtest/gtest.h>
 
-#include "inspect/compare/command_difference.h"
-#include "inspect/compare/result_difference.h"
+#include "inspect/compare/difference.h"
 #include "inspect/replay/player.h"
 #include "tests/inspect/same.h"
 #include "tests/inspect/three_passes.h"

@@ -1,9 +1,10 @@
 // Claims: a pixel's history has every fragment that reached it, in order, with the stage that
 // killed it, and every command that touched it; maps count the same fragments.
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "inspect/compare/compare_machines.h"
-#include "inspect/replay/pixel_report.h"
+#include "inspect/replay/pixel_history.h"
 #include "inspect/replay/player.h"
 #include "tests/inspect/same.h"
 #include "tests/inspect/three_passes.h"

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "inspect/compare/compare_machines.h"
+#include "inspect/replay/forwarding_machine.h"
 #include "inspect/replay/player.h"
-#include "inspect/replay/recorder.h"
 #include "tests/inspect/same.h"
 #include "tests/inspect/three_passes.h"
 #include "tests/inspect/wrong_machine.h"

@@ -1,6 +1,7 @@
 // Claims: a manifest is as its recording is, comes back from its JSON, and any other machine or
 // recording is found out by pass, plane, pixel, both values and stage.
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "gw/error.h"
 #include "inspect/compare/verify.h"

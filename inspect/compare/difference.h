@@ -1,12 +1,21 @@
-// Where the planes of two recordings first differ, pass by pass, and which draw and fragment made
-// it so.
+// The first difference of two recordings: in their commands, and in the planes that they leave.
 // Does not draw pictures.
 #pragma once
 
 #include "inspect/compare/compare_machines.h"
+#include "inspect/compare/finding.h"
+#include "inspect/recording/recording.h"
 #include "inspect/replay/pixel_history.h"
 
+#include <optional>
+#include <string>
+
 namespace gw::inspect {
+
+/// Profile, window, then command by command: its kind, the state's field, the mesh's array and
+/// element, the map, the lights, ... Meshes, maps and lights are compared by content; how commands
+/// are cut into lists does not count. Values are `a`'s (expected) and `b`'s.
+std::optional<Finding> first_command_difference(const Recording& a, const Recording& b);
 
 struct ResultDifference {
     Finding finding;
@@ -23,7 +32,7 @@ std::optional<ResultDifference> first_result_difference(const Recording& a, cons
 /// The planes after the finding's pass, and the worst pixel of the first plane that differs.
 ResultDifference located(Finding finding, Planes a, Planes b);
 
-/// The first event in a pixel's two histories that is not the same, as two lines; "" where they
+/// The first event in a pixel's two histories that is not the same, as two lines; "" if they
 /// agree.
 std::string first_event_difference(const Recording& a, const Recording& b, int x, int y);
 

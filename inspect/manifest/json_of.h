@@ -1,14 +1,19 @@
-// Counters as JSON, by the names of gw/names.h.
+// Counters and profiles as JSON.
 #pragma once
 
 #include "gw/counters.h"
+#include "gw/profile.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <vector>
 
 namespace gw::inspect {
 
+/// Its keys are those of a profile's TOML file.
+nlohmann::ordered_json json_of(const Profile& profile);
+
+/// By the names of gw/names.h.
 nlohmann::ordered_json json_of(const Counters& counters);
 
 /// {"passes": how many ran, "by_name": [{"name", "runs", "counters"}] in the order of their first

@@ -1,0 +1,33 @@
+// The commands of a list through OpenGL, and planes back to the host. Does not choose their order
+// (player.h does) and does not make textures (textures.h does).
+#pragma once
+
+#include "gw/command_list.h"
+#include "gw/planes.h"
+#include "gw/profile.h"
+#include "gw/state.h"
+
+namespace gw::peer {
+
+/// Sets viewport, clip planes, culling, sizes, tests, blending and masks. Throws Error for state
+/// that OpenGL cannot express here.
+void apply(const State& state, int width, int height);
+
+/// Sets matrices and fog, and draws through glBegin and glEnd. `textured`: a texture is bound.
+/// Throws Error for lighting of two sides.
+void draw(const Draw& draw, const State& state, const Profile& profile, int width, int height,
+          bool textured);
+
+void clear(const Clear& command);
+void write(const WriteSpans& command);
+void write(const WritePixels& command, const DepthState& depth);
+void copy(const Copy& command, const DepthState& depth);
+
+/// Mesa holds accumulated values in [-1, 1], 16 bits; the machine counts units of the frame buffer.
+/// Weights of Accum, Load and Add are divided by 128 and Return's is multiplied by it, so that as
+/// many pictures fit.
+void accumulate(const Accumulate& command);
+
+Planes read_planes(int width, int height);
+
+}  // namespace gw::peer
