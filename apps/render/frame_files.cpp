@@ -11,7 +11,6 @@
 #include "inspect/replay/forwarding_machine.h"
 #include "multipass/effects/scene_maps.h"
 #include "multipass/frame/driver.h"
-#include "multipass/maps/scene_maps.h"
 #include "multipass/passes/schedule.h"
 #include "scene/draw/draw_commands.h"
 

@@ -9,7 +9,7 @@
 #include "gw/error.h"
 #include "image/output/output_set.h"
 #include "image/write.h"
-#include "multipass/maps/scene_maps.h"
+#include "multipass/effects/scene_maps.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
 #include "multipass/frame/commands.h"
 
-#include "multipass/ties/one_winner.h"
+#include "multipass/effects/one_winner.h"
 
 #include <utility>
 

@@ -4,9 +4,9 @@
 
 #include "gw/command_list.h"
 #include "gw/profile.h"
+#include "multipass/effects/one_winner.h"
 #include "multipass/frame/placed_model.h"
 #include "multipass/passes/schedule.h"
-#include "multipass/ties/tied_pixels.h"
 
 namespace gw::multipass {
 

@@ -42,7 +42,7 @@ std::size_t end_of_depth(const std::vector<Step>& steps);
 /// The number of images that the steps add in the accumulation buffer.
 int images_of(const std::vector<Step>& steps);
 
-/// Steps first .. last - 1 are drawn layer by layer (layers.h); first = last: none is.
+/// Steps first .. last - 1 are drawn layer by layer (translucency.h); first = last: none is.
 struct LayerSteps {
     std::size_t first = 0, last = 0;
 };

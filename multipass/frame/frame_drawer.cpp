@@ -1,11 +1,10 @@
 #include "multipass/frame/frame_drawer.h"
 
 #include "gw/error.h"
+#include "multipass/effects/one_winner.h"
+#include "multipass/effects/translucency.h"
 #include "multipass/frame/superpose.h"
 #include "multipass/shadow/shadow_passes.h"
-#include "multipass/ties/one_winner.h"
-#include "multipass/translucency/far_to_near.h"
-#include "multipass/translucency/layers.h"
 
 #include <fmt/format.h>
 

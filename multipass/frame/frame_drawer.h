@@ -4,10 +4,10 @@
 #pragma once
 
 #include "gw/machine.h"
+#include "multipass/effects/one_winner.h"
 #include "multipass/frame/frame.h"
 #include "multipass/frame/options.h"
 #include "multipass/frame/samples.h"
-#include "multipass/ties/tied_pixels.h"
 
 #include <functional>
 #include <optional>

@@ -1,20 +1,20 @@
-// The passes of the Hitachi paper as data [K3p]: what is drawn, under which tests, blended how.
-// Does not choose among them: passes.h does.
+// The passes of the Hitachi paper as data [K3p]: their parameters, tests and blending. Does not
+// choose among them: passes.h does.
 #pragma once
 
 #include "multipass/passes/pass.h"
 
 namespace gw::multipass {
 
-/// Compare with the Z that the depth pass left, update nothing: what is drawn is what is seen
+/// Compare with the Z that the depth pass left, update nothing: only visible surfaces are drawn
 /// [K3.3].
 inline constexpr DepthState seen{.test = true, .func = DepthFunc::Equal, .mask = false};
 /// Sum of the components in the frame buffer [K3 eq. 2].
 inline constexpr BlendState add{.enable = true, .src = BlendFactor::One, .dst = BlendFactor::One};
-/// shadow_i(x, y) of eq. 4 [K3.2]: the shadow pass left 0 where the light arrives.
+/// shadow_i(x, y) of eq. 4 [K3.2]: the shadow pass left 0 on lit pixels.
 inline constexpr StencilState outside_shadow{.test = true, .func = StencilFunc::Equal, .ref = 0};
 
-/// What a picture begins with.
+/// The first pass of a picture clears these.
 inline constexpr PlaneMask picture =
     mask_of(Plane::Color) | mask_of(Plane::Depth) | mask_of(Plane::Stencil);
 
@@ -87,7 +87,7 @@ inline constexpr Pass emission_pass{
     .blend = add,
 };
 
-/// I_raytracing(x, y) of eq. 5 [K4], once: what rays found, through the first hit's black fog.
+/// I_raytracing(x, y) of eq. 5 [K4], once: the light along rays, through the first hit's black fog.
 inline constexpr Pass trace_pass{
     .name = "raytracing",
     .action = PassAction::Trace,
@@ -104,7 +104,7 @@ inline constexpr Pass fog_pass{
     .fog = PassFog::Scene,
 };
 
-/// Sums what was drawn so far in the accumulation buffer; the next image begins black.
+/// Adds the image drawn so far to the accumulation buffer; the next image begins black.
 inline constexpr Pass add_pass{.name = "add", .action = PassAction::Add};
 
 /// Light around emitters [K3.3]: each once more, moved, once a pixel; the mean of the superposed
@@ -130,14 +130,14 @@ inline constexpr Pass hardware_pass{
 
 /// Before the opaque surface, without changing its Z [K3.4].
 inline constexpr DepthState in_front{.test = true, .func = DepthFunc::Less, .mask = false};
-/// Over what is behind.
+/// Over the surfaces behind.
 inline constexpr BlendState over{
     .enable = true, .src = BlendFactor::SrcAlpha, .dst = BlendFactor::OneMinusSrcAlpha};
 
-/// Where the pixel has the layer that is being drawn (layers.h).
+/// Only on pixels that have the layer being drawn (translucency.h).
 inline constexpr StencilState in_layer{.test = true, .func = StencilFunc::Equal, .ref = 1};
 
-/// Translucent objects dim what is behind them [K3.4]: the opaque picture first ...
+/// Translucent objects dim the surfaces behind them [K3.4]: the opaque picture first ...
 inline constexpr Pass veil_pass{
     .name = "veil",
     .material = {.Ka = 0, .Kd = 0, .Ks = 0, .Ke = 0},
@@ -202,7 +202,7 @@ inline constexpr Pass translucent_fog_pass{
     .fog = PassFog::Scene,
     .objects = PassObjects::Translucent,
 };
-/// Eq. 1 over what is behind.
+/// Eq. 1 over the surfaces behind.
 inline constexpr Pass translucent_hardware_pass{
     .name = "translucent hardware",
     .material = {.Ka = object, .Kd = object, .Ks = object, .Ke = object, .Map = object_map},

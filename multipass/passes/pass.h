@@ -1,6 +1,6 @@
 // A pass as the paper writes one [K3p]: a set of parameters for the machine, (Ka, Kd, Ks, Ke, Map),
-// with the tests and the blending that go with it. Plain data. Does not say what the passes of a
-// picture are (catalogue.h) nor draw.
+// with the tests and the blending that go with it. Plain data. Does not choose the passes of a
+// picture (catalogue.h) and does not draw.
 #pragma once
 
 #include "gw/command_list.h"
@@ -28,8 +28,7 @@ struct Name {
     bool operator==(const Name&) const = default;
 };
 
-/// What a pass puts in place of one parameter of the material: the object's own value, 0, 1, or any
-/// other.
+/// A pass's value for one parameter of the material: the object's own value, 0, 1, or any other.
 struct Parameter {
     enum class Kind : std::uint8_t { Value, Object, ObjectKs, ObjectTf };
     Kind kind = Kind::Value;
@@ -85,7 +84,7 @@ enum class PassLights : std::uint8_t { None, Each, First, All };
 enum class PassObjects : std::uint8_t { All, Opaque, Translucent, Glaring, Casting, Named };
 /// The fog that a pass goes through [K3.5].
 enum class PassFog : std::uint8_t { None, Black, Scene };
-/// What a pass does.
+/// The work of a pass.
 ///   Draw    draws the objects
 ///   Shadow  sets the stencil: not 0 in the light's shadow, 0 elsewhere [K3.2]
 ///   Add     adds the frame buffer to the accumulation buffer, whose sum is the picture, and clears
@@ -112,17 +111,17 @@ struct Pass {
 /// The passes of a picture, in order.
 using PassList = std::vector<Pass>;
 
-/// Whether the pass adds to what is visible: under Equal, blended, stencil kept. Coincident faces
-/// would add twice in it (one_winner.h).
+/// Whether the pass adds to the visible surfaces: under Equal, blended, stencil kept. Coincident
+/// faces would add twice in it (one_winner.h).
 bool is_additive(const Pass& pass);
 
-/// Whether the pass draws translucent objects layer by layer (layers.h): under Equal.
+/// Whether the pass draws translucent objects layer by layer (translucency.h): under Equal.
 bool is_layer_pass(const Pass& pass);
 
 /// "(Ka=object, Kd=0, Ks=0, Ke=0, Map=ambient map)", as the paper writes it.
 std::string to_string(const PassMaterial& material);
-/// One line: name, set, lights, objects, and what of depth, stencil, blend and fog is not at its
-/// initial value.
+/// One line: name, set, lights, objects, and the fields of depth, stencil, blend and fog that are
+/// not at their initial values.
 std::string to_string(const Pass& pass);
 
 }  // namespace gw::multipass

@@ -12,7 +12,7 @@
 namespace gw::multipass {
 namespace {
 
-/// Draws light of its own kind: what Fig. 4 shows as an image.
+/// Draws light of its own kind: Fig. 4 shows it as an image.
 bool is_component(const Pass& pass) {
     return pass.blend.enable && pass.blend.src != BlendFactor::Zero;
 }
@@ -22,7 +22,7 @@ bool any_glare(const scene::Scene& scene) {
                        [](const scene::Object& item) { return item.glare.has_value(); });
 }
 
-/// The reflection map where the first light that casts a shadow arrives [K3.2].
+/// The reflection map outside the shadow of the first light that casts one [K3.2].
 void keep_reflection_out_of_shadow(PassList& list) {
     const auto reflection = std::find_if(
         list.begin(), list.end(), [](const Pass& p) { return p.name == reflection_pass.name; });
@@ -87,7 +87,7 @@ void add_images(PassList& list, const scene::Scene& scene) {
     list.push_back(add_pass);
 }
 
-/// Layer after layer in the frame buffer: dim what is behind, add the layer's components.
+/// Layer after layer in the frame buffer: dim the picture behind, add the layer's components.
 void add_layers(PassList& list, const scene::Scene& scene) {
     if (scene.fog) list.push_back(fog_pass_for(scene));
     list.push_back(as_layer_pass(veil_pass));
@@ -118,8 +118,8 @@ PassList hardware_list(const scene::Scene& scene) {
     return list;
 }
 
-/// The passes that are no components, and the components that are wanted. Others still dim what is
-/// behind their objects: so a further component only adds.
+/// The passes that are no components, and the components that are wanted. Others still dim the
+/// picture behind their objects, so a further component only adds.
 template <class Wanted>
 PassList without_components(const PassList& passes, const Wanted& wanted) {
     PassList list;

@@ -15,13 +15,13 @@ namespace gw::multipass {
 enum class Renderer { Hardware, Multipass };
 
 /// How translucent objects (d < 1) are ordered [K3.4]. Sorted: their polygons, far to near, by
-/// their centroids. Unsorted: as the scene has them; wrong where they overlap. Layers: pixel by
-/// pixel, exactly (layers.h).
+/// their centroids. Unsorted: as the scene has them; wrong if they overlap. Layers: pixel by pixel,
+/// exactly (translucency.h).
 enum class Translucency { Sorted, Unsorted, Layers };
 
-/// Eq. 1 in one pass [K2], or eq. 2 and 4 component by component [K3, K3.2], with the translucent
-/// passes [K3.4] and the fog [K3.5] that the scene needs. If the scene's background is not black,
-/// the depth pass also draws all shapes black: components are added to it.
+/// Eq. 1 in one pass [K2], or eq. 2 and 4 component by component [K3, K3.2]. Includes the
+/// translucent passes [K3.4] and the fog [K3.5] that the scene needs. If the scene's background is
+/// not black, the depth pass also draws all shapes black: components are added to it.
 PassList passes_for(const scene::Scene& scene, Renderer renderer,
                     Translucency translucency = Translucency::Sorted);
 
@@ -39,8 +39,8 @@ struct ComponentList {
 /// black. Their images, added with saturation, are the picture of the whole list bit for bit.
 ///
 /// If all components are added, each list draws one component alone: the order changes no saturated
-/// sum. If translucent objects dim what is behind them, an image is what its component adds to the
-/// picture of those before it: dimmed, rounded and saturated as in the picture.
+/// sum. If translucent objects dim the picture behind them, an image is the increase of the picture
+/// by its component: dimmed, rounded and saturated as in the picture.
 std::vector<ComponentList> component_lists(const scene::Scene& scene, const PassList& passes);
 
 /// A component's picture (Fig. 4).

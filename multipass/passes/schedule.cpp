@@ -12,7 +12,7 @@ bool is_black(const Material& m) {
     return m.Ka == vec3(0) && m.Kd == vec3(0) && m.Ks == vec3(0) && m.Ke == vec3(0);
 }
 
-/// The same under a light: what it does not send is not reflected.
+/// The same under a light: only the colours that it sends are reflected.
 Material lit(Material m, const scene::Light& light) {
     m.Ka *= light.Ia;
     m.Kd *= light.Id;
@@ -38,8 +38,8 @@ bool selected(const Pass& pass, const Part& part) {
     return std::binary_search(pass.names.begin(), pass.names.end(), part.object->name);
 }
 
-/// Without a map of the component: the first run draws it as if the map was white, where that makes
-/// sense.
+/// Without a map of the component: the first run draws it as if the map was white, if the pass
+/// allows it.
 bool has_map(const Step& step, const Part& part) {
     const PassMap map = step.pass.material.Map;
     const bool by_map_only = map == PassMap::Reflection || map == PassMap::Refraction;

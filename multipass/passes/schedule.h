@@ -29,8 +29,9 @@ std::vector<Step> schedule(const PassList& passes, const PassModel& model);
 /// "diffuse lamp", with the light's name, and " map 2" for a repetition.
 std::string name_of(const Step& step, const PassModel& model);
 
-/// Whether the step adds anything to this part: the pass has it among its objects, the light lights
-/// it, it has the map, and the parameters that the pass sets, times the light, are not all 0.
+/// Whether the step adds anything to this part. The pass must have it among its objects, the light
+/// must light it, and it must have the map. The parameters that the pass sets, times the light,
+/// must not all be 0.
 bool adds(const Step& step, const Part& part, const PassModel& model);
 
 /// Whether the step draws this part: a part that it adds to. A pass whose parameters are all 0 (for

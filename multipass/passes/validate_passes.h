@@ -11,11 +11,11 @@ namespace gw::multipass {
 /// A fault of a list.
 struct ListFault {
     std::size_t pass = 0;
-    std::string key;   ///< of pass_keys.h
-    std::string what;  ///< the fault, and what was expected
+    std::string key;   ///< of [[pass]]
+    std::string what;  ///< the fault and the expectation
 };
 
-/// The first fault. None: the picture does not depend on what the planes held before, every pass
+/// The first fault. None: the picture does not depend on the planes' former contents, every pass
 /// can have an effect, and the driver can run it.
 std::optional<ListFault> first_fault(const PassList& passes);
 

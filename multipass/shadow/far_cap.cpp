@@ -11,8 +11,8 @@
 namespace gw::multipass {
 namespace {
 
-/// The far cap of a point light that is moved by its reach is a polyhedron about it whose edges
-/// span at most 60 degrees; its faces are nearer to the light than its corners, by a factor of more
+/// If it moves by the reach, a point light's far cap is a polyhedron about the light whose edges
+/// span at most 60 degrees. Its faces are nearer to the light than its corners, by a factor of more
 /// than 0.8.
 constexpr double corner_reach = 1.3;
 

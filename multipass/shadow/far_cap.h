@@ -1,11 +1,11 @@
-// Where a shadow volume ends (shadow_volume.h): how far its points move away from the light. The
-// far cap must lie beyond everything that may be in shadow, but not much farther: faces drawn there
-// cost time and show nothing. Does not make the volume.
+// The end of a shadow volume (shadow_volume.h): its points move away from the light. The far cap
+// must lie beyond everything that may be in shadow, but not much farther: faces drawn there cost
+// time and show nothing. Does not make the volume.
 //
-// A point moves to where its path from the light leaves the scene's bounds. A triangle of the far
-// cap is beyond the scene if its three corners are beyond the same wall of the bounds. Until then
-// the corner with the shortest next step moves on, beyond its next wall, and in the end by the
-// light's reach, which is more than the whole scene.
+// A point moves to the place at which its path from the light leaves the scene's bounds. A triangle
+// of the far cap is beyond the scene if its three corners are beyond the same wall of the bounds.
+// Until then the corner with the shortest next step moves on, beyond its next wall, and in the end
+// by the light's reach, which is more than the whole scene.
 #pragma once
 
 #include "multipass/shadow/topology.h"
@@ -45,7 +45,7 @@ bool is_wide(const LightInObject& light, const dvec3& a, const dvec3& b);
 /// p, moved away from the light by its reach.
 vec3 moved_by_reach(const LightInObject& light, const dvec3& p);
 
-/// The sets of walls of the far cap's triangles: bit s is set if a triangle has its corners beyond
+/// The sets of walls of the far cap's triangles. Bit s is set if a triangle has its corners beyond
 /// exactly the walls s (again one bit each). Bit 0: its corners moved by the light's reach.
 using WallsOfCap = std::bitset<64>;
 

@@ -1,11 +1,13 @@
-// Whether a point is in a light's shadow, by its shadow maps [K3.2 a]: for the pixels of a picture
-// (shadow_mask) and for hits of traced rays [K4i]. Does not draw the maps.
+// Decides by a light's shadow maps [K3.2 a] whether a point is in its shadow: for the pixels of
+// a picture (shadow_mask) and for hits of traced rays [K4i]. Does not draw the maps.
 #pragma once
 
 #include "gw/profile.h"
 #include "multipass/shadow/shadow_map.h"
+#include "scene/draw/view.h"
 #include "scene/geometry/world_triangles.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace gw::multipass {
@@ -30,5 +32,14 @@ public:
 private:
     std::vector<Comparer> comparers_;
 };
+
+/// 1 if the point that a pixel shows is in shadow or on the dark side of its face, else 0. `ids`:
+/// scene::draw_item_buffer of the view, with the jitter of the passes that use the mask.
+std::vector<std::uint32_t> shadow_mask(const scene::WorldTriangles& polygons,
+                                       const scene::Light& light,
+                                       const std::vector<ShadowMap>& maps,
+                                       const std::vector<std::uint32_t>& ids,
+                                       const scene::View& view, const JitterState& jitter,
+                                       const Profile& profile);
 
 }  // namespace gw::multipass

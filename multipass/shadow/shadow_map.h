@@ -5,8 +5,8 @@
 //
 // The comparison does not use the visible point itself. It uses the point of the same face that the
 // map sampled: the light's ray through the centre of the texel, cut with the plane of the item
-// buffer's polygon. So a face does not shade itself, however oblique. The bias covers rounding
-// only: 2 units of Z, and the slope of Z times a sixteenth of a texel (half a sub-pixel unit), by
+// buffer's polygon. So even an oblique face does not shade itself. The bias covers rounding only.
+// It is 2 units of Z, plus the slope of Z times a sixteenth of a texel: half a sub-pixel unit, by
 // which snapping moves vertices. Besides, the point is lifted a quarter of a pixel towards the
 // light.
 #pragma once
@@ -28,8 +28,8 @@ struct ShadowMap {
     std::vector<std::uint32_t> depth;  ///< bottom row first
 };
 
-/// The views that a light's maps are drawn from: one for directional lights (the whole scene) and
-/// for spots of at most 60 degrees to the side; six for others.
+/// The views from which a light's maps are drawn. Directional lights (for the whole scene) and
+/// spots of at most 60 degrees to the side have one; others have six.
 std::vector<scene::View> light_views(const scene::Light& light, const scene::Bounds& bounds,
                                      int size);
 
@@ -43,14 +43,5 @@ int shadow_map_size(int width, int height);
 std::vector<ShadowMap> draw_shadow_maps(Machine& machine, const PassModel& model,
                                         const std::vector<scene::View>& views, int width,
                                         int height);
-
-/// 1 where the point that a pixel shows is in shadow or on the dark side of its face, 0 elsewhere.
-/// `ids`: scene::draw_item_buffer of the view, with the jitter of the passes that use the mask.
-std::vector<std::uint32_t> shadow_mask(const scene::WorldTriangles& polygons,
-                                       const scene::Light& light,
-                                       const std::vector<ShadowMap>& maps,
-                                       const std::vector<std::uint32_t>& ids,
-                                       const scene::View& view, const JitterState& jitter,
-                                       const Profile& profile);
 
 }  // namespace gw::multipass

@@ -25,7 +25,7 @@ StencilState before(StencilOp op) {
     return {.test = true, .func = StencilFunc::Always, .zpass = op};
 }
 
-/// Fragments on the whole window that pass where `ref` func stored.
+/// Fragments on the whole window that pass if `ref` func stored.
 State window_state(const PlacedModel& placed, StencilFunc func, int ref, StencilOp op) {
     State state = placed.state;
     state.color_mask = {false, false, false, false};
@@ -39,7 +39,7 @@ struct VolumeWriter {
     const PlacedModel& placed;
     const std::vector<ShadowVolume>& volumes;
     const CountRules& rules;
-    std::vector<bool> outside{};  ///< by volume: counted in front of what is seen
+    std::vector<bool> outside{};  ///< by volume: counted in front of the visible point
 
     VolumeWriter(CommandList& l, const PlacedModel& s, const std::vector<ShadowVolume>& v,
                  const CountRules& r)
@@ -92,8 +92,8 @@ struct VolumeWriter {
         list.add(BeginPass{.name = name});
     }
 
-    /// Increments, then decrements. Faces behind the visible point count up where they lead out of
-    /// a volume; faces in front, where they lead in.
+    /// Increments, then decrements. Faces behind the visible point count up if they lead out of a
+    /// volume; faces in front, if they lead in.
     void count(const std::string& name, std::size_t first, std::size_t last) {
         draw(StencilOp::Incr, Face::Front, Face::Back, first, last);
         clear_background();
@@ -101,7 +101,7 @@ struct VolumeWriter {
         draw(StencilOp::Decr, Face::Back, Face::Front, first, last);
     }
 
-    /// 1 where the stencil is not 0.
+    /// Makes every count that is not 0 a 1.
     void reduce() {
         add_whole_window(list, window_state(placed, StencilFunc::LEqual, 1, StencilOp::Replace));
     }

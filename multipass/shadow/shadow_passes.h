@@ -1,5 +1,5 @@
-// Shadow volumes counted in the stencil buffer [K3.2 b]: afterwards the stencil is 0 exactly where
-// the light arrives. Does not make the volumes (shadow_volume.h) and does not draw light.
+// Shadow volumes counted in the stencil buffer [K3.2 b]: afterwards exactly the lit pixels have
+// stencil 0. Does not make the volumes (shadow_volume.h) and does not draw light.
 //
 // The count of a pixel is the number of volumes around the visible point: faces behind it (Z
 // compare fails) that lead out of a volume, less those that lead in. So the eye may be inside a

@@ -18,7 +18,7 @@ namespace {
 constexpr int most_splits = 24;
 
 /// Grows one of the two meshes. Each point of the topology becomes at most two of its vertices: one
-/// where it is, one moved away from the light.
+/// in place, one moved away from the light.
 class VolumeBuilder {
 public:
     VolumeBuilder(const Topology& topology, const LightInObject& light, const FarCap& far,
@@ -201,9 +201,9 @@ bool is_whole(const MeshRef& mesh, const dmat4& clip_from_object, const scene::V
     });
 }
 
-/// Whether nothing of the far cap is between a point of the rectangle and one of the scene: each of
-/// its triangles is beyond a wall that neither is beyond, or moved by the light's reach, which
-/// holds both.
+/// Whether no part of the far cap is between a point of the rectangle and one of the scene. So it
+/// is if each of its triangles is beyond a wall that neither point is beyond, or moved by the
+/// light's reach, which exceeds both.
 bool is_before_far_cap(const ShadowVolume& volume, const std::array<dvec3, 4>& rectangle) {
     const LightInObject& light = volume.light;
     unsigned passed = 0;

@@ -2,11 +2,11 @@
 // counted in the stencil buffer. Crow 1977; silhouettes of any mesh after Bergeron 1986. Geometry
 // only: shadow_passes.h draws and counts.
 //
-// A set of triangles of the object, turned to face the light, is the front cap; the same, moved
-// away from the light beyond the whole scene, the far cap (far_cap.h); where the set has a border,
-// sides join them. For a mesh without border the set is the triangles that face the light; for any
-// other (open, not manifold) it is all triangles, each casting its own shadow, with sides only
-// where neighbours do not cancel.
+// The front cap is a set of triangles of the object, turned to face the light. The far cap
+// (far_cap.h) is the same set, moved away from the light beyond the whole scene. Sides join the
+// borders of the two. For a mesh without border the set is the triangles that face the light. For
+// any other mesh (open, not manifold) it is all triangles, each casting its own shadow; neighbours
+// that cancel have no side between them.
 #pragma once
 
 #include "multipass/frame/pass_model.h"
@@ -38,9 +38,9 @@ std::vector<ShadowVolume> shadow_volumes(const PassModel& model,
 scene::View enclosing(scene::View view, const PassModel& model,
                       const std::vector<ShadowVolume>& volumes);
 
-/// Whether the sides alone decide what is in the volume. No plane or guard band cuts the surface,
-/// so its faces add up to 0 on every pixel, and the eye is outside. The near rectangle, slightly
-/// widened, is on this side of the far cap, so no cap lies before anything of the scene.
+/// Whether the sides alone decide which points are in the volume. No plane or guard band cuts the
+/// surface, so its faces add up to 0 on every pixel, and the eye is outside. The near rectangle,
+/// slightly widened, is on this side of the far cap, so no cap lies before anything of the scene.
 bool is_outside(const ShadowVolume& volume, const dmat4& eye_from_object, const scene::View& view);
 
 }  // namespace gw::multipass

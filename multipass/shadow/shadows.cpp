@@ -1,5 +1,6 @@
 #include "multipass/shadow/shadows.h"
 
+#include "multipass/shadow/shadow_lookup.h"
 #include "scene/draw/item_buffer.h"
 
 #include <algorithm>

@@ -19,7 +19,7 @@ namespace gw::multipass {
 struct Shadows {
     std::vector<std::vector<ShadowVolume>> volumes;  ///< by part
     std::vector<std::vector<ShadowMap>> maps;        ///< drawn once for all views
-    /// by pixel of the view: 0 where the light arrives
+    /// by pixel of the view: 0 if the light arrives
     std::vector<std::vector<std::uint32_t>> masks;
     bool one_by_one = false;  ///< volumes are counted one by one, behind the visible point
 };

@@ -1,8 +1,7 @@
 // Coincident faces are added once.
-#include "multipass/ties/one_winner.h"
+#include "multipass/effects/one_winner.h"
 
 #include "multipass/frame/driver.h"
-#include "multipass/ties/tied_pixels.h"
 #include "tests/multipass/scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,8 @@
 // Reflection and refraction maps generated from the scene [K3.1], against directions worked out by
 // hand.
-#include "multipass/maps/scene_maps.h"
+#include "multipass/effects/scene_maps.h"
 
 #include "multipass/frame/driver.h"
-#include "multipass/maps/sphere_map.h"
 #include "tests/multipass/scenes.h"
 #include "tests/multipass/shadow_cases.h"
 

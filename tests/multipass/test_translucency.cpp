@@ -2,9 +2,8 @@
 // hand.
 #include "gw/base/arithmetic.h"
 #include "gw/error.h"
+#include "multipass/effects/translucency.h"
 #include "multipass/frame/driver.h"
-#include "multipass/translucency/far_to_near.h"
-#include "multipass/translucency/layers.h"
 #include "tests/multipass/scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,11 @@
-// Translucent objects in exact order, pixel by pixel: their faces as layers, each with its own Z
-// [K3.4, beyond the paper]. Everett 2001 peels depth with a second Z comparison; the VGX has one.
-// Here the machine draws the first, second, ... translucent fragment of every pixel in the order of
-// drawing, told apart by counting in the stencil; the host sorts their Z and writes the r-th
-// farthest of every pixel back into the Z-buffer, where a pass under Equal draws that layer. Does
-// not draw the layers' colours.
+// The order of translucent objects [K3.4]: by the centroids of their polygons, or exactly, pixel by
+// pixel, as layers. Does not blend.
+//
+// Layers go beyond the paper: each layer of faces has its own Z. Everett 2001 peels depth with a
+// second Z comparison; the VGX has one. Here the machine draws the first, second, ... translucent
+// fragment of every pixel in the order of drawing, told apart by counting in the stencil. The host
+// sorts their Z and writes the r-th farthest of every pixel back into the Z-buffer, where a pass
+// under Equal draws that layer.
 #pragma once
 
 #include "gw/machine.h"
@@ -13,6 +15,12 @@
 #include <vector>
 
 namespace gw::multipass {
+
+/// The triangles of all translucent parts, farthest centroid (along the line of sight) first. Wrong,
+/// as all sorting by centroids, if polygons pierce each other or overlap in a cycle
+/// (docs/passes.md). Successive triangles of one part make a portion. Triangles at equal distance
+/// keep the order of objects and triangles.
+std::vector<Portion> far_to_near(const PlacedModel& placed);
 
 /// Far to near; every layer has the window's size, bottom row first.
 struct Layers {

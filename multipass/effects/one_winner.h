@@ -1,27 +1,27 @@
-// Coincident faces: where two of them have the same Z at a pixel, both pass Equal, and an additive
+// Coincident faces: if two of them have the same Z at a pixel, both pass Equal, and an additive
 // pass would add twice. docs/passes.md, "One winner per pixel". Does not decide whether the scheme
 // is needed: the driver asks count_winners.
 //
-// One pass tells: it counts the winners of every pixel in the stencil buffer. Where a pixel has
-// two, every additive pass is drawn so that the first face in the order of objects takes the pixel:
-// the stencil's top bit says that the pixel is taken. Every opaque object is drawn then, those that
-// the pass does not concern in black, so that the winner is the same in all passes. Few pixels tie
-// in most pictures, so the count is read back (tied_pixels.h): they get the scheme, with the few
-// triangles near them, and all others the pass as it is.
+// One pass finds them: it counts the winners of every pixel in the stencil buffer. If a pixel has
+// two, the first face in the order of objects takes it in every additive pass. The stencil's top
+// bit marks the pixels that are taken. Every opaque object is drawn then, in black if the pass does
+// not concern it, so that the winner is the same in all passes. Few pixels tie in most pictures, so
+// the count is read back (tied_pixels). Only they get the scheme, with the few triangles near them;
+// all others get the pass unchanged.
 #pragma once
 
 #include "gw/command_list.h"
 #include "gw/counters.h"
 #include "multipass/frame/placed_model.h"
 #include "multipass/passes/schedule.h"
-#include "multipass/ties/tied_pixels.h"
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace gw::multipass {
 
-/// The key of the count's read-back: how many winners each pixel has.
+/// The key of the count's read-back: the number of winners of each pixel.
 inline constexpr std::uint32_t winners_key = 0;
 
 /// Two passes to run after the depth pass. They keep its Z, and leave the stencil 0 as they found
@@ -36,8 +36,19 @@ std::uint64_t surplus_winners(std::span<const PassReport> reports);
 void add_one_winner_step(CommandList& list, const PlacedModel& placed, const Step& step,
                          int stencil_bits);
 
-/// Whether tied pixels can be told from others: the stencil has two spare bits, and a triangle
-/// drawn alone has the same fragments as in its mesh.
+/// Pixels with several fragments of the nearest Z, and the triangles that may have drawn them.
+struct TiedPixels {
+    std::vector<Span> spans;  ///< a pixel each
+    /// The triangles of opaque parts near such a pixel, in their order; parts of lines or points
+    /// whole.
+    std::vector<Portion> portions;
+};
+
+/// `winners`: the number of fragments with the nearest Z, by pixel of the view, bottom row first.
+TiedPixels tied_pixels(const PlacedModel& placed, std::span<const std::uint32_t> winners);
+
+/// Whether tied pixels can be distinguished: the stencil has two spare bits, and a triangle drawn
+/// alone has the same fragments as in its mesh.
 bool can_mark_ties(const PlacedModel& placed, int stencil_bits);
 /// Whether the step's stencil test can be narrowed to tied pixels, and to all others: it has none,
 /// or Equal on other bits. And whether the step draws only parts that were counted.

@@ -1,4 +1,4 @@
-#include "multipass/translucency/layers.h"
+#include "multipass/effects/translucency.h"
 
 #include "gw/error.h"
 #include "multipass/frame/commands.h"
@@ -10,9 +10,27 @@
 namespace gw::multipass {
 namespace {
 
+struct SortedTriangle {
+    double distance = 0;  ///< three times the centroid's
+    std::size_t part = 0;
+    std::uint32_t triangle = 0;
+};
+
+void add_triangles(std::vector<SortedTriangle>& all, const PlacedModel& placed, std::size_t index) {
+    const Mesh& mesh = *placed.model->parts[index].mesh;
+    const dmat4& m = placed.eye_from_object[index];
+    const auto distance = [&](std::uint32_t vertex) {
+        return -(transform3(dmat3(m), dvec3(mesh.data().positions[vertex])).z + m[3].z);
+    };
+    for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
+        const auto& v = mesh.triangles()[i].vertex;
+        all.push_back({distance(v[0]) + distance(v[1]) + distance(v[2]), index, i});
+    }
+}
+
 Rect window(const PlacedModel& placed) { return {0, 0, placed.view.width, placed.view.height}; }
 
-/// Every translucent fragment, nothing drawn but what the stencil and Z state say.
+/// Every translucent fragment; changes only stencil and Z, by their state.
 State fragment_state(const PlacedModel& placed, const StencilState& stencil, bool update_depth) {
     State state = placed.state;
     state.color_source = ColorSource::Vertex;
@@ -90,6 +108,27 @@ void write(CommandList& list, const PlacedModel& placed, Plane plane,
 }
 
 }  // namespace
+
+std::vector<Portion> far_to_near(const PlacedModel& placed) {
+    const auto& parts = placed.model->parts;
+    std::vector<SortedTriangle> all;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (parts[i].translucent && parts[i].mesh->kind() == MeshKind::Triangles)
+            add_triangles(all, placed, i);
+    std::stable_sort(all.begin(), all.end(), [](const SortedTriangle& a, const SortedTriangle& b) {
+        return a.distance > b.distance;
+    });
+    std::vector<Portion> portions;
+    for (auto first = all.begin(); first != all.end();) {
+        const auto last = std::find_if(
+            first, all.end(), [&](const SortedTriangle& p) { return p.part != first->part; });
+        std::vector<std::uint32_t> triangles;
+        for (auto p = first; p != last; ++p) triangles.push_back(p->triangle);
+        portions.push_back(portion_of(placed, first->part, triangles));
+        first = last;
+    }
+    return portions;
+}
 
 Layers find_layers(Machine& machine, const PlacedModel& placed) {
     Layers layers;
