@@ -8,7 +8,8 @@
 
 namespace gw::draws {
 
-/// Begin and End for each quad; one display list of all that; an array in a buffer, a draw each.
+/// Begin and End for each quad; the same in one display list; an array in a buffer, with a draw for
+/// each quad.
 enum class Method { Begin, List, Arrays };
 
 class OpenGl {

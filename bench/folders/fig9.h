@@ -1,4 +1,4 @@
-// What the folders' benchmarks work on: the Fig. 9 class scene, or another, ready to draw at
+// The scene of the folders' benchmarks: the Fig. 9 class scene, or another, ready to draw at
 // 640x480.
 #pragma once
 

@@ -53,7 +53,7 @@ struct Cost {
     double milliseconds = 0, megabytes = 0;  ///< peak memory
 };
 
-/// In a child process. Throws Error where that fails.
+/// In a child process. Throws Error if that fails.
 Cost cost_of(const Step& step, int repeats) {
     int pipe_ends[2];
     if (pipe(pipe_ends) != 0) throw Error("no pipe to a measured process");
@@ -220,7 +220,7 @@ int main(int argc, char** argv) {
     app.add_option("--limit", options.limit, "seconds: a sweep ends before a longer run")
         ->capture_default_str();
     app.add_flag("--largest", options.largest, "draw the largest frame and print its memory");
-    app.add_option("--memory", options.frames, "draw so many frames and plot the memory")
+    app.add_option("--memory", options.frames, "draw this many frames and plot the memory")
         ->check(CLI::Range(100, 100000000));
     CLI11_PARSE(app, argc, argv);
     try {

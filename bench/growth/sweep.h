@@ -1,5 +1,5 @@
-// What bench_growth measures: one quantity grows, everything else stays. A file for each family of
-// sweeps; main.cpp times them and writes tables and plots.
+// The measurements of bench_growth: one quantity grows, everything else stays. A file for each
+// family of sweeps; main.cpp times them and writes tables and plots.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
-// What every workload draws: the Fig. 9 class scene [K4f] (444 quads and 77,184 triangles), a
-// texture, a sphere map, lights and shadow volumes, the same for all peers. Does not say in which
-// passes: workload.h.
+// The frame of every workload: the Fig. 9 class scene [K4f] (444 quads and 77,184 triangles), a
+// texture, a sphere map, lights and shadow volumes. It is the same for all peers. Does not choose
+// passes (workload.h).
 #pragma once
 
 #include "gw/command_list.h"

@@ -11,12 +11,12 @@
 
 namespace gw::peers {
 
-/// Where the vertices wait for the draws.
+/// The memory in which the vertices wait for the draws.
 enum class Store { Buffers, Lists, Strips };
 
 class OpenGl {
 public:
-    /// Throws std::runtime_error where OSMesa gives no context. GALLIUM_DRIVER chooses the driver.
+    /// Throws std::runtime_error if OSMesa gives no context. GALLIUM_DRIVER chooses the driver.
     OpenGl(const Frame& frame, Store store);
     ~OpenGl();
     OpenGl(const OpenGl&) = delete;

@@ -6,7 +6,7 @@
 
 namespace gw::peers {
 
-/// What a draw reads of a vertex.
+/// The attributes of a vertex that a draw reads.
 enum class Attributes { Positions, Normals, NormalsAndTexture, Colors, Ids };
 
 class GlMesh {

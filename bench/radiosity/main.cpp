@@ -1,7 +1,7 @@
 // bench_radiosity -o DIR: hemicubes per second against resolution, texels and polygons, with the
-// exponents of growth; beside the same five ID buffers drawn and read back through llvmpipe, where
-// OSMesa is, with as many threads as LP_NUM_THREADS says; and the Cornell box with 64 texels along
-// a wall to 1 % unshot, with the shares of drawing and scanning. Times are the least of interleaved
+// exponents of growth. Beside them, if OSMesa is installed, the same five ID buffers drawn and read
+// back through llvmpipe, with LP_NUM_THREADS threads. Then the Cornell box with 64 texels along a
+// wall to 1 % unshot, with the shares of drawing and scanning. Times are the least of interleaved
 // repeats. Does not compare results.
 #include "gw/base/parallel.h"
 #include "gw/error.h"

@@ -9,7 +9,7 @@ namespace gw::bench {
 
 class OpenGlHemicube {
 public:
-    /// Throws Error where OSMesa gives no context. GALLIUM_DRIVER chooses the driver.
+    /// Throws Error if OSMesa gives no context. GALLIUM_DRIVER chooses the driver.
     OpenGlHemicube(const radiosity::PixmapModel& model, int size);
     ~OpenGlHemicube();
     OpenGlHemicube(const OpenGlHemicube&) = delete;

@@ -21,7 +21,8 @@ double seconds(const std::function<void()>& work) {
     return processor_seconds() - start;
 }
 
-/// A frame of eq. 5. What no view decides is made before: hierarchy, shadow maps, shadow volumes.
+/// A frame of eq. 5. Data that no view changes is made before: hierarchy, shadow maps, shadow
+/// volumes.
 struct Frame {
     std::unique_ptr<Machine> machine = make_fast(vgx(), width, height, {.threads = 1});
     scene::Scene drawn;

@@ -1,6 +1,6 @@
 // bench_raytracing -o DIR: pass count against ray tracing [K4f]. Frames of eq. 5 with an item
-// buffer, the ordinary ray tracer's, and Embree on the same rays, on one thread, in processor time;
-// swept over lights, glossy share, polygons and samples. Writes DIR/NAME.svg and .csv of each
+// buffer, the ordinary ray tracer's, and Embree on the same rays, on one thread, in processor time.
+// Sweeps are over lights, glossy share, polygons and samples. Writes DIR/NAME.svg and .csv of each
 // sweep, and prints tables. `rays`: rays by kind and the building of hierarchies, beside Embree.
 #include "apps/command/peak_memory.h"
 #include "bench/raytracing/report.h"
@@ -90,8 +90,9 @@ int main(int argc, char** argv) {
     for (const auto& sweep : gw::bench::sweeps()) names.push_back(sweep.name);
     app.add_option("-o,--output", options.folder, "Folder of the plots and tables")->required();
     app.add_option("--sweep", options.sweep, "Only this one")->check(CLI::IsMember(names));
-    app.add_option("--runs", options.runs, "Best of so many")->check(CLI::Range(1, 100));
-    app.add_option("--from", options.from, "Of a sweep's values only those from this one on ...");
+    app.add_option("--runs", options.runs, "Runs, of which the best counts")
+        ->check(CLI::Range(1, 100));
+    app.add_option("--from", options.from, "Only values of a sweep from this one on ...");
     app.add_option("--up-to", options.up_to, "... and up to this one");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -37,7 +37,7 @@ plot::Plot gains(const Sweep& sweep, const std::vector<Row>& rows) {
     plot::Plot p{
         .title = "Ordinary ray tracing over item buffer, by " + sweep.x_label,
         .caption =
-            "The paper says 3 to 5 [K4f]. The bound holds for exact shadow rays, were passes free.",
+            "The paper says 3 to 5 [K4f]. The bound assumes exact shadow rays and passes that cost nothing.",
         .command = "build/release/bin/bench_raytracing --sweep " + sweep.name + " -o DIR",
         .x = {sweep.x_label, sweep.log},
         .y = {"times faster", 0}};

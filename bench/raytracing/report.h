@@ -16,8 +16,8 @@ std::string csv(const std::vector<Row>& rows);
 
 std::string heading(const Sweep& sweep);
 std::string line(const Row& row);
-/// Where the item buffer's curve and the ordinary ray tracer's cross, by straight lines between
-/// rows.
+/// The amount at which the item buffer's curve and the ordinary ray tracer's cross, by straight
+/// lines between rows.
 std::string crossings(const Sweep& sweep, const std::vector<Row>& rows);
 
 /// Rays by kind and hierarchies built, ours and Embree's.

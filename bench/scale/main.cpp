@@ -148,9 +148,9 @@ void draw_all(const Options& options) {
             memory[i].points.push_back({triangles, used.megabytes});
         }
     }
-    fmt::print("* beyond what the smallest scene takes, with the program itself\n");
+    fmt::print("* beyond the smallest scene, which includes the program itself\n");
     write_plot(options, "seconds", "seconds of processor time", seconds);
-    write_plot(options, "memory", "MB held at most", memory);
+    write_plot(options, "memory", "peak memory, MB", memory);
 }
 
 void read_all(const Options& options) {
@@ -194,10 +194,10 @@ int main(int argc, char** argv) {
         "Large scenes: seconds, memory, and OBJ read.\nExample: bench_scale -o scale --up-to 1e6"};
     app.add_option("-o,--output", options.folder, "Folder of the plots and their numbers")
         ->required();
-    app.add_option("--up-to", options.up_to, "Sheets of at most so many triangles");
+    app.add_option("--up-to", options.up_to, "The most triangles of a sheet");
     app.add_option("--repeats", options.repeats, "Timed readings, of which the best counts")
         ->check(CLI::Range(1, 100));
-    app.add_flag("--read", options.read_only, "Only how fast OBJ is read");
+    app.add_flag("--read", options.read_only, "Only the reading of OBJ");
     CLI11_PARSE(app, argc, argv);
     try {
         return gw::bench::run(options);

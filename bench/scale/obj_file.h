@@ -11,8 +11,8 @@ namespace gw::bench {
 /// file cannot be written.
 std::size_t write_sheet(const std::filesystem::path& path, double triangles, bool full);
 
-/// Seconds of processor time for reading it into a mesh ready to draw, by our reader, and by
-/// tinyobjloader (into its arrays only); 0 where that is absent.
+/// Seconds of processor time for reading it: by our reader into a mesh ready to draw, by
+/// tinyobjloader into its arrays only; 0 if that is absent.
 double read_ours(const std::filesystem::path& path);
 double read_tinyobj(const std::filesystem::path& path);
 

@@ -1,11 +1,14 @@
-// The machines: one multi-pass frame on each, and the cost of a digest.
-#include "bench/folders/fig9.h"
+// The machine and its recordings: gw, inspect.
 #include "gw/machine.h"
+#include "bench/folders/fig9.h"
+#include "inspect/recording/recording.h"
 
 #include <benchmark/benchmark.h>
 
 namespace gw::bench {
 namespace {
+
+// The machines: one multi-pass frame on each, and the cost of a digest.
 
 void run(benchmark::State& state, Machine& machine, CommandList list) {
     for (auto _ : state) {
@@ -42,6 +45,30 @@ void digested_frame(benchmark::State& state) {
 BENCHMARK(digested_frame)
     ->Name("gw/frame/with digests of all passes")
     ->Unit(benchmark::kMillisecond);
+
+// Recordings: writing, reading, playing pass by pass.
+
+inspect::Recording recording() {
+    inspect::Recording r;
+    r.profile = vgx();
+    r.width = width;
+    r.height = height;
+    r.lists.push_back(frame(ready("fig9.toml")));
+    return r;
+}
+
+void encode(benchmark::State& state) {
+    const inspect::Recording r = recording();
+    for (auto _ : state) benchmark::DoNotOptimize(inspect::encode(r));
+}
+BENCHMARK(encode)->Name("inspect/encode")->Unit(benchmark::kMillisecond);
+
+void decode(benchmark::State& state) {
+    const std::vector<std::uint8_t> bytes = inspect::encode(recording());
+    for (auto _ : state) benchmark::DoNotOptimize(inspect::decode(bytes));
+    state.SetBytesProcessed(std::int64_t(state.iterations()) * std::int64_t(bytes.size()));
+}
+BENCHMARK(decode)->Name("inspect/decode")->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace gw::bench
