@@ -37,6 +37,39 @@ dmat4 after(const dmat4& eye_from_cube, const dmat4& cube_from_world) {
     return m;
 }
 
+double atan(double t) { return atan2(t, 1); }
+
+// d2/dxdy = 1 / (pi (1 + x^2 + y^2)^2): the top, at height 1 (Howell's B-4 as an indefinite
+// integral).
+double top_integral(double x, double y) {
+    const double a = std::sqrt(1 + x * x), b = std::sqrt(1 + y * y);
+    return (x / a * atan(y / a) + y / b * atan(x / b)) / (2 * pi);
+}
+
+// d2/dydz = z / (pi (1 + y^2 + z^2)^2): a side, z the height over the horizon (B-3).
+double side_integral(double y, double z) {
+    const double a = std::sqrt(1 + z * z);
+    return -atan(y / a) / (2 * pi * a);
+}
+
+/// Differences of an integral at the corners of the pixels.
+template <class Integral>
+std::vector<double> pixels(int columns, int rows, double left, double bottom, Integral integral) {
+    const double step = 2.0 / columns;
+    std::vector<double> corner;
+    for (int j = 0; j <= rows; ++j)
+        for (int i = 0; i <= columns; ++i)
+            corner.push_back(integral(left + i * step, bottom + j * step));
+    std::vector<double> values;
+    const auto width = std::size_t(columns) + 1;
+    for (std::size_t j = 0; j < std::size_t(rows); ++j)
+        for (std::size_t i = 0; i < std::size_t(columns); ++i) {
+            const double* c = &corner[j * width + i];
+            values.push_back((c[width + 1] - c[width]) - (c[1] - c[0]));
+        }
+    return values;
+}
+
 }  // namespace
 
 Hemicube hemicube_at(const dvec3& position, const dvec3& normal, double turn, double near_plane,
@@ -89,6 +122,11 @@ void HemicubePainter::draw(const PixmapModel& model, const Hemicube& hemicube, I
         buffer.present.assign(model.facets.size() + 1, 0);
         mark_present_ids(buffer.pixels, std::size_t(buffer.size), buffer.present.data());
     }
+}
+
+DeltaFormFactors delta_form_factors(int size) {
+    return {size, pixels(size, size, -1, -1, top_integral),
+            pixels(size, size / 2, -1, 0, side_integral)};
 }
 
 }  // namespace gw::radiosity

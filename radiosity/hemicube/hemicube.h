@@ -1,4 +1,5 @@
-// The hemicube's five ID buffers [F2.2], drawn by the machine with the figures themselves.
+// The hemicube's five ID buffers [F2.2], drawn by the machine with the figures themselves, and the
+// form factors of its pixels.
 // Does not map pixels to texels (scan.h does).
 #pragma once
 
@@ -9,6 +10,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace gw::radiosity {
 
@@ -56,5 +58,17 @@ private:
 /// The machine that ID buffers are drawn with: ideal's 8 sub-pixel bits and 32 bits of Z, 8 bits of
 /// colour.
 Profile id_profile();
+
+/// The form factor of every pixel of a hemicube: the exact integral of cos / (pi r^2) over the pixel,
+/// in closed form. The hemicube has side 2 around a point: top at distance 1, sides 1 high. `size`
+/// pixels across, even. Rows from the horizon up (sides) or from one side to the other
+/// (top).
+struct DeltaFormFactors {
+    int size = 0;
+    std::vector<double> top;   ///< size x size
+    std::vector<double> side;  ///< size x size / 2: all four sides are alike
+};
+
+DeltaFormFactors delta_form_factors(int size);
 
 }  // namespace gw::radiosity

@@ -2,7 +2,6 @@
 // Does not draw the buffers and knows no energy.
 #pragma once
 
-#include "radiosity/hemicube/delta_form_factors.h"
 #include "radiosity/hemicube/hemicube.h"
 #include "radiosity/model/pixmap_model.h"
 
