@@ -118,6 +118,23 @@ void write_ties(CommandList& list, const PlacedModel& placed, const TiedPixels& 
     list.add(WriteSpans{.spans = tied.spans, .colors = {Rgba{}}});
 }
 
+/// Draws the portions of opaque parts, black if the step does not concern them.
+void draw_first_come(CommandList& list, const PlacedModel& placed, const Step& step, State state,
+                     const std::vector<Portion>& portions) {
+    bool set = false;
+    for (const Portion& portion : portions) {
+        const Part& part = placed.model->parts[portion.part];
+        if (part.translucent && !concerns(step, part, *placed.model)) continue;
+        const TextureState lookup = lookup_of(placed, step, portion.part);
+        if (!set || !(lookup == state.texture)) {
+            state.texture = lookup;
+            list.add(SetState{state});
+            set = true;
+        }
+        list.add(draw_of(placed, step, portion));
+    }
+}
+
 }  // namespace
 
 TiedPixels tied_pixels(const PlacedModel& placed, std::span<const std::uint32_t> winners) {
@@ -161,23 +178,6 @@ CommandList count_winners(const PlacedModel& placed) {
 
 std::uint64_t surplus_winners(std::span<const PassReport> reports) {
     return reports[0].counters.written - reports[1].counters.written;
-}
-
-/// Draws the portions of opaque parts, black if the step does not concern them.
-void draw_first_come(CommandList& list, const PlacedModel& placed, const Step& step, State state,
-                     const std::vector<Portion>& portions) {
-    bool set = false;
-    for (const Portion& portion : portions) {
-        const Part& part = placed.model->parts[portion.part];
-        if (part.translucent && !concerns(step, part, *placed.model)) continue;
-        const TextureState lookup = lookup_of(placed, step, portion.part);
-        if (!set || !(lookup == state.texture)) {
-            state.texture = lookup;
-            list.add(SetState{state});
-            set = true;
-        }
-        list.add(draw_of(placed, step, portion));
-    }
 }
 
 void add_one_winner_step(CommandList& list, const PlacedModel& placed, const Step& step,

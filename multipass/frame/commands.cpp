@@ -25,7 +25,7 @@ void set_fog(State& state, PassFog fog, const scene::Scene& scene) {
                  .color = vec4(color, 1)};
 }
 
-/// SetState where it differs from the one before.
+/// SetState if it differs from the one before.
 class StateWriter {
 public:
     explicit StateWriter(CommandList& list) : list_(&list) {}
@@ -42,7 +42,7 @@ private:
     std::optional<State> last_;
 };
 
-/// Whole parts, or far to near in pieces where a translucent pass wants an order.
+/// Whole parts, or pieces from far to near if a translucent pass needs an order.
 std::vector<Portion> portions(const PlacedModel& placed, const Step& step) {
     const bool sorted =
         step.pass.objects == PassObjects::Translucent && step.pass.depth.func != DepthFunc::Equal;
@@ -82,7 +82,7 @@ State state_of(const PlacedModel& placed, const Step& step) {
     state.depth = pass.depth;
     state.stencil = pass.stencil;
     state.blend = pass.blend;
-    // What dims what is behind it leaves the picture as opaque as it is.
+    // A pass that dims the picture behind leaves its alpha as it is.
     const bool dims = pass.blend.enable && pass.blend.dst == BlendFactor::OneMinusSrcAlpha;
     state.color_mask = {pass.color, pass.color, pass.color, pass.color && !dims};
     set_fog(state, pass.fog, *placed.model->scene);

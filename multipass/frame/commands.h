@@ -10,12 +10,12 @@
 
 namespace gw::multipass {
 
-/// What holds for all passes of a frame.
+/// Rules for all passes of a frame.
 struct FrameRules {
     vec3 background{0, 0, 0};
-    /// One winner per pixel where faces coincide, by a bit of the stencil: see one_winner.h.
+    /// One winner per pixel if faces coincide, by a bit of the stencil: see one_winner.h.
     bool one_winner = false;
-    /// The pixels where they coincide; null: unknown, assume every pixel.
+    /// The pixels on which they coincide; null: unknown, assume every pixel.
     const TiedPixels* tied = nullptr;
     int stencil_bits = 8;
     /// White images that the accumulation buffer holds.
@@ -42,7 +42,7 @@ Draw draw_of(const PlacedModel& placed, const Step& step, const Portion& portion
 /// Black, with the object's own alpha.
 Draw black_draw(const PlacedModel& placed, const Portion& portion);
 
-/// A fragment on every pixel of the window, at the farthest Z, which is that of the background: it
+/// A fragment on every pixel of the window, at the farthest Z, which is that of the background. It
 /// tests or changes the stencil everywhere and needs a state that writes no colour. The state's
 /// tests, masks and jitter hold; its geometry does not.
 void add_whole_window(CommandList& list, State state);

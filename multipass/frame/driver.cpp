@@ -8,7 +8,7 @@
 
 namespace gw::multipass {
 
-/// The scene with its maps, if some are generated from it, and what is made of it.
+/// The scene with its maps, if some are generated from it, and the drawer of its frames.
 struct Driver::PreparedScene {
     std::optional<scene::Scene> with_maps;
     FrameDrawer drawer;

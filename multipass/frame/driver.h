@@ -14,8 +14,8 @@
 
 namespace gw::multipass {
 
-/// Draws a scene from one view after the other. Makes what does not depend on the view once: meshes
-/// of maps, shadow volumes, shadow maps.
+/// Draws a scene from one view after the other. Makes data that no view changes once: meshes of
+/// maps, shadow volumes, shadow maps.
 class Driver {
 public:
     /// The machine must outlive it.

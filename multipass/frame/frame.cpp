@@ -7,8 +7,8 @@
 namespace gw::multipass {
 namespace {
 
-/// Whether Z is, at step `end`, that of all bodies that cast shadows: the first step cleared it and
-/// drew all of each, and no later one cleared it.
+/// Whether Z at step `end` is that of all bodies that cast shadows. The first step must have
+/// cleared it and drawn them all, and no later one may have cleared it.
 bool holds_casting_bodies(const Frame& frame, std::size_t end) {
     const Pass& first = frame.steps.front().pass;
     const bool draws_all = first.action == PassAction::Draw && first.depth.test &&
@@ -39,9 +39,8 @@ void add_shadow(CommandList& list, const Frame& frame, std::size_t index) {
                             .one_by_one = frame.shadows.one_by_one});
 }
 
-/// The frame buffer into the accumulation buffer. After every `most` images, as many as it holds,
-/// the sum so far goes through the frame buffer, which saturates it: more light than white stays
-/// white.
+/// The frame buffer into the accumulation buffer, which holds `most` images. When it is full, the
+/// sum so far goes through the frame buffer, which saturates it: more light than white stays white.
 void add_image(CommandList& list, const std::string& name, int image, int most) {
     begin_pass(list, name);
     list.add(Accumulate{AccumOp::Accum, 1});

@@ -14,8 +14,8 @@
 namespace gw::multipass {
 namespace {
 
-/// The view that is drawn: the far plane behind all shadow volumes, what lies behind its own cut
-/// off.
+/// The view that is drawn: its far plane lies behind all shadow volumes, and a clip plane cuts at
+/// its own far distance.
 PlacedModel place_with_shadows(const PassModel& model, const scene::View& view,
                                const Shadows& shadows) {
     PlacedModel placed = place_model(model, enclosing(view, model, shadows));
@@ -115,7 +115,7 @@ bool FrameDrawer::attempt() {
     return !any_overflow(std::span(machine_.passes()).subspan(before));
 }
 
-/// Draws the steps before `end` and says to the frame's rules what the count finds.
+/// Draws the steps before `end` and enters the count's result in the frame's rules.
 void FrameDrawer::count_winners_of(Frame& frame, std::size_t end, TiedPixels& tied) {
     if (model_.parts.size() <= many_parts) {
         CommandList list = commands(frame, 0, end);

@@ -1,6 +1,6 @@
 // Draws the frames of one scene on a machine, with the read-backs that some effects need. Keeps
-// what all superposed frames share. Does not superpose (superpose.h) and does not choose passes
-// (passes.h).
+// data that all superposed frames share. Does not superpose (superpose.h) and does not choose
+// passes (passes.h).
 #pragma once
 
 #include "gw/machine.h"

@@ -15,9 +15,9 @@ namespace gw::multipass {
 /// Always need no count.
 enum class OneWinner { Auto, Never, Always };
 
-/// The traced component of a frame [K4]: what the pass of PassAction::Trace adds, a colour for each
-/// pixel of the view, bottom row first. The scene is at the sample's moment; the machine's planes
-/// may be used.
+/// The traced component of a frame [K4], which the pass of PassAction::Trace adds: a colour for
+/// each pixel of the view, bottom row first. The scene is at the sample's moment; the machine's
+/// planes may be used.
 using Trace = std::function<std::vector<Rgba>(Machine&, const scene::Scene&, const scene::View&,
                                               const JitterState&)>;
 

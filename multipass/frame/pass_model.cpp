@@ -67,7 +67,7 @@ PartMaps maps_of(const MeshRef& mesh, const scene::Material& material, MeshCache
     return maps;
 }
 
-/// One mesh for all passes where the maps allow it: passes that share a mesh share its geometry.
+/// One mesh for all passes if the maps allow it: passes that share a mesh share its geometry.
 MeshRef mesh_of(const Part& part) {
     for (const auto& list : *part.maps)
         for (const MappedMesh& map : list)

@@ -20,8 +20,8 @@ double mirrored(std::size_t i) {
     return value;
 }
 
-/// A number without common divisors with n, about 0.618 n for kind 0 and others for others:
-/// multiples of it mod n are an order of 0 .. n - 1 that jumps far.
+/// A number without common divisors with n: about 0.618 n for kind 0, another for each other kind.
+/// Its multiples mod n are an order of 0 .. n - 1 that jumps far.
 std::size_t stride(std::size_t n, unsigned kind) {
     const double golden = 0.6180339887498949 * (kind + 1);
     std::size_t step =

@@ -1,5 +1,6 @@
 // Superposition of pictures in the accumulation buffer [K1]: they are summed with weight 1 and
-// divided once, so rounded once. Does not draw (samples.h has what differs between the pictures).
+// divided once, so rounded once. Does not draw (samples.h has the values that differ between the
+// pictures).
 #pragma once
 
 #include "gw/machine.h"
@@ -13,7 +14,7 @@ namespace gw::multipass {
 /// How many white pictures the profile's accumulation buffer holds: 128 on vgx.
 int most_pictures(const Profile& profile);
 
-/// The pictures and their groups. `samples` is rounded up where groups must have one size.
+/// The pictures and their groups. `samples` is rounded up if groups must have one size.
 struct Superposition {
     int samples = 1;
     /// More than one: the means of groups are read back and averaged again, a second rounding.

@@ -1,4 +1,5 @@
 // Shadow maps against rays, and against shadow volumes.
+#include "multipass/shadow/shadow_lookup.h"
 #include "multipass/shadow/shadow_map.h"
 #include "scene/draw/item_buffer.h"
 #include "scene/draw/pixel_rays.h"
