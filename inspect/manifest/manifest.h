@@ -41,8 +41,8 @@ Manifest manifest_of(const Recording& recording, const std::vector<PassReport>& 
 
 /// For lists of thousands of passes with a few names, as superposed pictures have. The result has a
 /// pass for each name, in the order of their first runs. "diffuse lamp, 16 runs" has the first
-/// run's state and parameter set, the sums of the counters, and digests of the runs' digests. A
-/// single run stays as it is.
+/// run's state and parameter set and the sums of the counters. Its digests are those of the runs'
+/// digests. A single run stays as it is.
 Manifest merge_runs(const Manifest& manifest);
 
 /// A line for each pass, so that files compare line by line.

@@ -27,8 +27,8 @@ public:
     Player& operator=(const Player&) = delete;
 
     /// Plays the first `count` commands. State, planes and texture slots persist, as a machine's
-    /// do. `Read` and `BeginPass` have no effect. Throws Error if `validate` does (before
-    /// anything is drawn), and "command 3 (Draw): ..." for what OpenGL cannot express:
+    /// do. `Read` and `BeginPass` have no effect. Throws Error if `validate` does (before anything
+    /// is drawn), and "command 3 (Draw): ..." for state that OpenGL cannot express:
     /// lighting.two_side, and sizes beyond Mesa's.
     void play(const CommandList& list, std::size_t count = std::numeric_limits<std::size_t>::max());
 

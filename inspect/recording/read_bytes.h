@@ -21,8 +21,9 @@ struct Beginning {
 /// The first bytes, at most 4096. Throws Error as read_bytes does.
 std::string first_bytes(const std::filesystem::path& file);
 
-/// Throws Error naming the file if it is missing, no regular file (a pipe may never end), larger
-/// than 2 GB, begins otherwise or cannot be read. A refused file is not read any further.
+/// Throws Error naming the file if it is missing, larger than 2 GB, begins otherwise or cannot be
+/// read, and if it is no regular file: a pipe may never end. A refused file is not read any
+/// further.
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file, const Beginning& beginning);
 
 /// FlatBuffers' file identifier, in bytes 4 to 7.

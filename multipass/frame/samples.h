@@ -25,8 +25,8 @@ dvec2 spread(const Sample& sample, unsigned kind);
 /// Maps the unit square to the unit disc; areas keep their ratios. Shirley, Chiu 1997.
 dvec2 on_disc(const dvec2& square);
 
-/// The number of pictures that the scene needs: the most samples of a soft light or glare; 16 with
-/// a lens or a moving object; else 1.
+/// The number of pictures that the scene needs: the most samples of a soft light or glare. It is 16
+/// with a lens or a moving object, else 1.
 int samples_of(const scene::Scene& scene);
 
 /// The sub-pixel position of a sample on a machine with `subpixel_bits`; none for a single picture.

@@ -1,6 +1,6 @@
-// A pass as the paper writes one [K3p]: a set of parameters for the machine, (Ka, Kd, Ks, Ke, Map),
-// with the tests and the blending that go with it. Plain data. Does not choose the passes of a
-// picture (catalogue.h) and does not draw.
+// A pass as the paper writes one [K3p]: a set of parameters for the machine, (Ka, Kd, Ks, Ke, Map).
+// Its tests and blending go with it. Plain data. Does not choose the passes of a picture
+// (catalogue.h) and does not draw.
 #pragma once
 
 #include "gw/command_list.h"

@@ -1,6 +1,6 @@
 // The end of a shadow volume (shadow_volume.h): its points move away from the light. The far cap
-// must lie beyond everything that may be in shadow, but not much farther: faces drawn there cost
-// time and show nothing. Does not make the volume.
+// must lie beyond everything that may be in shadow. It should not lie much farther: faces drawn
+// there cost time and show nothing. Does not make the volume.
 //
 // A point moves to the place at which its path from the light leaves the scene's bounds. A triangle
 // of the far cap is beyond the scene if its three corners are beyond the same wall of the bounds.

@@ -1,6 +1,6 @@
-// The footprints of pixels in a pixmap [F2.2o], and their light spread over the texels by area: a
-// vector of pixels, or of their parts, at a time. Does not choose the pixels that are divided
-// (scan.cpp does).
+// The footprints of pixels in a pixmap [F2.2o], and their light spread over the texels by area.
+// Works on a vector of pixels, or of their parts, at a time. Does not choose the pixels that are
+// divided (scan.cpp does).
 #pragma once
 
 #include "radiosity/hemicube/facet_view.h"
@@ -56,10 +56,10 @@ struct FacetPixels {
 void find_pixels(const std::uint32_t* row, int first, int end, std::uint32_t pixel,
                  FacetPixels& found) noexcept;
 
-/// Finds nx, ny, and a box about the pixel's middle with its delta form factor: the pixel's own box
-/// or, if it is to be divided, the box of one part. y: the row, to which the `deltas` belong.
-/// `boxes` is overwritten, and has space. Returns whether a box may be longer than a texel, or a
-/// pixel is to be divided.
+/// Finds nx, ny, and a box about the pixel's middle with its delta form factor. It is the pixel's
+/// own box or, if it is to be divided, the box of one part. y: the row, to which the `deltas`
+/// belong. `boxes` is overwritten, and has space. Returns whether a box may be longer than a texel,
+/// or a pixel is to be divided.
 bool find_footprints(const FacetMap& map, int y, const double* deltas, FacetPixels& pixels,
                      Boxes& boxes) noexcept;
 

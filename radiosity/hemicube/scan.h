@@ -10,8 +10,8 @@
 namespace gw::radiosity {
 
 struct ScanOptions {
-    /// Pixels larger than a texel are divided [F2.2o] into at most this many parts each way. 1: no
-    /// pixel is divided, and each goes to the one texel under its middle (Fig. 3a).
+    /// Pixels larger than a texel are divided [F2.2o] into at most this many parts each way. If it
+    /// is 1, no pixel is divided, and each goes to the one texel under its middle (Fig. 3a).
     int most_parts = 64;
 };
 

@@ -1,5 +1,5 @@
-// The light in the pixmaps [F1c, F2.2]: the light that has arrived at each texel, the light that it
-// has still to send on, and the books. Plain data and sums; does not shoot (solver.h does).
+// The light in the pixmaps [F1c, F2.2]: the light that each texel has received, the light that it
+// has still to send, and the books. Plain data and sums; does not shoot (solver.h does).
 #pragma once
 
 #include "radiosity/model/pixmap_model.h"
@@ -32,7 +32,7 @@ double storable(double v);
 /// Energy by channel [F1c]. absorbed + unshot + escaped = emitted, but for rounding.
 struct Books {
     dvec3 emitted{0}, absorbed{0}, unshot{0}, escaped{0};
-    dvec3 unshot_size{0};  ///< unshot without its signs: after an update some of it is negative
+    dvec3 unshot_size{0};  ///< unshot without its signs: after an update a part of it is negative
     /// The largest |absorbed + unshot + escaped - emitted| / emitted.
     double imbalance() const;
     /// unshot_size as a part of the emitted light, all channels together.

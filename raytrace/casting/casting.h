@@ -21,8 +21,8 @@ struct CastShape {
 };
 
 /// All polygons of a scene as their meshes have them: quads as quads, concave ones whole. A mesh
-/// becomes a sphere if its vertices lie on one around its origin and have its normals (shapes
-/// `sphere` and `icosphere`), and if it is scaled the same in all directions.
+/// becomes a sphere if its vertices lie on one around its origin and have its normals, as those of
+/// the shapes `sphere` and `icosphere`. It must be scaled the same in all directions.
 std::vector<CastShape> cast_shapes(const scene::Scene& scene);
 
 /// How the nearest shape is found.

@@ -5,8 +5,8 @@
 //
 // The watertight test of Woop, Benthin and Wald 2013 decides for every triangle whether the ray
 // meets it: the sign of each edge function is exact, so triangles that share a side leave no gap.
-// Boxes have a margin wider than the rounding of both tests (Ize 2013), so the tree decides
-// nothing.
+// Boxes have a margin wider than the rounding of both tests (Ize 2013), so the tree excludes no
+// hit.
 #pragma once
 
 #include "raytrace/hierarchy/wide_tree.h"

@@ -1,4 +1,4 @@
-// Light along rays [L9]: eq. 3 with shadows where a ray ends, and recursion into reflected and
+// Light along rays [L9]: eq. 3 with shadows at a ray's end, and recursion into reflected and
 // transmitted rays. For the ordinary ray tracer, and for eq. 5 [K4] from the first hit on. Does not
 // find the first hit.
 #pragma once
@@ -34,8 +34,8 @@ struct RayCounts {
 };
 
 struct TraceOptions {
-    /// Rays in a path. 2, as in Fig. 9 [K4f]: the surface that the ray from the eye meets sends
-    /// second rays, where paths end. 1: reflection maps only.
+    /// Rays in a path. With 2, as in Fig. 9 [K4f], the surface that the ray from the eye meets
+    /// sends second rays, and paths end there. With 1 there are reflection maps only.
     int depth = 2;
     int threads = 0;  ///< 0: all
     /// Whether a hit of a reflected ray is in the shadow of a light (by its number). Empty: shadow
