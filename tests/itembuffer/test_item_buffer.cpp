@@ -2,7 +2,6 @@
 #include "scene/draw/item_buffer.h"
 
 #include "gw/fast/simd/simd_target.h"
-#include "itembuffer/adaptive.h"
 #include "itembuffer/differences.h"
 #include "itembuffer/superposed_ray_tracer.h"
 #include "itembuffer/traced_component.h"
@@ -85,59 +84,6 @@ TEST(ItemBuffer, ManyFindWhatIsSmallerThanAPixelInProportionToItsArea) {
     EXPECT_NEAR(found[2], crumb_area, crumb_area * 0.02);
     EXPECT_EQ(empty_for_adaptive, 48)
         << "of 64: where the crumb is in no pixel, no neighbours differ";
-}
-
-/// [K4a] The same needle and crumb by 64 rays at pixels where one item buffer changes, and by the
-/// mean of 64 item buffers: the second has their light in proportion to their area, the first only
-/// what the one item buffer happened to see.
-TEST(Adaptive, MissesWhatOneItemBufferHasNotSeen) {
-    const double pixel = 0.1;
-    raytrace::Walls walls;
-    walls.scene.camera = scene::Camera{
-        .eye = {0, 0, 5}, .near_plane = 0.5, .far_plane = 50, .ortho_height = height * pixel};
-    walls.scene.lights = {{.direction = {0, 0, -1}, .Ia = vec3(1), .Id = vec3(0)}};
-    // Between the centres of pixels: a needle 0.25 pixels wide and 40 high, a crumb of half a
-    // pixel.
-    walls.add({-2.0f, 0.07f, 0}, {float(0.125 * pixel), 0, 0}, {0, float(20 * pixel), 0});
-    walls.add({2.3f, 1.4f, 0}, {float(0.25 * pixel), 0, 0}, {0, float(0.25 * pixel), 0});
-    for (scene::Material& m : walls.scene.materials) m = {.Ka = vec3(1), .Kd = vec3(0)};
-    const scene::View view = scene::make_view(walls.scene, width, height);
-    const auto light_in = [](const std::vector<Rgba>& color) {
-        double sum = 0;
-        for (const Rgba& c : color) sum += c[0] / 255.0;
-        return sum;
-    };
-    const auto m = machine();
-    render_adaptive(*m, walls.scene, view, 64, {});
-    EXPECT_EQ(light_in(m->planes().color), 0) << "neither has a pixel's centre in it";
-    render(*m, walls.scene, view, {.samples = 64});
-    EXPECT_NEAR(light_in(m->planes().color), 40 * 0.25 + 0.25, 0.05 * 10);
-    // Moved over the centres of a column of pixels, the needle is seen: its pixels and those beside
-    // them are divided, and it has the light of its area.
-    walls.scene.objects[0].world_from_object[3].x += 0.053;
-    render_adaptive(*m, walls.scene, view, 64, {});
-    EXPECT_NEAR(light_in(m->planes().color), 40 * 0.25, 0.05 * 10);
-}
-
-TEST(Adaptive, DividesPixelsWhoseNeighboursDiffer) {
-    const scene::Scene scene = fig9();
-    const scene::View view = scene::make_view(scene, width, height);
-    const auto m = machine();
-    const auto ids = scene::draw_item_buffer(*m, scene, view, {});
-    const raytrace::World world(scene);
-    const raytrace::Tracer tracer(scene, world, view, {.depth = 1});
-    const AdaptivePicture one = adaptive_picture(tracer, scene, view, ids, 1, vgx()),
-                          four = adaptive_picture(tracer, scene, view, ids, 4, vgx());
-    EXPECT_EQ(std::count(one.divided.begin(), one.divided.end(), 1), 0);
-    EXPECT_EQ(one.picture.counts.primary, ids.size());
-    const auto divided = std::uint64_t(std::count(four.divided.begin(), four.divided.end(), 1));
-    EXPECT_GT(divided, ids.size() / 4);
-    EXPECT_LT(divided, ids.size());
-    EXPECT_EQ(four.picture.counts.primary, ids.size() + 3 * divided);
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-        if (four.divided[i]) continue;
-        ASSERT_EQ(four.picture.color[i], one.picture.color[i]);
-    }
 }
 
 TEST(Differences, AccountForEveryPixel) {

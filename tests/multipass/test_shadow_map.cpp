@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gw::multipass {
 namespace {
@@ -92,6 +93,80 @@ TEST(ShadowMap, IsTheSameFromTilesAsFromOneWindow) {
     const auto small = make_reference(vgx(), 50, 37), large = make_reference(vgx(), 128, 128);
     EXPECT_EQ(draw_shadow_maps(*small, model, views, 50, 37)[0].depth,
               draw_shadow_maps(*large, model, views, 128, 128)[0].depth);
+}
+
+/// Where a point is in a view, -1 .. 1 in the window and between the planes.
+dvec3 place_in(const scene::View& view, const dvec3& p) {
+    const dvec4 c = view.clip_from_eye * (view.eye_from_world * dvec4(p, 1));
+    return dvec3(c) / c.w;
+}
+
+scene::Light point_light(const vec3& position) {
+    return {.kind = scene::LightKind::Point, .position = position};
+}
+
+/// The nearest point is a corner in a corner of a face's view: there the plane is farther along the
+/// axis than anywhere else at this distance.
+TEST(LightViews, OfAPointLightHoldWhatIsNearestAndFarthest) {
+    const scene::Bounds bounds{dvec3(1), dvec3(3), false};
+    const auto views = light_views(point_light(vec3(0)), bounds, 64);
+    ASSERT_EQ(views.size(), 6u);
+    for (const int face : {0, 2, 4}) {
+        const double near_plane = views[std::size_t(face)].camera.near_plane;
+        EXPECT_GT(place_in(views[std::size_t(face)], dvec3(1)).z, -1) << face;
+        EXPECT_LT(place_in(views[std::size_t(face)], dvec3(1)).z, -0.94) << face << near_plane;
+    }
+    // Straight ahead, what is farthest is as far as the farthest corner at most.
+    EXPECT_LT(place_in(views[0], {std::sqrt(27.0), 0, 0}).z, 1);
+    EXPECT_GT(place_in(views[0], {1.02 * std::sqrt(27.0), 0, 0}).z, 1);
+}
+
+TEST(LightViews, OfALightAmongTheBodiesBeginAtA4096thOfTheirReach) {
+    scene::Light light = point_light(vec3(0));
+    const scene::Bounds bounds{dvec3(-4, -1, -1), dvec3(4, 1, 1), false};
+    const double reach = 1.01 * std::sqrt(18.0), nearest = reach / 4096;
+    for (const bool spot : {false, true}) {
+        if (spot) light.kind = scene::LightKind::Spot, light.direction = {1, 0, 0};
+        const scene::View view = light_views(light, bounds, 64)[0];  // along +x
+        const double near_plane = spot ? nearest : nearest * 0.57;
+        EXPECT_NEAR(place_in(view, {near_plane, 0, 0}).z, -1, 1e-9);
+        EXPECT_NEAR(place_in(view, {reach, 0, 0}).z, 1, 1e-9);
+    }
+}
+
+/// As wide as the cone and 2 % wider; at least a tenth of a degree.
+TEST(LightViews, OfASpotAreAsWideAsItsCone) {
+    scene::Light light = point_light({0, 0, 0});
+    light.kind = scene::LightKind::Spot;
+    light.direction = {0, 0, -1};
+    const scene::Bounds bounds{dvec3(-1, -1, -9), dvec3(1, 1, -5), false};
+    for (const double cone : {1.0, 30.0, 60.0}) {
+        light.cone_angle = cone;
+        const auto views = light_views(light, bounds, 64);
+        ASSERT_EQ(views.size(), 1u);
+        const double slope = std::tan(cone * std::acos(-1.0) / 180);
+        EXPECT_NEAR(place_in(views[0], {7 * slope, 0, -7}).x, 1 / 1.02, 1e-9);
+        EXPECT_NEAR(place_in(views[0], {0, -7 * slope, -7}).y, -1 / 1.02, 1e-9);
+    }
+    light.cone_angle = 0;
+    EXPECT_LT(place_in(light_views(light, bounds, 64)[0], {0.01, 0, -7}).x, 1);
+    light.cone_angle = 60.5;
+    EXPECT_EQ(light_views(light, bounds, 64).size(), 6u);
+}
+
+TEST(LightViews, OfADirectionalLightHoldTheScene) {
+    const scene::Light light{.direction = {0, -1, 0}};
+    const auto views = light_views(light, {dvec3(-1, 0, -2), dvec3(3, 4, 2), false}, 64);
+    ASSERT_EQ(views.size(), 1u);
+    for (int i = 0; i < 8; ++i) {
+        const dvec3 p =
+            place_in(views[0], scene::corner({dvec3(-1, 0, -2), dvec3(3, 4, 2), false}, i));
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(std::abs(p[k]), 1 / 1.01, 1e-9);
+    }
+    EXPECT_LT(place_in(views[0], {0, 4, 0}).z, place_in(views[0], {0, 0, 0}).z) << "from above";
+    // A floor without height has a box all the same.
+    const auto flat = light_views(light, {dvec3(-1, 0, -2), dvec3(3, 0, 2), false}, 64);
+    EXPECT_LT(std::abs(place_in(flat[0], {3, 0, 2}).z), 1);
 }
 
 TEST(ShadowMapSize, IsThePowerOfTwoTwiceTheWindow) {

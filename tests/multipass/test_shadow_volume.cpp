@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 namespace gw::multipass {
 namespace {
@@ -108,25 +109,71 @@ TEST(ShadowVolume, OfCurvedBodies) {
     }
 }
 
-TEST(ShadowVolume, CountedOneByOneGivesTheSameShadow) {
-    const Case c;
-    const scene::View view = scene::make_view(c.s, window_width, window_height);
+/// The stencil plane of a frame's shadow.
+std::vector<std::uint8_t> shadow_stencil(const scene::Scene& s, const CountRules& rules,
+                                         std::size_t* outside = nullptr) {
+    const PassModel model = make_pass_model(s);
+    const Shadows shadows = find_volumes(model, topologies(model));
+    const scene::View view =
+        enclosing(scene::make_view(s, window_width, window_height), model, shadows);
+    const PlacedModel placed = place_model(model, view);
+    CommandList list = frame_list(s, view, {depth_pass}, vec3(0));
+    add_shadow_volumes(list, placed, "shadow", shadows.volumes[0], rules);
+    for (std::size_t i = 0; outside && i < model.parts.size(); ++i)
+        *outside += shadows.volumes[0][i].caps &&
+                    is_outside(shadows.volumes[0][i], placed.eye_from_object[i], view);
+    const auto machine = make_reference(vgx(), window_width, window_height);
+    machine->execute(list);
+    EXPECT_FALSE(any_overflow(machine->passes()));
+    return machine->planes().stencil;
+}
+
+/// Three plates over one another, the sun in the zenith, an eye that sees only the floor.
+TEST(ShadowVolume, IsCountedAsOftenAsBodiesAreInTheWay) {
+    Case c(mesh_of({{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}, {0, 2, 1, 0, 3, 2}));
+    for (int i = 1; i < 3; ++i) {
+        c.s.objects.push_back(c.s.objects[1]);
+        c.s.objects.back().world_from_object[3].y += 0.5 * i;
+    }
+    c.s.lights[0].direction = {0, -1, 0};
+    c.s.camera = scene::Camera{.eye = {0, 1, 5}, .at = {0, 0, 0.5}, .fov = 16};
+    std::set<int> counts;
+    for (const int n : shadow_stencil(c.s, {})) counts.insert(n);
+    EXPECT_EQ(counts, (std::set<int>{0, 3}));
+
+    for (const CountRules& rules : {CountRules{.zero_or_one = true}, CountRules{.one_by_one = true},
+                                    CountRules{.zero_or_one = true, .one_by_one = true},
+                                    CountRules{.in_front = true, .zero_or_one = true}}) {
+        auto expected = shadow_stencil(c.s, {});
+        for (auto& n : expected) n = std::min<std::uint8_t>(n, 1);
+        EXPECT_EQ(shadow_stencil(c.s, rules), expected) << rules.in_front << rules.one_by_one;
+    }
+}
+
+/// The window's pixels that an overflow pass looks at appear where as many triangles as the largest
+/// count are drawn, and not before.
+TEST(ShadowVolume, LooksForOverflowWhereItCanOccur) {
+    const Case c(box_mesh());
     const PassModel model = make_pass_model(c.s);
-    Shadows shadows = find_volumes(model, topologies(model));
-    const PlacedModel placed = place_model(model, enclosing(view, model, shadows));
-    const auto stencil = [&](const CountRules& rules) {
-        const auto machine = make_reference(vgx(), window_width, window_height);
-        CommandList list = frame_list(c.s, view, {depth_pass}, vec3(0));
-        add_shadow_volumes(list, placed, "shadow", shadows.volumes[0], rules);
-        machine->execute(list);
-        EXPECT_FALSE(any_overflow(machine->passes()));
-        return machine->planes().stencil;
+    const Shadows shadows = find_volumes(model, topologies(model));
+    const scene::View view = scene::make_view(c.s, window_width, window_height);
+    const PlacedModel placed = place_model(model, view);
+    std::size_t triangles = 0;
+    for (const ShadowVolume& volume : shadows.volumes[0])
+        for (const MeshRef& mesh : {volume.caps, volume.sides})
+            triangles += mesh ? mesh->triangles().size() : 0;
+    EXPECT_EQ(triangles, 12u + 12 + 4 + 8) << "caps and sides of the box, of the floor";
+    const auto looks = [&](int stencil_bits) {
+        CommandList list;
+        add_shadow_volumes(list, placed, "shadow", shadows.volumes[0],
+                           {.stencil_bits = stencil_bits});
+        return std::any_of(list.commands.begin(), list.commands.end(), [](const Command& command) {
+            const auto* begin = std::get_if<BeginPass>(&command);
+            return begin && begin->name == "shadow overflow";
+        });
     };
-    auto counts = stencil({8, false, false});
-    EXPECT_GT(*std::max_element(counts.begin(), counts.end()), 0);
-    for (auto& count : counts) count = std::min<std::uint8_t>(count, 1);
-    EXPECT_EQ(stencil({8, true, false}), counts);
-    EXPECT_EQ(stencil({8, false, true}), counts);
+    EXPECT_TRUE(looks(5)) << 31;
+    EXPECT_FALSE(looks(6)) << 63;
 }
 
 TEST(ShadowVolume, TooDeepForTheStencilIsCountedOneByOne) {
@@ -162,25 +209,6 @@ TEST(ShadowVolume, FrontCapHasThePositionsOfTheMesh) {
     }
 }
 
-/// The stencil plane of a frame's shadow, counted in front where that is allowed or behind
-/// everywhere.
-std::vector<std::uint8_t> shadow_stencil(const scene::Scene& s, bool in_front,
-                                         std::size_t* outside = nullptr) {
-    const PassModel model = make_pass_model(s);
-    const Shadows shadows = find_volumes(model, topologies(model));
-    const scene::View view =
-        enclosing(scene::make_view(s, window_width, window_height), model, shadows);
-    const PlacedModel placed = place_model(model, view);
-    CommandList list = frame_list(s, view, {depth_pass}, vec3(0));
-    add_shadow_volumes(list, placed, "shadow", shadows.volumes[0], {.in_front = in_front});
-    for (std::size_t i = 0; outside && i < model.parts.size(); ++i)
-        *outside += shadows.volumes[0][i].caps &&
-                    is_outside(shadows.volumes[0][i], placed.eye_from_object[i], view);
-    const auto machine = make_reference(vgx(), window_width, window_height);
-    machine->execute(list);
-    return machine->planes().stencil;
-}
-
 TEST(ShadowVolume, CountedInFrontIsCountedBehind) {
     std::size_t outside = 0, in_shadow = 0;
     for (const MeshRef& mesh :
@@ -192,8 +220,8 @@ TEST(ShadowVolume, CountedInFrontIsCountedBehind) {
             if (lamp != vec3(0)) c.lamp(lamp);
             // Background above the floor, and in front of the far cap.
             c.s.camera = scene::Camera{.eye = {-5, 1.5, 6}, .at = {0, 1, 0}, .fov = 50};
-            const auto behind = shadow_stencil(c.s, false);
-            EXPECT_EQ(shadow_stencil(c.s, true, &outside), behind) << lamp.x;
+            const auto behind = shadow_stencil(c.s, {});
+            EXPECT_EQ(shadow_stencil(c.s, {.in_front = true}, &outside), behind) << lamp.x;
             in_shadow += std::size_t(
                 std::count_if(behind.begin(), behind.end(), [](int n) { return n > 0; }));
         }
