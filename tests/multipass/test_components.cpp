@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace gw::multipass {
 namespace {
@@ -50,6 +51,46 @@ TEST(Components, AddUpBehindPanesWhateverTheirOrderFogAndSamples) {
                         << panes << " panes, fog " << fog << ", " << samples << " samples, order "
                         << int(translucency);
                 }
+}
+
+/// A square of 8 x 8 pixels, from pixel 4 on, whose two components are of this strength.
+scene::Scene lone_square(float strength) {
+    scene::Scene s;
+    add_square(s, "square", {.Ka = vec3(strength), .Kd = vec3(strength)});
+    s.lights.push_back({.direction = {0, 0, -1}, .Ia = vec3(0.9f), .Id = vec3(0.7f)});
+    s.camera = scene::Camera{.eye = {0, 0, 5}, .near_plane = 1, .far_plane = 9, .ortho_height = 4};
+    return s;
+}
+
+/// Without panes each image is a mean that is rounded by itself, and of samples that do not
+/// saturate where their sum does.
+TEST(Components, OfSamplesAddUpWhereNoImageChangesAndNearlyWhereNoSampleSaturates) {
+    for (const float strength : {0.37f, 0.9f}) {
+        const scene::Scene s = lone_square(strength);
+        const Options options{.samples = 7};
+        const auto images = images_of(s, options);
+        const int most = (int(images.size()) + 1) / 2;
+        const auto sum = sum_of(images, vgx()), picture = picture_of(s, options);
+        const bool saturates = strength > 0.5f;
+        int rounded = 0, darker = 0;
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x) {
+                const auto i = std::size_t(y * size + x);
+                const int difference = int(sum[i][0]) - int(picture[i][0]);
+                const auto inside = [](int v) { return v >= 5 && v <= 10; };
+                const auto outside = [](int v) { return v < 3 || v > 12; };
+                if ((inside(x) && inside(y)) || outside(x) || outside(y)) {
+                    ASSERT_EQ(difference, 0) << x << ' ' << y;
+                } else {
+                    ASSERT_GE(difference, -most) << x << ' ' << y;
+                    ASSERT_TRUE(saturates || difference <= most) << x << ' ' << y;
+                    rounded += difference != 0 && std::abs(difference) <= most;
+                    darker += difference > most;
+                }
+            }
+        EXPECT_EQ(darker > 0, saturates);
+        EXPECT_TRUE(saturates || rounded > 0) << "else the sum is exact";
+    }
 }
 
 TEST(Components, OfOneEquationAddUpBehindPanes) {
