@@ -31,6 +31,63 @@ private:
     std::uint32_t next_ = 0;
 };
 
+/// Random numbers, directions, and points of a scene's triangles.
+class RandomRays {
+public:
+    explicit RandomRays(std::uint32_t seed) : bits_(seed) {}
+
+    std::uint32_t bits() { return std::uint32_t(bits_()); }
+    double number() { return double(bits_() >> 8) * 0x1p-24; }
+    dvec3 direction() {
+        for (;;) {
+            const dvec3 d(2 * number() - 1, 2 * number() - 1, 2 * number() - 1);
+            const double square = dot3(d, d);
+            if (square > 1e-4 && square < 1) return normalized(d);
+        }
+    }
+    std::uint32_t triangle(const World& world) { return bits() % world.triangles().size(); }
+    /// A random point of a triangle; or of one of its sides, or a corner, but for 10^-3 to 10^-9.
+    dvec3 target(const World& world, std::uint32_t triangle) {
+        const auto corner = world.triangles().corners(triangle);
+        const auto kind = bits() % 4;
+        const double b = kind == 0 ? 0 : number(), c = kind < 2 ? 0 : number() * (1 - b);
+        const dvec3 p = corner[0] + b * (corner[1] - corner[0]) + c * (corner[2] - corner[0]);
+        if (kind >= 2) return p;
+        double beside = 1e-3;
+        for (auto k = bits() % 7; k > 0; --k) beside /= 10;
+        return p + beside * direction();
+    }
+    /// From far outside of the scene towards such a point.
+    Ray aimed(const World& world) {
+        Ray ray{direction() * 50.0, {}};
+        ray.direction = normalized(target(world, triangle(world)) - ray.origin);
+        return ray;
+    }
+    /// The surface at such a point, seen straight from in front or from behind.
+    Surface seen(const World& world, bool from_front) {
+        const std::uint32_t number = triangle(world);
+        const auto corner = world.triangles().corners(number);
+        const dvec3 normal = cross3(corner[1] - corner[0], corner[2] - corner[0]);
+        const dvec3 direction = normalized(normal) * (from_front ? -1.0 : 1.0);
+        return surface(world.triangles(), {number, target(world, number), normal}, direction,
+                       {.width = 1, .height = 1});
+    }
+    /// On the seen side of the triangle, or through it; now and then grazing.
+    dvec3 leaving(const Surface& s, bool through) {
+        dvec3 d = direction();
+        double height = dot3(d, s.plane_normal);
+        if (bits() % 4 == 0) {
+            d -= height * 0.999 * s.plane_normal;
+            height *= 0.001;
+        }
+        if ((height < 0) != through) d -= 2 * height * s.plane_normal;
+        return normalized(d);
+    }
+
+private:
+    std::mt19937 bits_;
+};
+
 struct PathCounts {
     std::uint64_t paths = 0, hits = 0;
     std::uint64_t violations = 0;  ///< entered twice, or left without entering
@@ -46,7 +103,7 @@ public:
         : world_(scene, 1),
           view_{.width = 1, .height = 1},
           inside_(scene.objects.size()),
-          bits_(seed) {}
+          random_(seed) {}
 
     PathCounts count(std::uint64_t paths) {
         PathCounts counts;
@@ -57,30 +114,9 @@ public:
 private:
     static constexpr int most_hits = 12;
 
-    double number() { return double(bits_() >> 8) * 0x1p-24; }
-    dvec3 direction() {
-        for (;;) {
-            const dvec3 d(2 * number() - 1, 2 * number() - 1, 2 * number() - 1);
-            const double square = dot3(d, d);
-            if (square > 1e-4 && square < 1) return normalized(d);
-        }
-    }
-    /// A random point of a triangle; or of one of its sides, or a corner, but for 10^-3 to 10^-9.
-    dvec3 target() {
-        const auto corner = world_.triangles().corners(bits_() % world_.triangles().size());
-        const auto kind = bits_() % 4;
-        const double b = kind == 0 ? 0 : number(), c = kind < 2 ? 0 : number() * (1 - b);
-        const dvec3 p = corner[0] + b * (corner[1] - corner[0]) + c * (corner[2] - corner[0]);
-        if (kind >= 2) return p;
-        double beside = 1e-3;
-        for (auto k = bits_() % 7; k > 0; --k) beside /= 10;
-        return p + beside * direction();
-    }
-
     void follow(PathCounts& counts) {
         inside_.assign(inside_.size(), false);
-        Ray ray{direction() * 50.0, {}};
-        ray.direction = normalized(target() - ray.origin);
+        Ray ray = random_.aimed(world_);
         std::uint32_t from = no_triangle;
         for (int hit = 0; hit < most_hits; ++hit) {
             const auto at = world_.nearest(ray, std::numeric_limits<double>::infinity(), from);
@@ -95,28 +131,16 @@ private:
                 ++counts.violations;
                 return;
             }
-            const bool through = bits_() % 4 != 0;
+            const bool through = random_.bits() % 4 != 0;
             if (through) inside_[body] = s.front;
-            ray = {s.start, leaving(s, through)};
+            ray = {s.start, random_.leaving(s, through)};
             from = at->triangle;
         }
     }
-    /// On the seen side of the triangle, or through it; now and then grazing.
-    dvec3 leaving(const Surface& s, bool through) {
-        dvec3 d = direction();
-        double height = dot3(d, s.plane_normal);
-        if (bits_() % 4 == 0) {
-            d -= height * 0.999 * s.plane_normal;
-            height *= 0.001;
-        }
-        if ((height < 0) != through) d -= 2 * height * s.plane_normal;
-        return normalized(d);
-    }
-
     World world_;
     scene::View view_;
     std::vector<bool> inside_;  ///< by object
-    std::mt19937 bits_;
+    RandomRays random_;
 };
 
 }  // namespace gw::raytrace
