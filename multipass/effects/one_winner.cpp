@@ -147,6 +147,7 @@ TiedPixels tied_pixels(const PlacedModel& placed, std::span<const std::uint32_t>
         cells.mark(x, y);
         tied.spans.push_back({.x = x, .y = y, .length = 1});
     }
+    PortionMaker maker(placed);
     for (std::size_t i = 0; i < placed.model->parts.size(); ++i) {
         const Part& part = placed.model->parts[i];
         if (part.translucent) continue;
@@ -155,7 +156,7 @@ TiedPixels tied_pixels(const PlacedModel& placed, std::span<const std::uint32_t>
             continue;
         }
         const std::vector<std::uint32_t> near_ties = triangles_near(cells, placed, i);
-        if (!near_ties.empty()) tied.portions.push_back(portion_of(placed, i, near_ties));
+        if (!near_ties.empty()) tied.portions.push_back(maker.portion_of(i, near_ties));
     }
     return tied;
 }

@@ -119,12 +119,13 @@ std::vector<Portion> far_to_near(const PlacedModel& placed) {
         return a.distance > b.distance;
     });
     std::vector<Portion> portions;
+    PortionMaker maker(placed);
     for (auto first = all.begin(); first != all.end();) {
         const auto last = std::find_if(
             first, all.end(), [&](const SortedTriangle& p) { return p.part != first->part; });
         std::vector<std::uint32_t> triangles;
         for (auto p = first; p != last; ++p) triangles.push_back(p->triangle);
-        portions.push_back(portion_of(placed, first->part, triangles));
+        portions.push_back(maker.portion_of(first->part, triangles));
         first = last;
     }
     return portions;

@@ -75,16 +75,21 @@ LightsRef lights_of(const PlacedModel& placed, const Part& part) {
     return lit_by.empty() ? nullptr : std::make_shared<const std::vector<Light>>(std::move(lit_by));
 }
 
-Portion portion_of(const PlacedModel& placed, std::size_t index,
-                   std::span<const std::uint32_t> triangles) {
+const MeshRef& PortionMaker::picked(const MeshRef& mesh, std::span<const std::uint32_t> triangles) {
+    MeshRef& made = picked_[{mesh, {triangles.begin(), triangles.end()}}];
+    if (!made) made = pick(*mesh, triangles);
+    return made;
+}
+
+Portion PortionMaker::portion_of(std::size_t index, std::span<const std::uint32_t> triangles) {
     Portion portion{.part = index};
     const auto add = [&](const MeshRef& mesh) {
-        if (portion.of(mesh) == mesh) portion.meshes.emplace_back(mesh, pick(*mesh, triangles));
+        if (portion.of(mesh) == mesh) portion.meshes.emplace_back(mesh, picked(mesh, triangles));
     };
-    const Part& part = placed.model->parts[index];
+    const Part& part = placed_.model->parts[index];
     add(part.mesh);
     for (const auto& maps : *part.maps)
-        for (const MappedMesh& map : maps) add(placed.mesh_of(index, map));
+        for (const MappedMesh& map : maps) add(placed_.mesh_of(index, map));
     return portion;
 }
 

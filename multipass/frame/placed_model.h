@@ -53,8 +53,20 @@ PlacedModel place_model(const PassModel& model, const scene::View& view);
 /// The lights that light this part, in one list; null: none.
 LightsRef lights_of(const PlacedModel& placed, const Part& part);
 
-/// These triangles of the part's meshes, in this order: for passes that do not draw all of it.
-Portion portion_of(const PlacedModel& placed, std::size_t part,
-                   std::span<const std::uint32_t> triangles);
+/// Makes portions. Those that have the same triangles of one mesh share a mesh.
+class PortionMaker {
+public:
+    /// Refers to the model, which must outlive it.
+    explicit PortionMaker(const PlacedModel& placed) : placed_(placed) {}
+
+    /// These triangles of the part's meshes, in this order: for passes that do not draw all of it.
+    Portion portion_of(std::size_t part, std::span<const std::uint32_t> triangles);
+
+private:
+    const MeshRef& picked(const MeshRef& mesh, std::span<const std::uint32_t> triangles);
+
+    const PlacedModel& placed_;
+    std::map<std::pair<MeshRef, std::vector<std::uint32_t>>, MeshRef> picked_;
+};
 
 }  // namespace gw::multipass
