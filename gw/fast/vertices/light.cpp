@@ -104,11 +104,14 @@ void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, b
     const Material& m = p.draw->material;
     const LightingState& state = p.state->lighting;
     const Profile& profile = *p.profile;
+    const bool same_bits = profile.lit_bits == profile.color_bits;
     const auto store = [&](double v) {
-        return std::uint16_t(rescale(std::uint32_t(v), profile.lit_bits, profile.color_bits));
+        const auto lit = std::uint32_t(v);
+        return std::uint16_t(same_bits ? lit : rescale(lit, profile.lit_bits, profile.color_bits));
     };
     const std::uint16_t alpha = store(quantize(m.alpha, profile.lit_bits));
-    std::vector<LightTerms> lights;
+    thread_local std::vector<LightTerms> lights;  // a small mesh would spend its time allocating
+    lights.clear();
     if (p.draw->lights)
         for (const Light& light : *p.draw->lights) lights.push_back(light_terms(light, m));
 
