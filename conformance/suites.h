@@ -17,6 +17,7 @@ Case fog_case(Random& random);
 Case generated_texture_case(Random& random);
 Case identifier_case(Random& random);
 Case jitter_case(Random& random);
+Case joined_colors_case(Random& random);
 Case lighting_case(Random& random);
 Case lines_and_points_case(Random& random);
 Case multipass_case(Random& random);
@@ -26,9 +27,11 @@ Case profile_case(Random& random);
 Case raster_case(Random& random);
 Case shadow_case(Random& random);
 Case stencil_case(Random& random);
+Case stipple_case(Random& random);
 Case texture_case(Random& random);
 Case texture_churn_case(Random& random);
 Case tiny_draws_case(Random& random);
+Case vertices_case(Random& random);
 Case viewport_case(Random& random);
 
 }  // namespace gw::fuzz

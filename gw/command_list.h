@@ -47,11 +47,22 @@ struct TextureBinding {
     bool operator==(const TextureBinding&) const = default;
 };
 
+/// The values of all vertices for which the mesh has none.
+struct CurrentValues {
+    vec4 color{1, 1, 1, 1};
+    vec3 normal{0, 0, 1};
+    vec4 texcoord{0, 0, 0, 1};  ///< s, t, r, q
+    bool operator==(const CurrentValues&) const = default;
+};
+
 /// Draws a mesh with the current state.
 struct Draw {
     MeshRef mesh;
-    dmat4 eye_from_object{1};  ///< affine; normals are transformed by its inverse transpose
-    Material material;
+    /// any matrix; normals are transformed by the inverse transpose of its upper 3x3
+    dmat4 eye_from_object{1};
+    Material material;  ///< of both sides, unless `back_material` is given
+    std::shared_ptr<const Material> back_material;  ///< used with lighting.two_side
+    std::shared_ptr<const CurrentValues> current;   ///< null: their initial values
     LightsRef lights;
     TextureBinding map;
     /// ColorSource::PolygonId: the id is (id_base + mesh polygon id mod 2^32) >> id_shift.

@@ -20,6 +20,12 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
+/// The materials of a vertex's two sides.
+struct FaceMaterials {
+    Material front, back;
+    bool operator==(const FaceMaterials&) const = default;
+};
+
 /// A light in EYE space. Directional if position.w == 0: position.xyz points TOWARDS the light.
 struct Light {
     vec4 position{0, 0, 1, 0};

@@ -16,9 +16,11 @@ std::string count(std::size_t n, const char* one, const char* many) {
     return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-void check_length(std::size_t length, std::size_t vertices, const char* name) {
+void check_length(std::size_t length, std::size_t vertices, const char* name,
+                  const char* many = nullptr) {
+    const std::string plural = many ? many : std::string(name) + "s";
     if (length != 0 && length != vertices)
-        fail(count(length, name, (std::string(name) + "s").c_str()) + " for " +
+        fail(count(length, name, plural.c_str()) + " for " +
              count(vertices, "position", "positions") + "; expected as many, or none");
 }
 
@@ -42,6 +44,18 @@ void check_vertices(const MeshData& data) {
     check_finite(data.normals, "normal");
     check_finite(data.texcoords, "texcoord");
     check_finite(data.colors, "color");
+    check_length(data.w.size(), n, "w", "w");
+    check_length(data.texcoords_rq.size(), data.texcoords.size(), "r, q", "pairs r, q");
+    check_length(data.edge_flags.size(), n, "edge flag");
+    check_length(data.material_indices.size(), n, "material index", "material indices");
+    check_finite(data.texcoords_rq, "r, q");
+    for (std::size_t i = 0; i < data.w.size(); ++i)
+        if (!std::isfinite(data.w[i])) fail("w " + std::to_string(i) + " is not a finite number");
+    for (std::size_t i = 0; i < data.material_indices.size(); ++i)
+        if (data.material_indices[i] >= data.materials.size())
+            fail("material index " + std::to_string(i) + " is " +
+                 std::to_string(data.material_indices[i]) + "; there are " +
+                 count(data.materials.size(), "material", "materials"));
 }
 
 void check_indices(const MeshData& data) {

@@ -2,7 +2,7 @@
 // docs/manual/geometry.md, "Primitives". Does not know materials, files or transforms.
 #pragma once
 
-#include "gw/base/types.h"
+#include "gw/material.h"
 
 #include <cstdint>
 #include <memory>
@@ -27,16 +27,27 @@ enum class Primitive {
 struct MeshData {
     Primitive primitive = Primitive::Triangles;
     std::vector<vec3> positions;
-    /// of any length; normalised by the machine. Empty: (0,0,1)
+    /// of any length. Empty: the draw's current normal
     std::vector<vec3> normals;
-    std::vector<vec2> texcoords;         ///< s, t. Empty: (0,0)
-    std::vector<vec4> colors;            ///< used if lighting is off. Empty: (1,1,1,1)
+    std::vector<vec2> texcoords;         ///< s, t. Empty: the draw's current ones
+    std::vector<vec4> colors;            ///< used if lighting is off. Empty: the current one
     std::vector<std::uint32_t> indices;  ///< into the vertices. Empty: 0, 1, 2, ...
     /// Polygons only: the number of vertices of each. Empty: all vertices are one polygon
     std::vector<std::uint32_t> polygon_sizes;
     /// The identifier of each polygon, quad, triangle, line or point, before triangulation, for
     /// ColorSource::PolygonId. Empty: 0, 1, 2, ...
     std::vector<std::uint32_t> polygon_ids;
+    /// The fourth coordinate of each position, of any sign. Empty: 1
+    std::vector<float> w;
+    /// r, q of the texture coordinates. Empty: (0,1) where there are texcoords
+    std::vector<vec2> texcoords_rq;
+    /// Triangles, Quads, Polygons: 0 where the side from this vertex to the next is no edge of the
+    /// outline. Empty: all are
+    std::vector<std::uint8_t> edge_flags;
+    /// Materials that change from vertex to vertex, and the place in them of each vertex's. Empty:
+    /// the draw's
+    std::vector<FaceMaterials> materials;
+    std::vector<std::uint32_t> material_indices;
     bool operator==(const MeshData&) const = default;
 };
 
@@ -51,7 +62,7 @@ struct Triangle {
     bool operator==(const Triangle&) const = default;
 };
 
-enum class MeshKind { Points, Lines, Triangles };
+enum class MeshKind : std::uint8_t { Points, Lines, Triangles };
 
 /// MeshData checked and decomposed, by make_mesh only.
 class Mesh {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
+
 namespace gw {
 
 Profile vgx() { return {}; }
@@ -26,19 +28,59 @@ Profile ideal() {
               .max_lights = 64};
     p.fragment_fog = true;
     p.perspective_color = true;
-    p.extensions = {true, true, true, true};
+    p.extensions = {.polygon_offset = true,
+                    .shadow_texture = true,
+                    .stencil_wrap = true,
+                    .two_sided_stencil = true};
     return p;
 }
 
+Profile opengl() {
+    Profile p{.name = "opengl", .subpixel_bits = 8};
+    p.fragment_fog = true;
+    p.perspective_color = true;
+    p.extensions = {.polygon_offset = true,
+                    .stencil_wrap = true,
+                    .stipple = true,
+                    .two_sided_polygon_mode = true,
+                    .logic_op = true,
+                    .blend_color = true,
+                    .blend_minmax = true,
+                    .blend_subtract = true};
+    return p;
+}
+
+std::span<const ExtensionName> extension_names() {
+    static constexpr ExtensionName names[] = {
+        {"polygon_offset", &Extensions::polygon_offset},
+        {"shadow_texture", &Extensions::shadow_texture},
+        {"stencil_wrap", &Extensions::stencil_wrap},
+        {"two_sided_stencil", &Extensions::two_sided_stencil},
+        {"stipple", &Extensions::stipple},
+        {"two_sided_polygon_mode", &Extensions::two_sided_polygon_mode},
+        {"logic_op", &Extensions::logic_op},
+        {"blend_color", &Extensions::blend_color},
+        {"blend_minmax", &Extensions::blend_minmax},
+        {"blend_subtract", &Extensions::blend_subtract},
+    };
+    static_assert(std::size(names) == sizeof(Extensions));
+    return names;
+}
+
+const std::vector<Profile>& paper_profiles() {
+    static const std::vector<Profile> three{vgx(), reality(), ideal()};
+    return three;
+}
+
 const std::vector<Profile>& profiles() {
-    static const std::vector<Profile> all{vgx(), reality(), ideal()};
+    static const std::vector<Profile> all{vgx(), reality(), ideal(), opengl()};
     return all;
 }
 
 const Profile& profile_named(std::string_view name) {
     for (const Profile& p : profiles())
         if (p.name == name) return p;
-    throw Error(fmt::format("unknown profile '{}'; expected vgx, reality or ideal", name));
+    throw Error(fmt::format("unknown profile '{}'; expected vgx, reality, ideal or opengl", name));
 }
 
 void validate(const Profile& p) {

@@ -2,20 +2,27 @@
 // Does not define the arithmetic: docs/manual.md does, in terms of these numbers.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace gw {
 
-/// Features that OpenGL 1.1 and the VGX lack. A list that uses one is refused on a profile without
-/// it; the message names both.
+/// Features that a machine may lack. A list that uses one is refused on a profile without it; the
+/// message names both.
 struct Extensions {
     bool polygon_offset = false;
     /// depth textures compared with r (the RealityEngine's shadow maps)
     bool shadow_texture = false;
-    bool stencil_wrap = false;       ///< StencilOp::IncrWrap, DecrWrap
-    bool two_sided_stencil = false;  ///< separate stencil state for back faces
+    bool stencil_wrap = false;            ///< StencilOp::IncrWrap, DecrWrap
+    bool two_sided_stencil = false;       ///< separate stencil state for back faces
+    bool stipple = false;                 ///< of lines and filled polygons
+    bool two_sided_polygon_mode = false;  ///< separate polygon modes of front and back faces
+    bool logic_op = false;                ///< logical operations
+    bool blend_color = false;             ///< a constant colour as blend factor
+    bool blend_minmax = false;            ///< BlendEquation::Min, Max
+    bool blend_subtract = false;          ///< BlendEquation::Subtract, ReverseSubtract
     bool operator==(const Extensions&) const = default;
 };
 
@@ -44,6 +51,19 @@ Profile reality();
 /// More bits and all extensions.
 Profile ideal();
 
+/// OpenGL 1.1's: all that version 1.1 asks for, and common extensions of its time.
+Profile opengl();
+
+/// An extension's name and place.
+struct ExtensionName {
+    const char* name;
+    bool Extensions::*member;
+};
+/// All extensions, in the order of Extensions.
+std::span<const ExtensionName> extension_names();
+
+/// The machines that the papers' systems run on: vgx, reality and ideal.
+const std::vector<Profile>& paper_profiles();
 /// The built-in profiles, in the order above.
 const std::vector<Profile>& profiles();
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace gw {
@@ -33,6 +34,11 @@ enum class BlendFactor : std::uint8_t {
     DstAlpha,
     OneMinusDstAlpha,
     SrcAlphaSaturate,  ///< source factor only
+    /// extension blend_color: of BlendState::color, either side
+    ConstantColor,
+    OneMinusConstantColor,
+    ConstantAlpha,
+    OneMinusConstantAlpha,
 };
 using DepthFunc = CompareFunc;
 using StencilFunc = CompareFunc;
@@ -68,10 +74,12 @@ struct CullState {
 
 enum class PolygonMode : std::uint8_t { Point, Line, Fill };
 
-/// Extension polygon_offset: factor * m + units is added to the depth of filled polygons.
+/// Extension polygon_offset: factor * m + units is added to the depth of filled polygons, and to
+/// that of the lines and points of their outlines.
 struct PolygonOffsetState {
     bool enable = false;
     float factor = 0, units = 0;
+    bool lines = false, points = false;  ///< of PolygonMode Line and Point
     bool operator==(const PolygonOffsetState&) const = default;
 };
 
@@ -80,6 +88,28 @@ struct JitterState {
     int x = 0, y = 0;
     bool operator==(const JitterState&) const = default;
 };
+
+/// Extension stipple: a line makes a fragment at its step n if bit (n / factor) mod 16 of the
+/// pattern is set.
+struct LineStippleState {
+    bool enable = false;
+    int factor = 1;  ///< 1 .. 256
+    std::uint16_t pattern = 0xFFFF;
+    bool operator==(const LineStippleState&) const = default;
+};
+
+/// Extension stipple: filled polygons make fragments at pixels x, y of the window only where bit
+/// 31 - x mod 32 of row y mod 32 is set. Null: everywhere.
+struct PolygonStippleState {
+    std::shared_ptr<const std::array<std::uint32_t, 32>> pattern;
+    bool operator==(const PolygonStippleState& other) const {
+        return pattern == other.pattern || (pattern && other.pattern && *pattern == *other.pattern);
+    }
+};
+/// Whether pixel x, y of the window has a fragment.
+constexpr bool stipple_bit(const std::array<std::uint32_t, 32>& pattern, int x, int y) {
+    return (pattern[unsigned(y) % 32] >> (31 - unsigned(x) % 32) & 1) != 0;
+}
 
 enum class ShadeModel : std::uint8_t { Flat, Smooth };
 
@@ -91,10 +121,26 @@ enum class ColorSource : std::uint8_t {
     PolygonId,
 };
 
+/// The material's parameters that follow the vertex colour.
+enum class ColorMaterial : std::uint8_t {
+    Emission,
+    Ambient,
+    Diffuse,  ///< and alpha
+    Specular,
+    AmbientAndDiffuse,  ///< and alpha
+};
+struct ColorMaterialState {
+    bool enable = false;
+    Face face = Face::FrontAndBack;
+    ColorMaterial mode = ColorMaterial::AmbientAndDiffuse;
+    bool operator==(const ColorMaterialState&) const = default;
+};
+
 struct LightingState {
     bool local_viewer = false;
     bool two_side = false;           ///< back faces are lit with the reversed normal
     vec4 model_ambient{0, 0, 0, 1};  ///< GL's initial value is 0.2; the papers have no such term
+    ColorMaterialState color_material;
     bool operator==(const LightingState&) const = default;
 };
 
@@ -125,6 +171,19 @@ enum class TexGen : std::uint8_t {
     SphereMap,      ///< reflection map [K3.1]
     RefractionMap,  ///< sphere map looked up with the refracted ray, ratio `eta` [K1]
     EyeLinear,      ///< (s, t, r, q) = plane matrix * p_eye: projected textures and shadow maps
+    PerCoordinate,  ///< each coordinate by its own rule: TextureState::coordinates
+};
+/// The rule of one texture coordinate.
+enum class CoordinateMode : std::uint8_t {
+    Given,         ///< the vertex's own
+    ObjectLinear,  ///< dot(plane, p_object)
+    EyeLinear,     ///< dot(plane, p_eye)
+    SphereMap,     ///< of s and t only
+};
+struct CoordinateGen {
+    CoordinateMode mode = CoordinateMode::Given;
+    dvec4 plane{0, 0, 0, 0};
+    bool operator==(const CoordinateGen&) const = default;
 };
 struct TextureState {
     MinFilter min_filter = MinFilter::Linear;
@@ -133,8 +192,10 @@ struct TextureState {
     TexEnv env = TexEnv::Modulate;
     vec4 env_color{0, 0, 0, 0};
     TexGen gen = TexGen::None;
-    double eta = 1;       ///< RefractionMap: n1 / n2
-    dmat4 eye_linear{1};  ///< EyeLinear: rows give s, t, r, q
+    double eta = 1;                              ///< RefractionMap: n1 / n2
+    dmat4 eye_linear{1};                         ///< EyeLinear: rows give s, t, r, q
+    std::array<CoordinateGen, 4> coordinates{};  ///< PerCoordinate: s, t, r, q
+    dmat4 matrix{1};                             ///< applied to given and generated coordinates
     /// extension shadow_texture: 1 if r <= texel, else 0, as colour and alpha
     bool shadow_compare = false;
     bool operator==(const TextureState&) const = default;
@@ -193,10 +254,53 @@ struct DepthState {
     bool operator==(const DepthState&) const = default;
 };
 
+/// How blending joins the two products. Min and Max join the colours themselves, without factors.
+enum class BlendEquation : std::uint8_t {
+    Add,
+    Subtract,         ///< extension blend_subtract: source - destination
+    ReverseSubtract,  ///< extension blend_subtract: destination - source
+    Min,              ///< extension blend_minmax
+    Max,              ///< extension blend_minmax
+};
 struct BlendState {
     bool enable = false;
     BlendFactor src = BlendFactor::One, dst = BlendFactor::Zero;
+    BlendEquation equation = BlendEquation::Add;
+    vec4 color{0, 0, 0, 0};  ///< of the constant factors
     bool operator==(const BlendState&) const = default;
+};
+/// Whether it adds the colours: the blend of the passes of [K3].
+constexpr bool adds_colors(const BlendState& b) {
+    return b.src == BlendFactor::One && b.dst == BlendFactor::One &&
+           b.equation == BlendEquation::Add;
+}
+
+/// glLogicOp's operations in GL's order. Bit 0 of the value is the result's bit where both bits are
+/// set; bit 1: only the fragment's; bit 2: only the stored one; bit 3: neither.
+enum class LogicOp : std::uint8_t {
+    Clear,
+    And,
+    AndReverse,
+    Copy,
+    AndInverted,
+    Noop,
+    Xor,
+    Or,
+    Nor,
+    Equiv,
+    Invert,
+    OrReverse,
+    CopyInverted,
+    OrInverted,
+    Nand,
+    Set
+};
+/// Extension logic_op: joins the bits of the fragment's colour with those of the plane. Blending is
+/// off where it is enabled.
+struct LogicOpState {
+    bool enable = false;
+    LogicOp op = LogicOp::Copy;
+    bool operator==(const LogicOpState&) const = default;
 };
 
 struct ColorMask {
@@ -206,12 +310,18 @@ struct ColorMask {
 
 /// The whole state. A machine starts with State{}; SetState replaces all of it.
 struct State {
-    dmat4 projection{1};  ///< clip_from_eye
+    dmat4 projection{1};    ///< clip_from_eye
+    bool normalize = true;  ///< normals have length 1 after the transform; GL's initial value: off
     ViewportState viewport;
     DepthRangeState depth_range;
     std::array<ClipPlane, max_clip_planes> clip_planes{};
     CullState cull;
     PolygonMode polygon_mode = PolygonMode::Fill;
+    /// extension two_sided_polygon_mode: back faces have a mode of their own
+    bool two_side_polygon_mode = false;
+    PolygonMode back_polygon_mode = PolygonMode::Fill;
+    LineStippleState line_stipple;
+    PolygonStippleState polygon_stipple;
     PolygonOffsetState polygon_offset;
     JitterState jitter;
     int point_size = 1;  ///< pixels, 1 .. 128
@@ -226,6 +336,7 @@ struct State {
     StencilState stencil;
     DepthState depth;
     BlendState blend;
+    LogicOpState logic_op;
     ColorMask color_mask;
     bool operator==(const State&) const = default;
 };

@@ -16,12 +16,10 @@ Profile base_of(const TomlValue& file) {
 
 Key extensions_key(Extensions& extensions) {
     return {"extensions", [&extensions](const TomlValue& table) {
-                read_table(table, {
-                                      key("polygon_offset", extensions.polygon_offset),
-                                      key("shadow_texture", extensions.shadow_texture),
-                                      key("stencil_wrap", extensions.stencil_wrap),
-                                      key("two_sided_stencil", extensions.two_sided_stencil),
-                                  });
+                std::vector<Key> keys;
+                for (const auto& [name, member] : extension_names())
+                    keys.push_back(key(name, extensions.*member));
+                read_table(table, keys);
             }};
 }
 

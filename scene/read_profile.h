@@ -8,7 +8,7 @@
 
 namespace gw::scene {
 
-/// Keys that the file does not have are as in its `base` (vgx, reality or ideal; vgx by default);
+/// Keys that the file does not have are as in its `base` (a built-in profile; vgx by default);
 /// the name is the file's by default. Throws Error "file:line: what; expected what"; an unknown key
 /// names the nearest known one.
 Profile read_profile(const std::filesystem::path& path);

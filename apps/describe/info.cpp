@@ -39,13 +39,8 @@ std::vector<std::pair<std::string, std::string>> versions() {
 
 std::string extensions_of(const Profile& profile) {
     std::string names;
-    for (const auto& [has, name] :
-         {std::pair(profile.extensions.polygon_offset, "polygon_offset"),
-          std::pair(profile.extensions.shadow_texture, "shadow_texture"),
-          std::pair(profile.extensions.stencil_wrap, "stencil_wrap"),
-          std::pair(profile.extensions.two_sided_stencil, "two_sided_stencil")}) {
-        if (has) names += (names.empty() ? "" : " ") + std::string(name);
-    }
+    for (const auto& [name, member] : extension_names())
+        if (profile.extensions.*member) names += (names.empty() ? "" : " ") + std::string(name);
     return names.empty() ? "none" : names;
 }
 

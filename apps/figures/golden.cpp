@@ -94,7 +94,7 @@ std::vector<GoldenRecording> run_golden_panel(const Figure& figure, std::size_t 
     std::vector<GoldenRecording> all;
     std::set<std::string> taken;
     for (const Profile& profile : profiles) {
-        const bool first = profile == gw::profiles().front();
+        const bool first = profile == gw::paper_profiles().front();
         if (!first && !has_profile) continue;
         for (inspect::Recording& r : run_panel(panel, profile)) {
             if (!first && r.profile != profile) continue;
@@ -110,7 +110,7 @@ std::vector<GoldenRecording> run_golden_panel(const Figure& figure, std::size_t 
 struct GoldenOptions {
     fs::path folder, recordings;
     std::vector<std::string> only;
-    std::vector<Profile> profiles = gw::profiles();
+    std::vector<Profile> profiles = gw::paper_profiles();
     MachineOptions machine;
     bool update = false;
 };
@@ -201,7 +201,8 @@ void run_figure(const Figure& figure, const GoldenOptions& options, Progress& pr
             (options.update ? update : check)(golden, options, tally);
         }
     }
-    if (options.profiles.size() == gw::profiles().size()) check_unknown(figure, options, tally);
+    if (options.profiles.size() == gw::paper_profiles().size())
+        check_unknown(figure, options, tally);
 }
 
 int golden(const GoldenOptions& options) {
@@ -241,7 +242,7 @@ Command add_golden(CLI::App& app) {
             "--profile",
             [options](const std::string& word) {
                 std::vector<std::string> names;
-                for (const Profile& profile : profiles()) names.push_back(profile.name);
+                for (const Profile& profile : paper_profiles()) names.push_back(profile.name);
                 options->profiles = {profile_named(one_of("--profile", word, names))};
             },
             "Only this profile")

@@ -163,7 +163,8 @@ void add_radiosity_options(CLI::App& command, RadiosityOptions& options) {
     command.get_option("--size")->description(
         "Pixels of a picture, both sides 1..4096 (default 512x512)");
     command.get_option("--profile")
-        ->description("vgx, reality, ideal or a TOML file (default ideal), of the pictures");
+        ->description(
+            "vgx, reality, ideal, opengl or a TOML file (default ideal), of the pictures");
     command
         .add_option("-o,--output", options.output,
                     "The folder for pictures, pixmaps and the report")

@@ -62,7 +62,7 @@ void add_machine_options(CLI::App& command, PictureOptions& options) {
         ->type_name("N");
     command
         .add_option("--profile", options.profile,
-                    "vgx, reality, ideal or a TOML file (default vgx)")
+                    "vgx, reality, ideal, opengl or a TOML file (default vgx)")
         ->type_name("NAME|FILE.toml");
 }
 

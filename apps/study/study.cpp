@@ -82,7 +82,7 @@ int study_convergence(const StudyOptions& options, Session& session) {
     output.make_folder(options.output);
     std::vector<std::vector<std::string>> rows{{"error falls as", "vgx", "reality", "ideal"}};
     for (const Case& c : cases) {
-        const auto errors = study::convergence(study_scene(c.scene, session), profiles(),
+        const auto errors = study::convergence(study_scene(c.scene, session), paper_profiles(),
                                                maker(options, size, session),
                                                {.largest = options.samples,
                                                 .reference = 8 * options.samples,
@@ -134,10 +134,10 @@ int study_precision(const StudyOptions& options, Session& session) {
     Progress progress("drawing", options.quiet);
     const auto say = [&](const std::string& what) { progress.at(what); };
     const auto added =
-        study::adding(study_scene("scenes/columns.toml", session), {1, 4, 16, 64}, profiles(),
+        study::adding(study_scene("scenes/columns.toml", session), {1, 4, 16, 64}, paper_profiles(),
                       maker(options, large, session), large.width, large.height, say);
     const auto apart = study::distances(
-        {study_scene("scenes/rings.toml", session)}, {8, 16, 32, 64, 128}, profiles(),
+        {study_scene("scenes/rings.toml", session)}, {8, 16, 32, 64, 128}, paper_profiles(),
         maker(options, large, session), large.width, large.height, say);
     image::OutputSet output;
     output.make_folder(options.output);

@@ -46,7 +46,7 @@ MeshRef lit_square(Random& r, int width, int height) {
 }  // namespace
 
 Case extreme_lights_case(Random& r) {
-    Script s{r, {r.pick(profiles()), 12, 12}};
+    Script s{r, {r.pick(paper_profiles()), 12, 12}};
     s.frame = {s.out.width, s.out.height};
     s.state.color_source = ColorSource::Lighting;
     s.state.projection[0][0] = s.state.projection[1][1] = 2.0 / 12;
@@ -121,7 +121,7 @@ dmat4 any_projector(Random& r) {
 }  // namespace
 
 Case far_coordinates_case(Random& r) {
-    Script s{r, {r.pick(profiles()), 24, 24}};
+    Script s{r, {r.pick(paper_profiles()), 24, 24}};
     s.frame = {s.out.width, s.out.height};
     s.state.projection[0][0] = s.state.projection[1][1] = 2.0 / 24;
     s.state.projection[3] = {-1, -1, 0, 1};

@@ -58,7 +58,7 @@ MeshRef any_mesh_of(Random& r, const Frame& f, Primitive primitive) {
 }  // namespace
 
 Case mesh_case(Random& r) {
-    Script s{r, {r.pick(profiles()), r.between(20, 50), r.between(20, 50)}};
+    Script s{r, {r.pick(paper_profiles()), r.between(20, 50), r.between(20, 50)}};
     s.frame = any_frame(r, s.out.width, s.out.height, s.out.profile.subpixel_bits);
     s.state.projection = s.frame.projection;
     add(s, Clear{all_planes});

@@ -111,7 +111,7 @@ MeshRef any_polygons(Random& r, int axis) {
 }  // namespace
 
 Case polygons_case(Random& r) {
-    Script s{r, {r.pick(profiles()), r.between(30, 50), r.between(30, 50)}};
+    Script s{r, {r.pick(paper_profiles()), r.between(30, 50), r.between(30, 50)}};
     s.frame = {s.out.width, s.out.height};
     s.state.projection[0][0] = 2.0 / s.out.width;
     s.state.projection[1][1] = 2.0 / s.out.height;

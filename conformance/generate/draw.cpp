@@ -85,7 +85,7 @@ TextureBinding any_binding(Script& s) {
     return {any_texture(r), {}};
 }
 
-void draw(Script& s, MeshRef mesh, int mapped_percent) {
+Draw any_draw(Script& s, MeshRef mesh, int mapped_percent) {
     Random& r = s.random;
     const TextureBinding map = r.chance(mapped_percent) ? any_binding(s) : TextureBinding{};
     Draw d{.mesh = std::move(mesh), .eye_from_object = s.frame.eye_from_object, .map = map};
@@ -97,7 +97,11 @@ void draw(Script& s, MeshRef mesh, int mapped_percent) {
         d.id_base = r.chance(50) ? 0 : r.bits(32);
         d.id_shift = r.chance(60) ? 0 : r.below(32);
     }
-    add(s, std::move(d));
+    return d;
+}
+
+void draw(Script& s, MeshRef mesh, int mapped_percent) {
+    add(s, any_draw(s, std::move(mesh), mapped_percent));
 }
 
 }  // namespace gw::fuzz

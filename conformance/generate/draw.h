@@ -14,6 +14,8 @@ TextureRef any_texture(Random& random);
 /// A texture, or one of the script's slots; shadow_compare only with depth slots.
 TextureBinding any_binding(Script& script);
 
+/// A draw of the mesh, which is not added.
+Draw any_draw(Script& script, MeshRef mesh, int mapped_percent = 0);
 /// Adds a draw of the mesh in the script's frame and state. It has a material and lights if the
 /// colour source is Lighting, and a texture in `mapped_percent` of 100 cases.
 void draw(Script& script, MeshRef mesh, int mapped_percent = 0);

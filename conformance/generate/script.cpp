@@ -39,11 +39,25 @@ Profile user_profile(Random& r) {
     p.max_lights = r.between(1, 12);
     p.fragment_fog = r.chance(50);
     p.perspective_color = r.chance(50);
-    p.extensions = {r.chance(50), r.chance(50), r.chance(50), r.chance(50)};
+    p.extensions.polygon_offset = r.chance(50);
+    p.extensions.shadow_texture = r.chance(50);
+    p.extensions.stencil_wrap = r.chance(50);
+    p.extensions.two_sided_stencil = r.chance(50);
     return p;
 }
 
-Profile any_profile(Random& r) { return r.chance(70) ? r.pick(profiles()) : user_profile(r); }
+Profile any_opengl_profile(Random& r) {
+    if (r.chance(50)) return opengl();
+    Profile p = user_profile(r);
+    const Extensions own = p.extensions;
+    p.extensions = opengl().extensions;
+    p.extensions.polygon_offset = own.polygon_offset;
+    p.extensions.stencil_wrap = own.stencil_wrap;
+    p.extensions.two_sided_stencil = own.two_sided_stencil;
+    return p;
+}
+
+Profile any_profile(Random& r) { return r.chance(70) ? r.pick(paper_profiles()) : user_profile(r); }
 
 Script script(Random& random, const Profile& profile) {
     Script s{random, {profile}};

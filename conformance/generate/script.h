@@ -19,6 +19,8 @@ struct Script {
 Profile any_profile(Random& random);
 /// Every field has a random value of its range.
 Profile user_profile(Random& random);
+/// Profile opengl, or bits of every width with its extensions.
+Profile any_opengl_profile(Random& random);
 
 /// A window, a frame to place vertices in, and clears of every plane: depth to 1, colour and
 /// stencil to random values.

@@ -54,6 +54,21 @@ BlendState any_blend(Random& r) {
     return {enable, src, dst};
 }
 
+BlendState any_extended_blend(Random& r) {
+    using enum BlendFactor;
+    BlendState b = any_blend(r);
+    b.equation = r.any(BlendEquation::Max);
+    b.color = any_color(r);
+    const auto constant = [&] {
+        return r.pick({ConstantColor, OneMinusConstantColor, ConstantAlpha, OneMinusConstantAlpha});
+    };
+    if (r.chance(40)) b.src = constant();
+    if (r.chance(40)) b.dst = constant();
+    return b;
+}
+
+LogicOpState any_logic_op(Random& r) { return {r.chance(85), r.any(LogicOp::Set)}; }
+
 ColorMask any_color_mask(Random& r) {
     if (r.chance(60)) return {};
     return {r.chance(60), r.chance(60), r.chance(60), r.chance(60)};

@@ -10,6 +10,9 @@ namespace gw::fuzz {
 
 AlphaState any_alpha(Random& random);
 BlendState any_blend(Random& random);
+/// Every factor and equation that extensions bring too.
+BlendState any_extended_blend(Random& random);
+LogicOpState any_logic_op(Random& random);
 ColorMask any_color_mask(Random& random);
 CullState any_cull(Random& random);
 DepthState any_depth(Random& random);

@@ -8,6 +8,7 @@ from .numbers import one, rne
 from .rasterization import Frame, Perspective, covered, offset, quotient, reciprocal
 from .state import ColorSource, Resolved, ShadeModel, draw_box
 from .texture import TextureStage, environment, look_ups
+from .texture_coordinates import divided_by_q
 
 
 def run(machine, draw):
@@ -34,7 +35,8 @@ class PixelStage:
         self.texture = None
         if draw.is_textured() and not has_id:
             self.texture = TextureStage(self.state.texture, self.profile,
-                                        machine.texture_of(draw))
+                                        machine.texture_of(draw),
+                                        divided_by_q(self.state, draw))
         self.fog = self.state.fog if self.state.fog.enable and not has_id else None
         self.fog_table = None
         if self.fog and fog.per_fragment(self.state, self.profile):
@@ -42,7 +44,7 @@ class PixelStage:
 
     def run(self, ready):
         s, bits = self.profile.subpixel_bits, self.profile.color_bits
-        x, y = covered(ready.corners, self.box, self.state, s)
+        x, y = covered(ready.corners, self.box, self.state, s, ready.steps)
         if len(x) == 0:
             return
         frame = Frame(ready.corners, s)
@@ -59,8 +61,14 @@ class PixelStage:
         """[R9.11], [R9.12]"""
         plane = frame.plane([c.Z for c in ready.corners])
         values = plane.at(x, y)
+        sloped = None
         if ready.filled and self.state.polygon_offset.enable:
-            moved = values + offset(self.state, plane, self.profile.depth_bits)
+            sloped = plane
+        if ready.offset:  # [R9.22]
+            sloped = Frame(ready.offset, self.profile.subpixel_bits).plane(
+                [c.Z for c in ready.offset])
+        if sloped is not None:
+            moved = values + offset(self.state, sloped, self.profile.depth_bits)
             values = np.clip(moved, 0, one(self.profile.depth_bits))
         return values
 

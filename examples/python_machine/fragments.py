@@ -2,7 +2,7 @@
 import numpy as np
 
 from .numbers import mul, one
-from .state import BlendFactor, CompareFunc, StencilOp
+from .state import BlendEquation, BlendFactor, CompareFunc, StencilOp
 
 
 def compare(func, incoming, stored):
@@ -42,7 +42,7 @@ def stencil_operation(operation, stored, ref, most):
     return (stored + step) & most
 
 
-def factors(factor, s, d, one_value):
+def factors(factor, s, d, constant, one_value):
     """[R12.12] Of all channels: arrays like s."""
     s_alpha, d_alpha = s[:, 3:], d[:, 3:]
     values = {
@@ -52,6 +52,10 @@ def factors(factor, s, d, one_value):
         BlendFactor.SrcAlpha: s_alpha, BlendFactor.OneMinusSrcAlpha: one_value - s_alpha,
         BlendFactor.DstAlpha: d_alpha, BlendFactor.OneMinusDstAlpha: one_value - d_alpha,
         BlendFactor.SrcAlphaSaturate: np.minimum(s_alpha, one_value - d_alpha),
+        BlendFactor.ConstantColor: constant,
+        BlendFactor.OneMinusConstantColor: one_value - constant,
+        BlendFactor.ConstantAlpha: constant[3],
+        BlendFactor.OneMinusConstantAlpha: one_value - constant[3],
     }
     result = np.broadcast_to(values[factor], s.shape).copy()
     if factor == BlendFactor.SrcAlphaSaturate:
@@ -59,13 +63,30 @@ def factors(factor, s, d, one_value):
     return result
 
 
-def blended(blend, s, d, bits):
-    """[R12.10], [R12.11]"""
+def blended(state, s, d, bits):
+    """[R12.10], [R12.11], [R12.14]"""
+    blend, equation, constant = state.blend, state.blend_equation, state.blend_color
     if not blend.enable:
         return s
-    total = (mul(s, factors(blend.src, s, d, one(bits)), bits)
-             + mul(d, factors(blend.dst, s, d, one(bits)), bits))
-    return np.minimum(one(bits), total)
+    if equation == BlendEquation.Min:
+        return np.minimum(s, d)
+    if equation == BlendEquation.Max:
+        return np.maximum(s, d)
+    s_part = mul(s, factors(blend.src, s, d, constant, one(bits)), bits)
+    d_part = mul(d, factors(blend.dst, s, d, constant, one(bits)), bits)
+    total = {BlendEquation.Add: s_part + d_part, BlendEquation.Subtract: s_part - d_part,
+             BlendEquation.ReverseSubtract: d_part - s_part}[equation]
+    return np.clip(total, 0, one(bits))
+
+
+def logic_result(operation, s, d, bits):
+    """[R12.15] The operation's number is its truth table."""
+    parts = [s & d, s & ~d, ~s & d, ~s & ~d]
+    result = np.zeros_like(s)
+    for k, part in enumerate(parts):
+        if operation >> k & 1:
+            result |= part
+    return result & one(bits)
 
 
 class FragmentStage:
@@ -114,7 +135,11 @@ class FragmentStage:
     def write_colors(self, x, y, colors):
         """[R12.13]"""
         plane = self.machine.planes.color
-        result = blended(self.state.blend, colors, plane[y, x], self.bits)
+        logic = self.state.logic_op
+        if logic.enable:
+            result = logic_result(logic.op, colors, plane[y, x], self.bits)
+        else:
+            result = blended(self.state, colors, plane[y, x], self.bits)
         for c, on in enumerate(self.state.color_mask):
             if on:
                 plane[y, x, c] = result[:, c]
@@ -131,7 +156,9 @@ class FragmentStage:
         if state.depth_mask:
             total += written * size["Depth"]
         if any(state.color_mask):
-            twice = state.blend.enable or not all(state.color_mask)
+            logic = state.logic_op
+            joins = logic.reads_stored() if logic.enable else state.blend.enable
+            twice = joins or not all(state.color_mask)
             total += written * size["Color"] * (2 if twice else 1)
         self.machine.counters["bytes"] += total
 

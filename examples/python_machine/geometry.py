@@ -3,7 +3,7 @@ import math
 from dataclasses import dataclass, replace
 
 from . import fog, lighting, texture_coordinates
-from .numbers import (cross, divide, dot3, dot4, floor, quantize, clamp01, rne, to_integer,
+from .numbers import (bounded, cross, divide, dot3, dot4, floor, quantize, clamp01, rne, to_integer,
                       transform, unit)
 from .polygons import edges_of, triangulated
 from .state import ColorSource, Face, PolygonMode, ShadeModel, Winding, viewport_of
@@ -37,7 +37,8 @@ def primitives(mesh):
             yield PrimitiveOf((c[i], c[i + 1]), c[i + 1], i)
     elif kind == "Triangles":
         for i in range(n // 3):
-            yield PrimitiveOf(tuple(c[3 * i:3 * i + 3]), c[3 * i + 2], i)
+            corners = tuple(c[3 * i:3 * i + 3])
+            yield PrimitiveOf(corners, corners[2], i, flagged(mesh, corners, (True,) * 3))
     elif kind == "TriangleStrip":
         for i in range(n - 2):
             order = (i + 1, i, i + 2) if i % 2 == 1 else (i, i + 1, i + 2)
@@ -58,10 +59,19 @@ def primitives(mesh):
 def polygon_triangles(mesh, corners, flat, number):
     """[R6.3], [R6.4]"""
     if len(corners) == 3:
-        yield PrimitiveOf(tuple(corners), flat, number)
+        yield PrimitiveOf(tuple(corners), flat, number, flagged(mesh, corners, (True,) * 3))
         return
     for t in triangulated([mesh.positions[i] for i in corners]):
-        yield PrimitiveOf(tuple(corners[k] for k in t), flat, number, edges_of(t, len(corners)))
+        places = tuple(corners[k] for k in t)
+        yield PrimitiveOf(places, flat, number,
+                          flagged(mesh, places, edges_of(t, len(corners))))
+
+
+def flagged(mesh, corners, edges):
+    """[R6.29] The sides that edge flags leave."""
+    if not mesh.edge_flags:
+        return edges
+    return tuple(edge and mesh.edge_flags[i] != 0 for edge, i in zip(edges, corners))
 
 
 def identifier(mesh, polygon):
@@ -86,49 +96,60 @@ class VertexStage:
 
     def __init__(self, state, profile, draw):
         self.state, self.profile, self.draw = state, profile, draw
+        self.current = draw.current
         m = draw.eye_from_object
         self.clip_from_object = [transform(state.projection, column) for column in m]
         x, y, z = m[0][:3], m[1][:3], m[2][:3]
-        g = -1.0 if dot3(x, cross(y, z)) < 0 else 1.0
+        determinant = dot3(x, cross(y, z))
+        g = -1.0 if determinant < 0 else 1.0
+        self.normal_scale = 1 / abs(determinant) if abs(determinant) > 0 else 0.0
         self.normal_columns = [tuple(g * v for v in cross(a, b))
                                for a, b in ((y, z), (z, x), (x, y))]
 
     def normal(self, N):
         """[R6.11]"""
         a, b, c = self.normal_columns
-        return unit(tuple((a[i] * N[0] + b[i] * N[1]) + c[i] * N[2] for i in range(3)))
+        v = tuple((a[i] * N[0] + b[i] * N[1]) + c[i] * N[2] for i in range(3))
+        if self.state.normalize:
+            return unit(v)
+        return tuple(bounded(x * self.normal_scale, 2.0**200) for x in v)  # [R6.28]
 
     def vertex(self, i):
         state, mesh = self.state, self.draw.mesh
-        p = mesh.positions[i] + (1.0,)
+        p = mesh.positions[i] + (mesh.w[i] if mesh.w else 1.0,)
         clip, p_eye = transform(self.clip_from_object, p), transform(self.draw.eye_from_object, p)
-        n = self.normal(mesh.normals[i] if mesh.normals else (0.0, 0.0, 1.0))
+        point = tuple(divide(c, p_eye[3]) for c in p_eye[:3]) if p_eye[3] != 0 else p_eye[:3]  # [R6.27]
+        n = self.normal(mesh.normals[i] if mesh.normals else self.current.normal)
         distances = tuple(dot4(plane.plane, p_eye) if plane.enable else 0.0
                           for plane in state.clip_planes)
-        vertex = Vertex(clip, distances, self.colors(i, p_eye, n))
+        vertex = Vertex(clip, distances, self.colors(i, point, n))
         if self.draw.is_textured():
-            own = mesh.texcoords[i] if mesh.texcoords else (0.0, 0.0)
-            vertex.texture = texture_coordinates.at_vertex(state.texture, own, p_eye, n)
+            own = self.current.texcoord
+            if mesh.texcoords:
+                own = mesh.texcoords[i] + (mesh.texcoords_rq[i] if mesh.texcoords_rq
+                                           else (0.0, 1.0))
+            vertex.texture = texture_coordinates.at_vertex(state, own, p, p_eye, point, n)
         if state.fog.enable:
-            vertex.fog = fog.vertex_value(state, self.profile, p_eye)
+            vertex.fog = fog.vertex_value(state, self.profile, point)
         return vertex
 
-    def colors(self, i, p_eye, n):
+    def colors(self, i, point, n):
         """[R6.12]"""
         mesh, bits = self.draw.mesh, self.profile.color_bits
         if self.state.color_source == ColorSource.Lighting:
-            p = p_eye[:3]
-            front = self.lit(p, n)
+            front = self.lit(i, Face.Front, point, n)
             if not self.state.lighting.two_side:
                 return front, front
-            return front, self.lit(p, tuple(-x for x in n))
-        color = mesh.colors[i] if mesh.colors else (1.0,) * 4
-        front = tuple(quantize(v, bits) for v in color)
+            return front, self.lit(i, Face.Back, point, tuple(-x for x in n))
+        front = tuple(quantize(v, bits) for v in self.color(i))
         return front, front
 
-    def lit(self, p, n):
-        return lighting.lit_color(self.profile, self.state, self.draw.material, self.draw.lights,
-                                  p, n)
+    def color(self, i):
+        return self.draw.mesh.colors[i] if self.draw.mesh.colors else self.current.color
+
+    def lit(self, i, face, p, n):
+        material = lighting.material_at(self.state, self.draw, i, face, self.color(i))
+        return lighting.lit_color(self.profile, self.state, material, self.draw.lights, p, n)
 
     def id_color(self, polygon):
         """[R6.13]"""
@@ -244,6 +265,17 @@ def area2(p, q, r):
     return (q.X - p.X) * (r.Y - p.Y) - (q.Y - p.Y) * (r.X - p.X)
 
 
+def line_steps(corners, s):
+    """[R9.20] The number of columns or rows of a line."""
+    a, b = corners
+    x_major = abs(b.X - a.X) >= abs(b.Y - a.Y)
+    start, end = (a.X, b.X) if x_major else (a.Y, b.Y)
+    half = 1 << (s - 1)
+    if start <= end:
+        return -((half - end) >> s) + ((half - start) >> s)
+    return ((start - half) >> s) - ((end - half) >> s)
+
+
 def pieces(corners, area):
     """[R6.25], [R6.26] The pieces that make fragments."""
     n = len(corners)
@@ -266,6 +298,8 @@ class Ready:
     corners: tuple
     front: bool
     filled: bool
+    steps: int = 0  # of a stippled line, before it [R9.20]
+    offset: tuple = ()  # the piece that gives an outline its offset [R9.22]
 
 
 class PrimitiveStage:
@@ -278,9 +312,14 @@ class PrimitiveStage:
         self.clipper = Clipper(self.viewport)
         self.vertices = VertexStage(machine.state, machine.profile, draw)
         self.cache = [self.vertices.vertex(i) for i in range(len(draw.mesh.positions))]
+        self.steps = 0  # of the strip or outline in progress
 
     def run(self):
+        polygon = 0
         for primitive in primitives(self.draw.mesh):
+            if primitive.polygon != polygon and self.draw.mesh.primitive != "LineStrip":
+                self.steps = 0
+            polygon = primitive.polygon
             self.counters["primitives"] += 1
             yield from self.primitive(primitive)
 
@@ -298,6 +337,7 @@ class PrimitiveStage:
         else:
             self.counters["drawn"] += 1
             yield self.ready(primitive, corners, front=True, filled=False)
+            self.count_steps(corners)
 
     def window(self, vertices):
         kept, cut = self.clipper.clipped(vertices)
@@ -319,15 +359,19 @@ class PrimitiveStage:
             self.counters["culled"] += 1
             return
         self.counters["drawn"] += 1
-        if self.state.polygon_mode == PolygonMode.Fill:
+        state = self.state
+        back = state.two_side_polygon_mode and not front  # [R6.30]
+        mode = state.back_polygon_mode if back else state.polygon_mode
+        if mode == PolygonMode.Fill:
             for piece in pieces(corners, area):
                 yield self.ready(primitive, piece, front, filled=True)
         else:
-            yield from self.outline(primitive, vertices, front)
+            offset = state.offset_lines if mode == PolygonMode.Line else state.offset_points
+            yield from self.outline(primitive, vertices, front, mode == PolygonMode.Point,
+                                    pieces(corners, area)[0] if offset else ())
 
-    def outline(self, primitive, vertices, front):
+    def outline(self, primitive, vertices, front, points, offset):
         """[R6.7] Uncounted lines or points along the edges."""
-        points = self.state.polygon_mode == PolygonMode.Point
         for k in range(3):
             if not primitive.edges[k]:
                 continue
@@ -337,7 +381,14 @@ class PrimitiveStage:
                 continue
             if not points and (corners[0].X, corners[0].Y) == (corners[1].X, corners[1].Y):
                 continue
-            yield self.ready(primitive, corners, front, filled=False)
+            yield replace(self.ready(primitive, corners, front, filled=False), offset=offset)
+            if not points:
+                self.count_steps(corners)
+
+    def count_steps(self, corners):
+        """[R9.20]"""
+        if len(corners) == 2:
+            self.steps += line_steps(corners, self.profile.subpixel_bits)
 
     def ready(self, primitive, corners, front, filled):
         """[R6.22] jitter; [R6.6], [R6.13] colours."""
@@ -351,4 +402,4 @@ class PrimitiveStage:
         jitter = self.state.jitter
         moved = tuple(replace(c, X=c.X + jitter.x, Y=c.Y + jitter.y, color=color)
                       for c, color in zip(corners, colors))
-        return Ready(moved, front, filled)
+        return Ready(moved, front, filled, self.steps)

@@ -1,8 +1,28 @@
 """Chapter 8: lighting at a vertex, in eye space."""
 import math
+from dataclasses import replace
 
 from .elementary import power
 from .numbers import divide, dot3, quantize, rescale, unit
+from .state import ColorMaterial, Face
+
+
+def material_at(state, draw, i, face, color):
+    """[R8.9], [R8.10] The material of one side of vertex i, which has this colour."""
+    material = draw.material
+    if face == Face.Back and draw.back_material is not None:
+        material = draw.back_material
+    if draw.mesh.material_indices:
+        own = draw.mesh.materials[draw.mesh.material_indices[i]]
+        material = own[0 if face == Face.Front else 1]
+    follows = state.color_material
+    if not follows.enable or follows.face not in (face, Face.FrontAndBack):
+        return material
+    names = {ColorMaterial.Emission: ("Ke",), ColorMaterial.Ambient: ("Ka",),
+             ColorMaterial.Diffuse: ("Kd", "alpha"), ColorMaterial.Specular: ("Ks",),
+             ColorMaterial.AmbientAndDiffuse: ("Ka", "Kd", "alpha")}[follows.mode]
+    return replace(material, **{name: color[3] if name == "alpha" else color[:3]
+                                for name in names})
 
 
 def lit_color(profile, state, material, lights, p, n):

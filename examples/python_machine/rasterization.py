@@ -18,13 +18,21 @@ def rectangle(box):
     return x.ravel().astype(np.int64), y.ravel().astype(np.int64)
 
 
-def covered(corners, box, state, s):
+def covered(corners, box, state, s, steps=0):
     """Columns and rows of the pixels inside the box that the corners cover, each once."""
     if len(corners) == 3:
-        return piece_pixels(corners, box, s)
+        return stippled_pixels(*piece_pixels(corners, box, s), state.polygon_stipple)
     if len(corners) == 2:
-        return line_pixels(corners, box, state.line_width, s)
+        return line_pixels(corners, box, state.line_width, s, state.line_stipple, steps)
     return point_pixels(corners[0], box, state.point_size, s)
+
+
+def stippled_pixels(x, y, rows):
+    """[R9.21]"""
+    if not rows:
+        return x, y
+    kept = np.array(rows, np.int64)[y % 32] >> (31 - x % 32) & 1 != 0
+    return x[kept], y[kept]
 
 
 def piece_pixels(corners, box, s):
@@ -60,8 +68,8 @@ def doubled_area(a, b, c):
     return (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X)
 
 
-def line_pixels(corners, box, width, s):
-    """[R9.3], [R9.4]"""
+def line_pixels(corners, box, width, s, stipple, steps):
+    """[R9.3], [R9.4], [R9.20]"""
     first, second = corners
     x_major = abs(second.X - first.X) >= abs(second.Y - first.Y)
     if x_major:
@@ -74,6 +82,10 @@ def line_pixels(corners, box, width, s):
     column = np.arange(low, high, dtype=np.int64)
     px = centers(column, s)
     inside = (px >= x0) & (px < x1) if dx > 0 else (px > x1) & (px <= x0)
+    if stipple.enable and dx != 0:
+        half = 1 << (s - 1)
+        n = column + ((half - x0) >> s) if dx > 0 else ((x0 - half) >> s) - column
+        inside &= (stipple.pattern >> ((n + steps) // stipple.factor % 16) & 1) != 0
     column, px = column[inside], px[inside]
     sign = 1 if dx > 0 else -1
     numerator = sign * (y0 * dx + dy * (px - x0) - (width - 1) * 2**(s - 1) * dx)

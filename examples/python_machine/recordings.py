@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from .state import Box, ClipPlane, State, float32, identity
+from .state import Box, State, float32, identity
 
 NONE = 2**32 - 1
 
@@ -49,11 +49,13 @@ def filled(value, given):
             continue  # [R15.1]
         if is_dataclass(current):
             filled(current, part)
+        elif member.name == "polygon_stipple":
+            value.polygon_stipple = tuple(int(row) for row in part)
         elif isinstance(current, tuple):
             setattr(value, member.name, vector(part))
-        elif isinstance(current, list) and isinstance(current[0], ClipPlane):
+        elif isinstance(current, list) and is_dataclass(current[0]):
             if len(part):
-                setattr(value, member.name, [filled(ClipPlane(), p) for p in part])
+                setattr(value, member.name, [filled(type(current[0])(), p) for p in part])
         elif isinstance(current, list):
             setattr(value, member.name, matrix(part))
         else:
@@ -78,6 +80,12 @@ class Profile:
     shadow_texture: bool = False
     stencil_wrap: bool = False
     two_sided_stencil: bool = False
+    stipple: bool = False
+    two_sided_polygon_mode: bool = False
+    logic_op: bool = False
+    blend_color: bool = False
+    blend_minmax: bool = False
+    blend_subtract: bool = False
 
 
 @dataclass
@@ -89,6 +97,14 @@ class Material:
     Ke: tuple = (0.0,) * 3
     Ns: float = 0.0
     alpha: float = 1.0
+
+
+@dataclass
+class CurrentValues:
+    """[R5.9]"""
+    color: tuple = (1.0,) * 4
+    normal: tuple = (0.0, 0.0, 1.0)
+    texcoord: tuple = (0.0, 0.0, 0.0, 1.0)
 
 
 @dataclass
@@ -117,6 +133,11 @@ class Mesh:
     indices: list
     polygon_sizes: list
     polygon_ids: list
+    w: list
+    texcoords_rq: list
+    edge_flags: list
+    materials: list
+    material_indices: list
 
 
 def mesh_of(table):
@@ -131,7 +152,12 @@ def mesh_of(table):
 
     return Mesh(names_of("Primitive")[data.primitive], vectors("positions"), vectors("normals"),
                 vectors("texcoords"), vectors("colors"), integers("indices"),
-                integers("polygonSizes"), integers("polygonIds"))
+                integers("polygonSizes"), integers("polygonIds"),
+                [] if data.w is None else [float(v) for v in data.w], vectors("texcoordsRq"),
+                integers("edgeFlags"),
+                [(filled(Material(), m.front), filled(Material(), m.back))
+                 for m in data.materials or []],
+                integers("materialIndices"))
 
 
 def image_of(table):
@@ -177,8 +203,8 @@ class Reader:
     def __init__(self, path):
         with open(path, "rb") as file:
             self.table = generated("Recording").GetRootAs(file.read(), 0)
-        if self.table.Version() != 1:
-            raise ValueError(f"{path}: version {self.table.Version()}; expected 1")
+        if self.table.Version() not in (1, 2):
+            raise ValueError(f"{path}: version {self.table.Version()}; expected 1 or 2")
         table = self.table
         self.width, self.height = table.Width(), table.Height()
         self.profile = filled(Profile(), generated("ProfileT").InitFromObj(table.Profile()))
@@ -221,7 +247,9 @@ class Reader:
                 "lights": [] if c.lights == NONE else self.light_sets[c.lights],
                 "texture": None if c.texture == NONE else self.textures[c.texture],
                 "slot": None if c.slot == NONE else c.slot,
-                "id_base": c.idBase, "id_shift": c.idShift}
+                "id_base": c.idBase, "id_shift": c.idShift,
+                "back_material": filled(Material(), c.backMaterial) if c.backMaterial else None,
+                "current": filled(CurrentValues(), c.current) if c.current else CurrentValues()}
 
     def read_WriteSpans(self, c):
         return {"spans": c.spans or [], "colors": rgba(c.colors), "depth": c.depth}

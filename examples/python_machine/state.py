@@ -3,6 +3,8 @@ import struct
 from dataclasses import dataclass, field
 from enum import IntEnum
 
+import numpy as np
+
 from .numbers import one, quantize
 
 
@@ -18,7 +20,12 @@ CompareFunc = IntEnum("CompareFunc", "Never Less Equal LEqual Greater NotEqual G
 StencilOp = IntEnum("StencilOp", "Keep Zero Replace Incr Decr Invert IncrWrap DecrWrap", start=0)
 BlendFactor = IntEnum(
     "BlendFactor", "Zero One SrcColor OneMinusSrcColor DstColor OneMinusDstColor SrcAlpha "
-    "OneMinusSrcAlpha DstAlpha OneMinusDstAlpha SrcAlphaSaturate", start=0)
+    "OneMinusSrcAlpha DstAlpha OneMinusDstAlpha SrcAlphaSaturate ConstantColor "
+    "OneMinusConstantColor ConstantAlpha OneMinusConstantAlpha", start=0)
+BlendEquation = IntEnum("BlendEquation", "Add Subtract ReverseSubtract Min Max", start=0)
+LogicOp = IntEnum(
+    "LogicOp", "Clear And AndReverse Copy AndInverted Noop Xor Or Nor Equiv Invert OrReverse "
+    "CopyInverted OrInverted Nand Set", start=0)
 Face = IntEnum("Face", "Front Back FrontAndBack", start=0)
 Winding = IntEnum("Winding", "CW CCW", start=0)
 PolygonMode = IntEnum("PolygonMode", "Point Line Fill", start=0)
@@ -32,7 +39,10 @@ MinFilter = IntEnum(
 MagFilter = IntEnum("MagFilter", "Nearest Linear", start=0)
 Wrap = IntEnum("Wrap", "Repeat Clamp", start=0)
 TexEnv = IntEnum("TexEnv", "Modulate Decal Blend Replace", start=0)
-TexGen = IntEnum("TexGen", "None SphereMap RefractionMap EyeLinear", start=0)
+TexGen = IntEnum("TexGen", "None SphereMap RefractionMap EyeLinear PerCoordinate", start=0)
+CoordinateMode = IntEnum("CoordinateMode", "Given ObjectLinear EyeLinear SphereMap", start=0)
+ColorMaterial = IntEnum("ColorMaterial", "Emission Ambient Diffuse Specular AmbientAndDiffuse",
+                        start=0)
 NO_TEXGEN = TexGen["None"]
 Plane = IntEnum("Plane", "Color Depth Stencil Accum", start=0)
 
@@ -172,6 +182,36 @@ class Blend:
 
 
 @dataclass
+class LogicOperation:
+    enable: bool = False
+    op: int = LogicOp.Copy
+
+    def reads_stored(self):
+        """[R14.8] Whether the result depends on the stored bit."""
+        return self.op not in (LogicOp.Clear, LogicOp.Copy, LogicOp.CopyInverted, LogicOp.Set)
+
+
+@dataclass
+class LineStipple:
+    enable: bool = False
+    factor: int = 1
+    pattern: int = 0xFFFF
+
+
+@dataclass
+class ColorMaterialUse:
+    enable: bool = False
+    face: int = Face.FrontAndBack
+    mode: int = ColorMaterial.AmbientAndDiffuse
+
+
+@dataclass
+class CoordinateGen:
+    mode: int = CoordinateMode.Given
+    plane: tuple = (0.0, 0.0, 0.0, 0.0)
+
+
+@dataclass
 class ColorMask:
     r: bool = True
     g: bool = True
@@ -202,6 +242,19 @@ class State:
     depth: Depth = field(default_factory=Depth)
     blend: Blend = field(default_factory=Blend)
     color_mask: ColorMask = field(default_factory=ColorMask)
+    blend_equation: int = BlendEquation.Add
+    blend_color: tuple = (0.0, 0.0, 0.0, 0.0)
+    logic_op: LogicOperation = field(default_factory=LogicOperation)
+    normalize: bool = True
+    color_material: ColorMaterialUse = field(default_factory=ColorMaterialUse)
+    coordinates: list = field(default_factory=lambda: [CoordinateGen() for _ in range(4)])
+    texture_matrix: list = field(default_factory=identity)
+    offset_lines: bool = False
+    offset_points: bool = False
+    two_side_polygon_mode: bool = False
+    back_polygon_mode: int = PolygonMode.Fill
+    line_stipple: LineStipple = field(default_factory=LineStipple)
+    polygon_stipple: tuple = ()
 
 
 # ---- Resolved state -------------------------------------------------------------------------
@@ -270,6 +323,10 @@ class Resolved:
         back = resolved_face(state.stencil.back, state.stencil.test, profile.stencil_bits)
         self.faces = (front, back if state.stencil.two_side else front)
         self.blend = state.blend
+        self.blend_equation = state.blend_equation
+        self.blend_color = np.array([quantize(v, profile.color_bits) for v in state.blend_color],
+                                    np.int64)
+        self.logic_op = state.logic_op
         mask = state.color_mask
         self.color_mask = (mask.r, mask.g, mask.b, mask.a)
 

@@ -5,7 +5,7 @@ import numpy as np
 
 from .numbers import clamp, mul, one, quantize, rescale, to_integer_array
 from .rasterization import Perspective, Projective, quotient, reciprocal, slopes
-from .state import MagFilter, MinFilter, TexEnv, TexGen, Wrap
+from .state import MagFilter, MinFilter, TexEnv, Wrap
 
 LINEAR_FILTERS = (MinFilter.Linear, MinFilter.LinearMipmapNearest, MinFilter.LinearMipmapLinear)
 
@@ -77,14 +77,14 @@ def whole_part(values, wrap):
 class TextureStage:
     """Looks one draw's texture up at the pixels of one piece, line or point."""
 
-    def __init__(self, state, profile, texture):
+    def __init__(self, state, profile, texture, projective):
         self.state, self.profile, self.texture = state, profile, texture
+        self.projective = projective  # [R10.22]
 
     def texels(self, frame, corners, x, y):
-        gen = self.state.gen
         given = [c.vertex.texture for c in corners]
         w = [c.w for c in corners]
-        if gen == TexGen.EyeLinear:
+        if self.projective:
             denominator = Projective(frame, w, [g[3] for g in given])
             in_front = denominator.q.at(x, y) >= 1
         else:
@@ -101,7 +101,7 @@ class TextureStage:
         return result
 
     def coordinate(self, denominator, values, wrap, W, x, y):
-        if self.state.gen == TexGen.EyeLinear:
+        if self.projective:
             plane, e = denominator.value(values)
             return Coordinate(plane, e, W, x, y, wrap, 0)
         k = whole_part(values, wrap)
@@ -179,7 +179,7 @@ class TextureStage:
         log2_w, log2_h = self.texture.log2_sides(0)
         stored = self.texture.depths[t.wrapped(t.position(log2_h) >> 8, log2_h),
                                      s.wrapped(s.position(log2_w) >> 8, log2_w)]
-        u = r.u if self.state.gen == TexGen.EyeLinear else np.zeros_like(r.u)
+        u = r.u if self.projective else np.zeros_like(r.u)
         depth = to_integer_array(np.floor(u.astype(np.float64) * 2.0**(r.e + bits)), 0, one(bits))
         lit = np.where(depth <= stored, one(self.profile.color_bits), 0)
         return np.repeat(lit[:, None], 4, axis=1)

@@ -1,21 +1,53 @@
 """Chapter 10, first section: texture coordinates at a vertex."""
 import math
 
-from .numbers import bounded, dot3, transform, unit
-from .state import TexGen
+from .numbers import bounded, dot3, dot4, transform, unit
+from .state import NO_TEXGEN, CoordinateMode, TexGen, identity
 
 
-def at_vertex(texture, own, p_eye, n):
+def at_vertex(state, own, p, p_eye, point, n):
     """[R10.1], [R10.5] (s, t, r, q)"""
+    texture = state.texture
     if texture.gen == TexGen.SphereMap:
-        c = sphere_map(reflected(unit(p_eye[:3]), n)) + (0.0, 1.0)
+        c = sphere_map(reflected(unit(point), n)) + (0.0, 1.0)
     elif texture.gen == TexGen.RefractionMap:
-        c = sphere_map(refracted(unit(p_eye[:3]), n, texture.eta)) + (0.0, 1.0)
+        c = sphere_map(refracted(unit(point), n, texture.eta)) + (0.0, 1.0)
     elif texture.gen == TexGen.EyeLinear:
         c = transform(texture.eye_linear, p_eye)
+    elif texture.gen == TexGen.PerCoordinate:
+        c = tuple(by_rule(state.coordinates[k], k, own[k], p, p_eye, point, n) for k in range(4))
     else:
-        c = tuple(own) + (0.0, 1.0)
+        c = tuple(own)
+    if state.texture_matrix != identity():
+        c = transform(state.texture_matrix, c)
     return tuple(bounded(v, 2.0**200) for v in c)
+
+
+def by_rule(rule, k, own, p, p_eye, point, n):
+    """[R10.20] Coordinate k of s, t, r, q."""
+    if rule.mode == CoordinateMode.ObjectLinear:
+        return dot4(rule.plane, p)
+    if rule.mode == CoordinateMode.EyeLinear:
+        return dot4(rule.plane, p_eye)
+    if rule.mode == CoordinateMode.SphereMap:
+        return sphere_map(reflected(unit(point), n))[k]
+    return own
+
+
+def divided_by_q(state, draw):
+    """[R10.22]"""
+    gen, m = state.texture.gen, state.texture_matrix
+    if gen == TexGen.EyeLinear:
+        return True
+    if gen == TexGen.PerCoordinate and state.coordinates[3].mode != CoordinateMode.Given:
+        return True
+    if tuple(column[3] for column in m) != (0, 0, 0, 1):
+        return True
+    if gen not in (NO_TEXGEN, TexGen.PerCoordinate):
+        return False
+    if draw.mesh.texcoords:
+        return bool(draw.mesh.texcoords_rq)
+    return draw.current.texcoord[3] != 1
 
 
 def reflected(u, n):

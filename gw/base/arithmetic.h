@@ -19,6 +19,19 @@ inline double round_even(double v) {
     return v > -magic / 4 && v < magic / 4 ? (v + magic) - magic : std::nearbyint(v);
 }
 
+__extension__ using int128 = __int128;
+
+/// Nearest integer to num / den, ties to even; den > 0.
+constexpr int128 divide_round_even(int128 num, int128 den) {
+    int128 q = num / den, r = num % den;
+    if (r < 0) {  // towards minus infinity first
+        q -= 1;
+        r += den;
+    }
+    if (2 * r > den || (2 * r == den && (q & 1) != 0)) q += 1;
+    return q;
+}
+
 /// v in [0, 1]; NaN becomes 0.
 constexpr double clamp01(double v) { return v > 0 ? (v < 1 ? v : 1) : 0; }
 

@@ -9,11 +9,22 @@ namespace {
 
 using Corners = std::span<const std::uint32_t>;
 
-std::vector<Triangle> separate_triangles(Corners c) {
+/// The sides from each vertex to the next that are edges of the outline: bit k of a triangle.
+std::uint8_t flagged_edges(const MeshData& data, const std::array<std::uint32_t, 3>& vertex,
+                           std::uint8_t edges) {
+    if (data.edge_flags.empty()) return edges;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (data.edge_flags[vertex[k]] == 0) edges = std::uint8_t(edges & ~(1u << k));
+    return edges;
+}
+
+std::vector<Triangle> separate_triangles(const MeshData& data, Corners c) {
     std::vector<Triangle> triangles;
     triangles.reserve(c.size() / 3);
-    for (std::uint32_t i = 0; i < c.size() / 3; ++i)
-        triangles.push_back({{c[3 * i], c[3 * i + 1], c[3 * i + 2]}, c[3 * i + 2], i});
+    for (std::uint32_t i = 0; i < c.size() / 3; ++i) {
+        const std::array<std::uint32_t, 3> vertex{c[3 * i], c[3 * i + 1], c[3 * i + 2]};
+        triangles.push_back({vertex, c[3 * i + 2], i, flagged_edges(data, vertex, 7)});
+    }
     return triangles;
 }
 
@@ -38,15 +49,17 @@ std::vector<Triangle> fan(Corners c) {
 void add_polygon(std::vector<Triangle>& triangles, const MeshData& data, Corners c,
                  std::uint32_t provoking, std::uint32_t polygon) {
     if (c.size() == 3) {
-        triangles.push_back({{c[0], c[1], c[2]}, provoking, polygon});
+        const std::array<std::uint32_t, 3> vertex{c[0], c[1], c[2]};
+        triangles.push_back({vertex, provoking, polygon, flagged_edges(data, vertex, 7)});
         return;
     }
     std::vector<vec3> positions;
     positions.reserve(c.size());
     for (const std::uint32_t vertex : c) positions.push_back(data.positions[vertex]);
-    for (const auto& [corner, edges] : triangulate(std::span<const vec3>(positions)))
-        triangles.push_back(
-            {{c[corner[0]], c[corner[1]], c[corner[2]]}, provoking, polygon, edges});
+    for (const auto& [corner, edges] : triangulate(std::span<const vec3>(positions))) {
+        const std::array<std::uint32_t, 3> vertex{c[corner[0]], c[corner[1]], c[corner[2]]};
+        triangles.push_back({vertex, provoking, polygon, flagged_edges(data, vertex, edges)});
+    }
 }
 
 // [GL11] table 2.12: a quad has the colour of its last vertex, a polygon that of its first.
@@ -81,7 +94,7 @@ std::vector<std::array<std::uint32_t, 2>> decompose_lines(Primitive primitive, C
 
 std::vector<Triangle> decompose_triangles(const MeshData& data, Corners c) {
     switch (data.primitive) {
-        case Primitive::Triangles: return separate_triangles(c);
+        case Primitive::Triangles: return separate_triangles(data, c);
         case Primitive::TriangleStrip: return strip(c);
         case Primitive::TriangleFan: return fan(c);
         case Primitive::Quads: return quads(data, c);

@@ -35,11 +35,16 @@ Fate fragment_fate(const Resolved& r, Planes& planes, std::size_t i, const Fragm
     return Fate::Written;
 }
 
+/// The fragment's colour and the stored one: by a logical operation, blended, or the former alone.
+Rgba joined_color(const Resolved& r, const Rgba& color, const Rgba& stored) {
+    const State& s = r.state;
+    if (s.logic_op.enable) return logic_result(s.logic_op.op, color, stored, r.bits);
+    return s.blend.enable ? blend(s.blend, {color, stored, r.blend_color}, r.bits) : color;
+}
+
 void write(const Resolved& r, Planes& planes, std::size_t i, const Fragment& f) {
     if (r.state.depth.mask) planes.depth[i] = f.depth;
-    const BlendState& b = r.state.blend;
-    write_color(r.state.color_mask, b.enable ? blend(b, f.color, planes.color[i], r.bits) : f.color,
-                planes.color[i]);
+    write_color(r.state.color_mask, joined_color(r, f.color, planes.color[i]), planes.color[i]);
 }
 
 void count(const FragmentTarget& target, Fate fate) {

@@ -56,7 +56,6 @@ double integer_part(const std::vector<double>& s, Wrap wrap) {
 void set_texture(Interpolants& v, std::span<const Corner> corners, const PlaneMaker& plane,
                  const TextureState& state) {
     const auto w = gather_doubles(corners, [](const Corner& c) { return c.window.w; });
-    v.projective = state.gen == TexGen::EyeLinear;
     if (v.projective) {
         std::vector<dvec4> strq;
         for (const Corner& c : corners) strq.push_back(c.texcoord);
@@ -88,7 +87,7 @@ float PerspectiveValue::at(int x, int y, float w) const {
 }
 
 Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& plane,
-                          const Resolved& r, const Profile& profile, bool textured) {
+                          const Resolved& r, const Profile& profile, TextureUse texture) {
     Interpolants v;
     v.depth = plane(gather(corners, [](const Corner& c) { return std::int64_t{c.window.z}; }));
     const auto w = gather_doubles(corners, [](const Corner& c) { return c.window.w; });
@@ -104,7 +103,8 @@ Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& pla
         v.fog =
             plane(gather(corners, [](const Corner& c) { return std::int64_t(round_even(c.fog)); }));
     }
-    if (textured) set_texture(v, corners, plane, r.state.texture);
+    v.projective = texture == TextureUse::Projective;
+    if (texture != TextureUse::None) set_texture(v, corners, plane, r.state.texture);
     return v;
 }
 

@@ -49,8 +49,11 @@ struct Interpolants {
     int slope_x = 0, slope_y = 0;  ///< the pixel that the slopes refer to
 };
 
+/// How a draw's texture coordinates are interpolated.
+enum class TextureUse { None, Plain, Projective };
+
 Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& plane,
-                          const Resolved& state, const Profile& profile, bool textured);
+                          const Resolved& state, const Profile& profile, TextureUse texture);
 
 /// 1 / Q: the one division of a pixel.
 float reciprocal(const PlaneEquation& q, int x, int y);

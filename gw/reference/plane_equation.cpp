@@ -2,16 +2,6 @@
 
 namespace gw::reference {
 
-int128 divide_round_even(int128 num, int128 den) {
-    int128 q = num / den, r = num % den;
-    if (r < 0) {  // towards minus infinity first
-        q -= 1;
-        r += den;
-    }
-    if (2 * r > den || (2 * r == den && (q & 1) != 0)) q += 1;
-    return q;
-}
-
 std::int64_t PlaneEquation::at(int x, int y) const {
     const std::int64_t half = std::int64_t{1} << (subpixel_bits - 1);
     const std::int64_t px = (std::int64_t{x} << subpixel_bits) + half,

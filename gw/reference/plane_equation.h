@@ -9,8 +9,6 @@
 
 namespace gw::reference {
 
-__extension__ using int128 = __int128;
-
 /// V(x, y) = (a0 * 2^16 + 2^15 + floor((gx (PX - x0) + gy (PY - y0)) / 2^s)) >> 16, where (PX, PY)
 /// is the centre of pixel x, y.
 struct PlaneEquation {
@@ -21,9 +19,6 @@ struct PlaneEquation {
 
     std::int64_t at(int x, int y) const;
 };
-
-/// Nearest integer to num / den, ties to even; den > 0.
-int128 divide_round_even(int128 num, int128 den);
 
 /// Through the values a of the triangle's canonical vertices.
 PlaneEquation plane_through(const SnappedTriangle& triangle, const std::array<std::int64_t, 3>& a);

@@ -2,8 +2,12 @@
 
 #include "gw/reference/shade.h"
 #include "gw/stages/fan.h"
+#include "gw/stages/polygon_offset.h"
+#include "gw/stages/stipple.h"
+#include "gw/stages/texgen.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gw::reference {
 namespace {
@@ -12,6 +16,7 @@ namespace {
 struct Drawing {
     const DrawContext& context;
     std::vector<Vertex> vertices;
+    TextureUse texture_use = TextureUse::None;
 
     const State& state() const { return context.state.state; }
     Counters& counters() const { return *context.target.counters; }
@@ -28,6 +33,7 @@ struct Source {
     std::uint32_t provoking = 0;
     bool front = true;
     bool counter_clockwise = true;  ///< of the whole polygon after the snap
+    std::int64_t depth_offset = 0;
 };
 
 std::array<std::int64_t, 4> integers(const std::array<double, 4>& c) {
@@ -55,8 +61,13 @@ Corner corner(const Drawing& d, const Vertex& v, const Source& s) {
 Shader shader(const Drawing& d, std::span<const Corner> corners, const PlaneMaker& plane,
               const Source& s) {
     const DrawContext& c = d.context;
-    return {c, interpolants(corners, plane, c.state, *c.profile, c.texels != nullptr), s.primitive,
-            s.front};
+    return {c, interpolants(corners, plane, c.state, *c.profile, d.texture_use), s.primitive,
+            s.front, s.depth_offset};
+}
+
+std::int64_t offset_of(const Drawing& d, const PlaneEquation& depth) {
+    return depth_offset(d.state().polygon_offset, offset_slope(depth.gx, depth.gy),
+                        d.context.profile->depth_bits);
 }
 
 void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const Source& s) {
@@ -70,12 +81,25 @@ void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const So
         return plane_through(t, {a[t.source[0]], a[t.source[1]], a[t.source[2]]});
     };
     Shader shade = shader(d, corners, plane, s);
-    shade.set_depth_offset(d.state().polygon_offset);
-    cover_triangle(t, d.context.state.draw_box, [&](int x, int y) { shade.pixel(x, y); });
+    if (d.state().polygon_offset.enable) shade.depth_offset = offset_of(d, shade.values.depth);
+    const auto& stipple = d.state().polygon_stipple.pattern;
+    cover_triangle(t, d.context.state.draw_box, [&](int x, int y) {
+        if (!stipple || stipple_bit(*stipple, x, y)) shade.pixel(x, y);
+    });
+}
+
+/// The steps of a line before the jitter, so that all samples of a strip count alike.
+std::uint64_t unjittered_steps(const WindowVertex& a, const WindowVertex& b,
+                               const SnappedLine& line) {
+    const LineSteps steps = line.x_major ? line_steps(a.x, b.x, line.subpixel_bits)
+                                         : line_steps(a.y, b.y, line.subpixel_bits);
+    return std::uint64_t(steps.count);
 }
 
 /// A line, clipped on its own, even if it is the edge of a polygon.
-void draw_line(const Drawing& d, const Vertex& a, const Vertex& b, const Source& s, bool counted) {
+/// Its stipple goes on from step `stippled`, to which its own steps are added.
+void draw_line(const Drawing& d, const Vertex& a, const Vertex& b, const Source& s, bool counted,
+               std::uint64_t& stippled) {
     const Clipped clipped = clip({a, b}, d.context.state.viewport);
     const bool left = !clipped.vertices.empty();
     if (counted && !left) d.counters().rejected += 1;
@@ -92,8 +116,14 @@ void draw_line(const Drawing& d, const Vertex& a, const Vertex& b, const Source&
         return plane_along(line, v[0], v[1]);
     };
     Shader shade = shader(d, corners, plane, s);
-    cover_line(line, d.state().line_width, d.context.state.draw_box,
-               [&](int x, int y) { shade.pixel(x, y); });
+    const LineStippleState& stipple = d.state().line_stipple;
+    const LineSteps steps = line.x_major ? line_steps(line.x[0], line.x[1], line.subpixel_bits)
+                                         : line_steps(line.y[0], line.y[1], line.subpixel_bits);
+    cover_line(line, d.state().line_width, d.context.state.draw_box, [&](int x, int y) {
+        const auto step = std::uint64_t(steps.step_of(line.x_major ? x : y));
+        if (!stipple.enable || stipple_bit(stipple, stippled + step)) shade.pixel(x, y);
+    });
+    stippled += unjittered_steps(corners[0].window, corners[1].window, line);
 }
 
 void draw_point(const Drawing& d, const Vertex& v, const Source& s, bool counted) {
@@ -129,12 +159,13 @@ void fill(const Drawing& d, const std::vector<Vertex>& polygon, const Fan& fan, 
 
 /// PolygonMode Line and Point: draws the sides that are edges of the mesh's polygon, not of the
 /// clipped one.
-void outline(const Drawing& d, const Triangle& t, const Source& s) {
+void outline(const Drawing& d, const Triangle& t, const Source& s, PolygonMode mode,
+             std::uint64_t& stippled) {
     for (std::size_t k = 0; k < 3; ++k) {
         if (!(t.edges >> k & 1)) continue;
         const Vertex &a = d.vertices[t.vertex[k]], &b = d.vertices[t.vertex[(k + 1) % 3]];
-        if (d.state().polygon_mode == PolygonMode::Line)
-            draw_line(d, a, b, s, false);
+        if (mode == PolygonMode::Line)
+            draw_line(d, a, b, s, false, stippled);
         else
             draw_point(d, a, s, false);
     }
@@ -150,7 +181,24 @@ Fan fan(const Drawing& d, const std::vector<Vertex>& polygon) {
     return fan_of(points);
 }
 
-void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal) {
+/// The depth plane of the first piece that makes fragments.
+PlaneEquation first_depth_plane(const Drawing& d, const std::vector<Vertex>& polygon,
+                                const Fan& fan) {
+    const auto at = [&](std::size_t k) {
+        return d.window(polygon[(fan.first + k) % polygon.size()]);
+    };
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+        const std::array<WindowVertex, 3> v{at(0), at(k), at(k + 1)};
+        const std::int64_t area = area2(v[0], v[1], v[2]);
+        if (area == 0 || (area > 0) != (fan.area2 > 0)) continue;
+        const SnappedTriangle t = snapped_triangle(v, d.state().jitter, d.subpixel_bits());
+        return plane_through(t, {v[t.source[0]].z, v[t.source[1]].z, v[t.source[2]].z});
+    }
+    return {};
+}
+
+void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal,
+                   std::uint64_t& stippled) {
     Counters& count = d.counters();
     const Clipped clipped =
         clip({d.vertices[t.vertex[0]], d.vertices[t.vertex[1]], d.vertices[t.vertex[2]]},
@@ -171,11 +219,12 @@ void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal) {
         return;
     }
     count.drawn += 1;
-    const Source source{ordinal, t.polygon, t.provoking, front, pieces.area2 > 0};
-    if (d.state().polygon_mode == PolygonMode::Fill)
-        fill(d, clipped.vertices, pieces, source);
-    else
-        outline(d, t, source);
+    Source source{ordinal, t.polygon, t.provoking, front, pieces.area2 > 0};
+    const PolygonMode mode = mode_of(d.state(), front);
+    if (mode == PolygonMode::Fill) return fill(d, clipped.vertices, pieces, source);
+    if (offsets_outline(d.state().polygon_offset, mode))
+        source.depth_offset = offset_of(d, first_depth_plane(d, clipped.vertices, pieces));
+    outline(d, t, source, mode, stippled);
 }
 
 }  // namespace
@@ -183,6 +232,9 @@ void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal) {
 void draw_mesh(const DrawContext& context) {
     const Mesh& mesh = *context.draw->mesh;
     Drawing d{context, {}};
+    if (context.texels)
+        d.texture_use = divides_by_q(d.state().texture, *context.draw) ? TextureUse::Projective
+                                                                       : TextureUse::Plain;
     const VertexProgram program =
         vertex_program(context.state.state, *context.draw, *context.profile);
     for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i)
@@ -193,10 +245,16 @@ void draw_mesh(const DrawContext& context) {
     count.vertices += mesh.vertex_count();
     count.primitives += mesh.triangles().size() + mesh.lines().size() + mesh.points().size();
     std::uint32_t ordinal = 0;
-    for (const Triangle& t : mesh.triangles()) draw_triangle(d, t, ordinal++);
+    std::uint64_t stippled = 0;
+    std::uint32_t polygon = 0;
+    for (const Triangle& t : mesh.triangles()) {
+        if (t.polygon != std::exchange(polygon, t.polygon)) stippled = 0;
+        draw_triangle(d, t, ordinal++, stippled);
+    }
     for (const auto& line : mesh.lines()) {
+        if (mesh.data().primitive != Primitive::LineStrip) stippled = 0;
         const Source s{ordinal, ordinal, line[1]};
-        draw_line(d, d.vertices[line[0]], d.vertices[line[1]], s, true);
+        draw_line(d, d.vertices[line[0]], d.vertices[line[1]], s, true, stippled);
         ++ordinal;
     }
     for (const std::uint32_t v : mesh.points()) {

@@ -41,16 +41,6 @@ Rgba shaded_color(const Shader& s, int x, int y) {
 
 }  // namespace
 
-void Shader::set_depth_offset(const PolygonOffsetState& offset) {
-    if (!offset.enable) return;
-    const double limit = double(max_of_bits(context.profile->depth_bits)) + 1;
-    const int128 gx = values.depth.gx < 0 ? -values.depth.gx : values.depth.gx;
-    const int128 gy = values.depth.gy < 0 ? -values.depth.gy : values.depth.gy;
-    const double m = static_cast<double>(std::min(std::max(gx, gy), int128{1} << 62));
-    depth_offset = to_integer(
-        round_even(double(offset.factor) * m / 65536) + round_even(offset.units), -limit, limit);
-}
-
 void Shader::pixel(int x, int y) const {
     const std::int64_t z = values.depth.at(x, y) + depth_offset;
     const auto depth = static_cast<std::uint32_t>(

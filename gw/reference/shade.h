@@ -14,9 +14,6 @@ struct Shader {
     bool front = true;
     std::int64_t depth_offset = 0;
 
-    /// o = rne(factor m / 2^16) + rne(units), with m the depth plane's larger gradient.
-    void set_depth_offset(const PolygonOffsetState& offset);
-
     /// Makes the fragment of a covered pixel and passes it to process_fragment.
     void pixel(int x, int y) const;
 };

@@ -82,14 +82,14 @@ LightTerms light_terms(const Light& light, const dvec3& p_eye, const dvec3& n_ey
     return {f.strength, f.strength * f.diffuse, f.strength * f.specular};
 }
 
-std::array<double, 4> lit_color(const Draw& draw, const LightingState& state,
-                                const Profile& profile, const dvec3& p_eye, const dvec3& n_eye) {
-    const Material& m = draw.material;
+std::array<double, 4> lit_color(const Material& m, const LightsRef& lights,
+                                const LightingState& state, const Profile& profile,
+                                const dvec3& p_eye, const dvec3& n_eye) {
     const dvec3 to_eye = state.local_viewer ? normalized(-p_eye) : dvec3(0, 0, 1);
     dvec3 sum;
     for (int c = 0; c < 3; ++c) sum[c] = m.Ke[c] + double(state.model_ambient[c]) * m.Ka[c];
-    if (draw.lights)
-        for (const Light& light : *draw.lights) add_light(light, m, p_eye, n_eye, to_eye, sum);
+    if (lights)
+        for (const Light& light : *lights) add_light(light, m, p_eye, n_eye, to_eye, sum);
 
     const auto store = [&](double v) {
         return double(rescale(quantize(v, profile.lit_bits), profile.lit_bits, profile.color_bits));

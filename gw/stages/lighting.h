@@ -18,9 +18,10 @@ struct LightTerms {
 LightTerms light_terms(const Light& light, const dvec3& p_eye, const dvec3& n_eye,
                        const dvec3& to_eye, double exponent, bool gloss);
 
-/// The lit colour R, G, B, A of a vertex in eye space; n_eye has length 1 or 0. Integers 0 ..
+/// The lit colour R, G, B, A of a vertex in eye space. Integers 0 ..
 /// 2^color_bits - 1, first rounded to lit_bits.
-std::array<double, 4> lit_color(const Draw& draw, const LightingState& state,
-                                const Profile& profile, const dvec3& p_eye, const dvec3& n_eye);
+std::array<double, 4> lit_color(const Material& material, const LightsRef& lights,
+                                const LightingState& state, const Profile& profile,
+                                const dvec3& p_eye, const dvec3& n_eye);
 
 }  // namespace gw

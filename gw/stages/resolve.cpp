@@ -2,6 +2,7 @@
 
 #include "gw/base/arithmetic.h"
 #include "gw/stages/fog.h"
+#include "gw/stages/tables.h"
 
 #include <algorithm>
 
@@ -64,6 +65,8 @@ Resolved resolve(const State& state, const Profile& profile, int width, int heig
 
     r.fog_color = quantize_color(state.fog.color, r.bits);
     r.env_color = quantize_color(state.texture.env_color, r.bits);
+    r.blend_color = quantize_color(state.blend.color, r.bits);
+    if (state.logic_op.enable) r.state.blend.enable = false;
     r.fragment_fog = fog_is_per_fragment(state.fog, profile);
     const ColorMask& m = state.color_mask;
     r.writes_color = m.r || m.g || m.b || m.a;
@@ -85,7 +88,8 @@ FragmentBytes fragment_bytes(const Resolved& r, const Profile& profile) {
     const auto bytes = [&](Plane plane) { return plane_bytes(plane, profile); };
     const ColorMask& m = r.state.color_mask;
     const bool reads_color =
-        r.writes_color && (r.state.blend.enable || !(m.r && m.g && m.b && m.a));
+        r.writes_color &&
+        (r.state.blend.enable || reads_stored(r.state.logic_op) || !(m.r && m.g && m.b && m.a));
     FragmentBytes b;
     if (r.state.stencil.test)
         b.after_alpha =

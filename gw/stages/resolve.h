@@ -15,7 +15,7 @@ struct ViewportTransform {
 };
 
 struct Resolved {
-    State state;     ///< with depth, stencil and alpha tests normalised
+    State state;     ///< tests normalised; blending off under logic_op
     int bits = 8;    ///< of a colour channel
     Rect pixel_box;  ///< scissor and window: pixels outside never change
     Rect draw_box;   ///< pixel_box and viewport: primitives make no fragments outside
@@ -24,7 +24,7 @@ struct Resolved {
     StencilFace front, back;
     std::uint32_t stencil_max = 255;
     std::uint32_t alpha_ref = 0;
-    Rgba fog_color{}, env_color{};
+    Rgba fog_color{}, env_color{}, blend_color{};
     bool fragment_fog = false;
     bool writes_color = true;  ///< the colour mask is set for at least one channel
     /// as given: for clears and pixel rectangles, which no depth test guards
@@ -32,6 +32,11 @@ struct Resolved {
 };
 
 Resolved resolve(const State& state, const Profile& profile, int width, int height);
+
+/// The polygon mode of a face.
+constexpr PolygonMode mode_of(const State& s, bool front) {
+    return !front && s.two_side_polygon_mode ? s.back_polygon_mode : s.polygon_mode;
+}
 
 /// Whether the stencil test passes every fragment of this side and changes no value.
 constexpr bool ignores_stencil(const StencilFace& f) {

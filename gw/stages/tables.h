@@ -44,9 +44,15 @@ constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::
     return stored;
 }
 
+/// The colours that a blend joins.
+struct BlendColors {
+    Rgba src, dst, constant;
+};
+
 /// [GL11] 4.1.6, tables 4.1 and 4.2: the factor of channel `c` (3 is alpha); `max` is 1.0.
-constexpr std::uint32_t blend_factor(BlendFactor factor, const Rgba& src, const Rgba& dst, int c,
+constexpr std::uint32_t blend_factor(BlendFactor factor, const BlendColors& colors, int c,
                                      std::uint32_t max) {
+    const auto& [src, dst, constant] = colors;
     const auto i = std::size_t(c);
     switch (factor) {
         case BlendFactor::Zero: return 0;
@@ -61,21 +67,57 @@ constexpr std::uint32_t blend_factor(BlendFactor factor, const Rgba& src, const 
         case BlendFactor::OneMinusDstAlpha: return max - dst[3];
         case BlendFactor::SrcAlphaSaturate:
             return c == 3 ? max : std::min<std::uint32_t>(src[3], max - dst[3]);
+        case BlendFactor::ConstantColor: return constant[i];
+        case BlendFactor::OneMinusConstantColor: return max - constant[i];
+        case BlendFactor::ConstantAlpha: return constant[3];
+        case BlendFactor::OneMinusConstantAlpha: return max - constant[3];
     }
     return 0;
 }
 
-/// Two rounded products and a saturating sum, which fit 16-bit lanes. One, One adds exactly.
-constexpr Rgba blend(const BlendState& state, const Rgba& src, const Rgba& dst, int bits) {
+/// Two rounded products joined by the equation, clamped; they fit 16-bit lanes. One, One adds
+/// exactly.
+constexpr Rgba blend(const BlendState& state, const BlendColors& colors, int bits) {
     const std::uint32_t max = max_of_bits(bits);
     Rgba out{};
     for (int c = 0; c < 4; ++c) {
         const auto i = std::size_t(c);
-        const std::uint32_t s = mul(src[i], blend_factor(state.src, src, dst, c, max), bits);
-        const std::uint32_t d = mul(dst[i], blend_factor(state.dst, src, dst, c, max), bits);
-        out[i] = static_cast<std::uint16_t>(std::min(max, s + d));
+        const std::uint32_t src = colors.src[i], dst = colors.dst[i];
+        const std::uint32_t s = mul(src, blend_factor(state.src, colors, c, max), bits);
+        const std::uint32_t d = mul(dst, blend_factor(state.dst, colors, c, max), bits);
+        std::uint32_t v = 0;
+        switch (state.equation) {
+            case BlendEquation::Add: v = std::min(max, s + d); break;
+            case BlendEquation::Subtract: v = s > d ? s - d : 0; break;
+            case BlendEquation::ReverseSubtract: v = d > s ? d - s : 0; break;
+            case BlendEquation::Min: v = std::min(src, dst); break;
+            case BlendEquation::Max: v = std::max(src, dst); break;
+        }
+        out[i] = static_cast<std::uint16_t>(v);
     }
     return out;
+}
+
+/// [GL11] 4.1.8: all bits of two channels at once; the operation's value is its truth table.
+constexpr std::uint16_t logic_result(LogicOp op, unsigned src, unsigned dst, std::uint32_t max) {
+    const auto table = unsigned(op);
+    unsigned v = 0;
+    if (table & 1) v |= src & dst;
+    if (table & 2) v |= src & ~dst;
+    if (table & 4) v |= ~src & dst;
+    if (table & 8) v |= ~src & ~dst;
+    return static_cast<std::uint16_t>(v & max);
+}
+constexpr Rgba logic_result(LogicOp op, const Rgba& src, const Rgba& dst, int bits) {
+    Rgba out{};
+    for (std::size_t i = 0; i < 4; ++i)
+        out[i] = logic_result(op, src[i], dst[i], max_of_bits(bits));
+    return out;
+}
+/// Whether the result depends on the stored colour.
+constexpr bool reads_stored(const LogicOpState& s) {
+    const auto table = unsigned(s.op);
+    return s.enable && ((table ^ table >> 1) & 5) != 0;
 }
 
 /// [GL11] table 3.11 for RGBA textures: `f` of the fragment, `t` of the texture, `env` constant.

@@ -26,17 +26,62 @@ dvec3 refracted(const dvec3& u, const dvec3& n, double eta) {
     return {eta * u.x + k * n.x, eta * u.y + k * n.y, eta * u.z + k * n.z};
 }
 
-dvec4 texture_coordinates(const TextureState& state, const vec2& st, const dvec4& p_eye,
-                          const dvec3& n_eye) {
-    switch (state.gen) {
-        case TexGen::None: return {st.x, st.y, 0, 1};
-        case TexGen::SphereMap:
-            return {sphere_map(reflected(normalized(dvec3(p_eye)), n_eye)), 0, 1};
-        case TexGen::RefractionMap:
-            return {sphere_map(refracted(normalized(dvec3(p_eye)), n_eye, state.eta)), 0, 1};
-        case TexGen::EyeLinear: return transform(state.eye_linear, p_eye);
+namespace {
+
+dvec2 reflection_map(const TexgenInput& v) {
+    return sphere_map(reflected(normalized(v.p_eye), v.n_eye));
+}
+
+dvec4 by_coordinate(const std::array<CoordinateGen, 4>& rules, const TexgenInput& v) {
+    dvec4 out = v.given;
+    for (int i = 0; i < 4; ++i) {
+        const auto& [mode, plane] = rules[std::size_t(i)];
+        switch (mode) {
+            case CoordinateMode::Given: break;
+            case CoordinateMode::ObjectLinear: out[i] = dot4(plane, v.p_object); break;
+            case CoordinateMode::EyeLinear: out[i] = dot4(plane, v.p_eye4); break;
+            case CoordinateMode::SphereMap: out[i] = reflection_map(v)[i]; break;
+        }
     }
-    return {0, 0, 0, 1};
+    return out;
+}
+
+dvec4 generated(const TextureState& state, const TexgenInput& v) {
+    switch (state.gen) {
+        case TexGen::None: return v.given;
+        case TexGen::SphereMap: return {reflection_map(v), 0, 1};
+        case TexGen::RefractionMap:
+            return {sphere_map(refracted(normalized(v.p_eye), v.n_eye, state.eta)), 0, 1};
+        case TexGen::EyeLinear: return transform(state.eye_linear, v.p_eye4);
+        case TexGen::PerCoordinate: return by_coordinate(state.coordinates, v);
+    }
+    return v.given;
+}
+
+bool generates_q(const TextureState& state) {
+    return state.gen == TexGen::EyeLinear || (state.gen == TexGen::PerCoordinate &&
+                                              state.coordinates[3].mode != CoordinateMode::Given);
+}
+
+bool keeps_q(const dmat4& m) {
+    return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
+}
+
+bool gives_q(const Draw& draw) {
+    if (!draw.mesh->data().texcoords.empty()) return !draw.mesh->data().texcoords_rq.empty();
+    return draw.current && draw.current->texcoord.w != 1;
+}
+
+}  // namespace
+
+dvec4 texture_coordinates(const TextureState& state, const TexgenInput& vertex) {
+    const dvec4 out = generated(state, vertex);
+    return state.matrix == dmat4(1) ? out : transform(state.matrix, out);
+}
+
+bool divides_by_q(const TextureState& state, const Draw& draw) {
+    const bool takes_given = state.gen == TexGen::None || state.gen == TexGen::PerCoordinate;
+    return generates_q(state) || !keeps_q(state.matrix) || (takes_given && gives_q(draw));
 }
 
 }  // namespace gw

@@ -2,13 +2,22 @@
 // coordinates". Does not look up texels.
 #pragma once
 
-#include "gw/state.h"
+#include "gw/command_list.h"
 
 namespace gw {
 
-/// s, t, r, q. p_eye is homogeneous, n_eye has length 1 or 0.
-dvec4 texture_coordinates(const TextureState& state, const vec2& st, const dvec4& p_eye,
-                          const dvec3& n_eye);
+/// A vertex as the rules of texture coordinates see it.
+struct TexgenInput {
+    dvec4 given{0, 0, 0, 1};  ///< s, t, r, q of the mesh, or the current ones
+    dvec4 p_object{0, 0, 0, 1}, p_eye4{0, 0, 0, 1};
+    dvec3 p_eye{0}, n_eye{0, 0, 1};  ///< the point in eye space, and the normal there
+};
+
+/// s, t, r, q.
+dvec4 texture_coordinates(const TextureState& state, const TexgenInput& vertex);
+
+/// Whether a draw's coordinates are divided by their q at each pixel: some q may differ from 1.
+bool divides_by_q(const TextureState& state, const Draw& draw);
 
 /// The sphere map's coordinates s, t in 0 .. 1 for direction `d` in eye space, of length 1.
 /// [GL11] 2.10.4: m = 2 sqrt(dx^2 + dy^2 + (dz + 1)^2), s = dx / m + 1/2, t = dy / m + 1/2.

@@ -24,18 +24,99 @@ dmat3 normal_matrix(const dmat4& m) {
     return {sign * yz, sign * zx, sign * xy};
 }
 
-std::array<double, 4> mesh_color(const VertexProgram& p, std::uint32_t index) {
-    const auto& colors = p.draw->mesh->data().colors;
-    const vec4 c = colors.empty() ? vec4(1) : colors[index];
-    const int bits = p.profile->color_bits;
+double determinant(const dmat4& m) { return dot3(dvec3(m[0]), cross3(dvec3(m[1]), dvec3(m[2]))); }
+
+}  // namespace
+
+bool same_current(const Draw& a, const Draw& b) {
+    if (a.current == b.current) return true;
+    const CurrentValues initial;
+    return (a.current ? *a.current : initial) == (b.current ? *b.current : initial);
+}
+
+vec4 given_color(const Draw& draw, std::uint32_t index) {
+    const auto& colors = draw.mesh->data().colors;
+    if (!colors.empty()) return colors[index];
+    return draw.current ? draw.current->color : CurrentValues{}.color;
+}
+
+namespace {
+
+std::array<double, 4> quantized_color(const vec4& c, int bits) {
     return {double(quantize(c.x, bits)), double(quantize(c.y, bits)), double(quantize(c.z, bits)),
             double(quantize(c.w, bits))};
 }
 
-void light(const VertexProgram& p, const dvec3& p_eye, const dvec3& n_eye, Vertex& out) {
-    out.color = lit_color(*p.draw, p.state->lighting, *p.profile, p_eye, n_eye);
-    if (p.state->lighting.two_side)
-        out.back_color = lit_color(*p.draw, p.state->lighting, *p.profile, p_eye, -n_eye);
+dvec3 given_normal(const Draw& draw, std::uint32_t index) {
+    const auto& normals = draw.mesh->data().normals;
+    if (!normals.empty()) return normals[index];
+    return draw.current ? draw.current->normal : CurrentValues{}.normal;
+}
+
+dvec4 given_texcoord(const Draw& draw, std::uint32_t index) {
+    const MeshData& mesh = draw.mesh->data();
+    if (mesh.texcoords.empty()) return draw.current ? draw.current->texcoord : vec4(0, 0, 0, 1);
+    const vec2 st = mesh.texcoords[index];
+    const vec2 rq = mesh.texcoords_rq.empty() ? vec2(0, 1) : mesh.texcoords_rq[index];
+    return {st.x, st.y, rq.x, rq.y};
+}
+
+bool is_affine(const dmat4& m) {
+    return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
+}
+
+bool is_common(const State& state, const Draw& draw) {
+    const MeshData& mesh = draw.mesh->data();
+    const TextureState& t = state.texture;
+    return is_affine(draw.eye_from_object) && mesh.w.empty() && mesh.texcoords_rq.empty() &&
+           mesh.material_indices.empty() && state.normalize && !draw.current &&
+           !draw.back_material && !state.lighting.color_material.enable &&
+           t.gen != TexGen::PerCoordinate && t.matrix == dmat4(1);
+}
+
+dvec3 eye_normal(const VertexProgram& p, const dvec3& n_object) {
+    const dvec3 n = transform3(p.normal_eye_from_object, n_object);
+    if (p.state->normalize) return normalized(n);
+    const auto scaled = [&](double v) { return bounded(v * p.normal_scale, largest_coordinate); };
+    return {scaled(n.x), scaled(n.y), scaled(n.z)};
+}
+
+void follow_color(ColorMaterial mode, const vec4& color, Material& m) {
+    const vec3 rgb(color);
+    switch (mode) {
+        case ColorMaterial::Emission: m.Ke = rgb; return;
+        case ColorMaterial::Ambient: m.Ka = rgb; return;
+        case ColorMaterial::Specular: m.Ks = rgb; return;
+        case ColorMaterial::AmbientAndDiffuse: m.Ka = rgb; break;
+        case ColorMaterial::Diffuse: break;
+    }
+    m.Kd = rgb;
+    m.alpha = color.w;
+}
+
+Material material_of(const VertexProgram& p, std::uint32_t index, Face side) {
+    const Draw& draw = *p.draw;
+    const MeshData& mesh = draw.mesh->data();
+    const bool front = side == Face::Front;
+    Material m = front || !draw.back_material ? draw.material : *draw.back_material;
+    if (!mesh.material_indices.empty()) {
+        const FaceMaterials& own = mesh.materials[mesh.material_indices[index]];
+        m = front ? own.front : own.back;
+    }
+    const ColorMaterialState& follows = p.state->lighting.color_material;
+    if (follows.enable && (follows.face == Face::FrontAndBack || follows.face == side))
+        follow_color(follows.mode, given_color(draw, index), m);
+    return m;
+}
+
+void light(const VertexProgram& p, std::uint32_t index, const dvec3& p_eye, const dvec3& n_eye,
+           Vertex& out) {
+    const auto lit = [&](Face side, const dvec3& n) {
+        return lit_color(material_of(p, index, side), p.draw->lights, p.state->lighting, *p.profile,
+                         p_eye, n);
+    };
+    out.color = lit(Face::Front, n_eye);
+    if (p.state->lighting.two_side) out.back_color = lit(Face::Back, -n_eye);
 }
 
 }  // namespace
@@ -44,6 +125,9 @@ VertexProgram vertex_program(const State& state, const Draw& draw, const Profile
     VertexProgram p{&state, &draw, &profile};
     p.clip_from_object = product(state.projection, draw.eye_from_object);
     p.normal_eye_from_object = normal_matrix(draw.eye_from_object);
+    const double size = std::abs(determinant(draw.eye_from_object));
+    p.normal_scale = size > 0 ? 1 / size : 0;
+    p.is_common = is_common(state, draw);
     p.fragment_fog = fog_is_per_fragment(state.fog, profile);
     p.fog_depth = state.fog.enable ? fog_table_depth(state.fog, profile.color_bits) : 1;
     return p;
@@ -56,27 +140,27 @@ double fog_of(const VertexProgram& p, double z_eye) {
 }
 
 Vertex run_vertex(const VertexProgram& p, std::uint32_t index) {
-    const MeshData& mesh = p.draw->mesh->data();
     const State& state = *p.state;
-    const dvec4 p_object(dvec3(mesh.positions[index]), 1);
+    const Draw& draw = *p.draw;
+    const dvec4 p_object = object_position(draw.mesh->data(), index);
     Vertex out;
 
     out.clip = transform(p.clip_from_object, p_object);
-    const dvec4 p_eye4 = transform(p.draw->eye_from_object, p_object);
-    const dvec3 p_eye(p_eye4);
+    const dvec4 p_eye4 = transform(draw.eye_from_object, p_object);
+    const dvec3 p_eye = eye_point(p_eye4);
     for (std::size_t i = 0; i < max_clip_planes; ++i)
         if (state.clip_planes[i].enable) out.distance[i] = dot4(state.clip_planes[i].plane, p_eye4);
 
-    const dvec3 n_object = mesh.normals.empty() ? dvec3(0, 0, 1) : dvec3(mesh.normals[index]);
-    const dvec3 n_eye = normalized(transform3(p.normal_eye_from_object, n_object));
-    if (state.color_source == ColorSource::Vertex) out.color = mesh_color(p, index);
-    if (state.color_source == ColorSource::Lighting) light(p, p_eye, n_eye, out);
+    const dvec3 n_eye = eye_normal(p, given_normal(draw, index));
+    if (state.color_source == ColorSource::Vertex)
+        out.color = quantized_color(given_color(draw, index), p.profile->color_bits);
+    if (state.color_source == ColorSource::Lighting) light(p, index, p_eye, n_eye, out);
     if (!(state.color_source == ColorSource::Lighting && state.lighting.two_side))
         out.back_color = out.color;
 
-    const vec2 st = mesh.texcoords.empty() ? vec2(0) : mesh.texcoords[index];
-    if (p.draw->map.enabled()) {
-        out.texcoord = texture_coordinates(state.texture, st, p_eye4, n_eye);
+    if (draw.map.enabled()) {
+        out.texcoord = texture_coordinates(
+            state.texture, {given_texcoord(draw, index), p_object, p_eye4, p_eye, n_eye});
         for (int i = 0; i < 4; ++i) out.texcoord[i] = bounded(out.texcoord[i], largest_coordinate);
     }
     if (state.fog.enable) out.fog = fog_of(p, p_eye.z);

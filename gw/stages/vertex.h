@@ -38,8 +38,12 @@ struct VertexProgram {
     const Profile* profile = nullptr;
     dmat4 clip_from_object{1};
     dmat3 normal_eye_from_object{1};  ///< inverse transpose up to a positive factor
+    double normal_scale = 1;          ///< what normals are multiplied by; 0: they are normalised
     bool fragment_fog = false;
     double fog_depth = 1;  ///< eye distance at the end of the fog table
+    /// positions of w = 1 under an affine matrix, normalised normals, one material, the initial
+    /// current values, no texture matrix and no coordinate by a rule of its own
+    bool is_common = true;
 };
 
 VertexProgram vertex_program(const State& state, const Draw& draw, const Profile& profile);
@@ -49,6 +53,20 @@ Vertex run_vertex(const VertexProgram& program, std::uint32_t index);
 
 /// Vertex::fog of a vertex at this z in eye space.
 double fog_of(const VertexProgram& program, double z_eye);
+
+/// The colour of a vertex before it is rounded: the mesh's, or the draw's current one.
+vec4 given_color(const Draw& draw, std::uint32_t index);
+/// Whether two draws give the same values to vertices for which their mesh has none.
+bool same_current(const Draw& a, const Draw& b);
+
+/// A vertex's position in object space.
+inline dvec4 object_position(const MeshData& mesh, std::uint32_t index) {
+    return {dvec3(mesh.positions[index]), mesh.w.empty() ? 1.0 : double(mesh.w[index])};
+}
+/// The point of homogeneous eye coordinates; of w = 0 their direction.
+inline dvec3 eye_point(const dvec4& p) {
+    return p.w == 0 ? dvec3(p) : dvec3(p.x / p.w, p.y / p.w, p.z / p.w);
+}
 
 /// m * v, each component ((m0 x + m1 y) + (m2 z + m3 w)).
 inline dvec4 transform(const dmat4& m, const dvec4& v) {

@@ -20,6 +20,7 @@ struct Checker {
     const char* name = "";
     std::string_view pass{};
     mutable const void* checked_lights = nullptr;  ///< of the last draw
+    mutable const void* checked_mesh = nullptr;    ///< the last one
 
     [[noreturn]] void fail(const std::string& what) const {
         throw Error(fmt::format("command {} ({}){}: {}", command, name,
@@ -48,6 +49,9 @@ struct Checker {
     }
     void finite(const char* what, double v) const {
         require(std::isfinite(v), what, v, "a finite number");
+    }
+    void finite(const char* what, const dvec4& v) const {
+        for (int i = 0; i < 4; ++i) finite(what, v[i]);
     }
     void finite(const char* what, const vec4& v) const {
         for (int i = 0; i < 4; ++i) finite(what, double(v[i]));

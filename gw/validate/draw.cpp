@@ -19,20 +19,30 @@ void check_light(const Checker& c, const Light& light) {
         c.require(a >= 0 && std::isfinite(a), "light attenuation", a, "0 or more");
 }
 
+void check_material(const Checker& c, const Material& m) {
+    for (const vec3& v : {m.Ka, m.Kd, m.Ks, m.Ke}) c.finite("material", v);
+    c.require(m.Ns >= 0 && m.Ns <= 10000, "material.Ns", m.Ns, "0 to 10000");
+    c.require(std::isfinite(m.alpha), "material.alpha", m.alpha, "a finite number");
+}
+
 }  // namespace
 
 void check(const Checker& c, const Draw& draw) {
     c.require(draw.mesh != nullptr, "mesh", "null", "a mesh");
     c.finite("eye_from_object", draw.eye_from_object);
-    const dmat4& m = draw.eye_from_object;
-    c.require(m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1,
-              "eye_from_object's last row", "not 0 0 0 1", "an affine matrix");
-    for (const vec3& v : {draw.material.Ka, draw.material.Kd, draw.material.Ks, draw.material.Ke})
-        c.finite("material", v);
-    c.require(draw.material.Ns >= 0 && draw.material.Ns <= 10000, "material.Ns", draw.material.Ns,
-              "0 to 10000");
-    c.require(std::isfinite(draw.material.alpha), "material.alpha", draw.material.alpha,
-              "a finite number");
+    check_material(c, draw.material);
+    if (draw.back_material) check_material(c, *draw.back_material);
+    if (draw.current) {
+        c.finite("current.color", draw.current->color);
+        c.finite("current.normal", draw.current->normal);
+        c.finite("current.texcoord", draw.current->texcoord);
+    }
+    if (draw.mesh.get() != c.checked_mesh)
+        for (const FaceMaterials& m : draw.mesh->data().materials) {
+            check_material(c, m.front);
+            check_material(c, m.back);
+        }
+    c.checked_mesh = draw.mesh.get();
     if (draw.map.texture && draw.map.slot)
         c.fail("both a texture and a slot; expected one of them");
     c.require(draw.id_shift >= 0 && draw.id_shift < 32, "id_shift", draw.id_shift, "0 to 31");

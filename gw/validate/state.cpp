@@ -7,13 +7,31 @@ namespace {
 bool wraps(const StencilOp op) { return op == StencilOp::IncrWrap || op == StencilOp::DecrWrap; }
 bool wraps(const auto& s) { return wraps(s.fail) || wraps(s.zfail) || wraps(s.zpass); }
 
+bool is_constant(BlendFactor f) { return f >= BlendFactor::ConstantColor; }
+
+void check_blend_extensions(const Checker& c, const BlendState& b) {
+    const Extensions& e = c.profile.extensions;
+    using enum BlendEquation;
+    c.extension(b.enable && (is_constant(b.src) || is_constant(b.dst)), e.blend_color,
+                "blend_color");
+    c.extension(b.enable && (b.equation == Min || b.equation == Max), e.blend_minmax,
+                "blend_minmax");
+    c.extension(b.enable && (b.equation == Subtract || b.equation == ReverseSubtract),
+                e.blend_subtract, "blend_subtract");
+}
+
 void check_extensions(const Checker& c, const State& s) {
     const Extensions& e = c.profile.extensions;
-    c.extension(s.polygon_offset.enable, e.polygon_offset, "polygon_offset");
+    const PolygonOffsetState& offset = s.polygon_offset;
+    c.extension(offset.enable || offset.lines || offset.points, e.polygon_offset, "polygon_offset");
+    c.extension(s.line_stipple.enable || s.polygon_stipple.pattern, e.stipple, "stipple");
+    c.extension(s.two_side_polygon_mode, e.two_sided_polygon_mode, "two_sided_polygon_mode");
     c.extension(s.texture.shadow_compare, e.shadow_texture, "shadow_texture");
     c.extension(s.stencil.test && (wraps(s.stencil) || wraps(s.stencil.back)), e.stencil_wrap,
                 "stencil_wrap");
     c.extension(s.stencil.test && s.stencil.two_side, e.two_sided_stencil, "two_sided_stencil");
+    c.extension(s.logic_op.enable, e.logic_op, "logic_op");
+    check_blend_extensions(c, s.blend);
 }
 
 void check_fog(const Checker& c, const FogState& fog) {
@@ -35,6 +53,9 @@ void check_rasterization(const Checker& c, const State& s) {
     c.enumeration("cull.face", s.cull.face, Face::FrontAndBack);
     c.enumeration("cull.front", s.cull.front, Winding::CCW);
     c.enumeration("polygon_mode", s.polygon_mode, PolygonMode::Fill);
+    c.enumeration("back_polygon_mode", s.back_polygon_mode, PolygonMode::Fill);
+    c.require(s.line_stipple.factor >= 1 && s.line_stipple.factor <= 256, "line_stipple.factor",
+              s.line_stipple.factor, "1 to 256");
     c.enumeration("shade_model", s.shade_model, ShadeModel::Smooth);
     c.enumeration("color_source", s.color_source, ColorSource::PolygonId);
     c.require(s.jitter.x > -units && s.jitter.x < units, "jitter.x", s.jitter.x,
@@ -49,8 +70,10 @@ void check_rasterization(const Checker& c, const State& s) {
 
 /// [GL11] tables 4.1 and 4.2: each colour factor is allowed on one side only.
 void check_blend(const Checker& c, const BlendState& b) {
-    c.enumeration("blend.src", b.src, BlendFactor::SrcAlphaSaturate);
-    c.enumeration("blend.dst", b.dst, BlendFactor::SrcAlphaSaturate);
+    c.enumeration("blend.src", b.src, BlendFactor::OneMinusConstantAlpha);
+    c.enumeration("blend.dst", b.dst, BlendFactor::OneMinusConstantAlpha);
+    c.enumeration("blend.equation", b.equation, BlendEquation::Max);
+    c.finite("blend.color", b.color);
     const auto refuse = [&](const char* field, BlendFactor given, BlendFactor factor,
                             const char* word) {
         if (given == factor)
@@ -76,7 +99,13 @@ void check_texture(const Checker& c, const TextureState& t) {
     c.enumeration("texture.wrap_s", t.wrap_s, Wrap::Clamp);
     c.enumeration("texture.wrap_t", t.wrap_t, Wrap::Clamp);
     c.enumeration("texture.env", t.env, TexEnv::Replace);
-    c.enumeration("texture.gen", t.gen, TexGen::EyeLinear);
+    c.enumeration("texture.gen", t.gen, TexGen::PerCoordinate);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const CoordinateMode last = i < 2 ? CoordinateMode::SphereMap : CoordinateMode::EyeLinear;
+        c.enumeration("texture.coordinates", t.coordinates[i].mode, last);
+        c.finite("texture.coordinates", t.coordinates[i].plane);
+    }
+    c.finite("texture.matrix", t.matrix);
     c.finite("texture.eta", t.eta);
     c.finite("texture.eye_linear", t.eye_linear);
     c.finite("texture.env_color", t.env_color);
@@ -116,9 +145,14 @@ void check(const Checker& c, const SetState& set) {
         for (int i = 0; i < 4; ++i) c.finite("clip_planes", plane.plane[i]);
     check_rasterization(c, s);
     check_blend(c, s.blend);
+    c.enumeration("logic_op.op", s.logic_op.op, LogicOp::Set);
     check_fog(c, s.fog);
     check_fragment_tests(c, s);
     c.finite("lighting.model_ambient", s.lighting.model_ambient);
+    c.enumeration("lighting.color_material.face", s.lighting.color_material.face,
+                  Face::FrontAndBack);
+    c.enumeration("lighting.color_material.mode", s.lighting.color_material.mode,
+                  ColorMaterial::AmbientAndDiffuse);
     check_texture(c, s.texture);
 }
 

@@ -36,7 +36,10 @@ inline constexpr auto members_of<MeshData> = std::tuple(
     named("primitive", &MeshData::primitive), named("positions", &MeshData::positions),
     named("indices", &MeshData::indices), named("polygon_sizes", &MeshData::polygon_sizes),
     named("normals", &MeshData::normals), named("texcoords", &MeshData::texcoords),
-    named("colors", &MeshData::colors), named("polygon_ids", &MeshData::polygon_ids));
+    named("colors", &MeshData::colors), named("polygon_ids", &MeshData::polygon_ids),
+    named("w", &MeshData::w), named("texcoords_rq", &MeshData::texcoords_rq),
+    named("edge_flags", &MeshData::edge_flags), named("materials", &MeshData::materials),
+    named("material_indices", &MeshData::material_indices));
 
 template <>
 inline constexpr auto members_of<TextureLevel> = std::tuple(
@@ -58,6 +61,11 @@ template <>
 inline constexpr auto members_of<Material> = std::tuple(
     named("Ka", &Material::Ka), named("Kd", &Material::Kd), named("Ks", &Material::Ks),
     named("Ke", &Material::Ke), named("Ns", &Material::Ns), named("alpha", &Material::alpha));
+
+template <>
+inline constexpr auto members_of<CurrentValues> = std::tuple(
+    named("current.color", &CurrentValues::color), named("current.normal", &CurrentValues::normal),
+    named("current.texcoord", &CurrentValues::texcoord));
 
 template <>
 inline constexpr auto members_of<Draw> = std::tuple(named("eye_from_object",
@@ -160,6 +168,12 @@ Parts difference(const Draw& a, const Draw& b) {
     if (a.mesh != b.mesh)
         if (auto part = difference(a.mesh->data(), b.mesh->data())) return part;
     if (auto part = difference(a.material, b.material)) return part;
+    const Material &back_a = a.back_material ? *a.back_material : a.material,
+                   &back_b = b.back_material ? *b.back_material : b.material;
+    if (auto part = difference(back_a, back_b)) return Part{"back " + part->name, part->a, part->b};
+    static const CurrentValues initial;
+    if (auto part = difference(a.current ? *a.current : initial, b.current ? *b.current : initial))
+        return part;
     if (auto part = difference(a.lights, b.lights)) return part;
     if (auto part = difference(a.map, b.map)) return part;
     return difference<Draw>(a, b);

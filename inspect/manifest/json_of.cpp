@@ -8,6 +8,15 @@
 
 namespace gw::inspect {
 
+static nlohmann::ordered_json json_of(const Extensions& extensions) {
+    nlohmann::ordered_json json;
+    for (std::size_t i = 0; i < extension_names().size(); ++i) {
+        const auto& [name, member] = extension_names()[i];
+        if (i < always_named_extensions || extensions.*member) json[name] = extensions.*member;
+    }
+    return json;
+}
+
 nlohmann::ordered_json json_of(const Profile& p) {
     return {
         {"name", p.name},
@@ -20,11 +29,7 @@ nlohmann::ordered_json json_of(const Profile& p) {
         {"max_lights", p.max_lights},
         {"fragment_fog", p.fragment_fog},
         {"perspective_color", p.perspective_color},
-        {"extensions",
-         {{"polygon_offset", p.extensions.polygon_offset},
-          {"shadow_texture", p.extensions.shadow_texture},
-          {"stencil_wrap", p.extensions.stencil_wrap},
-          {"two_sided_stencil", p.extensions.two_sided_stencil}}},
+        {"extensions", json_of(p.extensions)},
     };
 }
 

@@ -10,6 +10,10 @@
 
 namespace gw::inspect {
 
+/// The first extensions of extension_names(), the papers', are always written; of the others those
+/// that the profile has.
+inline constexpr std::size_t always_named_extensions = 4;
+
 /// Its keys are those of a profile's TOML file.
 nlohmann::ordered_json json_of(const Profile& profile);
 

@@ -126,9 +126,11 @@ Profile profile_from(const Json& json) {
               .lit_bits = m.get<int>("lit_bits"),
               .max_lights = m.get<int>("max_lights"),
               .fragment_fog = m.get<bool>("fragment_fog"),
-              .perspective_color = m.get<bool>("perspective_color"),
-              .extensions = {e.get<bool>("polygon_offset"), e.get<bool>("shadow_texture"),
-                             e.get<bool>("stencil_wrap"), e.get<bool>("two_sided_stencil")}};
+              .perspective_color = m.get<bool>("perspective_color")};
+    for (std::size_t i = 0; i < extension_names().size(); ++i) {
+        const auto& [name, member] = extension_names()[i];
+        if (i < always_named_extensions || e.has(name)) p.extensions.*member = e.get<bool>(name);
+    }
     m.finish();
     e.finish();
     validate(p);

@@ -63,7 +63,18 @@ public:
             }
         gl().End();
     }
+    /// A strip stays one: its stipple goes on.
+    void strip() const {
+        gl().Begin(GL_LINE_STRIP);
+        std::uint32_t ordinal = 0;
+        for (const auto& [first, second] : draw_.mesh->lines()) {
+            if (ordinal == 0) vertex(first, first, ordinal);
+            vertex(second, second, ordinal++);
+        }
+        gl().End();
+    }
     void lines() const {
+        if (draw_.mesh->data().primitive == Primitive::LineStrip) return strip();
         gl().Begin(GL_LINES);
         std::uint32_t ordinal = 0;
         for (const auto& line : draw_.mesh->lines()) {
@@ -82,11 +93,11 @@ public:
 private:
     void vertex(std::uint32_t index, std::uint32_t provoking, std::uint32_t polygon) const {
         const Vertex& v = vertices_[index];
-        const vec3& p = draw_.mesh->data().positions[index];
+        const dvec4 p = object_position(draw_.mesh->data(), index);
         color(state_.shade_model == ShadeModel::Flat ? vertices_[provoking] : v, polygon);
         gl().TexCoord4d(v.texcoord.x, v.texcoord.y, v.texcoord.z, v.texcoord.w);
         gl().FogCoordd(fog_coordinate(v, p));
-        gl().Vertex3f(p.x, p.y, p.z);
+        gl().Vertex4f(float(p.x), float(p.y), float(p.z), float(p.w));
     }
     void color(const Vertex& v, std::uint32_t polygon) const {
         if (state_.color_source == ColorSource::PolygonId) {
@@ -100,9 +111,9 @@ private:
                        [](double x) { return GLubyte(x); });
         gl().Color4ubv(c.data());
     }
-    double fog_coordinate(const Vertex& v, const vec3& p) const {
+    double fog_coordinate(const Vertex& v, const dvec4& p) const {
         if (!program_.fragment_fog) return 1 - v.fog / max_of_bits(profile_.color_bits);
-        return std::max(-transform(draw_.eye_from_object, dvec4(dvec3(p), 1)).z, 0.0);
+        return std::max(-eye_point(transform(draw_.eye_from_object, p)).z, 0.0);
     }
 
     const Draw& draw_;

@@ -84,9 +84,26 @@ GLenum token(BlendFactor factor) {
         case BlendFactor::DstAlpha: return GL_DST_ALPHA;
         case BlendFactor::OneMinusDstAlpha: return GL_ONE_MINUS_DST_ALPHA;
         case BlendFactor::SrcAlphaSaturate: return GL_SRC_ALPHA_SATURATE;
+        case BlendFactor::ConstantColor: return GL_CONSTANT_COLOR;
+        case BlendFactor::OneMinusConstantColor: return GL_ONE_MINUS_CONSTANT_COLOR;
+        case BlendFactor::ConstantAlpha: return GL_CONSTANT_ALPHA;
+        case BlendFactor::OneMinusConstantAlpha: return GL_ONE_MINUS_CONSTANT_ALPHA;
     }
     return GL_NONE;
 }
+
+GLenum token(BlendEquation equation) {
+    switch (equation) {
+        case BlendEquation::Add: return GL_FUNC_ADD;
+        case BlendEquation::Subtract: return GL_FUNC_SUBTRACT;
+        case BlendEquation::ReverseSubtract: return GL_FUNC_REVERSE_SUBTRACT;
+        case BlendEquation::Min: return GL_MIN;
+        case BlendEquation::Max: return GL_MAX;
+    }
+    return GL_NONE;
+}
+
+GLenum token(LogicOp op) { return GL_CLEAR + GLenum(op); }
 
 GLenum token(Face face) {
     switch (face) {

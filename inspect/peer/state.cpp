@@ -2,6 +2,7 @@
 #include "inspect/peer/commands.h"
 
 #include "gw/error.h"
+#include "gw/stages/resolve.h"
 #include "inspect/peer/gl.h"
 
 #include <fmt/format.h>
@@ -43,14 +44,34 @@ void require_size(GLenum range, int size, const char* what) {
                                 limits[1]));
 }
 
+void apply(const LineStippleState& stipple) {
+    enable(GL_LINE_STIPPLE, stipple.enable);
+    gl().LineStipple(stipple.factor, stipple.pattern);
+}
+
+/// Rows of four bytes, the leftmost pixel in the highest bit of the first.
+void apply(const PolygonStippleState& stipple) {
+    enable(GL_POLYGON_STIPPLE, stipple.pattern != nullptr);
+    if (!stipple.pattern) return;
+    std::array<GLubyte, 128> bytes;
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        bytes[i] = GLubyte((*stipple.pattern)[i / 4] >> (24 - 8 * (i % 4)));
+    gl().PolygonStipple(bytes.data());
+}
+
 void apply_primitives(const State& s) {
     require_size(GL_ALIASED_POINT_SIZE_RANGE, s.point_size, "point_size");
     require_size(GL_ALIASED_LINE_WIDTH_RANGE, s.line_width, "line_width");
     gl().PointSize(static_cast<float>(s.point_size));
     gl().LineWidth(static_cast<float>(s.line_width));
-    gl().PolygonMode(GL_FRONT_AND_BACK, token(s.polygon_mode));
+    gl().PolygonMode(GL_FRONT, token(mode_of(s, true)));
+    gl().PolygonMode(GL_BACK, token(mode_of(s, false)));
+    apply(s.line_stipple);
+    apply(s.polygon_stipple);
     gl().PolygonOffset(s.polygon_offset.factor, s.polygon_offset.units);
     enable(GL_POLYGON_OFFSET_FILL, s.polygon_offset.enable);
+    enable(GL_POLYGON_OFFSET_LINE, s.polygon_offset.lines);
+    enable(GL_POLYGON_OFFSET_POINT, s.polygon_offset.points);
     const bool flat = s.shade_model == ShadeModel::Flat || s.color_source == ColorSource::PolygonId;
     gl().ShadeModel(flat ? GL_FLAT : GL_SMOOTH);
 }
@@ -77,6 +98,10 @@ void apply_fragments(const State& s) {
     gl().DepthMask(s.depth.mask);
     enable(GL_BLEND, s.blend.enable);
     gl().BlendFunc(token(s.blend.src), token(s.blend.dst));
+    gl().BlendEquation(token(s.blend.equation));
+    gl().BlendColor(s.blend.color.x, s.blend.color.y, s.blend.color.z, s.blend.color.w);
+    enable(GL_COLOR_LOGIC_OP, s.logic_op.enable);
+    gl().LogicOp(token(s.logic_op.op));
     gl().ColorMask(s.color_mask.r, s.color_mask.g, s.color_mask.b, s.color_mask.a);
 }
 

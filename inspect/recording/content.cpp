@@ -42,6 +42,14 @@ Digest content(const MeshData& mesh) {
     hasher.add(mesh.indices);
     hasher.add(mesh.polygon_sizes);
     hasher.add(mesh.polygon_ids);
+    if (mesh.w.empty() && mesh.texcoords_rq.empty() && mesh.edge_flags.empty() &&
+        mesh.material_indices.empty())
+        return hasher.finish();
+    hasher.add(mesh.w);
+    hasher.add(mesh.texcoords_rq);
+    hasher.add(mesh.edge_flags);
+    hasher.add(mesh.materials);
+    hasher.add(mesh.material_indices);
     return hasher.finish();
 }
 

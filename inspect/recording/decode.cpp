@@ -33,6 +33,12 @@ Material from_file(const gwt::Material& m) {
             .Ns = m.Ns(),
             .alpha = m.alpha()};
 }
+FaceMaterials from_file(const gwt::FaceMaterials& m) {
+    return {from_file(m.front()), from_file(m.back())};
+}
+CurrentValues from_file(const gwt::CurrentValues& v) {
+    return {from_file(v.color()), from_file(v.normal()), from_file(v.texcoord())};
+}
 Span from_file(const gwt::Span& s) { return {s.x(), s.y(), s.length(), s.first(), s.flat()}; }
 
 /// All but its name.
@@ -47,7 +53,8 @@ Profile from_file(const gwt::Profile& p) {
             .fragment_fog = p.fragment_fog(),
             .perspective_color = p.perspective_color(),
             .extensions = {p.polygon_offset(), p.shadow_texture(), p.stencil_wrap(),
-                           p.two_sided_stencil()}};
+                           p.two_sided_stencil(), p.stipple(), p.two_sided_polygon_mode(),
+                           p.logic_op(), p.blend_color(), p.blend_minmax(), p.blend_subtract()}};
 }
 
 class Decoder {
@@ -144,7 +151,12 @@ MeshRef Decoder::mesh(const gwt::Mesh& m) {
                   .colors = structs<vec4>(m.colors()),
                   .indices = numbers(m.indices()),
                   .polygon_sizes = numbers(m.polygon_sizes()),
-                  .polygon_ids = numbers(m.polygon_ids())};
+                  .polygon_ids = numbers(m.polygon_ids()),
+                  .w = numbers(m.w()),
+                  .texcoords_rq = structs<vec2>(m.texcoords_rq()),
+                  .edge_flags = numbers(m.edge_flags()),
+                  .materials = structs<FaceMaterials>(m.materials()),
+                  .material_indices = numbers(m.material_indices())};
     charge(sizeof(Mesh) + std::max(data.positions.size(), data.indices.size()) * sizeof(Triangle));
     return make_mesh(std::move(data));
 }
@@ -168,6 +180,9 @@ Command Decoder::command(const gwt::Draw& c) {
         .mesh = at(meshes_, c.mesh(), "mesh"), .id_base = c.id_base(), .id_shift = c.id_shift()};
     if (c.eye_from_object()) draw.eye_from_object = from_file(*c.eye_from_object());
     if (c.material()) draw.material = from_file(*c.material());
+    if (c.back_material())
+        draw.back_material = std::make_shared<const Material>(from_file(*c.back_material()));
+    if (c.current()) draw.current = std::make_shared<const CurrentValues>(from_file(*c.current()));
     if (c.lights() != no_place) draw.lights = at(light_sets_, c.lights(), "lights");
     if (c.texture() != no_place) draw.map.texture = at(textures_, c.texture(), "texture");
     if (c.slot() != no_place) draw.map.slot = c.slot();
@@ -270,9 +285,9 @@ CommandList Decoder::list(const gwt::CommandList& stored) {
 }
 
 Recording Decoder::decode() {
-    if (file_.version() != recording_version)
-        throw Error(fmt::format("a recording of version {}; expected version {}", file_.version(),
-                                recording_version));
+    if (file_.version() < 1 || file_.version() > newest_version)
+        throw Error(fmt::format("a recording of version {}; expected version 1 to {}",
+                                file_.version(), newest_version));
     if (!file_.profile()) throw Error("a recording without a profile");
     Recording r{.producer = text(file_.producer()),
                 .scene = text(file_.scene()),

@@ -31,6 +31,11 @@ gwt::Material to_file(const Material& m) {
     using inspect::to_file;
     return {to_file(m.Ka), to_file(m.Kd), to_file(m.Ks), to_file(m.Ke), m.Ns, m.alpha};
 }
+gwt::FaceMaterials to_file(const FaceMaterials& m) { return {to_file(m.front), to_file(m.back)}; }
+gwt::CurrentValues to_file(const CurrentValues& v) {
+    using inspect::to_file;
+    return {to_file(v.color), to_file(v.normal), to_file(v.texcoord)};
+}
 gwt::Span to_file(const Span& s) { return {s.x, s.y, s.length, s.first, s.flat}; }
 using inspect::to_file;
 
@@ -123,6 +128,7 @@ private:
     }
     Offset<gwt::CommandList> list(const CommandList& list);
     Offset<gwt::Profile> profile(const Profile& p);
+    std::uint32_t version(const Profile& profile) const;
 
     FlatBufferBuilder out_{1 << 16};
     Places<MeshRef> mesh_places_;
@@ -131,6 +137,7 @@ private:
     std::vector<Offset<gwt::Texture>> textures_;
     std::vector<std::vector<Light>> light_sets_;
     std::vector<State> states_;
+    bool uses_version_2_ = false;  ///< in a mesh or a command
 };
 
 std::uint32_t Encoder::mesh(const MeshRef& ref) {
@@ -144,9 +151,17 @@ std::uint32_t Encoder::mesh(const MeshRef& ref) {
     const auto colors = structs<gwt::Vec4>(m.colors);
     const auto indices = numbers(m.indices);
     const auto sizes = numbers(m.polygon_sizes);
+    const auto ids = numbers(m.polygon_ids);
+    const auto w = numbers(m.w);
+    const auto texcoords_rq = structs<gwt::Vec2>(m.texcoords_rq);
+    const auto edge_flags = numbers(m.edge_flags);
+    const auto materials = structs<gwt::FaceMaterials>(m.materials);
+    const auto material_indices = numbers(m.material_indices);
     meshes_.push_back(gwt::CreateMesh(out_, file_enum<gwt::Primitive>(m.primitive), positions,
-                                      normals, texcoords, colors, indices, sizes,
-                                      numbers(m.polygon_ids)));
+                                      normals, texcoords, colors, indices, sizes, ids, w,
+                                      texcoords_rq, edge_flags, materials, material_indices));
+    uses_version_2_ = uses_version_2_ || !w.IsNull() || !texcoords_rq.IsNull() ||
+                      !edge_flags.IsNull() || !material_indices.IsNull();
     return place;
 }
 
@@ -184,6 +199,11 @@ std::uint32_t place_of(std::vector<T>& stored, const T& value) {
 std::uint32_t Encoder::lights(const LightsRef& ref) { return place_of(light_sets_, *ref); }
 std::uint32_t Encoder::state(const State& state) { return place_of(states_, state); }
 
+bool is_affine(const Draw& c) {
+    const dmat4& m = c.eye_from_object;
+    return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
+}
+
 Offset<void> Encoder::command(const Draw& c) {
     const std::uint32_t mesh_place = mesh(c.mesh);
     const std::uint32_t lights_place = c.lights ? lights(c.lights) : no_place;
@@ -191,8 +211,14 @@ Offset<void> Encoder::command(const Draw& c) {
     const std::uint32_t slot = c.map.slot.value_or(no_place);
     const auto matrix = to_file(c.eye_from_object);
     const auto material = to_file(c.material);
+    gwt::Material back;
+    gwt::CurrentValues current;
+    if (c.back_material) back = to_file(*c.back_material);
+    if (c.current) current = to_file(*c.current);
+    uses_version_2_ = uses_version_2_ || c.back_material || c.current || !is_affine(c);
     return gwt::CreateDraw(out_, mesh_place, &matrix, &material, lights_place, texture_place, slot,
-                           c.id_base, c.id_shift)
+                           c.id_base, c.id_shift, c.back_material ? &back : nullptr,
+                           c.current ? &current : nullptr)
         .Union();
 }
 
@@ -210,10 +236,27 @@ Offset<gwt::CommandList> Encoder::list(const CommandList& list) {
 
 Offset<gwt::Profile> Encoder::profile(const Profile& p) {
     const Extensions& e = p.extensions;
-    return gwt::CreateProfile(out_, out_.CreateString(p.name), p.color_bits, p.depth_bits,
-                              p.stencil_bits, p.accum_bits, p.subpixel_bits, p.lit_bits,
-                              p.max_lights, p.fragment_fog, p.perspective_color, e.polygon_offset,
-                              e.shadow_texture, e.stencil_wrap, e.two_sided_stencil);
+    return gwt::CreateProfile(
+        out_, out_.CreateString(p.name), p.color_bits, p.depth_bits, p.stencil_bits, p.accum_bits,
+        p.subpixel_bits, p.lit_bits, p.max_lights, p.fragment_fog, p.perspective_color,
+        e.polygon_offset, e.shadow_texture, e.stencil_wrap, e.two_sided_stencil, e.stipple,
+        e.two_sided_polygon_mode, e.logic_op, e.blend_color, e.blend_minmax, e.blend_subtract);
+}
+
+bool needs_version_2(const Profile& p) {
+    Extensions of_version_1;
+    of_version_1.polygon_offset = p.extensions.polygon_offset;
+    of_version_1.shadow_texture = p.extensions.shadow_texture;
+    of_version_1.stencil_wrap = p.extensions.stencil_wrap;
+    of_version_1.two_sided_stencil = p.extensions.two_sided_stencil;
+    return p.extensions != of_version_1;
+}
+
+std::uint32_t Encoder::version(const Profile& profile) const {
+    const bool second = uses_version_2_ || needs_version_2(profile) ||
+                        std::any_of(states_.begin(), states_.end(),
+                                    [](const State& s) { return inspect::needs_version_2(s); });
+    return second ? 2 : 1;
 }
 
 std::vector<std::uint8_t> Encoder::encode(const Recording& r) {
@@ -231,7 +274,7 @@ std::vector<std::uint8_t> Encoder::encode(const Recording& r) {
     need(8 * (lists.size() + states.size() + meshes_.size()) + (1 << 16));
     const auto stored_profile = profile(r.profile);
     out_.Finish(
-        gwt::CreateRecordingDirect(out_, recording_version, r.producer.c_str(), r.scene.c_str(),
+        gwt::CreateRecordingDirect(out_, version(r.profile), r.producer.c_str(), r.scene.c_str(),
                                    r.renderer.c_str(), stored_profile, r.width, r.height, &sets,
                                    &meshes_, &textures_, &light_sets, &states, &lists),
         gwt::RecordingIdentifier());

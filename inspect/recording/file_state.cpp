@@ -9,10 +9,14 @@ using inspect::to_file;
 
 static_assert(int(CompareFunc::Always) == int(gwt::CompareFunc::MAX));
 static_assert(int(StencilOp::DecrWrap) == int(gwt::StencilOp::MAX));
-static_assert(int(BlendFactor::SrcAlphaSaturate) == int(gwt::BlendFactor::MAX));
+static_assert(int(BlendFactor::OneMinusConstantAlpha) == int(gwt::BlendFactor::MAX));
+static_assert(int(BlendEquation::Max) == int(gwt::BlendEquation::MAX));
+static_assert(int(CoordinateMode::SphereMap) == int(gwt::CoordinateMode::MAX));
+static_assert(int(ColorMaterial::AmbientAndDiffuse) == int(gwt::ColorMaterial::MAX));
+static_assert(int(LogicOp::Set) == int(gwt::LogicOp::MAX));
 static_assert(int(MinFilter::LinearMipmapLinear) == int(gwt::MinFilter::MAX));
 static_assert(int(TexEnv::Replace) == int(gwt::TexEnv::MAX));
-static_assert(int(TexGen::EyeLinear) == int(gwt::TexGen::MAX));
+static_assert(int(TexGen::PerCoordinate) == int(gwt::TexGen::MAX));
 static_assert(int(ColorSource::PolygonId) == int(gwt::ColorSource::MAX));
 static_assert(int(FogCoordinate::Fragment) == int(gwt::FogCoordinate::MAX));
 
@@ -40,8 +44,9 @@ CullState from_file(const gwt::Cull& c) {
 }
 
 gwt::PolygonOffset to_file(const PolygonOffsetState& o) { return {o.enable, o.factor, o.units}; }
+/// All but the members of version 2.
 PolygonOffsetState from_file(const gwt::PolygonOffset& o) {
-    return {o.enable(), o.factor(), o.units()};
+    return {.enable = o.enable(), .factor = o.factor(), .units = o.units()};
 }
 
 gwt::Jitter to_file(const JitterState& j) { return {j.x, j.y}; }
@@ -50,8 +55,30 @@ JitterState from_file(const gwt::Jitter& j) { return {j.x(), j.y()}; }
 gwt::Lighting to_file(const LightingState& l) {
     return {l.local_viewer, l.two_side, to_file(l.model_ambient)};
 }
+/// All but the members of version 2.
 LightingState from_file(const gwt::Lighting& l) {
-    return {l.local_viewer(), l.two_side(), from_file(l.model_ambient())};
+    return {.local_viewer = l.local_viewer(),
+            .two_side = l.two_side(),
+            .model_ambient = from_file(l.model_ambient())};
+}
+
+gwt::ColorMaterialUse to_file(const ColorMaterialState& c) {
+    return {c.enable, file_enum<gwt::Face>(c.face), file_enum<gwt::ColorMaterial>(c.mode)};
+}
+ColorMaterialState from_file(const gwt::ColorMaterialUse& c) {
+    return {c.enable(), our_enum<Face>(c.face()), our_enum<ColorMaterial>(c.mode())};
+}
+
+gwt::LineStipple to_file(const LineStippleState& l) { return {l.enable, l.factor, l.pattern}; }
+LineStippleState from_file(const gwt::LineStipple& l) {
+    return {l.enable(), l.factor(), l.pattern()};
+}
+
+gwt::CoordinateGen to_file(const CoordinateGen& c) {
+    return {file_enum<gwt::CoordinateMode>(c.mode), to_file(c.plane)};
+}
+CoordinateGen from_file(const gwt::CoordinateGen& c) {
+    return {our_enum<CoordinateMode>(c.mode()), from_file(c.plane())};
 }
 
 gwt::Fog to_file(const FogState& f) {
@@ -85,6 +112,7 @@ gwt::TextureLookup to_file(const TextureState& t) {
             to_file(t.eye_linear),
             t.shadow_compare};
 }
+/// All but the members of version 2.
 TextureState from_file(const gwt::TextureLookup& t) {
     return {.min_filter = our_enum<MinFilter>(t.min_filter()),
             .mag_filter = our_enum<MagFilter>(t.mag_filter()),
@@ -140,8 +168,16 @@ gwt::Depth to_file(const DepthState& d) { return {d.test, to_file(d.func), d.mas
 DepthState from_file(const gwt::Depth& d) { return {d.test(), from_file(d.func()), d.mask()}; }
 
 gwt::Blend to_file(const BlendState& b) { return {b.enable, to_file(b.src), to_file(b.dst)}; }
+/// All but the members of version 2.
 BlendState from_file(const gwt::Blend& b) {
-    return {b.enable(), from_file(b.src()), from_file(b.dst())};
+    return {.enable = b.enable(), .src = from_file(b.src()), .dst = from_file(b.dst())};
+}
+
+gwt::LogicOperation to_file(const LogicOpState& l) {
+    return {l.enable, file_enum<gwt::LogicOp>(l.op)};
+}
+LogicOpState from_file(const gwt::LogicOperation& l) {
+    return {l.enable(), our_enum<LogicOp>(l.op())};
 }
 
 gwt::ColorMask to_file(const ColorMask& m) { return {m.r, m.g, m.b, m.a}; }
@@ -155,6 +191,31 @@ flatbuffers::Offset<flatbuffers::Vector<const gwt::ClipPlane*>> clip_planes_to_f
     return out.CreateVectorOfStructs(planes);
 }
 
+flatbuffers::Offset<flatbuffers::Vector<const gwt::CoordinateGen*>> coordinates_to_file(
+    flatbuffers::FlatBufferBuilder& out, const State& state) {
+    if (state.texture.coordinates == TextureState{}.coordinates) return 0;
+    std::vector<gwt::CoordinateGen> all;
+    for (const CoordinateGen& c : state.texture.coordinates) all.push_back(to_file(c));
+    return out.CreateVectorOfStructs(all);
+}
+
+void read_coordinates(const flatbuffers::Vector<const gwt::CoordinateGen*>* stored, State& state) {
+    if (!stored || stored->size() == 0) return;
+    if (stored->size() != 4)
+        throw Error(fmt::format("{} texture coordinates in a state; expected 4", stored->size()));
+    for (unsigned i = 0; i < 4; ++i) state.texture.coordinates[i] = from_file(*stored->Get(i));
+}
+
+void read_polygon_stipple(const flatbuffers::Vector<std::uint32_t>* stored, State& state) {
+    if (!stored || stored->size() == 0) return;
+    std::array<std::uint32_t, 32> rows;
+    if (stored->size() != rows.size())
+        throw Error(
+            fmt::format("{} rows of a polygon stipple; expected {}", stored->size(), rows.size()));
+    std::copy(stored->begin(), stored->end(), rows.begin());
+    state.polygon_stipple.pattern = std::make_shared<const std::array<std::uint32_t, 32>>(rows);
+}
+
 void read_clip_planes(const flatbuffers::Vector<const gwt::ClipPlane*>* planes, State& state) {
     if (!planes || planes->size() == 0) return;
     if (planes->size() != max_clip_planes)
@@ -162,6 +223,8 @@ void read_clip_planes(const flatbuffers::Vector<const gwt::ClipPlane*>* planes, 
             fmt::format("{} clip planes in a state; expected {}", planes->size(), max_clip_planes));
     for (unsigned i = 0; i < planes->size(); ++i) state.clip_planes[i] = from_file(*planes->Get(i));
 }
+
+bool is_constant(BlendFactor factor) { return factor >= BlendFactor::ConstantColor; }
 
 /// A group that is there.
 template <typename File, typename Group>
@@ -174,6 +237,10 @@ void read(const File* stored, Group& group) {
 flatbuffers::Offset<gwt::State> to_file(flatbuffers::FlatBufferBuilder& out, const State& s) {
     static const State initial;
     const auto planes = clip_planes_to_file(out, s);
+    const auto coordinates = coordinates_to_file(out, s);
+    flatbuffers::Offset<flatbuffers::Vector<std::uint32_t>> polygon_stipple;
+    if (s.polygon_stipple.pattern)
+        polygon_stipple = out.CreateVector(s.polygon_stipple.pattern->data(), 32);
     gwt::StateBuilder b(out);
     const auto add = [&](auto add_group, auto State::*group) {
         if (s.*group == initial.*group) return;
@@ -201,7 +268,38 @@ flatbuffers::Offset<gwt::State> to_file(flatbuffers::FlatBufferBuilder& out, con
     add(&gwt::StateBuilder::add_depth, &State::depth);
     add(&gwt::StateBuilder::add_blend, &State::blend);
     add(&gwt::StateBuilder::add_color_mask, &State::color_mask);
+    b.add_blend_equation(file_enum<gwt::BlendEquation>(s.blend.equation));
+    const auto blend_color = to_file(s.blend.color);
+    if (s.blend.color != initial.blend.color) b.add_blend_color(&blend_color);
+    add(&gwt::StateBuilder::add_logic_op, &State::logic_op);
+    b.add_normalize(s.normalize);
+    const auto follows = to_file(s.lighting.color_material);
+    if (s.lighting.color_material != initial.lighting.color_material)
+        b.add_color_material(&follows);
+    b.add_coordinates(coordinates);
+    const auto matrix = to_file(s.texture.matrix);
+    if (s.texture.matrix != initial.texture.matrix) b.add_texture_matrix(&matrix);
+    b.add_offset_lines(s.polygon_offset.lines);
+    b.add_offset_points(s.polygon_offset.points);
+    b.add_two_side_polygon_mode(s.two_side_polygon_mode);
+    b.add_back_polygon_mode(file_enum<gwt::PolygonMode>(s.back_polygon_mode));
+    add(&gwt::StateBuilder::add_line_stipple, &State::line_stipple);
+    b.add_polygon_stipple(polygon_stipple);
     return b.Finish();
+}
+
+bool needs_version_2(const State& s) {
+    const State initial;
+    const BlendState& b = s.blend;
+    return b.equation != initial.blend.equation || b.color != initial.blend.color ||
+           is_constant(b.src) || is_constant(b.dst) || s.logic_op != initial.logic_op ||
+           !s.normalize || s.lighting.color_material != initial.lighting.color_material ||
+           s.texture.gen == TexGen::PerCoordinate ||
+           s.texture.coordinates != initial.texture.coordinates ||
+           s.texture.matrix != initial.texture.matrix || s.polygon_offset.lines ||
+           s.polygon_offset.points || s.two_side_polygon_mode ||
+           s.back_polygon_mode != initial.back_polygon_mode ||
+           s.line_stipple != initial.line_stipple || s.polygon_stipple.pattern;
 }
 
 State from_file(const gwt::State& f) {
@@ -227,6 +325,19 @@ State from_file(const gwt::State& f) {
     read(f.depth(), s.depth);
     read(f.blend(), s.blend);
     read(f.color_mask(), s.color_mask);
+    s.blend.equation = our_enum<BlendEquation>(f.blend_equation());
+    read(f.blend_color(), s.blend.color);
+    read(f.logic_op(), s.logic_op);
+    s.normalize = f.normalize();
+    read(f.color_material(), s.lighting.color_material);
+    read_coordinates(f.coordinates(), s);
+    read(f.texture_matrix(), s.texture.matrix);
+    s.polygon_offset.lines = f.offset_lines();
+    s.polygon_offset.points = f.offset_points();
+    s.two_side_polygon_mode = f.two_side_polygon_mode();
+    s.back_polygon_mode = our_enum<PolygonMode>(f.back_polygon_mode());
+    read(f.line_stipple(), s.line_stipple);
+    read_polygon_stipple(f.polygon_stipple(), s);
     return s;
 }
 

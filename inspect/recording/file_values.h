@@ -51,6 +51,8 @@ Ours our_enum(File value) {
 
 /// The pipeline's state. A group at its initial value is not stored.
 flatbuffers::Offset<gwt::State> to_file(flatbuffers::FlatBufferBuilder& out, const State& state);
+/// Whether it has a member of version 2 that is not at its initial value.
+bool needs_version_2(const State& state);
 /// Throws Error for an enumeration's value that there is not.
 State from_file(const gwt::State& state);
 

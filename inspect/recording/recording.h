@@ -32,8 +32,9 @@ struct Recording {
 /// The parameter set of a pass; "" if unknown.
 std::string set_of(const Recording& recording, const std::string& pass);
 
-/// The version of the schema that `encode` writes and `decode` reads.
-inline constexpr std::uint32_t recording_version = 1;
+/// The newest version of the schema that `decode` reads. `encode` writes the oldest that holds what
+/// is recorded.
+inline constexpr std::uint32_t newest_version = 2;
 
 /// As inspect/recording/recording.fbs says. Meshes, maps, lights and states that are equal are
 /// stored once. Throws Error if it would be larger than 2 GB, the format's limit.

@@ -10,8 +10,18 @@ namespace {
 /// Bits, not a number.
 std::string hex(std::uint32_t mask) { return fmt::format("{:#x}", mask); }
 
+/// Rows from the bottom; "none" where there is no stipple.
+std::string stipple_rows(const PolygonStippleState& stipple) {
+    if (!stipple.pattern) return "none";
+    std::string rows;
+    for (const std::uint32_t row : *stipple.pattern) rows += fmt::format("{:08x} ", row);
+    rows.pop_back();
+    return rows;
+}
+
 void add_geometry(const State& s, const auto& add) {
     add("projection", s.projection);
+    add("normalize", s.normalize);
     add("viewport", Rect{s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height});
     add("depth_range.near_value", s.depth_range.near_value);
     add("depth_range.far_value", s.depth_range.far_value);
@@ -26,6 +36,14 @@ void add_geometry(const State& s, const auto& add) {
     add("polygon_offset.enable", s.polygon_offset.enable);
     add("polygon_offset.factor", s.polygon_offset.factor);
     add("polygon_offset.units", s.polygon_offset.units);
+    add("polygon_offset.lines", s.polygon_offset.lines);
+    add("polygon_offset.points", s.polygon_offset.points);
+    add("two_side_polygon_mode", s.two_side_polygon_mode);
+    add("back_polygon_mode", s.back_polygon_mode);
+    add("line_stipple.enable", s.line_stipple.enable);
+    add("line_stipple.factor", s.line_stipple.factor);
+    add("line_stipple.pattern", hex(s.line_stipple.pattern));
+    add("polygon_stipple", stipple_rows(s.polygon_stipple));
     add("jitter.x", s.jitter.x);
     add("jitter.y", s.jitter.y);
     add("point_size", s.point_size);
@@ -38,6 +56,9 @@ void add_shading(const State& s, const auto& add) {
     add("lighting.local_viewer", s.lighting.local_viewer);
     add("lighting.two_side", s.lighting.two_side);
     add("lighting.model_ambient", s.lighting.model_ambient);
+    add("lighting.color_material.enable", s.lighting.color_material.enable);
+    add("lighting.color_material.face", s.lighting.color_material.face);
+    add("lighting.color_material.mode", s.lighting.color_material.mode);
     add("fog.enable", s.fog.enable);
     add("fog.mode", s.fog.mode);
     add("fog.density", s.fog.density);
@@ -54,6 +75,11 @@ void add_shading(const State& s, const auto& add) {
     add("texture.gen", s.texture.gen);
     add("texture.eta", s.texture.eta);
     add("texture.eye_linear", s.texture.eye_linear);
+    for (std::size_t i = 0; i < 4; ++i) {
+        add(fmt::format("texture.coordinates.{}.mode", i), s.texture.coordinates[i].mode);
+        add(fmt::format("texture.coordinates.{}.plane", i), s.texture.coordinates[i].plane);
+    }
+    add("texture.matrix", s.texture.matrix);
     add("texture.shadow_compare", s.texture.shadow_compare);
 }
 
@@ -83,6 +109,10 @@ void add_fragment_operations(const State& s, const auto& add) {
     add("blend.enable", s.blend.enable);
     add("blend.src", s.blend.src);
     add("blend.dst", s.blend.dst);
+    add("blend.equation", s.blend.equation);
+    add("blend.color", s.blend.color);
+    add("logic_op.enable", s.logic_op.enable);
+    add("logic_op.op", s.logic_op.op);
     add("color_mask", s.color_mask);
 }
 

@@ -30,6 +30,11 @@ std::string text(const Span& s) {
     return fmt::format("x {} y {} length {} first {}{}", s.x, s.y, s.length, s.first,
                        s.flat ? " flat" : "");
 }
+std::string text(const Material& m) {
+    return fmt::format("Ka {} Kd {} Ks {} Ke {} Ns {} alpha {}", text(m.Ka), text(m.Kd), text(m.Ks),
+                       text(m.Ke), m.Ns, m.alpha);
+}
+std::string text(const FaceMaterials& m) { return text(m.front) + ", back " + text(m.back); }
 std::string text(const ColorMask& m) {
     return std::string(m.r ? "r" : "-") + (m.g ? "g" : "-") + (m.b ? "b" : "-") + (m.a ? "a" : "-");
 }
@@ -41,11 +46,21 @@ std::string text(AccumOp v) { return gwt::EnumNameAccumOp(file_enum<gwt::AccumOp
 std::string text(CompareFunc v) { return gwt::EnumNameCompareFunc(file_enum<gwt::CompareFunc>(v)); }
 std::string text(StencilOp v) { return gwt::EnumNameStencilOp(file_enum<gwt::StencilOp>(v)); }
 std::string text(BlendFactor v) { return gwt::EnumNameBlendFactor(file_enum<gwt::BlendFactor>(v)); }
+std::string text(BlendEquation v) {
+    return gwt::EnumNameBlendEquation(file_enum<gwt::BlendEquation>(v));
+}
+std::string text(LogicOp v) { return gwt::EnumNameLogicOp(file_enum<gwt::LogicOp>(v)); }
 std::string text(Face v) { return gwt::EnumNameFace(file_enum<gwt::Face>(v)); }
 std::string text(Winding v) { return gwt::EnumNameWinding(file_enum<gwt::Winding>(v)); }
 std::string text(PolygonMode v) { return gwt::EnumNamePolygonMode(file_enum<gwt::PolygonMode>(v)); }
 std::string text(ShadeModel v) { return gwt::EnumNameShadeModel(file_enum<gwt::ShadeModel>(v)); }
 std::string text(ColorSource v) { return gwt::EnumNameColorSource(file_enum<gwt::ColorSource>(v)); }
+std::string text(ColorMaterial v) {
+    return gwt::EnumNameColorMaterial(file_enum<gwt::ColorMaterial>(v));
+}
+std::string text(CoordinateMode v) {
+    return gwt::EnumNameCoordinateMode(file_enum<gwt::CoordinateMode>(v));
+}
 std::string text(FogMode v) { return gwt::EnumNameFogMode(file_enum<gwt::FogMode>(v)); }
 std::string text(FogCoordinate v) {
     return gwt::EnumNameFogCoordinate(file_enum<gwt::FogCoordinate>(v));

@@ -23,6 +23,8 @@ std::string text(const dmat4& m);  ///< rows, as matrices are written
 std::string text(const Rgba& c);
 std::string text(const Rect& r);  ///< "x y width height"
 std::string text(const Span& s);
+std::string text(const Material& m);  ///< "Ka 0.2 0.2 0.2 Kd ..."
+std::string text(const FaceMaterials& m);
 std::string text(const ColorMask& m);                     ///< "rg-a"
 std::string text(const std::optional<std::uint32_t>& v);  ///< "none" if there is none
 
@@ -32,11 +34,15 @@ std::string text(AccumOp v);
 std::string text(CompareFunc v);
 std::string text(StencilOp v);
 std::string text(BlendFactor v);
+std::string text(BlendEquation v);
+std::string text(LogicOp v);
 std::string text(Face v);
 std::string text(Winding v);
 std::string text(PolygonMode v);
 std::string text(ShadeModel v);
 std::string text(ColorSource v);
+std::string text(ColorMaterial v);
+std::string text(CoordinateMode v);
 std::string text(FogMode v);
 std::string text(FogCoordinate v);
 std::string text(MinFilter v);

@@ -32,8 +32,10 @@ MeshRef with_coordinates(const MappedMesh& map, const dmat4& eye_from_object) {
     data.texcoords.resize(data.positions.size());
     for (std::size_t i = 0; i < data.positions.size(); ++i) {
         const dvec3 n = data.normals.empty() ? dvec3(0, 0, 1) : dvec3(data.normals[i]);
-        data.texcoords[i] = vec2(texture_coordinates(map.lookup, {}, dvec4(0, 0, -1, 1),
-                                                     normalized(normal_eye_from_object * n)));
+        data.texcoords[i] = vec2(
+            texture_coordinates(map.lookup, {.p_eye4 = {0, 0, -1, 1},
+                                             .p_eye = {0, 0, -1},
+                                             .n_eye = normalized(normal_eye_from_object * n)}));
     }
     return make_mesh(std::move(data));
 }

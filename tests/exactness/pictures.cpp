@@ -237,7 +237,7 @@ CommandList samples(const Model& m, const Profile& profile) {
 std::vector<Picture> pictures() {
     const Model m = model();
     std::vector<Picture> out;
-    for (const Profile& p : profiles()) {
+    for (const Profile& p : paper_profiles()) {
         out.push_back({"components-" + p.name, p, width, height, components(m)});
         out.push_back({"hardware-" + p.name, p, width, height, hardware(m)});
         out.push_back({"samples-" + p.name, p, width, height, samples(m, p)});

@@ -13,17 +13,22 @@ inline bool same(const TextureRef& a, const TextureRef& b) {
 }
 inline bool same(const LightsRef& a, const LightsRef& b) { return a == b || (a && b && *a == *b); }
 
+inline bool same_value(const auto& a, const auto& b) { return a == b || (a && b && *a == *b); }
+
 inline bool same(const Command& a, const Command& b) {
     if (a.index() != b.index()) return false;
     const auto* x = std::get_if<Draw>(&a);
     if (!x) return a == b;
     Draw y = std::get<Draw>(b);
     if (!same(x->mesh, y.mesh) || !same(x->map.texture, y.map.texture) ||
-        !same(x->lights, y.lights))
+        !same(x->lights, y.lights) || !same_value(x->back_material, y.back_material) ||
+        !same_value(x->current, y.current))
         return false;
     y.mesh = x->mesh;
     y.map.texture = x->map.texture;
     y.lights = x->lights;
+    y.back_material = x->back_material;
+    y.current = x->current;
     return *x == y;
 }
 

@@ -42,7 +42,7 @@ TEST(Components, AddUpToThePictureOnEveryProfile) {
     s.materials[0].Ke = vec3(0.0625f, 0, 0);
     s.materials[1].map_Kd = {plain_map(255, 128, 3)};
     s.materials[1].refl = {plain_map(20, 40, 60)};
-    for (const Profile& profile : profiles()) {
+    for (const Profile& profile : paper_profiles()) {
         const auto whole = draw(s, {}, profile);
         EXPECT_EQ(sum_of_components(s, profile), whole) << profile.name;
         EXPECT_LT(std::max(whole[left][0], whole[right][0]), (1 << profile.color_bits) - 1)

@@ -50,7 +50,7 @@ const Options in_one_pass{.renderer = Renderer::Hardware};
 TEST(Fog, InTwoStepsIsFogInOneForOneComponent) {
     // docs/manual.md: mul(f, C) + mul(1 - f, fog), the two products rounded one by one either way.
     const scene::Scene s = road({.Ka = vec3(0), .Kd = {0.8f, 0.6f, 0.9f}});
-    for (const Profile& profile : profiles()) {
+    for (const Profile& profile : paper_profiles()) {
         const auto fogged = draw(s, {}, profile);
         EXPECT_EQ(fogged, draw(s, in_one_pass, profile)) << profile.name;
         scene::Scene clear = s;
@@ -64,7 +64,7 @@ TEST(Fog, InTwoStepsIsFogInOneWithinARoundingPerComponent) {
     // pass the sum is, once.
     scene::Scene s =
         road({.Ka = {0.3f, 0.2f, 0.1f}, .Kd = {0.5f, 0.4f, 0.5f}, .Ks = vec3(0.2f), .Ns = 3});
-    for (const Profile& profile : profiles()) {
+    for (const Profile& profile : paper_profiles()) {
         const int difference =
             largest_difference(draw(s, {}, profile), draw(s, in_one_pass, profile));
         EXPECT_LE(difference, 4) << profile.name;  // (3 + 1) / 2 twice

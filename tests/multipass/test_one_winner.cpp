@@ -65,7 +65,7 @@ TEST(OneWinner, OnEveryProfileWithEveryEffect) {
         doubled.objects.push_back(object);
         doubled.objects.back().mesh = make_mesh(std::move(data));
     }
-    for (const Profile& profile : profiles()) {
+    for (const Profile& profile : paper_profiles()) {
         EXPECT_EQ(draw(doubled, OneWinner::Auto, profile), draw(s, OneWinner::Auto, profile))
             << profile.name;
         EXPECT_NE(draw(doubled, OneWinner::Never, profile), draw(s, OneWinner::Auto, profile))

@@ -86,7 +86,7 @@ TEST(SphereMap, TexelsAreSixteenBitsToNearest) {
 }
 
 TEST(SceneMap, ShowsEachWallWhereItsDirectionLies) {
-    for (const Profile& profile : profiles()) {
+    for (const Profile& profile : paper_profiles()) {
         const TextureRef map = map_of(in_a_cube(32), profile);
         ASSERT_TRUE(map);
         EXPECT_EQ(map->width(), 32);

@@ -106,8 +106,8 @@ inline void report(const std::string& driver, const char* what, const Tally& t) 
 
 class Driver : public testing::TestWithParam<const char*> {
 public:
-    Answers play(const std::vector<CommandList>& lists) const {
-        Answers answers = gw::test::play(GetParam(), lists, size, size);
+    Answers play(const std::vector<CommandList>& lists, const Profile& profile = vgx()) const {
+        Answers answers = gw::test::play(GetParam(), lists, size, size, profile);
         EXPECT_NE(answers.renderer.find(GetParam()), std::string::npos) << answers.renderer;
         return answers;
     }

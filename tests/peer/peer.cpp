@@ -61,18 +61,19 @@ void answer(std::FILE* out, peer::Player& player, const CommandList& list) {
     for_planes(planes, [&](const void* data, std::size_t size) { put(out, data, size); });
 }
 
-void play_all(std::FILE* out, const std::vector<CommandList>& lists, int width, int height) {
-    peer::Player player(vgx(), width, height);
+void play_all(std::FILE* out, const std::vector<CommandList>& lists, int width, int height,
+              const Profile& profile) {
+    peer::Player player(profile, width, height);
     put_text(out, player.renderer());
     for (const CommandList& list : lists) answer(out, player, list);
 }
 
 /// The other process. Ends without the destructors and exit handlers of this one.
 [[noreturn]] void child(int pipe, const std::string& driver, const std::vector<CommandList>& lists,
-                        int width, int height) {
+                        int width, int height, const Profile& profile) {
     setenv("GALLIUM_DRIVER", driver.c_str(), 1);
     std::FILE* out = fdopen(pipe, "wb");
-    play_all(out, lists, width, height);
+    play_all(out, lists, width, height, profile);
     std::fclose(out);
     _exit(0);
 }
@@ -92,14 +93,14 @@ Answers receive(std::FILE* in, std::size_t count, int width, int height) {
 }  // namespace
 
 Answers play(const std::string& driver, const std::vector<CommandList>& lists, int width,
-             int height) {
+             int height, const Profile& profile) {
     int ends[2];
     if (pipe(ends) != 0) throw Error("no pipe");
     const pid_t process = fork();
     if (process < 0) throw Error("no process");
     if (process == 0) {
         close(ends[0]);
-        child(ends[1], driver, lists, width, height);
+        child(ends[1], driver, lists, width, height, profile);
     }
     close(ends[1]);
     std::FILE* in = fdopen(ends[0], "rb");

@@ -18,7 +18,7 @@ struct Answers {
 /// `driver`: GALLIUM_DRIVER, `llvmpipe` or `softpipe`. Throws Error with what the other process
 /// said.
 Answers play(const std::string& driver, const std::vector<CommandList>& lists, int width,
-             int height);
+             int height, const Profile& profile = vgx());
 
 /// The reference's planes of the same lists.
 std::vector<Planes> execute(const std::vector<CommandList>& lists, int width, int height,

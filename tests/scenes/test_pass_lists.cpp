@@ -61,7 +61,7 @@ TEST_P(PassLists, ReadAgainDrawTheSameBits) {
             for (scene::Map& map : *maps) map.from_scene = std::min(map.from_scene, 8);
     for (scene::Object& object : s.objects)
         if (object.glare) object.glare->samples = 2;
-    for (const Profile& profile : profiles())
+    for (const Profile& profile : paper_profiles())
         for (const Renderer renderer : {Renderer::Multipass, Renderer::Hardware}) {
             if (renderer == Renderer::Hardware && int(s.lights.size()) > profile.max_lights)
                 continue;

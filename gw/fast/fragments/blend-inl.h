@@ -18,7 +18,7 @@ namespace gw::fast::HWY_NAMESPACE {
 /// Both sides of a blend, by channel.
 template <class V>
 struct BlendLanes {
-    V src[4], dst[4];
+    V src[4], dst[4], constant[4];
 };
 
 /// The factor of channel c, as in gw/stages/tables.h.
@@ -38,13 +38,32 @@ HWY_INLINE V blend_factor_lanes(D d, BlendFactor factor, const BlendLanes<V>& l,
         case BlendFactor::OneMinusDstAlpha: return hn::Sub(max, l.dst[3]);
         case BlendFactor::SrcAlphaSaturate:
             return c == 3 ? max : hn::Min(l.src[3], hn::Sub(max, l.dst[3]));
+        case BlendFactor::ConstantColor: return l.constant[c];
+        case BlendFactor::OneMinusConstantColor: return hn::Sub(max, l.constant[c]);
+        case BlendFactor::ConstantAlpha: return l.constant[3];
+        case BlendFactor::OneMinusConstantAlpha: return hn::Sub(max, l.constant[3]);
+    }
+    return max;
+}
+
+/// Joins the products s and t of channel c.
+template <class V>
+HWY_INLINE V join_lanes(BlendEquation equation, const BlendLanes<V>& l, std::size_t c, V s, V t,
+                        V max) {
+    switch (equation) {
+        case BlendEquation::Add: return hn::Min(max, hn::Add(s, t));
+        case BlendEquation::Subtract: return hn::Sub(hn::Max(s, t), t);
+        case BlendEquation::ReverseSubtract: return hn::Sub(hn::Max(s, t), s);
+        case BlendEquation::Min: return hn::Min(l.src[c], l.dst[c]);
+        case BlendEquation::Max: return hn::Max(l.src[c], l.dst[c]);
     }
     return max;
 }
 
 /// 8 bits a channel: everything fits 16-bit lanes.
-HWY_NOINLINE inline void blend_bytes(const BlendState& b, const ColorBlock& src,
+HWY_NOINLINE inline void blend_bytes(const Resolved& r, const ColorBlock& src,
                                      const ColorBlock& dst, ColorBlock& out) {
+    const BlendState& b = r.state.blend;
     const D16 d;
     const auto max = hn::Set(d, std::uint16_t{255});
     for (std::size_t i = 0; i < block_pixels; i += lanes16) {
@@ -52,11 +71,12 @@ HWY_NOINLINE inline void blend_bytes(const BlendState& b, const ColorBlock& src,
         for (std::size_t c = 0; c < 4; ++c) {
             l.src[c] = hn::Load(d, src.channel[c] + i);
             l.dst[c] = hn::Load(d, dst.channel[c] + i);
+            l.constant[c] = hn::Set(d, r.blend_color[c]);
         }
         for (std::size_t c = 0; c < 4; ++c) {
             const auto s = mul_bytes(d, l.src[c], blend_factor_lanes(d, b.src, l, c, max));
             const auto t = mul_bytes(d, l.dst[c], blend_factor_lanes(d, b.dst, l, c, max));
-            hn::Store(hn::Min(max, hn::Add(s, t)), d, out.channel[c] + i);
+            hn::Store(join_lanes(b.equation, l, c, s, t, max), d, out.channel[c] + i);
         }
     }
 }
@@ -95,12 +115,15 @@ HWY_INLINE bool mixes_by_alpha(const Resolved& r) {
     const BlendState& b = r.state.blend;
     const ColorMask& m = r.state.color_mask;
     return r.bits == 8 && b.enable && b.src == BlendFactor::SrcAlpha &&
-           b.dst == BlendFactor::OneMinusSrcAlpha && m.r && m.g && m.b && m.a;
+           b.dst == BlendFactor::OneMinusSrcAlpha && b.equation == BlendEquation::Add && m.r &&
+           m.g && m.b && m.a;
 }
 
-HWY_NOINLINE inline void blend_block(const BlendState& b, int bits, const ColorBlock& src,
+HWY_NOINLINE inline void blend_block(const Resolved& r, const ColorBlock& src,
                                      const ColorBlock& dst, ColorBlock& out) {
-    if (bits == 8) return blend_bytes(b, src, dst, out);
+    const int bits = r.bits;
+    if (bits == 8) return blend_bytes(r, src, dst, out);
+    const BlendState& b = r.state.blend;
     const D32 d;
     const auto max = hn::Set(d, max_of_bits(bits));
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
@@ -108,13 +131,33 @@ HWY_NOINLINE inline void blend_block(const BlendState& b, int bits, const ColorB
         for (std::size_t c = 0; c < 4; ++c) {
             l.src[c] = load_channel(src.channel[c] + i);
             l.dst[c] = load_channel(dst.channel[c] + i);
+            l.constant[c] = hn::Set(d, r.blend_color[c]);
         }
         for (std::size_t c = 0; c < 4; ++c) {
             const auto s = mul_lanes(l.src[c], blend_factor_lanes(d, b.src, l, c, max), bits);
             const auto t = mul_lanes(l.dst[c], blend_factor_lanes(d, b.dst, l, c, max), bits);
-            hn::Store(narrow(hn::Min(max, hn::Add(s, t))), Half16(), out.channel[c] + i);
+            hn::Store(narrow(join_lanes(b.equation, l, c, s, t, max)), Half16(),
+                      out.channel[c] + i);
         }
     }
+}
+
+/// A logical operation by its truth table.
+HWY_NOINLINE inline void logic_block(const Resolved& r, const ColorBlock& src,
+                                     const ColorBlock& dst, ColorBlock& out) {
+    const D16 d;
+    const auto table = unsigned(r.state.logic_op.op);
+    const auto max = hn::Set(d, std::uint16_t(max_of_bits(r.bits)));
+    for (std::size_t c = 0; c < 4; ++c)
+        for (std::size_t i = 0; i < block_pixels; i += lanes16) {
+            const auto s = hn::Load(d, src.channel[c] + i), t = hn::Load(d, dst.channel[c] + i);
+            auto v = hn::Zero(d);
+            if (table & 1) v = hn::Or(v, hn::And(s, t));
+            if (table & 2) v = hn::Or(v, hn::AndNot(t, s));
+            if (table & 4) v = hn::Or(v, hn::AndNot(s, t));
+            if (table & 8) v = hn::Or(v, hn::Not(hn::Or(s, t)));
+            hn::Store(hn::And(v, max), d, out.channel[c] + i);
+        }
 }
 
 /// One, One is a saturating sum: the blend of the passes of [K3].
@@ -132,15 +175,16 @@ HWY_INLINE void add_block(int bits, const ColorBlock& src, const ColorBlock& dst
 HWY_NOINLINE inline void write_color(const Resolved& r, const ColorBlock& src, ColorBlock& dst,
                                      std::uint32_t mask) {
     if (mixes_by_alpha(r)) return mix_by_alpha(src, dst, mask);
-    const BlendState& b = r.state.blend;
-    ColorBlock blended;
+    ColorBlock joined;
     const ColorBlock* out = &src;
-    if (b.enable) {
-        out = &blended;
-        if (b.src == BlendFactor::One && b.dst == BlendFactor::One)
-            add_block(r.bits, src, dst, blended);
+    if (r.state.blend.enable || r.state.logic_op.enable) {
+        out = &joined;
+        if (r.state.logic_op.enable)
+            logic_block(r, src, dst, joined);
+        else if (adds_colors(r.state.blend))
+            add_block(r.bits, src, dst, joined);
         else
-            blend_block(b, r.bits, src, dst, blended);
+            blend_block(r, src, dst, joined);
     }
     const ColorMask& m = r.state.color_mask;
     const bool channel[4] = {m.r, m.g, m.b, m.a};

@@ -27,7 +27,7 @@ struct SimpleStore {
         const BlendState& b = op.state.state.blend;
         const ColorMask& m = op.state.state.color_mask;
         return !has_fog(op.state.state) && !op.texels && m.r && m.g && m.b && m.a &&
-               (!b.enable || (b.src == BlendFactor::One && b.dst == BlendFactor::One));
+               !op.state.state.logic_op.enable && (!b.enable || adds_colors(b));
     }
     template <class D>
     HWY_INLINE hn::Vec<D> result(D d, hn::Vec<D> own, const std::uint16_t* stored) const {

@@ -16,7 +16,8 @@ namespace gw::fast::HWY_NAMESPACE {
 
 /// Whether a draw's triangles take the simple path.
 HWY_INLINE bool takes_simple_path(const Resolved& r) {
-    return r.state.alpha.func == AlphaFunc::Always && !r.state.polygon_offset.enable;
+    return r.state.alpha.func == AlphaFunc::Always && !r.state.polygon_offset.enable &&
+           !r.state.polygon_stipple.pattern;
 }
 
 /// A triangle's fragments by fate, lane by lane.

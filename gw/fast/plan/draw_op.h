@@ -38,6 +38,7 @@ struct DrawOp {
     bool needs_color = true;     ///< a plane or the alpha test reads it
     bool uniform_color = false;  ///< each primitive has one colour at all its vertices
     bool perspective_color = false;
+    bool projective = false;       ///< texture coordinates are divided by q
     int visible_record = -1;       ///< the record that it makes or uses; -1: none
     bool counts_by_pixel = false;  ///< its record counts each pixel's fragments
     FragmentBytes bytes;
@@ -52,8 +53,8 @@ inline UniformPlanes touched_planes(const DrawOp& op) {
     return {op.state.writes_color, needs_depth(op)};
 }
 /// Whether a texture is looked up pixel by pixel: projective coordinates and the shadow comparison.
-inline bool textures_by_pixel(const TextureState& s) {
-    return s.gen == TexGen::EyeLinear || s.shadow_compare;
+inline bool textures_by_pixel(const DrawOp& op) {
+    return op.projective || op.state.state.texture.shadow_compare;
 }
 
 }  // namespace fast

@@ -2,6 +2,7 @@
 
 #include "gw/base/parallel.h"
 #include "gw/stages/fog.h"
+#include "gw/stages/texgen.h"
 
 #include <array>
 
@@ -103,6 +104,7 @@ struct Planner {
         Hash hash;
         hash.add(in.group.set).add(std::uint64_t(t.gen)).add(double(t.eta));
         if (t.gen == TexGen::EyeLinear) hash.add_all(&t.eye_linear[0][0], 16);
+        if (t.matrix != dmat4(1)) hash.add_all(&t.matrix[0][0], 16);
         return texcoords.find_or_make(hash.value(), in, same_texcoords);
     }
 
@@ -147,7 +149,8 @@ struct Planner {
             FastTexels* const found = texels(first.map);
             const TextureState& t = state.texture;
             op.texels = found;
-            if (!textures_by_pixel(t) && (is_linear(t, false) || is_linear(t, true)))
+            op.projective = divides_by_q(t, first);
+            if (!textures_by_pixel(op) && (is_linear(t, false) || is_linear(t, true)))
                 op.pairs = texel_pairs(*found, t.wrap_s, t.wrap_t);
             op.texcoords = texcoords_of(inputs);
         }

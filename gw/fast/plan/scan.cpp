@@ -1,5 +1,7 @@
 #include "gw/fast/plan/scan.h"
 
+#include "gw/stages/texgen.h"
+
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -16,6 +18,7 @@ constexpr std::size_t many_parts = 1024, most_segment_vertices = std::size_t{1} 
 
 bool is_small_mesh(const Mesh& mesh, const GeometryState& state) {
     return mesh.kind() == MeshKind::Triangles && state.polygon_mode == PolygonMode::Fill &&
+           state.back_polygon_mode == PolygonMode::Fill &&
            mesh.triangles().size() <= most_triangles_of_small &&
            mesh.vertex_count() <= 2 * most_triangles_of_small;
 }
@@ -30,7 +33,8 @@ std::uint64_t hash_of(const GeometryState& s) {
     Hash hash;
     hash.add_all(&s.projection[0][0], 16);
     add_integers(hash, s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height,
-                 s.cull.enable, s.cull.face, s.cull.front, s.polygon_mode, s.point_size,
+                 s.cull.enable, s.cull.face, s.cull.front, s.polygon_mode, s.back_polygon_mode,
+                 s.stipple_period, s.keeps_slopes[0], s.keeps_slopes[1], s.point_size,
                  s.line_width);
     hash.add(s.depth_range.near_value).add(s.depth_range.far_value);
     for (const ClipPlane& plane : s.clip_planes)
@@ -70,8 +74,10 @@ bool has_bytes_of(const State& a, const State& b) {
     return std::memcmp(static_cast<const void*>(&a), &b, sizeof(State)) == 0;
 }
 
-bool same_map(const TextureBinding& a, const TextureBinding& b) {
-    return a.texture == b.texture && a.slot == b.slot;
+/// Whether two draws look up one texture in one way.
+bool same_map(const Draw& a, const Draw& b, const TextureState& state) {
+    if (a.map.texture != b.map.texture || a.map.slot != b.map.slot) return false;
+    return !a.map.enabled() || divides_by_q(state, a) == divides_by_q(state, b);
 }
 
 template <class T>
@@ -169,7 +175,7 @@ void Scan::add_draw(const Command& command, const Draw& draw) {
     const bool continues = last && last->state == state_ && last->pass + 1 == passes_->size() &&
                            part.index == last->part->index + 1 && part.is_small &&
                            last->part->is_small &&
-                           same_map(std::get<Draw>(*last->command).map, draw.map);
+                           same_map(std::get<Draw>(*last->command), draw, state_->state->texture);
     if (!continues) {
         end_run();
         part.begins_group = true;

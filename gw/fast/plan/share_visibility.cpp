@@ -8,12 +8,15 @@ namespace gw::fast {
 
 namespace {
 
+bool is_stippled(const State& s) { return s.line_stipple.enable || s.polygon_stipple.pattern; }
+
 bool may_share(const DrawOp& op) {
     const State& s = op.state.state;
     const StencilFace& face = op.state.front;
     const bool counts_visible = face.func == StencilFunc::Always && face.zfail == StencilOp::Keep;
-    return s.depth.func == DepthFunc::Equal && s.alpha.func == AlphaFunc::Always &&
-           (keeps_stencil(face) || counts_visible) && !(s.stencil.test && s.stencil.two_side);
+    return s.depth.func == DepthFunc::Equal && !is_stippled(s) &&
+           s.alpha.func == AlphaFunc::Always && (keeps_stencil(face) || counts_visible) &&
+           !(s.stencil.test && s.stencil.two_side);
 }
 
 /// Everything that decides a draw's fragments and their depths.
@@ -52,7 +55,7 @@ Change change(const ReadOp&) { return Change::None; }
 /// Whether a draw is a depth pass of triangles only, all of whose fragments reach the depth test.
 bool may_record(const DrawOp& op) {
     const State& s = op.state.state;
-    return change(op) == Change::Less && s.alpha.func == AlphaFunc::Always &&
+    return change(op) == Change::Less && !is_stippled(s) && s.alpha.func == AlphaFunc::Always &&
            !s.polygon_offset.enable && ignores_stencil(op.state.front) &&
            ignores_stencil(op.state.back) && op.set->triangle_count == op.set->primitives.size();
 }

@@ -296,10 +296,13 @@ HWY_INLINE void by_size(const Triangles& t, std::size_t i, const Draw& draw) {
 template <class Batch, class Single>
 HWY_INLINE void walk_bin(const TileDraw& draw, std::span<const std::uint32_t> bin,
                          const Batch& triangles, const Single& other) {
-    const std::uint32_t triangles_end = draw.op->set->triangle_count;
+    const GeometrySet& set = *draw.op->set;
+    const auto is_triangle = [&](std::uint32_t i) {
+        return i < set.triangle_count || set.primitives[i].kind == MeshKind::Triangles;
+    };
     while (!bin.empty()) {
         std::size_t n = 0;
-        while (n < std::min(bin.size(), batch_capacity) && bin[n] < triangles_end) ++n;
+        while (n < std::min(bin.size(), batch_capacity) && is_triangle(bin[n])) ++n;
         if (n == 0)
             other(bin[0]);
         else

@@ -10,6 +10,7 @@
 
 #include "gw/fast/raster/corners-inl.h"
 #include "gw/fast/simd/walk-inl.h"
+#include "gw/stages/stipple.h"
 
 #include <algorithm>
 
@@ -37,9 +38,14 @@ inline void line_pixels(const TileDraw& draw, const PrimitiveFrame& f, int width
     const int u0 = f.x_major ? b.x0 : b.y0, u1 = f.x_major ? b.x1 : b.y1,
               v0 = f.x_major ? b.y0 : b.x0, v1 = f.x_major ? b.y1 : b.x1;
     const std::int64_t du = u[1] - u[0], dv = v[1] - v[0], row = f.length << s;
+    const LineStippleState& stipple = draw.op->state.state.line_stipple;
+    const LineSteps steps = line_steps(u[0], u[1], s);
     for (int i = u0; i < u1; ++i) {
         const std::int64_t p = (std::int64_t{u_tile + i} << s) + (std::int64_t{1} << (s - 1));
         if (du > 0 ? p < u[0] || p >= u[1] : p > u[0] || p <= u[1]) continue;
+        if (stipple.enable &&
+            !stipple_bit(stipple, f.stippled + std::uint64_t(steps.step_of(u_tile + i))))
+            continue;
         const std::int64_t top =
             v[0] * f.length + (du > 0 ? dv : -dv) * (p - u[0]) - (width - 1) * row / 2;
         const std::int64_t first = (top >= 0 ? top / row : -((-top + row - 1) / row)) - v_tile;

@@ -7,6 +7,7 @@
 #include "gw/fast/raster/setup.h"
 #include "gw/fast/vertices/vertex_values.h"
 #include "gw/stages/fog.h"
+#include "gw/stages/polygon_offset.h"
 #include "gw/stages/texels.h"
 
 #include <algorithm>
@@ -125,7 +126,7 @@ struct Maker {
         const TextureState& ts = state().texture;
         Numerators s, t;
         Values q;
-        if (ts.gen == TexGen::EyeLinear) {
+        if (op().projective) {
             const auto strq =
                 gather<dvec4>([&](std::uint32_t v) { return op().texcoords->strq[v]; });
             const Projective p = projective(std::span(strq).first(corners()), used(w()));
@@ -171,13 +172,17 @@ DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive,
         [&](std::uint32_t v) { return std::int64_t{draw.op->set->at[v].z}; });
     DepthPlane out{frame.plane(z), 0};
     const PolygonOffsetState& offset = make.state().polygon_offset;
-    if (!offset.enable || primitive.kind != MeshKind::Triangles) return out;
-    const double limit = double(max_of_bits(draw.profile->depth_bits)) + 1;
+    const GeometrySet& set = *draw.op->set;
+    if (primitive.kind != MeshKind::Triangles) {
+        const auto slope =
+            set.outline_slope.find(std::uint32_t(&primitive - set.primitives.data()));
+        if (slope != set.outline_slope.end())
+            out.offset = depth_offset(offset, slope->second, draw.profile->depth_bits);
+        return out;
+    }
+    if (!offset.enable) return out;
     const auto g = make.exact(out.plane, z);
-    const auto steep = [](int128 v) { return v < 0 ? -v : v; };
-    const double m = double(std::min(std::max(steep(g[0]), steep(g[1])), int128{1} << 62));
-    out.offset = to_integer(
-        round_even(double(offset.factor) * m / 65536) + round_even(offset.units), -limit, limit);
+    out.offset = depth_offset(offset, offset_slope(g[0], g[1]), draw.profile->depth_bits);
     return out;
 }
 

@@ -8,17 +8,6 @@
 
 namespace gw::fast {
 
-int128 exact_gradient(std::int64_t num, int shift, std::int64_t den) {
-    const int128 n = int128{num} * (int128{1} << shift);
-    int128 q = n / den, r = n % den;
-    if (r < 0) {
-        q -= 1;
-        r += den;
-    }
-    if (2 * r > den || (2 * r == den && (q & 1) != 0)) q += 1;
-    return q;
-}
-
 std::array<int128, 2> PrimitiveFrame::exact_gradients(const std::array<std::int64_t, 3>& a) const {
     if (kind == MeshKind::Points) return {0, 0};
     if (kind == MeshKind::Lines) {
@@ -35,6 +24,7 @@ PrimitiveFrame primitive_frame(const GeometrySet& set, const SetupPrimitive& p,
     PrimitiveFrame f;
     f.kind = p.kind;
     f.s = s;
+    f.stippled = p.stippled;
     for (std::size_t i = 0; i < 3; ++i) {
         f.x[i] = std::int64_t{set.at[p.vertex[i]].x} + jitter.x;
         f.y[i] = std::int64_t{set.at[p.vertex[i]].y} + jitter.y;

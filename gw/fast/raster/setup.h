@@ -18,10 +18,11 @@ struct GeometrySet;
 struct SetupPrimitive;
 struct Tile;
 
-__extension__ using int128 = __int128;
-
-/// Nearest integer to num * 2^shift / den, ties to even. A double gives a guess; integers decide.
-int128 exact_gradient(std::int64_t num, int shift, std::int64_t den);
+/// Nearest integer to num * 2^shift / den, ties to even.
+inline int128 exact_gradient(std::int64_t num, int shift, std::int64_t den) {
+    return divide_round_even(int128{num} * (int128{1} << shift), den);
+}
+/// The same where it fits 64 bits, else wrapped. A double gives a guess; integers decide.
 
 inline std::int64_t gradient(std::int64_t num, int shift, std::int64_t den, bool& sliver) {
     if (num == 0) return 0;
@@ -51,6 +52,7 @@ struct PrimitiveFrame {
     std::int64_t dx1 = 0, dy1 = 0, dx2 = 0, dy2 = 0, area2 = 1;  ///< triangles
     bool x_major = true;                                         ///< lines
     std::int64_t length = 1;                                     ///< lines: of the major axis
+    std::uint32_t stippled = 0;                                  ///< lines: steps before it
     /// vertex that planes start from
     std::size_t base = 0;
     std::int64_t ax = 0, ay = 0;      ///< from the base to the centre of its pixel

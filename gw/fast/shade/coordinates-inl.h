@@ -185,8 +185,7 @@ HWY_INLINE void set_up_perspective(const TileDraw& draw, const Corners& t, Textu
 /// Texture planes of a batch, out[0 .. count - 1].
 inline void set_up_textures(const TileDraw& draw, const Corners& t, TexturePlanes* out) {
 #if HWY_HAVE_FLOAT64
-    if (draw.op->state.state.texture.gen != TexGen::EyeLinear)
-        return set_up_perspective(draw, t, out);
+    if (!draw.op->projective) return set_up_perspective(draw, t, out);
 #endif
     for (std::size_t i = 0; i < t.count; ++i) texture_one(draw, t, i, out[i]);
 }

@@ -83,7 +83,7 @@ struct ModulatedTexels {
 
     HWY_INLINE static bool applies_to(const DrawOp& op) {
         const State& s = op.state.state;
-        return op.pairs && !needs_rho(s.texture) && !textures_by_pixel(s.texture) &&
+        return op.pairs && !needs_rho(s.texture) && !textures_by_pixel(op) &&
                s.texture.env == TexEnv::Modulate && is_narrow(op) && !has_fog(s);
     }
     HWY_NOINLINE void write(const TileDraw& draw, const NarrowBatch& colors,

@@ -224,8 +224,7 @@ HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const ColorBl
 /// Looks up the lanes of `mask`, which one primitive covers.
 HWY_INLINE void look_up(const TexturePlanes& p, const TileDraw& draw, int bx, int by,
                         std::uint32_t mask, ShadeInputs& in) {
-    if (textures_by_pixel(draw.op->state.state.texture))
-        return sample_by_pixel(p, draw, bx, by, mask, in.texel);
+    if (textures_by_pixel(*draw.op)) return sample_by_pixel(p, draw, bx, by, mask, in.texel);
     const Sampler sampler = sampler_of(*draw.op);
     divide_block(sampler, p, draw.tile, bx, by, mask, in.divided);
     sample_block(sampler, in.divided, in.texel);

@@ -76,7 +76,7 @@ struct PixelSampler {
 
     Rgba texel() {
         const std::int32_t q = value_at(p.q, i, j);
-        if (state.gen == TexGen::EyeLinear && q < 1) return grey(true);
+        if (draw.op->projective && q < 1) return grey(true);
         w = 1.0f / static_cast<float>(q);
         if (state.shadow_compare) return grey(is_lit());
         LevelChoice choice{.magnify = true};

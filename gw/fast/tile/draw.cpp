@@ -25,6 +25,20 @@ HWY_INLINE void paint_block(BatchPlanes& planes, std::size_t i, const DepthBlock
                   [&]() -> const ColorBlock& { return planes.color_of(i, bx, by, covered); });
 }
 
+/// The lanes of a block that the polygon stipple leaves.
+HWY_INLINE LaneSet stippled(const TileDraw& draw, int bx, int by, const LaneSet& lanes) {
+    const auto& pattern = draw.op->state.state.polygon_stipple.pattern;
+    if (!pattern) return lanes;
+    std::uint32_t left = lanes.bits();
+    for (std::uint32_t rest = left; rest != 0; rest &= rest - 1) {
+        const int lane = std::countr_zero(rest);
+        const int x = draw.tile.x + bx * block_side + lane % block_side,
+                  y = draw.tile.y + by * block_side + lane / block_side;
+        if (!stipple_bit(*pattern, x, y)) left &= ~(1u << lane);
+    }
+    return lane_set(left);
+}
+
 void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, OpCounts& counts) {
     Triangles t;
     const BoxLanes box(draw);
@@ -37,7 +51,7 @@ void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, Op
         const auto paint = [&](int bx, int by, const LaneSet& lanes) {
             DepthBlock depth;
             walk.store(depth);
-            paint_block(planes, i, depth, bx, by, lanes, counts);
+            paint_block(planes, i, depth, bx, by, stippled(draw, bx, by, lanes), counts);
         };
         LargeTriangle::visit(box, t, i, walk, paint);
     }

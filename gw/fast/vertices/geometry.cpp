@@ -1,9 +1,12 @@
 #include "gw/fast/vertices/geometry.h"
 
 #include "gw/fast/vertices/geometry_scratch.h"
+#include "gw/stages/polygon_offset.h"
+#include "gw/stages/stipple.h"
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <utility>
 
 namespace gw::fast {
@@ -25,7 +28,10 @@ struct Builder {
     const GeometryState& state = set.state;
     std::vector<Outcode>& outcode = scratch.outcode;
     std::uint32_t planes = planes_on(state.clip_planes);  ///< those that can cut
-    bool filled = state.polygon_mode == PolygonMode::Fill;
+    /// of back, front
+    std::array<PolygonMode, 2> mode{state.back_polygon_mode, state.polygon_mode};
+    bool filled = mode[0] == PolygonMode::Fill && mode[1] == PolygonMode::Fill;
+    std::uint64_t stippled = 0;  ///< steps of the strip or outline in progress
     /// back, front
     std::array<bool, 2> culled{is_culled(state.cull, false), is_culled(state.cull, true)};
 
@@ -49,7 +55,8 @@ struct Builder {
         set.at.resize(base + positions.size());
         set.w.resize(base + positions.size());
         outcode.resize(positions.size());
-        project(projection, {positions, outcode.data(), &set.at[base], &set.w[base]});
+        project(projection,
+                {positions, mesh->data().w, outcode.data(), &set.at[base], &set.w[base]});
     }
 
     SnappedPoint point(std::uint32_t v) const { return {set.at[v].x, set.at[v].y}; }
@@ -74,7 +81,8 @@ struct Builder {
         vertices.clear();
         Outcode any = 0;
         for (std::uint32_t k = 0; k < sides; ++k) {
-            place_position(projection, mesh->data().positions[corners[k]], vertices.emplace_back());
+            place_position(projection, object_position(mesh->data(), corners[k]),
+                           vertices.emplace_back());
             any |= outcode[corners[k]];
         }
         // Planes before the first one that cuts change nothing, nor do disabled planes.
@@ -179,20 +187,51 @@ struct Builder {
                                : drawn           ? set.counters.drawn
                                                  : set.counters.culled;
         count += 1;
-        if (piece.count != 0 && (!drawn || !filled)) drop(piece);
+        const bool outlined = mode[front] != PolygonMode::Fill;
+        const double slope =
+            drawn && outlined && state.keeps_slopes[front] ? slope_of(t, piece, pieces) : 0;
+        if (piece.count != 0 && (!drawn || outlined)) drop(piece);
         if (!drawn) return;
         const SetupPrimitive p{
             {}, part, t.polygon, base + t.provoking, std::uint8_t(front), MeshKind::Triangles};
-        if (filled)
-            push_pieces(t, piece, pieces, p);
-        else
-            push_outline(t, p);
+        if (!outlined) return push_pieces(t, piece, pieces, p);
+        const std::size_t first = set.primitives.size();
+        push_outline(t, p, mode[front]);
+        if (!state.keeps_slopes[front]) return;
+        for (std::size_t i = first; i < set.primitives.size(); ++i)
+            set.outline_slope.emplace(std::uint32_t(i), slope);
     }
 
-    void push_outline(const Triangle& t, const SetupPrimitive& p) {
+    /// offset_slope() of the first piece that would make fragments.
+    double slope_of(const Triangle& t, const ClippedPrimitive& piece, const Fan& pieces) const {
+        const std::uint32_t n = piece.count == 0 ? 3 : piece.count;
+        const auto at = [&](std::uint32_t k) -> const SnappedVertex& {
+            if (piece.count == 0) return set.at[base + t.vertex[k]];
+            return set.at[piece.first + (std::uint32_t(pieces.first) + k) % n];
+        };
+        for (std::uint32_t k = 1; k + 1 < n; ++k) {
+            const SnappedVertex &a = at(0), &b = at(k), &c = at(k + 1);
+            const std::int64_t area = area2({a.x, a.y}, {b.x, b.y}, {c.x, c.y});
+            if (area == 0 || (area > 0) != (pieces.area2 > 0)) continue;
+            return offset_slope(gradient_of(b, c, a, area, &SnappedVertex::y),
+                                gradient_of(c, b, a, area, &SnappedVertex::x));
+        }
+        return 0;
+    }
+    /// (db dc' - dc db') 2^(16 + s) / area, exactly rounded: a gradient of the depth, up to sign.
+    int128 gradient_of(const SnappedVertex& b, const SnappedVertex& c, const SnappedVertex& a,
+                       std::int64_t area, std::int32_t SnappedVertex::*axis) const {
+        const auto z = [&](const SnappedVertex& v) { return int128{v.z} - a.z; };
+        const auto d = [&](const SnappedVertex& v) { return int128{v.*axis} - a.*axis; };
+        const int128 num =
+            (z(b) * d(c) - z(c) * d(b)) * (int128{1} << (16 + projection.profile.subpixel_bits));
+        return divide_round_even(area < 0 ? -num : num, area < 0 ? -area : area);
+    }
+
+    void push_outline(const Triangle& t, const SetupPrimitive& p, PolygonMode outline) {
         for (std::size_t k = 0; k < 3; ++k) {
             if (!(t.edges >> k & 1)) continue;
-            if (state.polygon_mode == PolygonMode::Line)
+            if (outline == PolygonMode::Line)
                 push_line(t.vertex[k], t.vertex[(k + 1) % 3], p, false);
             else
                 push_point(t.vertex[k], p, false);
@@ -213,7 +252,7 @@ struct Builder {
         const bool degenerate = left && set.at[p.vertex[0]].x == set.at[p.vertex[1]].x &&
                                 set.at[p.vertex[0]].y == set.at[p.vertex[1]].y;
         if (degenerate && piece.count != 0) drop(piece);
-        if (left && !degenerate) set.primitives.push_back(p);
+        if (left && !degenerate) push_stippled(p);
         if (!counted) {
             set.counters = before;
             return;
@@ -222,6 +261,20 @@ struct Builder {
                                : degenerate ? set.counters.degenerate
                                             : set.counters.drawn;
         count += 1;
+    }
+
+    /// Adds a line and counts its steps.
+    void push_stippled(SetupPrimitive p) {
+        if (state.stipple_period != 0) {
+            const auto period = std::uint64_t(state.stipple_period);
+            const SnappedVertex &a = set.at[p.vertex[0]], &b = set.at[p.vertex[1]];
+            const bool x_major = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
+            const int s = projection.profile.subpixel_bits;
+            p.stippled = std::uint16_t(stippled % period);
+            stippled +=
+                std::uint64_t((x_major ? line_steps(a.x, b.x, s) : line_steps(a.y, b.y, s)).count);
+        }
+        set.primitives.push_back(p);
     }
 
     void push_point(std::uint32_t v, SetupPrimitive p, bool counted) {
@@ -236,10 +289,17 @@ struct Builder {
 
 void push_primitives(Builder& b) {
     const Mesh& mesh = *b.mesh;
-    for (const Triangle& t : mesh.triangles()) b.push_triangle(t);
+    std::uint32_t polygon = 0;
+    b.stippled = 0;
+    for (const Triangle& t : mesh.triangles()) {
+        if (t.polygon != std::exchange(polygon, t.polygon)) b.stippled = 0;
+        b.push_triangle(t);
+    }
     std::uint32_t ordinal = 0;
-    for (const auto& line : mesh.lines())
+    for (const auto& line : mesh.lines()) {
+        if (mesh.data().primitive != Primitive::LineStrip) b.stippled = 0;
         b.push_line(line[0], line[1], {{}, b.part, ordinal++, b.base + line[1]}, true);
+    }
     for (const std::uint32_t v : mesh.points())
         b.push_point(v, {{}, b.part, ordinal++, b.base + v}, true);
     Counters& c = b.set.counters;

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace gw::fast {
@@ -33,7 +34,10 @@ struct GeometryState {
     DepthRangeState depth_range;
     std::array<ClipPlane, max_clip_planes> clip_planes{};
     CullState cull;
-    PolygonMode polygon_mode = PolygonMode::Fill;
+    PolygonMode polygon_mode = PolygonMode::Fill, back_polygon_mode = PolygonMode::Fill;
+    /// outlines of back and front faces keep the slope of their polygon
+    std::array<bool, 2> keeps_slopes{};
+    int stipple_period = 0;  ///< lines keep the steps before them, modulo this; 0: no
     int point_size = 1, line_width = 1;
     bool operator==(const GeometryState&) const = default;
 };
@@ -73,6 +77,7 @@ struct SetupPrimitive {
     std::uint32_t provoking = 0;  ///< in the set's arrays
     std::uint8_t front = 1;
     MeshKind kind = MeshKind::Triangles;
+    std::uint16_t stippled = 0;  ///< GeometryState::stipple_period
 };
 
 /// A primitive that clipping changed: its `count` new vertices are at `first` in the set's arrays.
@@ -96,7 +101,9 @@ struct GeometrySet {
     std::vector<SnappedVertex> at;
     std::vector<double> w;
     std::vector<SetupPrimitive> primitives;
-    std::uint32_t triangle_count = 0;  ///< triangles come first
+    std::uint32_t triangle_count = 0;  ///< the first ones are triangles
+    /// By primitive of an outline: its polygon's offset_slope(), if the state keeps it.
+    std::unordered_map<std::uint32_t, double> outline_slope;
     std::vector<ClippedPrimitive> clipped;
     /// The mesh vertices that primitives use, that front faces use, that back faces use; in order,
     /// part by part. Made only if a draw needs values at the vertices.

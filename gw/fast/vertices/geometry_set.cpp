@@ -1,13 +1,26 @@
 // The state of a geometry set, its memory and the range of its jitter. Does not make it.
 #include "gw/fast/vertices/geometry.h"
 
+#include "gw/stages/polygon_offset.h"
+
 #include <algorithm>
 
 namespace gw::fast {
 
 GeometryState geometry_state(const State& s) {
-    return {s.projection, s.viewport,     s.depth_range, s.clip_planes,
-            s.cull,       s.polygon_mode, s.point_size,  s.line_width};
+    const PolygonOffsetState& offset = s.polygon_offset;
+    return {.projection = s.projection,
+            .viewport = s.viewport,
+            .depth_range = s.depth_range,
+            .clip_planes = s.clip_planes,
+            .cull = s.cull,
+            .polygon_mode = s.polygon_mode,
+            .back_polygon_mode = mode_of(s, false),
+            .keeps_slopes = {offsets_outline(offset, mode_of(s, false)),
+                             offsets_outline(offset, s.polygon_mode)},
+            .stipple_period = s.line_stipple.enable ? 16 * s.line_stipple.factor : 0,
+            .point_size = s.point_size,
+            .line_width = s.line_width};
 }
 
 void JitterRange::include(const JitterState& j) {
@@ -69,6 +82,7 @@ void GeometrySet::clear() {
     w.clear();
     primitives.clear();
     triangle_count = 0;
+    outline_slope.clear();
     clipped.clear();
     lists_used = lists_made = made = false;
     used.clear();

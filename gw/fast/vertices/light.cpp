@@ -14,6 +14,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
+/// Any vertices.
+inline void light_one_by_one(const VertexProgram& p, std::span<const std::uint32_t> indices,
+                             bool back, std::span<Rgba> colors) {
+    for (const std::uint32_t i : indices) {
+        const Vertex vertex = run_vertex(p, i);
+        const auto& v = back ? vertex.back_color : vertex.color;
+        colors[i] = {std::uint16_t(v[0]), std::uint16_t(v[1]), std::uint16_t(v[2]),
+                     std::uint16_t(v[3])};
+    }
+}
+
 #if HWY_HAVE_FLOAT64
 
 /// The terms of a light and the material that do not depend on the vertex.
@@ -99,6 +110,7 @@ inline void add_light(const LightTerms& t, const Material& m, const Vec3& p_eye,
 
 void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, bool back,
                std::span<Rgba> colors) {
+    if (!p.is_common) return light_one_by_one(p, indices, back, colors);
     const D64 d;
     const std::size_t lanes = hn::Lanes(d);
     const Material& m = p.draw->material;
@@ -139,12 +151,7 @@ void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, b
 
 void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, bool back,
                std::span<Rgba> colors) {
-    for (const std::uint32_t i : indices) {
-        const Vertex vertex = run_vertex(p, i);
-        const auto& v = back ? vertex.back_color : vertex.color;
-        colors[i] = {std::uint16_t(v[0]), std::uint16_t(v[1]), std::uint16_t(v[2]),
-                     std::uint16_t(v[3])};
-    }
+    light_one_by_one(p, indices, back, colors);
 }
 
 #endif

@@ -10,6 +10,43 @@
 
 #include <cmath>
 
+#ifndef GW_FAST_PROJECT_CPP_
+#define GW_FAST_PROJECT_CPP_
+namespace gw::fast {
+namespace {
+
+[[maybe_unused]] Outcode outcode_of(const ClipPosition& v, const ViewportTransform& viewport) {
+    const dvec4& c = v.clip;
+    for (int i = 0; i < 4; ++i)
+        if (!std::isfinite(c[i])) return not_finite;
+    Outcode code = c.w > 0 ? 0 : not_in_front;
+    for (int plane = 0; plane < clip_plane_count; ++plane)
+        if (!(clip_distance(v, plane, viewport) >= 0)) code |= Outcode{1} << plane;
+    return code;
+}
+
+[[maybe_unused]] SnappedVertex window_of(const Projection& p, const ClipPosition& v) {
+    const WindowVertex at = gw::to_window(v, p.viewport, p.depth_range, p.profile);
+    return {std::int32_t(at.x), std::int32_t(at.y), at.z};
+}
+
+/// Positions of any w.
+[[maybe_unused]] void project_one_by_one(const Projection& p, const ProjectedVertices& v) {
+    for (std::size_t i = 0; i < v.positions.size(); ++i) {
+        ClipPosition at;
+        place_position(p, dvec4(dvec3(v.positions[i]), v.fourth.empty() ? 1.0 : v.fourth[i]), at);
+        v.outcode[i] = outcode_of(at, p.viewport);
+        v.w[i] = 1;
+        if (v.outcode[i] != 0) continue;
+        v.at[i] = window_of(p, at);
+        v.w[i] = at.clip.w;
+    }
+}
+
+}  // namespace
+}  // namespace gw::fast
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
@@ -142,35 +179,10 @@ void window_all(const Projection& p, std::span<const ClipPosition> vertices, Sna
 
 #else  // no vectors of doubles here
 
-Outcode outcode_of(const ClipPosition& v, const ViewportTransform& viewport) {
-    const dvec4& c = v.clip;
-    for (int i = 0; i < 4; ++i)
-        if (!std::isfinite(c[i])) return not_finite;
-    Outcode code = c.w > 0 ? 0 : not_in_front;
-    for (int plane = 0; plane < clip_plane_count; ++plane)
-        if (!(clip_distance(v, plane, viewport) >= 0)) code |= Outcode{1} << plane;
-    return code;
-}
-
-SnappedVertex snapped(const Projection& p, const ClipPosition& v) {
-    const WindowVertex at = gw::to_window(v, p.viewport, p.depth_range, p.profile);
-    return {std::int32_t(at.x), std::int32_t(at.y), at.z};
-}
-
-void project_all(const Projection& p, const ProjectedVertices& v) {
-    for (std::size_t i = 0; i < v.positions.size(); ++i) {
-        ClipPosition at;
-        place_position(p, v.positions[i], at);
-        v.outcode[i] = outcode_of(at, p.viewport);
-        v.w[i] = 1;
-        if (v.outcode[i] != 0) continue;
-        v.at[i] = snapped(p, at);
-        v.w[i] = at.clip.w;
-    }
-}
+void project_all(const Projection& p, const ProjectedVertices& v) { project_one_by_one(p, v); }
 
 void window_all(const Projection& p, std::span<const ClipPosition> vertices, SnappedVertex* at) {
-    for (std::size_t i = 0; i < vertices.size(); ++i) at[i] = snapped(p, vertices[i]);
+    for (std::size_t i = 0; i < vertices.size(); ++i) at[i] = window_of(p, vertices[i]);
 }
 
 #endif
@@ -185,6 +197,7 @@ HWY_EXPORT(project_all);
 HWY_EXPORT(window_all);
 
 void project(const Projection& projection, const ProjectedVertices& vertices) {
+    if (!vertices.fourth.empty()) return project_one_by_one(projection, vertices);
     HWY_DYNAMIC_DISPATCH(project_all)(projection, vertices);
 }
 

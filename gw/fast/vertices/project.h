@@ -24,8 +24,7 @@ struct Projection {
 };
 
 /// The position part of run_vertex().
-inline void place_position(const Projection& projection, const vec3& position, ClipPosition& v) {
-    const dvec4 p_object(dvec3(position), 1);
+inline void place_position(const Projection& projection, const dvec4& p_object, ClipPosition& v) {
     v.clip = transform(projection.clip_from_object, p_object);
     for (std::size_t k = 0; k < max_clip_planes; ++k)
         if (projection.clip_planes[k].enable)
@@ -41,6 +40,7 @@ inline constexpr Outcode not_finite = 1u << 30, not_in_front = 1u << 31;
 /// Vertices of a mesh. If the outcode is not 0, `at` has no meaning and w is 1.
 struct ProjectedVertices {
     std::span<const vec3> positions;
+    std::span<const float> fourth;  ///< their w; empty: 1
     Outcode* outcode;
     SnappedVertex* at;
     double* w;

@@ -66,8 +66,8 @@ void generate_all(const VertexProgram& p, std::span<const std::uint32_t> indices
                   std::span<dvec4> strq) {
     const D64 d;
     const TextureState& state = p.state->texture;
-    if (state.gen != TexGen::SphereMap && state.gen != TexGen::RefractionMap)
-        return generate_one_by_one(p, indices, strq);
+    const bool is_map = state.gen == TexGen::SphereMap || state.gen == TexGen::RefractionMap;
+    if (!is_map || !p.is_common) return generate_one_by_one(p, indices, strq);
     for (std::size_t first = 0; first < indices.size(); first += hn::Lanes(d)) {
         const auto some = indices.subspan(first, std::min(hn::Lanes(d), indices.size() - first));
         const EyeVertices v = eye_vertices(p, some);

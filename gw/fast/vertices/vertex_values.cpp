@@ -16,6 +16,20 @@ namespace {
 
 bool same_lights(const LightsRef& a, const LightsRef& b) { return a == b || (a && b && *a == *b); }
 
+bool same_back(const Draw& a, const Draw& b) {
+    return a.back_material == b.back_material ||
+           (a.back_material && b.back_material && *a.back_material == *b.back_material);
+}
+
+/// Whether parts that have a draw already have one with the same current values.
+bool same_currents(const VertexInputs& a, const GroupDraws& b) {
+    for (std::size_t i = 0; i < b.group.parts; ++i) {
+        const Draw* const draw = a.draws[b.group.first_part + i];
+        if (draw && !same_current(*draw, *b.draws[i])) return false;
+    }
+    return true;
+}
+
 /// The inputs of fog: its state without the colour.
 bool same_factors(FogState a, const FogState& b) {
     a.color = b.color;
@@ -47,16 +61,16 @@ bool VertexColors::is_uniform(const PartGroup& group) const {
 bool same_lighting(const VertexInputs& a, const GroupDraws& b) {
     return a.set == b.group.set && a.state->color_source == b.state->color_source &&
            (a.state->color_source != ColorSource::Lighting ||
-            a.state->lighting == b.state->lighting);
+            (a.state->lighting == b.state->lighting && a.state->normalize == b.state->normalize));
 }
 
 bool same_colors(const VertexInputs& a, const GroupDraws& b) {
     if (!same_lighting(a, b)) return false;
     for (std::size_t i = 0; i < b.group.parts; ++i) {
         const Draw* const draw = a.draws[b.group.first_part + i];
-        if (!draw) return false;
+        if (!draw || !same_current(*draw, *b.draws[i])) return false;
         if (a.state->color_source == ColorSource::Lighting &&
-            !(draw->material == b.draws[i]->material &&
+            !(draw->material == b.draws[i]->material && same_back(*draw, *b.draws[i]) &&
               same_lights(draw->lights, b.draws[i]->lights)))
             return false;
     }
@@ -71,7 +85,9 @@ bool same_texcoords(const VertexInputs& a, const GroupDraws& b) {
     const TextureState &s = a.state->texture, &t = b.state->texture;
     return a.set == b.group.set && s.gen == t.gen &&
            (s.gen != TexGen::RefractionMap || s.eta == t.eta) &&
-           (s.gen != TexGen::EyeLinear || s.eye_linear == t.eye_linear);
+           (s.gen != TexGen::EyeLinear || s.eye_linear == t.eye_linear) &&
+           (s.gen != TexGen::PerCoordinate || s.coordinates == t.coordinates) &&
+           s.matrix == t.matrix && a.state->normalize == b.state->normalize && same_currents(a, b);
 }
 
 namespace {
@@ -173,11 +189,10 @@ private:
 };
 
 /// Colours from the mesh. Only vertices that clipping made need the vertex stages.
-void color_part(const PartVertices& vertices, const VertexProgram* program, const Mesh& mesh,
+void color_part(const PartVertices& vertices, const VertexProgram* program, const Draw& draw,
                 const Profile& profile, std::span<Rgba> front) {
-    const std::vector<vec4>& colors = mesh.data().colors;
     for (const std::uint32_t i : vertices.used)
-        front[i] = quantize_color(colors.empty() ? vec4(1) : colors[i], profile.color_bits);
+        front[i] = quantize_color(given_color(draw, i), profile.color_bits);
     if (program)
         vertices.for_each_new(*program,
                               [&](std::size_t i, const Vertex& v) { front[i] = to_rgba(v.color); });
@@ -187,7 +202,7 @@ void color_part(const PartVertices& vertices, const VertexProgram* program, cons
 bool light_part(const PartVertices& vertices, const VertexProgram& program, std::span<Rgba> front,
                 std::span<Rgba> back) {
     if (vertices.used.empty()) return true;
-    if (is_uniform(*program.draw)) {
+    if (program.is_common && is_uniform(*program.draw)) {
         const Rgba color = to_rgba(run_vertex(program, vertices.used[0]).color);
         std::fill(front.begin(), front.end(), color);
         std::fill(back.begin(), back.end(), color);
@@ -237,9 +252,9 @@ void shade_vertices(VertexColors& out, const Profile& profile) {
             if (lit)
                 uniform = light_part(vertices, program, front, back);
             else
-                color_part(vertices, &program, *draws[i]->mesh, profile, front);
+                color_part(vertices, &program, *draws[i], profile, front);
         } else {
-            color_part(vertices, nullptr, *draws[i]->mesh, profile, front);
+            color_part(vertices, nullptr, *draws[i], profile, front);
         }
         out.uniform[i] = uniform || has_one_color_each(*set, i, out);
     }
@@ -257,8 +272,8 @@ void fog_vertices(VertexFog& out, const Profile& profile) {
         const VertexProgram program = vertex_program(unlit, *draw, profile);
         const std::span<double> value = vertices.of(out.value);
         for (const std::uint32_t v : vertices.used) {
-            const dvec4 p_object(dvec3(draws[i]->mesh->data().positions[v]), 1);
-            value[v] = fog_of(program, transform(draws[i]->eye_from_object, p_object).z);
+            const dvec4 p_object = object_position(draws[i]->mesh->data(), v);
+            value[v] = fog_of(program, eye_point(transform(draws[i]->eye_from_object, p_object)).z);
         }
         vertices.for_each_new(program,
                               [&](std::size_t v, const Vertex& vertex) { value[v] = vertex.fog; });
@@ -276,7 +291,9 @@ void texture_vertices(VertexTexcoords& out, const Profile& profile) {
         const PartVertices vertices(*set, i);
         const std::span<dvec4> strq = vertices.of(out.strq);
         const std::vector<vec2>& given = draws[i]->mesh->data().texcoords;
-        const bool as_given = state->texture.gen == TexGen::None && !given.empty();
+        const bool as_given = state->texture.gen == TexGen::None && !given.empty() &&
+                              draws[i]->mesh->data().texcoords_rq.empty() &&
+                              state->texture.matrix == dmat4(1);
         if (as_given)
             for (const std::uint32_t v : vertices.used) strq[v] = {given[v].x, given[v].y, 0, 1};
         if (as_given && !vertices.is_clipped()) continue;

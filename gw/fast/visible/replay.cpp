@@ -52,7 +52,7 @@ HWY_INLINE void make_colors(const TileDraw& draw, bool narrow, VisibleRecord& re
 HWY_INLINE bool adds_light(const DrawOp& op) {
     const State& s = op.state.state;
     const Rgba& fog = op.state.fog_color;
-    return s.blend.enable && s.blend.src == BlendFactor::One && s.blend.dst == BlendFactor::One &&
+    return s.blend.enable && adds_colors(s.blend) &&
            (!op.texels || s.texture.env == TexEnv::Modulate) &&
            (!has_fog(s) || (fog[0] | fog[1] | fog[2]) == 0);
 }
@@ -81,8 +81,8 @@ HWY_INLINE bool adds_modulated(const Resolved& r) {
     const BlendState& b = r.state.blend;
     const ColorMask& m = r.state.color_mask;
     return r.bits == 8 && r.state.texture.env == TexEnv::Modulate && !has_fog(r.state) &&
-           r.state.color_source != ColorSource::PolygonId && b.enable &&
-           b.src == BlendFactor::One && b.dst == BlendFactor::One && m.r && m.g && m.b && m.a;
+           r.state.color_source != ColorSource::PolygonId && b.enable && adds_colors(b) && m.r &&
+           m.g && m.b && m.a;
 }
 HWY_INLINE void add_modulated(const ColorBlock& color, const ColorBlock& texel, ColorBlock& stored,
                               std::uint32_t mask) {
@@ -244,7 +244,7 @@ void replay_all(const TileDraw& draw, VisibleRecord& record) {
                   record,
                   narrow,
                   textured,
-                  textured && textures_by_pixel(op.state.state.texture),
+                  textured && textures_by_pixel(op),
                   has_fog(op.state.state) ? std::size_t{5} : std::size_t{4},
                   textured && adds_modulated(op.state),
                   colors && narrow && adds_light(op),

@@ -142,7 +142,7 @@ TEST_F(BadOption, Numbers) {
 
 TEST_F(BadOption, Names) {
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--profile", "vgy"},
-                   {"--profile", "vgx, reality, ideal"});
+                   {"--profile", "vgx, reality, ideal, opengl"});
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--renderer", "fast"},
                    {"--renderer", "hardware, multipass"});
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--machine", "slow"},

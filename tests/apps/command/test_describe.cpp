@@ -38,7 +38,7 @@ protected:
 TEST_F(Describe, BashCompletesCommandsOptionsAndTheirWords) {
     EXPECT_EQ(completed("gw re", 2), "render record replay\n");
     EXPECT_EQ(completed("gw render --prof", 3), "--profile\n");
-    EXPECT_EQ(completed("gw render --profile ''", 4), "vgx reality ideal\n");
+    EXPECT_EQ(completed("gw render --profile ''", 4), "vgx reality ideal opengl\n");
     EXPECT_EQ(completed("gw passes --machine r", 4), "reference\n");
     EXPECT_EQ(completed("gw render " GW_SOURCE_DIR "/scenes/teapot.t", 3),
               GW_SOURCE_DIR "/scenes/teapot.toml\n");

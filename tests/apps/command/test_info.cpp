@@ -22,7 +22,7 @@ TEST_F(Info, AsJsonHasTheProfilesBits) {
     const Outcome outcome = gw({"info", "--json"});
     EXPECT_EQ(outcome.code, 0);
     const auto json = nlohmann::json::parse(outcome.out);
-    ASSERT_EQ(json["profiles"].size(), 3u);
+    ASSERT_EQ(json["profiles"].size(), 4u);
     EXPECT_EQ(json["profiles"][0]["name"], "vgx");
     EXPECT_EQ(json["profiles"][1]["color_bits"], 12);
     EXPECT_EQ(json["profiles"][2]["subpixel_bits"], 8);

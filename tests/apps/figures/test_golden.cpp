@@ -23,7 +23,8 @@ std::vector<GoldenRun> golden_runs() {
         if (!long_ones.contains(figure.name))
             runs.push_back({figure.name, ""});
         else
-            for (const Profile& profile : profiles()) runs.push_back({figure.name, profile.name});
+            for (const Profile& profile : paper_profiles())
+                runs.push_back({figure.name, profile.name});
     }
     return runs;
 }

@@ -101,6 +101,23 @@ const Change changes[] = {
     // Widths matter only to lines and points: filled faces do not have them.
     {"point_size", [](State& s) { s.point_size = s.polygon_mode == PolygonMode::Fill ? 7 : 1; }},
     {"line_width", [](State& s) { s.line_width = s.polygon_mode == PolygonMode::Fill ? 7 : 1; }},
+    {"normalize", [](State& s) { s.normalize = false; }},
+    {"lighting.color_material",
+     [](State& s) {
+         s.color_source = ColorSource::Lighting;
+         s.lighting.color_material.enable = true;
+     }},
+    {"texture.matrix",
+     [](State& s) {
+         s.texture.matrix[0] = {2, 1, 0, 1};
+     }},
+    {"texture.coordinates",
+     [](State& s) {
+         s.texture.gen = TexGen::PerCoordinate;
+         s.texture.coordinates[0] = {CoordinateMode::ObjectLinear, {1, 2, 3, 4}};
+     }},
+    {"draw: current values", [](State&) {},
+     [](Draw& d) { d.current = std::make_shared<const CurrentValues>(vec4(0.5f)); }},
     {"draw: no map", [](State&) {}, [](Draw& d) { d.map = {}; }},
     {"draw: material", [](State& s) { s.color_source = ColorSource::Lighting; },
      [](Draw& d) { d.material = {.Ka = vec3(1), .Ks = vec3(1), .Ns = 30, .alpha = 0}; }},
@@ -123,10 +140,12 @@ const Change changes[] = {
 
 /// Fails to compile when State gets a field, which must enter the manual's list or `changes`.
 [[maybe_unused]] void every_field_is_known(const State& state) {
-    [[maybe_unused]] const auto& [projection, viewport, depth_range, clip_planes, cull,
-                                  polygon_mode, polygon_offset, jitter, point_size, line_width,
-                                  shade_model, color_source, lighting, fog, texture, scissor, alpha,
-                                  stencil, depth, blend, color_mask] = state;
+    [[maybe_unused]] const auto& [projection, normalize, viewport, depth_range, clip_planes, cull,
+                                  polygon_mode, two_side_polygon_mode, back_polygon_mode,
+                                  line_stipple, polygon_stipple, polygon_offset, jitter, point_size,
+                                  line_width, shade_model, color_source, lighting, fog, texture,
+                                  scissor, alpha, stencil, depth, blend, logic_op, color_mask] =
+        state;
 }
 
 struct Scene {

@@ -96,7 +96,7 @@ TEST(Metamorphic, DrawsThatDoNotMeetMayChangePlaces) {
     constexpr int cells = 9;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         Random r(seed);
-        Case c{.profile = r.pick(profiles()), .width = 8 * cells, .height = 8 * cells};
+        Case c{.profile = r.pick(paper_profiles()), .width = 8 * cells, .height = 8 * cells};
         State state;
         state.depth.test = true;
         state.blend = any_blend(r);

@@ -77,7 +77,7 @@ TEST(ManualFog, BlackFogPlusFoggedBlackIsOnePassOfFog) {
         const Rgba one_pass = apply_fog({c, c, c, 0}, f, {fog, fog, fog, 0}, bits);
         const Rgba black_fog = apply_fog({c, c, c, 0}, f, {}, bits),
                    black = apply_fog({}, f, {fog, fog, fog, 0}, bits);
-        ASSERT_EQ(blend({true, BlendFactor::One, BlendFactor::One}, black, black_fog, bits),
+        ASSERT_EQ(blend({true, BlendFactor::One, BlendFactor::One}, {black, black_fog, {}}, bits),
                   one_pass);
     };
     for (std::uint32_t f = 0; f < 256; ++f)

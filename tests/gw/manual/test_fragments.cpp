@@ -72,6 +72,49 @@ TEST(ManualFragments, TestsInTheirOrder) {
     EXPECT_EQ(c.stencil_killed, 1u);
 }
 
+// [R12.14] [R12.15]
+TEST(ManualFragments, JoinedColoursByHand) {
+    Workbench bench(opengl(), 1, 1);
+    const auto joined = [&](const BlendState& blend, const LogicOpState& logic) {
+        bench.state.blend = {};
+        bench.state.logic_op = {};
+        bench.write(pixel, {100, 100, 100, 100});
+        bench.state.blend = blend;
+        bench.state.logic_op = logic;
+        bench.write(pixel, {200, 200, 200, 200});
+        return bench.color(0, 0)[0];
+    };
+    const auto blended = [&](BlendEquation equation) {
+        return joined({true, BlendFactor::One, BlendFactor::One, equation}, {});
+    };
+    EXPECT_EQ(blended(BlendEquation::Subtract), 100);
+    EXPECT_EQ(blended(BlendEquation::ReverseSubtract), 0);
+    EXPECT_EQ(blended(BlendEquation::Min), 100);
+    EXPECT_EQ(blended(BlendEquation::Max), 200);
+    const auto logic = [&](LogicOp op) { return joined({true}, {true, op}); };
+    EXPECT_EQ(logic(LogicOp::And), 64);
+    EXPECT_EQ(logic(LogicOp::AndReverse), 136);
+    EXPECT_EQ(logic(LogicOp::Xor), 172);
+    EXPECT_EQ(logic(LogicOp::Nor), 19);
+    EXPECT_EQ(logic(LogicOp::Invert), 155);
+    EXPECT_EQ(logic(LogicOp::Copy), 200);
+    EXPECT_EQ(logic(LogicOp::Noop), 100);
+    EXPECT_EQ(logic(LogicOp::Set), 255);
+}
+
+// [R12.12]
+TEST(ManualFragments, AConstantColour) {
+    Workbench bench(opengl(), 1, 1);
+    bench.write(pixel, {100, 100, 100, 255});
+    bench.state.blend = {.enable = true,
+                         .src = BlendFactor::ConstantColor,
+                         .dst = BlendFactor::OneMinusConstantAlpha,
+                         .color = {1, 0.5f, 0, 0.25f}};
+    bench.write(pixel, {200, 200, 200, 255});
+    // k = (255, 128, 0, 64): mul(100, 191) = 75 (74.90) more than mul(200, k)
+    EXPECT_EQ(bench.color(0, 0), (Rgba{255, 175, 75, 255}));
+}
+
 // [R12.10] [R12.11] [R12.12]
 TEST(ManualFragments, BlendByHand) {
     Workbench bench(vgx(), 1, 1);

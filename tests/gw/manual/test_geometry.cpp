@@ -110,6 +110,81 @@ TEST(ManualGeometry, NormalsGoByTheInverseTranspose) {
     EXPECT_EQ(red(mirror, {1, 0, 0}), 0);
 }
 
+// [R6.9] [R6.27]
+TEST(ManualGeometry, PositionsHaveAnyW) {
+    // (8, 4, 0, 2) is the point (4, 2, 0); a vertex of w = 0 is a direction, here to the right.
+    Workbench bench(opengl(), 16, 16);
+    MeshData data = test::mesh_data(Primitive::Points, {{9, 5, 0}, {1, 1, 0}});
+    data.w = {2, -1};
+    bench.draw(data);
+    EXPECT_EQ(bench.color(4, 2)[3], 255);
+    EXPECT_EQ(bench.take_counters().rejected, 1u);  // w < 0 lies behind the eye
+    MeshData shadow = test::mesh_data(Primitive::Triangles, {{2, 2, 0}, {1, 0, 0}, {2, 6, 0}});
+    shadow.w = {1, 0, 1};
+    bench.draw(shadow);
+    EXPECT_EQ(bench.color(15, 3)[3], 255);
+    EXPECT_EQ(bench.color(1, 3)[3], 0);
+}
+
+// [R6.28]
+TEST(ManualGeometry, NormalsThatAreNotNormalised) {
+    State state;
+    state.color_source = ColorSource::Lighting;
+    MeshData data = test::mesh_data(Primitive::Points, {{0, 0, 0}});
+    data.normals = {{0, 0, 0.5f}};
+    Draw draw{.mesh = make_mesh(data)};
+    draw.material = {.Ka = vec3(0), .Kd = vec3(1)};
+    draw.lights = std::make_shared<const std::vector<Light>>(1, Light{});
+    const auto red = [&](double scale) {
+        draw.eye_from_object = dmat4(scale);
+        draw.eye_from_object[3][3] = 1;
+        const Profile profile = opengl();
+        return run_vertex(vertex_program(state, draw, profile), 0).color[0];
+    };
+    EXPECT_EQ(red(1), 255);
+    state.normalize = false;
+    EXPECT_EQ(red(1), 128);  // 127.5, to even
+    EXPECT_EQ(red(2), 64);   // an object twice as large has normals half as long
+    EXPECT_EQ(red(0), 0);
+}
+
+// [R6.29]
+TEST(ManualGeometry, EdgeFlagsLeaveSidesOut) {
+    MeshData data = test::mesh_data(Primitive::Quads, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
+    data.edge_flags = {1, 0, 1, 1};
+    const MeshRef mesh = make_mesh(data);
+    ASSERT_EQ(mesh->triangles().size(), 2u);
+    EXPECT_EQ(mesh->triangles()[0].edges, 1);  // (0,1); not (1,2), not the diagonal
+    EXPECT_EQ(mesh->triangles()[1].edges, 6);  // (2,3), (3,0)
+}
+
+// [R6.30]
+TEST(ManualGeometry, FacesHaveModesOfTheirOwn) {
+    Workbench bench(opengl(), 16, 16);
+    bench.state.polygon_mode = PolygonMode::Line;
+    bench.state.two_side_polygon_mode = true;
+    const std::vector<vec3> square{{1, 1, 0}, {9, 1, 0}, {9, 9, 0}, {1, 9, 0}};
+    bench.draw(Primitive::Quads, square);
+    EXPECT_EQ(bench.take_counters().fragments, 32u);
+    bench.state.cull.front = Winding::CW;
+    bench.draw(Primitive::Quads, square);
+    EXPECT_EQ(bench.take_counters().fragments, 64u);
+    bench.state.back_polygon_mode = PolygonMode::Point;
+    bench.draw(Primitive::Quads, square);
+    EXPECT_EQ(bench.take_counters().fragments, 4u);
+}
+
+// [R5.9]
+TEST(ManualGeometry, CurrentValuesStandForWhatTheMeshLacks) {
+    Workbench bench(opengl(), 4, 4);
+    Draw draw{.mesh = make_mesh(test::mesh_data(Primitive::Points, {{0.5f, 0.5f, 0}}))};
+    CurrentValues values;
+    values.color = {0.5f, 0, 1, 1};
+    draw.current = std::make_shared<const CurrentValues>(values);
+    bench.draw(draw);
+    EXPECT_EQ(bench.color(0, 0), (Rgba{128, 0, 255, 255}));
+}
+
 // [R6.16] [R6.17] [R6.18]
 TEST(ManualGeometry, ANewVertexStartsFromTheInside) {
     Vertex in, out;

@@ -12,7 +12,8 @@ double red(const Material& material, const Light& light, const dvec3& p = dvec3(
            Profile profile = vgx(), bool local_viewer = false) {
     Draw draw{.material = material};
     draw.lights = std::make_shared<const std::vector<Light>>(1, light);
-    return lit_color(draw, {.local_viewer = local_viewer}, profile, p, {0, 0, 1})[0];
+    return lit_color(draw.material, draw.lights, {.local_viewer = local_viewer}, profile, p,
+                     {0, 0, 1})[0];
 }
 
 const Material shiny{
@@ -77,9 +78,74 @@ TEST(ManualLighting, ALocalViewerSeesTheHighlightFromTheEye) {
 TEST(ManualLighting, LightsAddAndTheSumIsClampedOnce) {
     Draw draw{.material = {.Ka = vec3(0), .Kd = vec3(1), .Ke = vec3(-1), .alpha = 0.5f}};
     draw.lights = std::make_shared<const std::vector<Light>>(3, Light{.Id = vec3(0.5f)});
-    const auto color = lit_color(draw, {}, vgx(), dvec3(0), {0, 0, 1});
+    const auto color = lit_color(draw.material, draw.lights, {}, vgx(), dvec3(0), {0, 0, 1});
     EXPECT_EQ(color[0], 128);  // -1 + 3 * 0.5: not clamped in between
     EXPECT_EQ(color[3], 128);
+}
+
+/// Three points, of which the mesh gives materials or colours.
+struct ThreePoints {
+    test::Workbench bench{opengl(), 8, 8};
+    MeshData mesh =
+        test::mesh_data(Primitive::Points, {{0.5f, 0.5f, 0}, {1.5f, 0.5f, 0}, {2.5f, 0.5f, 0}});
+    Draw draw{.material = {.Ka = vec3(0), .Kd = vec3(0), .Ke = {1, 0, 0}}};
+
+    ThreePoints() { bench.state.color_source = ColorSource::Lighting; }
+    std::array<Rgba, 3> colors() {
+        draw.mesh = make_mesh(mesh);
+        bench.draw(draw);
+        return {bench.color(0, 0), bench.color(1, 0), bench.color(2, 0)};
+    }
+};
+
+// [R8.9]
+TEST(ManualLighting, MaterialsByVertex) {
+    ThreePoints points;
+    const auto glowing = [](vec3 Ke) { return Material{.Ka = vec3(0), .Kd = vec3(0), .Ke = Ke}; };
+    points.mesh.materials = {{glowing({0, 1, 0}), glowing({0, 0, 1})},
+                             {glowing({1, 1, 0}), glowing({0, 0, 1})}};
+    points.mesh.material_indices = {1, 0, 0};
+    const auto colors = points.colors();
+    EXPECT_EQ(colors[0], (Rgba{255, 255, 0, 255}));
+    EXPECT_EQ(colors[1], (Rgba{0, 255, 0, 255}));
+    EXPECT_EQ(colors[2], (Rgba{0, 255, 0, 255}));
+}
+
+// [R8.9] [R8.8]
+TEST(ManualLighting, ABackMaterial) {
+    test::Workbench bench(opengl(), 4, 4);
+    bench.state.color_source = ColorSource::Lighting;
+    bench.state.lighting.two_side = true;
+    const std::vector<vec3> square{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
+    Draw draw{.mesh = make_mesh(test::mesh_data(Primitive::Quads, square))};
+    draw.material = {.Ka = vec3(0), .Kd = vec3(0), .Ke = {1, 0, 0}};
+    draw.back_material =
+        std::make_shared<const Material>(Material{.Ka = vec3(0), .Kd = vec3(0), .Ke = {0, 1, 0}});
+    bench.draw(draw);
+    EXPECT_EQ(bench.color(1, 1), (Rgba{255, 0, 0, 255}));
+    bench.state.cull.front = Winding::CW;
+    bench.draw(draw);
+    EXPECT_EQ(bench.color(1, 1), (Rgba{0, 255, 0, 255}));
+    bench.state.lighting.two_side = false;
+    bench.draw(draw);
+    EXPECT_EQ(bench.color(1, 1), (Rgba{255, 0, 0, 255}));
+}
+
+// [R8.10]
+TEST(ManualLighting, TheMaterialFollowsTheColour) {
+    const auto follows = [](ColorMaterial mode, Face face) {
+        ThreePoints points;
+        points.mesh.colors = {{0, 1, 0, 0.5f}, {0, 0, 1, 1}, {1, 1, 1, 1}};
+        points.draw.lights = std::make_shared<const std::vector<Light>>(1, Light{});
+        points.bench.state.lighting.color_material = {true, face, mode};
+        return points.colors();
+    };
+    EXPECT_EQ(follows(ColorMaterial::Emission, Face::Front)[0], (Rgba{0, 255, 0, 255}));
+    EXPECT_EQ(follows(ColorMaterial::Diffuse, Face::FrontAndBack)[0], (Rgba{255, 255, 0, 128}));
+    EXPECT_EQ(follows(ColorMaterial::AmbientAndDiffuse, Face::Front)[1], (Rgba{255, 0, 255, 255}));
+    EXPECT_EQ(follows(ColorMaterial::Ambient, Face::Front)[1], (Rgba{255, 0, 0, 255}));
+    EXPECT_EQ(follows(ColorMaterial::Specular, Face::Front)[2], (Rgba{255, 255, 255, 255}));
+    EXPECT_EQ(follows(ColorMaterial::Diffuse, Face::Back)[0], (Rgba{255, 0, 0, 255}));
 }
 
 }  // namespace

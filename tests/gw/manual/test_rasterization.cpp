@@ -96,10 +96,9 @@ TEST(ManualRasterization, IncrementsEqualTheClosedForm) {
 TEST(ManualRasterization, GradientsAreToNearestAndTiesToEven) {
     for (const auto& [num, q] :
          {std::pair(-7, -4), {-5, -2}, {-3, -2}, {-1, 0}, {1, 0}, {3, 2}, {5, 2}, {7, 4}})
-        EXPECT_EQ(int(reference::divide_round_even(num, 2)), q) << num << " / 2";
+        EXPECT_EQ(int(divide_round_even(num, 2)), q) << num << " / 2";
     for (int num = -20; num <= 20; ++num)
-        EXPECT_EQ(int(reference::divide_round_even(num, 5)), int(std::lround(num / 5.0)))
-            << num << " / 5";
+        EXPECT_EQ(int(divide_round_even(num, 5)), int(std::lround(num / 5.0))) << num << " / 5";
 }
 
 // [R9.11] [R9.12]
@@ -123,6 +122,80 @@ TEST(ManualRasterization, PolygonOffset) {
     bench.state.polygon_mode = PolygonMode::Line;
     bench.draw(Primitive::Quads, square);
     EXPECT_EQ(bench.depth(0, 4), 1000u);
+}
+
+// [R9.22]
+TEST(ManualRasterization, OutlinesHaveTheOffsetOfTheirPolygon) {
+    Workbench bench(opengl(), 16, 16);
+    const std::vector<vec3> square{{0, 0, 1000}, {16, 0, 2600}, {16, 16, 2600}, {0, 16, 1000}};
+    bench.state.depth = {.test = true, .func = DepthFunc::Always};
+    bench.state.polygon_mode = PolygonMode::Line;
+    bench.state.polygon_offset = {.factor = 1.5f, .units = -3, .lines = true};
+    bench.draw(Primitive::Quads, square);
+    EXPECT_EQ(bench.depth(0, 4), 1000u + 147);
+    bench.state.polygon_mode = PolygonMode::Point;
+    bench.draw(Primitive::Quads, square);
+    EXPECT_EQ(bench.depth(0, 0), 1000u);
+    bench.state.polygon_offset.points = true;
+    bench.draw(Primitive::Quads, square);
+    EXPECT_EQ(bench.depth(0, 0), 1000u + 147);
+    bench.draw(Primitive::Points, {{5.5f, 5.5f, 700}});
+    EXPECT_EQ(bench.depth(5, 5), 700u);
+}
+
+/// The columns of row y that have fragments.
+std::string row_of(Workbench& bench, int y, int width) {
+    std::string out;
+    for (int x = 0; x < width; ++x) out += bench.color(x, y)[3] != 0 ? '#' : '.';
+    return out;
+}
+
+// [R9.20]
+TEST(ManualRasterization, AStippledLine) {
+    const auto row = [](Primitive primitive, const std::vector<vec3>& ends, int factor) {
+        Workbench bench(opengl(), 24, 4);
+        bench.state.line_stipple = {true, factor, 0x0013};  // steps 0, 1 and 4 of 16
+        bench.draw(primitive, ends);
+        return row_of(bench, 0, 24);
+    };
+    EXPECT_EQ(row(Primitive::Lines, {{0, 0.5f, 0}, {24, 0.5f, 0}}, 1), "##..#...........##..#...");
+    EXPECT_EQ(row(Primitive::Lines, {{0, 0.5f, 0}, {24, 0.5f, 0}}, 2), "####....##..............");
+    EXPECT_EQ(row(Primitive::Lines, {{24, 0.5f, 0}, {0, 0.5f, 0}}, 1), "...#..##...........#..##");
+    // A strip goes on counting; Lines begin anew.
+    const std::vector<vec3> strip{{0, 0.5f, 0}, {3, 0.5f, 0}, {8, 0.5f, 0}};
+    EXPECT_EQ(row(Primitive::LineStrip, strip, 1), "##..#...................");
+    EXPECT_EQ(row(Primitive::Lines, {strip[0], strip[1], strip[1], strip[2]}, 1),
+              "##.##..#................");
+}
+
+// [R9.20]
+TEST(ManualRasterization, AnOutlinesStippleGoesAroundItsPolygon) {
+    Workbench bench(opengl(), 16, 16);
+    bench.state.polygon_mode = PolygonMode::Line;
+    bench.state.line_stipple = {true, 1, 0x5555};
+    bench.draw(Primitive::Quads,
+               {{0.5f, 0.5f, 0}, {3.5f, 0.5f, 0}, {3.5f, 3.5f, 0}, {0.5f, 3.5f, 0}});
+    EXPECT_EQ(bench.take_counters().fragments, 6u);  // of 12 steps around
+    EXPECT_EQ(row_of(bench, 0, 4), "#.#.");
+    EXPECT_EQ(bench.color(3, 1)[3], 255);  // step 4: the second edge goes on
+}
+
+// [R9.21]
+TEST(ManualRasterization, AStippledPolygon) {
+    Workbench bench(opengl(), 40, 40);
+    std::array<std::uint32_t, 32> rows{};
+    rows[1] = 0xC0000001;
+    bench.state.polygon_stipple.pattern =
+        std::make_shared<const std::array<std::uint32_t, 32>>(rows);
+    const std::vector<vec3> square{{0, 0, 0}, {40, 0, 0}, {40, 40, 0}, {0, 40, 0}};
+    bench.draw(Primitive::Quads, square);
+    EXPECT_EQ(bench.take_counters().fragments, 10u);
+    EXPECT_EQ(row_of(bench, 1, 40), "##.............................###......");
+    EXPECT_EQ(row_of(bench, 33, 40), "##.............................###......");
+    EXPECT_EQ(row_of(bench, 0, 40), std::string(40, '.'));
+    bench.state.polygon_mode = PolygonMode::Point;
+    bench.draw(Primitive::Quads, square);
+    EXPECT_EQ(bench.color(0, 0)[3], 255);
 }
 
 // [R9.7] [R9.13] [R9.14] [R9.15]

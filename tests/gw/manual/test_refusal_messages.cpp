@@ -98,8 +98,10 @@ std::vector<std::string> refused_states() {
     add([](State& s) { s.jitter.y = -8; });
     add([](State& s) { s.point_size = 0; });
     add([](State& s) { s.line_width = 129; });
+    add([](State& s) { s.line_stipple.factor = 257; });
     add([](State& s) { s.polygon_offset.factor = infinity; });
     add([](State& s) { s.polygon_offset.units = nan; });
+    add([](State& s) { s.blend.color.y = nan; });
     add([](State& s) { s.blend.src = BlendFactor::SrcColor; });
     add([](State& s) { s.blend.src = BlendFactor::OneMinusSrcColor; });
     add([](State& s) { s.blend.dst = BlendFactor::DstColor; });
@@ -125,6 +127,8 @@ std::vector<std::string> refused_states() {
     add([](State& s) { s.texture.eta = nan; });
     add([](State& s) { s.texture.eye_linear[3][3] = nan; });
     add([](State& s) { s.texture.env_color.x = infinity; });
+    add([](State& s) { s.texture.coordinates[2].plane.w = nan; });
+    add([](State& s) { s.texture.matrix[1][0] = infinity; });
     return out;
 }
 
@@ -133,10 +137,17 @@ std::vector<std::string> refused_draws() {
     const auto add = [&](const std::function<void(Draw&)>& f) { out.push_back(refused_draw(f)); };
     add([](Draw& d) { d.mesh = nullptr; });
     add([](Draw& d) { d.eye_from_object[0][0] = nan; });
-    add([](Draw& d) { d.eye_from_object[0][3] = 1; });
     add([](Draw& d) { d.material.Ks.y = nan; });
     add([](Draw& d) { d.material.Ns = 10001; });
     add([](Draw& d) { d.material.alpha = nan; });
+    const auto current = [&](const std::function<void(CurrentValues&)>& change) {
+        CurrentValues values;
+        change(values);
+        add([&](Draw& d) { d.current = std::make_shared<const CurrentValues>(values); });
+    };
+    current([](CurrentValues& v) { v.color.x = nan; });
+    current([](CurrentValues& v) { v.normal.y = infinity; });
+    current([](CurrentValues& v) { v.texcoord.w = nan; });
     add([](Draw& d) { d.id_shift = 32; });
     add([](Draw& d) { d.lights = std::make_shared<const std::vector<Light>>(9); });
     add([](Draw& d) { d.map.slot = 3; });
@@ -238,6 +249,13 @@ std::vector<std::string> refused_values() {
             d.polygon_ids = {1, 2, 3};
         }),
         mesh([](MeshData& d) { d.primitive = Primitive(8); }),
+        mesh([](MeshData& d) {
+            d.w = {1, nan, 1};
+        }),
+        mesh([](MeshData& d) {
+            d.materials.resize(2);
+            d.material_indices = {0, 2, 0};
+        }),
         message_of([&] { make_texture("t", 4097, 1, texel); }),
         message_of([&] { make_texture("t", 2, 1, texel); }),
     };

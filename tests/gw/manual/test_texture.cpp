@@ -1,6 +1,7 @@
 // docs/manual/texture.md: the worked examples.
 #include "gw/stages/texels.h"
 #include "gw/stages/texgen.h"
+#include "gw/stages/vertex.h"
 #include "tests/gw/workbench.h"
 
 #include <cmath>
@@ -14,7 +15,7 @@ using test::Workbench;
 TEST(ManualTexture, SphereAndRefractionMap) {
     const dvec4 p(0, 0, -2, 1);
     const auto st = [&](TexGen gen, const dvec3& n, double eta) {
-        return texture_coordinates({.gen = gen, .eta = eta}, {7, 7}, p, n);
+        return texture_coordinates({.gen = gen, .eta = eta}, {{7, 7, 0, 1}, p, p, dvec3(p), n});
     };
     EXPECT_EQ(st(TexGen::SphereMap, {0, 0, 1}, 1), dvec4(0.5, 0.5, 0, 1));
     const dvec4 slanting = st(TexGen::SphereMap, {0.6, 0, 0.8}, 1);
@@ -29,6 +30,48 @@ TEST(ManualTexture, SphereAndRefractionMap) {
     // Total reflection out of the denser medium at a grazing angle.
     EXPECT_EQ(refracted({0.8, 0, -0.6}, {0, 0, 1}, 1.5), reflected({0.8, 0, -0.6}, {0, 0, 1}));
     EXPECT_EQ(sphere_map({0, 0, -1}), dvec2(0.5, 0.5));  // straight ahead: m is 0
+}
+
+// [R10.20] [R10.21]
+TEST(ManualTexture, ARuleForEachCoordinate) {
+    TextureState t{.gen = TexGen::PerCoordinate};
+    t.coordinates[0] = {CoordinateMode::ObjectLinear, {1, 0, 0, 2}};
+    t.coordinates[1] = {CoordinateMode::EyeLinear, {0, 0, -0.5, 1}};
+    const TexgenInput vertex{{7, 8, 9, 10}, {3, 4, 5, 1}, {3, 4, -6, 2}, {1.5, 2, -3}, {0, 0, 1}};
+    EXPECT_EQ(texture_coordinates(t, vertex), dvec4(5, 5, 9, 10));
+    t.coordinates[0].mode = CoordinateMode::SphereMap;
+    EXPECT_EQ(texture_coordinates(t, vertex)[0],
+              sphere_map(reflected(normalized(vertex.p_eye), {0, 0, 1})).x);
+    t.gen = TexGen::None;
+    t.matrix[0] = {2, 0, 0, 1};
+    EXPECT_EQ(texture_coordinates(t, vertex), dvec4(14, 8, 9, 17));
+}
+
+// [R10.22]
+TEST(ManualTexture, OnlyCoordinatesWhoseQCanDifferAreDivided) {
+    MeshData mesh = test::mesh_data(Primitive::Points, {{0, 0, 0}});
+    Draw draw{.mesh = make_mesh(mesh)};
+    TextureState t;
+    EXPECT_FALSE(divides_by_q(t, draw));
+    CurrentValues values;
+    values.texcoord = {1, 1, 1, 2};
+    draw.current = std::make_shared<const CurrentValues>(values);
+    EXPECT_TRUE(divides_by_q(t, draw));
+    mesh.texcoords = {{1, 2}};
+    draw.mesh = make_mesh(mesh);
+    EXPECT_FALSE(divides_by_q(t, draw));
+    mesh.texcoords_rq = {{0, 1}};
+    draw.mesh = make_mesh(mesh);
+    EXPECT_TRUE(divides_by_q(t, draw));
+    t.gen = TexGen::SphereMap;
+    EXPECT_FALSE(divides_by_q(t, draw));
+    t.matrix[2][3] = 0.5;
+    EXPECT_TRUE(divides_by_q(t, draw));
+    t = {.gen = TexGen::PerCoordinate};
+    draw = {.mesh = make_mesh(test::mesh_data(Primitive::Points, {{0, 0, 0}}))};
+    EXPECT_FALSE(divides_by_q(t, draw));
+    t.coordinates[3].mode = CoordinateMode::ObjectLinear;
+    EXPECT_TRUE(divides_by_q(t, draw));
 }
 
 /// Red 0, 80, 160, 240.
