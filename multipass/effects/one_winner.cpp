@@ -120,7 +120,7 @@ void write_ties(CommandList& list, const PlacedModel& placed, const TiedPixels& 
 
 /// Draws the portions of opaque parts, black if the step does not concern them.
 void draw_first_come(CommandList& list, const PlacedModel& placed, const Step& step, State state,
-                     const std::vector<Portion>& portions) {
+                     const std::vector<Portion>& portions, const FrameRules& rules) {
     bool set = false;
     for (const Portion& portion : portions) {
         const Part& part = placed.model->parts[portion.part];
@@ -132,6 +132,7 @@ void draw_first_come(CommandList& list, const PlacedModel& placed, const Step& s
             set = true;
         }
         list.add(draw_of(placed, step, portion));
+        cut_if_long(list, rules);
     }
 }
 
@@ -161,9 +162,8 @@ TiedPixels tied_pixels(const PlacedModel& placed, std::span<const std::uint32_t>
     return tied;
 }
 
-CommandList count_winners(const PlacedModel& placed) {
-    CommandList list;
-    add_step(list, placed, {.pass = winners_pass}, {});
+void add_winner_count(CommandList& list, const PlacedModel& placed, const FrameRules& rules) {
+    add_step(list, placed, {.pass = winners_pass}, {.cut = rules.cut});
     State state = placed.state;
     state.depth = {};
     state.color_mask = {false, false, false, false};
@@ -174,7 +174,6 @@ CommandList count_winners(const PlacedModel& placed) {
                   .plane = Plane::Stencil,
                   .rect = {0, 0, placed.view.width, placed.view.height}});
     list.add(Clear{.planes = mask_of(Plane::Stencil)});
-    return list;
 }
 
 std::uint64_t surplus_winners(std::span<const PassReport> reports) {
@@ -182,14 +181,14 @@ std::uint64_t surplus_winners(std::span<const PassReport> reports) {
 }
 
 void add_one_winner_step(CommandList& list, const PlacedModel& placed, const Step& step,
-                         int stencil_bits) {
+                         const FrameRules& rules) {
     State state = state_of(placed, step);
-    state.stencil = taking(state.stencil, 1u << (stencil_bits - 1));
+    state.stencil = taking(state.stencil, 1u << (rules.stencil_bits - 1));
     list.add(SetState{state});
     list.add(Clear{.planes = mask_of(Plane::Stencil)});
     std::vector<Portion> all;
     for (std::size_t i = 0; i < placed.model->parts.size(); ++i) all.push_back({.part = i});
-    draw_first_come(list, placed, step, state, all);
+    draw_first_come(list, placed, step, state, all, rules);
 }
 
 bool can_mark_ties(const PlacedModel& placed, int stencil_bits) {
@@ -221,12 +220,13 @@ StencilState beside_ties(StencilState stencil, int stencil_bits) {
 }
 
 void draw_ties(CommandList& list, const PlacedModel& placed, const Step& step,
-               const TiedPixels& tied, int stencil_bits) {
+               const FrameRules& rules) {
+    const int stencil_bits = rules.stencil_bits;
     State state = state_of(placed, step);
     state.stencil = taking(beside_ties(state.stencil, stencil_bits), taken_of(stencil_bits));
     state.stencil.ref |= int(tie_of(stencil_bits));
-    draw_first_come(list, placed, step, state, tied.portions);
-    write_ties(list, placed, tied,
+    draw_first_come(list, placed, step, state, rules.tied->portions, rules);
+    write_ties(list, placed, *rules.tied,
                {.test = true,
                 .zpass = StencilOp::Zero,
                 .write_mask = tie_of(stencil_bits) | taken_of(stencil_bits)});

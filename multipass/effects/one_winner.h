@@ -1,6 +1,6 @@
 // Coincident faces: if two of them have the same Z at a pixel, both pass Equal, and an additive
 // pass would add twice. docs/passes.md, "One winner per pixel". Does not decide whether the scheme
-// is needed: the driver asks count_winners.
+// is needed: the driver asks add_winner_count.
 //
 // One pass finds them: it counts the winners of every pixel in the stencil buffer. If a pixel has
 // two, the first face in the order of objects takes it in every additive pass. The stencil's top
@@ -24,17 +24,19 @@ namespace gw::multipass {
 /// The key of the count's read-back: the number of winners of each pixel.
 inline constexpr std::uint32_t winners_key = 0;
 
+struct FrameRules;
+
 /// Two passes to run after the depth pass. They keep its Z, and leave the stencil 0 as they found
 /// it.
-CommandList count_winners(const PlacedModel& placed);
+void add_winner_count(CommandList& list, const PlacedModel& placed, const FrameRules& rules);
 
 /// The number of fragments that an additive pass would write beyond one per pixel. `reports` are
 /// those of the two passes.
 std::uint64_t surplus_winners(std::span<const PassReport> reports);
 
-/// The draws of an additive step with one winner per pixel, stencil bit 2^(stencil_bits - 1).
+/// The draws of an additive step with one winner per pixel, by the stencil's highest bit.
 void add_one_winner_step(CommandList& list, const PlacedModel& placed, const Step& step,
-                         int stencil_bits);
+                         const FrameRules& rules);
 
 /// Pixels with several fragments of the nearest Z, and the triangles that may have drawn them.
 struct TiedPixels {
@@ -61,6 +63,6 @@ void mark_ties(CommandList& list, const PlacedModel& placed, const TiedPixels& t
                int stencil_bits);
 StencilState beside_ties(StencilState stencil, int stencil_bits);
 void draw_ties(CommandList& list, const PlacedModel& placed, const Step& step,
-               const TiedPixels& tied, int stencil_bits);
+               const FrameRules& rules);
 
 }  // namespace gw::multipass

@@ -60,6 +60,11 @@ std::vector<Portion> portions(const PlacedModel& placed, const Step& step) {
 
 }  // namespace
 
+void cut_if_long(CommandList& list, const FrameRules& rules) {
+    constexpr std::size_t long_list = 1 << 16;
+    if (rules.cut && list.commands.size() >= long_list) rules.cut(list);
+}
+
 void begin_pass(CommandList& list, const std::string& name, const State& state) {
     list.add(BeginPass{.name = name});
     list.add(SetState{state});
@@ -141,7 +146,7 @@ void add_step(CommandList& list, const PlacedModel& placed, const Step& step,
         rules.one_winner && is_additive(step.pass) && step.pass.objects != PassObjects::Translucent;
     const bool by_ties =
         one_winner && rules.tied && can_leave_ties_out(placed, step, rules.stencil_bits);
-    if (one_winner && !by_ties) return add_one_winner_step(list, placed, step, rules.stencil_bits);
+    if (one_winner && !by_ties) return add_one_winner_step(list, placed, step, rules);
     if (by_ties) {
         mark_ties(list, placed, *rules.tied, rules.stencil_bits);
         state.stencil = beside_ties(state.stencil, rules.stencil_bits);
@@ -151,8 +156,9 @@ void add_step(CommandList& list, const PlacedModel& placed, const Step& step,
         state.texture = lookup_of(placed, step, portion.part);
         states.set(state);
         list.add(draw_of(placed, step, portion));
+        cut_if_long(list, rules);
     }
-    if (by_ties) draw_ties(list, placed, step, *rules.tied, rules.stencil_bits);
+    if (by_ties) draw_ties(list, placed, step, rules);
 }
 
 }  // namespace gw::multipass

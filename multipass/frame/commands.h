@@ -8,6 +8,8 @@
 #include "multipass/frame/placed_model.h"
 #include "multipass/passes/schedule.h"
 
+#include <functional>
+
 namespace gw::multipass {
 
 /// Rules for all passes of a frame.
@@ -20,7 +22,13 @@ struct FrameRules {
     int stencil_bits = 8;
     /// White images that the accumulation buffer holds.
     int most_images = 128;
+    /// Executes a long list and empties it, so that memory does not follow the number of parts;
+    /// empty: lists grow.
+    std::function<void(CommandList&)> cut{};
 };
+
+/// Cuts a list that is long, if the rules say how.
+void cut_if_long(CommandList& list, const FrameRules& rules);
 
 /// BeginPass and SetState.
 void begin_pass(CommandList& list, const std::string& name, const State& state = {});

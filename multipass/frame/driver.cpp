@@ -64,7 +64,9 @@ CommandList frame_list(const scene::Scene& scene, const scene::View& view, const
         shadows,
         schedule(passes, model),
         {.background = background, .one_winner = one_winner, .stencil_bits = stencil_bits}};
-    return commands(frame, 0, frame.steps.size());
+    CommandList list;
+    add_steps(list, frame, 0, frame.steps.size());
+    return list;
 }
 
 std::vector<ComponentImage> render_components(Machine& machine, const scene::Scene& scene,

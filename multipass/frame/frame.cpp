@@ -70,28 +70,26 @@ bool is_layer_step(const Step& step) { return is_layer_pass(step.pass); }
 
 }  // namespace
 
-void StepWriter::add(CommandList& list, std::size_t index) {
-    const PassModel& model = *frame_.placed.model;
-    const Step& step = frame_.steps[index];
-    switch (step.pass.action) {
-        case PassAction::Draw:
-            drawn_ = drawn_ || draws(step, model);
-            add_step(list, frame_.placed, step, frame_.rules);
-            break;
-        case PassAction::Shadow: add_shadow(list, frame_, index); break;
-        case PassAction::Add:
-            if (drawn_) add_image(list, name_of(step, model), image_++, frame_.rules.most_images);
-            drawn_ = false;
-            break;
-        case PassAction::Trace: add_traced(list, frame_, step); break;
+void add_steps(CommandList& list, const Frame& frame, std::size_t first, std::size_t last) {
+    const PassModel& model = *frame.placed.model;
+    bool drawn = true;  // since the image before was added
+    int image = 0;
+    for (std::size_t i = first; i < last; ++i) {
+        const Step& step = frame.steps[i];
+        switch (step.pass.action) {
+            case PassAction::Draw:
+                drawn = drawn || draws(step, model);
+                add_step(list, frame.placed, step, frame.rules);
+                break;
+            case PassAction::Shadow: add_shadow(list, frame, i); break;
+            case PassAction::Add:
+                if (drawn) add_image(list, name_of(step, model), image++, frame.rules.most_images);
+                drawn = false;
+                break;
+            case PassAction::Trace: add_traced(list, frame, step); break;
+        }
+        cut_if_long(list, frame.rules);
     }
-}
-
-CommandList commands(const Frame& frame, std::size_t first, std::size_t last) {
-    CommandList list;
-    StepWriter writer(frame);
-    for (std::size_t i = first; i < last; ++i) writer.add(list, i);
-    return list;
 }
 
 std::size_t end_of_depth(const std::vector<Step>& steps) {

@@ -21,20 +21,8 @@ struct Frame {
     std::vector<Rgba> traced;  ///< the traced component by pixel; empty: nothing is traced [K4]
 };
 
-/// Writes a frame's steps in order: images that it adds are counted from the first.
-class StepWriter {
-public:
-    explicit StepWriter(const Frame& frame) : frame_(frame) {}
-    void add(CommandList& list, std::size_t step);
-
-private:
-    const Frame& frame_;
-    bool drawn_ = true;  ///< since the image before was added
-    int image_ = 0;
-};
-
-/// The commands of steps first .. last - 1.
-CommandList commands(const Frame& frame, std::size_t first, std::size_t last);
+/// Adds the commands of steps first .. last - 1.
+void add_steps(CommandList& list, const Frame& frame, std::size_t first, std::size_t last);
 
 /// The number of steps up to and including the last that updates Z.
 std::size_t end_of_depth(const std::vector<Step>& steps);

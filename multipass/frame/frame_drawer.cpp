@@ -28,7 +28,7 @@ PlacedModel place_with_shadows(const PassModel& model, const scene::View& view,
     return placed;
 }
 
-/// A model of more parts is drawn with a list for each step, so that memory follows one step.
+/// The lists of a model of more parts are cut.
 constexpr std::size_t many_parts = 1 << 16;
 
 bool traces(const std::vector<Step>& steps) {
@@ -102,6 +102,11 @@ bool FrameDrawer::attempt() {
     frame.rules.one_winner = options_.one_winner == OneWinner::Always;
     frame.rules.stencil_bits = machine_.profile().stencil_bits;
     frame.rules.most_images = most_pictures(machine_.profile());
+    if (model_.parts.size() > many_parts)
+        frame.rules.cut = [this](CommandList& list) {
+            machine_.execute(list);
+            list.commands.clear();
+        };
     TiedPixels tied;
     std::size_t next = 0;
     if (wants_count()) {
@@ -117,14 +122,10 @@ bool FrameDrawer::attempt() {
 
 /// Draws the steps before `end` and enters the count's result in the frame's rules.
 void FrameDrawer::count_winners_of(Frame& frame, std::size_t end, TiedPixels& tied) {
-    if (model_.parts.size() <= many_parts) {
-        CommandList list = commands(frame, 0, end);
-        list.append(count_winners(placed_));
-        machine_.execute(list);
-    } else {
-        run(frame, 0, end);
-        machine_.execute(count_winners(placed_));
-    }
+    CommandList list;
+    add_steps(list, frame, 0, end);
+    add_winner_count(list, placed_, frame.rules);
+    machine_.execute(list);
     frame.rules.one_winner = surplus_winners(std::span(machine_.passes()).last(2)) > 0;
     if (!frame.rules.one_winner || !can_mark_ties(placed_, frame.rules.stencil_bits)) return;
     tied = tied_pixels(placed_, machine_.readbacks().at(winners_key).values);
@@ -133,15 +134,9 @@ void FrameDrawer::count_winners_of(Frame& frame, std::size_t end, TiedPixels& ti
 
 void FrameDrawer::run(const Frame& frame, std::size_t first, std::size_t last) {
     if (first == last) return;
-    if (model_.parts.size() <= many_parts) return machine_.execute(commands(frame, first, last));
-    StepWriter writer(frame);
     CommandList list;
-    list.commands.reserve(model_.parts.size() + 16);
-    for (std::size_t i = first; i < last; ++i) {
-        writer.add(list, i);
-        machine_.execute(list);
-        list.commands.clear();
-    }
+    add_steps(list, frame, first, last);
+    machine_.execute(list);
 }
 
 void FrameDrawer::run_layers(const Frame& frame, const LayerSteps& steps) {
@@ -150,7 +145,7 @@ void FrameDrawer::run_layers(const Frame& frame, const LayerSteps& steps) {
     CommandList list;
     for (std::size_t r = 0; r < layers.depth.size(); ++r) {
         begin_layer(list, placed_, layers, r);
-        list.append(commands(frame, steps.first, steps.last));
+        add_steps(list, frame, steps.first, steps.last);
     }
     end_layers(list, placed_, layers);
     machine_.execute(list);
