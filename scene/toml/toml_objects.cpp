@@ -118,9 +118,9 @@ void TomlObjects::add(const TomlValue& table) {
 void TomlObjects::count_triangles(const ObjectTable& object, double count) {
     triangles_ += count;
     if (triangles_ <= most_triangles) return;
-    object.table.fail("object has " + number_text(count) + " triangles, which makes " +
+    object.table.fail("object has " + number_text(count) + " triangles, this and all before it " +
                       number_text(triangles_) + "; expected at most " +
-                      number_text(most_triangles) + " of all shapes and divided files");
+                      number_text(most_triangles) + " in shapes and divided files");
 }
 
 template <class Make>

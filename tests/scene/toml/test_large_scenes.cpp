@@ -57,15 +57,17 @@ TEST(DeepToml, CountsTheLevelsOfAKeyInItsTable) {
 
 TEST(LargeScene, SaysHowManyTrianglesItWouldHave) {
     const Folder folder;
-    EXPECT_EQ(folder.scene_error("s.toml",
-                                 "\n[[object]]\nshape = 'rectangle'\ncolumns = 256\nrows = 256\n"
-                                 "divide = 256\n"),
-              "s.toml:2: object has 8589934592 triangles, which makes 8589934592; expected at most "
-              "33554432 of all shapes and divided files");
+    EXPECT_EQ(
+        folder.scene_error("s.toml",
+                           "\n[[object]]\nshape = 'rectangle'\ncolumns = 256\nrows = 256\n"
+                           "divide = 256\n"),
+        "s.toml:2: object has 8589934592 triangles, this and all before it 8589934592; expected "
+        "at most 33554432 in shapes and divided files");
     folder.write("q.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n" + repeated("f 1 2 3 4\n", 300));
-    EXPECT_EQ(folder.scene_error("s.toml", "[[object]]\nfile = 'q.obj'\ndivide = 256\n"),
-              "s.toml:1: object has 39321600 triangles, which makes 39321600; expected at most "
-              "33554432 of all shapes and divided files");
+    EXPECT_EQ(
+        folder.scene_error("s.toml", "[[object]]\nfile = 'q.obj'\ndivide = 256\n"),
+        "s.toml:1: object has 39321600 triangles, this and all before it 39321600; expected at "
+        "most 33554432 in shapes and divided files");
     EXPECT_EQ(folder.scene_error("s.toml", repeated("[[object]]\nshape = 'box'\nsegments = 1024\n"
                                                     "visible = false\n",
                                                     9)),
