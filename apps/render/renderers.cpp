@@ -68,8 +68,11 @@ bool has_effect(const std::string& name, const scene::Scene& scene) {
 
 const std::vector<Renderer>& renderers() {
     static const std::vector<Renderer> all{
-        {"hardware", "equation 1, everything in one pass", draw_hardware,
-         multipass::Renderer::Hardware},
+        {"hardware",
+         "equation 1, everything in one pass; no shadows",
+         draw_hardware,
+         multipass::Renderer::Hardware,
+         {"glare", "reflection_in_shadow = false"}},
         {"multipass",
          "equations 2, 4 and 5, a pass for each component, reflections by rays (default)",
          draw_multipass, multipass::Renderer::Multipass},

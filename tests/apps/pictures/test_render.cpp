@@ -206,4 +206,86 @@ TEST_F(Render, WarnsOnStandardErrorUnlessQuiet) {
     EXPECT_EQ(render({"odd.obj", "-o", "a.png", "--quiet"}).err, "");
 }
 
+/// A shining square with the shadow of a small one on it, and a lamp that glows.
+class LeftOut : public SceneTest {
+protected:
+    /// Lines of the scene, of the small square's material and of the lamp.
+    struct Lines {
+        std::string scene, square, lamp;
+    };
+    struct Effect {
+        const char* name;
+        Lines one, other;  ///< its parameters differ
+    };
+    inline static const std::vector<Effect> effects{
+        {"translucency", {.square = "d = 0.25"}, {.square = "d = 0.5"}},
+        {"fog", {.scene = "fog = {start = 0, end = 9}"}, {.scene = "fog = {start = 0, end = 7}"}},
+        {"glare",
+         {.lamp = "glare = {radius = 1, samples = 4, strength = 0.25}"},
+         {.lamp = "glare = {radius = 1, samples = 4, strength = 0.5}"}},
+        {"reflection_in_shadow = false",
+         {.scene = "reflection_in_shadow = true"},
+         {.scene = "reflection_in_shadow = false"}},
+    };
+
+    Outcome draw(const Lines& lines, const std::string& renderer, const std::string& file) const {
+        write("white.ppm", "P3\n1 1\n255\n255 255 255\n");
+        write("s.toml", lines.scene + R"(
+[camera]
+eye = [0, 0, 5]
+ortho = 4
+[[light]]
+direction = [0.7, 0, -1]
+shadow = "volume"
+[[object]]
+file = "quad.obj"
+material = {Ka = 0, Kd = 0.25, Ks = 0.5, refl = "white.ppm"}
+[[object]]
+file = "quad.obj"
+scale = 0.4
+translate = [-0.5, 0, 1]
+[object.material]
+Kd = [0, 0.5, 1]
+)" + lines.square + R"(
+[[object]]
+file = "quad.obj"
+scale = 0.2
+translate = [1.5, 1.5, 0]
+material = {Ka = 0, Kd = 0, Ke = 1}
+)" + lines.lamp);
+        return render({"s.toml", "-o", file, "--renderer", renderer, "--samples", "4"});
+    }
+    static std::string warning(const std::string& renderer, const std::string& effects) {
+        return "gw: warning: renderer '" + renderer + "' leaves out of this scene: " + effects +
+               "\n";
+    }
+};
+
+/// A renderer says of an effect in one line that it leaves it out: then the picture does not depend
+/// on the effect's parameters. Or it says nothing: then it does.
+TEST_F(LeftOut, IsSaidExactlyWhereThePictureLacksTheEffect) {
+    int warnings = 0;
+    for (const std::string renderer :
+         {"hardware", "multipass", "scanline", "raytrace", "adaptive"}) {
+        EXPECT_EQ(draw({}, renderer, "a.png").err, "") << renderer;
+        for (const Effect& effect : effects) {
+            ASSERT_EQ(draw(effect.one, renderer, "a.png").code, 0);
+            const std::string said = draw(effect.other, renderer, "b.png").err;
+            const bool lacks = bytes_of(in("a.png")) == bytes_of(in("b.png"));
+            EXPECT_EQ(said, lacks ? warning(renderer, effect.name) : "")
+                << renderer << ' ' << effect.name;
+            warnings += lacks;
+        }
+    }
+    EXPECT_EQ(warnings, 2 + 4 + 1 + 2) << "of hardware, scanline, raytrace and adaptive";
+}
+
+TEST_F(LeftOut, IsOneLineForAllEffects) {
+    const Lines all{effects[1].one.scene + "\n" + effects[3].other.scene, effects[0].one.square,
+                    effects[2].one.lamp};
+    EXPECT_EQ(draw(all, "scanline", "a.png").err,
+              warning("scanline", "translucency, fog, glare, reflection_in_shadow = false"));
+    EXPECT_EQ(render({"s.toml", "-o", "a.png", "--renderer", "scanline", "--quiet"}).err, "");
+}
+
 }  // namespace gw::apps
