@@ -57,9 +57,10 @@ void add_output_options(CLI::App& command, HiddenOptions& options) {
         .add_option_function<std::string>(
             "--pictures",
             [&](const std::string& word) {
-                options.pictures = whole_number_from("--pictures", word, 1, 9999);
+                // All are files of one set, which a process holds open.
+                options.pictures = whole_number_from("--pictures", word, 1, 500);
             },
-            "At most N pictures of steps (default 48), evenly over all")
+            "At most N pictures of steps (default 48, at most 500), evenly over all")
         ->type_name("N");
     command
         .add_option("--compare", options.compare,

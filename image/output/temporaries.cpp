@@ -25,7 +25,7 @@ namespace gw::image {
 namespace {
 
 // Plain pointers, because a signal handler may touch nothing more.
-std::array<std::atomic<char*>, 256> names{};
+std::array<std::atomic<char*>, 1024> names{};
 std::array<std::atomic<char*>, 8> trees{};
 
 // By rm, because reading a folder is more than a signal handler may do; _Fork, because fork runs

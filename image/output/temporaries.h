@@ -8,7 +8,7 @@
 namespace gw::image {
 
 /// Announces a temporary file or folder before it is created. Throws Error when there are more than
-/// 256.
+/// 1024, about as many as a process may keep open.
 void register_temporary(const std::filesystem::path& name);
 /// The same of a folder that goes away with all that is in it.
 void register_temporary_tree(const std::filesystem::path& name);

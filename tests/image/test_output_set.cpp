@@ -72,6 +72,15 @@ TEST(OutputSet, SharesANewFolderWithOtherProcesses) {
     EXPECT_EQ(folder.names("0").size(), std::size_t(processes));
 }
 
+TEST(OutputSet, HoldsAsManyFilesAsAnimationsHavePictures) {
+    const Folder folder;
+    OutputSet files;
+    for (int i = 0; i < 520; ++i) files.add(folder / std::to_string(i)).write_text("whole");
+    EXPECT_FALSE(std::filesystem::exists(folder / "0"));
+    files.commit();
+    EXPECT_EQ(folder.names().size(), 520u);
+}
+
 TEST(OutputSet, RefusesAFileAsFolderAndAFolderWithoutParent) {
     const Folder folder;
     write_file(folder / "file", "");

@@ -176,6 +176,7 @@ TEST_F(Hidden, RefusesWhatMakesNoSense) {
     expect_refused(2, {"hidden", cycle, "--algorithm", "bsp", "--compare", "c"}, {"--compare"});
     expect_refused(2, {"hidden", cycle, "--level", "atom"}, {"--level 'atom'", "polygon"});
     expect_refused(2, {"hidden", cycle, "--pictures", "0"}, {"--pictures '0'"});
+    expect_refused(2, {"hidden", cycle, "--pictures", "501"}, {"--pictures '501'", "1..500"});
     expect_refused(1, {"hidden", "none.toml"}, {"none.toml"});
     expect_refused(1, {"hidden", cycle, "--size", "16x12", "--compare", "no/such"}, {"no/such"});
 }
