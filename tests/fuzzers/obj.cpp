@@ -6,7 +6,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace gw;
-    if (size > 4096) return -1;
+    if (size > 65536) return -1;
     static const fuzzers::SceneFolder folder;
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     constexpr std::string_view separator = "\n#mtl\n";

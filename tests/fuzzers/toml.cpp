@@ -5,7 +5,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace gw;
-    if (size > 2048) return -1;
+    if (size > 65536) return -1;
     static const fuzzers::SceneFolder folder;
     const auto file = folder.write("s.toml", {reinterpret_cast<const char*>(data), size});
     try {
