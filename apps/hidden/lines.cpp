@@ -7,8 +7,8 @@
 #include "apps/hidden/pictures.h"
 #include "gw/error.h"
 #include "hiddensurface/lines/draw_lines.h"
-#include "hiddensurface/lines/lines_svg.h"
 #include "hiddensurface/run/estimate.h"
+#include "hiddensurface/run/svg.h"
 #include "image/animation.h"
 #include "image/write.h"
 

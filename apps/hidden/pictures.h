@@ -6,7 +6,7 @@
 #include "apps/hidden/lettering.h"
 #include "hiddensurface/run/algorithm.h"
 #include "hiddensurface/run/compare.h"
-#include "hiddensurface/run/replay.h"
+#include "hiddensurface/run/steps.h"
 
 #include <map>
 

@@ -1,18 +1,18 @@
 // The A-buffer. L. Carpenter: The A-buffer, an Antialiased Hidden Surface Method, SIGGRAPH 1984. A
-// pixel is a list of fragments, sorted by their nearest depth: each has a mask of the 4 x 8 points
-// of the pixel that its face covers, and the nearest and farthest depth of the face there. What
-// lies behind a fragment that covers all is dropped. At the end the masks say what part of the
-// pixel each face has: front to back, each takes the points that are left; where two fragments'
-// depths overlap, the paper's estimate of the visible part of the front one. The picture is that of
-// the point in the middle of the pixel; `shares` is the parts, for smooth edges.
+// pixel is a list of fragments, sorted by their nearest depth. Each has a mask of the 4 x 8 points
+// of the pixel that its face covers, and the nearest and farthest depth of the face there.
+// Fragments behind one that covers all points are dropped. At the end the masks give each face its
+// part of the pixel: front to back, each takes the points that are left. If the depths of two
+// fragments overlap, the paper's estimate gives the visible part of the front one. The picture is
+// that of the point in the middle of the pixel; `shares` has the parts, for smooth edges.
 //
-// Does not claim: exact parts where faces pierce each other (an estimate) or where three overlap in
-// depth (two at a time).
+// Does not claim: exact parts of faces that pierce each other (an estimate), or of three that
+// overlap in depth (compared two at a time).
 //
 // Left out: translucency.
 //
-// Ours: points at multiples of 1/8 and 1/4 of a pixel, so that one is its middle, and at the middle
-// the nearest on the exact planes.
+// Ours: points at multiples of 1/8 and 1/4 of a pixel, so that one is its middle. At the middle,
+// the exact planes decide.
 #include "hiddensurface/model/face.h"
 #include "hiddensurface/structures/scan_conversion.h"
 
@@ -35,7 +35,7 @@ struct Fragment {
     double nearest = 0, farthest = 0;
 };
 
-/// z of the plane at the pixel's corners, no farther than the face reaches.
+/// Depths are those of the plane at the pixel's corners, clamped to the face's own.
 Fragment make_fragment(const Face& face, int x, int y, std::uint32_t mask) {
     const double n = double(face.plane.n), middle = double(face.plane.scaled(x, y)) / n;
     const double reach =
@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    /// Scan converts on a grid of points instead of pixels: its "centres" are the points.
+    /// Scan converts on a grid of points instead of pixels: the points are its "centres".
     void add(const Face& face) {
         const int s = input_.subpixel_bits();
         const std::int64_t half = std::int64_t{1} << (s - 1);
@@ -116,8 +116,8 @@ private:
                 ? 0
                 : std::erase_if(list, [&](const Fragment& f) { return f.nearest > made.farthest; });
         output_.counts.rejected += hidden;
-        held_ += 1 - hidden;
-        most_ = std::max(most_, held_);
+        fragments_ += 1 - hidden;
+        most_ = std::max(most_, fragments_);
     }
 
     void resolve_line(int y) {
@@ -180,8 +180,8 @@ private:
     Output output_;
     std::vector<Face> faces_;
     std::vector<std::vector<Fragment>> pixels_;
-    std::vector<std::uint32_t> row_;     ///< masks of the face being added
-    std::uint64_t held_ = 0, most_ = 0;  ///< fragments in lists
+    std::vector<std::uint32_t> row_;          ///< masks of the face being added
+    std::uint64_t fragments_ = 0, most_ = 0;  ///< in lists: now, and at most
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Back-face culling alone [L3]: draws every polygon that faces the eye, in the scene's order. Right
-// for one convex object; of several, or a concave one, it shows what is drawn last, not what is
-// nearest.
+// for one convex object. If there are several, or a concave one, the polygon drawn last is seen, not
+// the nearest.
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/run/algorithm.h"
 

@@ -1,13 +1,13 @@
 // Bouknight's scan-line algorithm. W. J. Bouknight: A Procedure for Generation of Three-Dimensional
-// Half- Toned Computer Graphics Presentations, CACM 13(9), 1970. The edges that cross the line,
-// sorted in x: the order of the line above, mended by exchanges of neighbours. From left to right
-// an edge switches its face on or off. Between two edges the nearest of the faces switched on is
-// looked for at both ends: one face, and it is seen; two, and they pierce each other: the edge that
-// they imply is found and the span divided there.
+// Half-Toned Computer Graphics Presentations, CACM 13(9), 1970. The edges that cross the line are
+// sorted in x: exchanges of neighbours mend the order of the line above. From left to right an edge
+// switches its face on or off. Between two edges, the nearest of the faces switched on is found at
+// both ends. If it is one face, that face is seen. If there are two, they pierce each other: the
+// implied edge is found, and the span divided there.
 //
-// Does not claim: to make use of the line above for anything but the order; every edge, hidden or
-// not, ends a span, and every face switched on is compared in every span: work grows with faces
-// times depth complexity.
+// Does not claim: to use the line above for anything but the order. Every edge, hidden or not, ends
+// a span, and every face switched on is compared in every span. So work grows with faces times depth
+// complexity.
 //
 // Ours: pixels instead of points of the line; the implied edge by halving.
 #include "hiddensurface/structures/active_faces.h"
@@ -88,7 +88,8 @@ private:
         return best;
     }
 
-    /// `left` is nearer at the run's first pixel, `right` at its last: the first at which right is.
+    /// `left` is nearer at the run's first pixel, `right` at its last. Returns the first pixel at
+    /// which `right` is.
     int implied_edge(const Run& run, const Face& left, const Face& right) {
         return first_nearer(right, left, run, output_.counts.depths);
     }

@@ -1,12 +1,13 @@
 // Hierarchical Z. N. Greene, M. Kass, G. Miller: Hierarchical Z-Buffer Visibility, SIGGRAPH 1993.
-// The scene's polygons are in an octree, walked near to far; the depths drawn so far are in a
-// pyramid, each cell the farthest of the four below. A cube, and with it all that is inside, or a
-// polygon, is hidden where the pyramid is nearer everywhere over its bounding rectangle: mostly one
-// comparison, with the smallest cell that has all of it. What is left is drawn as in a Z-buffer.
+// The scene's polygons are in an octree, walked near to far. The depths drawn so far are in a
+// pyramid: each cell has the farthest of the four below. A polygon, or a cube with all its polygons,
+// is hidden if the pyramid is nearer everywhere in its bounding rectangle. Mostly one comparison
+// decides, with the smallest cell around the rectangle. The other polygons are drawn as in a
+// Z-buffer.
 //
-// Does not claim: to gain anything where little is hidden.
+// Does not claim: to gain anything if little is hidden.
 //
-// Left out: the list of cubes seen in the picture before (temporal coherence).
+// Left out: the list of cubes that were visible in the previous picture (temporal coherence).
 //
 // Ours: rectangle and nearest depth of a cube instead of its faces; polygons across a cube's middle
 // planes stay in the cube.
@@ -90,7 +91,7 @@ private:
                 {Level::Polygon, Action::Draw, {polygon.id}, "z < Z", "", -1, std::move(painted)});
     }
 
-    /// Of equal depths the scene's first is seen, as where polygons come in the scene's order.
+    /// Of equal depths the scene's first is seen, as if polygons came in the scene's order.
     void draw(const Run& run, const DepthPlane& depth, std::size_t index,
               std::vector<Painted>& painted) {
         DepthWalk walk(depth, run.x0, run.y);
@@ -109,7 +110,7 @@ private:
     StepLog& log_;
     Output output_;
     DepthPyramid pyramid_;
-    std::vector<std::size_t> first_;  ///< index of the polygon at each pixel; 0 also before any
+    std::vector<std::size_t> first_;  ///< index of the polygon at each pixel; 0: none yet, or 0
 };
 
 }  // namespace

@@ -1,9 +1,9 @@
-// Newell, Newell and Sancha's algorithm [L5]: sorted by the farthest corner; five tests whether the
-// farthest polygon may be drawn before those it overlaps in depth; an exchange where they say the
-// other must be first; and a split by the other's plane where neither may. Decides in the window,
-// after perspective, on facets: a quadrilateral that the snap has bent is the two triangles that
-// the machine draws.
-#include "hiddensurface/model/overlap.h"
+// Newell, Newell and Sancha's algorithm [L5]. Polygons are sorted by their farthest corners. Five
+// tests ask whether the farthest may be drawn before those it overlaps in depth. If not, the two are
+// exchanged; if neither may come first, one is split by the other's plane. Decides in the window,
+// after perspective, on facets: a quadrilateral that the snap has bent counts as the two triangles
+// that the machine draws.
+#include "hiddensurface/model/piece.h"
 #include "hiddensurface/run/algorithm.h"
 
 #include <algorithm>
@@ -47,15 +47,14 @@ public:
             list_.pop_back();
             if (std::any_of(list_.begin(), list_.end(),
                             [](const Item& item) { return item.moved; }))
-                settle();
+                restore_order();
         }
         return std::move(output_);
     }
 
 private:
-    /// Something was drawn or cut: a chain of moved polygons is broken, all go back to their
-    /// places.
-    void settle() {
+    /// After a draw or a cut, no polygon counts as moved any more: all go back to their places.
+    void restore_order() {
         for (Item& item : list_) item.moved = false;
         sort();
     }
@@ -76,7 +75,7 @@ private:
         log_.add(std::move(step));
     }
 
-    /// False: the list has changed, begin again with what is farthest now.
+    /// False: the list has changed; begin again with its new farthest polygon.
     bool farthest_may_be_drawn() {
         const std::size_t p = list_.size() - 1;
         for (std::size_t q = p; q-- > 0;) {
@@ -94,7 +93,7 @@ private:
         return true;
     }
 
-    /// The five tests whether p may be drawn before q.
+    /// The five tests: whether p may be drawn before q.
     bool may_precede(const Item& p, const Item& q) {
         return apart(p, q, 0, "1: x extents") || apart(p, q, 1, "2: y extents") ||
                behind(p, q, "3: ") || before(q, p, "4: ") || disjoint(p, q);
@@ -145,10 +144,10 @@ private:
         return false;
     }
 
-    /// p and the facets moved before it form a cycle, though each pair may have an order. Some
-    /// facet of it crosses the plane of another: were there none, a BSP tree of the cycle would cut
-    /// nothing and its order would satisfy every pair; no cycle then. So a cut is always found, but
-    /// for rounding, whose limits are Facet::tolerance and `border`.
+    /// p and the facets moved before it form a cycle, though each pair may have an order. A facet of
+    /// the cycle crosses the plane of another. Otherwise a BSP tree of the cycle would cut nothing,
+    /// and its order would satisfy every pair: no cycle. So a cut is always found, but for rounding,
+    /// whose limits are Facet::tolerance and `border`.
     bool cut_in_cycle(std::size_t p) {
         std::vector<std::size_t> cycle{p};
         for (std::size_t i = p; i-- > 0;)
@@ -178,7 +177,7 @@ private:
         list_.erase(list_.begin() + std::ptrdiff_t(i));
         list_.push_back(make_item(pieces->first, facet));
         list_.push_back(make_item(pieces->second, facet));
-        settle();
+        restore_order();
         return true;
     }
 

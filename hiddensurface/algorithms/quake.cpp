@@ -1,17 +1,17 @@
 // Sorted spans, as in Quake. M. Abrash: Graphics Programming Black Book, 1997, chapters 66 and 67,
 // after J. Carmack. The BSP tree gives every surface a key: its place near to far. The edges of all
-// surfaces are in one table, by their first lines; those that cross the line are sorted in x, the
-// order of the line above mended by exchanges of neighbours. From left to right a leading edge puts
-// its surface on a stack sorted by key, a trailing one takes it off; where the top changes, a span
-// of the old top ends. No pixel is drawn twice, and no depth is ever compared.
+// surfaces are in one table, by their first lines. Those that cross the line are sorted in x:
+// exchanges of neighbours mend the order of the line above. From left to right a leading edge puts
+// its surface on a stack sorted by key, and a trailing edge takes it off. When the top changes, a
+// span of the old top ends. No pixel is drawn twice, and no depth is ever compared.
 //
-// Does not claim: an order without the tree; so surfaces that pierce each other are cut by it, and
-// what the snap turns over stays as the scene has it.
+// Does not claim: an order without the tree. So the tree cuts surfaces that pierce each other, and
+// surfaces that the snap turns over keep the scene's order.
 //
 // Left out: edges shared by two surfaces, keys by 1/z for moving models. The stack is a sorted
-// list: work grows with the surfaces open at once.
+// list, so work grows with the surfaces open at once.
 //
-// Ours: both ends of a surface on every line are worked out ahead, since cuts lie between pixels.
+// Ours: both ends of a surface on every line are computed ahead, since cuts lie between pixels.
 #include "hiddensurface/model/world_piece.h"
 #include "hiddensurface/structures/active_faces.h"
 
@@ -38,8 +38,8 @@ struct Edge {
     int x(int y) const { return leading ? of->on(y).first : of->on(y).second; }
 };
 
-/// Of one facet: left to right on every line they touch, but for a facet that the snap has bent
-/// inwards, which gets more than one surface.
+/// The surfaces of one facet. A facet has one, whose runs touch each other on every line; one that
+/// the snap has bent inwards has more.
 std::vector<Surface> surfaces_of(std::vector<Run> runs, std::size_t key, std::uint32_t id) {
     std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
         return a.y != b.y ? a.y > b.y : a.x0 < b.x0;
@@ -120,7 +120,7 @@ private:
 
     void line(int y) {
         stack_.clear();
-        int from = 0;  // where the top of the stack begins to be seen
+        int from = 0;  // the first pixel of the stack's top
         for (const Edge& edge : edges_) {
             const auto [x0, x1] = edge.of->on(y);
             if (x0 >= x1) continue;

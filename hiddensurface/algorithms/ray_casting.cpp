@@ -1,6 +1,6 @@
-// Ray casting [L9]: the nearest intersection of the ray through every pixel, brute force.
-// Perspective is done already: on the window grid all lines of sight are parallel to z. No
-// reflection: raytrace/ follows rays further.
+// Ray casting [L9]: the nearest intersection of the ray through every pixel, by brute force. It
+// works after perspective: on the window grid all lines of sight are parallel to z. No reflection:
+// raytrace/ follows rays further.
 #include "hiddensurface/run/algorithm.h"
 #include "raytrace/casting/intersect.h"
 

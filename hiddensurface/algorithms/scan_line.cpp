@@ -1,5 +1,5 @@
-// The scan-line algorithm [L6] as one of many: its visible spans, drawn. Beside the edge table it
-// remembers one line.
+// The scan-line algorithm [L6]: draws its visible spans. Beside the edge table it remembers one
+// line.
 #include "hiddensurface/structures/visible_spans.h"
 
 namespace gw::hiddensurface {

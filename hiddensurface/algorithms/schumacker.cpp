@@ -1,15 +1,15 @@
 // Schumacker's clusters and a-priori order. R. A. Schumacker, B. Brand, M. Gilliland, W. Sharp:
 // Study for Applying Computer-Generated Images to Visual Simulation, US Air Force AFHRL-TR-69-14,
-// 1969. Faces that can have priorities that hold for every eye, back faces apart, are a cluster: a
-// face that hides another from any eye has the smaller number. Clusters are separated by planes;
-// the eye's side of each plane gives their order, as later in the BSP tree. All of it is worked out
-// before the eye is known; for an eye nothing is sorted.
+// 1969. A cluster is a set of faces with priorities that hold for every eye, back faces apart: a
+// face that hides another from any eye has the smaller number. Planes separate the clusters; the
+// eye's side of each plane gives their order, as later in the BSP tree. All of it is computed before
+// the eye is known; nothing is sorted for an eye.
 //
-// Does not claim: priorities where faces hide each other in a cycle, or pierce. The original left
-// it to the scene's author to keep such faces in different clusters; here a set without priorities
-// is divided by a plane between its faces, or where there is none by the plane of a face, which
-// cuts others (counted: splits). Every face of a cluster is compared with every other: quadratic,
-// so clusters are of 512 faces at most, but for convex solids.
+// Does not claim: priorities of faces that pierce, or hide each other in a cycle. In the original,
+// the scene's author kept such faces in different clusters. Here a set without priorities is divided
+// by a plane between its faces. If there is none, the plane of a face divides it and cuts others
+// (counted: splits). Every face of a cluster is compared with every other. That is quadratic, so
+// clusters have at most 512 faces, except convex solids.
 //
 // Ours: both sides of every face, since the machine draws both.
 #include "hiddensurface/model/world_piece.h"

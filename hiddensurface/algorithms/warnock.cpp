@@ -1,12 +1,12 @@
 // Warnock's area subdivision. J. E. Warnock: A Hidden Surface Algorithm for Computer Generated
 // Halftone Pictures, University of Utah TR 4-15, 1969. A window in which the picture is simple is
-// drawn; another is cut into four, down to the pixel. Simple is: nothing in it; one face; or a face
-// around all of the window that is nearer than all others at its four corners. Windows are of
-// pixels' centres, so the last one, the pixel, is decided at its centre. Faces that pierce each
-// other need nothing special: their windows are cut to pixels.
+// drawn; any other is cut into four, down to the pixel. A window is simple if it is empty, has one
+// face, or has a face around all of it that is nearer than all others at its four corners. Windows
+// are made of pixels' centres, so the last one, the pixel, is decided at its centre. Faces that
+// pierce each other need no special case: their windows are cut to pixels.
 //
 // Does not claim: to find edges finer than a pixel (Warnock's line drawings went on below), or few
-// windows where coplanar faces overlap or faces pierce: along those lines all windows are pixels.
+// windows if coplanar faces overlap or faces pierce: along those lines all windows are pixels.
 // Work grows with the length of the visible edges, not with the square of the faces.
 #include "hiddensurface/model/face.h"
 
@@ -35,8 +35,8 @@ public:
     }
 
 private:
-    /// Warnock's looker. `around`: faces that surround the window that this one was cut from, and
-    /// so this one; `others`: those that reached into it.
+    /// Warnock's looker. `around`: faces that surround the window that this one was cut from, and so
+    /// surround this one. `others`: faces that reached into that window.
     void look(const Rect& window, FaceList around, const FaceList& others) {
         output_.counts.nodes += 1;
         FaceList inside;
@@ -46,12 +46,12 @@ private:
             if (cover == Cover::Surrounds) around.push_back(face);
             if (cover == Cover::Intersects) inside.push_back(face);
         }
-        drop_what_is_behind(window, around, inside);
-        held_ += around.size() + inside.size();
+        drop_hidden(window, around, inside);
+        listed_ += around.size() + inside.size();
         output_.counts.peak_bytes =
-            std::max<std::uint64_t>(output_.counts.peak_bytes, held_ * sizeof(Face*));
+            std::max<std::uint64_t>(output_.counts.peak_bytes, listed_ * sizeof(Face*));
         think(window, around, inside);
-        held_ -= around.size() + inside.size();
+        listed_ -= around.size() + inside.size();
     }
 
     /// The thinker: draws, or asks for four looks.
@@ -71,8 +71,8 @@ private:
             }
     }
 
-    /// Nothing behind a face around all of the window is seen in it.
-    void drop_what_is_behind(const Rect& window, FaceList& around, FaceList& inside) {
+    /// Drops all faces behind a face that surrounds the window.
+    void drop_hidden(const Rect& window, FaceList& around, FaceList& inside) {
         if (around.empty()) return;
         const Face* first = around[0];
         for (const Face* face : around) {
@@ -124,7 +124,7 @@ private:
     Output output_;
     std::vector<Face> faces_;
     std::vector<Painted> painted_;
-    std::size_t held_ = 0;  ///< faces in the lists of the window and of those that it is cut from
+    std::size_t listed_ = 0;  ///< faces in the lists of all open windows
 };
 
 }  // namespace

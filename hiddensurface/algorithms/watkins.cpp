@@ -1,18 +1,17 @@
 // Watkins' scan-line algorithm. G. S. Watkins: A Real Time Visible Surface Algorithm, University of
-// Utah UTEC-CSc-70-101, 1970. Segments of the line, sorted by their left ends: the order of the
-// line above, mended by exchanges of neighbours. Sample spans are guessed: where the line above had
-// the end of a visible span, this one probably has too. In a span, the segment nearest at its left
-// end is the candidate; each other one is behind it by the boxes of their depths, or by depths at
-// both ends; or it comes into view, and the span ends there. So only edges that are seen end spans,
-// and a span that is guessed well takes one look.
+// Utah UTEC-CSc-70-101, 1970. The line's segments are sorted by their left ends: exchanges of
+// neighbours mend the order of the line above. Sample spans are guessed: they probably end at the
+// same places as the visible spans of the line above. In a span, the segment nearest at its left end
+// is the candidate. Each other segment is behind it, by the ranges of their depths or by depths at
+// both ends; or it comes into view, and the span ends there. So only visible edges end spans, and a
+// well guessed span takes one look.
 //
-// Does not claim: anything for pictures whose lines differ much from line to line; its worst case
-// is all segments in every span. Segments that pierce each other are handled, by the search for
-// where they do.
+// Does not claim: anything for pictures whose lines differ much from line to line. In the worst
+// case all segments are in every span. Segments may pierce each other: a search finds the pixel.
 //
-// Ours: pixels; the two ends of a face are one segment where Watkins joined edges; a guess too
-// short is joined to its neighbour. Watkins halves a span that is not simple; here the span ends
-// where another segment comes into view, and that pixel is found by halving.
+// Ours: pixels. The two ends of a face are one segment, while Watkins joined edges; a guess too
+// short is joined to its neighbour. Watkins halves a span that is not simple. Here the span ends at
+// the pixel where another segment comes into view; halving finds it.
 #include "hiddensurface/structures/active_faces.h"
 
 #include <algorithm>
@@ -68,7 +67,8 @@ private:
         }
     }
 
-    /// Draws what is seen at the span's left end as far as it is seen in the span; where that ends.
+    /// Draws the segment that is seen at the span's left end as far as it is seen in the span.
+    /// Returns the first pixel beyond.
     int sample(Run run) {
         output_.counts.spans += 1;
         const ActiveFace* candidate = nearest_at_left(run);
@@ -84,7 +84,7 @@ private:
         return run.x1;
     }
 
-    /// Ends the span where it ends.
+    /// Shortens the span to the segment's end.
     const ActiveFace* nearest_at_left(Run& run) {
         const ActiveFace* best = nullptr;
         for (const ActiveFace* segment : over_) {
@@ -96,7 +96,7 @@ private:
         return best;
     }
 
-    /// The first pixel of the span where `other` is nearer; the span's end: nowhere.
+    /// The first pixel of the span at which `other` is nearer; the span's end if there is none.
     int comes_into_view(const Run& run, const ActiveFace& candidate, const ActiveFace& other) {
         output_.counts.extents += 1;
         if (other.face->nearest > candidate.face->farthest) return run.x1;
@@ -111,7 +111,7 @@ private:
         return run.x1;
     }
 
-    /// The ends of this line's visible spans, for the next.
+    /// Remembers the ends of this line's visible spans for the next line.
     void keep_ends() {
         ends_.clear();
         for (const Painted& p : painted_) {

@@ -1,18 +1,18 @@
 // Weiler and Atherton's algorithm. K. Weiler, P. Atherton: Hidden Surface Removal Using Polygon
 // Area Sorting, SIGGRAPH 1977. In the window, after perspective: the polygon with the nearest
-// corner is the clip polygon, and all others are clipped by its outline, whole though parts of it
+// corner is the clip polygon, and all others are clipped by its whole outline, though parts of it
 // may be hidden already.
 //
-// What falls inside and lies behind it is hidden. Where some of the inside lies before it, the
-// inside is sorted out in the same way first, clipped by one of those; a polygon that was the clip
-// polygon on the way there is not taken again, so that cyclic overlap ends. Then the outside is
-// next. The result is polygons, of any outline and with holes; each pixel is drawn once. Polygons
-// that pierce are cut where their planes meet.
+// Parts inside the outline and behind it are hidden. If parts of the inside lie before it, the
+// inside is sorted out in the same way first, with one of those as the clip polygon. A polygon that
+// was the clip polygon on the way there is not taken again, so that cyclic overlap ends. Then the
+// outside is next. The result is polygons of any outline, with holes; each pixel is drawn once.
+// Polygons that pierce are cut along the line in which their planes meet.
 //
-// Does not claim: to be fast. Every clip polygon looks at all that is left: inherently quadratic in
-// what is seen (76,460 polygons of scenes/fig9.toml in 320 x 240: 983 million boxes, 435 thousand
-// polygons clipped). The paper sorts the scene into a coarse raster first; that is left out. Clip
-// polygons are convex here: faces.
+// Does not claim: to be fast. Every clip polygon is compared with all remaining polygons, which is
+// quadratic in the visible ones. (For 76,460 polygons of scenes/fig9.toml in 320 x 240: 983 million
+// boxes, 435 thousand polygons clipped.) The paper sorts the scene into a coarse raster first; that
+// is left out. Clip polygons are convex here: faces.
 #include "hiddensurface/structures/region.h"
 
 #include <algorithm>
@@ -80,8 +80,8 @@ private:
     };
     static constexpr std::size_t no_clip = std::size_t(-1);
 
-    /// What was clipped by a face never meets it again: all its fragments in the list are inside
-    /// then. Levels are a list, since there may be as many as faces.
+    /// A fragment that was clipped by a face never meets it again, because all fragments of the list
+    /// are inside then. Levels are a list, since there may be as many as faces.
     void sort_out(FragmentList all) {
         std::vector<Nested> levels;
         levels.push_back({std::move(all)});
@@ -107,7 +107,7 @@ private:
         return nearest == list.end() ? no_clip : (*nearest)->face;
     }
 
-    /// No two of these overlap: of two that do, one was behind and is gone.
+    /// No two of these overlap: if two did, the one behind was removed.
     void leave(const Nested& level) {
         for (const Fragment* fragment : level.list) show(*fragment);
         if (level.clip != no_clip) on_the_way_[level.clip] = false;
@@ -128,7 +128,7 @@ private:
             inside.push_back(make(fragment.face, std::move(seen)));
     }
 
-    /// By boxes, or by a side that lies between.
+    /// True if their boxes, or a side between them, keep the two apart.
     bool misses(const Fragment& f, std::size_t clip) {
         const Rect& b = faces_[clip].bounds;
         const double one = double(1 << input_.subpixel_bits());
@@ -139,8 +139,8 @@ private:
         return lines_.separates(outlines_[clip], f.region);
     }
 
-    /// What of the region, of a face, lies before the clip polygon's plane; where the two are one,
-    /// the scene's first is before.
+    /// The part of a face's region that lies before the clip polygon's plane. If the two planes are
+    /// one, the scene's first face is before.
     Region before(std::size_t face, Region region, std::size_t clip) {
         output_.counts.planes += 1;
         const dvec3 apart = farther(face) - farther(clip);
@@ -173,7 +173,7 @@ private:
         return {x, y, double(p.c) / n - 0.5 * one * (x + y)};
     }
 
-    /// apart < 0, in integers: off by less than 2^-10 of a grid unit in a window.
+    /// The line of apart < 0 in integers; its error is below 2^-10 of a grid unit in a window.
     static LineEquation where_nearer(const dvec3& apart) {
         const double scale = 0x1p28 / std::max(std::abs(apart.x), std::abs(apart.y));
         const auto integer = [scale](double v) {

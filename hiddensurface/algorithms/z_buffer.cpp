@@ -1,6 +1,5 @@
-// The Z-buffer [L8]: the machine's own. The list draws the scene's meshes; the step log and the
-// comparisons are worked out beside it, by scan conversion and increments of z, and come out the
-// same.
+// The Z-buffer [L8]: the machine's own. The list draws the scene's meshes. The step log and the
+// comparisons are computed beside it, by scan conversion and increments of z, and agree with it.
 #include "hiddensurface/run/algorithm.h"
 #include "hiddensurface/structures/scan_conversion.h"
 #include "scene/draw/draw_commands.h"

@@ -1,16 +1,16 @@
 // Appel's quantitative invisibility: A. Appel, "The notion of quantitative invisibility and the
 // machine rendering of solids", Proc. ACM National Conference 1967, pp. 387-393.
 //
-// The quantitative invisibility of a point is the number of faces that hide it; a line is visible
-// where the number is 0. Along a line it changes only where the line passes behind a contour: a
-// side with more or fewer faces beyond it than before it. At a common corner the number is carried
-// from one line of a connected figure to the next, and only the faces at that corner are asked. So
+// The quantitative invisibility of a point is the number of faces that hide it; the visible parts
+// of a line have the number 0. Along a line it changes only where the line passes behind a contour:
+// a side with more or fewer faces beyond it than before it. At a common corner the number is carried
+// from one line of a connected figure to the next, and only the faces at that corner are tested. So
 // all faces are counted for one line of a figure; for the others only contours are crossed.
 //
 // Claims: right for any faces, open or closed, convex or not. Appel has no faces that pierce each
 // other. Here a line is also compared with every face whose box meets its own, and the number
-// changes where the line goes through a face. Where a contour runs exactly through a corner or
-// along a line in the window, the number cannot be carried; that line is compared with every face
+// changes where the line goes through a face. If a contour runs exactly through a corner or along a
+// line in the window, the number cannot be carried. Then the line is compared with every face
 // (`starts`).
 //
 // Does not draw the lines in which faces pierce each other: no polygon has them as a side.
@@ -49,7 +49,7 @@ public:
                                     scene_.sides.size() * (sizeof(WindowSide) + sizeof(Box));
     }
 
-    /// Every connected figure from its first side on.
+    /// Draws every connected figure, beginning with its first side.
     LineOutput run() {
         for (std::size_t s = 0; s < scene_.sides.size(); ++s) {
             queue_.push_back(s);
@@ -81,7 +81,7 @@ private:
                 if (!seen_[next]) queue_.push_back(next);
     }
 
-    /// From the number at one of its corners, where that is known.
+    /// Finds the visible parts from the number at one of the line's corners. False: no such number.
     bool carried(std::size_t s, Line& line) {
         const WindowSide& side = scene_.sides[s];
         const bool forward = known_[side.a].has_value();
@@ -117,7 +117,7 @@ private:
         for (Part& part : line.visible) part = {1 - part.second, 1 - part.first};
     }
 
-    /// With every face.
+    /// Finds the visible parts by comparing the line with every face.
     void compared(std::size_t s, Line& line) {
         const WindowSide& side = scene_.sides[s];
         output_.counts.starts += 1;
@@ -140,8 +140,8 @@ private:
         if (carries_b && at_b) known_[side.b] = ends - *at_b;
     }
 
-    /// The corner, not the face's own, lies on its border in the window and not before it, or on
-    /// the face.
+    /// True if the corner, not the face's own, lies on the face, or in the window on its border and
+    /// not before it.
     bool touches(std::size_t f, std::size_t corner) {
         const WindowFace& face = scene_.faces[f];
         if (has_corner(face, corner)) return false;
@@ -159,7 +159,7 @@ private:
         return std::find(face.corner.begin(), face.corner.end(), corner) != face.corner.end();
     }
 
-    /// How many of the faces at a corner hide the beginning of the side from there to `to`; none:
+    /// The number of faces at a corner that hide the beginning of the side from there to `to`. None:
     /// the side runs along one of them in the window, behind it.
     std::optional<int> hiding_at(std::size_t corner, std::size_t to) {
         int count = 0;
@@ -215,7 +215,7 @@ private:
                   fmt::format("{:+} at {:.6g}", change.delta, change.t)});
     }
 
-    /// Both leave one corner the same way in the window.
+    /// True if both leave one corner in the same direction in the window.
     static bool runs_along(const GridPoint& common, const GridPoint& p, const GridPoint& q) {
         return turn(common, p, q) == 0 &&
                (p.x - common.x) * (q.x - common.x) + (p.y - common.y) * (q.y - common.y) > 0;
@@ -263,7 +263,8 @@ private:
         return true;
     }
 
-    /// Where the line goes through the plane: 1 inside the face, 0 on its border, -1 outside.
+    /// The point in which the line goes through the plane: 1 inside the face, 0 on its border, -1
+    /// outside.
     int place(const WindowFace& face, const GridPoint& a, const GridPoint& b, int128 ga,
               int128 gb) const {
         int least = 1;
@@ -280,7 +281,7 @@ private:
     LineOutput output_;
     std::vector<Box> face_boxes_, side_boxes_;
     std::vector<std::size_t> contours_;
-    /// Of a corner: how many faces that are not at it hide it.
+    /// By corner: the number of faces that hide it and are not at it.
     std::vector<std::optional<int>> known_;
     std::vector<bool> seen_;
     std::deque<std::size_t> queue_;
@@ -293,7 +294,7 @@ LineAlgorithm appel() {
         .name = "appel",
         .title = "Appel 1967: quantitative invisibility",
         .claim =
-            "right for any faces, also where they go through each other; draws no lines where they do",
+            "right for any faces, also if they go through each other; does not draw the lines in which they do",
         .growth = {GrowthLaw::Superlinear, 4},
         .run = [](const Input& input, StepLog& log) { return Appel(input, log).run(); }};
 }

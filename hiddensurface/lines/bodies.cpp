@@ -31,15 +31,15 @@ dvec3 middle_of(const Loop& loop) {
     return sum / double(loop.size());
 }
 
-/// Whether a solid is convex takes time with the square of these; larger ones are taken piece by
-/// piece.
+/// The test whether a solid is convex takes time with the square of its facets. Larger solids are
+/// taken piece by piece.
 constexpr std::size_t most_facets = 4096;
 
 /// A plane piece of a polygon that belongs to a figure.
 struct Facet3 {
     const Loop* loop = nullptr;
     dvec4 plane{0};
-    bool front = false;  ///< looks at the eye
+    bool front = false;  ///< faces the eye
 };
 
 /// Polygons connected by common corners.
@@ -62,7 +62,7 @@ public:
     Bodies take() { return std::move(out_); }
 
 private:
-    /// Polygons of one object with a common corner, and so on.
+    /// Groups of polygons of one object that are connected by common corners.
     std::vector<std::vector<std::size_t>> figures() const {
         std::vector<std::size_t> parent(input_.polygons.size());
         std::iota(parent.begin(), parent.end(), std::size_t{0});
@@ -104,7 +104,8 @@ private:
         add_sides(polygons, figure, solid);
     }
 
-    /// Closed, convex, beyond the near plane, and seen from outside.
+    /// Adds the figure as a solid if it is closed, convex, beyond the near plane and seen from
+    /// outside.
     bool make_solid(Figure& figure) {
         if (figure.facets.size() < 4 || figure.facets.size() > most_facets || !figure.all_convex)
             return false;
@@ -124,7 +125,7 @@ private:
         return true;
     }
 
-    /// Every corner on one side of every plane, or not convex.
+    /// Turns all planes outwards. False: a corner lies outside a plane, so the figure is not convex.
     bool turn_outwards(Figure& figure) const {
         const dvec3 middle = middle_of(*figure.facets[0].loop);
         double least = 0;
@@ -162,7 +163,7 @@ private:
         if (plane != dvec4(0)) body.planes.push_back(side(plane, inside) > 0 ? plane : -plane);
     }
 
-    /// What of it is beyond the near plane.
+    /// Adds the part of the loop beyond the near plane as a flat body.
     void add_flat(const Loop& loop, const dvec4& plane) {
         counts_.facings += 1;
         const double towards = dot4(plane, eye_);

@@ -12,7 +12,7 @@ std::vector<bool> lit_pixels(Machine& machine, const CommandList& list) {
     return lit;
 }
 
-/// Pixels of `of` with none of `others` in the square of 3 x 3 around.
+/// The number of pixels of `of` with none of `others` in the square of 3 x 3 around.
 std::uint64_t alone(const std::vector<bool>& of, const std::vector<bool>& others, int width,
                     int height) {
     const auto near = [&](int x, int y) {

@@ -1,4 +1,5 @@
-// A line drawing on a machine, and beside the Z-buffer's hidden-line picture. Does not hide lines.
+// Draws lines on a machine, and compares them with the Z-buffer's hidden-line picture. Does not hide
+// lines.
 #pragma once
 
 #include "gw/machine.h"
@@ -12,13 +13,12 @@ CommandList draw_lines(const Input& input, const std::string& name, const std::v
 struct LineResult {
     LineCounts counts;
     std::vector<Line> lines;
-    /// of every pixel, bottom row first: this picture, hidden_lines()'
-    std::vector<bool> lit, z_buffer;
+    std::vector<bool> lit,
+        z_buffer;  ///< pixels, bottom row first: of this picture, of the Z-buffer's
 };
 /// Runs the algorithm, draws its lines on a machine of the view's size, and compares the pixels
 /// with those of the Z-buffer's hidden-line picture: `missing` and `extra` in the counts. That
-/// picture has faces a little behind their own sides (styles.h), so it is not the truth to the
-/// pixel.
+/// picture shifts faces slightly behind their own sides (styles.h), so it is not exact to the pixel.
 LineResult run_on(Machine& machine, const LineAlgorithm& algorithm, const Input& input,
                   StepLog& log);
 

@@ -8,14 +8,14 @@
 // the lines drawn so far cover everything from their lowest to their highest point. A farther line
 // is visible above the upper horizon and below the lower one, and there becomes the horizon.
 // Williamson keeps the horizon as pieces of lines, Wright as a height for each column of the
-// plotter; here it is Williamson's. Heights are compared on a picture plane that stands upright
-// along the rows, where the horizons are functions. What is seen does not depend on the plane, so
+// plotter; this file follows Williamson. Heights are compared on a picture plane that stands upright
+// along the rows, on which the horizons are functions. Visibility does not depend on the plane, so
 // the camera may be turned in any way.
 //
 // Claims: right for a height field (every cell of a grid along x and z covered once, by a
 // quadrilateral or two triangles; a bent quadrilateral counts as the two triangles that the machine
-// draws), seen from an eye that is not above it: outside its extent in x or in z. Other scenes are
-// refused. Decides in the world, before the snap.
+// draws), seen from an eye outside its extent in x or in z. Other scenes are refused. Decides in the
+// world, before the snap.
 #include "hiddensurface/lines/height_field.h"
 #include "hiddensurface/lines/horizon.h"
 #include "hiddensurface/lines/world_lines.h"
@@ -28,8 +28,8 @@
 namespace gw::hiddensurface {
 namespace {
 
-/// On the upright picture plane, and how far along the sweep from the eye (1 where sight is
-/// parallel).
+/// A point on the upright picture plane, and its distance along the sweep from the eye (1 if sight
+/// is parallel).
 struct Upright {
     dvec2 at;
     double depth = 1;
@@ -54,8 +54,8 @@ public:
     }
 
 private:
-    /// Of a strip, the cells from near to far: away from the eye to both sides; where sight is
-    /// parallel, the way it goes.
+    /// A strip's cells from near to far: away from the eye to both sides, or in the direction of
+    /// parallel sight.
     std::vector<std::size_t> columns_in_order() const {
         std::vector<std::size_t> order(field_.columns.size() - 1);
         const double e = eye_[field_.across];
@@ -78,7 +78,7 @@ private:
         return {{(across - e_across) / depth, (p.y - eye_.y) / depth}, depth};
     }
 
-    /// The loop on the eye's side of the diagonal first, of each loop the near sides first.
+    /// Draws the loop on the eye's side of the diagonal first, and the near sides of each loop first.
     void draw(const FieldCell& cell) {
         std::vector<Loop> loops = cell.loops;
         if (loops.size() == 2 && !is_nearer(loops[0], loops[1])) std::swap(loops[0], loops[1]);
@@ -96,7 +96,7 @@ private:
                 }
     }
 
-    /// Seen from above: which side of p -> q the (homogeneous) point lies on.
+    /// The side of p -> q on which the (homogeneous) point lies, seen from above.
     double side_of(const dvec3& p, const dvec3& q, const dvec4& point) const {
         const dvec3 along = q - p, to = dvec3(point) - point.w * p;
         return along[field_.across] * to[field_.sweep] - along[field_.sweep] * to[field_.across];
@@ -104,7 +104,7 @@ private:
     bool is_near_side(const Loop& loop, const dvec3& p, const dvec3& q) const {
         return side_of(p, q, eye_) * side_of(p, q, dvec4(middle_of(loop), 1)) < 0;
     }
-    /// Of two loops of a cell: the side that separates them has `a` and the eye on one side.
+    /// True if the line that separates two loops of a cell has `a` and the eye on one side.
     bool is_nearer(const Loop& a, const Loop& b) const {
         for (std::size_t k = 0; k < a.size(); ++k) {
             const dvec3 &p = a[k], &q = a[(k + 1) % a.size()];
@@ -125,7 +125,7 @@ private:
         return done_.insert(std::minmax(key(p), key(q))).second;
     }
 
-    /// `id` 0: it only hides.
+    /// Draws p -> q and raises the horizons. `id` 0: only raises them.
     void draw(dvec3 p, dvec3 q, std::uint32_t id) {
         Upright a = upright(p), b = upright(q);
         if (a.at.x > b.at.x) {
@@ -156,7 +156,7 @@ private:
     std::vector<Part> beyond_both(const dvec2& a, const dvec2& b) {
         std::vector<Part> hidden = rest_of(upper_.beyond(a, b, output_.counts));
         const std::vector<Part> under = rest_of(lower_.beyond(a, b, output_.counts));
-        // Hidden where it is neither above nor below: in both.
+        // A part is hidden if it is neither above nor below.
         std::vector<Part> both;
         for (const Part& p : hidden)
             for (const Part& q : under) {
@@ -166,7 +166,7 @@ private:
         return rest_of(std::move(both));
     }
 
-    /// A line that is one column of the picture.
+    /// The visible parts of a line that is one column of the picture.
     std::vector<Part> beyond_at(const dvec2& a, const dvec2& b) {
         output_.counts.crossings += 1;
         const auto top = upper_.at(a.x), bottom = lower_.at(a.x);

@@ -25,7 +25,7 @@ std::vector<double> coordinates(const std::vector<Polygon>& polygons, int axis) 
     return values;
 }
 
-/// Which cell along an axis the polygon spans; none: not exactly one.
+/// The cell along an axis that the polygon spans; none: not exactly one.
 std::optional<std::size_t> cell_along(const std::vector<double>& values, const Loop& loop,
                                       int axis) {
     double low = loop[0][axis], high = low;
@@ -55,7 +55,7 @@ void add_polygon(const Polygon& polygon, FieldCell& cell) {
     cell.id = polygon.id;
 }
 
-/// The axis along which the eye is outside the field; of both, the one it is farther along.
+/// The axis along which the eye is outside the field; if both, the one along which it is farther.
 int sweep_axis(const dvec4& eye, const std::vector<double>& xs, const std::vector<double>& zs) {
     if (eye.w == 0) {
         if (eye.x == 0 && eye.z == 0)

@@ -10,7 +10,7 @@ namespace gw::hiddensurface {
 struct FieldCell {
     /// convex: one quadrilateral or two triangles, in the world
     std::vector<Loop> loops;
-    /// of its polygons; a loop's other sides are not drawn
+    /// the sides of its polygons; a loop's other sides are not drawn
     std::vector<std::pair<dvec3, dvec3>> sides;
     std::uint32_t id = 0;
 };
@@ -24,9 +24,9 @@ struct HeightField {
     }
 };
 
-/// All polygons of the scene as one height field, swept along z or x: from an eye beside it the
-/// strips are met one after the other. Throws Error where the polygons are no height field, or the
-/// eye is above it.
+/// All polygons of the scene as one height field, swept along z or x: an eye beside it sees the
+/// strips one behind the other. Throws Error if the polygons are no height field, or the eye is
+/// above it.
 HeightField height_field(const Input& input);
 
 }  // namespace gw::hiddensurface

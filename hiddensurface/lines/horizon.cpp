@@ -6,9 +6,9 @@
 namespace gw::hiddensurface {
 namespace {
 
-/// As a part of the size of the values compared: nearer to the horizon is on it.
-constexpr double tolerance = 1e-11;
-/// Shorter pieces are the rounding of their ends.
+/// Points nearer to the horizon than this part of the compared values are on it.
+constexpr double relative_tolerance = 1e-11;
+/// Shorter pieces come from the rounding of their ends.
 constexpr double shortest = 1e-13;
 
 }  // namespace
@@ -47,8 +47,9 @@ std::vector<Part> Horizon::beyond(const dvec2& a, const dvec2& b, LineCounts& co
         add(u, from);
         const double size =
             std::abs(piece.a.y) + std::abs(piece.b.y) + std::abs(a.y) + std::abs(b.y);
-        const double over_from = sign_ * (line.at(from) - piece.at(from)) - tolerance * size,
-                     over_to = sign_ * (line.at(to) - piece.at(to)) - tolerance * size;
+        const double over_from =
+                         sign_ * (line.at(from) - piece.at(from)) - relative_tolerance * size,
+                     over_to = sign_ * (line.at(to) - piece.at(to)) - relative_tolerance * size;
         if (over_from > 0 || over_to > 0) {
             const double crossing = from + over_from / (over_from - over_to) * (to - from);
             add(over_from > 0 ? from : crossing, over_to > 0 ? to : crossing);
@@ -74,7 +75,7 @@ void Horizon::raise(const dvec2& a, const dvec2& b) {
     for (const auto& [from, to] : parts)
         over.emplace_back(from == 0 ? a.x : a.x + from * (b.x - a.x),
                           to == 1 ? b.x : a.x + to * (b.x - a.x));
-    // What is left of the old pieces between the parts of the new line, in order.
+    // Keep the old pieces between the parts of the new line, in order.
     for (; last < pieces_.size() && pieces_[last].a.x < b.x; ++last) {
         double u = pieces_[last].a.x;
         for (const auto& [from, to] : over) {

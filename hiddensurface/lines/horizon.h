@@ -11,10 +11,10 @@ public:
     /// `up`: the highest; else the lowest.
     explicit Horizon(bool up) : sign_(up ? 1 : -1) {}
 
-    /// The parts of a -> b (u, v), a.x < b.x, beyond the horizon, or where there is no horizon yet.
-    /// Counts one crossing for every piece of the horizon compared.
+    /// The parts of a -> b (u, v), a.x < b.x, that are beyond the horizon or over no horizon. Counts
+    /// one crossing for every piece of the horizon compared.
     std::vector<Part> beyond(const dvec2& a, const dvec2& b, LineCounts& counts) const;
-    /// Raises (lowers) the horizon to a -> b where that is beyond.
+    /// Raises (lowers) the horizon to the parts of a -> b that are beyond it.
     void raise(const dvec2& a, const dvec2& b);
     /// v at u; none: no horizon there.
     std::optional<double> at(double u) const;

@@ -6,14 +6,14 @@
 
 namespace gw::hiddensurface {
 
-// Each in the file of its name in this folder.
+// Each is defined in the file of its name in this folder.
 LineAlgorithm roberts();
 LineAlgorithm appel();
 LineAlgorithm floating_horizon();
 
 namespace {
 
-/// Shorter parts are the rounding of two ends that are one.
+/// Shorter parts come from the rounding of two equal ends.
 constexpr double shortest_part = 1e-9;
 
 }  // namespace

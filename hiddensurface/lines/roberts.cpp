@@ -7,13 +7,14 @@
 // point s + t d + alpha g on its way to the eye (g, alpha > 0) is inside a body. Roberts finds the
 // least and greatest t among the corners of the region of (t, alpha) in which all columns agree.
 // Here alpha is eliminated first. One inequality in t is left for each face that looks at the eye
-// (the point is behind it) and for each side of the contour (the point is inside it). The hidden
-// part is where all hold, so a body hides at most one part of a line.
+// (the point is behind it) and for each side of the contour (the point is inside it). A point is
+// hidden if all hold, so a body hides at most one part of a line.
 //
 // Claims: right for any polygons. Roberts has convex solids and figures put together from them.
-// Here, whatever is not a closed convex solid beyond the near plane is taken piece by piece: each
-// plane convex piece is a body without thickness. Solids may pierce each other: the hidden parts
-// are right, but the lines in which they pierce are not drawn (Petty and Mach added them in 1977).
+// Here, all polygons but those of closed convex solids beyond the near plane are taken piece by
+// piece: each plane convex piece is a body without thickness. Solids may pierce each other: the
+// hidden parts are right, but the lines in which they pierce are not drawn (Petty and Mach added
+// them in 1977).
 // Decides in the world, before the snap.
 #include "hiddensurface/lines/bodies.h"
 #include "hiddensurface/lines/world_lines.h"
@@ -24,8 +25,8 @@
 namespace gw::hiddensurface {
 namespace {
 
-/// Where p + t (q - p) is farther than the tolerance on the positive side of all planes of the
-/// body.
+/// The part of p -> q that lies on the positive side of all the body's planes by more than the
+/// tolerance.
 std::optional<Part> hidden_by(const Body& body, const WorldSide& line, double tolerance,
                               LineCounts& counts) {
     Part part{0, 1};
@@ -80,8 +81,8 @@ LineAlgorithm roberts() {
         .name = "roberts",
         .title = "Roberts 1963: every line against every convex body",
         .claim =
-            "right for any polygons, best for convex solids; draws no lines where solids go through each "
-            "other",
+            "right for any polygons, best for convex solids; does not draw the lines in which solids go "
+            "through each other",
         .growth = {GrowthLaw::Superlinear, 3},
         .run = run};
 }

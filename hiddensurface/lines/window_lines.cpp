@@ -14,8 +14,8 @@ public:
         for (std::size_t p = 0; p < input.polygons.size(); ++p)
             for (const WindowTriangle& t : input.polygons[p].triangles)
                 add(t, p, input.polygons[p].id);
-        // A side of two triangles of one polygon is the polygon's inside; one between the near or
-        // far plane and itself was made by clipping.
+        // A side of two triangles of one polygon lies inside the polygon. A side in the near or far
+        // plane was made by clipping.
         for (const auto& [of, times] : inside_) {
             WindowSide& s = scene_.sides[of.first];
             s.drawn = s.drawn || (times == 1 && !is_clipped(s));
@@ -67,7 +67,8 @@ private:
     std::map<std::pair<std::size_t, std::size_t>, int> inside_;  ///< (side, polygon): triangles
 };
 
-/// Keeps of a part what lies where a value that is `at_a` at 0 and `at_b` at 1 is above 0.
+/// Shortens a part to the points at which a linear value is above 0. It is `at_a` at 0 and `at_b` at
+/// 1. False: nothing is left.
 bool keep_positive(int128 at_a, int128 at_b, Part& part) {
     if (at_a <= 0 && at_b <= 0) return false;
     if (at_a >= 0 && at_b >= 0) return true;
@@ -115,7 +116,6 @@ Box box_of(std::initializer_list<GridPoint> points) {
     return box;
 }
 
-/// `front` may hide something of `line`: they meet in the window, and it is not all behind.
 bool may_hide(const Box& front, const Box& line) {
     return front.low.x <= line.high.x && line.low.x <= front.high.x && front.low.y <= line.high.y &&
            line.low.y <= front.high.y && front.low.z <= line.high.z;

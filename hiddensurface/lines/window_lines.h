@@ -1,6 +1,6 @@
-// A scene's triangles and their sides on the window grid, corners shared: what a line drawing is
-// made of after perspective and snap. All lines of sight are parallel to z here, and all numbers
-// are integers, so every question below has an exact answer. Does not hide anything.
+// A scene's triangles and their sides on the window grid, with shared corners, after perspective
+// and snap. All lines of sight are parallel to z here, and all numbers are integers, so every
+// question below has an exact answer. Does not hide anything.
 #pragma once
 
 #include "hiddensurface/lines/line_algorithm.h"
@@ -15,12 +15,11 @@ struct WindowFace {
 struct WindowSide {
     std::size_t a = 0, b = 0;  ///< corners, a < b
     std::vector<std::size_t> faces;
-    int left = 0, right = 0;  ///< how many of them lie to the left and right of a -> b
-    /// a side of a polygon, not made by triangulating or by the near plane
-    bool drawn = false;
-    std::uint32_t id = 0;  ///< of the polygon; of the first of them
+    int left = 0, right = 0;  ///< the number of faces to the left and right of a -> b
+    bool drawn = false;    ///< a side of a polygon, not made by triangulation or by the near plane
+    std::uint32_t id = 0;  ///< of the first polygon that has it
 
-    /// A contour: beyond it more or fewer faces lie than before it.
+    /// A contour has more or fewer faces on one side than on the other.
     bool is_contour() const { return left != right; }
 };
 
@@ -36,15 +35,15 @@ struct Box {
     GridPoint low, high;
 };
 Box box_of(std::initializer_list<GridPoint> points);
-/// Whether their boxes meet in the window, and some of `front` is not behind all of `line`.
+/// Whether the boxes meet in the window, and `front` is not behind all of `line`.
 bool may_hide(const Box& front, const Box& line);
 
 /// Above 0: p lies behind the face's plane, seen from the eye; 0: on it.
 int128 behind(const WindowLines& scene, const WindowFace& face, const GridPoint& p);
 
-/// The part of a -> b that the face hides: inside its outline and behind its plane. A line along
-/// the outline counts as lying a little to the left of itself, so that of two faces with a common
-/// side one hides it.
+/// The part of a -> b that the face hides: inside its outline and behind its plane. A line along the
+/// outline counts as lying slightly to its left, so that one of two faces with a common side hides
+/// it.
 std::optional<Part> hidden_part(const WindowLines& scene, const WindowFace& face,
                                 const GridPoint& a, const GridPoint& b);
 

@@ -13,7 +13,8 @@ dmat4 clip_from_world(const scene::View& view) {
     return product(view.clip_from_eye, view.eye_from_world);
 }
 
-/// Of 0 .. 1, where a value that is `at_a` at 0 and `at_b` at 1 is above 0.
+/// Shortens a part to the points at which a linear value is above 0. It is `at_a` at 0 and `at_b` at
+/// 1.
 void cut_at(double at_a, double at_b, Part& part) {
     if (at_a < 0 && at_b < 0) part = {1, 0};
     if (at_a < 0 && at_b >= 0) part.first = std::max(part.first, at_a / (at_a - at_b));

@@ -1,5 +1,5 @@
-// Lines in the world and their places on the window grid, without the snap: for algorithms that
-// decide in the scene. Does not hide anything.
+// Takes lines from the world to the window grid without the snap, for algorithms that decide in the
+// scene. Does not hide anything.
 #pragma once
 
 #include "hiddensurface/lines/line_algorithm.h"
@@ -14,8 +14,8 @@ class WorldLines {
 public:
     explicit WorldLines(const Input& input);
 
-    /// p -> q, and the parts of it that are seen (linear in the world), cut off at the near and the
-    /// far plane. None: nothing of it is between them, or it is seen end on.
+    /// p -> q with its visible parts (linear in the world), clipped to the near and far planes. None:
+    /// the line is outside the planes, or seen end on.
     std::optional<Line> to_window(std::uint32_t id, const dvec3& p, const dvec3& q,
                                   const std::vector<Part>& visible) const;
 

@@ -15,8 +15,8 @@ std::array<GridPoint, 3> counter_clockwise(std::array<GridPoint, 3> t) {
     return t;
 }
 
-/// The sides of the triangles that no other has the other way round, joined; empty where they are
-/// not one convex outline of all the triangles' area.
+/// The outline of the triangles: the sides that no other triangle has in the other direction,
+/// joined. Empty if they are not one convex outline around all the triangles' area.
 std::vector<GridPoint> convex_outline(std::span<const WindowTriangle> triangles) {
     std::map<Corner, std::vector<std::pair<GridPoint, GridPoint>>> from;
     std::int64_t area = 0;
@@ -53,7 +53,7 @@ std::vector<GridPoint> convex_outline(std::span<const WindowTriangle> triangles)
     return outlined == area ? outline : std::vector<GridPoint>();
 }
 
-/// Corners on the line of their neighbours say nothing.
+/// The outline without corners on the line of their neighbours.
 std::vector<GridPoint> without_straight_corners(const std::vector<GridPoint>& p) {
     std::vector<GridPoint> kept;
     for (std::size_t i = 0; i < p.size(); ++i)

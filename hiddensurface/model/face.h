@@ -1,6 +1,6 @@
-// A convex face in the window, exactly: sides and plane in integers, asked at the centres of
-// pixels. Linear in x and y, so an answer that holds at the four corner pixels of a window, or at
-// both ends of a span, holds in between. Does not draw.
+// A convex face in the window, exactly: sides and plane in integers, evaluated at the centres of
+// pixels. They are linear in x and y. So an answer that holds at the four corner pixels of a window,
+// or at both ends of a span, holds in between. Does not draw.
 #pragma once
 
 #include "hiddensurface/run/algorithm.h"
@@ -19,10 +19,10 @@ struct ExactPlane {
     int128 scaled(int px, int py) const { return x * px + y * py + c; }
 };
 
-/// A facet of a polygon where that is convex on the grid, else one of its triangles.
+/// A facet of a polygon if it is convex on the grid, else one of its triangles.
 struct Face {
     std::size_t polygon = 0;         ///< index
-    std::size_t place = 0;           ///< in the order drawn: of equal depths the first is seen
+    std::size_t place = 0;           ///< in the drawing order: of equal depths the first is seen
     std::vector<GridPoint> corners;  ///< counter-clockwise
     std::vector<Side> sides;         ///< from corner i to corner i + 1
     ExactPlane plane;
@@ -30,24 +30,25 @@ struct Face {
     std::int64_t nearest = 0, farthest = 0;  ///< z of its corners
 };
 
-/// Of all polygons in the window, in the machine's order.
+/// The faces of all polygons in the window, in the machine's order.
 std::vector<Face> faces_of(const Input& input);
 
 bool covers(const Face& face, int x, int y);
 
 enum class Cover { Disjoint, Intersects, Surrounds };
-/// Intersects may also be said of a window that some corner's two sides only together keep outside.
+/// The answer may be Intersects for a window that only two sides together keep outside.
 Cover cover_of(const Face& face, const Rect& window);
 
 /// Sign of z_a - z_b at pixel x, y.
 int depth_order(const Face& a, const Face& b, int x, int y);
-/// a is nearer than b there, or as near and drawn first: what the Z-buffer shows, ties apart.
+/// a is nearer than b at pixel x, y, or as near and drawn first, as in the Z-buffer but for ties.
 bool is_nearer(const Face& a, const Face& b, int x, int y);
-/// At every pixel of the window: asked at the corners, one comparison each, till one says no.
+/// The same at every pixel of the window: compares at the four corners, stopping at the first
+/// failure.
 bool is_nearer(const Face& a, const Face& b, const Rect& window, std::uint64_t& compared);
 
-/// a is not nearer than b at the run's first pixel and is at its last: the first at which it is, by
-/// halving.
+/// The first pixel of the run at which a is nearer than b, by halving. a must not be nearer at the
+/// first pixel, and must be at the last.
 int first_nearer(const Face& a, const Face& b, const Run& run, std::uint64_t& compared);
 
 /// The face's pixels of row y from x0 up to x1; empty: x0 >= x1.

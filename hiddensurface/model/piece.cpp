@@ -11,8 +11,8 @@
 namespace gw::hiddensurface {
 namespace {
 
-/// Sutherland-Hodgman against one plane; `sign` -1 keeps what is before it. A new corner always
-/// starts from the corner before the plane, so both halves get the same.
+/// Sutherland-Hodgman against one plane; `sign` -1 keeps the part before it. A new corner is always
+/// computed from the corner before the plane, so both halves get the same.
 Loop half_of(const Loop& loop, const dvec4& plane, double sign) {
     Loop half;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -30,7 +30,7 @@ bool is_inside(const PixelCut& cut, double x, double y) {
     return ((cut.line.x * x + cut.line.y * y) + cut.line.z < 0) == cut.negative;
 }
 
-/// But for the rounding of a corner that a cut made.
+/// True within the rounding of a corner that a cut made.
 bool is_on(const dvec3& line, const dvec2& p) {
     const double off = line.x * p.x + line.y * p.y + line.z;
     return std::abs(off) <= 1e-3 * std::sqrt(line.x * line.x + line.y * line.y);
@@ -50,6 +50,27 @@ void add_cut(const Run& run, const std::vector<PixelCut>& cuts, int s, std::vect
         if (!inside) open.x0 = open.x1 = x + 1;
     }
     if (open.x0 < open.x1) out.push_back(open);
+}
+
+std::pair<double, double> along(const Loop& loop, const dvec2& direction) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const dvec3& p : loop) {
+        const double d = direction.x * p.x + direction.y * p.y;
+        low = std::min(low, d);
+        high = std::max(high, d);
+    }
+    return {low, high};
+}
+
+/// Two convex polygons are apart if and only if a side of one of them separates them.
+bool side_separates(const Loop& a, const Loop& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const dvec3 side = a[(i + 1) % a.size()] - a[i];
+        if (side.x == 0 && side.y == 0) continue;
+        const dvec2 across = dvec2(side.y, -side.x) / std::sqrt(side.x * side.x + side.y * side.y);
+        if (!overlap(along(a, across), along(b, across))) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -129,6 +150,23 @@ std::vector<Run> runs_of(const Piece& piece, const Polygon& polygon, int s, cons
                 add_cut(run, piece.cuts, s, out);
         }
     return out;
+}
+
+std::pair<double, double> extent(const Piece& piece, int axis) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Loop& part : piece.parts)
+        for (const dvec3& p : part) {
+            low = std::min(low, p[axis]);
+            high = std::max(high, p[axis]);
+        }
+    return {low, high};
+}
+
+bool projections_overlap(const Piece& a, const Piece& b) {
+    for (const Loop& p : a.parts)
+        for (const Loop& q : b.parts)
+            if (!side_separates(p, q) && !side_separates(q, p)) return true;
+    return false;
 }
 
 }  // namespace gw::hiddensurface

@@ -1,6 +1,6 @@
-// Pieces of polygons made by splitting. A cut is never snapped: it is a line that divides pixel
-// centres, so that the pieces of a polygon have every one of its pixels exactly once. Does not
-// choose where to cut.
+// Pieces of polygons made by splitting, and whether two overlap in the window. A cut is never
+// snapped: it is a line that divides pixel centres. So each pixel of a polygon belongs to exactly
+// one of its pieces. Does not choose cuts.
 #pragma once
 
 #include "hiddensurface/model/polygon.h"
@@ -10,13 +10,14 @@
 
 namespace gw::hiddensurface {
 
-/// Pixels whose centre (x, y) on the grid has a.x x + a.y y + a.z < 0 (or not, where `!negative`).
+/// Pixels whose centre (x, y) on the grid has line.x x + line.y y + line.z < 0, or >= 0 if
+/// `!negative`.
 struct PixelCut {
     dvec3 line{0};
     bool negative = true;
 };
 
-/// What is left of consecutive triangles of a polygon.
+/// A part of consecutive triangles of a polygon.
 struct Piece {
     std::size_t polygon = 0;           ///< index
     std::size_t first = 0, count = 0;  ///< of the polygon's triangles
@@ -27,21 +28,21 @@ struct Piece {
 
 /// All of polygon number `index`.
 Piece whole(std::size_t index, const Polygon& polygon);
-/// One facet of it.
+/// One facet of polygon number `index`.
 Piece whole(std::size_t index, const Facet& facet);
 
-/// Where the plane `by` crosses the piece's plane, seen in the window: negative before `by`.
+/// The line in the window in which the plane `by` crosses the piece's plane; negative before `by`.
 dvec3 cut_line(const dvec4& piece, const dvec4& by);
 
-/// How far the piece lies before and behind a plane: least and greatest side of its corners.
+/// The least and greatest `side` of the piece's corners: its reach before and behind a plane.
 std::pair<double, double> sides(const Piece& piece, const dvec4& plane);
 
 /// Parts of convex loops with side(plane) <= 0, and those with >= 0.
 std::pair<std::vector<Loop>, std::vector<Loop>> divide(const std::vector<Loop>& parts,
                                                        const dvec4& plane);
 
-/// The piece, of facet `of`, before the plane of `by` and the piece behind it; none where it does
-/// not reach farther than the tolerance on both sides.
+/// The two pieces, of facet `of`, before and behind the plane of `by`. None if the piece does not
+/// reach farther than the tolerance on both sides.
 std::optional<std::pair<Piece, Piece>> split(const Piece& piece, const Facet& of, const Facet& by);
 
 /// A side in the window.
@@ -49,8 +50,23 @@ using CutEdge = std::pair<dvec2, dvec2>;
 /// The piece's sides that cuts made.
 std::vector<CutEdge> edges_made(const Piece& piece);
 
-/// The pixels of a piece, by scan conversion of its polygon's triangles [L7].
+/// A piece's pixels, by scan conversion of its polygon's triangles [L7].
 std::vector<Run> runs_of(const Piece& piece, const Polygon& polygon, int subpixel_bits,
                          const Rect& window);
+
+/// Least and greatest coordinate of a piece along x, y or z.
+std::pair<double, double> extent(const Piece& piece, int axis);
+
+/// Neighbours made by a cut may overlap by the rounding of its ends: less than this, in grid units.
+constexpr double border = 0x1p-20;
+
+/// The intervals share more than a border.
+inline bool overlap(const std::pair<double, double>& a, const std::pair<double, double>& b) {
+    return a.first + border < b.second && b.first + border < a.second;
+}
+
+/// A part of a and a part of b share more than a border: no side of either separates them. Does not
+/// compare depths.
+bool projections_overlap(const Piece& a, const Piece& b);
 
 }  // namespace gw::hiddensurface

@@ -1,4 +1,4 @@
-// The machine's own vertex stages, clipping, snap and fans, used as it uses them.
+// Projects polygons with the machine's own vertex stages, clipping, snap and fans.
 #include "hiddensurface/model/polygon.h"
 
 #include "gw/stages/fan.h"
@@ -51,7 +51,7 @@ std::vector<GridPoint> window_corners(const Placed& p, std::span<const std::uint
     return out;
 }
 
-/// The fan of a clipped triangle: the pieces that make fragments.
+/// Adds the triangles of a clipped triangle's fan that make fragments.
 void add_triangles(const Placed& p, const Triangle& t, std::uint32_t ordinal, Polygon& polygon) {
     const std::vector<GridPoint> corners = window_corners(p, t.vertex);
     if (corners.empty()) return;
@@ -93,7 +93,7 @@ std::vector<std::vector<std::uint32_t>> polygon_corners(const Mesh& mesh) {
     return polygons;
 }
 
-/// Every corner turns the way the polygon does.
+/// True if every corner turns in the polygon's direction.
 bool is_convex(const Loop& p) {
     const dvec3 n = polygon_normal(p);
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -134,7 +134,7 @@ bool in_one_plane(const std::vector<WindowTriangle>& triangles) {
     });
 }
 
-/// Of the plane through the facet's first triangle.
+/// Sets the plane through the facet's first triangle.
 void set_plane(Facet& facet, const WindowTriangle& t) {
     const Loop p = to_loop(t.corners);
     const dvec3 n = face_normal(p[0], p[1], p[2]);
@@ -147,7 +147,7 @@ void set_plane(Facet& facet, const WindowTriangle& t) {
     facet.tolerance = reach * 0x1p-46;
 }
 
-/// `outline`: the polygon's own corners on the grid where it is convex, else none.
+/// `outline`: the polygon's own corners on the grid if it is convex, else none.
 void set_facets(Polygon& polygon, const Loop& outline) {
     const auto& t = polygon.triangles;
     const bool one = in_one_plane(t);
@@ -161,8 +161,8 @@ void set_facets(Polygon& polygon, const Loop& outline) {
     for (Facet& facet : polygon.facets) set_plane(facet, t[facet.first]);
 }
 
-/// Positions are float32: the corners of a plane polygon lie this near to its plane, as a part of
-/// its size.
+/// Positions are float32, so the corners of a plane polygon lie within 1e-6 of its size from its
+/// plane.
 bool is_plane(const Loop& p) {
     const dvec3 n = polygon_normal(p);
     double off = 0, size = 0;

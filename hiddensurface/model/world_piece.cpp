@@ -5,7 +5,7 @@
 namespace gw::hiddensurface {
 namespace {
 
-/// The polygon's triangles that are of the facet: the first and how many.
+/// The polygon's triangles that belong to the facet: the first and their number.
 std::pair<std::size_t, std::size_t> triangles_of(const Polygon& polygon, const WorldFacet& facet) {
     std::size_t first = 0, count = 0;
     for (std::size_t i = 0; i < polygon.triangles.size(); ++i) {
@@ -16,8 +16,8 @@ std::pair<std::size_t, std::size_t> triangles_of(const Polygon& polygon, const W
     return {first, count};
 }
 
-/// A facet's plane on the grid, negative before it, where the eye is. Without the snap: that tilts
-/// the plane of a narrow facet, and its cuts reach far beyond it.
+/// A facet's plane on the grid, negative on the eye's side. Not snapped: the snap tilts the plane of
+/// a narrow facet, and its cuts reach far beyond it.
 dvec4 window_plane(const Input& input, FacetIndex i) {
     const dvec4 world = unit_plane(facet_of(input, i));
     const dvec4 plane = to_window(world, input.view, input.profile);

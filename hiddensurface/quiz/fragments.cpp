@@ -1,8 +1,7 @@
 #include "hiddensurface/quiz/fragments.h"
 
 #include "gw/error.h"
-#include "hiddensurface/quiz/answer_coverage.h"
-#include "hiddensurface/run/difference.h"
+#include "hiddensurface/run/compare.h"
 #include "scene/text/suggest.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
-// A student's fragment list against the truth, the Z-buffer's picture. A list is text: a line
-// "x,y,polygon" for each fragment that should be seen, x from the left and y from the top, 0 first,
-// polygon its identifier; lines that are empty or begin with '#', and a first line "x,y,polygon",
-// are skipped. Does not draw.
+// Compares a student's fragment list with the Z-buffer's picture. A list is text: a line
+// "x,y,polygon" for each visible fragment. x counts from 0 at the left, y from 0 at the top; polygon
+// is the identifier. Empty lines, lines that begin with '#' and a first line "x,y,polygon" are
+// skipped. Does not draw.
 #pragma once
 
 #include "hiddensurface/run/algorithm.h"
@@ -16,8 +16,8 @@ struct Fragment {
     int line = 0;  ///< of the list
 };
 
-/// Throws Error "name:line: what; expected what": not three whole numbers, a pixel outside the
-/// window, a polygon that the scene does not have.
+/// Throws Error "name:line: what; expected what" for a line without three whole numbers, a pixel
+/// outside the window, or a polygon that the scene does not have.
 std::vector<Fragment> read_fragments(const std::string& name, std::string_view text,
                                      const Input& input);
 
@@ -33,7 +33,7 @@ const char* name_of(Mistake mistake);
 
 struct FragmentMistake {
     Mistake mistake = Mistake::None;
-    int x = 0, y = 0, line = 0;             ///< line 0: of a missing one
+    int x = 0, y = 0, line = 0;             ///< line 0: the fragment is missing
     std::uint32_t given = 0, expected = 0;  ///< 0: none, or background
 };
 
@@ -44,12 +44,12 @@ struct FragmentGrade {
     std::vector<FragmentMistake> mistakes;  ///< in the order of the list, the missing ones last
     bool all_right() const { return mistakes.empty(); }
 };
-/// `z_buffer`: identifiers, bottom row first. Where the depth plane cannot tell two polygons apart,
+/// `z_buffer`: identifiers, bottom row first. If the depth plane cannot tell two polygons apart,
 /// either is right.
 FragmentGrade grade_fragments(const std::vector<Fragment>& list,
                               const std::vector<std::uint32_t>& z_buffer, const Input& input);
 
-/// The truth as such a list.
+/// The Z-buffer's picture as a fragment list.
 std::string fragments_text(const std::vector<std::uint32_t>& z_buffer, const Input& input);
 
 }  // namespace gw::hiddensurface

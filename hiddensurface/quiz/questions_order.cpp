@@ -1,7 +1,6 @@
 // Questions about orders: painting, Newell's tests and pieces.
-#include "hiddensurface/quiz/answer_coverage.h"
-#include "hiddensurface/quiz/question_context.h"
 #include "hiddensurface/quiz/questions.h"
+#include "hiddensurface/run/compare.h"
 
 #include <fmt/format.h>
 
@@ -11,10 +10,10 @@
 namespace gw::hiddensurface {
 namespace {
 
-/// Pixels that have the same polygons over them and show the same one: how many.
+/// The number of pixels for each set of polygons over a pixel and the polygon that it shows.
 using PixelGroups = std::map<std::pair<std::vector<std::uint32_t>, std::uint32_t>, std::size_t>;
 
-/// Pixels that differ when the polygons are painted in this order.
+/// The number of pixels that differ if the polygons are painted in this order.
 std::size_t wrong_pixels(const std::vector<std::uint32_t>& order, const PixelGroups& groups) {
     std::size_t wrong = 0;
     for (const auto& [group, pixels] : groups) {
@@ -35,8 +34,8 @@ std::string words_of(const std::vector<std::uint32_t>& ids) {
     return text;
 }
 
-/// Four orders, one of them right. A right one may be wrong by a few pixels of rounding, a wrong
-/// one is plainly so.
+/// One of four orders is right. A right one may differ in a few pixels by rounding; a wrong one
+/// differs in many.
 std::optional<Question> ask_order(QuizRandom& random) {
     constexpr std::size_t rounding = 2, plain = 150;
     Question q{.scene = tilted_polygons(random, 4, 4)};
@@ -70,11 +69,11 @@ std::optional<Question> ask_order(QuizRandom& random) {
     q.answer = std::string(1, char('a' + place));
     q.why = "Painted in the order " + chosen +
             " no polygon covers one that lies before it; the other orders differ from the "
-            "Z-buffer's picture in 150 pixels and more.";
+            "Z-buffer's picture in 150 pixels or more.";
     return q;
 }
 
-/// Which of Newell's tests decides: the first in the log that says yes about the first pair.
+/// The answer is the first test in the log that says yes about the first pair.
 std::optional<Question> ask_test(QuizRandom& random) {
     const char wanted = char('0' + random.whole(1, 6));
     for (int i = 0; i < 60; ++i) {

@@ -1,9 +1,8 @@
 // Questions about faces, pixels, scan lines and lines.
 #include "hiddensurface/lines/window_lines.h"
 #include "hiddensurface/model/normal.h"
-#include "hiddensurface/quiz/answer_coverage.h"
-#include "hiddensurface/quiz/question_context.h"
 #include "hiddensurface/quiz/questions.h"
+#include "hiddensurface/run/compare.h"
 
 #include <fmt/format.h>
 
@@ -44,7 +43,6 @@ std::optional<Question> ask_facing(QuizRandom& random) {
     return q;
 }
 
-/// How often the Z-buffer writes a pixel, drawing in the order of the numbers.
 std::optional<Question> ask_writes(QuizRandom& random) {
     std::vector<int> distances;
     Question q{.scene = facing_rectangles(random, 5, distances)};
@@ -54,7 +52,7 @@ std::optional<Question> ask_writes(QuizRandom& random) {
     const int x = random.whole(60, quiz_width - 60), y = random.whole(50, quiz_height - 50);
     const std::size_t at = context.pixel(x, y);
     if (over[at].size() < 3 || z_buffer.writes[at] < 2) return std::nullopt;
-    // Not beside an edge, or the picture does not tell.
+    // Not beside an edge, where the picture would not show the answer.
     for (const int dx : {-5, 0, 5})
         for (const int dy : {-5, 0, 5})
             if (over[context.pixel(x + dx, y + dy)] != over[at]) return std::nullopt;
@@ -68,7 +66,7 @@ std::optional<Question> ask_writes(QuizRandom& random) {
         words_of(over[at]));
     q.point = dvec2(x + 0.5, y + 0.5);
     q.answer = std::to_string(z_buffer.writes[at]);
-    q.why = "Each that is nearer than all before it is written.";
+    q.why = "A rectangle that is nearer than all before it is written.";
     return q;
 }
 
@@ -97,7 +95,6 @@ std::optional<Question> ask_spans(QuizRandom& random) {
     return q;
 }
 
-/// Appel's number in the middle of a side.
 std::optional<Question> ask_invisibility(QuizRandom& random) {
     Question q{.scene = tilted_polygons(random, 5, 3)};
     const QuestionContext context(q.scene);
@@ -108,7 +105,8 @@ std::optional<Question> ask_invisibility(QuizRandom& random) {
     for (const WindowFace& face : lines.faces) {
         const auto part = hidden_part(lines, face, a, b);
         if (!part || part->second < 0.4 || part->first > 0.6) continue;
-        if (part->first > 0.42 || part->second < 0.58) return std::nullopt;  // changes too near
+        if (part->first > 0.42 || part->second < 0.58)
+            return std::nullopt;  // changes near the middle
         number += 1;
     }
     if (number == 0 || !side.drawn) return std::nullopt;
@@ -125,7 +123,7 @@ std::optional<Question> ask_invisibility(QuizRandom& random) {
         "number.",
         side.id);
     q.answer = std::to_string(number);
-    q.why = "So many triangles lie before the point.";
+    q.why = "That many triangles lie before the point.";
     return q;
 }
 

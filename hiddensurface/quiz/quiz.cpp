@@ -1,4 +1,4 @@
-// A question is drawn until it is worth asking: at most so many scenes are tried.
+// Random scenes are tried until one gives a good question.
 #include "hiddensurface/quiz/quiz.h"
 
 #include "gw/error.h"

@@ -1,6 +1,6 @@
-// Exercises: small random scenes, a question about each, and the answer, worked out by the
-// algorithms themselves. The same seed gives the same quiz everywhere. Does not write files or
-// grade: apps/hidden/grade.cpp does.
+// Exercises: small random scenes, a question about each, and the answer, computed by the algorithms
+// themselves. The same seed gives the same quiz everywhere. Does not write files or grade:
+// apps/hidden/grade.cpp does.
 #pragma once
 
 #include "hiddensurface/run/algorithm.h"
@@ -11,7 +11,7 @@ namespace gw::hiddensurface {
 
 struct Question {
     std::string kind;                  ///< quiz_kinds()
-    std::string text;                  ///< what is asked, and how to answer
+    std::string text;                  ///< the question, and the form of the answer
     std::vector<std::string> choices;  ///< a, b, c, ...; empty: the answer is a number or numbers
     std::string answer;                ///< canonical: "b", "3", "1 4 6"
     std::string why;
@@ -25,12 +25,12 @@ const std::vector<std::string>& quiz_kinds();
 /// The window of all its pictures.
 inline constexpr int quiz_width = 320, quiz_height = 240;
 
-/// `count` questions, of the kinds in turn, or all of one (empty: in turn). Each depends on the
-/// seed and its number only, so a longer quiz begins as a shorter one.
+/// `count` questions of one kind, or if `kind` is empty, of all kinds in turn. Each depends only on
+/// the seed and its number, so a longer quiz begins like a shorter one.
 std::vector<Question> make_quiz(std::uint32_t seed, int count, const std::string& kind = "");
 
-/// An answer as it is compared: blanks at the ends gone, small letters, numbers in ascending order
-/// with one blank between them ("4, 1" is "1 4").
+/// An answer in the form for comparisons: small letters, words in ascending order, one blank between
+/// them ("4, 1" is "1 4").
 std::string canonical_answer(const std::string& text);
 
 }  // namespace gw::hiddensurface

@@ -12,7 +12,7 @@ constexpr vec3 colors[quiz_colors] = {
     {0.90f, 0.45f, 0.35f}, {0.30f, 0.65f, 0.70f}, {0.85f, 0.78f, 0.45f}, {0.45f, 0.60f, 0.90f},
     {0.55f, 0.75f, 0.40f}, {0.75f, 0.50f, 0.80f}, {0.80f, 0.80f, 0.80f}, {0.90f, 0.65f, 0.25f}};
 
-/// Every polygon an object of its own, so that each has a colour.
+/// Adds a polygon as an object of its own, so that each has a colour.
 void add_polygon(scene::Scene& scene, std::vector<vec3> corners) {
     const std::string name = std::to_string(scene.objects.size() + 1);
     const vec3 color = colors[scene.objects.size() % quiz_colors];

@@ -1,17 +1,62 @@
-// What all algorithms have in common: a scene and a view go in; commands for the machine, counts
-// and a step log come out. One file per algorithm in hiddensurface/algorithms/. Does not execute
+// The interface of all algorithms. A scene and a view go in; commands for the machine, counts and a
+// step log come out. Each algorithm has a file in hiddensurface/algorithms/. Does not execute
 // anything.
 #pragma once
 
 #include "gw/command_list.h"
 #include "hiddensurface/model/piece.h"
-#include "hiddensurface/run/counts.h"
 #include "hiddensurface/run/steps.h"
 
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 
 namespace gw::hiddensurface {
+
+/// The counts of all algorithms, with one meaning each: docs/lecture.md explains them. The machine
+/// counts fragments.
+struct Counts {
+    std::uint64_t polygons = 0;  ///< in the window
+    // Comparisons by kind, one for each question asked.
+    std::uint64_t facings = 0;    ///< signs of D_f, of a polygon or of a plane seen from the eye
+    std::uint64_t keys = 0;       ///< two distances of representative points, in a sort
+    std::uint64_t extents = 0;    ///< two intervals in x, y or z
+    std::uint64_t planes = 0;     ///< a polygon against a plane
+    std::uint64_t overlaps = 0;   ///< two projections, or one and a window
+    std::uint64_t crossings = 0;  ///< two ends of segments in x, in a sort
+    std::uint64_t depths = 0;     ///< two depths at a pixel
+    std::uint64_t rays = 0;       ///< a ray against a polygon
+    // Work.
+    std::uint64_t sorts = 0;
+    std::uint64_t swaps = 0;      ///< neighbours exchanged, or polygons moved in the list
+    std::uint64_t splits = 0;     ///< polygons cut in two
+    std::uint64_t undecided = 0;  ///< pairs for which no test and no cut gave an order
+    std::uint64_t rejected = 0;   ///< cubes, polygons or fragments found hidden as a whole
+    std::uint64_t nodes = 0;  ///< nodes of trees, windows, fragments of pixels, visible polygons
+    std::uint64_t spans = 0;  ///< runs of pixels computed
+    std::uint64_t peak_bytes = 0;  ///< peak memory beside the scene and the frame buffer
+    // Of the machine.
+    std::uint64_t fragments = 0;  ///< made
+    std::uint64_t passed = 0;     ///< fragments that passed every test
+    std::uint64_t pixels = 0;     ///< pixels that show a polygon at the end
+    std::uint64_t overdraw = 0;   ///< passed - pixels
+    // Pixels that differ from the Z-buffer's.
+    std::uint64_t ties = 0;  ///< the depth plane cannot tell the nearer one
+    /// the centre is within one sub-pixel unit of an edge made by splitting
+    std::uint64_t edges = 0;
+    /// right in the scene; the snap to the sub-pixel grid exchanged the two
+    std::uint64_t snapped = 0;
+    std::uint64_t wrong = 0;  ///< the others
+    bool operator==(const Counts&) const = default;
+};
+
+struct CountName {
+    const char* name;
+    std::uint64_t Counts::*count;
+};
+/// All counts in this order, for tables, CSV and JSON.
+std::span<const CountName> count_names();
 
 struct Input {
     const scene::Scene& scene;
@@ -35,8 +80,8 @@ struct Share {
 struct Output {
     CommandList list;  ///< the picture, identifiers as colours (scene::id_of), on 0
     Counts counts;
-    std::vector<Piece> pieces;  ///< in the order drawn, where the algorithm draws piece by piece
-    std::vector<Share> shares;  ///< where the algorithm finds parts of pixels
+    std::vector<Piece> pieces;  ///< in the order drawn, if the algorithm draws piece by piece
+    std::vector<Share> shares;  ///< if the algorithm finds parts of pixels
 };
 
 enum class Claim {
@@ -45,14 +90,14 @@ enum class Claim {
 };
 
 enum class GrowthLaw {
-    Linear,      ///< or nearly: never too long
+    Linear,      ///< or nearly: no run takes too long
     Rays,        ///< every polygon at every pixel
     Superlinear  ///< by a power that depends on the scene
 };
-/// How the work grows with the polygons; estimate.h tells from it what a run would take.
+/// The growth of the work with the polygons; estimate.h predicts a run's time from it.
 struct Growth {
     GrowthLaw law = GrowthLaw::Linear;
-    double nanoseconds = 0;  ///< of a question, about; 0: Linear
+    double nanoseconds = 0;  ///< time of a question, about; 0: Linear
 };
 
 struct Algorithm {
@@ -60,16 +105,16 @@ struct Algorithm {
     std::string title;  ///< for people, with the lecture's row
     Claim claim = Claim::Sometimes;
     bool uses_depth_plane = false;
-    /// decides before the snap to the grid: may differ where that turns two over
-    bool in_world = false;
+    bool in_world =
+        false;  ///< decides before the snap to the grid, which may exchange two polygons
     Growth growth{};
     std::function<Output(const Input&, StepLog&)> run;
 };
 
-/// All of them, in the lecture's order.
+/// All algorithms, in the lecture's order.
 const std::vector<Algorithm>& algorithms();
 std::vector<std::string> algorithm_names();
-/// Throws Error naming the known ones.
+/// Throws an Error that names the known ones.
 const Algorithm& algorithm_named(const std::string& name);
 
 /// The beginning of every list without a depth buffer: a pass of this name, depth test off, colour
@@ -78,7 +123,7 @@ CommandList begin_picture(const Input& input, const std::string& name);
 /// Pixels in the colours of identifiers, through the machine's spans.
 void add_painted(CommandList& list, const std::vector<Painted>& painted);
 
-/// Appends, or joins to the last one that it continues.
+/// Appends a run, or joins it to the last one that it continues.
 void add_run(std::vector<Painted>& painted, const Run& run, std::uint32_t id);
 
 /// Draws a scan line: spans in the list, a step in the log.

@@ -10,16 +10,16 @@
 namespace gw::hiddensurface {
 namespace {
 
-/// Polygons of the larger of two samples; the other has half as many. A scene of twice as many is
-/// not estimated.
+/// The number of polygons of the larger of two samples; the other has half as many. Scenes below
+/// twice this number are not estimated.
 constexpr std::size_t sample_size = 1024;
 
-/// Evenly over the scene's order.
+/// `count` polygons, evenly over the scene's order.
 Input sample(const Input& input, std::size_t count) {
-    Input some{input.scene, input.view, input.profile, {}};
+    Input sampled{input.scene, input.view, input.profile, {}};
     for (std::size_t i = 0; i < count; ++i)
-        some.polygons.push_back(input.polygons[i * input.polygons.size() / count]);
-    return some;
+        sampled.polygons.push_back(input.polygons[i * input.polygons.size() / count]);
+    return sampled;
 }
 
 double rays(const Input& input) {
@@ -46,7 +46,7 @@ Sample run_sample(const AnyAlgorithm& algorithm, const Input& input) {
     return {questions(counts), double(counts.peak_bytes)};
 }
 
-/// What b becomes for `times` as much, by its growth from a.
+/// Extrapolates b to a scene `times` as large, by its growth from a at half the size.
 double grown(double a, double b, double times) {
     if (a <= 0 || b <= 0) return b * times;
     return b * gw::pow(times, std::clamp(gw::log(b / a) / gw::log(2.0), 1.0, 2.5));
@@ -74,7 +74,7 @@ std::string grouped(std::size_t number) {
     return digits;
 }
 
-/// "2 minutes", of two digits at most.
+/// "2 minutes": two digits at most.
 std::string duration(double seconds) {
     struct Unit {
         const char* name;

@@ -1,5 +1,5 @@
-// The step log: what an algorithm compared, decided, split and drew, in order. From it alone every
-// state can be rebuilt (hiddensurface/run/replay.h). Does not hold pictures.
+// The step log: an algorithm's comparisons, decisions, splits and draws, in order. Replay rebuilds
+// the picture and the list's order after every step from the log alone. Does not draw.
 #pragma once
 
 #include "hiddensurface/model/grid.h"
@@ -10,7 +10,7 @@
 
 namespace gw::hiddensurface {
 
-/// How fine a log is; each holds the ones before it.
+/// The detail of a log; each level includes the ones before it.
 enum class Level { Polygon, Line, Span, Pixel };
 enum class Action { Compare, Decide, Sort, Split, Draw };
 
@@ -24,14 +24,13 @@ struct Painted {
 struct Step {
     Level level = Level::Polygon;
     Action action = Action::Compare;
-    /// identifiers: what it is about; of a Sort, the whole order
-    std::vector<std::uint32_t> polygons;
-    std::string test;                  ///< "x extents", "behind the plane", "D_f", ...
-    std::string result;                ///< "disjoint", "behind", "swapped", ...
-    int row = -1;                      ///< the scan line, where there is one
-    std::vector<Painted> painted;      ///< Draw only: all that changes in the picture
-    std::vector<Loop> before, behind;  ///< Split only: the pieces, in grid units
-    Rect window{};                     ///< pixels that it is about; of no width: none
+    std::vector<std::uint32_t> polygons;  ///< their identifiers; of a Sort, the whole order
+    std::string test;                     ///< "x extents", "behind the plane", "D_f", ...
+    std::string result;                   ///< "disjoint", "behind", "swapped", ...
+    int row = -1;                         ///< the scan line; -1: none
+    std::vector<Painted> painted;         ///< Draw only: all changes of the picture
+    std::vector<Loop> before, behind;     ///< Split only: the pieces, in grid units
+    Rect window{};                        ///< the pixels in question; width 0: none
     bool operator==(const Step&) const = default;
 };
 
@@ -43,7 +42,7 @@ public:
 
     bool on() const { return on_; }
     bool wants(Level level) const { return on_ && level <= finest_; }
-    /// Draw steps are recorded at any level, others where they are wanted.
+    /// Records Draw steps at any level, others if they are wanted.
     void add(Step step) {
         if (wants(step.level) || (on_ && step.action == Action::Draw))
             steps_.push_back(std::move(step));
@@ -66,5 +65,37 @@ Step step_from_json(const std::string& line);
 
 const char* name_of(Level level);
 const char* name_of(Action action);
+
+/// A step log played forwards and backwards.
+class Replay {
+public:
+    Replay(std::vector<Step> steps, int width, int height);
+
+    std::size_t size() const { return steps_.size(); }
+    /// The number of steps done: 0 .. size().
+    std::size_t position() const { return undo_.size(); }
+    const Step& step(std::size_t i) const { return steps_[i]; }
+    /// Identifiers after the steps done, bottom row first.
+    const std::vector<std::uint32_t>& ids() const { return ids_; }
+    /// Identifiers in the order of the last Sort; empty before the first.
+    const std::vector<std::uint32_t>& order() const { return order_; }
+
+    void forward();
+    void backward();
+    void go_to(std::size_t position);
+
+private:
+    struct Undo {
+        std::vector<std::uint32_t> ids;    ///< of the pixels painted, in the order painted
+        std::vector<std::uint32_t> order;  ///< of a Sort
+    };
+    template <class Change>
+    void for_painted(const Step& step, const Change& change);
+
+    std::vector<Step> steps_;
+    std::vector<std::uint32_t> ids_, order_;
+    std::vector<Undo> undo_;
+    int width_ = 0;
+};
 
 }  // namespace gw::hiddensurface

@@ -25,7 +25,7 @@ State lines(const scene::View& view) {
     return state;
 }
 
-/// Nearest and farthest distance of a vertex before the eye.
+/// The least and greatest distance of a vertex before the eye.
 std::pair<float, float> reach(const scene::Scene& scene, const scene::View& view) {
     double nearest = view.camera.far_plane, farthest = view.camera.near_plane;
     for (const scene::Object& object : scene.objects) {
@@ -52,7 +52,7 @@ CommandList wireframe(const scene::Scene& scene, const scene::View& view) {
 CommandList depth_cueing(const scene::Scene& scene, const scene::View& view) {
     State state = lines(view);
     const auto [nearest, farthest] = reach(scene, view);
-    // The farthest lines keep a little light.
+    // The farthest lines stay visible.
     state.fog = {.enable = true,
                  .mode = FogMode::Linear,
                  .start = nearest,

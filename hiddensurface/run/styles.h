@@ -12,14 +12,14 @@ namespace gw::hiddensurface {
 /// [L1 a] Every polygon's sides, white on black; no depth test.
 CommandList wireframe(const scene::Scene& scene, const scene::View& view);
 
-/// [L1 b] The same, darker the farther: linear fog of black from the scene's nearest to its
-/// farthest point.
+/// [L1 b] The same with lines that grow darker with distance: linear black fog from the scene's
+/// nearest to its farthest point.
 CommandList depth_cueing(const scene::Scene& scene, const scene::View& view);
 
-/// [L1 c] Z of the faces first, then the sides under LEqual. Faces must lie a little behind their
-/// own sides: by polygon offset where the profile has it; else by the depth range, faces in the
-/// upper 1023/1024 of it, sides in the lower. That shifts by the same amount everywhere: on steep
-/// faces parts of sides may break, and sides nearer than the shift behind a face show through.
+/// [L1 c] Z of the faces first, then the sides under LEqual. Faces must lie slightly behind their
+/// own sides. Polygon offset does this if the profile has it; else the depth range, with faces in its
+/// upper 1023/1024 and sides in its lower. That shift is the same everywhere: on steep faces parts of
+/// sides may break, and sides less than the shift behind a face show through.
 CommandList hidden_lines(const scene::Scene& scene, const scene::View& view,
                          const Profile& profile);
 

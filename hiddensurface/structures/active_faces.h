@@ -1,6 +1,6 @@
-// Faces by scan lines, from the top down: which begin at a line, and from where to where each
-// active one reaches on it. One step of integers per edge and line [L7]. Does not sort in x or
-// compare depths.
+// Walks faces by scan lines, from the top down: the faces that begin at a line, and the two ends of
+// each active face on it. One integer step for each edge and line [L7]. Does not sort in x or compare
+// depths.
 #pragma once
 
 #include "hiddensurface/model/face.h"
@@ -10,7 +10,7 @@
 
 namespace gw::hiddensurface {
 
-/// A face's segment of the line: pixels x0 .. x1 - 1, none where x0 >= x1.
+/// A face's segment of the line: pixels x0 .. x1 - 1, none if x0 >= x1.
 struct ActiveFace {
     const Face* face = nullptr;
     int x0 = 0, x1 = 0;
@@ -23,10 +23,10 @@ public:
     /// Refers to the faces.
     ActiveFaces(const std::vector<Face>& faces, const Input& input);
 
-    /// To the line below the last one, the first time the top line: every active face's ends,
-    /// `done` where it has none.
+    /// Goes to the line below, the first time to the top line. Updates every active face's ends;
+    /// `done` if it has none.
     void next_line();
-    /// Those that begin at this line. They stay where they are.
+    /// The faces that begin at this line. Their addresses stay the same.
     const std::vector<ActiveFace*>& begun() const { return begun_; }
     std::uint64_t bytes() const;
 
@@ -39,8 +39,8 @@ private:
     std::vector<ActiveFace*> begun_;
 };
 
-/// Sorts a list that was sorted on the line above by exchanges of neighbours, as few as changed
-/// places; `more`, at the end of the list, are new. Counts crossings and swaps.
+/// Sorts a list again that was sorted on the line above. Exchanges neighbours, only as many as
+/// changed places; the last `more` elements are new. Counts crossings and swaps.
 template <class T, class Before>
 void sort_again(std::vector<T>& list, std::size_t more, Counts& counts, const Before& before) {
     counts.sorts += 1;

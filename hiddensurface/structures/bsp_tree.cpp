@@ -28,7 +28,7 @@ public:
     }
 
 private:
-    /// Pieces that become a subtree on one side of a node; of no node: the root.
+    /// Pieces that become a subtree on one side of a node; without a parent: the root.
     struct Pending {
         std::vector<TreePiece> pieces;
         std::size_t parent = no_node;
@@ -177,8 +177,8 @@ std::uint64_t far_to_near(const Tree& tree, const dvec4& eye,
     while (!open.empty()) {
         const auto [node, eye_in_front] = open.back();
         open.pop_back();
-        // The first of several pieces in one plane is drawn last and stays, as in a Z-buffer that
-        // keeps z < Z.
+        // The first of several pieces in one plane is drawn last and stays visible, as in a Z-buffer
+        // with z < Z.
         for (auto piece = node->pieces.rbegin(); piece != node->pieces.rend(); ++piece)
             visit(*piece);
         descend_to_farthest(eye_in_front ? node->front : node->back);

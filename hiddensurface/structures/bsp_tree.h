@@ -1,5 +1,5 @@
 // A binary space partition of a scene's polygons [L5]: built in the world before any eye is known,
-// walked far to near for any eye after. Does not project or draw.
+// then walked far to near for any eye. Does not project or draw.
 #pragma once
 
 #include "hiddensurface/model/polygon.h"
@@ -13,25 +13,25 @@ struct FacetIndex {
     std::size_t polygon = 0, facet = 0;
 };
 
-/// What is left of a facet after the planes above its node: convex parts in the world, and which
-/// planes cut it (the facet whose plane it is; whether this piece is on the side its normal points
-/// to).
+/// The piece of a facet that the planes above its node leave: convex parts in the world, and the
+/// planes that cut it. A cut has the facet of the plane, and whether this piece is on the side of
+/// its normal.
 struct TreePiece {
     FacetIndex of;
     std::vector<Loop> parts;
     std::vector<std::pair<FacetIndex, bool>> cuts;
 };
 
-/// The plane of a facet in the world, its normal of length 1; 0 where the facet has no area.
+/// The plane of a facet in the world, its normal of length 1; 0 if the facet has no area.
 dvec4 unit_plane(const WorldFacet& facet);
-/// Points nearer than this to a plane are on it: positions are float32, so corners of one plane lie
-/// this near to it, by the size of the scene.
+/// Points nearer than this to a plane are on it. Positions are float32, so corners of one plane may
+/// be off by this part of the scene's size.
 double world_tolerance(const std::vector<Polygon>& polygons);
 
-/// Where a piece lies: in a plane, on one side of it, or across.
+/// The place of a piece: in a plane, on one side of it, or across.
 enum class Place { On, Front, Back, Both };
 Place place_of(const TreePiece& piece, const dvec4& plane, double tolerance);
-/// Cuts a piece by the plane of facet `by`: what is behind it and what is in front.
+/// Cuts a piece by the plane of facet `by`: the part behind it and the part in front.
 std::pair<TreePiece, TreePiece> cut_piece(const TreePiece& piece, FacetIndex by,
                                           const dvec4& plane);
 /// All facets that have an area, of the polygons in this order.
@@ -46,8 +46,8 @@ struct TreeNode {
     std::size_t front = no_node, back = no_node;  ///< indices into Tree::nodes
 };
 
-/// A tree may be as deep as it has nodes: a convex solid's is one chain. So the nodes are a list,
-/// and nothing here calls itself.
+/// A tree may be as deep as it has nodes: a convex solid's is one chain. So the nodes are a list, and
+/// no function here is recursive.
 struct Tree {
     std::vector<TreeNode> nodes;  ///< the root first
     std::uint64_t pieces = 0, splits = 0;
@@ -59,15 +59,15 @@ struct Tree {
 using SplitSink = std::function<void(const TreePiece&, FacetIndex by, const std::vector<Loop>&,
                                      const std::vector<Loop>&)>;
 
-/// How many splitters the algorithms try at a node.
+/// The number of splitters that the algorithms try at a node.
 inline constexpr std::size_t splitters_tried = 8;
 
-/// `order`: indices of polygons. At every node the plane is that of the piece which cuts fewest
-/// others among the first `candidates` of those left (1: always the first).
+/// `order`: indices of polygons. Every node's plane is that of the piece that cuts fewest others, of
+/// `candidates` pieces spread evenly over the remaining ones (1: always the first).
 Tree build_tree(const std::vector<Polygon>& polygons, const std::vector<std::size_t>& order,
                 std::size_t candidates = 1, const SplitSink& on_split = {});
 
-/// Visits every piece once, none before one that it may hide. `eye`: (P_E, 1), or (direction
+/// Visits every piece once, always after the pieces that it may hide. `eye`: (P_E, 1), or (direction
 /// towards it, 0). Returns the number of planes compared with the eye.
 std::uint64_t far_to_near(const Tree& tree, const dvec4& eye,
                           const std::function<void(const TreePiece&)>& visit);

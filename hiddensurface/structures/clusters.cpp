@@ -31,11 +31,11 @@ public:
                 reach_[i * n_ + k] = reach_of(place_of(pieces[i], planes[k], tolerance));
                 reach_[k * n_ + i] = reach_of(place_of(pieces[k], planes[i], tolerance));
                 cyclic_ = across(reach_[i * n_ + k]) && across(reach_[k * n_ + i]);
-                if (cyclic_) return;  // they pierce, or would if they were larger
+                if (cyclic_) return;  // they pierce, or would pierce if they were larger
             }
     }
 
-    /// None: some sides are in a cycle.
+    /// The sides with their priorities. None: there is a cycle.
     std::optional<std::vector<RankedSide>> ranked() const {
         if (cyclic_) return std::nullopt;
         std::vector<std::size_t> hiders(2 * n_), priority(2 * n_, 1), free;
@@ -71,9 +71,9 @@ private:
     }
     static bool across(const Reach& reach) { return reach.front && reach.back; }
 
-    /// Sides are numbered 2 i (front) and 2 i + 1. From some eye that sees both, a is before b: a
-    /// has a point in front of b's side, and b one behind a's. The line from the one point to the
-    /// other leads to such an eye. In one plane, the scene's first is seen.
+    /// Sides are numbered 2 i (front) and 2 i + 1. Side a may hide b if a has a point in front of b's
+    /// side, and b has one behind a's: on the line through the two points is an eye that sees a
+    /// before b. Of two sides in one plane, the scene's first is seen.
     bool may_hide(std::size_t a, std::size_t b) const {
         const std::size_t i = a / 2, k = b / 2;
         if (i == k) return false;
@@ -87,15 +87,14 @@ private:
     std::size_t n_;
     std::vector<Reach> reach_;  ///< of piece i at the plane of k: i n + k
     std::vector<dvec3> normals_;
-    bool cyclic_ = false;  ///< found at once: two faces, each across the other's plane
+    bool cyclic_ = false;  ///< two faces are each across the other's plane
 };
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 struct Separation {
     dvec4 plane{0};
-    /// whose plane it is; none: it lies between faces and cuts nothing
-    std::optional<FacetIndex> by;
+    std::optional<FacetIndex> by;  ///< the facet of the plane; none: it lies between faces
     std::size_t cost = none;
 };
 
@@ -117,7 +116,7 @@ public:
     }
 
 private:
-    /// Pieces that become a subtree on one side of a node; of no node: the root.
+    /// Pieces that become a subtree on one side of a node; without a parent: the root.
     struct Pending {
         std::vector<TreePiece> pieces;
         std::size_t parent = no_node;
@@ -181,7 +180,7 @@ private:
         out.sides = std::move(sides);
     }
 
-    /// A plane across an axis in a gap between faces: the one that leaves most even halves.
+    /// The plane across an axis, in a gap between faces, that leaves the most even halves.
     Separation between(const std::vector<TreePiece>& pieces) {
         Separation best;
         for (int axis = 0; axis < 3; ++axis) {
@@ -209,8 +208,8 @@ private:
         return reach;
     }
 
-    /// The plane of a face that cuts few others and leaves even halves, of some faces, or where
-    /// none of these divides, of all.
+    /// The plane of a face that cuts few others and leaves even halves. Tries some faces, and all if
+    /// none of these divides.
     Separation by_a_face(const std::vector<TreePiece>& pieces) {
         Separation best;
         const std::size_t tried = std::min(tried_first, pieces.size());
@@ -235,8 +234,7 @@ private:
             best = {by, pieces[face].of, cost};
     }
 
-    /// What lies in the plane goes behind: whatever the eye, it is drawn after the far and before
-    /// the near side.
+    /// A piece in the plane goes behind it.
     void sort_in(TreePiece piece, const Separation& at, std::vector<TreePiece>& front,
                  std::vector<TreePiece>& back) {
         tree_.plane_tests += 1;
@@ -259,7 +257,7 @@ private:
     std::vector<Pending> pending_;
 };
 
-/// The cluster's sides that the eye sees. Returns the signs asked.
+/// Visits the cluster's sides that the eye sees. Returns the number of signs of D_f.
 std::uint64_t visit_cluster(const ClusterNode& cluster, const std::vector<Polygon>& polygons,
                             const dvec4& eye,
                             const std::function<void(const TreePiece&, const RankedSide&)>& visit) {

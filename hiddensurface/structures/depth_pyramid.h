@@ -1,5 +1,5 @@
-// A pyramid of depths over the window: every cell of a level has the farthest of the four below it.
-// Asks whether a rectangle is hidden without looking at its pixels. Does not project.
+// A pyramid of depths over the window: every cell of a level has the farthest depth of the four
+// below it. Tells whether a rectangle is hidden without reading its pixels. Does not project.
 #pragma once
 
 #include "gw/base/types.h"
@@ -14,11 +14,11 @@ public:
     DepthPyramid(int width, int height, std::int64_t farthest);
 
     std::int64_t at(int x, int y) const { return levels_[0].at(x, y); }
-    /// A nearer depth than was there; the levels above follow as far as they change.
+    /// Stores a nearer depth and updates the levels above.
     void set(int x, int y, std::int64_t z);
-    /// Every pixel of `rect`, which is in the window and not empty, is nearer than `nearest`. Asked
-    /// first of the lowest cell that has all of it, then of the cells below that are not nearer.
-    /// Counts cells asked.
+    /// True if every pixel of `rect`, which is in the window and not empty, is nearer than `nearest`.
+    /// Reads the lowest cell around it first, then the cells below those that are not nearer. Counts
+    /// the cells read.
     bool hides(const Rect& rect, std::int64_t nearest, std::uint64_t& compared) const;
     std::uint64_t bytes() const;
 

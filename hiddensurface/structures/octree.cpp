@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    /// 8: of more than one.
+    /// The part that has all of the polygon; 8: no single part.
     static std::size_t part_of(const Loop& loop, const dvec3& middle) {
         std::size_t part = 0;
         for (int axis = 0; axis < 3; ++axis) {
@@ -105,7 +105,7 @@ WindowBox window_box(const dvec3& low, const dvec3& high, const scene::View& vie
         y1 = std::max(y1, p.y / p.w);
         z0 = std::min(z0, p.z / p.w);
     }
-    // A pixel more on every side, and two units of depth: the snap and rounding move less.
+    // One pixel more on every side, and two units of depth: the snap and rounding move less.
     const auto pixel = [](double ndc, int size, int more) {
         return static_cast<int>(
             std::clamp(std::floor((ndc + 1) / 2 * size) + more, 0.0, double(size)));

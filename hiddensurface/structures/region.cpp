@@ -56,7 +56,7 @@ int Lines::side(std::size_t i, std::size_t j, std::size_t k) const {
     if (k == i || k == j) return 0;
     const int w = sign(cross(i, j));
     if (const int128 d = determinant(i, j, k); d != 0) return sign(d) * w;
-    // The line moved most is that of the smallest index; its c is a cross product's factor in the
+    // The line of the smallest index is moved most. Its c has a cross product as its factor in the
     // determinant.
     std::array<std::pair<std::size_t, std::int64_t>, 3> moved{
         {{i, cross(j, k)}, {j, cross(k, i)}, {k, cross(i, j)}}};
@@ -99,7 +99,7 @@ bool Lines::is_flat(const Contour& contour) const {
     });
 }
 
-/// From the corner along line j, to the side where i > 0.
+/// Counts crossings from the corner along line j, to the side of i > 0.
 bool Lines::is_inside(std::size_t i, std::size_t j, const Region& region) const {
     bool inside = false;
     for (const Contour& contour : region)
@@ -112,9 +112,9 @@ bool Lines::is_inside(std::size_t i, std::size_t j, const Region& region) const 
     return inside;
 }
 
-/// Weiler and Atherton: the two contours' crossings in order along both; the inside follows the
-/// region where it enters the clip polygon and the clip polygon where it leaves, forwards; the
-/// outside the other way about, the clip polygon backwards.
+/// Weiler and Atherton's tracing. The contours' crossings are in order along both. The inside follows
+/// the region from where it enters the clip polygon, and the clip polygon forwards from where the
+/// region leaves. The outside does the reverse, with the clip polygon backwards.
 class Clipper {
 public:
     Clipper(const Lines& lines, const Region& region, const Contour& clip)
@@ -160,7 +160,7 @@ private:
         crossings_.push_back({u, k, j, to > 0});
     }
 
-    /// a is before b where b is on the same side of a's line as the side's end.
+    /// a is before b if b is on the same side of a's line as the end of the side.
     template <class Other>
     void order(std::vector<std::size_t>& list, const Contour& contour, std::size_t k,
                const Other& other) {
@@ -232,7 +232,7 @@ private:
         if (!lines_.is_flat(contour)) region.push_back(std::move(contour));
     }
 
-    /// No contour is longer than all sides, each as often as it is crossed.
+    /// An upper bound of a contour's length: all sides, each once for each crossing.
     std::size_t limit() const {
         return 4 * (crossings_.size() + 1) *
                (crossings_.size() + clip_.size() + region_.size() + 64);

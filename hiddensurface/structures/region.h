@@ -1,8 +1,8 @@
-// Regions of the window with straight sides, and Weiler and Atherton's clipping of one by a convex
-// other. A corner is where two lines meet, and every question (which side, which first) is the sign
-// of a determinant of three lines, in integers. Where that is 0, the lines are taken as moved
-// outwards by amounts too small to matter, smaller for every next line: no corner ever lies on a
-// line, and no two sides on each other. Does not know depth.
+// Regions of the window with straight sides, and Weiler and Atherton's clipping of a region by a
+// convex contour. A corner is the point in which two lines meet. Every question about sides and
+// order is the sign of a determinant of three lines, in integers. If it is 0, the lines count as
+// moved outwards by amounts too small to matter, smaller for each next line. So no corner ever lies
+// on a line, and no side on another. Does not know depth.
 #pragma once
 
 #include "hiddensurface/model/face.h"
@@ -14,7 +14,7 @@ struct LineEquation {
     std::int64_t a = 0, b = 0, c = 0;
 };
 
-/// Sides in order, as indices of lines; corner k is where sides k and k + 1 meet. Inside is to the
+/// Sides in order, as indices of lines. Sides k and k + 1 meet in corner k. The inside is to the
 /// left.
 using Contour = std::vector<std::size_t>;
 /// Any number of parts, with holes.
@@ -24,22 +24,22 @@ class Lines {
 public:
     std::size_t add(const LineEquation& line);
     Contour add_contour(const std::vector<GridPoint>& counter_clockwise);
-    /// So much of the side where `line` > 0 that all windows are in it.
+    /// A triangle on the side of `line` > 0, large enough for all windows.
     Contour add_half_plane(const LineEquation& line);
 
     dvec2 corner(std::size_t i, std::size_t j) const;
     std::vector<dvec2> corners(const Contour& contour) const;
-    /// Sign of line k at the corner of i and j; 0 only where k is one of them.
+    /// Sign of line k at the corner of i and j; 0 only if k is one of them.
     int side(std::size_t i, std::size_t j, std::size_t k) const;
-    /// Some line of `clip` has all corners of the region on it or outside, before any is moved.
+    /// True if a line of `clip`, not moved, has all corners of the region on it or outside.
     bool separates(const Contour& clip, const Region& region) const;
 
-    /// What of the region is inside the convex `clip`, none of whose lines bounds the region, and
-    /// what is outside.
+    /// The parts of the region inside and outside the convex `clip`. No line of `clip` may bound the
+    /// region.
     std::pair<Region, Region> clip(const Region& region, const Contour& clip) const;
 
-    /// The region's pixels, as scan conversion has them: left and top sides in, right and bottom
-    /// sides out.
+    /// The region's pixels, as in scan conversion: left and top sides belong to it, right and bottom
+    /// sides do not.
     std::vector<Run> runs(const Region& region, int subpixel_bits, const Rect& window) const;
 
 private:

@@ -15,7 +15,7 @@ int top_row(std::int64_t y, int s) {
     return static_cast<int>((y - (std::int64_t{1} << (s - 1))) >> s);
 }
 
-/// Edges from the highest down: those that begin at a row are added when it is reached. [L7]
+/// Edges from the highest down, since each is added when its first row is reached. [L7]
 std::vector<EdgeWalk> sorted_edges(std::span<const GridPoint> p, int s, int highest) {
     std::vector<EdgeWalk> edges;
     for (std::size_t i = 0; i < p.size(); ++i) {

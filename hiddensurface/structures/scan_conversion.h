@@ -7,13 +7,12 @@
 
 namespace gw::hiddensurface {
 
-/// An edge walked downwards, row by row: x_{i+1} = x_i - 1/m as an integer DDA that carries the
-/// remainder, so that after any number of rows it stands exactly where the closed form does. [L7]
+/// Walks an edge downwards, row by row: x_{i+1} = x_i - 1/m as an integer DDA. It carries the
+/// remainder, so that x agrees exactly with the closed form after any number of rows. [L7]
 class EdgeWalk {
 public:
-    /// Starts at the edge's top row, or at row `highest` where that is lower. Rows are those whose
-    /// centre lies above the lower end, or level with the upper end. The ends may come in any
-    /// order.
+    /// Starts at the edge's top row, or at row `highest` if that is lower. An edge has the rows whose
+    /// centres are above its lower end and not above its upper end. The ends may come in any order.
     EdgeWalk(const GridPoint& a, const GridPoint& b, int subpixel_bits, int highest);
 
     int row() const { return row_; }
@@ -30,9 +29,9 @@ private:
     std::int64_t step_ = 0, step_remainder_ = 0;
 };
 
-/// The rows of a polygon whose corners are joined in order, between crossings 1 and 2, 3 and 4, ...
-/// of every row, from the top row down, left to right; inside `window`. Points on left and top
-/// edges belong to it, on right and bottom edges not: what the machine draws for a triangle.
+/// The runs of a polygon inside `window`, from the top row down, left to right: between crossings 1
+/// and 2, 3 and 4, ... of every row. Its corners are joined in order. Points on left and top edges
+/// belong to it, points on right and bottom edges do not, as when the machine draws a triangle.
 std::vector<Run> scan_convert(std::span<const GridPoint> corners, int subpixel_bits,
                               const Rect& window);
 

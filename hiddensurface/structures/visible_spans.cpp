@@ -15,7 +15,7 @@ struct Active {
     std::vector<EdgeWalk> edges;
 };
 
-/// Where a scan plane cuts a triangle.
+/// The pixels of a row between two edges of a triangle.
 struct Segment {
     int x0 = 0, x1 = 0;
     const Active* of = nullptr;
@@ -59,7 +59,7 @@ private:
         if (top >= 0) rows_[std::size_t(top)].push_back(std::move(a));
     }
 
-    /// The scan segments of row y, one step down for every edge.
+    /// The segments of row y; every edge takes one step down.
     std::vector<Segment> cut(int y) {
         std::erase_if(active_, [](const Active& a) {
             return std::all_of(a.edges.begin(), a.edges.end(),
@@ -110,9 +110,9 @@ private:
         return line;
     }
 
-    /// One segment nearest at both ends by more than rounding, or tied with later ones only, is
-    /// nearest in between: depths are linear. Otherwise segments cross here, and every pixel is
-    /// asked, z by increments.
+    /// A segment that is nearest at both ends by more than rounding, or tied only with later ones, is
+    /// nearest in between, because depths are linear. Otherwise segments cross here, and z is
+    /// compared at every pixel, by increments.
     void resolve(const Run& run, const std::vector<const Segment*>& over,
                  std::vector<VisibleSpan>& line) {
         counts_.spans += 1;

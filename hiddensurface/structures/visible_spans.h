@@ -1,5 +1,5 @@
-// The scan-line algorithm's heart [L6]: for every scan line the segments of the polygons, their
-// ends sorted in x, the sample spans between the ends, and the nearest segment of each. Holds one
+// The core of the scan-line algorithm [L6]. Every scan line has the segments of the polygons, their
+// ends sorted in x, the sample spans between the ends, and the nearest segment of each. Stores one
 // line at a time. Does not draw.
 #pragma once
 
@@ -16,8 +16,8 @@ struct VisibleSpan {
 
 using SpanSink = std::function<void(const std::vector<VisibleSpan>& line)>;
 
-/// Lines from the top down, each once, left to right, also empty ones left out. Agrees with a
-/// Z-buffer that keeps z < Z bit for bit: equal depths go to the polygon that comes first. Counts
+/// Calls `sink` once for each line that is not empty, from the top down; spans are left to right.
+/// Agrees bit for bit with a Z-buffer with z < Z: of equal depths the first polygon's is seen. Counts
 /// sorts, crossings, depths, spans and peak bytes.
 void for_visible_spans(const Input& input, Counts& counts, StepLog& log, const SpanSink& sink);
 

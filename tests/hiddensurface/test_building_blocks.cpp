@@ -1,7 +1,7 @@
 // Claims: the lecture's building blocks are exact: normal, view test, edges, depth. [L3, L4, L7,
 // L8]
 #include "hiddensurface/model/normal.h"
-#include "hiddensurface/model/overlap.h"
+#include "hiddensurface/model/piece.h"
 #include "hiddensurface/structures/scan_conversion.h"
 #include "tests/hiddensurface/cases.h"
 

@@ -1,7 +1,7 @@
 // Claims: without a Z plane means without one; the picture comes from the machine; counts and logs
 // are true.
 #include "gw/error.h"
-#include "hiddensurface/run/replay.h"
+#include "hiddensurface/run/steps.h"
 #include "tests/hiddensurface/cases.h"
 
 #include <gtest/gtest.h>

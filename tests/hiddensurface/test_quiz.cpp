@@ -3,9 +3,9 @@
 // malformed lists name line and expectation.
 #include "gw/error.h"
 #include "hiddensurface/model/normal.h"
-#include "hiddensurface/quiz/answer_coverage.h"
 #include "hiddensurface/quiz/fragments.h"
 #include "hiddensurface/quiz/quiz.h"
+#include "hiddensurface/run/compare.h"
 #include "tests/hiddensurface/cases.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "hiddensurface/model/depth_plane.h"
+#include "hiddensurface/model/grid.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,8 +17,7 @@ int128 divide_round_even(int128 n, int128 d) {
     return q;
 }
 
-/// Counter-clockwise, from the lowest corner (of those the leftmost): the corner that rounding
-/// starts from.
+/// The corners counter-clockwise, from the lowest (of those the leftmost): rounding starts there.
 std::array<GridPoint, 3> canonical(std::array<GridPoint, 3> p) {
     const std::int64_t area2 =
         (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
@@ -30,7 +29,7 @@ std::array<GridPoint, 3> canonical(std::array<GridPoint, 3> p) {
     return p;
 }
 
-/// A triangle's normal on the grid; n.z > 0 where it runs counter-clockwise.
+/// A triangle's normal on the grid; n.z > 0 if its corners run counter-clockwise.
 struct Normal {
     int128 x, y, z;
 };

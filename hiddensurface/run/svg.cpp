@@ -1,4 +1,4 @@
-#include "hiddensurface/run/pieces_svg.h"
+#include "hiddensurface/run/svg.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ struct Paper {
     }
 };
 
-/// All parts in one: where one is in another, it is a hole.
+/// All parts as one path: a part inside another is a hole.
 std::string outline(const std::vector<Loop>& parts, const Paper& paper, const std::string& color) {
     std::string path;
     for (const Loop& loop : parts) {
@@ -27,7 +27,7 @@ std::string outline(const std::vector<Loop>& parts, const Paper& paper, const st
         path, color);
 }
 
-/// Even ones to the right of the middle: two middles may be one point.
+/// Even numbers stand to the right of the middle, odd ones to the left: two middles may coincide.
 std::string number(const Loop& loop, const Paper& paper, std::size_t n) {
     dvec3 middle(0);
     for (const dvec3& p : loop) middle += p / double(loop.size());
@@ -35,6 +35,23 @@ std::string number(const Loop& loop, const Paper& paper, std::size_t n) {
         "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"8\" text-anchor=\"middle\" "
         "stroke=\"white\" stroke-width=\"2\" paint-order=\"stroke\">{}</text>\n",
         middle.x / paper.unit + (n % 2 == 0 ? 4 : -4), paper.height - middle.y / paper.unit, n);
+}
+
+std::string path_of(const Input& input, const Line& line, const std::vector<Part>& parts) {
+    const double unit = double(1 << input.subpixel_bits());
+    std::string path;
+    for (const auto& [from, to] : parts)
+        for (const double t : {from, to}) {
+            const dvec3 p = line.a + t * (line.b - line.a);
+            path += fmt::format("{}{:.3f},{:.3f}", t == from ? "M" : "L", p.x / unit,
+                                input.view.height - p.y / unit);
+        }
+    return path;
+}
+
+std::string layer(const std::string& path, const char* stroke) {
+    return fmt::format("<path d=\"{}\" fill=\"none\" stroke-linecap=\"round\" {}/>\n", path,
+                       stroke);
 }
 
 }  // namespace
@@ -52,11 +69,26 @@ std::string pieces_svg(const Input& input, const std::vector<Piece>& pieces,
         svg += "<g fill-opacity=\"0.8\"><title>" + id + "</title>\n";
         svg += outline(pieces[i].parts, paper, colors[pieces[i].polygon]) + "</g>\n";
     }
-    // Above all pieces, or later ones hide them; more could not be read.
+    // Numbers come after all pieces, which would hide them. More than 99 could not be read.
     constexpr std::size_t most = 99;
     for (std::size_t i = 0; i < pieces.size() && pieces.size() <= most; ++i)
         if (!pieces[i].parts.empty()) svg += number(pieces[i].parts.front(), paper, i + 1);
     return svg + "</svg>\n";
+}
+
+std::string lines_svg(const Input& input, const std::vector<Line>& lines) {
+    std::string seen, hidden;
+    for (const Line& line : lines) {
+        seen += path_of(input, line, line.visible);
+        hidden += path_of(input, line, rest_of(line.visible));
+    }
+    return fmt::format(
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{2}\" "
+               "height=\"{3}\">\n"
+               "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
+               input.view.width, input.view.height, 2 * input.view.width, 2 * input.view.height) +
+           layer(hidden, "stroke=\"#9aa4b5\" stroke-width=\"0.25\" stroke-dasharray=\"1.5 1.5\"") +
+           layer(seen, "stroke=\"black\" stroke-width=\"0.6\"") + "</svg>\n";
 }
 
 }  // namespace gw::hiddensurface
