@@ -3,8 +3,8 @@
 #include "gw/stages/vertex.h"
 #include "multipass/frame/samples.h"
 #include "scene/draw/item_buffer.h"
-#include "scene/draw/pixel_rays.h"
-#include "scene/geometry/weights.h"
+#include "scene/draw/view.h"
+#include "scene/geometry/world_triangles.h"
 
 #include <algorithm>
 #include <optional>

@@ -4,7 +4,7 @@
 #include "multipass/passes/schedule.h"
 #include "raytrace/tracer/render.h"
 #include "scene/draw/item_buffer.h"
-#include "scene/draw/pixel_rays.h"
+#include "scene/draw/view.h"
 
 #include <algorithm>
 #include <cstdlib>

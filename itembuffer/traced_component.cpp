@@ -2,7 +2,7 @@
 
 #include "gw/stages/vertex.h"
 #include "raytrace/tracer/render.h"
-#include "scene/draw/pixel_rays.h"
+#include "scene/draw/view.h"
 
 namespace gw::itembuffer {
 

@@ -2,6 +2,7 @@
 // not read files.
 #pragma once
 
+#include "gw/mesh.h"
 #include "scene/scene.h"
 
 #include <initializer_list>
@@ -49,5 +50,9 @@ private:
 /// Throws Error from `origin`, naming the nearest material, if there is none.
 const Material& find_material(std::initializer_list<const MaterialNames*> lists,
                               std::string_view name, const Origin& origin);
+
+/// Numbers the mesh's polygons (faces, segments, points) next, next + 1, ... in their order, moves
+/// `next` behind them and makes the mesh. Throws Error as make_mesh does.
+MeshRef make_numbered_mesh(MeshData data, std::uint32_t& next);
 
 }  // namespace gw::scene

@@ -2,7 +2,7 @@
 
 #include "hiddensurface/run/scan_line_renderer.h"
 #include "multipass/frame/driver.h"
-#include "scene/geometry/polygon_ids.h"
+#include "scene/scene_builder.h"
 #include "scene/toml/shape_table.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "gw/stages/texgen.h"
 #include "gw/stages/vertex.h"
-#include "scene/draw/pixel_rays.h"
+#include "scene/draw/view.h"
 
 #include <embree3/rtcore.h>
 

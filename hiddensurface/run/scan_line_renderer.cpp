@@ -7,7 +7,7 @@
 #include "hiddensurface/structures/visible_spans.h"
 #include "scene/draw/draw_commands.h"
 #include "scene/draw/shading.h"
-#include "scene/geometry/weights.h"
+#include "scene/geometry/world_triangles.h"
 
 namespace gw::hiddensurface {
 namespace {

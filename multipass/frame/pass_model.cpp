@@ -1,7 +1,7 @@
 #include "multipass/frame/pass_model.h"
 
-#include "scene/draw/components.h"
 #include "scene/draw/draw_commands.h"
+#include "scene/draw/shading.h"
 
 #include <algorithm>
 #include <map>

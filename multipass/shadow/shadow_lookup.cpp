@@ -1,6 +1,6 @@
 #include "multipass/shadow/shadow_lookup.h"
 
-#include "scene/draw/pixel_rays.h"
+#include "scene/draw/view.h"
 
 #include <glm/matrix.hpp>
 

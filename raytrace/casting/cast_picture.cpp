@@ -3,8 +3,8 @@
 #include "gw/base/parallel.h"
 #include "gw/stages/vertex.h"
 #include "raytrace/tracer/render.h"
-#include "scene/draw/pixel_rays.h"
 #include "scene/draw/shading.h"
+#include "scene/draw/view.h"
 
 namespace gw::raytrace {
 namespace {

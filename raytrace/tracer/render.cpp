@@ -4,7 +4,7 @@
 #include "gw/base/parallel.h"
 #include "gw/stages/fog.h"
 #include "gw/stages/vertex.h"
-#include "scene/draw/pixel_rays.h"
+#include "scene/draw/view.h"
 
 #include <algorithm>
 

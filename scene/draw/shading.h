@@ -1,16 +1,42 @@
-// Eq. 3 [K3s]: the sum of eq. 2 at one point, for renderers that shade pixels or rays. Does not
-// determine visibility, follow rays or cast shadows: the caller says how much light arrives.
+// The components of an object's colour [K3], and eq. 3 [K3s]: their sum at one point, for renderers
+// that shade pixels or rays. Does not determine visibility, follow rays or cast shadows: the caller
+// says how much light arrives.
 #pragma once
 
 #include "gw/material.h"
-#include "scene/draw/components.h"
 #include "scene/scene.h"
 
 #include <array>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace gw::scene {
+
+/// The components of an object's colour [K3], each with its material parameters and maps.
+enum class Component { Ambient, Diffuse, Specular, Reflection, Refraction, Emission };
+inline constexpr std::array<Component, 6> components{Component::Ambient,    Component::Diffuse,
+                                                     Component::Specular,   Component::Reflection,
+                                                     Component::Refraction, Component::Emission};
+
+/// "ambient" .. "emission": names of files and passes.
+std::string_view name_of(Component component);
+
+/// The coefficient of the component's maps: Ka, Kd, Ks, Ks again for the reflection map [K3 eq. 2],
+/// Tf, Ke.
+vec3 coefficient(const Material& material, Component component);
+
+/// The component's maps. The ambient component of a material without map_Ka has its map_Kd, as is
+/// usual [K3.1].
+std::span<const Map> maps(const Material& material, Component component);
+
+/// Whether the component can add anything. Reflection and refraction need a map; the others without
+/// a map act as if theirs were white.
+bool has_component(const Material& material, Component component);
+
+/// The one map of eq. 1 [K2], which modulates everything: the first of map_Kd, map_Ka, map_Ks,
+/// map_Ke; null if there is none.
+const Map* hardware_map(const Material& material);
 
 /// A visible point of a surface, in the space of the lights: eye space for the machine's.
 struct SurfacePoint {

@@ -1,4 +1,5 @@
-// A camera and its window: world to eye, eye to clip. All in double, without libm. Does not draw.
+// A camera and its window: world to eye, eye to clip, rays through pixels. All in double, without
+// libm. Does not draw.
 // Eye space: the eye at 0, looking along -z, y up. Clip space: GL's, -w <= x, y, z <= w.
 #pragma once
 
@@ -54,5 +55,26 @@ dmat4 frustum(double left, double right, double bottom, double top, double near_
 /// Eye to clip for a box (glOrtho).
 dmat4 ortho(double left, double right, double bottom, double top, double near_plane,
             double far_plane);
+
+/// A ray through a pixel in world space, from the near plane (t = 0) to the far plane (t = 1).
+struct PixelRay {
+    dvec3 o{0}, d{0};
+};
+
+class PixelRays {
+public:
+    explicit PixelRays(const View& view);
+
+    /// Through a window position: pixel (i, j) has its centre at (i + 1/2, j + 1/2).
+    PixelRay through(double x, double y) const;
+
+private:
+    dmat4 world_from_clip_;
+    double width_, height_;
+};
+
+/// The point of a pixel, from its corner, through which its ray of a jittered picture passes. The
+/// machine moves the scene by the jitter, so the ray moves the opposite way.
+dvec2 place_in_pixel(const JitterState& jitter, int subpixel_bits);
 
 }  // namespace gw::scene

@@ -5,7 +5,6 @@
 
 #include <glm/matrix.hpp>
 
-#include <algorithm>
 #include <limits>
 
 namespace gw::scene {

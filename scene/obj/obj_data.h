@@ -1,12 +1,18 @@
-// The statements of an OBJ file: vertices, corners, elements, before they become meshes. Plain data
-// between the steps read_obj.cpp -> normals.cpp -> obj_parts.cpp.
+// The statements of an OBJ file as plain data: vertices, corners, elements. ObjBuilder collects them
+// for read_obj.cpp, normals.cpp adds normals, make_meshes makes one mesh for each part. Does not read
+// text.
 #pragma once
 
 #include "gw/base/types.h"
 #include "gw/mesh.h"
 
 #include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace gw::scene {
@@ -50,5 +56,45 @@ struct ObjData {
     std::vector<Element> elements;
     std::vector<Part> parts;
 };
+
+/// The state set by OBJ statements (object, group, material, smoothing), and the elements added
+/// under it.
+class ObjBuilder {
+public:
+    ObjData obj;
+    std::int32_t smoothing = smooth_by_angle;
+
+    /// A new `o` ends the group before it.
+    void set_object(std::string_view name);
+    void set_group(std::string_view name);
+    void set_material(std::string_view name, int line);
+
+    /// Of the corners at the end of obj.corners: one face of them all, segments between neighbours,
+    /// or single points.
+    void add_face(std::uint32_t corners, int line);
+    void add_segments(std::uint32_t corners, int line);
+    void add_points(std::uint32_t corners, int line);
+
+private:
+    std::uint32_t part_of(Primitive primitive);
+    void add(Primitive primitive, std::size_t first, std::uint32_t count, int line);
+
+    std::string object_, group_, material_;
+    int material_line_ = 0;
+    std::map<std::tuple<std::string, std::string, Primitive>, std::uint32_t> parts_;
+    std::uint32_t part_ = 0;
+    /// of part_; absent after a statement that may change the part
+    std::optional<Primitive> part_primitive_;
+};
+
+/// Throws Error, with the element's line, for an index beyond the vertices of the file.
+void check_indices(const ObjData& obj);
+
+/// The meshes of obj.parts, in their order; polygons in the order of the file. A mesh has one vertex
+/// for each different v/vt/vn.
+std::vector<MeshData> make_meshes(const ObjData& obj);
+
+/// "v index 9 is out of range; expected 1 .. 8 or -8 .. -1", or "...; the file has no v".
+std::string index_fault(std::string_view kind, long long index, std::size_t count);
 
 }  // namespace gw::scene

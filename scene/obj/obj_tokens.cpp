@@ -1,6 +1,6 @@
 #include "scene/obj/obj_tokens.h"
 
-#include "scene/obj/obj_parts.h"
+#include "scene/obj/obj_data.h"
 #include "scene/text/number.h"
 #include "scene/text/suggest.h"
 

@@ -1,7 +1,7 @@
 // Shapes of revolution: a profile each.
 #include "gw/base/elementary.h"
 #include "scene/shapes/grid.h"
-#include "scene/shapes/revolve.h"
+#include "scene/shapes/lathe.h"
 #include "scene/shapes/shapes.h"
 
 namespace gw::scene {

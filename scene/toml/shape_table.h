@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gw/mesh.h"
+#include "scene/toml/toml_binder.h"
 
 #include <functional>
 #include <string>
@@ -32,5 +33,14 @@ struct Shape {
 
 /// All of them, by name in alphabetical order.
 const std::vector<Shape>& shapes();
+
+/// A shape that an [[object]] asks for, and the values of its parameters.
+struct TomlShape {
+    const Shape* shape = nullptr;  ///< null: the table has none
+    std::vector<double> parameters;
+};
+/// Finds the shape of the table and appends its parameters' keys, which fill in `shape`; it must
+/// not move meanwhile.
+void add_shape_keys(const TomlValue& table, std::vector<Key>& keys, TomlShape& shape);
 
 }  // namespace gw::scene

@@ -4,6 +4,7 @@
 
 #include "scene/obj/read_obj.h"
 #include "scene/scene_builder.h"
+#include "scene/toml/shape_table.h"
 #include "scene/toml/toml_sections.h"
 
 #include <deque>

@@ -1,9 +1,8 @@
-// A TOML scene and its sections: camera, lights, fog, materials, placements, shapes. docs/scenes.md
-// has every key. Objects, which read files, are in toml_objects.h.
+// A TOML scene and its sections: camera, lights, fog, materials, placements. docs/scenes.md has every
+// key. Objects, which read files, are in toml_objects.h.
 #pragma once
 
 #include "scene/read_scene.h"
-#include "scene/toml/shape_table.h"
 #include "scene/toml/toml_binder.h"
 
 namespace gw::scene {
@@ -26,14 +25,5 @@ struct Placement {
 /// Appends the four keys that fill a placement in.
 void add_placement_keys(std::vector<Key>& keys, Placement& placement);
 dmat4 world_from_object(const Placement& placement);
-
-/// A shape that an [[object]] asks for, and the values of its parameters.
-struct TomlShape {
-    const Shape* shape = nullptr;  ///< null: the table has none
-    std::vector<double> parameters;
-};
-/// Finds the shape of the table and appends its parameters' keys, which fill in `shape`; it must
-/// not move meanwhile.
-void add_shape_keys(const TomlValue& table, std::vector<Key>& keys, TomlShape& shape);
 
 }  // namespace gw::scene

@@ -2,7 +2,7 @@
 #include "multipass/shadow/shadow_lookup.h"
 #include "multipass/shadow/shadow_map.h"
 #include "scene/draw/item_buffer.h"
-#include "scene/draw/pixel_rays.h"
+#include "scene/draw/view.h"
 
 #include "tests/multipass/shadow_cases.h"
 

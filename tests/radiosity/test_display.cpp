@@ -3,7 +3,7 @@
 #include "gw/machine.h"
 #include "radiosity/display/emissive_scene.h"
 #include "scene/draw/draw_commands.h"
-#include "scene/geometry/polygon_ids.h"
+#include "scene/scene_builder.h"
 #include "scene/toml/shape_table.h"
 #include "tests/radiosity/scenes.h"
 

@@ -4,7 +4,7 @@
 #include "gw/stages/vertex.h"
 #include "raytrace/tracer/surface.h"
 #include "raytrace/tracer/world.h"
-#include "scene/geometry/polygon_ids.h"
+#include "scene/scene_builder.h"
 
 #include <cstdint>
 #include <limits>

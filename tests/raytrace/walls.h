@@ -2,8 +2,8 @@
 #pragma once
 
 #include "gw/stages/vertex.h"
-#include "scene/geometry/polygon_ids.h"
 #include "scene/scene.h"
+#include "scene/scene_builder.h"
 
 namespace gw::raytrace {
 

@@ -1,8 +1,8 @@
 // Small scenes for the tests of studies, without files.
 #pragma once
 
-#include "scene/geometry/polygon_ids.h"
 #include "scene/scene.h"
+#include "scene/scene_builder.h"
 #include "scene/toml/shape_table.h"
 
 #include <algorithm>

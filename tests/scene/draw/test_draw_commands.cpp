@@ -1,7 +1,7 @@
 // How a scene becomes draw commands.
 #include "scene/draw/draw_commands.h"
 
-#include "scene/draw/components.h"
+#include "scene/draw/shading.h"
 
 #include <gtest/gtest.h>
 
