@@ -11,7 +11,7 @@
 
 namespace gw::image {
 
-/// Starts the process with the first file, and again after a crash; ends it in the destructor.
+/// Starts the process for the first file, and again after a crash. The destructor ends it.
 class DecoderProcess {
 public:
     DecoderProcess() = default;

@@ -1,7 +1,7 @@
 #include "image/formats.h"
 
 #include "gw/error.h"
-#include "image/animation.h"
+#include "image/write.h"
 
 #include <dlfcn.h>
 

@@ -1,6 +1,6 @@
 // The calls into OpenImageIO, as one table in the module libgw_formats.so. The first caller loads
-// it, since the libraries below it take a fifth of a second. Internal to image/. PNG does not need
-// it (image/png/png.h).
+// it, since its libraries take a fifth of a second. Internal to image/. PNG does not need it
+// (image/png.h).
 #pragma once
 
 #include "image/layers.h"

@@ -1,5 +1,5 @@
-// A picture on its way to a file: the integers of the frame buffer, unchanged. Tone is an explicit
-// step. Does not read or write files.
+// A picture before it becomes a file: the integers of the frame buffer, unchanged. Tone is an
+// explicit step. Does not read or write files.
 #pragma once
 
 #include "gw/base/types.h"

@@ -1,4 +1,4 @@
-// The pixels of a picture file on their way to a texture. Internal to image/.
+// The pixels of a picture file before they become a texture. Internal to image/.
 #pragma once
 
 #include "gw/error.h"
@@ -17,7 +17,7 @@ struct Texels {
     std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>> rgba;
 };
 
-/// To be called before any pixel is read: a header may promise more than memory holds.
+/// Call it before any pixel is read: a header may promise more pixels than fit into memory.
 inline void check_sides(std::int64_t width, std::int64_t height) {
     const auto fits = [](std::int64_t side) { return side >= 1 && side <= max_texture_size; };
     if (fits(width) && fits(height)) return;

@@ -2,7 +2,7 @@
 
 #include "gw/error.h"
 #include "image/decoder_process.h"
-#include "image/png/png.h"
+#include "image/png.h"
 
 #include <map>
 

@@ -2,7 +2,7 @@
 
 #include "gw/error.h"
 #include "image/formats.h"
-#include "image/png/png.h"
+#include "image/png.h"
 
 #include <OpenImageIO/oiioversion.h>
 

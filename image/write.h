@@ -1,5 +1,6 @@
-// Pictures and planes to files, in any format that OpenImageIO writes; the extension chooses. Does
-// not change a value but for its number of bits. Files have their top row first, as formats demand.
+// Writes pictures, planes and animations to files, in any format that OpenImageIO writes; the
+// extension chooses. Changes only the number of bits of a value. Files have their top row first, as
+// formats demand.
 #pragma once
 
 #include "image/output/output_file.h"
@@ -12,8 +13,8 @@
 
 namespace gw::image {
 
-/// What is wrong with a picture's extension, with the usual ones; "" where OpenImageIO writes such
-/// files. Throws Error where OpenImageIO cannot be loaded.
+/// The fault of a picture's extension, with the usual extensions; "" if OpenImageIO writes such
+/// files. Throws Error if OpenImageIO cannot be loaded.
 std::string extension_fault(const std::filesystem::path& file);
 
 /// Writes a picture of n bits. 8 bits are unchanged if the format stores 8 or more; otherwise each
@@ -22,7 +23,7 @@ std::string extension_fault(const std::filesystem::path& file);
 /// WebP, GIF and HEIC are lossy.
 void put_picture(OutputFile& file, const Picture& picture);
 
-/// Writes a whole file. Throws Error; then there is no file, or the one that was there before.
+/// Writes a whole file. Throws Error; then the target is as it was before.
 void write_picture(const std::filesystem::path& file, const Picture& picture);
 
 /// The values of a plane, unchanged: 32-bit integers or floats, interleaved, bottom row first; one
@@ -35,6 +36,10 @@ struct Values {
 
 /// To OpenEXR (UINT or FLOAT channels), lossless.
 void put_values(OutputFile& file, const Values& values);
+
+/// Writes an animated GIF with a palette for each frame. `frames`: at least one, all of one size, 3
+/// channels of 8 bits. Throws an Error that names the target.
+void put_animation(OutputFile& file, const std::vector<Picture>& frames, float frames_per_second);
 
 /// "2.4.7.1"
 std::string library_version();

@@ -17,8 +17,8 @@ Fractions picture(const scene::Scene& scene, const Profile& profile, const Machi
     return fractions(*machine);
 }
 
-/// The converged pictures, by the number of sub-pixel bits: vertices lie on that grid, and so do
-/// samples.
+/// The converged pictures, by the number of sub-pixel bits, because vertices and samples lie on that
+/// grid.
 class Truths {
 public:
     Truths(const scene::Scene& scene, const MachineMaker& make, const ConvergenceOptions& options)
@@ -40,8 +40,8 @@ private:
     std::map<int, Fractions> pictures_;
 };
 
-/// Those before the grid has as many places as there are samples: beyond, only rounding is left.
-std::vector<dvec2> on_the_way(const std::vector<dvec2>& rms, int subpixel_bits) {
+/// The errors of fewer samples than the grid has places. With more, only rounding is left.
+std::vector<dvec2> before_saturation(const std::vector<dvec2>& rms, int subpixel_bits) {
     std::vector<dvec2> out;
     for (const dvec2& p : rms)
         if (p.x < double(1 << 2 * subpixel_bits)) out.push_back(p);
@@ -77,7 +77,7 @@ std::vector<ProfileError> convergence(scene::Scene scene, const std::vector<Prof
             error.rms.push_back(
                 {double(n), difference(picture(scene, profile, make, n, options), truth).rms});
         }
-        error.law = plot::power_law(on_the_way(error.rms, profile.subpixel_bits));
+        error.law = plot::power_law(before_saturation(error.rms, profile.subpixel_bits));
         errors.push_back(std::move(error));
     }
     return errors;

@@ -1,7 +1,7 @@
 // The error of N superposed pictures [K1, K3.3, K4a] against many more, for N = 2, 4, 8, ...
-// Theory: N random samples of an edge err like N^(-1/2); N well spread ones like N^(-1/2 - 1/(2d)),
-// d the number of dimensions that they are spread in (Mitchell 1996): N^(-3/4) for the place in the
-// pixel, N^(-5/8) where the place on the lamp varies too.
+// In theory, the error of N random samples of an edge falls like N^(-1/2). That of N samples spread
+// well in d dimensions falls like N^(-1/2 - 1/(2d)) (Mitchell 1996): N^(-3/4) if the place in the
+// pixel varies, N^(-5/8) if the place on the lamp varies too.
 #pragma once
 
 #include "scene/scene.h"
@@ -15,7 +15,7 @@
 namespace gw::study {
 
 struct ConvergenceOptions {
-    int largest = 256;     ///< N up to here, doubling from 2
+    int largest = 256;     ///< the largest N, doubling from 2
     int reference = 2048;  ///< samples of the truth: 16 bits, the profile's sub-pixel grid
     int width = 160, height = 120;
 };
@@ -25,17 +25,17 @@ struct ProfileError {
     std::vector<dvec2> rms;  ///< (N, rms in 255ths of white)
     /// distance of its converged picture from that of a 256x256 sub-pixel grid
     double grid = 0;
-    /// nearest to those of fewer samples than the sub-pixel grid has places
+    /// fitted to the errors of fewer samples than the sub-pixel grid has places
     plot::PowerLaw law;
 };
 
-/// One for each profile. `say` is told what is being drawn. Lights' and emitters' own numbers of
-/// samples do not count.
+/// An error for each profile. `say` gets the name of each picture. The lights' and emitters' own
+/// numbers of samples are ignored.
 std::vector<ProfileError> convergence(scene::Scene scene, const std::vector<Profile>& profiles,
                                       const MachineMaker& make, const ConvergenceOptions& options,
                                       const std::function<void(const std::string&)>& say);
 
-/// With the lines of random and of well spread samples; `dimensions` is d.
+/// The plot, with lines for random and for well spread samples; `dimensions` is d.
 plot::Plot convergence_plot(const std::vector<ProfileError>& errors, const std::string& title,
                             int dimensions);
 

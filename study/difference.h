@@ -1,4 +1,4 @@
-// How far two pictures are apart. Does not draw.
+// The difference of two pictures. Does not draw.
 #pragma once
 
 #include "gw/machine.h"
@@ -13,16 +13,16 @@ namespace gw::study {
 using Fractions = std::vector<double>;
 Fractions fractions(Machine& machine);
 
-/// Of `picture - truth` over all values, in 255ths of white: the levels of an 8-bit frame buffer.
+/// `picture - truth` over all values, in 255ths of white: the levels of an 8-bit frame buffer.
 struct Difference {
     double rms = 0;
     double mean = 0;     ///< above 0: the picture is brighter
-    double largest = 0;  ///< of its magnitude
+    double largest = 0;  ///< the largest magnitude
 };
-/// Both of one size, which is not 0.
+/// The pictures have one size, which is not 0.
 Difference difference(const Fractions& picture, const Fractions& truth);
 
-/// A machine of the profile with the window that is studied.
+/// Makes a machine of the profile with the study's window.
 using MachineMaker = std::function<std::unique_ptr<Machine>(const Profile&)>;
 
 }  // namespace gw::study

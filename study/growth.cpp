@@ -68,7 +68,7 @@ struct Setup {
     hs::Input input;
 };
 
-/// Processor time, the least of up to three runs, fewer where one takes long.
+/// Processor time, the least of up to three runs; long runs are not repeated.
 double seconds_of(const std::function<void()>& run) {
     double least = 1e30;
     for (int i = 0; i < 3 && (i == 0 || least < 0.05); ++i) {
@@ -170,7 +170,7 @@ public:
     Growth take() { return std::move(growth_); }
 
 private:
-    /// As much longer as the last was than the one before; noise aside.
+    /// Predicts the next time from the ratio of the last two, clamped against noise.
     static double next(const std::vector<double>& t) {
         if (t.empty()) return 0;
         if (t.size() < 2) return t.back();
@@ -229,12 +229,12 @@ Growth growth(const GrowthOptions& options, const std::function<void(const std::
 
 std::size_t moves_between(const std::vector<std::uint32_t>& before,
                           const std::vector<std::uint32_t>& after) {
-    // Equal ones (pieces of one polygon) are told apart by how many came before.
+    // Equal identifiers (pieces of one polygon) are distinguished by their number so far.
     std::map<std::pair<std::uint32_t, int>, std::size_t> place;
     std::map<std::uint32_t, int> seen;
     for (std::size_t i = 0; i < before.size(); ++i) place[{before[i], seen[before[i]]++}] = i;
     seen.clear();
-    // of the ascending sequences of each length, the least last place
+    // The least last place of the ascending sequences of each length.
     std::vector<std::size_t> ends;
     for (const std::uint32_t id : after) {
         const auto found = place.find({id, seen[id]++});

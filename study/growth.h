@@ -1,8 +1,7 @@
-// How the counters and the time of every hidden-surface and hidden-line algorithm grow: with the
-// number of polygons, with depth complexity, with resolution, and with what changes from frame to
-// frame. One parameter varies, the others stay. Hidden surfaces: triangles in all directions, some
-// through each other. Hidden lines: hills over a grid, which all of those algorithms take. Does not
-// plot.
+// The growth of every hidden-surface and hidden-line algorithm's counters and time: with the number
+// of polygons, with depth complexity, with resolution, and with the change from frame to frame. One
+// parameter varies, the others stay. Hidden surfaces: triangles in all directions, some through each
+// other. Hidden lines: hills over a grid, which all those algorithms accept. Does not plot.
 #pragma once
 
 #include "study/difference.h"
@@ -14,8 +13,8 @@
 
 namespace gw::study {
 
-/// What one algorithm counted at one place of an axis; "seconds" is the processor time of algorithm
-/// and machine, the least of up to three runs. Only counters that the algorithm has.
+/// The counters of one algorithm at one place of an axis. "seconds" is the processor time of algorithm
+/// and machine, the least of up to three runs.
 struct GrowthPoint {
     std::string axis;  ///< growth_axes()
     bool lines = false;
@@ -24,10 +23,10 @@ struct GrowthPoint {
     std::map<std::string, double> values;
 };
 
-/// An algorithm that was not asked beyond `x`: it would have taken longer than the limit.
+/// An algorithm that was stopped after `x`: the next run would have taken longer than the limit.
 struct GrowthCut {
     std::string axis, algorithm;
-    double x = 0, seconds = 0;  ///< the last asked
+    double x = 0, seconds = 0;  ///< of the last run
 };
 
 struct Growth {
@@ -41,26 +40,25 @@ struct GrowthAxis {
 };
 /// polygons, depth, resolution, frames.
 const std::vector<GrowthAxis>& growth_axes();
-/// The names of all values, in the order of the counters; "seconds" first, then what only `frames`
-/// has: "moved", polygons of the frame before that would have to be moved in its order to give this
-/// one's, and "changed", pixels that show another polygon.
+/// The names of all values: "seconds", "moved", "changed", then the counters in their order. Only
+/// `frames` has "moved", the polygons that must be moved to turn the order of the frame before into
+/// this one's, and "changed", the pixels that show another polygon.
 std::vector<std::string> growth_values(bool lines);
-/// Of the algorithms that claim to be right, in the table's order.
+/// The names of the algorithms that claim to be right, in the table's order.
 std::vector<std::string> right_algorithms();
 
 struct GrowthOptions {
-    /// seconds: where a run takes longer, or the next one would, an axis ends
-    double limit = 0.5;
-    int threads = 1;                ///< of the machine; times are sums over all
+    double limit = 0.5;             ///< seconds; a longer run, or a longer next one, ends an axis
+    int threads = 1;                ///< of the machine; times are sums over all threads
     std::string axis;               ///< of growth_axes(); empty: all
     std::vector<std::string> only;  ///< algorithms; empty: all
 };
 
-/// Every algorithm on every axis, from the smallest size up until the limit.
+/// Runs every algorithm on every axis, from the smallest size up to the limit.
 Growth growth(const GrowthOptions& options, const std::function<void(const std::string&)>& say);
 
-/// How many of `before` must be moved to give the order of `after`, as long as the longest sequence
-/// that both have in common stays.
+/// The number of elements of `before` that must be moved to give the order of `after`. The longest
+/// common sequence stays.
 std::size_t moves_between(const std::vector<std::uint32_t>& before,
                           const std::vector<std::uint32_t>& after);
 

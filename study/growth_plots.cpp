@@ -7,7 +7,7 @@
 namespace gw::study {
 namespace {
 
-/// In the order of the points.
+/// The algorithms in the order of the points.
 std::vector<std::string> algorithms_of(const Growth& growth, bool lines) {
     std::vector<std::string> names;
     for (const GrowthPoint& p : growth.points)
@@ -16,7 +16,7 @@ std::vector<std::string> algorithms_of(const Growth& growth, bool lines) {
     return names;
 }
 
-/// What is above 0: the axes are logarithmic.
+/// The points above 0, because the axes are logarithmic.
 std::vector<dvec2> points_of(const Growth& growth, const std::string& axis,
                              const std::string& algorithm, const std::string& value) {
     std::vector<dvec2> points;

@@ -7,13 +7,13 @@
 namespace gw::study {
 
 struct GrowthPlot {
-    std::string name;  ///< of the file, without its end
+    std::string name;  ///< of the file, without its extension
     std::string axis, value;
     bool lines = false;
     plot::Plot plot;
 };
-/// One for every axis and value in which something is counted, all algorithms together; surfaces
-/// and lines apart.
+/// A plot for every axis and every value above 0, with all algorithms; surfaces and lines have plots
+/// of their own.
 std::vector<GrowthPlot> growth_plots(const Growth& growth);
 
 /// value = factor axis^exponent, fitted to an algorithm's points above 0.
@@ -23,10 +23,10 @@ struct GrowthLaw {
     plot::PowerLaw law;
     std::size_t points = 0;
 };
-/// Where there are three points or more.
+/// The laws of all series of three points or more.
 std::vector<GrowthLaw> growth_laws(const Growth& growth);
 
-/// "axis,algorithm,value,x,y", a row for every number measured.
+/// "axis,algorithm,value,x,y": a row for every measured number.
 std::string growth_csv(const Growth& growth);
 /// "axis,algorithm,value,exponent,factor,points"
 std::string laws_csv(const std::vector<GrowthLaw>& laws);

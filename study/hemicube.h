@@ -12,12 +12,10 @@ namespace gw::study {
 
 /// Means over the turns of the hemicube.
 struct HemicubeError {
-    int size = 0;  ///< pixels across the hemicube
-    /// of the top, across a texel: n = R s / (2 d)
-    double pixels = 0;
-    /// error of a texel, in parts of its form factor
-    double rms_drawn = 0, rms_oversampled = 0;
-    double missed_drawn = 0, missed_oversampled = 0;  ///< share of the texels that get nothing
+    int size = 0;       ///< pixels across the hemicube
+    double pixels = 0;  ///< pixels of the top face across a texel: n = R s / (2 d)
+    double rms_drawn = 0, rms_oversampled = 0;  ///< error of a texel, as a part of its form factor
+    double missed_drawn = 0, missed_oversampled = 0;  ///< share of the texels without any pixel
 };
 std::vector<HemicubeError> hemicube_errors(const std::vector<int>& sizes, int turns,
                                            const std::function<void(const std::string&)>& say);

@@ -17,7 +17,7 @@ using scene::TomlValue;
 const std::vector<std::string> operations{"add", "compare", "multiply", "divide", "load", "store"};
 constexpr double seconds_a_month = 30.0 * 24 * 3600, megabyte = 1048576;
 
-/// A table's arrays of tables of one name.
+/// A key that is an array of tables.
 Key tables_key(const std::string& name, const std::function<void(const TomlValue&)>& read) {
     return {name, [read](const TomlValue& value) {
                 if (value.kind != scene::TomlKind::Array)
@@ -69,7 +69,7 @@ void read_recipe(const TomlValue& table, Recipes& recipes) {
         table.fail("a second recipe for '" + counters[counter] + "'; expected one");
 }
 
-/// Where two power laws between (x0, .) and (x1, .) meet.
+/// The x at which two power laws between x0 and x1 meet.
 double meeting(double x0, double x1, dvec2 costs_a, dvec2 costs_b) {
     const double before = gw::log(costs_a.x / costs_b.x), after = gw::log(costs_a.y / costs_b.y);
     const double t = before == after ? 0.5 : std::clamp(before / (before - after), 0.0, 1.0);

@@ -2,7 +2,7 @@
 // its own: info.cpp, render.cpp, ... Does not know what a subcommand does.
 #pragma once
 
-#include "image/output/input_files.h"
+#include "image/output/output_set.h"
 
 #include <functional>
 #include <stdexcept>

@@ -3,7 +3,6 @@
 #include "apps/command/table.h"
 #include "apps/hidden/pictures.h"
 #include "hiddensurface/run/svg.h"
-#include "image/animation.h"
 #include "image/write.h"
 #include "study/plot/markup.h"
 

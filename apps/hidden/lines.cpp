@@ -9,7 +9,6 @@
 #include "hiddensurface/lines/draw_lines.h"
 #include "hiddensurface/run/estimate.h"
 #include "hiddensurface/run/svg.h"
-#include "image/animation.h"
 #include "image/write.h"
 
 #include <fmt/format.h>

@@ -5,7 +5,6 @@
 #include "apps/figures/folder_index.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
-#include "image/false_color.h"
 #include "image/planes.h"
 #include "image/write.h"
 #include "inspect/replay/pixel_history.h"

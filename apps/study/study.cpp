@@ -9,11 +9,10 @@
 #include "apps/study/hidden.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
-#include "study/adding.h"
 #include "study/convergence.h"
-#include "study/distance.h"
 #include "study/growth.h"
 #include "study/hemicube.h"
+#include "study/precision.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

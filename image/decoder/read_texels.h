@@ -1,4 +1,4 @@
-// A picture file's pixels through OpenImageIO.
+// Reads a picture file's pixels through OpenImageIO.
 #pragma once
 
 #include "image/texels.h"

@@ -1,5 +1,5 @@
-// What the decoder writes for each file name (a line) that it reads: this header, then `bytes` of
-// R, G, B, A, bottom row first, or of a message.
+// The decoder's reply to each file name (a line): this header, then `bytes` of R, G, B, A, bottom row
+// first, or of a message.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ struct DecoderReply {
     std::uint64_t bytes = 0;
 };
 
-/// Of a file: processor time of the decoder, its memory, and the time until it is ended.
+/// Limits for a file: the decoder's processor time, its memory, and the time until it is killed.
 inline constexpr int decoder_seconds = 20;
 inline constexpr std::uint64_t decoder_megabytes = 1024;
 inline constexpr int decoder_patience_seconds = 60;

@@ -1,12 +1,14 @@
 #include "image/formats/encode.h"
 
 #include "gw/error.h"
-#include "image/formats/silence_stderr.h"
 
 #include <OpenImageIO/filesystem.h>
 
+#include <fcntl.h>
+#include <unistd.h>
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 
 namespace gw::image::oiio {
 namespace {
@@ -76,5 +78,30 @@ void encode(const Destination& file, const OIIO::ImageSpec& spec,
     write_samples(*output, file, name, spec, convert);
     check_readable(file, name, spec, output->format_name());
 }
+
+SilenceStderr::SilenceStderr() {
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nowhere < 0) return;
+    std::fflush(stderr);
+    kept_ = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
+    if (kept_ >= 0) ::dup2(nowhere, STDERR_FILENO);
+    ::close(nowhere);
+}
+
+SilenceStderr::~SilenceStderr() {
+    if (kept_ < 0) return;
+    std::fflush(stderr);
+    ::dup2(kept_, STDERR_FILENO);
+    ::close(kept_);
+}
+
+extern "C" __attribute__((visibility("default"))) const Formats gw_formats{
+    .format_of = format_of,
+    .put_picture = put_picture,
+    .put_values = put_values,
+    .put_animation = put_animation,
+    .put_layers = put_layers,
+    .read_layers = read_layers,
+};
 
 }  // namespace gw::image::oiio

@@ -2,8 +2,6 @@
 
 #include "gw/error.h"
 #include "image/formats/encode.h"
-#include "image/formats/module.h"
-#include "image/formats/silence_stderr.h"
 
 #include <OpenImageIO/imageio.h>
 

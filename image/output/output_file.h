@@ -1,6 +1,5 @@
-// A file that appears whole or not at all: written under a temporary name beside its target, then
-// renamed.
-// Does not know what is in it.
+// A file that appears complete or not at all: it is written under a temporary name beside its
+// target, then renamed. Does not interpret its bytes.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +9,16 @@
 
 namespace gw::image {
 
-/// Throws Error where a file of this name cannot be written: no such folder, a folder of that name,
-/// no permission. To be asked before long work.
+/// Throws Error if a file of this name cannot be written: no such folder, a folder of that name, no
+/// permission. Call it before long work.
 void check_target(const std::filesystem::path& target);
 
-/// Between construction and commit the bytes lie in `temporary()`, in the target's folder. Without
-/// a commit, on an exception and on a signal (image/output/temporaries.h) that file is removed and
-/// the target is as it was. A link is followed, also one to a file that does not exist yet. A file
-/// that is replaced keeps its owner and mode. A target that is no regular file (a device, a pipe)
-/// is written to directly. What a killed process left in the folder is removed. Throws Error
-/// "out.png: cannot be written: No space left on device".
+/// Between construction and commit the bytes are in `temporary()`, in the target's folder. Without a
+/// commit, on an exception and on a signal (image/output/temporaries.h), that file is removed and the
+/// target stays as it was. A link is followed, even to a file that does not exist yet. A replaced
+/// file keeps its owner and mode. A target that is no regular file (a device, a pipe) is written to
+/// directly. Temporary files of killed processes in the folder are removed. Throws Error "out.png:
+/// cannot be written: No space left on device".
 class OutputFile {
 public:
     explicit OutputFile(const std::filesystem::path& target);
@@ -27,9 +26,9 @@ public:
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// As the user named it.
+    /// The name that the user gave.
     const std::filesystem::path& target() const { return asked_; }
-    /// Empty where the target is written to directly.
+    /// Empty if the target is written to directly.
     const std::filesystem::path& temporary() const { return temporary_; }
     /// Absolute, links followed.
     const std::filesystem::path& real_target() const { return target_; }
@@ -49,7 +48,7 @@ private:
     int descriptor_ = -1;
 };
 
-/// A whole file at once.
+/// Writes a whole file at once.
 void write_file(const std::filesystem::path& target, std::string_view bytes);
 
 }  // namespace gw::image

@@ -1,6 +1,5 @@
-// A folder that appears whole or not at all: filled under a temporary name beside its target, then
-// renamed.
-// For more files than an OutputSet holds at a time. Does not know what is in it.
+// A folder that appears complete or not at all: it is filled under a temporary name beside its
+// target, then renamed. For more files than an OutputSet can have open. Does not write files.
 #pragma once
 
 #include <filesystem>
@@ -10,20 +9,20 @@
 
 namespace gw::image {
 
-/// Without a commit, on an exception and on a signal, the temporary folder goes away with all that
-/// is in it.
+/// Without a commit, on an exception and on a signal, the temporary folder is removed with all its
+/// files.
 class OutputFolder {
 public:
-    /// To be asked before long work. Throws Error where `target` cannot be made: its parent is
-    /// missing or cannot be written into, a file has that name, or a folder that is not empty and
-    /// holds anything but `known` names or not the first of them: an earlier folder of the same
-    /// kind is replaced at commit, others are left alone.
+    /// Construct it before long work. Throws Error if `target` cannot be created: its parent is
+    /// missing or cannot be written into, a file has that name, or a folder of another kind has it.
+    /// An earlier folder of the same kind is replaced at commit: it is empty, or has only `known`
+    /// names and the first of them.
     OutputFolder(const std::filesystem::path& target, std::vector<std::string> known);
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
 
-    /// Where to write until commit.
+    /// The folder to write into until commit.
     const std::filesystem::path& temporary() const { return temporary_; }
     void commit();
 
@@ -33,7 +32,7 @@ private:
 
     std::filesystem::path asked_, target_, temporary_;
     std::vector<std::string> known_;
-    int lock_ = -1;  ///< on the temporary folder: its process lives
+    int lock_ = -1;  ///< on the temporary folder; shows that its process lives
 };
 
 }  // namespace gw::image

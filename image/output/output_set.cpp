@@ -3,14 +3,25 @@
 #include "gw/error.h"
 #include "image/output/temporaries.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
+#include <optional>
 
 namespace gw::image {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+std::optional<std::pair<std::uint64_t, std::uint64_t>> identity(const std::filesystem::path& file) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
+    return std::pair(std::uint64_t(status.st_dev), std::uint64_t(status.st_ino));
+}
+
+}  // namespace
 
 OutputSet::~OutputSet() {
     files_.clear();
@@ -67,6 +78,17 @@ void OutputSet::commit() {
     for (const fs::path& folder : made_) forget_temporary(folder);
     files_.clear();
     made_.clear();
+}
+
+void InputFiles::add(const std::filesystem::path& file) {
+    if (const auto known = identity(file)) files_.insert(*known);
+}
+
+void InputFiles::check(const std::filesystem::path& target) const {
+    const auto known = identity(target);
+    if (known && files_.contains(*known))
+        throw Error(target.string(), 0,
+                    "cannot be written: this command reads it; expected another name");
 }
 
 }  // namespace gw::image

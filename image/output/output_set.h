@@ -1,14 +1,31 @@
-// Files that belong together: all appear at commit, none before.
-// Does not write bytes: OutputFile does.
+// The files of a run. Outputs that belong together all appear at commit, none before; none replaces
+// an input. Does not write bytes: OutputFile does.
 #pragma once
 
-#include "image/output/input_files.h"
 #include "image/output/output_file.h"
 
+#include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace gw::image {
+
+/// The files that a run reads: no output may replace one.
+class InputFiles {
+public:
+    /// Remembers the file behind this name, if it exists.
+    void add(const std::filesystem::path& file);
+
+    /// Throws Error "scene.toml: cannot be written: this command reads it; ..." if `target` is one
+    /// of the files, by any name or link.
+    void check(const std::filesystem::path& target) const;
+
+private:
+    std::set<std::pair<std::uint64_t, std::uint64_t>> files_;  ///< device, number
+};
 
 class OutputSet {
 public:
@@ -20,12 +37,12 @@ public:
     OutputSet(const OutputSet&) = delete;
     OutputSet& operator=(const OutputSet&) = delete;
 
-    /// Makes a folder unless it is there; its parent must be. Without a commit it goes away again.
+    /// Creates a folder unless it exists; its parent must exist. Without a commit it is removed again.
     void make_folder(const std::filesystem::path& folder);
-    /// To be written to before commit. Throws Error for an input and for a file that was added
-    /// before.
+    /// Adds a file, which the caller writes before commit. Throws Error for an input, and for a file
+    /// that was added before.
     OutputFile& add(const std::filesystem::path& target);
-    /// Of the files added since the last commit, in their order.
+    /// The names of the files added since the last commit, in their order.
     std::vector<std::filesystem::path> targets() const;
     void commit();
 

@@ -1,5 +1,5 @@
-// The temporary files and new folders that exist now, so that a signal can remove them; and those
-// that a killed process left. Does not create or write them: OutputFile, OutputSet and OutputFolder
+// The list of temporary files and new folders, so that a signal can remove them. Also removes those
+// that killed processes left. Does not create or write them: OutputFile, OutputSet and OutputFolder
 // do.
 #pragma once
 
@@ -7,16 +7,16 @@
 
 namespace gw::image {
 
-/// Announces a temporary file or folder before it is created. Throws Error when there are more than
+/// Announces a temporary file or folder before it is created. Throws Error if there are more than
 /// 1024, about as many as a process may keep open.
 void register_temporary(const std::filesystem::path& name);
-/// The same of a folder that goes away with all that is in it.
+/// The same for a folder that is removed with all its files.
 void register_temporary_tree(const std::filesystem::path& name);
-/// Removes from a folder the temporary files and folders of processes that are gone: killed, or cut
-/// off with the machine. Once per folder and process. Files of other users stay, and files that a
-/// process locks which is not seen from here, as in another container.
+/// Removes from a folder the temporary files and folders of processes that no longer exist. Works
+/// once for each folder and process. Files of other users stay. So do files that another process
+/// locks, even one in another container, which is invisible from here.
 void remove_stale_temporaries(const std::filesystem::path& folder);
-/// Forgets it, after it was renamed, removed or committed.
+/// Forgets a file or folder, after it was renamed, removed or committed.
 void forget_temporary(const std::filesystem::path& name);
 
 /// From now on SIGINT, SIGTERM and SIGHUP remove the temporary files, trees and empty folders and

@@ -1,7 +1,6 @@
 #include "inspect/report/pass_pictures.h"
 
 #include "gw/base/arithmetic.h"
-#include "image/false_color.h"
 #include "image/picture.h"
 #include "image/planes.h"
 #include "inspect/compare/plane_values.h"

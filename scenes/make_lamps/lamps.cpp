@@ -1,5 +1,5 @@
-// Metres: ten bays of 2.6, an arcade below, four floors above, a square with lanterns and a
-// fountain before it.
+// All lengths are in metres: ten bays of 2.6, an arcade below, four floors above, a square with
+// lanterns and a fountain before it.
 #include "scenes/make_lamps/lamps.h"
 
 #include <fmt/format.h>
@@ -83,11 +83,11 @@ struct Lamp {
     const char* kind;  ///< its name begins with it
     double x, y, z;
     bool cold = false, shadow = false;
-    double strength = 1, reach = 1;  ///< metres to a fifth of the strength
+    double strength = 1, reach = 1;  ///< reach: metres to a fifth of the strength
     double radius = 0.1;
 };
 
-/// The globe that is seen, and the light a little below it, so that its shadow goes upwards.
+/// The visible globe, and the light slightly below it, so that its shadow goes upwards.
 std::string lamp(const Lamp& l, int number) {
     const std::string name = fmt::format("{} {}", l.kind, number);
     const double r = l.cold ? 0.5 : 1, g = l.cold ? 0.75 : 0.68, b = l.cold ? 1 : 0.32;
@@ -212,7 +212,7 @@ std::string building() {
     int number = 0;
     std::string text = head + building_walls() + windows() + columns() + square();
     const std::string fountain = fountain_lamps(number), square_lanterns = lanterns(number),
-                      house = house_lamps(number);  // numbered in this order, whatever the compiler
+                      house = house_lamps(number);  // numbered in this order by every compiler
     return text + house + square_lanterns + fountain;
 }
 

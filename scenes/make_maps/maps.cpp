@@ -1,7 +1,6 @@
 #include "scenes/make_maps/maps.h"
 
 #include "scenes/make_maps/materials.h"
-#include "scenes/make_maps/studio.h"
 
 namespace gw::maps {
 

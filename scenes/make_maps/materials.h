@@ -6,8 +6,8 @@
 
 namespace gw::maps {
 
-/// Red lacquer, a little uneven. Has hardly any green or blue, so that everything it modulates
-/// turns red [K2].
+/// Red lacquer, slightly uneven. Has hardly any green or blue, so that it turns every colour it
+/// modulates red [K2].
 Color red(dvec2 st);
 
 /// Green marble with light veins, and its gloss: 1 on the polished ground, dark in the dull veins
@@ -29,5 +29,13 @@ Color brick(dvec2 st);
 
 /// Speckled granite.
 Color granite(dvec2 st);
+
+/// GL's sphere map of a photographer's studio [K3]: s, t is the direction of the ball's normal, as
+/// the eye sees it. Dark, with a soft box above, a window with bars to the left, a row of lamps to
+/// the right, a floor.
+Color studio(dvec2 st);
+
+/// The same of a landscape: sky, sun behind the eye's left shoulder, hills, ground.
+Color landscape(dvec2 st);
 
 }  // namespace gw::maps

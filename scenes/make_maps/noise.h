@@ -7,7 +7,7 @@
 
 namespace gw::maps {
 
-/// 32 well mixed bits of two integers and a seed.
+/// 32 well-mixed bits of two integers and a seed.
 std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t seed);
 
 /// The same as a number in [0, 1).

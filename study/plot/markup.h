@@ -1,4 +1,4 @@
-// Text on its way into a page or a drawing: HTML and SVG. Does not write either.
+// Escapes text for HTML and SVG. Does not write either.
 #pragma once
 
 #include <string>
@@ -6,8 +6,7 @@
 
 namespace gw::plot {
 
-/// As it is read, whatever it says: in the text of an element or in an attribute in double or
-/// single quotes.
+/// The text for an element, or for an attribute in double or single quotes. It reads back unchanged.
 std::string escaped(std::string_view text);
 
 }  // namespace gw::plot

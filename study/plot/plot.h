@@ -15,7 +15,7 @@ struct Series {
     std::string name;  ///< in the legend, and the column's name
     std::vector<dvec2> points;
     bool line = true, markers = true;
-    bool dashed = false;  ///< what theory says, beside what was measured
+    bool dashed = false;  ///< for theory beside measurements
 };
 
 struct Axis {
@@ -26,22 +26,20 @@ struct Axis {
 struct Plot {
     std::string title;
     std::string caption;  ///< below the plot, in lines of its own
-    std::string command;  ///< what makes the plot, below the caption
+    std::string command;  ///< the command that makes the plot, below the caption
     Axis x, y;
     std::vector<Series> series;
 };
 
-/// The plot, 720 pixels wide. A point's values appear where the pointer rests on its marker. Throws
-/// Error where there is no point, a coordinate is not finite, or is not above 0 on a logarithmic
-/// axis.
+/// The plot, 720 pixels wide. A point's values appear when the pointer rests on its marker. Throws
+/// Error if there is no point, a coordinate is not finite, or not above 0 on a logarithmic axis.
 std::string svg(const Plot& plot);
 
-/// "x,series 1,series 2": a row for every x that occurs, ascending, a field empty where a series
-/// has no such point. Numbers read back as the same doubles.
+/// "x,series 1,series 2": a row for every x, ascending. A field is empty if its series has no such
+/// point. Numbers read back as the same doubles.
 std::string csv(const Plot& plot);
 
-/// The law y = factor x^exponent that is nearest to the points, by least squares of log y over log
-/// x.
+/// The law y = factor x^exponent fitted to points, by least squares of log y over log x.
 struct PowerLaw {
     double factor = 0, exponent = 0;
     double operator()(double x) const;

@@ -32,8 +32,8 @@ double round_step(double least) {
 
 Scale linear(double low, double high) {
     if (low == high) {
-        const double room = low == 0 ? 1 : std::abs(low) / 2;
-        return linear(low - room, high + room);
+        const double margin = low == 0 ? 1 : std::abs(low) / 2;
+        return linear(low - margin, high + margin);
     }
     constexpr double most_ticks = 7;
     const double step = round_step((high - low) / most_ticks);

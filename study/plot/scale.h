@@ -1,4 +1,4 @@
-// An axis as numbers: the interval it shows, where a value lies in it, and its ticks.
+// An axis as numbers: its interval, its ticks, and the place of a value.
 #pragma once
 
 #include "study/plot/plot.h"
@@ -11,15 +11,15 @@ struct Tick {
 };
 
 struct Scale {
-    double low = 0, high = 1;  ///< of what is placed: the value, or its logarithm
+    double low = 0, high = 1;  ///< of the values, or of their logarithms
     int log = 0;
     std::vector<Tick> ticks;
 
-    /// 0 at the axis' beginning, 1 at its end.
+    /// The place of a value: 0 at the axis' beginning, 1 at its end.
     double place(double value) const;
 };
 
-/// The scale that shows all values, ends at ticks included. Throws Error as svg does.
+/// The scale for all values, whose ends are ticks. Throws Error as svg does.
 Scale make_scale(const Axis& axis, const std::vector<double>& values);
 
 }  // namespace gw::plot

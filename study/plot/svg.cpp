@@ -1,4 +1,4 @@
-// A plot drawn: frame with ticks, lines and markers, legend, title, caption.
+// Draws a plot: frame with ticks, lines and markers, legend, title, caption.
 #include "gw/error.h"
 #include "study/plot/markup.h"
 #include "study/plot/scale.h"
@@ -13,12 +13,12 @@ namespace {
 constexpr double width = 720, left = 76, right = 500, top = 40, bottom = 380, line_height = 17;
 constexpr std::size_t caption_columns = 104;
 
-/// Okabe, Ito: told apart by most colour-blind readers.
+/// Okabe, Ito: most colour-blind readers can distinguish them.
 constexpr const char* colors[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                   "#e69f00", "#56b4e9", "#000000"};
 constexpr std::size_t color_count = std::size(colors);
 
-/// Around (0, 0), another for each series.
+/// Markers around (0, 0), a different one for each series.
 constexpr const char* shapes[] = {"M-3.5,0a3.5,3.5 0 1,0 7,0a3.5,3.5 0 1,0 -7,0",
                                   "M-3,-3h6v6h-6z",
                                   "M0,-4L4,3H-4z",
@@ -27,7 +27,7 @@ constexpr const char* shapes[] = {"M-3.5,0a3.5,3.5 0 1,0 7,0a3.5,3.5 0 1,0 -7,0"
                                   "M-3,-3L3,3M-3,3L3,-3",
                                   "M0,-4V4M-4,0H4"};
 
-/// Broken at blanks.
+/// The text in lines, broken at blanks.
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
     for (std::size_t at = 0; at < text.size();) {
@@ -105,7 +105,7 @@ std::string stroke_of(const Series& series, std::size_t index) {
 }
 
 std::string marker(double x, double y, std::size_t index, const std::string& title) {
-    // Beyond as many series as colours the same colour has another shape.
+    // With more series than colours, a repeated colour has another shape.
     const std::size_t shape = (index + index / color_count) % std::size(shapes);
     const char* color = colors[index % color_count];
     return fmt::format(

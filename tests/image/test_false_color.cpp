@@ -1,5 +1,5 @@
 // Claims: false colours tell the values of depth, stencil, identifiers and accumulation apart.
-#include "image/false_color.h"
+#include "image/planes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 // What docs/precision.md says of adding passes and of the distance between renderers.
-#include "study/adding.h"
-#include "study/distance.h"
+#include "study/precision.h"
 #include "tests/study/study_scenes.h"
 
 #include <gtest/gtest.h>

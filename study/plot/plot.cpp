@@ -1,5 +1,8 @@
 #include "study/plot/plot.h"
 
+#include "gw/base/elementary.h"
+#include "gw/error.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +11,7 @@
 namespace gw::plot {
 namespace {
 
-/// A name may hold anything but is one field.
+/// A name with any characters as one field.
 std::string field(const std::string& text) {
     if (text.find_first_of(",\"\n") == text.npos) return text;
     std::string out = "\"";
@@ -36,6 +39,27 @@ std::string csv(const Plot& plot) {
         out += "\n";
     }
     return out;
+}
+
+double PowerLaw::operator()(double x) const { return factor * gw::pow(x, exponent); }
+
+PowerLaw power_law(const std::vector<dvec2>& points) {
+    dvec2 mean(0);
+    std::vector<dvec2> logs;
+    for (const dvec2& p : points) {
+        if (!(p.x > 0 && p.y > 0))
+            throw Error("a power law: a coordinate is not above 0; expected points above 0");
+        logs.push_back({gw::log(p.x), gw::log(p.y)});
+        mean += logs.back() / double(points.size());
+    }
+    double xx = 0, xy = 0;
+    for (const dvec2& p : logs) {
+        xx += (p.x - mean.x) * (p.x - mean.x);
+        xy += (p.x - mean.x) * (p.y - mean.y);
+    }
+    if (!(xx > 0)) throw Error("a power law: fewer than two different x; expected two or more");
+    const double exponent = xy / xx;
+    return {gw::exp(mean.y - exponent * mean.x), exponent};
 }
 
 }  // namespace gw::plot
