@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* program = "gw-decode";
 
-/// The folders where this part of the program searches for its libraries: the module of formats
+/// The folders in which this part of the program searches for its libraries: the module of formats
 /// and the decoder are in one of them.
 std::vector<std::filesystem::path> library_folders() {
     Dl_info self{};

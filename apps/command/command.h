@@ -20,7 +20,7 @@ class CommandRecorder;
 
 enum ExitCode { Done = 0, Failed = 1, Usage = 2, Differs = 3 };
 
-/// The command line is wrong, whatever the files hold: exit code 2. Readers and writers throw
+/// The command line is wrong, independent of any file: exit code 2. Readers and writers throw
 /// gw::Error, exit code 1.
 class UsageError : public std::runtime_error {
 public:

@@ -38,7 +38,7 @@ std::string value_cases(const std::vector<DescribedCommand>& commands) {
     return lines;
 }
 
-/// "text" with what zsh reads in a specification taken care of.
+/// The first line of the text, escaped for a specification of zsh.
 std::string zsh_text(const std::string& text) {
     std::string result;
     for (const char c : text.substr(0, text.find('\n'))) {
@@ -124,8 +124,6 @@ case $command in
 )",
                        list, cases);
 }
-
-// gw(1): what --help says of every command, as a man page.
 
 /// Text that roff reads as it stands: no escapes, and no line that looks like a request.
 std::string roff(const std::string& text) {

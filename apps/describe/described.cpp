@@ -21,7 +21,7 @@ std::vector<std::string> algorithm_names() {
     return names;
 }
 
-/// What an option of this name takes in every command that has it.
+/// The values of an option of this name, which are the same in every command.
 std::vector<std::string> values_of(const std::string& option) {
     if (option == "--machine") return {"fast", "reference"};
     if (option == "--profile") return profile_names();

@@ -1,5 +1,4 @@
-// The commands and options of gw as plain data, for whatever describes them. Reads what CLI11 was
-// told.
+// The commands and options of gw as plain data, read from CLI11, for every form of description.
 #pragma once
 
 #include "apps/command/command.h"
@@ -14,7 +13,7 @@ struct DescribedOption {
     std::string type;                ///< "IMAGE"; "" of a flag
     std::string about;
     bool positional = false;
-    std::vector<std::string> values;  ///< the words it takes, where they are few and known
+    std::vector<std::string> values;  ///< the words it takes, if they are few and known
 };
 
 struct DescribedCommand {

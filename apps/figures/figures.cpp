@@ -23,8 +23,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A figure as an entry of its folder's index: pictures, commands, what these counted. Does not
-// draw.
 /// A panel as it ran.
 struct RanPanel {
     const Panel* panel = nullptr;

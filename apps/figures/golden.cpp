@@ -84,9 +84,9 @@ std::vector<inspect::Recording> run_panel(const Panel& panel, const Profile& pro
 }
 
 /// Panel `index` from 0, on these profiles. 96 x 72 pixels; radiosity: two shots of small
-/// hemicubes. A panel that superposes does it at most twice where the scene does not ask for more.
-/// What does not depend on the profile asked for (a study's machines, hemicubes) comes with the
-/// first of all profiles.
+/// hemicubes. A panel that superposes does it at most twice, unless the scene asks for more.
+/// Recordings that do not depend on the profile (a study's machines, hemicubes) come with the first
+/// profile.
 std::vector<GoldenRecording> run_golden_panel(const Figure& figure, std::size_t index,
                                               const std::vector<Profile>& profiles) {
     const Panel& panel = figure.panels[index];

@@ -122,7 +122,7 @@ void add_display(CLI::App& command, RadiosityOptions& o) {
     command.add_flag("--no-ambient", o.no_ambient, "Do not show the estimate of unshot light");
     command.add_flag(
         "--specular", o.specular,
-        "Add the specular and reflection passes, and rays where a material asks for them");
+        "Add the specular and reflection passes, and rays for materials that ask for them");
     add_number(command, "--exposure", o.exposure, -32, 32, "STOPS",
                "Radiosity times 2^STOPS (default 0)");
     add_number(command, "--gamma", o.gamma, 0.1, 10, "G", "The picture as v^(1/G) (default 1)");

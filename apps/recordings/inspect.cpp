@@ -65,7 +65,7 @@ void add_choices(CLI::App& command, InspectOptions& options) {
 }
 
 void add_options(CLI::App& command, InspectOptions& options) {
-    command.add_option("RECORDING", options.recording, "What gw record wrote")
+    command.add_option("RECORDING", options.recording, "A recording by gw record")
         ->required()
         ->type_name("FILE.gwt");
     command

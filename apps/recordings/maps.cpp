@@ -97,7 +97,7 @@ Command add_maps(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "maps", "Overdraw, depth complexity and why fragments died, as pictures");
     const auto options = std::make_shared<MapsOptions>();
-    command->add_option("RECORDING", options->recording, "What gw record wrote")
+    command->add_option("RECORDING", options->recording, "A recording by gw record")
         ->required()
         ->type_name("FILE.gwt");
     command

@@ -21,7 +21,7 @@ struct PixelOptions {
 };
 
 void add_options(CLI::App& command, PixelOptions& options) {
-    command.add_option("RECORDING", options.recording, "What gw record wrote")
+    command.add_option("RECORDING", options.recording, "A recording by gw record")
         ->required()
         ->type_name("FILE.gwt");
     const auto coordinate = [&](const char* name, int& to, const char* help) {

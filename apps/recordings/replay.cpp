@@ -26,7 +26,7 @@ struct ReplayOptions {
 };
 
 void add_options(CLI::App& command, ReplayOptions& options) {
-    command.add_option("RECORDING", options.recording, "What gw record wrote")
+    command.add_option("RECORDING", options.recording, "A recording by gw record")
         ->required()
         ->type_name("FILE.gwt");
     command.add_option("-o,--output", options.picture, "The colour plane at the end, as a picture")

@@ -19,12 +19,12 @@ struct VerifyOptions {
 };
 
 void add_options(CLI::App& command, VerifyOptions& options) {
-    command.add_option("RECORDING", options.recording, "What gw record wrote")
+    command.add_option("RECORDING", options.recording, "A recording by gw record")
         ->required()
         ->type_name("FILE.gwt");
     command
         .add_option("MANIFEST", options.manifest,
-                    "What gw record --manifest or gw render --manifest wrote")
+                    "A manifest by gw record --manifest or gw render --manifest")
         ->required()
         ->type_name("FILE.json");
     add_machine_options(command, options.machine);

@@ -115,7 +115,7 @@ int compare(const CompareOptions& options, Session& session) {
 
 Command add_compare(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
-        "compare", "Item buffer and ordinary ray tracing: what differs, and why");
+        "compare", "The differences of item buffer and ordinary ray tracing, and their reasons");
     const auto options = std::make_shared<CompareOptions>();
     add_picture_options(*command, options->picture);
     for (const char* unused :

@@ -57,8 +57,8 @@ void add_machine_options(CLI::App& command, PictureOptions& options) {
             [&](const std::string& word) {
                 options.samples = whole_number_from("--samples", word, 1, 32768);
             },
-            "Pictures superposed against jagged edges (default 1; beyond what the accumulation "
-            "buffer holds, in groups)")
+            "Pictures superposed against jagged edges (default 1; in groups if the accumulation "
+            "buffer cannot hold them all)")
         ->type_name("N");
     command
         .add_option("--profile", options.profile,

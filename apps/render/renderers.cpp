@@ -83,7 +83,7 @@ const std::vector<Renderer>& renderers() {
          {"translucency", "fog", "glare", "reflection_in_shadow = false"}},
         {"raytrace", "the ordinary ray tracer", draw_rays, {}, {"glare"}},
         {"adaptive",
-         "one item buffer, and more rays only where its neighbours differ",
+         "one item buffer, and more rays only at pixels that differ from their neighbours",
          draw_adaptive,
          {},
          {"translucency", "glare"}},

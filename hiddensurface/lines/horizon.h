@@ -1,5 +1,4 @@
-// A horizon: the highest (or lowest) v so far over u, linear in pieces. Does not know where lines
-// come from.
+// A horizon: the highest (or lowest) v so far over u, linear in pieces. Does not project lines.
 #pragma once
 
 #include "hiddensurface/lines/line_algorithm.h"

@@ -123,7 +123,7 @@ std::optional<Question> ask_pieces(QuizRandom& random) {
     q.kind = "pieces";
     q.text =
         "Newell, Newell and Sancha's algorithm draws these three triangles, cutting one by the plane of "
-        "another only where neither "
+        "another only if neither "
         "may be drawn first. How many pieces does it draw? Answer with a number.";
     q.answer = std::to_string(newell.pieces.size());
     q.why = fmt::format("Cuts of the 3 triangles: {}.", newell.counts.splits);

@@ -43,7 +43,7 @@ void check_readable(const Destination& file, const std::string& name, const OIIO
         input && input->open(name, found) && found.width == spec.width &&
         found.height == spec.height && found.nchannels <= 4 &&
         input->read_scanline(found.y + found.height - 1, 0, OIIO::TypeFloat, row.data());
-    if (!whole) refuse(file, "the disk may be full; what was written cannot be read back");
+    if (!whole) refuse(file, "the disk may be full; the written file cannot be read back");
 }
 
 }  // namespace

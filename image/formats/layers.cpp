@@ -142,7 +142,7 @@ void put_layers(const Destination& file, const Layers& layers) {
         if (read_layers(file.temporary, true) == layers) return;
     } catch (const Error&) {
     }
-    refuse_target("the disk may be full; what was written cannot be read back");
+    refuse_target("the disk may be full; the written file cannot be read back");
 }
 
 }  // namespace gw::image::oiio

@@ -27,7 +27,7 @@ fs::path folder_of(const fs::path& file) {
     throw Error(target.string(), 0, "cannot be written: " + std::string(why));
 }
 
-/// Absolute; links followed, also one whose own target does not exist.
+/// The absolute name with links followed, even one to a target that does not exist.
 fs::path follow_links(const fs::path& target) {
     constexpr int most_links = 40;
     fs::path at = target;
@@ -90,7 +90,7 @@ OutputFile::OutputFile(const fs::path& target) : asked_(target) {
     }
 }
 
-/// Readable by nobody else until commit where it replaces a file, whose mode may be as strict.
+/// If it replaces a file, whose mode may be strict, nobody else can read it until commit.
 void OutputFile::open_temporary() {
     const fs::path folder = folder_of(target_);
     remove_stale_temporaries(folder);

@@ -102,7 +102,7 @@ std::error_code OutputFolder::put_in_place() const {
     check_replaceable();
 #ifdef RENAME_EXCHANGE
     if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0)
-        return {};  // at no time is there neither
+        return {};  // one of the two exists at any time
     if (errno == ENOENT) return std::make_error_code(std::errc::no_such_file_or_directory);
 #endif
     const fs::path old = unused_name(target_.parent_path());
@@ -126,7 +126,7 @@ void OutputFolder::commit() {
         error = put_in_place();
     if (error) refuse_folder(asked_, "cannot be made: " + error.message());
     std::error_code ignored;
-    fs::remove_all(temporary_, ignored);  // where the earlier one is now, if there was one
+    fs::remove_all(temporary_, ignored);  // the earlier folder, if there was one
     forget_temporary(temporary_);
     temporary_.clear();
 }

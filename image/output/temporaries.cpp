@@ -40,7 +40,7 @@ void remove_tree(const char* path) {
 }
 
 extern "C" void remove_and_die(int signal) {
-    for (auto remove : {::unlink, ::rmdir}) {  // each leaves what the other is for
+    for (auto remove : {::unlink, ::rmdir}) {  // one for files, one for folders
         for (const std::atomic<char*>& name : names) {
             if (const char* path = name.load()) remove(path);
         }

@@ -11,7 +11,7 @@ namespace gw::scene {
 /// faces with a common side have bit-equal points on it. The mesh must not have polygon_ids.
 MeshData divide(MeshData mesh, int pieces);
 
-/// How many triangles divide would make; other faces of n corners count as n - 2.
+/// The number of triangles that divide would make; other faces of n corners count as n - 2.
 double divided_triangles(const MeshData& mesh, int pieces);
 
 }  // namespace gw::scene

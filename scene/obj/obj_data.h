@@ -44,7 +44,7 @@ struct Part {
     std::string material;  ///< `usemtl`; empty: none
     int material_line = 0;
     Primitive primitive = Primitive::Polygons;  ///< Polygons, Lines or Points
-    std::uint32_t elements = 0, corners = 0;    ///< how many
+    std::uint32_t elements = 0, corners = 0;    ///< their numbers
 };
 
 struct ObjData {

@@ -96,7 +96,7 @@ private:
         build_.obj.normals.emplace_back(n[0], n[1], n[2]);
     }
 
-    // Appends the statement's corners; returns how many.
+    // Appends the statement's corners; returns their number.
     std::uint32_t corners(std::uint32_t least) {
         std::uint32_t count = 0;
         std::string_view rest = in_.rest();

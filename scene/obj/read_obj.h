@@ -13,9 +13,9 @@
 namespace gw::scene {
 
 struct ObjOptions {
-    /// Degrees. If given, faces without normals are smoothed by this angle, whatever the `s`
-    /// statements say. If absent, `s` statements are honoured, and faces before any of them are
-    /// smoothed by 60 degrees.
+    /// Degrees. If given, faces without normals are smoothed by this angle, in spite of `s`
+    /// statements. If absent, `s` statements are honoured, and faces before any of them are smoothed
+    /// by 60 degrees.
     std::optional<double> crease;
 };
 

@@ -1,4 +1,4 @@
-// Numbers in text: the float32 nearest to the decimal, whatever the locale. Does not skip blanks.
+// Numbers in text: the float32 nearest to the decimal, in any locale. Does not skip blanks.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Warnings: what the readers of a scene understood but do not honour, and which files they read.
-// Never an error; never silent either.
+// Warnings about statements that a scene's readers understand but do not honour, and the names of
+// the files they read. A warning is never an error, and never silent.
 #pragma once
 
 #include "gw/error.h"

@@ -26,7 +26,7 @@ struct Shape {
     std::vector<ShapeParameter> parameters;
     /// Both take one value for each parameter, in order.
     std::function<MeshData(const std::vector<double>& values)> make;
-    /// How many triangles `make` would give, or a few more.
+    /// The number of triangles that `make` would give, or a few more.
     std::function<double(const std::vector<double>& values)> triangles;
     bool is_flat = false;  ///< of quads, which scene/geometry/divide.h divides
 };

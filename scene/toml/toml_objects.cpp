@@ -66,7 +66,7 @@ PixmapChoice to_pixmap(const TomlValue& table) {
     if (table.find("emission")) pixmap.emission = emission;
     if (!pixmap.name.empty() && !pixmap.given_st)
         table.fail("pixmap '" + printable(pixmap.name) +
-                   "' has automatic ST; expected st = \"texcoords\" where a pixmap has a name");
+                   "' has automatic ST; expected st = \"texcoords\" for a pixmap with a name");
     if (pixmap.width == 0 && pixmap.given_st)
         table.fail("pixmap has no size; expected size = [width, height] beside st = \"texcoords\"");
     if (pixmap.width != 0 && pixmap.texels_per_unit != 0)

@@ -37,10 +37,10 @@ struct TomlValue {
 /// "a string", "a table", ...
 std::string_view kind_text(TomlKind kind);
 
-/// `name` stands for the file in messages. Throws Error where the text is not TOML.
+/// `name` stands for the file in messages. Throws Error if the text is not TOML.
 TomlValue read_toml_text(const std::string& text, const std::filesystem::path& name);
 
-/// Throws Error where read_text does and where the text is not TOML.
+/// Throws Error as read_text does, and if the text is not TOML.
 TomlValue read_toml_file(const std::filesystem::path& path);
 
 /// A file whose tables [[ARRAY]] are read a few at a time: toml++ takes a kilobyte for a table of
