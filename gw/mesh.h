@@ -39,12 +39,12 @@ struct MeshData {
     std::vector<std::uint32_t> polygon_ids;
     /// The fourth coordinate of each position, of any sign. Empty: 1
     std::vector<float> w;
-    /// r, q of the texture coordinates. Empty: (0,1) where there are texcoords
+    /// r, q of the texture coordinates. Empty: (0,1) if there are texcoords
     std::vector<vec2> texcoords_rq;
-    /// Triangles, Quads, Polygons: 0 where the side from this vertex to the next is no edge of the
-    /// outline. Empty: all are
+    /// Triangles, Quads, Polygons: 0 if the side from this vertex to the next is no edge of the
+    /// outline. Empty: all sides are edges
     std::vector<std::uint8_t> edge_flags;
-    /// Materials that change from vertex to vertex, and the place in them of each vertex's. Empty:
+    /// Materials that change from vertex to vertex, and the index of each vertex's material. Empty:
     /// the draw's
     std::vector<FaceMaterials> materials;
     std::vector<std::uint32_t> material_indices;

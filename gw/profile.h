@@ -51,7 +51,7 @@ Profile reality();
 /// More bits and all extensions.
 Profile ideal();
 
-/// OpenGL 1.1's: all that version 1.1 asks for, and common extensions of its time.
+/// All features of OpenGL 1.1, and common extensions of its time.
 Profile opengl();
 
 /// An extension's name and place.

@@ -98,8 +98,8 @@ struct LineStippleState {
     bool operator==(const LineStippleState&) const = default;
 };
 
-/// Extension stipple: filled polygons make fragments at pixels x, y of the window only where bit
-/// 31 - x mod 32 of row y mod 32 is set. Null: everywhere.
+/// Extension stipple: filled polygons make fragments at pixel x, y of the window only if bit
+/// 31 - x mod 32 of row y mod 32 is set. Null: at all pixels.
 struct PolygonStippleState {
     std::shared_ptr<const std::array<std::uint32_t, 32>> pattern;
     bool operator==(const PolygonStippleState& other) const {
@@ -254,7 +254,8 @@ struct DepthState {
     bool operator==(const DepthState&) const = default;
 };
 
-/// How blending joins the two products. Min and Max join the colours themselves, without factors.
+/// The combination of the two products in blending. Min and Max combine the colours, without
+/// factors.
 enum class BlendEquation : std::uint8_t {
     Add,
     Subtract,         ///< extension blend_subtract: source - destination
@@ -275,7 +276,7 @@ constexpr bool adds_colors(const BlendState& b) {
            b.equation == BlendEquation::Add;
 }
 
-/// glLogicOp's operations in GL's order. Bit 0 of the value is the result's bit where both bits are
+/// glLogicOp's operations in GL's order. Bit 0 of the value is the result's bit if both bits are
 /// set; bit 1: only the fragment's; bit 2: only the stored one; bit 3: neither.
 enum class LogicOp : std::uint8_t {
     Clear,
@@ -295,8 +296,8 @@ enum class LogicOp : std::uint8_t {
     Nand,
     Set
 };
-/// Extension logic_op: joins the bits of the fragment's colour with those of the plane. Blending is
-/// off where it is enabled.
+/// Extension logic_op: combines the bits of the fragment's colour with those of the plane. If it is
+/// enabled, blending is off.
 struct LogicOpState {
     bool enable = false;
     LogicOp op = LogicOp::Copy;
@@ -317,7 +318,7 @@ struct State {
     std::array<ClipPlane, max_clip_planes> clip_planes{};
     CullState cull;
     PolygonMode polygon_mode = PolygonMode::Fill;
-    /// extension two_sided_polygon_mode: back faces have a mode of their own
+    /// extension two_sided_polygon_mode: back faces have their own mode
     bool two_side_polygon_mode = false;
     PolygonMode back_polygon_mode = PolygonMode::Fill;
     LineStippleState line_stipple;

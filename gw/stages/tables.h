@@ -75,7 +75,7 @@ constexpr std::uint32_t blend_factor(BlendFactor factor, const BlendColors& colo
     return 0;
 }
 
-/// Two rounded products joined by the equation, clamped; they fit 16-bit lanes. One, One adds
+/// Two rounded products, combined by the equation and clamped; they fit 16-bit lanes. One, One adds
 /// exactly.
 constexpr Rgba blend(const BlendState& state, const BlendColors& colors, int bits) {
     const std::uint32_t max = max_of_bits(bits);

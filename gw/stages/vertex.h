@@ -38,7 +38,7 @@ struct VertexProgram {
     const Profile* profile = nullptr;
     dmat4 clip_from_object{1};
     dmat3 normal_eye_from_object{1};  ///< inverse transpose up to a positive factor
-    double normal_scale = 1;          ///< what normals are multiplied by; 0: they are normalised
+    double normal_scale = 1;          ///< the factor of normals; 0: they are normalised
     bool fragment_fog = false;
     double fog_depth = 1;  ///< eye distance at the end of the fog table
     /// positions of w = 1 under an affine matrix, normalised normals, one material, the initial
