@@ -26,24 +26,28 @@ PolygonPlane::PolygonPlane(const inspect::Recording& recording)
     for (const CommandList& list : recording.lists)
         for (const Command& command : list.commands)
             if (const auto* draw = std::get_if<Draw>(&command))
-                if (first_.emplace(draw->mesh.get(), next).second) next += id_count(*draw->mesh);
+                if (first_.emplace(object_of(*draw), next).second) next += id_count(*draw->mesh);
 }
 
-void PolygonPlane::written(const Fragment& fragment, const Draw& draw, std::uint32_t polygon,
-                           const State& state) {
-    if (writes_color_or_depth(state))
-        id_at(fragment.x, fragment.y) = first_.at(draw.mesh.get()) + polygon;
+PolygonPlane::Object PolygonPlane::object_of(const Draw& draw) {
+    Object object{draw.mesh.get(), {}};
+    for (int i = 0; i < 16; ++i) object.second[std::size_t(i)] = draw.eye_from_object[i / 4][i % 4];
+    return object;
+}
+
+void PolygonPlane::written(const Fragment& fragment, std::uint32_t polygon, const State& state) {
+    if (writes_color_or_depth(state)) id_at(fragment.x, fragment.y) = drawn_ + polygon;
 }
 
 void PassObserver::begin_command(std::size_t place) {
     FollowingObserver::begin_command(place);
     if (const auto* set = std::get_if<SetState>(&command())) state_ = set->state;
+    if (const auto* draw = std::get_if<Draw>(&command())) polygons_.begin(*draw);
 }
 
 void PassObserver::fragment(const Fragment& fragment, Fate fate, const PixelValues& before,
                             const PixelValues& after) {
-    if (const auto* draw = std::get_if<Draw>(&command()); draw && fate == Fate::Written)
-        polygons_.written(fragment, *draw, *polygon(fragment), state_);
+    if (draw() && fate == Fate::Written) polygons_.written(fragment, *polygon(fragment), state_);
     if (history_)
         history_->add({fragment.x, fragment.y, command_index(), before, after, &fragment, fate,
                        draw(), polygon(fragment)});

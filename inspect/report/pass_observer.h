@@ -5,13 +5,16 @@
 #include "inspect/replay/following_observer.h"
 #include "inspect/report/tile_history.h"
 
+#include <array>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace gw::report {
 
 /// The polygon that each pixel shows: the one that last wrote its colour or Z. Polygons of a
-/// recording are numbered from 1, mesh after mesh in the order of their first draw.
+/// recording are numbered from 1, object after object in the order of their first draw. An object is
+/// a mesh at a place: those that share a mesh are different.
 class PolygonPlane {
 public:
     explicit PolygonPlane(const inspect::Recording& recording);
@@ -19,10 +22,11 @@ public:
     /// 0: none. Bottom row first.
     const std::vector<std::uint32_t>& ids() const { return ids_; }
 
-    /// A written fragment of `draw`; `polygon`: its identifier in the mesh. Keeps the pixel's
-    /// polygon if `state` masks colour and Z.
-    void written(const Fragment& fragment, const Draw& draw, std::uint32_t polygon,
-                 const State& state);
+    /// The next fragments are of this draw.
+    void begin(const Draw& draw) { drawn_ = first_.at(object_of(draw)); }
+    /// A written fragment; `polygon`: its identifier in the mesh. Keeps the pixel's polygon if
+    /// `state` masks colour and Z.
+    void written(const Fragment& fragment, std::uint32_t polygon, const State& state);
     /// A pixel whose colour or Z was cleared shows no polygon.
     void cleared(int x, int y) { id_at(x, y) = 0; }
 
@@ -31,10 +35,14 @@ private:
         return ids_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
     }
 
+    /// A mesh, by address, and its place in eye space: looked up only.
+    using Object = std::pair<const Mesh*, std::array<double, 16>>;
+    static Object object_of(const Draw& draw);
+
     int width_;
     std::vector<std::uint32_t> ids_;
-    /// of a mesh's polygons, by address: looked up only
-    std::map<const Mesh*, std::uint32_t> first_;
+    std::map<Object, std::uint32_t> first_;  ///< of the object's polygons
+    std::uint32_t drawn_ = 0;                ///< the first polygon of the draw
 };
 
 class PassObserver : public inspect::FollowingObserver {
