@@ -94,6 +94,28 @@ TEST(DecoderProcess, LimitsMemory) {
     EXPECT_LT(std::uint64_t(after.ru_maxrss), 2 * decoder_megabytes * 1024);
 }
 
+/// 35 bytes that say they are 4,294,836,225 pixels.
+TEST(DecoderProcess, RefusesAGifThatWouldFillTheMemory) {
+    const auto gif = [](std::size_t canvas, std::size_t picture) {
+        const auto word = [](std::size_t n) { return std::string{char(n & 255), char(n >> 8)}; };
+        return "GIF89a" + word(canvas) + word(canvas) +
+               std::string("\x80\0\0\0\0\0\xff\xff\xff", 9) + "," + std::string(4, '\0') +
+               word(picture) + word(picture) + std::string("\0\2\2\x4c\1\0;", 7);
+    };
+    const Folder folder;
+    rusage after{};
+    for (const std::size_t picture : {65535u, 1u}) {
+        folder.write("a.gif", gif(65535, picture));
+        EXPECT_EQ(refusal(folder / "a.gif"), "decoding it needs more than " +
+                                                 std::to_string(decoder_megabytes) +
+                                                 " MB; expected a smaller picture");
+    }
+    folder.write("a.gif", gif(16, 65535));
+    EXPECT_NE(refusal(folder / "a.gif").find("; expected a picture file"), std::string::npos);
+    getrusage(RUSAGE_CHILDREN, &after);
+    EXPECT_LT(std::uint64_t(after.ru_maxrss), 2 * decoder_megabytes * 1024);
+}
+
 TEST(DecoderProcess, RefusesAPortableMapWhoseLargestValueIsZero) {
     const Folder folder;
     for (const char* text : {"P2\n1 1\n0\n0\n", "P3\n# a comment 1\n1 1\n00\n0 0 0\n"}) {
