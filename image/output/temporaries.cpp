@@ -40,14 +40,7 @@ void remove_tree(const char* path) {
 }
 
 extern "C" void remove_and_die(int signal) {
-    for (auto remove : {::unlink, ::rmdir}) {  // one for files, one for folders
-        for (const std::atomic<char*>& name : names) {
-            if (const char* path = name.load()) remove(path);
-        }
-    }
-    for (const std::atomic<char*>& tree : trees) {
-        if (const char* path = tree.load()) remove_tree(path);
-    }
+    remove_temporaries();
     // The handler was installed for one call: this one is delivered to the default action on
     // return.
     ::raise(signal);
@@ -123,10 +116,14 @@ void remove_stale_temporaries(const std::filesystem::path& folder) {
     std::error_code error;
     if (!is_first_visit(std::filesystem::absolute(folder, error))) return;
     std::vector<std::filesystem::path> stale;
-    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
-         at.increment(error)) {
-        const pid_t process = process_of(at->path().filename().string());
-        if (process > 0 && is_gone(process) && is_stale(at->path())) stale.push_back(at->path());
+    try {
+        for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+            const pid_t process = process_of(entry.path().filename().string());
+            if (process > 0 && is_gone(process) && is_stale(entry.path()))
+                stale.push_back(entry.path());
+        }
+    } catch (const std::filesystem::filesystem_error&) {
+        // Who may not list a folder may still write into it.
     }
     for (const std::filesystem::path& name : stale) std::filesystem::remove_all(name, error);
 }
@@ -137,6 +134,17 @@ void register_temporary_tree(const std::filesystem::path& name) { add_to(trees, 
 void forget_temporary(const std::filesystem::path& name) {
     take_from(names, name);
     take_from(trees, name);
+}
+
+void remove_temporaries() {
+    for (auto remove : {::unlink, ::rmdir}) {  // one for files, one for folders
+        for (const std::atomic<char*>& name : names) {
+            if (const char* path = name.load()) remove(path);
+        }
+    }
+    for (const std::atomic<char*>& tree : trees) {
+        if (const char* path = tree.load()) remove_tree(path);
+    }
 }
 
 void remove_temporaries_on_signals() {

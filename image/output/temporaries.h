@@ -19,6 +19,8 @@ void remove_stale_temporaries(const std::filesystem::path& folder);
 /// Forgets a file or folder, after it was renamed, removed or committed.
 void forget_temporary(const std::filesystem::path& name);
 
+/// Removes them all, before the process ends otherwise than by returning. Allocates nothing.
+void remove_temporaries();
 /// From now on SIGINT, SIGTERM and SIGHUP remove the temporary files, trees and empty folders and
 /// then end the process as they do by default (the shell sees 130 for Ctrl-C); and a file grown
 /// beyond `ulimit -f` is an error, not a signal. A signal that is ignored stays ignored.

@@ -1,6 +1,7 @@
 // gw-failing-allocation K ARGUMENT...: runs gw with these arguments; the K-th operator new after
 // the start of main fails. With K = 0 none fails, and their number is written to standard error.
 #include "apps/command/command.h"
+#include "apps/command/termination.h"
 
 #include <atomic>
 #include <cstdio>
@@ -40,6 +41,7 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std
 int main(int count, char** words) {
     if (count < 2) return std::fprintf(stderr, "usage: %s K ARGUMENT...\n", words[0]), 2;
     const std::vector<std::string> arguments(words + 2, words + count);
+    gw::apps::end_clearly_on_terminate();
     allocations = 0;
     failing = std::strtol(words[1], nullptr, 10);
     const int code = gw::apps::run(arguments);
