@@ -56,7 +56,7 @@ void run(const Sweep& sweep, const Options& options) {
 
 void run_races(const Options& options) {
     say(race_heading());
-    std::string text = "scene,triangles,kind,rays,ours_s,embree_s,differ\n";
+    std::string text = "scene,triangles,kind,rays,ours_s,float32_s,embree_s,differ\n";
     const auto run_race = [&](const std::string& name, const scene::Scene& scene) {
         const raytrace::World world(scene, 1);
         const RayRaces races =

@@ -25,9 +25,7 @@ public:
 
     void follow(const raytrace::Ray& ray, double high, std::uint32_t from, int rays_left) {
         const bool first = from == raytrace::no_triangle;
-        (first ? set.primary : set.reflected)
-            .push_back(
-                {vec3(ray.origin), first ? 0 : skin, vec3(ray.direction), float(high), from});
+        (first ? set.primary : set.reflected).push_back({ray, high, from});
         const auto at = world_.nearest(ray, high, from);
         if (!at) return;
         const auto s = raytrace::surface(world_.triangles(), *at, normalized(ray.direction), view_);
@@ -35,7 +33,7 @@ public:
             const dvec3 way = dvec3(light.position) - at->p;
             const bool faces = dot3(way, s.normal) > 0 && dot3(way, s.plane_normal) > 0;
             if (light.shadow != scene::Shadow::None && faces)
-                set.shadow.push_back({vec3(at->p), skin, vec3(way), 1, at->triangle});
+                set.shadow.push_back({{s.start, way}, 1, at->triangle});
         }
         const scene::Object& object = scene_.objects[world_.triangles().object_of(at->triangle)];
         if (rays_left > 0 && raytrace::is_traced(scene_.materials[object.material]))
@@ -112,19 +110,30 @@ private:
     RTCScene scene_;
 };
 
-/// Asks both everything, ray by ray.
-template <class Ours, class Theirs>
-Race race(const std::vector<HierarchyRay>& rays, int runs, const Ours& ours, const Theirs& theirs) {
+/// As the hierarchy and Embree take it: a second ray begins a little behind its start.
+HierarchyRay in_float32(const PictureRay& r) {
+    return {vec3(r.ray.origin), r.from == raytrace::no_triangle ? 0 : skin, vec3(r.ray.direction),
+            float(r.high), r.from};
+}
+
+/// Asks all three everything, ray by ray.
+template <class Ours, class Float32, class Theirs>
+Race race(const std::vector<PictureRay>& rays, int runs, const Ours& ours, const Float32& float32,
+          const Theirs& theirs) {
     Race out{.rays = rays.size()};
-    std::vector<char> hits(rays.size()), their_hits(rays.size());
-    const auto ask = [&](const auto& hit, std::vector<char>& found, double& best) {
+    std::vector<HierarchyRay> rounded;
+    for (const PictureRay& ray : rays) rounded.push_back(in_float32(ray));
+    std::vector<char> hits(rays.size()), single_hits(rays.size()), their_hits(rays.size());
+    const auto ask = [](const auto& asked, const auto& hit, std::vector<char>& found,
+                        double& best) {
         const double start = processor_seconds();
-        for (std::size_t i = 0; i < rays.size(); ++i) found[i] = hit(rays[i]);
+        for (std::size_t i = 0; i < asked.size(); ++i) found[i] = hit(asked[i]);
         best = std::min(best, processor_seconds() - start);
     };
     for (int run = 0; run < runs; ++run) {
-        ask(ours, hits, out.ours);
-        ask(theirs, their_hits, out.embree);
+        ask(rays, ours, hits, out.ours);
+        ask(rounded, float32, single_hits, out.float32);
+        ask(rounded, theirs, their_hits, out.embree);
     }
     for (std::size_t i = 0; i < rays.size(); ++i) out.differ += hits[i] != their_hits[i];
     return out;
@@ -163,15 +172,20 @@ RayRaces race(const RaySet& rays, const raytrace::World& world, int runs) {
         embree.emplace(triangles);
         out.build.embree = std::min(out.build.embree, processor_seconds() - start);
     }
-    const auto nearest = [&](const HierarchyRay& r) {
+    out.build.float32 = out.build.ours;
+    const auto nearest = [&](const PictureRay& r) {
+        return world.nearest(r.ray, r.high, r.from).has_value();
+    };
+    const auto any = [&](const PictureRay& r) { return world.occluded(r.ray, r.high, r.from); };
+    const auto single_nearest = [&](const HierarchyRay& r) {
         return world.hierarchy().nearest(r).has_value();
     };
-    const auto any = [&](const HierarchyRay& r) { return world.hierarchy().occluded(r); };
+    const auto single_any = [&](const HierarchyRay& r) { return world.hierarchy().occluded(r); };
     const auto their_nearest = [&](const HierarchyRay& r) { return embree->nearest(r); };
     const auto their_any = [&](const HierarchyRay& r) { return embree->occluded(r); };
-    out.primary = race(rays.primary, runs, nearest, their_nearest);
-    out.reflected = race(rays.reflected, runs, nearest, their_nearest);
-    out.shadow = race(rays.shadow, runs, any, their_any);
+    out.primary = race(rays.primary, runs, nearest, single_nearest, their_nearest);
+    out.reflected = race(rays.reflected, runs, nearest, single_nearest, their_nearest);
+    out.shadow = race(rays.shadow, runs, any, single_any, their_any);
     return out;
 }
 

@@ -8,18 +8,26 @@
 
 namespace gw::bench {
 
+/// As World takes it.
+struct PictureRay {
+    raytrace::Ray ray;
+    double high = 0;
+    std::uint32_t from = raytrace::no_triangle;
+};
+
 struct RaySet {
-    std::vector<raytrace::HierarchyRay> primary, reflected, shadow;
+    std::vector<PictureRay> primary, reflected, shadow;
 };
 
 /// To the second ray.
 RaySet rays_of_picture(const scene::Scene& scene, const raytrace::World& world,
                        const scene::View& view);
 
-/// Processor seconds of one thread, ours and Embree's (robust, one ray at a time), the best of
-/// several runs, and the number of rays that only one of them finds to hit.
+/// Processor seconds of one thread, the best of several runs: the renderers' own search, whose test
+/// is in double; the search in float32 alone; Embree's (robust, one ray at a time). And the number
+/// of rays that only the renderers or only Embree find to hit.
 struct Race {
-    double ours = 1e30, embree = 1e30;
+    double ours = 1e30, float32 = 1e30, embree = 1e30;
     std::size_t rays = 0, differ = 0;
 };
 struct RayRaces {
@@ -27,6 +35,7 @@ struct RayRaces {
     Race build;  ///< of the hierarchies
     Race all() const {
         return {primary.ours + reflected.ours + shadow.ours,
+                primary.float32 + reflected.float32 + shadow.float32,
                 primary.embree + reflected.embree + shadow.embree,
                 primary.rays + reflected.rays + shadow.rays,
                 primary.differ + reflected.differ + shadow.differ};

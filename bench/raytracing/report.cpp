@@ -131,24 +131,26 @@ std::string crossings(const Sweep& sweep, const std::vector<Row>& rows) {
 }
 
 std::string race_heading() {
-    return fmt::format("rays\n{:>9} {:>9} {:>10} {:>9} {:>9} {:>9} {:>7} {:>7}\n", "scene",
-                       "triangles", "kind", "rays", "ours s", "Embree s", "E/ours", "differ");
+    return fmt::format("rays\n{:>9} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9} {:>7} {:>9} {:>7}\n",
+                       "scene", "triangles", "kind", "rays", "ours s", "float32 s", "Embree s",
+                       "E/ours", "E/float32", "differ");
 }
 
 std::string race_lines(const std::string& scene, std::size_t triangles, const RayRaces& races) {
     std::string text;
     for (const Kind& k : kinds(races))
-        text += fmt::format("{:>9} {:>9} {:>10} {:>9} {:>9.4f} {:>9.4f} {:>7.2f} {:>7}\n", scene,
-                            triangles, k.name, k.race.rays, k.race.ours, k.race.embree,
-                            k.race.embree / k.race.ours, k.race.differ);
+        text += fmt::format(
+            "{:>9} {:>9} {:>10} {:>9} {:>9.4f} {:>9.4f} {:>9.4f} {:>7.2f} {:>9.2f} {:>7}\n", scene,
+            triangles, k.name, k.race.rays, k.race.ours, k.race.float32, k.race.embree,
+            k.race.embree / k.race.ours, k.race.embree / k.race.float32, k.race.differ);
     return text;
 }
 
 std::string race_csv(const std::string& scene, std::size_t triangles, const RayRaces& races) {
     std::string text;
     for (const Kind& k : kinds(races))
-        text += fmt::format("{},{},{},{},{:.5f},{:.5f},{}\n", scene, triangles, k.name, k.race.rays,
-                            k.race.ours, k.race.embree, k.race.differ);
+        text += fmt::format("{},{},{},{},{:.5f},{:.5f},{:.5f},{}\n", scene, triangles, k.name,
+                            k.race.rays, k.race.ours, k.race.float32, k.race.embree, k.race.differ);
     return text;
 }
 
