@@ -29,6 +29,7 @@ Case shadow_case(Random& random);
 Case stencil_case(Random& random);
 Case stipple_case(Random& random);
 Case texture_case(Random& random);
+Case texture_formats_case(Random& random);
 Case texture_churn_case(Random& random);
 Case tiny_draws_case(Random& random);
 Case vertices_case(Random& random);

@@ -41,6 +41,8 @@ Profile opengl() {
     p.perspective_color = true;
     p.extensions = {.polygon_offset = true,
                     .stencil_wrap = true,
+                    .texture_border = true,
+                    .texture_formats = true,
                     .stipple = true,
                     .two_sided_polygon_mode = true,
                     .logic_op = true,
@@ -56,6 +58,8 @@ std::span<const ExtensionName> extension_names() {
         {"shadow_texture", &Extensions::shadow_texture},
         {"stencil_wrap", &Extensions::stencil_wrap},
         {"two_sided_stencil", &Extensions::two_sided_stencil},
+        {"texture_border", &Extensions::texture_border},
+        {"texture_formats", &Extensions::texture_formats},
         {"stipple", &Extensions::stipple},
         {"two_sided_polygon_mode", &Extensions::two_sided_polygon_mode},
         {"logic_op", &Extensions::logic_op},
@@ -96,6 +100,7 @@ void validate(const Profile& p) {
     check("subpixel_bits", p.subpixel_bits, 1, 8);
     check("lit_bits", p.lit_bits, 4, p.color_bits);
     check("max_lights", p.max_lights, 1, 1024);
+    check("texel_bits", p.texel_bits, 0, 16);
 }
 
 }  // namespace gw

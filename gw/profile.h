@@ -17,6 +17,8 @@ struct Extensions {
     bool shadow_texture = false;
     bool stencil_wrap = false;            ///< StencilOp::IncrWrap, DecrWrap
     bool two_sided_stencil = false;       ///< separate stencil state for back faces
+    bool texture_border = false;          ///< Wrap::BorderClamp, textures with a border
+    bool texture_formats = false;         ///< formats other than RGBA, given levels, 1D
     bool stipple = false;                 ///< of lines and filled polygons
     bool two_sided_polygon_mode = false;  ///< separate polygon modes of front and back faces
     bool logic_op = false;                ///< logical operations
@@ -36,6 +38,7 @@ struct Profile {
     int subpixel_bits = 3;  ///< 1 .. 8; 3 is the VGX's 8x8 grid
     int lit_bits = 8;       ///< of a lit vertex colour: 4 .. color_bits
     int max_lights = 8;     ///< in one pass: 1 .. 1024
+    int texel_bits = 0;     ///< of a texel's channel: 1 .. 16; 0: color_bits
     /// fog factor per fragment by default; else at the vertex, as in [K] Fig. 2
     bool fragment_fog = false;
     /// Gouraud shading in perspective; else linear on the screen, as in the hardware
@@ -66,6 +69,11 @@ std::span<const ExtensionName> extension_names();
 const std::vector<Profile>& paper_profiles();
 /// The built-in profiles, in the order above.
 const std::vector<Profile>& profiles();
+
+/// The bits of a texel's channel.
+constexpr int texel_bits(const Profile& p) {
+    return p.texel_bits != 0 ? p.texel_bits : p.color_bits;
+}
 
 /// The built-in profile of this name. Throws Error naming the known ones.
 const Profile& profile_named(std::string_view name);

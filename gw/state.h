@@ -164,7 +164,11 @@ enum class MinFilter : std::uint8_t {
     LinearMipmapLinear
 };
 enum class MagFilter : std::uint8_t { Nearest, Linear };
-enum class Wrap : std::uint8_t { Repeat, Clamp };
+enum class Wrap : std::uint8_t {
+    Repeat,
+    Clamp,        ///< to the texels at the edge
+    BorderClamp,  ///< extension texture_border: GL_CLAMP, half way into the border
+};
 enum class TexEnv : std::uint8_t { Modulate, Decal, Blend, Replace };
 enum class TexGen : std::uint8_t {
     None,
@@ -196,6 +200,7 @@ struct TextureState {
     dmat4 eye_linear{1};                         ///< EyeLinear: rows give s, t, r, q
     std::array<CoordinateGen, 4> coordinates{};  ///< PerCoordinate: s, t, r, q
     dmat4 matrix{1};                             ///< applied to given and generated coordinates
+    vec4 border_color{0, 0, 0, 0};  ///< BorderClamp: of textures without a border of their own
     /// extension shadow_texture: 1 if r <= texel, else 0, as colour and alpha
     bool shadow_compare = false;
     bool operator==(const TextureState&) const = default;

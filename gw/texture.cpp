@@ -88,7 +88,57 @@ TextureLevel half(const TextureLevel& level) {
     return result;
 }
 
+std::size_t texels_of(const Texture& t, const TextureLevel& level) {
+    const std::size_t more = t.border ? 2 : 0;
+    return (std::size_t(level.width) + more) *
+           (std::size_t(level.height) + (t.dimensions == 2 ? more : 0));
+}
+
+void check_levels(const Texture& t) {
+    const auto fail = [&](const std::string& what) {
+        throw Error("texture " + t.name + ": " + what);
+    };
+    if (t.levels.empty()) fail("no level; expected 1 or more");
+    if (t.dimensions != 1 && t.dimensions != 2)
+        fail(std::to_string(t.dimensions) + " dimensions; expected 1 or 2");
+    if (t.dimensions == 1 && t.height() != 1) fail("a height in one dimension; expected 1");
+    if (t.format > TextureFormat::Intensity)
+        fail("format " + std::to_string(int(t.format)) + "; expected 0 to 5");
+    int width = t.width(), height = t.height();
+    for (std::size_t i = 0; i < t.levels.size(); ++i) {
+        const TextureLevel& level = t.levels[i];
+        check(t.name, width, height, std::size_t{4} * std::size_t(width) * std::size_t(height));
+        if (!std::has_single_bit(unsigned(width)) || !std::has_single_bit(unsigned(height)))
+            fail("sides that are no powers of two");
+        if (level.width != width || level.height != height)
+            fail("level " + std::to_string(i) + " of " + std::to_string(level.width) + "x" +
+                 std::to_string(level.height) + " texels; expected " + std::to_string(width) + "x" +
+                 std::to_string(height));
+        if (level.rgba.size() != 4 * texels_of(t, level))
+            fail("level " + std::to_string(i) + " has " + std::to_string(level.rgba.size()) +
+                 " values; expected " + std::to_string(4 * texels_of(t, level)));
+        width = std::max(1, width / 2);
+        height = std::max(1, height / 2);
+    }
+}
+
+/// Gives all texels the channels that the format lacks.
+void complete(TextureFormat format, std::vector<std::uint16_t>& rgba) {
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        const Rgba texel =
+            completed(format, {rgba[i], rgba[i + 1], rgba[i + 2], rgba[i + 3]}, 65535);
+        std::copy(texel.begin(), texel.end(), rgba.begin() + std::ptrdiff_t(i));
+    }
+}
+
 }  // namespace
+
+TextureRef make_texture(Texture given) {
+    given.given_levels = true;
+    check_levels(given);
+    for (TextureLevel& level : given.levels) complete(given.format, level.rgba);
+    return std::make_shared<const Texture>(std::move(given));
+}
 
 TextureRef make_texture(std::string name, int width, int height,
                         std::span<const std::uint16_t> rgba) {

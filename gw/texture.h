@@ -2,6 +2,8 @@
 // Does not read files (image/ does) and does not filter (the machines do).
 #pragma once
 
+#include "gw/base/types.h"
+
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -18,14 +20,40 @@ struct TextureLevel {
     bool operator==(const TextureLevel&) const = default;
 };
 
-/// Levels from the given image down to 1x1.
+/// The base internal formats of [GL11] table 3.8: the channels that a texel has. The others hold what
+/// changes nothing under Modulate.
+enum class TextureFormat : std::uint8_t {
+    RGBA,
+    RGB,             ///< A is 1
+    LuminanceAlpha,  ///< R = G = B
+    Luminance,       ///< R = G = B, A is 1
+    Alpha,           ///< R, G, B are 1
+    Intensity,       ///< R = G = B = A
+};
+
+/// Levels from the given image down to 1x1, or as they were given.
 struct Texture {
     std::string name;  ///< for messages and printed passes; not part of its value
     std::vector<TextureLevel> levels;
+    TextureFormat format = TextureFormat::RGBA;
+    int dimensions = 2;         ///< 1: t is 0, the height 1
+    bool border = false;        ///< levels have a texel more on each side (1D: left and right)
+    bool given_levels = false;  ///< levels do not follow from the first
 
     int width() const { return levels.front().width; }
     int height() const { return levels.front().height; }
 };
+
+/// A texel with values in the channels that its format lacks; `one` stands for 1.
+constexpr Rgba completed(TextureFormat format, Rgba texel, std::uint16_t one) {
+    const bool grey = format == TextureFormat::Luminance || format == TextureFormat::Intensity ||
+                      format == TextureFormat::LuminanceAlpha;
+    if (grey) texel[1] = texel[2] = texel[0];
+    if (format == TextureFormat::Alpha) texel[0] = texel[1] = texel[2] = one;
+    if (format == TextureFormat::Intensity) texel[3] = texel[0];
+    if (format == TextureFormat::RGB || format == TextureFormat::Luminance) texel[3] = one;
+    return texel;
+}
 
 using TextureRef = std::shared_ptr<const Texture>;
 
@@ -38,6 +66,11 @@ inline constexpr int max_texture_size = 4096;
 /// of values is not 4 width height.
 TextureRef make_texture(std::string name, int width, int height,
                         std::span<const std::uint16_t> rgba);
+
+/// A texture of given levels, each half as large as the one before, as many as there are. `rgba` of a
+/// level with a border has (width + 2) (height + 2) texels, 1D (width + 2). Channels that the format
+/// lacks are taken from R (luminance, intensity) or replaced. Throws Error where sizes do not fit.
+TextureRef make_texture(Texture given);
 
 /// The same from 8-bit texels.
 TextureRef make_texture8(std::string name, int width, int height,

@@ -53,6 +53,7 @@ Profile read_profile(const std::filesystem::path& path) {
                          key("subpixel_bits", p.subpixel_bits, bits),
                          key("lit_bits", p.lit_bits, bits),
                          key("max_lights", p.max_lights, {0, 1e6}),
+                         key("texel_bits", p.texel_bits, bits),
                          key("fragment_fog", p.fragment_fog),
                          key("perspective_color", p.perspective_color),
                          extensions_key(p.extensions),

@@ -4,6 +4,7 @@
 #include "conformance/generate/state.h"
 #include "conformance/suites.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gw::fuzz {
@@ -149,6 +150,57 @@ Case stipple_case(Random& r) {
         s.state.shade_model = r.any(ShadeModel::Smooth);
         const MeshWish wish{.most = 6};
         draw(s, r.chance(40) ? any_lines(r, s.frame, wish) : any_triangles(r, s.frame, wish));
+        between_draws(s);
+    }
+    return s.out;
+}
+
+namespace {
+
+/// Levels, formats, borders and one dimension as OpenGL programs give them.
+TextureRef any_given_texture(Random& r) {
+    Texture t{.name = "given"};
+    t.format = r.any(TextureFormat::Intensity);
+    t.dimensions = r.chance(20) ? 1 : 2;
+    t.border = r.chance(35);
+    int width = 1 << r.between(0, 5), height = t.dimensions == 1 ? 1 : 1 << r.between(0, 5);
+    const int most = r.chance(25) ? 1 : r.chance(80) ? 13 : r.between(1, 3);
+    while (int(t.levels.size()) < most) {
+        TextureLevel level{width, height, {}};
+        const int more = t.border ? 2 : 0;
+        const int texels = (width + more) * (height + (t.dimensions == 1 ? 0 : more));
+        const bool noise = r.chance(60);
+        for (int i = 0; i < 4 * texels; ++i)
+            level.rgba.push_back(std::uint16_t(noise ? r.bits(16) : 257 * r.pick({0, 128, 255})));
+        t.levels.push_back(std::move(level));
+        if (width == 1 && height == 1) break;
+        width = std::max(1, width / 2);
+        height = std::max(1, height / 2);
+    }
+    return make_texture(std::move(t));
+}
+
+}  // namespace
+
+// Texture formats, borders, given levels, one dimension, texels of fewer bits.
+Case texture_formats_case(Random& r) {
+    Profile profile = any_opengl_profile(r);
+    if (r.chance(40)) profile.texel_bits = r.between(1, 16);
+    Script s = script(r, profile);
+    s.state.depth.test = r.chance(50);
+    const int draws = r.between(1, 6);
+    for (int i = 0; i < draws; ++i) {
+        s.state.texture = any_texture_state(r);
+        s.state.texture.wrap_s = r.any(Wrap::BorderClamp);
+        s.state.texture.wrap_t = r.any(Wrap::BorderClamp);
+        s.state.texture.border_color = any_color(r);
+        if (r.chance(20)) s.state.texture.gen = r.any(TexGen::EyeLinear);
+        if (r.chance(15)) s.state.texture.matrix = any_matrix(r);
+        s.state.shade_model = r.any(ShadeModel::Smooth);
+        s.state.blend = r.chance(30) ? any_blend(r) : BlendState{};
+        Draw d = any_draw(s, any_mesh(r, s.frame, {.texcoords = r.chance(90), .most = 6}));
+        d.map = {r.chance(85) ? any_given_texture(r) : any_texture(r), {}};
+        add(s, std::move(d));
         between_draws(s);
     }
     return s.out;

@@ -36,7 +36,7 @@ class PixelStage:
         if draw.is_textured() and not has_id:
             self.texture = TextureStage(self.state.texture, self.profile,
                                         machine.texture_of(draw),
-                                        divided_by_q(self.state, draw))
+                                        divided_by_q(self.state, draw), self.state.border_color)
         self.fog = self.state.fog if self.state.fog.enable and not has_id else None
         self.fog_table = None
         if self.fog and fog.per_fragment(self.state, self.profile):
@@ -52,7 +52,8 @@ class PixelStage:
         colors = self.colors(ready, frame, x, y)
         if self.texture:
             texels = self.texture.texels(frame, ready.corners, x, y)
-            colors = environment(colors, texels, self.state.texture, bits)
+            colors = environment(colors, texels, self.state.texture, self.texture.texture.format,
+                                 bits)
         if self.fog:
             colors = fog.fogged(colors, self.fog_factors(ready, frame, x, y), self.fog, bits)
         self.fragments.run(x, y, colors, depths, ready.front)

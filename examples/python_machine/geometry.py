@@ -129,6 +129,9 @@ class VertexStage:
                 own = mesh.texcoords[i] + (mesh.texcoords_rq[i] if mesh.texcoords_rq
                                            else (0.0, 1.0))
             vertex.texture = texture_coordinates.at_vertex(state, own, p, p_eye, point, n)
+            if self.draw.texture is not None and self.draw.texture.dimensions == 1:
+                s, _, r, q = vertex.texture  # [R10.26]
+                vertex.texture = (s, 0.0, r, q)
         if state.fog.enable:
             vertex.fog = fog.vertex_value(state, self.profile, point)
         return vertex

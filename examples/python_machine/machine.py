@@ -89,5 +89,5 @@ class Machine:
             return self.slots[command.slot]
         key = id(command.texture)
         if key not in self.textures:
-            self.textures[key] = Texture.of_image(command.texture, self.profile.color_bits)
+            self.textures[key] = Texture.of_image(command.texture, self.profile)
         return self.textures[key]

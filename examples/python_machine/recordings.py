@@ -80,6 +80,9 @@ class Profile:
     shadow_texture: bool = False
     stencil_wrap: bool = False
     two_sided_stencil: bool = False
+    texel_bits: int = 0
+    texture_border: bool = False
+    texture_formats: bool = False
     stipple: bool = False
     two_sided_polygon_mode: bool = False
     logic_op: bool = False
@@ -160,13 +163,39 @@ def mesh_of(table):
                 integers("materialIndices"))
 
 
+@dataclass
+class Image:
+    """A texture: texels of level 0, or the levels that were given."""
+    texels: Any
+    given: Any = None
+    format: int = 0
+    dimensions: int = 2
+    border: bool = False
+
+
 def image_of(table):
     """[R5.4], [R15.2] Rows of texels of 16 bits, from the bottom."""
     if table.Texels8Length():
         texels = table.Texels8AsNumpy().astype(np.int64) * 257
     else:
         texels = table.Texels16AsNumpy().astype(np.int64)
-    return texels.reshape(table.Height(), table.Width(), 4)
+    if table.LevelCount() == 0:
+        return Image(texels.reshape(table.Height(), table.Width(), 4))
+    return Image(None, given_levels(table, texels), table.Format(), table.Dimensions(),
+                 table.Border())
+
+
+def given_levels(table, texels):
+    """[R10.23] Level after level, borders included."""
+    levels, more = [], 2 if table.Border() else 0
+    width, height = table.Width(), table.Height()
+    for _ in range(table.LevelCount()):
+        rows = height + (more if table.Dimensions() == 2 else 0)
+        size = 4 * (width + more) * rows
+        levels.append(texels[:size].reshape(rows, width + more, 4))
+        texels = texels[size:]
+        width, height = max(1, width // 2), max(1, height // 2)
+    return levels
 
 
 # ---- Commands -------------------------------------------------------------------------------

@@ -37,7 +37,9 @@ MinFilter = IntEnum(
     "MinFilter", "Nearest Linear NearestMipmapNearest LinearMipmapNearest NearestMipmapLinear "
     "LinearMipmapLinear", start=0)
 MagFilter = IntEnum("MagFilter", "Nearest Linear", start=0)
-Wrap = IntEnum("Wrap", "Repeat Clamp", start=0)
+Wrap = IntEnum("Wrap", "Repeat Clamp BorderClamp", start=0)
+TextureFormat = IntEnum("TextureFormat", "RGBA RGB LuminanceAlpha Luminance Alpha Intensity",
+                        start=0)
 TexEnv = IntEnum("TexEnv", "Modulate Decal Blend Replace", start=0)
 TexGen = IntEnum("TexGen", "None SphereMap RefractionMap EyeLinear PerCoordinate", start=0)
 CoordinateMode = IntEnum("CoordinateMode", "Given ObjectLinear EyeLinear SphereMap", start=0)
@@ -249,6 +251,7 @@ class State:
     color_material: ColorMaterialUse = field(default_factory=ColorMaterialUse)
     coordinates: list = field(default_factory=lambda: [CoordinateGen() for _ in range(4)])
     texture_matrix: list = field(default_factory=identity)
+    border_color: tuple = (0.0, 0.0, 0.0, 0.0)
     offset_lines: bool = False
     offset_points: bool = False
     two_side_polygon_mode: bool = False

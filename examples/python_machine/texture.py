@@ -5,7 +5,7 @@ import numpy as np
 
 from .numbers import clamp, mul, one, quantize, rescale, to_integer_array
 from .rasterization import Perspective, Projective, quotient, reciprocal, slopes
-from .state import MagFilter, MinFilter, TexEnv, Wrap
+from .state import MagFilter, MinFilter, TexEnv, TextureFormat, Wrap
 
 LINEAR_FILTERS = (MinFilter.Linear, MinFilter.LinearMipmapNearest, MinFilter.LinearMipmapLinear)
 
@@ -25,15 +25,48 @@ def pyramid(image):
     return levels
 
 
+def texels_of(level, profile):
+    """[R10.6], [R10.23]"""
+    bits = profile.texel_bits or profile.color_bits
+    return rescale(rescale(level, 16, bits), bits, profile.color_bits)
+
+
+def completed(level, form, most=one(16)):
+    """[R10.24] Channels that a format lacks."""
+    level = level.astype(np.int64).copy()
+    if form in (TextureFormat.Luminance, TextureFormat.LuminanceAlpha, TextureFormat.Intensity):
+        level[:, :, 1:3] = level[:, :, :1]
+    if form == TextureFormat.Alpha:
+        level[:, :, :3] = most
+    if form == TextureFormat.Intensity:
+        level[:, :, 3] = level[:, :, 0]
+    if form in (TextureFormat.RGB, TextureFormat.Luminance):
+        level[:, :, 3] = most
+    return level
+
+
 class Texture:
     """What a draw looks up: levels in color_bits, and the depths of a slot of the depth plane."""
 
     def __init__(self, levels, depths=None):
         self.levels, self.depths = levels, depths
+        self.bordered = [None] * len(levels)  # the levels with their borders [R10.25]
+        self.format, self.dimensions = TextureFormat.RGBA, 2
 
     @classmethod
-    def of_image(cls, image, bits):
-        return cls([rescale(level, 16, bits) for level in pyramid(image)])
+    def of_image(cls, image, profile):
+        if image.given is None:
+            return cls([texels_of(level, profile) for level in pyramid(image.texels)])
+        levels = [texels_of(completed(level, image.format), profile) for level in image.given]
+        if not image.border:
+            result = cls(levels)
+        else:
+            if image.dimensions == 1:
+                levels = [np.repeat(level, 3, axis=0) for level in levels]
+            result = cls([level[1:-1, 1:-1] for level in levels])
+            result.bordered = levels
+        result.format, result.dimensions = image.format, image.dimensions
+        return result
 
     @classmethod
     def of_plane(cls, values, is_depth, profile):
@@ -60,7 +93,15 @@ class Coordinate:
         limit = np.float32(2.0**30)
         scaled = self.u * np.float32(2.0**(self.e + log2_side + 8))
         p = np.floor(np.minimum(np.maximum(scaled, -limit), limit)).astype(np.int64)
-        return p + self.k * 2**(log2_side + 8) if self.wrap == Wrap.Clamp else p
+        return p + self.k * 2**(log2_side + 8) if self.wrap != Wrap.Repeat else p
+
+    def limited(self, p, log2_side):
+        """[R10.25]"""
+        return np.clip(p, 0, 2**(log2_side + 8)) if self.wrap == Wrap.BorderClamp else p
+
+    def filtered_index(self, index, log2_side):
+        """[R10.25] -1 and the side are the border."""
+        return index if self.wrap == Wrap.BorderClamp else self.wrapped(index, log2_side)
 
     def wrapped(self, index, log2_side):
         if self.wrap == Wrap.Repeat:
@@ -71,13 +112,14 @@ class Coordinate:
 def whole_part(values, wrap):
     """[R10.8]"""
     k = math.floor(min(values))
-    return clamp(k, -1024, 1023) if wrap == Wrap.Clamp else k
+    return clamp(k, -1024, 1023) if wrap != Wrap.Repeat else k
 
 
 class TextureStage:
     """Looks one draw's texture up at the pixels of one piece, line or point."""
 
-    def __init__(self, state, profile, texture, projective):
+    def __init__(self, state, profile, texture, projective, border_color):
+        self.border_color = border_color
         self.state, self.profile, self.texture = state, profile, texture
         self.projective = projective  # [R10.22]
 
@@ -91,8 +133,9 @@ class TextureStage:
             denominator = Perspective(frame, w)
             in_front = np.ones(len(x), bool)
         W = reciprocal(denominator.q, x, y)
+        wrap_t = self.state.wrap_t if self.texture.dimensions == 2 else Wrap.Clamp  # [R10.26]
         s, t, r = (self.coordinate(denominator, [g[c] for g in given], wrap, W, x, y)
-                   for c, wrap in enumerate((self.state.wrap_s, self.state.wrap_t, Wrap.Repeat)))
+                   for c, wrap in enumerate((self.state.wrap_s, wrap_t, Wrap.Repeat)))
         if self.state.shadow_compare:
             result = self.shadow(s, t, r)
         else:
@@ -161,17 +204,31 @@ class TextureStage:
         p, q = s.position(log2_w), t.position(log2_h)
         if not linear:
             return image[t.wrapped(q >> 8, log2_h), s.wrapped(p >> 8, log2_w)].copy()
-        p, q = p - 128, q - 128
-        left, right = (s.wrapped((p >> 8) + k, log2_w) for k in (0, 1))
-        low, high = (t.wrapped((q >> 8) + k, log2_h) for k in (0, 1))
+        p, q = s.limited(p, log2_w) - 128, t.limited(q, log2_h) - 128
+        left, right = (s.filtered_index((p >> 8) + k, log2_w) for k in (0, 1))
+        low, high = (t.filtered_index((q >> 8) + k, log2_h) for k in (0, 1))
         x, y = (p & 255)[:, None], (q & 255)[:, None]
-        a, b, c, d = image[low, left], image[low, right], image[high, left], image[high, right]
+        around = self.with_border(level)
+        a, b = around[low + 1, left + 1], around[low + 1, right + 1]
+        c, d = around[high + 1, left + 1], around[high + 1, right + 1]
         if self.profile.color_bits == 8:
             t0 = 64 * a + (((b - a) * 64 * x + 128) >> 8)
             t1 = 64 * c + (((d - c) * 64 * x + 128) >> 8)
             return (t0 + (((t1 - t0) * y + 128) >> 8) + 32) >> 6
         lower, upper = a * (256 - x) + b * x, c * (256 - x) + d * x
         return (lower * (256 - y) + upper * y + 2**15) >> 16
+
+    def with_border(self, level):
+        """[R10.25] A level with a texel more on each side."""
+        if self.texture.bordered[level] is not None:
+            return self.texture.bordered[level]
+        image = self.texture.levels[level]
+        h, w = image.shape[:2]
+        around = np.empty((h + 2, w + 2, 4), np.int64)
+        color = np.array([[[quantize(v, self.profile.color_bits) for v in self.border_color]]])
+        around[:] = completed(color, self.texture.format, one(self.profile.color_bits))
+        around[1:-1, 1:-1] = image
+        return around
 
     def shadow(self, s, t, r):
         """[R10.18]"""
@@ -193,29 +250,25 @@ def between_levels(m):
 BETWEEN_LEVELS = np.array([between_levels(m) for m in range(256)], dtype=np.int64)
 
 
-def environment(f, t, state, bits):
-    """[R10.17] f: the fragments' colours, t: their texels."""
-    result = np.empty_like(f)
-    alpha, texel_alpha = f[:, 3], t[:, 3]
-    for c in range(3):
-        env_color = quantize(state.env_color[c], bits)
-        if state.env == TexEnv.Modulate:
-            result[:, c] = mul(f[:, c], t[:, c], bits)
-        elif state.env == TexEnv.Decal:
-            result[:, c] = (mul(f[:, c], one(bits) - texel_alpha, bits)
-                            + mul(t[:, c], texel_alpha, bits))
-        elif state.env == TexEnv.Blend:
-            result[:, c] = (mul(f[:, c], one(bits) - t[:, c], bits)
-                            + mul(env_color, t[:, c], bits))
-        else:
-            result[:, c] = t[:, c]
-    if state.env == TexEnv.Decal:
-        result[:, 3] = alpha
-    elif state.env == TexEnv.Replace:
-        result[:, 3] = texel_alpha
-    else:
-        result[:, 3] = mul(alpha, texel_alpha, bits)
-    return result
+def environment(f, t, state, form, bits):
+    """[R10.17], [R10.24] f: the fragments' colours, t: their texels."""
+    return np.stack([environment_channel(f, t, state, form, c, bits) for c in range(4)], axis=1)
+
+
+def environment_channel(f, t, state, form, c, bits):
+    env, fragment, texel = state.env, f[:, c], t[:, c]
+    lacks_alpha = form in (TextureFormat.RGB, TextureFormat.Luminance)
+    if c == 3 and (lacks_alpha or env == TexEnv.Decal):
+        return fragment
+    if c < 3 and form == TextureFormat.Alpha:
+        return fragment
+    if env == TexEnv.Replace:
+        return texel
+    if env == TexEnv.Modulate or (c == 3 and form != TextureFormat.Intensity):
+        return mul(fragment, texel, bits)
+    weight = t[:, 3] if env == TexEnv.Decal else texel
+    other = texel if env == TexEnv.Decal else quantize(state.env_color[c], bits)
+    return mul(fragment, one(bits) - weight, bits) + mul(other, weight, bits)
 
 
 def look_ups(min_filter):

@@ -67,7 +67,8 @@ private:
         if (binding.slot) return &slots_.at(*binding.slot);
         if (!binding.texture) return nullptr;
         auto& entry = texels_[binding.texture];
-        if (entry.levels.empty()) entry = make_texels(*binding.texture, profile_.color_bits);
+        if (entry.levels.empty())
+            entry = make_texels(*binding.texture, profile_.color_bits, texel_bits(profile_));
         return &entry;
     }
 

@@ -31,9 +31,10 @@ Rgba shaded_color(const Shader& s, int x, int y) {
     Rgba color = color_at(s.values, x, y, r.bits);
     if (r.state.color_source == ColorSource::PolygonId) return color;  // identifiers are exact
     if (s.context.texels) {
-        const Rgba texel = texel_at(s.values, *s.context.texels, r.state.texture,
-                                    s.context.profile->depth_bits, x, y);
-        color = texture_environment(r.state.texture.env, color, texel, r.env_color, r.bits);
+        const Rgba texel =
+            texel_at(s.values, *s.context.texels, r, s.context.profile->depth_bits, x, y);
+        color = texture_environment(r.state.texture.env, s.context.texels->format, color, texel,
+                                    r.env_color, r.bits);
     }
     if (r.state.fog.enable) color = apply_fog(color, fog_factor_at(s, x, y), r.fog_color, r.bits);
     return color;

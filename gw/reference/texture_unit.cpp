@@ -45,8 +45,9 @@ bool is_lit(const Interpolants& v, const Texels& texels, const TextureState& s, 
 
 }  // namespace
 
-Rgba texel_at(const Interpolants& v, const Texels& texels, const TextureState& s, int depth_bits,
-              int x, int y) {
+Rgba texel_at(const Interpolants& v, const Texels& texels, const Resolved& r, int depth_bits, int x,
+              int y) {
+    const TextureState& s = r.state.texture;
     const std::uint32_t one = max_of_bits(texels.bits);
     if (v.projective && v.texture_q.at(x, y) < 1) return grey(one);
     const float w = reciprocal(v.texture_q, x, y);
@@ -59,7 +60,7 @@ Rgba texel_at(const Interpolants& v, const Texels& texels, const TextureState& s
 
     const auto sample = [&](int index) {
         const TexelLevel& level = texels.levels[std::size_t(index)];
-        return lookup(level, is_linear(s, choice.magnify), s.wrap_s, s.wrap_t,
+        return lookup(level, is_linear(s, choice.magnify), addressing(s, texels, r.border_color),
                       level_coordinate(v.s, uw, level.log2_width, s.wrap_s),
                       level_coordinate(v.t, vw, level.log2_height, s.wrap_t), texels.bits);
     };

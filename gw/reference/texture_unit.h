@@ -9,7 +9,7 @@
 namespace gw::reference {
 
 /// The texture's value at a pixel that the primitive covers.
-Rgba texel_at(const Interpolants& values, const Texels& texels, const TextureState& state,
+Rgba texel_at(const Interpolants& values, const Texels& texels, const Resolved& state,
               int depth_bits, int x, int y);
 
 }  // namespace gw::reference

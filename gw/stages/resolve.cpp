@@ -66,6 +66,7 @@ Resolved resolve(const State& state, const Profile& profile, int width, int heig
     r.fog_color = quantize_color(state.fog.color, r.bits);
     r.env_color = quantize_color(state.texture.env_color, r.bits);
     r.blend_color = quantize_color(state.blend.color, r.bits);
+    r.border_color = quantize_color(state.texture.border_color, r.bits);
     if (state.logic_op.enable) r.state.blend.enable = false;
     r.fragment_fog = fog_is_per_fragment(state.fog, profile);
     const ColorMask& m = state.color_mask;

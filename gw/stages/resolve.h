@@ -24,7 +24,7 @@ struct Resolved {
     StencilFace front, back;
     std::uint32_t stencil_max = 255;
     std::uint32_t alpha_ref = 0;
-    Rgba fog_color{}, env_color{}, blend_color{};
+    Rgba fog_color{}, env_color{}, blend_color{}, border_color{};
     bool fragment_fog = false;
     bool writes_color = true;  ///< the colour mask is set for at least one channel
     /// as given: for clears and pixel rectangles, which no depth test guards

@@ -6,6 +6,7 @@
 #include "gw/base/arithmetic.h"
 #include "gw/base/types.h"
 #include "gw/state.h"
+#include "gw/texture.h"
 
 #include <array>
 #include <cstdint>
@@ -120,23 +121,42 @@ constexpr bool reads_stored(const LogicOpState& s) {
     return s.enable && ((table ^ table >> 1) & 5) != 0;
 }
 
-/// [GL11] table 3.11 for RGBA textures: `f` of the fragment, `t` of the texture, `env` constant.
-constexpr Rgba texture_environment(TexEnv mode, const Rgba& f, const Rgba& t, const Rgba& env,
-                                   int bits) {
+/// What a texture environment does with a channel.
+enum class EnvironmentOp : std::uint8_t { Keep, Replace, Modulate, Decal, Blend };
+
+/// [GL11] tables 3.10 and 3.11: the colour channels, or alpha. Channels that a format lacks leave the
+/// fragment's as it is. Decal is defined for RGB and RGBA; the others are treated as RGBA.
+constexpr EnvironmentOp environment_op(TexEnv mode, TextureFormat format, bool alpha) {
+    const bool has_alpha = format != TextureFormat::RGB && format != TextureFormat::Luminance;
+    if (!alpha && format == TextureFormat::Alpha) return EnvironmentOp::Keep;
+    if (alpha && (!has_alpha || mode == TexEnv::Decal)) return EnvironmentOp::Keep;
+    switch (mode) {
+        case TexEnv::Modulate: return EnvironmentOp::Modulate;
+        case TexEnv::Decal: return EnvironmentOp::Decal;
+        case TexEnv::Replace: return EnvironmentOp::Replace;
+        case TexEnv::Blend: break;
+    }
+    return alpha && format != TextureFormat::Intensity ? EnvironmentOp::Modulate
+                                                       : EnvironmentOp::Blend;
+}
+
+/// `f` of the fragment, `t` of the texture, `env` constant.
+constexpr Rgba texture_environment(TexEnv mode, TextureFormat format, const Rgba& f, const Rgba& t,
+                                   const Rgba& env, int bits) {
     const std::uint32_t max = max_of_bits(bits);
     Rgba out = f;
     for (std::size_t i = 0; i < 4; ++i) {
         std::uint32_t v = f[i];
-        switch (mode) {
-            case TexEnv::Modulate: v = mul(f[i], t[i], bits); break;
-            case TexEnv::Decal:
-                v = i == 3 ? f[3] : mul(f[i], max - t[3], bits) + mul(t[i], t[3], bits);
+        switch (environment_op(mode, format, i == 3)) {
+            case EnvironmentOp::Keep: break;
+            case EnvironmentOp::Replace: v = t[i]; break;
+            case EnvironmentOp::Modulate: v = mul(f[i], t[i], bits); break;
+            case EnvironmentOp::Decal:
+                v = mul(f[i], max - t[3], bits) + mul(t[i], t[3], bits);
                 break;
-            case TexEnv::Blend:
-                v = i == 3 ? mul(f[3], t[3], bits)
-                           : mul(f[i], max - t[i], bits) + mul(env[i], t[i], bits);
+            case EnvironmentOp::Blend:
+                v = mul(f[i], max - t[i], bits) + mul(env[i], t[i], bits);
                 break;
-            case TexEnv::Replace: v = t[i]; break;
         }
         out[i] = static_cast<std::uint16_t>(v);
     }

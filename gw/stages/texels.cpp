@@ -10,15 +10,42 @@
 namespace gw {
 namespace {
 
-TexelLevel make_level(const TextureLevel& from, int bits) {
+/// One level's array of 16-bit values as texels.
+std::vector<Rgba> rounded(const std::vector<std::uint16_t>& rgba, int bits, int texel_bits) {
+    std::vector<Rgba> out(rgba.size() / 4);
+    for (std::size_t i = 0; i < rgba.size(); ++i)
+        out[i / 4][i % 4] =
+            static_cast<std::uint16_t>(rescale(rescale(rgba[i], 16, texel_bits), texel_bits, bits));
+    return out;
+}
+
+/// The texels inside a border.
+std::vector<Rgba> inner(const TexelLevel& level) {
+    std::vector<Rgba> out;
+    for (int j = 0; j < level.height; ++j)
+        for (int i = 0; i < level.width; ++i)
+            out.push_back(level.bordered[pixel_index(i + 1, j + 1, level.width + 2)]);
+    return out;
+}
+
+/// In one dimension the rows above and below repeat the one row: t is 0 there.
+std::vector<Rgba> three_rows(const std::vector<Rgba>& row) {
+    std::vector<Rgba> out = row;
+    out.insert(out.end(), row.begin(), row.end());
+    out.insert(out.end(), row.begin(), row.end());
+    return out;
+}
+
+TexelLevel make_level(const Texture& texture, const TextureLevel& from, int bits, int texel_bits) {
     TexelLevel level{from.width,
                      from.height,
                      std::countr_zero(unsigned(from.width)),
                      std::countr_zero(unsigned(from.height)),
+                     rounded(from.rgba, bits, texel_bits),
                      {}};
-    level.texels.resize(from.rgba.size() / 4);
-    for (std::size_t i = 0; i < from.rgba.size(); ++i)
-        level.texels[i / 4][i % 4] = static_cast<std::uint16_t>(rescale(from.rgba[i], 16, bits));
+    if (!texture.border) return level;
+    level.bordered = texture.dimensions == 2 ? std::move(level.texels) : three_rows(level.texels);
+    level.texels = inner(level);
     return level;
 }
 
@@ -40,9 +67,10 @@ const std::array<std::uint32_t, 256>& mantissa_levels() {
     return table;
 }
 
-Texels make_texels(const Texture& texture, int bits) {
-    Texels t{bits, {}, {}};
-    for (const TextureLevel& level : texture.levels) t.levels.push_back(make_level(level, bits));
+Texels make_texels(const Texture& texture, int bits, int texel_bits) {
+    Texels t{bits, {}, {}, texture.format, texture.dimensions};
+    for (const TextureLevel& level : texture.levels)
+        t.levels.push_back(make_level(texture, level, bits, texel_bits));
     return t;
 }
 
@@ -61,18 +89,41 @@ std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::u
     return static_cast<std::uint16_t>((low * (256 - wy) + high * wy + (1u << 15)) >> 16);
 }
 
-Rgba lookup(const TexelLevel& level, bool linear, Wrap wrap_s, Wrap wrap_t, int u, int v,
-            int bits) {
+namespace {
+
+/// BorderClamp keeps a position within the level; its filter reaches half a texel beyond.
+int clamped(Wrap wrap, int u, int size) {
+    return wrap == Wrap::BorderClamp ? std::clamp(u, 0, size * 256) : u;
+}
+
+/// A texel index of a linear filter: -1 and `size` are the border, under BorderClamp only.
+int filter_index(Wrap wrap, int i, int size) {
+    return wrap == Wrap::BorderClamp ? i : wrap_index(wrap, i, size);
+}
+
+const Rgba& filter_texel(const TexelLevel& level, const Rgba& border_color, int i, int j) {
+    const bool outside = i < 0 || i >= level.width || j < 0 || j >= level.height;
+    if (!outside) return level.at(i, j);
+    return level.bordered.empty() ? border_color
+                                  : level.bordered[pixel_index(i + 1, j + 1, level.width + 2)];
+}
+
+}  // namespace
+
+Rgba lookup(const TexelLevel& level, bool linear, const Addressing& how, int u, int v, int bits) {
+    const auto& [wrap_s, wrap_t, border_color] = how;
     if (!linear)
         return level.at(wrap_index(wrap_s, u >> 8, level.width),
                         wrap_index(wrap_t, v >> 8, level.height));
-    const int us = u - 128, vs = v - 128;  // to the lower left of the four centres
-    const int i0 = wrap_index(wrap_s, us >> 8, level.width),
-              i1 = wrap_index(wrap_s, (us >> 8) + 1, level.width);
-    const int j0 = wrap_index(wrap_t, vs >> 8, level.height),
-              j1 = wrap_index(wrap_t, (vs >> 8) + 1, level.height);
-    const Rgba &a = level.at(i0, j0), &b = level.at(i1, j0), &c = level.at(i0, j1),
-               &d = level.at(i1, j1);
+    // to the lower left of the four centres
+    const int us = clamped(wrap_s, u, level.width) - 128,
+              vs = clamped(wrap_t, v, level.height) - 128;
+    const int i0 = filter_index(wrap_s, us >> 8, level.width),
+              i1 = filter_index(wrap_s, (us >> 8) + 1, level.width);
+    const int j0 = filter_index(wrap_t, vs >> 8, level.height),
+              j1 = filter_index(wrap_t, (vs >> 8) + 1, level.height);
+    const auto at = [&](int i, int j) { return filter_texel(level, border_color, i, j); };
+    const Rgba a = at(i0, j0), b = at(i1, j0), c = at(i0, j1), d = at(i1, j1);
     Rgba out;
     for (std::size_t k = 0; k < 4; ++k)
         out[k] = bilinear(a[k], b[k], c[k], d[k], std::uint32_t(us & 255), std::uint32_t(vs & 255),

@@ -15,6 +15,8 @@ namespace gw {
 struct TexelLevel {
     int width = 1, height = 1, log2_width = 0, log2_height = 0;
     std::vector<Rgba> texels;  ///< of color_bits
+    /// the same with the border around it, (width + 2) (height + 2); empty: there is none
+    std::vector<Rgba> bordered;
     const Rgba& at(int i, int j) const { return texels[pixel_index(i, j, width)]; }
 };
 
@@ -23,10 +25,12 @@ struct Texels {
     int bits = 8;
     std::vector<TexelLevel> levels;
     std::vector<std::uint32_t> depths;  ///< of a depth slot, as large as level 0; else empty
+    TextureFormat format = TextureFormat::RGBA;
+    int dimensions = 2;
 };
 
-/// Levels rounded from 16 bits to `bits`.
-Texels make_texels(const Texture& texture, int bits);
+/// Levels rounded from 16 bits to `texel_bits`, then to `bits`.
+Texels make_texels(const Texture& texture, int bits, int texel_bits);
 
 /// A texel index folded into 0 .. size - 1.
 constexpr int wrap_index(Wrap wrap, int i, int size) {
@@ -37,9 +41,23 @@ constexpr int wrap_index(Wrap wrap, int i, int size) {
 std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
                        std::uint32_t wx, std::uint32_t wy, int bits);
 
+/// How a level is looked up.
+struct Addressing {
+    Wrap wrap_s = Wrap::Repeat, wrap_t = Wrap::Repeat;
+    Rgba border_color{};  ///< of levels without a border
+};
+
+/// In one dimension t does not wrap.
+inline Addressing addressing(const TextureState& s, const Texels& texels,
+                             const Rgba& border_color) {
+    const auto one = static_cast<std::uint16_t>((1u << texels.bits) - 1);
+    return {s.wrap_s, texels.dimensions == 1 ? Wrap::Clamp : s.wrap_t,
+            completed(texels.format, border_color, one)};
+}
+
 /// The texel at u, v, or the mean of the four texels around it. Coordinates are in units of 1/256
 /// texel; texel i is [256 i, 256 i + 256).
-Rgba lookup(const TexelLevel& level, bool linear, Wrap wrap_s, Wrap wrap_t, int u, int v, int bits);
+Rgba lookup(const TexelLevel& level, bool linear, const Addressing& how, int u, int v, int bits);
 
 /// The mean of two levels, weight f in 0 .. 255 of 256 for `b`.
 Rgba between_levels(const Rgba& a, const Rgba& b, std::uint32_t f);
@@ -62,6 +80,12 @@ constexpr bool is_linear(const TextureState& s, bool magnify) {
     if (magnify) return s.mag_filter == MagFilter::Linear;
     return s.min_filter == MinFilter::Linear || s.min_filter == MinFilter::LinearMipmapNearest ||
            s.min_filter == MinFilter::LinearMipmapLinear;
+}
+
+/// Whether a look-up may reach the border.
+constexpr bool reaches_border(const TextureState& s) {
+    return (s.wrap_s == Wrap::BorderClamp || s.wrap_t == Wrap::BorderClamp) &&
+           (is_linear(s, false) || is_linear(s, true));
 }
 
 /// Whether the filters depend on rho.

@@ -71,7 +71,7 @@ bool is_common(const State& state, const Draw& draw) {
     return is_affine(draw.eye_from_object) && mesh.w.empty() && mesh.texcoords_rq.empty() &&
            mesh.material_indices.empty() && state.normalize && !draw.current &&
            !draw.back_material && !state.lighting.color_material.enable &&
-           t.gen != TexGen::PerCoordinate && t.matrix == dmat4(1);
+           t.gen != TexGen::PerCoordinate && t.matrix == dmat4(1) && !is_one_dimensional(draw);
 }
 
 dvec3 eye_normal(const VertexProgram& p, const dvec3& n_object) {
@@ -161,6 +161,7 @@ Vertex run_vertex(const VertexProgram& p, std::uint32_t index) {
     if (draw.map.enabled()) {
         out.texcoord = texture_coordinates(
             state.texture, {given_texcoord(draw, index), p_object, p_eye4, p_eye, n_eye});
+        if (is_one_dimensional(draw)) out.texcoord.y = 0;
         for (int i = 0; i < 4; ++i) out.texcoord[i] = bounded(out.texcoord[i], largest_coordinate);
     }
     if (state.fog.enable) out.fog = fog_of(p, p_eye.z);

@@ -59,6 +59,11 @@ vec4 given_color(const Draw& draw, std::uint32_t index);
 /// Whether two draws give the same values to vertices for which their mesh has none.
 bool same_current(const Draw& a, const Draw& b);
 
+/// Whether the draw's texture has one dimension: its t is 0.
+inline bool is_one_dimensional(const Draw& draw) {
+    return draw.map.texture && draw.map.texture->dimensions == 1;
+}
+
 /// A vertex's position in object space.
 inline dvec4 object_position(const MeshData& mesh, std::uint32_t index) {
     return {dvec3(mesh.positions[index]), mesh.w.empty() ? 1.0 : double(mesh.w[index])};

@@ -25,6 +25,12 @@ void check_material(const Checker& c, const Material& m) {
     c.require(std::isfinite(m.alpha), "material.alpha", m.alpha, "a finite number");
 }
 
+void check_texture(const Checker& c, const Texture& t) {
+    const Extensions& e = c.profile.extensions;
+    c.extension(t.border, e.texture_border, "texture_border");
+    c.extension(t.given_levels, e.texture_formats, "texture_formats");
+}
+
 }  // namespace
 
 void check(const Checker& c, const Draw& draw) {
@@ -43,6 +49,7 @@ void check(const Checker& c, const Draw& draw) {
             check_material(c, m.back);
         }
     c.checked_mesh = draw.mesh.get();
+    if (draw.map.texture) check_texture(c, *draw.map.texture);
     if (draw.map.texture && draw.map.slot)
         c.fail("both a texture and a slot; expected one of them");
     c.require(draw.id_shift >= 0 && draw.id_shift < 32, "id_shift", draw.id_shift, "0 to 31");

@@ -24,6 +24,8 @@ void check_extensions(const Checker& c, const State& s) {
     const Extensions& e = c.profile.extensions;
     const PolygonOffsetState& offset = s.polygon_offset;
     c.extension(offset.enable || offset.lines || offset.points, e.polygon_offset, "polygon_offset");
+    c.extension(s.texture.wrap_s == Wrap::BorderClamp || s.texture.wrap_t == Wrap::BorderClamp,
+                e.texture_border, "texture_border");
     c.extension(s.line_stipple.enable || s.polygon_stipple.pattern, e.stipple, "stipple");
     c.extension(s.two_side_polygon_mode, e.two_sided_polygon_mode, "two_sided_polygon_mode");
     c.extension(s.texture.shadow_compare, e.shadow_texture, "shadow_texture");
@@ -96,8 +98,8 @@ void check_stencil(const Checker& c, const StencilFace& face) {
 void check_texture(const Checker& c, const TextureState& t) {
     c.enumeration("texture.min_filter", t.min_filter, MinFilter::LinearMipmapLinear);
     c.enumeration("texture.mag_filter", t.mag_filter, MagFilter::Linear);
-    c.enumeration("texture.wrap_s", t.wrap_s, Wrap::Clamp);
-    c.enumeration("texture.wrap_t", t.wrap_t, Wrap::Clamp);
+    c.enumeration("texture.wrap_s", t.wrap_s, Wrap::BorderClamp);
+    c.enumeration("texture.wrap_t", t.wrap_t, Wrap::BorderClamp);
     c.enumeration("texture.env", t.env, TexEnv::Replace);
     c.enumeration("texture.gen", t.gen, TexGen::PerCoordinate);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -106,6 +108,7 @@ void check_texture(const Checker& c, const TextureState& t) {
         c.finite("texture.coordinates", t.coordinates[i].plane);
     }
     c.finite("texture.matrix", t.matrix);
+    c.finite("texture.border_color", t.border_color);
     c.finite("texture.eta", t.eta);
     c.finite("texture.eye_linear", t.eye_linear);
     c.finite("texture.env_color", t.env_color);

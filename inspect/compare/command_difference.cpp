@@ -42,6 +42,12 @@ inline constexpr auto members_of<MeshData> = std::tuple(
     named("material_indices", &MeshData::material_indices));
 
 template <>
+inline constexpr auto members_of<Texture> = std::tuple(named("map's format", &Texture::format),
+                                                       named("map's dimensions",
+                                                             &Texture::dimensions),
+                                                       named("map's border", &Texture::border));
+
+template <>
 inline constexpr auto members_of<TextureLevel> = std::tuple(
     named("map's width", &TextureLevel::width), named("map's height", &TextureLevel::height),
     named("map's values", &TextureLevel::rgba));
@@ -148,8 +154,16 @@ Parts difference(const Struct& a, const Struct& b) {
 Parts difference(const TextureBinding& a, const TextureBinding& b) {
     if (a.slot != b.slot) return difference("texture slot", a.slot, b.slot);
     if (a.texture == b.texture) return {};
-    if (a.texture && b.texture)
-        return difference(a.texture->levels.front(), b.texture->levels.front());
+    if (a.texture && b.texture) {
+        const Texture &p = *a.texture, &q = *b.texture;
+        if (auto part = difference<Texture>(p, q)) return part;
+        if (p.levels.size() != q.levels.size())
+            return Part{"number of the map's levels", std::to_string(p.levels.size()),
+                        std::to_string(q.levels.size())};
+        for (std::size_t i = 0; i < p.levels.size(); ++i)
+            if (auto part = difference(p.levels[i], q.levels[i])) return part;
+        return {};
+    }
     const auto name = [](const TextureBinding& t) { return t.texture ? t.texture->name : "none"; };
     return Part{"map", name(a), name(b)};
 }

@@ -18,7 +18,7 @@ static nlohmann::ordered_json json_of(const Extensions& extensions) {
 }
 
 nlohmann::ordered_json json_of(const Profile& p) {
-    return {
+    nlohmann::ordered_json json{
         {"name", p.name},
         {"color_bits", p.color_bits},
         {"depth_bits", p.depth_bits},
@@ -31,6 +31,8 @@ nlohmann::ordered_json json_of(const Profile& p) {
         {"perspective_color", p.perspective_color},
         {"extensions", json_of(p.extensions)},
     };
+    if (p.texel_bits != 0) json["texel_bits"] = p.texel_bits;
+    return json;
 }
 
 nlohmann::ordered_json json_of(const Counters& counters) {

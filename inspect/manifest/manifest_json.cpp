@@ -131,6 +131,7 @@ Profile profile_from(const Json& json) {
         const auto& [name, member] = extension_names()[i];
         if (i < always_named_extensions || e.has(name)) p.extensions.*member = e.get<bool>(name);
     }
+    if (m.has("texel_bits")) p.texel_bits = m.get<int>("texel_bits");
     m.finish();
     e.finish();
     validate(p);

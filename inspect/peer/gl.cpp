@@ -147,7 +147,14 @@ GLenum token(MinFilter filter) {
 GLenum token(MagFilter filter) { return filter == MagFilter::Nearest ? GL_NEAREST : GL_LINEAR; }
 
 /// Our Clamp has no border colour: it is OpenGL 1.2's clamp to edge.
-GLenum token(Wrap wrap) { return wrap == Wrap::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE; }
+GLenum token(Wrap wrap) {
+    switch (wrap) {
+        case Wrap::Repeat: return GL_REPEAT;
+        case Wrap::Clamp: return GL_CLAMP_TO_EDGE;
+        case Wrap::BorderClamp: return GL_CLAMP;
+    }
+    return GL_NONE;
+}
 
 GLenum token(TexEnv env) {
     switch (env) {

@@ -17,7 +17,7 @@
     X(GetError) X(GetIntegerv) X(GetString) X(LineStipple) X(LineWidth) X(LogicOp) X(LoadIdentity) X(LoadMatrixd) X(MatrixMode) \
     X(PixelStorei) X(PointSize) X(PolygonMode) X(PolygonOffset) X(PolygonStipple) X(PopAttrib) X(PushAttrib) X(ReadPixels) \
     X(Scissor) X(ShadeModel) X(StencilFuncSeparate) X(StencilMaskSeparate) X(StencilOpSeparate) \
-    X(TexCoord4d) X(TexEnvfv) X(TexEnvi) X(TexImage2D) X(TexParameteri) X(Vertex4f) X(Viewport) \
+    X(TexCoord4d) X(TexEnvfv) X(TexEnvi) X(TexImage2D) X(TexParameterfv) X(TexParameteri) X(Vertex4f) X(Viewport) \
     X(WindowPos2i) X(WindowPos3d)
 // clang-format on
 #define GW_OSMESA_FUNCTIONS(X) \

@@ -1,5 +1,6 @@
 #include "inspect/peer/textures.h"
 
+#include "gw/error.h"
 #include "inspect/peer/gl.h"
 
 namespace gw::peer {
@@ -14,11 +15,27 @@ unsigned new_object() {
     return name;
 }
 
+GLint internal_format(TextureFormat format) {
+    switch (format) {
+        case TextureFormat::RGBA: return GL_RGBA8;
+        case TextureFormat::RGB: return GL_RGB8;
+        case TextureFormat::LuminanceAlpha: return GL_LUMINANCE8_ALPHA8;
+        case TextureFormat::Luminance: return GL_LUMINANCE8;
+        case TextureFormat::Alpha: return GL_ALPHA8;
+        case TextureFormat::Intensity: return GL_INTENSITY8;
+    }
+    return GL_RGBA8;
+}
+
 void upload(const Texture& texture) {
+    if (texture.border || texture.dimensions != 2)
+        throw Error("texture " + texture.name +
+                    ": a border, or one dimension; the player hands over neither");
     GLint level = 0;
     for (const TextureLevel& l : texture.levels)
-        gl().TexImage2D(GL_TEXTURE_2D, level++, GL_RGBA8, l.width, l.height, 0, GL_RGBA,
-                        GL_UNSIGNED_SHORT, l.rgba.data());
+        gl().TexImage2D(GL_TEXTURE_2D, level++, internal_format(texture.format), l.width, l.height,
+                        0, GL_RGBA, GL_UNSIGNED_SHORT, l.rgba.data());
+    gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level - 1);
 }
 
 /// A slot has one level.
@@ -28,6 +45,7 @@ void set_sampler(const TextureState& s, bool one_level) {
     gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, value(token(s.mag_filter)));
     gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, value(token(s.wrap_s)));
     gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, value(token(s.wrap_t)));
+    gl().TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, &s.border_color[0]);
 }
 
 /// The machine compares with the nearest texel; OpenGL would filter the comparisons.

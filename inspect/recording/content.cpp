@@ -54,11 +54,16 @@ Digest content(const MeshData& mesh) {
 }
 
 Digest content(const Texture& texture) {
-    const TextureLevel& level = texture.levels.front();  // the others follow from it
+    const TextureLevel& level = texture.levels.front();
     Hasher hasher;
     hasher.add_number(std::uint64_t(level.width));
     hasher.add_number(std::uint64_t(level.height));
     hasher.add(level.rgba);
+    if (!texture.given_levels) return hasher.finish();
+    hasher.add_number(std::uint64_t(texture.format));
+    hasher.add_number(std::uint64_t(texture.dimensions));
+    hasher.add_number(texture.border ? 1 : 0);
+    for (const TextureLevel& l : texture.levels) hasher.add(l.rgba);
     return hasher.finish();
 }
 

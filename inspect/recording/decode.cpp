@@ -50,11 +50,13 @@ Profile from_file(const gwt::Profile& p) {
             .subpixel_bits = p.subpixel_bits(),
             .lit_bits = p.lit_bits(),
             .max_lights = p.max_lights(),
+            .texel_bits = p.texel_bits(),
             .fragment_fog = p.fragment_fog(),
             .perspective_color = p.perspective_color(),
             .extensions = {p.polygon_offset(), p.shadow_texture(), p.stencil_wrap(),
-                           p.two_sided_stencil(), p.stipple(), p.two_sided_polygon_mode(),
-                           p.logic_op(), p.blend_color(), p.blend_minmax(), p.blend_subtract()}};
+                           p.two_sided_stencil(), p.texture_border(), p.texture_formats(),
+                           p.stipple(), p.two_sided_polygon_mode(), p.logic_op(), p.blend_color(),
+                           p.blend_minmax(), p.blend_subtract()}};
 }
 
 class Decoder {
@@ -99,6 +101,8 @@ private:
 
     MeshRef mesh(const gwt::Mesh& m);
     TextureRef texture(const gwt::Texture& t);
+    TextureRef given_texture(const gwt::Texture& t, const std::vector<std::uint8_t>& texels8,
+                             const std::vector<std::uint16_t>& texels16);
     template <typename File>
     auto all(const flatbuffers::Vector<flatbuffers::Offset<File>>* stored, const char* what,
              const auto& decode_one);
@@ -161,12 +165,43 @@ MeshRef Decoder::mesh(const gwt::Mesh& m) {
     return make_mesh(std::move(data));
 }
 
+TextureRef Decoder::given_texture(const gwt::Texture& t, const std::vector<std::uint8_t>& texels8,
+                                  const std::vector<std::uint16_t>& texels16) {
+    constexpr int most_levels = 13;  // of 4096 texels
+    if (t.level_count() < 1 || t.level_count() > most_levels)
+        throw Error(fmt::format("{} levels; expected 1 to {}", t.level_count(), most_levels));
+    for (const int side : {t.width(), t.height()})
+        if (side < 1 || side > max_texture_size)
+            throw Error(fmt::format("{} x {} texels; expected sides of 1 to {}", t.width(),
+                                    t.height(), max_texture_size));
+    Texture texture{.name = text(t.name()),
+                    .format = our_enum<TextureFormat>(t.format()),
+                    .dimensions = t.dimensions(),
+                    .border = t.border()};
+    const std::size_t values = texels8.empty() ? texels16.size() : texels8.size();
+    std::size_t next = 0;
+    for (int i = 0; i < t.level_count(); ++i) {
+        TextureLevel level{std::max(1, t.width() >> i), std::max(1, t.height() >> i), {}};
+        const std::size_t more = t.border() ? 2 : 0;
+        const std::size_t size = 4 * (std::size_t(level.width) + more) *
+                                 (std::size_t(level.height) + (t.dimensions() == 1 ? 0 : more));
+        if (size > values - next)
+            throw Error(fmt::format("level {} of {} values; {} are left", i, size, values - next));
+        for (const std::size_t end = next + size; next < end; ++next)
+            level.rgba.push_back(texels8.empty() ? texels16[next]
+                                                 : static_cast<std::uint16_t>(257 * texels8[next]));
+        texture.levels.push_back(std::move(level));
+    }
+    return make_texture(std::move(texture));
+}
+
 TextureRef Decoder::texture(const gwt::Texture& t) {
     const std::vector<std::uint8_t> texels8 = numbers(t.texels8());
     const std::vector<std::uint16_t> texels16 = numbers(t.texels16());
     if (!texels8.empty() && !texels16.empty())
         throw Error("both texels8 and texels16; expected one of them");
     charge((texels8.size() + texels16.size()) * 4);  // its levels, and the machine's
+    if (t.level_count() != 0) return given_texture(t, texels8, texels16);
     for (const int side : {t.width(), t.height()})
         if (side < 1 || (side & (side - 1)) != 0)
             throw Error(

@@ -170,17 +170,24 @@ std::uint32_t Encoder::texture(const TextureRef& ref) {
         texture_places_.place(ref, [](const Texture& t) { return content(t); });
     if (!is_new) return place;
     const TextureLevel& level = ref->levels.front();
-    const bool bytes = std::all_of(level.rgba.begin(), level.rgba.end(),
-                                   [](std::uint16_t v) { return v % 257 == 0; });
+    std::vector<std::uint16_t> texels16 = level.rgba;
+    if (ref->given_levels)
+        for (std::size_t i = 1; i < ref->levels.size(); ++i)
+            texels16.insert(texels16.end(), ref->levels[i].rgba.begin(), ref->levels[i].rgba.end());
+    const bool bytes =
+        std::all_of(texels16.begin(), texels16.end(), [](std::uint16_t v) { return v % 257 == 0; });
     std::vector<std::uint8_t> texels8;
     if (bytes)
-        for (const std::uint16_t v : level.rgba)
+        for (const std::uint16_t v : texels16)
             texels8.push_back(static_cast<std::uint8_t>(v / 257));
     const auto name = out_.CreateString(ref->name);
     const auto stored8 = numbers(texels8);
-    const auto stored16 = numbers(bytes ? std::vector<std::uint16_t>() : level.rgba);
-    textures_.push_back(
-        gwt::CreateTexture(out_, name, level.width, level.height, stored8, stored16));
+    const auto stored16 = numbers(bytes ? std::vector<std::uint16_t>() : texels16);
+    uses_version_2_ = uses_version_2_ || ref->given_levels;
+    textures_.push_back(gwt::CreateTexture(out_, name, level.width, level.height, stored8, stored16,
+                                           ref->given_levels ? int(ref->levels.size()) : 0,
+                                           file_enum<gwt::TextureFormat>(ref->format),
+                                           ref->dimensions, ref->border));
     return place;
 }
 
@@ -239,8 +246,9 @@ Offset<gwt::Profile> Encoder::profile(const Profile& p) {
     return gwt::CreateProfile(
         out_, out_.CreateString(p.name), p.color_bits, p.depth_bits, p.stencil_bits, p.accum_bits,
         p.subpixel_bits, p.lit_bits, p.max_lights, p.fragment_fog, p.perspective_color,
-        e.polygon_offset, e.shadow_texture, e.stencil_wrap, e.two_sided_stencil, e.stipple,
-        e.two_sided_polygon_mode, e.logic_op, e.blend_color, e.blend_minmax, e.blend_subtract);
+        e.polygon_offset, e.shadow_texture, e.stencil_wrap, e.two_sided_stencil, p.texel_bits,
+        e.texture_border, e.texture_formats, e.stipple, e.two_sided_polygon_mode, e.logic_op,
+        e.blend_color, e.blend_minmax, e.blend_subtract);
 }
 
 bool needs_version_2(const Profile& p) {
@@ -249,7 +257,7 @@ bool needs_version_2(const Profile& p) {
     of_version_1.shadow_texture = p.extensions.shadow_texture;
     of_version_1.stencil_wrap = p.extensions.stencil_wrap;
     of_version_1.two_sided_stencil = p.extensions.two_sided_stencil;
-    return p.extensions != of_version_1;
+    return p.extensions != of_version_1 || p.texel_bits != 0;
 }
 
 std::uint32_t Encoder::version(const Profile& profile) const {

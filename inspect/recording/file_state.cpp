@@ -13,6 +13,8 @@ static_assert(int(BlendFactor::OneMinusConstantAlpha) == int(gwt::BlendFactor::M
 static_assert(int(BlendEquation::Max) == int(gwt::BlendEquation::MAX));
 static_assert(int(CoordinateMode::SphereMap) == int(gwt::CoordinateMode::MAX));
 static_assert(int(ColorMaterial::AmbientAndDiffuse) == int(gwt::ColorMaterial::MAX));
+static_assert(int(Wrap::BorderClamp) == int(gwt::Wrap::MAX));
+static_assert(int(TextureFormat::Intensity) == int(gwt::TextureFormat::MAX));
 static_assert(int(LogicOp::Set) == int(gwt::LogicOp::MAX));
 static_assert(int(MinFilter::LinearMipmapLinear) == int(gwt::MinFilter::MAX));
 static_assert(int(TexEnv::Replace) == int(gwt::TexEnv::MAX));
@@ -279,6 +281,8 @@ flatbuffers::Offset<gwt::State> to_file(flatbuffers::FlatBufferBuilder& out, con
     b.add_coordinates(coordinates);
     const auto matrix = to_file(s.texture.matrix);
     if (s.texture.matrix != initial.texture.matrix) b.add_texture_matrix(&matrix);
+    const auto border_color = to_file(s.texture.border_color);
+    if (s.texture.border_color != initial.texture.border_color) b.add_border_color(&border_color);
     b.add_offset_lines(s.polygon_offset.lines);
     b.add_offset_points(s.polygon_offset.points);
     b.add_two_side_polygon_mode(s.two_side_polygon_mode);
@@ -296,8 +300,10 @@ bool needs_version_2(const State& s) {
            !s.normalize || s.lighting.color_material != initial.lighting.color_material ||
            s.texture.gen == TexGen::PerCoordinate ||
            s.texture.coordinates != initial.texture.coordinates ||
-           s.texture.matrix != initial.texture.matrix || s.polygon_offset.lines ||
-           s.polygon_offset.points || s.two_side_polygon_mode ||
+           s.texture.matrix != initial.texture.matrix ||
+           s.texture.border_color != initial.texture.border_color ||
+           s.texture.wrap_s == Wrap::BorderClamp || s.texture.wrap_t == Wrap::BorderClamp ||
+           s.polygon_offset.lines || s.polygon_offset.points || s.two_side_polygon_mode ||
            s.back_polygon_mode != initial.back_polygon_mode ||
            s.line_stipple != initial.line_stipple || s.polygon_stipple.pattern;
 }
@@ -332,6 +338,7 @@ State from_file(const gwt::State& f) {
     read(f.color_material(), s.lighting.color_material);
     read_coordinates(f.coordinates(), s);
     read(f.texture_matrix(), s.texture.matrix);
+    read(f.border_color(), s.texture.border_color);
     s.polygon_offset.lines = f.offset_lines();
     s.polygon_offset.points = f.offset_points();
     s.two_side_polygon_mode = f.two_side_polygon_mode();

@@ -80,6 +80,7 @@ void add_shading(const State& s, const auto& add) {
         add(fmt::format("texture.coordinates.{}.plane", i), s.texture.coordinates[i].plane);
     }
     add("texture.matrix", s.texture.matrix);
+    add("texture.border_color", s.texture.border_color);
     add("texture.shadow_compare", s.texture.shadow_compare);
 }
 

@@ -61,6 +61,9 @@ std::string text(ColorMaterial v) {
 std::string text(CoordinateMode v) {
     return gwt::EnumNameCoordinateMode(file_enum<gwt::CoordinateMode>(v));
 }
+std::string text(TextureFormat v) {
+    return gwt::EnumNameTextureFormat(file_enum<gwt::TextureFormat>(v));
+}
 std::string text(FogMode v) { return gwt::EnumNameFogMode(file_enum<gwt::FogMode>(v)); }
 std::string text(FogCoordinate v) {
     return gwt::EnumNameFogCoordinate(file_enum<gwt::FogCoordinate>(v));

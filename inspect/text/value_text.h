@@ -43,6 +43,7 @@ std::string text(ShadeModel v);
 std::string text(ColorSource v);
 std::string text(ColorMaterial v);
 std::string text(CoordinateMode v);
+std::string text(TextureFormat v);
 std::string text(FogMode v);
 std::string text(FogCoordinate v);
 std::string text(MinFilter v);

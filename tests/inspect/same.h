@@ -9,7 +9,9 @@ namespace gw::inspect {
 
 inline bool same(const MeshRef& a, const MeshRef& b) { return a->data() == b->data(); }
 inline bool same(const TextureRef& a, const TextureRef& b) {
-    return a == b || (a && b && a->name == b->name && a->levels == b->levels);
+    return a == b || (a && b && a->name == b->name && a->levels == b->levels &&
+                      a->format == b->format && a->dimensions == b->dimensions &&
+                      a->border == b->border && a->given_levels == b->given_levels);
 }
 inline bool same(const LightsRef& a, const LightsRef& b) { return a == b || (a && b && *a == *b); }
 

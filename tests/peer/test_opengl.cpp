@@ -129,5 +129,39 @@ TEST_P(OpenGL, StippledLinesAgree) {
     EXPECT_EQ(tally.different, 0);
 }
 
+/// A square over the window in each format and environment, and half way into the border.
+TEST_P(OpenGL, TextureFormatsAreWithinOneUnit) {
+    Random random(15);
+    std::vector<CommandList> lists;
+    for (int format = 0; format <= int(TextureFormat::Intensity); ++format)
+        for (const TexEnv env : {TexEnv::Modulate, TexEnv::Blend, TexEnv::Replace})
+            for (const Wrap wrap : {Wrap::Repeat, Wrap::BorderClamp}) {
+                Texture t{
+                    .name = "format", .levels = {{4, 4, {}}}, .format = TextureFormat(format)};
+                for (int i = 0; i < 64; ++i)
+                    t.levels[0].rgba.push_back(std::uint16_t(257 * random.between(0, 255)));
+                State state = window_state();
+                state.texture = {.mag_filter = MagFilter::Nearest,
+                                 .wrap_s = wrap,
+                                 .wrap_t = wrap,
+                                 .env = env,
+                                 .env_color = random_color(random)};
+                state.texture.min_filter = MinFilter::Nearest;
+                const vec4 color = random_color(random);
+                MeshData square{.primitive = Primitive::Quads};
+                square.positions = {{0, 0, 0}, {size, 0, 0}, {size, size, 0}, {0, size, 0}};
+                square.texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+                square.colors.assign(4, color);
+                Draw draw{.mesh = make_mesh(square)};
+                draw.map.texture = make_texture(std::move(t));
+                add(lists.emplace_back(), state, std::move(draw));
+            }
+    const Tally tally = compare_colors(execute(lists, size, size, coarse_opengl()),
+                                       play(lists, coarse_opengl()).planes);
+    report(GetParam(), "texture formats and environments", tally);
+    EXPECT_EQ(tally.compared, 36L * size * size);
+    EXPECT_LE(tally.worst, 1);
+}
+
 }  // namespace
 }  // namespace gw

@@ -5,6 +5,7 @@
 
 #include "gw/fast/frame/uniform.h"
 #include "gw/stages/resolve.h"
+#include "gw/stages/texels.h"
 
 #include <cstdint>
 #include <vector>
@@ -52,9 +53,11 @@ inline bool needs_depth(const DrawOp& op) {
 inline UniformPlanes touched_planes(const DrawOp& op) {
     return {op.state.writes_color, needs_depth(op)};
 }
-/// Whether a texture is looked up pixel by pixel: projective coordinates and the shadow comparison.
+/// Whether a texture is looked up pixel by pixel: projective coordinates, the shadow comparison and
+/// borders.
 inline bool textures_by_pixel(const DrawOp& op) {
-    return op.projective || op.state.state.texture.shadow_compare;
+    return op.projective || op.state.state.texture.shadow_compare ||
+           reaches_border(op.state.state.texture);
 }
 
 }  // namespace fast

@@ -4,11 +4,12 @@
 
 namespace gw::fast {
 
-FastTexels& KeptTextures::find_or_make(const TextureRef& texture, int bits) {
+FastTexels& KeptTextures::find_or_make(const TextureRef& texture, const Profile& profile) {
     Kept& kept = all_[texture.get()];
     // Expired: the texture that had this address is gone.
     if (kept.owner.expired()) {
-        kept.texels = make_fast_texels(make_texels(*texture, bits));
+        kept.texels =
+            make_fast_texels(make_texels(*texture, profile.color_bits, texel_bits(profile)));
         kept.owner = texture;
         made_ += 1;
     }

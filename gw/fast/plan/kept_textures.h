@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gw/fast/plan/texels.h"
+#include "gw/profile.h"
 #include "gw/texture.h"
 
 #include <memory>
@@ -12,7 +13,7 @@ namespace gw::fast {
 /// Packed texels are dropped soon after the last reference to their texture.
 class KeptTextures {
 public:
-    FastTexels& find_or_make(const TextureRef& texture, int bits);
+    FastTexels& find_or_make(const TextureRef& texture, const Profile& profile);
     /// Checks a few of the kept textures.
     void end_segment();
 

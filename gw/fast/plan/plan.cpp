@@ -112,7 +112,7 @@ struct Planner {
         if (binding.slot) return &machine.slots.at(*binding.slot);
         if (binding.texture.get() != last_texture) {
             last_texture = binding.texture.get();
-            last_texels = &machine.texels.find_or_make(binding.texture, profile.color_bits);
+            last_texels = &machine.texels.find_or_make(binding.texture, profile);
         }
         return last_texels;
     }

@@ -56,7 +56,7 @@ HWY_INLINE void numerator_lanes(const Vertices3& s, const Vertices3& ratio, Wrap
     const D64 d;
     const auto zero = hn::Zero(d), one = all(1), unit = all(coordinate_unit);
     auto k = hn::Floor(least(s));
-    if (wrap == Wrap::Clamp) k = hn::Max(all(-1024), hn::Min(k, all(1023)));
+    if (wrap != Wrap::Repeat) k = hn::Max(all(-1024), hn::Min(k, all(1023)));
     const auto range = hn::Sub(most(s), k);
     auto power = one, inverse = one, exponent = zero;
     for (int e = 0; e < 10; ++e) {
@@ -72,7 +72,7 @@ HWY_INLINE void numerator_lanes(const Vertices3& s, const Vertices3& ratio, Wrap
         hn::Store(hn::Max(zero, hn::Min(u, unit)), d, out[v] + i);
     }
     hn::Store(exponent, d, batch.exponent + i);
-    hn::Store(wrap == Wrap::Clamp ? k : zero, d, batch.k + i);
+    hn::Store(wrap != Wrap::Repeat ? k : zero, d, batch.k + i);
 }
 
 HWY_INLINE std::uint32_t finite_lanes(const Vertices3& v) {

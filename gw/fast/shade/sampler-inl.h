@@ -56,7 +56,7 @@ struct Sampler {
     HWY_INLINE static V32 weight(Wrap wrap, VI position, VI texel) {
         const I32 i;
         auto fraction = hn::And(position, hn::Set(i, 255));
-        if (wrap == Wrap::Clamp)
+        if (wrap != Wrap::Repeat)
             fraction = hn::IfThenZeroElse(hn::Lt(texel, hn::Zero(i)), fraction);
         return hn::BitCast(D32(), fraction);
     }

@@ -13,6 +13,7 @@
 #include "gw/fast/shade/texture-inl.h"
 #include "gw/fast/simd/walk-inl.h"
 #include "gw/stages/fog.h"
+#include "gw/stages/tables.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -125,9 +126,12 @@ HWY_INLINE void modulate_bytes(const ColorBlock& color, const ColorBlock& texel,
 }
 
 /// texture_environment() of gw/stages/tables.h.
-HWY_NOINLINE inline void apply_environment(TexEnv mode, const Rgba& env, int bits,
-                                           const ColorBlock& color, const ColorBlock& texel,
-                                           ColorBlock& out) {
+HWY_NOINLINE inline void apply_environment(const DrawOp& op, const ColorBlock& color,
+                                           const ColorBlock& texel, ColorBlock& out) {
+    const TexEnv mode = op.state.state.texture.env;
+    const TextureFormat format = op.texels->texels.format;
+    const Rgba& env = op.state.env_color;
+    const int bits = op.state.bits;
     if (mode == TexEnv::Modulate && bits == 8) return modulate_bytes(color, texel, out);
     const D32 d;
     const auto max = hn::Set(d, max_of_bits(bits));
@@ -136,16 +140,19 @@ HWY_NOINLINE inline void apply_environment(TexEnv mode, const Rgba& env, int bit
         for (std::size_t c = 0; c < 4; ++c) {
             const auto f = load_channel(color.channel[c] + i),
                        t = load_channel(texel.channel[c] + i);
-            auto v = t;
-            if (mode == TexEnv::Modulate || (mode == TexEnv::Blend && c == 3))
-                v = mul_lanes(f, t, bits);
-            else if (mode == TexEnv::Decal)
-                v = c == 3 ? f
-                           : hn::Add(mul_lanes(f, hn::Sub(max, alpha), bits),
-                                     mul_lanes(t, alpha, bits));
-            else if (mode == TexEnv::Blend)
-                v = hn::Add(mul_lanes(f, hn::Sub(max, t), bits),
-                            mul_lanes(hn::Set(d, env[c]), t, bits));
+            auto v = f;
+            switch (environment_op(mode, format, c == 3)) {
+                case EnvironmentOp::Keep: break;
+                case EnvironmentOp::Replace: v = t; break;
+                case EnvironmentOp::Modulate: v = mul_lanes(f, t, bits); break;
+                case EnvironmentOp::Decal:
+                    v = hn::Add(mul_lanes(f, hn::Sub(max, alpha), bits), mul_lanes(t, alpha, bits));
+                    break;
+                case EnvironmentOp::Blend:
+                    v = hn::Add(mul_lanes(f, hn::Sub(max, t), bits),
+                                mul_lanes(hn::Set(d, env[c]), t, bits));
+                    break;
+            }
             store16(v, out.channel[c] + i);
         }
     }
@@ -211,7 +218,7 @@ HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const ColorBl
     if (s.color_source == ColorSource::PolygonId) return in.color;
     const ColorBlock* color = &in.color;
     if (op.texels) {
-        apply_environment(s.texture.env, op.state.env_color, op.state.bits, *color, texel, in.out);
+        apply_environment(op, *color, texel, in.out);
         color = &in.out;
     }
     if (s.fog.enable) {

@@ -21,11 +21,13 @@ bool same_back(const Draw& a, const Draw& b) {
            (a.back_material && b.back_material && *a.back_material == *b.back_material);
 }
 
-/// Whether parts that have a draw already have one with the same current values.
-bool same_currents(const VertexInputs& a, const GroupDraws& b) {
+/// Whether parts that have a draw already have one that gives the same texture coordinates.
+bool same_given(const VertexInputs& a, const GroupDraws& b) {
     for (std::size_t i = 0; i < b.group.parts; ++i) {
         const Draw* const draw = a.draws[b.group.first_part + i];
-        if (draw && !same_current(*draw, *b.draws[i])) return false;
+        if (draw && (!same_current(*draw, *b.draws[i]) ||
+                     is_one_dimensional(*draw) != is_one_dimensional(*b.draws[i])))
+            return false;
     }
     return true;
 }
@@ -87,7 +89,7 @@ bool same_texcoords(const VertexInputs& a, const GroupDraws& b) {
            (s.gen != TexGen::RefractionMap || s.eta == t.eta) &&
            (s.gen != TexGen::EyeLinear || s.eye_linear == t.eye_linear) &&
            (s.gen != TexGen::PerCoordinate || s.coordinates == t.coordinates) &&
-           s.matrix == t.matrix && a.state->normalize == b.state->normalize && same_currents(a, b);
+           s.matrix == t.matrix && a.state->normalize == b.state->normalize && same_given(a, b);
 }
 
 namespace {
@@ -293,7 +295,7 @@ void texture_vertices(VertexTexcoords& out, const Profile& profile) {
         const std::vector<vec2>& given = draws[i]->mesh->data().texcoords;
         const bool as_given = state->texture.gen == TexGen::None && !given.empty() &&
                               draws[i]->mesh->data().texcoords_rq.empty() &&
-                              state->texture.matrix == dmat4(1);
+                              state->texture.matrix == dmat4(1) && !is_one_dimensional(*draws[i]);
         if (as_given)
             for (const std::uint32_t v : vertices.used) strq[v] = {given[v].x, given[v].y, 0, 1};
         if (as_given && !vertices.is_clipped()) continue;

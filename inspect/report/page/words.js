@@ -112,7 +112,7 @@ const gw_words = {
     column_primitive: "プリミティブ",
     column_polygon: "ポリゴン",
     column_outcome: "結果",
-    column_fragment: "断片",
+    column_fragment: "フラグメント",
     column_fragment_depth: "その Z",
     fate_0: "棄却: アルファテスト",
     fate_1: "棄却: ステンシルテスト",

@@ -129,6 +129,7 @@ std::vector<std::string> refused_states() {
     add([](State& s) { s.texture.env_color.x = infinity; });
     add([](State& s) { s.texture.coordinates[2].plane.w = nan; });
     add([](State& s) { s.texture.matrix[1][0] = infinity; });
+    add([](State& s) { s.texture.border_color.w = nan; });
     return out;
 }
 
@@ -214,6 +215,11 @@ std::vector<std::string> refused_pixel_commands() {
 
 std::vector<std::string> refused_values() {
     const std::vector<vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const auto given = [&](const std::function<void(Texture&)>& change) {
+        Texture t{.name = "t", .levels = {{1, 1, std::vector<std::uint16_t>(4)}}};
+        change(t);
+        return message_of([&] { make_texture(std::move(t)); });
+    };
     const auto mesh = [&](const std::function<void(MeshData&)>& change) {
         MeshData data{.positions = corners};
         change(data);
@@ -258,6 +264,18 @@ std::vector<std::string> refused_values() {
         }),
         message_of([&] { make_texture("t", 4097, 1, texel); }),
         message_of([&] { make_texture("t", 2, 1, texel); }),
+        given([](Texture& t) { t.levels.clear(); }),
+        given([](Texture& t) { t.dimensions = 3; }),
+        given([](Texture& t) {
+            t.dimensions = 1;
+            t.levels[0].height = 2;
+        }),
+        given([](Texture& t) { t.format = TextureFormat(6); }),
+        given([](Texture& t) { t.levels[0].width = 3; }),
+        given([](Texture& t) {
+            t.levels.push_back({2, 1, std::vector<std::uint16_t>(8)});
+        }),
+        given([](Texture& t) { t.levels[0].rgba.resize(8); }),
     };
 }
 

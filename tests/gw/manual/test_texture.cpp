@@ -4,6 +4,7 @@
 #include "gw/stages/vertex.h"
 #include "tests/gw/workbench.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gw {
@@ -191,6 +192,106 @@ TEST(ManualTexture, ShadowsByComparison) {
         EXPECT_EQ(bench.color(1, 1), lit ? (Rgba{4095, 4095, 4095, 4095}) : (Rgba{}))
             << r << " " << q;
     }
+}
+
+/// A texture whose levels have one value each.
+Texture levels_of(const std::vector<std::array<std::uint16_t, 4>>& values, int side) {
+    Texture t{.name = "levels"};
+    for (const auto& value : values) {
+        TextureLevel level{side, side, {}};
+        for (int i = 0; i < side * side; ++i)
+            level.rgba.insert(level.rgba.end(), value.begin(), value.end());
+        t.levels.push_back(std::move(level));
+        side = std::max(1, side / 2);
+    }
+    return t;
+}
+
+/// The colour at (1, 1) of a square of 16 pixels under the texture; s, t = 0 .. `repeats`.
+Rgba textured(Texture texture, const TextureState& state, float repeats = 1,
+              const Profile& profile = opengl(), vec4 color = vec4(1)) {
+    Workbench bench(profile, 16, 16);
+    MeshData square =
+        test::mesh_data(Primitive::Quads, {{0, 0, 0}, {16, 0, 0}, {16, 16, 0}, {0, 16, 0}},
+                        std::vector<vec4>(4, color));
+    square.texcoords = {{0, 0}, {repeats, 0}, {repeats, repeats}, {0, repeats}};
+    Draw draw{.mesh = make_mesh(square)};
+    draw.map.texture = make_texture(std::move(texture));
+    bench.state.texture = state;
+    bench.draw(draw);
+    return bench.color(1, 1);
+}
+
+constexpr std::uint16_t half_up = 257 * 128, quarter = 257 * 64, full = 65535;
+
+// [R10.23]
+TEST(ManualTexture, GivenLevelsAreNotMeans) {
+    const Texture t = levels_of({{full, 0, 0, full}, {0, full, 0, full}, {0, 0, full, full}}, 4);
+    TextureState s{.min_filter = MinFilter::NearestMipmapNearest, .mag_filter = MagFilter::Nearest};
+    EXPECT_EQ(textured(t, s, 4), (Rgba{255, 0, 0, 255}));   // a texel a pixel
+    EXPECT_EQ(textured(t, s, 8), (Rgba{0, 255, 0, 255}));   // two
+    EXPECT_EQ(textured(t, s, 64), (Rgba{0, 0, 255, 255}));  // sixteen: the last level
+    Profile coarse = opengl();
+    coarse.texel_bits = 1;
+    const Texture grey = levels_of({{half_up, quarter, 0, full}}, 1);
+    EXPECT_EQ(textured(grey, {.env = TexEnv::Replace}), (Rgba{128, 64, 0, 255}));
+    EXPECT_EQ(textured(grey, {.env = TexEnv::Replace}, 1, coarse), (Rgba{255, 0, 0, 255}));
+}
+
+// [R10.24] [R10.17]
+TEST(ManualTexture, FormatsChooseTheChannels) {
+    const auto with = [](TextureFormat format, TexEnv env) {
+        Texture t = levels_of({{half_up, full, full, quarter}}, 1);
+        t.format = format;
+        const TextureState s{.env = env, .env_color = {1, 1, 1, 1}};
+        return textured(std::move(t), s, 1, opengl(), {0.2f, 0.4f, 0.6f, 0.8f});  // 51 102 153 204
+    };
+    using enum TextureFormat;
+    EXPECT_EQ(with(RGBA, TexEnv::Replace), (Rgba{128, 255, 255, 64}));
+    EXPECT_EQ(with(RGB, TexEnv::Replace), (Rgba{128, 255, 255, 204}));
+    EXPECT_EQ(with(Luminance, TexEnv::Replace), (Rgba{128, 128, 128, 204}));
+    EXPECT_EQ(with(LuminanceAlpha, TexEnv::Replace), (Rgba{128, 128, 128, 64}));
+    EXPECT_EQ(with(Alpha, TexEnv::Replace), (Rgba{51, 102, 153, 64}));
+    EXPECT_EQ(with(Intensity, TexEnv::Replace), (Rgba{128, 128, 128, 128}));
+    EXPECT_EQ(with(Alpha, TexEnv::Modulate), (Rgba{51, 102, 153, 51}));
+    EXPECT_EQ(with(Luminance, TexEnv::Modulate), (Rgba{26, 51, 77, 204}));
+    EXPECT_EQ(with(Alpha, TexEnv::Blend), (Rgba{51, 102, 153, 51}));
+    EXPECT_EQ(with(Intensity, TexEnv::Blend),
+              (Rgba{25 + 128, 51 + 128, 76 + 128, 102 + 128}));  // 51 127 / 255 = 25.4 ...
+    EXPECT_EQ(with(RGB, TexEnv::Decal), (Rgba{128, 255, 255, 204}));
+}
+
+// [R10.25]
+TEST(ManualTexture, TheBorder) {
+    // One texel; its filter at s = 1/32 lies 15/32 of a texel into the border.
+    const auto edge = [](Wrap wrap, bool border) {
+        Texture t = levels_of({{0, 0, 0, full}}, 1);
+        if (border) {
+            t.border = true;
+            t.levels[0].rgba.assign(std::size_t{9} * 4, full);
+            std::fill_n(t.levels[0].rgba.begin() + 4 * 4, 3, std::uint16_t{0});
+        }
+        TextureState s{.wrap_s = wrap, .wrap_t = Wrap::Clamp, .env = TexEnv::Replace};
+        s.border_color = {0.5f, 0, 0, 1};
+        return textured(std::move(t), s)[0];
+    };
+    EXPECT_EQ(edge(Wrap::Clamp, false), 0);
+    EXPECT_EQ(edge(Wrap::Repeat, false), 0);
+    EXPECT_EQ(edge(Wrap::BorderClamp, false), 52);  // s = 3/32: 128 13/32
+    EXPECT_EQ(edge(Wrap::BorderClamp, true), 104);  // 255 13/32 = 103.6
+}
+
+// [R10.26]
+TEST(ManualTexture, OneDimension) {
+    Texture t{.name = "line", .levels = {{2, 1, {full, 0, 0, full, 0, full, 0, full}}}};
+    t.dimensions = 1;
+    TextureState s{.min_filter = MinFilter::Nearest, .mag_filter = MagFilter::Nearest};
+    s.wrap_t = Wrap::BorderClamp;
+    EXPECT_EQ(textured(t, s), (Rgba{255, 0, 0, 255}));
+    s.min_filter = MinFilter::Linear;
+    s.mag_filter = MagFilter::Linear;
+    s.wrap_s = Wrap::Clamp;
+    EXPECT_EQ(textured(t, s), (Rgba{255, 0, 0, 255}));
 }
 
 }  // namespace
