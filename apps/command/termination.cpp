@@ -13,10 +13,10 @@ namespace gw::apps {
 namespace {
 
 bool is_out_of_memory() {
-    const std::exception_ptr current = std::current_exception();
-    if (!current) return false;
+    const std::exception_ptr exception = std::current_exception();
+    if (!exception) return false;
     try {
-        std::rethrow_exception(current);
+        std::rethrow_exception(exception);
     } catch (const std::bad_alloc&) {
         return true;
     } catch (...) {
