@@ -32,9 +32,9 @@ private:
 };
 
 /// Random numbers, directions, and points of a scene's triangles.
-class RandomRays {
+class SceneRays {
 public:
-    explicit RandomRays(std::uint32_t seed) : bits_(seed) {}
+    explicit SceneRays(std::uint32_t seed) : bits_(seed) {}
 
     std::uint32_t bits() { return std::uint32_t(bits_()); }
     double number() { return double(bits_() >> 8) * 0x1p-24; }
@@ -140,7 +140,7 @@ private:
     World world_;
     scene::View view_;
     std::vector<bool> inside_;  ///< by object
-    RandomRays random_;
+    SceneRays random_;
 };
 
 }  // namespace gw::raytrace

@@ -48,7 +48,7 @@ public:
 private:
     World world_;
     scene::View view_{.width = 1, .height = 1};
-    RandomRays random_;
+    SceneRays random_;
 };
 
 std::vector<ClosedBodyCase> single_bodies() {
@@ -92,7 +92,7 @@ TEST(Borders, OfAConvexBodyHideNothingOfIt) {
     cases.pop_back();  // the knot
     for (const ClosedBodyCase& c : cases) {
         const World world(c.bodies.scene, 1);
-        RandomRays random(5);
+        SceneRays random(5);
         std::uint64_t met = 0, shaded = 0;
         for (int i = 0; i < 20 * paths; ++i) {
             const Surface s = random.seen(world, true);
@@ -115,7 +115,7 @@ TEST(Borders, OfTwoMirrorsAtARightAngleSendRaysBack) {
                  .positions = {{0, 0, -20}, {0, 0, 20}, {0, 20, 20}, {0, 20, -20}}});
     const World world(mirrors.scene, 1);
     const scene::View view{.width = 1, .height = 1};
-    RandomRays random(6);
+    SceneRays random(6);
     for (int i = 0; i < paths; ++i) {
         double beside = 1;
         for (auto k = random.bits() % 9; k > 0; --k) beside /= 10;
