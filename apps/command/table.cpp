@@ -1,5 +1,7 @@
 #include "apps/command/table.h"
 
+#include "gw/shown.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +24,9 @@ Rows part_of(const Rows& rows, std::size_t from, std::size_t to) {
 
 }  // namespace
 
-std::string table(const std::vector<std::vector<std::string>>& rows) {
+std::string table(std::vector<std::vector<std::string>> rows) {
+    for (auto& row : rows)
+        for (std::string& cell : row) cell = shown(cell);
     std::vector<std::size_t> widths(rows.front().size());
     for (const auto& row : rows) {
         for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());

@@ -1,10 +1,10 @@
 #include "apps/command/terminal.h"
 
 #include "gw/error.h"
+#include "gw/shown.h"
 
 #include <fcntl.h>
 #include <unistd.h>
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -20,59 +20,22 @@ int muted = 0;
     throw Error("standard output: cannot be written: " + std::string(std::strerror(errno)));
 }
 
-/// The length of the UTF-8 character at the beginning; 0: there is none, or it is a control (C1).
-std::size_t character_length(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const std::size_t length = byte(0) < 0x80   ? 1
-                               : byte(0) < 0xc2 ? 0
-                               : byte(0) < 0xe0 ? 2
-                               : byte(0) < 0xf0 ? 3
-                               : byte(0) < 0xf5 ? 4
-                                                : 0;
-    if (length == 0 || length > text.size()) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if (byte(i) >> 6 != 2) return 0;
-    const bool is_control =
-        byte(0) < 0x20 || byte(0) == 0x7f || (byte(0) == 0xc2 && byte(1) < 0xa0);
-    const bool is_line = text[0] == '\n' || text[0] == '\t';
-    return is_control && !is_line ? 0 : length;
-}
-
 bool continues_character(char c) { return (static_cast<unsigned char>(c) >> 6) == 2; }
 
 }  // namespace
 
-std::string without_controls(std::string_view text) {
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string result;
-    while (!text.empty()) {
-        const std::size_t length = character_length(text);
-        if (length > 0) {
-            result += text.substr(0, length);
-        } else {
-            const auto byte = static_cast<unsigned char>(text[0]);
-            result += {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
-        }
-        text.remove_prefix(length > 0 ? length : 1);
-    }
-    return result;
-}
+std::string without_controls(std::string_view text) { return shown(text, "\n\t"); }
 
 std::string as_one_line(std::string_view text) {
     constexpr std::size_t most_before = 1200, most_after = 600;
     while (text.ends_with('\n')) text.remove_suffix(1);
-    std::string line;
     if (text.size() > most_before + most_after) {
         std::size_t end = most_before, begin = text.size() - most_after;
         while (end > 0 && continues_character(text[end])) --end;
         while (begin < text.size() && continues_character(text[begin])) ++begin;
-        line = without_controls(text.substr(0, end)) + " [...] " +
-               without_controls(text.substr(begin));
-    } else {
-        line = without_controls(text);
+        return shown(text.substr(0, end)) + " [...] " + shown(text.substr(begin));
     }
-    std::ranges::replace(line, '\n', ' ');
-    return line;
+    return shown(text);
 }
 
 SilenceStdout::SilenceStdout() { ++muted; }
@@ -80,8 +43,8 @@ SilenceStdout::~SilenceStdout() { --muted; }
 
 void print(std::string_view text) {
     if (muted > 0) return;
-    const std::string shown = without_controls(text);
-    if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size()) fail();
+    const std::string harmless = without_controls(text);
+    if (std::fwrite(harmless.data(), 1, harmless.size(), stdout) != harmless.size()) fail();
 }
 
 void flush_output() {
@@ -97,8 +60,12 @@ void hold_standard_streams() {
 }
 
 void print_error(std::string_view text) {
-    const std::string shown = without_controls(text);
-    std::fwrite(shown.data(), 1, shown.size(), stderr);
+    const std::string harmless = without_controls(text);
+    std::fwrite(harmless.data(), 1, harmless.size(), stderr);
+}
+
+void print_warning(std::string_view text) {
+    print_error("gw: warning: " + as_one_line(text) + "\n");
 }
 
 void clear_error_line() { std::fputs("\r\033[K", stderr); }

@@ -10,10 +10,10 @@
 
 namespace gw::apps {
 
-/// Control characters but newline and tab, and bytes that are not UTF-8, as \\x1b.
+/// As `shown`, but keeps newlines and tabs.
 std::string without_controls(std::string_view text);
-/// At most two screens on one line: newlines become blanks, and a long text loses its middle. (A
-/// library's message may repeat a whole file.)
+/// At most two screens on one line: shown, and a long text loses its middle. (A library's message
+/// may repeat a whole file.) Newlines at the end are left out.
 std::string as_one_line(std::string_view text);
 
 void print(std::string_view text);
@@ -33,6 +33,8 @@ void flush_output();
 void hold_standard_streams();
 
 void print_error(std::string_view text);
+/// Prints "gw: warning: " and the text, as one line.
+void print_warning(std::string_view text);
 /// Clears the line on stderr and puts the cursor at its beginning.
 void clear_error_line();
 bool error_is_terminal();

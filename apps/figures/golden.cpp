@@ -8,6 +8,7 @@
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
 #include "gw/profile.h"
+#include "gw/shown.h"
 #include "image/write.h"
 #include "inspect/manifest/manifest.h"
 #include "inspect/recording/recording.h"
@@ -161,7 +162,7 @@ void check(const GoldenRecording& golden, const GoldenOptions& options, Tally& t
     tally.passes += actual.passes.size();
     if (!finding) return;
     ++tally.different;
-    print(file.string() + ": " + text(*finding, golden.recording.height));
+    print(shown(file.string()) + ": " + text(*finding, golden.recording.height));
     keep(options, golden);
 }
 
@@ -186,7 +187,7 @@ void check_unknown(const Figure& figure, const GoldenOptions& options, Tally& ta
             fs::remove(file);
         } else {
             ++tally.different;
-            print(file.string() + ": no panel of this figure makes it\n");
+            print(shown(file.string()) + ": no panel of this figure makes it\n");
         }
     }
 }

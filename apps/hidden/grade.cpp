@@ -6,6 +6,7 @@
 #include "apps/hidden/options.h"
 #include "apps/hidden/pictures.h"
 #include "gw/error.h"
+#include "gw/shown.h"
 #include "hiddensurface/quiz/fragments.h"
 #include "hiddensurface/quiz/quiz.h"
 #include "image/write.h"
@@ -196,7 +197,7 @@ int hidden_fragments(const HiddenOptions& options, Session& session) {
     if (!options.marked.empty())
         image::write_picture(options.marked,
                              marked(picture_of_ids(input, z_buffer, flat_colors(input)), grade));
-    print(options.form == Form::Json ? json_of(grade) : text_of(grade, name));
+    print(options.form == Form::Json ? json_of(grade) : text_of(grade, shown(name)));
     return grade.all_right() ? Done : Differs;
 }
 

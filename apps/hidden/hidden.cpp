@@ -185,8 +185,7 @@ std::vector<const hs::Algorithm*> within_limit(const HiddenOptions& options,
             continue;
         }
         last = hs::text_of(estimate);
-        if (options.algorithm.empty())
-            print_error("gw: warning: left out: " + last + "; --limit 0 to try\n");
+        if (options.algorithm.empty()) print_warning("left out: " + last + "; --limit 0 to try");
     }
     if (within.empty()) throw Error(last + "; --limit 0 to try");
     return within;

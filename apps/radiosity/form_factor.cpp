@@ -2,6 +2,7 @@
 
 #include "apps/command/terminal.h"
 #include "gw/error.h"
+#include "gw/shown.h"
 
 #include <fmt/format.h>
 
@@ -55,8 +56,12 @@ void print_form_factor(const RadiosityOptions& options, const radiosity::PixmapM
     radiosity::FormFactors factors(model, options.solver.form_factors);
     const auto [ab, area_a] = form_factor(model, factors, a, b, progress);
     const auto [ba, area_b] = form_factor(model, factors, b, a, progress);
-    print(fmt::format("F({} -> {}) = {:.9f}   area {:.9g}\nF({} -> {}) = {:.9f}   area {:.9g}\n", a,
-                      b, ab, area_a, b, a, ba, area_b));
+    const auto line = [](const std::string& from, const std::string& to, double factor,
+                         double area) {
+        return fmt::format("F({} -> {}) = {:.9f}   area {:.9g}\n", shown(from), shown(to), factor,
+                           area);
+    };
+    print(line(a, b, ab, area_a) + line(b, a, ba, area_b));
     if (ab > 0 && ba > 0)
         print(fmt::format("reciprocity: A F / (A F) = {:.6f}\n", area_a * ab / (area_b * ba)));
 }

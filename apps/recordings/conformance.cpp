@@ -3,6 +3,7 @@
 #include "apps/command/terminal.h"
 #include "apps/recordings/recording_files.h"
 #include "conformance/suite.h"
+#include "gw/shown.h"
 #include "image/output/output_set.h"
 
 #include <fmt/format.h>
@@ -66,7 +67,8 @@ int write_suite(const ConformanceOptions& options) {
         }
         output.commit();  // after each group, so that few files are open at once
     }
-    print(fmt::format("{}: {} recordings and their manifests\n", options.folder.string(), count));
+    print(fmt::format("{}: {} recordings and their manifests\n", shown(options.folder.string()),
+                      count));
     return Done;
 }
 

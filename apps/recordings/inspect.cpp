@@ -4,6 +4,7 @@
 #include "apps/command/terminal.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
+#include "gw/shown.h"
 #include "hiddensurface/run/algorithm.h"
 #include "image/output/output_folder.h"
 #include "inspect/report/report.h"
@@ -102,14 +103,14 @@ void check(const report::ReportOptions& options) {
 [[noreturn]] void rethrow_with_final_names(const Error& error, const InspectOptions& options,
                                            const std::filesystem::path& temporary) {
     std::string text = error.what();
-    const std::string hidden = temporary.string();
+    const std::string hidden = shown(temporary.string());
     if (const auto at = text.find(hidden); at != text.npos)
         text.replace(at, hidden.size(), options.folder.string());
     throw Error(text);
 }
 
 void print_summary(const InspectOptions& options, const report::ReportSummary& summary) {
-    std::string text = (options.folder / "index.html").string() + "\n";
+    std::string text = shown((options.folder / "index.html").string()) + "\n";
     text +=
         fmt::format("{} of {}, {:.1f} MB", summary.passes,
                     inspect::plural(std::uint64_t(summary.passes_of_recording), "pass", "passes"),

@@ -54,7 +54,7 @@ int show_pixel(const PixelOptions& options, Session& session) {
     const auto events = inspect::pixel_history(recording, options.x, y);
     print(options.json
               ? history_json(recording, options.x, y, events)
-                        .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                        .dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) +
                     "\n"
               : table(history_rows(events)));
     return Done;

@@ -7,6 +7,7 @@
 #include "apps/recordings/osmesa.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
+#include "gw/shown.h"
 #include "image/planes.h"
 #include "image/write.h"
 #include "inspect/compare/compare_machines.h"
@@ -98,7 +99,7 @@ int replay(const ReplayOptions& options, Session& session) {
     print(fmt::format("{}, {}, {} x {} pixels on profile {}{}\n",
                       inspect::plural(machine->passes().size(), "pass", "passes"),
                       inspect::plural(inspect::command_count(recording), "command", "commands"),
-                      recording.width, recording.height, recording.profile.name,
+                      recording.width, recording.height, shown(recording.profile.name),
                       options.machine.both()
                           ? ": reference and fast agree in every plane and counter after every pass"
                           : ""));

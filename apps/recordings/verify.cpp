@@ -3,6 +3,7 @@
 #include "apps/command/terminal.h"
 #include "apps/recordings/machine_options.h"
 #include "apps/recordings/recording_files.h"
+#include "gw/shown.h"
 #include "image/output/output_set.h"
 #include "inspect/text/plural.h"
 
@@ -37,7 +38,7 @@ int update(const VerifyOptions& options, const inspect::Recording& recording,
     image::OutputSet output(session.inputs);
     put_manifest(output, options.manifest, recording, options.machine.make(), options.values);
     output.commit();
-    print(options.manifest.string() + ": written\n");
+    print(shown(options.manifest.string()) + ": written\n");
     return Done;
 }
 
@@ -50,8 +51,8 @@ int report(const inspect::Verification& verification, const VerifyOptions& optio
     else
         print(
             "  the commands are those of the manifest: the machine is not the one that wrote it\n");
-    print(
-        fmt::format("{}: not as {} says\n", options.recording.string(), options.manifest.string()));
+    print(fmt::format("{}: not as {} says\n", shown(options.recording.string()),
+                      shown(options.manifest.string())));
     return Differs;
 }
 
@@ -73,10 +74,10 @@ int check(const VerifyOptions& options, const inspect::Recording& recording, Pro
     if (!verification.same_commands)
         print(fmt::format(
             "{}: its commands are not those of {}, though they make the same planes{}\n",
-            options.recording.string(), options.manifest.string(),
+            shown(options.recording.string()), shown(options.manifest.string()),
             verification.same_scene ? "" : "; meshes or maps differ too"));
-    print(fmt::format("{}: as {} says, {}, every plane and counter{}\n", options.recording.string(),
-                      options.manifest.string(),
+    print(fmt::format("{}: as {} says, {}, every plane and counter{}\n",
+                      shown(options.recording.string()), shown(options.manifest.string()),
                       inspect::plural(expected.manifest.passes.size(), "pass", "passes"),
                       options.machine.both() ? ", on reference and fast" : ""));
     return Done;

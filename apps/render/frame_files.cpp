@@ -106,7 +106,7 @@ Drawing make_drawing(const PictureOptions& options, Session& session) {
     SceneWithPasses loaded = load_scene_with_passes(options, session);
     const Renderer& renderer = renderer_named(options.renderer);
     const std::string warning = left_out(renderer, loaded.scene);
-    if (!options.quiet && !warning.empty()) print_error("gw: warning: " + warning + "\n");
+    if (!options.quiet && !warning.empty()) print_warning(warning);
     return {options, renderer, profile, std::move(loaded.scene), std::move(loaded.passes)};
 }
 

@@ -99,7 +99,7 @@ std::string json(const Printout& printout) {
                                   {"sum", inspect::json_of(printout.sum)},
                                   {"estimated_seconds", printout.seconds},
                                   {"estimated_machine", printout.prices.machine}}
-               .dump(2) +
+               .dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) +
            "\n";
 }
 

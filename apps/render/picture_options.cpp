@@ -182,8 +182,7 @@ SceneWithPasses load_scene_with_passes(const PictureOptions& options, Session& s
     }
     scene::SceneFile file = scene::read_scene(options.scene);
     if (!options.quiet) {
-        for (const std::string& warning : file.warnings)
-            print_error("gw: warning: " + as_one_line(warning) + "\n");
+        for (const std::string& warning : file.warnings) print_warning(warning);
     }
     scene::Scene& scene = file.scene;
     std::optional<multipass::PassList> passes;

@@ -1,5 +1,6 @@
 #include "multipass/passes/pass.h"
 
+#include "gw/shown.h"
 #include "multipass/passes/tokens.h"
 
 #include <fmt/format.h>
@@ -68,7 +69,7 @@ std::string to_string(const PassMaterial& m) {
 }
 
 std::string to_string(const Pass& pass) {
-    std::string text = fmt::format("{:<11} ", pass.name.view());
+    std::string text = fmt::format("{:<11} ", shown(pass.name.view()));
     text += action_text(pass);
     if (pass.lights != PassLights::None) text += fmt::format("; lights {}", token(pass.lights));
     text += objects_text(pass) + depth_text(pass.depth) + stencil_text(pass.stencil);

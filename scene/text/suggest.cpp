@@ -1,5 +1,7 @@
 #include "scene/text/suggest.h"
 
+#include "gw/shown.h"
+
 #include <algorithm>
 
 namespace gw::scene {
@@ -37,11 +39,9 @@ std::string unknown(std::string_view what, std::string_view name,
 }
 
 std::string printable(std::string_view text, std::size_t most) {
-    std::string result(text.substr(0, most));
-    for (char& c : result)
-        if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
-    if (text.size() > most) result += "...";
-    return result;
+    if (text.size() <= most) return shown(text);
+    while (most > 0 && (static_cast<unsigned char>(text[most]) >> 6) == 2) --most;
+    return shown(text.substr(0, most)) + "...";
 }
 
 }  // namespace gw::scene

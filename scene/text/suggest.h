@@ -19,7 +19,7 @@ std::string nearest(std::string_view name, const std::vector<std::string>& known
 std::string unknown(std::string_view what, std::string_view name,
                     const std::vector<std::string>& known, std::string_view where = {});
 
-/// A piece of a file for a message of one line: at most `most` bytes, no control characters.
+/// A piece of a file for a message of one line: at most `most` of its bytes, shown.
 std::string printable(std::string_view text, std::size_t most = 40);
 
 }  // namespace gw::scene

@@ -30,7 +30,9 @@ TEST(Unknown, NamesTheNearest) {
 }
 
 TEST(Printable, KeepsAMessageOnOneShortLine) {
-    EXPECT_EQ(printable("a\nb\tc"), "a?b?c");
+    EXPECT_EQ(printable("a\nb\tc"), "a\\x0ab\\x09c");
+    EXPECT_EQ(printable("größe", 3), "gr...") << "characters stay whole";
+    EXPECT_EQ(printable("größe", 4), "grö...");
     EXPECT_EQ(printable(std::string(41, 'x')), std::string(40, 'x') + "...");
 }
 
