@@ -19,23 +19,6 @@ using namespace elementary;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Exact: hi + lo = a + b. [Knuth, TAOCP 2, 4.2.2, theorem B]
-Sum two_sum(double a, double b) noexcept {
-    const double hi = a + b;
-    const double b_part = hi - a;
-    return {hi, (a - (hi - b_part)) + (b - b_part)};
-}
-
-// Exact: hi + lo = a * b while nothing underflows and |a|, |b| < 2^990. [Dekker 1971: each factor
-// split into halves of 26 bits]
-Sum two_product(double a, double b) noexcept {
-    const double a_up = a * 134217729.0, b_up = b * 134217729.0;  // 2^27 + 1
-    const double a_hi = a_up - (a_up - a), b_hi = b_up - (b_up - b);
-    const double a_lo = a - a_hi, b_lo = b - b_hi;
-    const double hi = a * b;
-    return {hi, ((a_hi * b_hi - hi) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
-}
-
 double rounded(Sum x) noexcept { return x.hi + x.lo; }
 
 // a / b to about 2^-100 of itself, for sums whose lo is below the last place of hi; b.hi not 0.

@@ -2,13 +2,9 @@
 // tests/gw/base/test_elementary_tables.cpp computes them again from their series, in integers.
 #pragma once
 
-namespace gw::elementary {
+#include "gw/base/exact_sum.h"
 
-// A number as the unevaluated sum of two doubles, |lo| at most half a unit in the last place of hi
-// unless stated.
-struct Sum {
-    double hi, lo;
-};
+namespace gw::elementary {
 
 // Multiples of 2^-42, so that k * ln2 + log_node is exact for |k| < 2^11; lo is the rest.
 inline constexpr Sum ln2 = {0x1.62e42fefa38p-1, 0x1.ef35793c7673p-45};

@@ -1,5 +1,7 @@
 #include "gw/mesh/orient.h"
 
+#include "gw/base/exact_sum.h"
+
 #include <cmath>
 
 namespace gw {
@@ -7,33 +9,12 @@ namespace {
 
 int sign(double x) { return (x > 0) - (x < 0); }
 
-// Adds b to an expansion (a sum of non-overlapping doubles, smallest first) without rounding:
-// Shewchuk's Grow-Expansion. The largest component that is not 0 has the sign of the sum.
-template <std::size_t N>
-void grow(std::array<double, N>& expansion, std::size_t size, double b) {
-    for (std::size_t i = 0; i < size; ++i) {
-        const double a = expansion[i];
-        const double sum = a + b;
-        const double b_part = sum - a;
-        expansion[i] = (a - (sum - b_part)) + (b - b_part);
-        b = sum;
-    }
-    expansion[size] = b;
-}
-
-template <std::size_t N>
-int sign_of(const std::array<double, N>& expansion) {
-    for (std::size_t i = N; i-- > 0;)
-        if (expansion[i] != 0) return sign(expansion[i]);
-    return 0;
-}
-
 int exact(dvec2 a, dvec2 b, dvec2 c) {
-    const std::array<double, 6> products{a.x * b.y,    -(a.y * b.x), b.x * c.y,
-                                         -(b.y * c.x), c.x * a.y,    -(c.y * a.x)};
-    std::array<double, 6> sum{};
-    for (std::size_t i = 0; i < products.size(); ++i) grow(sum, i, products[i]);
-    return sign_of(sum);
+    ExactSum<6> sum;
+    for (const double product :
+         {a.x * b.y, -(a.y * b.x), b.x * c.y, -(b.y * c.x), c.x * a.y, -(c.y * a.x)})
+        sum.add(product);
+    return sign(sum.value());
 }
 
 }  // namespace

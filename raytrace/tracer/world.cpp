@@ -1,5 +1,7 @@
 #include "raytrace/tracer/world.h"
 
+#include "raytrace/tracer/crossing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,6 +56,7 @@ public:
                 std::uint32_t from)
         : triangles_(triangles),
           ray_(ray),
+          crossing_(ray, size),
           high_(high),
           nearest_plane_(from == no_triangle ? 0 : on_plane * size),
           tie_(coincident * std::max(size, length(ray.origin)) /
@@ -66,14 +69,12 @@ public:
     }
 
     bool found() const { return !nearest_.empty(); }
-    /// The first triangle of the nearest; none: the ray only grazes them. A ray that meets an edge
-    /// between a front and a back enters and leaves at once: so it passes by.
+    /// The first triangle of the nearest; none: the ray only grazes them. A ray that meets a front
+    /// and a back at once enters and leaves: so it passes by.
     Met result() const {
-        for (const Met& met : nearest_)
-            if (std::none_of(nearest_.begin(), nearest_.end(),
-                             [&](const Met& other) { return turns_away(met, other); }))
-                return met;
-        return {};
+        const auto met = std::find_if_not(nearest_.begin(), nearest_.end(),
+                                          [&](const Met& m) { return is_undone(m); });
+        return met == nearest_.end() ? Met{} : *met;
     }
     /// Goes on behind the nearest.
     void pass() {
@@ -82,21 +83,12 @@ public:
     }
 
 private:
-    /// Neighbours that share a side leave no gap: the side's edge function is the same for both but
-    /// for its sign. A triangle whose plane passes through the ray's start is not met.
+    /// A triangle whose plane passes through the ray's start is not met.
     Met meet(std::uint32_t number) const {
-        const auto corner = triangles_.corners(number);
-        const dvec3 a = corner[0] - ray_.origin, b = corner[1] - ray_.origin,
-                    c = corner[2] - ray_.origin;
-        const double u = dot3(cross3(b, c), ray_.direction), v = dot3(cross3(c, a), ray_.direction),
-                     w = dot3(cross3(a, b), ray_.direction);
-        if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return {};
-        const dvec3 normal = cross3(corner[1] - corner[0], corner[2] - corner[0]);
-        const double slope = dot3(normal, ray_.direction), height = dot3(normal, a);
-        if (slope == 0 || std::abs(height) < nearest_plane_ * length(normal)) return {};
-        const double t = height / slope;
-        if (!(t > low_ && t < high_)) return {};
-        return {t, normal, number};
+        const auto at = crossing_.cross(triangles_.corners(number));
+        if (!at || !(at->t > low_ && at->t < high_)) return {};
+        if (std::abs(at->height) < nearest_plane_ * length(at->normal)) return {};
+        return {at->t, at->normal, number};
     }
 
     void add(const Met& met) {
@@ -108,14 +100,25 @@ private:
                   [](const Met& m, const Met& n) { return m.triangle < n.triangle; });
     }
 
-    bool turns_away(const Met& m, const Met& n) const {
-        return triangles_.object_of(m.triangle) == triangles_.object_of(n.triangle) &&
-               (dot3(m.normal, ray_.direction) < 0) != (dot3(n.normal, ray_.direction) < 0) &&
-               !same_plane(m.normal, n.normal);
+    int facing(const Met& met) const { return dot3(met.normal, ray_.direction) < 0 ? 1 : -1; }
+
+    /// Of triangles of its object as near as this one, the ray passes as many fronts as backs, or
+    /// more of the other kind. Coincident triangles do not count: a sheet with two sides.
+    bool is_undone(const Met& met) const {
+        int facing_alike = 0;
+        bool turns = false;
+        for (const Met& other : nearest_) {
+            if (triangles_.object_of(other.triangle) != triangles_.object_of(met.triangle))
+                continue;
+            facing_alike += facing(met) * facing(other);
+            turns = turns || !same_plane(met.normal, other.normal);
+        }
+        return turns && facing_alike <= 0;
     }
 
     const scene::WorldTriangles& triangles_;
     const Ray& ray_;
+    CrossingTest crossing_;
     double low_ = 0, high_;
     double nearest_plane_, tie_;
     double t_ = 0;              ///< of the nearest

@@ -2,7 +2,7 @@
 // that cast shadows. Made once for all views. Does not shade.
 //
 // The hierarchy excludes in float32 the triangles that no rounding could let a ray meet. The rest
-// is decided in double, for neighbours alike. So on every path through a closed body entering and
+// is decided without rounding (crossing.h). So on every path through a closed body entering and
 // leaving alternate: no ray loses the triangle next to the one that it starts from, or meets it
 // twice.
 #pragma once

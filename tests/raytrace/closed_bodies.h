@@ -6,6 +6,8 @@
 #include "raytrace/tracer/world.h"
 #include "scene/scene_builder.h"
 
+#include <glm/common.hpp>
+
 #include <cstdint>
 #include <limits>
 #include <random>
@@ -46,7 +48,7 @@ public:
         }
     }
     std::uint32_t triangle(const World& world) { return bits() % world.triangles().size(); }
-    /// A random point of a triangle; or of one of its sides, or a corner, but for 10^-3 to 10^-9.
+    /// A random point of a triangle; or of one of its sides, or a corner, but for 0 or 10^-3 to 10^-9.
     dvec3 target(const World& world, std::uint32_t triangle) {
         const auto corner = world.triangles().corners(triangle);
         const auto kind = bits() % 4;
@@ -55,11 +57,17 @@ public:
         if (kind >= 2) return p;
         double beside = 1e-3;
         for (auto k = bits() % 7; k > 0; --k) beside /= 10;
-        return p + beside * direction();
+        return bits() % 8 == 0 ? p : p + beside * direction();
     }
-    /// From far outside of the scene towards such a point.
+    /// From far outside of the scene towards such a point; now and then from integers through a
+    /// corner, not rounded if the corner is at integers.
     Ray aimed(const World& world) {
         Ray ray{direction() * 50.0, {}};
+        if (bits() % 8 == 0) {
+            ray.origin = glm::round(ray.origin);
+            ray.direction = world.triangles().corners(triangle(world))[0] - ray.origin;
+            return ray;
+        }
         ray.direction = normalized(target(world, triangle(world)) - ray.origin);
         return ray;
     }
@@ -94,9 +102,9 @@ struct PathCounts {
     std::uint64_t caught = 0;      ///< paths that left the scene inside a body
 };
 
-/// Follows paths from outside the scene, aimed at random points of triangles and closely beside
-/// their corners and sides. At every hit the path goes on to a random direction, on the same side of the triangle
-/// or on the other.
+/// Follows paths from outside the scene, aimed at random points of triangles, at their corners and
+/// sides and closely beside them. At every hit the path goes straight on, or to a random direction
+/// on the same side of the triangle or on the other.
 class PathCounter {
 public:
     PathCounter(const scene::Scene& scene, std::uint32_t seed)
@@ -131,9 +139,10 @@ private:
                 ++counts.violations;
                 return;
             }
-            const bool through = random_.bits() % 4 != 0;
+            const auto way = random_.bits() % 8;
+            const bool through = way >= 2;
             if (through) inside_[body] = s.front;
-            ray = {s.start, random_.leaving(s, through)};
+            ray = {s.start, way >= 6 ? ray.direction : random_.leaving(s, through)};
             from = at->triangle;
         }
     }

@@ -55,7 +55,7 @@ V64 polynomial(V64 z, const double (&c)[n]) {
     return sum;
 }
 
-inline SumLanes node_at(const elementary::Sum* table, hn::Vec<I64> index) {
+inline SumLanes node_at(const Sum* table, hn::Vec<I64> index) {
     const D64 d;
     const auto at = hn::Add(index, index);
     const double* first = &table->hi;
