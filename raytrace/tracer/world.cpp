@@ -10,8 +10,9 @@ namespace gw::raytrace {
 namespace {
 
 // Lengths as parts of the largest coordinate.
-/// Rounding of positions in double: planes this near to a ray's start pass through it.
-constexpr double on_plane = 0x1p-44;
+/// Planes this near to a ray's start pass through it: four times the rounding of a start. Neighbours
+/// with an angle of 1e-7 are not much farther away.
+constexpr double on_plane = 0x1p-48;
 /// Triangles this near to each other, in the same plane, are coincident: the first one is met.
 constexpr double coincident = 0x1p-38;
 /// Rounding of a start to float32.
