@@ -122,7 +122,9 @@ Rgba lookup(const TexelLevel& level, bool linear, const Addressing& how, int u, 
               i1 = filter_index(wrap_s, (us >> 8) + 1, level.width);
     const int j0 = filter_index(wrap_t, vs >> 8, level.height),
               j1 = filter_index(wrap_t, (vs >> 8) + 1, level.height);
-    const auto at = [&](int i, int j) { return filter_texel(level, border_color, i, j); };
+    const auto at = [&, &border = border_color](int i, int j) {  // clang 14: no binding in a lambda
+        return filter_texel(level, border, i, j);
+    };
     const Rgba a = at(i0, j0), b = at(i1, j0), c = at(i0, j1), d = at(i1, j1);
     Rgba out;
     for (std::size_t k = 0; k < 4; ++k)
