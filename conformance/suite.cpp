@@ -56,6 +56,7 @@ const std::vector<Source>& sources() {
         {{"vertices", "positions of any w, materials by vertex, current values, texture coordinates by rule", "R5.9 R6.27-R6.29 R8.9 R8.10 R10.20-R10.22"}, fuzz::vertices_case, 12},
         {{"joined-colors", "logical operations, blend equations, a constant colour", "R12.14 R12.15"}, fuzz::joined_colors_case, 8},
         {{"pixels", "clears, spans, rectangles, copies, read-backs, slots", "R13.1-R13.7 R12.2 R12.3"}, fuzz::pixels_case, 10},
+        {{"drawn-pixels", "rectangles of pixels through all stages: zoom, bits, sources", "R13.10-R13.15"}, fuzz::drawn_pixels_case, 12},
         {{"accumulation", "accumulation with every weight", "R13.8 R13.9"}, fuzz::accumulation_case, 6},
         {{"multipass", "whole frames: depth pass, shadow volumes, additive passes, samples", "R1.8 R1.10 R14.1 R14.2 R14.5 R14.7-R14.9 R15.2-R15.4"}, fuzz::multipass_case, 6},
     };

@@ -18,6 +18,7 @@ Case generated_texture_case(Random& random);
 Case identifier_case(Random& random);
 Case jitter_case(Random& random);
 Case joined_colors_case(Random& random);
+Case drawn_pixels_case(Random& random);
 Case lighting_case(Random& random);
 Case lines_and_points_case(Random& random);
 Case multipass_case(Random& random);

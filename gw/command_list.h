@@ -118,6 +118,45 @@ struct Copy {
     bool operator==(const Copy&) const = default;
 };
 
+/// The values that all fragments of a DrawPixels share (glRasterPos).
+struct RasterPosition {
+    double x = 0, y = 0;  ///< window coordinates of the rectangle's corner
+    std::uint32_t depth = 0;
+    Rgba color{};               ///< each channel <= 2^color_bits - 1
+    vec4 texcoord{0, 0, 0, 1};  ///< s, t, r, q after the texture matrix
+    double distance = 0;        ///< from the eye, for fog: >= 0
+    bool operator==(const RasterPosition&) const = default;
+};
+
+/// The rectangle of the window whose pixels a DrawPixels draws again (glCopyPixels).
+struct PixelSource {
+    Plane plane = Plane::Color;  ///< Color, Depth or Stencil
+    int x = 0, y = 0;            ///< its lower left corner
+    bool operator==(const PixelSource&) const = default;
+};
+
+/// Extension draw_pixels: makes fragments of a rectangle of pixels, zoomed, bottom row first
+/// (glDrawPixels, glBitmap, glCopyPixels). They go through texture, fog, all tests, blending and
+/// masks. What the pixels do not give, the raster position does. Stencil values make no fragments;
+/// they are written through scissor and mask.
+struct DrawPixels {
+    int width = 0, height = 0;  ///< of the rectangle, before the zoom
+    RasterPosition raster;
+    double zoom_x = 1, zoom_y = 1;        ///< of any sign
+    std::vector<Rgba> colors;             ///< width * height, or none
+    std::vector<std::uint32_t> depths;    ///< width * height, or none
+    std::vector<std::uint32_t> stencils;  ///< width * height, or none; then no colours or depths
+    /// Only pixels whose bit is set are drawn. A row begins with a new byte, its first pixel is the
+    /// byte's highest bit. None: all are.
+    std::vector<std::uint8_t> bits;
+    std::optional<PixelSource> source;  ///< gives colours, depths or stencil values
+    TextureBinding map;
+
+    std::size_t area() const { return Rect{0, 0, width, height}.area(); }
+    std::size_t bit_row() const { return (std::size_t(width) + 7) / 8; }  ///< bytes of a row
+    bool operator==(const DrawPixels&) const = default;
+};
+
 /// Fills a texture slot from a rectangle of the colour or depth plane (glCopyTexImage2D). The
 /// rectangle lies inside the window and its sides are powers of two. A depth slot is a texture for
 /// shadow_compare, or is read as grey.
@@ -139,7 +178,7 @@ struct Read {
 };
 
 using Command = std::variant<BeginPass, Clear, SetState, Draw, WriteSpans, WritePixels, Accumulate,
-                             Copy, CopyTexture, Read>;
+                             Copy, CopyTexture, Read, DrawPixels>;
 
 /// Commands in order. Meshes, textures and lights are immutable and shared between lists; == of
 /// commands compares their addresses, inspect/compare/difference.h their content.

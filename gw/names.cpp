@@ -10,7 +10,7 @@ namespace gw {
 const char* name_of(const Command& command) {
     static constexpr const char* names[] = {"BeginPass",   "Clear",       "SetState",   "Draw",
                                             "WriteSpans",  "WritePixels", "Accumulate", "Copy",
-                                            "CopyTexture", "Read"};
+                                            "CopyTexture", "Read",        "DrawPixels"};
     static_assert(std::size(names) == std::variant_size_v<Command>);
     return names[command.index()];
 }

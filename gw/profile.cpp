@@ -48,7 +48,8 @@ Profile opengl() {
                     .logic_op = true,
                     .blend_color = true,
                     .blend_minmax = true,
-                    .blend_subtract = true};
+                    .blend_subtract = true,
+                    .draw_pixels = true};
     return p;
 }
 
@@ -66,6 +67,7 @@ std::span<const ExtensionName> extension_names() {
         {"blend_color", &Extensions::blend_color},
         {"blend_minmax", &Extensions::blend_minmax},
         {"blend_subtract", &Extensions::blend_subtract},
+        {"draw_pixels", &Extensions::draw_pixels},
     };
     static_assert(std::size(names) == sizeof(Extensions));
     return names;

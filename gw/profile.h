@@ -25,6 +25,7 @@ struct Extensions {
     bool blend_color = false;             ///< a constant colour as blend factor
     bool blend_minmax = false;            ///< BlendEquation::Min, Max
     bool blend_subtract = false;          ///< BlendEquation::Subtract, ReverseSubtract
+    bool draw_pixels = false;             ///< DrawPixels
     bool operator==(const Extensions&) const = default;
 };
 

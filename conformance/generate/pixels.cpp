@@ -1,5 +1,6 @@
 #include "conformance/generate/pixels.h"
 
+#include "conformance/generate/draw.h"
 #include "conformance/generate/script.h"
 #include "conformance/generate/state.h"
 #include "gw/base/arithmetic.h"
@@ -31,6 +32,51 @@ Rect any_inner_rect(Random& r, const Case& w) {
     rect.width = r.between(r.chance(5) ? 0 : 1, w.width - rect.x);
     rect.height = r.between(r.chance(5) ? 0 : 1, w.height - rect.y);
     return rect;
+}
+
+/// Zooms whose edges meet centres of pixels, and any others.
+double any_zoom(Random& r) {
+    const double size = r.chance(60) ? r.pick({1.0, 1.0, 0.5, 1.5, 2.0, 3.0, 0.25, 0.0})
+                                     : r.real(0, r.chance(90) ? 4 : 1e6);
+    return r.chance(30) ? -size : size;
+}
+
+RasterPosition any_raster_position(Random& r, const Case& w) {
+    RasterPosition out;
+    out.x = r.chance(60) ? r.between(-4, w.width) : r.real(-20, w.width + 20);
+    out.y = r.chance(60) ? r.between(-4, w.height) + r.pick({0.0, 0.5}) : r.real(-20, w.height);
+    out.depth = any_value(r, w.profile.depth_bits);
+    out.color = any_pixel(r, w.profile.color_bits);
+    out.texcoord = {float(r.real(-2, 2)), float(r.real(-2, 2)), float(r.real(-1, 2)), 1};
+    if (r.chance(30)) out.texcoord.w = float(r.chance(80) ? r.real(0.1, 3) : r.real(-1, 0));
+    out.distance = r.chance(80) ? r.real(0, 20) : r.pick({0.0, 1e30});
+    return out;
+}
+
+std::vector<std::uint32_t> any_values(Random& r, std::size_t count, int bits) {
+    std::vector<std::uint32_t> out(count);
+    for (std::uint32_t& v : out) v = any_value(r, bits);
+    return out;
+}
+
+/// Colours, depths, both or none; or stencil values; or a source.
+void give_values(Random& r, const Case& w, DrawPixels& d) {
+    const Profile& p = w.profile;
+    const int kind = r.below(100);
+    if (kind < 30)
+        d.source = {r.pick({Plane::Color, Plane::Depth, Plane::Stencil}), r.between(-5, w.width),
+                    r.between(-5, w.height)};
+    else if (kind < 42)
+        d.stencils = any_values(r, d.area(), p.stencil_bits);
+    else if (kind < 85) {
+        if (r.chance(75))
+            for (std::size_t i = 0; i < d.area(); ++i)
+                d.colors.push_back(any_pixel(r, p.color_bits));
+        if (r.chance(40)) d.depths = any_values(r, d.area(), p.depth_bits);
+    }
+    if (kind >= 85 || r.chance(20))
+        for (std::size_t i = 0; i < d.bit_row() * std::size_t(d.height); ++i)
+            d.bits.push_back(std::uint8_t(r.bits(8)));
 }
 
 }  // namespace
@@ -113,6 +159,18 @@ Read any_read(Random& r, const Case& w) {
     Read read{std::uint32_t(r.below(5)), r.any(Plane::Accum), any_inner_rect(r, w)};
     read.packed = read.plane == Plane::Color && w.profile.color_bits <= 8 && read.key % 2 == 1;
     return read;
+}
+
+DrawPixels any_draw_pixels(Script& s) {
+    Random& r = s.random;
+    DrawPixels d{.width = r.between(0, 24),
+                 .height = r.between(0, 24),
+                 .raster = any_raster_position(r, s.out),
+                 .zoom_x = any_zoom(r),
+                 .zoom_y = any_zoom(r)};
+    give_values(r, s.out, d);
+    if (r.chance(35)) d.map = any_binding(s);
+    return d;
 }
 
 void copy_texture(Script& s, Plane plane) {

@@ -228,4 +228,35 @@ Case joined_colors_case(Random& r) {
     return s.out;
 }
 
+// Rectangles of pixels under every state of fragments, textures and fog.
+Case drawn_pixels_case(Random& r) {
+    Script s = script(r, any_opengl_profile(r));
+    copy_texture(s, r.pick({Plane::Color, Plane::Depth}));
+    const int steps = r.between(2, 9);
+    for (int i = 0; i < steps; ++i) {
+        s.state.scissor = r.chance(25) ? any_scissor(r, s.out.width, s.out.height) : ScissorState{};
+        s.state.alpha = r.chance(15) ? any_alpha(r) : AlphaState{};
+        s.state.stencil = r.chance(35) ? any_stencil(r, s.out.profile) : StencilState{};
+        s.state.depth = r.chance(50) ? any_depth(r) : DepthState{};
+        s.state.blend = r.chance(25) ? any_extended_blend(r) : BlendState{};
+        s.state.logic_op = r.chance(10) ? any_logic_op(r) : LogicOpState{};
+        s.state.color_mask = any_color_mask(r);
+        s.state.fog = r.chance(30) ? any_fog(r, 20) : FogState{};
+        s.state.texture = any_texture_state(r);
+        s.state.texture.wrap_s = r.any(Wrap::BorderClamp);
+        s.state.texture.wrap_t = r.any(Wrap::BorderClamp);
+        s.state.texture.border_color = any_color(r);
+        s.state.texture.shadow_compare = s.out.profile.extensions.shadow_texture && r.chance(25);
+        DrawPixels d = any_draw_pixels(s);
+        if (r.chance(20)) {
+            d.map = {any_given_texture(r), {}};
+            s.state.texture.shadow_compare = false;
+        }
+        add(s, std::move(d));
+        if (r.chance(25)) draw(s, any_triangles(r, s.frame, {.most = 4}));
+        between_draws(s);
+    }
+    return s.out;
+}
+
 }  // namespace gw::fuzz

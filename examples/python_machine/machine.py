@@ -81,7 +81,7 @@ class Machine:
         {"Clear": pixels.clear, "Draw": draw.run, "WriteSpans": pixels.write_spans,
          "WritePixels": pixels.write_pixels, "Accumulate": pixels.accumulate,
          "Copy": pixels.copy, "CopyTexture": pixels.copy_texture,
-         "Read": pixels.read}[command.kind](self, command)
+         "Read": pixels.read, "DrawPixels": pixels.draw_pixels}[command.kind](self, command)
 
     def texture_of(self, command):
         """The texture of a draw: an image's pyramid, made once, or a slot."""

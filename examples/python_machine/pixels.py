@@ -1,11 +1,14 @@
 """Chapter 13: commands that act on whole pixels."""
+import math
+
 import numpy as np
 
+from . import fog
 from .fragments import FragmentStage
-from .numbers import one, quantize
+from .numbers import bounded, one, quantize, to_integer
 from .rasterization import rectangle
 from .state import Plane, Resolved, corners_of, intersection, pixel_box, stencil_write_mask
-from .texture import Texture
+from .texture import Texture, environment, look_ups, texel_in_place
 
 
 def box_of(machine):
@@ -116,6 +119,86 @@ def read(machine, command):
         values = values @ np.array([1, 2**8, 2**16, 2**24])
     machine.readbacks[command.key] = values
     visited(machine, command.plane, size_of((left, bottom, right, top)))
+
+
+# ---- Drawn pixels ----------------------------------------------------------------------------
+
+
+def edge(start, zoom, n):
+    """[R13.10]"""
+    place = (start + zoom * n) - 0.5
+    return to_integer(math.ceil(place) if math.isfinite(place) else place, -2**20, 2**20)
+
+
+def shown(start, zoom, count, low, high):
+    """[R13.10] The window's columns (or rows) low .. high - 1 that are covered, and by which."""
+    covered, by = [], []
+    for n in range(count):
+        ends = sorted((edge(start, zoom, n), edge(start, zoom, n + 1)))
+        inside = range(max(ends[0], low), min(ends[1], high))
+        covered += inside
+        by += [n] * len(inside)
+    order = np.argsort(np.array(covered, dtype=np.int64), kind="stable")
+    return np.array(covered, dtype=np.int64)[order], np.array(by, dtype=np.int64)[order]
+
+
+def with_source(machine, command):
+    """[R13.15] colors, depths, stencils of all pixels, and which of them can be drawn."""
+    n, m = np.meshgrid(np.arange(command.width), np.arange(command.height))
+    n, m = n.ravel(), m.ravel()
+    if command.source is None:
+        return command.colors, command.depths, command.stencils, np.ones(len(n), bool)
+    i, j = command.source.x + n, command.source.y + m
+    inside = (i >= 0) & (i < machine.width) & (j >= 0) & (j < machine.height)
+    plane = machine.planes.of(command.source.plane)
+    values = np.zeros((len(n),) + plane.shape[2:], np.int64)
+    values[inside] = plane[j[inside], i[inside]]
+    visited(machine, command.source.plane, int(np.count_nonzero(inside)))
+    return tuple(values if command.source.plane == p else None
+                 for p in (Plane.Color, Plane.Depth, Plane.Stencil)) + (inside,)
+
+
+def draw_pixels(machine, command):
+    """[R13.10] to [R13.15]"""
+    raster, width = command.raster, command.width
+    colors, depths, stencils, drawn = with_source(machine, command)
+    left, bottom, right, top = box_of(machine)
+    x, n = shown(raster.x, command.zoom_x, width, left, right)
+    y, m = shown(raster.y, command.zoom_y, command.height, bottom, top)
+    places = (m[:, None] * width + n[None, :]).ravel()
+    x, y = np.tile(x, len(y)), np.repeat(y, len(x))
+    if command.bits is not None:  # [R13.11]
+        column, row = places % width, places // width
+        byte = command.bits[row * -(-width // 8) + (column >> 3)]
+        kept = drawn[places] & ((byte >> (7 - (column & 7)) & 1) == 1)
+    else:
+        kept = drawn[places]
+    x, y, places = x[kept], y[kept], places[kept]
+    if stencils is not None:  # [R13.14]
+        visited(machine, Plane.Stencil, len(x))
+        store(machine, Plane.Stencil, x, y, stencils[places])
+        return
+    colors = np.tile(np.array(raster.color, np.int64), (len(x), 1)) if colors is None \
+        else colors[places]
+    depths = np.full(len(x), raster.depth, np.int64) if depths is None else depths[places]
+    stage = FragmentStage(machine, Resolved(machine.state, machine.profile))
+    stage.run(x, y, shaded(machine, command, colors), depths, front=True)
+
+
+def shaded(machine, command, colors):
+    """[R13.12]"""
+    state, profile = machine.state, machine.profile
+    bits = profile.color_bits
+    if command.is_textured():
+        machine.counters["texels"] += len(colors) * look_ups(state.texture.min_filter)
+        texture = machine.texture_of(command)
+        texel = texel_in_place(state, profile, texture, command.raster.texcoord)
+        colors = environment(colors, np.repeat(texel, len(colors), axis=0), state.texture,
+                             texture.format, bits)
+    if state.fog.enable:
+        f = fog.factor(state.fog, bounded(command.raster.distance, 2.0**200), bits)
+        colors = fog.fogged(colors, f, state.fog, bits)
+    return colors
 
 
 # ---- Accumulation ---------------------------------------------------------------------------

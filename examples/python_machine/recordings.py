@@ -89,6 +89,7 @@ class Profile:
     blend_color: bool = False
     blend_minmax: bool = False
     blend_subtract: bool = False
+    draw_pixels: bool = False
 
 
 @dataclass
@@ -108,6 +109,24 @@ class CurrentValues:
     color: tuple = (1.0,) * 4
     normal: tuple = (0.0, 0.0, 1.0)
     texcoord: tuple = (0.0, 0.0, 0.0, 1.0)
+
+
+@dataclass
+class RasterPosition:
+    """[R5.1] Of DrawPixels."""
+    x: float = 0.0
+    y: float = 0.0
+    depth: int = 0
+    color: Any = None
+    texcoord: tuple = (0.0, 0.0, 0.0, 1.0)
+    distance: float = 0.0
+
+
+def raster_of(given):
+    position = filled(RasterPosition(), given) if given is not None else RasterPosition()
+    c = position.color
+    position.color = (c.r, c.g, c.b, c.a) if c is not None else (0, 0, 0, 0)
+    return position
 
 
 @dataclass
@@ -299,3 +318,14 @@ class Reader:
 
     def read_Read(self, c):
         return {"key": c.key, "plane": c.plane, "rect": box(c.rect), "packed": c.packed}
+
+    def read_DrawPixels(self, c):
+        def integers(given):
+            return None if given is None or len(given) == 0 else np.array(given, dtype=np.int64)
+
+        return {"width": c.width, "height": c.height, "raster": raster_of(c.raster),
+                "zoom_x": c.zoomX, "zoom_y": c.zoomY,
+                "colors": rgba(c.colors) if c.colors else None, "depths": integers(c.depths),
+                "stencils": integers(c.stencils), "bits": integers(c.bits), "source": c.source,
+                "texture": None if c.texture == NONE else self.textures[c.texture],
+                "slot": None if c.slot == NONE else c.slot}

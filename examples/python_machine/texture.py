@@ -233,11 +233,14 @@ class TextureStage:
     def shadow(self, s, t, r):
         """[R10.18]"""
         bits = self.profile.depth_bits
+        u = r.u if self.projective else np.zeros_like(r.u)
+        depth = to_integer_array(np.floor(u.astype(np.float64) * 2.0**(r.e + bits)), 0, one(bits))
+        return self.compared(s, t, depth)
+
+    def compared(self, s, t, depth):
         log2_w, log2_h = self.texture.log2_sides(0)
         stored = self.texture.depths[t.wrapped(t.position(log2_h) >> 8, log2_h),
                                      s.wrapped(s.position(log2_w) >> 8, log2_w)]
-        u = r.u if self.projective else np.zeros_like(r.u)
-        depth = to_integer_array(np.floor(u.astype(np.float64) * 2.0**(r.e + bits)), 0, one(bits))
         lit = np.where(depth <= stored, one(self.profile.color_bits), 0)
         return np.repeat(lit[:, None], 4, axis=1)
 
@@ -276,3 +279,33 @@ def look_ups(min_filter):
     return {MinFilter.Nearest: 1, MinFilter.NearestMipmapNearest: 1,
             MinFilter.NearestMipmapLinear: 2, MinFilter.Linear: 4,
             MinFilter.LinearMipmapNearest: 4, MinFilter.LinearMipmapLinear: 8}[min_filter]
+
+
+class Place:
+    """[R13.13] A coordinate that does not change; otherwise as `Coordinate`."""
+
+    limited, filtered_index = Coordinate.limited, Coordinate.filtered_index
+    wrapped = Coordinate.wrapped
+
+    def __init__(self, value, wrap):
+        self.value, self.wrap = value, wrap
+
+    def position(self, log2_side):
+        scaled = np.array([np.floor(self.value * 2.0**(log2_side + 8))])
+        return to_integer_array(scaled, -2**30, 2**30)
+
+
+def texel_in_place(state, profile, texture, strq):
+    """[R13.13] A row of R, G, B, A."""
+    s, t, r, q = strq
+    if q <= 0:
+        return np.full((1, 4), one(profile.color_bits), np.int64)
+    lookup = state.texture
+    stage = TextureStage(lookup, profile, texture, False, state.border_color)
+    wrap_t = lookup.wrap_t if texture.dimensions == 2 else Wrap.Clamp  # [R10.26]
+    s, t = Place(s / q, lookup.wrap_s), Place(t / q, wrap_t)
+    if lookup.shadow_compare:
+        bits = profile.depth_bits
+        incoming = to_integer_array(np.array([np.floor(r / q * 2.0**bits)]), 0, one(bits))
+        return stage.compared(s, t, incoming)
+    return stage.look_up(0, lookup.mag_filter == MagFilter.Linear, s, t)

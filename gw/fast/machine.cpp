@@ -92,6 +92,14 @@ private:
         count(copy_pixels(command, r, planes_), 2 * plane_bytes(command.plane, profile_));
         frame_.write(planes_);
     }
+    /// Draws what the source has now, as a segment of its own.
+    void run_barrier(const DrawPixels& command) {
+        count(source_box(command, grid().width, grid().height).area(),
+              plane_bytes(command.source->plane, profile_));
+        const Command drawn = with_values(command, planes());
+        plan_segment({&drawn, 1}, machine_, profile_, grid(), threads_);
+        run_segment();
+    }
     void run_barrier(const CopyTexture& command) {
         planes();
         machine_.slots[command.slot] = make_fast_texels(copied_texels(command, planes_, profile_));

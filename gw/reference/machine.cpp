@@ -7,6 +7,7 @@
 #include "gw/reference/pixels.h"
 #include "gw/reference/primitives.h"
 #include "gw/stages/fog.h"
+#include "gw/stages/pixels/draw_pixels.h"
 #include "gw/stages/tables.h"
 
 #include <algorithm>
@@ -72,6 +73,12 @@ private:
         return &entry;
     }
 
+    /// The look-ups of the fragments that were made since there were `before`.
+    void count_texels(std::uint64_t before) {
+        pass().counters.texels +=
+            (pass().counters.fragments - before) * texel_count(state_.texture.min_filter);
+    }
+
     void run_command(const BeginPass& command) {
         take_digests();
         passes_.push_back({command.name, {}, command.digests, {}});
@@ -85,13 +92,22 @@ private:
             context.fog_table = fog_table(state_.fog, profile_.color_bits);
         const std::uint64_t before = pass().counters.fragments;
         draw_mesh(context);
-        if (context.texels)
-            pass().counters.texels +=
-                (pass().counters.fragments - before) * texel_count(state_.texture.min_filter);
+        if (context.texels) count_texels(before);
     }
     void run_command(const WriteSpans& command) {
         const Resolved r = resolved();
         run(command, r, target(r));
+    }
+    void run_command(const DrawPixels& command) {
+        const Resolved r = resolved();
+        if (command.source) {
+            count_source(command, target(r), profile_);
+            return run_command(with_values(command, planes_));
+        }
+        const Texels* const used = texels(command.map);
+        const std::uint64_t before = pass().counters.fragments;
+        run(command, r, target(r), profile_, used);
+        if (used) count_texels(before);
     }
     void run_command(const CopyTexture& command) {
         slots_[command.slot] = copied_texels(command, target(resolved()), profile_);

@@ -1,6 +1,7 @@
 #include "gw/reference/pixels.h"
 
 #include "gw/stages/accumulation.h"
+#include "gw/stages/pixels/draw_pixels.h"
 
 #include <bit>
 
@@ -123,6 +124,34 @@ void run(const Copy& command, const Resolved& r, const FragmentTarget& target,
                    write_plane(command.plane, r, *target.planes, i,
                                values_at(before, before.index(x - dx, y - dy)));
                });
+}
+
+void count_source(const DrawPixels& command, const FragmentTarget& target, const Profile& profile) {
+    const std::uint64_t pixels =
+        source_box(command, target.planes->width, target.planes->height).area();
+    target.counters->pixels += pixels;
+    target.counters->bytes += pixels * plane_bytes(command.source->plane, profile);
+}
+
+void run(const DrawPixels& command, const Resolved& r, const FragmentTarget& target,
+         const Profile& profile, const Texels* texels) {
+    const PlacedPixels placed(command, r, profile, texels);
+    const Rect& box = placed.box();
+    for (int y = box.y; y < box.y + box.height; ++y)
+        for (int x = box.x; x < box.x + box.width; ++x) {
+            const std::optional<std::size_t> pixel = placed.source_of(x, y);
+            if (!pixel) continue;
+            if (placed.is_stencil()) {
+                for_pixels({x, y, 1, 1}, target, plane_bytes(Plane::Stencil, profile),
+                           [&](std::size_t i, int, int) {
+                               write_stencil(r, placed.stencil(*pixel), target.planes->stencil[i]);
+                           });
+                continue;
+            }
+            process_fragment(
+                r, target,
+                {x, y, placed.color(*pixel), placed.depth(*pixel), true, std::uint32_t(*pixel)});
+        }
 }
 
 Readback run(const Read& command, const FragmentTarget& target, const Profile& profile) {

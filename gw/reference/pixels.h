@@ -19,6 +19,11 @@ void run(const Accumulate& command, const Resolved& state, const FragmentTarget&
          const Profile& profile);
 void run(const Copy& command, const Resolved& state, const FragmentTarget& target,
          const Profile& profile);
+/// Counts the pixels of a command's source.
+void count_source(const DrawPixels& command, const FragmentTarget& target, const Profile& profile);
+/// `texels` null: texturing is off.
+void run(const DrawPixels& command, const Resolved& state, const FragmentTarget& target,
+         const Profile& profile, const Texels* texels);
 Readback run(const Read& command, const FragmentTarget& target, const Profile& profile);
 
 /// The texels of a slot, from a rectangle of the colour or depth plane.

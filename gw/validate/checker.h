@@ -75,5 +75,7 @@ void check(const Checker& c, const Accumulate& accumulate);
 void check(const Checker& c, const Copy& copy);
 void check(const Checker& c, const CopyTexture& copy);
 void check(const Checker& c, const Read& read);
+void check(const Checker& c, const DrawPixels& draw);
+void check(const Checker& c, const TextureBinding& map);
 
 }  // namespace gw

@@ -25,13 +25,15 @@ void check_material(const Checker& c, const Material& m) {
     c.require(std::isfinite(m.alpha), "material.alpha", m.alpha, "a finite number");
 }
 
-void check_texture(const Checker& c, const Texture& t) {
-    const Extensions& e = c.profile.extensions;
-    c.extension(t.border, e.texture_border, "texture_border");
-    c.extension(t.given_levels, e.texture_formats, "texture_formats");
-}
-
 }  // namespace
+
+void check(const Checker& c, const TextureBinding& map) {
+    if (map.texture && map.slot) c.fail("both a texture and a slot; expected one of them");
+    if (!map.texture) return;
+    const Extensions& e = c.profile.extensions;
+    c.extension(map.texture->border, e.texture_border, "texture_border");
+    c.extension(map.texture->given_levels, e.texture_formats, "texture_formats");
+}
 
 void check(const Checker& c, const Draw& draw) {
     c.require(draw.mesh != nullptr, "mesh", "null", "a mesh");
@@ -49,9 +51,7 @@ void check(const Checker& c, const Draw& draw) {
             check_material(c, m.back);
         }
     c.checked_mesh = draw.mesh.get();
-    if (draw.map.texture) check_texture(c, *draw.map.texture);
-    if (draw.map.texture && draw.map.slot)
-        c.fail("both a texture and a slot; expected one of them");
+    check(c, draw.map);
     c.require(draw.id_shift >= 0 && draw.id_shift < 32, "id_shift", draw.id_shift, "0 to 31");
     if (!draw.lights) return;
     // Most draws have the lights of the previous draw.

@@ -7,23 +7,22 @@ namespace gw {
 namespace {
 
 /// Slots depend on earlier commands: a slot may be empty or filled from the wrong plane.
-void check_slot(const Checker& c, const Draw& draw, const ListContext& context) {
-    if (!draw.map.enabled()) return;
+void check_slot(const Checker& c, const TextureBinding& map, const ListContext& context) {
+    if (!map.enabled()) return;
     const bool compares = context.state.texture.shadow_compare;
-    if (!draw.map.slot) {
+    if (!map.slot) {
         if (compares)
             c.fail(
                 "texture.shadow_compare with a colour texture; expected a slot copied from the depth plane");
         return;
     }
-    const auto slot = context.slots.find(*draw.map.slot);
+    const auto slot = context.slots.find(*map.slot);
     if (slot == context.slots.end())
-        c.fail(
-            fmt::format("texture slot {} is empty; expected a CopyTexture before", *draw.map.slot));
+        c.fail(fmt::format("texture slot {} is empty; expected a CopyTexture before", *map.slot));
     if (compares && slot->second != Plane::Depth)
         c.fail(fmt::format(
             "texture.shadow_compare with slot {} of the colour plane; expected the depth plane",
-            *draw.map.slot));
+            *map.slot));
 }
 
 /// Memory that read_into gave for a Read.
@@ -38,7 +37,10 @@ void check_target(const Checker& c, const Read& read, const ListContext& context
 
 void check_in_context(const Checker&, const auto&, const ListContext&) {}
 void check_in_context(const Checker& c, const Draw& draw, const ListContext& context) {
-    check_slot(c, draw, context);
+    check_slot(c, draw.map, context);
+}
+void check_in_context(const Checker& c, const DrawPixels& draw, const ListContext& context) {
+    check_slot(c, draw.map, context);
 }
 void check_in_context(const Checker& c, const Read& read, const ListContext& context) {
     check_target(c, read, context);

@@ -15,6 +15,25 @@ void check_colors(const Checker& c, const std::vector<Rgba>& colors) {
                                    c.profile.name));
 }
 
+void check_values(const Checker& c, const std::vector<std::uint32_t>& values, int bits) {
+    const std::uint32_t max = max_of_bits(bits);
+    for (const std::uint32_t v : values)
+        if (v > max)
+            c.fail(fmt::format("pixel value {}; expected at most {} (profile {})", v, max,
+                               c.profile.name));
+}
+
+void check_depth(const Checker& c, std::uint32_t depth) {
+    c.require(depth <= max_of_bits(c.profile.depth_bits), "depth", depth,
+              "a value of the depth plane");
+}
+
+/// The plane of a copy or a rectangle.
+void check_plane(const Checker& c, Plane plane) {
+    c.enumeration("plane", plane, Plane::Accum);
+    c.require(plane != Plane::Accum, "plane", "Accum", "Color, Depth or Stencil");
+}
+
 void check_size(const Checker& c, const Rect& r) {
     c.require(r.width >= 0 && r.width <= max_window_size, "rect.width", r.width, "0 to 4096");
     c.require(r.height >= 0 && r.height <= max_window_size, "rect.height", r.height, "0 to 4096");
@@ -31,8 +50,7 @@ void check_inside(const Checker& c, const Rect& r) {
 
 void check(const Checker& c, const WriteSpans& w) {
     check_colors(c, w.colors);
-    c.require(w.depth <= max_of_bits(c.profile.depth_bits), "depth", w.depth,
-              "a value of the depth plane");
+    check_depth(c, w.depth);
     for (const Span& s : w.spans) {
         c.position("span x", s.x);
         c.position("span y", s.y);
@@ -49,24 +67,17 @@ void check(const Checker& c, const WritePixels& w) {
     c.position("rect.x", w.rect.x);
     c.position("rect.y", w.rect.y);
     check_colors(c, w.colors);
-    c.enumeration("plane", w.plane, Plane::Accum);
-    c.require(w.plane != Plane::Accum, "plane", "Accum", "Color, Depth or Stencil");
+    check_plane(c, w.plane);
     const std::size_t given = w.plane == Plane::Color ? w.colors.size() : w.values.size();
     c.require(given == w.rect.area(), "pixels given", given, "width times height");
-    const std::uint32_t max =
-        max_of_bits(w.plane == Plane::Stencil ? c.profile.stencil_bits : c.profile.depth_bits);
-    c.require(w.depth <= max_of_bits(c.profile.depth_bits), "depth", w.depth,
-              "a value of the depth plane");
-    for (const std::uint32_t v : w.values)
-        if (v > max)
-            c.fail(fmt::format("pixel value {}; expected at most {} (profile {})", v, max,
-                               c.profile.name));
+    check_depth(c, w.depth);
+    check_values(c, w.values,
+                 w.plane == Plane::Stencil ? c.profile.stencil_bits : c.profile.depth_bits);
 }
 
 void check(const Checker& c, const Copy& copy) {
     check_size(c, copy.source);
-    c.enumeration("plane", copy.plane, Plane::Accum);
-    c.require(copy.plane != Plane::Accum, "plane", "Accum", "Color, Depth or Stencil");
+    check_plane(c, copy.plane);
     for (const int v : {copy.source.x, copy.source.y, copy.x, copy.y})
         c.position("copy position", v);
 }
@@ -89,6 +100,54 @@ void check(const Checker& c, const Read& read) {
     c.require(read.plane == Plane::Color, "plane of packed pixels", int(read.plane), "Color");
     c.require(c.profile.color_bits <= 8, "color_bits of packed pixels", c.profile.color_bits,
               "at most 8");
+}
+
+namespace {
+
+void check_raster(const Checker& c, const RasterPosition& r) {
+    c.finite("raster.x", r.x);
+    c.finite("raster.y", r.y);
+    check_depth(c, r.depth);
+    check_colors(c, {r.color});
+    c.finite("raster.texcoord", r.texcoord);
+    c.require(r.distance >= 0 && std::isfinite(r.distance), "raster.distance", r.distance,
+              "0 or more");
+}
+
+/// The pixels of a rectangle: all of a kind, or none.
+void check_given(const Checker& c, const DrawPixels& d) {
+    const auto all_or_none = [&](const char* what, std::size_t given, std::size_t all) {
+        c.require(given == 0 || given == all, what, given, "one for each pixel, or none");
+    };
+    all_or_none("colors given", d.colors.size(), d.area());
+    all_or_none("depths given", d.depths.size(), d.area());
+    all_or_none("stencil values given", d.stencils.size(), d.area());
+    c.require(d.bits.empty() || d.bits.size() == d.bit_row() * std::size_t(d.height),
+              "bytes of bits given", d.bits.size(), "whole bytes for each row, or none");
+    const bool fragments = !d.colors.empty() || !d.depths.empty();
+    if (fragments && !d.stencils.empty())
+        c.fail("stencil values with colours or depths; expected one of the two");
+    if (d.source && (fragments || !d.stencils.empty()))
+        c.fail("both a source and values; expected one of them");
+}
+
+}  // namespace
+
+void check(const Checker& c, const DrawPixels& d) {
+    c.extension(true, c.profile.extensions.draw_pixels, "draw_pixels");
+    check_size(c, {0, 0, d.width, d.height});
+    check_raster(c, d.raster);
+    c.finite("zoom_x", d.zoom_x);
+    c.finite("zoom_y", d.zoom_y);
+    check_given(c, d);
+    check_colors(c, d.colors);
+    check_values(c, d.depths, c.profile.depth_bits);
+    check_values(c, d.stencils, c.profile.stencil_bits);
+    check(c, d.map);
+    if (!d.source) return;
+    check_plane(c, d.source->plane);
+    c.position("copy position", d.source->x);
+    c.position("copy position", d.source->y);
 }
 
 void check(const Checker& c, const Accumulate& a) {

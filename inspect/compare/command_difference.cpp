@@ -120,6 +120,14 @@ inline constexpr auto members_of<Read> = std::tuple(named("key", &Read::key),
                                                     named("rect", &Read::rect),
                                                     named("packed", &Read::packed));
 
+template <>
+inline constexpr auto members_of<DrawPixels> =
+    std::tuple(named("width", &DrawPixels::width), named("height", &DrawPixels::height),
+               named("raster", &DrawPixels::raster), named("zoom_x", &DrawPixels::zoom_x),
+               named("zoom_y", &DrawPixels::zoom_y), named("source", &DrawPixels::source),
+               named("colors", &DrawPixels::colors), named("depths", &DrawPixels::depths),
+               named("stencils", &DrawPixels::stencils), named("bits", &DrawPixels::bits));
+
 /// The part of a command that differs: a name and both values.
 struct Part {
     std::string name, a, b;
@@ -191,6 +199,11 @@ Parts difference(const Draw& a, const Draw& b) {
     if (auto part = difference(a.lights, b.lights)) return part;
     if (auto part = difference(a.map, b.map)) return part;
     return difference<Draw>(a, b);
+}
+
+Parts difference(const DrawPixels& a, const DrawPixels& b) {
+    if (auto part = difference(a.map, b.map)) return part;
+    return difference<DrawPixels>(a, b);
 }
 
 Parts difference(const SetState& a, const SetState& b) {

@@ -20,7 +20,8 @@ Digest commands_content(Recording recording) {
 
 bool makes_fragments(const Command& command) {
     return std::holds_alternative<Draw>(command) || std::holds_alternative<WriteSpans>(command) ||
-           std::holds_alternative<WritePixels>(command);
+           std::holds_alternative<WritePixels>(command) ||
+           std::holds_alternative<DrawPixels>(command);
 }
 
 /// The state of each pass: that of its first command that makes fragments; if it has none, its last

@@ -13,6 +13,9 @@ namespace gw::peer {
 /// that OpenGL cannot express here.
 void apply(const State& state, int width, int height);
 
+/// Factors found at the vertices go by way of a linear fog of distance 1 - f.
+void apply(const FogState& fog, bool per_fragment, bool on);
+
 /// Sets matrices and fog, and draws through glBegin and glEnd. `textured`: a texture is bound.
 /// Throws Error for lighting of two sides.
 void draw(const Draw& draw, const State& state, const Profile& profile, int width, int height,
@@ -21,6 +24,9 @@ void draw(const Draw& draw, const State& state, const Profile& profile, int widt
 void clear(const Clear& command);
 void write(const WriteSpans& command);
 void write(const WritePixels& command, const DepthState& depth);
+/// Throws Error for colours with depths, and for bits with other values or a zoom: OpenGL has no
+/// such rectangle. `textured`: a texture is bound.
+void draw(const DrawPixels& command, const State& state, bool textured);
 void copy(const Copy& command, const DepthState& depth);
 
 /// Mesa holds accumulated values in [-1, 1], 16 bits; the machine counts units of the frame buffer.

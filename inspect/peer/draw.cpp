@@ -29,17 +29,6 @@ void load(GLenum mode, const dmat4& m) {
     gl().LoadMatrixd(&m[0][0]);
 }
 
-/// Factors found at the vertices go by way of a linear fog of distance 1 - f.
-void apply(const FogState& fog, bool per_fragment, bool on) {
-    enable(GL_FOG, on);
-    gl().Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
-    gl().Fogi(GL_FOG_MODE, static_cast<GLint>(per_fragment ? token(fog.mode) : GL_LINEAR));
-    gl().Fogf(GL_FOG_DENSITY, fog.density);
-    gl().Fogf(GL_FOG_START, per_fragment ? fog.start : 0);
-    gl().Fogf(GL_FOG_END, per_fragment ? fog.end : 1);
-    gl().Fogfv(GL_FOG_COLOR, &fog.color[0]);
-}
-
 /// A draw between glBegin and glEnd.
 class Emitter {
 public:
@@ -124,6 +113,16 @@ private:
 };
 
 }  // namespace
+
+void apply(const FogState& fog, bool per_fragment, bool on) {
+    enable(GL_FOG, on);
+    gl().Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
+    gl().Fogi(GL_FOG_MODE, static_cast<GLint>(per_fragment ? token(fog.mode) : GL_LINEAR));
+    gl().Fogf(GL_FOG_DENSITY, fog.density);
+    gl().Fogf(GL_FOG_START, per_fragment ? fog.start : 0);
+    gl().Fogf(GL_FOG_END, per_fragment ? fog.end : 1);
+    gl().Fogfv(GL_FOG_COLOR, &fog.color[0]);
+}
 
 void draw(const Draw& draw, const State& state, const Profile& profile, int width, int height,
           bool textured) {

@@ -1,5 +1,6 @@
 #include "inspect/peer/commands.h"
 
+#include "gw/error.h"
 #include "inspect/peer/gl.h"
 
 #include <algorithm>
@@ -104,6 +105,62 @@ void write(const WritePixels& c, const DepthState& depth) {
     }
     write_only(c.plane, depth);
     c.plane == Plane::Depth ? draw_depths(c) : draw_stencil(c);
+}
+
+namespace {
+
+void check_rectangle(const DrawPixels& c) {
+    const bool bitmap = !c.bits.empty();
+    if (!c.colors.empty() && !c.depths.empty())
+        throw Error("colours with depths; OpenGL has rectangles of either");
+    if (bitmap && (!c.colors.empty() || !c.depths.empty() || !c.stencils.empty() || c.source))
+        throw Error("bits with values; OpenGL has bitmaps of one colour");
+    if (bitmap && (c.zoom_x != 1 || c.zoom_y != 1))
+        throw Error("bits with a zoom; OpenGL does not zoom bitmaps");
+}
+
+/// glRasterPos' values, by way of a window position.
+void set_raster_position(const RasterPosition& r) {
+    const std::vector<GLubyte> color = bytes(&r.color, 1);
+    gl().Color4ubv(color.data());
+    gl().TexCoord4d(r.texcoord.x, r.texcoord.y, r.texcoord.z, r.texcoord.w);
+    gl().FogCoordd(r.distance);
+    gl().DepthRange(0, 1);
+    gl().WindowPos3d(r.x, r.y, window_z(r.depth));
+}
+
+void draw_values(const DrawPixels& c) {
+    const auto send = [&](GLenum format, GLenum type, const void* values) {
+        gl().DrawPixels(c.width, c.height, format, type, values);
+    };
+    if (c.source)
+        gl().CopyPixels(c.source->x, c.source->y, c.width, c.height, copied(c.source->plane));
+    else if (!c.stencils.empty())
+        send(GL_STENCIL_INDEX, GL_UNSIGNED_INT, c.stencils.data());
+    else if (!c.colors.empty())
+        send(GL_RGBA, GL_UNSIGNED_BYTE, bytes(c.colors.data(), c.colors.size()).data());
+    else if (!c.bits.empty())
+        gl().Bitmap(c.width, c.height, 0, 0, 0, 0, c.bits.data());
+    else if (c.depths.empty())
+        send(GL_RGBA, GL_UNSIGNED_BYTE,
+             bytes(std::vector<Rgba>(c.area(), c.raster.color).data(), c.area()).data());
+    else {
+        std::vector<std::uint32_t> wide(c.depths.size());
+        std::transform(c.depths.begin(), c.depths.end(), wide.begin(), fraction32);
+        send(GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, wide.data());
+    }
+}
+
+}  // namespace
+
+void draw(const DrawPixels& c, const State& state, bool textured) {
+    check_rectangle(c);
+    const SavedState saved;
+    apply(state.fog, true, state.fog.enable);
+    enable(GL_TEXTURE_2D, textured);
+    set_raster_position(c.raster);
+    gl().PixelZoom(float(c.zoom_x), float(c.zoom_y));
+    draw_values(c);
 }
 
 void copy(const Copy& c, const DepthState& depth) {

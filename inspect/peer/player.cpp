@@ -92,6 +92,10 @@ struct Player::Context {
     }
     void run(const WriteSpans& c) { write(c); }
     void run(const WritePixels& c) { write(c, before.state.depth); }
+    void run(const DrawPixels& c) {
+        const bool textured = textures.bind(c.map, before.state.texture);
+        draw(c, before.state, textured);
+    }
     void run(const Accumulate& c) { accumulate(c); }
     void run(const Copy& c) { copy(c, before.state.depth); }
     void run(const CopyTexture& c) {

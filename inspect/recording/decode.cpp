@@ -39,6 +39,12 @@ FaceMaterials from_file(const gwt::FaceMaterials& m) {
 CurrentValues from_file(const gwt::CurrentValues& v) {
     return {from_file(v.color()), from_file(v.normal()), from_file(v.texcoord())};
 }
+RasterPosition from_file(const gwt::RasterPosition& r) {
+    return {r.x(), r.y(), r.depth(), from_file(r.color()), from_file(r.texcoord()), r.distance()};
+}
+PixelSource from_file(const gwt::PixelSource& s) {
+    return {our_enum<Plane>(s.plane()), s.x(), s.y()};
+}
 Span from_file(const gwt::Span& s) { return {s.x(), s.y(), s.length(), s.first(), s.flat()}; }
 
 /// All but its name.
@@ -56,7 +62,7 @@ Profile from_file(const gwt::Profile& p) {
             .extensions = {p.polygon_offset(), p.shadow_texture(), p.stencil_wrap(),
                            p.two_sided_stencil(), p.texture_border(), p.texture_formats(),
                            p.stipple(), p.two_sided_polygon_mode(), p.logic_op(), p.blend_color(),
-                           p.blend_minmax(), p.blend_subtract()}};
+                           p.blend_minmax(), p.blend_subtract(), p.draw_pixels()}};
 }
 
 class Decoder {
@@ -114,6 +120,7 @@ private:
         return clear;
     }
     Command command(const gwt::SetState& c) { return SetState{at(states_, c.state(), "state")}; }
+    TextureBinding binding(std::uint32_t texture, std::uint32_t slot) const;
     Command command(const gwt::Draw& c);
     Command command(const gwt::WriteSpans& c) {
         return WriteSpans{structs<Span>(c.spans()), structs<Rgba>(c.colors()), c.depth()};
@@ -134,6 +141,7 @@ private:
     Command command(const gwt::Read& c) {
         return Read{c.key(), our_enum<Plane>(c.plane()), rect(c.rect()), c.packed()};
     }
+    Command command(const gwt::DrawPixels& c);
     static Rect rect(const gwt::Rect* stored) { return stored ? from_file(*stored) : Rect{}; }
     Command command(gwt::CommandType type, const gwt::AnyCommand* stored);
     CommandList list(const gwt::CommandList& stored);
@@ -219,11 +227,33 @@ Command Decoder::command(const gwt::Draw& c) {
         draw.back_material = std::make_shared<const Material>(from_file(*c.back_material()));
     if (c.current()) draw.current = std::make_shared<const CurrentValues>(from_file(*c.current()));
     if (c.lights() != no_place) draw.lights = at(light_sets_, c.lights(), "lights");
-    if (c.texture() != no_place) draw.map.texture = at(textures_, c.texture(), "texture");
-    if (c.slot() != no_place) draw.map.slot = c.slot();
-    if (c.texture() != no_place && c.slot() != no_place)
-        throw Error("both a texture and a slot; expected one of them");
+    draw.map = binding(c.texture(), c.slot());
     return draw;
+}
+
+Command Decoder::command(const gwt::DrawPixels& c) {
+    DrawPixels draw{.width = c.width(),
+                    .height = c.height(),
+                    .zoom_x = c.zoom_x(),
+                    .zoom_y = c.zoom_y(),
+                    .colors = structs<Rgba>(c.colors()),
+                    .depths = numbers(c.depths()),
+                    .stencils = numbers(c.stencils()),
+                    .bits = numbers(c.bits())};
+    if (c.raster()) draw.raster = from_file(*c.raster());
+    if (c.source()) draw.source = from_file(*c.source());
+    draw.map = binding(c.texture(), c.slot());
+    return draw;
+}
+
+/// Of places in the file; no_place for none.
+TextureBinding Decoder::binding(std::uint32_t texture, std::uint32_t slot) const {
+    if (texture != no_place && slot != no_place)
+        throw Error("both a texture and a slot; expected one of them");
+    TextureBinding map;
+    if (texture != no_place) map.texture = at(textures_, texture, "texture");
+    if (slot != no_place) map.slot = slot;
+    return map;
 }
 
 /// Calls `use` with the table that `stored` is; false if the type is unknown.
@@ -243,6 +273,7 @@ bool with_command(gwt::CommandType type, const gwt::AnyCommand* stored, const au
         case gwt::CommandType::Copy: return as(static_cast<gwt::Copy*>(nullptr));
         case gwt::CommandType::CopyTexture: return as(static_cast<gwt::CopyTexture*>(nullptr));
         case gwt::CommandType::Read: return as(static_cast<gwt::Read*>(nullptr));
+        case gwt::CommandType::DrawPixels: return as(static_cast<gwt::DrawPixels*>(nullptr));
         case gwt::CommandType::NONE: break;
     }
     return false;

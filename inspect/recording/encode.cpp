@@ -37,6 +37,10 @@ gwt::CurrentValues to_file(const CurrentValues& v) {
     return {to_file(v.color), to_file(v.normal), to_file(v.texcoord)};
 }
 gwt::Span to_file(const Span& s) { return {s.x, s.y, s.length, s.first, s.flat}; }
+gwt::RasterPosition to_file(const RasterPosition& r) {
+    using inspect::to_file;
+    return {r.x, r.y, r.depth, to_file(r.color), to_file(r.texcoord), r.distance};
+}
 using inspect::to_file;
 
 /// Places of values that were stored: by address, then by content.
@@ -85,6 +89,9 @@ private:
 
     std::uint32_t mesh(const MeshRef& ref);
     std::uint32_t texture(const TextureRef& ref);
+    std::uint32_t texture(const TextureBinding& map) {
+        return map.texture ? texture(map.texture) : no_place;
+    }
     std::uint32_t lights(const LightsRef& ref);
     std::uint32_t state(const State& state);
 
@@ -126,6 +133,7 @@ private:
         return gwt::CreateRead(out_, c.key, file_enum<gwt::Plane>(c.plane), &rect, c.packed)
             .Union();
     }
+    Offset<void> command(const DrawPixels& c);
     Offset<gwt::CommandList> list(const CommandList& list);
     Offset<gwt::Profile> profile(const Profile& p);
     std::uint32_t version(const Profile& profile) const;
@@ -214,7 +222,7 @@ bool is_affine(const Draw& c) {
 Offset<void> Encoder::command(const Draw& c) {
     const std::uint32_t mesh_place = mesh(c.mesh);
     const std::uint32_t lights_place = c.lights ? lights(c.lights) : no_place;
-    const std::uint32_t texture_place = c.map.texture ? texture(c.map.texture) : no_place;
+    const std::uint32_t texture_place = texture(c.map);
     const std::uint32_t slot = c.map.slot.value_or(no_place);
     const auto matrix = to_file(c.eye_from_object);
     const auto material = to_file(c.material);
@@ -226,6 +234,21 @@ Offset<void> Encoder::command(const Draw& c) {
     return gwt::CreateDraw(out_, mesh_place, &matrix, &material, lights_place, texture_place, slot,
                            c.id_base, c.id_shift, c.back_material ? &back : nullptr,
                            c.current ? &current : nullptr)
+        .Union();
+}
+
+Offset<void> Encoder::command(const DrawPixels& c) {
+    uses_version_2_ = true;
+    const auto colors = structs<gwt::Rgba>(c.colors);
+    const auto depths = numbers(c.depths), stencils = numbers(c.stencils);
+    const auto bits = numbers(c.bits);
+    const std::uint32_t texture_place = texture(c.map);
+    const auto raster = to_file(c.raster);
+    gwt::PixelSource source;
+    if (c.source) source = {file_enum<gwt::Plane>(c.source->plane), c.source->x, c.source->y};
+    return gwt::CreateDrawPixels(out_, c.width, c.height, &raster, c.zoom_x, c.zoom_y, colors,
+                                 depths, stencils, bits, c.source ? &source : nullptr,
+                                 texture_place, c.map.slot.value_or(no_place))
         .Union();
 }
 
@@ -248,7 +271,7 @@ Offset<gwt::Profile> Encoder::profile(const Profile& p) {
         p.subpixel_bits, p.lit_bits, p.max_lights, p.fragment_fog, p.perspective_color,
         e.polygon_offset, e.shadow_texture, e.stencil_wrap, e.two_sided_stencil, p.texel_bits,
         e.texture_border, e.texture_formats, e.stipple, e.two_sided_polygon_mode, e.logic_op,
-        e.blend_color, e.blend_minmax, e.blend_subtract);
+        e.blend_color, e.blend_minmax, e.blend_subtract, e.draw_pixels);
 }
 
 bool needs_version_2(const Profile& p) {

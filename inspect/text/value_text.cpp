@@ -30,6 +30,13 @@ std::string text(const Span& s) {
     return fmt::format("x {} y {} length {} first {}{}", s.x, s.y, s.length, s.first,
                        s.flat ? " flat" : "");
 }
+std::string text(const RasterPosition& r) {
+    return fmt::format("x {} y {} depth {} color {} texcoord {} distance {}", r.x, r.y, r.depth,
+                       text(r.color), text(r.texcoord), r.distance);
+}
+std::string text(const std::optional<PixelSource>& s) {
+    return s ? fmt::format("{} {} {}", text(s->plane), s->x, s->y) : "none";
+}
 std::string text(const Material& m) {
     return fmt::format("Ka {} Kd {} Ks {} Ke {} Ns {} alpha {}", text(m.Ka), text(m.Kd), text(m.Ks),
                        text(m.Ke), m.Ns, m.alpha);

@@ -19,6 +19,7 @@ bool is_small(const inspect::Recording& recording) {
             if (const auto* draw = std::get_if<Draw>(&command))
                 cost += draw->mesh->triangles().size() + draw->mesh->lines().size() +
                         draw->mesh->points().size();
+            if (const auto* draw = std::get_if<DrawPixels>(&command)) cost += draw->area();
         }
     return cost * std::size_t(recording.width) * std::size_t(recording.height) <= 20000;
 }

@@ -19,6 +19,12 @@ inline bool same_value(const auto& a, const auto& b) { return a == b || (a && b 
 
 inline bool same(const Command& a, const Command& b) {
     if (a.index() != b.index()) return false;
+    if (const auto* drawn = std::get_if<DrawPixels>(&a)) {
+        DrawPixels other = std::get<DrawPixels>(b);
+        if (!same(drawn->map.texture, other.map.texture)) return false;
+        other.map.texture = drawn->map.texture;
+        return *drawn == other;
+    }
     const auto* x = std::get_if<Draw>(&a);
     if (!x) return a == b;
     Draw y = std::get<Draw>(b);

@@ -163,5 +163,113 @@ TEST_P(OpenGL, TextureFormatsAreWithinOneUnit) {
     EXPECT_LE(tally.worst, 1);
 }
 
+/// Mesa rounds the raster position to whole pixels.
+RasterPosition random_corner(Random& random) {
+    RasterPosition r;
+    r.x = double(random.between(-8, size));
+    r.y = double(random.between(-8, size));
+    for (std::uint16_t& c : r.color) c = std::uint16_t(random.between(0, 255));
+    return r;
+}
+
+/// Thirds: no edge meets a pixel's centre.
+double random_zoom(Random& random) {
+    const double zoom = double(float(random.between(1, 14)) / 3);
+    return random.between(0, 2) == 0 ? -zoom : zoom;
+}
+
+/// Zoomed colours, copies of colours and bitmaps, over noise.
+TEST_P(OpenGL, DrawnPixelsAgreeInEveryBit) {
+    Random random(16);
+    std::vector<CommandList> lists;
+    for (int i = 0; i < 120; ++i) {
+        DrawPixels d{.width = int(random.between(1, 20)),
+                     .height = int(random.between(1, 20)),
+                     .raster = random_corner(random)};
+        State state = window_state();
+        CommandList& list = lists.emplace_back();
+        add(list, state, noise(random));
+        if (i % 3 != 0) {
+            d.zoom_x = random_zoom(random);
+            d.zoom_y = random_zoom(random);
+        }
+        if (i % 3 == 0)
+            for (std::size_t k = 0; k < d.bit_row() * std::size_t(d.height); ++k)
+                d.bits.push_back(std::uint8_t(random.next()));
+        if (i % 3 == 1)
+            for (std::size_t k = 0; k < d.area(); ++k)
+                d.colors.push_back({std::uint16_t(random.between(0, 255)), std::uint16_t(k & 255),
+                                    std::uint16_t(k / 2), std::uint16_t(255 - k / 2)});
+        if (i % 3 == 2)
+            d.source = PixelSource{Plane::Color, int(random.between(0, size - 20)),
+                                   int(random.between(0, size - 20))};
+        state.scissor = {i % 4 == 0, {9, 5, 40, 44}};
+        add(list, state, d);
+    }
+    const Tally tally = compare_colors(execute(lists, size, size, coarse_opengl()),
+                                       play(lists, coarse_opengl()).planes);
+    report(GetParam(), "zoomed colours and copies, bitmaps", tally);
+    EXPECT_EQ(tally.compared, 120L * size * size);
+    EXPECT_EQ(tally.different, 0);
+}
+
+/// The raster position's texture coordinates, for all fragments of a rectangle.
+TEST_P(OpenGL, DrawnPixelsAreTexturedWithinOneUnit) {
+    Random random(17);
+    std::vector<CommandList> lists;
+    for (int i = 0; i < 60; ++i) {
+        State state = window_state();
+        state.texture = {.mag_filter = i % 2 ? MagFilter::Nearest : MagFilter::Linear};
+        DrawPixels d{.width = 24, .height = 24, .raster = random_corner(random)};
+        for (std::size_t k = 0; k < d.area(); ++k)
+            d.colors.push_back({std::uint16_t(random.between(0, 255)), 255, 128, 77});
+        d.raster.texcoord = {float(random.between(0, 31)) / 8, float(random.between(0, 31)) / 8, 0,
+                             float(random.between(1, 4))};
+        std::vector<std::uint8_t> texels;
+        for (int k = 0; k < 64; ++k) texels.push_back(std::uint8_t(random.next()));
+        d.map.texture = make_texture8("map", 4, 4, texels);
+        add(lists.emplace_back(), state, d);
+    }
+    const Tally tally = compare_colors(execute(lists, size, size, coarse_opengl()),
+                                       play(lists, coarse_opengl()).planes);
+    report(GetParam(), "rectangles with texture", tally);
+    EXPECT_LE(tally.worst, 1);
+}
+
+/// Stencil values, and depths that are tested and drawn in the raster colour.
+TEST_P(OpenGL, DrawnDepthsAndStencilValuesAgree) {
+    Random random(18);
+    std::vector<CommandList> lists;
+    for (int i = 0; i < 60; ++i) {
+        CommandList& list = lists.emplace_back();
+        State state = window_state();
+        add(list, state, Clear{.planes = all_planes, .depth = 0.5, .stencil = 3});
+        state.depth = {.test = true, .func = DepthFunc::Less};
+        state.stencil.write_mask = 0x3C;
+        DrawPixels d{.width = 16, .height = 12, .raster = random_corner(random)};
+        if (i % 2 == 0)
+            for (std::size_t k = 0; k < d.area(); ++k)
+                d.stencils.push_back(std::uint32_t(random.between(0, 255)));
+        else
+            for (std::size_t k = 0; k < d.area(); ++k)
+                d.depths.push_back(std::uint32_t(random.between(0, 65535)) << 8);
+        add(list, state, d);
+    }
+    const auto ours = execute(lists, size, size, coarse_opengl()),
+               theirs = play(lists, coarse_opengl()).planes;
+    Tally colors = compare_colors(ours, theirs), depths, stencils;
+    for (std::size_t i = 0; i < lists.size(); ++i)
+        for_pixels([&](int, int, std::size_t p) {
+            depths.add(std::abs(double(ours[i].depth[p]) - double(theirs[i].depth[p])));
+            stencils.add(std::abs(int(ours[i].stencil[p]) - int(theirs[i].stencil[p])));
+        });
+    report(GetParam(), "depth rectangles: colours", colors);
+    report(GetParam(), "depth rectangles: depths", depths);
+    report(GetParam(), "stencil rectangles", stencils);
+    EXPECT_EQ(colors.different, 0);
+    EXPECT_LE(depths.worst, 1);
+    EXPECT_EQ(stencils.different, 0);
+}
+
 }  // namespace
 }  // namespace gw

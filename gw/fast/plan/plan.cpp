@@ -173,6 +173,12 @@ struct Planner {
         segment.ops.push_back(
             {PixelsOp{&write, step.state->resolved, step.state->bytes}, step.pass});
     }
+    void add(const DrawPixels& draw, const Step& step) {
+        const Resolved& state = step.state->resolved;
+        const Texels* const used = draw.map.enabled() ? &texels(draw.map)->texels : nullptr;
+        const PlacedPixels& placed = segment.placed_pixels.emplace_back(draw, state, profile, used);
+        segment.ops.push_back({DrawPixelsOp{&placed, state, step.state->bytes}, step.pass});
+    }
     void add(const Accumulate& accumulate, const Step& step) {
         segment.uses_accum = true;
         segment.ops.push_back({AccumulateOp{&accumulate, step.state->resolved}, step.pass});
@@ -277,6 +283,7 @@ void end_segment(MachineState& machine) {
     clear(segment.tile_start);
     clear(segment.tile_ops);
     segment.fog_tables.clear();
+    segment.placed_pixels.clear();
     for (GeometryScratch& scratch : segment.scratch) scratch.trim();
     segment.uses_accum = false;
     segment.visible_records = 0;

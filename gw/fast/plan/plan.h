@@ -11,6 +11,7 @@
 #include "gw/fast/vertices/geometry_scratch.h"
 #include "gw/fast/vertices/vertex_values.h"
 #include "gw/machine.h"
+#include "gw/stages/pixels/draw_pixels.h"
 
 #include <deque>
 #include <map>
@@ -34,6 +35,11 @@ struct PixelsOp {
     const Resolved& state;
     FragmentBytes bytes;
 };
+struct DrawPixelsOp {
+    const PlacedPixels* placed;
+    const Resolved& state;
+    FragmentBytes bytes;
+};
 struct AccumulateOp {
     const Accumulate* accumulate;
     const Resolved& state;
@@ -48,7 +54,7 @@ struct ReadOp {
 
 /// An operation, the pass that it is counted in, and the slot that sums its counts.
 struct TileOp {
-    std::variant<DrawOp, ClearOp, SpansOp, PixelsOp, AccumulateOp, ReadOp> op;
+    std::variant<DrawOp, ClearOp, SpansOp, PixelsOp, DrawPixelsOp, AccumulateOp, ReadOp> op;
     std::size_t pass = 0;
     std::uint32_t count_slot = 0;
 };
@@ -62,6 +68,7 @@ struct Segment {
     Pool<VertexFog> fogs;
     Pool<VertexTexcoords> texcoords;
     std::deque<std::vector<std::uint32_t>> fog_tables;
+    std::deque<PlacedPixels> placed_pixels;
     std::vector<GeometryScratch> scratch;  ///< by worker
     bool uses_accum = false;
     int visible_records = 0;

@@ -91,6 +91,7 @@ void clear_and_trim(std::vector<T>& all) {
 bool is_barrier(const Command& command, const std::vector<PassReport>& passes) {
     if (std::holds_alternative<Copy>(command) || std::holds_alternative<CopyTexture>(command))
         return true;
+    if (const auto* draw = std::get_if<DrawPixels>(&command)) return draw->source.has_value();
     return std::holds_alternative<BeginPass>(command) && !passes.empty() &&
            passes.back().digested != 0;
 }

@@ -46,6 +46,7 @@ Change change(const SpansOp& op) { return change(op.state.state.depth); }
 Change change(const PixelsOp& op) {
     return op.write->plane == Plane::Depth ? Change::Any : change(op.state.state.depth);
 }
+Change change(const DrawPixelsOp& op) { return change(op.state.state.depth); }
 Change change(const ClearOp& op) {
     return op.clear->planes & mask_of(Plane::Depth) ? Change::Any : Change::None;
 }

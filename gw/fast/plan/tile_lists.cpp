@@ -28,6 +28,7 @@ struct ForEachTile {
     void operator()(const PixelsOp& op) const {
         in_box(intersect(op.state.pixel_box, op.write->rect));
     }
+    void operator()(const DrawPixelsOp& op) const { in_box(op.placed->box()); }
     void operator()(const AccumulateOp& op) const { in_box(op.state.pixel_box); }
     void operator()(const ReadOp& op) const { in_box(op.read->rect); }
 

@@ -43,6 +43,13 @@ struct Count {
         c += pixel_counters(n, plane_bytes(op.write->plane, profile));
         return c;
     }
+    Counters operator()(const DrawPixelsOp& op) const {
+        Counters c = fragment_counters(n, op.bytes);
+        c += pixel_counters(n, plane_bytes(Plane::Stencil, profile));
+        if (op.placed->is_textured())
+            c.texels = n.fragments * std::uint64_t(texel_count(op.state.state.texture.min_filter));
+        return c;
+    }
     Counters operator()(const ClearOp& op) const {
         Counters c;
         const std::uint64_t planes = std::uint64_t(std::popcount(op.clear->planes));

@@ -126,6 +126,13 @@ std::string text(const Copy& c) {
 std::string text(const CopyTexture& c) {
     return fmt::format("CopyTexture slot {} plane {} {}", c.slot, int(c.plane), text(c.rect));
 }
+std::string text(const DrawPixels& c) {
+    const RasterPosition& r = c.raster;
+    return fmt::format(
+        "DrawPixels {}x{} at {} {} zoom {} {} colors {} depths {} stencils {} bits {} source {} map {}",
+        c.width, c.height, r.x, r.y, c.zoom_x, c.zoom_y, c.colors.size(), c.depths.size(),
+        c.stencils.size(), c.bits.size(), c.source ? int(c.source->plane) : -1, c.map.enabled());
+}
 std::string text(const Read& c) {
     return fmt::format("Read {} plane {} {}{}", c.key, int(c.plane), text(c.rect),
                        c.packed ? " packed" : "");

@@ -95,6 +95,12 @@ void spoil_command(Random& r, WritePixels& c) {
 void spoil_command(Random& r, Accumulate& c) { spoil_one(r, c.op, c.value); }
 void spoil_command(Random& r, Copy& c) { spoil_one(r, c.plane, c.source, c.x, c.y); }
 void spoil_command(Random& r, CopyTexture& c) { spoil_one(r, c.slot, c.plane, c.rect); }
+void spoil_command(Random& r, DrawPixels& c) {
+    if (r.chance(10)) c.stencils.push_back(~0u);
+    if (r.chance(10)) c.source = {Plane(r.bits(3)), 0, int(r.bits(20))};
+    spoil_one(r, c.width, c.raster.x, c.raster.depth, c.raster.texcoord, c.raster.distance,
+              c.zoom_y);
+}
 void spoil_command(Random& r, Read& c) { spoil_one(r, c.plane, c.rect, c.packed); }
 
 /// Changes one field of one command: a mask, an enumeration, a number or a size. Most results are

@@ -90,7 +90,7 @@ TEST(ManualCommands, EveryCommandIsInTheTable) {
     const std::string text = page("commands.md");
     const std::vector<Command> all{BeginPass{},   Clear{},       SetState{},   Draw{},
                                    WriteSpans{},  WritePixels{}, Accumulate{}, Copy{},
-                                   CopyTexture{}, Read{}};
+                                   CopyTexture{}, Read{},        DrawPixels{}};
     ASSERT_EQ(all.size(), std::variant_size_v<Command>);
     for (const Command& command : all) {
         const std::string name = name_of(command);

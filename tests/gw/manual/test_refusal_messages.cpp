@@ -213,6 +213,57 @@ std::vector<std::string> refused_pixel_commands() {
     };
 }
 
+std::string refused_pixels(const std::function<void(DrawPixels&)>& change) {
+    DrawPixels draw{.width = 2, .height = 1};
+    change(draw);
+    return refusal({draw}, opengl());
+}
+
+std::vector<std::string> refused_draw_pixels() {
+    using D = DrawPixels;
+    return {
+        refusal({D{}}),
+        refused_pixels([](D& d) { d.width = -1; }),
+        refused_pixels([](D& d) { d.height = 4097; }),
+        refused_pixels([](D& d) { d.raster.x = nan; }),
+        refused_pixels([](D& d) { d.raster.y = infinity; }),
+        refused_pixels([](D& d) { d.raster.depth = 1u << 24; }),
+        refused_pixels([](D& d) { d.raster.color[3] = 256; }),
+        refused_pixels([](D& d) { d.raster.texcoord.z = nan; }),
+        refused_pixels([](D& d) { d.raster.distance = -1; }),
+        refused_pixels([](D& d) { d.raster.distance = nan; }),
+        refused_pixels([](D& d) { d.zoom_x = nan; }),
+        refused_pixels([](D& d) { d.zoom_y = infinity; }),
+        refused_pixels([](D& d) { d.colors.resize(1); }),
+        refused_pixels([](D& d) { d.depths.resize(3); }),
+        refused_pixels([](D& d) { d.stencils.resize(1); }),
+        refused_pixels([](D& d) { d.bits.resize(2); }),
+        refused_pixels([](D& d) {
+            d.stencils.resize(2);
+            d.colors.resize(2);
+        }),
+        refused_pixels([](D& d) {
+            d.depths.resize(2);
+            d.source = PixelSource{};
+        }),
+        refused_pixels([](D& d) {
+            d.colors.resize(2, {256, 0, 0, 0});
+        }),
+        refused_pixels([](D& d) { d.depths.resize(2, 1u << 24); }),
+        refused_pixels([](D& d) { d.stencils.resize(2, 256); }),
+        refused_pixels([](D& d) {
+            d.source = PixelSource{Plane::Accum, 0, 0};
+        }),
+        refused_pixels([](D& d) {
+            d.source = PixelSource{Plane(7), 0, 0};
+        }),
+        refused_pixels([](D& d) {
+            d.source = PixelSource{Plane::Color, 0, -4097};
+        }),
+        refused_pixels([](D& d) { d.map.slot = 3; }),
+    };
+}
+
 std::vector<std::string> refused_values() {
     const std::vector<vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const auto given = [&](const std::function<void(Texture&)>& change) {
@@ -288,8 +339,8 @@ const std::set<std::string> not_tried{
 
 TEST(ManualRefusals, EachIsListedAndHappens) {
     std::vector<std::string> happened;
-    for (const auto& some :
-         {refused_states(), refused_draws(), refused_pixel_commands(), refused_values()})
+    for (const auto& some : {refused_states(), refused_draws(), refused_pixel_commands(),
+                             refused_draw_pixels(), refused_values()})
         happened.insert(happened.end(), some.begin(), some.end());
     const std::vector<std::string> listed = messages_of_the_page();
     EXPECT_GE(listed.size(), 90u);

@@ -1,0 +1,143 @@
+// [GL11] 3.6.4 and 3.7: rectangles of pixels and bitmaps, zoomed.
+#include "gw/stages/pixels/draw_pixels.h"
+
+#include "gw/base/arithmetic.h"
+#include "gw/stages/fog.h"
+#include "gw/stages/tables.h"
+#include "gw/stages/vertex.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw {
+namespace {
+
+/// The first pixel whose centre is not before the edge in front of row or column n.
+int pixel_at_edge(double start, double zoom, int n) {
+    constexpr double far_away = 1 << 20;
+    return int(to_integer(std::ceil((start + zoom * n) - 0.5), -far_away, far_away));
+}
+
+/// The run of pixels that the columns (or rows) of a rectangle cover, and the column of each.
+struct Zoomed {
+    int first = 0;
+    std::vector<int> source;
+};
+Zoomed zoomed(double start, double zoom, int count, int box_first, int box_size) {
+    const auto edge = [&](int n) {
+        return std::clamp(pixel_at_edge(start, zoom, n), box_first, box_first + box_size);
+    };
+    Zoomed z{std::min(edge(0), edge(count)), {}};
+    for (int i = 0; i < count; ++i) {
+        const int n = zoom >= 0 ? i : count - 1 - i;
+        z.source.insert(z.source.end(), std::size_t(std::abs(edge(n + 1) - edge(n))), n);
+    }
+    return z;
+}
+
+/// A coordinate in 1/256 texel of level 0.
+int texel_position(double coordinate, int log2_size) {
+    constexpr double largest = 1 << 30;
+    return int(to_integer(std::floor(std::ldexp(coordinate, log2_size + 8)), -largest, largest));
+}
+
+Rgba grey_texel(std::uint32_t v) {
+    const auto c = static_cast<std::uint16_t>(v);
+    return {c, c, c, c};
+}
+
+/// The one texel of a rectangle. Its coordinates do not change, so the filter magnifies.
+Rgba raster_texel(const vec4& strq, const Texels& texels, const Resolved& r, int depth_bits) {
+    const std::uint32_t one = max_of_bits(texels.bits);
+    const double q = strq.w;
+    if (q <= 0) return grey_texel(one);
+    const TexelLevel& level = texels.levels.front();
+    const int u = texel_position(strq.x / q, level.log2_width),
+              v = texel_position(strq.y / q, level.log2_height);
+    const Addressing how = addressing(r.state.texture, texels, r.border_color);
+    if (!r.state.texture.shadow_compare)
+        return lookup(level, is_linear(r.state.texture, true), how, u, v, texels.bits);
+    const auto incoming =
+        to_integer(std::floor(std::ldexp(strq.z / q, depth_bits)), 0, max_of_bits(depth_bits));
+    const int i = wrap_index(how.wrap_s, u >> 8, level.width),
+              j = wrap_index(how.wrap_t, v >> 8, level.height);
+    return grey_texel(incoming <= texels.depths[pixel_index(i, j, level.width)] ? one : 0);
+}
+
+}  // namespace
+
+PlacedPixels::PlacedPixels(const DrawPixels& pixels, const Resolved& state, const Profile& profile,
+                           const Texels* texels)
+    : pixels_(&pixels), state_(&state) {
+    const RasterPosition& raster = pixels.raster;
+    const Rect& box = state.pixel_box;
+    Zoomed columns = zoomed(raster.x, pixels.zoom_x, pixels.width, box.x, box.width),
+           rows = zoomed(raster.y, pixels.zoom_y, pixels.height, box.y, box.height);
+    box_ = {columns.first, rows.first, int(columns.source.size()), int(rows.source.size())};
+    columns_ = std::move(columns.source);
+    rows_ = std::move(rows.source);
+    if (texels) {
+        texel_ = raster_texel(raster.texcoord, *texels, state, profile.depth_bits);
+        format_ = texels->format;
+    }
+    if (state.state.fog.enable)
+        fog_factor_ =
+            fog_factor(state.state.fog, bounded(raster.distance, largest_coordinate), state.bits);
+    raster_color_ = shaded(raster.color);
+}
+
+std::optional<std::size_t> PlacedPixels::source_of(int x, int y) const {
+    const int column = columns_[std::size_t(x - box_.x)], row = rows_[std::size_t(y - box_.y)];
+    const std::size_t byte = std::size_t(row) * pixels_->bit_row() + std::size_t(column) / 8;
+    if (!pixels_->bits.empty() && (pixels_->bits[byte] >> (7 - column % 8) & 1) == 0) return {};
+    return pixel_index(column, row, pixels_->width);
+}
+
+Rgba PlacedPixels::color(std::size_t pixel) const {
+    return pixels_->colors.empty() ? raster_color_ : shaded(pixels_->colors[pixel]);
+}
+
+std::uint32_t PlacedPixels::depth(std::size_t pixel) const {
+    return pixels_->depths.empty() ? pixels_->raster.depth : pixels_->depths[pixel];
+}
+
+Rgba PlacedPixels::shaded(const Rgba& color) const {
+    const State& s = state_->state;
+    Rgba out = color;
+    if (texel_)
+        out = texture_environment(s.texture.env, format_, out, *texel_, state_->env_color,
+                                  state_->bits);
+    return s.fog.enable ? apply_fog(out, fog_factor_, state_->fog_color, state_->bits) : out;
+}
+
+Rect source_box(const DrawPixels& command, int width, int height) {
+    return intersect({command.source->x, command.source->y, command.width, command.height},
+                     {0, 0, width, height});
+}
+
+DrawPixels with_values(const DrawPixels& command, const Planes& planes) {
+    DrawPixels out = command;
+    const PixelSource from = *command.source;
+    const Rect box = source_box(command, planes.width, planes.height);
+    out.source.reset();
+    out.bits.assign(out.bit_row() * std::size_t(out.height), 0);
+    if (from.plane == Plane::Color) out.colors.resize(out.area());
+    if (from.plane == Plane::Depth) out.depths.resize(out.area());
+    if (from.plane == Plane::Stencil) out.stencils.resize(out.area());
+    for (int y = box.y; y < box.y + box.height; ++y)
+        for (int x = box.x; x < box.x + box.width; ++x) {
+            const std::size_t i = planes.index(x, y), column = std::size_t(x - from.x),
+                              row = std::size_t(y - from.y),
+                              k = pixel_index(x - from.x, y - from.y, out.width);
+            const std::size_t byte = row * out.bit_row() + column / 8;
+            const unsigned bit = 128u >> column % 8;
+            if (command.bits.empty() || command.bits[byte] & bit)
+                out.bits[byte] = static_cast<std::uint8_t>(out.bits[byte] | bit);
+            if (from.plane == Plane::Color) out.colors[k] = planes.color[i];
+            if (from.plane == Plane::Depth) out.depths[k] = planes.depth[i];
+            if (from.plane == Plane::Stencil) out.stencils[k] = planes.stencil[i];
+        }
+    return out;
+}
+
+}  // namespace gw

@@ -1,0 +1,55 @@
+// DrawPixels on the window: the pixel of the rectangle that each pixel of the window shows, and the
+// colour of its fragment. docs/manual/pixels.md, "Drawn pixels". Does not test fragments or write
+// planes.
+#pragma once
+
+#include "gw/command_list.h"
+#include "gw/stages/resolve.h"
+#include "gw/stages/texels.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace gw {
+
+/// A rectangle in its place, zoomed. The command, the state and the texels outlive it.
+class PlacedPixels {
+public:
+    /// `texels` null: texturing is off.
+    PlacedPixels(const DrawPixels& pixels, const Resolved& state, const Profile& profile,
+                 const Texels* texels);
+
+    /// The window's pixels that it covers, inside the pixel box.
+    const Rect& box() const { return box_; }
+    /// The place in the rectangle of the pixel that x, y of the box shows; none if it is not drawn.
+    std::optional<std::size_t> source_of(int x, int y) const;
+    /// Of the fragment of a pixel, after texture and fog.
+    Rgba color(std::size_t pixel) const;
+    std::uint32_t depth(std::size_t pixel) const;
+    /// Whether it writes stencil values in place of fragments.
+    bool is_stencil() const { return !pixels_->stencils.empty(); }
+    std::uint32_t stencil(std::size_t pixel) const { return pixels_->stencils[pixel]; }
+    bool is_textured() const { return texel_.has_value(); }
+
+private:
+    Rgba shaded(const Rgba& color) const;
+
+    const DrawPixels* pixels_;
+    const Resolved* state_;
+    Rect box_;
+    std::vector<int> columns_, rows_;  ///< of the rectangle, for those of the box
+    std::optional<Rgba> texel_;
+    TextureFormat format_ = TextureFormat::RGBA;
+    std::uint32_t fog_factor_ = 0;
+    Rgba raster_color_{};  ///< after texture and fog
+};
+
+/// The part of the window that a command with a source reads.
+Rect source_box(const DrawPixels& command, int width, int height);
+
+/// The command with its source's values in place of the source. Source pixels outside the window
+/// are not drawn.
+DrawPixels with_values(const DrawPixels& command, const Planes& planes);
+
+}  // namespace gw
