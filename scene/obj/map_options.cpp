@@ -19,7 +19,7 @@ struct Option {
     Argument argument;
     std::string_view neutral = {};
 };
-constexpr std::array options{
+constexpr std::array known_options{
     Option{"-o", Argument::Vector},
     Option{"-s", Argument::Vector},
     Option{"-clamp", Argument::OnOff},
@@ -65,10 +65,10 @@ private:
 
     void option() {
         const std::string_view name = word();
-        for (const Option& option : options)
+        for (const Option& option : known_options)
             if (option.name == name) return honour(option);
         std::vector<std::string> known;
-        for (const Option& option : options) known.emplace_back(option.name);
+        for (const Option& option : known_options) known.emplace_back(option.name);
         in_.fail(unknown("option", name, known));
     }
 

@@ -83,6 +83,7 @@ public:
     /// On the seen side of the triangle, or through it; now and then grazing.
     dvec3 leaving(const Surface& s, bool through) {
         dvec3 d = direction();
+        while (dot3(d, s.plane_normal) == 0) d = direction();  // neither
         double height = dot3(d, s.plane_normal);
         if (bits() % 4 == 0) {
             d -= height * 0.999 * s.plane_normal;
