@@ -52,6 +52,7 @@ const std::vector<Source>& sources() {
         {{"coincident", "faces drawn again by other primitives, under Equal", "R1.10"}, fuzz::coincident_case, 4},
         {{"blend", "blend factors, colour masks, alpha test", "R12.4 R12.10-R12.13"}, fuzz::blend_case, 8},
         {{"stipple", "stipples, polygon modes of both faces, offsets of outlines", "R6.30 R9.20 R9.21 R9.22"}, fuzz::stipple_case, 12},
+        {{"antialiasing", "smooth points, lines and polygons", "R9.23-R9.30"}, fuzz::antialiasing_case, 20},
         {{"texture-formats", "texture formats, borders, given levels, one dimension", "R10.23 R10.24 R10.25 R10.26 R10.17"}, fuzz::texture_formats_case, 16},
         {{"vertices", "positions of any w, materials by vertex, current values, texture coordinates by rule", "R5.9 R6.27-R6.29 R8.9 R8.10 R10.20-R10.22"}, fuzz::vertices_case, 12},
         {{"joined-colors", "logical operations, blend equations, a constant colour", "R12.14 R12.15"}, fuzz::joined_colors_case, 8},

@@ -8,6 +8,7 @@ namespace gw::fuzz {
 
 Case accumulation_case(Random& random);
 Case alpha_mask_case(Random& random);
+Case antialiasing_case(Random& random);
 Case blend_case(Random& random);
 Case clip_case(Random& random);
 Case coincident_case(Random& random);

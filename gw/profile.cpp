@@ -36,7 +36,7 @@ Profile ideal() {
 }
 
 Profile opengl() {
-    Profile p{.name = "opengl", .subpixel_bits = 8};
+    Profile p{.name = "opengl", .subpixel_bits = 8, .coverage_bits = 8};
     p.fragment_fog = true;
     p.perspective_color = true;
     p.extensions = {.polygon_offset = true,
@@ -103,6 +103,7 @@ void validate(const Profile& p) {
     check("lit_bits", p.lit_bits, 4, p.color_bits);
     check("max_lights", p.max_lights, 1, 1024);
     check("texel_bits", p.texel_bits, 0, 16);
+    check("coverage_bits", p.coverage_bits, 0, 16);
 }
 
 }  // namespace gw

@@ -40,6 +40,7 @@ struct Profile {
     int lit_bits = 8;       ///< of a lit vertex colour: 4 .. color_bits
     int max_lights = 8;     ///< in one pass: 1 .. 1024
     int texel_bits = 0;     ///< of a texel's channel: 1 .. 16; 0: color_bits
+    int coverage_bits = 0;  ///< of antialiasing: 1 .. 16; 0: the machine has none
     /// fog factor per fragment by default; else at the vertex, as in [K] Fig. 2
     bool fragment_fog = false;
     /// Gouraud shading in perspective; else linear on the screen, as in the hardware

@@ -330,8 +330,11 @@ struct State {
     PolygonStippleState polygon_stipple;
     PolygonOffsetState polygon_offset;
     JitterState jitter;
-    int point_size = 1;  ///< pixels, 1 .. 128
-    int line_width = 1;  ///< pixels, 1 .. 128
+    float point_size = 1;  ///< pixels, 1 .. 128; whole pixels unless smooth
+    float line_width = 1;  ///< pixels, 1 .. 128; whole pixels unless smooth
+    /// Antialiasing, if the profile has coverage_bits: alpha is multiplied by the covered part of
+    /// the pixel.
+    bool point_smooth = false, line_smooth = false, polygon_smooth = false;
     ShadeModel shade_model = ShadeModel::Smooth;
     ColorSource color_source = ColorSource::Vertex;
     LightingState lighting;
@@ -346,5 +349,9 @@ struct State {
     ColorMask color_mask;
     bool operator==(const State&) const = default;
 };
+/// Whether a primitive of any kind is antialiased.
+constexpr bool antialiases(const State& s) {
+    return s.point_smooth || s.line_smooth || s.polygon_smooth;
+}
 
 }  // namespace gw

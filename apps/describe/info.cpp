@@ -56,6 +56,7 @@ constexpr Row profile_rows[] = {
     {"sub-pixel bits", &Profile::subpixel_bits},
     {"lit vertex colour, bits", &Profile::lit_bits},
     {"lights in one pass", &Profile::max_lights},
+    {"antialiasing, bits of coverage", &Profile::coverage_bits},
 };
 
 std::string line(const std::string& title, const std::function<std::string(const Profile&)>& cell) {

@@ -1,11 +1,12 @@
 """[R1.9] A Draw from its mesh to fragments: chapters 6 to 12 in their order."""
 import numpy as np
 
-from . import fog
+from . import antialiasing, fog
 from .fragments import FragmentStage
 from .geometry import PrimitiveStage
 from .numbers import one, rne
-from .rasterization import Frame, Perspective, covered, offset, quotient, reciprocal
+from .rasterization import (Frame, OuterFrame, Perspective, covered, offset, quotient,
+                            reciprocal)
 from .state import ColorSource, Resolved, ShadeModel, draw_box
 from .texture import TextureStage, environment, look_ups
 from .texture_coordinates import divided_by_q
@@ -17,8 +18,8 @@ def run(machine, draw):
     counters["vertices"] += len(draw.mesh.positions)
     before = counters["fragments"]
     stage = PixelStage(machine, draw)
-    for ready in PrimitiveStage(machine, draw).run():
-        stage.run(ready)
+    for pieces in PrimitiveStage(machine, draw).run():
+        stage.run(pieces)
     if draw.is_textured() and machine.state.color_source != ColorSource.PolygonId:
         counters["texels"] += ((counters["fragments"] - before)
                                * look_ups(machine.state.texture.min_filter))
@@ -42,12 +43,29 @@ class PixelStage:
         if self.fog and fog.per_fragment(self.state, self.profile):
             self.fog_table = fog.Table(self.fog, self.profile.color_bits)
 
-    def run(self, ready):
-        s, bits = self.profile.subpixel_bits, self.profile.color_bits
+    def run(self, pieces):
+        """Of one primitive: a smooth polygon has several pieces."""
+        s = self.profile.subpixel_bits
+        if antialiasing.is_smooth(self.state, pieces[0]):
+            self.run_smooth(pieces, s)
+            return
+        ready, = pieces
         x, y = covered(ready.corners, self.box, self.state, s, ready.steps)
+        self.shade(ready, Frame(ready.corners, s), x, y)
+
+    def run_smooth(self, pieces, s):
+        """[R9.28]"""
+        c = antialiasing.covered(pieces, self.box, self.state, self.profile)
+        for k, ready in enumerate(pieces):
+            for frame_of, outer in ((Frame, False), (OuterFrame, True)):
+                here = (c.piece == k) & (c.outer == outer)
+                self.shade(ready, frame_of(ready.corners, s), c.x[here], c.y[here],
+                           c.coverage[here])
+
+    def shade(self, ready, frame, x, y, coverage=None):
+        bits = self.profile.color_bits
         if len(x) == 0:
             return
-        frame = Frame(ready.corners, s)
         depths = self.depths(ready, frame, x, y)
         colors = self.colors(ready, frame, x, y)
         if self.texture:
@@ -56,6 +74,8 @@ class PixelStage:
                                  bits)
         if self.fog:
             colors = fog.fogged(colors, self.fog_factors(ready, frame, x, y), self.fog, bits)
+        if coverage is not None:
+            colors = antialiasing.with_coverage(colors, coverage, self.profile.coverage_bits)
         self.fragments.run(x, y, colors, depths, ready.front)
 
     def depths(self, ready, frame, x, y):

@@ -2,7 +2,7 @@
 import math
 from dataclasses import dataclass, replace
 
-from . import fog, lighting, texture_coordinates
+from . import antialiasing, fog, lighting, texture_coordinates
 from .numbers import (bounded, cross, divide, dot3, dot4, floor, quantize, clamp01, rne, to_integer,
                       transform, unit)
 from .polygons import edges_of, triangulated
@@ -318,13 +318,24 @@ class PrimitiveStage:
         self.steps = 0  # of the strip or outline in progress
 
     def run(self):
-        polygon = 0
+        """Lists of what becomes fragments together: the pieces of a smooth polygon [R9.25], or one."""
+        polygon, pieces = 0, []
         for primitive in primitives(self.draw.mesh):
-            if primitive.polygon != polygon and self.draw.mesh.primitive != "LineStrip":
-                self.steps = 0
+            if primitive.polygon != polygon:
+                if pieces:
+                    yield pieces
+                pieces = []
+                if self.draw.mesh.primitive != "LineStrip":
+                    self.steps = 0
             polygon = primitive.polygon
             self.counters["primitives"] += 1
-            yield from self.primitive(primitive)
+            for ready in self.primitive(primitive):
+                if ready.filled and self.state.polygon_smooth:
+                    pieces.append(ready)
+                else:
+                    yield [ready]
+        if pieces:
+            yield pieces
 
     def primitive(self, primitive):
         vertices = [self.cache[i] for i in primitive.corners]
@@ -391,7 +402,8 @@ class PrimitiveStage:
     def count_steps(self, corners):
         """[R9.20]"""
         if len(corners) == 2:
-            self.steps += line_steps(corners, self.profile.subpixel_bits)
+            count = antialiasing.steps if self.state.line_smooth else line_steps
+            self.steps += count(corners, self.profile.subpixel_bits)
 
     def ready(self, primitive, corners, front, filled):
         """[R6.22] jitter; [R6.6], [R6.13] colours."""

@@ -1,4 +1,5 @@
 """Chapter 9: which pixels a piece, line or point covers, and integer planes over them."""
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,8 +24,13 @@ def covered(corners, box, state, s, steps=0):
     if len(corners) == 3:
         return stippled_pixels(*piece_pixels(corners, box, s), state.polygon_stipple)
     if len(corners) == 2:
-        return line_pixels(corners, box, state.line_width, s, state.line_stipple, steps)
-    return point_pixels(corners[0], box, state.point_size, s)
+        return line_pixels(corners, box, whole(state.line_width), s, state.line_stipple, steps)
+    return point_pixels(corners[0], box, whole(state.point_size), s)
+
+
+def whole(size):
+    """[R9.4], [R9.5]"""
+    return math.floor(size + 0.5)
 
 
 def stippled_pixels(x, y, rows):
@@ -45,14 +51,20 @@ def piece_pixels(corners, box, s):
     if low[0] >= high[0] or low[1] >= high[1]:
         return no_pixels()
     x, y = rectangle((*low, *high))
+    inside = covers_center((a, b, c), x, y, s)
+    return x[inside], y[inside]
+
+
+def covers_center(corners, x, y, s):
+    """[R9.2] Of one pixel or of arrays."""
+    a, b, c = counter_clockwise(corners)
     px, py = centers(x, s), centers(y, s)
-    inside = np.ones(len(x), bool)
+    inside = True
     for start, end in ((a, b), (b, c), (c, a)):
         dx, dy = end.X - start.X, end.Y - start.Y
         top_left = dy < 0 or (dy == 0 and dx < 0)
-        e = dx * (py - start.Y) - dy * (px - start.X) - (0 if top_left else 1)
-        inside &= e >= 0
-    return x[inside], y[inside]
+        inside &= dx * (py - start.Y) - dy * (px - start.X) - (0 if top_left else 1) >= 0
+    return inside
 
 
 def centers(i, s):
@@ -156,6 +168,20 @@ class Frame:
             g = (0, 0)
         return IntegerPlane(a[0], *g, self.X0, self.Y0, self.s)
 
+    def numerator(self, values, q):
+        """The plane of a U of R9.14."""
+        return self.plane(values)
+
+
+class OuterFrame(Frame):
+    """[R9.28] For pixels whose centre is outside."""
+
+    def plane(self, values):
+        return LimitedPlane(super().plane(values), min(values), max(values))
+
+    def numerator(self, values, q):
+        return AtMost(self.plane(values), q)
+
 
 @dataclass
 class IntegerPlane:
@@ -182,6 +208,34 @@ class IntegerPlane:
         return (total + start).astype(np.int64) >> (self.s + 16)
 
 
+@dataclass
+class LimitedPlane:
+    """[R9.28] A plane limited to the values at the corners."""
+    plane: IntegerPlane
+    low: int
+    high: int
+
+    def __getattr__(self, name):
+        return getattr(self.plane, name)
+
+    def at(self, x, y):
+        return np.array([max(self.low, min(self.plane.at_pixel(int(i), int(j)), self.high))
+                         for i, j in zip(x, y)], np.int64)
+
+
+@dataclass
+class AtMost:
+    """[R9.28] A numerator that is at most its denominator."""
+    plane: LimitedPlane
+    q: LimitedPlane
+
+    def __getattr__(self, name):
+        return getattr(self.plane, name)
+
+    def at(self, x, y):
+        return np.minimum(self.plane.at(x, y), self.q.at(x, y))
+
+
 def offset(state, plane, depth_bits):
     """[R9.12] Polygon offset of a filled piece."""
     m = float(min(max(abs(plane.Gx), abs(plane.Gy)), 2**62))
@@ -205,7 +259,7 @@ class Perspective:
         e = next((e for e in range(largest_exponent + 1) if 2.0**e >= most), largest_exponent)
         u = [to_integer(rne((2.0**30 * clamp01((v - k) / 2.0**e)) * (self.w_min / w)), 0, 2**30)
              for v, w in zip(values, self.w)]
-        return self.frame.plane(u), e
+        return self.frame.numerator(u, self.q), e
 
 
 class Projective:

@@ -90,6 +90,7 @@ class Profile:
     blend_minmax: bool = False
     blend_subtract: bool = False
     draw_pixels: bool = False
+    coverage_bits: int = 0
 
 
 @dataclass
@@ -245,6 +246,14 @@ def rgba(colors):
     return np.array([(c.r, c.g, c.b, c.a) for c in colors or []], dtype=np.int64).reshape(-1, 4)
 
 
+def state_of(given):
+    """[R4.1] Sizes that are not whole are in a member of their own."""
+    state = filled(State(), given)
+    if given.sizes is not None:
+        state.point_size, state.line_width = given.sizes.point, given.sizes.line
+    return state
+
+
 class Reader:
     """A recording's profile, window and commands [R15.3], [R15.4]."""
 
@@ -258,7 +267,7 @@ class Reader:
         self.profile = filled(Profile(), generated("ProfileT").InitFromObj(table.Profile()))
         self.meshes = [mesh_of(table.Meshes(i)) for i in range(table.MeshesLength())]
         self.textures = [image_of(table.Textures(i)) for i in range(table.TexturesLength())]
-        self.states = [filled(State(), generated("StateT").InitFromObj(table.States(i)))
+        self.states = [state_of(generated("StateT").InitFromObj(table.States(i)))
                        for i in range(table.StatesLength())]
         self.light_sets = [
             [filled(Light(), light) for light in

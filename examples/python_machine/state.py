@@ -231,8 +231,8 @@ class State:
     polygon_mode: int = PolygonMode.Fill
     polygon_offset: PolygonOffset = field(default_factory=PolygonOffset)
     jitter: Jitter = field(default_factory=Jitter)
-    point_size: int = 1
-    line_width: int = 1
+    point_size: float = 1
+    line_width: float = 1
     shade_model: int = ShadeModel.Smooth
     color_source: int = ColorSource.Vertex
     lighting: Lighting = field(default_factory=Lighting)
@@ -258,6 +258,9 @@ class State:
     back_polygon_mode: int = PolygonMode.Fill
     line_stipple: LineStipple = field(default_factory=LineStipple)
     polygon_stipple: tuple = ()
+    point_smooth: bool = False
+    line_smooth: bool = False
+    polygon_smooth: bool = False
 
 
 # ---- Resolved state -------------------------------------------------------------------------

@@ -71,17 +71,19 @@ std::pair<int, int> pixel_range(std::int64_t low, std::int64_t high, int s, int 
 
 }  // namespace
 
+bool covers(const SnappedTriangle& t, int x, int y) {
+    const std::int64_t px = center(x, t.subpixel_bits), py = center(y, t.subpixel_bits);
+    return inside_edge(t, 0, px, py) && inside_edge(t, 1, px, py) && inside_edge(t, 2, px, py);
+}
+
 void cover_triangle(const SnappedTriangle& t, const Rect& box, const PixelSink& pixel) {
     const auto [x_low, x_high] = std::minmax_element(t.x.begin(), t.x.end());
     const auto [y_low, y_high] = std::minmax_element(t.y.begin(), t.y.end());
     const auto [x0, x1] = pixel_range(*x_low, *x_high, t.subpixel_bits, box.x, box.width);
     const auto [y0, y1] = pixel_range(*y_low, *y_high, t.subpixel_bits, box.y, box.height);
     for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) {
-            const std::int64_t px = center(x, t.subpixel_bits), py = center(y, t.subpixel_bits);
-            if (inside_edge(t, 0, px, py) && inside_edge(t, 1, px, py) && inside_edge(t, 2, px, py))
-                pixel(x, y);
-        }
+        for (int x = x0; x < x1; ++x)
+            if (covers(t, x, y)) pixel(x, y);
 }
 
 void cover_line(const SnappedLine& line, int width, const Rect& box, const PixelSink& pixel) {

@@ -37,6 +37,9 @@ SnappedLine snapped_line(const WindowVertex& a, const WindowVertex& b, const Jit
 
 using PixelSink = std::function<void(int x, int y)>;
 
+/// Whether the centre of a pixel is inside by the top-left rule.
+bool covers(const SnappedTriangle& triangle, int x, int y);
+
 /// Calls `pixel` for each pixel of `box` whose centre is inside by the top-left rule, row by row
 /// from the bottom.
 void cover_triangle(const SnappedTriangle& triangle, const Rect& box, const PixelSink& pixel);

@@ -108,6 +108,26 @@ Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& pla
     return v;
 }
 
+Interpolants limited_to_pixel(Interpolants v, int x, int y) {
+    const auto limit = [&](PlaneEquation& p) {
+        p = plane_constant(p.limited_at(x, y), p.subpixel_bits);
+    };
+    /// A numerator is at most its denominator, as inside.
+    const auto limit_over = [&](PlaneEquation& p, const PlaneEquation& q) {
+        p = plane_constant(std::min(p.limited_at(x, y), q.at(x, y)), p.subpixel_bits);
+    };
+    limit(v.depth);
+    limit(v.fog);
+    limit(v.q);
+    limit(v.texture_q);
+    limit_over(v.fog_coordinate.plane, v.q);
+    for (PlaneEquation& c : v.color) limit(c);
+    for (PlaneEquation& c : v.color_numerator) limit_over(c, v.q);
+    for (PerspectiveValue* coordinate : {&v.s, &v.t, &v.r})
+        v.projective ? limit(coordinate->plane) : limit_over(coordinate->plane, v.texture_q);
+    return v;
+}
+
 Rgba color_at(const Interpolants& v, int x, int y, int bits) {
     Rgba out;
     const float w = v.perspective_color ? reciprocal(v.q, x, y) : 0;

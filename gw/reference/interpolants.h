@@ -55,6 +55,10 @@ enum class TextureUse { None, Plain, Projective };
 Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& plane,
                           const Resolved& state, const Profile& profile, TextureUse texture);
 
+/// The same values at one pixel outside the primitive: each plane is limited to the values of its
+/// corners.
+Interpolants limited_to_pixel(Interpolants values, int x, int y);
+
 /// 1 / Q: the one division of a pixel.
 float reciprocal(const PlaneEquation& q, int x, int y);
 

@@ -15,6 +15,7 @@ struct Fragment {
     std::uint32_t depth = 0;
     bool front = true;            ///< of a front face (lines, points, pixels: front)
     std::uint32_t primitive = 0;  ///< ordinal in the draw; span or pixel ordinal in a write
+    std::uint32_t coverage = 0;   ///< in coverage_bits of a smooth primitive; else 0
 };
 
 /// The test that killed a fragment; Written if none did.

@@ -16,8 +16,11 @@ struct PlaneEquation {
     std::int64_t a0 = 0;    ///< value at (x0, y0)
     std::int64_t x0 = 0, y0 = 0;
     int subpixel_bits = 3;
+    std::int64_t low = 0, high = 0;  ///< the least and greatest value at a corner
 
     std::int64_t at(int x, int y) const;
+    /// The value at a pixel outside the primitive: limited to those of the corners.
+    std::int64_t limited_at(int x, int y) const;
 };
 
 /// Through the values a of the triangle's canonical vertices.

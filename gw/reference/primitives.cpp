@@ -1,6 +1,7 @@
 #include "gw/reference/primitives.h"
 
 #include "gw/reference/shade.h"
+#include "gw/reference/smooth.h"
 #include "gw/stages/fan.h"
 #include "gw/stages/polygon_offset.h"
 #include "gw/stages/stipple.h"
@@ -34,6 +35,17 @@ struct Source {
     bool front = true;
     bool counter_clockwise = true;  ///< of the whole polygon after the snap
     std::int64_t depth_offset = 0;
+};
+
+/// What the triangles of one polygon share.
+struct PolygonInProgress {
+    std::uint64_t stippled = 0;       ///< steps of its outline, or of a strip of lines
+    std::vector<SmoothPiece> pieces;  ///< under polygon_smooth: drawn at its end
+
+    void finish() {
+        draw_smooth_polygon(pieces);
+        *this = {};
+    }
 };
 
 std::array<std::int64_t, 4> integers(const std::array<double, 4>& c) {
@@ -70,7 +82,8 @@ std::int64_t offset_of(const Drawing& d, const PlaneEquation& depth) {
                         d.context.profile->depth_bits);
 }
 
-void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const Source& s) {
+void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const Source& s,
+                PolygonInProgress& whole) {
     const std::array<WindowVertex, 3> window{corners[0].window, corners[1].window,
                                              corners[2].window};
     // A piece that the snap turned over lies inside its neighbours and makes no fragments.
@@ -82,6 +95,10 @@ void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const So
     };
     Shader shade = shader(d, corners, plane, s);
     if (d.state().polygon_offset.enable) shade.depth_offset = offset_of(d, shade.values.depth);
+    if (d.state().polygon_smooth) {
+        whole.pieces.push_back({t, shade});
+        return;
+    }
     const auto& stipple = d.state().polygon_stipple.pattern;
     cover_triangle(t, d.context.state.draw_box, [&](int x, int y) {
         if (!stipple || stipple_bit(*stipple, x, y)) shade.pixel(x, y);
@@ -90,7 +107,8 @@ void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const So
 
 /// The steps of a line before the jitter, so that all samples of a strip count alike.
 std::uint64_t unjittered_steps(const WindowVertex& a, const WindowVertex& b,
-                               const SnappedLine& line) {
+                               const SnappedLine& line, bool smooth) {
+    if (smooth) return std::uint64_t(smooth_steps(b.x - a.x, b.y - a.y, line.subpixel_bits));
     const LineSteps steps = line.x_major ? line_steps(a.x, b.x, line.subpixel_bits)
                                          : line_steps(a.y, b.y, line.subpixel_bits);
     return std::uint64_t(steps.count);
@@ -116,14 +134,17 @@ void draw_line(const Drawing& d, const Vertex& a, const Vertex& b, const Source&
         return plane_along(line, v[0], v[1]);
     };
     Shader shade = shader(d, corners, plane, s);
+    const bool smooth = d.state().line_smooth;
+    const std::uint64_t before = stippled;
+    stippled += unjittered_steps(corners[0].window, corners[1].window, line, smooth);
+    if (smooth) return draw_smooth_line(shade, line, before);
     const LineStippleState& stipple = d.state().line_stipple;
     const LineSteps steps = line.x_major ? line_steps(line.x[0], line.x[1], line.subpixel_bits)
                                          : line_steps(line.y[0], line.y[1], line.subpixel_bits);
-    cover_line(line, d.state().line_width, d.context.state.draw_box, [&](int x, int y) {
+    cover_line(line, whole_size(d.state().line_width), d.context.state.draw_box, [&](int x, int y) {
         const auto step = std::uint64_t(steps.step_of(line.x_major ? x : y));
-        if (!stipple.enable || stipple_bit(stipple, stippled + step)) shade.pixel(x, y);
+        if (!stipple.enable || stipple_bit(stipple, before + step)) shade.pixel(x, y);
     });
-    stippled += unjittered_steps(corners[0].window, corners[1].window, line);
 }
 
 void draw_point(const Drawing& d, const Vertex& v, const Source& s, bool counted) {
@@ -140,7 +161,8 @@ void draw_point(const Drawing& d, const Vertex& v, const Source& s, bool counted
         return p;
     };
     Shader shade = shader(d, corners, plane, s);
-    cover_point(x, y, d.state().point_size, d.subpixel_bits(), d.context.state.draw_box,
+    if (d.state().point_smooth) return draw_smooth_point(shade, x, y);
+    cover_point(x, y, whole_size(d.state().point_size), d.subpixel_bits(), d.context.state.draw_box,
                 [&](int i, int k) { shade.pixel(i, k); });
 }
 
@@ -149,12 +171,13 @@ bool is_culled(const CullState& cull, bool front) {
 }
 
 /// Draws the pieces of a clipped polygon.
-void fill(const Drawing& d, const std::vector<Vertex>& polygon, const Fan& fan, const Source& s) {
+void fill(const Drawing& d, const std::vector<Vertex>& polygon, const Fan& fan, const Source& s,
+          PolygonInProgress& whole) {
     const auto at = [&](std::size_t k) {
         return corner(d, polygon[(fan.first + k) % polygon.size()], s);
     };
     for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
-        fill_piece(d, {at(0), at(k), at(k + 1)}, s);
+        fill_piece(d, {at(0), at(k), at(k + 1)}, s, whole);
 }
 
 /// PolygonMode Line and Point: draws the sides that are edges of the mesh's polygon, not of the
@@ -198,7 +221,7 @@ PlaneEquation first_depth_plane(const Drawing& d, const std::vector<Vertex>& pol
 }
 
 void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal,
-                   std::uint64_t& stippled) {
+                   PolygonInProgress& whole) {
     Counters& count = d.counters();
     const Clipped clipped =
         clip({d.vertices[t.vertex[0]], d.vertices[t.vertex[1]], d.vertices[t.vertex[2]]},
@@ -221,10 +244,10 @@ void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal,
     count.drawn += 1;
     Source source{ordinal, t.polygon, t.provoking, front, pieces.area2 > 0};
     const PolygonMode mode = mode_of(d.state(), front);
-    if (mode == PolygonMode::Fill) return fill(d, clipped.vertices, pieces, source);
+    if (mode == PolygonMode::Fill) return fill(d, clipped.vertices, pieces, source, whole);
     if (offsets_outline(d.state().polygon_offset, mode))
         source.depth_offset = offset_of(d, first_depth_plane(d, clipped.vertices, pieces));
-    outline(d, t, source, mode, stippled);
+    outline(d, t, source, mode, whole.stippled);
 }
 
 }  // namespace
@@ -245,12 +268,14 @@ void draw_mesh(const DrawContext& context) {
     count.vertices += mesh.vertex_count();
     count.primitives += mesh.triangles().size() + mesh.lines().size() + mesh.points().size();
     std::uint32_t ordinal = 0;
-    std::uint64_t stippled = 0;
+    PolygonInProgress whole;
     std::uint32_t polygon = 0;
     for (const Triangle& t : mesh.triangles()) {
-        if (t.polygon != std::exchange(polygon, t.polygon)) stippled = 0;
-        draw_triangle(d, t, ordinal++, stippled);
+        if (t.polygon != std::exchange(polygon, t.polygon)) whole.finish();
+        draw_triangle(d, t, ordinal++, whole);
     }
+    whole.finish();
+    std::uint64_t stippled = 0;
     for (const auto& line : mesh.lines()) {
         if (mesh.data().primitive != Primitive::LineStrip) stippled = 0;
         const Source s{ordinal, ordinal, line[1]};

@@ -2,6 +2,7 @@
 #include "gw/reference/shade.h"
 
 #include "gw/reference/texture_unit.h"
+#include "gw/stages/area.h"
 #include "gw/stages/fog.h"
 #include "gw/stages/tables.h"
 
@@ -42,12 +43,20 @@ Rgba shaded_color(const Shader& s, int x, int y) {
 
 }  // namespace
 
-void Shader::pixel(int x, int y) const {
+void Shader::pixel(int x, int y, std::uint32_t coverage) const {
     const std::int64_t z = values.depth.at(x, y) + depth_offset;
     const auto depth = static_cast<std::uint32_t>(
         std::clamp<std::int64_t>(z, 0, max_of_bits(context.profile->depth_bits)));
+    Rgba color = shaded_color(*this, x, y);
+    if (coverage != 0) color[3] = covered_alpha(color[3], coverage, context.profile->coverage_bits);
     process_fragment(context.state, context.target,
-                     {x, y, shaded_color(*this, x, y), depth, front, primitive});
+                     {x, y, color, depth, front, primitive, coverage});
+}
+
+void Shader::outside_pixel(int x, int y, std::uint32_t coverage) const {
+    Shader limited = *this;
+    limited.values = limited_to_pixel(values, x, y);
+    limited.pixel(x, y, coverage);
 }
 
 }  // namespace gw::reference

@@ -14,8 +14,11 @@ struct Shader {
     bool front = true;
     std::int64_t depth_offset = 0;
 
-    /// Makes the fragment of a covered pixel and passes it to process_fragment.
-    void pixel(int x, int y) const;
+    /// Makes the fragment of a covered pixel and passes it to process_fragment. `coverage`: of a
+    /// smooth primitive.
+    void pixel(int x, int y, std::uint32_t coverage = 0) const;
+    /// The same if the pixel's centre is outside the primitive.
+    void outside_pixel(int x, int y, std::uint32_t coverage) const;
 };
 
 }  // namespace gw::reference

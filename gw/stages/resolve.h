@@ -38,6 +38,9 @@ constexpr PolygonMode mode_of(const State& s, bool front) {
     return !front && s.two_side_polygon_mode ? s.back_polygon_mode : s.polygon_mode;
 }
 
+/// The whole size of points and lines that are not smooth.
+constexpr int whole_size(float size) { return int(double(size) + 0.5); }
+
 /// Whether the stencil test passes every fragment of this side and changes no value.
 constexpr bool ignores_stencil(const StencilFace& f) {
     return f.func == StencilFunc::Always && keeps_stencil(f);

@@ -27,6 +27,8 @@ void check_extensions(const Checker& c, const State& s) {
     c.extension(s.texture.wrap_s == Wrap::BorderClamp || s.texture.wrap_t == Wrap::BorderClamp,
                 e.texture_border, "texture_border");
     c.extension(s.line_stipple.enable || s.polygon_stipple.pattern, e.stipple, "stipple");
+    c.extension(s.point_smooth || s.line_smooth || s.polygon_smooth, c.profile.coverage_bits > 0,
+                "antialiasing");
     c.extension(s.two_side_polygon_mode, e.two_sided_polygon_mode, "two_sided_polygon_mode");
     c.extension(s.texture.shadow_compare, e.shadow_texture, "shadow_texture");
     c.extension(s.stencil.test && (wraps(s.stencil) || wraps(s.stencil.back)), e.stencil_wrap,

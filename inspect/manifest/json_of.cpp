@@ -32,6 +32,7 @@ nlohmann::ordered_json json_of(const Profile& p) {
         {"extensions", json_of(p.extensions)},
     };
     if (p.texel_bits != 0) json["texel_bits"] = p.texel_bits;
+    if (p.coverage_bits != 0) json["coverage_bits"] = p.coverage_bits;
     return json;
 }
 

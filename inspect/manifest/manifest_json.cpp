@@ -132,6 +132,7 @@ Profile profile_from(const Json& json) {
         if (i < always_named_extensions || e.has(name)) p.extensions.*member = e.get<bool>(name);
     }
     if (m.has("texel_bits")) p.texel_bits = m.get<int>("texel_bits");
+    if (m.has("coverage_bits")) p.coverage_bits = m.get<int>("coverage_bits");
     m.finish();
     e.finish();
     validate(p);

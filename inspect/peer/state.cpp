@@ -36,10 +36,10 @@ void apply(const CullState& cull) {
     gl().FrontFace(cull.front == Winding::CCW ? GL_CCW : GL_CW);
 }
 
-void require_size(GLenum range, int size, const char* what) {
+void require_size(GLenum range, float size, const char* what) {
     GLint limits[2] = {1, 1};
     gl().GetIntegerv(range, limits);
-    if (size > limits[1])
+    if (size > float(limits[1]))
         throw Error(fmt::format("{} = {}; expected at most {}, OpenGL's limit here", what, size,
                                 limits[1]));
 }
@@ -60,10 +60,15 @@ void apply(const PolygonStippleState& stipple) {
 }
 
 void apply_primitives(const State& s) {
-    require_size(GL_ALIASED_POINT_SIZE_RANGE, s.point_size, "point_size");
-    require_size(GL_ALIASED_LINE_WIDTH_RANGE, s.line_width, "line_width");
-    gl().PointSize(static_cast<float>(s.point_size));
-    gl().LineWidth(static_cast<float>(s.line_width));
+    require_size(s.point_smooth ? GL_SMOOTH_POINT_SIZE_RANGE : GL_ALIASED_POINT_SIZE_RANGE,
+                 s.point_size, "point_size");
+    require_size(s.line_smooth ? GL_SMOOTH_LINE_WIDTH_RANGE : GL_ALIASED_LINE_WIDTH_RANGE,
+                 s.line_width, "line_width");
+    gl().PointSize(s.point_size);
+    gl().LineWidth(s.line_width);
+    enable(GL_POINT_SMOOTH, s.point_smooth);
+    enable(GL_LINE_SMOOTH, s.line_smooth);
+    enable(GL_POLYGON_SMOOTH, s.polygon_smooth);
     gl().PolygonMode(GL_FRONT, token(mode_of(s, true)));
     gl().PolygonMode(GL_BACK, token(mode_of(s, false)));
     apply(s.line_stipple);

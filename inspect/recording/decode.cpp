@@ -57,6 +57,7 @@ Profile from_file(const gwt::Profile& p) {
             .lit_bits = p.lit_bits(),
             .max_lights = p.max_lights(),
             .texel_bits = p.texel_bits(),
+            .coverage_bits = p.coverage_bits(),
             .fragment_fog = p.fragment_fog(),
             .perspective_color = p.perspective_color(),
             .extensions = {p.polygon_offset(), p.shadow_texture(), p.stencil_wrap(),

@@ -271,7 +271,7 @@ Offset<gwt::Profile> Encoder::profile(const Profile& p) {
         p.subpixel_bits, p.lit_bits, p.max_lights, p.fragment_fog, p.perspective_color,
         e.polygon_offset, e.shadow_texture, e.stencil_wrap, e.two_sided_stencil, p.texel_bits,
         e.texture_border, e.texture_formats, e.stipple, e.two_sided_polygon_mode, e.logic_op,
-        e.blend_color, e.blend_minmax, e.blend_subtract, e.draw_pixels);
+        e.blend_color, e.blend_minmax, e.blend_subtract, e.draw_pixels, p.coverage_bits);
 }
 
 bool needs_version_2(const Profile& p) {
@@ -280,7 +280,7 @@ bool needs_version_2(const Profile& p) {
     of_version_1.shadow_texture = p.extensions.shadow_texture;
     of_version_1.stencil_wrap = p.extensions.stencil_wrap;
     of_version_1.two_sided_stencil = p.extensions.two_sided_stencil;
-    return p.extensions != of_version_1 || p.texel_bits != 0;
+    return p.extensions != of_version_1 || p.texel_bits != 0 || p.coverage_bits != 0;
 }
 
 std::uint32_t Encoder::version(const Profile& profile) const {

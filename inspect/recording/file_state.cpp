@@ -1,6 +1,8 @@
 // Each group of the state in both directions.
 #include "inspect/recording/file_values.h"
 
+#include <cmath>
+
 namespace gw::inspect {
 namespace {
 
@@ -226,6 +228,10 @@ void read_clip_planes(const flatbuffers::Vector<const gwt::ClipPlane*>* planes, 
     for (unsigned i = 0; i < planes->size(); ++i) state.clip_planes[i] = from_file(*planes->Get(i));
 }
 
+/// Whether a size is one of version 1: whole.
+bool is_whole(float size) { return size == std::floor(size) && std::abs(size) < 65536; }
+bool has_whole_sizes(const State& s) { return is_whole(s.point_size) && is_whole(s.line_width); }
+
 bool is_constant(BlendFactor factor) { return factor >= BlendFactor::ConstantColor; }
 
 /// A group that is there.
@@ -257,8 +263,11 @@ flatbuffers::Offset<gwt::State> to_file(flatbuffers::FlatBufferBuilder& out, con
     b.add_polygon_mode(file_enum<gwt::PolygonMode>(s.polygon_mode));
     add(&gwt::StateBuilder::add_polygon_offset, &State::polygon_offset);
     add(&gwt::StateBuilder::add_jitter, &State::jitter);
-    b.add_point_size(s.point_size);
-    b.add_line_width(s.line_width);
+    const gwt::Sizes sizes{s.point_size, s.line_width};
+    if (has_whole_sizes(s)) {
+        b.add_point_size(int(s.point_size));
+        b.add_line_width(int(s.line_width));
+    }
     b.add_shade_model(file_enum<gwt::ShadeModel>(s.shade_model));
     b.add_color_source(file_enum<gwt::ColorSource>(s.color_source));
     add(&gwt::StateBuilder::add_lighting, &State::lighting);
@@ -289,6 +298,10 @@ flatbuffers::Offset<gwt::State> to_file(flatbuffers::FlatBufferBuilder& out, con
     b.add_back_polygon_mode(file_enum<gwt::PolygonMode>(s.back_polygon_mode));
     add(&gwt::StateBuilder::add_line_stipple, &State::line_stipple);
     b.add_polygon_stipple(polygon_stipple);
+    if (!has_whole_sizes(s)) b.add_sizes(&sizes);
+    b.add_point_smooth(s.point_smooth);
+    b.add_line_smooth(s.line_smooth);
+    b.add_polygon_smooth(s.polygon_smooth);
     return b.Finish();
 }
 
@@ -305,7 +318,8 @@ bool needs_version_2(const State& s) {
            s.texture.wrap_s == Wrap::BorderClamp || s.texture.wrap_t == Wrap::BorderClamp ||
            s.polygon_offset.lines || s.polygon_offset.points || s.two_side_polygon_mode ||
            s.back_polygon_mode != initial.back_polygon_mode ||
-           s.line_stipple != initial.line_stipple || s.polygon_stipple.pattern;
+           s.line_stipple != initial.line_stipple || s.polygon_stipple.pattern || antialiases(s) ||
+           !has_whole_sizes(s);
 }
 
 State from_file(const gwt::State& f) {
@@ -318,8 +332,11 @@ State from_file(const gwt::State& f) {
     s.polygon_mode = our_enum<PolygonMode>(f.polygon_mode());
     read(f.polygon_offset(), s.polygon_offset);
     read(f.jitter(), s.jitter);
-    s.point_size = f.point_size();
-    s.line_width = f.line_width();
+    s.point_size = f.sizes() ? f.sizes()->point() : float(f.point_size());
+    s.line_width = f.sizes() ? f.sizes()->line() : float(f.line_width());
+    s.point_smooth = f.point_smooth();
+    s.line_smooth = f.line_smooth();
+    s.polygon_smooth = f.polygon_smooth();
     s.shade_model = our_enum<ShadeModel>(f.shade_model());
     s.color_source = our_enum<ColorSource>(f.color_source());
     read(f.lighting(), s.lighting);

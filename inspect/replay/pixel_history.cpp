@@ -116,6 +116,7 @@ nlohmann::ordered_json event_json(const PixelEvent& e) {
         json["front"] = e.fragment->front;
         json["color"] = e.fragment->color;
         json["depth"] = e.fragment->depth;
+        if (e.fragment->coverage != 0) json["coverage"] = e.fragment->coverage;
         json["fate"] = name_of(e.fate);
     }
     json["before"] = values_json(e.before);
@@ -158,7 +159,11 @@ std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>
     std::vector<std::vector<std::string>> rows{{"pass", "command", "draw", "primitive", "polygon",
                                                 "outcome", "fragment's colour", "its Z", "colour",
                                                 "Z", "stencil"}};
+    const bool smooth = std::any_of(events.begin(), events.end(), [](const PixelEvent& e) {
+        return e.fragment && e.fragment->coverage != 0;
+    });
     if (accum) rows[0].push_back("accumulation");
+    if (smooth) rows[0].push_back("coverage");
     for (const PixelEvent& e : events) {
         const auto& f = e.fragment;
         rows.push_back({e.pass_name, std::to_string(e.command), optional_text(e.draw),
@@ -168,6 +173,7 @@ std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>
                         change(e.before.depth, e.after.depth),
                         change(e.before.stencil, e.after.stencil)});
         if (accum) rows.back().push_back(change(e.before.accum, e.after.accum));
+        if (smooth) rows.back().push_back(f && f->coverage != 0 ? text(f->coverage) : "-");
     }
     return rows;
 }

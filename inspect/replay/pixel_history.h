@@ -47,7 +47,8 @@ FragmentMaps fragment_maps(const Recording& recording, std::optional<std::size_t
 // As a table and as JSON, in picture coordinates, top left first.
 
 /// Rows of words, the first of them the header: pass, command, event, values before and after. A
-/// plane whose values stay the same shows one value; accumulation is left out if it stays 0.
+/// plane whose values stay the same shows one value; accumulation is left out if it stays 0, coverage
+/// if no fragment is antialiased.
 std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>& events);
 
 /// {"x", "y", "profile", "width", "height", "events": [...]}

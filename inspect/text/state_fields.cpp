@@ -48,6 +48,9 @@ void add_geometry(const State& s, const auto& add) {
     add("jitter.y", s.jitter.y);
     add("point_size", s.point_size);
     add("line_width", s.line_width);
+    add("point_smooth", s.point_smooth);
+    add("line_smooth", s.line_smooth);
+    add("polygon_smooth", s.polygon_smooth);
 }
 
 void add_shading(const State& s, const auto& add) {

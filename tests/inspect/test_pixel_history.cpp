@@ -124,6 +124,31 @@ TEST(PixelReport, TableAndJsonAreInPictureCoordinates) {
     EXPECT_EQ(json["events"][3]["after"]["stencil"], 1);
 }
 
+TEST(PixelReport, HasTheCoverageOfAntialiasedFragmentsOnly) {
+    Recording r;
+    r.width = r.height = 4;
+    r.profile = opengl();
+    CommandList list;
+    const MeshRef left =
+        make_mesh({.primitive = Primitive::Quads,
+                   .positions = {{-1, -1, 0}, {0.25f, -1, 0}, {0.25f, 1, 0}, {-1, 1, 0}}});
+    State smooth;
+    smooth.polygon_smooth = true;
+    list.add(SetState{smooth});
+    list.add(Draw{.mesh = left});
+    r.lists.push_back(list);
+    const auto events = pixel_history(r, 2, 1);  // the quad ends at x = 2.5
+    ASSERT_EQ(events.size(), 1u);
+    EXPECT_EQ(events[0].fragment->coverage, 128u);
+    const auto rows = history_rows(events);
+    EXPECT_EQ(rows[0].back(), "coverage");
+    EXPECT_EQ(rows[1].back(), "128");
+    EXPECT_EQ(history_json(r, 2, 1, events)["events"][0]["coverage"], 128);
+    const auto others = pixel_history(three_passes(), 3, 2);
+    EXPECT_NE(history_rows(others)[0].back(), "coverage");
+    EXPECT_FALSE(history_json(three_passes(), 3, 2, others)["events"][1].contains("coverage"));
+}
+
 TEST(FragmentMaps, CountWhatTheMachineCounts) {
     for (const fuzz::Suite& suite : fuzz::suites()) {
         const Recording recording = recording_of(fuzz::make_case(suite, 6));

@@ -34,8 +34,8 @@ std::uint64_t hash_of(const GeometryState& s) {
     hash.add_all(&s.projection[0][0], 16);
     add_integers(hash, s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height,
                  s.cull.enable, s.cull.face, s.cull.front, s.polygon_mode, s.back_polygon_mode,
-                 s.stipple_period, s.keeps_slopes[0], s.keeps_slopes[1], s.point_size,
-                 s.line_width);
+                 s.stipple_period, s.keeps_slopes[0], s.keeps_slopes[1], s.point_margin,
+                 s.line_margin, s.fill_margin, s.line_smooth);
     hash.add(s.depth_range.near_value).add(s.depth_range.far_value);
     for (const ClipPlane& plane : s.clip_planes)
         if (plane.enable) hash.add_all(&plane.plane.x, 4);

@@ -8,13 +8,16 @@ namespace gw::fast {
 
 namespace {
 
-bool is_stippled(const State& s) { return s.line_stipple.enable || s.polygon_stipple.pattern; }
+/// Stippled and antialiased fragments are not those of the covered centres.
+bool is_special(const State& s) {
+    return s.line_stipple.enable || s.polygon_stipple.pattern || antialiases(s);
+}
 
 bool may_share(const DrawOp& op) {
     const State& s = op.state.state;
     const StencilFace& face = op.state.front;
     const bool counts_visible = face.func == StencilFunc::Always && face.zfail == StencilOp::Keep;
-    return s.depth.func == DepthFunc::Equal && !is_stippled(s) &&
+    return s.depth.func == DepthFunc::Equal && !is_special(s) &&
            s.alpha.func == AlphaFunc::Always && (keeps_stencil(face) || counts_visible) &&
            !(s.stencil.test && s.stencil.two_side);
 }
@@ -56,7 +59,7 @@ Change change(const ReadOp&) { return Change::None; }
 /// Whether a draw is a depth pass of triangles only, all of whose fragments reach the depth test.
 bool may_record(const DrawOp& op) {
     const State& s = op.state.state;
-    return change(op) == Change::Less && !is_stippled(s) && s.alpha.func == AlphaFunc::Always &&
+    return change(op) == Change::Less && !is_special(s) && s.alpha.func == AlphaFunc::Always &&
            !s.polygon_offset.enable && ignores_stencil(op.state.front) &&
            ignores_stencil(op.state.back) && op.set->triangle_count == op.set->primitives.size();
 }

@@ -74,9 +74,9 @@ inline void visit_line_or_point(const TileDraw& draw, const PrimitiveFrame& fram
     pixels.blocks_per_row = draw.tile.side / block_side;
     const State& s = draw.op->state.state;
     if (frame.kind == MeshKind::Lines)
-        line_pixels(draw, frame, s.line_width, pixels);
+        line_pixels(draw, frame, whole_size(s.line_width), pixels);
     else
-        point_pixels(draw, frame, s.point_size, pixels);
+        point_pixels(draw, frame, whole_size(s.point_size), pixels);
     for (int block = 0; block < pixels.blocks_per_row * pixels.blocks_per_row; ++block)
         if (pixels.mask[block] != 0)
             visit(block % pixels.blocks_per_row, block / pixels.blocks_per_row,

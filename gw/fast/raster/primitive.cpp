@@ -44,6 +44,13 @@ struct Maker {
 
     TilePlane denominator() const { return frame.plane(denominators(used(w()))); }
 
+    /// The plane of a numerator; at a pixel outside the primitive it is at most the denominator.
+    TilePlane numerator(const Values& a) const {
+        TilePlane p = frame.plane(a);
+        if (frame.limited) p.c = std::min(p.c, denominator().c);
+        return p;
+    }
+
     /// The gradients before they wrap.
     std::array<int128, 2> exact(const TilePlane& p, const Values& a) const {
         if (p.sliver) return frame.exact_gradients(a);
@@ -94,7 +101,7 @@ struct Maker {
             std::minmax_element(a.begin(), a.begin() + std::ptrdiff_t(corners()));
         out.low[c] = std::uint32_t(*low);
         out.high[c] = std::uint32_t(*high);
-        out.color[c] = frame.plane(numerators(used(fractions), used(w()), 0).at);
+        out.color[c] = numerator(numerators(used(fractions), used(w()), 0).at);
     }
 
     void fog(ColorPlanes& out) const {
@@ -105,7 +112,7 @@ struct Maker {
             return;
         }
         const Numerators n = numerators(used(f), used(w()), 0, largest_fog_exponent);
-        out.fog = frame.plane(n.at);
+        out.fog = numerator(n.at);
         out.fog_scale = float(std::ldexp(1.0, n.exponent + fog_table_log2(op().state.bits) + 8));
     }
 
@@ -113,9 +120,8 @@ struct Maker {
         const double k = std::floor(*std::min_element(s.begin(), s.end()));
         return wrap == Wrap::Repeat ? k : std::clamp(k, -1024.0, 1023.0);
     }
-    TexturePlane texture_plane(const Numerators& n, Wrap wrap) const {
-        return {
-            frame.plane(n.at), n.exponent, wrap == Wrap::Repeat ? 0 : std::int32_t(n.offset), {}};
+    static TexturePlane texture_plane(const TilePlane& plane, const Numerators& n, Wrap wrap) {
+        return {plane, n.exponent, wrap == Wrap::Repeat ? 0 : std::int32_t(n.offset), {}};
     }
     Numerators coordinate(int c, Wrap wrap) const {
         const auto s = gather<double>([&](std::uint32_t v) { return op().texcoords->strq[v][c]; });
@@ -133,7 +139,7 @@ struct Maker {
             q = p.denominator;
             s = p.numerator[0];
             t = p.numerator[1];
-            out.r = texture_plane(p.numerator[2], Wrap::Repeat);
+            out.r = texture_plane(frame.plane(p.numerator[2].at), p.numerator[2], Wrap::Repeat);
         } else {
             q = denominators(used(w()));
             s = coordinate(0, ts.wrap_s);
@@ -141,8 +147,11 @@ struct Maker {
             out.r = {};
         }
         out.q = frame.plane(q);
-        out.s = texture_plane(s, ts.wrap_s);
-        out.t = texture_plane(t, ts.wrap_t);
+        const auto plane = [&](const Numerators& n) {
+            return op().projective ? frame.plane(n.at) : numerator(n.at);
+        };
+        out.s = texture_plane(plane(s), s, ts.wrap_s);
+        out.t = texture_plane(plane(t), t, ts.wrap_t);
         if (needs_rho(ts)) slopes(out, q, s.at, t.at);
     }
 

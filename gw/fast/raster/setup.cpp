@@ -19,6 +19,19 @@ std::array<int128, 2> PrimitiveFrame::exact_gradients(const std::array<std::int6
             exact_gradient(da2 * dx1 - da1 * dx2, 16 + s, area2)};
 }
 
+TilePlane PrimitiveFrame::limited_plane(const std::array<std::int64_t, 3>& a) const {
+    const auto g = exact_gradients(a);
+    const int128 step = (g[0] * (pixel_x - x[base]) + g[1] * (pixel_y - y[base])) >> s;
+    const int128 value = ((int128{a[base]} << 16) + (1 << 15) + step) >> 16;
+    const auto used = a.begin() + (kind == MeshKind::Triangles ? 3
+                                   : kind == MeshKind::Lines   ? 2
+                                                               : 1);
+    const auto [low, high] = std::minmax_element(a.begin(), used);
+    TilePlane p = constant(std::int64_t(std::clamp<int128>(value, *low, *high)));
+    p.sliver = true;  // its gradients are not the primitive's
+    return p;
+}
+
 PrimitiveFrame primitive_frame(const GeometrySet& set, const SetupPrimitive& p,
                                const JitterState& jitter, int s, const Tile& tile) {
     PrimitiveFrame f;

@@ -57,9 +57,14 @@ struct PrimitiveFrame {
     std::size_t base = 0;
     std::int64_t ax = 0, ay = 0;      ///< from the base to the centre of its pixel
     std::int64_t to_x = 0, to_y = 0;  ///< pixels from the base's to the tile
+    /// The frame is for one pixel outside the primitive, with this centre: planes are constant,
+    /// limited to the values at the vertices.
+    bool limited = false;
+    std::int64_t pixel_x = 0, pixel_y = 0;
 
     /// Plane through values at the primitive's vertices (1, 2 or 3 of them).
     TilePlane plane(const std::array<std::int64_t, 3>& a) const {
+        if (limited) return limited_plane(a);
         switch (kind) {
             case MeshKind::Triangles: return triangle_plane(a);
             case MeshKind::Lines: return line_plane(a);
@@ -73,6 +78,7 @@ struct PrimitiveFrame {
     std::array<int128, 2> exact_gradients(const std::array<std::int64_t, 3>& a) const;
 
 private:
+    TilePlane limited_plane(const std::array<std::int64_t, 3>& a) const;
     TilePlane triangle_plane(const std::array<std::int64_t, 3>& a) const {
         const std::int64_t da1 = a[1] - a[0], da2 = a[2] - a[0];
         if ((da1 | da2) == 0) return constant(a[0]);

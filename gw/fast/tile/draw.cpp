@@ -4,6 +4,7 @@
 #define HWY_TARGET_INCLUDE "gw/fast/tile/draw.cpp"
 #include <hwy/foreach_target.h>
 
+#include "gw/fast/fragments/antialiased-inl.h"
 #include "gw/fast/fragments/fragments-inl.h"
 #include "gw/fast/fragments/simple_triangles-inl.h"
 #include "gw/fast/raster/lines_and_points-inl.h"
@@ -70,8 +71,22 @@ void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& c
     });
 }
 
+/// Draws the primitives of a bin that may be antialiased.
+HWY_NOINLINE void draw_smooth(const TileDraw& draw, std::span<const std::uint32_t> bin) {
+    OpCounts counts;
+    write_back_tile(draw.tile, touched_planes(*draw.op));
+    draw_antialiased(
+        draw, bin, counts,
+        [&](std::uint32_t ordinal) {
+            draw_triangles(draw, {&ordinal, 1}, counts);
+        },
+        [&](std::uint32_t ordinal) { draw_line_or_point(draw, ordinal, counts); });
+    *draw.counts += counts;
+}
+
 /// Draws the primitives of a bin in order.
 void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
+    if (antialiases(draw.op->state.state)) return draw_smooth(draw, bin);
     OpCounts counts;
     const bool uniform = draws_uniform(*draw.op, bin, draw.profile->subpixel_bits),
                simple = takes_simple_path(draw.op->state);

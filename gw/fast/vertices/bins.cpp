@@ -32,9 +32,9 @@ struct Binner {
 
     TileRange tiles(const SetupPrimitive& p) const {
         const auto [a, b, c] = p.vertex;
-        const int margin = p.kind == MeshKind::Lines    ? set.state.line_width
-                           : p.kind == MeshKind::Points ? set.state.point_size
-                                                        : 0;
+        const int margin = p.kind == MeshKind::Lines    ? set.state.line_margin
+                           : p.kind == MeshKind::Points ? set.state.point_margin
+                                                        : set.state.fill_margin;
         const SnappedVertex &va = set.at[a], &vb = set.at[b], &vc = set.at[c];
         const auto [x0, x1] = x.tiles(va.x, vb.x, vc.x, margin);
         const auto [y0, y1] = y.tiles(va.y, vb.y, vc.y, margin);

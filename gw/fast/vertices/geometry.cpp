@@ -1,6 +1,7 @@
 #include "gw/fast/vertices/geometry.h"
 
 #include "gw/fast/vertices/geometry_scratch.h"
+#include "gw/stages/area.h"
 #include "gw/stages/polygon_offset.h"
 #include "gw/stages/stipple.h"
 
@@ -271,8 +272,11 @@ struct Builder {
             const bool x_major = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
             const int s = projection.profile.subpixel_bits;
             p.stippled = std::uint16_t(stippled % period);
-            stippled +=
-                std::uint64_t((x_major ? line_steps(a.x, b.x, s) : line_steps(a.y, b.y, s)).count);
+            const std::int64_t steps =
+                state.line_smooth
+                    ? smooth_steps(b.x - a.x, b.y - a.y, s)
+                    : (x_major ? line_steps(a.x, b.x, s) : line_steps(a.y, b.y, s)).count;
+            stippled += std::uint64_t(steps);
         }
         set.primitives.push_back(p);
     }

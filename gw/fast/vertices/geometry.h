@@ -38,7 +38,9 @@ struct GeometryState {
     /// outlines of back and front faces keep the slope of their polygon
     std::array<bool, 2> keeps_slopes{};
     int stipple_period = 0;  ///< lines keep the steps before them, modulo this; 0: no
-    int point_size = 1, line_width = 1;
+    /// pixels that a primitive may reach beyond its vertices
+    int point_margin = 1, line_margin = 1, fill_margin = 0;
+    bool line_smooth = false;  ///< stipples advance by length
     bool operator==(const GeometryState&) const = default;
 };
 GeometryState geometry_state(const State& state);

@@ -7,6 +7,13 @@
 
 namespace gw::fast {
 
+namespace {
+
+/// Half the size would do, rounded up; a smooth primitive reaches into more pixels.
+int margin(float size, bool smooth) { return whole_size(size) + (smooth ? 2 : 0); }
+
+}  // namespace
+
 GeometryState geometry_state(const State& s) {
     const PolygonOffsetState& offset = s.polygon_offset;
     return {.projection = s.projection,
@@ -19,8 +26,10 @@ GeometryState geometry_state(const State& s) {
             .keeps_slopes = {offsets_outline(offset, mode_of(s, false)),
                              offsets_outline(offset, s.polygon_mode)},
             .stipple_period = s.line_stipple.enable ? 16 * s.line_stipple.factor : 0,
-            .point_size = s.point_size,
-            .line_width = s.line_width};
+            .point_margin = margin(s.point_size, s.point_smooth),
+            .line_margin = margin(s.line_width, s.line_smooth),
+            .fill_margin = s.polygon_smooth ? 1 : 0,
+            .line_smooth = s.line_smooth};
 }
 
 void JitterRange::include(const JitterState& j) {

@@ -49,6 +49,8 @@ std::string geometry_text(const State& s, const State& initial) {
     add(s.jitter != initial.jitter, fmt::format("jitter {} {}", s.jitter.x, s.jitter.y));
     add(s.point_size != 1 || s.line_width != 1,
         fmt::format("point {} line {}", s.point_size, s.line_width));
+    add(antialiases(s),
+        fmt::format("smooth {} {} {}", s.point_smooth, s.line_smooth, s.polygon_smooth));
     return out;
 }
 

@@ -101,6 +101,7 @@ const Change changes[] = {
     // Widths matter only to lines and points: filled faces do not have them.
     {"point_size", [](State& s) { s.point_size = s.polygon_mode == PolygonMode::Fill ? 7 : 1; }},
     {"line_width", [](State& s) { s.line_width = s.polygon_mode == PolygonMode::Fill ? 7 : 1; }},
+    {"sizes in parts of a pixel", [](State& s) { s.point_size = s.line_width = 1.25f; }},
     {"normalize", [](State& s) { s.normalize = false; }},
     {"lighting.color_material",
      [](State& s) {
@@ -143,9 +144,9 @@ const Change changes[] = {
     [[maybe_unused]] const auto& [projection, normalize, viewport, depth_range, clip_planes, cull,
                                   polygon_mode, two_side_polygon_mode, back_polygon_mode,
                                   line_stipple, polygon_stipple, polygon_offset, jitter, point_size,
-                                  line_width, shade_model, color_source, lighting, fog, texture,
-                                  scissor, alpha, stencil, depth, blend, logic_op, color_mask] =
-        state;
+                                  line_width, point_smooth, line_smooth, polygon_smooth,
+                                  shade_model, color_source, lighting, fog, texture, scissor, alpha,
+                                  stencil, depth, blend, logic_op, color_mask] = state;
 }
 
 struct Scene {

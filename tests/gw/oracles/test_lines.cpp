@@ -79,7 +79,7 @@ void check_line(const Profile& profile, const Line& line, int& covered) {
     };
     Workbench bench(profile, size, size);
     bench.state.depth = {.test = true, .func = DepthFunc::Always};
-    bench.state.line_width = line.width;
+    bench.state.line_width = float(line.width);
     bench.draw(Primitive::Lines,
                {position(line.from, line.depth[0]), position(line.to, line.depth[1])},
                {{float(double(line.red[0]) / white), 0, 0, 1},
@@ -141,13 +141,13 @@ TEST(PointOracle, EveryProfileAndSize) {
             const GridPoint p{random.between(-4 * one, (size + 4) * one),
                               random.between(-4 * one, (size + 4) * one)};
             Workbench bench(profile, size, size);
-            bench.state.point_size = int(random.between(1, 9));
+            const int point_size = int(random.between(1, 9));
+            bench.state.point_size = float(point_size);
             bench.draw(Primitive::Points, {{float(p.x) / float(one), float(p.y) / float(one), 0}});
             for (int y = 0; y < size; ++y)
                 for (int x = 0; x < size; ++x) {
-                    const bool inside =
-                        in_band(p.x, 1, x * one + one / 2, bench.state.point_size, one) &&
-                        in_band(p.y, 1, y * one + one / 2, bench.state.point_size, one);
+                    const bool inside = in_band(p.x, 1, x * one + one / 2, point_size, one) &&
+                                        in_band(p.y, 1, y * one + one / 2, point_size, one);
                     ASSERT_EQ(bench.color(x, y)[3] != 0, inside) << x << " " << y;
                 }
         }
