@@ -19,6 +19,7 @@ namespace {
 
 struct DiffOptions {
     std::filesystem::path a, b, picture;
+    std::string window;  ///< of both recordings
     int pixels = 10;
     bool quiet = false;
 };
@@ -50,8 +51,8 @@ int diff_manifests(const DiffOptions& options) {
 }
 
 int diff_recordings(const DiffOptions& options, Session& session, Progress& progress) {
-    const inspect::Recording a = load_recording(options.a, session),
-                             b = load_recording(options.b, session);
+    const inspect::Recording a = load_recording({options.a, options.window}, session),
+                             b = load_recording({options.b, options.window}, session);
     const auto commands = first_command_difference(a, b);
     if (commands) print("commands: " + text(*commands, a.height));
     if (a.width != b.width || a.height != b.height) return Differs;
@@ -96,6 +97,7 @@ Command add_diff(CLI::App& app) {
         ->required()
         ->type_name("FILE");
     command->add_option("B", options->b, "Another of the same kind")->required()->type_name("FILE");
+    add_window_option(*command, options->window);
     command
         ->add_option("-o,--output", options->picture,
                      "A picture of the first plane that differs: equal pixels black, "

@@ -19,7 +19,8 @@ namespace gw::apps {
 namespace {
 
 struct InspectOptions {
-    std::filesystem::path recording, folder, prices;
+    RecordingChoice recording;
+    std::filesystem::path folder, prices;
     std::vector<std::string> words;  ///< the options of add_choices, as given
     report::ReportOptions report;
     bool quiet = false;
@@ -66,9 +67,7 @@ void add_choices(CLI::App& command, InspectOptions& options) {
 }
 
 void add_options(CLI::App& command, InspectOptions& options) {
-    command.add_option("RECORDING", options.recording, "A recording by gw record")
-        ->required()
-        ->type_name("FILE.gwt");
+    add_recording_options(command, options.recording);
     command
         .add_option("-o,--output", options.folder,
                     "The folder of the report: open its index.html. Replaces an earlier report")
@@ -132,10 +131,12 @@ int inspect_recording(InspectOptions& options, Session& session) {
         options.prices.empty() ? report::vgx_prices() : report::read_prices(options.prices);
     Progress progress("reading", options.quiet);
     const inspect::Recording recording = load_recording(options.recording, session);
-    options.report.file = options.recording.string();
+    options.report.file = options.recording.file.string();
     options.report.identifiers = writes_identifiers(recording);
-    std::vector<std::string> words{"inspect", options.recording.string(), "-o",
+    std::vector<std::string> words{"inspect", options.recording.file.string(), "-o",
                                    options.folder.string()};
+    if (!options.recording.window.empty())
+        words.insert(words.end(), {"--window", options.recording.window});
     words.insert(words.end(), options.words.begin(), options.words.end());
     options.report.command = shell_command(words);
     options.report.progress = [&](const std::string& what) { progress.at(what); };

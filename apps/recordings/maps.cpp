@@ -19,7 +19,8 @@ namespace gw::apps {
 namespace {
 
 struct MapsOptions {
-    std::filesystem::path recording, folder;
+    RecordingChoice recording;
+    std::filesystem::path folder;
     std::string pass;  ///< its name or number; empty: all
     bool quiet = false;
 };
@@ -97,9 +98,7 @@ Command add_maps(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "maps", "Overdraw, depth complexity and why fragments died, as pictures");
     const auto options = std::make_shared<MapsOptions>();
-    command->add_option("RECORDING", options->recording, "A recording by gw record")
-        ->required()
-        ->type_name("FILE.gwt");
+    add_recording_options(*command, options->recording);
     command
         ->add_option(
             "-o,--output", options->folder,

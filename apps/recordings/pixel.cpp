@@ -15,15 +15,13 @@ namespace gw::apps {
 namespace {
 
 struct PixelOptions {
-    std::filesystem::path recording;
+    RecordingChoice recording;
     int x = 0, y = 0;
     bool json = false, quiet = false;
 };
 
 void add_options(CLI::App& command, PixelOptions& options) {
-    command.add_option("RECORDING", options.recording, "A recording by gw record")
-        ->required()
-        ->type_name("FILE.gwt");
+    add_recording_options(command, options.recording);
     const auto coordinate = [&](const char* name, int& to, const char* help) {
         command
             .add_option_function<std::string>(

@@ -2,10 +2,13 @@
 #include "apps/command/command.h"
 #include "apps/command/terminal.h"
 #include "apps/recordings/recording_files.h"
+#include "gw/error.h"
 #include "hiddensurface/run/algorithm.h"
 #include "image/output/output_set.h"
 
 #include <CLI/CLI.hpp>
+
+#include <fstream>
 
 namespace gw::apps {
 namespace {
@@ -15,6 +18,7 @@ struct RecordOptions {
     std::string algorithm;  ///< a hidden-surface algorithm; empty: the renderer's passes
     std::filesystem::path output, manifest;
     bool values = true;
+    bool stream = false;
 };
 
 void add_options(CLI::App& command, RecordOptions& options) {
@@ -36,9 +40,26 @@ void add_options(CLI::App& command, RecordOptions& options) {
             "Also write the manifest for gw verify: state, counters and digests of every pass as "
             "JSON, and the planes' values beside it")
         ->type_name("FILE.json");
+    command.add_flag("--stream", options.stream,
+                     "Append to the file while drawing: small memory, and the lists executed so "
+                     "far stay if the drawing is ended");
     command.add_flag(
         "!--no-values", options.values,
         "With --manifest: no values; gw verify then names no pixel of another recording");
+}
+
+/// Not by a temporary name: what is written must be there if this process ends early.
+int stream_to(const std::filesystem::path& file, const Drawing& drawing, const Session& session,
+              const std::string& algorithm) {
+    std::ofstream out(file, std::ios::binary);
+    if (!out) throw Error(file.string(), 0, "cannot be written");
+    try {
+        record_stream(drawing, session, algorithm, out);
+    } catch (const Error&) {
+        if (out) throw;
+        throw Error(file.string(), 0, "cannot be written");
+    }
+    return Done;
 }
 
 int record_scene(const RecordOptions& options, Session& session) {
@@ -46,12 +67,17 @@ int record_scene(const RecordOptions& options, Session& session) {
     image::check_target(options.output);
     if (options.manifest == options.output)
         throw UsageError("--manifest and --output are the same file; expected two");
+    if (!options.manifest.empty() && options.stream)
+        throw UsageError(
+            "--stream keeps no lists for --manifest; expected one of them (gw verify "
+            "--update writes a manifest)");
     if (!options.manifest.empty()) image::check_target(options.manifest);
     Progress progress("reading", options.picture.quiet);
     const Drawing drawing = make_drawing(options.picture, session);
     session.inputs.check(options.output);
     session.inputs.check(options.manifest);
     progress.at("drawing");
+    if (options.stream) return stream_to(options.output, drawing, session, options.algorithm);
     const inspect::Recording recording = record(drawing, session, options.algorithm);
     progress.at("writing");
     image::OutputSet output(session.inputs);

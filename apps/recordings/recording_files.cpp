@@ -1,11 +1,15 @@
 #include "apps/recordings/recording_files.h"
 
 #include "apps/command/command.h"
+#include "apps/command/terminal.h"
 #include "apps/render/frame_files.h"
 #include "gw/error.h"
 #include "hiddensurface/run/algorithm.h"
-#include "inspect/recording/read_bytes.h"
 #include "inspect/replay/forwarding_machine.h"
+
+#include <CLI/CLI.hpp>
+
+#include <ostream>
 
 namespace gw::apps {
 namespace {
@@ -16,6 +20,15 @@ CommandList hidden_surface_list(const Drawing& drawing, const scene::View& view,
     const hiddensurface::Input input =
         hiddensurface::make_input(drawing.scene, view, drawing.profile);
     return hiddensurface::algorithm_named(name).run(input, none).list;
+}
+
+/// What a recording says of its drawing.
+inspect::Recording heading_of(const Drawing& drawing, const std::string& algorithm) {
+    inspect::Recording recording = recording_of(drawing, {});
+    if (algorithm.empty()) return recording;
+    recording.renderer = algorithm;
+    recording.sets.clear();
+    return recording;
 }
 
 }  // namespace
@@ -35,29 +48,56 @@ inspect::Recording recording_of(const Drawing& drawing, std::vector<CommandList>
 
 inspect::Recording record(const Drawing& drawing, const Session& session,
                           const std::string& algorithm) {
-    const Size size = drawing.options.size;
-    const scene::View view = scene::make_view(drawing.scene, size.width, size.height);
+    inspect::Recording recording = heading_of(drawing, algorithm);
+    const scene::View view = scene::make_view(drawing.scene, recording.width, recording.height);
     if (!algorithm.empty()) {
-        inspect::Recording recording =
-            recording_of(drawing, {hidden_surface_list(drawing, view, algorithm)});
-        recording.renderer = algorithm;
-        recording.sets.clear();
+        recording.lists = {hidden_surface_list(drawing, view, algorithm)};
         return recording;
     }
     const auto machine = make_machine(drawing.options, drawing.profile, session);
-    std::vector<CommandList> lists;
-    inspect::Recorder recorder(*machine, lists);
+    inspect::Recorder recorder(*machine, recording.lists);
     draw(drawing, view, recorder);
-    return recording_of(drawing, std::move(lists));
+    return recording;
 }
 
-inspect::Recording load_recording(const std::filesystem::path& file, Session& session) {
-    session.inputs.add(file);
-    const std::vector<std::uint8_t> bytes = inspect::read_recording_bytes(file);
+void record_stream(const Drawing& drawing, const Session& session, const std::string& algorithm,
+                   std::ostream& out) {
+    const std::string window = "picture";
+    const Size size = drawing.options.size;
+    const scene::View view = scene::make_view(drawing.scene, size.width, size.height);
+    inspect::StreamWriter writer(out, heading_of(drawing, algorithm));
+    writer.open(window, size.width, size.height);
+    if (!algorithm.empty()) {
+        writer.add(window, hidden_surface_list(drawing, view, algorithm));
+    } else {
+        const auto machine = make_machine(drawing.options, drawing.profile, session);
+        inspect::StreamRecorder recorder(*machine, writer, window);
+        draw(drawing, view, recorder);
+    }
+    writer.finish();
+}
+
+void add_window_option(CLI::App& command, std::string& window) {
+    command
+        .add_option("--window", window, "Of a recording with several: its name or number from 0")
+        ->type_name("NAME|N");
+}
+
+void add_recording_options(CLI::App& command, RecordingChoice& choice) {
+    command.add_option("RECORDING", choice.file, "A recording by gw record")
+        ->required()
+        ->type_name("FILE.gwt");
+    add_window_option(command, choice.window);
+}
+
+inspect::Recording load_recording(const RecordingChoice& choice, Session& session) {
+    session.inputs.add(choice.file);
+    inspect::Stream stream = inspect::read_recordings(choice.file);
+    if (!stream.cut.empty()) print_warning(choice.file.string() + ": " + stream.cut);
     try {
-        return inspect::decode(bytes);
+        return inspect::choose_window(std::move(stream), choice.window);
     } catch (const Error& error) {
-        throw Error(file.string(), 0, error.what());
+        throw Error(choice.file.string(), 0, error.what());
     }
 }
 

@@ -6,7 +6,12 @@
 #include "inspect/manifest/manifest_file.h"
 
 #include <filesystem>
+#include <iosfwd>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace gw::apps {
 
@@ -18,8 +23,23 @@ inspect::Recording recording_of(const Drawing& drawing, std::vector<CommandList>
 inspect::Recording record(const Drawing& drawing, const Session& session,
                           const std::string& algorithm);
 
-/// Reads a recording, as an input of the session. Throws Error "T.gwt: what is wrong".
-inspect::Recording load_recording(const std::filesystem::path& file, Session& session);
+/// Draws the drawing and writes everything that enters the machine to a stream with one window.
+void record_stream(const Drawing& drawing, const Session& session, const std::string& algorithm,
+                   std::ostream& out);
+
+/// A recording's file, and one of its windows: a name or a number; empty if it has only one.
+struct RecordingChoice {
+    std::filesystem::path file;
+    std::string window;
+};
+/// --window.
+void add_window_option(CLI::App& command, std::string& window);
+/// RECORDING and --window.
+void add_recording_options(CLI::App& command, RecordingChoice& choice);
+
+/// Reads a recording, as an input of the session. Warns if it is cut short. Throws Error "T.gwt:
+/// what is wrong".
+inspect::Recording load_recording(const RecordingChoice& choice, Session& session);
 
 /// Replays the recording and adds its manifest to the files of `output`. With values, adds
 /// "M.values" beside "M.json", unless `file` is a device.

@@ -21,15 +21,14 @@ namespace gw::apps {
 namespace {
 
 struct ReplayOptions {
-    std::filesystem::path recording, picture, planes;
+    RecordingChoice recording;
+    std::filesystem::path picture, planes;
     MachineOptions machine;
     bool on_osmesa = false;
 };
 
 void add_options(CLI::App& command, ReplayOptions& options) {
-    command.add_option("RECORDING", options.recording, "A recording by gw record")
-        ->required()
-        ->type_name("FILE.gwt");
+    add_recording_options(command, options.recording);
     command.add_option("-o,--output", options.picture, "The colour plane at the end, as a picture")
         ->type_name("IMAGE");
     command

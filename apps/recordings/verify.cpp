@@ -14,15 +14,14 @@ namespace gw::apps {
 namespace {
 
 struct VerifyOptions {
-    std::filesystem::path recording, manifest;
+    RecordingChoice recording;
+    std::filesystem::path manifest;
     MachineOptions machine;
     bool update = false, values = true;
 };
 
 void add_options(CLI::App& command, VerifyOptions& options) {
-    command.add_option("RECORDING", options.recording, "A recording by gw record")
-        ->required()
-        ->type_name("FILE.gwt");
+    add_recording_options(command, options.recording);
     command
         .add_option("MANIFEST", options.manifest,
                     "A manifest by gw record --manifest or gw render --manifest")
@@ -51,7 +50,7 @@ int report(const inspect::Verification& verification, const VerifyOptions& optio
     else
         print(
             "  the commands are those of the manifest: the machine is not the one that wrote it\n");
-    print(fmt::format("{}: not as {} says\n", shown(options.recording.string()),
+    print(fmt::format("{}: not as {} says\n", shown(options.recording.file.string()),
                       shown(options.manifest.string())));
     return Differs;
 }
@@ -74,10 +73,10 @@ int check(const VerifyOptions& options, const inspect::Recording& recording, Pro
     if (!verification.same_commands)
         print(fmt::format(
             "{}: its commands are not those of {}, though they make the same planes{}\n",
-            shown(options.recording.string()), shown(options.manifest.string()),
+            shown(options.recording.file.string()), shown(options.manifest.string()),
             verification.same_scene ? "" : "; meshes or maps differ too"));
     print(fmt::format("{}: as {} says, {}, every plane and counter{}\n",
-                      shown(options.recording.string()), shown(options.manifest.string()),
+                      shown(options.recording.file.string()), shown(options.manifest.string()),
                       inspect::plural(expected.manifest.passes.size(), "pass", "passes"),
                       options.machine.both() ? ", on reference and fast" : ""));
     return Done;

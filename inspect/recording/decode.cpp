@@ -2,7 +2,9 @@
 // `validate`.
 #include "gw/machine.h"
 #include "inspect/recording/check_lists.h"
+#include "inspect/recording/file_commands.h"
 #include "inspect/recording/file_values.h"
+#include "inspect/recording/part.h"
 #include "inspect/recording/recording.h"
 
 #include <algorithm>
@@ -68,14 +70,15 @@ Profile from_file(const gwt::Profile& p) {
 
 class Decoder {
 public:
-    Decoder(const gwt::Recording& file, const Limits& limits) : file_(file), limits_(limits) {}
-    Recording decode();
+    Decoder(const gwt::Recording& file, const Limits& limits, DecodedValues& values)
+        : file_(file), limits_(limits), values_(values) {}
+    Part decode();
 
 private:
     /// The same bytes of a file may be referred to many times: the memory that they become counts.
     void charge(std::uint64_t bytes) {
-        charged_ += bytes;
-        if (charged_ > limits_.decoded_bytes)
+        values_.charged += bytes;
+        if (values_.charged > limits_.decoded_bytes)
             throw Error(fmt::format("commands, meshes and maps of more than {} MB; expected less",
                                     limits_.decoded_bytes >> 20));
     }
@@ -149,9 +152,7 @@ private:
 
     const gwt::Recording& file_;
     const Limits& limits_;
-    std::uint64_t charged_ = 0;
-    std::vector<MeshRef> meshes_;
-    std::vector<TextureRef> textures_;
+    DecodedValues& values_;
     std::vector<LightsRef> light_sets_;
     std::vector<State> states_;
 };
@@ -220,8 +221,9 @@ TextureRef Decoder::texture(const gwt::Texture& t) {
 }
 
 Command Decoder::command(const gwt::Draw& c) {
-    Draw draw{
-        .mesh = at(meshes_, c.mesh(), "mesh"), .id_base = c.id_base(), .id_shift = c.id_shift()};
+    Draw draw{.mesh = at(values_.meshes, c.mesh(), "mesh"),
+              .id_base = c.id_base(),
+              .id_shift = c.id_shift()};
     if (c.eye_from_object()) draw.eye_from_object = from_file(*c.eye_from_object());
     if (c.material()) draw.material = from_file(*c.material());
     if (c.back_material())
@@ -252,32 +254,9 @@ TextureBinding Decoder::binding(std::uint32_t texture, std::uint32_t slot) const
     if (texture != no_place && slot != no_place)
         throw Error("both a texture and a slot; expected one of them");
     TextureBinding map;
-    if (texture != no_place) map.texture = at(textures_, texture, "texture");
+    if (texture != no_place) map.texture = at(values_.textures, texture, "texture");
     if (slot != no_place) map.slot = slot;
     return map;
-}
-
-/// Calls `use` with the table that `stored` is; false if the type is unknown.
-bool with_command(gwt::CommandType type, const gwt::AnyCommand* stored, const auto& use) {
-    const auto as = [&]<typename Table>(const Table*) {
-        use(*reinterpret_cast<const Table*>(stored));
-        return true;
-    };
-    switch (type) {
-        case gwt::CommandType::BeginPass: return as(static_cast<gwt::BeginPass*>(nullptr));
-        case gwt::CommandType::Clear: return as(static_cast<gwt::Clear*>(nullptr));
-        case gwt::CommandType::SetState: return as(static_cast<gwt::SetState*>(nullptr));
-        case gwt::CommandType::Draw: return as(static_cast<gwt::Draw*>(nullptr));
-        case gwt::CommandType::WriteSpans: return as(static_cast<gwt::WriteSpans*>(nullptr));
-        case gwt::CommandType::WritePixels: return as(static_cast<gwt::WritePixels*>(nullptr));
-        case gwt::CommandType::Accumulate: return as(static_cast<gwt::Accumulate*>(nullptr));
-        case gwt::CommandType::Copy: return as(static_cast<gwt::Copy*>(nullptr));
-        case gwt::CommandType::CopyTexture: return as(static_cast<gwt::CopyTexture*>(nullptr));
-        case gwt::CommandType::Read: return as(static_cast<gwt::Read*>(nullptr));
-        case gwt::CommandType::DrawPixels: return as(static_cast<gwt::DrawPixels*>(nullptr));
-        case gwt::CommandType::NONE: break;
-    }
-    return false;
 }
 
 Command Decoder::command(gwt::CommandType type, const gwt::AnyCommand* stored) {
@@ -285,34 +264,6 @@ Command Decoder::command(gwt::CommandType type, const gwt::AnyCommand* stored) {
     if (!with_command(type, stored, [&](const auto& c) { result = command(c); }))
         throw Error(fmt::format("of the unknown kind {}", int(type)));
     return result;
-}
-
-/// Checks that commands are the tables that their types name, which the generated verifier cannot
-/// know.
-bool commands_are_whole(const gwt::CommandList& list, flatbuffers::Verifier& verifier) {
-    const auto* types = list.commands_type();
-    const auto* commands = list.commands();
-    if (!types || !commands) return !types && !commands;
-    if (types->size() != commands->size()) return false;
-    for (unsigned i = 0; i < types->size(); ++i) {
-        bool whole = true;
-        with_command(static_cast<gwt::CommandType>(types->Get(i)), commands->Get(i),
-                     [&](const auto& c) { whole = c.Verify(verifier); });
-        if (!whole) return false;
-    }
-    return true;
-}
-
-bool is_whole(std::span<const std::uint8_t> bytes) {
-    // The verifier counts a table as often as it is referred to, so that this bounds its own time
-    // too; a command counts twice.
-    flatbuffers::Verifier verifier(bytes.data(), bytes.size(), 16, 1 << 25);
-    if (bytes.size() >= FLATBUFFERS_MAX_BUFFER_SIZE || !gwt::VerifyRecordingBuffer(verifier))
-        return false;
-    const auto* lists = gwt::GetRecording(bytes.data())->lists();
-    return !lists || std::all_of(lists->begin(), lists->end(), [&](const gwt::CommandList* list) {
-        return commands_are_whole(*list, verifier);
-    });
 }
 
 /// Decodes every element; an error names which one it is.
@@ -330,6 +281,11 @@ auto Decoder::all(const flatbuffers::Vector<flatbuffers::Offset<File>>* stored, 
         }
     }
     return values;
+}
+
+template <typename T>
+void append(std::vector<T>& to, const std::vector<T>& values) {
+    to.insert(to.end(), values.begin(), values.end());
 }
 
 CommandList Decoder::list(const gwt::CommandList& stored) {
@@ -351,7 +307,7 @@ CommandList Decoder::list(const gwt::CommandList& stored) {
     return result;
 }
 
-Recording Decoder::decode() {
+Part Decoder::decode() {
     if (file_.version() < 1 || file_.version() > newest_version)
         throw Error(fmt::format("a recording of version {}; expected version 1 to {}",
                                 file_.version(), newest_version));
@@ -363,35 +319,52 @@ Recording Decoder::decode() {
                 .width = file_.width(),
                 .height = file_.height()};
     r.profile.name = text(file_.profile()->name());
-    validate(r.profile);
-    check_window(r.width, r.height);
+    Part part{.window = text(file_.window()), .event = our_enum<WindowEvent>(file_.event())};
+    if (part.window.empty() || part.event == WindowEvent::Open) {
+        validate(r.profile);
+        check_window(r.width, r.height);
+    }
     r.sets = all(file_.sets(), "parameter set", [this](const gwt::ParameterSet& s) {
         return ParameterSet{text(s.pass()), text(s.set())};
     });
-    meshes_ = all(file_.meshes(), "mesh", [this](const gwt::Mesh& m) { return mesh(m); });
-    textures_ =
-        all(file_.textures(), "texture", [this](const gwt::Texture& t) { return texture(t); });
+    append(values_.meshes,
+           all(file_.meshes(), "mesh", [this](const gwt::Mesh& m) { return mesh(m); }));
+    append(values_.textures,
+           all(file_.textures(), "texture", [this](const gwt::Texture& t) { return texture(t); }));
     light_sets_ = all(file_.light_sets(), "lights", [this](const gwt::Lights& l) {
         return LightsRef(std::make_shared<const std::vector<Light>>(structs<Light>(l.lights())));
     });
     states_ = all(file_.states(), "state", [](const gwt::State& s) { return from_file(s); });
     r.lists = all(file_.lists(), "list", [this](const gwt::CommandList& l) { return list(l); });
-    check_lists(r, limits_);
-    return r;
+    part.recording = std::move(r);
+    return part;
 }
 
-}  // namespace
-
-Recording decode(std::span<const std::uint8_t> bytes, const Limits& limits) {
+/// Bytes that begin anywhere in memory.
+Part decoded(std::span<const std::uint8_t> bytes, DecodedValues& values, const Limits& limits) {
     constexpr std::size_t identifier_end = 8, alignment = 8;
     if (reinterpret_cast<std::uintptr_t>(bytes.data()) % alignment != 0)
-        return decode(std::vector<std::uint8_t>(bytes.begin(), bytes.end()), limits);
+        return decoded(std::vector<std::uint8_t>(bytes.begin(), bytes.end()), values, limits);
     if (bytes.size() < identifier_end || !gwt::RecordingBufferHasIdentifier(bytes.data()))
         throw Error("not a recording; expected a file that gw record wrote");
     if (!is_whole(bytes))
         throw Error(
             "a recording that is cut short or damaged; expected a file as gw record wrote it");
-    return Decoder(*gwt::GetRecording(bytes.data()), limits).decode();
+    return Decoder(*gwt::GetRecording(bytes.data()), limits, values).decode();
+}
+
+}  // namespace
+
+Recording decode(std::span<const std::uint8_t> bytes, const Limits& limits) {
+    DecodedValues values;
+    Part part = decoded(bytes, values, limits);
+    if (!part.window.empty()) throw Error("a part of a stream; expected a whole recording");
+    check_lists(part.recording, limits);
+    return std::move(part.recording);
+}
+
+Part decode_part(std::span<const std::uint8_t> bytes, DecodedValues& values, const Limits& limits) {
+    return decoded(bytes, values, limits);
 }
 
 }  // namespace gw::inspect

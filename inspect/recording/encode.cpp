@@ -1,9 +1,9 @@
 // From a recording to bytes: meshes, maps, lights and states once each, then the commands.
 #include "inspect/recording/content.h"
 #include "inspect/recording/file_values.h"
+#include "inspect/recording/part.h"
 
 #include <algorithm>
-#include <map>
 
 namespace gw::inspect {
 namespace {
@@ -43,28 +43,12 @@ gwt::RasterPosition to_file(const RasterPosition& r) {
 }
 using inspect::to_file;
 
-/// Places of values that were stored: by address, then by content.
-template <typename Ref>
-class Places {
-public:
-    /// The place of `ref`, and whether it is a new one.
-    std::pair<std::uint32_t, bool> place(const Ref& ref, const auto& digest_of) {
-        const auto known = by_address_.find(ref.get());
-        if (known != by_address_.end()) return {known->second, false};
-        const auto [found, is_new] = by_content_.try_emplace(
-            digest_of(*ref), static_cast<std::uint32_t>(by_content_.size()));
-        by_address_[ref.get()] = found->second;
-        return {found->second, is_new};
-    }
-
-private:
-    std::map<const void*, std::uint32_t> by_address_;
-    std::map<Digest, std::uint32_t> by_content_;
-};
-
 class Encoder {
 public:
-    std::vector<std::uint8_t> encode(const Recording& recording);
+    explicit Encoder(StoredValues& stored) : stored_(stored) {}
+    /// `window` empty: a whole recording.
+    std::vector<std::uint8_t> encode(const Recording& recording, const std::string& window = "",
+                                     WindowEvent event = {});
 
 private:
     void need(std::uint64_t bytes) const {
@@ -139,8 +123,7 @@ private:
     std::uint32_t version(const Profile& profile) const;
 
     FlatBufferBuilder out_{1 << 16};
-    Places<MeshRef> mesh_places_;
-    Places<TextureRef> texture_places_;
+    StoredValues& stored_;
     std::vector<Offset<gwt::Mesh>> meshes_;
     std::vector<Offset<gwt::Texture>> textures_;
     std::vector<std::vector<Light>> light_sets_;
@@ -150,7 +133,7 @@ private:
 
 std::uint32_t Encoder::mesh(const MeshRef& ref) {
     const auto [place, is_new] =
-        mesh_places_.place(ref, [](const Mesh& mesh) { return content(mesh.data()); });
+        stored_.meshes.place(ref, [](const Mesh& mesh) { return content(mesh.data()); });
     if (!is_new) return place;
     const MeshData& m = ref->data();
     const auto positions = structs<gwt::Vec3>(m.positions);
@@ -175,7 +158,7 @@ std::uint32_t Encoder::mesh(const MeshRef& ref) {
 
 std::uint32_t Encoder::texture(const TextureRef& ref) {
     const auto [place, is_new] =
-        texture_places_.place(ref, [](const Texture& t) { return content(t); });
+        stored_.textures.place(ref, [](const Texture& t) { return content(t); });
     if (!is_new) return place;
     const TextureLevel& level = ref->levels.front();
     std::vector<std::uint16_t> texels16 = level.rgba;
@@ -290,7 +273,9 @@ std::uint32_t Encoder::version(const Profile& profile) const {
     return second ? 2 : 1;
 }
 
-std::vector<std::uint8_t> Encoder::encode(const Recording& r) {
+std::vector<std::uint8_t> Encoder::encode(const Recording& r, const std::string& window,
+                                          WindowEvent event) {
+    uses_version_2_ = !window.empty();
     static_assert(std::variant_size_v<Command> == std::size_t(gwt::CommandType::MAX));
     std::vector<Offset<gwt::CommandList>> lists;
     for (const CommandList& l : r.lists) lists.push_back(list(l));
@@ -305,15 +290,23 @@ std::vector<std::uint8_t> Encoder::encode(const Recording& r) {
     need(8 * (lists.size() + states.size() + meshes_.size()) + (1 << 16));
     const auto stored_profile = profile(r.profile);
     out_.Finish(
-        gwt::CreateRecordingDirect(out_, version(r.profile), r.producer.c_str(), r.scene.c_str(),
-                                   r.renderer.c_str(), stored_profile, r.width, r.height, &sets,
-                                   &meshes_, &textures_, &light_sets, &states, &lists),
+        gwt::CreateRecordingDirect(
+            out_, version(r.profile), r.producer.c_str(), r.scene.c_str(), r.renderer.c_str(),
+            stored_profile, r.width, r.height, &sets, &meshes_, &textures_, &light_sets, &states,
+            &lists, window.empty() ? nullptr : window.c_str(), file_enum<gwt::WindowEvent>(event)),
         gwt::RecordingIdentifier());
     return {out_.GetBufferPointer(), out_.GetBufferPointer() + out_.GetSize()};
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> encode(const Recording& recording) { return Encoder().encode(recording); }
+std::vector<std::uint8_t> encode(const Recording& recording) {
+    StoredValues stored;
+    return Encoder(stored).encode(recording);
+}
+
+std::vector<std::uint8_t> encode_part(const Part& part, StoredValues& stored) {
+    return Encoder(stored).encode(part.recording, part.window, part.event);
+}
 
 }  // namespace gw::inspect

@@ -21,8 +21,6 @@ std::ifstream opened(const std::filesystem::path& file) {
         throw Error(file.string(), 0, "is a device; expected a file");
     std::ifstream in(file, std::ios::binary);
     if (!in) throw Error(file.string(), 0, "cannot be opened; expected a file that can be read");
-    if (const std::uintmax_t size = std::filesystem::file_size(file, code); !code && size > largest)
-        throw Error(file.string(), 0, "has more than 2 GB; expected less");
     return in;
 }
 
@@ -50,6 +48,9 @@ std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file,
     std::ifstream in = opened(file);
     std::vector<std::uint8_t> bytes;
     append(bytes, in, beginning_size, file);
+    std::error_code code;
+    if (const std::uintmax_t size = std::filesystem::file_size(file, code); !code && size > largest)
+        throw Error(file.string(), 0, "has more than 2 GB; expected less");
     if (!beginning.fits({reinterpret_cast<const char*>(bytes.data()), bytes.size()}))
         throw Error(file.string(), 0, beginning.otherwise);
     // A file may grow while it is read.

@@ -18,7 +18,7 @@ struct Beginning {
     const char* otherwise = "";
 };
 
-/// The first bytes, at most 4096. Throws Error as read_bytes does.
+/// The first bytes, at most 4096, of a file of any size. Else throws Error as read_bytes does.
 std::string first_bytes(const std::filesystem::path& file);
 
 /// Throws Error naming the file if it is missing, larger than 2 GB, begins otherwise or cannot be

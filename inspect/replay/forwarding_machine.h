@@ -1,8 +1,9 @@
-// Machines that forward every call to another one, and two that override a call: to take digests,
+// Machines that forward every call to another one, and three that override a call: to take digests,
 // and to record. They execute nothing themselves.
 #pragma once
 
 #include "gw/machine.h"
+#include "inspect/recording/stream.h"
 
 namespace gw::inspect {
 
@@ -66,6 +67,23 @@ public:
 
 private:
     std::vector<CommandList>& lists_;
+};
+
+/// Writes every list that the machine executes to a window of a stream.
+class StreamRecorder : public ForwardingMachine {
+public:
+    /// Refers to both, which must outlive it. The machine is new, and so is the window, of its size.
+    StreamRecorder(Machine& machine, StreamWriter& writer, std::string window)
+        : ForwardingMachine(machine), writer_(writer), window_(std::move(window)) {}
+
+    void execute(const CommandList& list) override {
+        ForwardingMachine::execute(list);
+        writer_.add(window_, list);
+    }
+
+private:
+    StreamWriter& writer_;
+    std::string window_;
 };
 
 }  // namespace gw::inspect

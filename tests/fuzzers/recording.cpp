@@ -1,10 +1,14 @@
-// Reads any bytes as a recording. Claim: they are refused with an Error, or they are a recording
-// that encoding and decoding return unchanged. If it is small, both machines replay it to the same
-// planes; without the fast machine, only the reference machine replays it.
+// Reads any bytes as a recording or a stream. Claim: they are refused with an Error, or each of
+// their recordings is one that encoding and decoding return unchanged. If it is small, both
+// machines replay it to the same planes; without the fast machine, only the reference machine
+// replays it.
 #include "gw/error.h"
+#include "inspect/recording/stream.h"
 #include "inspect/replay/player.h"
 
 #include <cstdlib>
+#include <sstream>
+#include <string>
 
 namespace {
 
@@ -35,17 +39,27 @@ void replay(const inspect::Recording& recording) {
 #endif
 }
 
+void check(const inspect::Recording& recording, const inspect::Limits& limits) {
+    const auto bytes = inspect::encode(recording);
+    if (inspect::encode(inspect::decode(bytes, limits)) != bytes) std::abort();
+    if (is_small(recording)) replay(recording);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size > 262144) return -1;
     const inspect::Limits limits{
         .decoded_bytes = 64 << 20, .machine_bytes = 64 << 20, .geometry = std::uint64_t{1} << 24};
+    const std::string bytes(reinterpret_cast<const char*>(data), size);
     try {
-        const inspect::Recording recording = inspect::decode({data, size}, limits);
-        const auto bytes = inspect::encode(recording);
-        if (inspect::encode(inspect::decode(bytes, limits)) != bytes) std::abort();
-        if (is_small(recording)) replay(recording);
+        if (!inspect::is_stream(bytes)) {
+            check(inspect::decode({data, size}, limits), limits);
+        } else {
+            std::istringstream in(bytes);
+            for (const auto& window : inspect::decode_stream(in, limits).windows)
+                check(window.recording, limits);
+        }
     } catch (const Error&) {
     }
     return 0;

@@ -46,6 +46,37 @@ TEST_F(Recordings, NeedNothingOfTheirScene) {
     EXPECT_TRUE(std::filesystem::exists(in("planes/depth.exr")));
 }
 
+TEST_F(Recordings, AreStreamedWhileTheSceneIsDrawn) {
+    ASSERT_EQ(record({"lamps.toml", "-o", "t.gwt"}).code, 0);
+    ASSERT_EQ(record({"lamps.toml", "-o", "s.gwt", "--stream"}).code, 0);
+    EXPECT_EQ(gw({"diff", "t.gwt", "s.gwt"}).code, 0);
+    for (const std::string window : {"picture", "0"}) {
+        const Outcome whole = gw({"replay", "s.gwt", "--window", window, "-o", "s.png"});
+        EXPECT_EQ(whole.code, 0) << whole.err;
+        EXPECT_EQ(whole.err, "");
+    }
+    ASSERT_EQ(gw({"replay", "t.gwt", "-o", "t.png"}).code, 0);
+    EXPECT_TRUE(bytes_of(in("t.png")) == bytes_of(in("s.png")));
+    expect_refused(1, {"replay", "s.gwt", "--window", "other"}, {"s.gwt", "'picture' (16 x 16)"});
+    expect_refused(1, {"replay", "t.gwt", "--window", "other"}, {"t.gwt", "without a name"});
+    expect_refused(2, {"record", "lamps.toml", "-o", "u.gwt", "--stream", "--manifest", "u.json"},
+                   {"--stream", "--manifest"});
+}
+
+TEST_F(Recordings, AStreamThatIsCutShortIsUsedWithAWarning) {
+    ASSERT_EQ(record({"lamps.toml", "-o", "s.gwt", "--stream", "--samples", "3"}).code, 0);
+    const std::string bytes = bytes_of(in("s.gwt"));
+    write("cut.gwt", bytes.substr(0, bytes.size() - 1));
+    const Outcome cut = gw({"replay", "cut.gwt"});
+    EXPECT_EQ(cut.code, 0) << cut.err;
+    EXPECT_NE(cut.err.find("cut.gwt: cut short after part "), std::string::npos) << cut.err;
+    EXPECT_EQ(cut.out, gw({"replay", "s.gwt"}).out);
+    std::string damaged = bytes;
+    damaged[bytes.size() / 2] = static_cast<char>(damaged[bytes.size() / 2] ^ 1);
+    write("damaged.gwt", damaged);
+    expect_refused(1, {"replay", "damaged.gwt"}, {"damaged.gwt", "part ", " is damaged"});
+}
+
 TEST_F(Recordings, HoldHiddenSurfaceAlgorithms) {
     for (const std::string name : {"newell", "z-buffer", "scan-line"}) {
         ASSERT_EQ(record({"lamps.toml", "-o", "t.gwt", "--algorithm", name}).code, 0);
