@@ -10,6 +10,7 @@ using C = Counters;
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): a table
 const std::vector<Suite>& suites() {
     static const std::vector<Suite> all{
         {"raster",

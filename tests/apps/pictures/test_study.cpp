@@ -25,7 +25,7 @@ TEST_F(Study, ConvergenceWritesPlotsAndTheirNumbers) {
 
 TEST_F(Study, HiddenSurfacesGrowAndCost) {
     const Outcome outcome =
-        gw({"study", "hidden", "-o", "out", "--limit", "0.001", "--axis", "resolution"});
+        gw({"study", "hidden", "-o", "out", "--limit", "0.02", "--axis", "resolution"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     for (const char* part :
          {"Against pixels", "was stopped after", "prices of 1974", "prices of today", "z-buffer"})
