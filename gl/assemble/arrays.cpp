@@ -1,0 +1,253 @@
+// Vertex arrays. [GL11] 2.8. Elements are read one by one and go the way of immediate mode; while a
+// list is open they become its calls.
+#include "gl/api/call.h"
+#include "gl/api/calls.h"
+#include "gl/api/convert.h"
+#include "gl/context/context.h"
+
+#include <cstring>
+
+namespace gw::gl {
+
+namespace {
+
+std::size_t bytes_of(GLenum type) {
+    switch (type) {
+        case GL_BYTE:
+        case GL_UNSIGNED_BYTE: return 1;
+        case GL_SHORT:
+        case GL_UNSIGNED_SHORT: return 2;
+        case GL_INT:
+        case GL_UNSIGNED_INT:
+        case GL_FLOAT: return 4;
+        case GL_DOUBLE: return 8;
+    }
+    return 0;
+}
+
+template <class T>
+float number(const unsigned char* at, bool is_unit) {
+    T value;
+    std::memcpy(&value, at, sizeof value);
+    if constexpr (std::is_integral_v<T>)
+        if (is_unit) return float(unit(value));
+    return float(value);
+}
+
+float component(GLenum type, const unsigned char* at, bool is_unit) {
+    switch (type) {
+        case GL_BYTE: return number<GLbyte>(at, is_unit);
+        case GL_UNSIGNED_BYTE: return number<GLubyte>(at, is_unit);
+        case GL_SHORT: return number<GLshort>(at, is_unit);
+        case GL_UNSIGNED_SHORT: return number<GLushort>(at, is_unit);
+        case GL_INT: return number<GLint>(at, is_unit);
+        case GL_UNSIGNED_INT: return number<GLuint>(at, is_unit);
+        case GL_FLOAT: return number<GLfloat>(at, is_unit);
+        case GL_DOUBLE: return number<GLdouble>(at, is_unit);
+    }
+    return 0;
+}
+
+/// Element i of an array; components that it does not have are (0, 0, 1).
+vec4 element(const ClientArray& a, GLint i, bool is_unit) {
+    vec4 out{0, 0, 0, 1};
+    const std::size_t bytes = bytes_of(a.type);
+    const std::size_t stride = a.stride != 0 ? std::size_t(a.stride) : bytes * std::size_t(a.size);
+    const unsigned char* at = a.pointer + std::ptrdiff_t(i) * std::ptrdiff_t(stride);
+    for (int k = 0; k < a.size; ++k, at += bytes) out[k] = component(a.type, at, is_unit);
+    return out;
+}
+
+/// An entry point's own way: into the open list, or carried out.
+template <auto execute, class... Values>
+void perform(Function function, Values... values) {
+    call<Kind::Vertex, execute>(function, values...);
+}
+
+/// [GL11] 2.8: the order of the arrays, the vertex last.
+void send_element(const ClientState& client, GLint i) {
+    const auto enabled = [&](Array a) {
+        return client.array(a).enable && client.array(a).pointer != nullptr;
+    };
+    if (enabled(Array::EdgeFlag))
+        perform<execute::edge_flag>(
+            Function::EdgeFlag, GLboolean(element(client.array(Array::EdgeFlag), i, false).x != 0));
+    if (enabled(Array::TexCoord)) {
+        const vec4 v = element(client.array(Array::TexCoord), i, false);
+        perform<execute::tex_coord>(Function::TexCoord4f, v.x, v.y, v.z, v.w);
+    }
+    if (enabled(Array::Color)) {
+        const vec4 v = element(client.array(Array::Color), i, true);
+        perform<execute::color>(Function::Color4f, v.x, v.y, v.z, v.w);
+    }
+    if (enabled(Array::Index))
+        perform<execute::index>(Function::Indexf, element(client.array(Array::Index), i, false).x);
+    if (enabled(Array::Normal)) {
+        const vec4 v = element(client.array(Array::Normal), i, true);
+        perform<execute::normal>(Function::Normal3f, v.x, v.y, v.z);
+    }
+    if (enabled(Array::Vertex)) {
+        const vec4 v = element(client.array(Array::Vertex), i, false);
+        perform<execute::vertex>(Function::Vertex4f, v.x, v.y, v.z, v.w);
+    }
+}
+
+GLint index_at(GLenum type, const GLvoid* indices, GLsizei i) {
+    const auto* at = static_cast<const unsigned char*>(indices);
+    const auto read = [&](auto value) {
+        std::memcpy(&value, at + std::size_t(i) * sizeof value, sizeof value);
+        return GLint(value);
+    };
+    if (type == GL_UNSIGNED_BYTE) return read(GLubyte());
+    return type == GL_UNSIGNED_SHORT ? read(GLushort()) : read(GLuint());
+}
+
+/// Sets an array's layout, or an error.
+void set_pointer(Context& c, Array which, GLint size, GLenum type, GLsizei stride,
+                 const GLvoid* pointer) {
+    if (stride < 0) return set_error(c, GL_INVALID_VALUE);
+    ClientArray& a = c.client.array(which);
+    a.size = size;
+    a.type = type;
+    a.stride = stride;
+    a.pointer = static_cast<const unsigned char*>(pointer);
+}
+
+bool is_coordinate_type(GLenum type) {
+    return type == GL_SHORT || type == GL_INT || type == GL_FLOAT || type == GL_DOUBLE;
+}
+
+/// [GL11] table 2.5
+struct Interleaved {
+    GLenum format;
+    int texcoords, colors, normals, positions;  ///< components; 0: none
+    GLenum color_type;
+};
+constexpr Interleaved interleaved_formats[] = {
+    {GL_V2F, 0, 0, 0, 2, 0},
+    {GL_V3F, 0, 0, 0, 3, 0},
+    {GL_C4UB_V2F, 0, 4, 0, 2, GL_UNSIGNED_BYTE},
+    {GL_C4UB_V3F, 0, 4, 0, 3, GL_UNSIGNED_BYTE},
+    {GL_C3F_V3F, 0, 3, 0, 3, GL_FLOAT},
+    {GL_N3F_V3F, 0, 0, 3, 3, 0},
+    {GL_C4F_N3F_V3F, 0, 4, 3, 3, GL_FLOAT},
+    {GL_T2F_V3F, 2, 0, 0, 3, 0},
+    {GL_T4F_V4F, 4, 0, 0, 4, 0},
+    {GL_T2F_C4UB_V3F, 2, 4, 0, 3, GL_UNSIGNED_BYTE},
+    {GL_T2F_C3F_V3F, 2, 3, 0, 3, GL_FLOAT},
+    {GL_T2F_N3F_V3F, 2, 0, 3, 3, 0},
+    {GL_T2F_C4F_N3F_V3F, 2, 4, 3, 3, GL_FLOAT},
+    {GL_T4F_C4F_N3F_V4F, 4, 4, 3, 4, GL_FLOAT},
+};
+
+void set_client_array(Context& c, GLenum name, bool on) {
+    ClientArray* const array = find_array(c.client, name);
+    if (array == nullptr) return set_error(c, GL_INVALID_ENUM);
+    array->enable = on;
+}
+
+}  // namespace
+
+ClientArray* find_array(ClientState& client, GLenum name) {
+    switch (name) {
+        case GL_EDGE_FLAG_ARRAY: return &client.array(Array::EdgeFlag);
+        case GL_TEXTURE_COORD_ARRAY: return &client.array(Array::TexCoord);
+        case GL_COLOR_ARRAY: return &client.array(Array::Color);
+        case GL_INDEX_ARRAY: return &client.array(Array::Index);
+        case GL_NORMAL_ARRAY: return &client.array(Array::Normal);
+        case GL_VERTEX_ARRAY: return &client.array(Array::Vertex);
+    }
+    return nullptr;
+}
+
+namespace execute {
+
+void vertex_pointer(Context& c, GLint size, GLenum type, GLsizei stride, const GLvoid* pointer) {
+    if (size < 2 || size > 4) return set_error(c, GL_INVALID_VALUE);
+    if (!is_coordinate_type(type)) return set_error(c, GL_INVALID_ENUM);
+    set_pointer(c, Array::Vertex, size, type, stride, pointer);
+}
+
+void normal_pointer(Context& c, GLenum type, GLsizei stride, const GLvoid* pointer) {
+    if (!is_coordinate_type(type) && type != GL_BYTE) return set_error(c, GL_INVALID_ENUM);
+    set_pointer(c, Array::Normal, 3, type, stride, pointer);
+}
+
+void color_pointer(Context& c, GLint size, GLenum type, GLsizei stride, const GLvoid* pointer) {
+    if (size < 3 || size > 4) return set_error(c, GL_INVALID_VALUE);
+    if (bytes_of(type) == 0) return set_error(c, GL_INVALID_ENUM);
+    set_pointer(c, Array::Color, size, type, stride, pointer);
+}
+
+void index_pointer(Context& c, GLenum type, GLsizei stride, const GLvoid* pointer) {
+    if (!is_coordinate_type(type) && type != GL_UNSIGNED_BYTE) return set_error(c, GL_INVALID_ENUM);
+    set_pointer(c, Array::Index, 1, type, stride, pointer);
+}
+
+void tex_coord_pointer(Context& c, GLint size, GLenum type, GLsizei stride, const GLvoid* pointer) {
+    if (size < 1 || size > 4) return set_error(c, GL_INVALID_VALUE);
+    if (!is_coordinate_type(type)) return set_error(c, GL_INVALID_ENUM);
+    set_pointer(c, Array::TexCoord, size, type, stride, pointer);
+}
+
+void edge_flag_pointer(Context& c, GLsizei stride, const GLvoid* pointer) {
+    set_pointer(c, Array::EdgeFlag, 1, GL_UNSIGNED_BYTE, stride, pointer);
+}
+
+void enable_client_state(Context& c, GLenum array) { set_client_array(c, array, true); }
+void disable_client_state(Context& c, GLenum array) { set_client_array(c, array, false); }
+
+void interleaved_arrays(Context& c, GLenum format, GLsizei stride, const GLvoid* pointer) {
+    if (stride < 0) return set_error(c, GL_INVALID_VALUE);
+    for (const Interleaved& f : interleaved_formats) {
+        if (f.format != format) continue;
+        const auto* at = static_cast<const unsigned char*>(pointer);
+        const std::size_t color_bytes = std::size_t(f.colors) * bytes_of(f.color_type);
+        const int floats = f.texcoords + f.normals + f.positions;
+        const GLsizei step =
+            stride != 0 ? stride : GLsizei(std::size_t(floats) * sizeof(float) + color_bytes);
+        const auto take = [&](Array which, int size, GLenum type) {
+            c.client.array(which).enable = size > 0;
+            if (size == 0) return;
+            set_pointer(c, which, size, type, step, at);
+            at += std::size_t(size) * bytes_of(type);
+        };
+        c.client.array(Array::EdgeFlag).enable = c.client.array(Array::Index).enable = false;
+        take(Array::TexCoord, f.texcoords, GL_FLOAT);
+        take(Array::Color, f.colors, f.color_type);
+        take(Array::Normal, f.normals, GL_FLOAT);
+        return take(Array::Vertex, f.positions, GL_FLOAT);
+    }
+    set_error(c, GL_INVALID_ENUM);
+}
+
+void array_element(Context& c, GLint i) {
+    if (i < 0) return set_error(c, GL_INVALID_VALUE);
+    send_element(c.client, i);
+}
+
+void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count) {
+    if (c.assembler.inside) return set_error(c, GL_INVALID_OPERATION);
+    if (mode > GL_POLYGON) return set_error(c, GL_INVALID_ENUM);
+    if (count < 0 || first < 0) return set_error(c, GL_INVALID_VALUE);
+    if (!c.client.array(Array::Vertex).enable) return;
+    perform<execute::begin>(Function::Begin, mode);
+    for (GLsizei i = 0; i < count; ++i) send_element(c.client, first + i);
+    perform<execute::end>(Function::End);
+}
+
+void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const GLvoid* indices) {
+    if (c.assembler.inside) return set_error(c, GL_INVALID_OPERATION);
+    if (mode > GL_POLYGON) return set_error(c, GL_INVALID_ENUM);
+    if (count < 0) return set_error(c, GL_INVALID_VALUE);
+    if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT)
+        return set_error(c, GL_INVALID_ENUM);
+    if (indices == nullptr || !c.client.array(Array::Vertex).enable) return;
+    perform<execute::begin>(Function::Begin, mode);
+    for (GLsizei i = 0; i < count; ++i) send_element(c.client, index_at(type, indices, i));
+    perform<execute::end>(Function::End);
+}
+
+}  // namespace execute
+
+}  // namespace gw::gl

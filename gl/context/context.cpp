@@ -1,0 +1,53 @@
+#include "gl/context/context.h"
+
+#include "gl/context/current.h"
+#include "gl/draw/submit.h"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+namespace gw::gl {
+
+Context::Context(const Profile& of, std::shared_ptr<Shared> with)
+    : profile(of), shared(with ? std::move(with) : std::make_shared<Shared>()) {
+    validate(profile);
+}
+
+void set_error(Context& c, GLenum error) {
+    if (c.error == GL_NO_ERROR) c.error = error;
+}
+
+void report_exception(Context& c) {
+    try {
+        throw;
+    } catch (const std::bad_alloc&) {
+        set_error(c, GL_OUT_OF_MEMORY);
+    } catch (const std::length_error&) {
+        set_error(c, GL_OUT_OF_MEMORY);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "gw: %s\n", error.what());
+    }
+}
+
+void finish_drawing(Context& c) {
+    flush_mesh(c);
+    if (c.drawable == nullptr) return;
+    c.drawable->flush();
+    c.drawable->present();
+}
+
+void make_current(Context* context, Drawable* drawable) {
+    if (current != nullptr) guarded(*current, [] { finish_drawing(*current); });
+    current = context;
+    if (context == nullptr) return;
+    context->drawable = drawable;
+    context->machine_state.changed = true;
+    if (drawable == nullptr || context->has_been_current) return;
+    context->has_been_current = true;
+    context->state.viewport.width = context->state.scissor.box.width = drawable->width();
+    context->state.viewport.height = context->state.scissor.box.height = drawable->height();
+}
+
+}  // namespace gw::gl

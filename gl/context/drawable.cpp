@@ -1,0 +1,52 @@
+#include "gl/context/drawable.h"
+
+#include "gl/context/settings.h"
+
+#include <utility>
+
+namespace gw::gl {
+
+namespace {
+
+/// A frame of more vertices is executed in parts.
+constexpr std::uint64_t largest_frame = 1u << 20;
+constexpr std::size_t most_commands = 1u << 16;
+
+}  // namespace
+
+Drawable::Drawable(const Profile& profile, int width, int height)
+    : width_(width),
+      height_(height),
+      machine_(make_fast(profile, width, height, {.threads = settings().threads})) {}
+
+void Drawable::add(Command command) {
+    if (const auto* draw = std::get_if<Draw>(&command))
+        frame_vertices_ += draw->mesh->vertex_count();
+    frame_.add(std::move(command));
+    if (frame_vertices_ < largest_frame && frame_.commands.size() < most_commands) return;
+    ++barriers_;
+    flush();
+}
+
+void Drawable::set_state(const gw::State& state) {
+    if (last_state_ && *last_state_ == state) return;
+    last_state_ = std::make_unique<gw::State>(state);
+    add(SetState{state});
+}
+
+void Drawable::flush() {
+    if (frame_.commands.empty()) return;
+    const CommandList frame = std::exchange(frame_, {});
+    frame_vertices_ = 0;
+    machine_->execute(frame);
+    machine_->reset_passes();
+}
+
+Readback Drawable::read(Plane plane, const Rect& rect, bool packed) {
+    if (!frame_.commands.empty()) ++barriers_;
+    frame_.add(Read{.key = 0, .plane = plane, .rect = rect, .packed = packed});
+    flush();
+    return machine_->readbacks().at(0);
+}
+
+}  // namespace gw::gl

@@ -1,0 +1,50 @@
+// A drawable: a machine of its size, and the frame that is being collected for it. A frame is a
+// command list; flush() executes it. Window systems derive from it to show what was drawn.
+#pragma once
+
+#include "gw/command_list.h"
+#include "gw/machine.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace gw::gl {
+
+class Drawable {
+public:
+    /// Throws Error for a size outside 1 .. max_window_size.
+    Drawable(const Profile& profile, int width, int height);
+    virtual ~Drawable() = default;
+    Drawable(const Drawable&) = delete;
+    Drawable& operator=(const Drawable&) = delete;
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    bool is_double_buffered() const { return false; }
+    const Profile& profile() const { return machine_->profile(); }
+
+    /// Adds a command to the frame; a state only if it differs from the frame's last one.
+    void add(Command command);
+    void set_state(const gw::State& state);
+
+    /// Executes the frame.
+    void flush();
+    /// Shows the frame: to the window, or in the caller's memory.
+    virtual void present() {}
+    /// Executes the frame and reads a rectangle inside the drawable.
+    Readback read(Plane plane, const Rect& rect, bool packed = false);
+
+    /// How often the frame was executed because pixels were read or memory ran out, not because
+    /// the program had finished it.
+    std::uint64_t barriers() const { return barriers_; }
+
+private:
+    int width_, height_;
+    std::unique_ptr<Machine> machine_;
+    CommandList frame_;
+    std::uint64_t frame_vertices_ = 0;
+    std::unique_ptr<gw::State> last_state_;
+    std::uint64_t barriers_ = 0;
+};
+
+}  // namespace gw::gl

@@ -1,0 +1,247 @@
+#include "gl/draw/machine_state.h"
+
+#include "gl/context/context.h"
+
+#include "gw/base/elementary.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::gl {
+
+namespace {
+
+CompareFunc compare_func(GLenum func) { return static_cast<CompareFunc>(func - GL_NEVER); }
+
+StencilOp stencil_op(GLenum op) {
+    switch (op) {
+        case GL_ZERO: return StencilOp::Zero;
+        case GL_REPLACE: return StencilOp::Replace;
+        case GL_INCR: return StencilOp::Incr;
+        case GL_DECR: return StencilOp::Decr;
+        case GL_INVERT: return StencilOp::Invert;
+        case GL_INCR_WRAP: return StencilOp::IncrWrap;
+        case GL_DECR_WRAP: return StencilOp::DecrWrap;
+    }
+    return StencilOp::Keep;
+}
+
+BlendFactor blend_factor(GLenum factor) {
+    switch (factor) {
+        case GL_ONE: return BlendFactor::One;
+        case GL_SRC_COLOR: return BlendFactor::SrcColor;
+        case GL_ONE_MINUS_SRC_COLOR: return BlendFactor::OneMinusSrcColor;
+        case GL_DST_COLOR: return BlendFactor::DstColor;
+        case GL_ONE_MINUS_DST_COLOR: return BlendFactor::OneMinusDstColor;
+        case GL_SRC_ALPHA: return BlendFactor::SrcAlpha;
+        case GL_ONE_MINUS_SRC_ALPHA: return BlendFactor::OneMinusSrcAlpha;
+        case GL_DST_ALPHA: return BlendFactor::DstAlpha;
+        case GL_ONE_MINUS_DST_ALPHA: return BlendFactor::OneMinusDstAlpha;
+        case GL_SRC_ALPHA_SATURATE: return BlendFactor::SrcAlphaSaturate;
+        case GL_CONSTANT_COLOR: return BlendFactor::ConstantColor;
+        case GL_ONE_MINUS_CONSTANT_COLOR: return BlendFactor::OneMinusConstantColor;
+        case GL_CONSTANT_ALPHA: return BlendFactor::ConstantAlpha;
+        case GL_ONE_MINUS_CONSTANT_ALPHA: return BlendFactor::OneMinusConstantAlpha;
+    }
+    return BlendFactor::Zero;
+}
+
+BlendEquation blend_equation(GLenum equation) {
+    switch (equation) {
+        case GL_FUNC_SUBTRACT: return BlendEquation::Subtract;
+        case GL_FUNC_REVERSE_SUBTRACT: return BlendEquation::ReverseSubtract;
+        case GL_MIN: return BlendEquation::Min;
+        case GL_MAX: return BlendEquation::Max;
+    }
+    return BlendEquation::Add;
+}
+
+Face face(GLenum face) {
+    if (face == GL_FRONT) return Face::Front;
+    return face == GL_BACK ? Face::Back : Face::FrontAndBack;
+}
+
+gw::PolygonMode polygon_mode(GLenum mode) {
+    if (mode == GL_POINT) return gw::PolygonMode::Point;
+    return mode == GL_LINE ? gw::PolygonMode::Line : gw::PolygonMode::Fill;
+}
+
+gw::ColorMaterial color_material(GLenum mode) {
+    switch (mode) {
+        case GL_EMISSION: return gw::ColorMaterial::Emission;
+        case GL_AMBIENT: return gw::ColorMaterial::Ambient;
+        case GL_DIFFUSE: return gw::ColorMaterial::Diffuse;
+        case GL_SPECULAR: return gw::ColorMaterial::Specular;
+    }
+    return gw::ColorMaterial::AmbientAndDiffuse;
+}
+
+MinFilter min_filter(GLenum filter) {
+    switch (filter) {
+        case GL_NEAREST: return MinFilter::Nearest;
+        case GL_LINEAR: return MinFilter::Linear;
+        case GL_NEAREST_MIPMAP_NEAREST: return MinFilter::NearestMipmapNearest;
+        case GL_LINEAR_MIPMAP_NEAREST: return MinFilter::LinearMipmapNearest;
+        case GL_NEAREST_MIPMAP_LINEAR: return MinFilter::NearestMipmapLinear;
+    }
+    return MinFilter::LinearMipmapLinear;
+}
+
+Wrap wrap(GLenum mode, const Profile& p) {
+    if (mode == GL_REPEAT) return Wrap::Repeat;
+    return mode == GL_CLAMP && p.extensions.texture_border ? Wrap::BorderClamp : Wrap::Clamp;
+}
+
+gw::TexEnv tex_env(GLenum mode) {
+    switch (mode) {
+        case GL_DECAL: return gw::TexEnv::Decal;
+        case GL_BLEND: return gw::TexEnv::Blend;
+        case GL_REPLACE: return gw::TexEnv::Replace;
+    }
+    return gw::TexEnv::Modulate;
+}
+
+void set_transform(gw::State& out, const Context& c) {
+    const State& s = c.state;
+    out.projection = c.matrices.projection.top();
+    out.normalize = s.transform.normalize;
+    out.viewport = {s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height};
+    out.depth_range = {s.viewport.near_value, s.viewport.far_value};
+    for (std::size_t i = 0; i < out.clip_planes.size(); ++i)
+        out.clip_planes[i] = {s.transform.clip_enable[i], s.transform.clip_plane[i]};
+}
+
+void set_lighting(gw::State& out, const LightingState& s) {
+    out.shade_model = s.shade_model == GL_FLAT ? ShadeModel::Flat : ShadeModel::Smooth;
+    out.color_source = s.enable ? ColorSource::Lighting : ColorSource::Vertex;
+    out.lighting.local_viewer = s.local_viewer;
+    out.lighting.two_side = s.two_side;
+    out.lighting.model_ambient = s.model_ambient;
+    out.lighting.color_material = {s.enable && s.color_material, face(s.color_material_face),
+                                   color_material(s.color_material_mode)};
+}
+
+int whole_size(float size) { return int(std::clamp(std::floor(size + 0.5f), 1.0f, 128.0f)); }
+
+void set_rasterization(gw::State& out, const State& s, const Extensions& has) {
+    out.point_size = whole_size(s.point.size);
+    out.line_width = whole_size(s.line.width);
+    const PolygonState& p = s.polygon;
+    out.cull = {p.cull, face(p.cull_face), p.front_face == GL_CW ? Winding::CW : Winding::CCW};
+    out.polygon_mode = polygon_mode(p.front_mode);
+    out.back_polygon_mode = polygon_mode(p.back_mode);
+    out.two_side_polygon_mode = p.front_mode != p.back_mode && has.two_sided_polygon_mode;
+    if (has.stipple) {
+        out.line_stipple = {s.line.stipple, s.line.stipple_factor, s.line.stipple_pattern};
+        if (p.stipple) out.polygon_stipple.pattern = s.polygon_stipple.pattern;
+    }
+    if (has.polygon_offset && (p.offset_fill || p.offset_line || p.offset_point))
+        out.polygon_offset = {p.offset_fill, p.offset_factor, p.offset_units, p.offset_line,
+                              p.offset_point};
+}
+
+CoordinateGen coordinate(const TexGenState& s) {
+    if (!s.enable) return {};
+    if (s.mode == GL_OBJECT_LINEAR) return {CoordinateMode::ObjectLinear, s.object_plane};
+    if (s.mode == GL_EYE_LINEAR) return {CoordinateMode::EyeLinear, s.eye_plane};
+    return {CoordinateMode::SphereMap, {}};
+}
+
+void set_texture(gw::State& out, const Context& c) {
+    const TextureState& s = c.state.texture;
+    if (!s.enable[0] && !s.enable[1]) return;
+    const TextureParameters& p = c.textures.bound[s.enable[1] ? 1 : 0]->parameters;
+    out.texture.min_filter = min_filter(p.min_filter);
+    out.texture.mag_filter = p.mag_filter == GL_NEAREST ? MagFilter::Nearest : MagFilter::Linear;
+    out.texture.wrap_s = wrap(p.wrap_s, c.profile);
+    out.texture.wrap_t = wrap(p.wrap_t, c.profile);
+    out.texture.border_color = p.border_color;
+    out.texture.env = tex_env(s.env_mode);
+    out.texture.env_color = s.env_color;
+    out.texture.matrix = c.matrices.texture.top();
+    bool generates = false;
+    for (std::size_t i = 0; i < 4; ++i) {
+        out.texture.coordinates[i] = coordinate(s.gen[i]);
+        generates |= s.gen[i].enable;
+    }
+    if (generates) out.texture.gen = TexGen::PerCoordinate;
+}
+
+void set_fog(gw::State& out, const FogState& s) {
+    out.fog.enable = s.enable;
+    out.fog.mode = s.mode == GL_LINEAR ? FogMode::Linear
+                   : s.mode == GL_EXP  ? FogMode::Exp
+                                       : FogMode::Exp2;
+    out.fog.density = s.density;
+    out.fog.start = s.start;
+    out.fog.end = s.end;
+    out.fog.color = s.color;
+}
+
+void set_fragments(gw::State& out, const State& s, const Extensions& has) {
+    out.scissor = {s.scissor.test, s.scissor.box};
+    const ColorBufferState& b = s.color_buffer;
+    out.alpha = {b.alpha_test, compare_func(b.alpha_func), b.alpha_ref};
+    out.stencil.test = s.stencil.test;
+    out.stencil.func = compare_func(s.stencil.func);
+    out.stencil.ref = s.stencil.ref;
+    out.stencil.mask = s.stencil.mask;
+    out.stencil.fail = stencil_op(s.stencil.fail);
+    out.stencil.zfail = stencil_op(s.stencil.zfail);
+    out.stencil.zpass = stencil_op(s.stencil.zpass);
+    out.stencil.write_mask = s.stencil.write_mask;
+    out.depth = {s.depth.test, compare_func(s.depth.func), s.depth.mask};
+    out.blend = {b.blend, blend_factor(b.blend_src), blend_factor(b.blend_dst),
+                 blend_equation(b.blend_equation), b.blend_color};
+    if (has.logic_op) out.logic_op = {b.logic_op, static_cast<LogicOp>(b.logic_op_mode - GL_CLEAR)};
+    out.color_mask = {b.mask[0], b.mask[1], b.mask[2], b.mask[3]};
+}
+
+vec3 rgb(const vec4& c) { return {c.x, c.y, c.z}; }
+
+/// cos of an angle in degrees, 0 .. 90 or 180.
+float cutoff_cosine(float degrees) {
+    return degrees == 180 ? -1.0f : float(cos_degrees(double(degrees)));
+}
+
+}  // namespace
+
+gw::State machine_state(const Context& c) {
+    gw::State out;
+    set_transform(out, c);
+    set_lighting(out, c.state.lighting);
+    set_rasterization(out, c.state, c.profile.extensions);
+    set_texture(out, c);
+    set_fog(out, c.state.fog);
+    set_fragments(out, c.state, c.profile.extensions);
+    return out;
+}
+
+LightsRef machine_lights(const LightingState& lighting) {
+    if (!lighting.enable) return nullptr;
+    auto lights = std::make_shared<std::vector<gw::Light>>();
+    for (const LightState& s : lighting.lights)
+        if (s.enable)
+            lights->push_back({.position = s.position,
+                               .Ia = rgb(s.ambient),
+                               .Id = rgb(s.diffuse),
+                               .Is = rgb(s.specular),
+                               .spot_direction = s.spot_direction,
+                               .spot_exponent = s.spot_exponent,
+                               .spot_cos_cutoff = cutoff_cosine(s.spot_cutoff),
+                               .constant_attenuation = s.constant_attenuation,
+                               .linear_attenuation = s.linear_attenuation,
+                               .quadratic_attenuation = s.quadratic_attenuation});
+    return lights->empty() ? nullptr : lights;
+}
+
+gw::Material machine_material(const MaterialState& m) {
+    return {.Ka = rgb(m.ambient),
+            .Kd = rgb(m.diffuse),
+            .Ks = rgb(m.specular),
+            .Ke = rgb(m.emission),
+            .Ns = m.shininess,
+            .alpha = m.diffuse.w};
+}
+
+}  // namespace gw::gl

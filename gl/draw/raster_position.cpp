@@ -1,0 +1,59 @@
+// RasterPos. [GL11] 2.12: a vertex that goes through the vertex and clip stages.
+#include "gl/api/calls.h"
+#include "gl/context/context.h"
+#include "gl/draw/submit.h"
+
+#include "gw/stages/clip.h"
+#include "gw/stages/resolve.h"
+#include "gw/stages/vertex.h"
+
+#include <cmath>
+
+namespace gw::gl {
+
+namespace {
+
+/// [GL11] 2.11: inside the view volume, its sides too, which the machine does not clip at.
+bool is_inside(const Vertex& v) {
+    const dvec4& p = v.clip;
+    return std::abs(p.x) <= p.w && std::abs(p.y) <= p.w && std::abs(p.z) <= p.w;
+}
+
+double eye_depth(const Context& c, const dvec4& p) {
+    const dvec4 eye = transform(c.matrices.modelview.top(), p);
+    return eye_point(eye).z;
+}
+
+}  // namespace
+
+namespace execute {
+
+void raster_pos(Context& c, double x, double y, double z, double w) {
+    update_machine_state(c);
+    const gw::State& state = c.machine_state.state;
+    const Draw draw = point_draw(c, {float(x), float(y), float(z), float(w)});
+    const VertexProgram program = vertex_program(state, draw, c.profile);
+    const Vertex vertex = run_vertex(program, 0);
+    const ViewportTransform viewport =
+        resolve(state, c.profile, max_window_size, max_window_size).viewport;
+    CurrentState::Raster& raster = c.state.current.raster;
+    raster.valid = is_inside(vertex) && !clip({vertex}, viewport).vertices.empty();
+    if (!raster.valid) return;
+    const double n = state.depth_range.near_value, f = state.depth_range.far_value;
+    const double cw = vertex.clip.w;
+    raster.position = {(vertex.clip.x / cw) * viewport.half_width + viewport.center_x,
+                       (vertex.clip.y / cw) * viewport.half_height + viewport.center_y,
+                       (vertex.clip.z / cw) * ((f - n) / 2) + (f + n) / 2, cw};
+    raster.distance = std::abs(eye_depth(c, {x, y, z, w}));
+    const auto largest = float((1u << c.profile.color_bits) - 1);
+    for (int i = 0; i < 4; ++i) {
+        raster.color[i] = float(vertex.color[std::size_t(i)]) / largest;
+        raster.texcoord[i] = float(vertex.texcoord[i]);
+    }
+    raster.index = c.state.current.index;
+    report_depth(c, raster.position.z);
+}
+
+}  // namespace execute
+
+}  // namespace gw::gl

@@ -1,0 +1,27 @@
+#include "gl/entry/entry_points.h"
+
+#include "gl/context/context.h"
+#include "gl/context/current.h"
+
+#include <string_view>
+#include <unordered_map>
+
+namespace gw::gl {
+
+Address find_entry_point(const char* name) {
+    static const auto table = [] {
+        std::unordered_map<std::string_view, Address> addresses;
+        for (const auto& points : {entry_points(), later_entry_points()})
+            for (const EntryPoint& point : points) addresses[point.name] = point.address;
+        return addresses;
+    }();
+    const auto found = name != nullptr ? table.find(name) : table.end();
+    return found != table.end() ? found->second : nullptr;
+}
+
+std::intptr_t later() {
+    if (current != nullptr) set_error(*current, GL_INVALID_OPERATION);
+    return 0;
+}
+
+}  // namespace gw::gl

@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""Makes C++ from the table of OpenGL's entry points: generate.py functions.txt FOLDER
+
+FOLDER/functions.h numbers them, FOLDER/entry_points.cpp and FOLDER/later.cpp define them and the tables behind
+gl/entry/entry_points.h.
+"""
+import re
+import sys
+
+KINDS = {
+    "vertex": "Vertex",
+    "state": "State",
+    "draw": "Draw",
+    "expand": "Expand",
+    "client": "Client",
+    "now": "Now",
+    "later": "Later",
+}
+LINE = re.compile(r"(\w+)\s+(.*?)\s*\b(\w+)\((.*?)\)(?:\s*=\s*(\w+)\((.*)\))?$")
+
+
+def fail(path, number, what):
+    sys.exit(f"{path}:{number}: {what}")
+
+
+def snake_case(name):
+    """TexSubImage2D -> tex_sub_image_2d"""
+    words = re.sub(r"([a-z])([A-Z])", r"\1_\2", name)
+    return re.sub(r"(?<=[a-z])(\dD)$", r"_\1", words).lower()
+
+
+def entries(path):
+    with open(path, encoding="utf-8") as file:
+        for number, line in enumerate(file, 1):
+            line = line.strip()
+            if not line or line.startswith("#"):
+                continue
+            words = line.split()
+            if words[0] == "later" and len(words) == 2:
+                yield "later", "void", words[1], "", None, None
+                continue
+            match = LINE.match(line)
+            if not match or match[1] not in KINDS:
+                fail(path, number, f"'{line}'; expected kind, prototype and perhaps = call")
+            yield match.groups()
+
+
+def function(kind, result, name, parameters, call, arguments):
+    if call is None:
+        call = snake_case(name)
+        arguments = ", ".join(p.split()[-1] for p in parameters.split(",") if p.strip())
+    separator = ", " if arguments else ""
+    returned = "" if result == "void" else "return "
+    return (f"{result} GLAPIENTRY gl{name}({parameters}) {{\n"
+            f"    {returned}call<Kind::{KINDS[kind]}, execute::{call}>"
+            f"(Function::{name}{separator}{arguments});\n}}")
+
+
+def functions_header(names):
+    return ["#pragma once", "#include <cstdint>", "namespace gw::gl {",
+            "/// The entry points, in the table's order.", "enum class Function : std::uint16_t {",
+            *(f"    {name}," for name in names), "};", "}  // namespace gw::gl"]
+
+
+def table(function_name, rows):
+    return ["namespace gw::gl {", f"std::span<const EntryPoint> {function_name}() {{",
+            "    static const EntryPoint table[] = {",
+            *(f'        {{"gl{row[2]}", Kind::{KINDS[row[0]]}, reinterpret_cast<Address>(&gl{row[2]})}},'
+              for row in rows),
+            "    };", "    return table;", "}", "}  // namespace gw::gl"]
+
+
+def exported(definitions):
+    return ["#pragma GCC visibility push(default)", 'extern "C" {', *definitions, '}  // extern "C"',
+            "#pragma GCC visibility pop"]
+
+
+def definitions(rows):
+    return ['#include "gl/api/call.h"', '#include "gl/api/calls.h"', '#include "gl/api/convert.h"',
+            '#include "gl/entry/entry_points.h"', "using namespace gw::gl;",
+            *exported(function(*row) for row in rows), *table("entry_points", rows)]
+
+
+def later_definitions(rows):
+    """Their arguments are not read, so that their prototypes are not needed: <GL/gl.h> is left out."""
+    return ['#include "gl/entry/entry_points.h"',
+            *exported(f"std::intptr_t gl{row[2]}() {{ return gw::gl::later(); }}" for row in rows),
+            *table("later_entry_points", rows)]
+
+
+def main():
+    path, folder = sys.argv[1:]
+    rows = list(entries(path))
+    names = [row[2] for row in rows]
+    for name in sorted({n for n in names if names.count(n) > 1}):
+        sys.exit(f"{path}: {name} stands twice")
+    later = [row for row in rows if row[0] == "later"]
+    known = [row for row in rows if row[0] != "later"]
+    for name, lines in (("functions.h", functions_header([row[2] for row in known])),
+                        ("entry_points.cpp", definitions(known)),
+                        ("later.cpp", later_definitions(later))):
+        with open(f"{folder}/{name}", "w", encoding="utf-8") as file:
+            file.write("\n".join(["// Made from gl/entry/functions.txt by gl/entry/generate.py.", *lines]) + "\n")
+
+
+main()

@@ -1,0 +1,137 @@
+// NewList .. ListBase. [GL11] 5.4
+#include "gl/api/calls.h"
+#include "gl/api/convert.h"
+#include "gl/context/context.h"
+#include "gl/draw/submit.h"
+
+#include <cstring>
+#include <limits>
+
+namespace gw::gl {
+
+namespace {
+
+/// How many bytes a name of this type has; 0: no such type.
+int bytes_of_name(GLenum type) {
+    switch (type) {
+        case GL_BYTE:
+        case GL_UNSIGNED_BYTE: return 1;
+        case GL_SHORT:
+        case GL_UNSIGNED_SHORT:
+        case GL_2_BYTES: return 2;
+        case GL_3_BYTES: return 3;
+        case GL_INT:
+        case GL_UNSIGNED_INT:
+        case GL_FLOAT:
+        case GL_4_BYTES: return 4;
+    }
+    return 0;
+}
+
+template <class T>
+double value_at(const unsigned char* at) {
+    T value;
+    std::memcpy(&value, at, sizeof value);
+    return double(value);
+}
+
+/// The name at this place; GL_2_BYTES and so on have their highest byte first.
+double name_at(GLenum type, const unsigned char* at) {
+    switch (type) {
+        case GL_BYTE: return value_at<GLbyte>(at);
+        case GL_UNSIGNED_BYTE: return value_at<GLubyte>(at);
+        case GL_SHORT: return value_at<GLshort>(at);
+        case GL_UNSIGNED_SHORT: return value_at<GLushort>(at);
+        case GL_INT: return value_at<GLint>(at);
+        case GL_UNSIGNED_INT: return value_at<GLuint>(at);
+        case GL_FLOAT: return value_at<GLfloat>(at);
+    }
+    double name = 0;
+    for (int i = 0; i < bytes_of_name(type); ++i) name = name * 256 + at[i];
+    return name;
+}
+
+/// The first of `count` names in a row that are free; 0: there are none.
+GLuint free_names(const ListNames& names, GLuint count) {
+    std::uint64_t first = 1;
+    for (const auto& [name, list] : names.lists) {
+        if (name >= first + count) break;
+        first = std::uint64_t(name) + 1;
+    }
+    return first + count - 1 <= std::numeric_limits<GLuint>::max() ? GLuint(first) : 0;
+}
+
+void play(Context& c, GLuint name) {
+    const auto found = c.shared->lists.lists.find(name);
+    if (found == c.shared->lists.lists.end() || !found->second) return;
+    if (c.lists.nesting >= max_list_nesting) return;
+    const std::shared_ptr<const DisplayList> list = found->second;  // it may delete itself
+    ++c.lists.nesting;
+    list->play(c);
+    --c.lists.nesting;
+}
+
+}  // namespace
+
+Numbers list_names(GLsizei n, GLenum type, const GLvoid* lists) {
+    auto names = std::make_shared<std::vector<double>>();
+    const auto* at = static_cast<const unsigned char*>(lists);
+    const int bytes = bytes_of_name(type);
+    if (bytes == 0 || at == nullptr) return names;
+    for (GLsizei i = 0; i < n; ++i, at += bytes) names->push_back(name_at(type, at));
+    return names;
+}
+
+namespace execute {
+
+void new_list(Context& c, GLuint list, GLenum mode) {
+    if (list == 0) return set_error(c, GL_INVALID_VALUE);
+    if (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE) return set_error(c, GL_INVALID_ENUM);
+    if (c.lists.open) return set_error(c, GL_INVALID_OPERATION);
+    c.lists.open = std::make_shared<DisplayList>();
+    c.lists.name = list;
+    c.lists.mode = mode;
+}
+
+void end_list(Context& c) {
+    if (!c.lists.open) return set_error(c, GL_INVALID_OPERATION);
+    c.shared->lists.lists[c.lists.name] = std::move(c.lists.open);
+    c.lists.open = nullptr;
+}
+
+void call_list(Context& c, GLuint list) { play(c, list); }
+
+void call_lists(Context& c, GLsizei n, GLenum type, const Numbers& names) {
+    if (n < 0) return set_error(c, GL_INVALID_VALUE);
+    if (bytes_of_name(type) == 0) return set_error(c, GL_INVALID_ENUM);
+    for (const double name : *names)
+        play(c, c.state.list.base + GLuint(static_cast<std::int64_t>(name)));
+}
+
+GLuint gen_lists(Context& c, GLsizei range) {
+    if (range < 0) return set_error(c, GL_INVALID_VALUE), 0;
+    if (range == 0) return 0;
+    const GLuint first = free_names(c.shared->lists, GLuint(range));
+    if (first == 0) return 0;
+    for (GLuint i = 0; i < GLuint(range); ++i) c.shared->lists.lists[first + i] = nullptr;
+    return first;
+}
+
+GLboolean is_list(Context& c, GLuint list) {
+    return c.shared->lists.lists.contains(list) ? GL_TRUE : GL_FALSE;
+}
+
+void delete_lists(Context& c, GLuint list, GLsizei range) {
+    if (range < 0) return set_error(c, GL_INVALID_VALUE);
+    auto& lists = c.shared->lists.lists;
+    const std::uint64_t end = std::uint64_t(list) + std::uint64_t(range);
+    const auto last =
+        end > std::numeric_limits<GLuint>::max() ? lists.end() : lists.lower_bound(GLuint(end));
+    lists.erase(lists.lower_bound(list), last);
+}
+
+void list_base(Context& c, GLuint base) { c.state.list.base = base; }
+
+}  // namespace execute
+
+}  // namespace gw::gl

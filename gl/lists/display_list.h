@@ -1,0 +1,103 @@
+// Display lists. [GL11] 5.4. A list keeps calls with their values, one after the other in blocks of
+// memory, and plays them by the functions that immediate mode calls.
+#pragma once
+
+#include "generated/gl/functions.h"
+
+#include <GL/gl.h>
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace gw::gl {
+
+struct Context;
+
+/// Lists may call lists to this depth; deeper calls are left out. [GL11] table 6.20
+inline constexpr int max_list_nesting = 64;
+
+class DisplayList {
+public:
+    DisplayList() = default;
+    ~DisplayList();
+    DisplayList(const DisplayList&) = delete;
+    DisplayList& operator=(const DisplayList&) = delete;
+
+    /// Appends a call of `execute`.
+    template <auto execute, class... Values>
+    void add(Function function, const Values&... values);
+
+    void play(Context& c) const;
+    std::size_t size() const { return calls_; }
+
+private:
+    /// What is to be done with a kept call; one for each `execute`.
+    struct Operations {
+        void (*play)(Context&, const std::byte*);
+        void (*destroy)(std::byte*);
+    };
+    struct Header {
+        const Operations* operations;
+        std::uint32_t size;  ///< to the next header
+        Function function;
+    };
+    struct Block {
+        std::unique_ptr<std::byte[]> bytes;
+        std::size_t used = 0, size = 0;
+    };
+    template <auto execute, class Kept>
+    static const Operations* operations_of();
+
+    /// The place of a new header; its values follow it.
+    std::byte* append(std::size_t size);
+
+    std::vector<Block> blocks_;
+    std::size_t calls_ = 0;
+};
+
+/// Values are laid out behind a header.
+inline constexpr std::size_t list_alignment = 16;
+
+template <auto execute, class Kept>
+const DisplayList::Operations* DisplayList::operations_of() {
+    static constexpr Operations operations{
+        [](Context& c, const std::byte* at) {
+            std::apply([&](const auto&... v) { execute(c, v...); },
+                       *reinterpret_cast<const Kept*>(at));
+        },
+        [](std::byte* at) { std::destroy_at(reinterpret_cast<Kept*>(at)); }};
+    return &operations;
+}
+
+template <auto execute, class... Values>
+void DisplayList::add(Function function, const Values&... values) {
+    using Kept = std::tuple<Values...>;
+    static_assert(alignof(Kept) <= list_alignment && sizeof(Header) <= list_alignment);
+    constexpr std::size_t size =
+        list_alignment + (sizeof(Kept) + list_alignment - 1) / list_alignment * list_alignment;
+    std::byte* const at = append(size);
+    std::construct_at(reinterpret_cast<Kept*>(at + list_alignment), values...);
+    std::construct_at(reinterpret_cast<Header*>(at), operations_of<execute, Kept>(),
+                      std::uint32_t(size), function);
+    ++calls_;
+}
+
+/// The names of lists, and the lists. Contexts may share them.
+struct ListNames {
+    /// null: reserved by GenLists, empty
+    std::map<GLuint, std::shared_ptr<const DisplayList>> lists;
+};
+
+/// The list that NewList opened.
+struct OpenList {
+    std::shared_ptr<DisplayList> open;
+    GLuint name = 0;
+    GLenum mode = GL_COMPILE;
+    int nesting = 0;  ///< of the lists that are being played
+};
+
+}  // namespace gw::gl

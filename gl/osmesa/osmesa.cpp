@@ -1,0 +1,288 @@
+// OSMesa's functions: contexts that draw into the caller's memory. The memory is up to date after
+// Flush, Finish and OSMesaMakeCurrent. Colour index mode is not offered.
+#include "gl/context/context.h"
+#include "gl/context/current.h"
+#include "gl/context/settings.h"
+#include "gl/entry/entry_points.h"
+
+#include "gw/error.h"
+
+#include <GL/osmesa.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <optional>
+
+namespace {
+
+using namespace gw;
+using namespace gw::gl;
+
+/// A pixel in the caller's memory: the places of R, G, B, A (-1: none) in `size` components.
+struct Layout {
+    GLenum format;
+    int size;
+    std::array<int, 4> place;
+};
+constexpr Layout layouts[] = {
+    {OSMESA_RGBA, 4, {0, 1, 2, 3}}, {OSMESA_BGRA, 4, {2, 1, 0, 3}}, {OSMESA_ARGB, 4, {1, 2, 3, 0}},
+    {OSMESA_RGB, 3, {0, 1, 2, -1}}, {OSMESA_BGR, 3, {2, 1, 0, -1}}, {OSMESA_RGB_565, 1, {}},
+};
+
+const Layout* layout_of(GLenum format) {
+    for (const Layout& layout : layouts)
+        if (layout.format == format) return &layout;
+    return nullptr;
+}
+
+bool is_type_of(GLenum format, GLenum type) {
+    if (format == OSMESA_RGB_565) return type == GL_UNSIGNED_SHORT_5_6_5;
+    return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_FLOAT;
+}
+
+std::size_t component_size(GLenum type) {
+    if (type == GL_FLOAT) return 4;
+    return type == GL_UNSIGNED_BYTE ? 1 : 2;
+}
+
+/// A value 0 .. largest as one of 0 .. `to`.
+unsigned scaled(unsigned value, unsigned largest, unsigned to) {
+    return (value * to + largest / 2) / largest;
+}
+
+/// The caller's memory as a drawable.
+class Memory : public Drawable {
+public:
+    Memory(const Profile& of, int width, int height, const Layout& layout)
+        : Drawable(of, width, height), layout_(layout) {}
+
+    void set_memory(void* buffer, GLenum type) {
+        buffer_ = static_cast<unsigned char*>(buffer);
+        type_ = type;
+    }
+    void* memory() const { return buffer_; }
+    void set_row_length(int pixels) { row_length_ = pixels; }
+    int row_length() const { return row_length_ > 0 ? row_length_ : width(); }
+    void set_y_up(bool up) { y_up_ = up; }
+    GLenum type() const { return type_; }
+
+    void present() override;
+    /// Depth values for OSMesaGetDepthBuffer, bottom row first.
+    std::vector<std::uint32_t>& depths();
+
+private:
+    void store(unsigned char* at, const Rgba& color) const;
+
+    const Layout& layout_;
+    unsigned char* buffer_ = nullptr;
+    GLenum type_ = GL_UNSIGNED_BYTE;
+    int row_length_ = 0;
+    bool y_up_ = true;
+    std::vector<std::uint32_t> depths_;
+};
+
+void Memory::store(unsigned char* at, const Rgba& color) const {
+    const unsigned largest = (1u << profile().color_bits) - 1;
+    if (layout_.format == OSMESA_RGB_565) {
+        const auto word = static_cast<std::uint16_t>(scaled(color[0], largest, 31) << 11 |
+                                                     scaled(color[1], largest, 63) << 5 |
+                                                     scaled(color[2], largest, 31));
+        std::memcpy(at, &word, sizeof word);
+        return;
+    }
+    const std::size_t size = component_size(type_);
+    for (std::size_t i = 0; i < 4; ++i) {
+        if (layout_.place[i] < 0) continue;
+        unsigned char* const to = at + std::size_t(layout_.place[i]) * size;
+        const auto byte = static_cast<std::uint8_t>(scaled(color[i], largest, 255));
+        const auto word = static_cast<std::uint16_t>(scaled(color[i], largest, 65535));
+        const float number = float(color[i]) / float(largest);
+        if (type_ == GL_UNSIGNED_BYTE) std::memcpy(to, &byte, sizeof byte);
+        if (type_ == GL_UNSIGNED_SHORT) std::memcpy(to, &word, sizeof word);
+        if (type_ == GL_FLOAT) std::memcpy(to, &number, sizeof number);
+    }
+}
+
+void Memory::present() {
+    if (buffer_ == nullptr) return;
+    const Readback read = Drawable::read(Plane::Color, {0, 0, width(), height()});
+    const std::size_t pixel = std::size_t(layout_.size) * component_size(type_);
+    for (int y = 0; y < height(); ++y) {
+        const int row = y_up_ ? y : height() - 1 - y;
+        unsigned char* at = buffer_ + std::size_t(row) * std::size_t(row_length()) * pixel;
+        for (int x = 0; x < width(); ++x, at += pixel)
+            store(at, read.color[pixel_index(x, y, width())]);
+    }
+}
+
+std::vector<std::uint32_t>& Memory::depths() {
+    const Readback read = Drawable::read(Plane::Depth, {0, 0, width(), height()});
+    depths_.assign(read.values.begin(), read.values.end());
+    return depths_;
+}
+
+/// Carries out a call of the caller's; an exception becomes one line on stderr and the result 0.
+template <class Call>
+auto caught(Call call) -> decltype(call()) {
+    try {
+        return call();
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "gw: %s\n", error.what());
+        return decltype(call())();
+    }
+}
+
+}  // namespace
+
+struct osmesa_context {
+    osmesa_context(const Layout& of, std::shared_ptr<Shared> with)
+        : layout(of), context(settings().profile, std::move(with)) {}
+
+    const Layout& layout;
+    Context context;
+    std::unique_ptr<Memory> memory;
+    int row_length = 0;
+    bool y_up = true;
+};
+
+namespace {
+
+thread_local osmesa_context* current_osmesa = nullptr;
+
+OSMesaContext make_context(GLenum format, OSMesaContext sharelist) {
+    const Layout* const layout = layout_of(format);
+    if (layout == nullptr) return nullptr;
+    return caught([&] {
+        return new osmesa_context(*layout, sharelist ? sharelist->context.shared : nullptr);
+    });
+}
+
+/// The value of an attribute in a list that ends with 0; `other` if it is not there.
+int attribute(const int* list, int name, int other) {
+    for (; list != nullptr && list[0] != 0; list += 2)
+        if (list[0] == name) return list[1];
+    return other;
+}
+
+}  // namespace
+
+#pragma GCC visibility push(default)
+extern "C" {
+
+OSMesaContext GLAPIENTRY OSMesaCreateContext(GLenum format, OSMesaContext sharelist) {
+    return make_context(format, sharelist);
+}
+
+OSMesaContext GLAPIENTRY OSMesaCreateContextExt(GLenum format, GLint depth_bits, GLint stencil_bits,
+                                                GLint accum_bits, OSMesaContext sharelist) {
+    const bool fits = depth_bits <= 32 && stencil_bits <= 8 && accum_bits <= 32;
+    return fits ? make_context(format, sharelist) : nullptr;
+}
+
+OSMesaContext GLAPIENTRY OSMesaCreateContextAttribs(const int* attributes,
+                                                    OSMesaContext sharelist) {
+    const int major = attribute(attributes, OSMESA_CONTEXT_MAJOR_VERSION, 1);
+    const int minor = attribute(attributes, OSMESA_CONTEXT_MINOR_VERSION, 0);
+    const int profile = attribute(attributes, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE);
+    if (major > 1 || minor > 1 || profile != OSMESA_COMPAT_PROFILE) return nullptr;
+    return make_context(GLenum(attribute(attributes, OSMESA_FORMAT, OSMESA_RGBA)), sharelist);
+}
+
+void GLAPIENTRY OSMesaDestroyContext(OSMesaContext context) {
+    if (context == nullptr) return;
+    if (context == current_osmesa) OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+    delete context;
+}
+
+GLboolean GLAPIENTRY OSMesaMakeCurrent(OSMesaContext context, void* buffer, GLenum type,
+                                       GLsizei width, GLsizei height) {
+    if (context == nullptr) {
+        make_current(nullptr, nullptr);
+        current_osmesa = nullptr;
+        return GL_TRUE;
+    }
+    if (buffer == nullptr || !is_type_of(context->layout.format, type)) return GL_FALSE;
+    return caught([&]() -> GLboolean {
+        auto& memory = context->memory;
+        if (!memory || memory->width() != width || memory->height() != height) {
+            auto made =
+                std::make_unique<Memory>(settings().profile, width, height, context->layout);
+            make_current(nullptr, nullptr);
+            memory = std::move(made);
+        }
+        make_current(&context->context, memory.get());
+        memory->set_memory(buffer, type);
+        memory->set_row_length(context->row_length);
+        memory->set_y_up(context->y_up);
+        current_osmesa = context;
+        return GL_TRUE;
+    });
+}
+
+OSMesaContext GLAPIENTRY OSMesaGetCurrentContext() { return current_osmesa; }
+
+void GLAPIENTRY OSMesaPixelStore(GLint pname, GLint value) {
+    osmesa_context* const context = current_osmesa;
+    if (context == nullptr) return;
+    if (pname == OSMESA_ROW_LENGTH && value >= 0)
+        context->memory->set_row_length(context->row_length = value);
+    else if (pname == OSMESA_Y_UP)
+        context->memory->set_y_up(context->y_up = value != 0);
+    else
+        set_error(context->context,
+                  pname == OSMESA_ROW_LENGTH ? GL_INVALID_VALUE : GL_INVALID_ENUM);
+}
+
+void GLAPIENTRY OSMesaGetIntegerv(GLint pname, GLint* value) {
+    osmesa_context* const context = current_osmesa;
+    if (context == nullptr || value == nullptr) return;
+    const Memory& memory = *context->memory;
+    switch (pname) {
+        case OSMESA_WIDTH: *value = memory.width(); return;
+        case OSMESA_HEIGHT: *value = memory.height(); return;
+        case OSMESA_FORMAT: *value = GLint(context->layout.format); return;
+        case OSMESA_TYPE: *value = GLint(memory.type()); return;
+        case OSMESA_ROW_LENGTH: *value = context->row_length; return;
+        case OSMESA_Y_UP: *value = context->y_up ? 1 : 0; return;
+        case OSMESA_MAX_WIDTH:
+        case OSMESA_MAX_HEIGHT: *value = max_window_size; return;
+    }
+    set_error(context->context, GL_INVALID_ENUM);
+}
+
+GLboolean GLAPIENTRY OSMesaGetDepthBuffer(OSMesaContext context, GLint* width, GLint* height,
+                                          GLint* bytes_per_value, void** buffer) {
+    if (context == nullptr || !context->memory) return GL_FALSE;
+    return caught([&]() -> GLboolean {
+        if (context == current_osmesa) finish_drawing(context->context);
+        *width = context->memory->width();
+        *height = context->memory->height();
+        *bytes_per_value = 4;
+        *buffer = context->memory->depths().data();
+        return GL_TRUE;
+    });
+}
+
+GLboolean GLAPIENTRY OSMesaGetColorBuffer(OSMesaContext context, GLint* width, GLint* height,
+                                          GLint* format, void** buffer) {
+    if (context == nullptr || !context->memory) return GL_FALSE;
+    *width = context->memory->width();
+    *height = context->memory->height();
+    *format = GLint(context->layout.format);
+    *buffer = context->memory->memory();
+    return GL_TRUE;
+}
+
+OSMESAproc GLAPIENTRY OSMesaGetProcAddress(const char* name) { return find_entry_point(name); }
+
+/// Colours of the machine are 0 .. 1 always.
+void GLAPIENTRY OSMesaColorClamp(GLboolean) {}
+
+/// The machine has no filters after drawing.
+void GLAPIENTRY OSMesaPostprocess(OSMesaContext, const char*, unsigned) {}
+
+}  // extern "C"
+#pragma GCC visibility pop

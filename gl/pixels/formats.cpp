@@ -1,0 +1,113 @@
+#include "gl/pixels/formats.h"
+
+#include "gl/api/convert.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace gw::gl {
+
+namespace {
+
+template <class T>
+double load(const std::byte* at, bool is_index) {
+    T value;
+    std::memcpy(&value, at, sizeof value);
+    if constexpr (std::is_integral_v<T>)
+        if (!is_index) return unit(value);
+    return double(value);
+}
+
+/// [GL11] table 4.7: the integer that stands for a number.
+template <class T>
+T integer_of(double value, bool is_index) {
+    constexpr double low = double(std::numeric_limits<T>::min());
+    constexpr double high = double(std::numeric_limits<T>::max());
+    if (!is_index && std::is_signed_v<T>) value = ((2 * high + 1) * value - 1) / 2;
+    if (!is_index && !std::is_signed_v<T>) value *= high;
+    return std::isnan(value) ? T(0) : T(std::clamp(std::floor(value + 0.5), low, high));
+}
+
+template <class T>
+void store(std::byte* at, double value, bool is_index) {
+    T out;
+    if constexpr (std::is_integral_v<T>)
+        out = integer_of<T>(value, is_index);
+    else
+        out = T(value);
+    std::memcpy(at, &out, sizeof out);
+}
+
+}  // namespace
+
+int component_count(GLenum format) {
+    switch (format) {
+        case GL_COLOR_INDEX:
+        case GL_STENCIL_INDEX:
+        case GL_DEPTH_COMPONENT:
+        case GL_RED:
+        case GL_GREEN:
+        case GL_BLUE:
+        case GL_ALPHA:
+        case GL_LUMINANCE: return 1;
+        case GL_LUMINANCE_ALPHA: return 2;
+        case GL_RGB:
+        case GL_BGR: return 3;
+        case GL_RGBA:
+        case GL_BGRA: return 4;
+    }
+    return 0;
+}
+
+std::size_t component_bytes(GLenum type) {
+    switch (type) {
+        case GL_BYTE:
+        case GL_UNSIGNED_BYTE: return 1;
+        case GL_SHORT:
+        case GL_UNSIGNED_SHORT: return 2;
+        case GL_INT:
+        case GL_UNSIGNED_INT:
+        case GL_FLOAT: return 4;
+    }
+    return 0;
+}
+
+GLenum format_error(GLenum format, GLenum type) {
+    if (component_count(format) == 0) return GL_INVALID_ENUM;
+    if (type == GL_BITMAP) return is_index_format(format) ? GL_NO_ERROR : GL_INVALID_ENUM;
+    return component_bytes(type) == 0 ? GL_INVALID_ENUM : GL_NO_ERROR;
+}
+
+std::size_t row_bytes(GLsizei width, GLenum format, GLenum type) {
+    if (type == GL_BITMAP) return (std::size_t(width) + 7) / 8;
+    return std::size_t(width) * std::size_t(component_count(format)) * component_bytes(type);
+}
+
+double load_component(GLenum type, const std::byte* at, bool is_index) {
+    switch (type) {
+        case GL_BYTE: return load<GLbyte>(at, is_index);
+        case GL_UNSIGNED_BYTE: return load<GLubyte>(at, is_index);
+        case GL_SHORT: return load<GLshort>(at, is_index);
+        case GL_UNSIGNED_SHORT: return load<GLushort>(at, is_index);
+        case GL_INT: return load<GLint>(at, is_index);
+        case GL_UNSIGNED_INT: return load<GLuint>(at, is_index);
+        case GL_FLOAT: return load<GLfloat>(at, is_index);
+    }
+    return 0;
+}
+
+void store_component(GLenum type, std::byte* at, double value, bool is_index) {
+    switch (type) {
+        case GL_BYTE: return store<GLbyte>(at, value, is_index);
+        case GL_UNSIGNED_BYTE: return store<GLubyte>(at, value, is_index);
+        case GL_SHORT: return store<GLshort>(at, value, is_index);
+        case GL_UNSIGNED_SHORT: return store<GLushort>(at, value, is_index);
+        case GL_INT: return store<GLint>(at, value, is_index);
+        case GL_UNSIGNED_INT: return store<GLuint>(at, value, is_index);
+        case GL_FLOAT: return store<GLfloat>(at, value, is_index);
+    }
+}
+
+}  // namespace gw::gl

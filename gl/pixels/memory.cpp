@@ -1,0 +1,113 @@
+#include "gl/pixels/memory.h"
+
+#include "gl/api/convert.h"
+#include "gl/context/context.h"
+#include "gl/context/current.h"
+#include "gl/pixels/formats.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace gw::gl {
+
+namespace {
+
+/// The bytes from one row in memory to the next. [GL11] 3.6.4: k = a/s ceil(s n l / a)
+std::size_t memory_row(const PixelStore& store, GLsizei width, GLenum format, GLenum type) {
+    const GLsizei length = store.row_length > 0 ? store.row_length : width;
+    const std::size_t bytes = row_bytes(length, format, type), align = std::size_t(store.alignment);
+    if (type != GL_BITMAP && component_bytes(type) >= align) return bytes;
+    return (bytes + align - 1) / align * align;
+}
+
+/// The bytes before the first pixel; of a bitmap the whole bytes.
+std::size_t skipped_bytes(const PixelStore& store, std::size_t row, GLenum format, GLenum type) {
+    const std::size_t pixels = type == GL_BITMAP ? std::size_t(store.skip_pixels) / 8
+                                                 : row_bytes(store.skip_pixels, format, type);
+    return std::size_t(store.skip_rows) * row + pixels;
+}
+
+void swap_components(std::byte* row, std::size_t bytes, GLenum type) {
+    const std::size_t size = component_bytes(type);
+    for (std::size_t at = 0; at + size <= bytes; at += size)
+        std::reverse(row + at, row + at + size);
+}
+
+std::byte bit_mask(bool lsb_first, std::size_t i) {
+    return std::byte(lsb_first ? 1u << i % 8 : 0x80u >> i % 8);
+}
+
+/// Copies bits; each side has its order and its first bit.
+void copy_bits(std::byte* to, bool to_lsb, std::size_t to_first, const std::byte* from,
+               bool from_lsb, std::size_t from_first, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool bit =
+            (from[(from_first + i) / 8] & bit_mask(from_lsb, from_first + i)) != std::byte{0};
+        std::byte& byte = to[(to_first + i) / 8];
+        const std::byte mask = bit_mask(to_lsb, to_first + i);
+        byte = bit ? byte | mask : byte & ~mask;
+    }
+}
+
+}  // namespace
+
+void copy_from_memory(std::span<std::byte> rows, const PixelStore& store, GLsizei width,
+                      GLsizei height, GLenum format, GLenum type, const void* memory) {
+    const std::size_t row = memory_row(store, width, format, type);
+    const std::size_t bytes = row_bytes(width, format, type);
+    const auto* from =
+        static_cast<const std::byte*>(memory) + skipped_bytes(store, row, format, type);
+    std::byte* to = rows.data();
+    for (GLsizei y = 0; y < height; ++y, from += row, to += bytes) {
+        if (type == GL_BITMAP) {
+            copy_bits(to, false, 0, from, store.lsb_first, std::size_t(store.skip_pixels) % 8,
+                      std::size_t(width));
+            continue;
+        }
+        std::memcpy(to, from, bytes);
+        if (store.swap_bytes) swap_components(to, bytes, type);
+    }
+}
+
+void copy_to_memory(void* memory, const PixelStore& store, GLsizei width, GLsizei height,
+                    GLenum format, GLenum type, std::span<const std::byte> rows) {
+    const std::size_t row = memory_row(store, width, format, type);
+    const std::size_t bytes = row_bytes(width, format, type);
+    auto* to = static_cast<std::byte*>(memory) + skipped_bytes(store, row, format, type);
+    const std::byte* from = rows.data();
+    for (GLsizei y = 0; y < height; ++y, from += bytes, to += row) {
+        if (type == GL_BITMAP) {
+            copy_bits(to, store.lsb_first, std::size_t(store.skip_pixels) % 8, from, false, 0,
+                      std::size_t(width));
+            continue;
+        }
+        std::memcpy(to, from, bytes);
+        if (store.swap_bytes) swap_components(to, bytes, type);
+    }
+}
+
+HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid* pixels) {
+    if (current == nullptr || pixels == nullptr || width <= 0 || height <= 0) return {};
+    if (format_error(format, type) != GL_NO_ERROR) return {};
+    return guarded(*current, [&]() -> HostImage {
+        auto rows = std::make_shared<std::vector<std::byte>>(row_bytes(width, format, type) *
+                                                             std::size_t(height));
+        copy_from_memory(*rows, current->client.unpack, width, height, format, type, pixels);
+        return {std::move(rows)};
+    });
+}
+
+Stipple stipple(const GLubyte* mask) {
+    Stipple out;
+    out.fill(~0u);
+    const HostImage image = unpack(32, 32, GL_COLOR_INDEX, GL_BITMAP, mask);
+    if (!image.bytes) return out;
+    for (std::size_t y = 0; y < 32; ++y) {
+        out[y] = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            out[y] = out[y] << 8 | std::to_integer<std::uint32_t>((*image.bytes)[4 * y + i]);
+    }
+    return out;
+}
+
+}  // namespace gw::gl

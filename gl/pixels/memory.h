@@ -1,0 +1,21 @@
+// Rows of pixels in the caller's memory, as PixelStore lays them out. [GL11] 3.6.4, 4.3.2
+#pragma once
+
+#include "gl/pixels/pixel_store.h"
+
+#include <GL/gl.h>
+
+#include <cstddef>
+#include <span>
+
+namespace gw::gl {
+
+/// Copies an image out of the caller's memory: rows without padding, the host's byte order, bitmaps
+/// with the highest bit first.
+void copy_from_memory(std::span<std::byte> rows, const PixelStore& store, GLsizei width,
+                      GLsizei height, GLenum format, GLenum type, const void* memory);
+/// The reverse. Bytes and bits between the image's stay as they are.
+void copy_to_memory(void* memory, const PixelStore& store, GLsizei width, GLsizei height,
+                    GLenum format, GLenum type, std::span<const std::byte> rows);
+
+}  // namespace gw::gl

@@ -1,0 +1,88 @@
+// ReadPixels. [GL11] 4.3.2
+#include "gl/pixels/read.h"
+#include "gl/api/calls.h"
+#include "gl/context/context.h"
+#include "gl/draw/submit.h"
+#include "gl/pixels/formats.h"
+#include "gl/pixels/memory.h"
+#include "gl/pixels/transfer.h"
+
+#include <algorithm>
+
+namespace gw::gl {
+
+namespace {
+
+/// Places what was read in a rectangle that may stick out of the drawable; pixels outside are 0.
+template <class T, class Value>
+void place(std::vector<T>& out, const Rect& rect, const Rect& inside, Value value) {
+    for (int y = inside.y; y < inside.y + inside.height; ++y)
+        for (int x = inside.x; x < inside.x + inside.width; ++x)
+            out[rect.index(x, y)] = value(inside.index(x, y));
+}
+
+Rect intersection(const Drawable& drawable, const Rect& r) {
+    const auto clip = [](std::int64_t low, std::int64_t size, int limit) {
+        const std::int64_t begin = std::clamp<std::int64_t>(low, 0, limit);
+        return std::pair(int(begin), int(std::clamp<std::int64_t>(low + size, 0, limit) - begin));
+    };
+    const auto [x, width] = clip(r.x, r.width, drawable.width());
+    const auto [y, height] = clip(r.y, r.height, drawable.height());
+    return {x, y, width, height};
+}
+
+double largest(int bits) { return double((std::uint64_t{1} << bits) - 1); }
+
+}  // namespace
+
+std::vector<vec4> read_colors(Context& c, const Rect& rect) {
+    std::vector<vec4> out(rect.area(), vec4(0));
+    const Rect inside = intersection(*c.drawable, rect);
+    if (inside.area() == 0) return out;
+    const Readback read = c.drawable->read(Plane::Color, inside);
+    const auto scale = float(largest(c.drawable->profile().color_bits));
+    place(out, rect, inside, [&](std::size_t i) {
+        const Rgba& p = read.color[i];
+        return vec4(p[0], p[1], p[2], p[3]) / scale;
+    });
+    return out;
+}
+
+std::vector<double> read_values(Context& c, Plane plane, const Rect& rect) {
+    std::vector<double> out(rect.area(), 0.0);
+    const Rect inside = intersection(*c.drawable, rect);
+    if (inside.area() == 0) return out;
+    const Readback read = c.drawable->read(plane, inside);
+    const double scale = plane == Plane::Depth ? largest(c.drawable->profile().depth_bits) : 1.0;
+    place(out, rect, inside, [&](std::size_t i) { return double(read.values[i]) / scale; });
+    return out;
+}
+
+namespace execute {
+
+void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
+                 GLenum type, GLvoid* pixels) {
+    if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
+    if (const GLenum error = format_error(format, type)) return set_error(c, error);
+    if (format == GL_COLOR_INDEX) return set_error(c, GL_INVALID_OPERATION);
+    if (c.drawable == nullptr || pixels == nullptr || width == 0 || height == 0) return;
+    flush_mesh(c);
+    const Rect rect{x, y, width, height};
+    std::vector<std::byte> rows;
+    if (format == GL_STENCIL_INDEX || format == GL_DEPTH_COMPONENT) {
+        const bool is_depth = format == GL_DEPTH_COMPONENT;
+        std::vector<double> values = read_values(c, is_depth ? Plane::Depth : Plane::Stencil, rect);
+        for (double& v : values)
+            v = is_depth ? transferred_depth(c, v) : double(transferred_stencil(c, v));
+        rows = packed_values(values, width, format, type);
+    } else {
+        std::vector<vec4> colors = read_colors(c, rect);
+        for (vec4& color : colors) color = transferred_color(c, color);
+        rows = packed_colors(colors, format, type);
+    }
+    copy_to_memory(pixels, c.client.pack, width, height, format, type, rows);
+}
+
+}  // namespace execute
+
+}  // namespace gw::gl

@@ -1,0 +1,18 @@
+// Pixels of the drawable, for ReadPixels and for copies into textures.
+#pragma once
+
+#include "gw/base/types.h"
+#include "gw/planes.h"
+
+#include <vector>
+
+namespace gw::gl {
+
+struct Context;
+
+/// Colours 0 .. 1, bottom row first; 0 outside the drawable. The context has a drawable.
+std::vector<vec4> read_colors(Context& c, const Rect& rect);
+/// Depths 0 .. 1, or stencil values.
+std::vector<double> read_values(Context& c, Plane plane, const Rect& rect);
+
+}  // namespace gw::gl

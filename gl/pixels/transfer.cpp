@@ -1,0 +1,173 @@
+#include "gl/pixels/transfer.h"
+
+#include "gl/context/context.h"
+#include "gl/pixels/formats.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::gl {
+
+namespace {
+
+float clamp01f(float v) { return v >= 0 ? std::min(v, 1.0f) : 0.0f; }
+
+/// A map's entry for a colour component 0 .. 1. [GL11] 3.6.5
+float looked_up(const std::vector<float>& map, float v) {
+    const float last = float(map.size() - 1);
+    return map[std::size_t(std::floor(clamp01f(v) * last + 0.5f))];
+}
+/// A map's entry for an index; its size is a power of two.
+float looked_up(const std::vector<float>& map, GLuint index) {
+    return map[index & (map.size() - 1)];
+}
+
+/// Shift and offset.
+GLuint transferred_index(const Context& c, double index) {
+    const PixelState& s = c.state.pixel;
+    const auto whole = static_cast<std::int64_t>(std::clamp(index, -0x1p31, 0x1p32));
+    const int shift = std::clamp(s.index_shift, -31, 31);
+    const std::int64_t shifted = shift >= 0 ? whole << shift : whole >> -shift;
+    return GLuint(shifted + s.index_offset);
+}
+
+vec4 color_of_index(const Context& c, GLuint index) {
+    return {clamp01f(looked_up(c.pixel_maps[GL_PIXEL_MAP_I_TO_R], index)),
+            clamp01f(looked_up(c.pixel_maps[GL_PIXEL_MAP_I_TO_G], index)),
+            clamp01f(looked_up(c.pixel_maps[GL_PIXEL_MAP_I_TO_B], index)),
+            clamp01f(looked_up(c.pixel_maps[GL_PIXEL_MAP_I_TO_A], index))};
+}
+
+/// [GL11] 3.6.4, "Conversion to RGB": the components of a format in their places.
+vec4 color_of(GLenum format, const std::array<double, 4>& v) {
+    const auto f = [&](std::size_t i) { return float(v[i]); };
+    switch (format) {
+        case GL_RED: return {f(0), 0, 0, 1};
+        case GL_GREEN: return {0, f(0), 0, 1};
+        case GL_BLUE: return {0, 0, f(0), 1};
+        case GL_ALPHA: return {0, 0, 0, f(0)};
+        case GL_LUMINANCE: return {f(0), f(0), f(0), 1};
+        case GL_LUMINANCE_ALPHA: return {f(0), f(0), f(0), f(1)};
+        case GL_RGB: return {f(0), f(1), f(2), 1};
+        case GL_BGR: return {f(2), f(1), f(0), 1};
+        case GL_BGRA: return {f(2), f(1), f(0), f(3)};
+    }
+    return {f(0), f(1), f(2), f(3)};
+}
+
+/// [GL11] 4.3.2: the components of a format from a colour.
+std::array<double, 4> components_of(GLenum format, const vec4& c) {
+    const double luminance = double(c.x) + double(c.y) + double(c.z);
+    switch (format) {
+        case GL_RED: return {c.x};
+        case GL_GREEN: return {c.y};
+        case GL_BLUE: return {c.z};
+        case GL_ALPHA: return {c.w};
+        case GL_LUMINANCE: return {luminance};
+        case GL_LUMINANCE_ALPHA: return {luminance, c.w};
+        case GL_BGR: return {c.z, c.y, c.x};
+        case GL_BGRA: return {c.z, c.y, c.x, c.w};
+    }
+    return {c.x, c.y, c.z, c.w};
+}
+
+/// Calls `take(values)` for each pixel.
+template <class Take>
+void for_each_pixel(GLsizei width, GLsizei height, GLenum format, GLenum type,
+                    const HostImage& image, Take take) {
+    const std::byte* row = image.bytes->data();
+    const auto count = std::size_t(component_count(format));
+    const std::size_t bytes = component_bytes(type);
+    for (GLsizei y = 0; y < height; ++y, row += row_bytes(width, format, type)) {
+        const std::byte* at = row;
+        for (std::size_t x = 0; x < std::size_t(width); ++x) {
+            std::array<double, 4> v{};
+            if (type == GL_BITMAP)
+                v[0] = std::to_integer<int>(row[x / 8]) >> (7 - x % 8) & 1;
+            else
+                for (std::size_t i = 0; i < count; ++i, at += bytes)
+                    v[i] = load_component(type, at, is_index_format(format));
+            take(v);
+        }
+    }
+}
+
+}  // namespace
+
+vec4 transferred_color(const Context& c, vec4 color) {
+    const PixelState& s = c.state.pixel;
+    for (int i = 0; i < 4; ++i) color[i] = clamp01f(color[i] * s.scale[i] + s.bias[i]);
+    if (!s.map_color) return color;
+    for (int i = 0; i < 4; ++i)
+        color[i] = clamp01f(looked_up(c.pixel_maps[GL_PIXEL_MAP_R_TO_R + GLenum(i)], color[i]));
+    return color;
+}
+
+double transferred_depth(const Context& c, double depth) {
+    const PixelState& s = c.state.pixel;
+    return std::clamp(depth * double(s.depth_scale) + double(s.depth_bias), 0.0, 1.0);
+}
+
+GLuint transferred_stencil(const Context& c, double index) {
+    const GLuint out = transferred_index(c, index);
+    if (!c.state.pixel.map_stencil) return out;
+    return GLuint(looked_up(c.pixel_maps[GL_PIXEL_MAP_S_TO_S], out));
+}
+
+std::vector<vec4> host_colors(const Context& c, GLsizei width, GLsizei height, GLenum format,
+                              GLenum type, const HostImage& image) {
+    std::vector<vec4> out;
+    out.reserve(std::size_t(width) * std::size_t(height));
+    for_each_pixel(width, height, format, type, image, [&](const std::array<double, 4>& v) {
+        out.push_back(format == GL_COLOR_INDEX ? color_of_index(c, transferred_index(c, v[0]))
+                                               : transferred_color(c, color_of(format, v)));
+    });
+    return out;
+}
+
+std::vector<double> host_depths(const Context& c, GLsizei width, GLsizei height, GLenum type,
+                                const HostImage& image) {
+    std::vector<double> out;
+    for_each_pixel(width, height, GL_DEPTH_COMPONENT, type, image,
+                   [&](const auto& v) { out.push_back(transferred_depth(c, v[0])); });
+    return out;
+}
+
+std::vector<GLuint> host_stencils(const Context& c, GLsizei width, GLsizei height, GLenum type,
+                                  const HostImage& image) {
+    std::vector<GLuint> out;
+    for_each_pixel(width, height, GL_STENCIL_INDEX, type, image,
+                   [&](const auto& v) { out.push_back(transferred_stencil(c, v[0])); });
+    return out;
+}
+
+std::vector<std::byte> packed_colors(const std::vector<vec4>& colors, GLenum format, GLenum type) {
+    const auto count = std::size_t(component_count(format));
+    const std::size_t bytes = component_bytes(type);
+    std::vector<std::byte> out(colors.size() * count * bytes);
+    std::byte* at = out.data();
+    for (const vec4& color : colors) {
+        const std::array<double, 4> v = components_of(format, color);
+        for (std::size_t i = 0; i < count; ++i, at += bytes) store_component(type, at, v[i], false);
+    }
+    return out;
+}
+
+std::vector<std::byte> packed_values(const std::vector<double>& values, GLsizei width,
+                                     GLenum format, GLenum type) {
+    const std::size_t n = std::size_t(width), rows = values.size() / n;
+    const std::size_t row = row_bytes(width, format, type);
+    std::vector<std::byte> out(rows * row);
+    for (std::size_t y = 0; y < rows; ++y)
+        for (std::size_t x = 0; x < n; ++x) {
+            const double v = values[y * n + x];
+            if (type != GL_BITMAP)
+                store_component(type, &out[y * row + x * component_bytes(type)], v,
+                                is_index_format(format));
+            else if (static_cast<std::int64_t>(v) & 1)
+                out[y * row + x / 8] |= std::byte(0x80u >> x % 8);
+        }
+    return out;
+}
+
+}  // namespace gw::gl

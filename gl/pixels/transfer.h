@@ -1,0 +1,33 @@
+// Pixel transfer: from the host's values to colours, depths and indices, and back. [GL11] 3.6.3 to
+// 3.6.5
+#pragma once
+
+#include "gl/api/values.h"
+
+#include <vector>
+
+namespace gw::gl {
+
+struct Context;
+
+/// Scale, bias and the maps from colours to colours; clamped to 0 .. 1.
+vec4 transferred_color(const Context& c, vec4 color);
+double transferred_depth(const Context& c, double depth);
+/// Shift, offset and the map from stencil values to stencil values.
+GLuint transferred_stencil(const Context& c, double index);
+
+/// The pixels of an image after transfer. Colour indices become colours.
+std::vector<vec4> host_colors(const Context& c, GLsizei width, GLsizei height, GLenum format,
+                              GLenum type, const HostImage& image);
+std::vector<double> host_depths(const Context& c, GLsizei width, GLsizei height, GLenum type,
+                                const HostImage& image);
+std::vector<GLuint> host_stencils(const Context& c, GLsizei width, GLsizei height, GLenum type,
+                                  const HostImage& image);
+
+/// Rows of pixels in a format and type, from colours after transfer.
+std::vector<std::byte> packed_colors(const std::vector<vec4>& colors, GLenum format, GLenum type);
+/// The same from depths or indices. `width`: pixels of a row.
+std::vector<std::byte> packed_values(const std::vector<double>& values, GLsizei width,
+                                     GLenum format, GLenum type);
+
+}  // namespace gw::gl

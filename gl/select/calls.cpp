@@ -1,0 +1,128 @@
+// RenderMode, the name stack, and the buffers. [GL11] 5.2, 5.3
+#include "gl/api/calls.h"
+#include "gl/context/context.h"
+#include "gl/draw/submit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::gl {
+
+namespace {
+
+/// A depth 0 .. 1 as an integer 0 .. 2^32 - 1.
+GLuint depth_word(double depth) {
+    return GLuint(std::floor(std::clamp(depth, 0.0, 1.0) * 4294967295.0 + 0.5));
+}
+
+/// Writes a hit record if the names had a hit since the last one.
+void end_hit(Context& c) {
+    Selection& s = c.selection;
+    if (!s.hit) return;
+    s.hit = false;
+    ++s.hit_count;
+    const auto put = [&](GLuint word) {
+        if (s.hits_used < s.hits_size)
+            s.hits[s.hits_used++] = word;
+        else
+            s.overflow = true;
+    };
+    put(GLuint(s.names.size()));
+    put(depth_word(s.nearest));
+    put(depth_word(s.farthest));
+    for (const GLuint name : s.names) put(name);
+}
+
+/// Before a change of the name stack: false if names are ignored, outside of selection.
+bool begin_name_change(Context& c) {
+    if (c.selection.mode != GL_SELECT) return false;
+    flush_mesh(c);
+    end_hit(c);
+    return true;
+}
+
+/// The result of a mode that ends.
+GLint mode_result(Context& c) {
+    Selection& s = c.selection;
+    if (s.mode == GL_SELECT) {
+        end_hit(c);
+        return s.overflow ? -1 : s.hit_count;
+    }
+    if (s.mode == GL_FEEDBACK) return s.overflow ? -1 : s.feedback_used;
+    return 0;
+}
+
+bool is_feedback_type(GLenum type) { return type >= GL_2D && type <= GL_4D_COLOR_TEXTURE; }
+
+}  // namespace
+
+namespace execute {
+
+void init_names(Context& c) {
+    if (begin_name_change(c)) c.selection.names.clear();
+}
+
+void load_name(Context& c, GLuint name) {
+    if (!begin_name_change(c)) return;
+    if (c.selection.names.empty()) return set_error(c, GL_INVALID_OPERATION);
+    c.selection.names.back() = name;
+}
+
+void push_name(Context& c, GLuint name) {
+    if (!begin_name_change(c)) return;
+    if (c.selection.names.size() >= name_stack_depth) return set_error(c, GL_STACK_OVERFLOW);
+    c.selection.names.push_back(name);
+}
+
+void pop_name(Context& c) {
+    if (!begin_name_change(c)) return;
+    if (c.selection.names.empty()) return set_error(c, GL_STACK_UNDERFLOW);
+    c.selection.names.pop_back();
+}
+
+GLint render_mode(Context& c, GLenum mode) {
+    Selection& s = c.selection;
+    if (mode != GL_RENDER && mode != GL_SELECT && mode != GL_FEEDBACK)
+        return set_error(c, GL_INVALID_ENUM), 0;
+    if ((mode == GL_SELECT && s.hits == nullptr) || (mode == GL_FEEDBACK && s.feedback == nullptr))
+        return set_error(c, GL_INVALID_OPERATION), 0;
+    flush_mesh(c);
+    const GLint result = mode_result(c);
+    s.mode = mode;
+    s.hits_used = s.hit_count = s.feedback_used = 0;
+    s.hit = s.overflow = false;
+    s.names.clear();
+    return result;
+}
+
+void select_buffer(Context& c, GLsizei size, GLuint* buffer) {
+    if (size < 0) return set_error(c, GL_INVALID_VALUE);
+    if (c.selection.mode == GL_SELECT) return set_error(c, GL_INVALID_OPERATION);
+    c.selection.hits = buffer;
+    c.selection.hits_size = buffer != nullptr ? size : 0;
+}
+
+void feedback_buffer(Context& c, GLsizei size, GLenum type, GLfloat* buffer) {
+    if (size < 0 || (buffer == nullptr && size > 0)) return set_error(c, GL_INVALID_VALUE);
+    if (!is_feedback_type(type)) return set_error(c, GL_INVALID_ENUM);
+    if (c.selection.mode == GL_FEEDBACK) return set_error(c, GL_INVALID_OPERATION);
+    c.selection.feedback = buffer;
+    c.selection.feedback_size = size;
+    c.selection.feedback_type = type;
+}
+
+void pass_through(Context& c, GLfloat token) {
+    Selection& s = c.selection;
+    if (s.mode != GL_FEEDBACK) return;
+    flush_mesh(c);
+    for (const float value : {float(GL_PASS_THROUGH_TOKEN), token}) {
+        if (s.feedback_used < s.feedback_size)
+            s.feedback[s.feedback_used++] = value;
+        else
+            s.overflow = true;
+    }
+}
+
+}  // namespace execute
+
+}  // namespace gw::gl

@@ -1,0 +1,93 @@
+#include "gl/state/capabilities.h"
+
+#include "gl/api/calls.h"
+#include "gl/context/context.h"
+#include "gl/draw/submit.h"
+#include "gl/state/color_material.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace gw::gl {
+
+namespace {
+
+std::vector<Capability> make_table() {
+    std::vector<Capability> table{
+        {GL_POINT_SMOOTH, [](State& s, int) -> bool& { return s.point.smooth; }},
+        {GL_LINE_SMOOTH, [](State& s, int) -> bool& { return s.line.smooth; }},
+        {GL_LINE_STIPPLE, [](State& s, int) -> bool& { return s.line.stipple; }},
+        {GL_CULL_FACE, [](State& s, int) -> bool& { return s.polygon.cull; }},
+        {GL_POLYGON_SMOOTH, [](State& s, int) -> bool& { return s.polygon.smooth; }},
+        {GL_POLYGON_STIPPLE, [](State& s, int) -> bool& { return s.polygon.stipple; }},
+        {GL_POLYGON_OFFSET_POINT, [](State& s, int) -> bool& { return s.polygon.offset_point; }},
+        {GL_POLYGON_OFFSET_LINE, [](State& s, int) -> bool& { return s.polygon.offset_line; }},
+        {GL_POLYGON_OFFSET_FILL, [](State& s, int) -> bool& { return s.polygon.offset_fill; }},
+        {GL_LIGHTING, [](State& s, int) -> bool& { return s.lighting.enable; }},
+        {GL_COLOR_MATERIAL, [](State& s, int) -> bool& { return s.lighting.color_material; }},
+        {GL_NORMALIZE, [](State& s, int) -> bool& { return s.transform.normalize; }},
+        {GL_FOG, [](State& s, int) -> bool& { return s.fog.enable; }},
+        {GL_DEPTH_TEST, [](State& s, int) -> bool& { return s.depth.test; }},
+        {GL_STENCIL_TEST, [](State& s, int) -> bool& { return s.stencil.test; }},
+        {GL_ALPHA_TEST, [](State& s, int) -> bool& { return s.color_buffer.alpha_test; }},
+        {GL_BLEND, [](State& s, int) -> bool& { return s.color_buffer.blend; }},
+        {GL_DITHER, [](State& s, int) -> bool& { return s.color_buffer.dither; }},
+        {GL_COLOR_LOGIC_OP, [](State& s, int) -> bool& { return s.color_buffer.logic_op; }},
+        {GL_INDEX_LOGIC_OP, [](State& s, int) -> bool& { return s.color_buffer.index_logic_op; }},
+        {GL_SCISSOR_TEST, [](State& s, int) -> bool& { return s.scissor.test; }},
+        {GL_AUTO_NORMAL, [](State& s, int) -> bool& { return s.eval.auto_normal; }}};
+    const auto add = [&](GLenum first, int count, bool& (*field)(State&, int)) {
+        for (int i = 0; i < count; ++i) table.push_back({first + GLenum(i), field, i});
+    };
+    add(GL_LIGHT0, light_count,
+        [](State& s, int i) -> bool& { return s.lighting.lights[std::size_t(i)].enable; });
+    add(GL_CLIP_PLANE0, 6,
+        [](State& s, int i) -> bool& { return s.transform.clip_enable[std::size_t(i)]; });
+    add(GL_TEXTURE_1D, texture_target_count,
+        [](State& s, int i) -> bool& { return s.texture.enable[std::size_t(i)]; });
+    add(GL_TEXTURE_GEN_S, 4,
+        [](State& s, int i) -> bool& { return s.texture.gen[std::size_t(i)].enable; });
+    add(GL_MAP1_COLOR_4, map_count,
+        [](State& s, int i) -> bool& { return s.eval.map1[std::size_t(i)]; });
+    add(GL_MAP2_COLOR_4, map_count,
+        [](State& s, int i) -> bool& { return s.eval.map2[std::size_t(i)]; });
+    std::ranges::sort(table, {}, &Capability::name);
+    return table;
+}
+
+void set_capability(Context& c, GLenum name, bool on) {
+    const Capability* const capability = find_capability(name);
+    if (capability == nullptr) return set_error(c, GL_INVALID_ENUM);
+    if (name == GL_COLOR_MATERIAL) track_color(c);
+    change(c, capability->field(c.state, capability->index), on);
+    if (name == GL_COLOR_MATERIAL) track_color(c);
+}
+
+}  // namespace
+
+std::span<const Capability> capabilities() {
+    static const std::vector<Capability> table = make_table();
+    return table;
+}
+
+const Capability* find_capability(GLenum name) {
+    const auto table = capabilities();
+    const auto found = std::ranges::lower_bound(table, name, {}, &Capability::name);
+    return found != table.end() && found->name == name ? &*found : nullptr;
+}
+
+namespace execute {
+
+void enable(Context& c, GLenum cap) { set_capability(c, cap, true); }
+void disable(Context& c, GLenum cap) { set_capability(c, cap, false); }
+
+GLboolean is_enabled(Context& c, GLenum cap) {
+    const Capability* const capability = find_capability(cap);
+    if (capability != nullptr) return gl::is_enabled(c.state, *capability) ? GL_TRUE : GL_FALSE;
+    if (const ClientArray* array = find_array(c.client, cap)) return array->enable;
+    return set_error(c, GL_INVALID_ENUM), GL_FALSE;
+}
+
+}  // namespace execute
+
+}  // namespace gw::gl

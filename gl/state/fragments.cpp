@@ -1,0 +1,172 @@
+// Fog, the tests of fragments, blending, masks and the values of clears. [GL11] 3.9, 4.1, 4.2
+#include "gl/api/calls.h"
+#include "gl/context/context.h"
+#include "gl/draw/submit.h"
+
+#include <algorithm>
+
+namespace gw::gl {
+
+namespace {
+
+bool is_compare_func(GLenum func) { return func >= GL_NEVER && func <= GL_ALWAYS; }
+
+bool is_stencil_op(const Context& c, GLenum op) {
+    switch (op) {
+        case GL_KEEP:
+        case GL_ZERO:
+        case GL_REPLACE:
+        case GL_INCR:
+        case GL_DECR:
+        case GL_INVERT: return true;
+        case GL_INCR_WRAP:
+        case GL_DECR_WRAP: return c.profile.extensions.stencil_wrap;
+    }
+    return false;
+}
+
+/// Factors that either side may have.
+bool is_common_factor(const Context& c, GLenum factor) {
+    switch (factor) {
+        case GL_ZERO:
+        case GL_ONE:
+        case GL_SRC_ALPHA:
+        case GL_ONE_MINUS_SRC_ALPHA:
+        case GL_DST_ALPHA:
+        case GL_ONE_MINUS_DST_ALPHA: return true;
+        case GL_CONSTANT_COLOR:
+        case GL_ONE_MINUS_CONSTANT_COLOR:
+        case GL_CONSTANT_ALPHA:
+        case GL_ONE_MINUS_CONSTANT_ALPHA: return c.profile.extensions.blend_color;
+    }
+    return false;
+}
+bool is_source_factor(const Context& c, GLenum factor) {
+    return is_common_factor(c, factor) || factor == GL_DST_COLOR ||
+           factor == GL_ONE_MINUS_DST_COLOR || factor == GL_SRC_ALPHA_SATURATE;
+}
+bool is_destination_factor(const Context& c, GLenum factor) {
+    return is_common_factor(c, factor) || factor == GL_SRC_COLOR ||
+           factor == GL_ONE_MINUS_SRC_COLOR;
+}
+
+bool is_blend_equation(const Context& c, GLenum mode) {
+    switch (mode) {
+        case GL_FUNC_ADD: return true;
+        case GL_FUNC_SUBTRACT:
+        case GL_FUNC_REVERSE_SUBTRACT: return c.profile.extensions.blend_subtract;
+        case GL_MIN:
+        case GL_MAX: return c.profile.extensions.blend_minmax;
+    }
+    return false;
+}
+
+vec4 clamped(const vec4& v, float low) {
+    return {std::clamp(v.x, low, 1.0f), std::clamp(v.y, low, 1.0f), std::clamp(v.z, low, 1.0f),
+            std::clamp(v.w, low, 1.0f)};
+}
+
+}  // namespace
+
+namespace execute {
+
+void fog(Context& c, GLenum pname, const Params& params) {
+    FogState& s = c.state.fog;
+    switch (pname) {
+        case GL_FOG_MODE: {
+            const GLenum mode = params.token();
+            if (mode != GL_EXP && mode != GL_EXP2 && mode != GL_LINEAR)
+                return set_error(c, GL_INVALID_ENUM);
+            return change(c, s.mode, mode);
+        }
+        case GL_FOG_DENSITY:
+            if (!(params[0] >= 0)) return set_error(c, GL_INVALID_VALUE);
+            return change(c, s.density, float(params[0]));
+        case GL_FOG_START: return change(c, s.start, float(params[0]));
+        case GL_FOG_END: return change(c, s.end, float(params[0]));
+        case GL_FOG_INDEX: return change(c, s.index, float(params[0]));
+        case GL_FOG_COLOR:
+            if (params.count < 4) return set_error(c, GL_INVALID_ENUM);
+            return change(c, s.color, params.as_vec4());
+    }
+    set_error(c, GL_INVALID_ENUM);
+}
+
+void scissor(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
+    if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
+    change(c, c.state.scissor.box, Rect{x, y, width, height});
+}
+
+void alpha_func(Context& c, GLenum func, GLclampf ref) {
+    if (!is_compare_func(func)) return set_error(c, GL_INVALID_ENUM);
+    change(c, c.state.color_buffer.alpha_func, func);
+    change(c, c.state.color_buffer.alpha_ref, std::clamp(ref, 0.0f, 1.0f));
+}
+
+void stencil_func(Context& c, GLenum func, GLint ref, GLuint mask) {
+    if (!is_compare_func(func)) return set_error(c, GL_INVALID_ENUM);
+    change(c, c.state.stencil.func, func);
+    change(c, c.state.stencil.ref, std::clamp(ref, 0, (1 << c.profile.stencil_bits) - 1));
+    change(c, c.state.stencil.mask, mask);
+}
+
+void stencil_op(Context& c, GLenum fail, GLenum zfail, GLenum zpass) {
+    if (!is_stencil_op(c, fail) || !is_stencil_op(c, zfail) || !is_stencil_op(c, zpass))
+        return set_error(c, GL_INVALID_ENUM);
+    change(c, c.state.stencil.fail, fail);
+    change(c, c.state.stencil.zfail, zfail);
+    change(c, c.state.stencil.zpass, zpass);
+}
+
+void depth_func(Context& c, GLenum func) {
+    if (!is_compare_func(func)) return set_error(c, GL_INVALID_ENUM);
+    change(c, c.state.depth.func, func);
+}
+
+void blend_func(Context& c, GLenum sfactor, GLenum dfactor) {
+    if (!is_source_factor(c, sfactor) || !is_destination_factor(c, dfactor))
+        return set_error(c, GL_INVALID_ENUM);
+    change(c, c.state.color_buffer.blend_src, sfactor);
+    change(c, c.state.color_buffer.blend_dst, dfactor);
+}
+
+void blend_color(Context& c, GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha) {
+    if (!c.profile.extensions.blend_color) return set_error(c, GL_INVALID_OPERATION);
+    change(c, c.state.color_buffer.blend_color, clamped({red, green, blue, alpha}, 0));
+}
+
+void blend_equation(Context& c, GLenum mode) {
+    if (!is_blend_equation(c, mode)) return set_error(c, GL_INVALID_ENUM);
+    change(c, c.state.color_buffer.blend_equation, mode);
+}
+
+void logic_op(Context& c, GLenum opcode) {
+    if (opcode < GL_CLEAR || opcode > GL_SET) return set_error(c, GL_INVALID_ENUM);
+    change(c, c.state.color_buffer.logic_op_mode, opcode);
+}
+
+void index_mask(Context& c, GLuint mask) { c.state.color_buffer.index_mask = mask; }
+
+void color_mask(Context& c, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
+    const std::array mask{red != GL_FALSE, green != GL_FALSE, blue != GL_FALSE, alpha != GL_FALSE};
+    change(c, c.state.color_buffer.mask, mask);
+}
+
+void depth_mask(Context& c, GLboolean flag) { change(c, c.state.depth.mask, flag != GL_FALSE); }
+void stencil_mask(Context& c, GLuint mask) { change(c, c.state.stencil.write_mask, mask); }
+
+void clear_color(Context& c, GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha) {
+    c.state.color_buffer.clear = clamped({red, green, blue, alpha}, 0);
+}
+void clear_index(Context& c, GLfloat value) { c.state.color_buffer.clear_index = value; }
+void clear_depth(Context& c, GLclampd depth) { c.state.depth.clear = std::clamp(depth, 0.0, 1.0); }
+void clear_stencil(Context& c, GLint s) {
+    c.state.stencil.clear = s & ((1 << c.profile.stencil_bits) - 1);
+}
+void clear_accum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+    c.state.accum.clear = clamped({red, green, blue, alpha}, -1);
+}
+
+}  // namespace execute
+
+}  // namespace gw::gl

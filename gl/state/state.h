@@ -1,0 +1,253 @@
+// OpenGL's state in its attribute groups: one struct for each bit of PushAttrib, with the initial
+// values of [GL11] tables 6.5 to 6.22. Enumerations are kept as GL's own values, so that queries
+// need no second table. Plain data; nothing here knows the machine.
+#pragma once
+
+#include "gw/base/types.h"
+
+#include <GL/gl.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace gw::gl {
+
+inline constexpr int light_count = 8;
+inline constexpr int texture_stack_depth = 10, modelview_stack_depth = 32;
+inline constexpr int projection_stack_depth = 10;
+
+/// GL_CURRENT_BIT. [GL11] table 6.5
+struct CurrentState {
+    vec4 color{1, 1, 1, 1};
+    float index = 1;
+    vec3 normal{0, 0, 1};
+    vec4 texcoord{0, 0, 0, 1};  ///< s, t, r, q
+    bool edge_flag = true;
+    struct Raster {
+        dvec4 position{0, 0, 0, 1};  ///< window coordinates; w is the clip coordinate
+        double distance = 0;         ///< from the eye, for fog
+        vec4 color{1, 1, 1, 1};
+        float index = 1;
+        vec4 texcoord{0, 0, 0, 1};
+        bool valid = true;
+        bool operator==(const Raster&) const = default;
+    } raster;
+};
+
+/// GL_POINT_BIT
+struct PointState {
+    float size = 1;
+    bool smooth = false;
+};
+
+/// GL_LINE_BIT
+struct LineState {
+    float width = 1;
+    bool smooth = false;
+    bool stipple = false;
+    int stipple_factor = 1;
+    std::uint16_t stipple_pattern = 0xFFFF;
+};
+
+/// GL_POLYGON_BIT
+struct PolygonState {
+    bool cull = false;
+    GLenum cull_face = GL_BACK, front_face = GL_CCW;
+    GLenum front_mode = GL_FILL, back_mode = GL_FILL;
+    bool smooth = false;
+    bool stipple = false;
+    float offset_factor = 0, offset_units = 0;
+    bool offset_point = false, offset_line = false, offset_fill = false;
+};
+
+/// Rows of a polygon stipple, bottom row first; bit 31 is the leftmost pixel.
+using Stipple = std::array<std::uint32_t, 32>;
+/// GL_POLYGON_STIPPLE_BIT. Null: all bits are set.
+struct PolygonStippleState {
+    std::shared_ptr<const Stipple> pattern;
+};
+
+/// GL_PIXEL_MODE_BIT; the pixel maps are not part of it. [GL11] 3.6.3
+struct PixelState {
+    vec4 scale{1, 1, 1, 1}, bias{0, 0, 0, 0};
+    float depth_scale = 1, depth_bias = 0;
+    int index_shift = 0, index_offset = 0;
+    bool map_color = false, map_stencil = false;
+    float zoom_x = 1, zoom_y = 1;
+    GLenum read_buffer = GL_FRONT;
+};
+
+struct LightState {
+    bool enable = false;
+    vec4 ambient{0, 0, 0, 1}, diffuse{0, 0, 0, 1}, specular{0, 0, 0, 1};
+    vec4 position{0, 0, 1, 0};  ///< in eye space
+    vec3 spot_direction{0, 0, -1};
+    float spot_exponent = 0, spot_cutoff = 180;
+    float constant_attenuation = 1, linear_attenuation = 0, quadratic_attenuation = 0;
+};
+struct MaterialState {
+    vec4 ambient{0.2f, 0.2f, 0.2f, 1}, diffuse{0.8f, 0.8f, 0.8f, 1};
+    vec4 specular{0, 0, 0, 1}, emission{0, 0, 0, 1};
+    float shininess = 0;
+    vec3 indexes{0, 1, 1};  ///< ambient, diffuse, specular
+    bool operator==(const MaterialState&) const = default;
+};
+/// GL_LIGHTING_BIT
+struct LightingState {
+    bool enable = false;
+    GLenum shade_model = GL_SMOOTH;
+    vec4 model_ambient{0.2f, 0.2f, 0.2f, 1};
+    bool local_viewer = false, two_side = false;
+    bool color_material = false;
+    GLenum color_material_face = GL_FRONT_AND_BACK;
+    GLenum color_material_mode = GL_AMBIENT_AND_DIFFUSE;
+    std::array<MaterialState, 2> material{};  ///< front, back
+    std::array<LightState, light_count> lights{
+        {{.enable = false, .diffuse = {1, 1, 1, 1}, .specular = {1, 1, 1, 1}}}};
+};
+
+/// GL_FOG_BIT
+struct FogState {
+    bool enable = false;
+    GLenum mode = GL_EXP;
+    float density = 1, start = 0, end = 1, index = 0;
+    vec4 color{0, 0, 0, 0};
+};
+
+/// GL_DEPTH_BUFFER_BIT
+struct DepthState {
+    bool test = false;
+    GLenum func = GL_LESS;
+    bool mask = true;
+    double clear = 1;
+};
+
+/// GL_ACCUM_BUFFER_BIT
+struct AccumState {
+    vec4 clear{0, 0, 0, 0};
+};
+
+/// GL_STENCIL_BUFFER_BIT
+struct StencilState {
+    bool test = false;
+    GLenum func = GL_ALWAYS;
+    int ref = 0;
+    GLuint mask = ~0u;
+    GLenum fail = GL_KEEP, zfail = GL_KEEP, zpass = GL_KEEP;
+    GLuint write_mask = ~0u;
+    int clear = 0;
+};
+
+/// GL_VIEWPORT_BIT
+struct ViewportState {
+    int x = 0, y = 0, width = 0, height = 0;
+    double near_value = 0, far_value = 1;
+};
+
+/// GL_TRANSFORM_BIT; matrices are not part of it.
+struct TransformState {
+    GLenum matrix_mode = GL_MODELVIEW;
+    std::array<bool, 6> clip_enable{};
+    std::array<dvec4, 6> clip_plane{};  ///< in eye space
+    bool normalize = false;
+};
+
+/// GL_COLOR_BUFFER_BIT
+struct ColorBufferState {
+    bool alpha_test = false;
+    GLenum alpha_func = GL_ALWAYS;
+    float alpha_ref = 0;
+    bool blend = false;
+    GLenum blend_src = GL_ONE, blend_dst = GL_ZERO;
+    GLenum blend_equation = GL_FUNC_ADD;
+    vec4 blend_color{0, 0, 0, 0};
+    bool dither = true;
+    bool logic_op = false, index_logic_op = false;
+    GLenum logic_op_mode = GL_COPY;
+    GLenum draw_buffer = GL_FRONT;
+    std::array<bool, 4> mask{true, true, true, true};
+    GLuint index_mask = ~0u;
+    vec4 clear{0, 0, 0, 0};
+    float clear_index = 0;
+};
+
+/// GL_HINT_BIT
+struct HintState {
+    GLenum perspective_correction = GL_DONT_CARE, point_smooth = GL_DONT_CARE;
+    GLenum line_smooth = GL_DONT_CARE, polygon_smooth = GL_DONT_CARE, fog = GL_DONT_CARE;
+};
+
+inline constexpr int map_count = 9;
+/// GL_EVAL_BIT; the control points are not part of it.
+struct EvalState {
+    std::array<bool, map_count> map1{}, map2{};  ///< GL_MAP1_COLOR_4 ..
+    bool auto_normal = false;
+    int grid1_segments = 1;
+    double grid1_u1 = 0, grid1_u2 = 1;
+    std::array<int, 2> grid2_segments{1, 1};
+    double grid2_u1 = 0, grid2_u2 = 1, grid2_v1 = 0, grid2_v2 = 1;
+};
+
+/// GL_LIST_BIT
+struct ListState {
+    GLuint base = 0;
+};
+
+struct TexGenState {
+    bool enable = false;
+    GLenum mode = GL_EYE_LINEAR;
+    dvec4 object_plane{0, 0, 0, 0}, eye_plane{0, 0, 0, 0};
+};
+/// The parameters of a texture object. [GL11] table 6.13
+struct TextureParameters {
+    GLenum min_filter = GL_NEAREST_MIPMAP_LINEAR, mag_filter = GL_LINEAR;
+    GLenum wrap_s = GL_REPEAT, wrap_t = GL_REPEAT;
+    vec4 border_color{0, 0, 0, 0};
+    float priority = 1;
+    bool operator==(const TextureParameters&) const = default;
+};
+/// The texture targets: GL_TEXTURE_1D, GL_TEXTURE_2D.
+inline constexpr int texture_target_count = 2;
+/// GL_TEXTURE_BIT. PushAttrib also keeps the parameters of the bound textures.
+struct TextureState {
+    std::array<bool, texture_target_count> enable{};
+    std::array<GLuint, texture_target_count> bound{};
+    GLenum env_mode = GL_MODULATE;
+    vec4 env_color{0, 0, 0, 0};
+    std::array<TexGenState, 4> gen{///< of s, t, r, q
+                                   {{.object_plane = {1, 0, 0, 0}, .eye_plane = {1, 0, 0, 0}},
+                                    {.object_plane = {0, 1, 0, 0}, .eye_plane = {0, 1, 0, 0}}}};
+};
+
+/// GL_SCISSOR_BIT
+struct ScissorState {
+    bool test = false;
+    Rect box;
+};
+
+/// All groups.
+struct State {
+    CurrentState current;
+    PointState point;
+    LineState line;
+    PolygonState polygon;
+    PolygonStippleState polygon_stipple;
+    PixelState pixel;
+    LightingState lighting;
+    FogState fog;
+    DepthState depth;
+    AccumState accum;
+    StencilState stencil;
+    ViewportState viewport;
+    TransformState transform;
+    ColorBufferState color_buffer;
+    HintState hint;
+    EvalState eval;
+    ListState list;
+    TextureState texture;
+    ScissorState scissor;
+};
+
+}  // namespace gw::gl

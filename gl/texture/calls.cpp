@@ -1,0 +1,144 @@
+// Texture objects, parameters and environment. [GL11] 3.8.3 to 3.8.9
+#include "gl/api/calls.h"
+#include "gl/api/convert.h"
+#include "gl/context/context.h"
+#include "gl/draw/submit.h"
+
+#include <algorithm>
+
+namespace gw::gl {
+
+namespace {
+
+bool is_min_filter(GLenum f) {
+    return f == GL_NEAREST || f == GL_LINEAR ||
+           (f >= GL_NEAREST_MIPMAP_NEAREST && f <= GL_LINEAR_MIPMAP_LINEAR);
+}
+
+vec4 clamped(const Params& p) {
+    vec4 out = p.as_vec4();
+    for (int i = 0; i < 4; ++i) out[i] = std::clamp(out[i], 0.0f, 1.0f);
+    return out;
+}
+
+void set_wrap(Context& c, GLenum& field, GLenum mode) {
+    const bool known = mode == GL_CLAMP || mode == GL_REPEAT || mode == GL_CLAMP_TO_EDGE;
+    if (!known) return set_error(c, GL_INVALID_ENUM);
+    change(c, field, mode);
+}
+
+void set_filter(Context& c, GLenum& field, GLenum filter, bool known) {
+    if (!known) return set_error(c, GL_INVALID_ENUM);
+    change(c, field, filter);
+}
+
+/// The object of a name, made when the name is bound first. Null: another target has the name.
+std::shared_ptr<TextureObject> object_of(Context& c, std::size_t target, GLenum name_of_target,
+                                         GLuint name) {
+    if (name == 0) return c.textures.initial[target];
+    TextureNames::Named& named = c.shared->textures.named[name];
+    if (named.target != 0 && named.target != name_of_target) return nullptr;
+    if (!named.object) named = {name_of_target, std::make_shared<TextureObject>()};
+    return named.object;
+}
+
+}  // namespace
+
+namespace execute {
+
+void tex_parameter(Context& c, GLenum target, GLenum pname, const Params& params) {
+    const auto index = target_index(target);
+    if (!index) return set_error(c, GL_INVALID_ENUM);
+    TextureObject& object = *c.textures.bound[*index];
+    TextureParameters& s = object.parameters;
+    const GLenum token = params.token();
+    object.changed = true;
+    switch (pname) {
+        case GL_TEXTURE_MIN_FILTER: return set_filter(c, s.min_filter, token, is_min_filter(token));
+        case GL_TEXTURE_MAG_FILTER:
+            return set_filter(c, s.mag_filter, token, token == GL_NEAREST || token == GL_LINEAR);
+        case GL_TEXTURE_WRAP_S: return set_wrap(c, s.wrap_s, token);
+        case GL_TEXTURE_WRAP_T: return set_wrap(c, s.wrap_t, token);
+        case GL_TEXTURE_BORDER_COLOR:
+            if (params.count < 4) return set_error(c, GL_INVALID_ENUM);
+            return change(c, s.border_color, clamped(params));
+        case GL_TEXTURE_PRIORITY: s.priority = std::clamp(float(params[0]), 0.0f, 1.0f); return;
+    }
+    set_error(c, GL_INVALID_ENUM);
+}
+
+void tex_env(Context& c, GLenum target, GLenum pname, const Params& params) {
+    if (target != GL_TEXTURE_ENV) return set_error(c, GL_INVALID_ENUM);
+    TextureState& s = c.state.texture;
+    if (pname == GL_TEXTURE_ENV_COLOR) {
+        if (params.count < 4) return set_error(c, GL_INVALID_ENUM);
+        return change(c, s.env_color, clamped(params));
+    }
+    const GLenum mode = params.token();
+    const bool known =
+        mode == GL_MODULATE || mode == GL_DECAL || mode == GL_BLEND || mode == GL_REPLACE;
+    if (pname != GL_TEXTURE_ENV_MODE || !known) return set_error(c, GL_INVALID_ENUM);
+    change(c, s.env_mode, mode);
+}
+
+void bind_texture(Context& c, GLenum target, GLuint texture) {
+    const auto index = target_index(target);
+    if (!index) return set_error(c, GL_INVALID_ENUM);
+    std::shared_ptr<TextureObject> object = object_of(c, *index, target, texture);
+    if (!object) return set_error(c, GL_INVALID_OPERATION);
+    if (object == c.textures.bound[*index] && texture == c.state.texture.bound[*index]) return;
+    begin_change(c);
+    c.state.texture.bound[*index] = texture;
+    c.textures.bound[*index] = std::move(object);
+}
+
+void gen_textures(Context& c, GLsizei n, GLuint* textures) {
+    if (n < 0) return set_error(c, GL_INVALID_VALUE);
+    if (textures == nullptr) return;
+    auto& named = c.shared->textures.named;
+    GLuint name = 1;
+    for (GLsizei i = 0; i < n; ++i) {
+        while (named.contains(name)) ++name;
+        named[name] = {};
+        textures[i] = name;
+    }
+}
+
+void delete_textures(Context& c, GLsizei n, const GLuint* textures) {
+    if (n < 0) return set_error(c, GL_INVALID_VALUE);
+    if (textures == nullptr) return;
+    for (GLsizei i = 0; i < n; ++i) {
+        if (textures[i] == 0) continue;
+        for (std::size_t target = 0; target < texture_target_count; ++target)
+            if (c.state.texture.bound[target] == textures[i])
+                bind_texture(c, GL_TEXTURE_1D + GLenum(target), 0);
+        c.shared->textures.named.erase(textures[i]);
+    }
+}
+
+GLboolean is_texture(Context& c, GLuint texture) {
+    const auto found = c.shared->textures.named.find(texture);
+    return found != c.shared->textures.named.end() && found->second.object ? GL_TRUE : GL_FALSE;
+}
+
+GLboolean are_textures_resident(Context& c, GLsizei n, const GLuint* textures, GLboolean*) {
+    if (n < 0) return set_error(c, GL_INVALID_VALUE), GL_FALSE;
+    if (textures == nullptr) return GL_FALSE;
+    for (GLsizei i = 0; i < n; ++i)
+        if (!is_texture(c, textures[i])) return set_error(c, GL_INVALID_VALUE), GL_FALSE;
+    return GL_TRUE;  // residences are then left alone
+}
+
+void prioritize_textures(Context& c, GLsizei n, const Numbers& textures,
+                         const Numbers& priorities) {
+    if (n < 0) return set_error(c, GL_INVALID_VALUE);
+    for (std::size_t i = 0; i < std::min(textures->size(), priorities->size()); ++i) {
+        const auto found = c.shared->textures.named.find(GLuint((*textures)[i]));
+        if (found == c.shared->textures.named.end() || !found->second.object) continue;
+        found->second.object->parameters.priority = float(std::clamp((*priorities)[i], 0.0, 1.0));
+    }
+}
+
+}  // namespace execute
+
+}  // namespace gw::gl

@@ -1,0 +1,234 @@
+// TexImage, TexSubImage and the copies from the drawable. [GL11] 3.8.1, 3.8.2
+#include "gl/api/calls.h"
+#include "gl/context/context.h"
+#include "gl/draw/submit.h"
+#include "gl/pixels/formats.h"
+#include "gl/pixels/read.h"
+#include "gl/pixels/transfer.h"
+
+#include "gw/texture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace gw::gl {
+
+namespace {
+
+/// An image's place: a bound object's level, or a proxy's.
+struct Place {
+    std::size_t index = 0;  ///< of the target
+    bool is_proxy = false;
+};
+
+std::optional<Place> place_of(GLenum target) {
+    if (target == GL_PROXY_TEXTURE_1D) return Place{0, true};
+    if (target == GL_PROXY_TEXTURE_2D) return Place{1, true};
+    const auto index = target_index(target);
+    return index ? std::optional(Place{*index, false}) : std::nullopt;
+}
+
+bool is_power_of_two(int n) { return n > 0 && (n & (n - 1)) == 0; }
+
+bool fits_level(int size, int border, int level) {
+    const int inner = size - 2 * border;
+    return inner == 0 || (is_power_of_two(inner) && inner <= max_texture_size >> level);
+}
+
+/// The size and format of an image.
+struct Request {
+    GLint level, internal_format;
+    GLsizei width, height;
+    GLint border;
+};
+
+GLenum request_error(const Request& r, std::size_t target) {
+    if (base_format(r.internal_format) == 0) return GL_INVALID_VALUE;
+    if (r.level < 0 || r.level >= level_count || r.border < 0 || r.border > 1 || r.width < 0 ||
+        r.height < 0)
+        return GL_INVALID_VALUE;
+    const bool fits = fits_level(r.width, r.border, r.level) &&
+                      (target == 0 || fits_level(r.height, r.border, r.level));
+    return fits ? GL_NO_ERROR : GL_INVALID_VALUE;
+}
+
+std::uint16_t texel(float v) {
+    return std::uint16_t(std::floor(std::clamp(double(v), 0.0, 1.0) * 65535 + 0.5));
+}
+
+/// The channels that a base format keeps: luminance and intensity from R.
+void store_texels(TextureImage& image, const Rect& rect, const std::vector<vec4>& colors) {
+    std::size_t from = 0;
+    for (int y = rect.y; y < rect.y + rect.height; ++y) {
+        std::uint16_t* to = &image.rgba[4 * pixel_index(rect.x, y, image.width)];
+        for (int x = 0; x < rect.width; ++x, ++from, to += 4)
+            for (int i = 0; i < 4; ++i) to[i] = texel(colors[from][i]);
+    }
+}
+
+TextureImage empty_image(const Request& r) {
+    return {r.width, r.height, r.border, r.internal_format,
+            std::vector<std::uint16_t>(4 * std::size_t(r.width) * std::size_t(r.height))};
+}
+
+/// Replaces an image. Null colours: its texels are 0.
+void set_image(Context& c, const Place& place, const Request& r, const std::vector<vec4>* colors) {
+    begin_change(c);
+    TextureImage image = r.width == 0 || r.height == 0 ? TextureImage{} : empty_image(r);
+    image.internal_format = r.internal_format;
+    if (colors != nullptr && image.width > 0)
+        store_texels(image, {0, 0, r.width, r.height}, *colors);
+    TextureObject& object = *c.textures.bound[place.index];
+    object.levels[std::size_t(r.level)] = std::move(image);
+    object.changed = true;
+}
+
+void set_proxy(Context& c, const Place& place, const Request& r, GLenum error) {
+    if (r.level < 0 || r.level >= level_count) return set_error(c, GL_INVALID_VALUE);
+    TextureImage& image = c.textures.proxy[place.index][std::size_t(r.level)];
+    image = error != GL_NO_ERROR ? TextureImage{.internal_format = 0}
+                                 : TextureImage{r.width, r.height, r.border, r.internal_format, {}};
+}
+
+bool is_texture_format(GLenum format) {
+    return component_count(format) > 0 && format != GL_STENCIL_INDEX &&
+           format != GL_DEPTH_COMPONENT;
+}
+
+void tex_image(Context& c, GLenum target, const Request& r, GLenum format, GLenum type,
+               const HostImage& host) {
+    const auto place = place_of(target);
+    if (!place) return set_error(c, GL_INVALID_ENUM);
+    if (!is_texture_format(format)) return set_error(c, GL_INVALID_ENUM);
+    if (const GLenum error = format_error(format, type)) return set_error(c, error);
+    const GLenum error = request_error(r, place->index);
+    if (place->is_proxy) return set_proxy(c, *place, r, error);
+    if (error != GL_NO_ERROR) return set_error(c, error);
+    if (!host.bytes) return set_image(c, *place, r, nullptr);
+    const auto colors = host_colors(c, r.width, r.height, format, type, host);
+    set_image(c, *place, r, &colors);
+}
+
+/// The image whose part a call replaces; null, and the error is set: there is none, or the part is
+/// not inside it. Offsets count from inside the border.
+TextureImage* replaced_image(Context& c, GLenum target, GLint level, const Rect& part) {
+    const auto index = target_index(target);
+    if (!index) return set_error(c, GL_INVALID_ENUM), nullptr;
+    if (level < 0 || level >= level_count) return set_error(c, GL_INVALID_VALUE), nullptr;
+    TextureImage& image = c.textures.bound[*index]->levels[std::size_t(level)];
+    if (image.width == 0) return set_error(c, GL_INVALID_OPERATION), nullptr;
+    const auto inside = [&](std::int64_t at, std::int64_t size, int whole, int border) {
+        return size >= 0 && at >= -border && at + size <= whole - border;
+    };
+    const int border_t = *index == 0 ? 0 : image.border;
+    if (!inside(part.x, part.width, image.width, image.border) ||
+        !inside(part.y, part.height, image.height, border_t))
+        return set_error(c, GL_INVALID_VALUE), nullptr;
+    return &image;
+}
+
+void replace_part(Context& c, GLenum target, TextureImage& image, Rect part,
+                  const std::vector<vec4>& colors) {
+    begin_change(c);
+    part.x += image.border;
+    part.y += target == GL_TEXTURE_1D ? 0 : image.border;
+    store_texels(image, part, colors);
+    c.textures.bound[*target_index(target)]->changed = true;
+}
+
+void tex_sub_image(Context& c, GLenum target, GLint level, const Rect& part, GLenum format,
+                   GLenum type, const HostImage& host) {
+    if (!is_texture_format(format)) return set_error(c, GL_INVALID_ENUM);
+    if (const GLenum error = format_error(format, type)) return set_error(c, error);
+    TextureImage* const image = replaced_image(c, target, level, part);
+    if (image == nullptr || !host.bytes) return;
+    replace_part(c, target, *image, part,
+                 host_colors(c, part.width, part.height, format, type, host));
+}
+
+/// The drawable's pixels after transfer.
+std::vector<vec4> copied_colors(Context& c, const Rect& rect) {
+    flush_mesh(c);
+    std::vector<vec4> colors = read_colors(c, rect);
+    for (vec4& color : colors) color = transferred_color(c, color);
+    return colors;
+}
+
+void copy_image(Context& c, GLenum target, const Request& r, GLint x, GLint y) {
+    const auto index = target_index(target);
+    if (!index) return set_error(c, GL_INVALID_ENUM);
+    // [GL11] 3.8.2: the formats 1 to 4 are not among those of copies.
+    if (r.internal_format >= 1 && r.internal_format <= 4) return set_error(c, GL_INVALID_ENUM);
+    const GLenum error = request_error(r, *index);
+    if (error != GL_NO_ERROR) return set_error(c, error);
+    if (c.drawable == nullptr) return;
+    const auto colors = copied_colors(c, {x, y, r.width, r.height});
+    set_image(c, {*index, false}, r, &colors);
+}
+
+void copy_part(Context& c, GLenum target, GLint level, const Rect& part, GLint x, GLint y) {
+    TextureImage* const image = replaced_image(c, target, level, part);
+    if (image == nullptr || c.drawable == nullptr || part.area() == 0) return;
+    replace_part(c, target, *image, part, copied_colors(c, {x, y, part.width, part.height}));
+}
+
+}  // namespace
+
+namespace execute {
+
+void tex_image_1d(Context& c, GLenum target, GLint level, GLint internal_format, GLsizei width,
+                  GLint border, GLenum format, GLenum type, const HostImage& image) {
+    if (target != GL_TEXTURE_1D && target != GL_PROXY_TEXTURE_1D)
+        return set_error(c, GL_INVALID_ENUM);
+    tex_image(c, target, {level, internal_format, width, 1, border}, format, type, image);
+}
+
+void tex_image_2d(Context& c, GLenum target, GLint level, GLint internal_format, GLsizei width,
+                  GLsizei height, GLint border, GLenum format, GLenum type,
+                  const HostImage& image) {
+    if (target != GL_TEXTURE_2D && target != GL_PROXY_TEXTURE_2D)
+        return set_error(c, GL_INVALID_ENUM);
+    tex_image(c, target, {level, internal_format, width, height, border}, format, type, image);
+}
+
+void tex_sub_image_1d(Context& c, GLenum target, GLint level, GLint xoffset, GLsizei width,
+                      GLenum format, GLenum type, const HostImage& image) {
+    if (target != GL_TEXTURE_1D) return set_error(c, GL_INVALID_ENUM);
+    tex_sub_image(c, target, level, {xoffset, 0, width, 1}, format, type, image);
+}
+
+void tex_sub_image_2d(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset,
+                      GLsizei width, GLsizei height, GLenum format, GLenum type,
+                      const HostImage& image) {
+    if (target != GL_TEXTURE_2D) return set_error(c, GL_INVALID_ENUM);
+    tex_sub_image(c, target, level, {xoffset, yoffset, width, height}, format, type, image);
+}
+
+void copy_tex_image_1d(Context& c, GLenum target, GLint level, GLenum internal_format, GLint x,
+                       GLint y, GLsizei width, GLint border) {
+    if (target != GL_TEXTURE_1D) return set_error(c, GL_INVALID_ENUM);
+    copy_image(c, target, {level, GLint(internal_format), width, 1, border}, x, y);
+}
+
+void copy_tex_image_2d(Context& c, GLenum target, GLint level, GLenum internal_format, GLint x,
+                       GLint y, GLsizei width, GLsizei height, GLint border) {
+    if (target != GL_TEXTURE_2D) return set_error(c, GL_INVALID_ENUM);
+    copy_image(c, target, {level, GLint(internal_format), width, height, border}, x, y);
+}
+
+void copy_tex_sub_image_1d(Context& c, GLenum target, GLint level, GLint xoffset, GLint x, GLint y,
+                           GLsizei width) {
+    if (target != GL_TEXTURE_1D) return set_error(c, GL_INVALID_ENUM);
+    copy_part(c, target, level, {xoffset, 0, width, 1}, x, y);
+}
+
+void copy_tex_sub_image_2d(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset,
+                           GLint x, GLint y, GLsizei width, GLsizei height) {
+    if (target != GL_TEXTURE_2D) return set_error(c, GL_INVALID_ENUM);
+    copy_part(c, target, level, {xoffset, yoffset, width, height}, x, y);
+}
+
+}  // namespace execute
+
+}  // namespace gw::gl

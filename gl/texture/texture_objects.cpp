@@ -1,0 +1,128 @@
+#include "gl/texture/texture_objects.h"
+
+#include <algorithm>
+
+namespace gw::gl {
+
+namespace {
+
+bool uses_levels(const TextureParameters& p) {
+    return p.min_filter != GL_NEAREST && p.min_filter != GL_LINEAR;
+}
+
+/// The levels that the filter needs fit each other; how many. 0: not complete. [GL11] 3.8.8
+int complete_levels(const TextureObject& object) {
+    const TextureImage& first = object.levels[0];
+    if (first.width == 0) return 0;
+    if (!uses_levels(object.parameters)) return 1;
+    int width = first.width - 2 * first.border, height = first.height - 2 * first.border;
+    if (first.height == 1) height = 1;  // one dimension
+    int level = 1;
+    for (; width > 1 || height > 1; ++level) {
+        width = std::max(1, width / 2);
+        height = std::max(1, height / 2);
+        if (level >= level_count) return 0;
+        const TextureImage& image = object.levels[std::size_t(level)];
+        const bool flat = first.height == 1;
+        if (image.internal_format != first.internal_format || image.border != first.border ||
+            image.width != width + 2 * image.border ||
+            image.height != (flat ? 1 : height + 2 * image.border))
+            return 0;
+    }
+    return level;
+}
+
+TextureFormat machine_format(GLint internal_format) {
+    switch (base_format(internal_format)) {
+        case GL_ALPHA: return TextureFormat::Alpha;
+        case GL_LUMINANCE: return TextureFormat::Luminance;
+        case GL_LUMINANCE_ALPHA: return TextureFormat::LuminanceAlpha;
+        case GL_INTENSITY: return TextureFormat::Intensity;
+        case GL_RGB: return TextureFormat::RGB;
+    }
+    return TextureFormat::RGBA;
+}
+
+}  // namespace
+
+std::optional<std::size_t> target_index(GLenum target) {
+    if (target == GL_TEXTURE_1D) return 0;
+    if (target == GL_TEXTURE_2D) return 1;
+    return std::nullopt;
+}
+
+BoundTextures::BoundTextures() {
+    for (auto& object : initial) object = std::make_shared<TextureObject>();
+    bound = initial;
+}
+
+GLenum base_format(GLint internal_format) {
+    switch (internal_format) {
+        case 1:
+        case GL_LUMINANCE:
+        case GL_LUMINANCE4:
+        case GL_LUMINANCE8:
+        case GL_LUMINANCE12:
+        case GL_LUMINANCE16: return GL_LUMINANCE;
+        case 2:
+        case GL_LUMINANCE_ALPHA:
+        case GL_LUMINANCE4_ALPHA4:
+        case GL_LUMINANCE6_ALPHA2:
+        case GL_LUMINANCE8_ALPHA8:
+        case GL_LUMINANCE12_ALPHA4:
+        case GL_LUMINANCE12_ALPHA12:
+        case GL_LUMINANCE16_ALPHA16: return GL_LUMINANCE_ALPHA;
+        case GL_ALPHA:
+        case GL_ALPHA4:
+        case GL_ALPHA8:
+        case GL_ALPHA12:
+        case GL_ALPHA16: return GL_ALPHA;
+        case GL_INTENSITY:
+        case GL_INTENSITY4:
+        case GL_INTENSITY8:
+        case GL_INTENSITY12:
+        case GL_INTENSITY16: return GL_INTENSITY;
+        case 3:
+        case GL_RGB:
+        case GL_R3_G3_B2:
+        case GL_RGB4:
+        case GL_RGB5:
+        case GL_RGB8:
+        case GL_RGB10:
+        case GL_RGB12:
+        case GL_RGB16: return GL_RGB;
+        case 4:
+        case GL_RGBA:
+        case GL_RGBA2:
+        case GL_RGBA4:
+        case GL_RGB5_A1:
+        case GL_RGBA8:
+        case GL_RGB10_A2:
+        case GL_RGBA12:
+        case GL_RGBA16: return GL_RGBA;
+    }
+    return 0;
+}
+
+TextureRef machine_texture(TextureObject& object, std::size_t target) {
+    if (!object.changed) return object.made;
+    object.changed = false;
+    object.made = nullptr;
+    const int count = complete_levels(object);
+    if (count == 0) return nullptr;
+    Texture texture;
+    const TextureImage& first = object.levels[0];
+    texture.format = machine_format(first.internal_format);
+    texture.dimensions = target == 0 ? 1 : 2;
+    texture.border = first.border != 0;
+    texture.given_levels = true;
+    for (int level = 0; level < count; ++level) {
+        const TextureImage& image = object.levels[std::size_t(level)];
+        const int rows = target == 0 ? 1 : image.height - 2 * image.border;
+        texture.levels.push_back({image.width - 2 * image.border, rows, image.rgba});
+    }
+    object.made = make_texture(std::move(texture));
+    return object.made;
+}
+
+}  // namespace gw::gl
