@@ -36,6 +36,7 @@ void finish_drawing(Context& c) {
     if (c.drawable == nullptr) return;
     c.drawable->flush();
     c.drawable->present();
+    c.meshes.begin_frame();
 }
 
 void make_current(Context* context, Drawable* drawable) {

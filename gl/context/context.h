@@ -4,6 +4,7 @@
 
 #include "gl/assemble/assembler.h"
 #include "gl/context/drawable.h"
+#include "gl/draw/mesh.h"
 #include "gl/draw/submit.h"
 #include "gl/evaluate/evaluators.h"
 #include "gl/lists/display_list.h"
@@ -43,6 +44,7 @@ struct Context {
     BoundTextures textures;
     Selection selection;
     Assembler assembler;
+    MeshCache meshes;
     MachineState machine_state;
     Drawable* drawable = nullptr;
     bool has_been_current = false;

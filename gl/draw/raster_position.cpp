@@ -31,7 +31,10 @@ namespace execute {
 void raster_pos(Context& c, double x, double y, double z, double w) {
     update_machine_state(c);
     const gw::State& state = c.machine_state.state;
-    const Draw draw = point_draw(c, {float(x), float(y), float(z), float(w)});
+    const AssembledVertex values = current_vertex(c);
+    MeshData point{.positions = {vec3(x, y, z)}, .w = {float(w)}};
+    point.primitive = Primitive::Points;
+    const Draw draw = make_draw(c, make_mesh(std::move(point)), values, face_materials(c));
     const VertexProgram program = vertex_program(state, draw, c.profile);
     const Vertex vertex = run_vertex(program, 0);
     const ViewportTransform viewport =

@@ -1,6 +1,7 @@
 // From the assembled mesh and GL's state to the machine's commands.
 #pragma once
 
+#include "gl/assemble/assembly.h"
 #include "gw/command_list.h"
 
 namespace gw::gl {
@@ -28,11 +29,13 @@ void change(Context& c, T& field, const V& value) {
 /// The current materials of both faces.
 FaceMaterials face_materials(const Context& c);
 
-/// Draws the assembled mesh; in feedback and selection mode, reports it.
-void submit_mesh(Context& c);
-
-/// A draw of one point with the current values.
-Draw point_draw(Context& c, const vec4& position);
+/// A draw with the current state. `values` are those of all vertices for which the mesh has none.
+Draw make_draw(Context& c, MeshRef mesh, const AssembledVertex& values,
+               const FaceMaterials& materials);
+/// Adds a draw to the frame; in feedback and selection mode, reports its primitives.
+void submit(Context& c, Draw draw);
+/// Draws what was assembled.
+void submit_assembled(Context& c);
 
 /// Brings machine_state up to GL's state.
 void update_machine_state(Context& c);

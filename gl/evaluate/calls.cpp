@@ -96,12 +96,6 @@ vec3 surface_normal(const Map2& m, int size, double u, double v) {
 
 vec4 as_vec4(const Value& v) { return {float(v[0]), float(v[1]), float(v[2]), float(v[3])}; }
 
-/// The vertex that evaluators change: the current values are left alone.
-AssembledVertex current_vertex(const Context& c) {
-    const CurrentState& now = c.state.current;
-    return {{0, 0, 0, 1}, now.color, now.texcoord, now.normal, now.edge_flag ? 1u : 0u};
-}
-
 /// The last enabled of maps `first` .. `last`; -1: none.
 int last_enabled(const std::array<bool, map_count>& enable, int first, int last) {
     for (int i = last; i >= first; --i)

@@ -95,6 +95,7 @@ void new_list(Context& c, GLuint list, GLenum mode) {
 
 void end_list(Context& c) {
     if (!c.lists.open) return set_error(c, GL_INVALID_OPERATION);
+    c.lists.open->seal();
     c.shared->lists.lists[c.lists.name] = std::move(c.lists.open);
     c.lists.open = nullptr;
 }

@@ -1,11 +1,21 @@
 #include "gl/lists/display_list.h"
 
+#include "gl/context/context.h"
+#include "gl/lists/sealed_runs.h"
+
 #include <algorithm>
 
 namespace gw::gl {
 
 namespace {
 constexpr std::size_t first_block = 1024, largest_block = 1 << 20;
+}
+
+DisplayList::DisplayList() = default;
+
+DisplayList::~DisplayList() {
+    for (Position p; p != end(); p = next(p))
+        header(p).operations->destroy(const_cast<std::byte*>(values(p)));
 }
 
 std::byte* DisplayList::append(std::size_t size) {
@@ -20,22 +30,26 @@ std::byte* DisplayList::append(std::size_t size) {
     return at;
 }
 
-DisplayList::~DisplayList() {
-    for (Block& block : blocks_)
-        for (std::size_t at = 0; at < block.used;) {
-            const auto& header = *reinterpret_cast<const Header*>(block.bytes.get() + at);
-            header.operations->destroy(block.bytes.get() + at + list_alignment);
-            at += header.size;
-        }
+const DisplayList::Header& DisplayList::header(const Position& p) const {
+    return *reinterpret_cast<const Header*>(blocks_[p.block].bytes.get() + p.at);
+}
+
+const std::byte* DisplayList::values(const Position& p) const {
+    return blocks_[p.block].bytes.get() + p.at + list_alignment;
+}
+
+DisplayList::Position DisplayList::next(Position p) const {
+    p.at += header(p).size;
+    return p.at < blocks_[p.block].used ? p : Position{p.block + 1, 0};
+}
+
+void DisplayList::play_calls(Context& c, Position from, const Position& to) const {
+    for (; from != to; from = next(from)) header(from).operations->play(c, values(from));
 }
 
 void DisplayList::play(Context& c) const {
-    for (const Block& block : blocks_)
-        for (std::size_t at = 0; at < block.used;) {
-            const auto& header = *reinterpret_cast<const Header*>(block.bytes.get() + at);
-            header.operations->play(c, block.bytes.get() + at + list_alignment);
-            at += header.size;
-        }
+    for (const Step& step : steps_)
+        if (!step.runs || !draw_runs(c, *step.runs)) play_calls(c, step.begin, step.end);
 }
 
 }  // namespace gw::gl

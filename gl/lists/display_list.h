@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,9 +21,28 @@ struct Context;
 /// Lists may call lists to this depth; deeper calls are left out. [GL11] table 6.20
 inline constexpr int max_list_nesting = 64;
 
+struct SealedRuns;
+
+/// What is to be done with a kept call; one for each function that carries out calls.
+struct ListedOperations {
+    void (*play)(Context&, const std::byte*);
+    void (*destroy)(std::byte*);
+    const void* id;  ///< &call_id<execute>
+};
+template <auto execute>
+inline constexpr char call_id = 0;
+
+/// The values that a list keeps of a call of `execute`.
+template <class Signature>
+struct KeptValues;
+template <class... Values>
+struct KeptValues<void (*)(Context&, Values...)> {
+    using type = std::tuple<std::decay_t<Values>...>;
+};
+
 class DisplayList {
 public:
-    DisplayList() = default;
+    DisplayList();
     ~DisplayList();
     DisplayList(const DisplayList&) = delete;
     DisplayList& operator=(const DisplayList&) = delete;
@@ -30,18 +50,14 @@ public:
     /// Appends a call of `execute`.
     template <auto execute, class... Values>
     void add(Function function, const Values&... values);
+    /// Ends the list: complete runs of vertices become meshes.
+    void seal();
 
     void play(Context& c) const;
-    std::size_t size() const { return calls_; }
 
 private:
-    /// What is to be done with a kept call; one for each `execute`.
-    struct Operations {
-        void (*play)(Context&, const std::byte*);
-        void (*destroy)(std::byte*);
-    };
     struct Header {
-        const Operations* operations;
+        const ListedOperations* operations;
         std::uint32_t size;  ///< to the next header
         Function function;
     };
@@ -49,29 +65,38 @@ private:
         std::unique_ptr<std::byte[]> bytes;
         std::size_t used = 0, size = 0;
     };
-    template <auto execute, class Kept>
-    static const Operations* operations_of();
+    struct Position {
+        std::size_t block = 0, at = 0;
+        bool operator==(const Position&) const = default;
+    };
+    /// A range of calls, and what they became.
+    struct Step {
+        Position begin, end;
+        std::shared_ptr<SealedRuns> runs;  ///< null: the calls are played
+    };
+    friend class Sealer;
 
     /// The place of a new header; its values follow it.
     std::byte* append(std::size_t size);
+    const Header& header(const Position& p) const;
+    const std::byte* values(const Position& p) const;
+    Position next(Position p) const;
+    Position end() const { return {blocks_.size(), 0}; }
+    void play_calls(Context& c, Position from, const Position& to) const;
 
     std::vector<Block> blocks_;
-    std::size_t calls_ = 0;
+    std::vector<Step> steps_;
 };
 
 /// Values are laid out behind a header.
 inline constexpr std::size_t list_alignment = 16;
 
 template <auto execute, class Kept>
-const DisplayList::Operations* DisplayList::operations_of() {
-    static constexpr Operations operations{
-        [](Context& c, const std::byte* at) {
-            std::apply([&](const auto&... v) { execute(c, v...); },
-                       *reinterpret_cast<const Kept*>(at));
-        },
-        [](std::byte* at) { std::destroy_at(reinterpret_cast<Kept*>(at)); }};
-    return &operations;
-}
+inline constexpr ListedOperations listed_operations{
+    [](Context& c, const std::byte* at) {
+        std::apply([&](const auto&... v) { execute(c, v...); }, *reinterpret_cast<const Kept*>(at));
+    },
+    [](std::byte* at) { std::destroy_at(reinterpret_cast<Kept*>(at)); }, &call_id<execute>};
 
 template <auto execute, class... Values>
 void DisplayList::add(Function function, const Values&... values) {
@@ -81,9 +106,8 @@ void DisplayList::add(Function function, const Values&... values) {
         list_alignment + (sizeof(Kept) + list_alignment - 1) / list_alignment * list_alignment;
     std::byte* const at = append(size);
     std::construct_at(reinterpret_cast<Kept*>(at + list_alignment), values...);
-    std::construct_at(reinterpret_cast<Header*>(at), operations_of<execute, Kept>(),
+    std::construct_at(reinterpret_cast<Header*>(at), &listed_operations<execute, Kept>,
                       std::uint32_t(size), function);
-    ++calls_;
 }
 
 /// The names of lists, and the lists. Contexts may share them.

@@ -1,0 +1,128 @@
+#include "gl/assemble/assembly.h"
+
+#include <numeric>
+
+namespace gw::gl {
+
+namespace {
+
+/// A mesh of more vertices ends with its run.
+constexpr std::size_t full_mesh = 1u << 16;
+
+bool is_line_strip(GLenum mode) { return mode == GL_LINE_STRIP || mode == GL_LINE_LOOP; }
+
+Primitive primitive_of(GLenum mode, bool whole_strips) {
+    if (is_line_strip(mode)) return whole_strips ? Primitive::LineStrip : Primitive::Lines;
+    switch (mode) {
+        case GL_POINTS: return Primitive::Points;
+        case GL_LINES: return Primitive::Lines;
+        case GL_QUADS:
+        case GL_QUAD_STRIP: return Primitive::Quads;
+        case GL_POLYGON: return Primitive::Polygons;
+    }
+    return Primitive::Triangles;
+}
+
+}  // namespace
+
+bool Assembly::takes(GLenum mode, bool whole_strips) const {
+    if (vertices.empty()) return true;
+    return primitive == primitive_of(mode, whole_strips) && primitive != Primitive::LineStrip &&
+           vertices.size() < full_mesh;
+}
+
+void Assembly::begin(GLenum mode, bool whole_strips) {
+    primitive = primitive_of(mode, whole_strips);
+    mode_ = mode;
+    run_begin_ = vertices.size();
+}
+
+void Assembly::clear() {
+    vertices.clear();
+    indices.clear();
+    polygon_sizes.clear();
+    has_hidden_edges = false;
+}
+
+/// From here on, the mesh names its vertices by indices.
+void Assembly::use_indices() {
+    if (!indices.empty()) return;
+    indices.resize(run_begin_);
+    std::iota(indices.begin(), indices.end(), 0u);
+}
+
+/// The run's first `count` vertices are used in their order.
+void Assembly::keep_order(std::size_t count) {
+    vertices.resize(run_begin_ + count);
+    if (indices.empty()) return;
+    for (std::size_t i = 0; i < count; ++i)
+        indices.push_back(static_cast<std::uint32_t>(run_begin_ + i));
+}
+
+/// All sides of strips and fans are edges of an outline. [GL11] 2.6.2
+void Assembly::set_edges() {
+    for (std::size_t i = run_begin_; i < vertices.size(); ++i) vertices[i].edge_and_material |= 1u;
+}
+
+/// The vertex that gives a flat-shaded triangle its colour stays the last. [GL11] table 2.12
+void Assembly::end_triangles(std::size_t n) {
+    if (n < 3) return vertices.resize(run_begin_);
+    set_edges();
+    use_indices();
+    const bool is_fan = mode_ == GL_TRIANGLE_FAN;
+    const auto first = static_cast<std::uint32_t>(run_begin_);
+    for (std::uint32_t i = 2; i < n; ++i) {
+        const std::uint32_t swap = i % 2;  // every second triangle of a strip
+        const std::uint32_t v0 = is_fan ? 0 : i - 2 + swap, v1 = is_fan ? i - 1 : i - 1 - swap;
+        indices.insert(indices.end(), {first + v0, first + v1, first + i});
+    }
+}
+
+/// Quad i of a strip begins with its fourth corner, so that its third, which gives a flat-shaded
+/// quad of a strip its colour, stands last. [GL11] table 2.12
+void Assembly::end_quad_strip(std::size_t n) {
+    if (n < 4) return vertices.resize(run_begin_);
+    set_edges();
+    use_indices();
+    const auto first = static_cast<std::uint32_t>(run_begin_);
+    for (std::uint32_t i = 0; i + 3 < n; i += 2)
+        indices.insert(indices.end(), {first + i + 2, first + i, first + i + 1, first + i + 3});
+}
+
+void Assembly::end_lines(std::size_t n) {
+    if (n < 2) return vertices.resize(run_begin_);
+    const bool is_loop = mode_ == GL_LINE_LOOP;
+    if (primitive == Primitive::LineStrip) {
+        if (is_loop) vertices.push_back(AssembledVertex(vertices[run_begin_]));
+        return;
+    }
+    use_indices();
+    const auto first = static_cast<std::uint32_t>(run_begin_);
+    for (std::uint32_t i = 0; i + 1 < n; ++i)
+        indices.insert(indices.end(), {first + i, first + i + 1});
+    if (is_loop) indices.insert(indices.end(), {std::uint32_t(first + n - 1), first});
+}
+
+void Assembly::end_polygon(std::size_t n) {
+    if (n < 3) return vertices.resize(run_begin_);
+    polygon_sizes.push_back(static_cast<std::uint32_t>(n));
+    keep_order(n);
+}
+
+void Assembly::end() {
+    const std::size_t n = vertices.size() - run_begin_;
+    switch (mode_) {
+        case GL_POINTS: return keep_order(n);
+        case GL_LINES: return keep_order(n - n % 2);
+        case GL_LINE_STRIP:
+        case GL_LINE_LOOP: return end_lines(n);
+        case GL_TRIANGLES: return keep_order(n - n % 3);
+        case GL_TRIANGLE_STRIP:
+        case GL_TRIANGLE_FAN: return end_triangles(n);
+        case GL_QUADS: return keep_order(n - n % 4);
+        case GL_QUAD_STRIP: return end_quad_strip(n);
+        case GL_POLYGON: return end_polygon(n);
+    }
+}
+
+}  // namespace gw::gl

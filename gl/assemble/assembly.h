@@ -1,0 +1,65 @@
+// Assembly: the vertices of runs from Begin to End become the vertices and indices of one mesh.
+// [GL11] 2.6.1. Knows no context and no state.
+#pragma once
+
+#include "gw/mesh.h"
+
+#include <GL/gl.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace gw::gl {
+
+/// A vertex with all values that GL gives to it.
+struct AssembledVertex {
+    vec4 position{0, 0, 0, 1};
+    vec4 color{1, 1, 1, 1};
+    vec4 texcoord{0, 0, 0, 1};
+    vec3 normal{0, 0, 1};
+    std::uint32_t edge_and_material = 1;  ///< bit 0: edge flag; the rest: index of the material
+
+    bool edge() const { return (edge_and_material & 1) != 0; }
+    std::uint32_t material() const { return edge_and_material >> 1; }
+    bool operator==(const AssembledVertex&) const = default;
+};
+
+struct Assembly {
+    Primitive primitive = Primitive::Points;
+    std::vector<AssembledVertex> vertices;
+    std::vector<std::uint32_t> indices;  ///< empty: 0, 1, 2, ...
+    std::vector<std::uint32_t> polygon_sizes;
+    bool has_hidden_edges = false;  ///< a vertex without edge flag
+
+    /// Whether a run of this mode can be part of this mesh. `whole_strips`: line strips stay whole,
+    /// for a stipple that runs on; else they become single lines.
+    bool takes(GLenum mode, bool whole_strips) const;
+    void begin(GLenum mode, bool whole_strips);
+    void add(const AssembledVertex& v) {
+        vertices.push_back(v);
+        if (!v.edge()) has_hidden_edges = true;
+    }
+    /// Ends the run; vertices of an incomplete primitive are dropped.
+    void end();
+    /// Forgets the mesh, keeps the memory.
+    void clear();
+    bool empty() const { return vertices.empty(); }
+    bool operator==(const Assembly& other) const {
+        return primitive == other.primitive && vertices == other.vertices &&
+               indices == other.indices && polygon_sizes == other.polygon_sizes;
+    }
+
+private:
+    GLenum mode_ = GL_POINTS;    ///< of the run
+    std::size_t run_begin_ = 0;  ///< the run's first vertex
+
+    void use_indices();
+    void keep_order(std::size_t count);
+    void set_edges();
+    void end_triangles(std::size_t n);
+    void end_quad_strip(std::size_t n);
+    void end_lines(std::size_t n);
+    void end_polygon(std::size_t n);
+};
+
+}  // namespace gw::gl

@@ -1,0 +1,152 @@
+// Finds the runs of vertices in a display list and assembles them.
+#include "gl/api/calls.h"
+#include "gl/lists/sealed_runs.h"
+
+#include <cmath>
+#include <optional>
+
+namespace gw::gl {
+
+/// Goes through a list's calls once. A group is a range of complete runs, and of the calls that give
+/// values to vertices around them.
+class Sealer {
+public:
+    explicit Sealer(DisplayList& list) : list_(list) {}
+    void seal();
+
+private:
+    using Position = DisplayList::Position;
+
+    /// Groups of fewer vertices are played: so they become part of larger meshes.
+    static constexpr std::size_t fewest_vertices = 32;
+
+    /// The values of the call at this place if it is one of `execute`; else null.
+    template <auto execute>
+    const typename KeptValues<decltype(execute)>::type* call_of(const Position& p) const {
+        if (list_.header(p).operations->id != &call_id<execute>) return nullptr;
+        return reinterpret_cast<const typename KeptValues<decltype(execute)>::type*>(
+            list_.values(p));
+    }
+
+    /// Takes a call into the group; false if it cannot stand there.
+    bool take(const Position& p);
+    bool take_begin(GLenum mode);
+    bool take_vertex(const vec4& position);
+    bool take_end();
+    void begin_group(const Position& p);
+    /// Ends the group before `p`: a step of its own if it is complete and large.
+    void end_group(const Position& p);
+    void add_step(const Position& begin, const Position& end, std::shared_ptr<SealedRuns> runs);
+
+    DisplayList& list_;
+    Position group_begin_;
+    std::shared_ptr<SealedRuns> runs_;
+    AssembledVertex now_;
+    GivenValues given_;
+    std::optional<GivenValues> given_to_all_;  ///< at the first vertex
+    std::size_t vertices_ = 0;
+    bool inside_ = false;
+};
+
+void Sealer::begin_group(const Position& p) {
+    group_begin_ = p;
+    runs_ = std::make_shared<SealedRuns>();
+    now_ = {};
+    given_ = {};
+    given_to_all_.reset();
+    vertices_ = 0;
+    inside_ = false;
+}
+
+bool Sealer::take_begin(GLenum mode) {
+    if (inside_ || mode > GL_POLYGON) return false;
+    if (mode == GL_LINE_STRIP || mode == GL_LINE_LOOP) runs_->has_line_strips = true;
+    auto& parts = runs_->parts;
+    if (parts.empty() || !parts.back().assembly.takes(mode, false)) parts.emplace_back();
+    parts.back().assembly.begin(mode, false);
+    return inside_ = true;
+}
+
+bool Sealer::take_vertex(const vec4& position) {
+    if (!inside_) return false;
+    if (!given_to_all_) given_to_all_ = given_;
+    if (*given_to_all_ != given_) return false;
+    for (int i = 0; i < 4; ++i)
+        if (!std::isfinite(position[i])) return false;
+    now_.position = position;
+    runs_->parts.back().assembly.add(now_);
+    ++vertices_;
+    return true;
+}
+
+bool Sealer::take_end() {
+    if (!inside_) return false;
+    runs_->parts.back().assembly.end();
+    inside_ = false;
+    return true;
+}
+
+bool Sealer::take(const Position& p) {
+    if (const auto* v = call_of<execute::vertex>(p)) {
+        const auto& [x, y, z, w] = *v;
+        return take_vertex({x, y, z, w});
+    }
+    if (const auto* v = call_of<execute::begin>(p)) return take_begin(std::get<0>(*v));
+    if (call_of<execute::end>(p) != nullptr) return take_end();
+    if (const auto* v = call_of<execute::color>(p)) {
+        const auto& [r, g, b, a] = *v;
+        now_.color = {r, g, b, a};
+        return given_.color = true;
+    }
+    if (const auto* v = call_of<execute::normal>(p)) {
+        const auto& [x, y, z] = *v;
+        now_.normal = {x, y, z};
+        return given_.normal = true;
+    }
+    if (const auto* v = call_of<execute::tex_coord>(p)) {
+        const auto& [s, t, r, q] = *v;
+        now_.texcoord = {s, t, r, q};
+        return given_.texcoord = true;
+    }
+    if (const auto* v = call_of<execute::edge_flag>(p)) {
+        now_.edge_and_material = std::get<0>(*v) != GL_FALSE ? 1u : 0u;
+        return given_.edge_flag = true;
+    }
+    return false;
+}
+
+void Sealer::add_step(const Position& begin, const Position& end,
+                      std::shared_ptr<SealedRuns> runs) {
+    auto& steps = list_.steps_;
+    if (begin == end) return;
+    if (!runs && !steps.empty() && !steps.back().runs)
+        steps.back().end = end;
+    else
+        steps.push_back({begin, end, std::move(runs)});
+}
+
+void Sealer::end_group(const Position& p) {
+    if (inside_ || vertices_ < fewest_vertices) return add_step(group_begin_, p, nullptr);
+    std::erase_if(runs_->parts, [](const auto& part) { return part.assembly.empty(); });
+    runs_->given = *given_to_all_;
+    runs_->given_after = given_;
+    runs_->last = now_;
+    add_step(group_begin_, p, std::move(runs_));
+}
+
+void Sealer::seal() {
+    begin_group({});
+    for (Position p; p != list_.end(); p = list_.next(p)) {
+        if (take(p)) continue;
+
+        end_group(p);
+        const Position after = list_.next(p);
+        add_step(p, after, nullptr);
+        begin_group(after);
+    }
+    end_group(list_.end());
+}
+
+void DisplayList::seal() { Sealer(*this).seal(); }
+
+}  // namespace gw::gl

@@ -1,0 +1,57 @@
+#include "gl/lists/sealed_runs.h"
+
+#include "gl/context/context.h"
+#include "gl/draw/submit.h"
+
+namespace gw::gl {
+
+namespace {
+
+/// The mesh of a part for a draw that uses these values.
+const MeshRef& mesh_for(SealedRuns::Part& part, const VertexValues& used) {
+    const std::size_t bits =
+        (used.colors ? 1u : 0u) | (used.normals ? 2u : 0u) | (used.texcoords ? 4u : 0u);
+    MeshRef& mesh = part.meshes[bits];
+    if (!mesh) mesh = mesh_of(part.assembly, {}, used);
+    return mesh;
+}
+
+/// The values of vertices for which a mesh has none.
+AssembledVertex common_values(const Context& c, const SealedRuns& runs,
+                              const AssembledVertex& first) {
+    AssembledVertex out = current_vertex(c);
+    if (runs.given.color) out.color = first.color;
+    if (runs.given.normal) out.normal = first.normal;
+    if (runs.given.texcoord) out.texcoord = first.texcoord;
+    return out;
+}
+
+void set_current(CurrentState& now, const SealedRuns& runs) {
+    if (runs.given_after.color) now.color = runs.last.color;
+    if (runs.given_after.normal) now.normal = runs.last.normal;
+    if (runs.given_after.texcoord) now.texcoord = runs.last.texcoord;
+    if (runs.given_after.edge_flag) now.edge_flag = runs.last.edge();
+}
+
+}  // namespace
+
+bool draw_runs(Context& c, SealedRuns& runs) {
+    if (c.assembler.inside || (runs.has_line_strips && c.state.line.stipple) ||
+        (!runs.given.edge_flag && !c.state.current.edge_flag))
+        return false;
+    flush_mesh(c);
+    update_machine_state(c);
+    VertexValues used = used_values(c.state);
+    used.materials = false;
+    used.colors &= runs.given.color;
+    used.normals &= runs.given.normal;
+    used.texcoords &= runs.given.texcoord;
+    const FaceMaterials materials = face_materials(c);
+    for (SealedRuns::Part& part : runs.parts)
+        submit(c, make_draw(c, mesh_for(part, used),
+                            common_values(c, runs, part.assembly.vertices.front()), materials));
+    set_current(c.state.current, runs);
+    return true;
+}
+
+}  // namespace gw::gl

@@ -1,0 +1,36 @@
+// Runs of vertices in a display list, assembled once. A list that is played draws their meshes, as
+// immediate mode would have made them.
+#pragma once
+
+#include "gl/assemble/assembly.h"
+#include "gl/draw/mesh.h"
+#include "gl/lists/display_list.h"
+
+#include <array>
+#include <vector>
+
+namespace gw::gl {
+
+/// Some of a vertex's values.
+struct GivenValues {
+    bool color = false, normal = false, texcoord = false, edge_flag = false;
+    bool operator==(const GivenValues&) const = default;
+};
+
+struct SealedRuns {
+    struct Part {
+        Assembly assembly;
+        std::array<MeshRef, 8> meshes;  ///< by the values that they have
+    };
+    std::vector<Part> parts;
+    GivenValues given;        ///< all vertices have these; the others are the current ones
+    GivenValues given_after;  ///< the runs leave these current, from `last`
+    AssembledVertex last;
+    bool has_line_strips = false;
+};
+
+/// Draws the runs and sets the current values. False, and nothing is done, where the runs depend on
+/// the state: between Begin and End, line strips with a stipple, a current edge flag of false.
+bool draw_runs(Context& c, SealedRuns& runs);
+
+}  // namespace gw::gl
