@@ -29,6 +29,9 @@ double eye_depth(const Context& c, const dvec4& p) {
 namespace execute {
 
 void raster_pos(Context& c, double x, double y, double z, double w) {
+    CurrentState::Raster& raster = c.state.current.raster;
+    raster.valid = std::isfinite(x) && std::isfinite(y) && std::isfinite(z) && std::isfinite(w);
+    if (!raster.valid) return;
     update_machine_state(c);
     const gw::State& state = c.machine_state.state;
     const AssembledVertex values = current_vertex(c);
@@ -39,7 +42,6 @@ void raster_pos(Context& c, double x, double y, double z, double w) {
     const Vertex vertex = run_vertex(program, 0);
     const ViewportTransform viewport =
         resolve(state, c.profile, max_window_size, max_window_size).viewport;
-    CurrentState::Raster& raster = c.state.current.raster;
     raster.valid = is_inside(vertex) && !clip({vertex}, viewport).vertices.empty();
     if (!raster.valid) return;
     const double n = state.depth_range.near_value, f = state.depth_range.far_value;

@@ -15,14 +15,6 @@ std::shared_ptr<const CurrentValues> shared_values(const CurrentValues& values) 
     return std::make_shared<const CurrentValues>(values);
 }
 
-/// The enabled texture; two dimensions come before one. [GL11] 3.8.10
-TextureRef enabled_texture(Context& c) {
-    const auto& enable = c.state.texture.enable;
-    if (!enable[0] && !enable[1]) return nullptr;
-    const std::size_t target = enable[1] ? 1 : 0;
-    return machine_texture(*c.textures.bound[target], target);
-}
-
 bool is_empty(const gw::ViewportState& v) { return v.width == 0 || v.height == 0; }
 
 }  // namespace
@@ -42,6 +34,13 @@ void update_machine_state(Context& c) {
     c.machine_state.state = machine_state(c);
     c.machine_state.lights = machine_lights(c.state.lighting);
     c.machine_state.changed = false;
+}
+
+TextureRef enabled_texture(Context& c) {
+    const auto& enable = c.state.texture.enable;
+    if (!enable[0] && !enable[1]) return nullptr;
+    const std::size_t target = enable[1] ? 1 : 0;
+    return machine_texture(*c.textures.bound[target], target, c.profile);
 }
 
 Draw make_draw(Context& c, MeshRef mesh, const AssembledVertex& values,

@@ -29,6 +29,10 @@ void change(Context& c, T& field, const V& value) {
 /// The current materials of both faces.
 FaceMaterials face_materials(const Context& c);
 
+/// The enabled texture; two dimensions come before one. Null: none, or it is not complete. [GL11]
+/// 3.8.10
+TextureRef enabled_texture(Context& c);
+
 /// A draw with the current state. `values` are those of all vertices for which the mesh has none.
 Draw make_draw(Context& c, MeshRef mesh, const AssembledVertex& values,
                const FaceMaterials& materials);

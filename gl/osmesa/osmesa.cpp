@@ -10,7 +10,7 @@
 #include <GL/osmesa.h>
 
 #include <array>
-#include <cmath>
+#include <bit>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -108,11 +108,17 @@ void Memory::store(unsigned char* at, const Rgba& color) const {
 
 void Memory::present() {
     if (buffer_ == nullptr) return;
-    const Readback read = Drawable::read(Plane::Color, {0, 0, width(), height()});
+    const bool is_packed = layout_.format == OSMESA_RGBA && type_ == GL_UNSIGNED_BYTE &&
+                           profile().color_bits == 8 && std::endian::native == std::endian::little;
+    const Readback read = Drawable::read(Plane::Color, {0, 0, width(), height()}, is_packed);
     const std::size_t pixel = std::size_t(layout_.size) * component_size(type_);
     for (int y = 0; y < height(); ++y) {
         const int row = y_up_ ? y : height() - 1 - y;
         unsigned char* at = buffer_ + std::size_t(row) * std::size_t(row_length()) * pixel;
+        if (is_packed) {
+            std::memcpy(at, &read.values[pixel_index(0, y, width())], 4 * std::size_t(width()));
+            continue;
+        }
         for (int x = 0; x < width(); ++x, at += pixel)
             store(at, read.color[pixel_index(x, y, width())]);
     }

@@ -1,14 +1,191 @@
-// DrawPixels, Bitmap, CopyPixels. [GL11] 3.6.4, 3.7, 4.3.3
+// DrawPixels, Bitmap, CopyPixels: rectangles at the raster position. [GL11] 3.6.4, 3.7, 4.3.3
 #include "gl/api/calls.h"
 #include "gl/context/context.h"
-namespace gw::gl::execute {
-void draw_pixels(Context& c, GLsizei, GLsizei, GLenum, GLenum, const HostImage&) {
-    set_error(c, GL_INVALID_OPERATION);
+#include "gl/draw/submit.h"
+#include "gl/pixels/formats.h"
+#include "gl/pixels/read.h"
+#include "gl/pixels/transfer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::gl {
+
+namespace {
+
+std::uint32_t quantized(double v, int bits) {
+    const double largest = double((std::uint64_t{1} << bits) - 1);
+    return std::uint32_t(std::floor(std::clamp(v, 0.0, 1.0) * largest + 0.5));
 }
-void bitmap(Context& c, GLsizei, GLsizei, float, float, float, float, const HostImage&) {
-    set_error(c, GL_INVALID_OPERATION);
+
+Rgba quantized(const vec4& color, int bits) {
+    Rgba out;
+    for (int i = 0; i < 4; ++i)
+        out[std::size_t(i)] = std::uint16_t(quantized(double(color[i]), bits));
+    return out;
 }
-void copy_pixels(Context& c, GLint, GLint, GLsizei, GLsizei, GLenum) {
-    set_error(c, GL_INVALID_OPERATION);
+
+RasterPosition raster_position(const Context& c) {
+    const CurrentState::Raster& raster = c.state.current.raster;
+    return {.x = raster.position.x,
+            .y = raster.position.y,
+            .depth = quantized(raster.position.z, c.profile.depth_bits),
+            .color = quantized(raster.color, c.profile.color_bits),
+            .texcoord = raster.texcoord,
+            .distance = raster.distance};
 }
-}  // namespace gw::gl::execute
+
+/// A rectangle at the raster position, without its pixels.
+gw::DrawPixels rectangle(Context& c, GLsizei width, GLsizei height) {
+    gw::DrawPixels out;
+    out.width = width;
+    out.height = height;
+    out.raster = raster_position(c);
+    out.zoom_x = c.state.pixel.zoom_x;
+    out.zoom_y = c.state.pixel.zoom_y;
+    out.map.texture = enabled_texture(c);
+    return out;
+}
+
+bool is_size(GLsizei size) { return size >= 0 && size <= max_window_size; }
+
+/// Whether a rectangle draws: not in feedback, which gets `token`, nor in selection.
+bool is_drawn(Context& c, GLenum token) {
+    if (!c.state.current.raster.valid) return false;
+    flush_mesh(c);
+    if (c.selection.mode == GL_RENDER) return submit_state(c);
+    report_raster_position(c, token);
+    return false;
+}
+
+void set_colors(gw::DrawPixels& out, const Context& c, const std::vector<vec4>& colors) {
+    for (const vec4& color : colors) out.colors.push_back(quantized(color, c.profile.color_bits));
+}
+void set_depths(gw::DrawPixels& out, const Context& c, const std::vector<double>& depths) {
+    for (const double depth : depths) out.depths.push_back(quantized(depth, c.profile.depth_bits));
+}
+void set_stencils(gw::DrawPixels& out, const Context& c, const std::vector<GLuint>& stencils) {
+    const GLuint mask = (1u << c.profile.stencil_bits) - 1;
+    for (const GLuint stencil : stencils) out.stencils.push_back(stencil & mask);
+}
+
+/// Whether pixel transfer leaves the values of a plane as they are.
+bool is_identity(const PixelState& s, Plane plane) {
+    if (plane == Plane::Depth) return s.depth_scale == 1 && s.depth_bias == 0;
+    if (plane == Plane::Stencil) return s.index_shift == 0 && s.index_offset == 0 && !s.map_stencil;
+    return s.scale == vec4(1) && s.bias == vec4(0) && !s.map_color;
+}
+
+/// The pixels of a copy, read and transferred by the front end.
+void set_transferred(gw::DrawPixels& out, Context& c, Plane plane, const Rect& rect) {
+    if (plane == Plane::Color) {
+        std::vector<vec4> colors = read_colors(c, rect);
+        for (vec4& color : colors) color = transferred_color(c, color);
+        return set_colors(out, c, colors);
+    }
+    std::vector<double> values = read_values(c, plane, rect);
+    if (plane == Plane::Depth) {
+        for (double& depth : values) depth = transferred_depth(c, depth);
+        return set_depths(out, c, values);
+    }
+    std::vector<GLuint> stencils;
+    for (const double v : values) stencils.push_back(transferred_stencil(c, v));
+    set_stencils(out, c, stencils);
+}
+
+/// Bits as runs of the raster colour.
+WriteSpans as_spans(const gw::DrawPixels& pixels, int x, int y) {
+    WriteSpans out;
+    out.colors = {pixels.raster.color};
+    out.depth = pixels.raster.depth;
+    for (int row = 0; row < pixels.height; ++row)
+        for (int i = 0; i < pixels.width; ++i) {
+            const std::size_t byte = std::size_t(row) * pixels.bit_row() + std::size_t(i) / 8;
+            if ((pixels.bits[byte] >> (7 - i % 8) & 1) != 0)
+                out.spans.push_back({.x = x + i, .y = y + row, .length = 1});
+        }
+    return out;
+}
+
+/// A rectangle as commands of a profile without the extension draw_pixels: no zoom, texture or fog.
+Command plain(const gw::DrawPixels& pixels) {
+    const auto first = [](double v) { return int(std::clamp(std::ceil(v - 0.5), -4096., 4096.)); };
+    const int x = first(pixels.raster.x), y = first(pixels.raster.y);
+    const Rect rect{x, y, pixels.width, pixels.height};
+    if (pixels.source)
+        return Copy{pixels.source->plane,
+                    {pixels.source->x, pixels.source->y, pixels.width, pixels.height},
+                    x,
+                    y};
+    if (!pixels.bits.empty()) return as_spans(pixels, x, y);
+    if (!pixels.colors.empty())
+        return WritePixels{.rect = rect, .colors = pixels.colors, .depth = pixels.raster.depth};
+    if (!pixels.depths.empty())
+        return WritePixels{.rect = rect, .plane = Plane::Depth, .values = pixels.depths};
+    return WritePixels{.rect = rect, .plane = Plane::Stencil, .values = pixels.stencils};
+}
+
+void add_pixels(Context& c, gw::DrawPixels pixels) {
+    if (c.profile.extensions.draw_pixels) return c.drawable->add(std::move(pixels));
+    if (pixels.zoom_x != 1 || pixels.zoom_y != 1) return set_error(c, GL_INVALID_OPERATION);
+    c.drawable->add(plain(pixels));
+}
+
+}  // namespace
+
+namespace execute {
+
+void draw_pixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type,
+                 const HostImage& image) {
+    if (!is_size(width) || !is_size(height)) return set_error(c, GL_INVALID_VALUE);
+    if (const GLenum error = format_error(format, type)) return set_error(c, error);
+    if (!is_drawn(c, GL_DRAW_PIXEL_TOKEN) || !image.bytes) return;
+    gw::DrawPixels out = rectangle(c, width, height);
+    if (format == GL_DEPTH_COMPONENT)
+        set_depths(out, c, host_depths(c, width, height, type, image));
+    else if (format == GL_STENCIL_INDEX)
+        set_stencils(out, c, host_stencils(c, width, height, type, image));
+    else
+        set_colors(out, c, host_colors(c, width, height, format, type, image));
+    add_pixels(c, std::move(out));
+}
+
+void bitmap(Context& c, GLsizei width, GLsizei height, float xorig, float yorig, float xmove,
+            float ymove, const HostImage& image) {
+    if (!is_size(width) || !is_size(height)) return set_error(c, GL_INVALID_VALUE);
+    CurrentState::Raster& raster = c.state.current.raster;
+    if (!raster.valid) return;
+    if (is_drawn(c, GL_BITMAP_TOKEN) && image.bytes) {
+        gw::DrawPixels out = rectangle(c, width, height);
+        out.raster.x = std::floor(raster.position.x - double(xorig));
+        out.raster.y = std::floor(raster.position.y - double(yorig));
+        out.zoom_x = out.zoom_y = 1;
+        for (const std::byte bits : *image.bytes)
+            out.bits.push_back(std::to_integer<std::uint8_t>(bits));
+        add_pixels(c, std::move(out));
+    }
+    raster.position.x += double(xmove);
+    raster.position.y += double(ymove);
+}
+
+void copy_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
+    if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL)
+        return set_error(c, GL_INVALID_ENUM);
+    if (!is_size(width) || !is_size(height)) return set_error(c, GL_INVALID_VALUE);
+    if (!is_drawn(c, GL_COPY_PIXEL_TOKEN) || width == 0 || height == 0) return;
+    const Plane plane = type == GL_COLOR   ? Plane::Color
+                        : type == GL_DEPTH ? Plane::Depth
+                                           : Plane::Stencil;
+    gw::DrawPixels out = rectangle(c, width, height);
+    const bool is_far = std::abs(x) > max_window_size || std::abs(y) > max_window_size;
+    if (is_far) return;
+    if (is_identity(c.state.pixel, plane))
+        out.source = PixelSource{plane, x, y};
+    else
+        set_transferred(out, c, plane, {x, y, width, height});
+    add_pixels(c, std::move(out));
+}
+
+}  // namespace execute
+
+}  // namespace gw::gl

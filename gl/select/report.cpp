@@ -59,6 +59,26 @@ struct Reported {
     vec4 texcoord{0};
 };
 
+void put(Selection& s, double value) {
+    if (s.feedback_used < s.feedback_size)
+        s.feedback[s.feedback_used++] = float(value);
+    else
+        s.overflow = true;
+}
+
+void put(Selection& s, const Reported& v) {
+    const GLenum type = s.feedback_type;
+    put(s, v.x);
+    put(s, v.y);
+    if (type == GL_2D) return;
+    put(s, v.z);
+    if (type == GL_3D) return;
+    if (type == GL_4D_COLOR_TEXTURE) put(s, v.w);
+    for (int i = 0; i < 4; ++i) put(s, double(v.color[i]));
+    if (type == GL_3D_COLOR) return;
+    for (int i = 0; i < 4; ++i) put(s, double(v.texcoord[i]));
+}
+
 struct Reporter {
     Context& c;
     const Draw& draw;
@@ -76,8 +96,6 @@ private:
     void report_point(const Reported& v);
     void report_line(const Reported& a, const Reported& b, bool first);
     void report_polygon(const std::vector<Reported>& vertices);
-    void put(double value);
-    void put(const Reported& v);
 };
 
 Reported Reporter::reported(const Vertex& v, bool front) const {
@@ -104,31 +122,10 @@ bool Reporter::is_front(const std::vector<Vertex>& vertices) const {
     return state.cull.front == Winding::CCW ? area > 0 : area < 0;
 }
 
-void Reporter::put(double value) {
-    Selection& s = c.selection;
-    if (s.feedback_used < s.feedback_size)
-        s.feedback[s.feedback_used++] = float(value);
-    else
-        s.overflow = true;
-}
-
-void Reporter::put(const Reported& v) {
-    const GLenum type = c.selection.feedback_type;
-    put(v.x);
-    put(v.y);
-    if (type == GL_2D) return;
-    put(v.z);
-    if (type == GL_3D) return;
-    if (type == GL_4D_COLOR_TEXTURE) put(v.w);
-    for (int i = 0; i < 4; ++i) put(double(v.color[i]));
-    if (type == GL_3D_COLOR) return;
-    for (int i = 0; i < 4; ++i) put(double(v.texcoord[i]));
-}
-
 void Reporter::report_point(const Reported& v) {
     if (c.selection.mode == GL_SELECT) return report_depth(c, v.z);
-    put(GL_POINT_TOKEN);
-    put(v);
+    put(c.selection, GL_POINT_TOKEN);
+    put(c.selection, v);
 }
 
 void Reporter::report_line(const Reported& a, const Reported& b, bool first) {
@@ -136,9 +133,9 @@ void Reporter::report_line(const Reported& a, const Reported& b, bool first) {
         report_depth(c, a.z);
         return report_depth(c, b.z);
     }
-    put(first ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN);
-    put(a);
-    put(b);
+    put(c.selection, first ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN);
+    put(c.selection, a);
+    put(c.selection, b);
 }
 
 void Reporter::report_polygon(const std::vector<Reported>& vertices) {
@@ -146,9 +143,9 @@ void Reporter::report_polygon(const std::vector<Reported>& vertices) {
         for (const Reported& v : vertices) report_depth(c, v.z);
         return;
     }
-    put(GL_POLYGON_TOKEN);
-    put(double(vertices.size()));
-    for (const Reported& v : vertices) put(v);
+    put(c.selection, GL_POLYGON_TOKEN);
+    put(c.selection, double(vertices.size()));
+    for (const Reported& v : vertices) put(c.selection, v);
 }
 
 void Reporter::report_given(const Given& given) {
@@ -191,6 +188,14 @@ void report(Context& c, const Draw& draw) {
         given.provoking = data.primitive == Primitive::Polygons ? 0 : count - 1;
         reporter.report_given(given);
     });
+}
+
+void report_raster_position(Context& c, GLenum token) {
+    if (c.selection.mode != GL_FEEDBACK) return;
+    const CurrentState::Raster& raster = c.state.current.raster;
+    const dvec4& p = raster.position;
+    put(c.selection, double(token));
+    put(c.selection, Reported{p.x, p.y, p.z, p.w, raster.color, raster.texcoord});
 }
 
 void report_depth(Context& c, double depth) {

@@ -37,7 +37,10 @@ struct Selection {
 /// asks for.
 void report(Context& c, const Draw& draw);
 
-/// Counts a hit at a window depth: of the raster position, of pixel rectangles.
+/// In feedback mode, writes a token and the raster position.
+void report_raster_position(Context& c, GLenum token);
+
+/// Counts a hit at a window depth of the raster position.
 void report_depth(Context& c, double depth);
 
 }  // namespace gw::gl

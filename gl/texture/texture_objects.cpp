@@ -43,6 +43,24 @@ TextureFormat machine_format(GLint internal_format) {
     return TextureFormat::RGBA;
 }
 
+/// For profiles with RGBA textures only: the first level without its border, its levels made by the
+/// machine.
+TextureRef plain_texture(const TextureImage& image) {
+    const int border = image.border, width = image.width - 2 * border;
+    const int height = image.height == 1 ? 1 : image.height - 2 * border;
+    const int bottom = image.height == 1 ? 0 : border;
+    std::vector<std::uint16_t> rgba;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const std::uint16_t* t =
+                &image.rgba[4 * pixel_index(x + border, y + bottom, image.width)];
+            const Rgba texel =
+                completed(machine_format(image.internal_format), {t[0], t[1], t[2], t[3]}, 0xFFFF);
+            rgba.insert(rgba.end(), texel.begin(), texel.end());
+        }
+    return make_texture("", width, height, rgba);
+}
+
 }  // namespace
 
 std::optional<std::size_t> target_index(GLenum target) {
@@ -104,14 +122,19 @@ GLenum base_format(GLint internal_format) {
     return 0;
 }
 
-TextureRef machine_texture(TextureObject& object, std::size_t target) {
+TextureRef machine_texture(TextureObject& object, std::size_t target, const Profile& profile) {
     if (!object.changed) return object.made;
     object.changed = false;
     object.made = nullptr;
     const int count = complete_levels(object);
     if (count == 0) return nullptr;
-    Texture texture;
     const TextureImage& first = object.levels[0];
+    if (!profile.extensions.texture_formats ||
+        (first.border && !profile.extensions.texture_border)) {
+        object.made = plain_texture(first);
+        return object.made;
+    }
+    Texture texture;
     texture.format = machine_format(first.internal_format);
     texture.dimensions = target == 0 ? 1 : 2;
     texture.border = first.border != 0;

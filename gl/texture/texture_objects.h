@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/state/state.h"
+#include "gw/profile.h"
 #include "gw/texture.h"
 
 #include <array>
@@ -54,7 +55,8 @@ struct BoundTextures {
 /// 3.16
 GLenum base_format(GLint internal_format);
 
-/// The machine's texture of an object, if its images fit each other and its filter; else null.
-TextureRef machine_texture(TextureObject& object, std::size_t target);
+/// The machine's texture of an object, if its images fit each other and its filter; else null. A
+/// profile without the extension texture_formats gets the first level as RGBA.
+TextureRef machine_texture(TextureObject& object, std::size_t target, const Profile& profile);
 
 }  // namespace gw::gl
