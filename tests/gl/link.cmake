@@ -1,0 +1,1 @@
+set(link gw::gl_entry)
