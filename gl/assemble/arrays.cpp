@@ -26,7 +26,7 @@ std::size_t bytes_of(GLenum type) {
 }
 
 template <class T>
-float number(const unsigned char* at, bool is_unit) {
+float loaded(const unsigned char* at, bool is_unit) {
     T value;
     std::memcpy(&value, at, sizeof value);
     if constexpr (std::is_integral_v<T>)
@@ -36,14 +36,14 @@ float number(const unsigned char* at, bool is_unit) {
 
 float component(GLenum type, const unsigned char* at, bool is_unit) {
     switch (type) {
-        case GL_BYTE: return number<GLbyte>(at, is_unit);
-        case GL_UNSIGNED_BYTE: return number<GLubyte>(at, is_unit);
-        case GL_SHORT: return number<GLshort>(at, is_unit);
-        case GL_UNSIGNED_SHORT: return number<GLushort>(at, is_unit);
-        case GL_INT: return number<GLint>(at, is_unit);
-        case GL_UNSIGNED_INT: return number<GLuint>(at, is_unit);
-        case GL_FLOAT: return number<GLfloat>(at, is_unit);
-        case GL_DOUBLE: return number<GLdouble>(at, is_unit);
+        case GL_BYTE: return loaded<GLbyte>(at, is_unit);
+        case GL_UNSIGNED_BYTE: return loaded<GLubyte>(at, is_unit);
+        case GL_SHORT: return loaded<GLshort>(at, is_unit);
+        case GL_UNSIGNED_SHORT: return loaded<GLushort>(at, is_unit);
+        case GL_INT: return loaded<GLint>(at, is_unit);
+        case GL_UNSIGNED_INT: return loaded<GLuint>(at, is_unit);
+        case GL_FLOAT: return loaded<GLfloat>(at, is_unit);
+        case GL_DOUBLE: return loaded<GLdouble>(at, is_unit);
     }
     return 0;
 }

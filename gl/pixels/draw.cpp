@@ -125,7 +125,7 @@ Command plain(const gw::DrawPixels& pixels) {
     return WritePixels{.rect = rect, .plane = Plane::Stencil, .values = pixels.stencils};
 }
 
-void add_pixels(Context& c, gw::DrawPixels pixels) {
+void add_rectangle(Context& c, gw::DrawPixels pixels) {
     if (c.profile.extensions.draw_pixels) return c.drawable->add(std::move(pixels));
     if (pixels.zoom_x != 1 || pixels.zoom_y != 1) return set_error(c, GL_INVALID_OPERATION);
     c.drawable->add(plain(pixels));
@@ -147,7 +147,7 @@ void draw_pixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenu
         set_stencils(out, c, host_stencils(c, width, height, type, image));
     else
         set_colors(out, c, host_colors(c, width, height, format, type, image));
-    add_pixels(c, std::move(out));
+    add_rectangle(c, std::move(out));
 }
 
 void bitmap(Context& c, GLsizei width, GLsizei height, float xorig, float yorig, float xmove,
@@ -162,7 +162,7 @@ void bitmap(Context& c, GLsizei width, GLsizei height, float xorig, float yorig,
         out.zoom_x = out.zoom_y = 1;
         for (const std::byte bits : *image.bytes)
             out.bits.push_back(std::to_integer<std::uint8_t>(bits));
-        add_pixels(c, std::move(out));
+        add_rectangle(c, std::move(out));
     }
     raster.position.x += double(xmove);
     raster.position.y += double(ymove);
@@ -183,7 +183,7 @@ void copy_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
         out.source = PixelSource{plane, x, y};
     else
         set_transferred(out, c, plane, {x, y, width, height});
-    add_pixels(c, std::move(out));
+    add_rectangle(c, std::move(out));
 }
 
 }  // namespace execute

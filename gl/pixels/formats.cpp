@@ -12,7 +12,7 @@ namespace gw::gl {
 namespace {
 
 template <class T>
-double load(const std::byte* at, bool is_index) {
+double load_as(const std::byte* at, bool is_index) {
     T value;
     std::memcpy(&value, at, sizeof value);
     if constexpr (std::is_integral_v<T>)
@@ -31,7 +31,7 @@ T integer_of(double value, bool is_index) {
 }
 
 template <class T>
-void store(std::byte* at, double value, bool is_index) {
+void store_as(std::byte* at, double value, bool is_index) {
     T out;
     if constexpr (std::is_integral_v<T>)
         out = integer_of<T>(value, is_index);
@@ -87,26 +87,26 @@ std::size_t row_bytes(GLsizei width, GLenum format, GLenum type) {
 
 double load_component(GLenum type, const std::byte* at, bool is_index) {
     switch (type) {
-        case GL_BYTE: return load<GLbyte>(at, is_index);
-        case GL_UNSIGNED_BYTE: return load<GLubyte>(at, is_index);
-        case GL_SHORT: return load<GLshort>(at, is_index);
-        case GL_UNSIGNED_SHORT: return load<GLushort>(at, is_index);
-        case GL_INT: return load<GLint>(at, is_index);
-        case GL_UNSIGNED_INT: return load<GLuint>(at, is_index);
-        case GL_FLOAT: return load<GLfloat>(at, is_index);
+        case GL_BYTE: return load_as<GLbyte>(at, is_index);
+        case GL_UNSIGNED_BYTE: return load_as<GLubyte>(at, is_index);
+        case GL_SHORT: return load_as<GLshort>(at, is_index);
+        case GL_UNSIGNED_SHORT: return load_as<GLushort>(at, is_index);
+        case GL_INT: return load_as<GLint>(at, is_index);
+        case GL_UNSIGNED_INT: return load_as<GLuint>(at, is_index);
+        case GL_FLOAT: return load_as<GLfloat>(at, is_index);
     }
     return 0;
 }
 
 void store_component(GLenum type, std::byte* at, double value, bool is_index) {
     switch (type) {
-        case GL_BYTE: return store<GLbyte>(at, value, is_index);
-        case GL_UNSIGNED_BYTE: return store<GLubyte>(at, value, is_index);
-        case GL_SHORT: return store<GLshort>(at, value, is_index);
-        case GL_UNSIGNED_SHORT: return store<GLushort>(at, value, is_index);
-        case GL_INT: return store<GLint>(at, value, is_index);
-        case GL_UNSIGNED_INT: return store<GLuint>(at, value, is_index);
-        case GL_FLOAT: return store<GLfloat>(at, value, is_index);
+        case GL_BYTE: return store_as<GLbyte>(at, value, is_index);
+        case GL_UNSIGNED_BYTE: return store_as<GLubyte>(at, value, is_index);
+        case GL_SHORT: return store_as<GLshort>(at, value, is_index);
+        case GL_UNSIGNED_SHORT: return store_as<GLushort>(at, value, is_index);
+        case GL_INT: return store_as<GLint>(at, value, is_index);
+        case GL_UNSIGNED_INT: return store_as<GLuint>(at, value, is_index);
+        case GL_FLOAT: return store_as<GLfloat>(at, value, is_index);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "gl/draw/submit.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace gw::gl {
@@ -16,7 +17,6 @@ int rounded(double v) { return int(std::clamp(std::floor(v + 0.5), -0x1p30, 0x1p
 bool is_map(GLenum map) { return map >= GL_PIXEL_MAP_I_TO_I && map <= GL_PIXEL_MAP_A_TO_A; }
 /// I_TO_I and S_TO_S hold indices.
 bool holds_indices(GLenum map) { return map == GL_PIXEL_MAP_I_TO_I || map == GL_PIXEL_MAP_S_TO_S; }
-bool is_power_of_two(GLsizei n) { return n > 0 && (n & (n - 1)) == 0; }
 
 template <class T>
 Numbers map_numbers(GLenum map, GLsizei size, const T* values) {
@@ -95,7 +95,7 @@ void pixel_transfer(Context& c, GLenum pname, double param) {
 void pixel_map(Context& c, GLenum map, GLsizei size, const Numbers& values) {
     if (!is_map(map)) return set_error(c, GL_INVALID_ENUM);
     const bool by_index = map <= GL_PIXEL_MAP_I_TO_A;
-    if (size < 1 || size > max_pixel_map || (by_index && !is_power_of_two(size)))
+    if (size < 1 || size > max_pixel_map || (by_index && !std::has_single_bit(unsigned(size))))
         return set_error(c, GL_INVALID_VALUE);
     if (values->empty()) return;
     auto& table = c.pixel_maps.tables[map - GL_PIXEL_MAP_I_TO_I];

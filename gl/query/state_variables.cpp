@@ -261,7 +261,7 @@ void add_stacks(Table& t) {
     t[GL_SELECTION_BUFFER_SIZE] = [](Context& c) { return whole(c.selection.hits_size); };
 }
 
-Table make_table() {
+Table make_variables() {
     Table t;
     add_current(t);
     add_arrays(t);
@@ -281,7 +281,7 @@ Table make_table() {
 }  // namespace
 
 std::optional<QueryValues> state_variable(Context& c, GLenum pname) {
-    static const Table table = make_table();
+    static const Table table = make_variables();
     if (const auto found = table.find(pname); found != table.end()) return found->second(c);
     if (const Capability* capability = find_capability(pname))
         return whole(is_enabled(c.state, *capability));

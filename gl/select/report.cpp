@@ -18,7 +18,7 @@ struct Given {
     std::size_t provoking = 0;
 };
 
-std::uint32_t index_at(const MeshData& data, std::size_t i) {
+std::uint32_t vertex_index(const MeshData& data, std::size_t i) {
     return data.indices.empty() ? std::uint32_t(i) : data.indices[i];
 }
 
@@ -184,7 +184,8 @@ void report(Context& c, const Draw& draw) {
     const MeshData& data = draw.mesh->data();
     for_each_run(data, [&](std::size_t first, std::size_t count) {
         Given given;
-        for (std::size_t i = 0; i < count; ++i) given.vertices.push_back(index_at(data, first + i));
+        for (std::size_t i = 0; i < count; ++i)
+            given.vertices.push_back(vertex_index(data, first + i));
         given.provoking = data.primitive == Primitive::Polygons ? 0 : count - 1;
         reporter.report_given(given);
     });

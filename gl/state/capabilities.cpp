@@ -12,7 +12,7 @@ namespace gw::gl {
 
 namespace {
 
-std::vector<Capability> make_table() {
+std::vector<Capability> make_capabilities() {
     std::vector<Capability> table{
         {GL_POINT_SMOOTH, [](State& s, int) -> bool& { return s.point.smooth; }},
         {GL_LINE_SMOOTH, [](State& s, int) -> bool& { return s.line.smooth; }},
@@ -66,7 +66,7 @@ void set_capability(Context& c, GLenum name, bool on) {
 }  // namespace
 
 std::span<const Capability> capabilities() {
-    static const std::vector<Capability> table = make_table();
+    static const std::vector<Capability> table = make_capabilities();
     return table;
 }
 

@@ -4,6 +4,7 @@
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
 #include "gl/state/color_material.h"
+#include "gl/state/face.h"
 
 #include "gl/api/convert.h"
 
@@ -14,10 +15,6 @@
 namespace gw::gl {
 
 namespace {
-
-bool is_face(GLenum face) {
-    return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK;
-}
 
 /// The direction in eye space, by the upper 3x3 of the modelview matrix.
 vec3 direction_in_eye(const Context& c, const Params& p) {

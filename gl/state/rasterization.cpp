@@ -3,18 +3,11 @@
 #include "gl/api/convert.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
+#include "gl/state/face.h"
 
 #include <algorithm>
 
 namespace gw::gl {
-
-namespace {
-
-bool is_face(GLenum face) {
-    return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK;
-}
-
-}  // namespace
 
 namespace execute {
 

@@ -15,7 +15,7 @@ bool is_min_filter(GLenum f) {
            (f >= GL_NEAREST_MIPMAP_NEAREST && f <= GL_LINEAR_MIPMAP_LINEAR);
 }
 
-vec4 clamped(const Params& p) {
+vec4 clamped_color(const Params& p) {
     vec4 out = p.as_vec4();
     for (int i = 0; i < 4; ++i) out[i] = std::clamp(out[i], 0.0f, 1.0f);
     return out;
@@ -61,7 +61,7 @@ void tex_parameter(Context& c, GLenum target, GLenum pname, const Params& params
         case GL_TEXTURE_WRAP_T: return set_wrap(c, s.wrap_t, token);
         case GL_TEXTURE_BORDER_COLOR:
             if (params.count < 4) return set_error(c, GL_INVALID_ENUM);
-            return change(c, s.border_color, clamped(params));
+            return change(c, s.border_color, clamped_color(params));
         case GL_TEXTURE_PRIORITY: s.priority = std::clamp(float(params[0]), 0.0f, 1.0f); return;
     }
     set_error(c, GL_INVALID_ENUM);
@@ -72,7 +72,7 @@ void tex_env(Context& c, GLenum target, GLenum pname, const Params& params) {
     TextureState& s = c.state.texture;
     if (pname == GL_TEXTURE_ENV_COLOR) {
         if (params.count < 4) return set_error(c, GL_INVALID_ENUM);
-        return change(c, s.env_color, clamped(params));
+        return change(c, s.env_color, clamped_color(params));
     }
     const GLenum mode = params.token();
     const bool known =

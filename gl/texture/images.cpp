@@ -9,6 +9,7 @@
 #include "gw/texture.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -29,11 +30,10 @@ std::optional<Place> place_of(GLenum target) {
     return index ? std::optional(Place{*index, false}) : std::nullopt;
 }
 
-bool is_power_of_two(int n) { return n > 0 && (n & (n - 1)) == 0; }
-
 bool fits_level(int size, int border, int level) {
     const int inner = size - 2 * border;
-    return inner == 0 || (is_power_of_two(inner) && inner <= max_texture_size >> level);
+    return inner == 0 ||
+           (std::has_single_bit(unsigned(inner)) && inner <= max_texture_size >> level);
 }
 
 /// The size and format of an image.
