@@ -36,6 +36,7 @@ void finish_drawing(Context& c) {
     if (c.drawable == nullptr) return;
     c.drawable->flush();
     c.drawable->present();
+    c.drawable->begin_frame();
     c.meshes.begin_frame();
 }
 

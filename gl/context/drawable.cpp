@@ -1,5 +1,6 @@
 #include "gl/context/drawable.h"
 
+#include "gl/context/frame_log.h"
 #include "gl/context/settings.h"
 
 #include <utility>
@@ -12,20 +13,40 @@ namespace {
 constexpr std::uint64_t largest_frame = 1u << 20;
 constexpr std::size_t most_commands = 1u << 16;
 
+std::unique_ptr<FrameLog> log;
+
 }  // namespace
 
-Drawable::Drawable(const Profile& profile, int width, int height)
-    : width_(width),
+FrameLog* frame_log() { return log.get(); }
+void set_frame_log(std::unique_ptr<FrameLog> to) { log = std::move(to); }
+
+Drawable::Drawable(const Profile& profile, int width, int height, std::string name)
+    : name_(std::move(name)),
+      width_(width),
       height_(height),
-      machine_(make_fast(profile, width, height, {.threads = settings().threads})) {}
+      machine_(make_fast(profile, width, height, {.threads = settings().threads})) {
+    if (log) log->open(name_, width, height);
+}
+
+Drawable::~Drawable() {
+    if (log) log->close(name_);
+}
 
 void Drawable::add(Command command) {
+    if (std::exchange(frame_begins_, false))
+        frame_.add(BeginPass{"frame " + std::to_string(frames_)});
     if (const auto* draw = std::get_if<Draw>(&command))
         frame_vertices_ += draw->mesh->vertex_count();
     frame_.add(std::move(command));
     if (frame_vertices_ < largest_frame && frame_.commands.size() < most_commands) return;
     ++barriers_;
     flush();
+}
+
+void Drawable::begin_frame() {
+    if (frame_begins_) return;
+    ++frames_;
+    frame_begins_ = true;
 }
 
 void Drawable::set_state(const gw::State& state) {
@@ -40,6 +61,7 @@ void Drawable::flush() {
     frame_vertices_ = 0;
     machine_->execute(frame);
     machine_->reset_passes();
+    if (log) log->add(name_, frame);
 }
 
 Readback Drawable::read(Plane plane, const Rect& rect, bool packed) {

@@ -7,14 +7,15 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 namespace gw::gl {
 
 class Drawable {
 public:
     /// Throws Error for a size outside 1 .. max_window_size.
-    Drawable(const Profile& profile, int width, int height);
-    virtual ~Drawable() = default;
+    Drawable(const Profile& profile, int width, int height, std::string name = "main");
+    virtual ~Drawable();
     Drawable(const Drawable&) = delete;
     Drawable& operator=(const Drawable&) = delete;
 
@@ -27,8 +28,10 @@ public:
     void add(Command command);
     void set_state(const gw::State& state);
 
-    /// Executes the frame.
+    /// Executes the frame. What follows belongs to it too, until begin_frame().
     void flush();
+    /// The commands that follow are those of a new frame, a pass "frame 12".
+    void begin_frame();
     /// Shows the frame: to the window, or in the caller's memory.
     virtual void present() {}
     /// Executes the frame and reads a rectangle inside the drawable.
@@ -39,10 +42,13 @@ public:
     std::uint64_t barriers() const { return barriers_; }
 
 private:
+    std::string name_;  ///< in recordings
     int width_, height_;
     std::unique_ptr<Machine> machine_;
     CommandList frame_;
     std::uint64_t frame_vertices_ = 0;
+    std::uint64_t frames_ = 0;
+    bool frame_begins_ = true;
     std::unique_ptr<gw::State> last_state_;
     std::uint64_t barriers_ = 0;
 };

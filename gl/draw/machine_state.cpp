@@ -121,11 +121,24 @@ void set_lighting(gw::State& out, const LightingState& s) {
                                    color_material(s.color_material_mode)};
 }
 
-int whole_size(float size) { return int(std::clamp(std::floor(size + 0.5f), 1.0f, 128.0f)); }
+float clamped_size(float size) { return std::clamp(size, 1.0f, 128.0f); }
+
+/// [R9.4], [R9.26]: whole pixels, or multiples of 2^-11 with antialiasing.
+float machine_size(float size, bool smooth) {
+    const float steps = smooth ? 2048.0f : 1.0f;
+    return std::floor(clamped_size(size) * steps + 0.5f) / steps;
+}
+
+void set_sizes(gw::State& out, const State& s, const Profile& profile) {
+    const bool smooths = profile.coverage_bits > 0;
+    out.point_smooth = smooths && s.point.smooth;
+    out.line_smooth = smooths && s.line.smooth;
+    out.polygon_smooth = smooths && s.polygon.smooth;
+    out.point_size = machine_size(s.point.size, out.point_smooth);
+    out.line_width = machine_size(s.line.width, out.line_smooth);
+}
 
 void set_rasterization(gw::State& out, const State& s, const Extensions& has) {
-    out.point_size = whole_size(s.point.size);
-    out.line_width = whole_size(s.line.width);
     const PolygonState& p = s.polygon;
     out.cull = {p.cull, face(p.cull_face), p.front_face == GL_CW ? Winding::CW : Winding::CCW};
     out.polygon_mode = polygon_mode(p.front_mode);
@@ -210,6 +223,7 @@ gw::State machine_state(const Context& c) {
     gw::State out;
     set_transform(out, c);
     set_lighting(out, c.state.lighting);
+    set_sizes(out, c.state, c.profile);
     set_rasterization(out, c.state, c.profile.extensions);
     set_texture(out, c);
     set_fog(out, c.state.fog);

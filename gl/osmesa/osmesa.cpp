@@ -4,17 +4,20 @@
 #include "gl/context/current.h"
 #include "gl/context/settings.h"
 #include "gl/entry/entry_points.h"
+#include "gl/record/recorder.h"
 
 #include "gw/error.h"
 
 #include <GL/osmesa.h>
 
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace {
 
@@ -56,8 +59,8 @@ unsigned scaled(unsigned value, unsigned largest, unsigned to) {
 /// The caller's memory as a drawable.
 class Memory : public Drawable {
 public:
-    Memory(const Profile& of, int width, int height, const Layout& layout)
-        : Drawable(of, width, height), layout_(layout) {}
+    Memory(const Profile& of, int width, int height, std::string name, const Layout& layout)
+        : Drawable(of, width, height, std::move(name)), layout_(layout) {}
 
     void set_memory(void* buffer, GLenum type) {
         buffer_ = static_cast<unsigned char*>(buffer);
@@ -143,10 +146,17 @@ auto caught(Call call) -> decltype(call()) {
 
 }  // namespace
 
+namespace {
+std::atomic<int> osmesa_count = 0;
+}
+
 struct osmesa_context {
     osmesa_context(const Layout& of, std::shared_ptr<Shared> with)
-        : layout(of), context(settings().profile, std::move(with)) {}
+        : name("osmesa " + std::to_string(++osmesa_count)),
+          layout(of),
+          context(settings().profile, std::move(with)) {}
 
+    std::string name;  ///< of its memory, in recordings
     const Layout& layout;
     Context context;
     std::unique_ptr<Memory> memory;
@@ -162,6 +172,7 @@ OSMesaContext make_context(GLenum format, OSMesaContext sharelist) {
     const Layout* const layout = layout_of(format);
     if (layout == nullptr) return nullptr;
     return caught([&] {
+        start_recording();
         return new osmesa_context(*layout, sharelist ? sharelist->context.shared : nullptr);
     });
 }
@@ -214,8 +225,8 @@ GLboolean GLAPIENTRY OSMesaMakeCurrent(OSMesaContext context, void* buffer, GLen
     return caught([&]() -> GLboolean {
         auto& memory = context->memory;
         if (!memory || memory->width() != width || memory->height() != height) {
-            auto made =
-                std::make_unique<Memory>(settings().profile, width, height, context->layout);
+            auto made = std::make_unique<Memory>(settings().profile, width, height, context->name,
+                                                 context->layout);
             make_current(nullptr, nullptr);
             memory = std::move(made);
         }

@@ -212,6 +212,9 @@ void add_hints(Table& t) {
     t[GL_FOG_HINT] = [](Context& c) { return whole(c.state.hint.fog); };
 }
 
+/// The step of sizes and widths with antialiasing.
+double size_step(const Profile& profile) { return profile.coverage_bits > 0 ? 0x1p-11 : 1; }
+
 void add_limits(Table& t) {
     t[GL_MAX_LIGHTS] = [](Context&) { return whole(light_count); };
     t[GL_MAX_CLIP_PLANES] = [](Context&) { return whole(max_clip_planes); };
@@ -228,9 +231,9 @@ void add_limits(Table& t) {
     t[GL_MAX_CLIENT_ATTRIB_STACK_DEPTH] = [](Context&) { return whole(client_stack_depth); };
     t[GL_SUBPIXEL_BITS] = [](Context& c) { return whole(c.profile.subpixel_bits); };
     t[GL_POINT_SIZE_RANGE] = [](Context&) { return numbers_of(1, 128); };
-    t[GL_POINT_SIZE_GRANULARITY] = [](Context&) { return number(1); };
+    t[GL_POINT_SIZE_GRANULARITY] = [](Context& c) { return number(size_step(c.profile)); };
     t[GL_LINE_WIDTH_RANGE] = [](Context&) { return numbers_of(1, 128); };
-    t[GL_LINE_WIDTH_GRANULARITY] = [](Context&) { return number(1); };
+    t[GL_LINE_WIDTH_GRANULARITY] = [](Context& c) { return number(size_step(c.profile)); };
     t[GL_AUX_BUFFERS] = [](Context&) { return whole(0); };
     t[GL_RGBA_MODE] = [](Context&) { return whole(GL_TRUE); };
     t[GL_INDEX_MODE] = [](Context&) { return whole(GL_FALSE); };
