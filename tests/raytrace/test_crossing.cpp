@@ -92,6 +92,27 @@ TEST(Crossing, IsDecidedAsInIntegers) {
     EXPECT_GT(rare, 2'000) << "through a corner or a side";
 }
 
+/// A ray almost in the triangle's plane, to a point inside it that is one direction away.
+TEST(Crossing, OfAGrazingRayIsWhereItShouldBe) {
+    std::mt19937_64 random(2);
+    const auto vector = [&](int most) {
+        const auto number = [&] { return double(int(random() % (2 * most + 1)) - most); };
+        return dvec3(number(), number(), number());
+    };
+    int crossed = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const dvec3 corner = vector(1 << 20), e = vector(1 << 16), f = vector(1 << 16);
+        const dvec3 direction = 64.0 * (e - 2.0 * f) + vector(2);
+        const Ray ray{corner + e + f - direction, direction};
+        const auto at =
+            CrossingTest(ray, 0x1p31).cross({corner, corner + 3.0 * e, corner + 3.0 * f});
+        if (!at) continue;  // exactly in the plane
+        ++crossed;
+        EXPECT_NEAR(at->t, 1, 0x1p-45) << "case " << i;
+    }
+    EXPECT_GT(crossed, 19'000);
+}
+
 /// Of the four triangles around a corner a line crosses one.
 TEST(Crossing, AroundACornerIsOne) {
     const dvec3 tip(1, 2, 3);
