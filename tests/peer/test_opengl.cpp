@@ -1,4 +1,4 @@
-// Logical operations, blend equations and stipples through Mesa and us.
+// Logical operations, blend equations, stipples and smooth primitives through Mesa and us.
 #include "tests/peer/compare.h"
 
 namespace gw {
@@ -127,6 +127,72 @@ TEST_P(OpenGL, StippledLinesAgree) {
                                        play(lists, coarse_opengl()).planes);
     report(GetParam(), "stippled lines and strips", tally);
     EXPECT_EQ(tally.different, 0);
+}
+
+/// Coverage as alpha: white over 0, without blending.
+State smooth_state() {
+    State state = window_state();
+    state.point_smooth = state.line_smooth = state.polygon_smooth = true;
+    return state;
+}
+
+int alpha_at(const Planes& planes, std::size_t p) { return planes.color[p][3]; }
+
+/// Mesa multiplies two fractions: how far the pixel reaches into the line along and across it.
+TEST_P(OpenGL, SmoothLinesAreWithinASixteenth) {
+    Random random(16);
+    std::vector<CommandList> lists;
+    const auto at = [&] { return float(random.between(8 * grid, (size - 8) * grid)) / grid; };
+    for (int i = 0; i < 60; ++i) {
+        State state = smooth_state();
+        state.line_width = float(random.between(8, 64)) / 8;
+        const float ax = at(), ay = at(), bx = at(), by = at();
+        add(lists.emplace_back(), state,
+            Draw{.mesh = make_mesh(
+                     {.primitive = Primitive::Lines, .positions = {{ax, ay, 0}, {bx, by, 0}}})});
+    }
+    const auto ours = execute(lists, size, size, coarse_opengl()),
+               theirs = play(lists, coarse_opengl()).planes;
+    Tally tally;
+    for (std::size_t i = 0; i < lists.size(); ++i)
+        for_pixels([&](int, int, std::size_t p) {
+            const int a = alpha_at(ours[i], p), b = alpha_at(theirs[i], p);
+            if (a != 0 || b != 0) tally.add(std::abs(a - b));
+        });
+    report(GetParam(), "smooth lines", tally);
+    EXPECT_GT(tally.compared, 5000);
+    EXPECT_LE(tally.worst, 16);
+}
+
+/// Mesa's smooth points have whole pixels, and its smooth polygons those of other polygons.
+TEST_P(OpenGL, SmoothPointsAndPolygonsHoldMesasWholePixels) {
+    Random random(17);
+    std::vector<CommandList> lists;
+    const auto at = [&] { return float(random.between(8 * grid, (size - 8) * grid)) / grid; };
+    for (int i = 0; i < 40; ++i) {
+        State state = smooth_state();
+        state.point_size = float(random.between(24, 80)) / 8;
+        const float x = at(), y = at();
+        add(lists.emplace_back(), state,
+            Draw{.mesh = make_mesh({.primitive = Primitive::Points, .positions = {{x, y, 0}}})});
+        add(lists.emplace_back(), state,
+            Draw{.mesh = make_mesh(
+                     mesh_of(random_triangle(random), {0, 0, 0}, {vec4(1), vec4(1), vec4(1)}))});
+    }
+    const auto ours = execute(lists, size, size, coarse_opengl()),
+               theirs = play(lists, coarse_opengl()).planes;
+    Tally whole, partial;
+    for (std::size_t i = 0; i < lists.size(); ++i)
+        for_pixels([&](int, int, std::size_t p) {
+            const int a = alpha_at(ours[i], p), b = alpha_at(theirs[i], p);
+            if (a == 255) whole.add(255 - b);
+            if (b != 0) partial.add(255 - b);
+        });
+    report(GetParam(), "pixels wholly covered by points, polygons", whole);
+    report(GetParam(), "Mesa's pixels of smooth points, polygons", partial);
+    EXPECT_GT(whole.compared, 10000);
+    EXPECT_EQ(whole.different, 0);
+    EXPECT_EQ(partial.different, 0);
 }
 
 /// A square over the window in each format and environment, and half way into the border.
