@@ -1,7 +1,8 @@
-"""python3 -m python_machine RECORDING.gwt [MANIFEST.json] ...
+"""python3 -m python_machine RECORDING.gwt ...
 
-Executes recordings and compares every pass with its manifest (by default the file beside the
-recording, NAME.json). Exit code 0: all agree; 3: a difference; 2: usage.
+Executes recordings and compares every pass with its manifest, the file NAME.json beside the
+recording. Of a stream with several machines, numbered from 0, they are NAME_0.json and so on. Exit
+code 0: all agree; 3: a difference; 2: usage.
 """
 import json
 import pathlib
@@ -10,7 +11,7 @@ import sys
 import numpy as np
 
 from .machine import Machine
-from .recordings import Reader
+from .recordings import readers
 
 
 def differences(name, counters, digests, expected):
@@ -28,8 +29,19 @@ def differences(name, counters, digests, expected):
 
 def check(recording):
     """The number of passes, and the lines to print of the first that differs."""
-    expected = json.loads(recording.with_suffix(".json").read_text(encoding="utf-8"))["passes"]
-    reader = Reader(recording)
+    machines = readers(recording)
+    passes = 0
+    for number, reader in enumerate(machines):
+        suffix = f"_{number}" if len(machines) > 1 else ""
+        count, lines = check_machine(reader, recording.with_name(f"{recording.stem}{suffix}.json"))
+        passes += count
+        if lines:
+            return passes, lines
+    return passes, []
+
+
+def check_machine(reader, manifest):
+    expected = json.loads(manifest.read_text(encoding="utf-8"))["passes"]
     machine = Machine(reader.profile, reader.width, reader.height)
     passes = 0
     for number, ended in enumerate(machine.execute(reader.commands())):

@@ -254,19 +254,36 @@ def state_of(given):
     return state
 
 
-class Reader:
-    """A recording's profile, window and commands [R15.3], [R15.4]."""
+class Values:
+    """[R15.3] The meshes and textures of a file; of a stream, those of its parts so far."""
 
-    def __init__(self, path):
-        with open(path, "rb") as file:
-            self.table = generated("Recording").GetRootAs(file.read(), 0)
-        if self.table.Version() not in (1, 2):
-            raise ValueError(f"{path}: version {self.table.Version()}; expected 1 or 2")
-        table = self.table
+    def __init__(self):
+        self.meshes, self.textures = [], []
+
+    def add(self, table):
+        self.meshes += [mesh_of(table.Meshes(i)) for i in range(table.MeshesLength())]
+        self.textures += [image_of(table.Textures(i)) for i in range(table.TexturesLength())]
+
+
+class Reader:
+    """A machine's profile, window and commands [R15.3], [R15.4]."""
+
+    def __init__(self, window, table, values):
+        self.window, self.values, self.parts = window, values, []
         self.width, self.height = table.Width(), table.Height()
         self.profile = filled(Profile(), generated("ProfileT").InitFromObj(table.Profile()))
-        self.meshes = [mesh_of(table.Meshes(i)) for i in range(table.MeshesLength())]
-        self.textures = [image_of(table.Textures(i)) for i in range(table.TexturesLength())]
+        self.states, self.light_sets = [], []
+
+    @property
+    def meshes(self):
+        return self.values.meshes
+
+    @property
+    def textures(self):
+        return self.values.textures
+
+    def begin(self, table):
+        """States and lights are those of a part."""
         self.states = [state_of(generated("StateT").InitFromObj(table.States(i)))
                        for i in range(table.StatesLength())]
         self.light_sets = [
@@ -276,16 +293,20 @@ class Reader:
 
     def commands(self):
         """Of all lists, in order: how they are cut changes nothing [R1.2]."""
+        for table in self.parts:
+            self.begin(table)
+            for i in range(table.ListsLength()):
+                yield from self.commands_of(table.Lists(i))
+
+    def commands_of(self, commands):
         kinds = names_of("CommandType")
-        for i in range(self.table.ListsLength()):
-            commands = self.table.Lists(i)
-            for k in range(commands.CommandsLength()):
-                place = commands.Commands(k)._tab
-                kind = kinds[commands.CommandsType(k)]
-                table = generated(kind)()
-                table.Init(place.Bytes, place.Pos)
-                given = generated(kind + "T").InitFromObj(table)
-                yield Command(kind, getattr(self, "read_" + kind)(given))
+        for k in range(commands.CommandsLength()):
+            place = commands.Commands(k)._tab
+            kind = kinds[commands.CommandsType(k)]
+            table = generated(kind)()
+            table.Init(place.Bytes, place.Pos)
+            given = generated(kind + "T").InitFromObj(table)
+            yield Command(kind, getattr(self, "read_" + kind)(given))
 
     def read_BeginPass(self, c):
         return {"name": (c.name or b"").decode() if isinstance(c.name, bytes) else c.name or ""}
@@ -338,3 +359,38 @@ class Reader:
                 "stencils": integers(c.stencils), "bits": integers(c.bits), "source": c.source,
                 "texture": None if c.texture == NONE else self.textures[c.texture],
                 "slot": None if c.slot == NONE else c.slot}
+
+
+# ---- Files ----------------------------------------------------------------------------------
+
+
+def root_of(data, path):
+    table = generated("Recording").GetRootAs(data, 0)
+    if table.Version() not in (1, 2):
+        raise ValueError(f"{path}: version {table.Version()}; expected 1 or 2")
+    return table
+
+
+def parts_of(data):
+    """The parts of a stream: after 8 bytes each with its size and digest, at the end a size of 0."""
+    place = 8
+    while size := int.from_bytes(data[place:place + 8], "little"):
+        yield data[place + 24:place + 24 + size]
+        place += 24 + size
+
+
+def readers(path):
+    """The machine of a recording, or those of a stream's windows."""
+    with open(path, "rb") as file:
+        data = file.read()
+    values, machines, opened = Values(), [], {}
+    is_stream = data[4:8] == b"GWTS"
+    for part in parts_of(data) if is_stream else [data]:
+        table = root_of(part, path)
+        values.add(table)
+        window = (table.Window() or b"").decode()
+        if table.Event() == generated("WindowEvent").Open or not is_stream:
+            opened[window] = Reader(window, table, values)
+            machines.append(opened[window])
+        opened[window].parts.append(table)
+    return machines
