@@ -1,5 +1,6 @@
 // docs/recordings.md, "What absent members mean": a file with as few members as can be. Written field
 // by field, by their places in the schema, as a foreign writer might.
+#include "gw/error.h"
 #include "inspect/recording/recording.h"
 
 #include <flatbuffers/flatbuffers.h>
@@ -34,16 +35,22 @@ Table profile(FlatBufferBuilder& out) {
     });
 }
 
+/// Which of a list's members are there.
+struct Present {
+    bool types = true, commands = true;
+};
+
 /// One list with these kinds of commands, all members absent.
-std::vector<std::uint8_t> recording_of(const std::vector<std::uint8_t>& kinds) {
+std::vector<std::uint8_t> recording_of(const std::vector<std::uint8_t>& kinds,
+                                       const Present& present = {}) {
     FlatBufferBuilder out;
     std::vector<Table> commands;
     for (std::size_t i = 0; i < kinds.size(); ++i) commands.push_back(table(out));
     const auto types = out.CreateVector(kinds);
     const auto tables = out.CreateVector(commands);
     const Table list = table(out, [&] {
-        out.AddOffset(place(0), types);
-        out.AddOffset(place(1), tables);
+        if (present.types) out.AddOffset(place(0), types);
+        if (present.commands) out.AddOffset(place(1), tables);
     });
     const auto lists = out.CreateVector(std::vector<Table>{list});
     const auto meshes = out.CreateVector(std::vector<Table>{table(out)});
@@ -84,6 +91,14 @@ TEST(AbsentMembers, HaveTheValuesOfTheManual) {
     EXPECT_EQ(std::get<Copy>(c[7]), Copy{});
     EXPECT_EQ(std::get<Read>(c[8]), Read{});
     EXPECT_EQ(r.profile.name, "");
+}
+
+/// A list is empty if it has neither; one of them alone is damage.
+TEST(AbsentMembers, OfAListAreKindsAndCommandsTogether) {
+    EXPECT_EQ(decode(recording_of({1}, {})).lists[0].commands.size(), 1u);
+    EXPECT_TRUE(decode(recording_of({1}, {false, false})).lists[0].commands.empty());
+    EXPECT_THROW(decode(recording_of({1}, {false, true})), Error);
+    EXPECT_THROW(decode(recording_of({1}, {true, false})), Error);
 }
 
 }  // namespace
