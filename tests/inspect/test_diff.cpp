@@ -67,6 +67,27 @@ TEST(Diff, NamesWhatDiffers) {
     EXPECT_NE(first(a, with_draw(other)).find("eye_from_object"), std::string::npos);
 }
 
+TEST(Diff, NamesTheMemberOfADrawnRectangle) {
+    const auto with = [](const DrawPixels& d) { return recording_of(d); };
+    DrawPixels draw{.width = 2, .height = 1, .raster = {.x = 1.5}, .colors = {{1, 2, 3, 4}, {}}};
+    const Recording a = with(draw);
+    DrawPixels other = draw;
+    other.raster.x = 2;
+    EXPECT_NE(first(a, with(other)).find("(DrawPixels), raster: expected x 1.5 y 0 depth 0"),
+              std::string::npos);
+    other = draw;
+    other.colors[1][3] = 9;
+    EXPECT_NE(first(a, with(other)).find("colors 1: expected 0 0 0 0, got 0 0 0 9"),
+              std::string::npos);
+    other = draw;
+    other.source = PixelSource{Plane::Depth, 3, 4};
+    EXPECT_NE(first(a, with(other)).find("source: expected none, got Depth 3 4"),
+              std::string::npos);
+    other = draw;
+    other.map.slot = 3;
+    EXPECT_NE(first(a, with(other)).find("texture slot: expected none, got 3"), std::string::npos);
+}
+
 TEST(Diff, NamesTheStatesField) {
     Recording a = recording_of(SetState{}),
               b = recording_of(SetState{.state = {.blend = {.dst = BlendFactor::One}}});
