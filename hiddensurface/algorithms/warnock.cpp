@@ -54,13 +54,13 @@ private:
         listed_ -= around.size() + inside.size();
     }
 
-    /// The thinker: draws, or asks for four looks.
+    /// The thinker: draws, or asks for four looks. A window of one pixel is simple: a face covers its
+    /// centre or not, and only the nearest is left.
     void think(const Rect& w, const FaceList& around, const FaceList& inside) {
         if (around.empty() && inside.empty()) return log(w, {}, "empty");
         if (around.size() == 1 && inside.empty())
             return fill(w, *around[0], "surrounded, before all others");
         if (around.empty() && inside.size() == 1) return fill(w, *inside[0], "one face");
-        if (w.width == 1 && w.height == 1) return one_pixel(w, around, inside);
         log(w, inside.empty() ? around : inside, "not simple");
         const int width = (w.width + 1) / 2, height = (w.height + 1) / 2;
         for (const int y : {height, 0})
@@ -84,17 +84,6 @@ private:
         };
         std::erase_if(around, hidden);
         std::erase_if(inside, hidden);
-    }
-
-    void one_pixel(const Rect& w, const FaceList& around, const FaceList& inside) {
-        const Face* nearest = nullptr;
-        for (const FaceList* list : {&around, &inside})
-            for (const Face* face : *list) {
-                if (!covers(*face, w.x, w.y)) continue;
-                output_.counts.depths += 1;
-                if (!nearest || is_nearer(*face, *nearest, w.x, w.y)) nearest = face;
-            }
-        if (nearest) fill(w, *nearest, "a pixel: nearest at its centre");
     }
 
     void fill(const Rect& w, const Face& face, const char* why) {
