@@ -3,6 +3,7 @@
 #include "gw/error.h"
 #include "gw/mesh/decompose.h"
 
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -153,7 +154,9 @@ MeshRef make_mesh(MeshData data) {
         fail(count(corners.size(), "index", "indices") + " do not fit " + needs(data.primitive));
     check_polygon_sizes(data, corners.size());
 
+    static std::atomic<std::uint64_t> made = 0;
     auto mesh = std::make_shared<Mesh>();
+    mesh->number_ = made.fetch_add(1, std::memory_order_relaxed);
     mesh->kind_ = kind_of(data.primitive);
     switch (mesh->kind_) {
         case MeshKind::Points:

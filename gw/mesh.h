@@ -83,15 +83,19 @@ public:
     std::uint32_t vertex_count() const {
         return static_cast<std::uint32_t>(data_.positions.size());
     }
+    /// Differs from that of every other mesh of the process. An address may be used again.
+    std::uint64_t number() const { return number_; }
 
 private:
     friend std::shared_ptr<const Mesh> make_mesh(MeshData data);
-    MeshData data_;
+    // Most draws read only the members up to the positions.
+    std::uint64_t number_ = 0;
     MeshKind kind_ = MeshKind::Triangles;
-    std::vector<Triangle> triangles_;
+    std::uint32_t polygon_count_ = 0;
     std::vector<std::array<std::uint32_t, 2>> lines_;
     std::vector<std::uint32_t> points_;
-    std::uint32_t polygon_count_ = 0;
+    std::vector<Triangle> triangles_;
+    MeshData data_;
 };
 
 using MeshRef = std::shared_ptr<const Mesh>;

@@ -40,13 +40,6 @@ vec4 given_color(const Draw& draw, std::uint32_t index) {
     return draw.current ? draw.current->color : CurrentValues{}.color;
 }
 
-namespace {
-
-std::array<double, 4> quantized_color(const vec4& c, int bits) {
-    return {double(quantize(c.x, bits)), double(quantize(c.y, bits)), double(quantize(c.z, bits)),
-            double(quantize(c.w, bits))};
-}
-
 dvec3 given_normal(const Draw& draw, std::uint32_t index) {
     const auto& normals = draw.mesh->data().normals;
     if (!normals.empty()) return normals[index];
@@ -59,26 +52,6 @@ dvec4 given_texcoord(const Draw& draw, std::uint32_t index) {
     const vec2 st = mesh.texcoords[index];
     const vec2 rq = mesh.texcoords_rq.empty() ? vec2(0, 1) : mesh.texcoords_rq[index];
     return {st.x, st.y, rq.x, rq.y};
-}
-
-bool is_affine(const dmat4& m) {
-    return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
-}
-
-bool is_common(const State& state, const Draw& draw) {
-    const MeshData& mesh = draw.mesh->data();
-    const TextureState& t = state.texture;
-    return is_affine(draw.eye_from_object) && mesh.w.empty() && mesh.texcoords_rq.empty() &&
-           mesh.material_indices.empty() && state.normalize && !draw.current &&
-           !draw.back_material && !state.lighting.color_material.enable &&
-           t.gen != TexGen::PerCoordinate && t.matrix == dmat4(1) && !is_one_dimensional(draw);
-}
-
-dvec3 eye_normal(const VertexProgram& p, const dvec3& n_object) {
-    const dvec3 n = transform3(p.normal_eye_from_object, n_object);
-    if (p.state->normalize) return normalized(n);
-    const auto scaled = [&](double v) { return bounded(v * p.normal_scale, largest_coordinate); };
-    return {scaled(n.x), scaled(n.y), scaled(n.z)};
 }
 
 void follow_color(ColorMaterial mode, const vec4& color, Material& m) {
@@ -104,9 +77,30 @@ Material material_of(const VertexProgram& p, std::uint32_t index, Face side) {
         m = front ? own.front : own.back;
     }
     const ColorMaterialState& follows = p.state->lighting.color_material;
-    if (follows.enable && (follows.face == Face::FrontAndBack || follows.face == side))
-        follow_color(follows.mode, given_color(draw, index), m);
+    if (follows_color(follows, side)) follow_color(follows.mode, given_color(draw, index), m);
     return m;
+}
+
+namespace {
+
+std::array<double, 4> quantized_color(const vec4& c, int bits) {
+    return {double(quantize(c.x, bits)), double(quantize(c.y, bits)), double(quantize(c.z, bits)),
+            double(quantize(c.w, bits))};
+}
+
+bool is_affine(const dmat4& m) {
+    return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
+}
+
+bool has_one_material(const ColorMaterialState& follows, const MeshData& mesh) {
+    return mesh.material_indices.empty() && (!follows.enable || mesh.colors.empty());
+}
+
+dvec3 eye_normal(const VertexProgram& p, const dvec3& n_object) {
+    const dvec3 n = transform3(p.normal_eye_from_object, n_object);
+    if (p.state->normalize) return normalized(n);
+    const auto scaled = [&](double v) { return bounded(v * p.normal_scale, largest_coordinate); };
+    return {scaled(n.x), scaled(n.y), scaled(n.z)};
 }
 
 void light(const VertexProgram& p, std::uint32_t index, const dvec3& p_eye, const dvec3& n_eye,
@@ -121,13 +115,20 @@ void light(const VertexProgram& p, std::uint32_t index, const dvec3& p_eye, cons
 
 }  // namespace
 
+void change_draw(VertexProgram& p, const Draw& draw) {
+    const MeshData& mesh = draw.mesh->data();
+    p.draw = &draw;
+    p.is_affine = mesh.w.empty() && is_affine(draw.eye_from_object);
+    p.has_one_material = has_one_material(p.state->lighting.color_material, mesh);
+}
+
 VertexProgram vertex_program(const State& state, const Draw& draw, const Profile& profile) {
     VertexProgram p{&state, &draw, &profile};
     p.clip_from_object = product(state.projection, draw.eye_from_object);
     p.normal_eye_from_object = normal_matrix(draw.eye_from_object);
     const double size = std::abs(determinant(draw.eye_from_object));
     p.normal_scale = size > 0 ? 1 / size : 0;
-    p.is_common = is_common(state, draw);
+    change_draw(p, draw);
     p.fragment_fog = fog_is_per_fragment(state.fog, profile);
     p.fog_depth = state.fog.enable ? fog_table_depth(state.fog, profile.color_bits) : 1;
     return p;

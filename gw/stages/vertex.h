@@ -40,13 +40,14 @@ struct VertexProgram {
     dmat3 normal_eye_from_object{1};  ///< inverse transpose up to a positive factor
     double normal_scale = 1;          ///< the factor of normals; 0: they are normalised
     bool fragment_fog = false;
-    double fog_depth = 1;  ///< eye distance at the end of the fog table
-    /// positions of w = 1 under an affine matrix, normalised normals, one material, the initial
-    /// current values, no texture matrix and no coordinate by a rule of its own
-    bool is_common = true;
+    double fog_depth = 1;          ///< eye distance at the end of the fog table
+    bool is_affine = true;         ///< all positions have w = 1 in object space and in eye space
+    bool has_one_material = true;  ///< on each side, for all vertices
 };
 
 VertexProgram vertex_program(const State& state, const Draw& draw, const Profile& profile);
+/// Makes a program that of another draw under the same state and transform.
+void change_draw(VertexProgram& program, const Draw& draw);
 
 /// Runs the vertex stages on vertex `index` of the draw's mesh.
 Vertex run_vertex(const VertexProgram& program, std::uint32_t index);
@@ -54,8 +55,20 @@ Vertex run_vertex(const VertexProgram& program, std::uint32_t index);
 /// Vertex::fog of a vertex at this z in eye space.
 double fog_of(const VertexProgram& program, double z_eye);
 
-/// The colour of a vertex before it is rounded: the mesh's, or the draw's current one.
+/// The values of a vertex: the mesh's, or the draw's current ones. Colours are not yet rounded.
 vec4 given_color(const Draw& draw, std::uint32_t index);
+dvec3 given_normal(const Draw& draw, std::uint32_t index);
+dvec4 given_texcoord(const Draw& draw, std::uint32_t index);  ///< s, t, r, q
+
+/// The material of one side of a vertex.
+Material material_of(const VertexProgram& program, std::uint32_t index, Face side);
+/// Whether a side's material follows the vertex colours.
+constexpr bool follows_color(const ColorMaterialState& state, Face side) {
+    return state.enable && (state.face == Face::FrontAndBack || state.face == side);
+}
+/// Sets the parameters that follow a vertex colour.
+void follow_color(ColorMaterial mode, const vec4& color, Material& material);
+
 /// Whether two draws give the same values to vertices for which their mesh has none.
 bool same_current(const Draw& a, const Draw& b);
 

@@ -1,5 +1,6 @@
 // Checks a command list in order: each command by itself, and the textures, slots and memory that
 // earlier commands and calls provide.
+#include "gw/base/prefetch.h"
 #include "gw/names.h"
 #include "gw/validate/checker.h"
 
@@ -68,6 +69,7 @@ void validate(const CommandList& list, const Profile& profile, int width, int he
               ListContext context) {
     Checker checker{profile, width, height};
     for (const Command& command : list.commands) {
+        prefetch_ahead(list.commands, checker.command, 4, sizeof(Draw));
         std::visit(
             [&](const auto& c) {
                 follow(c, context);

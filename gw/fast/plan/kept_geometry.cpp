@@ -1,23 +1,20 @@
 #include "gw/fast/plan/kept_geometry.h"
 
+#include "gw/base/prefetch.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace gw::fast {
 namespace {
 
-/// Whether a part is of this mesh. A new mesh may have the address of a deleted one, so their
-/// owners are compared too, which does not read the mesh.
-bool is_of(const GeometryPart& part, const MeshRef& mesh) {
-    return part.mesh == mesh.get() && !part.owner.owner_before(mesh) &&
-           !mesh.owner_before(part.owner);
-}
-
 bool matches(const GeometrySet& set, const GeometryState& state, std::span<const PartKey> parts) {
     if (set.parts.size() != parts.size() || !(set.state == state)) return false;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const GeometryPart& part = set.parts[i];
-        if (!is_of(part, *parts[i].mesh) || part.eye_from_object != *parts[i].eye_from_object)
+        const Mesh& mesh = **parts[i].mesh;
+        if (part.mesh != &mesh || part.mesh_number != mesh.number() ||
+            part.eye_from_object != *parts[i].eye_from_object)
             return false;
     }
     return true;
@@ -47,9 +44,7 @@ GeometrySet* KeptGeometry::find(std::uint64_t hash, const GeometryState& state,
 
 bool KeptGeometry::is_stale(const GeometrySet& set) const {
     return is_idle(set) &&
-           (set.last_segment + kept_segments < segment_ ||
-            std::any_of(set.parts.begin(), set.parts.end(),
-                        [](const GeometryPart& part) { return part.owner.expired(); }));
+           (set.last_segment + kept_segments < segment_ || set.first_mesh.expired());
 }
 
 KeptGeometry::SetRef KeptGeometry::take_spare() {
@@ -93,8 +88,12 @@ GeometrySet& KeptGeometry::make(std::uint64_t hash, const GeometryState& state,
     if (!taken) used_.push_back(&set);
     set.state = state;
     set.last_segment = segment_;
-    for (const PartKey& part : parts)
-        set.parts.push_back({part.mesh->get(), *part.mesh, *part.eye_from_object});
+    set.first_mesh = *parts[0].mesh;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const PartKey& part = parts[i];
+        if (i + 4 < parts.size()) prefetch(parts[i + 4].eye_from_object, sizeof(dmat4));
+        set.parts.push_back({part.mesh->get(), (*part.mesh)->number(), *part.eye_from_object});
+    }
     return set;
 }
 

@@ -18,7 +18,7 @@ struct PartKey {
     const dmat4* eye_from_object = nullptr;
 };
 
-/// A set is dropped with any of its meshes, and after four segments that did not use it. It is also
+/// A set is dropped with its first mesh, and after four segments that did not use it. It is also
 /// dropped if the sets that the current segment does not use take more than 64 MB.
 class KeptGeometry {
 public:

@@ -1,6 +1,7 @@
 #include "gw/fast/plan/plan.h"
 
 #include "gw/base/parallel.h"
+#include "gw/base/prefetch.h"
 #include "gw/stages/fog.h"
 #include "gw/stages/texgen.h"
 
@@ -208,6 +209,7 @@ struct Planner {
         segment.draws.reserve(steps.size());  // their addresses are kept
         last_colors.assign(segment.scan.sets().size(), nullptr);
         for (std::size_t i = 0; i < steps.size();) {
+            if (i + 4 < steps.size()) prefetch(steps[i + 4].command, sizeof(Draw));
             if (steps[i].part) {
                 const std::size_t count = steps[i].part->group->parts;
                 add_draws(steps.subspan(i, count));

@@ -1,10 +1,10 @@
 #include "gw/fast/plan/scan.h"
 
+#include "gw/base/prefetch.h"
 #include "gw/stages/texgen.h"
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace gw::fast {
 namespace {
@@ -69,15 +69,19 @@ std::uint64_t hash_of(const Draw& draw, const ScannedState& state) {
         .value();
 }
 
-/// Whether all bytes are the same. Then the states are equal, and comparing members is not needed.
-bool has_bytes_of(const State& a, const State& b) {
-    return std::memcmp(static_cast<const void*>(&a), &b, sizeof(State)) == 0;
-}
-
 /// Whether two draws look up one texture in one way.
 bool same_map(const Draw& a, const Draw& b, const TextureState& state) {
     if (a.map.texture != b.map.texture || a.map.slot != b.map.slot) return false;
     return !a.map.enabled() || divides_by_q(state, a) == divides_by_q(state, b);
+}
+
+/// Prefetches the draw of a later command, and the mesh of a command between.
+void prefetch_draws(std::span<const Command> commands, std::size_t i) {
+    constexpr std::size_t steps = 4;
+    prefetch_ahead(commands, i, 2 * steps, sizeof(Draw));
+    if (i + steps >= commands.size()) return;
+    if (const Draw* const draw = std::get_if<Draw>(&commands[i + steps]))
+        prefetch(draw->mesh.get(), 3 * cache_line);
 }
 
 template <class T>
@@ -115,11 +119,9 @@ void Scan::clear() {
 void Scan::use_state(const State& state) {
     if (given_ == &state) return;
     given_ = &state;
-    if (state_ && has_bytes_of(*state_->state, state)) return;
+    if (state_ && *state_->state == state) return;
     const std::uint64_t hash = hash_of(state);
-    state_ = state_table_.find(hash, [&](const ScannedState& s) {
-        return has_bytes_of(*s.state, state) || *s.state == state;
-    });
+    state_ = state_table_.find(hash, [&](const ScannedState& s) { return *s.state == state; });
     if (state_) return;
     Resolved resolved = resolve(state, *profile_, width_, height_);
     const FragmentBytes bytes = fragment_bytes(resolved, *profile_);
@@ -146,11 +148,11 @@ ScannedPart& Scan::part_of(const Draw& draw) {
                p.state->geometry == state_->geometry;
     });
     if (found) return *found;
-    vertices_ += draw.mesh->vertex_count();
     ScannedPart& part = parts_.emplace_back(ScannedPart{
-        &draw, state_, hash, std::uint32_t(parts_.size()),
+        &draw, state_, hash, std::uint32_t(parts_.size()), draw.mesh->vertex_count(),
         is_small_mesh(*draw.mesh, *state_->geometry), !parts_.empty() && parts_.back().ends_group});
     part_table_.add(hash, &part);
+    vertices_ += part.vertices;
     return part;
 }
 
@@ -197,6 +199,7 @@ std::size_t Scan::run(std::span<const Command> commands, State& state,
     std::size_t consumed = 0;
     for (; consumed < commands.size(); ++consumed) {
         const Command& command = commands[consumed];
+        prefetch_draws(commands, consumed);
         if (is_barrier(command, passes)) break;
         if (const Read* read = std::get_if<Read>(&command);
             read && !read_keys_.insert(read->key).second)
@@ -237,11 +240,11 @@ void Scan::form_sets(KeptGeometry& kept) {
     std::vector<PartKey> keys;
     std::size_t vertices = 0;
     for (ScannedPart& part : parts_) {
-        vertices += part.draw->mesh->vertex_count();
+        vertices += part.vertices;
         if (begins_set(part, wanted.empty() ? 0 : wanted.back().count, vertices)) {
             wanted.push_back({part.index, 0, 0});
             part.begins_group = true;
-            vertices = part.draw->mesh->vertex_count();
+            vertices = part.vertices;
         }
         Wanted& set = wanted.back();
         if (part.begins_group)

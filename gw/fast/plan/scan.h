@@ -34,7 +34,8 @@ struct ScannedPart {
     const ScannedState* state;  ///< of that draw
     std::uint64_t hash;
     std::uint32_t index;
-    bool is_small;  ///< it may share a set
+    std::uint32_t vertices;  ///< of its mesh
+    bool is_small;           ///< it may share a set
     /// a run of draws begins here, or ended at the previous part; a run of draws ended here
     bool begins_group = false, ends_group = false;
     const PartGroup* group = nullptr;

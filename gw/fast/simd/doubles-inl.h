@@ -26,16 +26,31 @@ using I32ForD64 = hn::Rebind<std::int32_t, D64>;
 inline V64 all(double v) { return hn::Set(D64(), v); }
 
 /// Nearest integer, ties to even; |v| below 2^51.
-inline V64 nearest(V64 v) {
-    const auto magic = all(0x1.8p52);
+template <class V>
+V nearest(V v) {
+    const auto magic = hn::Set(hn::DFromV<V>(), 0x1.8p52);
     return hn::Sub(hn::Add(v, magic), magic);
 }
 /// v if v > 0, else 0 (NaN too).
-inline V64 positive(V64 v) { return hn::IfThenElseZero(hn::Gt(v, hn::Zero(D64())), v); }
-inline V64 at_most_one(V64 v) { return hn::IfThenElse(hn::Lt(v, all(1)), v, all(1)); }
+template <class V>
+V positive(V v) {
+    return hn::IfThenElseZero(hn::Gt(v, hn::Zero(hn::DFromV<V>())), v);
+}
+template <class V>
+V at_most_one(V v) {
+    const auto one = hn::Set(hn::DFromV<V>(), 1);
+    return hn::IfThenElse(hn::Lt(v, one), v, one);
+}
 /// quantize() of gw/base/arithmetic.h, before the conversion: clamped, scaled, rounded to even.
-inline V64 quantized(V64 v, int bits) {
-    return nearest(hn::Mul(at_most_one(positive(v)), all(max_of_bits(bits))));
+template <class V>
+V quantized(V v, int bits) {
+    return nearest(hn::Mul(at_most_one(positive(v)), hn::Set(hn::DFromV<V>(), max_of_bits(bits))));
+}
+
+/// bounded() of gw/base/arithmetic.h.
+inline V64 bounded(V64 v, double limit) {
+    return hn::IfThenElse(hn::Gt(v, all(-limit)),
+                          hn::IfThenElse(hn::Lt(v, all(limit)), v, all(limit)), all(-limit));
 }
 
 struct Vec3 {
@@ -43,6 +58,11 @@ struct Vec3 {
 };
 inline Vec3 all3(const dvec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
 
+/// dot4() and transform() of gw/stages/vertex.h for a point p of w = 1.
+inline V64 dot(const dvec4& a, const Vec3& p) {
+    return hn::Add(hn::Add(hn::Mul(all(a.x), p.x), hn::Mul(all(a.y), p.y)),
+                   hn::Add(hn::Mul(all(a.z), p.z), all(a.w)));
+}
 /// transform() of gw/stages/vertex.h, w = 1, and transform3(): one component.
 inline V64 row(const dmat4& m, int i, const Vec3& p) {
     const auto xy = hn::Add(hn::Mul(all(m[0][i]), p.x), hn::Mul(all(m[1][i]), p.y));

@@ -1,4 +1,4 @@
-// Vertices in eye space, a vector at a time: positions and unit normals as in run_vertex() of
+// Vertices in eye space, a vector at a time: positions and normals as in run_vertex() of
 // gw/stages/vertex.cpp. Included once per Highway target that has vectors of doubles.
 #if defined(GW_FAST_EYE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_EYE_INL_H_
@@ -29,10 +29,6 @@ inline Vec3 unit(const Vec3& v) {
     return {over(v.x), over(v.y), over(v.z)};
 }
 inline Vec3 minus(const Vec3& v) { return {hn::Neg(v.x), hn::Neg(v.y), hn::Neg(v.z)}; }
-struct EyeVertices {
-    Vec3 position, normal;
-};
-
 /// Object coordinates of up to a vector of vertices; lanes beyond the last repeat the first.
 inline Vec3 gather(const std::vector<vec3>& from, std::span<const std::uint32_t> indices) {
     const D64 d;
@@ -44,18 +40,25 @@ inline Vec3 gather(const std::vector<vec3>& from, std::span<const std::uint32_t>
     return {hn::Load(d, lanes[0]), hn::Load(d, lanes[1]), hn::Load(d, lanes[2])};
 }
 
-/// The mesh's vertices with these indices, at most one vector of them; with normals if asked.
-inline EyeVertices eye_vertices(const VertexProgram& p, std::span<const std::uint32_t> indices,
-                                bool normals = true) {
-    const MeshData& mesh = p.draw->mesh->data();
-    const Vec3 at = gather(mesh.positions, indices);
+/// The positions of at most one vector of vertices. Precondition: the program is affine.
+inline Vec3 eye_position(const VertexProgram& p, std::span<const std::uint32_t> indices) {
+    const Vec3 at = gather(p.draw->mesh->data().positions, indices);
     const dmat4& eye = p.draw->eye_from_object;
-    EyeVertices out{{row(eye, 0, at), row(eye, 1, at), row(eye, 2, at)}, all3({0, 0, 1})};
-    if (!normals) return out;
-    const Vec3 n = mesh.normals.empty() ? all3({0, 0, 1}) : gather(mesh.normals, indices);
-    const dmat3& normal = p.normal_eye_from_object;
-    out.normal = unit({row(normal, 0, n), row(normal, 1, n), row(normal, 2, n)});
-    return out;
+    return {row(eye, 0, at), row(eye, 1, at), row(eye, 2, at)};
+}
+
+/// eye_normal() of gw/stages/vertex.cpp.
+inline Vec3 eye_normal(const VertexProgram& p, std::span<const std::uint32_t> indices) {
+    const MeshData& mesh = p.draw->mesh->data();
+    const Vec3 given =
+        mesh.normals.empty() ? all3(given_normal(*p.draw, 0)) : gather(mesh.normals, indices);
+    const dmat3& m = p.normal_eye_from_object;
+    const Vec3 n{row(m, 0, given), row(m, 1, given), row(m, 2, given)};
+    if (p.state->normalize) return unit(n);
+    const auto scaled = [&](V64 v) {
+        return bounded(hn::Mul(v, all(p.normal_scale)), largest_coordinate);
+    };
+    return {scaled(n.x), scaled(n.y), scaled(n.z)};
 }
 
 #endif  // HWY_HAVE_FLOAT64

@@ -1,6 +1,6 @@
 #include "gw/fast/vertices/geometry.h"
 
-#include "gw/fast/vertices/geometry_scratch.h"
+#include "gw/fast/vertices/project_parts.h"
 #include "gw/stages/area.h"
 #include "gw/stages/polygon_offset.h"
 #include "gw/stages/stipple.h"
@@ -22,12 +22,13 @@ std::uint32_t planes_on(const std::array<ClipPlane, max_clip_planes>& user) {
 
 struct Builder {
     GeometrySet& set;
-    Projection projection;
+    PartProjector projector;
+    const Projection& projection = projector.projection;
     const Mesh* mesh = nullptr;
     std::uint32_t part = 0, base = 0;  ///< the part in progress and its first vertex
     GeometryScratch& scratch;
     const GeometryState& state = set.state;
-    std::vector<Outcode>& outcode = scratch.outcode;
+    const Outcode* outcode = nullptr;                     ///< of the part's vertices
     std::uint32_t planes = planes_on(state.clip_planes);  ///< those that can cut
     /// of back, front
     std::array<PolygonMode, 2> mode{state.back_polygon_mode, state.polygon_mode};
@@ -41,7 +42,7 @@ struct Builder {
                (cull.face == Face::FrontAndBack || (cull.face == Face::Front) == front);
     }
 
-    /// Projects the vertices of the next part.
+    /// Begins the next part.
     void begin(std::uint32_t ordinal) {
         GeometryPart& p = set.parts[ordinal];
         part = ordinal;
@@ -50,14 +51,8 @@ struct Builder {
         p.vertex = base;
         p.primitive = std::uint32_t(set.primitives.size());
         p.clipped = std::uint32_t(set.clipped.size());
-        projection.clip_from_object = product(state.projection, p.eye_from_object);
-        projection.eye_from_object = p.eye_from_object;
-        const std::span<const vec3> positions(mesh->data().positions);
-        set.at.resize(base + positions.size());
-        set.w.resize(base + positions.size());
-        outcode.resize(positions.size());
-        project(projection,
-                {positions, mesh->data().w, outcode.data(), &set.at[base], &set.w[base]});
+        projector.add();
+        outcode = projector.outcode;
     }
 
     SnappedPoint point(std::uint32_t v) const { return {set.at[v].x, set.at[v].y}; }
@@ -316,8 +311,9 @@ PartCounts difference(const Counters& after, const Counters& before) {
     const auto of = [&](std::uint64_t Counters::*count) {
         return std::uint32_t(after.*count - before.*count);
     };
-    return {of(&Counters::rejected), of(&Counters::clipped), of(&Counters::degenerate),
-            of(&Counters::culled), of(&Counters::drawn)};
+    return {of(&Counters::vertices), of(&Counters::primitives), of(&Counters::rejected),
+            of(&Counters::clipped),  of(&Counters::degenerate), of(&Counters::culled),
+            of(&Counters::drawn)};
 }
 
 /// Lists the mesh vertices that a part's primitives use, by the side that they show.
@@ -344,10 +340,9 @@ void list_used_vertices(GeometrySet& set, std::size_t ordinal, std::vector<std::
 }
 
 void build(GeometrySet& set, const Profile& profile, GeometryScratch& scratch) {
-    Builder b{.set = set,
-              .projection = {dmat4(1), dmat4(1), set.viewport, set.state.depth_range,
-                             set.state.clip_planes, profile},
-              .scratch = scratch};
+    const Projection projection{
+        dmat4(1), dmat4(1), set.viewport, set.state.depth_range, set.state.clip_planes, profile};
+    Builder b{.set = set, .projector = {set, projection, scratch}, .scratch = scratch};
     std::size_t primitives = 0;
     for (const GeometryPart& part : set.parts) primitives += primitive_count(*part.mesh);
     set.primitives.reserve(primitives);

@@ -9,6 +9,7 @@
 #include "gw/stages/resolve.h"
 #include "gw/state.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -50,11 +51,22 @@ struct TileRange {
     std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
     std::size_t count() const { return std::size_t(x1 - x0) * std::size_t(y1 - y0); }
-    void include(const TileRange& other);
+    void include(const TileRange& o) {
+        if (o.count() == 0) return;
+        if (count() == 0) {
+            *this = o;
+            return;
+        }
+        x0 = std::min(x0, o.x0);
+        y0 = std::min(y0, o.y0);
+        x1 = std::max(x1, o.x1);
+        y1 = std::max(y1, o.y1);
+    }
 };
 
-/// Primitives of a part by fate, as in Counters.
+/// The counts of one draw of a part, as in Counters.
 struct PartCounts {
+    std::uint32_t vertices = 0, primitives = 0;
     std::uint32_t rejected = 0, clipped = 0, degenerate = 0, culled = 0, drawn = 0;
 };
 
@@ -62,7 +74,7 @@ struct PartCounts {
 /// part's first index ends them.
 struct GeometryPart {
     const Mesh* mesh = nullptr;
-    std::weak_ptr<const Mesh> owner;  ///< if expired, `mesh` may be another mesh
+    std::uint64_t mesh_number = 0;  ///< the machine may outlive `mesh`
     dmat4 eye_from_object{1};
     std::uint32_t vertex = 0, primitive = 0, clipped = 0;
     std::uint32_t used = 0, used_front = 0, used_back = 0;
@@ -119,6 +131,7 @@ struct GeometrySet {
     std::vector<std::uint32_t> bin_start;  ///< per tile of `tiles`, and one past the last
     std::vector<std::uint32_t> bin;        ///< ordinals of `primitives`, in order
     bool made = false;                     ///< all but lists and bins
+    std::weak_ptr<const Mesh> first_mesh;  ///< of the first part
     std::uint64_t last_segment = 0;        ///< that used it
     std::size_t kept_bytes = 0;            ///< at the end of that segment
 

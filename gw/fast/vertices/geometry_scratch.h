@@ -11,7 +11,11 @@
 namespace gw::fast {
 
 struct GeometryScratch {
-    std::vector<Outcode> outcode;  ///< of a part's vertices
+    std::vector<Outcode> outcode;  ///< of a part's vertices, or of those of several parts
+    // vertices of several parts
+    std::vector<vec3> positions;
+    std::vector<SnappedVertex> at;
+    std::vector<double> w;
     PositionClipper clipper;
     std::vector<SnappedPoint> fan_corners;
     std::vector<std::uint8_t> sides;  ///< that a part's vertices show

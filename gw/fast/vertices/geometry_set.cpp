@@ -60,29 +60,17 @@ Counters PartGroup::counters() const {
     if (parts == set->parts.size()) return set->counters;
     Counters sum;
     for (std::uint32_t i = first_part; i < first_part + parts; ++i) {
-        const GeometryPart& part = set->parts[i];
+        const PartCounts& part = set->parts[i].counts;
         sum.draws += 1;
-        sum.vertices += part.mesh->vertex_count();
-        sum.primitives += primitive_count(*part.mesh);
-        sum.rejected += part.counts.rejected;
-        sum.clipped += part.counts.clipped;
-        sum.degenerate += part.counts.degenerate;
-        sum.culled += part.counts.culled;
-        sum.drawn += part.counts.drawn;
+        sum.vertices += part.vertices;
+        sum.primitives += part.primitives;
+        sum.rejected += part.rejected;
+        sum.clipped += part.clipped;
+        sum.degenerate += part.degenerate;
+        sum.culled += part.culled;
+        sum.drawn += part.drawn;
     }
     return sum;
-}
-
-void TileRange::include(const TileRange& o) {
-    if (o.count() == 0) return;
-    if (count() == 0) {
-        *this = o;
-        return;
-    }
-    x0 = std::min(x0, o.x0);
-    y0 = std::min(y0, o.y0);
-    x1 = std::max(x1, o.x1);
-    y1 = std::max(y1, o.y1);
 }
 
 void GeometrySet::clear() {
@@ -102,6 +90,7 @@ void GeometrySet::clear() {
     tiles = {};
     bin_start.clear();
     bin.clear();
+    first_mesh.reset();
 }
 
 std::size_t GeometrySet::bytes() const {

@@ -6,6 +6,7 @@
 #include "gw/fast/vertices/eye-inl.h"
 #include "gw/fast/vertices/light.h"
 #include "gw/fast/vertices/power-inl.h"
+#include "gw/stages/resolve.h"
 
 #include <hwy/highway.h>
 
@@ -27,17 +28,67 @@ inline void light_one_by_one(const VertexProgram& p, std::span<const std::uint32
 
 #if HWY_HAVE_FLOAT64
 
-/// The terms of a light and the material that do not depend on the vertex.
-struct LightTerms {
-    const Light& light;
-    dvec3 position, spot_direction;
-    dvec3 ambient, lambert, gloss;
-    bool directional = true, spot = false, glossy = false;
-    bool turns = false;  ///< its contribution depends on the normal
+/// The materials of up to a vector of vertices.
+struct MaterialLanes {
+    Vec3 Ka, Kd, Ks, Ke;
+    V64 alpha;
 };
 
-inline LightTerms light_terms(const Light& light, const Material& m) {
-    LightTerms t{light, dvec3(light.position), normalized(dvec3(light.spot_direction)), {}, {}, {}};
+inline MaterialLanes one_material(const Material& m) {
+    return {all3(m.Ka), all3(m.Kd), all3(m.Ks), all3(m.Ke), all(double(m.alpha))};
+}
+
+/// Lanes beyond the last vertex repeat the first.
+inline MaterialLanes materials_of(const VertexProgram& p, std::span<const std::uint32_t> indices,
+                                  Face side) {
+    const D64 d;
+    alignas(64) double lanes[13][8];
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
+        const Material m = material_of(p, indices[i < indices.size() ? i : 0], side);
+        for (int c = 0; c < 3; ++c) {
+            lanes[c][i] = m.Ka[c];
+            lanes[3 + c][i] = m.Kd[c];
+            lanes[6 + c][i] = m.Ks[c];
+            lanes[9 + c][i] = m.Ke[c];
+        }
+        lanes[12][i] = m.alpha;
+    }
+    const auto at = [&](int first) {
+        return Vec3{hn::Load(d, lanes[first]), hn::Load(d, lanes[first + 1]),
+                    hn::Load(d, lanes[first + 2])};
+    };
+    return {at(0), at(3), at(6), at(9), hn::Load(d, lanes[12])};
+}
+
+/// Component by component.
+inline Vec3 product(const vec3& a, const Vec3& b) {
+    return {hn::Mul(all(a.x), b.x), hn::Mul(all(a.y), b.y), hn::Mul(all(a.z), b.z)};
+}
+
+inline bool is_zero(const Vec3& v) {
+    const D64 d;
+    const auto zero = hn::Zero(d);
+    return hn::AllTrue(d,
+                       hn::And(hn::Eq(v.x, zero), hn::And(hn::Eq(v.y, zero), hn::Eq(v.z, zero))));
+}
+
+/// A light, and the terms that do not depend on the vertex.
+struct LightTerms {
+    const Light* light;
+    dvec3 position, spot_direction;
+    bool directional = true, spot = false;
+    // of the materials in use
+    bool glossy = false;
+    bool turns = false;  ///< its contribution depends on the normal
+
+    void use(const MaterialLanes& m) {
+        glossy = !is_zero(product(light->Is, m.Ks));
+        turns = glossy || !is_zero(product(light->Id, m.Kd));
+    }
+};
+
+inline LightTerms light_terms(const Light& light) {
+    LightTerms t{&light, dvec3(light.position), dvec3(light.spot_direction)};
     t.directional = light.position.w == 0;
     if (t.directional)
         t.position = normalized(t.position);
@@ -46,14 +97,7 @@ inline LightTerms light_terms(const Light& light, const Material& m) {
                       t.position.y / double(light.position.w),
                       t.position.z / double(light.position.w)};
     t.spot = !t.directional && light.spot_cos_cutoff > -1;
-    for (int c = 0; c < 3; ++c) {
-        t.ambient[c] = double(light.Ia[c]) * m.Ka[c];
-        t.lambert[c] = double(light.Id[c]) * m.Kd[c];
-        t.gloss[c] = double(light.Is[c]) * m.Ks[c];
-    }
-    const auto some = [](const dvec3& v) { return v.x != 0 || v.y != 0 || v.z != 0; };
-    t.glossy = some(t.gloss);
-    t.turns = t.glossy || some(t.lambert);
+    if (t.spot) t.spot_direction = normalized(t.spot_direction);
     return t;
 }
 
@@ -65,8 +109,8 @@ struct IncidentLanes {
 inline V64 spot_factor(const LightTerms& t, const Vec3& to_light) {
     const auto c = dot(minus(to_light), all3(t.spot_direction));
     const auto outside =
-        hn::Or(hn::Lt(c, all(t.light.spot_cos_cutoff)), hn::Le(c, hn::Zero(D64())));
-    return power(at_most_one(c), t.light.spot_exponent, hn::Not(outside));
+        hn::Or(hn::Lt(c, all(t.light->spot_cos_cutoff)), hn::Le(c, hn::Zero(D64())));
+    return power(at_most_one(c), t.light->spot_exponent, hn::Not(outside));
 }
 
 inline IncidentLanes incident(const LightTerms& t, const Vec3& p_eye) {
@@ -76,78 +120,127 @@ inline IncidentLanes incident(const LightTerms& t, const Vec3& p_eye) {
     const auto d = hn::Sqrt(dot(v, v));
     const Vec3 direction = t.turns || t.spot ? unit(v) : v;
     const auto linear =
-        hn::Add(all(t.light.constant_attenuation), hn::Mul(all(t.light.linear_attenuation), d));
-    const auto fall = hn::Add(linear, hn::Mul(all(t.light.quadratic_attenuation), hn::Mul(d, d)));
+        hn::Add(all(t.light->constant_attenuation), hn::Mul(all(t.light->linear_attenuation), d));
+    const auto fall = hn::Add(linear, hn::Mul(all(t.light->quadratic_attenuation), hn::Mul(d, d)));
     const auto least = all(1e-30);
     const auto strength = t.spot ? spot_factor(t, direction) : all(1);
     return {direction, hn::Div(strength, hn::IfThenElse(hn::Gt(fall, least), fall, least))};
 }
 
-inline void add_light(const LightTerms& t, const Material& m, const Vec3& p_eye, const Vec3& n_eye,
-                      const Vec3& to_eye, V64* sum) {
-    const IncidentLanes in = incident(t, p_eye);
-    if (!t.turns) {
-        for (int c = 0; c < 3; ++c)
-            sum[c] = hn::Add(sum[c], hn::Mul(in.strength, all(t.ambient[c])));
-        return;
-    }
-    const auto cosine = dot(n_eye, in.direction);
-    const auto diffuse = positive(cosine);
-    auto specular = hn::Zero(D64());
-    if (t.glossy) {
-        const Vec3 half =
-            unit({hn::Add(in.direction.x, to_eye.x), hn::Add(in.direction.y, to_eye.y),
-                  hn::Add(in.direction.z, to_eye.z)});
-        specular =
-            power(at_most_one(positive(dot(n_eye, half))), m.Ns, hn::Gt(cosine, hn::Zero(D64())));
-    }
-    for (int c = 0; c < 3; ++c) {
-        const auto body = hn::Add(all(t.ambient[c]), hn::Mul(all(t.lambert[c]), diffuse));
-        sum[c] = hn::Add(sum[c],
-                         hn::Mul(in.strength, hn::Add(body, hn::Mul(all(t.gloss[c]), specular))));
-    }
+inline Vec3 sum(const Vec3& a, const Vec3& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
 }
+inline Vec3 product(V64 a, const Vec3& b) {
+    return {hn::Mul(a, b.x), hn::Mul(a, b.y), hn::Mul(a, b.z)};
+}
+
+/// The colour that a light adds.
+inline Vec3 contribution(const LightTerms& t, const MaterialLanes& m, double exponent,
+                         const Vec3& p_eye, const Vec3& n_eye, const Vec3& to_eye) {
+    const IncidentLanes in = incident(t, p_eye);
+    Vec3 out = product(t.light->Ia, m.Ka);
+    if (!t.turns) return product(in.strength, out);
+    const auto cosine = dot(n_eye, in.direction);
+    out = sum(out, product(positive(cosine), product(t.light->Id, m.Kd)));
+    if (!t.glossy) return product(in.strength, out);
+    const Vec3 half = unit(sum(in.direction, to_eye));
+    const auto specular =
+        power(at_most_one(positive(dot(n_eye, half))), exponent, hn::Gt(cosine, hn::Zero(D64())));
+    return product(in.strength, sum(out, product(specular, product(t.light->Is, m.Ks))));
+}
+
+/// One side of a draw's vertices, whose materials have one exponent.
+struct SideLighting {
+    const VertexProgram& p;
+    Face side;
+    double exponent;
+    std::vector<LightTerms>& lights;
+    MaterialLanes material;
+    bool turns = false, glossy = false;  ///< some light's
+    bool places = false;                 ///< the colours depend on the position
+
+    void use(const MaterialLanes& m) {
+        material = m;
+        turns = glossy = places = false;
+        for (LightTerms& light : lights) {
+            light.use(m);
+            turns = turns || light.turns;
+            glossy = glossy || light.glossy;
+            places = places || !light.directional;
+        }
+        places = places || (glossy && p.state->lighting.local_viewer);
+    }
+
+    /// Colours of up to a vector of vertices, before rounding.
+    Vec3 colors(std::span<const std::uint32_t> indices) const {
+        const LightingState& state = p.state->lighting;
+        const Vec3 p_eye = places ? eye_position(p, indices) : all3({0, 0, 0});
+        Vec3 n_eye = turns ? eye_normal(p, indices) : all3({0, 0, 1});
+        if (side == Face::Back) n_eye = minus(n_eye);
+        const Vec3 to_eye = state.local_viewer && glossy ? unit(minus(p_eye)) : all3({0, 0, 1});
+        Vec3 out = sum(material.Ke, product(vec3(state.model_ambient), material.Ka));
+        for (const LightTerms& light : lights)
+            out = sum(out, contribution(light, material, exponent, p_eye, n_eye, to_eye));
+        return out;
+    }
+};
 
 void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, bool back,
                std::span<Rgba> colors) {
-    if (!p.is_common) return light_one_by_one(p, indices, back, colors);
+    if (indices.empty()) return;
+    if (!p.is_affine || !p.draw->mesh->data().material_indices.empty())
+        return light_one_by_one(p, indices, back, colors);
     const D64 d;
     const std::size_t lanes = hn::Lanes(d);
-    const Material& m = p.draw->material;
-    const LightingState& state = p.state->lighting;
     const Profile& profile = *p.profile;
     const bool same_bits = profile.lit_bits == profile.color_bits;
     const auto store = [&](double v) {
         const auto lit = std::uint32_t(v);
         return std::uint16_t(same_bits ? lit : rescale(lit, profile.lit_bits, profile.color_bits));
     };
-    const std::uint16_t alpha = store(quantize(m.alpha, profile.lit_bits));
     thread_local std::vector<LightTerms> lights;  // a small mesh would spend its time allocating
     lights.clear();
     if (p.draw->lights)
-        for (const Light& light : *p.draw->lights) lights.push_back(light_terms(light, m));
+        for (const Light& light : *p.draw->lights) lights.push_back(light_terms(light));
 
-    const auto any = [&](auto has) { return std::any_of(lights.begin(), lights.end(), has); };
-    const bool turns = any([](const LightTerms&t) { return t.turns; }),
-               glossy = any([](const LightTerms&t) { return t.glossy; });
+    const Face side = back ? Face::Back : Face::Front;
+    const Material first_material = material_of(p, indices[0], side);
+    SideLighting lighting{p, side, first_material.Ns, lights, one_material(first_material)};
+    lighting.use(lighting.material);
     for (std::size_t first = 0; first < indices.size(); first += lanes) {
         const auto some = indices.subspan(first, std::min(lanes, indices.size() - first));
-        const EyeVertices v = eye_vertices(p, some, turns);
-        const Vec3 n_eye = back ? minus(v.normal) : v.normal, p_eye = v.position;
-        const Vec3 to_eye = state.local_viewer && glossy ? unit(minus(p_eye)) : all3({0, 0, 1});
-        V64 sum[3];
-        for (int c = 0; c < 3; ++c)
-            sum[c] = all(m.Ke[c] + double(state.model_ambient[c]) * m.Ka[c]);
-        for (const LightTerms& light : lights) add_light(light, m, p_eye, n_eye, to_eye, sum);
-
-        alignas(64) double out[3][8];
-        for (int c = 0; c < 3; ++c) hn::Store(quantized(sum[c], profile.lit_bits), d, out[c]);
+        if (!p.has_one_material) lighting.use(materials_of(p, some, side));
+        const Vec3 color = lighting.colors(some);
+        alignas(64) double out[4][8];
+        hn::Store(quantized(color.x, profile.lit_bits), d, out[0]);
+        hn::Store(quantized(color.y, profile.lit_bits), d, out[1]);
+        hn::Store(quantized(color.z, profile.lit_bits), d, out[2]);
+        hn::Store(quantized(lighting.material.alpha, profile.lit_bits), d, out[3]);
         for (std::size_t i = 0; i < some.size(); ++i)
-            colors[some[i]] = {store(out[0][i]), store(out[1][i]), store(out[2][i]), alpha};
+            colors[some[i]] = {store(out[0][i]), store(out[1][i]), store(out[2][i]),
+                               store(out[3][i])};
     }
 }
 
+void quantize_all(const GivenColors& given, std::span<Rgba> colors) {
+    const hn::CappedTag<double, 4> d;
+    const hn::Rebind<float, decltype(d)> f;
+    const hn::Rebind<std::int32_t, decltype(d)> i32;
+    const hn::Rebind<std::uint16_t, decltype(d)> u16;
+    for (const std::uint32_t i : given.indices)
+        for (std::size_t c = 0; c < 4; c += hn::Lanes(d)) {
+            const auto v = hn::PromoteTo(d, hn::LoadU(f, &given.all[i].x + c));
+            const auto rounded = hn::DemoteTo(i32, quantized(v, given.bits));
+            hn::StoreU(hn::DemoteTo(u16, rounded), u16, colors[i].data() + c);
+        }
+}
+
 #else  // no vectors of doubles here
+
+void quantize_all(const GivenColors& given, std::span<Rgba> colors) {
+    for (const std::uint32_t i : given.indices)
+        colors[i] = quantize_color(given.all[i], given.bits);
+}
 
 void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, bool back,
                std::span<Rgba> colors) {
@@ -163,10 +256,15 @@ HWY_AFTER_NAMESPACE();
 namespace gw::fast {
 
 HWY_EXPORT(light_all);
+HWY_EXPORT(quantize_all);
 
 void light_vertices(const VertexProgram& program, std::span<const std::uint32_t> indices, bool back,
                     std::span<Rgba> colors) {
     HWY_DYNAMIC_DISPATCH(light_all)(program, indices, back, colors);
+}
+
+void quantize_colors(const GivenColors& given, std::span<Rgba> colors) {
+    HWY_DYNAMIC_DISPATCH(quantize_all)(given, colors);
 }
 
 }  // namespace gw::fast

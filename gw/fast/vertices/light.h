@@ -1,6 +1,6 @@
-// Lit colours of many vertices at once: the lighting equation in vectors of doubles.
-// docs/manual.md, "Lighting"; scalar twin: gw/stages/lighting.cpp, operation by operation. Does not
-// transform positions to the window.
+// Colours of many vertices at once: the lighting equation and the rounding of given colours, in
+// vectors of doubles. docs/manual.md, "Lighting"; scalar twins: gw/stages/lighting.cpp, operation
+// by operation, and quantize_color(). Does not transform positions to the window.
 #pragma once
 
 #include "gw/stages/vertex.h"
@@ -15,5 +15,14 @@ namespace gw::fast {
 /// front (or back). Precondition: lighting is on.
 void light_vertices(const VertexProgram& program, std::span<const std::uint32_t> indices, bool back,
                     std::span<Rgba> colors);
+
+/// Vertex colours before rounding.
+struct GivenColors {
+    const std::vector<vec4>& all;
+    std::span<const std::uint32_t> indices;
+    int bits;
+};
+/// Sets colors[index], for each of `indices`, to quantize_color() of its given colour.
+void quantize_colors(const GivenColors& given, std::span<Rgba> colors);
 
 }  // namespace gw::fast

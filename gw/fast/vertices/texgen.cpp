@@ -1,5 +1,5 @@
-// Reflection and refraction maps, a vector of vertices at a time. docs/manual.md, "Texture
-// coordinates"; scalar twin: gw/stages/texgen.cpp.
+// Texture coordinates, a vector of vertices at a time. docs/manual.md, "Texture coordinates"; scalar
+// twin: gw/stages/texgen.cpp.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gw/fast/vertices/texgen.cpp"
 #include <hwy/foreach_target.h>
@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Any kind of generation.
+/// Any vertices.
 inline void generate_one_by_one(const VertexProgram& p, std::span<const std::uint32_t> indices,
                                 std::span<dvec4> strq) {
     for (const std::uint32_t i : indices) strq[i] = run_vertex(p, i).texcoord;
@@ -56,29 +56,94 @@ inline SphereLanes sphere_map(const Vec3& d) {
     return {at(d.x), at(d.y)};
 }
 
-/// bounded() of gw/base/arithmetic.h.
-inline V64 bounded_lanes(V64 v, double limit) {
-    return hn::IfThenElse(hn::Gt(v, all(-limit)),
-                          hn::IfThenElse(hn::Lt(v, all(limit)), v, all(limit)), all(-limit));
+struct Vec4 {
+    V64 lane[4];  ///< s, t, r, q
+};
+
+/// transform() of gw/stages/vertex.h.
+inline Vec4 transform(const dmat4& m, const Vec4& v) {
+    const auto at = [&](int i) {
+        const auto product = [&](int k) { return hn::Mul(all(m[k][i]), v.lane[k]); };
+        return hn::Add(hn::Add(product(0), product(1)), hn::Add(product(2), product(3)));
+    };
+    return {{at(0), at(1), at(2), at(3)}};
 }
+
+/// given_texcoord() of gw/stages/vertex.h. Lanes beyond the last vertex repeat the first.
+inline Vec4 given_texcoords(const Draw& draw, std::span<const std::uint32_t> indices) {
+    const D64 d;
+    alignas(64) double lanes[4][8];
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
+        const dvec4 v = given_texcoord(draw, indices[i < indices.size() ? i : 0]);
+        for (int c = 0; c < 4; ++c) lanes[c][i] = v[c];
+    }
+    return {{hn::Load(d, lanes[0]), hn::Load(d, lanes[1]), hn::Load(d, lanes[2]),
+             hn::Load(d, lanes[3])}};
+}
+
+/// Up to a vector of vertices of one draw. Precondition: the program is affine.
+struct TexgenLanes {
+    const VertexProgram& p;
+    std::span<const std::uint32_t> indices;
+    const TextureState& state = p.state->texture;
+
+    SphereLanes map() const {
+        const Vec3 u = unit(eye_position(p, indices)), n = eye_normal(p, indices);
+        return sphere_map(state.gen == TexGen::RefractionMap ? refracted(u, n, state.eta)
+                                                             : reflected(u, n));
+    }
+
+    Vec4 by_coordinate() const {
+        Vec4 out = given_texcoords(*p.draw, indices);
+        for (int i = 0; i < 4; ++i) {
+            const auto& [mode, plane] = state.coordinates[std::size_t(i)];
+            V64& lane = out.lane[i];
+            switch (mode) {
+                case CoordinateMode::Given: break;
+                case CoordinateMode::ObjectLinear:
+                    lane = dot(plane, gather(p.draw->mesh->data().positions, indices));
+                    break;
+                case CoordinateMode::EyeLinear: lane = dot(plane, eye_position(p, indices)); break;
+                case CoordinateMode::SphereMap: lane = i == 0 ? map().s : map().t; break;
+            }
+        }
+        return out;
+    }
+
+    Vec4 generated() const {
+        switch (state.gen) {
+            case TexGen::None: break;
+            case TexGen::SphereMap:
+            case TexGen::RefractionMap: {
+                const SphereLanes at = map();
+                return {{at.s, at.t, all(0), all(1)}};
+            }
+            case TexGen::EyeLinear: {
+                const Vec3 at = eye_position(p, indices);
+                const dmat4& m = state.eye_linear;
+                return {{row(m, 0, at), row(m, 1, at), row(m, 2, at), row(m, 3, at)}};
+            }
+            case TexGen::PerCoordinate: return by_coordinate();
+        }
+        return given_texcoords(*p.draw, indices);
+    }
+};
 
 void generate_all(const VertexProgram& p, std::span<const std::uint32_t> indices,
                   std::span<dvec4> strq) {
+    if (!p.is_affine) return generate_one_by_one(p, indices, strq);
     const D64 d;
-    const TextureState& state = p.state->texture;
-    const bool is_map = state.gen == TexGen::SphereMap || state.gen == TexGen::RefractionMap;
-    if (!is_map || !p.is_common) return generate_one_by_one(p, indices, strq);
+    const dmat4& matrix = p.state->texture.matrix;
+    const bool transforms = matrix != dmat4(1), is_line = is_one_dimensional(*p.draw);
     for (std::size_t first = 0; first < indices.size(); first += hn::Lanes(d)) {
         const auto some = indices.subspan(first, std::min(hn::Lanes(d), indices.size() - first));
-        const EyeVertices v = eye_vertices(p, some);
-        const Vec3 u = unit(v.position);
-        const SphereLanes at =
-            sphere_map(state.gen == TexGen::SphereMap ? reflected(u, v.normal)
-                                                      : refracted(u, v.normal, state.eta));
-        alignas(64) double s[8], t[8];
-        hn::Store(bounded_lanes(at.s, largest_coordinate), d, s);
-        hn::Store(bounded_lanes(at.t, largest_coordinate), d, t);
-        for (std::size_t i = 0; i < some.size(); ++i) strq[some[i]] = {s[i], t[i], 0, 1};
+        Vec4 at = TexgenLanes{p, some}.generated();
+        if (transforms) at = transform(matrix, at);
+        if (is_line) at.lane[1] = all(0);
+        alignas(64) double out[4][8];
+        for (int c = 0; c < 4; ++c) hn::Store(bounded(at.lane[c], largest_coordinate), d, out[c]);
+        for (std::size_t i = 0; i < some.size(); ++i)
+            strq[some[i]] = {out[0][i], out[1][i], out[2][i], out[3][i]};
     }
 }
 

@@ -1,6 +1,7 @@
 // Runs the vertex stages on the mesh vertices in use, and on the vertices that clipping made.
 #include "gw/fast/vertices/vertex_values.h"
 
+#include "gw/base/prefetch.h"
 #include "gw/command_list.h"
 #include "gw/fast/vertices/light.h"
 #include "gw/fast/vertices/texgen.h"
@@ -120,9 +121,8 @@ bool is_even(const Light& l, const Draw& draw) {
            l.spot_cos_cutoff <= -1;
 }
 
-/// Whether all vertices have one colour, whatever their positions and normals.
-bool is_uniform(const Draw& draw) {
-    const Material& m = draw.material;
+/// Whether all vertices of this material have one colour, whatever their positions and normals.
+bool is_uniform(const Draw& draw, const Material& m) {
     return !draw.lights ||
            std::all_of(draw.lights->begin(), draw.lights->end(), [&](const Light& l) {
                return is_dark(l.Id, m.Kd) && is_dark(l.Is, m.Ks) &&
@@ -190,11 +190,24 @@ private:
     const Draw* draw_;
 };
 
+/// Prefetches the mesh of a later part, and the colours of a part between.
+void prefetch_colors(std::span<const Draw* const> draws, std::size_t i) {
+    constexpr std::size_t steps = 3;
+    if (i + 2 * steps < draws.size() && draws[i + 2 * steps])
+        prefetch(draws[i + 2 * steps]->mesh.get(), 4 * cache_line);
+    if (i + steps < draws.size() && draws[i + steps])
+        prefetch_elements(draws[i + steps]->mesh->data().colors);
+}
+
 /// Colours from the mesh. Only vertices that clipping made need the vertex stages.
 void color_part(const PartVertices& vertices, const VertexProgram* program, const Draw& draw,
                 const Profile& profile, std::span<Rgba> front) {
-    for (const std::uint32_t i : vertices.used)
-        front[i] = quantize_color(given_color(draw, i), profile.color_bits);
+    const std::vector<vec4>& given = draw.mesh->data().colors;
+    if (given.empty())
+        std::fill(front.begin(), front.end(),
+                  quantize_color(given_color(draw, 0), profile.color_bits));
+    else
+        quantize_colors({given, vertices.used, profile.color_bits}, front);
     if (program)
         vertices.for_each_new(*program,
                               [&](std::size_t i, const Vertex& v) { front[i] = to_rgba(v.color); });
@@ -204,10 +217,14 @@ void color_part(const PartVertices& vertices, const VertexProgram* program, cons
 bool light_part(const PartVertices& vertices, const VertexProgram& program, std::span<Rgba> front,
                 std::span<Rgba> back) {
     if (vertices.used.empty()) return true;
-    if (program.is_common && is_uniform(*program.draw)) {
-        const Rgba color = to_rgba(run_vertex(program, vertices.used[0]).color);
-        std::fill(front.begin(), front.end(), color);
-        std::fill(back.begin(), back.end(), color);
+    const auto is_uniform_on = [&](Face side) {
+        return is_uniform(*program.draw, material_of(program, vertices.used[0], side));
+    };
+    if (program.is_affine && program.has_one_material && is_uniform_on(Face::Front) &&
+        (back.empty() || is_uniform_on(Face::Back))) {
+        const Vertex vertex = run_vertex(program, vertices.used[0]);
+        std::fill(front.begin(), front.end(), to_rgba(vertex.color));
+        std::fill(back.begin(), back.end(), to_rgba(vertex.back_color));
         return true;
     }
     light_vertices(program, back.empty() ? vertices.used : vertices.used_front, false, front);
@@ -218,6 +235,27 @@ bool light_part(const PartVertices& vertices, const VertexProgram& program, std:
     });
     return false;
 }
+
+/// The programs of draws under one state. Neighbours under one transform share theirs.
+class Programs {
+public:
+    Programs(const State& state, const Profile& profile) : state_(state), profile_(profile) {}
+    const VertexProgram& of(const Draw& draw) {
+        if (program_ && draw.eye_from_object == transform_) {
+            change_draw(*program_, draw);
+        } else {
+            program_ = vertex_program(state_, draw, profile_);
+            transform_ = draw.eye_from_object;
+        }
+        return *program_;
+    }
+
+private:
+    const State& state_;
+    const Profile& profile_;
+    std::optional<VertexProgram> program_;
+    dmat4 transform_{1};
+};
 
 /// Whether each primitive of a part has one colour, like a face with its own normal or colour.
 bool has_one_color_each(const GeometrySet& set, std::size_t part, const VertexColors& colors) {
@@ -238,19 +276,21 @@ void shade_vertices(VertexColors& out, const Profile& profile) {
     const auto& [set, state, draws] = out.inputs;
     State unfogged = *state;
     unfogged.fog.enable = false;
+    Programs programs(unfogged, profile);
     const bool lit = state->color_source == ColorSource::Lighting;
     out.front.resize(set->vertex_count());
     if (lit && state->lighting.two_side) out.back.resize(set->vertex_count());
     out.uniform.assign(set->parts.size(), 0);
     for (std::size_t i = 0; i < set->parts.size(); ++i) {
         if (!draws[i]) continue;
+        prefetch_colors(draws, i);
         const PartVertices vertices(*set, i);
         const std::span<Rgba> front = vertices.of(out.front);
         const std::span<Rgba> back = out.back.empty() ? std::span<Rgba>() : vertices.of(out.back);
         bool uniform = false;
         if (lit || vertices.is_clipped()) {
             const Untextured draw(*draws[i]);
-            const VertexProgram program = vertex_program(unfogged, *draw, profile);
+            const VertexProgram& program = programs.of(*draw);
             if (lit)
                 uniform = light_part(vertices, program, front, back);
             else
@@ -266,12 +306,13 @@ void fog_vertices(VertexFog& out, const Profile& profile) {
     const auto& [set, state, draws] = out.inputs;
     State unlit = *state;
     unlit.color_source = ColorSource::PolygonId;
+    Programs programs(unlit, profile);
     out.value.resize(set->vertex_count());
     for (std::size_t i = 0; i < set->parts.size(); ++i) {
         if (!draws[i]) continue;
         const PartVertices vertices(*set, i);
         const Untextured draw(*draws[i]);
-        const VertexProgram program = vertex_program(unlit, *draw, profile);
+        const VertexProgram& program = programs.of(*draw);
         const std::span<double> value = vertices.of(out.value);
         for (const std::uint32_t v : vertices.used) {
             const dvec4 p_object = object_position(draws[i]->mesh->data(), v);
@@ -287,6 +328,7 @@ void texture_vertices(VertexTexcoords& out, const Profile& profile) {
     State unlit = *state;
     unlit.color_source = ColorSource::PolygonId;
     unlit.fog.enable = false;
+    Programs programs(unlit, profile);
     out.strq.resize(set->vertex_count());
     for (std::size_t i = 0; i < set->parts.size(); ++i) {
         if (!draws[i]) continue;
@@ -299,7 +341,7 @@ void texture_vertices(VertexTexcoords& out, const Profile& profile) {
         if (as_given)
             for (const std::uint32_t v : vertices.used) strq[v] = {given[v].x, given[v].y, 0, 1};
         if (as_given && !vertices.is_clipped()) continue;
-        const VertexProgram program = vertex_program(unlit, *draws[i], profile);
+        const VertexProgram& program = programs.of(*draws[i]);
         if (!as_given) generate_texcoords(program, vertices.used, strq);
         vertices.for_each_new(
             program, [&](std::size_t v, const Vertex& vertex) { strq[v] = vertex.texcoord; });
