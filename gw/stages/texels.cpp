@@ -101,31 +101,28 @@ int filter_index(Wrap wrap, int i, int size) {
     return wrap == Wrap::BorderClamp ? i : wrap_index(wrap, i, size);
 }
 
-const Rgba& filter_texel(const TexelLevel& level, const Rgba& border_color, int i, int j) {
+}  // namespace
+
+const Rgba& filter_texel(const TexelLevel& level, const Addressing& how, int i, int j) {
+    i = filter_index(how.wrap_s, i, level.width);
+    j = filter_index(how.wrap_t, j, level.height);
     const bool outside = i < 0 || i >= level.width || j < 0 || j >= level.height;
     if (!outside) return level.at(i, j);
-    return level.bordered.empty() ? border_color
+    return level.bordered.empty() ? how.border_color
                                   : level.bordered[pixel_index(i + 1, j + 1, level.width + 2)];
 }
 
-}  // namespace
-
 Rgba lookup(const TexelLevel& level, bool linear, const Addressing& how, int u, int v, int bits) {
-    const auto& [wrap_s, wrap_t, border_color] = how;
+    const Wrap wrap_s = how.wrap_s, wrap_t = how.wrap_t;
     if (!linear)
         return level.at(wrap_index(wrap_s, u >> 8, level.width),
                         wrap_index(wrap_t, v >> 8, level.height));
     // to the lower left of the four centres
     const int us = clamped(wrap_s, u, level.width) - 128,
               vs = clamped(wrap_t, v, level.height) - 128;
-    const int i0 = filter_index(wrap_s, us >> 8, level.width),
-              i1 = filter_index(wrap_s, (us >> 8) + 1, level.width);
-    const int j0 = filter_index(wrap_t, vs >> 8, level.height),
-              j1 = filter_index(wrap_t, (vs >> 8) + 1, level.height);
-    const auto at = [&, &border = border_color](int i, int j) {  // clang 14: no binding in a lambda
-        return filter_texel(level, border, i, j);
-    };
-    const Rgba a = at(i0, j0), b = at(i1, j0), c = at(i0, j1), d = at(i1, j1);
+    const int i = us >> 8, j = vs >> 8;
+    const auto at = [&](int x, int y) { return filter_texel(level, how, x, y); };
+    const Rgba a = at(i, j), b = at(i + 1, j), c = at(i, j + 1), d = at(i + 1, j + 1);
     Rgba out;
     for (std::size_t k = 0; k < 4; ++k)
         out[k] = bilinear(a[k], b[k], c[k], d[k], std::uint32_t(us & 255), std::uint32_t(vs & 255),

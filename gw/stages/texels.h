@@ -45,6 +45,7 @@ std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::u
 struct Addressing {
     Wrap wrap_s = Wrap::Repeat, wrap_t = Wrap::Repeat;
     Rgba border_color{};  ///< of levels without a border
+    bool operator==(const Addressing&) const = default;
 };
 
 /// In one dimension t does not wrap.
@@ -58,6 +59,9 @@ inline Addressing addressing(const TextureState& s, const Texels& texels,
 /// The texel at u, v, or the mean of the four texels around it. Coordinates are in units of 1/256
 /// texel; texel i is [256 i, 256 i + 256).
 Rgba lookup(const TexelLevel& level, bool linear, const Addressing& how, int u, int v, int bits);
+
+/// The texel that a linear filter sees at (i, j), at most one texel outside the level.
+const Rgba& filter_texel(const TexelLevel& level, const Addressing& how, int i, int j);
 
 /// The mean of two levels, weight f in 0 .. 255 of 256 for `b`.
 Rgba between_levels(const Rgba& a, const Rgba& b, std::uint32_t f);

@@ -53,11 +53,11 @@ inline bool needs_depth(const DrawOp& op) {
 inline UniformPlanes touched_planes(const DrawOp& op) {
     return {op.state.writes_color, needs_depth(op)};
 }
-/// Whether a texture is looked up pixel by pixel: projective coordinates, the shadow comparison and
-/// borders.
+/// Whether a texture is looked up pixel by pixel: projective coordinates, the shadow comparison, and
+/// borders in more than 8 bits.
 inline bool textures_by_pixel(const DrawOp& op) {
     return op.projective || op.state.state.texture.shadow_compare ||
-           reaches_border(op.state.state.texture);
+           (!op.pairs && reaches_border(op.state.state.texture));
 }
 
 }  // namespace fast

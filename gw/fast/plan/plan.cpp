@@ -151,8 +151,9 @@ struct Planner {
             const TextureState& t = state.texture;
             op.texels = found;
             op.projective = divides_by_q(t, first);
-            if (!textures_by_pixel(op) && (is_linear(t, false) || is_linear(t, true)))
-                op.pairs = texel_pairs(*found, t.wrap_s, t.wrap_t);
+            const bool one_by_one = op.projective || t.shadow_compare;
+            if (!one_by_one && (is_linear(t, false) || is_linear(t, true)))
+                op.pairs = texel_pairs(*found, addressing(t, found->texels, op.state.border_color));
             op.texcoords = texcoords_of(inputs);
         }
         if (op.needs_color && !exact_id) op.colors = colors_of(inputs);

@@ -6,15 +6,21 @@
 namespace gw::fast {
 namespace {
 
-void add_pairs(const TexelLevel& level, const std::uint32_t* packed, Wrap wrap_s, Wrap wrap_t,
-               std::vector<TexelPair>& out) {
-    for (int j = 0; j < level.height; ++j) {
-        const std::uint32_t* row = packed + j * level.width;
-        const std::uint32_t* next = packed + wrap_index(wrap_t, j + 1, level.height) * level.width;
-        for (int i = 0; i <= level.width; ++i) {
-            const int column = wrap_index(wrap_s, i, level.width);
-            out.push_back({row[column], next[column]});
-        }
+int first_index(Wrap wrap) { return wrap == Wrap::BorderClamp ? -1 : 0; }
+
+std::vector<std::uint32_t> packed_row(const TexelLevel& level, const Addressing& how, int j) {
+    std::vector<std::uint32_t> row;
+    for (int i = first_index(how.wrap_s); i <= level.width; ++i)
+        row.push_back(packed(filter_texel(level, how, i, j)));
+    return row;
+}
+
+void add_pairs(const TexelLevel& level, const Addressing& how, std::vector<TexelPair>& out) {
+    std::vector<std::uint32_t> row = packed_row(level, how, first_index(how.wrap_t));
+    for (int j = first_index(how.wrap_t); j < level.height; ++j) {
+        std::vector<std::uint32_t> next = packed_row(level, how, j + 1);
+        for (std::size_t i = 0; i < row.size(); ++i) out.push_back({row[i], next[i]});
+        row = std::move(next);
     }
 }
 
@@ -35,14 +41,19 @@ FastTexels make_fast_texels(Texels texels) {
     return f;
 }
 
-const TexelPairs* texel_pairs(FastTexels& texels, Wrap wrap_s, Wrap wrap_t) {
+const TexelPairs* texel_pairs(FastTexels& texels, Addressing how) {
+    constexpr std::size_t most = 16;
     if (texels.packed.empty()) return nullptr;
-    TexelPairs& out = texels.pairs[std::size_t(wrap_s) * 2 + std::size_t(wrap_t)];
-    if (!out.pairs.empty()) return &out;
+    const bool reaches = how.wrap_s == Wrap::BorderClamp || how.wrap_t == Wrap::BorderClamp;
+    if (!reaches || !texels.texels.levels[0].bordered.empty()) how.border_color = {};
+    for (const TexelPairs& pairs : texels.pairs)
+        if (pairs.how == how) return &pairs;
+    if (texels.pairs.size() == most) return nullptr;
+    TexelPairs& out = texels.pairs.emplace_back();
+    out.how = how;
     for (std::size_t i = 0; i < texels.texels.levels.size(); ++i) {
         out.first[i] = std::int32_t(out.pairs.size());
-        add_pairs(texels.texels.levels[i], texels.packed.data() + texels.first[i], wrap_s, wrap_t,
-                  out.pairs);
+        add_pairs(texels.texels.levels[i], how, out.pairs);
     }
     return &out;
 }

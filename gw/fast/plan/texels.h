@@ -6,21 +6,22 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 namespace gw::fast {
 
-/// Texels (i, j) and (i, j + 1) of one level, wrapped. A bilinear filter mixes two pairs side by
-/// side. A row of pairs ends with its first pair again, or with its last if coordinates are
-/// clamped.
+/// Texels (i, j) and (i, j + 1) of one level, as filter_texel() gives them. A bilinear filter mixes
+/// two pairs side by side.
 struct TexelPair {
     std::uint32_t lower, upper;
 };
 
-/// A texture's pairs, level after level.
+/// A texture's pairs, level after level. Rows and columns begin at 0, under BorderClamp at -1. A row
+/// ends with i = width of the level.
 struct TexelPairs {
-    /// of each level; a row is one longer than the level is wide
-    std::array<std::int32_t, 16> first{};
+    Addressing how;
+    std::array<std::int32_t, 16> first{};  ///< of each level
     std::vector<TexelPair> pairs;
 };
 
@@ -29,12 +30,12 @@ struct FastTexels {
     std::array<std::int32_t, 16> first{};  ///< of each level, in texels
     std::vector<std::uint32_t> packed;     ///< if bits == 8: 8 bits a channel, R lowest
     std::vector<Rgba> wide;                ///< else
-    std::array<TexelPairs, 4> pairs;       ///< by both wraps; made when asked for
+    std::deque<TexelPairs> pairs;          ///< made when asked for
 };
 
 FastTexels make_fast_texels(Texels texels);
 
-/// The texture's pairs for these wraps; null if it has more than 8 bits.
-const TexelPairs* texel_pairs(FastTexels& texels, Wrap wrap_s, Wrap wrap_t);
+/// The texture's pairs; null if it has more than 8 bits, or already pairs with many border colours.
+const TexelPairs* texel_pairs(FastTexels& texels, Addressing how);
 
 }  // namespace gw::fast

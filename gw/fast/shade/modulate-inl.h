@@ -149,17 +149,15 @@ private:
                                  std::size_t part) const {
         const F32 f;
         const I32 i;
-        const TextureState& state = op.state.state.texture;
+        const TexelPairs& pairs = *op.pairs;
         const auto over =
             affine ? hn::Set(f, w) : hn::Div(hn::Set(f, 1.0f), to_floats(q.at(bx, by, part)));
         const auto u = s.at(bx, by, part, over), v = t.at(bx, by, part, over);
-        const auto x = hn::ShiftRight<8>(u), y = hn::ShiftRight<8>(v);
-        const auto column = Sampler::wrapped(state.wrap_s, x, hn::Set(i, level.width - 1)),
-                   row = Sampler::wrapped(state.wrap_t, y, hn::Set(i, level.height - 1));
-        const auto index = hn::Add(hn::Add(hn::ShiftLeftSame(row, level.log2_width), row), column);
-        return bilinear_bytes(load_corners(op.pairs->pairs.data(), index),
-                              Sampler::weight(state.wrap_s, u, x),
-                              Sampler::weight(state.wrap_t, v, y));
+        const Sampler::Place column = Sampler::place(pairs.how.wrap_s, u, hn::Set(i, level.width)),
+                             row = Sampler::place(pairs.how.wrap_t, v, hn::Set(i, level.height));
+        const auto index =
+            Sampler::pair_index(pairs, row.index, column.index, hn::Set(i, level.log2_width));
+        return bilinear_bytes(load_corners(pairs.pairs.data(), index), column.weight, row.weight);
     }
 };
 

@@ -51,6 +51,33 @@ struct Sampler {
                                     : hn::Min(hn::Max(index, hn::Zero(I32())), last);
     }
 
+    /// One axis of a bilinear filter's place among the pairs.
+    struct Place {
+        VI index;
+        V32 weight;  ///< of the next texel, in 256ths
+    };
+    /// `position` is in 1/256 texels from the centre of the first texel.
+    HWY_INLINE static Place place(Wrap wrap, VI position, VI size) {
+        const I32 i;
+        if (wrap != Wrap::BorderClamp) {
+            const auto texel = hn::ShiftRight<8>(position);
+            return {wrapped(wrap, texel, hn::Sub(size, hn::Set(i, 1))),
+                    weight(wrap, position, texel)};
+        }
+        // At most half a texel beyond the sides, from the centre of the border's first texel.
+        const auto last = hn::Add(hn::ShiftLeft<8>(size), hn::Set(i, 128));
+        const auto from_border =
+            hn::Min(hn::Max(hn::Add(position, hn::Set(i, 256)), hn::Set(i, 128)), last);
+        return {hn::ShiftRight<8>(from_border),
+                hn::BitCast(D32(), hn::And(from_border, hn::Set(i, 255)))};
+    }
+    /// The index of a pair of a level that is 2^log2_width wide, in the level's pairs.
+    HWY_INLINE static VI pair_index(const TexelPairs& pairs, VI row, VI column, VI log2_width) {
+        auto start = hn::Add(hn::Shl(row, log2_width), row);
+        if (pairs.how.wrap_s == Wrap::BorderClamp) start = hn::Add(start, row);
+        return hn::Add(start, column);
+    }
+
     /// The weight of a texel's right or upper neighbour, in 256ths. Beyond a clamped side both
     /// texels are the first one, so any weight gives the same mean.
     HWY_INLINE static V32 weight(Wrap wrap, VI position, VI texel) {
@@ -103,15 +130,18 @@ private:
         const I32 i;
         u = hn::Sub(u, hn::Set(i, 128));
         v = hn::Sub(v, hn::Set(i, 128));
+        const auto one = hn::Set(i, 1);
+        if (pairs) {
+            const Place s = place(pairs->how.wrap_s, u, hn::Shl(one, level.log2_w)),
+                        t = place(pairs->how.wrap_t, v, hn::Shl(one, level.log2_h));
+            const auto index =
+                hn::Add(level.first_pair, pair_index(*pairs, t.index, s.index, level.log2_w));
+            return bilinear_bytes(load_corners(pairs->pairs.data(), index), s.weight, t.weight)
+                .channels();
+        }
         const auto x = hn::ShiftRight<8>(u), y = hn::ShiftRight<8>(v);
         const auto wx = weight(state.wrap_s, u, x), wy = weight(state.wrap_t, v, y);
         const auto left = column_of(level, x), low = row_of(level, y);
-        if (pairs) {
-            const auto row = hn::Add(hn::Shl(low, level.log2_w), low);
-            const auto index = hn::Add(hn::Add(level.first_pair, row), left);
-            return bilinear_bytes(load_corners(pairs->pairs.data(), index), wx, wy).channels();
-        }
-        const auto one = hn::Set(i, 1);
         const auto right = column_of(level, hn::Add(x, one)), high = row_of(level, hn::Add(y, one));
         const auto start = [&](VI row) { return hn::Add(level.first, hn::Shl(row, level.log2_w)); };
         return mean_of_wide(left, right, start(low), start(high), wx, wy);

@@ -183,5 +183,27 @@ TEST(SharedWork, AListMayHaveMoreVerticesThanASegment) {
     EXPECT_EQ(bench.take_counters().draws, 2200u);
 }
 
+/// Only so many are kept ready for the filter.
+TEST(SharedWork, ATextureMayHaveManyBorderColors) {
+    MeshData data = mesh_data(Primitive::Quads, {{0, 0, 1}, {12, 0, 1}, {12, 12, 1}, {0, 12, 1}});
+    data.texcoords = {{-1, -1}, {2, -1}, {2, 2}, {-1, 2}};
+    Draw draw{.mesh = make_mesh(std::move(data))};
+    draw.map.texture =
+        make_texture8("t", 2, 1, std::vector<std::uint8_t>{0, 0, 0, 255, 0, 0, 255, 255});
+    Workbench bench(opengl(), 256, 64);
+    bench.clear();
+    TextureState& t = bench.state.texture;
+    t.env = TexEnv::Replace;
+    for (int i = 0; i < 60; ++i) {
+        t.border_color = vec4(float(i % 20) / 19, 1, 0, 1);
+        t.wrap_s = i % 3 == 0 ? Wrap::Repeat : Wrap::BorderClamp;
+        t.wrap_t = i % 3 == 1 ? Wrap::Clamp : Wrap::BorderClamp;
+        draw.eye_from_object[3] = {double(i % 20) * 12, double(i / 20) * 16, 0, 1};
+        bench.draw(draw);
+    }
+    EXPECT_EQ(bench.color(0, 0)[0], 0);
+    EXPECT_GT(bench.color(19 * 12, 0)[0], 100);
+}
+
 }  // namespace
 }  // namespace gw::test
