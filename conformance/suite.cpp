@@ -59,6 +59,7 @@ const std::vector<Source>& sources() {
         {{"pixels", "clears, spans, rectangles, copies, read-backs, slots", "R13.1-R13.7 R12.2 R12.3"}, fuzz::pixels_case, 10},
         {{"drawn-pixels", "rectangles of pixels through all stages: zoom, bits, sources", "R13.10-R13.15"}, fuzz::drawn_pixels_case, 12},
         {{"accumulation", "accumulation with every weight", "R13.8 R13.9"}, fuzz::accumulation_case, 6},
+        {{"buffers", "two colour planes, draw and read buffers, accumulation cleared to values", "R12.16 R13.16-R13.18"}, fuzz::buffers_case, 8},
         {{"multipass", "whole frames: depth pass, shadow volumes, additive passes, samples", "R1.8 R1.10 R14.1 R14.2 R14.5 R14.7-R14.9 R15.2-R15.4"}, fuzz::multipass_case, 6},
     };
     return all;
@@ -85,7 +86,7 @@ inspect::Recording recording_of(const Case& c, const std::string& name) {
     return out;
 }
 
-/// A foreign machine may be slow, and all recordings together stay below 3 MB.
+/// A foreign machine may be slow, and all recordings together stay below 4 MB.
 bool is_small(const inspect::Recording& recording) {
     constexpr int most_pixels = 3000;
     constexpr std::size_t most_bytes = 20000;

@@ -5,7 +5,8 @@ namespace gw::fuzz {
 namespace {
 
 constexpr PlaneMask color = mask_of(Plane::Color), depth = mask_of(Plane::Depth),
-                    stencil = mask_of(Plane::Stencil), accum = mask_of(Plane::Accum);
+                    stencil = mask_of(Plane::Stencil), accum = mask_of(Plane::Accum),
+                    back = mask_of(Plane::Back);
 using C = Counters;
 
 }  // namespace
@@ -94,6 +95,11 @@ const std::vector<Suite>& suites() {
          accumulation_case,
          color | accum,
          {&C::accum_overflows, &C::pixels}},
+        {"buffers",
+         "two colour planes, draw and read buffers, accumulation cleared to values",
+         buffers_case,
+         color | back | depth | accum,
+         {&C::stencil_killed, &C::depth_killed, &C::pixels, &C::written}},
         {"texture", "filters, wraps, environments, sizes", texture_case, color, {&C::texels}},
         {"generated-texture",
          "sphere, refraction and projected maps, slots",

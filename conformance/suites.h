@@ -10,6 +10,7 @@ Case accumulation_case(Random& random);
 Case alpha_mask_case(Random& random);
 Case antialiasing_case(Random& random);
 Case blend_case(Random& random);
+Case buffers_case(Random& random);
 Case clip_case(Random& random);
 Case coincident_case(Random& random);
 Case depth_case(Random& random);

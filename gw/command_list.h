@@ -23,12 +23,13 @@ struct BeginPass {
 };
 
 /// Clears planes inside the scissor box, through the colour mask, depth mask and stencil write
-/// mask, as glClear. Accumulation is cleared to 0.
+/// mask, as glClear.
 struct Clear {
     PlaneMask planes = 0;
     vec4 color{0, 0, 0, 0};  ///< clamped to [0,1], times 2^color_bits - 1, to nearest
     double depth = 1;        ///< clamped to [0,1], times 2^depth_bits - 1, to nearest
     int stencil = 0;         ///< low stencil_bits are used
+    vec4 accum{0, 0, 0, 0};  ///< clamped to [-1,1], times 2^color_bits - 1, to nearest
     bool operator==(const Clear&) const = default;
 };
 
@@ -109,7 +110,7 @@ struct Accumulate {
 };
 
 /// Copies a rectangle of one plane to another position in the same plane (glCopyPixels), through
-/// scissor and masks. Source pixels outside the window are skipped. Overlapping rectangles copy as
+/// scissor and masks. Colours go from the read buffer to the draw buffer. Source pixels outside the window are skipped. Overlapping rectangles copy as
 /// if the whole source were read first.
 struct Copy {
     Plane plane = Plane::Color;  ///< Color, Depth or Stencil
@@ -177,8 +178,13 @@ struct Read {
     bool operator==(const Read&) const = default;
 };
 
+/// Exchanges the front and the back plane.
+struct SwapBuffers {
+    bool operator==(const SwapBuffers&) const = default;
+};
+
 using Command = std::variant<BeginPass, Clear, SetState, Draw, WriteSpans, WritePixels, Accumulate,
-                             Copy, CopyTexture, Read, DrawPixels>;
+                             Copy, CopyTexture, Read, DrawPixels, SwapBuffers>;
 
 /// Commands in order. Meshes, textures and lights are immutable and shared between lists; == of
 /// commands compares their addresses, inspect/compare/difference.h their content.

@@ -44,7 +44,7 @@ struct PassReport {
     std::string name;
     Counters counters;
     PlaneMask digested = 0;
-    std::array<Digest, 4> digests{};  ///< by Plane, of the planes in `digested`
+    std::array<Digest, every_plane.size()> digests{};  ///< by Plane, of the planes in `digested`
     bool operator==(const PassReport&) const = default;
 };
 

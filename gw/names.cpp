@@ -8,9 +8,9 @@
 namespace gw {
 
 const char* name_of(const Command& command) {
-    static constexpr const char* names[] = {"BeginPass",   "Clear",       "SetState",   "Draw",
-                                            "WriteSpans",  "WritePixels", "Accumulate", "Copy",
-                                            "CopyTexture", "Read",        "DrawPixels"};
+    static constexpr const char* names[] = {
+        "BeginPass",  "Clear", "SetState",    "Draw", "WriteSpans", "WritePixels",
+        "Accumulate", "Copy",  "CopyTexture", "Read", "DrawPixels", "SwapBuffers"};
     static_assert(std::size(names) == std::variant_size_v<Command>);
     return names[command.index()];
 }
@@ -21,6 +21,7 @@ const char* name_of(Plane plane) {
         case Plane::Depth: return "depth";
         case Plane::Stencil: return "stencil";
         case Plane::Accum: return "accum";
+        case Plane::Back: return "back";
     }
     return "";
 }
@@ -32,6 +33,7 @@ std::string value_at(const Planes& p, Plane plane, int x, int y) {
         case Plane::Depth: return std::to_string(p.depth[i]);
         case Plane::Stencil: return std::to_string(p.stencil[i]);
         case Plane::Accum: return fmt::format("{}", fmt::join(p.accum[i], " "));
+        case Plane::Back: return fmt::format("{}", fmt::join(p.back[i], " "));
     }
     return "";
 }

@@ -14,7 +14,7 @@ namespace gw {
 /// The name of the command's type: "Draw", "WritePixels".
 const char* name_of(const Command& command);
 
-/// "color", "depth", "stencil", "accum"
+/// "color", "depth", "stencil", "accum", "back"
 const char* name_of(Plane plane);
 
 /// The plane's value at one pixel of the window: "12 34 56 255" or "16777215".

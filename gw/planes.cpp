@@ -8,12 +8,13 @@
 
 namespace gw {
 
-Planes::Planes(int w, int h) : width(w), height(h) {
+Planes::Planes(int w, int h, int color_planes) : width(w), height(h) {
     const std::size_t size = std::size_t(w) * std::size_t(h);
     color.resize(size);
     depth.resize(size);
     stencil.resize(size);
     accum.resize(size);
+    if (color_planes == 2) back.resize(size);
 }
 
 namespace {
@@ -55,6 +56,7 @@ Digest digest(const Planes& planes, Plane plane) {
         case Plane::Depth: return plane_digest(planes.depth, planes);
         case Plane::Stencil: return plane_digest(planes.stencil, planes);
         case Plane::Accum: return plane_digest(planes.accum, planes);
+        case Plane::Back: return planes.back.empty() ? Digest{} : plane_digest(planes.back, planes);
     }
     return {};
 }

@@ -12,14 +12,17 @@
 namespace gw {
 
 /// The planes of a machine; each is one bit of a PlaneMask.
-enum class Plane : std::uint8_t { Color, Depth, Stencil, Accum };
-inline constexpr std::array every_plane{Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum};
+/// Color is the front plane. Back belongs to machines with two colour planes; commands that name
+/// Color mean the planes of the draw buffer or the read buffer.
+enum class Plane : std::uint8_t { Color, Depth, Stencil, Accum, Back };
+inline constexpr std::array every_plane{Plane::Color, Plane::Depth, Plane::Stencil, Plane::Accum,
+                                        Plane::Back};
 
 using PlaneMask = std::uint8_t;
 constexpr PlaneMask mask_of(Plane plane) {
     return static_cast<PlaneMask>(1u << static_cast<unsigned>(plane));
 }
-inline constexpr PlaneMask all_planes = 15;
+inline constexpr PlaneMask all_planes = 15;  ///< that commands name: all but Back
 
 struct Planes {
     int width = 0, height = 0;
@@ -28,10 +31,11 @@ struct Planes {
     std::vector<std::uint8_t> stencil;  ///< 0 .. 2^stencil_bits - 1
     /// units of the frame buffer, wrapped to accum_bits
     std::vector<std::array<std::int32_t, 4>> accum;
+    std::vector<Rgba> back;  ///< as color; empty if there is one colour plane
 
     Planes() = default;
     /// All planes are 0, depth too. OpenGL leaves them undefined before the first clear.
-    Planes(int width, int height);
+    Planes(int width, int height, int color_planes = 1);
     std::size_t index(int x, int y) const { return pixel_index(x, y, width); }
     bool operator==(const Planes&) const = default;
 };
@@ -43,6 +47,7 @@ struct Digest {
     auto operator<=>(const Digest&) const = default;
 };
 
+/// Of a plane that is there; else Digest{}.
 Digest digest(const Planes& planes, Plane plane);
 /// 32 lower-case hexadecimal digits.
 std::string to_string(const Digest& digest);

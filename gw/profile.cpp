@@ -36,7 +36,7 @@ Profile ideal() {
 }
 
 Profile opengl() {
-    Profile p{.name = "opengl", .subpixel_bits = 8, .coverage_bits = 8};
+    Profile p{.name = "opengl", .subpixel_bits = 8, .coverage_bits = 8, .color_planes = 2};
     p.fragment_fog = true;
     p.perspective_color = true;
     p.extensions = {.polygon_offset = true,
@@ -104,6 +104,7 @@ void validate(const Profile& p) {
     check("max_lights", p.max_lights, 1, 1024);
     check("texel_bits", p.texel_bits, 0, 16);
     check("coverage_bits", p.coverage_bits, 0, 16);
+    check("color_planes", p.color_planes, 1, 2);
 }
 
 }  // namespace gw

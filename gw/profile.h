@@ -2,6 +2,8 @@
 // Does not define the arithmetic: docs/manual.md does, in terms of these numbers.
 #pragma once
 
+#include "gw/planes.h"
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,6 +43,7 @@ struct Profile {
     int max_lights = 8;     ///< in one pass: 1 .. 1024
     int texel_bits = 0;     ///< of a texel's channel: 1 .. 16; 0: color_bits
     int coverage_bits = 0;  ///< of antialiasing: 1 .. 16; 0: the machine has none
+    int color_planes = 1;   ///< 2: front and back
     /// fog factor per fragment by default; else at the vertex, as in [K] Fig. 2
     bool fragment_fog = false;
     /// Gouraud shading in perspective; else linear on the screen, as in the hardware
@@ -75,6 +78,11 @@ const std::vector<Profile>& profiles();
 /// The bits of a texel's channel.
 constexpr int texel_bits(const Profile& p) {
     return p.texel_bits != 0 ? p.texel_bits : p.color_bits;
+}
+
+/// The planes of its machines.
+constexpr PlaneMask planes_of(const Profile& p) {
+    return p.color_planes == 2 ? PlaneMask(all_planes | mask_of(Plane::Back)) : all_planes;
 }
 
 /// The built-in profile of this name. Throws Error naming the known ones.

@@ -314,6 +314,11 @@ struct ColorMask {
     bool operator==(const ColorMask&) const = default;
 };
 
+/// The colour planes that fragments, clears, copies and returns write to. [GL11] 4.2.1
+enum class DrawBuffer : std::uint8_t { None, Front, Back, FrontAndBack };
+/// The colour plane that copies, read-backs and accumulation read. [GL11] 4.3.2
+enum class ReadBuffer : std::uint8_t { Front, Back };
+
 /// The whole state. A machine starts with State{}; SetState replaces all of it.
 struct State {
     dmat4 projection{1};    ///< clip_from_eye
@@ -347,6 +352,8 @@ struct State {
     BlendState blend;
     LogicOpState logic_op;
     ColorMask color_mask;
+    DrawBuffer draw_buffer = DrawBuffer::Front;
+    ReadBuffer read_buffer = ReadBuffer::Front;
     bool operator==(const State&) const = default;
 };
 /// Whether a primitive of any kind is antialiased.

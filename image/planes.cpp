@@ -69,6 +69,7 @@ Picture plane_picture(const Planes& planes, Plane plane, const Profile& profile)
         case Plane::Depth: return depth_colors(planes.depth, w, h, profile.depth_bits);
         case Plane::Stencil: return stencil_colors(planes.stencil, w, h);
         case Plane::Accum: return accum_colors(planes.accum, w, h);
+        case Plane::Back: return picture_of(planes.back, w, h, profile.color_bits);
     }
     return {};
 }

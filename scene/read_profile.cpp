@@ -55,6 +55,7 @@ Profile read_profile(const std::filesystem::path& path) {
                          key("max_lights", p.max_lights, {0, 1e6}),
                          key("texel_bits", p.texel_bits, bits),
                          key("coverage_bits", p.coverage_bits, bits),
+                         key("color_planes", p.color_planes, bits),
                          key("fragment_fog", p.fragment_fog),
                          key("perspective_color", p.perspective_color),
                          extensions_key(p.extensions),

@@ -52,6 +52,7 @@ constexpr Row profile_rows[] = {
     {"colour, bits per channel", &Profile::color_bits},
     {"Z, bits", &Profile::depth_bits},
     {"stencil, bits", &Profile::stencil_bits},
+    {"colour planes", &Profile::color_planes},
     {"accumulation, bits per channel, signed", &Profile::accum_bits},
     {"sub-pixel bits", &Profile::subpixel_bits},
     {"lit vertex colour, bits", &Profile::lit_bits},

@@ -28,6 +28,11 @@ image::Picture picture_of(const inspect::ResultDifference& d) {
     return image::distance_picture(inspect::distances(d.a, d.b, d.plane), d.a.width, d.a.height);
 }
 
+Planes values_after(const inspect::ManifestFile& file, std::size_t pass) {
+    const inspect::Manifest& m = file.manifest;
+    return inspect::planes_after(file.values, m.width, m.height, pass, m.profile.color_planes);
+}
+
 int diff_manifests(const DiffOptions& options) {
     const inspect::ManifestFile a = inspect::load_manifest(options.a),
                                 b = inspect::load_manifest(options.b);
@@ -40,10 +45,8 @@ int diff_manifests(const DiffOptions& options) {
     if (!finding->pass || !finding->what.starts_with("plane ") || a.values.empty() ||
         b.values.empty())
         return Differs;
-    inspect::ResultDifference d = inspect::located(
-        *finding,
-        inspect::planes_after(a.values, a.manifest.width, a.manifest.height, *finding->pass),
-        inspect::planes_after(b.values, b.manifest.width, b.manifest.height, *finding->pass));
+    inspect::ResultDifference d = inspect::located(*finding, values_after(a, *finding->pass),
+                                                   values_after(b, *finding->pass));
     print(inspect::text(d.finding, a.manifest.height) +
           inspect::wrong_pixel_lines(d, std::size_t(options.pixels)));
     if (!options.picture.empty()) image::write_picture(options.picture, picture_of(d));

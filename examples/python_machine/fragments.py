@@ -2,7 +2,7 @@
 import numpy as np
 
 from .numbers import mul, one
-from .state import BlendEquation, BlendFactor, CompareFunc, StencilOp
+from .state import BlendEquation, BlendFactor, CompareFunc, DrawBuffer, StencilOp
 
 
 def compare(func, incoming, stored):
@@ -133,16 +133,18 @@ class FragmentStage:
         plane[y, x] = (stored & ~face.write_mask) | (new & face.write_mask)
 
     def write_colors(self, x, y, colors):
-        """[R12.13]"""
-        plane = self.machine.planes.color
+        """[R12.13], [R12.16]"""
+        for plane in self.machine.planes.drawn(self.state.draw_buffer):
+            result = self.joined(colors, plane[y, x])
+            for c, on in enumerate(self.state.color_mask):
+                if on:
+                    plane[y, x, c] = result[:, c]
+
+    def joined(self, colors, stored):
         logic = self.state.logic_op
         if logic.enable:
-            result = logic_result(logic.op, colors, plane[y, x], self.bits)
-        else:
-            result = blended(self.state, colors, plane[y, x], self.bits)
-        for c, on in enumerate(self.state.color_mask):
-            if on:
-                plane[y, x, c] = result[:, c]
+            return logic_result(logic.op, colors, stored, self.bits)
+        return blended(self.state, colors, stored, self.bits)
 
     def count_bytes(self, reached_stencil, reached_depth, written):
         """[R14.8]"""
@@ -159,8 +161,14 @@ class FragmentStage:
             logic = state.logic_op
             joins = logic.reads_stored() if logic.enable else state.blend.enable
             twice = joins or not all(state.color_mask)
-            total += written * size["Color"] * (2 if twice else 1)
+            total += (written * size["Color"] * (2 if twice else 1)
+                      * colors_written(state.draw_buffer))
         self.machine.counters["bytes"] += total
+
+
+def colors_written(draw_buffer):
+    """[R14.8]"""
+    return 2 if draw_buffer == DrawBuffer.FrontAndBack else 1
 
 
 def count(mask):

@@ -20,12 +20,19 @@ class Planes:
         self.depth = np.zeros((height, width), np.int64)
         self.stencil = np.zeros((height, width), np.int64)
         self.accum = np.zeros((height, width, 4), np.int64)
+        self.back = np.zeros((height, width, 4), np.int64)
 
     def of(self, plane):
-        return (self.color, self.depth, self.stencil, self.accum)[plane]
+        return (self.color, self.depth, self.stencil, self.accum, self.back)[plane]
+
+    def drawn(self, buffer):
+        """[R12.16] The colour planes of a draw buffer."""
+        front, back = [self.color], [self.back]
+        return ([], front, back, front + back)[buffer]
 
 
-STORED = {Plane.Color: "<u2", Plane.Depth: "<u4", Plane.Stencil: "u1", Plane.Accum: "<i4"}
+STORED = {Plane.Color: "<u2", Plane.Depth: "<u4", Plane.Stencil: "u1", Plane.Accum: "<i4",
+          Plane.Back: "<u2"}
 
 
 def digest(planes, plane):
@@ -71,7 +78,8 @@ class Machine:
             yield self.end_pass()
 
     def end_pass(self):
-        digests = {plane.name.lower(): digest(self.planes, plane) for plane in Plane}
+        digests = {plane.name.lower(): digest(self.planes, plane) for plane in Plane
+                   if plane != Plane.Back or self.profile.color_planes == 2}
         ended = (self.pass_name, {k: v for k, v in self.counters.items() if v}, digests)
         self.counters.clear()
         return ended
@@ -81,7 +89,8 @@ class Machine:
         {"Clear": pixels.clear, "Draw": draw.run, "WriteSpans": pixels.write_spans,
          "WritePixels": pixels.write_pixels, "Accumulate": pixels.accumulate,
          "Copy": pixels.copy, "CopyTexture": pixels.copy_texture,
-         "Read": pixels.read, "DrawPixels": pixels.draw_pixels}[command.kind](self, command)
+         "Read": pixels.read, "DrawPixels": pixels.draw_pixels,
+         "SwapBuffers": pixels.swap_buffers}[command.kind](self, command)
 
     def texture_of(self, command):
         """The texture of a draw: an image's pyramid, made once, or a slot."""

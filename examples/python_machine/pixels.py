@@ -4,10 +4,11 @@ import math
 import numpy as np
 
 from . import fog
-from .fragments import FragmentStage
+from .fragments import FragmentStage, colors_written
 from .numbers import bounded, one, quantize, to_integer
 from .rasterization import rectangle
-from .state import Plane, Resolved, corners_of, intersection, pixel_box, stencil_write_mask
+from .state import (Plane, ReadBuffer, Resolved, corners_of, intersection, pixel_box,
+                    stencil_write_mask)
 from .texture import Texture, environment, look_ups, texel_in_place
 
 
@@ -25,14 +26,27 @@ def visited(machine, plane, pixels, times=1):
     machine.counters["bytes"] += times * pixels * machine.bytes_of[Plane(plane).name]
 
 
+def times_written(machine, plane):
+    """[R14.8]"""
+    return colors_written(machine.state.draw_buffer) if plane == Plane.Color else 1
+
+
+def plane_read(machine, plane):
+    """[R13.17]"""
+    if plane == Plane.Color and machine.state.read_buffer == ReadBuffer.Back:
+        return machine.planes.back
+    return machine.planes.of(plane)
+
+
 def store(machine, plane, x, y, values):
     """Through the plane's mask, as Clear writes it [R13.2]."""
     state, planes = machine.state, machine.planes
     if plane == Plane.Color:
         mask = state.color_mask
-        for c, on in enumerate((mask.r, mask.g, mask.b, mask.a)):
-            if on:
-                planes.color[y, x, c] = values[:, c]
+        for color in planes.drawn(state.draw_buffer):
+            for c, on in enumerate((mask.r, mask.g, mask.b, mask.a)):
+                if on:
+                    color[y, x, c] = values[:, c]
     elif plane == Plane.Depth:
         if state.depth.mask:
             planes.depth[y, x] = values
@@ -54,11 +68,22 @@ def clear(machine, command):
     for plane in Plane:
         if not command.planes & (1 << plane):
             continue
-        visited(machine, plane, size_of(box))
+        visited(machine, plane, size_of(box), times_written(machine, plane))
         if plane == Plane.Accum:
-            machine.planes.accum[y, x] = 0
+            machine.planes.accum[y, x] = [cleared(v, profile) for v in command.accum]
         else:
             store(machine, plane, x, y, values[plane])
+
+
+def cleared(v, profile):
+    """[R13.16] A channel of the accumulation plane."""
+    whole = int(np.rint(min(max(v, -1.0), 1.0) * one(profile.color_bits)))
+    return wrapped_to(profile.accum_bits, whole)
+
+
+def wrapped_to(bits, v):
+    """[R13.9]"""
+    return ((v + 2**(bits - 1)) & one(bits)) - 2**(bits - 1)
 
 
 def write_spans(machine, command):
@@ -96,16 +121,15 @@ def copy(machine, command):
     x, y = i - source.x + command.x, j - source.y + command.y
     left, bottom, right, top = box_of(machine)
     kept = (x >= left) & (x < right) & (y >= bottom) & (y < top)
-    plane = machine.planes.of(command.plane)
-    values = plane[j[kept], i[kept]].copy()
-    visited(machine, command.plane, len(values), times=2)
+    values = plane_read(machine, command.plane)[j[kept], i[kept]].copy()
+    visited(machine, command.plane, len(values), 1 + times_written(machine, command.plane))
     store(machine, command.plane, x[kept], y[kept], values)
 
 
 def copy_texture(machine, command):
     """[R13.6]"""
     left, bottom, right, top = corners_of(command.rect)
-    values = machine.planes.of(command.plane)[bottom:top, left:right].copy()
+    values = plane_read(machine, command.plane)[bottom:top, left:right].copy()
     machine.slots[command.slot] = Texture.of_plane(values, command.plane == Plane.Depth,
                                                    machine.profile)
     visited(machine, command.plane, size_of((left, bottom, right, top)))
@@ -114,11 +138,17 @@ def copy_texture(machine, command):
 def read(machine, command):
     """[R13.7] The values as rows, from the bottom."""
     left, bottom, right, top = corners_of(command.rect)
-    values = machine.planes.of(command.plane)[bottom:top, left:right].copy()
+    values = plane_read(machine, command.plane)[bottom:top, left:right].copy()
     if command.packed:
         values = values @ np.array([1, 2**8, 2**16, 2**24])
     machine.readbacks[command.key] = values
     visited(machine, command.plane, size_of((left, bottom, right, top)))
+
+
+def swap_buffers(machine, _):
+    """[R13.18]"""
+    planes = machine.planes
+    planes.color, planes.back = planes.back, planes.color
 
 
 # ---- Drawn pixels ----------------------------------------------------------------------------
@@ -150,7 +180,7 @@ def with_source(machine, command):
         return command.colors, command.depths, command.stencils, np.ones(len(n), bool)
     i, j = command.source.x + n, command.source.y + m
     inside = (i >= 0) & (i < machine.width) & (j >= 0) & (j < machine.height)
-    plane = machine.planes.of(command.source.plane)
+    plane = plane_read(machine, command.source.plane)
     values = np.zeros((len(n),) + plane.shape[2:], np.int64)
     values[inside] = plane[j[inside], i[inside]]
     visited(machine, command.source.plane, int(np.count_nonzero(inside)))
@@ -214,7 +244,7 @@ def accumulate(machine, command):
         return np.clip(np.rint(a.astype(np.float64) * command.value), -limit,
                        limit).astype(np.int64)
 
-    old, color = planes.accum[y, x], planes.color[y, x]
+    old, color = planes.accum[y, x], plane_read(machine, Plane.Color)[y, x]
     most = one(machine.profile.color_bits)
     if command.op == "Return":
         store(machine, Plane.Color, x, y, np.clip(weighted(old), 0, most))
@@ -222,8 +252,10 @@ def accumulate(machine, command):
         new = {"Accum": lambda: old + weighted(color), "Load": lambda: weighted(color),
                "Add": lambda: old + weighted(np.full_like(old, most)),
                "Mult": lambda: weighted(old)}[command.op]()
-        wrapped = ((new + 2**(bits - 1)) & one(bits)) - 2**(bits - 1)
+        wrapped = wrapped_to(bits, new)
         machine.counters["accum_overflows"] += int(np.count_nonzero(wrapped != new))
         planes.accum[y, x] = wrapped
     machine.counters["pixels"] += len(x)
-    machine.counters["bytes"] += len(x) * (machine.bytes_of["Accum"] + machine.bytes_of["Color"])
+    times = times_written(machine, Plane.Color) if command.op == "Return" else 1
+    machine.counters["bytes"] += len(x) * (machine.bytes_of["Accum"]
+                                           + times * machine.bytes_of["Color"])

@@ -91,6 +91,7 @@ class Profile:
     blend_subtract: bool = False
     draw_pixels: bool = False
     coverage_bits: int = 0
+    color_planes: int = 1
 
 
 @dataclass
@@ -316,7 +317,8 @@ class Reader:
 
     def read_Clear(self, c):
         return {"planes": c.planes, "color": vector(c.color) if c.color else (0.0,) * 4,
-                "depth": c.depth, "stencil": c.stencil}
+                "depth": c.depth, "stencil": c.stencil,
+                "accum": vector(c.accum) if c.accum else (0.0,) * 4}
 
     def read_Draw(self, c):
         return {"mesh": self.meshes[c.mesh],
@@ -345,6 +347,9 @@ class Reader:
 
     def read_CopyTexture(self, c):
         return {"slot": c.slot, "plane": c.plane, "rect": box(c.rect)}
+
+    def read_SwapBuffers(self, _):
+        return {}
 
     def read_Read(self, c):
         return {"key": c.key, "plane": c.plane, "rect": box(c.rect), "packed": c.packed}

@@ -45,8 +45,11 @@ TexGen = IntEnum("TexGen", "None SphereMap RefractionMap EyeLinear PerCoordinate
 CoordinateMode = IntEnum("CoordinateMode", "Given ObjectLinear EyeLinear SphereMap", start=0)
 ColorMaterial = IntEnum("ColorMaterial", "Emission Ambient Diffuse Specular AmbientAndDiffuse",
                         start=0)
+DrawBuffer = IntEnum("DrawBuffer", "None Front Back FrontAndBack", start=0)
+ReadBuffer = IntEnum("ReadBuffer", "Front Back", start=0)
 NO_TEXGEN = TexGen["None"]
-Plane = IntEnum("Plane", "Color Depth Stencil Accum", start=0)
+NO_DRAW_BUFFER = DrawBuffer["None"]
+Plane = IntEnum("Plane", "Color Depth Stencil Accum Back", start=0)
 
 
 def identity():
@@ -261,6 +264,8 @@ class State:
     point_smooth: bool = False
     line_smooth: bool = False
     polygon_smooth: bool = False
+    draw_buffer: int = DrawBuffer.Front
+    read_buffer: int = ReadBuffer.Front
 
 
 # ---- Resolved state -------------------------------------------------------------------------
@@ -333,8 +338,11 @@ class Resolved:
         self.blend_color = np.array([quantize(v, profile.color_bits) for v in state.blend_color],
                                     np.int64)
         self.logic_op = state.logic_op
+        self.draw_buffer = state.draw_buffer
         mask = state.color_mask
         self.color_mask = (mask.r, mask.g, mask.b, mask.a)
+        if state.draw_buffer == NO_DRAW_BUFFER:
+            self.color_mask = (False,) * 4
 
 
 def stencil_write_mask(state, profile):

@@ -22,7 +22,7 @@ public:
           threads_(options.threads > 0 ? options.threads : hardware_threads()),
           runner_(threads_),
           frame_(width, height, options.log2_tile),
-          planes_(width, height) {}
+          planes_(width, height, profile.color_planes) {}
 
     void execute(const CommandList& list) override {
         const FloatEnvironment environment;
@@ -65,6 +65,8 @@ private:
         const Segment& segment = machine_.segment;
         if (segment.ops.empty()) return;
         if (segment.uses_accum) frame_.need_accum();
+        if (segment.scan.color_plane()) frame_.use_color(*segment.scan.color_plane());
+        if (segment.uses_both_colors) frame_.need_other_color();
         planes_are_current_ = false;
         const std::vector<OpCounts> totals = runner_.run(segment, frame_, profile_);
         for (std::size_t i = 0; i < totals.size(); ++i) {
@@ -89,23 +91,31 @@ private:
     void run_barrier(const Copy& command) {
         const Resolved r = resolve(machine_.state, profile_, grid().width, grid().height);
         planes();
-        count(copy_pixels(command, r, planes_), 2 * plane_bytes(command.plane, profile_));
+        count(
+            copy_pixels(command, r, planes_),
+            plane_bytes(command.plane, profile_) + written_bytes(command.plane, r.state, profile_));
         frame_.write(planes_);
     }
     /// Draws what the source has now, as a segment of its own.
     void run_barrier(const DrawPixels& command) {
         count(source_box(command, grid().width, grid().height).area(),
               plane_bytes(command.source->plane, profile_));
-        const Command drawn = with_values(command, planes());
+        const Command drawn = with_values(command, machine_.state.read_buffer, planes());
         plan_segment({&drawn, 1}, machine_, profile_, grid(), threads_);
         run_segment();
     }
     void run_barrier(const CopyTexture& command) {
         planes();
-        machine_.slots[command.slot] = make_fast_texels(copied_texels(command, planes_, profile_));
+        machine_.slots[command.slot] =
+            make_fast_texels(copied_texels(command, machine_.state.read_buffer, planes_, profile_));
         machine_.slot_planes[command.slot] = command.plane;
         count(std::uint64_t(command.rect.width) * std::uint64_t(command.rect.height),
               plane_bytes(command.plane, profile_));
+    }
+    void run_barrier(const SwapBuffers&) {
+        frame_.swap_colors();
+        std::swap(planes_.color, planes_.back);
+        count(0, 0);
     }
     void run_barrier(const auto&) {}
 

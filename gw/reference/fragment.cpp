@@ -44,7 +44,9 @@ Rgba joined_color(const Resolved& r, const Rgba& color, const Rgba& stored) {
 
 void write(const Resolved& r, Planes& planes, std::size_t i, const Fragment& f) {
     if (r.state.depth.mask) planes.depth[i] = f.depth;
-    write_color(r.state.color_mask, joined_color(r, f.color, planes.color[i]), planes.color[i]);
+    for_draw_buffer(r.state, planes, [&](std::vector<Rgba>& color) {
+        write_color(r.state.color_mask, joined_color(r, f.color, color[i]), color[i]);
+    });
 }
 
 void count(const FragmentTarget& target, Fate fate) {

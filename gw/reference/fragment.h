@@ -24,4 +24,12 @@ void process_fragment(const Resolved& state, const FragmentTarget& target,
 /// Writes a colour through the colour mask.
 void write_color(const ColorMask& mask, const Rgba& color, Rgba& stored);
 
+/// Calls write(plane) with each colour plane of the draw buffer.
+template <typename Write>
+void for_draw_buffer(const State& state, Planes& planes, const Write& write) {
+    const DrawBuffer buffer = state.draw_buffer;
+    if (buffer == DrawBuffer::Front || buffer == DrawBuffer::FrontAndBack) write(planes.color);
+    if (buffer == DrawBuffer::Back || buffer == DrawBuffer::FrontAndBack) write(planes.back);
+}
+
 }  // namespace gw::reference

@@ -21,7 +21,7 @@ namespace {
 class ReferenceMachine final : public Machine {
 public:
     ReferenceMachine(const Profile& profile, int width, int height, Observer* observer)
-        : profile_(profile), observer_(observer), planes_(width, height) {}
+        : profile_(profile), observer_(observer), planes_(width, height, profile.color_planes) {}
 
     void execute(const CommandList& list) override {
         const FloatEnvironment environment;
@@ -102,19 +102,22 @@ private:
         const Resolved r = resolved();
         if (command.source) {
             count_source(command, target(r), profile_);
-            return run_command(with_values(command, planes_));
+            return run_command(with_values(command, state_.read_buffer, planes_));
         }
         const Texels* const used = texels(command.map);
         const std::uint64_t before = pass().counters.fragments;
         run(command, r, target(r), profile_, used);
         if (used) count_texels(before);
     }
+    void run_command(const SwapBuffers& command) { run(command, target(resolved())); }
     void run_command(const CopyTexture& command) {
-        slots_[command.slot] = copied_texels(command, target(resolved()), profile_);
+        const Resolved r = resolved();
+        slots_[command.slot] = copied_texels(command, r, target(r), profile_);
         slot_planes_[command.slot] = command.plane;
     }
     void run_command(const Read& command) {
-        Readback result = run(command, target(resolved()), profile_);
+        const Resolved r = resolved();
+        Readback result = run(command, r, target(r), profile_);
         if (const auto to = targets_.find(command.key); to != targets_.end())
             std::copy(result.values.begin(), result.values.end(), to->second.begin());
         else

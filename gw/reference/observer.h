@@ -27,11 +27,13 @@ struct PixelValues {
     std::uint32_t depth = 0;
     std::uint8_t stencil = 0;
     std::array<std::int32_t, 4> accum{};
+    Rgba back{};  ///< 0 if there is one colour plane
     bool operator==(const PixelValues&) const = default;
 };
 
 inline PixelValues values_at(const Planes& planes, std::size_t index) {
-    return {planes.color[index], planes.depth[index], planes.stencil[index], planes.accum[index]};
+    return {planes.color[index], planes.depth[index], planes.stencil[index], planes.accum[index],
+            planes.back.empty() ? Rgba{} : planes.back[index]};
 }
 
 /// Called by the reference machine. `command` is the ordinal of the command in its list.
@@ -41,7 +43,8 @@ public:
     virtual void begin_command(std::size_t command) = 0;
     virtual void fragment(const Fragment& fragment, Fate fate, const PixelValues& before,
                           const PixelValues& after) = 0;
-    /// A pixel touched by a clear, a pixel rectangle of depth or stencil, accumulation or a copy.
+    /// A pixel touched by a clear, a pixel rectangle of depth or stencil, accumulation, a copy or
+    /// an exchange of the colour planes.
     virtual void pixel(int x, int y, const PixelValues& before, const PixelValues& after) = 0;
 };
 

@@ -4,6 +4,7 @@
 #include "gw/stages/pixels/draw_pixels.h"
 
 #include <bit>
+#include <utility>
 
 namespace gw::reference {
 namespace {
@@ -33,13 +34,25 @@ void write_stencil(const Resolved& state, std::uint32_t value, std::uint8_t& sto
 void write_plane(Plane plane, const Resolved& r, Planes& planes, std::size_t i,
                  const PixelValues& value) {
     switch (plane) {
-        case Plane::Color: write_color(r.state.color_mask, value.color, planes.color[i]); break;
+        case Plane::Color:
+            for_draw_buffer(r.state, planes, [&](std::vector<Rgba>& color) {
+                write_color(r.state.color_mask, value.color, color[i]);
+            });
+            break;
+        case Plane::Back: break;  // named by no command
         case Plane::Depth:
             if (r.depth_mask) planes.depth[i] = value.depth;
             break;
         case Plane::Stencil: write_stencil(r, value.stencil, planes.stencil[i]); break;
         case Plane::Accum: planes.accum[i] = value.accum; break;
     }
+}
+
+/// A pixel's values as commands read them: the colour is the read buffer's.
+PixelValues read_values(const Resolved& r, const Planes& planes, std::size_t i) {
+    PixelValues v = values_at(planes, i);
+    if (r.state.read_buffer == ReadBuffer::Back) v.color = v.back;
+    return v;
 }
 
 }  // namespace
@@ -51,10 +64,12 @@ void run(const Clear& command, const Resolved& r, const FragmentTarget& target,
     value.depth = quantize(command.depth, profile.depth_bits);
     value.stencil =
         static_cast<std::uint8_t>(static_cast<std::uint32_t>(command.stencil) & r.stencil_max);
+    for (int c = 0; c < 4; ++c)
+        value.accum[std::size_t(c)] = cleared_accum(command.accum[c], r.bits, profile.accum_bits);
     for (const Plane plane : every_plane)
         if (command.planes & mask_of(plane))
             for_pixels(
-                r.pixel_box, target, plane_bytes(plane, profile),
+                r.pixel_box, target, written_bytes(plane, r.state, profile),
                 [&](std::size_t i, int, int) { write_plane(plane, r, *target.planes, i, value); });
 }
 
@@ -93,10 +108,10 @@ void run(const WritePixels& command, const Resolved& r, const FragmentTarget& ta
 void run(const Accumulate& command, const Resolved& r, const FragmentTarget& target,
          const Profile& profile) {
     Planes& planes = *target.planes;
-    const std::uint64_t bytes =
-        plane_bytes(Plane::Accum, profile) + plane_bytes(Plane::Color, profile);
+    const std::uint64_t bytes = accumulate_bytes(command.op, r.state, profile);
     for_pixels(r.pixel_box, target, bytes, [&](std::size_t i, int, int) {
-        Rgba color = planes.color[i];
+        PixelValues value = read_values(r, planes, i);
+        Rgba& color = value.color;
         for (std::size_t c = 0; c < 4; ++c) {
             std::int32_t& stored = planes.accum[i][c];
             if (command.op == AccumOp::Return) {
@@ -108,7 +123,7 @@ void run(const Accumulate& command, const Resolved& r, const FragmentTarget& tar
                                 profile.accum_bits, overflow);
             target.counters->accum_overflows += overflow ? 1 : 0;
         }
-        write_color(r.state.color_mask, color, planes.color[i]);
+        if (command.op == AccumOp::Return) write_plane(Plane::Color, r, planes, i, value);
     });
 }
 
@@ -119,11 +134,12 @@ void run(const Copy& command, const Resolved& r, const FragmentTarget& target,
     const Rect inside = intersect(command.source, {0, 0, before.width, before.height});
     const Rect box =
         intersect(r.pixel_box, {inside.x + dx, inside.y + dy, inside.width, inside.height});
-    for_pixels(box, target, 2 * plane_bytes(command.plane, profile),
-               [&](std::size_t i, int x, int y) {
-                   write_plane(command.plane, r, *target.planes, i,
-                               values_at(before, before.index(x - dx, y - dy)));
-               });
+    const std::uint64_t bytes =
+        plane_bytes(command.plane, profile) + written_bytes(command.plane, r.state, profile);
+    for_pixels(box, target, bytes, [&](std::size_t i, int x, int y) {
+        write_plane(command.plane, r, *target.planes, i,
+                    read_values(r, before, before.index(x - dx, y - dy)));
+    });
 }
 
 void count_source(const DrawPixels& command, const FragmentTarget& target, const Profile& profile) {
@@ -154,12 +170,27 @@ void run(const DrawPixels& command, const Resolved& r, const FragmentTarget& tar
         }
 }
 
-Readback run(const Read& command, const FragmentTarget& target, const Profile& profile) {
+void run(const SwapBuffers&, const FragmentTarget& target) {
+    Planes& planes = *target.planes;
+    std::swap(planes.color, planes.back);
+    if (!target.observer) return;
+    for (int y = 0; y < planes.height; ++y)
+        for (int x = 0; x < planes.width; ++x) {
+            const PixelValues after = values_at(planes, planes.index(x, y));
+            PixelValues before = after;
+            std::swap(before.color, before.back);
+            target.observer->pixel(x, y, before, after);
+        }
+}
+
+Readback run(const Read& command, const Resolved& r, const FragmentTarget& target,
+             const Profile& profile) {
     Readback out{command.plane, command.rect, {}, {}, {}};
     for_pixels(command.rect, target, plane_bytes(command.plane, profile),
                [&](std::size_t i, int, int) {
-                   const PixelValues v = values_at(*target.planes, i);
+                   const PixelValues v = read_values(r, *target.planes, i);
                    switch (command.plane) {
+                       case Plane::Back: break;
                        case Plane::Color:
                            if (command.packed)
                                out.values.push_back(packed(v.color));
@@ -174,7 +205,7 @@ Readback run(const Read& command, const FragmentTarget& target, const Profile& p
     return out;
 }
 
-Texels copied_texels(const CopyTexture& command, const FragmentTarget& target,
+Texels copied_texels(const CopyTexture& command, const Resolved& r, const FragmentTarget& target,
                      const Profile& profile) {
     const Rect& rect = command.rect;
     Texels t{profile.color_bits, {}, {}};
@@ -184,7 +215,7 @@ Texels copied_texels(const CopyTexture& command, const FragmentTarget& target,
                      std::countr_zero(unsigned(rect.height)),
                      {}};
     for_pixels(rect, target, plane_bytes(command.plane, profile), [&](std::size_t i, int, int) {
-        const PixelValues v = values_at(*target.planes, i);
+        const PixelValues v = read_values(r, *target.planes, i);
         const auto grey =
             static_cast<std::uint16_t>(rescale(v.depth, profile.depth_bits, profile.color_bits));
         level.texels.push_back(command.plane == Plane::Color ? v.color

@@ -1,4 +1,4 @@
-// Commands on pixels: clear, spans and rectangles from the host, accumulation, copies, reads.
+// Commands on pixels: clear, spans and rectangles from the host, accumulation, copies, reads, swap.
 // docs/manual/pixels.md. Makes fragments only of spans and of rectangles of colours.
 #pragma once
 
@@ -24,10 +24,12 @@ void count_source(const DrawPixels& command, const FragmentTarget& target, const
 /// `texels` null: texturing is off.
 void run(const DrawPixels& command, const Resolved& state, const FragmentTarget& target,
          const Profile& profile, const Texels* texels);
-Readback run(const Read& command, const FragmentTarget& target, const Profile& profile);
+void run(const SwapBuffers& command, const FragmentTarget& target);
+Readback run(const Read& command, const Resolved& state, const FragmentTarget& target,
+             const Profile& profile);
 
 /// The texels of a slot, from a rectangle of the colour or depth plane.
-Texels copied_texels(const CopyTexture& command, const FragmentTarget& target,
-                     const Profile& profile);
+Texels copied_texels(const CopyTexture& command, const Resolved& state,
+                     const FragmentTarget& target, const Profile& profile);
 
 }  // namespace gw::reference

@@ -4,6 +4,7 @@
 
 #include "gw/base/arithmetic.h"
 #include "gw/command_list.h"
+#include "gw/stages/resolve.h"
 
 namespace gw {
 
@@ -33,6 +34,20 @@ inline std::int64_t accumulated(AccumOp op, std::int32_t stored, std::uint16_t c
         case AccumOp::Return: return stored;
     }
     return stored;
+}
+
+/// Clear: a channel of value v in -1 .. 1, wrapped.
+inline std::int32_t cleared_accum(float v, int color_bits, int accum_bits) {
+    bool overflow = false;
+    return wrap_accum(weighted(max_of_bits(color_bits), std::clamp(v, -1.0f, 1.0f)), accum_bits,
+                      overflow);
+}
+
+/// Bytes of a pixel that Accumulate visits.
+inline std::uint64_t accumulate_bytes(AccumOp op, const State& state, const Profile& profile) {
+    const std::uint64_t color = op == AccumOp::Return ? written_bytes(Plane::Color, state, profile)
+                                                      : plane_bytes(Plane::Color, profile);
+    return plane_bytes(Plane::Accum, profile) + color;
 }
 
 /// Return: rounded once, then clamped to the range of a colour.

@@ -68,8 +68,9 @@ Resolved resolve(const State& state, const Profile& profile, int width, int heig
     r.blend_color = quantize_color(state.blend.color, r.bits);
     r.border_color = quantize_color(state.texture.border_color, r.bits);
     if (state.logic_op.enable) r.state.blend.enable = false;
+    if (state.draw_buffer == DrawBuffer::None) r.state.color_mask = {false, false, false, false};
     r.fragment_fog = fog_is_per_fragment(state.fog, profile);
-    const ColorMask& m = state.color_mask;
+    const ColorMask& m = r.state.color_mask;
     r.writes_color = m.r || m.g || m.b || m.a;
     return r;
 }
@@ -77,12 +78,18 @@ Resolved resolve(const State& state, const Profile& profile, int width, int heig
 std::uint64_t plane_bytes(Plane plane, const Profile& profile) {
     const auto whole = [](int bits) { return static_cast<std::uint64_t>((bits + 7) / 8); };
     switch (plane) {
-        case Plane::Color: return 4 * whole(profile.color_bits);
+        case Plane::Color:
+        case Plane::Back: return 4 * whole(profile.color_bits);
         case Plane::Depth: return whole(profile.depth_bits);
         case Plane::Stencil: return 1;
         case Plane::Accum: return 4 * whole(profile.accum_bits);
     }
     return 0;
+}
+
+std::uint64_t written_bytes(Plane plane, const State& state, const Profile& profile) {
+    const bool both = plane == Plane::Color && draws_to_both(state);
+    return (both ? 2 : 1) * plane_bytes(plane, profile);
 }
 
 FragmentBytes fragment_bytes(const Resolved& r, const Profile& profile) {
@@ -97,7 +104,8 @@ FragmentBytes fragment_bytes(const Resolved& r, const Profile& profile) {
             bytes(Plane::Stencil) * (keeps_stencil(r.front) && keeps_stencil(r.back) ? 1 : 2);
     if (r.state.depth.func != DepthFunc::Always) b.after_stencil = bytes(Plane::Depth);
     if (r.state.depth.mask) b.written += bytes(Plane::Depth);
-    if (r.writes_color) b.written += bytes(Plane::Color) * (reads_color ? 2 : 1);
+    if (r.writes_color)
+        b.written += written_bytes(Plane::Color, r.state, profile) * (reads_color ? 2 : 1);
     return b;
 }
 

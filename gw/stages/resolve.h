@@ -15,7 +15,7 @@ struct ViewportTransform {
 };
 
 struct Resolved {
-    State state;     ///< tests normalised; blending off under logic_op
+    State state;     ///< tests normalised; blending off under logic_op; no mask without draw buffer
     int bits = 8;    ///< of a colour channel
     Rect pixel_box;  ///< scissor and window: pixels outside never change
     Rect draw_box;   ///< pixel_box and viewport: primitives make no fragments outside
@@ -62,5 +62,11 @@ FragmentBytes fragment_bytes(const Resolved& resolved, const Profile& profile);
 
 /// Bytes of one pixel of a plane.
 std::uint64_t plane_bytes(Plane plane, const Profile& profile);
+
+/// Whether colours are written to both colour planes.
+constexpr bool draws_to_both(const State& s) { return s.draw_buffer == DrawBuffer::FrontAndBack; }
+
+/// Bytes of a pixel that a command writes: of Color, in each plane of the draw buffer.
+std::uint64_t written_bytes(Plane plane, const State& state, const Profile& profile);
 
 }  // namespace gw

@@ -44,6 +44,11 @@ struct Checker {
             fail(fmt::format("{} = {}; expected bits of four planes, 0 to {}", what, mask,
                              all_planes));
     }
+    /// A colour plane that a machine of this profile may lack.
+    void color_plane(const char* what, bool is_there, const char* value) const {
+        if (!is_there)
+            fail(fmt::format("{} = {}; expected a plane of profile {}", what, value, profile.name));
+    }
     void position(const char* what, int v) const {
         require(v >= -max_window_size && v <= max_window_size, what, v, "-4096 to 4096");
     }
@@ -77,5 +82,6 @@ void check(const Checker& c, const CopyTexture& copy);
 void check(const Checker& c, const Read& read);
 void check(const Checker& c, const DrawPixels& draw);
 void check(const Checker& c, const TextureBinding& map);
+void check(const Checker& c, const SwapBuffers& swap);
 
 }  // namespace gw

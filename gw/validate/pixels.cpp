@@ -155,12 +155,22 @@ void check(const Checker& c, const Accumulate& a) {
     c.finite("value", a.value);
 }
 
-void check(const Checker& c, const BeginPass& pass) { c.planes("digests", pass.digests); }
+void check(const Checker& c, const SwapBuffers&) {
+    c.require(c.profile.color_planes == 2, "color_planes", c.profile.color_planes, "2");
+}
+
+void check(const Checker& c, const BeginPass& pass) {
+    if ((pass.digests & ~planes_of(c.profile)) == 0) return;
+    const bool two = c.profile.color_planes == 2;
+    c.fail(fmt::format("digests = {}; expected bits of {} planes, 0 to {}", pass.digests,
+                       two ? "five" : "four", planes_of(c.profile)));
+}
 
 void check(const Checker& c, const Clear& clear) {
     c.planes("planes", clear.planes);
     c.finite("color", clear.color);
     c.finite("depth", clear.depth);
+    c.finite("accum", clear.accum);
 }
 
 }  // namespace gw

@@ -126,6 +126,15 @@ void check_fragment_tests(const Checker& c, const State& s) {
     c.enumeration("depth.func", s.depth.func, DepthFunc::Always);
 }
 
+void check_buffers(const Checker& c, const State& s) {
+    c.enumeration("draw_buffer", s.draw_buffer, DrawBuffer::FrontAndBack);
+    c.enumeration("read_buffer", s.read_buffer, ReadBuffer::Back);
+    const bool two = c.profile.color_planes == 2;
+    c.color_plane("draw_buffer", two || s.draw_buffer != DrawBuffer::Back, "Back");
+    c.color_plane("draw_buffer", two || s.draw_buffer != DrawBuffer::FrontAndBack, "FrontAndBack");
+    c.color_plane("read_buffer", two || s.read_buffer != ReadBuffer::Back, "Back");
+}
+
 void check_viewport(const Checker& c, const State& s) {
     const ViewportState& v = s.viewport;
     const bool whole = v.width == 0 && v.height == 0;
@@ -153,6 +162,7 @@ void check(const Checker& c, const SetState& set) {
     c.enumeration("logic_op.op", s.logic_op.op, LogicOp::Set);
     check_fog(c, s.fog);
     check_fragment_tests(c, s);
+    check_buffers(c, s);
     c.finite("lighting.model_ambient", s.lighting.model_ambient);
     c.enumeration("lighting.color_material.face", s.lighting.color_material.face,
                   Face::FrontAndBack);

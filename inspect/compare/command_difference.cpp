@@ -86,7 +86,8 @@ template <>
 inline constexpr auto members_of<Clear> = std::tuple(named("planes", &Clear::planes),
                                                      named("color", &Clear::color),
                                                      named("depth", &Clear::depth),
-                                                     named("stencil", &Clear::stencil));
+                                                     named("stencil", &Clear::stencil),
+                                                     named("accum", &Clear::accum));
 
 template <>
 inline constexpr auto members_of<WriteSpans> = std::tuple(named("spans", &WriteSpans::spans),

@@ -59,7 +59,8 @@ std::string stage_of(const Counters& expected, const Counters& actual) {
 
 std::string stage_of(Plane plane) {
     switch (plane) {
-        case Plane::Color: return "shading, texture, fog, blending or the colour mask";
+        case Plane::Color:
+        case Plane::Back: return "shading, texture, fog, blending or the colour mask";
         case Plane::Depth: return "depth values or the depth mask";
         case Plane::Stencil: return "stencil operation or its write mask";
         case Plane::Accum: return "accumulation";

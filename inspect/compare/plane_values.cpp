@@ -11,6 +11,7 @@ auto with_plane(const Planes& a, const Planes& b, Plane plane, const auto& f) {
         case Plane::Color: return f(a.color, b.color);
         case Plane::Depth: return f(a.depth, b.depth);
         case Plane::Stencil: return f(a.stencil, b.stencil);
+        case Plane::Back: return f(a.back, b.back);
         case Plane::Accum: break;
     }
     return f(a.accum, b.accum);
@@ -41,10 +42,12 @@ std::vector<std::uint64_t> distances(const Planes& a, const Planes& b, Plane pla
 }
 
 bool same(const Planes& a, const Planes& b, Plane plane) {
+    if (plane == Plane::Back && a.back.size() != b.back.size()) return true;
     return with_plane(a, b, plane, [](const auto& p, const auto& q) { return p == q; });
 }
 
 std::optional<ivec2> first_difference(const Planes& a, const Planes& b, Plane plane) {
+    if (same(a, b, plane)) return {};
     for (int y = a.height - 1; y >= 0; --y)
         for (int x = 0; x < a.width; ++x)
             if (distance(a, b, plane, x, y) != 0) return ivec2(x, y);
@@ -53,6 +56,7 @@ std::optional<ivec2> first_difference(const Planes& a, const Planes& b, Plane pl
 
 std::vector<WrongPixel> wrong_pixels(const Planes& a, const Planes& b, Plane plane) {
     std::vector<WrongPixel> wrong;
+    if (same(a, b, plane)) return wrong;
     for (int y = a.height - 1; y >= 0; --y)
         for (int x = 0; x < a.width; ++x)
             if (const std::uint64_t d = distance(a, b, plane, x, y)) wrong.push_back({x, y, d});

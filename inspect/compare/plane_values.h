@@ -11,8 +11,8 @@
 namespace gw::inspect {
 
 /// In the order in which a fragment reaches them.
-inline constexpr std::array<Plane, 4> planes_in_order{Plane::Stencil, Plane::Depth, Plane::Color,
-                                                      Plane::Accum};
+inline constexpr std::array<Plane, 5> planes_in_order{Plane::Stencil, Plane::Depth, Plane::Color,
+                                                      Plane::Back, Plane::Accum};
 
 /// The sum of the channels' absolute differences at a pixel.
 std::uint64_t distance(const Planes& a, const Planes& b, Plane plane, int x, int y);
@@ -20,7 +20,7 @@ std::uint64_t distance(const Planes& a, const Planes& b, Plane plane, int x, int
 /// Of all pixels, bottom row first.
 std::vector<std::uint64_t> distances(const Planes& a, const Planes& b, Plane plane);
 
-/// Planes of the same size.
+/// Planes of the same size. A plane that one of them lacks is the same.
 bool same(const Planes& a, const Planes& b, Plane plane);
 /// The pixel that comes first in a picture: from the top row, from the left.
 std::optional<ivec2> first_difference(const Planes& a, const Planes& b, Plane plane);

@@ -155,9 +155,9 @@ Verification verify(const Recording& recording, const Manifest& manifest,
     if (!v.finding || !v.finding->pass || !v.finding->what.starts_with("plane ")) return v;
     const std::size_t pass = *v.finding->pass;
     v.actual_planes = played(recording, make, pass);
-    Planes expected = values.empty()
-                          ? played(recording, other, pass)
-                          : planes_after(values, recording.width, recording.height, pass);
+    Planes expected = values.empty() ? played(recording, other, pass)
+                                     : planes_after(values, recording.width, recording.height, pass,
+                                                    recording.profile.color_planes);
     if (is_as_said(expected, manifest.passes[pass])) v.expected_planes = std::move(expected);
     find_pixel(*v.finding, v.expected_planes, *v.actual_planes);
     return v;

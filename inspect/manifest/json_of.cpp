@@ -33,6 +33,7 @@ nlohmann::ordered_json json_of(const Profile& p) {
     };
     if (p.texel_bits != 0) json["texel_bits"] = p.texel_bits;
     if (p.coverage_bits != 0) json["coverage_bits"] = p.coverage_bits;
+    if (p.color_planes != 1) json["color_planes"] = p.color_planes;
     return json;
 }
 

@@ -44,7 +44,7 @@ std::vector<State> states_of(const Recording& recording, const std::vector<PassR
 
 struct PassRuns {
     ManifestPass first;
-    std::array<std::vector<std::uint8_t>, 4> digests;  ///< of all runs, as bytes
+    std::array<std::vector<std::uint8_t>, every_plane.size()> digests;  ///< of all runs, as bytes
     int count = 0;
 };
 
@@ -58,14 +58,17 @@ void add(PassRuns& runs, const ManifestPass& pass) {
         runs.first = pass;
     else
         runs.first.report.counters += pass.report.counters;
-    for (std::size_t i = 0; i < 4; ++i) add_bytes(runs.digests[i], pass.report.digests[i]);
+    for (std::size_t i = 0; i < every_plane.size(); ++i)
+        add_bytes(runs.digests[i], pass.report.digests[i]);
 }
 
 ManifestPass merged(const PassRuns& runs) {
     ManifestPass pass = runs.first;
     if (runs.count == 1) return pass;
     pass.report.name += fmt::format(", {} runs", runs.count);
-    for (std::size_t i = 0; i < 4; ++i) pass.report.digests[i] = digest_of_bytes(runs.digests[i]);
+    for (const Plane plane : every_plane)
+        if (const auto i = std::size_t(plane); pass.report.digested & mask_of(plane))
+            pass.report.digests[i] = digest_of_bytes(runs.digests[i]);
     return pass;
 }
 

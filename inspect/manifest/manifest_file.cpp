@@ -45,7 +45,7 @@ fs::path values_file(const fs::path& manifest_file) {
 ManifestFile replayed_manifest_file(const Recording& recording, const MachineMaker& make,
                                     const fs::path& file, bool with_values) {
     if (!with_values) return {replayed_manifest(recording, make, nullptr), {}};
-    ValuesWriter values(recording.width, recording.height);
+    ValuesWriter values(recording.width, recording.height, recording.profile.color_planes);
     ManifestFile result{replayed_manifest(recording, make, &values), {}};
     result.manifest.values = values_file(file).filename().string();
     result.values = values.finish();

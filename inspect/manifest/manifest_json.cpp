@@ -44,7 +44,8 @@ Json pass_json(const ManifestPass& pass) {
               {"state", state_json(pass.state)},
               {"counters", counters_json(pass.report.counters)}};
     for (const Plane plane : planes_in_order)
-        json["digests"][name_of(plane)] = to_string(pass.report.digests[std::size_t(plane)]);
+        if (pass.report.digested & mask_of(plane))
+            json["digests"][name_of(plane)] = to_string(pass.report.digests[std::size_t(plane)]);
     return json;
 }
 
@@ -133,13 +134,15 @@ Profile profile_from(const Json& json) {
     }
     if (m.has("texel_bits")) p.texel_bits = m.get<int>("texel_bits");
     if (m.has("coverage_bits")) p.coverage_bits = m.get<int>("coverage_bits");
+    if (m.has("color_planes")) p.color_planes = m.get<int>("color_planes");
     m.finish();
     e.finish();
     validate(p);
     return p;
 }
 
-ManifestPass pass_from(const Json& json, const std::string& where) {
+/// A pass of a machine with these planes.
+ManifestPass pass_from(const Json& json, PlaneMask planes, const std::string& where) {
     Members m(json, where);
     ManifestPass pass;
     pass.report.name = m.get<std::string>("name");
@@ -153,11 +156,13 @@ ManifestPass pass_from(const Json& json, const std::string& where) {
         if (counters.has(name)) pass.report.counters.*count = counters.get<std::uint64_t>(name);
     counters.finish();
     Members digests(m.take("digests"), where + " digests");
-    for (const Plane plane : planes_in_order)
+    for (const Plane plane : planes_in_order) {
+        if (!(planes & mask_of(plane))) continue;
         pass.report.digests[std::size_t(plane)] = digest_from(digests, name_of(plane));
+    }
     digests.finish();
     m.finish();
-    pass.report.digested = all_planes;
+    pass.report.digested = planes;
     return pass;
 }
 
@@ -213,7 +218,8 @@ Manifest manifest_from_json(std::string_view text) {
     const Json& passes = m.take("passes");
     if (!passes.is_array()) m.fail("'passes' is not an array; expected one");
     for (const Json& pass : passes)
-        manifest.passes.push_back(pass_from(pass, fmt::format("pass {}", manifest.passes.size())));
+        manifest.passes.push_back(pass_from(pass, planes_of(manifest.profile),
+                                            fmt::format("pass {}", manifest.passes.size())));
     m.finish();
     return manifest;
 }

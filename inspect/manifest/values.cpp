@@ -9,7 +9,7 @@
 namespace gw::inspect {
 namespace {
 
-constexpr std::uint32_t values_version = 2;
+constexpr std::uint32_t values_version = 3;
 
 template <typename T>
 using Vector = flatbuffers::Vector<T>;
@@ -85,8 +85,9 @@ struct ValuesWriter::Parts {
     std::vector<flatbuffers::Offset<gwt::PassValues>> passes;
 };
 
-ValuesWriter::ValuesWriter(int width, int height) : parts_(std::make_unique<Parts>()) {
-    parts_->before = Planes(width, height);
+ValuesWriter::ValuesWriter(int width, int height, int color_planes)
+    : parts_(std::make_unique<Parts>()) {
+    parts_->before = Planes(width, height, color_planes);
 }
 ValuesWriter::~ValuesWriter() = default;
 
@@ -96,8 +97,10 @@ void ValuesWriter::add(const Planes& planes) {
     const auto depth = changes(before.depth, planes.depth);
     const auto stencil = changes(before.stencil, planes.stencil);
     const auto accum = changes(before.accum, planes.accum);
+    const auto back =
+        before.back.empty() ? std::vector<std::uint8_t>() : changes(before.back, planes.back);
     auto& out = parts_->out;
-    if (out.GetSize() + color.size() + depth.size() + stencil.size() + accum.size() >
+    if (out.GetSize() + color.size() + depth.size() + stencil.size() + accum.size() + back.size() >
         (std::uint64_t{1} << 31) - (1 << 20))
         throw Error("values of more than 2 GB; expected less: a smaller window, or no values");
     const auto stored = [&out](const std::vector<std::uint8_t>& bytes) {
@@ -105,25 +108,29 @@ void ValuesWriter::add(const Planes& planes) {
                              : out.CreateVector(bytes);
     };
     const auto stored_color = stored(color), stored_depth = stored(depth),
-               stored_stencil = stored(stencil), stored_accum = stored(accum);
+               stored_stencil = stored(stencil), stored_accum = stored(accum),
+               stored_back = stored(back);
     gwt::PassValuesBuilder pass(out);
     pass.add_packed_color(stored_color);
     pass.add_packed_depth(stored_depth);
     pass.add_packed_stencil(stored_stencil);
     pass.add_packed_accum(stored_accum);
+    pass.add_packed_back(stored_back);
     parts_->passes.push_back(pass.Finish());
     parts_->before = planes;
 }
 
 std::vector<std::uint8_t> ValuesWriter::finish() {
     auto& out = parts_->out;
-    out.Finish(gwt::CreateValuesDirect(out, values_version, parts_->before.width,
-                                       parts_->before.height, &parts_->passes),
+    const std::uint32_t version = parts_->before.back.empty() ? 2 : 3;
+    out.Finish(gwt::CreateValuesDirect(out, version, parts_->before.width, parts_->before.height,
+                                       &parts_->passes),
                gwt::ValuesIdentifier());
     return {out.GetBufferPointer(), out.GetBufferPointer() + out.GetSize()};
 }
 
-Planes planes_after(std::span<const std::uint8_t> bytes, int width, int height, std::size_t pass) {
+Planes planes_after(std::span<const std::uint8_t> bytes, int width, int height, std::size_t pass,
+                    int color_planes) {
     flatbuffers::Verifier verifier(bytes.data(), bytes.size());
     if (bytes.size() < 8 || bytes.size() >= FLATBUFFERS_MAX_BUFFER_SIZE ||
         !gwt::ValuesBufferHasIdentifier(bytes.data()) || !gwt::VerifyValuesBuffer(verifier))
@@ -132,12 +139,12 @@ Planes planes_after(std::span<const std::uint8_t> bytes, int width, int height, 
     if (values.version() < 1 || values.version() > values_version || values.width() != width ||
         values.height() != height)
         throw Error(fmt::format(
-            "values of {} x {} pixels, version {}; expected {} x {}, version 1 or {}",
+            "values of {} x {} pixels, version {}; expected {} x {}, version 1 to {}",
             values.width(), values.height(), values.version(), width, height, values_version));
     const std::size_t count = values.passes() ? values.passes()->size() : 0;
     if (pass >= count)
         throw Error(fmt::format("values of {} passes; expected those of pass {}", count, pass));
-    Planes planes(width, height);
+    Planes planes(width, height, color_planes);
     for (unsigned i = 0; i <= pass; ++i) {
         const gwt::PassValues& p = *values.passes()->Get(i);
         apply(p.color_runs(), p.color(), planes.color);
@@ -148,6 +155,7 @@ Planes planes_after(std::span<const std::uint8_t> bytes, int width, int height, 
         apply(p.packed_depth(), planes.depth);
         apply(p.packed_stencil(), planes.stencil);
         apply(p.packed_accum(), planes.accum);
+        if (!planes.back.empty()) apply(p.packed_back(), planes.back);
     }
     return planes;
 }

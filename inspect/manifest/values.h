@@ -14,7 +14,7 @@ namespace gw::inspect {
 
 class ValuesWriter {
 public:
-    ValuesWriter(int width, int height);
+    ValuesWriter(int width, int height, int color_planes = 1);
     ~ValuesWriter();
     /// The planes after the next pass.
     void add(const Planes& planes);
@@ -28,6 +28,7 @@ private:
 
 /// The planes after pass `pass`, from untrusted bytes. Throws Error if they are
 /// damaged, of another size, or hold no such pass.
-Planes planes_after(std::span<const std::uint8_t> bytes, int width, int height, std::size_t pass);
+Planes planes_after(std::span<const std::uint8_t> bytes, int width, int height, std::size_t pass,
+                    int color_planes = 1);
 
 }  // namespace gw::inspect

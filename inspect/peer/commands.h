@@ -30,8 +30,8 @@ void draw(const DrawPixels& command, const State& state, bool textured);
 void copy(const Copy& command, const DepthState& depth);
 
 /// Mesa holds accumulated values in [-1, 1], 16 bits; the machine counts units of the frame buffer.
-/// Weights of Accum, Load and Add are divided by 128 and Return's is multiplied by it, so that as
-/// many pictures fit.
+/// Weights of Accum, Load and Add, and the values of clears, are divided by 128; Return's weight is
+/// multiplied by it. So as many pictures fit.
 void accumulate(const Accumulate& command);
 
 Planes read_planes(int width, int height);

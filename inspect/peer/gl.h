@@ -12,7 +12,7 @@
 #define GW_OPENGL_FUNCTIONS(X) \
     X(Accum) X(AlphaFunc) X(Begin) X(BindTexture) X(Bitmap) X(BlendColor) X(BlendEquation) X(BlendFunc) X(Clear) X(ClearAccum) X(ClearColor) \
     X(ClearDepth) X(ClearStencil) X(ClipPlane) X(Color4ub) X(Color4ubv) X(ColorMask) X(CopyPixels) \
-    X(CopyTexImage2D) X(CullFace) X(DepthFunc) X(DepthMask) X(DepthRange) X(Disable) X(DrawPixels) \
+    X(CopyTexImage2D) X(CullFace) X(DepthFunc) X(DepthMask) X(DepthRange) X(Disable) X(DrawBuffer) X(DrawPixels) \
     X(EdgeFlag) X(Enable) X(End) X(FogCoordd) X(Fogf) X(Fogfv) X(Fogi) X(FrontFace) X(GenTextures) \
     X(GetError) X(GetIntegerv) X(GetString) X(LineStipple) X(LineWidth) X(LogicOp) X(LoadIdentity) X(LoadMatrixd) X(MatrixMode) \
     X(PixelStorei) X(PixelZoom) X(PointSize) X(PolygonMode) X(PolygonOffset) X(PolygonStipple) X(PopAttrib) X(PushAttrib) X(ReadPixels) \

@@ -75,13 +75,16 @@ GLbitfield buffers(PlaneMask planes) {
            bit(Plane::Stencil, GL_STENCIL_BUFFER_BIT) | bit(Plane::Accum, GL_ACCUM_BUFFER_BIT);
 }
 
+constexpr float accum_scale = 128;
+
 }  // namespace
 
 void clear(const Clear& c) {
     gl().ClearColor(c.color.r, c.color.g, c.color.b, c.color.a);
     gl().ClearDepth(c.depth);
     gl().ClearStencil(c.stencil);
-    gl().ClearAccum(0, 0, 0, 0);
+    const vec4 accum = glm::clamp(c.accum, -1.0f, 1.0f) / accum_scale;
+    gl().ClearAccum(accum.r, accum.g, accum.b, accum.a);
     gl().Clear(buffers(c.planes));
 }
 
@@ -171,13 +174,12 @@ void copy(const Copy& c, const DepthState& depth) {
 }
 
 void accumulate(const Accumulate& command) {
-    constexpr float scale = 128;
     switch (command.op) {
         case AccumOp::Accum:
         case AccumOp::Load:
-        case AccumOp::Add: gl().Accum(token(command.op), command.value / scale); break;
+        case AccumOp::Add: gl().Accum(token(command.op), command.value / accum_scale); break;
         case AccumOp::Mult: gl().Accum(GL_MULT, command.value); break;
-        case AccumOp::Return: gl().Accum(GL_RETURN, command.value * scale); break;
+        case AccumOp::Return: gl().Accum(GL_RETURN, command.value * accum_scale); break;
     }
 }
 

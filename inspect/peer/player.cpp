@@ -81,6 +81,9 @@ struct Player::Context {
 
     void run(const BeginPass&) {}
     void run(const Read&) {}
+    void run(const SwapBuffers&) {
+        throw Error("no back plane to swap: OpenGL's window here has one colour plane");
+    }
     void run(const Clear& c) { clear(c); }
     void run(const SetState& c) {
         before.state = c.state;

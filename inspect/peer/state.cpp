@@ -93,7 +93,16 @@ void apply(const StencilState& stencil) {
     if (stencil.two_side) apply_face(GL_BACK, stencil.back);
 }
 
+/// OSMesa has one colour plane.
+void apply(DrawBuffer buffer) {
+    if (buffer == DrawBuffer::Back || buffer == DrawBuffer::FrontAndBack)
+        throw Error(
+            "draw_buffer = Back; expected None or Front: OpenGL's window here has one plane");
+    gl().DrawBuffer(buffer == DrawBuffer::None ? GL_NONE : GL_FRONT);
+}
+
 void apply_fragments(const State& s) {
+    apply(s.draw_buffer);
     enable(GL_SCISSOR_TEST, s.scissor.test);
     gl().Scissor(s.scissor.box.x, s.scissor.box.y, s.scissor.box.width, s.scissor.box.height);
     enable(GL_ALPHA_TEST, s.alpha.test);

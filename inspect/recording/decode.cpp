@@ -60,6 +60,7 @@ Profile from_file(const gwt::Profile& p) {
             .max_lights = p.max_lights(),
             .texel_bits = p.texel_bits(),
             .coverage_bits = p.coverage_bits(),
+            .color_planes = p.color_planes(),
             .fragment_fog = p.fragment_fog(),
             .perspective_color = p.perspective_color(),
             .extensions = {p.polygon_offset(), p.shadow_texture(), p.stencil_wrap(),
@@ -121,6 +122,7 @@ private:
     Command command(const gwt::Clear& c) {
         Clear clear{.planes = c.planes(), .depth = c.depth(), .stencil = c.stencil()};
         if (c.color()) clear.color = from_file(*c.color());
+        if (c.accum()) clear.accum = from_file(*c.accum());
         return clear;
     }
     Command command(const gwt::SetState& c) { return SetState{at(states_, c.state(), "state")}; }
@@ -146,6 +148,7 @@ private:
         return Read{c.key(), our_enum<Plane>(c.plane()), rect(c.rect()), c.packed()};
     }
     Command command(const gwt::DrawPixels& c);
+    Command command(const gwt::SwapBuffers&) { return SwapBuffers{}; }
     static Rect rect(const gwt::Rect* stored) { return stored ? from_file(*stored) : Rect{}; }
     Command command(gwt::CommandType type, const gwt::AnyCommand* stored);
     CommandList list(const gwt::CommandList& stored);

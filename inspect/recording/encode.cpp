@@ -83,8 +83,12 @@ private:
         return gwt::CreateBeginPass(out_, out_.CreateString(c.name), c.digests).Union();
     }
     Offset<void> command(const Clear& c) {
-        const auto color = to_file(c.color);
-        return gwt::CreateClear(out_, c.planes, &color, c.depth, c.stencil).Union();
+        const auto color = to_file(c.color), accum = to_file(c.accum);
+        const bool is_plain = c.accum == vec4(0);
+        uses_version_2_ = uses_version_2_ || !is_plain;
+        return gwt::CreateClear(out_, c.planes, &color, c.depth, c.stencil,
+                                is_plain ? nullptr : &accum)
+            .Union();
     }
     Offset<void> command(const SetState& c) {
         return gwt::CreateSetState(out_, state(c.state)).Union();
@@ -118,6 +122,7 @@ private:
             .Union();
     }
     Offset<void> command(const DrawPixels& c);
+    Offset<void> command(const SwapBuffers&) { return gwt::CreateSwapBuffers(out_).Union(); }
     Offset<gwt::CommandList> list(const CommandList& list);
     Offset<gwt::Profile> profile(const Profile& p);
     std::uint32_t version(const Profile& profile) const;
@@ -249,12 +254,13 @@ Offset<gwt::CommandList> Encoder::list(const CommandList& list) {
 
 Offset<gwt::Profile> Encoder::profile(const Profile& p) {
     const Extensions& e = p.extensions;
-    return gwt::CreateProfile(
-        out_, out_.CreateString(p.name), p.color_bits, p.depth_bits, p.stencil_bits, p.accum_bits,
-        p.subpixel_bits, p.lit_bits, p.max_lights, p.fragment_fog, p.perspective_color,
-        e.polygon_offset, e.shadow_texture, e.stencil_wrap, e.two_sided_stencil, p.texel_bits,
-        e.texture_border, e.texture_formats, e.stipple, e.two_sided_polygon_mode, e.logic_op,
-        e.blend_color, e.blend_minmax, e.blend_subtract, e.draw_pixels, p.coverage_bits);
+    return gwt::CreateProfile(out_, out_.CreateString(p.name), p.color_bits, p.depth_bits,
+                              p.stencil_bits, p.accum_bits, p.subpixel_bits, p.lit_bits,
+                              p.max_lights, p.fragment_fog, p.perspective_color, e.polygon_offset,
+                              e.shadow_texture, e.stencil_wrap, e.two_sided_stencil, p.texel_bits,
+                              e.texture_border, e.texture_formats, e.stipple,
+                              e.two_sided_polygon_mode, e.logic_op, e.blend_color, e.blend_minmax,
+                              e.blend_subtract, e.draw_pixels, p.coverage_bits, p.color_planes);
 }
 
 bool needs_version_2(const Profile& p) {
@@ -263,7 +269,8 @@ bool needs_version_2(const Profile& p) {
     of_version_1.shadow_texture = p.extensions.shadow_texture;
     of_version_1.stencil_wrap = p.extensions.stencil_wrap;
     of_version_1.two_sided_stencil = p.extensions.two_sided_stencil;
-    return p.extensions != of_version_1 || p.texel_bits != 0 || p.coverage_bits != 0;
+    return p.extensions != of_version_1 || p.texel_bits != 0 || p.coverage_bits != 0 ||
+           p.color_planes != 1;
 }
 
 std::uint32_t Encoder::version(const Profile& profile) const {

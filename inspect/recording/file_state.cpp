@@ -17,6 +17,8 @@ static_assert(int(CoordinateMode::SphereMap) == int(gwt::CoordinateMode::MAX));
 static_assert(int(ColorMaterial::AmbientAndDiffuse) == int(gwt::ColorMaterial::MAX));
 static_assert(int(Wrap::BorderClamp) == int(gwt::Wrap::MAX));
 static_assert(int(TextureFormat::Intensity) == int(gwt::TextureFormat::MAX));
+static_assert(int(DrawBuffer::FrontAndBack) == int(gwt::DrawBuffer::MAX));
+static_assert(int(ReadBuffer::Back) == int(gwt::ReadBuffer::MAX));
 static_assert(int(LogicOp::Set) == int(gwt::LogicOp::MAX));
 static_assert(int(MinFilter::LinearMipmapLinear) == int(gwt::MinFilter::MAX));
 static_assert(int(TexEnv::Replace) == int(gwt::TexEnv::MAX));
@@ -302,6 +304,8 @@ flatbuffers::Offset<gwt::State> to_file(flatbuffers::FlatBufferBuilder& out, con
     b.add_point_smooth(s.point_smooth);
     b.add_line_smooth(s.line_smooth);
     b.add_polygon_smooth(s.polygon_smooth);
+    b.add_draw_buffer(file_enum<gwt::DrawBuffer>(s.draw_buffer));
+    b.add_read_buffer(file_enum<gwt::ReadBuffer>(s.read_buffer));
     return b.Finish();
 }
 
@@ -319,7 +323,8 @@ bool needs_version_2(const State& s) {
            s.polygon_offset.lines || s.polygon_offset.points || s.two_side_polygon_mode ||
            s.back_polygon_mode != initial.back_polygon_mode ||
            s.line_stipple != initial.line_stipple || s.polygon_stipple.pattern || antialiases(s) ||
-           !has_whole_sizes(s);
+           !has_whole_sizes(s) || s.draw_buffer != initial.draw_buffer ||
+           s.read_buffer != initial.read_buffer;
 }
 
 State from_file(const gwt::State& f) {
@@ -362,6 +367,8 @@ State from_file(const gwt::State& f) {
     s.back_polygon_mode = our_enum<PolygonMode>(f.back_polygon_mode());
     read(f.line_stipple(), s.line_stipple);
     read_polygon_stipple(f.polygon_stipple(), s);
+    s.draw_buffer = our_enum<DrawBuffer>(f.draw_buffer());
+    s.read_buffer = our_enum<ReadBuffer>(f.read_buffer());
     return s;
 }
 

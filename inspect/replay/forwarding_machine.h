@@ -38,7 +38,7 @@ public:
         if (passes().empty() && opens_unnamed_pass(list)) digesting.add(BeginPass{});
         digesting.append(list);
         for (Command& command : digesting.commands)
-            if (auto* pass = std::get_if<BeginPass>(&command)) pass->digests = all_planes;
+            if (auto* pass = std::get_if<BeginPass>(&command)) pass->digests = planes_of(profile());
         ForwardingMachine::execute(digesting);
     }
 

@@ -100,11 +100,14 @@ std::string outcome(const PixelEvent& e) {
 
 std::string optional_text(const auto& value) { return value ? std::to_string(*value) : "-"; }
 
-nlohmann::ordered_json values_json(const PixelValues& v) {
-    return {{"color", v.color}, {"depth", v.depth}, {"stencil", v.stencil}, {"accum", v.accum}};
+nlohmann::ordered_json values_json(const PixelValues& v, const Profile& profile) {
+    nlohmann::ordered_json json{
+        {"color", v.color}, {"depth", v.depth}, {"stencil", v.stencil}, {"accum", v.accum}};
+    if (profile.color_planes == 2) json["back"] = v.back;
+    return json;
 }
 
-nlohmann::ordered_json event_json(const PixelEvent& e) {
+nlohmann::ordered_json event_json(const PixelEvent& e, const Profile& profile) {
     nlohmann::ordered_json json{{"pass", e.pass},
                                 {"pass_name", e.pass_name},
                                 {"command", e.command},
@@ -119,8 +122,8 @@ nlohmann::ordered_json event_json(const PixelEvent& e) {
         if (e.fragment->coverage != 0) json["coverage"] = e.fragment->coverage;
         json["fate"] = name_of(e.fate);
     }
-    json["before"] = values_json(e.before);
-    json["after"] = values_json(e.after);
+    json["before"] = values_json(e.before, profile);
+    json["after"] = values_json(e.after, profile);
     return json;
 }
 
@@ -153,6 +156,9 @@ FragmentMaps fragment_maps(const Recording& recording, std::optional<std::size_t
 
 std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>& events) {
     const std::array<std::int32_t, 4> zero{};
+    const bool back = std::any_of(events.begin(), events.end(), [](const PixelEvent& e) {
+        return e.before.back != Rgba{} || e.after.back != Rgba{};
+    });
     const bool accum = std::any_of(events.begin(), events.end(), [&](const PixelEvent& e) {
         return e.before.accum != zero || e.after.accum != zero;
     });
@@ -162,6 +168,7 @@ std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>
     const bool smooth = std::any_of(events.begin(), events.end(), [](const PixelEvent& e) {
         return e.fragment && e.fragment->coverage != 0;
     });
+    if (back) rows[0].push_back("back colour");
     if (accum) rows[0].push_back("accumulation");
     if (smooth) rows[0].push_back("coverage");
     for (const PixelEvent& e : events) {
@@ -172,6 +179,7 @@ std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>
                         change(e.before.color, e.after.color),
                         change(e.before.depth, e.after.depth),
                         change(e.before.stencil, e.after.stencil)});
+        if (back) rows.back().push_back(change(e.before.back, e.after.back));
         if (accum) rows.back().push_back(change(e.before.accum, e.after.accum));
         if (smooth) rows.back().push_back(f && f->coverage != 0 ? text(f->coverage) : "-");
     }
@@ -186,7 +194,7 @@ nlohmann::ordered_json history_json(const Recording& recording, int x, int y,
                                 {"width", recording.width},
                                 {"height", recording.height},
                                 {"events", nlohmann::ordered_json::array()}};
-    for (const PixelEvent& e : events) json["events"].push_back(event_json(e));
+    for (const PixelEvent& e : events) json["events"].push_back(event_json(e, recording.profile));
     return json;
 }
 

@@ -14,7 +14,7 @@
 namespace gw::inspect {
 
 /// A fragment that reached the pixel, or a command that wrote to it without one: clear, copy,
-/// accumulate, rectangles of Z and stencil. Then there is no `fragment`.
+/// swap, accumulate, rectangles of Z and stencil. Then there is no `fragment`.
 struct PixelEvent {
     std::size_t pass = 0;  ///< its place among the passes
     std::string pass_name;
@@ -47,8 +47,8 @@ FragmentMaps fragment_maps(const Recording& recording, std::optional<std::size_t
 // As a table and as JSON, in picture coordinates, top left first.
 
 /// Rows of words, the first of them the header: pass, command, event, values before and after. A
-/// plane whose values stay the same shows one value; accumulation is left out if it stays 0, coverage
-/// if no fragment is antialiased.
+/// plane whose values stay the same shows one value; the back plane and accumulation are left out if
+/// they stay 0, coverage if no fragment is antialiased.
 std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>& events);
 
 /// {"x", "y", "profile", "width", "height", "events": [...]}

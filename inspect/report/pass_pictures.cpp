@@ -34,11 +34,9 @@ std::vector<std::uint32_t> colors_as_ids(const Snapshot& s) {
     return ids;
 }
 
-constexpr PassPictures::Shown usual_planes[] = {{"color", Plane::Color},
-                                                {"depth", Plane::Depth},
-                                                {"stencil", Plane::Stencil},
-                                                {"accum", Plane::Accum},
-                                                {"polygons", {}, polygons_of}};
+constexpr PassPictures::Shown usual_planes[] = {
+    {"color", Plane::Color}, {"depth", Plane::Depth}, {"stencil", Plane::Stencil},
+    {"back", Plane::Back},   {"accum", Plane::Accum}, {"polygons", {}, polygons_of}};
 constexpr PassPictures::Shown shown_identifiers{"identifiers", {}, colors_as_ids};
 
 image::Picture picture_of(const PassPictures::Shown& shown, const Snapshot& s,
@@ -112,7 +110,9 @@ nlohmann::ordered_json PassPictures::plane_json(const Shown& shown, std::size_t 
 
 nlohmann::ordered_json PassPictures::add(std::size_t pass, Snapshot after, bool with_identifiers) {
     nlohmann::ordered_json all;
-    for (const Shown& shown : usual_planes) all[shown.name] = plane_json(shown, pass, after);
+    for (const Shown& shown : usual_planes)
+        if (shown.plane != Plane::Back || profile_.color_planes == 2)
+            all[shown.name] = plane_json(shown, pass, after);
     if (with_identifiers)
         all[shown_identifiers.name] = plane_json(shown_identifiers, pass, after);
     else

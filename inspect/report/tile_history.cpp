@@ -16,6 +16,7 @@ std::string change_text(const PixelValues& before, const PixelValues& after) {
     if (before.depth != after.depth) text += fmt::format("z:{},", after.depth);
     if (before.stencil != after.stencil) text += fmt::format("s:{},", after.stencil);
     if (before.accum != after.accum) text += fmt::format("a:[{}],", fmt::join(after.accum, ","));
+    if (before.back != after.back) text += fmt::format("b:[{}],", fmt::join(after.back, ","));
     text.pop_back();
     return "{" + text + "}";
 }

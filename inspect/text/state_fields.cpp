@@ -118,6 +118,8 @@ void add_fragment_operations(const State& s, const auto& add) {
     add("logic_op.enable", s.logic_op.enable);
     add("logic_op.op", s.logic_op.op);
     add("color_mask", s.color_mask);
+    add("draw_buffer", s.draw_buffer);
+    add("read_buffer", s.read_buffer);
 }
 
 }  // namespace

@@ -80,5 +80,7 @@ std::string text(MagFilter v) { return gwt::EnumNameMagFilter(file_enum<gwt::Mag
 std::string text(Wrap v) { return gwt::EnumNameWrap(file_enum<gwt::Wrap>(v)); }
 std::string text(TexEnv v) { return gwt::EnumNameTexEnv(file_enum<gwt::TexEnv>(v)); }
 std::string text(TexGen v) { return gwt::EnumNameTexGen(file_enum<gwt::TexGen>(v)); }
+std::string text(DrawBuffer v) { return gwt::EnumNameDrawBuffer(file_enum<gwt::DrawBuffer>(v)); }
+std::string text(ReadBuffer v) { return gwt::EnumNameReadBuffer(file_enum<gwt::ReadBuffer>(v)); }
 
 }  // namespace gw::inspect

@@ -53,5 +53,7 @@ std::string text(MagFilter v);
 std::string text(Wrap v);
 std::string text(TexEnv v);
 std::string text(TexGen v);
+std::string text(DrawBuffer v);
+std::string text(ReadBuffer v);
 
 }  // namespace gw::inspect

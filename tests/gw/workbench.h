@@ -101,6 +101,7 @@ public:
         return machine_->planes();
     }
     Rgba color(int x, int y) { return planes().color[planes().index(x, y)]; }
+    Rgba back(int x, int y) { return planes().back[planes().index(x, y)]; }
     std::uint32_t depth(int x, int y) { return planes().depth[planes().index(x, y)]; }
     int stencil(int x, int y) { return planes().stencil[planes().index(x, y)]; }
     std::array<std::int32_t, 4> accum(int x, int y) { return planes().accum[planes().index(x, y)]; }

@@ -80,11 +80,33 @@ TEST(PixelHistory, EndsWithThePlanesOfTheMachineForEveryPixel) {
                     last = e.after;
                 }
                 const std::size_t i = planes.index(x, y);
-                ASSERT_EQ(last, (PixelValues{planes.color[i], planes.depth[i], planes.stencil[i],
-                                             planes.accum[i]}))
-                    << suite.name;
+                ASSERT_EQ(last, values_at(planes, i)) << suite.name;
             }
     }
+}
+
+TEST(PixelHistory, HasBothColourPlanes) {
+    Recording r;
+    r.profile = opengl();
+    r.width = r.height = 2;
+    State back;
+    back.draw_buffer = DrawBuffer::Back;
+    CommandList list;
+    list.add(SetState{back});
+    list.add(Clear{.planes = mask_of(Plane::Color), .color = vec4(1, 0, 0, 1)});
+    list.add(SwapBuffers{});
+    r.lists.push_back(list);
+    const auto events = pixel_history(r, 1, 1);
+    ASSERT_EQ(events.size(), 2u);
+    EXPECT_EQ(events[0].after.back, (Rgba{255, 0, 0, 255}));
+    EXPECT_EQ(events[0].after.color, Rgba{});
+    EXPECT_STREQ(events[1].command_name, "SwapBuffers");
+    EXPECT_EQ(events[1].after.color, (Rgba{255, 0, 0, 255}));
+    EXPECT_EQ(events[1].after.back, Rgba{});
+    const auto rows = history_rows(events);
+    EXPECT_EQ(rows[0].back(), "back colour");
+    EXPECT_EQ(rows[2].back(), "255 0 0 255 > 0 0 0 0");
+    EXPECT_EQ(history_rows({events[0]})[0].size(), rows[0].size());
 }
 
 TEST(PixelHistory, NumbersDrawsWithinThePassAndPolygonsByTheirIdentifiers) {

@@ -4,6 +4,10 @@
 #include "gw/error.h"
 #include "tests/inspect/same.h"
 
+#include <flatbuffers/flatbuffers.h>
+
+#include <cstring>
+
 namespace gw::inspect {
 
 TEST(Recording, ComesBackAsItWas) {
@@ -28,6 +32,27 @@ TEST(Recording, HasTheSameBytesEachTime) {
         const Recording recording = recording_of(fuzz::make_case(suite, 0));
         EXPECT_EQ(encode(decode(encode(recording))), encode(recording)) << suite.name;
     }
+}
+
+/// The file's version.
+std::uint32_t version_of(const Recording& recording) {
+    const auto bytes = encode(recording);
+    std::vector<std::uint64_t> aligned(bytes.size() / 8 + 1);
+    std::memcpy(aligned.data(), bytes.data(), bytes.size());
+    return flatbuffers::GetRoot<flatbuffers::Table>(aligned.data())
+        ->GetField<std::uint32_t>(flatbuffers::FieldIndexToOffset(0), 0);
+}
+
+TEST(Recording, NeedsVersion2OnlyForWhatVersion1Lacks) {
+    EXPECT_EQ(version_of(recording_of(Clear{})), 1u);
+    EXPECT_EQ(version_of(recording_of(Clear{.accum = vec4(1)})), 2u);
+    SetState unseen;
+    EXPECT_EQ(version_of(recording_of(unseen)), 1u);
+    unseen.state.draw_buffer = DrawBuffer::None;
+    EXPECT_EQ(version_of(recording_of(unseen)), 2u);
+    Recording two = recording_of(Clear{});
+    two.profile.color_planes = 2;
+    EXPECT_EQ(version_of(two), 2u);
 }
 
 TEST(Recording, StoresEqualMeshesOnce) {

@@ -207,11 +207,12 @@ TEST(Values, OfVersion1AreReadAsWell) {
 TEST(Values, AreThePlanesAfterEachPass) {
     for (const fuzz::Suite& suite : fuzz::suites()) {
         const Recording recording = recording_of(fuzz::make_case(suite, 4));
-        ValuesWriter writer(recording.width, recording.height);
+        const int colors = recording.profile.color_planes;
+        ValuesWriter writer(recording.width, recording.height, colors);
         const Manifest manifest = replayed_manifest(recording, fast, &writer);
         const auto bytes = writer.finish();
         for (std::size_t i = 0; i < manifest.passes.size(); ++i) {
-            const Planes planes = planes_after(bytes, recording.width, recording.height, i);
+            const Planes planes = planes_after(bytes, recording.width, recording.height, i, colors);
             for (const Plane plane : planes_in_order)
                 EXPECT_EQ(digest(planes, plane),
                           manifest.passes[i].report.digests[std::size_t(plane)]);

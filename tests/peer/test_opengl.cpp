@@ -76,6 +76,43 @@ TEST_P(OpenGL, BlendEquationsAreWithinOneUnit) {
     EXPECT_LE(tally.worst, 1);
 }
 
+/// Noise that marks the stencil plane without a draw buffer, then noise where it did.
+TEST_P(OpenGL, WithoutADrawBufferOnlyTheStencilPlaneChanges) {
+    Random random(16);
+    State unseen = window_state();
+    unseen.draw_buffer = DrawBuffer::None;
+    unseen.stencil = {.test = true, .zpass = StencilOp::Incr};
+    unseen.alpha = {true, AlphaFunc::Greater, 0.5f};
+    State seen = window_state();
+    seen.stencil = {.test = true, .func = StencilFunc::Equal, .ref = 1};
+    CommandList list;
+    add(list, window_state(), noise(random));
+    add(list, unseen, noise(random));
+    list.add(Clear{.planes = mask_of(Plane::Color)});
+    add(list, seen, noise(random));
+    const Tally tally = compare_colors(execute({list}, size, size, coarse_opengl()),
+                                       play({list}, coarse_opengl()).planes);
+    report(GetParam(), "no draw buffer", tally);
+    EXPECT_EQ(tally.compared, long(size) * size);
+    EXPECT_EQ(tally.different, 0);
+}
+
+TEST_P(OpenGL, AccumulationClearedToAValueIsWithinOneUnit) {
+    Random random(17);
+    std::vector<CommandList> lists;
+    for (int i = 0; i < 40; ++i) {
+        CommandList& list = lists.emplace_back();
+        add(list, window_state(),
+            Clear{.planes = mask_of(Plane::Accum), .accum = 2.0f * random_color(random) - 1.0f});
+        list.add(Accumulate{AccumOp::Return, 1});
+    }
+    const Tally tally = compare_colors(execute(lists, size, size, coarse_opengl()),
+                                       play(lists, coarse_opengl()).planes);
+    report(GetParam(), "accumulation cleared to values", tally);
+    EXPECT_EQ(tally.compared, 40L * size * size);
+    EXPECT_LE(tally.worst, 1);
+}
+
 PolygonStippleState random_stipple(Random& random) {
     std::array<std::uint32_t, 32> rows;
     for (std::uint32_t& row : rows) row = std::uint32_t(random.next());

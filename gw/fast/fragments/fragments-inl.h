@@ -64,7 +64,10 @@ HWY_INLINE void run_fragments(const Resolved& r, bool front, const DepthBlock& d
     counts.written += count(alive);
     if (alive == 0) return;
     if (r.state.depth.mask) write_depth(depth, tile.depth[block], alive);
-    if (r.writes_color) write_color(r, shaded ? *shaded : color(), tile.color[block], alive);
+    if (!r.writes_color) return;
+    if (!shaded) shaded = &color();
+    write_color(r, *shaded, tile.color[block], alive);
+    if (draws_to_both(r.state)) write_color(r, *shaded, tile.other_color[block], alive);
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -17,7 +17,7 @@ namespace gw::fast::HWY_NAMESPACE {
 /// Whether a draw's triangles take the simple path.
 HWY_INLINE bool takes_simple_path(const Resolved& r) {
     return r.state.alpha.func == AlphaFunc::Always && !r.state.polygon_offset.enable &&
-           !r.state.polygon_stipple.pattern && !antialiases(r.state);
+           !r.state.polygon_stipple.pattern && !antialiases(r.state) && !draws_to_both(r.state);
 }
 
 /// A triangle's fragments by fate, lane by lane.

@@ -3,15 +3,12 @@
 #pragma once
 
 #include "gw/fast/frame/uniform.h"
+#include "gw/planes.h"
 
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
-
-namespace gw {
-struct Planes;
-}
 
 namespace gw::fast {
 
@@ -51,6 +48,7 @@ struct TileGrid {
 struct Tile {
     int x = 0, y = 0, side = 64;
     ColorBlock* color = nullptr;
+    ColorBlock* other_color = nullptr;  ///< of the plane that is not in use; null: there is none
     DepthBlock* depth = nullptr;
     StencilBlock* stencil = nullptr;
     AccumBlock* accum = nullptr;
@@ -72,6 +70,13 @@ struct Tile {
     }
 };
 
+/// The uniform colours of a group of the colour plane that is not in use.
+struct UniformColors {
+    std::uint64_t color[16] = {};
+    std::uint16_t one_color = 0;
+};
+
+/// Tiles have one colour plane in use. The other one is made when it is first used.
 class Frame {
 public:
     Frame(int width, int height, int log2_tile);
@@ -80,20 +85,33 @@ public:
     Tile tile(std::size_t index);
     /// Makes the accumulation plane (zero) if it does not exist yet.
     void need_accum();
+    /// Makes Color or Back the plane in use.
+    void use_color(Plane plane);
+    /// Makes the other colour plane (zero) if it does not exist yet, and writes its uniform blocks
+    /// back.
+    void need_other_color();
+    /// The front plane becomes the back plane and the reverse.
+    void swap_colors() { in_use_ = in_use_ == Plane::Color ? Plane::Back : Plane::Color; }
 
-    /// All uniform blocks must have been written back.
-    void read(Planes& planes) const;
+    /// All uniform blocks of the planes in use must have been written back.
+    void read(Planes& planes);
     void write(const Planes& planes);
 
 private:
+    void exchange_colors();
+    void write_back_other(std::size_t tile);
+
     TileGrid grid_;
-    std::vector<ColorBlock> color_;
+    Plane in_use_ = Plane::Color;
+    std::vector<ColorBlock> color_, other_color_;
     std::vector<DepthBlock> depth_;
     std::vector<StencilBlock> stencil_;
     std::vector<AccumBlock> accum_;
     std::vector<UniformGroup> uniform_;
     std::vector<UniformPlanes> has_uniform_;  ///< by tile
     std::vector<DepthPlanes> depth_planes_;   ///< by tile
+    std::vector<UniformColors> other_uniform_;
+    std::vector<std::uint8_t> other_has_uniform_;  ///< by tile
 };
 
 }  // namespace gw::fast

@@ -211,6 +211,8 @@ struct Planner {
         last_colors.assign(segment.scan.sets().size(), nullptr);
         for (std::size_t i = 0; i < steps.size();) {
             if (i + 4 < steps.size()) prefetch(steps[i + 4].command, sizeof(Draw));
+            segment.uses_both_colors =
+                segment.uses_both_colors || draws_to_both(*steps[i].state->state);
             if (steps[i].part) {
                 const std::size_t count = steps[i].part->group->parts;
                 add_draws(steps.subspan(i, count));
@@ -289,6 +291,7 @@ void end_segment(MachineState& machine) {
     segment.placed_pixels.clear();
     for (GeometryScratch& scratch : segment.scratch) scratch.trim();
     segment.uses_accum = false;
+    segment.uses_both_colors = false;
     segment.visible_records = 0;
 }
 

@@ -71,6 +71,7 @@ struct Segment {
     std::deque<PlacedPixels> placed_pixels;
     std::vector<GeometryScratch> scratch;  ///< by worker
     bool uses_accum = false;
+    bool uses_both_colors = false;
     int visible_records = 0;
 
     /// One operation of each slot. Operations with the same slot add to the same sum.

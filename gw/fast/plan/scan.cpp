@@ -50,8 +50,8 @@ std::uint64_t hash_of(const State& s) {
                  s.scissor.test, s.scissor.box.x, s.scissor.box.y, s.scissor.box.width, s.jitter.x,
                  s.jitter.y, s.cull.enable, s.cull.face, s.shade_model, s.color_source,
                  s.depth.test, s.depth.func, s.depth.mask);
-    add_integers(hash, s.blend.enable, s.blend.src, s.blend.dst, s.stencil.test, s.stencil.func,
-                 s.stencil.ref, s.stencil.mask, s.stencil.zfail, s.stencil.zpass,
+    add_integers(hash, s.draw_buffer, s.blend.enable, s.blend.src, s.blend.dst, s.stencil.test,
+                 s.stencil.func, s.stencil.ref, s.stencil.mask, s.stencil.zfail, s.stencil.zpass,
                  s.stencil.write_mask, s.alpha.test, s.alpha.func, s.fog.enable, s.fog.mode,
                  s.texture.env, s.texture.gen, s.texture.min_filter, s.texture.wrap_s);
     const std::array values{double(s.alpha.ref),           double(s.fog.density),
@@ -84,6 +84,34 @@ void prefetch_draws(std::span<const Command> commands, std::size_t i) {
         prefetch(draw->mesh.get(), 3 * cache_line);
 }
 
+std::optional<Plane> plane_of(DrawBuffer buffer) {
+    switch (buffer) {
+        case DrawBuffer::Front: return Plane::Color;
+        case DrawBuffer::Back: return Plane::Back;
+        case DrawBuffer::None:
+        case DrawBuffer::FrontAndBack: break;
+    }
+    return {};
+}
+Plane plane_of(ReadBuffer buffer) {
+    return buffer == ReadBuffer::Front ? Plane::Color : Plane::Back;
+}
+
+/// The one colour plane that a command reads or writes.
+struct ColorPlaneOf {
+    const State& state;
+
+    std::optional<Plane> operator()(const Read& c) const {
+        if (c.plane != Plane::Color) return {};
+        return plane_of(state.read_buffer);
+    }
+    std::optional<Plane> operator()(const Accumulate& c) const {
+        if (c.op == AccumOp::Return) return plane_of(state.draw_buffer);
+        return plane_of(state.read_buffer);
+    }
+    std::optional<Plane> operator()(const auto&) const { return plane_of(state.draw_buffer); }
+};
+
 template <class T>
 void clear_and_trim(std::vector<T>& all) {
     if (all.capacity() > 8 * all.size() + 4096) all = std::vector<T>();
@@ -93,11 +121,19 @@ void clear_and_trim(std::vector<T>& all) {
 }  // namespace
 
 bool is_barrier(const Command& command, const std::vector<PassReport>& passes) {
-    if (std::holds_alternative<Copy>(command) || std::holds_alternative<CopyTexture>(command))
+    if (std::holds_alternative<Copy>(command) || std::holds_alternative<CopyTexture>(command) ||
+        std::holds_alternative<SwapBuffers>(command))
         return true;
     if (const auto* draw = std::get_if<DrawPixels>(&command)) return draw->source.has_value();
     return std::holds_alternative<BeginPass>(command) && !passes.empty() &&
            passes.back().digested != 0;
+}
+
+/// Whether the command can run while the segment's colour plane is in use.
+bool Scan::fits_color_plane(const Command& command, const State& state) {
+    const std::optional<Plane> plane = std::visit(ColorPlaneOf{state}, command);
+    if (plane && !color_plane_) color_plane_ = plane;
+    return !plane || plane == color_plane_;
 }
 
 void Scan::clear() {
@@ -112,6 +148,7 @@ void Scan::clear() {
     clear_and_trim(sets_);
     clear_and_trim(groups_);
     read_keys_.clear();
+    color_plane_.reset();
     given_ = nullptr;
     state_ = nullptr;
 }
@@ -209,6 +246,7 @@ std::size_t Scan::run(std::span<const Command> commands, State& state,
         } else if (const BeginPass* begin = std::get_if<BeginPass>(&command)) {
             passes.push_back({begin->name, {}, begin->digests, {}});
         } else {
+            if (profile.color_planes == 2 && !fits_color_plane(command, *current)) break;
             use_state(*current);
             if (const Draw* draw = std::get_if<Draw>(&command)) {
                 if (is_full()) break;

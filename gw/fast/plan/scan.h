@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <unordered_set>
 #include <vector>
@@ -62,6 +63,8 @@ public:
 
     std::span<const Step> steps() const { return steps_; }
     std::span<GeometrySet* const> sets() const { return sets_; }
+    /// The colour plane that the steps read and write; none if they need none, or both.
+    std::optional<Plane> color_plane() const { return color_plane_; }
 
 private:
     void clear();
@@ -73,6 +76,7 @@ private:
     const GeometryState* share(const GeometryState& geometry, std::uint64_t hash);
     bool begins_set(const ScannedPart& part, std::size_t parts, std::size_t vertices) const;
     bool is_full() const;
+    bool fits_color_plane(const Command& command, const State& state);
 
     const Profile* profile_ = nullptr;
     int width_ = 0, height_ = 0;
@@ -91,6 +95,7 @@ private:
     std::vector<GeometrySet*> sets_;
     std::vector<PartGroup> groups_;
     std::unordered_set<std::uint32_t> read_keys_;
+    std::optional<Plane> color_plane_;
 };
 
 /// Whether a command reads pixels across tiles, or takes digests: it runs between segments.

@@ -8,9 +8,10 @@ namespace gw::fast {
 
 namespace {
 
-/// Stippled and antialiased fragments are not those of the covered centres.
+/// Stippled and antialiased fragments are not those of the covered centres. Records know one colour
+/// plane.
 bool is_special(const State& s) {
-    return s.line_stipple.enable || s.polygon_stipple.pattern || antialiases(s);
+    return s.line_stipple.enable || s.polygon_stipple.pattern || antialiases(s) || draws_to_both(s);
 }
 
 bool may_share(const DrawOp& op) {

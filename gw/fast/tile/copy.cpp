@@ -21,16 +21,25 @@ std::uint64_t for_each_copied(const Copy& c, const Rect& pixel_box, const Planes
     return std::uint64_t(box.width) * std::uint64_t(box.height);
 }
 
+const std::vector<Rgba>& colors_read(const Planes& planes, ReadBuffer buffer) {
+    return buffer == ReadBuffer::Front ? planes.color : planes.back;
+}
+
 }  // namespace
 
 std::uint64_t copy_pixels(const Copy& command, const Resolved& r, Planes& planes) {
     if (command.plane == Plane::Color) {
-        const auto before = planes.color;
+        const std::vector<Rgba> before = colors_read(planes, r.state.read_buffer);
+        const DrawBuffer to_buffer = r.state.draw_buffer;
+        const bool front = to_buffer != DrawBuffer::Back,
+                   back = to_buffer == DrawBuffer::Back || to_buffer == DrawBuffer::FrontAndBack;
         const ColorMask& m = r.state.color_mask;
         const bool channel[4] = {m.r, m.g, m.b, m.a};
         return for_each_copied(command, r.pixel_box, planes, [&](std::size_t to, std::size_t from) {
-            for (std::size_t c = 0; c < 4; ++c)
-                if (channel[c]) planes.color[to][c] = before[from][c];
+            for (std::size_t c = 0; c < 4; ++c) {
+                if (front && channel[c]) planes.color[to][c] = before[from][c];
+                if (back && channel[c]) planes.back[to][c] = before[from][c];
+            }
         });
     }
     if (command.plane == Plane::Depth) {
@@ -46,8 +55,10 @@ std::uint64_t copy_pixels(const Copy& command, const Resolved& r, Planes& planes
     });
 }
 
-Texels copied_texels(const CopyTexture& command, const Planes& planes, const Profile& profile) {
+Texels copied_texels(const CopyTexture& command, ReadBuffer from, const Planes& planes,
+                     const Profile& profile) {
     const Rect& rect = command.rect;
+    const std::vector<Rgba>& colors = colors_read(planes, from);
     Texels t{profile.color_bits, {}, {}};
     TexelLevel level{rect.width,
                      rect.height,
@@ -59,7 +70,7 @@ Texels copied_texels(const CopyTexture& command, const Planes& planes, const Pro
             const std::size_t i = planes.index(x, y);
             const auto grey =
                 std::uint16_t(rescale(planes.depth[i], profile.depth_bits, profile.color_bits));
-            level.texels.push_back(command.plane == Plane::Color ? planes.color[i]
+            level.texels.push_back(command.plane == Plane::Color ? colors[i]
                                                                  : Rgba{grey, grey, grey, grey});
             if (command.plane == Plane::Depth) t.depths.push_back(planes.depth[i]);
         }

@@ -1,5 +1,6 @@
 // Turns counts of fragments and pixels into a pass's counters: bytes and texels are linear in them.
 #include "gw/fast/tile/tile_run.h"
+#include "gw/stages/accumulation.h"
 #include "gw/stages/tables.h"
 
 #include <bit>
@@ -57,12 +58,11 @@ struct Count {
         c.pixels = n.pixels;
         for (const Plane plane : every_plane)
             if (op.clear->planes & mask_of(plane))
-                c.bytes += n.pixels / planes * plane_bytes(plane, profile);
+                c.bytes += n.pixels / planes * written_bytes(plane, op.state.state, profile);
         return c;
     }
-    Counters operator()(const AccumulateOp&) const {
-        return pixel_counters(
-            n, plane_bytes(Plane::Accum, profile) + plane_bytes(Plane::Color, profile));
+    Counters operator()(const AccumulateOp& op) const {
+        return pixel_counters(n, accumulate_bytes(op.accumulate->op, op.state.state, profile));
     }
     Counters operator()(const ReadOp& op) const {
         return pixel_counters(n, plane_bytes(op.read->plane, profile));

@@ -8,6 +8,7 @@
 #include "gw/fast/tile/read.h"
 #include "gw/fast/vertices/geometry.h"
 #include "gw/fast/visible/visible_record.h"
+#include "gw/stages/accumulation.h"
 #include "gw/stages/tables.h"
 
 #include <algorithm>
@@ -136,16 +137,28 @@ struct TileRun {
         clear.color = quantize_color(op.clear->color, r.bits);
         clear.depth = quantize(op.clear->depth, profile.depth_bits);
         if (wants(Plane::Color) || clear.clears_depth) clear_blocks(clear);
+        if (wants(Plane::Color) && draws_to_both(r.state)) clear_other_color(clear);
         if (wants(Plane::Stencil) || wants(Plane::Accum))
-            clear_rest(r, inside, wants(Plane::Stencil),
-                       std::uint32_t(op.clear->stencil) & r.stencil_max, wants(Plane::Accum));
+            clear_rest(op, inside, wants(Plane::Stencil), wants(Plane::Accum));
     }
-    void clear_rest(const Resolved& r, const BlockBox& inside, bool stencil, std::uint32_t value,
-                    bool accum) const {
+    void clear_rest(const ClearOp& op, const BlockBox& inside, bool stencil, bool accum) const {
+        const Resolved& r = op.state;
+        const std::uint32_t value = std::uint32_t(op.clear->stencil) & r.stencil_max;
+        std::uint32_t sum[4];
+        for (int c = 0; c < 4; ++c)
+            sum[c] = std::uint32_t(cleared_accum(op.clear->accum[c], r.bits, profile.accum_bits));
         for_each_block(tile, inside, [&](std::size_t b, int, int, std::uint32_t mask) {
             if (stencil) clear_stencil(r, value, tile.stencil[b], mask);
             if (accum)
-                for (auto& channel : tile.accum[b].channel) fill_lanes(channel, 0, mask);
+                for (std::size_t c = 0; c < 4; ++c)
+                    fill_lanes(tile.accum[b].channel[c], sum[c], mask);
+        });
+    }
+    void clear_other_color(const ClearBlocks& clear) const {
+        for_each_block(tile, clear.box, [&](std::size_t b, int, int, std::uint32_t mask) {
+            for (std::size_t c = 0; c < 4; ++c)
+                if (clear.channel[c])
+                    fill_lanes(tile.other_color[b].channel[c], clear.color[c], mask);
         });
     }
     static std::uint64_t pixels_in(const BlockBox& b) {
@@ -267,12 +280,14 @@ struct TileRun {
 
     void run(const AccumulateOp& op) {
         write_back_blocks(tile);
-        for_each_block(tile, box(op.state.pixel_box),
-                       [&](std::size_t b, int, int, std::uint32_t mask) {
-                           counts->pixels += lane_count(mask);
-                           counts->accum_overflows +=
-                               accumulate_block(op, profile, tile.accum[b], tile.color[b], mask);
-                       });
+        for_each_block(
+            tile, box(op.state.pixel_box), [&](std::size_t b, int, int, std::uint32_t mask) {
+                counts->pixels += lane_count(mask);
+                counts->accum_overflows +=
+                    accumulate_block(op, profile, tile.accum[b], tile.color[b], mask);
+                if (op.accumulate->op == AccumOp::Return && draws_to_both(op.state.state))
+                    accumulate_block(op, profile, tile.accum[b], tile.other_color[b], mask);
+            });
     }
 
     void run(const ReadOp& op) {
@@ -285,7 +300,8 @@ struct TileRun {
         write_back_blocks(tile);
         for_each_block(tile, inside, [&](std::size_t b, int bx, int by, std::uint32_t mask) {
             switch (op.read->plane) {
-                case Plane::Color: return;
+                case Plane::Color:
+                case Plane::Back: return;
                 case Plane::Depth:
                     return read_block(op, bx, by, mask, tile.depth[b].value, op.values);
                 case Plane::Stencil:

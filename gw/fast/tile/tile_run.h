@@ -31,6 +31,7 @@ Counters counters_of(const TileOp& op, const OpCounts& counts, const Profile& pr
 /// Copy and CopyTexture run on the host's planes, between segments. copy_pixels returns the number
 /// of pixels.
 std::uint64_t copy_pixels(const Copy& command, const Resolved& state, Planes& planes);
-Texels copied_texels(const CopyTexture& command, const Planes& planes, const Profile& profile);
+Texels copied_texels(const CopyTexture& command, ReadBuffer from, const Planes& planes,
+                     const Profile& profile);
 
 }  // namespace gw::fast

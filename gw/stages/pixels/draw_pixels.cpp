@@ -115,8 +115,9 @@ Rect source_box(const DrawPixels& command, int width, int height) {
                      {0, 0, width, height});
 }
 
-DrawPixels with_values(const DrawPixels& command, const Planes& planes) {
+DrawPixels with_values(const DrawPixels& command, ReadBuffer buffer, const Planes& planes) {
     DrawPixels out = command;
+    const std::vector<Rgba>& colors = buffer == ReadBuffer::Front ? planes.color : planes.back;
     const PixelSource from = *command.source;
     const Rect box = source_box(command, planes.width, planes.height);
     out.source.reset();
@@ -133,7 +134,7 @@ DrawPixels with_values(const DrawPixels& command, const Planes& planes) {
             const unsigned bit = 128u >> column % 8;
             if (command.bits.empty() || command.bits[byte] & bit)
                 out.bits[byte] = static_cast<std::uint8_t>(out.bits[byte] | bit);
-            if (from.plane == Plane::Color) out.colors[k] = planes.color[i];
+            if (from.plane == Plane::Color) out.colors[k] = colors[i];
             if (from.plane == Plane::Depth) out.depths[k] = planes.depth[i];
             if (from.plane == Plane::Stencil) out.stencils[k] = planes.stencil[i];
         }

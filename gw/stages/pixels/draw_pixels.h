@@ -48,8 +48,8 @@ private:
 /// The part of the window that a command with a source reads.
 Rect source_box(const DrawPixels& command, int width, int height);
 
-/// The command with its source's values in place of the source. Source pixels outside the window
-/// are not drawn.
-DrawPixels with_values(const DrawPixels& command, const Planes& planes);
+/// The command with its source's values in place of the source; colours are those of `buffer`. Source
+/// pixels outside the window are not drawn.
+DrawPixels with_values(const DrawPixels& command, ReadBuffer buffer, const Planes& planes);
 
 }  // namespace gw

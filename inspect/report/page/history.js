@@ -35,11 +35,12 @@ function changed_values(values, change) {
     depth: change.z ?? values.depth,
     stencil: change.s ?? values.stencil,
     accum: change.a ?? values.accum,
+    back: change.b ?? values.back,
   };
 }
 
 function start_values(tile, pixel) {
-  const zero = {color: [0, 0, 0, 0], depth: 0, stencil: 0, accum: [0, 0, 0, 0]};
+  const zero = {color: [0, 0, 0, 0], depth: 0, stencil: 0, accum: [0, 0, 0, 0], back: [0, 0, 0, 0]};
   let first = 0;
   for (const [count, change] of tile.start) {
     if (pixel < first + count) return changed_values(zero, change);

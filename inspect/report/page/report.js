@@ -228,8 +228,8 @@ function event_row(event, columns) {
 function build_events(events) {
   const in_sight = by_id("only").checked
     ? events.filter((event) => pass_of_command(event.command).pass === view.pass) : events;
-  const accum = events.some((event) => event.before.accum.concat(event.after.accum).some((sum) => sum !== 0));
-  const columns = accum ? ["color", "depth", "stencil", "accum"] : ["color", "depth", "stencil"];
+  const used = (plane) => events.some((event) => event.before[plane].concat(event.after[plane]).some((v) => v !== 0));
+  const columns = ["color", "depth", "stencil", ...["back", "accum"].filter(used)];
   const named = (...names) => names.map((name) => word(`column_${name}`));
   table("events", [...named("pass", "outcome", "fragment", "fragment_depth"), ...columns.map((plane) => word(plane)),
     ...named("command", "draw", "primitive", "polygon")],

@@ -23,6 +23,7 @@ std::optional<std::size_t> first_unequal(const Planes& a, const Planes& b, Plane
         case Plane::Depth: return first_unequal(a.depth, b.depth);
         case Plane::Stencil: return first_unequal(a.stencil, b.stencil);
         case Plane::Accum: return first_unequal(a.accum, b.accum);
+        case Plane::Back: return first_unequal(a.back, b.back);
     }
     return std::nullopt;
 }
@@ -34,7 +35,8 @@ std::optional<Difference> compare_planes(const Planes& a, const Planes& b) {
                           {},
                           fmt::format("{}x{}", a.width, a.height),
                           fmt::format("{}x{}", b.width, b.height)};
-    for (const Plane plane : {Plane::Depth, Plane::Stencil, Plane::Color, Plane::Accum}) {
+    for (const Plane plane :
+         {Plane::Depth, Plane::Stencil, Plane::Color, Plane::Back, Plane::Accum}) {
         const auto i = first_unequal(a, b, plane);
         if (!i) continue;
         const int x = static_cast<int>(*i) % a.width, y = static_cast<int>(*i) / a.width;

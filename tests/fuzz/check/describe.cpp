@@ -81,6 +81,8 @@ std::string fragment_text(const State& s, const State& initial) {
     add(s.color_mask != initial.color_mask,
         fmt::format("mask {:d}{:d}{:d}{:d}", s.color_mask.r, s.color_mask.g, s.color_mask.b,
                     s.color_mask.a));
+    add(s.draw_buffer != initial.draw_buffer || s.read_buffer != initial.read_buffer,
+        fmt::format("draw buffer {} read buffer {}", int(s.draw_buffer), int(s.read_buffer)));
     return out;
 }
 
@@ -98,8 +100,8 @@ std::string text(const BeginPass& c) {
     return fmt::format("BeginPass '{}' digests {}", c.name, c.digests);
 }
 std::string text(const Clear& c) {
-    return fmt::format("Clear planes {} color {} depth {} stencil {}", c.planes, text(c.color),
-                       c.depth, c.stencil);
+    return fmt::format("Clear planes {} color {} depth {} stencil {} accum {}", c.planes,
+                       text(c.color), c.depth, c.stencil, text(c.accum));
 }
 std::string text(const SetState& c) {
     return "SetState" + geometry_text(c.state, {}) + fragment_text(c.state, {});
@@ -139,6 +141,8 @@ std::string text(const Read& c) {
     return fmt::format("Read {} plane {} {}{}", c.key, int(c.plane), text(c.rect),
                        c.packed ? " packed" : "");
 }
+
+std::string text(const SwapBuffers&) { return "SwapBuffers"; }
 
 }  // namespace
 

@@ -24,6 +24,7 @@ void Diversity::add(const Case& c, Machine& machine) {
     varied[std::size_t(Plane::Depth)] += varies(p.depth) ? 1 : 0;
     varied[std::size_t(Plane::Stencil)] += varies(p.stencil) ? 1 : 0;
     varied[std::size_t(Plane::Accum)] += varies(p.accum) ? 1 : 0;
+    varied[std::size_t(Plane::Back)] += varies(p.back) ? 1 : 0;
     for (const PassReport& pass : machine.passes()) counters += pass.counters;
 }
 

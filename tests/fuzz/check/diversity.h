@@ -12,7 +12,7 @@ namespace gw::fuzz {
 struct Diversity {
     std::uint64_t lists = 0, commands = 0;
     /// lists that leave two values or more in the plane
-    std::array<std::uint64_t, 4> varied{};
+    std::array<std::uint64_t, every_plane.size()> varied{};
     Counters counters;  ///< of all lists
 
     void add(const Case& c, Machine& machine);

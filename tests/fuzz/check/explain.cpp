@@ -21,8 +21,8 @@ const char* name_of(Fate fate) {
 }
 
 std::string text_of(const PixelValues& v) {
-    return fmt::format("depth {} stencil {} colour {} accum {}", v.depth, v.stencil,
-                       fmt::join(v.color, " "), fmt::join(v.accum, " "));
+    return fmt::format("depth {} stencil {} colour {} back {} accum {}", v.depth, v.stencil,
+                       fmt::join(v.color, " "), fmt::join(v.back, " "), fmt::join(v.accum, " "));
 }
 
 class PixelObserver final : public Observer {
@@ -68,6 +68,7 @@ std::string stage_of(const PixelObserver& seen, const Command& command, const Di
             return draws ? "depth: its plane, offset, test or mask" : "depth test or mask";
         case Plane::Stencil: return "stencil operation or mask";
         case Plane::Color:
+        case Plane::Back:
             return draws ? "shading (colour, texture, fog), blending or colour mask"
                          : "blending or colour mask";
         case Plane::Accum: return "accumulation";

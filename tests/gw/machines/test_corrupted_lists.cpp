@@ -67,7 +67,9 @@ void spoil(Random& r, FogState& f) {
 }
 
 void spoil_command(Random& r, BeginPass& c) { spoil(r, c.digests); }
-void spoil_command(Random& r, Clear& c) { spoil_one(r, c.planes, c.color, c.depth, c.stencil); }
+void spoil_command(Random& r, Clear& c) {
+    spoil_one(r, c.planes, c.color, c.depth, c.stencil, c.accum);
+}
 void spoil_command(Random& r, SetState& c) {
     State& s = c.state;
     spoil_one(r, s.projection, s.viewport.x, s.viewport.width, s.depth_range.far_value,
@@ -75,7 +77,7 @@ void spoil_command(Random& r, SetState& c) {
               s.polygon_offset.factor, s.jitter.x, s.point_size, s.line_width, s.shade_model,
               s.color_source, s.lighting.model_ambient, s.fog, s.fog, s.texture, s.texture,
               s.scissor.box, s.alpha.func, s.alpha.ref, s.stencil, s.stencil, s.depth.func,
-              s.blend.src, s.blend.dst);
+              s.blend.src, s.blend.dst, s.draw_buffer, s.read_buffer);
 }
 void spoil_command(Random& r, Draw& c) {
     if (r.chance(10)) c.mesh = nullptr;
@@ -101,6 +103,7 @@ void spoil_command(Random& r, DrawPixels& c) {
     spoil_one(r, c.width, c.raster.x, c.raster.depth, c.raster.texcoord, c.raster.distance,
               c.zoom_y);
 }
+void spoil_command(Random&, SwapBuffers&) {}
 void spoil_command(Random& r, Read& c) { spoil_one(r, c.plane, c.rect, c.packed); }
 
 /// Changes one field of one command: a mask, an enumeration, a number or a size. Most results are
@@ -125,7 +128,7 @@ std::string disagreement_about(const Case& c, bool& refused) {
         return "'" + message + "' and '" + other + "'";
     if (!refused)
         return run_case(c, machine_named("reference"), machine_named("fast")) ? "other bits" : "";
-    const Planes untouched(c.width, c.height);
+    const Planes untouched(c.width, c.height, c.profile.color_planes);
     const bool drawn = reference->planes() != untouched || fast->planes() != untouched ||
                        !reference->passes().empty() || !fast->passes().empty();
     return drawn ? "something was drawn before: " + message : "";

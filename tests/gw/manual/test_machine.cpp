@@ -42,6 +42,8 @@ TEST(ManualMachine, ProfilesAreThoseOfTheTable) {
     EXPECT_EQ(row(vgx()), (std::vector<int>{8, 24, 8, 16, 3, 8, 8, 0, 0}));
     EXPECT_EQ(row(reality()), (std::vector<int>{12, 32, 8, 24, 3, 12, 8, 1, 0}));
     EXPECT_EQ(row(ideal()), (std::vector<int>{16, 32, 8, 32, 8, 16, 64, 1, 1}));
+    for (const Profile& p : paper_profiles()) EXPECT_EQ(p.color_planes, 1);
+    EXPECT_EQ(opengl().color_planes, 2);
     EXPECT_EQ(vgx().extensions, Extensions{});
     EXPECT_EQ(reality().extensions, (Extensions{.polygon_offset = true, .shadow_texture = true}));
     EXPECT_EQ(ideal().extensions, (Extensions{true, true, true, true}));

@@ -58,6 +58,28 @@ TEST(ManualPixels, AccumulationByHand) {
     EXPECT_EQ(bench.take_counters().accum_overflows, 0u);
 }
 
+// [R13.16]
+TEST(ManualPixels, AccumulationIsClearedToAValue) {
+    Workbench bench(vgx(), 8, 8);
+    bench.state.scissor = {true, {1, 2, 5, 3}};
+    bench.run(Clear{.planes = mask_of(Plane::Accum), .accum = {0.5f, -0.25f, 2, -1}});
+    EXPECT_EQ(bench.accum(5, 4), (std::array{128, -64, 255, -255}));
+    EXPECT_EQ(bench.accum(6, 4), (std::array{0, 0, 0, 0}));
+    EXPECT_EQ(bench.take_counters().pixels, 15u);
+    bench.run(Clear{.planes = mask_of(Plane::Color), .accum = vec4(1)});
+    EXPECT_EQ(bench.accum(5, 4)[0], 128);  // another plane
+}
+
+// [R13.9] [R13.16]
+TEST(ManualPixels, AClearedValueOfTooManyBitsIsWrapped) {
+    Profile deep = vgx();
+    deep.color_bits = 16;
+    Workbench bench(deep, 1, 1);
+    bench.run(Clear{.planes = mask_of(Plane::Accum), .accum = {1, -1, 0.5f, 0}});
+    EXPECT_EQ(bench.accum(0, 0), (std::array{-1, 1, -32768, 0}));
+    EXPECT_EQ(bench.take_counters().accum_overflows, 0u);
+}
+
 // [R12.2] [R12.3] [R13.3]
 TEST(ManualPixels, SpansAndRectanglesAreFragments) {
     Workbench bench(vgx(), 8, 8);

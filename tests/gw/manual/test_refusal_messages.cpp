@@ -102,6 +102,11 @@ std::vector<std::string> refused_states() {
     add([](State& s) { s.polygon_offset.factor = infinity; });
     add([](State& s) { s.polygon_offset.units = nan; });
     add([](State& s) { s.blend.color.y = nan; });
+    add([](State& s) { s.draw_buffer = DrawBuffer::Back; });
+    add([](State& s) { s.draw_buffer = DrawBuffer::FrontAndBack; });
+    add([](State& s) { s.draw_buffer = DrawBuffer(4); });
+    add([](State& s) { s.read_buffer = ReadBuffer::Back; });
+    add([](State& s) { s.read_buffer = ReadBuffer(2); });
     add([](State& s) { s.blend.src = BlendFactor::SrcColor; });
     add([](State& s) { s.blend.src = BlendFactor::OneMinusSrcColor; });
     add([](State& s) { s.blend.dst = BlendFactor::DstColor; });
@@ -182,6 +187,8 @@ std::vector<std::string> refused_pixel_commands() {
     const Rgba white{255, 255, 255, 255}, too_white{256, 0, 0, 0};
     return {
         refusal({BeginPass{"", 16}}),
+        refusal({BeginPass{"", 32}}, opengl()),
+        refusal({SwapBuffers{}}),
         refusal({Clear{16}}),
         refusal({Read{0, Plane(4), {0, 0, 1, 1}}}),
         refusal({Accumulate{AccumOp(5), 1}}),
@@ -210,6 +217,7 @@ std::vector<std::string> refused_pixel_commands() {
         refusal({Accumulate{AccumOp::Accum, infinity}}),
         refusal({Clear{0, {nan, 0, 0, 0}}}),
         refusal({Clear{0, {0, 0, 0, 0}, double(infinity)}}),
+        refusal({Clear{.accum = {0, 0, nan, 0}}}),
     };
 }
 
