@@ -130,23 +130,24 @@ inline constexpr auto members_of<DrawPixels> =
                named("stencils", &DrawPixels::stencils), named("bits", &DrawPixels::bits));
 
 /// The part of a command that differs: a name and both values.
-struct Part {
+struct DifferentPart {
     std::string name, a, b;
 };
-using Parts = std::optional<Part>;
+using Parts = std::optional<DifferentPart>;
 
 template <typename T>
 Parts difference(const std::string& name, const T& a, const T& b) {
     if (a == b) return {};
-    return Part{name, text(a), text(b)};
+    return DifferentPart{name, text(a), text(b)};
 }
 template <typename T>
 Parts difference(const std::string& name, const std::vector<T>& a, const std::vector<T>& b) {
     if (a == b) return {};
     if (a.size() != b.size())
-        return Part{"number of " + name, std::to_string(a.size()), std::to_string(b.size())};
+        return DifferentPart{"number of " + name, std::to_string(a.size()),
+                             std::to_string(b.size())};
     const auto [i, j] = std::mismatch(a.begin(), a.end(), b.begin());
-    return Part{fmt::format("{} {}", name, i - a.begin()), text(*i), text(*j)};
+    return DifferentPart{fmt::format("{} {}", name, i - a.begin()), text(*i), text(*j)};
 }
 
 /// Of two of a kind, member by member.
@@ -167,21 +168,22 @@ Parts difference(const TextureBinding& a, const TextureBinding& b) {
         const Texture &p = *a.texture, &q = *b.texture;
         if (auto part = difference<Texture>(p, q)) return part;
         if (p.levels.size() != q.levels.size())
-            return Part{"number of the map's levels", std::to_string(p.levels.size()),
-                        std::to_string(q.levels.size())};
+            return DifferentPart{"number of the map's levels", std::to_string(p.levels.size()),
+                                 std::to_string(q.levels.size())};
         for (std::size_t i = 0; i < p.levels.size(); ++i)
             if (auto part = difference(p.levels[i], q.levels[i])) return part;
         return {};
     }
     const auto name = [](const TextureBinding& t) { return t.texture ? t.texture->name : "none"; };
-    return Part{"map", name(a), name(b)};
+    return DifferentPart{"map", name(a), name(b)};
 }
 
 Parts difference(const LightsRef& a, const LightsRef& b) {
     static const std::vector<Light> none;
     const auto &p = a ? *a : none, &q = b ? *b : none;
     if (p.size() != q.size())
-        return Part{"number of lights", std::to_string(p.size()), std::to_string(q.size())};
+        return DifferentPart{"number of lights", std::to_string(p.size()),
+                             std::to_string(q.size())};
     for (std::size_t i = 0; i < p.size(); ++i)
         if (auto part = difference(p[i], q[i])) return part;
     return {};
@@ -193,7 +195,8 @@ Parts difference(const Draw& a, const Draw& b) {
     if (auto part = difference(a.material, b.material)) return part;
     const Material &back_a = a.back_material ? *a.back_material : a.material,
                    &back_b = b.back_material ? *b.back_material : b.material;
-    if (auto part = difference(back_a, back_b)) return Part{"back " + part->name, part->a, part->b};
+    if (auto part = difference(back_a, back_b))
+        return DifferentPart{"back " + part->name, part->a, part->b};
     static const CurrentValues initial;
     if (auto part = difference(a.current ? *a.current : initial, b.current ? *b.current : initial))
         return part;
@@ -215,7 +218,7 @@ Parts difference(const SetState& a, const SetState& b) {
 }
 
 Parts difference(const Command& a, const Command& b) {
-    if (a.index() != b.index()) return Part{"kind", name_of(a), name_of(b)};
+    if (a.index() != b.index()) return DifferentPart{"kind", name_of(a), name_of(b)};
     return std::visit(
         [&](const auto& c) { return difference(c, std::get<std::remove_cvref_t<decltype(c)>>(b)); },
         a);
@@ -223,7 +226,7 @@ Parts difference(const Command& a, const Command& b) {
 
 Parts head_difference(const Recording& a, const Recording& b) {
     if (a.profile != b.profile)
-        return Part{"profile", json_of(a.profile).dump(), json_of(b.profile).dump()};
+        return DifferentPart{"profile", json_of(a.profile).dump(), json_of(b.profile).dump()};
     if (a.width != b.width) return difference("width", a.width, b.width);
     return difference("height", a.height, b.height);
 }
@@ -236,7 +239,8 @@ std::vector<const Command*> commands_of(const Recording& recording) {
 }
 
 /// Names the command and the pass that it is in.
-Finding finding_at(const Recording& a, std::size_t command, const char* name, const Part& part) {
+Finding finding_at(const Recording& a, std::size_t command, const char* name,
+                   const DifferentPart& part) {
     Finding f{.what = fmt::format("command {} ({}), {}", command, name, part.name),
               .expected = part.a,
               .actual = part.b};

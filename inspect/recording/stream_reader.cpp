@@ -68,8 +68,8 @@ private:
                 throw Error(fmt::format("damaged after part {}", parts_));
             return false;
         }
-        constexpr std::uint64_t largest = std::uint64_t{1} << 31;
-        if (head->size > largest) throw Error(fmt::format("part {} is damaged", parts_));
+        constexpr std::uint64_t largest_part = std::uint64_t{1} << 31;
+        if (head->size > largest_part) throw Error(fmt::format("part {} is damaged", parts_));
         const auto bytes = read_bytes_of(in_, head->size);
         if (!bytes) return cut_short();
         if (digest_of_bytes(*bytes) != head->digest)
