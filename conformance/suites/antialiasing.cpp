@@ -32,7 +32,7 @@ void any_primitive_state(Random& r, Script& s) {
     state.polygon_mode = r.chance(70) ? PolygonMode::Fill : r.any(PolygonMode::Line);
     state.two_side_polygon_mode = r.chance(20);
     state.back_polygon_mode = r.any(PolygonMode::Fill);
-    state.line_stipple = r.chance(25) ? any_dashes(r) : LineStippleState{};
+    state.line_stipple = r.chance(40) ? any_dashes(r) : LineStippleState{};
     state.polygon_stipple = r.chance(15) ? any_screen_door(r) : PolygonStippleState{};
     state.polygon_offset =
         r.chance(30) ? any_polygon_offset(r, s.out.profile) : PolygonOffsetState{};
@@ -69,8 +69,8 @@ Case antialiasing_case(Random& r) {
         s.state.texture = any_texture_state(r);
         if (r.chance(10)) s.state.texture.gen = TexGen::EyeLinear;
         const MeshWish wish{.texcoords = true, .most = 6};
-        const MeshRef mesh = r.chance(20)   ? any_lines(r, s.frame, wish)
-                             : r.chance(15) ? any_points(r, s.frame, wish)
+        const MeshRef mesh = r.chance(35)   ? any_lines(r, s.frame, wish)
+                             : r.chance(35) ? any_points(r, s.frame, wish)
                                             : any_triangles(r, s.frame, wish);
         draw(s, mesh, 30);
         between_draws(s);
