@@ -48,6 +48,8 @@ void make_current(Context* context, Drawable* drawable) {
     context->machine_state.changed = true;
     if (drawable == nullptr || context->has_been_current) return;
     context->has_been_current = true;
+    if (drawable->is_double_buffered())
+        context->state.color_buffer.draw_buffer = context->state.pixel.read_buffer = GL_BACK;
     context->state.viewport.width = context->state.scissor.box.width = drawable->width();
     context->state.viewport.height = context->state.scissor.box.height = drawable->height();
 }

@@ -20,10 +20,11 @@ std::unique_ptr<FrameLog> log;
 FrameLog* frame_log() { return log.get(); }
 void set_frame_log(std::unique_ptr<FrameLog> to) { log = std::move(to); }
 
-Drawable::Drawable(const Profile& profile, int width, int height, std::string name)
+Drawable::Drawable(const Profile& profile, int width, int height, std::string name, Buffers buffers)
     : name_(std::move(name)),
       width_(width),
       height_(height),
+      buffers_(buffers),
       machine_(make_fast(profile, width, height, {.threads = settings().threads})) {
     if (log) log->open(name_, width, height);
 }
@@ -62,6 +63,22 @@ void Drawable::flush() {
     machine_->execute(frame);
     machine_->reset_passes();
     if (log) log->add(name_, frame);
+}
+
+void Drawable::swap() {
+    if (has_back_plane()) add(SwapBuffers{});
+    flush();
+    present();
+    begin_frame();
+}
+
+Readback Drawable::read_front(const Rect& rect, bool packed) {
+    if (last_state_ && last_state_->read_buffer != gw::ReadBuffer::Front) {
+        gw::State state = *last_state_;
+        state.read_buffer = gw::ReadBuffer::Front;
+        set_state(state);
+    }
+    return read(Plane::Color, rect, packed);
 }
 
 Readback Drawable::read(Plane plane, const Rect& rect, bool packed) {

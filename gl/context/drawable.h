@@ -11,17 +11,23 @@
 
 namespace gw::gl {
 
+/// Whether a drawable has a front buffer only, or front and back.
+enum class Buffers : std::uint8_t { Single, Double };
+
 class Drawable {
 public:
     /// Throws Error for a size outside 1 .. max_window_size.
-    Drawable(const Profile& profile, int width, int height, std::string name = "main");
+    Drawable(const Profile& profile, int width, int height, std::string name = "main",
+             Buffers buffers = Buffers::Single);
     virtual ~Drawable();
     Drawable(const Drawable&) = delete;
     Drawable& operator=(const Drawable&) = delete;
 
     int width() const { return width_; }
     int height() const { return height_; }
-    bool is_double_buffered() const { return false; }
+    bool is_double_buffered() const { return buffers_ == Buffers::Double; }
+    /// Whether its machine has a plane for each buffer; else both are the one plane.
+    bool has_back_plane() const { return is_double_buffered() && profile().color_planes == 2; }
     const Profile& profile() const { return machine_->profile(); }
 
     /// Adds a command to the frame; a state only if it differs from the frame's last one.
@@ -30,12 +36,16 @@ public:
 
     /// Executes the frame. What follows belongs to it too, until begin_frame().
     void flush();
+    /// Exchanges front and back buffer; the frame is then whole, and shown.
+    void swap();
     /// The commands that follow are those of a new frame, a pass "frame 12".
     void begin_frame();
     /// Shows the frame: to the window, or in the caller's memory.
     virtual void present() {}
     /// Executes the frame and reads a rectangle inside the drawable.
     Readback read(Plane plane, const Rect& rect, bool packed = false);
+    /// The same of the front buffer, whatever the read buffer is.
+    Readback read_front(const Rect& rect, bool packed = false);
 
     /// How often the frame was executed because pixels were read or memory ran out, not because
     /// the program had finished it.
@@ -44,6 +54,7 @@ public:
 private:
     std::string name_;  ///< in recordings
     int width_, height_;
+    Buffers buffers_;
     std::unique_ptr<Machine> machine_;
     CommandList frame_;
     std::uint64_t frame_vertices_ = 0;

@@ -21,6 +21,15 @@ constexpr GLbitfield all_buffers =
 
 bool is_auxiliary(GLenum mode) { return mode >= GL_AUX0 && mode <= GL_AUX3; }
 
+/// Whether the drawable has one of the buffers: there are no right ones, no auxiliary ones, and a
+/// back buffer only with two.
+bool names_a_buffer(const Context& c, GLenum mode) {
+    if (is_auxiliary(mode) || mode == GL_RIGHT || mode == GL_FRONT_RIGHT || mode == GL_BACK_RIGHT)
+        return false;
+    const bool is_double = c.drawable != nullptr && c.drawable->is_double_buffered();
+    return is_double || (mode != GL_BACK && mode != GL_BACK_LEFT);
+}
+
 }  // namespace
 
 namespace execute {
@@ -30,7 +39,7 @@ void clear(Context& c, GLbitfield mask) {
     flush_mesh(c);
     if (mask == 0 || c.selection.mode != GL_RENDER || !submit_state(c)) return;
     c.drawable->add(gw::Clear{planes_of(mask), c.state.color_buffer.clear, c.state.depth.clear,
-                              c.state.stencil.clear});
+                              c.state.stencil.clear, c.state.accum.clear});
 }
 
 void accum(Context& c, GLenum op, GLfloat value) {
@@ -46,15 +55,15 @@ void draw_buffer(Context& c, GLenum mode) {
     const bool known = mode == GL_NONE || mode == GL_FRONT_AND_BACK || is_auxiliary(mode) ||
                        (mode >= GL_FRONT_LEFT && mode <= GL_RIGHT);
     if (!known) return set_error(c, GL_INVALID_ENUM);
-    if (is_auxiliary(mode)) return set_error(c, GL_INVALID_OPERATION);
+    if (!names_a_buffer(c, mode)) return set_error(c, GL_INVALID_OPERATION);
     change(c, c.state.color_buffer.draw_buffer, mode);
 }
 
 void read_buffer(Context& c, GLenum mode) {
     const bool known = is_auxiliary(mode) || (mode >= GL_FRONT_LEFT && mode <= GL_RIGHT);
     if (!known) return set_error(c, GL_INVALID_ENUM);
-    if (is_auxiliary(mode)) return set_error(c, GL_INVALID_OPERATION);
-    c.state.pixel.read_buffer = mode;
+    if (!names_a_buffer(c, mode)) return set_error(c, GL_INVALID_OPERATION);
+    change(c, c.state.pixel.read_buffer, mode);
 }
 
 void flush(Context& c) { finish_drawing(c); }

@@ -217,6 +217,29 @@ float cutoff_cosine(float degrees) {
     return degrees == 180 ? -1.0f : float(cos_degrees(double(degrees)));
 }
 
+/// [GL11] table 4.4, without right and auxiliary buffers.
+DrawBuffer draw_buffer(GLenum mode) {
+    switch (mode) {
+        case GL_NONE: return DrawBuffer::None;
+        case GL_BACK:
+        case GL_BACK_LEFT: return DrawBuffer::Back;
+        case GL_LEFT:
+        case GL_FRONT_AND_BACK: return DrawBuffer::FrontAndBack;
+    }
+    return DrawBuffer::Front;
+}
+
+void set_buffers(gw::State& out, const Context& c) {
+    const GLenum draw = c.state.color_buffer.draw_buffer, read = c.state.pixel.read_buffer;
+    if (c.drawable != nullptr && c.drawable->has_back_plane()) {
+        out.draw_buffer = draw_buffer(draw);
+        out.read_buffer =
+            read == GL_BACK || read == GL_BACK_LEFT ? gw::ReadBuffer::Back : gw::ReadBuffer::Front;
+    } else if (draw == GL_NONE) {
+        out.color_mask = {false, false, false, false};
+    }
+}
+
 }  // namespace
 
 gw::State machine_state(const Context& c) {
@@ -228,6 +251,7 @@ gw::State machine_state(const Context& c) {
     set_texture(out, c);
     set_fog(out, c.state.fog);
     set_fragments(out, c.state, c.profile.extensions);
+    set_buffers(out, c);
     return out;
 }
 

@@ -113,7 +113,7 @@ void Memory::present() {
     if (buffer_ == nullptr) return;
     const bool is_packed = layout_.format == OSMESA_RGBA && type_ == GL_UNSIGNED_BYTE &&
                            profile().color_bits == 8 && std::endian::native == std::endian::little;
-    const Readback read = Drawable::read(Plane::Color, {0, 0, width(), height()}, is_packed);
+    const Readback read = read_front({0, 0, width(), height()}, is_packed);
     const std::size_t pixel = std::size_t(layout_.size) * component_size(type_);
     for (int y = 0; y < height(); ++y) {
         const int row = y_up_ ? y : height() - 1 - y;

@@ -39,6 +39,7 @@ std::vector<vec4> read_colors(Context& c, const Rect& rect) {
     std::vector<vec4> out(rect.area(), vec4(0));
     const Rect inside = intersection(*c.drawable, rect);
     if (inside.area() == 0) return out;
+    submit_state(c);  // the read buffer
     const Readback read = c.drawable->read(Plane::Color, inside);
     const auto scale = float(largest(c.drawable->profile().color_bits));
     place(out, rect, inside, [&](std::size_t i) {
