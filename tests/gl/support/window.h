@@ -14,7 +14,8 @@ namespace gw::gl {
 
 class Window {
 public:
-    explicit Window(int width = 32, int height = 32, const Profile& profile = opengl());
+    explicit Window(int width = 32, int height = 32, const Profile& profile = opengl(),
+                    Buffers buffers = Buffers::Single);
     ~Window() { make_current(nullptr, nullptr); }
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
