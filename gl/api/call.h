@@ -3,16 +3,34 @@
 #pragma once
 
 #include "generated/gl/functions.h"
+#include "gl/api/calls.h"
+#include "gl/api/convert.h"
 #include "gl/api/kind.h"
 #include "gl/context/context.h"
 #include "gl/context/current.h"
 
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
 namespace gw::gl {
 
 namespace detail {
+
+template <auto execute>
+inline constexpr bool may_be_for_proxy = false;
+template <>
+inline constexpr bool may_be_for_proxy<execute::tex_image_1d> = true;
+template <>
+inline constexpr bool may_be_for_proxy<execute::tex_image_2d> = true;
+
+/// [GL11] 5.4: the images of proxies are set at once, while a list is open too.
+template <auto execute, class... Values>
+bool is_for_proxy(const Values&... values) {
+    if constexpr (may_be_for_proxy<execute>)
+        return is_proxy_target(std::get<0>(std::forward_as_tuple(values...)));
+    return false;
+}
 
 template <Kind kind, auto execute, class Signature>
 struct Caller;
@@ -29,8 +47,8 @@ private:
         if (context == nullptr) return Result();
         Context& c = *context;
         if constexpr (is_listed(kind)) {
-            if (c.lists.open) [[unlikely]] {
-                c.lists.open->template add<execute>(function, values...);
+            if (c.lists.open && !is_for_proxy<execute>(values...)) [[unlikely]] {
+                c.lists.open->template add<kind, execute>(function, values...);
                 if (c.lists.mode == GL_COMPILE) return Result();
             }
         }

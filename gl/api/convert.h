@@ -52,6 +52,16 @@ Numbers numbers(GLsizei n, const T* values) {
 }
 
 Stipple stipple(const GLubyte* mask);
+constexpr bool is_proxy_target(GLenum target) {
+    return target == GL_PROXY_TEXTURE_1D || target == GL_PROXY_TEXTURE_2D;
+}
+/// The pixels of a texture's image; a proxy has none.
+inline const GLvoid* image_pixels(GLenum target, const GLvoid* pixels) {
+    return is_proxy_target(target) ? nullptr : pixels;
+}
+
+/// A copy of an image in the caller's memory. None if there is an error, so that the memory of a
+/// call that is ignored is not read.
 HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid* pixels);
 /// The names that CallLists adds to the list base. [GL11] 5.4
 Numbers list_names(GLsizei n, GLenum type, const GLvoid* lists);

@@ -160,6 +160,18 @@ CoordinateGen coordinate(const TexGenState& s) {
     return {CoordinateMode::SphereMap, {}};
 }
 
+/// Feedback and the raster position have texture coordinates without a texture too.
+void set_texture_coordinates(gw::State& out, const Context& c) {
+    out.texture.matrix = c.matrices.texture.top();
+    bool generates = false;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const TexGenState& gen = c.state.texture.gen[i];
+        out.texture.coordinates[i] = coordinate(gen);
+        generates |= gen.enable;
+    }
+    if (generates) out.texture.gen = TexGen::PerCoordinate;
+}
+
 void set_texture(gw::State& out, const Context& c) {
     const TextureState& s = c.state.texture;
     if (!s.enable[0] && !s.enable[1]) return;
@@ -171,13 +183,6 @@ void set_texture(gw::State& out, const Context& c) {
     out.texture.border_color = p.border_color;
     out.texture.env = tex_env(s.env_mode);
     out.texture.env_color = s.env_color;
-    out.texture.matrix = c.matrices.texture.top();
-    bool generates = false;
-    for (std::size_t i = 0; i < 4; ++i) {
-        out.texture.coordinates[i] = coordinate(s.gen[i]);
-        generates |= s.gen[i].enable;
-    }
-    if (generates) out.texture.gen = TexGen::PerCoordinate;
 }
 
 void set_fog(gw::State& out, const FogState& s) {
@@ -248,6 +253,7 @@ gw::State machine_state(const Context& c) {
     set_lighting(out, c.state.lighting);
     set_sizes(out, c.state, c.profile);
     set_rasterization(out, c.state, c.profile.extensions);
+    set_texture_coordinates(out, c);
     set_texture(out, c);
     set_fog(out, c.state.fog);
     set_fragments(out, c.state, c.profile.extensions);

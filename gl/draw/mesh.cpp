@@ -64,9 +64,9 @@ MeshData mesh_data(const Assembly& a, const std::vector<FaceMaterials>& material
 
 }  // namespace
 
-VertexValues used_values(const State& s) {
+VertexValues used_values(const State& s, bool is_feedback) {
     const bool lit = s.lighting.enable;
-    const bool textured = s.texture.enable[0] || s.texture.enable[1];
+    const bool textured = s.texture.enable[0] || s.texture.enable[1] || is_feedback;
     bool sphere_map = false, given = false;
     for (const TexGenState& gen : s.texture.gen) {
         sphere_map |= gen.enable && gen.mode == GL_SPHERE_MAP;

@@ -16,8 +16,9 @@ struct VertexValues {
     bool operator==(const VertexValues&) const = default;
 };
 
-/// The values that a draw with this state uses.
-VertexValues used_values(const State& s);
+/// The values that a draw with this state uses. Feedback asks for texture coordinates without a
+/// texture too.
+VertexValues used_values(const State& s, bool is_feedback);
 
 /// The mesh of an assembly. Of the values in `used`, those that vary become its arrays; the draw's
 /// current values are the first vertex's.

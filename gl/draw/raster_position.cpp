@@ -30,14 +30,16 @@ namespace execute {
 
 void raster_pos(Context& c, double x, double y, double z, double w) {
     CurrentState::Raster& raster = c.state.current.raster;
-    raster.valid = std::isfinite(x) && std::isfinite(y) && std::isfinite(z) && std::isfinite(w);
+    raster.valid = std::isfinite(float(x)) && std::isfinite(float(y)) && std::isfinite(float(z)) &&
+                   std::isfinite(float(w));
     if (!raster.valid) return;
     update_machine_state(c);
     const gw::State& state = c.machine_state.state;
     const AssembledVertex values = current_vertex(c);
     MeshData point{.positions = {vec3(x, y, z)}, .w = {float(w)}};
     point.primitive = Primitive::Points;
-    const Draw draw = make_draw(c, make_mesh(std::move(point)), values, face_materials(c));
+    const Draw draw = with_texture_coordinates(
+        make_draw(c, make_mesh(std::move(point)), values, face_materials(c)));
     const VertexProgram program = vertex_program(state, draw, c.profile);
     const Vertex vertex = run_vertex(program, 0);
     const ViewportTransform viewport =

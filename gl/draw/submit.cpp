@@ -57,6 +57,12 @@ Draw make_draw(Context& c, MeshRef mesh, const AssembledVertex& values,
     return draw;
 }
 
+Draw with_texture_coordinates(Draw draw) {
+    static const TextureRef any = make_texture("", 1, 1, std::vector<std::uint16_t>(4));
+    draw.map.texture = any;
+    return draw;
+}
+
 bool submit_state(Context& c) {
     if (c.drawable == nullptr) return false;
     update_machine_state(c);
@@ -74,7 +80,8 @@ void submit_assembled(Context& c) {
     update_machine_state(c);
     Assembler& a = c.assembler;
     const AssembledVertex first = a.mesh.vertices.front();
-    MeshRef mesh = c.meshes.mesh_of(a.mesh, a.materials, used_values(c.state));
+    MeshRef mesh = c.meshes.mesh_of(a.mesh, a.materials,
+                                    used_values(c.state, c.selection.mode == GL_FEEDBACK));
     submit(c, make_draw(c, std::move(mesh), first, a.materials.front()));
 }
 

@@ -36,6 +36,9 @@ TextureRef enabled_texture(Context& c);
 /// A draw with the current state. `values` are those of all vertices for which the mesh has none.
 Draw make_draw(Context& c, MeshRef mesh, const AssembledVertex& values,
                const FaceMaterials& materials);
+/// The same draw with a texture of two dimensions, so that the vertex stages make all texture
+/// coordinates.
+Draw with_texture_coordinates(Draw draw);
 /// Adds a draw to the frame; in feedback and selection mode, reports its primitives.
 void submit(Context& c, Draw draw);
 /// Draws what was assembled.

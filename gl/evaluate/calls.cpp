@@ -202,6 +202,7 @@ void map1(Context& c, GLenum target, double u1, double u2, GLint stride, GLint o
           const Numbers& points) {
     const GLenum error = map_error(is_map1(target), u1 == u2, stride, order, map_size(target));
     if (error != GL_NO_ERROR) return set_error(c, error);
+    if (points->empty()) return;
     c.evaluators.map1[target - GL_MAP1_COLOR_4] = {u1, u2, order, *points};
 }
 
@@ -211,6 +212,7 @@ void map2(Context& c, GLenum target, double u1, double u2, GLint ustride, GLint 
     for (const GLenum error : {map_error(is_map2(target), u1 == u2, ustride, uorder, size),
                                map_error(is_map2(target), v1 == v2, vstride, vorder, size)})
         if (error != GL_NO_ERROR) return set_error(c, error);
+    if (points->empty()) return;
     c.evaluators.map2[target - GL_MAP2_COLOR_4] = {u1, u2, v1, v2, uorder, vorder, *points};
 }
 

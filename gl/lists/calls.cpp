@@ -4,6 +4,7 @@
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -51,6 +52,9 @@ double name_at(GLenum type, const unsigned char* at) {
     return name;
 }
 
+/// GenLists gives no more names at once: each is an entry of a table.
+constexpr GLsizei most_names = 1 << 22;
+
 /// The first of `count` names in a row that are free; 0: there are none.
 GLuint free_names(const ListNames& names, GLuint count) {
     std::uint64_t first = 1;
@@ -59,6 +63,11 @@ GLuint free_names(const ListNames& names, GLuint count) {
         first = std::uint64_t(name) + 1;
     }
     return first + count - 1 <= std::numeric_limits<GLuint>::max() ? GLuint(first) : 0;
+}
+
+/// A name without its fraction; 0 for numbers that are none.
+GLuint whole_name(double name) {
+    return std::abs(name) < 0x1p32 ? GLuint(static_cast<std::int64_t>(name)) : 0;
 }
 
 void play(Context& c, GLuint name) {
@@ -105,13 +114,13 @@ void call_list(Context& c, GLuint list) { play(c, list); }
 void call_lists(Context& c, GLsizei n, GLenum type, const Numbers& names) {
     if (n < 0) return set_error(c, GL_INVALID_VALUE);
     if (bytes_of_name(type) == 0) return set_error(c, GL_INVALID_ENUM);
-    for (const double name : *names)
-        play(c, c.state.list.base + GLuint(static_cast<std::int64_t>(name)));
+    for (const double name : *names) play(c, c.state.list.base + whole_name(name));
 }
 
 GLuint gen_lists(Context& c, GLsizei range) {
     if (range < 0) return set_error(c, GL_INVALID_VALUE), 0;
     if (range == 0) return 0;
+    if (range > most_names) return set_error(c, GL_OUT_OF_MEMORY), 0;
     const GLuint first = free_names(c.shared->lists, GLuint(range));
     if (first == 0) return 0;
     for (GLuint i = 0; i < GLuint(range); ++i) c.shared->lists.lists[first + i] = nullptr;

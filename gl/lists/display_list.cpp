@@ -11,6 +11,12 @@ namespace {
 constexpr std::size_t first_block = 1024, largest_block = 1 << 20;
 }
 
+bool is_misplaced(Context& c) {
+    if (!c.assembler.inside) return false;
+    set_error(c, GL_INVALID_OPERATION);
+    return true;
+}
+
 DisplayList::DisplayList() = default;
 
 DisplayList::~DisplayList() {

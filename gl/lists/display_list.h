@@ -3,6 +3,7 @@
 #pragma once
 
 #include "generated/gl/functions.h"
+#include "gl/api/kind.h"
 
 #include <GL/gl.h>
 
@@ -48,7 +49,7 @@ public:
     DisplayList& operator=(const DisplayList&) = delete;
 
     /// Appends a call of `execute`.
-    template <auto execute, class... Values>
+    template <Kind kind, auto execute, class... Values>
     void add(Function function, const Values&... values);
     /// Ends the list: complete runs of vertices become meshes.
     void seal();
@@ -91,14 +92,19 @@ private:
 /// Values are laid out behind a header.
 inline constexpr std::size_t list_alignment = 16;
 
-template <auto execute, class Kept>
+/// Sets the error of a call that may not stand between Begin and End, if one is played there.
+bool is_misplaced(Context& c);
+
+template <Kind kind, auto execute, class Kept>
 inline constexpr ListedOperations listed_operations{
     [](Context& c, const std::byte* at) {
+        if constexpr (!may_stand_inside(kind))
+            if (is_misplaced(c)) return;
         std::apply([&](const auto&... v) { execute(c, v...); }, *reinterpret_cast<const Kept*>(at));
     },
     [](std::byte* at) { std::destroy_at(reinterpret_cast<Kept*>(at)); }, &call_id<execute>};
 
-template <auto execute, class... Values>
+template <Kind kind, auto execute, class... Values>
 void DisplayList::add(Function function, const Values&... values) {
     using Kept = std::tuple<Values...>;
     static_assert(alignof(Kept) <= list_alignment && sizeof(Header) <= list_alignment);
@@ -106,7 +112,7 @@ void DisplayList::add(Function function, const Values&... values) {
         list_alignment + (sizeof(Kept) + list_alignment - 1) / list_alignment * list_alignment;
     std::byte* const at = append(size);
     std::construct_at(reinterpret_cast<Kept*>(at + list_alignment), values...);
-    std::construct_at(reinterpret_cast<Header*>(at), &listed_operations<execute, Kept>,
+    std::construct_at(reinterpret_cast<Header*>(at), &listed_operations<kind, execute, Kept>,
                       std::uint32_t(size), function);
 }
 

@@ -36,12 +36,13 @@ void set_current(CurrentState& now, const SealedRuns& runs) {
 }  // namespace
 
 bool draw_runs(Context& c, SealedRuns& runs) {
-    if (c.assembler.inside || (runs.has_line_strips && c.state.line.stipple) ||
+    if (c.assembler.inside ||
+        (runs.has_line_strips && (c.state.line.stipple || c.selection.mode == GL_FEEDBACK)) ||
         (!runs.given.edge_flag && !c.state.current.edge_flag))
         return false;
     flush_mesh(c);
     update_machine_state(c);
-    VertexValues used = used_values(c.state);
+    VertexValues used = used_values(c.state, c.selection.mode == GL_FEEDBACK);
     used.materials = false;
     used.colors &= runs.given.color;
     used.normals &= runs.given.normal;

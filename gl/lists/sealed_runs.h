@@ -30,7 +30,8 @@ struct SealedRuns {
 };
 
 /// Draws the runs and sets the current values. False, and nothing is done, where the runs depend on
-/// the state: between Begin and End, line strips with a stipple, a current edge flag of false.
+/// the state: between Begin and End, line strips with a stipple or in feedback, a current edge flag
+/// of false.
 bool draw_runs(Context& c, SealedRuns& runs);
 
 }  // namespace gw::gl

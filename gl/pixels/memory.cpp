@@ -5,6 +5,9 @@
 #include "gl/context/current.h"
 #include "gl/pixels/formats.h"
 
+#include "gw/machine.h"
+#include "gw/texture.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -87,7 +90,10 @@ void copy_to_memory(void* memory, const PixelStore& store, GLsizei width, GLsize
 }
 
 HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid* pixels) {
-    if (current == nullptr || pixels == nullptr || width <= 0 || height <= 0) return {};
+    constexpr GLsizei largest = std::max(max_window_size, max_texture_size + 2);
+    if (current == nullptr || pixels == nullptr || width <= 0 || height <= 0 || width > largest ||
+        height > largest)
+        return {};
     if (format_error(format, type) != GL_NO_ERROR) return {};
     return guarded(*current, [&]() -> HostImage {
         auto rows = std::make_shared<std::vector<std::byte>>(row_bytes(width, format, type) *

@@ -1,5 +1,6 @@
 // The primitives of a draw after clipping, for selection and feedback. [GL11] 5.2, 5.3
 #include "gl/context/context.h"
+#include "gl/draw/submit.h"
 #include "gl/select/selection.h"
 
 #include "gw/stages/clip.h"
@@ -16,6 +17,7 @@ namespace {
 struct Given {
     std::vector<std::uint32_t> vertices;
     std::size_t provoking = 0;
+    bool begins_stipple = true;  ///< of a line
 };
 
 std::uint32_t vertex_index(const MeshData& data, std::size_t i) {
@@ -77,6 +79,17 @@ void put(Selection& s, const Reported& v) {
     for (int i = 0; i < 4; ++i) put(s, double(v.color[i]));
     if (type == GL_3D_COLOR) return;
     for (int i = 0; i < 4; ++i) put(s, double(v.texcoord[i]));
+}
+
+/// The viewport whose guard band is the view volume: its scale, a power of two, is exact. The machine
+/// clips at the guard band only; selection and feedback clip at the volume's sides. [GL11] 2.11
+ViewportTransform sides_of_view_volume() {
+    constexpr double half = (guard_high - guard_low) / 2, center = guard_low + half;
+    static_assert(half == 8192);
+    ViewportTransform out;
+    out.half_width = out.half_height = half;
+    out.center_x = out.center_y = center;
+    return out;
 }
 
 struct Reporter {
@@ -158,7 +171,7 @@ void Reporter::report_given(const Given& given) {
             v.back_color = provoking.back_color;
         }
     }
-    const Clipped clipped = clip(std::move(vertices), viewport);
+    const Clipped clipped = clip(std::move(vertices), sides_of_view_volume());
     if (clipped.vertices.empty()) return;
     const bool is_polygon = given.vertices.size() > 2;
     const bool front = !is_polygon || is_front(clipped.vertices);
@@ -168,7 +181,7 @@ void Reporter::report_given(const Given& given) {
     std::vector<Reported> out;
     for (const Vertex& v : clipped.vertices) out.push_back(reported(v, front));
     if (out.size() == 1) return report_point(out[0]);
-    if (out.size() == 2) return report_line(out[0], out[1], given.provoking == 1);
+    if (out.size() == 2) return report_line(out[0], out[1], given.begins_stipple);
     const gw::PolygonMode mode = mode_of(state, front);
     if (mode == gw::PolygonMode::Fill) return report_polygon(out);
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -179,7 +192,8 @@ void Reporter::report_given(const Given& given) {
 
 }  // namespace
 
-void report(Context& c, const Draw& draw) {
+void report(Context& c, const Draw& submitted) {
+    const Draw draw = with_texture_coordinates(submitted);
     Reporter reporter{c, draw};
     const MeshData& data = draw.mesh->data();
     for_each_run(data, [&](std::size_t first, std::size_t count) {
@@ -187,6 +201,7 @@ void report(Context& c, const Draw& draw) {
         for (std::size_t i = 0; i < count; ++i)
             given.vertices.push_back(vertex_index(data, first + i));
         given.provoking = data.primitive == Primitive::Polygons ? 0 : count - 1;
+        given.begins_stipple = data.primitive != Primitive::LineStrip || first == 0;
         reporter.report_given(given);
     });
 }

@@ -84,6 +84,7 @@ void push_attrib(Context& c, GLbitfield mask) {
 void pop_attrib(Context& c) {
     if (c.attribute_stack.empty()) return set_error(c, GL_STACK_UNDERFLOW);
     begin_change(c);
+    track_color(c);
     const SavedAttributes saved = std::move(c.attribute_stack.back());
     c.attribute_stack.pop_back();
     if (saved.mask & GL_TEXTURE_BIT) restore_textures(c, saved);

@@ -32,8 +32,8 @@ std::optional<Place> place_of(GLenum target) {
 
 bool fits_level(int size, int border, int level) {
     const int inner = size - 2 * border;
-    return inner == 0 ||
-           (std::has_single_bit(unsigned(inner)) && inner <= max_texture_size >> level);
+    return size == 0 || (inner > 0 && std::has_single_bit(unsigned(inner)) &&
+                         inner <= max_texture_size >> level);
 }
 
 /// The size and format of an image.
