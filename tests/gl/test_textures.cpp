@@ -1,0 +1,148 @@
+// Texture objects, images and completeness. [GL11] 3.8
+#include "tests/gl/support/window.h"
+
+namespace gw::gl {
+namespace {
+
+using Color = std::array<GLubyte, 4>;
+
+void image_1x1(GLint format, const Color& color) {
+    glTexImage2D(GL_TEXTURE_2D, 0, format, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, color.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+GLint level_value(GLenum name, GLint level = 0) {
+    GLint out = -1;
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, level, name, &out);
+    return out;
+}
+
+/// A pixel of a textured square.
+Color textured(const Window& window) {
+    use_pixel_coordinates(window);
+    glEnable(GL_TEXTURE_2D);
+    glRecti(0, 0, 32, 32);
+    return window.pixel(5, 5);
+}
+
+}  // namespace
+
+TEST(GlTextures, EveryInternalFormatKeepsTheComponentsOfItsBaseFormat) {
+    struct Formats {
+        std::vector<GLint> names;
+        Color read;     ///< by GetTexImage, of (50, 100, 150, 200)
+        Color replace;  ///< over white
+    };
+    const Formats table[] = {
+        {{GL_ALPHA, GL_ALPHA4, GL_ALPHA8, GL_ALPHA12, GL_ALPHA16},
+         {0, 0, 0, 200},
+         {255, 255, 255, 200}},
+        {{1, GL_LUMINANCE, GL_LUMINANCE4, GL_LUMINANCE8, GL_LUMINANCE12, GL_LUMINANCE16},
+         {50, 0, 0, 255},
+         {50, 50, 50, 255}},
+        {{2, GL_LUMINANCE_ALPHA, GL_LUMINANCE4_ALPHA4, GL_LUMINANCE6_ALPHA2, GL_LUMINANCE8_ALPHA8,
+          GL_LUMINANCE12_ALPHA4, GL_LUMINANCE12_ALPHA12, GL_LUMINANCE16_ALPHA16},
+         {50, 0, 0, 200},
+         {50, 50, 50, 200}},
+        {{GL_INTENSITY, GL_INTENSITY4, GL_INTENSITY8, GL_INTENSITY12, GL_INTENSITY16},
+         {50, 0, 0, 255},
+         {50, 50, 50, 50}},
+        {{3, GL_RGB, GL_R3_G3_B2, GL_RGB4, GL_RGB5, GL_RGB8, GL_RGB10, GL_RGB12, GL_RGB16},
+         {50, 100, 150, 255},
+         {50, 100, 150, 255}},
+        {{4, GL_RGBA, GL_RGBA2, GL_RGBA4, GL_RGB5_A1, GL_RGBA8, GL_RGB10_A2, GL_RGBA12, GL_RGBA16},
+         {50, 100, 150, 200},
+         {50, 100, 150, 200}}};
+    for (const Formats& formats : table)
+        for (const GLint name : formats.names) {
+            const Window window;
+            image_1x1(name, {50, 100, 150, 200});
+            EXPECT_EQ(level_value(GL_TEXTURE_INTERNAL_FORMAT), name);
+            Color read{};
+            glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
+            EXPECT_EQ(read, formats.read) << name;
+            glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+            EXPECT_EQ(textured(window), formats.replace) << name;
+        }
+}
+
+TEST(GlTextures, IncompleteTexturesAreAsIfTexturingWereOff) {
+    const Window window;
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 2, 2, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
+    EXPECT_EQ(textured(window), (Color{255, 255, 255, 255}));  // no level 1
+    const GLubyte red[] = {255, 0, 0};
+    glTexImage2D(GL_TEXTURE_2D, 1, GL_RGBA, 1, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, red);
+    EXPECT_EQ(textured(window), (Color{255, 255, 255, 255}));  // of another format
+    glTexImage2D(GL_TEXTURE_2D, 1, GL_RGB, 1, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, red);
+    EXPECT_EQ(textured(window), (Color{0, 0, 0, 255}));
+}
+
+TEST(GlTextures, ZeroSizesAreNoImageAndOddSizesAreErrors) {
+    const Window window;
+    const auto expect = [](GLsizei width, GLsizei height, GLint border, GLenum error) {
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, width, height, border, GL_RGB, GL_UNSIGNED_BYTE,
+                     nullptr);
+        EXPECT_EQ(glGetError(), error) << width << " " << height << " " << border;
+    };
+    expect(8, 4, 0, GL_NO_ERROR);
+    expect(10, 6, 1, GL_NO_ERROR);
+    expect(0, 4, 0, GL_NO_ERROR);
+    EXPECT_EQ(level_value(GL_TEXTURE_WIDTH), 0);
+    expect(6, 4, 0, GL_INVALID_VALUE);
+    expect(2, 4, 1, GL_INVALID_VALUE);  // nothing inside the border
+    expect(8192, 1, 0, GL_INVALID_VALUE);
+    expect(-1, 1, 0, GL_INVALID_VALUE);
+    expect(4, 4, 2, GL_INVALID_VALUE);
+}
+
+TEST(GlTextures, ErrorsReadNoMemory) {
+    const Window window;
+    const GLubyte one[4] = {1, 2, 3, 4};
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1 << 30, 1 << 30, 0, GL_RGBA, GL_UNSIGNED_BYTE, one);
+    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_VALUE));
+    glTexImage2D(GL_PROXY_TEXTURE_2D, 0, GL_RGBA, 4096, 4096, 0, GL_RGBA, GL_UNSIGNED_BYTE, one);
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+    glDrawPixels(1 << 30, 1 << 30, GL_RGBA, GL_UNSIGNED_BYTE, one);
+    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_VALUE));
+}
+
+TEST(GlTextures, ObjectsAreNamedBoundAndDeleted) {
+    const Window window;
+    std::array<GLuint, 3> names{};
+    glGenTextures(3, names.data());
+    EXPECT_FALSE(glIsTexture(names[0]));  // reserved, no object yet
+    glBindTexture(GL_TEXTURE_2D, names[0]);
+    EXPECT_TRUE(glIsTexture(names[0]));
+    glBindTexture(GL_TEXTURE_1D, names[0]);
+    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
+    image_1x1(GL_RGB, {9, 9, 9, 9});
+    glDeleteTextures(3, names.data());
+    GLint bound = -1;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    EXPECT_EQ(bound, 0);
+    EXPECT_EQ(level_value(GL_TEXTURE_WIDTH), 0);
+    EXPECT_FALSE(glIsTexture(names[0]));
+    glBindTexture(GL_TEXTURE_2D, names[0]);
+    EXPECT_EQ(level_value(GL_TEXTURE_WIDTH), 0);
+}
+
+TEST(GlTextures, SubImagesCountFromInsideTheBorder) {
+    const Window window;
+    std::array<Color, 36> image{}, read{};
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 6, 6, 1, GL_RGBA, GL_UNSIGNED_BYTE, image.data());
+    const std::array<Color, 2> part{{{1, 2, 3, 4}, {5, 6, 7, 8}}};
+    glTexSubImage2D(GL_TEXTURE_2D, 0, -1, 2, 2, 1, GL_RGBA, GL_UNSIGNED_BYTE, part.data());
+    image[18] = part[0];
+    image[19] = part[1];
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
+    EXPECT_EQ(read, image);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, -2, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, part.data());
+    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_VALUE));
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 4, 0, 2, 1, GL_RGBA, GL_UNSIGNED_BYTE, part.data());
+    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_VALUE));
+    glTexSubImage2D(GL_TEXTURE_2D, 1, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, part.data());
+    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
+}
+
+}  // namespace gw::gl
