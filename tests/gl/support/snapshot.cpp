@@ -1,6 +1,8 @@
 #include "tests/gl/support/snapshot.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -79,6 +81,13 @@ void add_others(Snapshot& out) {
     out["stipple"].assign(stipple.begin(), stipple.end());
 }
 
+/// Not a number equals itself here.
+bool is_same(const std::vector<double>& a, const std::vector<double>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
+        return x == y || (std::isnan(x) && std::isnan(y));
+    });
+}
+
 }  // namespace
 
 std::string variable(GLenum name) { return hexadecimal(name); }
@@ -96,7 +105,7 @@ std::vector<std::string> changes(const Snapshot& before, const Snapshot& after) 
     std::vector<std::string> out;
     for (const auto& [name, values] : before) {
         const auto found = after.find(name);
-        if (found == after.end() || found->second != values) out.push_back(name);
+        if (found == after.end() || !is_same(found->second, values)) out.push_back(name);
     }
     return out;
 }
