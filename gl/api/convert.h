@@ -2,6 +2,7 @@
 // as far as the counts and enumerations beside them say.
 #pragma once
 
+#include "gl/api/finite.h"
 #include "gl/api/values.h"
 
 #include <GL/gl.h>
@@ -26,14 +27,14 @@ bool is_color_parameter(GLenum pname);
 
 template <class T>
 Params scalar(T param) {
-    return {{double(param)}, 1};
+    return {{finite(double(param))}, 1};
 }
 template <class T>
 Params vector(GLenum pname, const T* params) {
     Params out{{}, parameter_count(pname)};
     for (int i = 0; i < out.count; ++i) {
         const bool is_unit = std::is_integral_v<T> && is_color_parameter(pname);
-        out.value[std::size_t(i)] = is_unit ? unit(params[i]) : double(params[i]);
+        out.value[std::size_t(i)] = is_unit ? unit(params[i]) : finite(double(params[i]));
     }
     return out;
 }
@@ -41,7 +42,7 @@ Params vector(GLenum pname, const T* params) {
 template <class T>
 dmat4 matrix(const T* m) {
     dmat4 out(0);
-    for (int i = 0; i < 16; ++i) out[i / 4][i % 4] = double(m[i]);
+    for (int i = 0; i < 16; ++i) out[i / 4][i % 4] = finite(double(m[i]));
     return out;
 }
 

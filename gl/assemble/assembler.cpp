@@ -1,6 +1,7 @@
 #include "gl/assemble/assembler.h"
 
 #include "gl/api/calls.h"
+#include "gl/api/finite.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
 
@@ -12,6 +13,12 @@ namespace {
 
 bool is_finite(const vec4& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+}
+
+vec4 finite(const vec4& v) {
+    if (is_finite(v)) return v;
+    return {float(gl::finite(v.x)), float(gl::finite(v.y)), float(gl::finite(v.z)),
+            float(gl::finite(v.w))};
 }
 
 }  // namespace
@@ -70,12 +77,14 @@ void vertex(Context& c, float x, float y, float z, float w) {
 }
 
 void color(Context& c, float red, float green, float blue, float alpha) {
-    c.state.current.color = {red, green, blue, alpha};
+    c.state.current.color = finite(vec4(red, green, blue, alpha));
 }
 void tex_coord(Context& c, float s, float t, float r, float q) {
-    c.state.current.texcoord = {s, t, r, q};
+    c.state.current.texcoord = finite(vec4(s, t, r, q));
 }
-void normal(Context& c, float x, float y, float z) { c.state.current.normal = {x, y, z}; }
+void normal(Context& c, float x, float y, float z) {
+    c.state.current.normal = vec3(finite(vec4(x, y, z, 0)));
+}
 void edge_flag(Context& c, GLboolean flag) { c.state.current.edge_flag = flag != GL_FALSE; }
 void index(Context& c, float value) { c.state.current.index = value; }
 

@@ -1,5 +1,6 @@
 #include "gl/draw/machine_state.h"
 
+#include "gl/api/finite.h"
 #include "gl/context/context.h"
 
 #include "gw/base/elementary.h"
@@ -103,9 +104,10 @@ gw::TexEnv tex_env(GLenum mode) {
 
 void set_transform(gw::State& out, const Context& c) {
     const State& s = c.state;
-    out.projection = c.matrices.projection.top();
+    if (is_finite(c.matrices.projection.top())) out.projection = c.matrices.projection.top();
     out.normalize = s.transform.normalize;
-    out.viewport = {s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height};
+    if (!is_empty(s.viewport))
+        out.viewport = {s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height};
     out.depth_range = {s.viewport.near_value, s.viewport.far_value};
     for (std::size_t i = 0; i < out.clip_planes.size(); ++i)
         out.clip_planes[i] = {s.transform.clip_enable[i], s.transform.clip_plane[i]};
@@ -121,7 +123,7 @@ void set_lighting(gw::State& out, const LightingState& s) {
                                    color_material(s.color_material_mode)};
 }
 
-float clamped_size(float size) { return std::clamp(size, 1.0f, 128.0f); }
+float clamped_size(float size) { return clamped(size, 1.0f, 128.0f); }
 
 /// [R9.4], [R9.26]: whole pixels, or multiples of 2^-11 with antialiasing.
 float machine_size(float size, bool smooth) {
@@ -162,7 +164,7 @@ CoordinateGen coordinate(const TexGenState& s) {
 
 /// Feedback and the raster position have texture coordinates without a texture too.
 void set_texture_coordinates(gw::State& out, const Context& c) {
-    out.texture.matrix = c.matrices.texture.top();
+    if (is_finite(c.matrices.texture.top())) out.texture.matrix = c.matrices.texture.top();
     bool generates = false;
     for (std::size_t i = 0; i < 4; ++i) {
         const TexGenState& gen = c.state.texture.gen[i];

@@ -15,7 +15,11 @@ std::shared_ptr<const CurrentValues> shared_values(const CurrentValues& values) 
     return std::make_shared<const CurrentValues>(values);
 }
 
-bool is_empty(const gw::ViewportState& v) { return v.width == 0 || v.height == 0; }
+/// Whether a draw has pixels at all: products of matrices may leave the numbers.
+bool is_drawable(const Context& c) {
+    return !is_empty(c.state.viewport) && is_finite(c.matrices.modelview.top()) &&
+           is_finite(c.matrices.projection.top()) && is_finite(c.matrices.texture.top());
+}
 
 }  // namespace
 
@@ -72,8 +76,7 @@ bool submit_state(Context& c) {
 
 void submit(Context& c, Draw draw) {
     if (c.selection.mode != GL_RENDER) return report(c, draw);
-    if (!is_empty(c.machine_state.state.viewport) && submit_state(c))
-        c.drawable->add(std::move(draw));
+    if (is_drawable(c) && submit_state(c)) c.drawable->add(std::move(draw));
 }
 
 void submit_assembled(Context& c) {

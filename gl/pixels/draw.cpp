@@ -1,5 +1,6 @@
 // DrawPixels, Bitmap, CopyPixels: rectangles at the raster position. [GL11] 3.6.4, 3.7, 4.3.3
 #include "gl/api/calls.h"
+#include "gl/api/finite.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
 #include "gl/pixels/formats.h"
@@ -15,7 +16,7 @@ namespace {
 
 std::uint32_t quantized(double v, int bits) {
     const double largest = double((std::uint64_t{1} << bits) - 1);
-    return std::uint32_t(std::floor(std::clamp(v, 0.0, 1.0) * largest + 0.5));
+    return std::uint32_t(std::floor(clamped(v, 0.0, 1.0) * largest + 0.5));
 }
 
 Rgba quantized(const vec4& color, int bits) {
@@ -157,15 +158,15 @@ void bitmap(Context& c, GLsizei width, GLsizei height, float xorig, float yorig,
     if (!raster.valid) return;
     if (is_drawn(c, GL_BITMAP_TOKEN) && image.bytes) {
         gw::DrawPixels out = rectangle(c, width, height);
-        out.raster.x = std::floor(raster.position.x - double(xorig));
-        out.raster.y = std::floor(raster.position.y - double(yorig));
+        out.raster.x = std::floor(raster.position.x - finite(double(xorig)));
+        out.raster.y = std::floor(raster.position.y - finite(double(yorig)));
         out.zoom_x = out.zoom_y = 1;
         for (const std::byte bits : *image.bytes)
             out.bits.push_back(std::to_integer<std::uint8_t>(bits));
         add_rectangle(c, std::move(out));
     }
-    raster.position.x += double(xmove);
-    raster.position.y += double(ymove);
+    raster.position.x += finite(double(xmove));
+    raster.position.y += finite(double(ymove));
 }
 
 void copy_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {

@@ -12,7 +12,7 @@ namespace gw::gl {
 
 namespace {
 
-int rounded(double v) { return int(std::clamp(std::floor(v + 0.5), -0x1p30, 0x1p30)); }
+int rounded(double v) { return int(clamped(std::floor(finite(v) + 0.5), -0x1p30, 0x1p30)); }
 
 bool is_map(GLenum map) { return map >= GL_PIXEL_MAP_I_TO_I && map <= GL_PIXEL_MAP_A_TO_A; }
 /// I_TO_I and S_TO_S hold indices.
@@ -72,7 +72,7 @@ void pixel_store(Context& c, GLenum pname, double param) {
 
 void pixel_transfer(Context& c, GLenum pname, double param) {
     PixelState& s = c.state.pixel;
-    const auto value = float(param);
+    const auto value = float(finite(param));
     switch (pname) {
         case GL_MAP_COLOR: s.map_color = param != 0; return;
         case GL_MAP_STENCIL: s.map_stencil = param != 0; return;
@@ -101,12 +101,12 @@ void pixel_map(Context& c, GLenum map, GLsizei size, const Numbers& values) {
     auto& table = c.pixel_maps.tables[map - GL_PIXEL_MAP_I_TO_I];
     table.clear();
     for (const double v : *values)
-        table.push_back(float(holds_indices(map) ? v : std::clamp(v, 0.0, 1.0)));
+        table.push_back(float(holds_indices(map) ? finite(v) : clamped(v, 0.0, 1.0)));
 }
 
 void pixel_zoom(Context& c, GLfloat xfactor, GLfloat yfactor) {
-    c.state.pixel.zoom_x = xfactor;
-    c.state.pixel.zoom_y = yfactor;
+    c.state.pixel.zoom_x = float(finite(double(xfactor)));
+    c.state.pixel.zoom_y = float(finite(double(yfactor)));
 }
 
 }  // namespace execute

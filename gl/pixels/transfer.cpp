@@ -1,5 +1,6 @@
 #include "gl/pixels/transfer.h"
 
+#include "gl/api/finite.h"
 #include "gl/context/context.h"
 #include "gl/pixels/formats.h"
 
@@ -25,7 +26,7 @@ float looked_up(const std::vector<float>& map, GLuint index) {
 /// Shift and offset.
 GLuint transferred_index(const Context& c, double index) {
     const PixelState& s = c.state.pixel;
-    const auto whole = static_cast<std::int64_t>(std::clamp(index, -0x1p31, 0x1p32));
+    const auto whole = static_cast<std::int64_t>(clamped(finite(index), -0x1p31, 0x1p32));
     const int shift = std::clamp(s.index_shift, -31, 31);
     const std::int64_t shifted = shift >= 0 ? whole << shift : whole >> -shift;
     return GLuint(shifted + s.index_offset);
@@ -105,7 +106,7 @@ vec4 transferred_color(const Context& c, vec4 color) {
 
 double transferred_depth(const Context& c, double depth) {
     const PixelState& s = c.state.pixel;
-    return std::clamp(depth * double(s.depth_scale) + double(s.depth_bias), 0.0, 1.0);
+    return clamped(depth * double(s.depth_scale) + double(s.depth_bias), 0.0, 1.0);
 }
 
 GLuint transferred_stencil(const Context& c, double index) {

@@ -1,5 +1,6 @@
 // Fog, the tests of fragments, blending, masks and the values of clears. [GL11] 3.9, 4.1, 4.2
 #include "gl/api/calls.h"
+#include "gl/api/finite.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
 
@@ -61,9 +62,9 @@ bool is_blend_equation(const Context& c, GLenum mode) {
     return false;
 }
 
-vec4 clamped(const vec4& v, float low) {
-    return {std::clamp(v.x, low, 1.0f), std::clamp(v.y, low, 1.0f), std::clamp(v.z, low, 1.0f),
-            std::clamp(v.w, low, 1.0f)};
+vec4 clamped_value(const vec4& v, float low) {
+    return {clamped(v.x, low, 1.0f), clamped(v.y, low, 1.0f), clamped(v.z, low, 1.0f),
+            clamped(v.w, low, 1.0f)};
 }
 
 }  // namespace
@@ -100,7 +101,7 @@ void scissor(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
 void alpha_func(Context& c, GLenum func, GLclampf ref) {
     if (!is_compare_func(func)) return set_error(c, GL_INVALID_ENUM);
     change(c, c.state.color_buffer.alpha_func, func);
-    change(c, c.state.color_buffer.alpha_ref, std::clamp(ref, 0.0f, 1.0f));
+    change(c, c.state.color_buffer.alpha_ref, clamped(ref, 0.0f, 1.0f));
 }
 
 void stencil_func(Context& c, GLenum func, GLint ref, GLuint mask) {
@@ -132,7 +133,7 @@ void blend_func(Context& c, GLenum sfactor, GLenum dfactor) {
 
 void blend_color(Context& c, GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha) {
     if (!c.profile.extensions.blend_color) return set_error(c, GL_INVALID_OPERATION);
-    change(c, c.state.color_buffer.blend_color, clamped({red, green, blue, alpha}, 0));
+    change(c, c.state.color_buffer.blend_color, clamped_value({red, green, blue, alpha}, 0));
 }
 
 void blend_equation(Context& c, GLenum mode) {
@@ -156,15 +157,15 @@ void depth_mask(Context& c, GLboolean flag) { change(c, c.state.depth.mask, flag
 void stencil_mask(Context& c, GLuint mask) { change(c, c.state.stencil.write_mask, mask); }
 
 void clear_color(Context& c, GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha) {
-    c.state.color_buffer.clear = clamped({red, green, blue, alpha}, 0);
+    c.state.color_buffer.clear = clamped_value({red, green, blue, alpha}, 0);
 }
 void clear_index(Context& c, GLfloat value) { c.state.color_buffer.clear_index = value; }
-void clear_depth(Context& c, GLclampd depth) { c.state.depth.clear = std::clamp(depth, 0.0, 1.0); }
+void clear_depth(Context& c, GLclampd depth) { c.state.depth.clear = clamped(depth, 0.0, 1.0); }
 void clear_stencil(Context& c, GLint s) {
     c.state.stencil.clear = s & ((1 << c.profile.stencil_bits) - 1);
 }
 void clear_accum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
-    c.state.accum.clear = clamped({red, green, blue, alpha}, -1);
+    c.state.accum.clear = clamped_value({red, green, blue, alpha}, -1);
 }
 
 }  // namespace execute

@@ -3,12 +3,19 @@
 
 #include "gl/state/state.h"
 
+#include <cmath>
 #include <vector>
 
 namespace gw::gl {
 
 /// The inverse; all 0 if there is none.
 dmat4 inverted(const dmat4& m);
+
+inline bool is_finite(const dmat4& m) {
+    for (int i = 0; i < 16; ++i)
+        if (!std::isfinite(m[i / 4][i % 4])) return false;
+    return true;
+}
 
 struct MatrixStack {
     explicit MatrixStack(std::size_t largest) : depth(largest) {}

@@ -45,8 +45,8 @@ void polygon_mode(Context& c, GLenum face, GLenum mode) {
 }
 
 void polygon_offset(Context& c, GLfloat factor, GLfloat units) {
-    change(c, c.state.polygon.offset_factor, factor);
-    change(c, c.state.polygon.offset_units, units);
+    change(c, c.state.polygon.offset_factor, float(finite(double(factor))));
+    change(c, c.state.polygon.offset_units, float(finite(double(units))));
 }
 
 }  // namespace execute

@@ -146,6 +146,9 @@ struct ViewportState {
     double near_value = 0, far_value = 1;
 };
 
+/// Whether no primitive can have a fragment.
+inline bool is_empty(const ViewportState& v) { return v.width == 0 || v.height == 0; }
+
 /// GL_TRANSFORM_BIT; matrices are not part of it.
 struct TransformState {
     GLenum matrix_mode = GL_MODELVIEW;

@@ -1,5 +1,6 @@
 // Viewport, matrices, texture generation and clip planes. [GL11] 2.10, 2.11
 #include "gl/api/calls.h"
+#include "gl/api/finite.h"
 #include "gl/api/values.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
@@ -78,8 +79,8 @@ namespace execute {
 
 void depth_range(Context& c, GLclampd near_value, GLclampd far_value) {
     ViewportState& s = c.state.viewport;
-    change(c, s.near_value, std::clamp(near_value, 0.0, 1.0));
-    change(c, s.far_value, std::clamp(far_value, 0.0, 1.0));
+    change(c, s.near_value, clamped(near_value, 0.0, 1.0));
+    change(c, s.far_value, clamped(far_value, 0.0, 1.0));
 }
 
 void viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {

@@ -17,7 +17,7 @@ bool is_min_filter(GLenum f) {
 
 vec4 clamped_color(const Params& p) {
     vec4 out = p.as_vec4();
-    for (int i = 0; i < 4; ++i) out[i] = std::clamp(out[i], 0.0f, 1.0f);
+    for (int i = 0; i < 4; ++i) out[i] = clamped(out[i], 0.0f, 1.0f);
     return out;
 }
 
@@ -62,7 +62,7 @@ void tex_parameter(Context& c, GLenum target, GLenum pname, const Params& params
         case GL_TEXTURE_BORDER_COLOR:
             if (params.count < 4) return set_error(c, GL_INVALID_ENUM);
             return change(c, s.border_color, clamped_color(params));
-        case GL_TEXTURE_PRIORITY: s.priority = std::clamp(float(params[0]), 0.0f, 1.0f); return;
+        case GL_TEXTURE_PRIORITY: s.priority = clamped(float(params[0]), 0.0f, 1.0f); return;
     }
     set_error(c, GL_INVALID_ENUM);
 }
@@ -135,7 +135,7 @@ void prioritize_textures(Context& c, GLsizei n, const Numbers& textures,
     for (std::size_t i = 0; i < std::min(textures->size(), priorities->size()); ++i) {
         const auto found = c.shared->textures.named.find(GLuint((*textures)[i]));
         if (found == c.shared->textures.named.end() || !found->second.object) continue;
-        found->second.object->parameters.priority = float(std::clamp((*priorities)[i], 0.0, 1.0));
+        found->second.object->parameters.priority = float(clamped((*priorities)[i], 0.0, 1.0));
     }
 }
 

@@ -1,5 +1,6 @@
 // TexImage, TexSubImage and the copies from the drawable. [GL11] 3.8.1, 3.8.2
 #include "gl/api/calls.h"
+#include "gl/api/finite.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
 #include "gl/pixels/formats.h"
@@ -54,7 +55,7 @@ GLenum request_error(const Request& r, std::size_t target) {
 }
 
 std::uint16_t texel(float v) {
-    return std::uint16_t(std::floor(std::clamp(double(v), 0.0, 1.0) * 65535 + 0.5));
+    return std::uint16_t(std::floor(clamped(double(v), 0.0, 1.0) * 65535 + 0.5));
 }
 
 /// The channels that a base format keeps: luminance and intensity from R.

@@ -182,6 +182,41 @@ TEST(Errors, AreThoseOfTheSpecification) {
     }
 }
 
+/// Numbers that are none, or beyond the machine's, are replaced or draw nothing; the frame is drawn.
+TEST(Errors, NumbersThatAreNotFiniteLoseNothing) {
+    const GLfloat nan = std::nanf(""), inf = HUGE_VALF;
+    const Window window;
+    use_pixel_coordinates(window);
+    testing::internal::CaptureStderr();
+    glClearColor(nan, 1, inf, -inf);
+    glClearDepth(std::nan(""));
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glAlphaFunc(GL_ALWAYS, nan);
+    glPolygonOffset(nan, inf);
+    glDepthRange(std::nan(""), 1);
+    glPointSize(inf);
+    glLineWidth(inf);
+    glFogf(GL_FOG_END, nan);
+    glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, nan);
+    glPixelZoom(nan, inf);
+    glBegin(GL_TRIANGLES);
+    glColor4f(nan, inf, -inf, nan);
+    glNormal3f(nan, inf, 0);
+    glTexCoord4f(nan, inf, -inf, nan);
+    glVertex2f(0, 0);
+    glVertex2f(4, 0);
+    glVertex2f(0, 4);
+    glEnd();
+    glPushMatrix();
+    for (int i = 0; i < 10; ++i) glScalef(3e38f, 3e38f, 3e38f);
+    glRectf(0, 0, 32, 32);
+    glPopMatrix();
+    glViewport(0, 0, 0, 0);
+    glRectf(0, 0, 32, 32);
+    EXPECT_EQ(window.pixel(20, 20), (std::array<GLubyte, 4>{0, 255, 255, 0}));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 /// A list keeps wrong calls too; the error comes when it is played. [GL11] 5.4
 TEST(Errors, OfListedCallsComeWhenTheListIsPlayed) {
     const Window window;

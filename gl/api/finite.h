@@ -1,0 +1,21 @@
+// Numbers of programs as numbers that the machine takes.
+#pragma once
+
+#include <limits>
+
+namespace gw::gl {
+
+/// NaN is `low`.
+template <class T>
+constexpr T clamped(T v, T low, T high) {
+    if (!(v >= low)) return low;
+    return v <= high ? v : high;
+}
+
+/// NaN becomes 0, a number beyond float the largest float.
+constexpr double finite(double v) {
+    constexpr double largest = double(std::numeric_limits<float>::max());
+    return v != v ? 0.0 : clamped(v, -largest, largest);
+}
+
+}  // namespace gw::gl
