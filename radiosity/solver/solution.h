@@ -26,9 +26,8 @@ Solution initial_solution(const PixmapModel& model);
 dvec3 radiosity_at(const PixmapModel& model, const Solution& solution, std::size_t texel);
 
 /// The nearest value that two float32 hold, a head and a rest. All H and unshot are such values, so
-/// that files of float32 hold a solution bit for bit. Not inlined: in a loop over channels g++ 12
-/// -O3 then keeps bits that it rounds away one by one (Saved.NShotsAreKShotsSavedLoadedAndTheRest).
-[[gnu::noinline]] double storable(double v);
+/// that files of float32 hold a solution bit for bit.
+double storable(double v);
 
 /// Energy by channel [F1c]. absorbed + unshot + escaped = emitted, but for rounding.
 struct Books {
