@@ -40,18 +40,19 @@ void finish_drawing(Context& c) {
     c.meshes.begin_frame();
 }
 
-void make_current(Context* context, Drawable* drawable) {
+void make_current(Context* context, Drawable* draw, Drawable* read) {
     if (current != nullptr) guarded(*current, [] { finish_drawing(*current); });
     current = context;
     if (context == nullptr) return;
-    context->drawable = drawable;
+    context->drawable = draw;
+    context->read_drawable = read;
     context->machine_state.changed = true;
-    if (drawable == nullptr || context->has_been_current) return;
+    if (draw == nullptr || context->has_been_current) return;
     context->has_been_current = true;
-    if (drawable->is_double_buffered())
+    if (draw->is_double_buffered())
         context->state.color_buffer.draw_buffer = context->state.pixel.read_buffer = GL_BACK;
-    context->state.viewport.width = context->state.scissor.box.width = drawable->width();
-    context->state.viewport.height = context->state.scissor.box.height = drawable->height();
+    context->state.viewport.width = context->state.scissor.box.width = draw->width();
+    context->state.viewport.height = context->state.scissor.box.height = draw->height();
 }
 
 }  // namespace gw::gl

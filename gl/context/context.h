@@ -18,11 +18,18 @@
 #include "gw/profile.h"
 
 #include <memory>
+#include <mutex>
 
 namespace gw::gl {
 
-/// What contexts may share: [GLX 1.3] "share list".
+/// What contexts may share: [GLX 1.4] "share list". Contexts of several threads lock it while they
+/// use it.
 struct Shared {
+    [[nodiscard]] std::unique_lock<std::recursive_mutex> exclusive() {
+        return std::unique_lock(mutex);
+    }
+
+    std::recursive_mutex mutex;
     ListNames lists;
     TextureNames textures;
 };
@@ -47,6 +54,7 @@ struct Context {
     MeshCache meshes;
     MachineState machine_state;
     Drawable* drawable = nullptr;
+    Drawable* read_drawable = nullptr;  ///< of ReadPixels and of copies; both null or none
     bool has_been_current = false;
     GLenum error = GL_NO_ERROR;
 };
@@ -57,9 +65,13 @@ void set_error(Context& c, GLenum error);
 /// Draws what was assembled and executes the drawable's frame.
 void finish_drawing(Context& c);
 
-/// Binds a context and a drawable to the calling thread; both null: none. Draws what the thread's
-/// former context has left. The first time, viewport and scissor box get the drawable's size.
-void make_current(Context* context, Drawable* drawable);
+/// Binds a context and drawables to draw to and read from to the calling thread; all null: none.
+/// Draws what the thread's former context has left. The first time, viewport and scissor box get the
+/// drawable's size.
+void make_current(Context* context, Drawable* draw, Drawable* read);
+inline void make_current(Context* context, Drawable* drawable) {
+    make_current(context, drawable, drawable);
+}
 
 /// In a handler: a lack of memory becomes OUT_OF_MEMORY, any other exception one line on stderr.
 void report_exception(Context& c);

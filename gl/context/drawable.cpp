@@ -33,7 +33,22 @@ Drawable::~Drawable() {
     if (log) log->close(name_);
 }
 
+void Drawable::resize(int width, int height) {
+    const auto lock = exclusive();
+    machine_ = make_fast(Profile(profile()), width, height, {.threads = settings().threads});
+    width_ = width;
+    height_ = height;
+    frame_ = {};
+    frame_vertices_ = 0;
+    last_state_ = nullptr;
+    frame_begins_ = true;
+    if (!log) return;
+    log->close(name_);
+    log->open(name_, width, height);
+}
+
 void Drawable::add(Command command) {
+    const auto lock = exclusive();
     if (std::exchange(frame_begins_, false))
         frame_.add(BeginPass{"frame " + std::to_string(frames_)});
     if (const auto* draw = std::get_if<Draw>(&command))
@@ -45,18 +60,26 @@ void Drawable::add(Command command) {
 }
 
 void Drawable::begin_frame() {
+    const auto lock = exclusive();
     if (frame_begins_) return;
     ++frames_;
     frame_begins_ = true;
 }
 
 void Drawable::set_state(const gw::State& state) {
+    const auto lock = exclusive();
+    if (has_back_plane())
+        front_changed_ |=
+            state.draw_buffer == DrawBuffer::Front || state.draw_buffer == DrawBuffer::FrontAndBack;
+    else
+        front_changed_ |= !is_double_buffered();
     if (last_state_ && *last_state_ == state) return;
     last_state_ = std::make_unique<gw::State>(state);
     add(SetState{state});
 }
 
 void Drawable::flush() {
+    const auto lock = exclusive();
     if (frame_.commands.empty()) return;
     const CommandList frame = std::exchange(frame_, {});
     frame_vertices_ = 0;
@@ -68,11 +91,13 @@ void Drawable::flush() {
 void Drawable::swap() {
     if (has_back_plane()) add(SwapBuffers{});
     flush();
+    front_changed_ = true;
     present();
     begin_frame();
 }
 
 Readback Drawable::read_front(const Rect& rect, bool packed) {
+    const auto lock = exclusive();
     if (last_state_ && last_state_->read_buffer != gw::ReadBuffer::Front) {
         gw::State state = *last_state_;
         state.read_buffer = gw::ReadBuffer::Front;
@@ -82,6 +107,7 @@ Readback Drawable::read_front(const Rect& rect, bool packed) {
 }
 
 Readback Drawable::read(Plane plane, const Rect& rect, bool packed) {
+    const auto lock = exclusive();
     if (!frame_.commands.empty()) ++barriers_;
     frame_.add(Read{.key = 0, .plane = plane, .rect = rect, .packed = packed});
     flush();

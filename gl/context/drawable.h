@@ -7,7 +7,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <utility>
 
 namespace gw::gl {
 
@@ -30,6 +32,12 @@ public:
     bool has_back_plane() const { return is_double_buffered() && profile().color_planes == 2; }
     const Profile& profile() const { return machine_->profile(); }
 
+    /// Contexts of several threads may draw to one drawable. Every function locks it; a caller that
+    /// needs several calls in a row, as a state and its draw, holds this lock meanwhile.
+    [[nodiscard]] std::unique_lock<std::recursive_mutex> exclusive() {
+        return std::unique_lock(mutex_);
+    }
+
     /// Adds a command to the frame; a state only if it differs from the frame's last one.
     void add(Command command);
     void set_state(const gw::State& state);
@@ -47,11 +55,19 @@ public:
     /// The same of the front buffer, whatever the read buffer is.
     Readback read_front(const Rect& rect, bool packed = false);
 
+    /// New planes of another size, cleared to 0. What was not executed yet is left out.
+    void resize(int width, int height);
+
     /// How often the frame was executed because pixels were read or memory ran out, not because
     /// the program had finished it.
     std::uint64_t barriers() const { return barriers_; }
 
+protected:
+    /// Whether the shown buffer may differ from the last time: it was drawn to, or exchanged.
+    bool take_front_changed() { return std::exchange(front_changed_, false); }
+
 private:
+    std::recursive_mutex mutex_;
     std::string name_;  ///< in recordings
     int width_, height_;
     Buffers buffers_;
@@ -60,6 +76,7 @@ private:
     std::uint64_t frame_vertices_ = 0;
     std::uint64_t frames_ = 0;
     bool frame_begins_ = true;
+    bool front_changed_ = false;
     std::unique_ptr<gw::State> last_state_;
     std::uint64_t barriers_ = 0;
 };

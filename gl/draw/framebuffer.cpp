@@ -37,18 +37,18 @@ namespace execute {
 void clear(Context& c, GLbitfield mask) {
     if (mask & ~all_buffers) return set_error(c, GL_INVALID_VALUE);
     flush_mesh(c);
-    if (mask == 0 || c.selection.mode != GL_RENDER || !submit_state(c)) return;
-    c.drawable->add(gw::Clear{planes_of(mask), c.state.color_buffer.clear, c.state.depth.clear,
-                              c.state.stencil.clear, c.state.accum.clear});
+    if (mask == 0 || c.selection.mode != GL_RENDER) return;
+    submit_command(c, gw::Clear{planes_of(mask), c.state.color_buffer.clear, c.state.depth.clear,
+                                c.state.stencil.clear, c.state.accum.clear});
 }
 
 void accum(Context& c, GLenum op, GLfloat value) {
     if (op < GL_ACCUM || op > GL_ADD) return set_error(c, GL_INVALID_ENUM);
     flush_mesh(c);
-    if (c.selection.mode != GL_RENDER || !submit_state(c)) return;
+    if (c.selection.mode != GL_RENDER) return;
     constexpr std::array operations{AccumOp::Accum, AccumOp::Load, AccumOp::Return, AccumOp::Mult,
                                     AccumOp::Add};
-    c.drawable->add(Accumulate{operations[op - GL_ACCUM], value});
+    submit_command(c, Accumulate{operations[op - GL_ACCUM], value});
 }
 
 void draw_buffer(Context& c, GLenum mode) {

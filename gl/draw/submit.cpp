@@ -44,6 +44,7 @@ TextureRef enabled_texture(Context& c) {
     const auto& enable = c.state.texture.enable;
     if (!enable[0] && !enable[1]) return nullptr;
     const std::size_t target = enable[1] ? 1 : 0;
+    const auto lock = c.shared->exclusive();
     return machine_texture(*c.textures.bound[target], target, c.profile);
 }
 
@@ -74,9 +75,16 @@ bool submit_state(Context& c) {
     return true;
 }
 
+void submit_command(Context& c, Command command) {
+    if (c.drawable == nullptr) return;
+    const auto lock = c.drawable->exclusive();
+    submit_state(c);
+    c.drawable->add(std::move(command));
+}
+
 void submit(Context& c, Draw draw) {
     if (c.selection.mode != GL_RENDER) return report(c, draw);
-    if (is_drawable(c) && submit_state(c)) c.drawable->add(std::move(draw));
+    if (is_drawable(c)) submit_command(c, std::move(draw));
 }
 
 void submit_assembled(Context& c) {

@@ -51,4 +51,8 @@ void update_machine_state(Context& c);
 /// there is no drawable.
 bool submit_state(Context& c);
 
+/// Sends GL's state and a command to the drawable if there is one. No other thread's command comes
+/// between the two.
+void submit_command(Context& c, Command command);
+
 }  // namespace gw::gl

@@ -70,11 +70,17 @@ GLuint whole_name(double name) {
     return std::abs(name) < 0x1p32 ? GLuint(static_cast<std::int64_t>(name)) : 0;
 }
 
-void play(Context& c, GLuint name) {
+/// The list of a name; null: there is none, or it is empty.
+std::shared_ptr<const DisplayList> list_named(Context& c, GLuint name) {
+    const auto lock = c.shared->exclusive();
     const auto found = c.shared->lists.lists.find(name);
-    if (found == c.shared->lists.lists.end() || !found->second) return;
+    return found != c.shared->lists.lists.end() ? found->second : nullptr;
+}
+
+void play(Context& c, GLuint name) {
     if (c.lists.nesting >= max_list_nesting) return;
-    const std::shared_ptr<const DisplayList> list = found->second;  // it may delete itself
+    const std::shared_ptr<const DisplayList> list = list_named(c, name);  // it may delete itself
+    if (!list) return;
     ++c.lists.nesting;
     list->play(c);
     --c.lists.nesting;
@@ -105,6 +111,7 @@ void new_list(Context& c, GLuint list, GLenum mode) {
 void end_list(Context& c) {
     if (!c.lists.open) return set_error(c, GL_INVALID_OPERATION);
     c.lists.open->seal();
+    const auto lock = c.shared->exclusive();
     c.shared->lists.lists[c.lists.name] = std::move(c.lists.open);
     c.lists.open = nullptr;
 }
@@ -121,6 +128,7 @@ GLuint gen_lists(Context& c, GLsizei range) {
     if (range < 0) return set_error(c, GL_INVALID_VALUE), 0;
     if (range == 0) return 0;
     if (range > most_names) return set_error(c, GL_OUT_OF_MEMORY), 0;
+    const auto lock = c.shared->exclusive();
     const GLuint first = free_names(c.shared->lists, GLuint(range));
     if (first == 0) return 0;
     for (GLuint i = 0; i < GLuint(range); ++i) c.shared->lists.lists[first + i] = nullptr;
@@ -128,11 +136,13 @@ GLuint gen_lists(Context& c, GLsizei range) {
 }
 
 GLboolean is_list(Context& c, GLuint list) {
+    const auto lock = c.shared->exclusive();
     return c.shared->lists.lists.contains(list) ? GL_TRUE : GL_FALSE;
 }
 
 void delete_lists(Context& c, GLuint list, GLsizei range) {
     if (range < 0) return set_error(c, GL_INVALID_VALUE);
+    const auto lock = c.shared->exclusive();
     auto& lists = c.shared->lists.lists;
     const std::uint64_t end = std::uint64_t(list) + std::uint64_t(range);
     const auto last =

@@ -1,5 +1,6 @@
 // OSMesa's functions: contexts that draw into the caller's memory. The memory is up to date after
 // Flush, Finish and OSMesaMakeCurrent. Colour index mode is not offered.
+#include "gl/context/caught.h"
 #include "gl/context/context.h"
 #include "gl/context/current.h"
 #include "gl/context/settings.h"
@@ -13,7 +14,6 @@
 #include <array>
 #include <atomic>
 #include <bit>
-#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -131,17 +131,6 @@ std::vector<std::uint32_t>& Memory::depths() {
     const Readback read = Drawable::read(Plane::Depth, {0, 0, width(), height()});
     depths_.assign(read.values.begin(), read.values.end());
     return depths_;
-}
-
-/// Carries out a call of the caller's; an exception becomes one line on stderr and the result 0.
-template <class Call>
-auto caught(Call call) -> decltype(call()) {
-    try {
-        return call();
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "gw: %s\n", error.what());
-        return decltype(call())();
-    }
 }
 
 }  // namespace

@@ -31,17 +31,32 @@ Rect intersection(const Drawable& drawable, const Rect& r) {
     return {x, y, width, height};
 }
 
+/// Sends the read buffer to the drawable that is read.
+void submit_read_buffer(Context& c) {
+    if (c.read_drawable == c.drawable) {
+        submit_state(c);
+        return;
+    }
+    update_machine_state(c);
+    gw::State state = c.machine_state.state;
+    const GLenum mode = c.state.pixel.read_buffer;
+    const bool is_back = mode == GL_BACK || mode == GL_BACK_LEFT;
+    state.read_buffer =
+        is_back && c.read_drawable->has_back_plane() ? gw::ReadBuffer::Back : gw::ReadBuffer::Front;
+    c.read_drawable->set_state(state);
+}
+
 double largest(int bits) { return double((std::uint64_t{1} << bits) - 1); }
 
 }  // namespace
 
 std::vector<vec4> read_colors(Context& c, const Rect& rect) {
     std::vector<vec4> out(rect.area(), vec4(0));
-    const Rect inside = intersection(*c.drawable, rect);
+    const Rect inside = intersection(*c.read_drawable, rect);
     if (inside.area() == 0) return out;
-    submit_state(c);  // the read buffer
-    const Readback read = c.drawable->read(Plane::Color, inside);
-    const auto scale = float(largest(c.drawable->profile().color_bits));
+    submit_read_buffer(c);
+    const Readback read = c.read_drawable->read(Plane::Color, inside);
+    const auto scale = float(largest(c.read_drawable->profile().color_bits));
     place(out, rect, inside, [&](std::size_t i) {
         const Rgba& p = read.color[i];
         return vec4(p[0], p[1], p[2], p[3]) / scale;
@@ -51,10 +66,11 @@ std::vector<vec4> read_colors(Context& c, const Rect& rect) {
 
 std::vector<double> read_values(Context& c, Plane plane, const Rect& rect) {
     std::vector<double> out(rect.area(), 0.0);
-    const Rect inside = intersection(*c.drawable, rect);
+    const Rect inside = intersection(*c.read_drawable, rect);
     if (inside.area() == 0) return out;
-    const Readback read = c.drawable->read(plane, inside);
-    const double scale = plane == Plane::Depth ? largest(c.drawable->profile().depth_bits) : 1.0;
+    const Readback read = c.read_drawable->read(plane, inside);
+    const double scale =
+        plane == Plane::Depth ? largest(c.read_drawable->profile().depth_bits) : 1.0;
     place(out, rect, inside, [&](std::size_t i) { return double(read.values[i]) / scale; });
     return out;
 }
@@ -66,7 +82,7 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
     if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
     if (const GLenum error = format_error(format, type)) return set_error(c, error);
     if (format == GL_COLOR_INDEX) return set_error(c, GL_INVALID_OPERATION);
-    if (c.drawable == nullptr || pixels == nullptr || width == 0 || height == 0) return;
+    if (c.read_drawable == nullptr || pixels == nullptr || width == 0 || height == 0) return;
     flush_mesh(c);
     const Rect rect{x, y, width, height};
     std::vector<std::byte> rows;

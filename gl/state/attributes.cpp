@@ -67,6 +67,22 @@ void copy_client_groups(ClientState& to, const ClientState& from, GLbitfield mas
 
 }  // namespace
 
+void copy_attributes(Context& to, const Context& from, GLbitfield mask) {
+    copy_groups(to.state, from.state, mask);
+    if (mask & GL_ENABLE_BIT) {
+        SavedAttributes saved;
+        save_enables(saved, from.state);
+        restore_enables(to.state, saved);
+    }
+    to.machine_state.changed = true;
+    if (!(mask & GL_TEXTURE_BIT)) return;
+    for (std::size_t i = 0; i < texture_target_count; ++i) {
+        const bool has = from.state.texture.bound[i] != 0 && to.shared == from.shared;
+        to.textures.bound[i] = has ? from.textures.bound[i] : to.textures.initial[i];
+        if (!has) to.state.texture.bound[i] = 0;
+    }
+}
+
 namespace execute {
 
 void push_attrib(Context& c, GLbitfield mask) {

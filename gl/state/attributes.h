@@ -8,6 +8,8 @@
 
 namespace gw::gl {
 
+struct Context;
+
 inline constexpr std::size_t attribute_stack_depth = 16;
 
 struct SavedAttributes {
@@ -17,5 +19,9 @@ struct SavedAttributes {
     /// GL_TEXTURE_BIT: the parameters of the bound textures
     std::array<TextureParameters, texture_target_count> textures{};
 };
+
+/// Copies the groups of PushAttrib's bits from a context to one that is not current, with the
+/// bindings of textures as far as both share them. [GLX 1.4] 3.3.7, CopyContext
+void copy_attributes(Context& to, const Context& from, GLbitfield mask);
 
 }  // namespace gw::gl

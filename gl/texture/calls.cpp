@@ -36,6 +36,7 @@ void set_filter(Context& c, GLenum& field, GLenum filter, bool known) {
 std::shared_ptr<TextureObject> object_of(Context& c, std::size_t target, GLenum name_of_target,
                                          GLuint name) {
     if (name == 0) return c.textures.initial[target];
+    const auto lock = c.shared->exclusive();
     TextureNames::Named& named = c.shared->textures.named[name];
     if (named.target != 0 && named.target != name_of_target) return nullptr;
     if (!named.object) named = {name_of_target, std::make_shared<TextureObject>()};
@@ -95,6 +96,7 @@ void bind_texture(Context& c, GLenum target, GLuint texture) {
 void gen_textures(Context& c, GLsizei n, GLuint* textures) {
     if (n < 0) return set_error(c, GL_INVALID_VALUE);
     if (textures == nullptr) return;
+    const auto lock = c.shared->exclusive();
     auto& named = c.shared->textures.named;
     GLuint name = 1;
     for (GLsizei i = 0; i < n; ++i) {
@@ -112,11 +114,13 @@ void delete_textures(Context& c, GLsizei n, const GLuint* textures) {
         for (std::size_t target = 0; target < texture_target_count; ++target)
             if (c.state.texture.bound[target] == textures[i])
                 bind_texture(c, GL_TEXTURE_1D + GLenum(target), 0);
+        const auto lock = c.shared->exclusive();
         c.shared->textures.named.erase(textures[i]);
     }
 }
 
 GLboolean is_texture(Context& c, GLuint texture) {
+    const auto lock = c.shared->exclusive();
     const auto found = c.shared->textures.named.find(texture);
     return found != c.shared->textures.named.end() && found->second.object ? GL_TRUE : GL_FALSE;
 }
@@ -132,6 +136,7 @@ GLboolean are_textures_resident(Context& c, GLsizei n, const GLuint* textures, G
 void prioritize_textures(Context& c, GLsizei n, const Numbers& textures,
                          const Numbers& priorities) {
     if (n < 0) return set_error(c, GL_INVALID_VALUE);
+    const auto lock = c.shared->exclusive();
     for (std::size_t i = 0; i < std::min(textures->size(), priorities->size()); ++i) {
         const auto found = c.shared->textures.named.find(GLuint((*textures)[i]));
         if (found == c.shared->textures.named.end() || !found->second.object) continue;

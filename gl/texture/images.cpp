@@ -80,6 +80,7 @@ void set_image(Context& c, const Place& place, const Request& r, const std::vect
     image.internal_format = r.internal_format;
     if (colors != nullptr && image.width > 0)
         store_texels(image, {0, 0, r.width, r.height}, *colors);
+    const auto lock = c.shared->exclusive();
     TextureObject& object = *c.textures.bound[place.index];
     object.levels[std::size_t(r.level)] = std::move(image);
     object.changed = true;
@@ -134,6 +135,7 @@ void replace_part(Context& c, GLenum target, TextureImage& image, Rect part,
     begin_change(c);
     part.x += image.border;
     part.y += target == GL_TEXTURE_1D ? 0 : image.border;
+    const auto lock = c.shared->exclusive();
     store_texels(image, part, colors);
     c.textures.bound[*target_index(target)]->changed = true;
 }
@@ -163,14 +165,14 @@ void copy_image(Context& c, GLenum target, const Request& r, GLint x, GLint y) {
     if (r.internal_format >= 1 && r.internal_format <= 4) return set_error(c, GL_INVALID_ENUM);
     const GLenum error = request_error(r, *index);
     if (error != GL_NO_ERROR) return set_error(c, error);
-    if (c.drawable == nullptr) return;
+    if (c.read_drawable == nullptr) return;
     const auto colors = copied_colors(c, {x, y, r.width, r.height});
     set_image(c, {*index, false}, r, &colors);
 }
 
 void copy_part(Context& c, GLenum target, GLint level, const Rect& part, GLint x, GLint y) {
     TextureImage* const image = replaced_image(c, target, level, part);
-    if (image == nullptr || c.drawable == nullptr || part.area() == 0) return;
+    if (image == nullptr || c.read_drawable == nullptr || part.area() == 0) return;
     replace_part(c, target, *image, part, copied_colors(c, {x, y, part.width, part.height}));
 }
 

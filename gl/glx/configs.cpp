@@ -1,0 +1,205 @@
+#include "gl/glx/configs.h"
+
+#include <algorithm>
+#include <span>
+#include <tuple>
+
+namespace gw::gl::glx {
+
+namespace {
+
+enum class Match { Exact, AtLeast, Mask, Ignored };
+/// [GLX 1.4] table 3.4: how a requested value is compared, and the value if none is requested.
+struct Criterion {
+    int name;
+    Match match;
+    int initial = int(GLX_DONT_CARE);
+};
+constexpr Criterion criteria[] = {
+    {GLX_BUFFER_SIZE, Match::AtLeast, 0},
+    {GLX_LEVEL, Match::Exact, 0},
+    {GLX_DOUBLEBUFFER, Match::Exact},
+    {GLX_STEREO, Match::Exact, False},
+    {GLX_AUX_BUFFERS, Match::AtLeast, 0},
+    {GLX_RED_SIZE, Match::AtLeast, 0},
+    {GLX_GREEN_SIZE, Match::AtLeast, 0},
+    {GLX_BLUE_SIZE, Match::AtLeast, 0},
+    {GLX_ALPHA_SIZE, Match::AtLeast, 0},
+    {GLX_DEPTH_SIZE, Match::AtLeast, 0},
+    {GLX_STENCIL_SIZE, Match::AtLeast, 0},
+    {GLX_ACCUM_RED_SIZE, Match::AtLeast, 0},
+    {GLX_ACCUM_GREEN_SIZE, Match::AtLeast, 0},
+    {GLX_ACCUM_BLUE_SIZE, Match::AtLeast, 0},
+    {GLX_ACCUM_ALPHA_SIZE, Match::AtLeast, 0},
+    {GLX_SAMPLE_BUFFERS, Match::AtLeast, 0},
+    {GLX_SAMPLES, Match::AtLeast, 0},
+    {GLX_RENDER_TYPE, Match::Mask, GLX_RGBA_BIT},
+    {GLX_DRAWABLE_TYPE, Match::Mask, GLX_WINDOW_BIT},
+    {GLX_X_RENDERABLE, Match::Exact},
+    {GLX_X_VISUAL_TYPE, Match::Exact},
+    {GLX_CONFIG_CAVEAT, Match::Exact},
+    {GLX_TRANSPARENT_TYPE, Match::Exact, GLX_NONE},
+    {GLX_TRANSPARENT_INDEX_VALUE, Match::Ignored},
+    {GLX_TRANSPARENT_RED_VALUE, Match::Ignored},
+    {GLX_TRANSPARENT_GREEN_VALUE, Match::Ignored},
+    {GLX_TRANSPARENT_BLUE_VALUE, Match::Ignored},
+    {GLX_TRANSPARENT_ALPHA_VALUE, Match::Ignored},
+    {GLX_MAX_PBUFFER_WIDTH, Match::Ignored},
+    {GLX_MAX_PBUFFER_HEIGHT, Match::Ignored},
+    {GLX_MAX_PBUFFER_PIXELS, Match::Ignored},
+    {GLX_VISUAL_ID, Match::Ignored},
+    {GLX_SCREEN, Match::Ignored},
+    {GLX_FBCONFIG_ID, Match::Exact},
+};
+
+bool is_boolean(int name) {
+    return name == GLX_DOUBLEBUFFER || name == GLX_STEREO || name == GLX_X_RENDERABLE;
+}
+
+/// Whether a value may be requested. Negative sizes may not.
+bool is_value_of(const Criterion& criterion, int value) {
+    if (value == int(GLX_DONT_CARE)) return criterion.name != GLX_LEVEL;
+    if (criterion.match == Match::AtLeast) return value >= 0;
+    return !is_boolean(criterion.name) || value == True || value == False;
+}
+
+bool fits(Match match, int has, int requested) {
+    if (requested == int(GLX_DONT_CARE)) return true;
+    switch (match) {
+        case Match::Exact: return has == requested;
+        case Match::AtLeast: return has >= requested;
+        case Match::Mask: return (has & requested) == requested;
+        case Match::Ignored: return true;
+    }
+    return true;
+}
+
+constexpr std::size_t criterion_count = std::size(criteria);
+using Request = std::array<int, criterion_count>;
+
+std::optional<Request> request_of(const int* list) {
+    Request request;
+    for (std::size_t i = 0; i < criterion_count; ++i) request[i] = criteria[i].initial;
+    for (; list != nullptr && list[0] != 0; list += 2) {
+        const auto* const found =
+            std::find_if(std::begin(criteria), std::end(criteria),
+                         [&](const Criterion& c) { return c.name == list[0]; });
+        if (found == std::end(criteria) || !is_value_of(*found, list[1])) return {};
+        request[std::size_t(found - criteria)] = list[1];
+    }
+    // A configuration that is named by its number is taken whatever else is requested.
+    if (const int id = request.back(); id != int(GLX_DONT_CARE)) {
+        request.fill(int(GLX_DONT_CARE));
+        request.back() = id;
+    }
+    return request;
+}
+
+bool matches(const Config& config, const Request& request) {
+    for (std::size_t i = 0; i < criterion_count; ++i)
+        if (!fits(criteria[i].match, *attribute(config, criteria[i].name), request[i]))
+            return false;
+    return true;
+}
+
+/// The TrueColor visuals of a screen.
+std::vector<XVisualInfo> true_color_visuals(Display* display, int screen) {
+    XVisualInfo like{};
+    like.screen = screen;
+    like.c_class = TrueColor;
+    int count = 0;
+    XVisualInfo* const found =
+        XGetVisualInfo(display, VisualScreenMask | VisualClassMask, &like, &count);
+    std::vector<XVisualInfo> visuals(found, found + count);
+    if (found != nullptr) XFree(found);
+    std::erase_if(visuals, [](const XVisualInfo& v) { return v.depth < 15; });
+    const VisualID initial = XVisualIDFromVisual(DefaultVisual(display, screen));
+    std::stable_sort(visuals.begin(), visuals.end(), [&](const auto& a, const auto& b) {
+        return std::tuple(a.visualid != initial, a.depth == 32, a.visualid) <
+               std::tuple(b.visualid != initial, b.depth == 32, b.visualid);
+    });
+    return visuals;
+}
+
+}  // namespace
+
+std::deque<Config> make_configs(Display* display, int screen, int first_id) {
+    const Profile& profile = settings().profile;
+    std::deque<Config> configs;
+    for (const bool double_buffered : {false, true})
+        for (const XVisualInfo& visual : true_color_visuals(display, screen))
+            configs.push_back({visual, double_buffered, first_id + int(configs.size()),
+                               profile.color_bits, profile.depth_bits, profile.stencil_bits,
+                               profile.accum_bits});
+    return configs;
+}
+
+std::optional<int> attribute(const Config& c, int name) {
+    switch (name) {
+        case GLX_BUFFER_SIZE: return 4 * c.color_bits;
+        case GLX_LEVEL:
+        case GLX_STEREO:
+        case GLX_AUX_BUFFERS:
+        case GLX_SAMPLE_BUFFERS:
+        case GLX_SAMPLES: return 0;
+        case GLX_DOUBLEBUFFER: return c.double_buffered ? True : False;
+        case GLX_RED_SIZE:
+        case GLX_GREEN_SIZE:
+        case GLX_BLUE_SIZE:
+        case GLX_ALPHA_SIZE: return c.color_bits;
+        case GLX_DEPTH_SIZE: return c.depth_bits;
+        case GLX_STENCIL_SIZE: return c.stencil_bits;
+        case GLX_ACCUM_RED_SIZE:
+        case GLX_ACCUM_GREEN_SIZE:
+        case GLX_ACCUM_BLUE_SIZE:
+        case GLX_ACCUM_ALPHA_SIZE: return c.accum_bits;
+        case GLX_RENDER_TYPE: return GLX_RGBA_BIT;
+        case GLX_DRAWABLE_TYPE: return GLX_WINDOW_BIT | GLX_PIXMAP_BIT | GLX_PBUFFER_BIT;
+        case GLX_X_RENDERABLE: return True;
+        case GLX_X_VISUAL_TYPE: return GLX_TRUE_COLOR;
+        case GLX_CONFIG_CAVEAT:
+        case GLX_TRANSPARENT_TYPE: return GLX_NONE;
+        case GLX_TRANSPARENT_INDEX_VALUE:
+        case GLX_TRANSPARENT_RED_VALUE:
+        case GLX_TRANSPARENT_GREEN_VALUE:
+        case GLX_TRANSPARENT_BLUE_VALUE:
+        case GLX_TRANSPARENT_ALPHA_VALUE: return 0;
+        case GLX_MAX_PBUFFER_WIDTH:
+        case GLX_MAX_PBUFFER_HEIGHT: return max_window_size;
+        case GLX_MAX_PBUFFER_PIXELS: return max_window_size * max_window_size;
+        case GLX_VISUAL_ID: return int(c.visual.visualid);
+        case GLX_SCREEN: return c.visual.screen;
+        case GLX_FBCONFIG_ID: return c.id;
+    }
+    return {};
+}
+
+std::optional<std::vector<Config*>> matching(std::deque<Config>& configs, const int* list) {
+    const std::optional<Request> request = request_of(list);
+    if (!request) return {};
+    std::vector<Config*> found;
+    for (Config& config : configs)
+        if (matches(config, *request)) found.push_back(&config);
+    return found;
+}
+
+std::optional<std::vector<int>> list_of_visual_attributes(const int* list) {
+    bool rgba = false, double_buffered = false, stereo = false;
+    std::vector<int> out;
+    while (list != nullptr && *list != 0) {
+        const int name = *list++;
+        if (name == GLX_USE_GL) continue;
+        if (name == GLX_RGBA || name == GLX_DOUBLEBUFFER || name == GLX_STEREO) {
+            (name == GLX_RGBA ? rgba : name == GLX_STEREO ? stereo : double_buffered) = true;
+            continue;
+        }
+        const int value = *list++;
+        // [GLX 1.4] 3.3.10: GLX_BUFFER_SIZE counts for colour indices only.
+        if (name != GLX_BUFFER_SIZE) out.insert(out.end(), {name, value});
+    }
+    if (!rgba) return {};
+    out.insert(out.end(), {GLX_DOUBLEBUFFER, double_buffered, GLX_STEREO, stereo, 0});
+    return out;
+}
+
+}  // namespace gw::gl::glx

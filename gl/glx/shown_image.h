@@ -1,0 +1,58 @@
+// Shows a drawable's colours in a window or pixmap: an image of the server's own pixel format, in
+// memory shared with the server if it can (MIT-SHM).
+#pragma once
+
+#include "gl/glx/x11.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace gw::gl::glx {
+
+/// A colour 0 .. 2^color_bits - 1 as a pixel of a visual: each channel to the nearest value.
+class PixelFormat {
+public:
+    PixelFormat(const XVisualInfo& visual, int color_bits);
+    std::uint32_t pixel(unsigned r, unsigned g, unsigned b, unsigned a) const {
+        return channels_[0][r] | channels_[1][g] | channels_[2][b] | channels_[3][a];
+    }
+
+private:
+    std::array<std::vector<std::uint32_t>, 4> channels_;
+};
+
+class ShownImage {
+public:
+    /// `height`: of the window or pixmap, whose origin is at the top left.
+    ShownImage(Display* display, const XVisualInfo& visual, XID target, int height);
+    ~ShownImage();
+    ShownImage(const ShownImage&) = delete;
+    ShownImage& operator=(const ShownImage&) = delete;
+
+    void set_target_height(int height) { target_height_ = height; }
+
+    /// Before the display is closed: nothing is shown any more. The server frees what it holds.
+    void lose_display();
+    bool has_lost_display() const { return lost_display_; }
+
+    /// A window that is no longer there shows nothing, without an error.
+    void show(gl::Drawable& drawable);
+
+private:
+    struct Memory;
+    void fit(int width, int height);
+    void fill(gl::Drawable& drawable);
+
+    Display* const display_;
+    const XVisualInfo visual_;
+    const XID target_;
+    int target_height_;
+    std::atomic<bool> lost_display_ = false;
+    GC gc_ = nullptr;
+    std::unique_ptr<PixelFormat> format_;
+    std::unique_ptr<Memory> memory_;
+};
+
+}  // namespace gw::gl::glx
