@@ -2,6 +2,7 @@
 
 #include <map>
 #include <mutex>
+#include <utility>
 
 __GLXcontextRec::__GLXcontextRec(Display* of, const gw::gl::glx::Config& with,
                                  std::shared_ptr<gw::gl::Shared> shared)
@@ -35,17 +36,24 @@ void leave_context(GLXContext context) {
     if (context->is_destroyed) contexts().kept.erase(context);
 }
 
+/// Outlives the thread's other variables, so a pointer.
+constinit thread_local Current* thread_binding = nullptr;
+
+struct ThreadEnd {
+    ~ThreadEnd() {
+        const std::unique_ptr<Current> binding(std::exchange(thread_binding, nullptr));
+        if (!binding || binding->context == nullptr) return;
+        gl::current = nullptr;
+        leave_context(binding->context);
+    }
+};
+
 }  // namespace
 
-Current::~Current() {
-    if (context == nullptr) return;
-    gl::current = nullptr;
-    leave_context(context);
-}
-
 Current& current_binding() {
-    thread_local Current binding;
-    return binding;
+    thread_local ThreadEnd end;
+    if (thread_binding == nullptr) thread_binding = new Current;
+    return *thread_binding;
 }
 
 GLXContext keep_context(std::unique_ptr<__GLXcontextRec> context) {

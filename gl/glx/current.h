@@ -21,16 +21,13 @@ namespace gw::gl::glx {
 
 /// What a thread draws to and reads from.
 struct Current {
-    Current() = default;
-    ~Current();  ///< the thread ends
-    Current(const Current&) = delete;
-    Current& operator=(const Current&) = delete;
-
     Display* display = nullptr;
     GLXContext context = nullptr;
     XID draw_name = 0, read_name = 0;
     std::shared_ptr<Surface> draw, read;
 };
+/// The calling thread's. When the thread ends, its context is left. A program's exit handlers, which
+/// come later, find an empty one.
 Current& current_binding();
 
 /// Keeps a new context until destroy_context().

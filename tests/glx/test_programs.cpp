@@ -10,6 +10,7 @@
 #include <ctime>
 #include <filesystem>
 #include <map>
+#include <utility>
 
 namespace {
 
@@ -35,6 +36,13 @@ protected:
         dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
         execvp(arguments[0], arguments.data());
         _exit(127);
+    }
+
+    /// The exit status of the program; -1 after a signal.
+    int wait_for_end() {
+        int status = 0;
+        waitpid(std::exchange(child_, -1), &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
     /// The window below `parent` whose title begins so; 0: there is none.
@@ -110,6 +118,11 @@ TEST_F(GlxPrograms, GearsTurn) {
     const Shown later = wait_for("glxgears", 300, 300,
                                  [&](const Shown& image) { return image.pixels != first.pixels; });
     EXPECT_NE(later.pixels, first.pixels);
+}
+
+TEST_F(GlxPrograms, ExitHandlersMayLeaveTheContext) {
+    start({GW_EXIT_PROGRAM});
+    EXPECT_EQ(wait_for_end(), 0);
 }
 
 /// A program of freeglut: a yellow square in the lower left quarter of a window of 200 x 100.
