@@ -11,8 +11,8 @@ namespace gw::gl::glx {
 class Surface : public gl::Drawable {
 public:
     enum class Kind { Window, Pixmap, Pbuffer };
-    /// A pixmap has one buffer: the pixmap. `target` is the X window or pixmap; 0 for a pbuffer. Sizes beyond the machine's are cut off
-    /// at the top and on the right.
+    /// A pixmap has one buffer: the pixmap. `target` is the X window or pixmap; 0 for a pbuffer.
+    /// Sizes beyond the machine's are cut off at the top and on the right.
     Surface(Display* display, const Config& config, Kind kind, XID target, int width, int height);
 
     Kind kind() const { return kind_; }

@@ -15,6 +15,18 @@ TEST_F(GlxWindow, ADoubleBufferedOneShowsAtSwap) {
     glXDestroyContext(display, context);
 }
 
+TEST_F(GlxWindow, TheFrontBufferIsShownAtFlush) {
+    const GLXContext context = make_current(true);
+    clear_to(1, 0, 0);
+    glDrawBuffer(GL_FRONT);
+    clear_to(0, 1, 0);
+    glFlush();
+    EXPECT_TRUE(shown(window, 64, 48).is_all(pixel(false, true, false)));
+    glXSwapBuffers(display, window);
+    EXPECT_TRUE(shown(window, 64, 48).is_all(pixel(true, false, false)));
+    glXDestroyContext(display, context);
+}
+
 TEST_F(GlxWindow, ASingleBufferedOneShowsAtFlush) {
     const GLXContext context = make_current(false);
     clear_to(0, 1, 0);
@@ -92,7 +104,7 @@ TEST_F(GlxWindow, DestroyedWhileCurrentItRaisesNoError) {
                       glFlush();
                       glXSwapBuffers(display, window);
                       clear_to(0, 1, 0);
-                      glXSwapBuffers(display, window);
+                      glFlush();
                   }),
                   std::vector<int>());
         float read[4] = {};
