@@ -97,6 +97,9 @@ const Change changes[] = {
      [](State& s) {
          s.color_mask = {true, false, true, false};
      }},
+    {"draw_buffer none", [](State& s) { s.draw_buffer = DrawBuffer::None; }},
+    {"draw_buffer", [](State& s) { s.draw_buffer = DrawBuffer::FrontAndBack; }},
+    {"read_buffer", [](State& s) { s.read_buffer = ReadBuffer::Back; }},
     {"color_mask none", [](State& s) { s.color_mask = no_color; }},
     // Widths matter only to lines and points: filled faces do not have them.
     {"point_size", [](State& s) { s.point_size = s.polygon_mode == PolygonMode::Fill ? 7 : 1; }},
@@ -146,7 +149,8 @@ const Change changes[] = {
                                   line_stipple, polygon_stipple, polygon_offset, jitter, point_size,
                                   line_width, point_smooth, line_smooth, polygon_smooth,
                                   shade_model, color_source, lighting, fog, texture, scissor, alpha,
-                                  stencil, depth, blend, logic_op, color_mask] = state;
+                                  stencil, depth, blend, logic_op, color_mask, draw_buffer,
+                                  read_buffer] = state;
 }
 
 struct Scene {
@@ -166,6 +170,7 @@ Scene any_scene(std::uint64_t seed) {
     for (int i = 0; i < draws; ++i)
         draw(s, any_triangles(r, s.frame, {.normals = true, .texcoords = true}), 100);
     Scene scene{s.out, s.state, {}};
+    scene.where.profile.color_planes = 2;
     scene.state.color_source = ColorSource::Vertex;
     for (const Command& command : s.out.list.commands)
         if (const auto* draw = std::get_if<Draw>(&command)) scene.draws.push_back(*draw);
