@@ -14,6 +14,8 @@
 namespace gw::gl {
 
 struct Context;
+class DisplayList;
+using Elements = std::shared_ptr<const DisplayList>;
 
 namespace execute {
 
@@ -40,6 +42,8 @@ void enable_client_state(Context& c, GLenum array);
 void disable_client_state(Context& c, GLenum array);
 void interleaved_arrays(Context& c, GLenum format, GLsizei stride, const GLvoid* pointer);
 void array_element(Context& c, GLint i);
+/// What a display list keeps of DrawArrays and DrawElements.
+void play_elements(Context& c, const Elements& elements);
 void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count);
 void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const GLvoid* indices);
 
@@ -84,6 +88,8 @@ void cull_face(Context& c, GLenum mode);
 void polygon_stipple(Context& c, const Stipple& pattern);
 void polygon_mode(Context& c, GLenum face, GLenum mode);
 void polygon_offset(Context& c, GLfloat factor, GLfloat units);
+/// GL_EXT_polygon_offset: the bias is a depth 0 .. 1.
+void polygon_offset_ext(Context& c, GLfloat factor, GLfloat bias);
 
 // 3.6 and 4.3 Pixel rectangles
 void pixel_store(Context& c, GLenum pname, double param);

@@ -92,6 +92,27 @@ void send_element(const ClientState& client, GLint i) {
     }
 }
 
+/// A whole primitive of elements. Without vertices it draws nothing. An open list keeps it as one
+/// call, which is wrong between Begin and End as a whole.
+template <class IndexOf>
+void send_elements(Context& c, Function function, GLenum mode, GLsizei count, IndexOf index_of) {
+    const auto send = [&] {
+        perform<execute::begin>(Function::Begin, mode);
+        if (c.client.array(Array::Vertex).enable)
+            for (GLsizei i = 0; i < count; ++i) send_element(c.client, index_of(i));
+        perform<execute::end>(Function::End);
+    };
+    if (!c.lists.open) return send();
+    const auto elements = std::make_shared<DisplayList>();
+    const auto outer = std::exchange(c.lists.open, elements);
+    const GLenum outer_mode = std::exchange(c.lists.mode, GLenum(GL_COMPILE));
+    send();
+    elements->seal();
+    c.lists.open = outer;
+    c.lists.mode = outer_mode;
+    call<Kind::Draw, execute::play_elements>(function, Elements(elements));
+}
+
 GLint index_at(GLenum type, const GLvoid* indices, GLsizei i) {
     const auto* at = static_cast<const unsigned char*>(indices);
     const auto read = [&](auto value) {
@@ -226,26 +247,24 @@ void array_element(Context& c, GLint i) {
     send_element(c.client, i);
 }
 
+void play_elements(Context& c, const Elements& elements) { elements->play(c); }
+
 void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count) {
-    if (c.assembler.inside) return set_error(c, GL_INVALID_OPERATION);
+    if (c.assembler.inside && !c.lists.open) return set_error(c, GL_INVALID_OPERATION);
     if (mode > GL_POLYGON) return set_error(c, GL_INVALID_ENUM);
     if (count < 0 || first < 0) return set_error(c, GL_INVALID_VALUE);
-    if (!c.client.array(Array::Vertex).enable) return;
-    perform<execute::begin>(Function::Begin, mode);
-    for (GLsizei i = 0; i < count; ++i) send_element(c.client, first + i);
-    perform<execute::end>(Function::End);
+    send_elements(c, Function::DrawArrays, mode, count, [&](GLsizei i) { return first + i; });
 }
 
 void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const GLvoid* indices) {
-    if (c.assembler.inside) return set_error(c, GL_INVALID_OPERATION);
+    if (c.assembler.inside && !c.lists.open) return set_error(c, GL_INVALID_OPERATION);
     if (mode > GL_POLYGON) return set_error(c, GL_INVALID_ENUM);
     if (count < 0) return set_error(c, GL_INVALID_VALUE);
     if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT)
         return set_error(c, GL_INVALID_ENUM);
-    if (indices == nullptr || !c.client.array(Array::Vertex).enable) return;
-    perform<execute::begin>(Function::Begin, mode);
-    for (GLsizei i = 0; i < count; ++i) send_element(c.client, index_at(type, indices, i));
-    perform<execute::end>(Function::End);
+    if (indices == nullptr) return;
+    send_elements(c, Function::DrawElements, mode, count,
+                  [&](GLsizei i) { return index_at(type, indices, i); });
 }
 
 }  // namespace execute

@@ -45,10 +45,17 @@ def entries(path):
             yield match.groups()
 
 
+def declared(parameter, arguments):
+    """A parameter that the call does not take may stay unused."""
+    name = parameter.split()[-1]
+    return parameter if re.search(rf"\b{name}\b", arguments) else f"[[maybe_unused]] {parameter}"
+
+
 def function(kind, result, name, parameters, call, arguments):
     if call is None:
         call = snake_case(name)
         arguments = ", ".join(p.split()[-1] for p in parameters.split(",") if p.strip())
+    parameters = ", ".join(declared(p.strip(), arguments) for p in parameters.split(",") if p.strip())
     separator = ", " if arguments else ""
     returned = "" if result == "void" else "return "
     return (f"{result} GLAPIENTRY gl{name}({parameters}) {{\n"

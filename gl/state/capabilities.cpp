@@ -57,6 +57,11 @@ std::vector<Capability> make_capabilities() {
 
 void set_capability(Context& c, GLenum name, bool on) {
     const Capability* const capability = find_capability(name);
+    // GL_EXT_vertex_array: arrays are enabled as other capabilities are.
+    if (ClientArray* const array = find_array(c.client, name)) {
+        array->enable = on;
+        return;
+    }
     if (capability == nullptr) return set_error(c, GL_INVALID_ENUM);
     if (name == GL_COLOR_MATERIAL) track_color(c);
     change(c, capability->field(c.state, capability->index), on);

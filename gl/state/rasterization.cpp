@@ -49,6 +49,11 @@ void polygon_offset(Context& c, GLfloat factor, GLfloat units) {
     change(c, c.state.polygon.offset_units, float(finite(double(units))));
 }
 
+void polygon_offset_ext(Context& c, GLfloat factor, GLfloat bias) {
+    const auto units = double((std::uint64_t{1} << c.profile.depth_bits) - 1);
+    polygon_offset(c, factor, float(finite(double(bias) * units)));
+}
+
 }  // namespace execute
 
 }  // namespace gw::gl

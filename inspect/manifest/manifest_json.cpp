@@ -38,11 +38,14 @@ Json counters_json(const Counters& counters) {
     return json;
 }
 
+// Members are assigned one by one: if memory is missing within a nested initializer list, code by g++
+// 12 destroys elements that were not made yet.
 Json pass_json(const ManifestPass& pass) {
-    Json json{{"name", pass.report.name},
-              {"set", pass.set},
-              {"state", state_json(pass.state)},
-              {"counters", counters_json(pass.report.counters)}};
+    Json json;
+    json["name"] = pass.report.name;
+    json["set"] = pass.set;
+    json["state"] = state_json(pass.state);
+    json["counters"] = counters_json(pass.report.counters);
     for (const Plane plane : planes_in_order)
         if (pass.report.digested & mask_of(plane))
             json["digests"][name_of(plane)] = to_string(pass.report.digests[std::size_t(plane)]);
@@ -177,15 +180,17 @@ Json parsed(std::string_view text) {
 }  // namespace
 
 std::string to_json(const Manifest& m) {
-    Json head{{"format", format_name},
-              {"version", manifest_version},
-              {"producer", m.producer},
-              {"scene", {{"file", m.scene}, {"hash", to_string(m.scene_hash)}}},
-              {"commands", to_string(m.commands_hash)},
-              {"renderer", m.renderer},
-              {"profile", json_of(m.profile)},
-              {"width", m.width},
-              {"height", m.height}};
+    Json head;  // assigned one by one: see pass_json
+    head["format"] = format_name;
+    head["version"] = manifest_version;
+    head["producer"] = m.producer;
+    head["scene"]["file"] = m.scene;
+    head["scene"]["hash"] = to_string(m.scene_hash);
+    head["commands"] = to_string(m.commands_hash);
+    head["renderer"] = m.renderer;
+    head["profile"] = json_of(m.profile);
+    head["width"] = m.width;
+    head["height"] = m.height;
     if (!m.values.empty()) head["values"] = m.values;
     std::string text = dumped(head, 2);
     text.erase(text.size() - 2);  // "\n}"

@@ -27,10 +27,12 @@ TEST(EntryPoints, AreFoundByTheirNames) {
 
 /// [GL11] has 336 functions; the others are of extensions.
 TEST(EntryPoints, AreThe336OfVersion1_1) {
-    const std::set<std::string> extensions{"glBlendColor", "glBlendColorEXT", "glBlendEquation",
-                                           "glBlendEquationEXT"};
+    const auto is_extension = [](const std::string& name) {
+        return name.ends_with("EXT") || name.starts_with("glBlendColor") ||
+               name.starts_with("glBlendEquation");
+    };
     const auto count = std::ranges::count_if(
-        entry_points(), [&](const EntryPoint& point) { return !extensions.contains(point.name); });
+        entry_points(), [&](const EntryPoint& point) { return !is_extension(point.name); });
     EXPECT_EQ(count, 336);
 }
 

@@ -82,7 +82,7 @@ TEST_P(OpenGL, WithoutADrawBufferOnlyTheStencilPlaneChanges) {
     State unseen = window_state();
     unseen.draw_buffer = DrawBuffer::None;
     unseen.stencil = {.test = true, .zpass = StencilOp::Incr};
-    unseen.alpha = {true, AlphaFunc::Greater, 0.5f};
+    unseen.alpha = {true, AlphaFunc::Greater, 0.499f};  // not near an 8-bit alpha
     State seen = window_state();
     seen.stencil = {.test = true, .func = StencilFunc::Equal, .ref = 1};
     CommandList list;
