@@ -91,7 +91,9 @@ std::string json() {
     json["max_window_size"] = max_window_size;
     json["threads"] = std::thread::hardware_concurrency();
     json["vectors"] = simd_target();
-    for (const auto& [name, number] : versions()) json["made_with"][name] = number;
+    auto made_with = nlohmann::ordered_json::object();
+    for (const auto& [name, number] : versions()) made_with[name] = number;
+    json["made_with"] = std::move(made_with);
     return json.dump(2) + "\n";
 }
 

@@ -165,7 +165,7 @@ std::string counts_csv(const std::vector<Compared>& all) {
 std::string counts_json(const std::vector<Compared>& all) {
     auto list = nlohmann::ordered_json::array();
     for (const Compared& run : all) {
-        nlohmann::ordered_json counts;
+        auto counts = nlohmann::ordered_json::object();
         for (const auto& [name, count] : hs::count_names()) counts[name] = run.result.counts.*count;
         list.push_back({{"algorithm", run.algorithm->name},
                         {"title", run.algorithm->title},

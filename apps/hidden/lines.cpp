@@ -21,7 +21,7 @@ namespace hs = hiddensurface;
 namespace {
 
 std::string text_of(const hs::LineAlgorithm& algorithm, const hs::LineCounts& counts, Form form) {
-    nlohmann::ordered_json json;
+    auto json = nlohmann::ordered_json::object();
     std::string text = fmt::format("{:<12} {:>16}\n", "", algorithm.name), names = "algorithm",
                 values = algorithm.name;
     for (const auto& [name, count] : hs::line_count_names()) {

@@ -143,10 +143,12 @@ void add_question(const hs::Question& q, std::size_t number, const std::string& 
               {"question", q.text},
               {"picture", picture},
               {"scene", scene}};
+    Json choices = Json::object();
     for (std::size_t i = 0; i < q.choices.size(); ++i) {
         out.text += fmt::format("   {}) {}\n", char('a' + i), q.choices[i]);
-        json["choices"][std::string(1, char('a' + i))] = q.choices[i];
+        choices[std::string(1, char('a' + i))] = q.choices[i];
     }
+    if (!choices.empty()) json["choices"] = std::move(choices);
     out.text += "\n";
     out.questions.push_back(json);
     out.form[std::to_string(number)] = "";

@@ -9,7 +9,7 @@
 namespace gw::inspect {
 
 static nlohmann::ordered_json json_of(const Extensions& extensions) {
-    nlohmann::ordered_json json;
+    auto json = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < extension_names().size(); ++i) {
         const auto& [name, member] = extension_names()[i];
         if (i < always_named_extensions || extensions.*member) json[name] = extensions.*member;
@@ -17,21 +17,20 @@ static nlohmann::ordered_json json_of(const Extensions& extensions) {
     return json;
 }
 
-// Members are assigned one by one: if memory is missing within a nested initializer list, code by g++
-// 12 destroys elements that were not made yet.
 nlohmann::ordered_json json_of(const Profile& p) {
-    nlohmann::ordered_json json;
-    json["name"] = p.name;
-    json["color_bits"] = p.color_bits;
-    json["depth_bits"] = p.depth_bits;
-    json["stencil_bits"] = p.stencil_bits;
-    json["accum_bits"] = p.accum_bits;
-    json["subpixel_bits"] = p.subpixel_bits;
-    json["lit_bits"] = p.lit_bits;
-    json["max_lights"] = p.max_lights;
-    json["fragment_fog"] = p.fragment_fog;
-    json["perspective_color"] = p.perspective_color;
-    json["extensions"] = json_of(p.extensions);
+    nlohmann::ordered_json json{
+        {"name", p.name},
+        {"color_bits", p.color_bits},
+        {"depth_bits", p.depth_bits},
+        {"stencil_bits", p.stencil_bits},
+        {"accum_bits", p.accum_bits},
+        {"subpixel_bits", p.subpixel_bits},
+        {"lit_bits", p.lit_bits},
+        {"max_lights", p.max_lights},
+        {"fragment_fog", p.fragment_fog},
+        {"perspective_color", p.perspective_color},
+        {"extensions", json_of(p.extensions)},
+    };
     if (p.texel_bits != 0) json["texel_bits"] = p.texel_bits;
     if (p.coverage_bits != 0) json["coverage_bits"] = p.coverage_bits;
     if (p.color_planes != 1) json["color_planes"] = p.color_planes;
@@ -39,7 +38,7 @@ nlohmann::ordered_json json_of(const Profile& p) {
 }
 
 nlohmann::ordered_json json_of(const Counters& counters) {
-    nlohmann::ordered_json json;
+    auto json = nlohmann::ordered_json::object();
     for (const auto& [name, count] : counter_names()) json[name] = counters.*count;
     return json;
 }
@@ -62,18 +61,10 @@ nlohmann::ordered_json totals_json(const std::vector<PassReport>& passes) {
         sum += pass.counters;
     }
     auto by_name = nlohmann::ordered_json::array();
-    for (const Total& total : totals) {
-        nlohmann::ordered_json json;
-        json["name"] = total.name;
-        json["runs"] = total.runs;
-        json["counters"] = json_of(total.counters);
-        by_name.push_back(std::move(json));
-    }
-    nlohmann::ordered_json json;
-    json["passes"] = passes.size();
-    json["by_name"] = std::move(by_name);
-    json["sum"] = json_of(sum);
-    return json;
+    for (const Total& total : totals)
+        by_name.push_back(
+            {{"name", total.name}, {"runs", total.runs}, {"counters", json_of(total.counters)}});
+    return {{"passes", passes.size()}, {"by_name", by_name}, {"sum", json_of(sum)}};
 }
 
 }  // namespace gw::inspect

@@ -19,6 +19,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr const char* format_name = "gw manifest";
 
+// Objects are begun with Json::object(): the first operator[] of a null value cannot do without the
+// memory that it asks for, and ends the process (nlohmann/json 3.11.2).
 Json state_json(const std::vector<Field>& state) {
     Json json = Json::object();
     for (const Field& field : state) json[field.name] = field.value;
@@ -38,17 +40,16 @@ Json counters_json(const Counters& counters) {
     return json;
 }
 
-// Members are assigned one by one: if memory is missing within a nested initializer list, code by g++
-// 12 destroys elements that were not made yet.
 Json pass_json(const ManifestPass& pass) {
-    Json json;
-    json["name"] = pass.report.name;
-    json["set"] = pass.set;
-    json["state"] = state_json(pass.state);
-    json["counters"] = counters_json(pass.report.counters);
+    Json json{{"name", pass.report.name},
+              {"set", pass.set},
+              {"state", state_json(pass.state)},
+              {"counters", counters_json(pass.report.counters)}};
+    Json digests = Json::object();
     for (const Plane plane : planes_in_order)
         if (pass.report.digested & mask_of(plane))
-            json["digests"][name_of(plane)] = to_string(pass.report.digests[std::size_t(plane)]);
+            digests[name_of(plane)] = to_string(pass.report.digests[std::size_t(plane)]);
+    if (!digests.empty()) json["digests"] = std::move(digests);
     return json;
 }
 
@@ -180,17 +181,15 @@ Json parsed(std::string_view text) {
 }  // namespace
 
 std::string to_json(const Manifest& m) {
-    Json head;  // assigned one by one: see pass_json
-    head["format"] = format_name;
-    head["version"] = manifest_version;
-    head["producer"] = m.producer;
-    head["scene"]["file"] = m.scene;
-    head["scene"]["hash"] = to_string(m.scene_hash);
-    head["commands"] = to_string(m.commands_hash);
-    head["renderer"] = m.renderer;
-    head["profile"] = json_of(m.profile);
-    head["width"] = m.width;
-    head["height"] = m.height;
+    Json head{{"format", format_name},
+              {"version", manifest_version},
+              {"producer", m.producer},
+              {"scene", {{"file", m.scene}, {"hash", to_string(m.scene_hash)}}},
+              {"commands", to_string(m.commands_hash)},
+              {"renderer", m.renderer},
+              {"profile", json_of(m.profile)},
+              {"width", m.width},
+              {"height", m.height}};
     if (!m.values.empty()) head["values"] = m.values;
     std::string text = dumped(head, 2);
     text.erase(text.size() - 2);  // "\n}"

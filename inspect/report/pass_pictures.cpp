@@ -109,7 +109,7 @@ nlohmann::ordered_json PassPictures::plane_json(const Shown& shown, std::size_t 
 }
 
 nlohmann::ordered_json PassPictures::add(std::size_t pass, Snapshot after, bool with_identifiers) {
-    nlohmann::ordered_json all;
+    auto all = nlohmann::ordered_json::object();
     for (const Shown& shown : usual_planes)
         if (shown.plane != Plane::Back || profile_.color_planes == 2)
             all[shown.name] = plane_json(shown, pass, after);
