@@ -4,6 +4,7 @@
 #include "gl/api/calls.h"
 #include "gl/api/convert.h"
 #include "gl/context/context.h"
+#include "gl/pixels/formats.h"
 
 #include <cstring>
 
@@ -11,42 +12,8 @@ namespace gw::gl {
 
 namespace {
 
-std::size_t bytes_of(GLenum type) {
-    switch (type) {
-        case GL_BYTE:
-        case GL_UNSIGNED_BYTE: return 1;
-        case GL_SHORT:
-        case GL_UNSIGNED_SHORT: return 2;
-        case GL_INT:
-        case GL_UNSIGNED_INT:
-        case GL_FLOAT: return 4;
-        case GL_DOUBLE: return 8;
-    }
-    return 0;
-}
-
-template <class T>
-float loaded(const unsigned char* at, bool is_unit) {
-    T value;
-    std::memcpy(&value, at, sizeof value);
-    if constexpr (std::is_integral_v<T>)
-        if (is_unit) return float(unit(value));
-    return float(value);
-}
-
-float component(GLenum type, const unsigned char* at, bool is_unit) {
-    switch (type) {
-        case GL_BYTE: return loaded<GLbyte>(at, is_unit);
-        case GL_UNSIGNED_BYTE: return loaded<GLubyte>(at, is_unit);
-        case GL_SHORT: return loaded<GLshort>(at, is_unit);
-        case GL_UNSIGNED_SHORT: return loaded<GLushort>(at, is_unit);
-        case GL_INT: return loaded<GLint>(at, is_unit);
-        case GL_UNSIGNED_INT: return loaded<GLuint>(at, is_unit);
-        case GL_FLOAT: return loaded<GLfloat>(at, is_unit);
-        case GL_DOUBLE: return loaded<GLdouble>(at, is_unit);
-    }
-    return 0;
-}
+/// The bytes of a component; 0: no type of an array.
+std::size_t bytes_of(GLenum type) { return type == GL_DOUBLE ? 8 : component_bytes(type); }
 
 /// Element i of an array; components that it does not have are (0, 0, 1).
 vec4 element(const ClientArray& a, GLint i, bool is_unit) {
@@ -54,7 +21,9 @@ vec4 element(const ClientArray& a, GLint i, bool is_unit) {
     const std::size_t bytes = bytes_of(a.type);
     const std::size_t stride = a.stride != 0 ? std::size_t(a.stride) : bytes * std::size_t(a.size);
     const unsigned char* at = a.pointer + std::ptrdiff_t(i) * std::ptrdiff_t(stride);
-    for (int k = 0; k < a.size; ++k, at += bytes) out[k] = component(a.type, at, is_unit);
+    for (int k = 0; k < a.size; ++k, at += bytes)
+        out[k] = float(load_component(a.type, reinterpret_cast<const std::byte*>(at), !is_unit));
+
     return out;
 }
 

@@ -7,6 +7,7 @@
 #include "gl/entry/entry_points.h"
 #include "gl/record/recorder.h"
 
+#include "gw/base/arithmetic.h"
 #include "gw/error.h"
 
 #include <GL/osmesa.h>
@@ -51,11 +52,6 @@ std::size_t component_size(GLenum type) {
     return type == GL_UNSIGNED_BYTE ? 1 : 2;
 }
 
-/// A value 0 .. largest as one of 0 .. `to`.
-unsigned scaled(unsigned value, unsigned largest, unsigned to) {
-    return (value * to + largest / 2) / largest;
-}
-
 /// The caller's memory as a drawable.
 class Memory : public Drawable {
 public:
@@ -88,11 +84,11 @@ private:
 };
 
 void Memory::store(unsigned char* at, const Rgba& color) const {
-    const unsigned largest = (1u << profile().color_bits) - 1;
+    const int bits = profile().color_bits;
     if (layout_.format == OSMESA_RGB_565) {
-        const auto word = static_cast<std::uint16_t>(scaled(color[0], largest, 31) << 11 |
-                                                     scaled(color[1], largest, 63) << 5 |
-                                                     scaled(color[2], largest, 31));
+        const auto word = static_cast<std::uint16_t>(rescale(color[0], bits, 5) << 11 |
+                                                     rescale(color[1], bits, 6) << 5 |
+                                                     rescale(color[2], bits, 5));
         std::memcpy(at, &word, sizeof word);
         return;
     }
@@ -100,9 +96,9 @@ void Memory::store(unsigned char* at, const Rgba& color) const {
     for (std::size_t i = 0; i < 4; ++i) {
         if (layout_.place[i] < 0) continue;
         unsigned char* const to = at + std::size_t(layout_.place[i]) * size;
-        const auto byte = static_cast<std::uint8_t>(scaled(color[i], largest, 255));
-        const auto word = static_cast<std::uint16_t>(scaled(color[i], largest, 65535));
-        const float number = float(color[i]) / float(largest);
+        const auto byte = static_cast<std::uint8_t>(rescale(color[i], bits, 8));
+        const auto word = static_cast<std::uint16_t>(rescale(color[i], bits, 16));
+        const float number = float(color[i]) / float(max_of_bits(bits));
         if (type_ == GL_UNSIGNED_BYTE) std::memcpy(to, &byte, sizeof byte);
         if (type_ == GL_UNSIGNED_SHORT) std::memcpy(to, &word, sizeof word);
         if (type_ == GL_FLOAT) std::memcpy(to, &number, sizeof number);

@@ -7,6 +7,9 @@
 #include "gl/pixels/read.h"
 #include "gl/pixels/transfer.h"
 
+#include "gw/base/arithmetic.h"
+#include "gw/stages/resolve.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,24 +17,12 @@ namespace gw::gl {
 
 namespace {
 
-std::uint32_t quantized(double v, int bits) {
-    const double largest = double((std::uint64_t{1} << bits) - 1);
-    return std::uint32_t(std::floor(clamped(v, 0.0, 1.0) * largest + 0.5));
-}
-
-Rgba quantized(const vec4& color, int bits) {
-    Rgba out;
-    for (int i = 0; i < 4; ++i)
-        out[std::size_t(i)] = std::uint16_t(quantized(double(color[i]), bits));
-    return out;
-}
-
 RasterPosition raster_position(const Context& c) {
     const CurrentState::Raster& raster = c.state.current.raster;
     return {.x = raster.position.x,
             .y = raster.position.y,
-            .depth = quantized(raster.position.z, c.profile.depth_bits),
-            .color = quantized(raster.color, c.profile.color_bits),
+            .depth = quantize(raster.position.z, c.profile.depth_bits),
+            .color = quantize_color(raster.color, c.profile.color_bits),
             .texcoord = raster.texcoord,
             .distance = raster.distance};
 }
@@ -60,10 +51,11 @@ bool is_drawn(Context& c, GLenum token) {
 }
 
 void set_colors(gw::DrawPixels& out, const Context& c, const std::vector<vec4>& colors) {
-    for (const vec4& color : colors) out.colors.push_back(quantized(color, c.profile.color_bits));
+    for (const vec4& color : colors)
+        out.colors.push_back(quantize_color(color, c.profile.color_bits));
 }
 void set_depths(gw::DrawPixels& out, const Context& c, const std::vector<double>& depths) {
-    for (const double depth : depths) out.depths.push_back(quantized(depth, c.profile.depth_bits));
+    for (const double depth : depths) out.depths.push_back(quantize(depth, c.profile.depth_bits));
 }
 void set_stencils(gw::DrawPixels& out, const Context& c, const std::vector<GLuint>& stencils) {
     const GLuint mask = (1u << c.profile.stencil_bits) - 1;

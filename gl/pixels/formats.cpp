@@ -94,6 +94,7 @@ double load_component(GLenum type, const std::byte* at, bool is_index) {
         case GL_INT: return load_as<GLint>(at, is_index);
         case GL_UNSIGNED_INT: return load_as<GLuint>(at, is_index);
         case GL_FLOAT: return load_as<GLfloat>(at, is_index);
+        case GL_DOUBLE: return load_as<GLdouble>(at, is_index);
     }
     return 0;
 }

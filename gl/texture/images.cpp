@@ -7,6 +7,7 @@
 #include "gl/pixels/read.h"
 #include "gl/pixels/transfer.h"
 
+#include "gw/base/arithmetic.h"
 #include "gw/texture.h"
 
 #include <algorithm>
@@ -54,17 +55,14 @@ GLenum request_error(const Request& r, std::size_t target) {
     return fits ? GL_NO_ERROR : GL_INVALID_VALUE;
 }
 
-std::uint16_t texel(float v) {
-    return std::uint16_t(std::floor(clamped(double(v), 0.0, 1.0) * 65535 + 0.5));
-}
-
 /// The channels that a base format keeps: luminance and intensity from R.
 void store_texels(TextureImage& image, const Rect& rect, const std::vector<vec4>& colors) {
     std::size_t from = 0;
     for (int y = rect.y; y < rect.y + rect.height; ++y) {
         std::uint16_t* to = &image.rgba[4 * pixel_index(rect.x, y, image.width)];
         for (int x = 0; x < rect.width; ++x, ++from, to += 4)
-            for (int i = 0; i < 4; ++i) to[i] = texel(colors[from][i]);
+            for (int i = 0; i < 4; ++i)
+                to[i] = std::uint16_t(quantize(double(colors[from][i]), 16));
     }
 }
 

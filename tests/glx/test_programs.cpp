@@ -94,7 +94,7 @@ bool exists(const char* program) {
 
 /// [mesa-utils] Three gears, red, green and blue, on black.
 TEST_F(GlxPrograms, GearsTurn) {
-    if (!exists("glxgears")) GTEST_SKIP() << "mesa-utils is not installed";
+    ASSERT_TRUE(exists("glxgears")) << "scripts/setup installs mesa-utils";
     start({"glxgears", "-geometry", "300x300"});
     const auto channel = [](unsigned long pixel, unsigned long mask) {
         return double(pixel & mask) / double(mask);
@@ -127,7 +127,7 @@ TEST_F(GlxPrograms, ExitHandlersMayLeaveTheContext) {
 
 /// A program of freeglut: a yellow square in the lower left quarter of a window of 200 x 100.
 TEST_F(GlxPrograms, FreeglutDraws) {
-    if (!std::filesystem::exists(GW_GLUT_PROGRAM)) GTEST_SKIP() << "freeglut is not installed";
+    ASSERT_TRUE(std::filesystem::exists(GW_GLUT_PROGRAM)) << "scripts/setup installs freeglut";
     start({GW_GLUT_PROGRAM});
     const auto is_drawn = [&](const Shown& image) {
         return histogram(image)[pixel(true, true, false)] == 100 * 50;
