@@ -172,9 +172,9 @@ HWY_INLINE void add_block(int bits, const ColorBlock& src, const ColorBlock& dst
         }
 }
 
-HWY_NOINLINE inline void write_color(const Resolved& r, const ColorBlock& src, ColorBlock& dst,
-                                     std::uint32_t mask) {
-    if (mixes_by_alpha(r)) return mix_by_alpha(src, dst, mask);
+/// Any blend or logical operation, through any colour mask.
+HWY_NOINLINE inline void join_and_write(const Resolved& r, const ColorBlock& src, ColorBlock& dst,
+                                        std::uint32_t mask) {
     ColorBlock joined;
     const ColorBlock* out = &src;
     if (r.state.blend.enable || r.state.logic_op.enable) {
@@ -195,6 +195,13 @@ HWY_NOINLINE inline void write_color(const Resolved& r, const ColorBlock& src, C
             if (channel[c])
                 store_lanes(hn::Load(d, out->channel[c] + i), lanes, d, dst.channel[c] + i);
     }
+}
+
+/// Inlined, so that the common blend does not pay for the registers of the others.
+HWY_INLINE void write_color(const Resolved& r, const ColorBlock& src, ColorBlock& dst,
+                            std::uint32_t mask) {
+    if (mixes_by_alpha(r)) return mix_by_alpha(src, dst, mask);
+    join_and_write(r, src, dst, mask);
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE
