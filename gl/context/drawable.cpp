@@ -96,11 +96,11 @@ void Drawable::swap() {
     begin_frame();
 }
 
-Readback Drawable::read_front(const Rect& rect, bool packed) {
+Readback Drawable::read_colors(gw::ReadBuffer buffer, const Rect& rect, bool packed) {
     const auto lock = exclusive();
-    if (last_state_ && last_state_->read_buffer != gw::ReadBuffer::Front) {
-        gw::State state = *last_state_;
-        state.read_buffer = gw::ReadBuffer::Front;
+    if ((last_state_ ? last_state_->read_buffer : gw::ReadBuffer::Front) != buffer) {
+        gw::State state = last_state_ ? *last_state_ : gw::State();
+        state.read_buffer = buffer;
         set_state(state);
     }
     return read(Plane::Color, rect, packed);

@@ -13,8 +13,9 @@
 
 namespace gw::gl {
 
-/// Whether a drawable has a front buffer only, or front and back.
-enum class Buffers : std::uint8_t { Single, Double };
+/// Whether a drawable has a front buffer only, front and back, or a back buffer only (a pbuffer of
+/// EGL), which is then the front plane.
+enum class Buffers : std::uint8_t { Single, Double, Back };
 
 class Drawable {
 public:
@@ -27,9 +28,11 @@ public:
 
     int width() const { return width_; }
     int height() const { return height_; }
-    bool is_double_buffered() const { return buffers_ == Buffers::Double; }
+    bool is_double_buffered() const { return buffers_ != Buffers::Single; }
     /// Whether its machine has a plane for each buffer; else both are the one plane.
-    bool has_back_plane() const { return is_double_buffered() && profile().color_planes == 2; }
+    bool has_back_plane() const {
+        return buffers_ == Buffers::Double && profile().color_planes == 2;
+    }
     const Profile& profile() const { return machine_->profile(); }
 
     /// Contexts of several threads may draw to one drawable. Every function locks it; a caller that
@@ -52,8 +55,11 @@ public:
     virtual void present() {}
     /// Executes the frame and reads a rectangle inside the drawable.
     Readback read(Plane plane, const Rect& rect, bool packed = false);
-    /// The same of the front buffer, whatever the read buffer is.
-    Readback read_front(const Rect& rect, bool packed = false);
+    /// The colours of a buffer, whatever the read buffer is.
+    Readback read_colors(gw::ReadBuffer buffer, const Rect& rect, bool packed = false);
+    Readback read_front(const Rect& rect, bool packed = false) {
+        return read_colors(gw::ReadBuffer::Front, rect, packed);
+    }
 
     /// New planes of another size, cleared to 0. What was not executed yet is left out.
     void resize(int width, int height);

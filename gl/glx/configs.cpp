@@ -1,8 +1,8 @@
 #include "gl/glx/configs.h"
 
+#include "gl/x11/geometry.h"
+
 #include <algorithm>
-#include <span>
-#include <tuple>
 
 namespace gw::gl::glx {
 
@@ -102,32 +102,13 @@ bool matches(const Config& config, const Request& request) {
     return true;
 }
 
-/// The TrueColor visuals of a screen.
-std::vector<XVisualInfo> true_color_visuals(Display* display, int screen) {
-    XVisualInfo like{};
-    like.screen = screen;
-    like.c_class = TrueColor;
-    int count = 0;
-    XVisualInfo* const found =
-        XGetVisualInfo(display, VisualScreenMask | VisualClassMask, &like, &count);
-    std::vector<XVisualInfo> visuals(found, found + count);
-    if (found != nullptr) XFree(found);
-    std::erase_if(visuals, [](const XVisualInfo& v) { return v.depth < 15; });
-    const VisualID initial = XVisualIDFromVisual(DefaultVisual(display, screen));
-    std::stable_sort(visuals.begin(), visuals.end(), [&](const auto& a, const auto& b) {
-        return std::tuple(a.visualid != initial, a.depth == 32, a.visualid) <
-               std::tuple(b.visualid != initial, b.depth == 32, b.visualid);
-    });
-    return visuals;
-}
-
 }  // namespace
 
 std::deque<Config> make_configs(Display* display, int screen, int first_id) {
     const Profile& profile = settings().profile;
     std::deque<Config> configs;
     for (const bool double_buffered : {false, true})
-        for (const XVisualInfo& visual : true_color_visuals(display, screen))
+        for (const XVisualInfo& visual : x11::true_color_visuals(display, screen))
             configs.push_back({visual, double_buffered, first_id + int(configs.size()),
                                profile.color_bits, profile.depth_bits, profile.stencil_bits,
                                profile.accum_bits});

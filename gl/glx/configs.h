@@ -2,7 +2,7 @@
 // the bits of the profile. [GLX 1.4] 3.3.3
 #pragma once
 
-#include "gl/glx/x11.h"
+#include "gl/glx/glx.h"
 
 #include <deque>
 #include <optional>

@@ -84,7 +84,7 @@ std::shared_ptr<Surface> surface_of(Display* display, XID name, GLXContext conte
         if (has.depth == wanted.depth && has.screen == wanted.screen) return known;
         return send_error(display, BadMatch, name, request), nullptr;
     }
-    const std::optional<Geometry> window = window_geometry(display, name);
+    const std::optional<x11::Geometry> window = x11::window_geometry(display, name);
     if (!window) return send_error(display, GlxError::Drawable, name, request), nullptr;
     if (window->depth != wanted.depth) return send_error(display, BadMatch, name, request), nullptr;
     return make_window_surface(display, name, context->config);
@@ -113,6 +113,9 @@ void bind(Display* display, GLXContext context, XID draw_name, XID read_name,
 }
 
 Bool make_context_current(Display* display, XID draw, XID read, GLXContext context, int request) {
+    // The thread has a context of EGL.
+    if (current != nullptr && current_binding().context == nullptr)
+        return send_error(display, BadAccess, draw, request), False;
     if (!may_leave(display, request)) return False;
     if (context == nullptr) {
         if (draw != 0 || read != 0) return send_error(display, BadMatch, draw, request), False;

@@ -1,5 +1,7 @@
 #include "gl/glx/current.h"
 
+#include "gl/context/of_thread.h"
+
 #include <map>
 #include <mutex>
 #include <utility>
@@ -36,25 +38,11 @@ void leave_context(GLXContext context) {
     if (context->is_destroyed) contexts().kept.erase(context);
 }
 
-/// Outlives the thread's other variables, so a pointer.
-constinit thread_local Current* thread_binding = nullptr;
-
-struct ThreadEnd {
-    ~ThreadEnd() {
-        const std::unique_ptr<Current> binding(std::exchange(thread_binding, nullptr));
-        if (!binding || binding->context == nullptr) return;
-        gl::current = nullptr;
-        leave_context(binding->context);
-    }
-};
-
 }  // namespace
 
-Current& current_binding() {
-    thread_local ThreadEnd end;
-    if (thread_binding == nullptr) thread_binding = new Current;
-    return *thread_binding;
-}
+void Current::leave() { leave_context(context); }
+
+Current& current_binding() { return of_thread<Current>(); }
 
 GLXContext keep_context(std::unique_ptr<__GLXcontextRec> context) {
     const std::lock_guard lock(contexts().mutex);

@@ -25,6 +25,9 @@ struct Current {
     GLXContext context = nullptr;
     XID draw_name = 0, read_name = 0;
     std::shared_ptr<Surface> draw, read;
+
+    /// Lets other threads have the context.
+    void leave();
 };
 /// The calling thread's. When the thread ends, its context is left. A program's exit handlers, which
 /// come later, find an empty one.

@@ -1,7 +1,8 @@
 #include "gl/glx/displays.h"
 
-#include "gl/glx/close_hook.h"
 #include "gl/record/recorder.h"
+#include "gl/x11/close_hook.h"
+#include "gl/x11/quiet_errors.h"
 
 #include <map>
 #include <mutex>
@@ -45,7 +46,7 @@ public:
     explicit Lock(Display* display) : display_(display), lock_(display_mutex()) {}
 
 private:
-    const LockedDisplay display_;
+    const x11::LockedDisplay display_;
     const std::lock_guard<std::recursive_mutex> lock_;
 };
 
@@ -62,7 +63,7 @@ KnownDisplay& known(Display* display) {
     std::unique_ptr<KnownDisplay>& place = known_displays()[display];
     if (!place) {
         place = std::make_unique<KnownDisplay>(display);
-        call_at_close(display, &forget_display);
+        x11::call_at_close(display, &forget_display);
     }
     return *place;
 }
@@ -73,7 +74,7 @@ void forget_lost_windows(Display* display, KnownDisplay& of) {
         const auto& [name, surface] = entry;
         const bool is_own_name = surface->kind() == Surface::Kind::Window &&
                                  surface->target() == name && surface.use_count() == 1;
-        return is_own_name && !geometry(display, name);
+        return is_own_name && !x11::geometry(display, name);
     });
 }
 
@@ -135,7 +136,7 @@ std::shared_ptr<Surface> make_window_surface(Display* display, XID window, const
     const Lock lock(display);
     if (auto found = find_surface(display, window)) return found;
     forget_lost_windows(display, known(display));
-    const Geometry size = geometry(display, window).value_or(Geometry{});
+    const x11::Geometry size = x11::geometry(display, window).value_or(x11::Geometry{});
     auto surface = std::make_shared<Surface>(display, config, Surface::Kind::Window, window,
                                              size.width, size.height);
     add_surface(display, window, surface);
@@ -156,22 +157,6 @@ bool remove_surface(Display* display, XID name, Surface::Kind kind) {
     surfaces.erase(found);
     if (kind == Surface::Kind::Window) surfaces.erase(target);
     return true;
-}
-
-std::optional<Geometry> geometry(Display* display, XID target) {
-    QuietErrors quiet(display);
-    Window root = 0;
-    int x = 0, y = 0;
-    unsigned width = 0, height = 0, border = 0, depth = 0;
-    if (!XGetGeometry(display, target, &root, &x, &y, &width, &height, &border, &depth)) return {};
-    return Geometry{int(width), int(height), int(depth)};
-}
-
-std::optional<Geometry> window_geometry(Display* display, XID window) {
-    QuietErrors quiet(display);
-    XWindowAttributes found{};
-    if (!XGetWindowAttributes(display, window, &found)) return {};
-    return Geometry{found.width, found.height, found.depth};
 }
 
 }  // namespace gw::gl::glx

@@ -5,6 +5,7 @@
 #include "gl/glx/configs.h"
 #include "gl/glx/errors.h"
 #include "gl/glx/surface.h"
+#include "gl/x11/geometry.h"
 
 #include <deque>
 #include <memory>
@@ -34,14 +35,5 @@ std::shared_ptr<Surface> make_window_surface(Display* display, XID window, const
 void add_surface(Display* display, XID name, std::shared_ptr<Surface> surface);
 /// False if no drawable of this kind has the name.
 bool remove_surface(Display* display, XID name, Surface::Kind kind);
-
-/// What the server says of a window or pixmap.
-struct Geometry {
-    int width = 0, height = 0, depth = 0;
-};
-/// None if there is no such window or pixmap.
-std::optional<Geometry> geometry(Display* display, XID target);
-/// None if there is no such window.
-std::optional<Geometry> window_geometry(Display* display, XID window);
 
 }  // namespace gw::gl::glx

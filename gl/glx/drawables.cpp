@@ -25,7 +25,7 @@ int value_of(const int* list, int name, int other) {
 /// A drawable for a window or pixmap of the program's; 0 after an error.
 XID make_surface(Display* display, const Config& config, Surface::Kind kind, XID target,
                  int request) {
-    const std::optional<Geometry> size = geometry(display, target);
+    const std::optional<x11::Geometry> size = x11::geometry(display, target);
     if (!size) {
         const bool is_window = kind == Surface::Kind::Window;
         return send_error(display, is_window ? BadWindow : BadPixmap, target, request), 0;
@@ -96,7 +96,7 @@ void glXDestroyWindow(Display* display, GLXWindow window) {
     caught([&] {
         const auto surface = find_surface(display, window);
         // [GLX 1.4] 3.3.4: a GLX window goes with its window.
-        const bool exists = surface && window_geometry(display, surface->target());
+        const bool exists = surface && x11::window_geometry(display, surface->target());
         if (!remove_surface(display, window, Surface::Kind::Window) || !exists)
             send_error(display, GlxError::Window, window, X_GLXDestroyWindow);
     });

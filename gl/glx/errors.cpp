@@ -42,41 +42,4 @@ void send_error(Display* display, GlxError error, XID resource, int request) {
     raise(display, codes_of(display).error_base + int(error), resource, request);
 }
 
-struct QuietErrors::Handler {
-    _XAsyncHandler hook{};
-    unsigned long first = 0;  ///< serial number of the first request
-    bool failed = false;
-
-    static Bool take(Display* display, xReply* reply, char*, int, XPointer data) {
-        Handler& handler = *reinterpret_cast<Handler*>(data);
-        if (reply->generic.type != X_Error) return False;
-        if (display->last_request_read < handler.first) return False;
-        handler.failed = true;
-        return True;
-    }
-};
-
-QuietErrors::QuietErrors(Display* display)
-    : display_(display), locked_(display), handler_(std::make_unique<Handler>()) {
-    handler_->first = XNextRequest(display);
-    handler_->hook.handler = &Handler::take;
-    handler_->hook.data = reinterpret_cast<XPointer>(handler_.get());
-    LockDisplay(display);
-    handler_->hook.next = display->async_handlers;
-    display->async_handlers = &handler_->hook;
-    UnlockDisplay(display);
-}
-
-bool QuietErrors::failed() {
-    XSync(display_, False);
-    return handler_->failed;
-}
-
-QuietErrors::~QuietErrors() {
-    if (XLastKnownRequestProcessed(display_) + 1 != XNextRequest(display_)) XSync(display_, False);
-    LockDisplay(display_);
-    DeqAsyncHandler(display_, &handler_->hook);
-    UnlockDisplay(display_);
-}
-
 }  // namespace gw::gl::glx

@@ -1,10 +1,7 @@
-// X errors: those that GLX's functions raise, and those of our own requests, which the program's
-// error handler must not see.
+// X errors that GLX's functions raise.
 #pragma once
 
-#include "gl/glx/x11.h"
-
-#include <memory>
+#include "gl/glx/glx.h"
 
 namespace gw::gl::glx {
 
@@ -33,36 +30,5 @@ ExtensionCodes query_codes(Display* display);
 /// had answered the GLX request of this number (X_GLXMakeCurrent).
 void send_error(Display* display, int core_error, XID resource, int request);
 void send_error(Display* display, GlxError error, XID resource, int request);
-
-/// XLockDisplay .. XUnlockDisplay.
-class LockedDisplay {
-public:
-    explicit LockedDisplay(Display* display) : display_(display) { XLockDisplay(display); }
-    ~LockedDisplay() { XUnlockDisplay(display_); }
-    LockedDisplay(const LockedDisplay&) = delete;
-    LockedDisplay& operator=(const LockedDisplay&) = delete;
-
-private:
-    Display* const display_;
-};
-
-/// While it lives, the calling thread has the display for itself, and errors of its requests are
-/// counted here, not reported.
-class QuietErrors {
-public:
-    explicit QuietErrors(Display* display);
-    ~QuietErrors();
-    QuietErrors(const QuietErrors&) = delete;
-    QuietErrors& operator=(const QuietErrors&) = delete;
-
-    /// Waits for the server. Whether a request since the construction failed.
-    bool failed();
-
-private:
-    struct Handler;
-    Display* const display_;
-    const LockedDisplay locked_;
-    std::unique_ptr<Handler> handler_;
-};
 
 }  // namespace gw::gl::glx

@@ -1,5 +1,5 @@
 // GetProcAddress: functions of GL and of GLX by name. [GLX 1.4] 3.3.12
-#include "gl/glx/x11.h"
+#include "gl/glx/glx.h"
 
 #include "gl/entry/entry_points.h"
 

@@ -3,6 +3,7 @@
 
 #include "gl/context/caught.h"
 #include "gl/glx/current.h"
+#include "gl/x11/quiet_errors.h"
 
 #include <X11/Xmd.h>
 // The numbers of the requests.
@@ -98,7 +99,7 @@ void glXUseXFont(Font name, int first, int count, int list) {
                               X_GLXUseXFont);
         XFontStruct* font = nullptr;
         {
-            const QuietErrors quiet(display);
+            const x11::QuietErrors quiet(display);
             font = XQueryFont(display, name);
         }
         if (font == nullptr) return send_error(display, BadFont, name, X_GLXUseXFont);

@@ -2,14 +2,14 @@
 // memory shared with the server if it can (MIT-SHM).
 #pragma once
 
-#include "gl/glx/x11.h"
+#include "gl/x11/x11.h"
 
 #include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-namespace gw::gl::glx {
+namespace gw::gl::x11 {
 
 /// A colour 0 .. 2^color_bits - 1 as a pixel of a visual: each channel to the nearest value.
 class PixelFormat {
@@ -38,12 +38,12 @@ public:
     bool has_lost_display() const { return lost_display_; }
 
     /// A window that is no longer there shows nothing, without an error.
-    void show(gl::Drawable& drawable);
+    void show(gl::Drawable& drawable, gw::ReadBuffer buffer = gw::ReadBuffer::Front);
 
 private:
     struct Memory;
     void fit(int width, int height);
-    void fill(gl::Drawable& drawable);
+    void fill(gl::Drawable& drawable, gw::ReadBuffer buffer);
 
     Display* const display_;
     const XVisualInfo visual_;
@@ -55,4 +55,4 @@ private:
     std::unique_ptr<Memory> memory_;
 };
 
-}  // namespace gw::gl::glx
+}  // namespace gw::gl::x11

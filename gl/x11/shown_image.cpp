@@ -1,6 +1,6 @@
-#include "gl/glx/shown_image.h"
+#include "gl/x11/shown_image.h"
 
-#include "gl/glx/errors.h"
+#include "gl/x11/quiet_errors.h"
 
 #include <X11/extensions/XShm.h>
 #include <sys/ipc.h>
@@ -8,7 +8,7 @@
 #include <bit>
 #include <cstring>
 
-namespace gw::gl::glx {
+namespace gw::gl::x11 {
 
 namespace {
 
@@ -144,12 +144,13 @@ void ShownImage::fit(int width, int height) {
     memory_ = std::make_unique<Memory>(display_, visual_, width, height);
 }
 
-void ShownImage::fill(gl::Drawable& drawable) {
+void ShownImage::fill(gl::Drawable& drawable, gw::ReadBuffer buffer) {
     const int color_bits = drawable.profile().color_bits;
     if (!format_) format_ = std::make_unique<PixelFormat>(visual_, color_bits);
     const PixelFormat& format = *format_;
     const bool packed = color_bits <= 8;
-    const Readback read = drawable.read_front({0, 0, drawable.width(), drawable.height()}, packed);
+    const Readback read =
+        drawable.read_colors(buffer, {0, 0, drawable.width(), drawable.height()}, packed);
     if (packed)
         store_rows(*memory_->image, [&](std::size_t i) {
             const std::uint32_t c = read.values[i];
@@ -162,9 +163,9 @@ void ShownImage::fill(gl::Drawable& drawable) {
         });
 }
 
-void ShownImage::show(gl::Drawable& drawable) {
+void ShownImage::show(gl::Drawable& drawable, gw::ReadBuffer buffer) {
     fit(drawable.width(), drawable.height());
-    fill(drawable);
+    fill(drawable, buffer);
     const QuietErrors quiet(display_);  // waits until the server has read the image
     XImage& image = *memory_->image;
     const unsigned width = unsigned(image.width), height = unsigned(image.height);
@@ -175,4 +176,4 @@ void ShownImage::show(gl::Drawable& drawable) {
         XPutImage(display_, target_, gc_, &image, 0, 0, 0, top, width, height);
 }
 
-}  // namespace gw::gl::glx
+}  // namespace gw::gl::x11

@@ -1,11 +1,12 @@
-#include "gl/glx/surface.h"
+#include "gl/x11/surface.h"
 
-#include "gl/glx/displays.h"
+#include "gl/x11/geometry.h"
+#include "gl/x11/quiet_errors.h"
 
 #include <algorithm>
 #include <atomic>
 
-namespace gw::gl::glx {
+namespace gw::gl::x11 {
 
 namespace {
 
@@ -16,25 +17,19 @@ std::string recorded_name(Surface::Kind kind) {
     return words[std::size_t(kind)] + std::to_string(++count);
 }
 
-Buffers buffers_of(Surface::Kind kind, const Config& config) {
-    return config.double_buffered && kind != Surface::Kind::Pixmap ? Buffers::Double
-                                                                   : Buffers::Single;
-}
-
 int size_on_machine(int pixels) { return std::clamp(pixels, 1, max_window_size); }
 
 }  // namespace
 
-Surface::Surface(Display* display, const Config& config, Kind kind, XID target, int width,
-                 int height)
+Surface::Surface(Display* display, const XVisualInfo& visual, Buffers buffers, Kind kind,
+                 XID target, int width, int height)
     : gl::Drawable(settings().profile, size_on_machine(width), size_on_machine(height),
-                   recorded_name(kind), buffers_of(kind, config)),
+                   recorded_name(kind), kind == Kind::Pixmap ? Buffers::Single : buffers),
       display_(display),
-      config_(config),
       kind_(kind),
       target_(target) {
     if (kind != Kind::Pbuffer)
-        image_ = std::make_unique<ShownImage>(display, config.visual, target, height);
+        image_ = std::make_unique<ShownImage>(display, visual, target, height);
 }
 
 void Surface::present() {
@@ -48,15 +43,17 @@ void Surface::swap_buffers() {
 }
 
 // The display is locked before the drawable, as everywhere.
-void Surface::follow_window() {
-    if (kind_ != Kind::Window || !image_ || image_->has_lost_display()) return;
+bool Surface::follow_window() {
+    if (kind_ != Kind::Window) return true;
+    if (image_->has_lost_display()) return false;
     const LockedDisplay locked(display_);
     const auto lock = exclusive();
     const std::optional<Geometry> window = geometry(display_, target_);
-    if (!window) return;
+    if (!window) return false;
     image_->set_target_height(window->height);
     const int wide = size_on_machine(window->width), high = size_on_machine(window->height);
     if (wide != width() || high != height()) resize(wide, high);
+    return true;
 }
 
 void Surface::show() {
@@ -72,4 +69,4 @@ void Surface::lose_display() {
     if (image_) image_->lose_display();
 }
 
-}  // namespace gw::gl::glx
+}  // namespace gw::gl::x11

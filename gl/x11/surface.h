@@ -1,0 +1,41 @@
+// What the doors of X11 draw to: a window, a pixmap or a pbuffer with a machine of its size.
+#pragma once
+
+#include "gl/x11/shown_image.h"
+
+#include <memory>
+
+namespace gw::gl::x11 {
+
+class Surface : public gl::Drawable {
+public:
+    enum class Kind { Window, Pixmap, Pbuffer };
+    /// A pixmap has one buffer: the pixmap. `target` is the X window or pixmap; 0 for a pbuffer,
+    /// which needs no display and visual. Sizes beyond the machine's are cut off at the top and on
+    /// the right.
+    Surface(Display* display, const XVisualInfo& visual, Buffers buffers, Kind kind, XID target,
+            int width, int height);
+
+    Kind kind() const { return kind_; }
+    XID target() const { return target_; }
+
+    /// Shows the front buffer if it has changed.
+    void present() override;
+    /// SwapBuffers: of double-buffered windows and pbuffers.
+    void swap_buffers();
+    /// Takes the window's present size. A new size makes new buffers. False if the window is gone.
+    bool follow_window();
+
+    /// The program closed the display: nothing is shown any more.
+    void lose_display();
+
+private:
+    void show();
+
+    Display* const display_;
+    const Kind kind_;
+    const XID target_;
+    std::unique_ptr<ShownImage> image_;  ///< null: there is nowhere to show
+};
+
+}  // namespace gw::gl::x11
