@@ -125,6 +125,13 @@ TEST_F(GlxPrograms, ExitHandlersMayLeaveTheContext) {
     EXPECT_EQ(wait_for_end(), 0);
 }
 
+/// A program that is linked with the parts of libGL.so.1 under their own names.
+TEST_F(GlxPrograms, SplitLibrariesFindTheMachine) {
+    ASSERT_TRUE(std::filesystem::exists(GW_SPLIT_PROGRAM)) << "scripts/setup installs libegl1";
+    start({GW_SPLIT_PROGRAM});
+    EXPECT_EQ(wait_for_end(), 0);
+}
+
 /// A program of freeglut: a yellow square in the lower left quarter of a window of 200 x 100.
 TEST_F(GlxPrograms, FreeglutDraws) {
     ASSERT_TRUE(std::filesystem::exists(GW_GLUT_PROGRAM)) << "scripts/setup installs freeglut";
