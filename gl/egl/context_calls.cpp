@@ -2,6 +2,8 @@
 #include "gl/egl/displays.h"
 #include "gl/egl/failure.h"
 
+#include <utility>
+
 namespace {
 
 using namespace gw::gl;

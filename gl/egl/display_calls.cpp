@@ -3,6 +3,9 @@
 #include "gl/egl/failure.h"
 #include "gl/x11/geometry.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace {
 
 using namespace gw::gl;
