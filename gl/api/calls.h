@@ -71,6 +71,7 @@ void clip_plane(Context& c, GLenum plane, const Params& equation);
 
 // 2.12 Current raster position
 void raster_pos(Context& c, double x, double y, double z, double w);
+void window_pos(Context& c, double x, double y, double z);
 
 // 2.13 Colours and lighting
 void front_face(Context& c, GLenum mode);

@@ -4,6 +4,7 @@
 #include "gl/context/context.h"
 
 #include "gw/base/elementary.h"
+#include "gw/stages/vertex.h"
 
 #include <algorithm>
 #include <cmath>
@@ -224,6 +225,15 @@ float cutoff_cosine(float degrees) {
     return degrees == 180 ? -1.0f : float(cos_degrees(double(degrees)));
 }
 
+/// [GL11] 2.13.1: the spot factor of a directional light, the same at every vertex. The machine's
+/// directional lights have none, so it is a factor of their colours.
+float directional_spot(const LightState& s) {
+    if (s.position.w != 0 || s.spot_cutoff == 180) return 1;
+    const double c = -dot3(normalized(dvec3(s.position)), normalized(dvec3(s.spot_direction)));
+    if (c < double(cutoff_cosine(s.spot_cutoff)) || c <= 0) return 0;
+    return float(gw::pow(std::min(c, 1.0), double(s.spot_exponent)));
+}
+
 /// [GL11] table 4.4, without right and auxiliary buffers.
 DrawBuffer draw_buffer(GLenum mode) {
     switch (mode) {
@@ -266,18 +276,20 @@ gw::State machine_state(const Context& c) {
 LightsRef machine_lights(const LightingState& lighting) {
     if (!lighting.enable) return nullptr;
     auto lights = std::make_shared<std::vector<gw::Light>>();
-    for (const LightState& s : lighting.lights)
-        if (s.enable)
-            lights->push_back({.position = s.position,
-                               .Ia = rgb(s.ambient),
-                               .Id = rgb(s.diffuse),
-                               .Is = rgb(s.specular),
-                               .spot_direction = s.spot_direction,
-                               .spot_exponent = s.spot_exponent,
-                               .spot_cos_cutoff = cutoff_cosine(s.spot_cutoff),
-                               .constant_attenuation = s.constant_attenuation,
-                               .linear_attenuation = s.linear_attenuation,
-                               .quadratic_attenuation = s.quadratic_attenuation});
+    for (const LightState& s : lighting.lights) {
+        if (!s.enable) continue;
+        const float spot = directional_spot(s);
+        lights->push_back({.position = s.position,
+                           .Ia = spot * rgb(s.ambient),
+                           .Id = spot * rgb(s.diffuse),
+                           .Is = spot * rgb(s.specular),
+                           .spot_direction = s.spot_direction,
+                           .spot_exponent = s.spot_exponent,
+                           .spot_cos_cutoff = cutoff_cosine(s.spot_cutoff),
+                           .constant_attenuation = s.constant_attenuation,
+                           .linear_attenuation = s.linear_attenuation,
+                           .quadratic_attenuation = s.quadratic_attenuation});
+    }
     return lights->empty() ? nullptr : lights;
 }
 

@@ -1,5 +1,7 @@
-// RasterPos. [GL11] 2.12: a vertex that goes through the vertex and clip stages.
+// RasterPos. [GL11] 2.12: a vertex that goes through the vertex and clip stages. WindowPos of
+// GL_ARB_window_pos gives window coordinates instead.
 #include "gl/api/calls.h"
+#include "gl/api/finite.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
 
@@ -57,6 +59,20 @@ void raster_pos(Context& c, double x, double y, double z, double w) {
         raster.color[i] = float(vertex.color[std::size_t(i)]) / largest;
         raster.texcoord[i] = float(vertex.texcoord[i]);
     }
+    raster.index = c.state.current.index;
+    report_depth(c, raster.position.z);
+}
+
+/// No transform, no clipping, no lighting: the current values as they are.
+void window_pos(Context& c, double x, double y, double z) {
+    CurrentState::Raster& raster = c.state.current.raster;
+    raster.valid = std::isfinite(float(x)) && std::isfinite(float(y)) && std::isfinite(float(z));
+    if (!raster.valid) return;
+    const double n = c.state.viewport.near_value, f = c.state.viewport.far_value;
+    raster.position = {x, y, n + clamped(z, 0.0, 1.0) * (f - n), 1};
+    raster.distance = 0;
+    raster.color = glm::clamp(c.state.current.color, 0.0f, 1.0f);
+    raster.texcoord = c.state.current.texcoord;
     raster.index = c.state.current.index;
     report_depth(c, raster.position.z);
 }

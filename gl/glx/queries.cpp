@@ -3,6 +3,7 @@
 
 #include "gl/context/caught.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 
@@ -13,8 +14,8 @@ using namespace gw::gl::glx;
 
 constexpr const char* glx_extensions =
     "GLX_ARB_create_context GLX_ARB_create_context_profile GLX_ARB_get_proc_address "
-    "GLX_EXT_visual_info GLX_EXT_visual_rating GLX_MESA_swap_control GLX_SGIX_fbconfig "
-    "GLX_SGI_make_current_read GLX_SGI_swap_control";
+    "GLX_EXT_visual_info GLX_EXT_visual_rating GLX_MESA_query_renderer GLX_MESA_swap_control "
+    "GLX_SGIX_fbconfig GLX_SGI_make_current_read GLX_SGI_swap_control";
 
 const char* string_of(int name) {
     switch (name) {
@@ -70,10 +71,13 @@ const char* glXQueryExtensionsString(Display* display, int screen) {
     return glXQueryServerString(display, screen, GLX_EXTENSIONS);
 }
 
+/// Double-buffered ones first: programs look here for the first configuration of a visual, and a
+/// visual stands for that one.
 GLXFBConfig* glXGetFBConfigs(Display* display, int screen, int* count) {
     return caught([&]() -> GLXFBConfig* {
         std::vector<Config*> all;
         for (Config& config : configs_of(display, screen)) all.push_back(&config);
+        std::ranges::stable_partition(all, &Config::double_buffered);
         return array_of(all, count);
     });
 }

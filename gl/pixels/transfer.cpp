@@ -56,9 +56,9 @@ vec4 color_of(GLenum format, const std::array<double, 4>& v) {
     return {f(0), f(1), f(2), f(3)};
 }
 
-/// [GL11] 4.3.2: the components of a format from a colour.
+/// [GL11] 4.3.2: the components of a format from a colour, clamped.
 std::array<double, 4> components_of(GLenum format, const vec4& c) {
-    const double luminance = double(c.x) + double(c.y) + double(c.z);
+    const double luminance = std::min(double(c.x) + double(c.y) + double(c.z), 1.0);
     switch (format) {
         case GL_RED: return {c.x};
         case GL_GREEN: return {c.y};

@@ -263,9 +263,13 @@ void get_tex_image(Context& c, GLenum target, GLint level, GLenum format, GLenum
     if (const GLenum error = format_error(format, type)) return set_error(c, error);
     const TextureImage& image = c.textures.bound[*index]->levels[std::size_t(level)];
     if (image.width == 0 || pixels == nullptr) return;
+    // [GL11] 6.1.4: no pixel transfer. Luminance is R, not the sum that ReadPixels makes.
+    const bool is_luminance = format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA;
     std::vector<vec4> colors;
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
-        colors.push_back(transferred_color(c, texel_color(image, i)));
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        const vec4 texel = texel_color(image, i);
+        colors.push_back(is_luminance ? vec4{texel.x, 0, 0, texel.w} : texel);
+    }
     copy_to_memory(pixels, c.client.pack, image.width, image.height, format, type,
                    packed_colors(colors, format, type));
 }

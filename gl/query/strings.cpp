@@ -8,10 +8,10 @@ namespace gw::gl {
 
 namespace {
 
-/// The extensions of 1.1 and before that the profile has.
+/// The extensions that every machine has, and those of the profile.
 std::string extensions(const Profile& profile) {
     std::string names =
-        "GL_EXT_texture GL_EXT_texture_object GL_EXT_vertex_array GL_SGIS_texture_edge_clamp";
+        "GL_ARB_window_pos GL_EXT_texture GL_EXT_texture_object GL_EXT_vertex_array GL_SGIS_texture_edge_clamp";
     const auto add = [&](bool has, const char* name) {
         if (has) names.append(" ").append(name);
     };

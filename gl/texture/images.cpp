@@ -11,6 +11,7 @@
 #include "gw/texture.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -45,17 +46,20 @@ struct Request {
     GLint border;
 };
 
+/// Whether OpenGL has such a request, whatever the machine's limits are.
+bool is_legal(const Request& r) {
+    return base_format(r.internal_format) != 0 && r.level >= 0 && r.level < level_count &&
+           (r.border == 0 || r.border == 1) && r.width >= 0 && r.height >= 0;
+}
+
 GLenum request_error(const Request& r, std::size_t target) {
-    if (base_format(r.internal_format) == 0) return GL_INVALID_VALUE;
-    if (r.level < 0 || r.level >= level_count || r.border < 0 || r.border > 1 || r.width < 0 ||
-        r.height < 0)
-        return GL_INVALID_VALUE;
+    if (!is_legal(r)) return GL_INVALID_VALUE;
     const bool fits = fits_level(r.width, r.border, r.level) &&
                       (target == 0 || fits_level(r.height, r.border, r.level));
     return fits ? GL_NO_ERROR : GL_INVALID_VALUE;
 }
 
-/// The channels that a base format keeps: luminance and intensity from R.
+/// Texels as an image has them. Base formats take luminance and intensity from R.
 void store_texels(TextureImage& image, const Rect& rect, const std::vector<vec4>& colors) {
     std::size_t from = 0;
     for (int y = rect.y; y < rect.y + rect.height; ++y) {
@@ -66,26 +70,65 @@ void store_texels(TextureImage& image, const Rect& rect, const std::vector<vec4>
     }
 }
 
+/// The places of R, G, B, A in a pixel of bytes.
+struct BytePlaces {
+    static constexpr int zero = -1, one = -2;
+    GLenum format;
+    std::array<int, 4> place;
+};
+constexpr BytePlaces byte_formats[] = {
+    {GL_RGBA, {0, 1, 2, 3}},
+    {GL_BGRA, {2, 1, 0, 3}},
+    {GL_RGB, {0, 1, 2, BytePlaces::one}},
+    {GL_BGR, {2, 1, 0, BytePlaces::one}},
+    {GL_LUMINANCE, {0, 0, 0, BytePlaces::one}},
+    {GL_LUMINANCE_ALPHA, {0, 0, 0, 1}},
+    {GL_ALPHA, {BytePlaces::zero, BytePlaces::zero, BytePlaces::zero, 0}},
+};
+
+/// Of a format whose bytes pass the transfer as they are; null: others.
+const BytePlaces* plain_bytes(const PixelState& transfer, GLenum format, GLenum type) {
+    const bool changes = transfer.map_color || transfer.scale != vec4{1, 1, 1, 1} ||
+                         transfer.bias != vec4{0, 0, 0, 0};
+    if (changes || type != GL_UNSIGNED_BYTE) return nullptr;
+    const auto* const found = std::ranges::find(byte_formats, format, &BytePlaces::format);
+    return found != std::end(byte_formats) ? found : nullptr;
+}
+
+/// The same as store_texels of the bytes' colours: b / 255 of 65535 is 257 b.
+void store_bytes(TextureImage& image, const BytePlaces& places, const std::byte* from) {
+    const auto size = std::size_t(component_count(places.format));
+    const std::size_t count = image.rgba.size() / 4;
+    std::uint16_t* to = image.rgba.data();
+    for (std::size_t i = 0; i < count; ++i, from += size, to += 4)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const int place = places.place[k];
+            to[k] = place < 0 ? (place == BytePlaces::one ? 0xFFFF : 0)
+                              : std::uint16_t(257 * std::to_integer<unsigned>(from[place]));
+        }
+}
+
 TextureImage empty_image(const Request& r) {
     return {r.width, r.height, r.border, r.internal_format,
             std::vector<std::uint16_t>(4 * std::size_t(r.width) * std::size_t(r.height))};
 }
 
-/// Replaces an image. Null colours: its texels are 0.
-void set_image(Context& c, const Place& place, const Request& r, const std::vector<vec4>* colors) {
+/// Replaces an image. `store(image)` gives it its texels, which are 0.
+template <class Store>
+void set_image(Context& c, const Place& place, const Request& r, Store store) {
     begin_change(c);
     TextureImage image = r.width == 0 || r.height == 0 ? TextureImage{} : empty_image(r);
     image.internal_format = r.internal_format;
-    if (colors != nullptr && image.width > 0)
-        store_texels(image, {0, 0, r.width, r.height}, *colors);
+    if (image.width > 0) store(image);
     const auto lock = c.shared->exclusive();
     TextureObject& object = *c.textures.bound[place.index];
     object.levels[std::size_t(r.level)] = std::move(image);
     object.changed = true;
 }
 
+/// [GL11] 3.8.6: only an image that cannot be supported makes the proxy 0; other errors are errors.
 void set_proxy(Context& c, const Place& place, const Request& r, GLenum error) {
-    if (r.level < 0 || r.level >= level_count) return set_error(c, GL_INVALID_VALUE);
+    if (!is_legal(r)) return set_error(c, GL_INVALID_VALUE);
     TextureImage& image = c.textures.proxy[place.index][std::size_t(r.level)];
     image = error != GL_NO_ERROR ? TextureImage{.internal_format = 0}
                                  : TextureImage{r.width, r.height, r.border, r.internal_format, {}};
@@ -105,9 +148,13 @@ void tex_image(Context& c, GLenum target, const Request& r, GLenum format, GLenu
     const GLenum error = request_error(r, place->index);
     if (place->is_proxy) return set_proxy(c, *place, r, error);
     if (error != GL_NO_ERROR) return set_error(c, error);
-    if (!host.bytes) return set_image(c, *place, r, nullptr);
-    const auto colors = host_colors(c, r.width, r.height, format, type, host);
-    set_image(c, *place, r, &colors);
+    const BytePlaces* const bytes = plain_bytes(c.state.pixel, format, type);
+    set_image(c, *place, r, [&](TextureImage& image) {
+        if (!host.bytes) return;
+        if (bytes != nullptr) return store_bytes(image, *bytes, host.bytes->data());
+        store_texels(image, {0, 0, r.width, r.height},
+                     host_colors(c, r.width, r.height, format, type, host));
+    });
 }
 
 /// The image whose part a call replaces; null, and the error is set: there is none, or the part is
@@ -164,8 +211,10 @@ void copy_image(Context& c, GLenum target, const Request& r, GLint x, GLint y) {
     const GLenum error = request_error(r, *index);
     if (error != GL_NO_ERROR) return set_error(c, error);
     if (c.read_drawable == nullptr) return;
-    const auto colors = copied_colors(c, {x, y, r.width, r.height});
-    set_image(c, {*index, false}, r, &colors);
+    const Rect rect{x, y, r.width, r.height};
+    set_image(c, {*index, false}, r, [&, colors = copied_colors(c, rect)](TextureImage& image) {
+        store_texels(image, {0, 0, r.width, r.height}, colors);
+    });
 }
 
 void copy_part(Context& c, GLenum target, GLint level, const Rect& part, GLint x, GLint y) {

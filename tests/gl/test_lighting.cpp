@@ -1,6 +1,8 @@
 // Lights, materials and ColorMaterial. [GL11] 2.13
 #include "tests/gl/support/window.h"
 
+#include <cmath>
+
 namespace gw::gl {
 namespace {
 
@@ -18,6 +20,25 @@ Four material_value(GLenum face, GLenum name) {
 }
 void expect_error(GLenum error) { EXPECT_EQ(glGetError(), error); }
 
+/// The colour of a point under LIGHT0 along -z, whose spot has this angle to it, in degrees.
+std::array<GLubyte, 4> lit_by_directional_spot(double angle, float cutoff) {
+    const Window window;
+    glEnable(GL_LIGHTING);
+    glEnable(GL_LIGHT0);
+    const Four black{0, 0, 0, 1}, white{1, 1, 1, 1}, from_z{0, 0, 1, 0};
+    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, black.data());
+    glLightfv(GL_LIGHT0, GL_DIFFUSE, white.data());
+    glLightfv(GL_LIGHT0, GL_POSITION, from_z.data());
+    glMaterialfv(GL_FRONT, GL_DIFFUSE, white.data());
+    const double radians = angle * 3.14159265358979 / 180;
+    const Four direction{float(std::sin(radians)), 0, float(-std::cos(radians)), 0};
+    glLightfv(GL_LIGHT0, GL_SPOT_DIRECTION, direction.data());
+    glLightf(GL_LIGHT0, GL_SPOT_EXPONENT, 2);
+    glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, cutoff);
+    glRectf(-1, -1, 1, 1);
+    return window.pixel(4, 4);
+}
+
 }  // namespace
 
 TEST(GlLighting, PositionsAndDirectionsGoThroughTheModelview) {
@@ -31,6 +52,14 @@ TEST(GlLighting, PositionsAndDirectionsGoThroughTheModelview) {
     EXPECT_EQ(light_value(GL_SPOT_DIRECTION), (Four{2, 3, 4, 0}));
     glLoadIdentity();
     EXPECT_EQ(light_value(GL_POSITION), (Four{22, 43, 64, 2}));
+}
+
+TEST(GlLighting, DirectionalLightsHaveASpotToo) {
+    EXPECT_EQ(lit_by_directional_spot(60, 180)[0], 255);
+    EXPECT_EQ(lit_by_directional_spot(60, 90)[0], 64);  // cos 60 degrees, squared
+    EXPECT_EQ(lit_by_directional_spot(60, 45)[0], 0);
+    EXPECT_EQ(lit_by_directional_spot(120, 90)[0], 0);
+    EXPECT_EQ(lit_by_directional_spot(0, 10)[0], 255);
 }
 
 TEST(GlLighting, IntegerParametersAreUnitsForColorsOnly) {

@@ -1,5 +1,9 @@
 // Pixel rectangles in the caller's memory and on the screen. [GL11] 3.6, 3.7, 4.3
+#include "gl/entry/entry_points.h"
+
 #include "tests/gl/support/window.h"
+
+#include <cmath>
 
 namespace gw::gl {
 namespace {
@@ -83,6 +87,57 @@ TEST(GlPixels, BitmapsDrawTheirBitsAndMoveTheRasterPosition) {
                 EXPECT_EQ(window.pixel(x, y)[0], expected ? 255 : 0) << x << " " << y;
             }
     }
+}
+
+/// [GL11] 4.3.2: components are clamped at the end, floats too.
+TEST(GlPixels, LuminanceIsTheSumOfColoursUpTo1) {
+    const Window window;
+    glClearColor(0.25f, 0.5f, 0.125f, 0.5f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    std::array<GLfloat, 2> out{};
+    glReadPixels(0, 0, 1, 1, GL_LUMINANCE_ALPHA, GL_FLOAT, out.data());
+    EXPECT_NEAR(out[0], 0.875, 0.01);
+    EXPECT_NEAR(out[1], 0.5, 0.01);
+    glClearColor(1, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glReadPixels(0, 0, 1, 1, GL_LUMINANCE_ALPHA, GL_FLOAT, out.data());
+    EXPECT_EQ(out[0], 1);
+}
+
+/// GL_ARB_window_pos
+TEST(GlPixels, WindowPosTakesWindowCoordinatesAndCurrentValues) {
+    const Window window;
+    glTranslatef(5, 6, 7);
+    glEnable(GL_LIGHTING);
+    glDepthRange(0.25, 0.75);
+    glColor4f(0.5f, 2, 0, 1);
+    glTexCoord2f(3, 4);
+    using Four = std::array<GLfloat, 4>;
+    const auto value = [](GLenum name) {
+        Four out{};
+        glGetFloatv(name, out.data());
+        return out;
+    };
+    const auto call = reinterpret_cast<void(GLAPIENTRY*)(GLdouble, GLdouble, GLdouble)>(
+        find_entry_point("glWindowPos3dARB"));
+    ASSERT_NE(call, nullptr);
+    call(-3, 1.5, 0.5);
+    EXPECT_EQ(value(GL_CURRENT_RASTER_POSITION), (Four{-3, 1.5f, 0.5f, 1}));
+    EXPECT_EQ(value(GL_CURRENT_RASTER_COLOR), (Four{0.5f, 1, 0, 1}));
+    EXPECT_EQ(value(GL_CURRENT_RASTER_TEXTURE_COORDS), (Four{3, 4, 0, 1}));
+    EXPECT_EQ(value(GL_CURRENT_RASTER_DISTANCE)[0], 0);
+    EXPECT_EQ(value(GL_CURRENT_RASTER_POSITION_VALID)[0], 1);
+    call(1, 2, -9);
+    EXPECT_EQ(value(GL_CURRENT_RASTER_POSITION)[2], 0.25f);
+    call(1, 2, 9);
+    EXPECT_EQ(value(GL_CURRENT_RASTER_POSITION)[2], 0.75f);
+    const auto from_shorts =
+        reinterpret_cast<void(GLAPIENTRY*)(const GLshort*)>(find_entry_point("glWindowPos2svARB"));
+    const std::array<GLshort, 2> shorts{7, -8};
+    from_shorts(shorts.data());
+    EXPECT_EQ(value(GL_CURRENT_RASTER_POSITION), (Four{7, -8, 0.25f, 1}));
+    call(std::nan(""), 0, 0);
+    EXPECT_EQ(value(GL_CURRENT_RASTER_POSITION_VALID)[0], 0);
 }
 
 TEST(GlPixels, AnInvalidRasterPositionDrawsNothing) {

@@ -26,6 +26,12 @@ Color textured(const Window& window) {
     return window.pixel(5, 5);
 }
 
+GLint proxy_width() {
+    GLint width = -1;
+    glGetTexLevelParameteriv(GL_PROXY_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    return width;
+}
+
 }  // namespace
 
 TEST(GlTextures, EveryInternalFormatKeepsTheComponentsOfItsBaseFormat) {
@@ -105,6 +111,73 @@ TEST(GlTextures, ErrorsReadNoMemory) {
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
     glDrawPixels(1 << 30, 1 << 30, GL_RGBA, GL_UNSIGNED_BYTE, one);
     EXPECT_EQ(glGetError(), GLenum(GL_INVALID_VALUE));
+}
+
+/// Bytes take a short way unless the transfer changes them.
+TEST(GlTextures, BytesOfAllFormatsAreTheirColours) {
+    const Window window;
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    struct Row {
+        GLenum format;
+        std::size_t size;
+        std::array<int, 4> place;  // -1: 0, -2: 1
+    };
+    constexpr Row rows[] = {{GL_RGBA, 4, {0, 1, 2, 3}},       {GL_BGRA, 4, {2, 1, 0, 3}},
+                            {GL_RGB, 3, {0, 1, 2, -2}},       {GL_BGR, 3, {2, 1, 0, -2}},
+                            {GL_LUMINANCE, 1, {0, 0, 0, -2}}, {GL_LUMINANCE_ALPHA, 2, {0, 0, 0, 1}},
+                            {GL_ALPHA, 1, {-1, -1, -1, 0}},   {GL_GREEN, 1, {-1, 0, -1, -2}}};
+    for (const Row& row : rows) {
+        std::vector<GLubyte> bytes(64 * row.size);
+        for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = GLubyte(7 * i + 3);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16, 8, 8, 0, row.format, GL_UNSIGNED_BYTE,
+                     bytes.data());
+        std::array<std::array<GLushort, 4>, 64> texels{};
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_SHORT, texels.data());
+        for (std::size_t i = 0; i < 64; ++i)
+            for (std::size_t k = 0; k < 4; ++k) {
+                const int place = row.place[k];
+                const int expected = place < 0 ? (place == -2 ? 65535 : 0)
+                                               : 257 * bytes[i * row.size + std::size_t(place)];
+                EXPECT_EQ(texels[i][k], expected) << row.format << " " << i << " " << k;
+            }
+    }
+    glPixelTransferf(GL_RED_SCALE, 0.5f);
+    const std::array<GLubyte, 4> one{200, 100, 50, 25};
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, one.data());
+    std::array<GLushort, 4> texel{};
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_SHORT, texel.data());
+    EXPECT_EQ(texel, (std::array<GLushort, 4>{25700, 25700, 12850, 6425}));
+}
+
+/// [GL11] 6.1.4
+TEST(GlTextures, GetTexImageHasNoTransferAndLuminanceIsRed) {
+    const Window window;
+    const std::array<GLfloat, 4> given{0.5f, 0.25f, 0.125f, 0.75f};
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_FLOAT, given.data());
+    glPixelTransferf(GL_RED_BIAS, 0.5f);
+    std::array<GLubyte, 4> out{};
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, out.data());
+    EXPECT_EQ(out, (std::array<GLubyte, 4>{128, 64, 32, 191}));
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE, out.data());
+    EXPECT_EQ(out[0], 128);
+    EXPECT_EQ(out[1], 191);
+}
+
+/// [GL11] 3.8.6
+TEST(GlTextures, AProxyIsZeroedByWhatIsTooLargeAndKeptByErrors) {
+    const Window window;
+    const auto ask = [](GLint level, GLsizei width, GLint border) {
+        glTexImage2D(GL_PROXY_TEXTURE_2D, level, GL_RGBA, width, 8, border, GL_RGBA,
+                     GL_UNSIGNED_BYTE, nullptr);
+        return glGetError();
+    };
+    EXPECT_EQ(ask(0, 8, 0), GLenum(GL_NO_ERROR));
+    EXPECT_EQ(ask(5555, 8, 0), GLenum(GL_INVALID_VALUE));
+    EXPECT_EQ(ask(0, -8, 0), GLenum(GL_INVALID_VALUE));
+    EXPECT_EQ(ask(0, 8, 2), GLenum(GL_INVALID_VALUE));
+    EXPECT_EQ(proxy_width(), 8);
+    EXPECT_EQ(ask(0, 8192, 0), GLenum(GL_NO_ERROR));
+    EXPECT_EQ(proxy_width(), 0);
 }
 
 TEST(GlTextures, ObjectsAreNamedBoundAndDeleted) {

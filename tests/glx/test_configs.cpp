@@ -1,6 +1,8 @@
 // Configurations and visuals. [GLX 1.4] 3.3.3, table 3.4
 #include "tests/glx/client.h"
 
+#include <algorithm>
+
 namespace {
 
 class GlxConfigs : public Glx {
@@ -75,6 +77,24 @@ TEST_F(GlxConfigs, ColourIndicesAndStereoAreNotOffered) {
     EXPECT_TRUE(chosen({GLX_STEREO, True, 0}).empty());
     EXPECT_EQ(visual({0}), nullptr);
     EXPECT_EQ(visual({GLX_RGBA, GLX_STEREO, 0}), nullptr);
+}
+
+/// Programs look for the configuration of their visual in this way.
+TEST_F(GlxConfigs, TheFirstOfAllWithAVisualIsDoubleBuffered) {
+    XVisualInfo* const wanted = visual({GLX_RGBA, GLX_DOUBLEBUFFER, 0});
+    ASSERT_NE(wanted, nullptr);
+    int count = 0;
+    GLXFBConfig* const all = glXGetFBConfigs(display, DefaultScreen(display), &count);
+    GLXFBConfig* const end = all + count;
+    const auto has_visual = [&](GLXFBConfig config) {
+        return value(config, GLX_VISUAL_ID) == int(wanted->visualid);
+    };
+    GLXFBConfig* const found = std::find_if(all, end, has_visual);
+    ASSERT_NE(found, end);
+    EXPECT_EQ(value(*found, GLX_DOUBLEBUFFER), True);
+    EXPECT_EQ(std::count_if(all, end, has_visual), 2);
+    XFree(all);
+    XFree(wanted);
 }
 
 TEST_F(GlxConfigs, AVisualIsDoubleBufferedOnlyIfItWasAskedFor) {

@@ -1,6 +1,7 @@
 // Contexts: sharing, copies, versions, errors, and the functions by name.
 #include "tests/glx/client.h"
 
+#include <array>
 #include <cstring>
 #include <utility>
 
@@ -165,6 +166,33 @@ TEST_F(GlxContexts, VersionsUpTo11AreMade) {
     EXPECT_EQ(errors({GLX_CONTEXT_PROFILE_MASK_ARB, 3}), std::vector{glx_error(bad_profile)});
     EXPECT_EQ(errors_of([&] { glXCreateNewContext(display, nullptr, GLX_RGBA_TYPE, nullptr, 1); }),
               std::vector{glx_error(bad_fb_config)});
+}
+
+/// GLX_MESA_query_renderer
+TEST_F(GlxContexts, TheRendererIsSoftwareOfVersion1_1) {
+    std::array<unsigned, 3> values{9, 9, 9};
+    const auto query = [&](int attribute) {
+        return glXQueryRendererIntegerMESA(display, DefaultScreen(display), 0, attribute,
+                                           values.data());
+    };
+    ASSERT_TRUE(query(GLX_RENDERER_ACCELERATED_MESA));
+    EXPECT_EQ(values[0], unsigned(False));
+    ASSERT_TRUE(query(GLX_RENDERER_OPENGL_COMPATIBILITY_PROFILE_VERSION_MESA));
+    EXPECT_EQ(values, (std::array{1u, 1u, 9u}));
+    ASSERT_TRUE(query(GLX_RENDERER_OPENGL_CORE_PROFILE_VERSION_MESA));
+    EXPECT_EQ(values, (std::array{0u, 0u, 9u}));
+    ASSERT_TRUE(query(GLX_RENDERER_VIDEO_MEMORY_MESA));
+    EXPECT_GT(values[0], 0u);
+    EXPECT_FALSE(query(0x7777));
+    EXPECT_FALSE(
+        glXQueryRendererIntegerMESA(display, 0, 1, GLX_RENDERER_ACCELERATED_MESA, values.data()));
+    EXPECT_STREQ(glXQueryRendererStringMESA(display, 0, 0, GLX_RENDERER_VENDOR_ID_MESA), "GW");
+    EXPECT_EQ(glXQueryCurrentRendererStringMESA(GLX_RENDERER_VENDOR_ID_MESA), nullptr);
+    const GLXContext context = make_current(true);
+    EXPECT_STREQ(glXQueryCurrentRendererStringMESA(GLX_RENDERER_DEVICE_ID_MESA),
+                 reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+    EXPECT_TRUE(glXQueryCurrentRendererIntegerMESA(GLX_RENDERER_VERSION_MESA, values.data()));
+    glXDestroyContext(display, context);
 }
 
 TEST_F(GlxContexts, FunctionsAreFoundByName) {
