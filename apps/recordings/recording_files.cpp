@@ -90,15 +90,35 @@ void add_recording_options(CLI::App& command, RecordingChoice& choice) {
     add_window_option(command, choice.window);
 }
 
-inspect::Recording load_recording(const RecordingChoice& choice, Session& session) {
+namespace {
+
+inspect::Stream read_stream(const RecordingChoice& choice, Session& session) {
     session.inputs.add(choice.file);
     inspect::Stream stream = inspect::read_recordings(choice.file);
     if (!stream.cut.empty()) print_warning(choice.file.string() + ": " + stream.cut);
+    return stream;
+}
+
+inspect::Recording chosen(inspect::Stream stream, const RecordingChoice& choice) {
     try {
         return inspect::choose_window(std::move(stream), choice.window);
     } catch (const Error& error) {
         throw Error(choice.file.string(), 0, error.what());
     }
+}
+
+}  // namespace
+
+inspect::Recording load_recording(const RecordingChoice& choice, Session& session) {
+    return chosen(read_stream(choice, session), choice);
+}
+
+inspect::Stream load_windows(const RecordingChoice& choice, Session& session) {
+    inspect::Stream stream = read_stream(choice, session);
+    if (choice.window.empty()) return stream;
+    inspect::Stream one;
+    one.windows.push_back({choice.window, chosen(std::move(stream), choice)});
+    return one;
 }
 
 void put_manifest(image::OutputSet& output, const std::filesystem::path& file,

@@ -4,6 +4,7 @@
 #include "apps/render/frame_files.h"
 #include "image/output/output_set.h"
 #include "inspect/manifest/manifest_file.h"
+#include "inspect/recording/stream.h"
 
 #include <filesystem>
 #include <iosfwd>
@@ -40,6 +41,9 @@ void add_recording_options(CLI::App& command, RecordingChoice& choice);
 /// Reads a recording, as an input of the session. Warns if it is cut short. Throws Error "T.gwt:
 /// what is wrong".
 inspect::Recording load_recording(const RecordingChoice& choice, Session& session);
+
+/// The same, with all windows if none is chosen.
+inspect::Stream load_windows(const RecordingChoice& choice, Session& session);
 
 /// Replays the recording and adds its manifest to the files of `output`. With values, adds
 /// "M.values" beside "M.json", unless `file` is a device.

@@ -4,7 +4,7 @@
 #include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/recordings/machine_options.h"
-#include "apps/recordings/osmesa.h"
+#include "apps/recordings/on_opengl.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
 #include "gw/shown.h"
@@ -24,7 +24,7 @@ struct ReplayOptions {
     RecordingChoice recording;
     std::filesystem::path picture, planes;
     MachineOptions machine;
-    bool on_osmesa = false;
+    OnOpengl on;
 };
 
 void add_options(CLI::App& command, ReplayOptions& options) {
@@ -36,26 +36,64 @@ void add_options(CLI::App& command, ReplayOptions& options) {
                     "The planes at the end: values as EXR, false colours as PNG")
         ->type_name("DIR");
     add_machine_options(command, options.machine);
-#ifdef GW_WITH_OSMESA
+#ifdef GW_WITH_OPENGL
+    command
+        .add_option(
+            "--on", options.on.implementation,
+            "Also on another OpenGL: osmesa (Mesa), gl (libGL.so.1 on $DISPLAY), or the path "
+            "of a libOSMesa or libGL; prints how colour, Z and stencil differ. With --output: "
+            "a picture of the differences after the pass that has most")
+        ->type_name("NAME|PATH");
     command
         .add_option_function<std::string>(
-            "--on",
+            "--passes",
             [&](const std::string& word) {
-                options.on_osmesa = one_of("--on", word, {"osmesa"}) == "osmesa";
+                options.on.passes = range_from("--passes", word, 0, 99'999'999);
             },
-            "osmesa: also through Mesa's OpenGL; prints how colour, "
-            "Z and stencil differ after each pass")
-        ->type_name("NAME");
+            "With --on: compare only these passes, numbered from 0")
+        ->type_name("A-B");
 #endif
 }
 
 void check(const ReplayOptions& options) {
-    if (options.on_osmesa &&
-        (options.machine.both() || !options.picture.empty() || !options.planes.empty()))
+    const bool on_opengl = !options.on.implementation.empty();
+    if (on_opengl && (options.machine.both() || !options.planes.empty()))
         throw UsageError(
-            "--on osmesa only prints; expected no --output, --planes or --machine both");
+            "--on compares with the reference machine; expected no --planes or --machine both");
+    if (!on_opengl && options.on.passes) throw UsageError("--passes: expected --on");
     if (!options.picture.empty()) check_picture_target(options.picture);
 }
+
+#ifdef GW_WITH_OPENGL
+/// The differences of one window.
+bool replay_on(const ReplayOptions& options, const inspect::Recording& recording) {
+    const OpenglComparison comparison = compare_on_opengl(recording, options.on);
+    print(comparison.text);
+    if (!options.picture.empty()) {
+        const WorstPass& worst = comparison.worst;
+        image::write_picture(
+            options.picture,
+            image::distance_picture(worst.distances, recording.width, recording.height));
+        print(fmt::format("{}: the colours after pass \"{}\", {}\n", options.picture.string(),
+                          shown(worst.name), inspect::plural(worst.pixels, "pixel", "pixels")));
+    }
+    return comparison.same;
+}
+
+/// The window that was chosen, or all.
+int replay_on_opengl(const ReplayOptions& options, Session& session) {
+    const inspect::Stream stream = load_windows(options.recording, session);
+    session.inputs.check(options.picture);
+    if (stream.windows.size() > 1 && !options.picture.empty())
+        throw UsageError("--output: one picture; expected --window");
+    bool same = true;
+    for (const inspect::WindowRecording& window : stream.windows) {
+        if (stream.windows.size() > 1) print(fmt::format("window {}\n", shown(window.name)));
+        same = replay_on(options, window.recording) && same;
+    }
+    return same ? Done : Differs;
+}
+#endif
 
 void write_files(const ReplayOptions& options, const inspect::Recording& recording,
                  const Planes& planes, const Session& session) {
@@ -75,15 +113,12 @@ void write_files(const ReplayOptions& options, const inspect::Recording& recordi
 int replay(const ReplayOptions& options, Session& session) {
     check(options);
     Progress progress("reading", options.machine.quiet);
+#ifdef GW_WITH_OPENGL
+    if (!options.on.implementation.empty()) return replay_on_opengl(options, session);
+#endif
     const inspect::Recording recording = load_recording(options.recording, session);
     session.inputs.check(options.picture);
     progress.at("replaying");
-#ifdef GW_WITH_OSMESA
-    if (options.on_osmesa) {
-        print(compare_with_osmesa(recording, options.machine.make()));
-        return Done;
-    }
-#endif
     if (options.machine.both()) {
         const auto finding =
             compare_machines(recording, inspect::maker_of("reference"), options.machine.make());
@@ -112,6 +147,7 @@ Command add_replay(CLI::App& app) {
     const auto options = std::make_shared<ReplayOptions>();
     add_options(*command, *options);
     command->footer(
+        "Exit code 3 if machines or implementations differ.\n"
         "Example:\n"
         "  build/release/bin/gw record scenes/rings.toml -o rings.gwt && build/release/bin/gw "
         "replay rings.gwt --machine both -o rings.png");

@@ -9,6 +9,10 @@ namespace {
 
 constexpr int close_color = 4, close_depth = 256;
 
+const std::vector<Rgba>& colors_of(const Planes& planes, Plane plane) {
+    return plane == Plane::Back ? planes.back : planes.color;
+}
+
 bool close(int a, int b, int bound) { return std::abs(a - b) <= bound; }
 
 /// Values at different pixels of two planes.
@@ -23,7 +27,8 @@ struct Compared {
             const std::int64_t d = std::int64_t{ours.depth[our_pixel]} - theirs.depth[their_pixel];
             return d >= -close_depth && d <= close_depth;
         }
-        const Rgba &a = ours.color[our_pixel], &b = theirs.color[their_pixel];
+        const Rgba &a = colors_of(ours, plane)[our_pixel],
+                   &b = colors_of(theirs, plane)[their_pixel];
         return std::equal(a.begin(), a.end(), b.begin(),
                           [](int p, int q) { return close(p, q, close_color); });
     }
@@ -41,18 +46,24 @@ struct Compared {
 
 }  // namespace
 
-Differences classify(const Planes& ours, const Planes& theirs, Plane plane) {
+Kind kind_of_difference(const Planes& ours, const Planes& theirs, Plane plane, int x, int y) {
+    const std::size_t i = ours.index(x, y);
     const Compared compared{ours, theirs, plane};
+    if (compared.are_close(i, i)) return Kind::Rounding;
+    return compared.is_edge(x, y) ? Kind::Edge : Kind::Other;
+}
+
+Differences classify(const Planes& ours, const Planes& theirs, Plane plane) {
     Differences result;
     for (int y = 0; y < ours.height; ++y)
         for (int x = 0; x < ours.width; ++x) {
             const std::uint64_t d = distance(ours, theirs, plane, x, y);
             if (d == 0) continue;
-            const std::size_t i = ours.index(x, y);
-            auto& count = compared.are_close(i, i) ? result.rounding
-                          : compared.is_edge(x, y) ? result.edge
-                                                   : result.other;
-            count += 1;
+            switch (kind_of_difference(ours, theirs, plane, x, y)) {
+                case Kind::Rounding: ++result.rounding; break;
+                case Kind::Edge: ++result.edge; break;
+                case Kind::Other: ++result.other; break;
+            }
             result.worst = std::max(result.worst, d);
         }
     return result;

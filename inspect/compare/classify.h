@@ -17,7 +17,11 @@ struct Differences {
     bool operator==(const Differences&) const = default;
 };
 
-/// Planes of the same size; Color, Depth or Stencil.
+/// The class of one pixel, as above.
+enum class Kind : std::uint8_t { Rounding, Edge, Other };
+Kind kind_of_difference(const Planes& ours, const Planes& theirs, Plane plane, int x, int y);
+
+/// Planes of the same size; Color, Back, Depth or Stencil.
 Differences classify(const Planes& ours, const Planes& theirs, Plane plane);
 
 }  // namespace gw::inspect

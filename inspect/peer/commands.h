@@ -7,6 +7,10 @@
 #include "gw/profile.h"
 #include "gw/state.h"
 
+#include <GL/gl.h>
+
+#include <vector>
+
 namespace gw::peer {
 
 /// Sets viewport, clip planes, culling, sizes, tests, blending and masks. Throws Error for state
@@ -16,24 +20,29 @@ void apply(const State& state, int width, int height);
 /// Factors found at the vertices go by way of a linear fog of distance 1 - f.
 void apply(const FogState& fog, bool per_fragment, bool on);
 
-/// Sets matrices and fog, and draws through glBegin and glEnd. `textured`: a texture is bound.
-/// Throws Error for lighting of two sides.
+/// Sets matrices and fog, and draws through glBegin and glEnd. `texture_target`: of the texture that
+/// is bound; 0: none.
 void draw(const Draw& draw, const State& state, const Profile& profile, int width, int height,
-          bool textured);
+          GLenum texture_target);
 
-void clear(const Clear& command);
+void clear(const Clear& command, float accum_scale);
 void write(const WriteSpans& command);
 void write(const WritePixels& command, const DepthState& depth);
 /// Throws Error for colours with depths, and for bits with other values or a zoom: OpenGL has no
-/// such rectangle. `textured`: a texture is bound.
-void draw(const DrawPixels& command, const State& state, bool textured);
+/// such rectangle.
+void draw(const DrawPixels& command, const State& state, GLenum texture_target);
 void copy(const Copy& command, const DepthState& depth);
 
-/// Mesa holds accumulated values in [-1, 1], 16 bits; the machine counts units of the frame buffer.
-/// Weights of Accum, Load and Add, and the values of clears, are divided by 128; Return's weight is
+/// OpenGL holds accumulated values in [-1, 1]; the machine counts units of the frame buffer. Weights
+/// of Accum, Load and Add, and the values of clears, are divided by `accum_scale`; Return's weight is
 /// multiplied by it. So as many pictures fit.
-void accumulate(const Accumulate& command);
+void accumulate(const Accumulate& command, float accum_scale);
 
+/// R, G, B, A of all pixels, bottom row first.
+std::vector<std::uint8_t> read_colors(int width, int height);
+void replace_colors(int width, int height, const std::vector<std::uint8_t>& rgba);
+
+/// Colour, depth and stencil.
 Planes read_planes(int width, int height);
 
 }  // namespace gw::peer

@@ -2,7 +2,6 @@
 #include "inspect/peer/commands.h"
 
 #include "gw/base/arithmetic.h"
-#include "gw/error.h"
 #include "gw/stages/fog.h"
 #include "gw/stages/vertex.h"
 #include "inspect/peer/gl.h"
@@ -44,12 +43,10 @@ public:
     bool fragment_fog() const { return program_.fragment_fog; }
 
     void triangles() const {
+        if (state_.color_source == ColorSource::Lighting && state_.lighting.two_side)
+            return lit_triangles();
         gl().Begin(GL_TRIANGLES);
-        for (const Triangle& t : draw_.mesh->triangles())
-            for (std::size_t k = 0; k < 3; ++k) {
-                gl().EdgeFlag((t.edges >> k & 1) != 0);
-                vertex(t.vertex[k], t.provoking, t.polygon);
-            }
+        for (const Triangle& t : draw_.mesh->triangles()) corners(t, Face::Front);
         gl().End();
     }
     /// A strip stays one: its stipple goes on.
@@ -80,15 +77,38 @@ public:
     }
 
 private:
-    void vertex(std::uint32_t index, std::uint32_t provoking, std::uint32_t polygon) const {
+    /// OpenGL chooses the side after clipping. So each triangle is drawn with the colours of one
+    /// side while the other is culled, and then the other way round.
+    void lit_triangles() const {
+        const CullState& cull = state_.cull;
+        gl().Enable(GL_CULL_FACE);
+        for (const Triangle& t : draw_.mesh->triangles())
+            for (const Face side : {Face::Front, Face::Back}) {
+                if (cull.enable && (cull.face == side || cull.face == Face::FrontAndBack)) continue;
+                gl().CullFace(side == Face::Front ? GL_BACK : GL_FRONT);
+                gl().Begin(GL_TRIANGLES);
+                corners(t, side);
+                gl().End();
+            }
+        enable(GL_CULL_FACE, cull.enable);
+        gl().CullFace(token(cull.face));
+    }
+    void corners(const Triangle& t, Face side) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            gl().EdgeFlag((t.edges >> k & 1) != 0);
+            vertex(t.vertex[k], t.provoking, t.polygon, side);
+        }
+    }
+    void vertex(std::uint32_t index, std::uint32_t provoking, std::uint32_t polygon,
+                Face side = Face::Front) const {
         const Vertex& v = vertices_[index];
         const dvec4 p = object_position(draw_.mesh->data(), index);
-        color(state_.shade_model == ShadeModel::Flat ? vertices_[provoking] : v, polygon);
+        color(state_.shade_model == ShadeModel::Flat ? vertices_[provoking] : v, polygon, side);
         gl().TexCoord4d(v.texcoord.x, v.texcoord.y, v.texcoord.z, v.texcoord.w);
-        gl().FogCoordd(fog_coordinate(v, p));
+        if (gl().FogCoordd) gl().FogCoordd(fog_coordinate(v, p));
         gl().Vertex4f(float(p.x), float(p.y), float(p.z), float(p.w));
     }
-    void color(const Vertex& v, std::uint32_t polygon) const {
+    void color(const Vertex& v, std::uint32_t polygon, Face side) const {
         if (state_.color_source == ColorSource::PolygonId) {
             const std::uint32_t id =
                 (draw_.id_base + draw_.mesh->polygon_id(polygon)) >> draw_.id_shift;
@@ -96,8 +116,8 @@ private:
             return;
         }
         std::array<GLubyte, 4> c{};
-        std::transform(v.color.begin(), v.color.end(), c.begin(),
-                       [](double x) { return GLubyte(x); });
+        const auto& lit = side == Face::Front ? v.color : v.back_color;
+        std::transform(lit.begin(), lit.end(), c.begin(), [](double x) { return GLubyte(x); });
         gl().Color4ubv(c.data());
     }
     double fog_coordinate(const Vertex& v, const dvec4& p) const {
@@ -116,7 +136,10 @@ private:
 
 void apply(const FogState& fog, bool per_fragment, bool on) {
     enable(GL_FOG, on);
-    gl().Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
+    if (gl().FogCoordd)
+        gl().Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
+    else if (on && !per_fragment)
+        refuse("glFogCoord", "fog at the vertex");
     gl().Fogi(GL_FOG_MODE, static_cast<GLint>(per_fragment ? token(fog.mode) : GL_LINEAR));
     gl().Fogf(GL_FOG_DENSITY, fog.density);
     gl().Fogf(GL_FOG_START, per_fragment ? fog.start : 0);
@@ -125,22 +148,19 @@ void apply(const FogState& fog, bool per_fragment, bool on) {
 }
 
 void draw(const Draw& draw, const State& state, const Profile& profile, int width, int height,
-          bool textured) {
-    if (state.color_source == ColorSource::Lighting && state.lighting.two_side)
-        throw Error(
-            "lighting.two_side: OpenGL chooses the side after clipping; the player hands over one colour");
+          GLenum texture_target) {
     const bool shaded = state.color_source != ColorSource::PolygonId;
     const Emitter emitter(draw, state, profile);
     load(GL_PROJECTION, jittered(state, profile.subpixel_bits, width, height));
     load(GL_MODELVIEW, draw.eye_from_object);
     apply(state.fog, emitter.fragment_fog(), shaded && state.fog.enable);
-    enable(GL_TEXTURE_2D, shaded && textured);
+    if (shaded && texture_target) gl().Enable(texture_target);
     switch (draw.mesh->kind()) {
         case MeshKind::Triangles: emitter.triangles(); break;
         case MeshKind::Lines: emitter.lines(); break;
         case MeshKind::Points: emitter.points(); break;
     }
-    gl().Disable(GL_TEXTURE_2D);
+    if (texture_target) gl().Disable(texture_target);
     gl().Disable(GL_FOG);
 }
 

@@ -4,43 +4,19 @@
 
 #include <fmt/format.h>
 
-#include <dlfcn.h>
-
 namespace gw::peer {
 namespace {
 
-void* library() {
-    void* handle = dlopen(GW_OSMESA_LIBRARY, RTLD_NOW | RTLD_LOCAL);
-    if (!handle) throw Error(fmt::format("Mesa's OSMesa cannot be loaded: {}", dlerror()));
-    return handle;
-}
-
-/// The address of a function, as the type that it has.
-template <typename Function>
-void find(void* handle, const char* name, Function& out) {
-    void* address = dlsym(handle, name);
-    if (!address) throw Error(fmt::format("{} has no function {}", GW_OSMESA_LIBRARY, name));
-    out = reinterpret_cast<Function>(address);
-}
-
-// NOLINTNEXTLINE(readability-function-size): a table
-Functions load() {
-    void* handle = library();
-    Functions f{};
-#define GW_FIND(name) find(handle, "gl" #name, f.name);
-    GW_OPENGL_FUNCTIONS(GW_FIND)
-#undef GW_FIND
-#define GW_FIND(name) find(handle, #name, f.name);
-    GW_OSMESA_FUNCTIONS(GW_FIND)
-#undef GW_FIND
-    return f;
-}
+thread_local const Functions* in_use = nullptr;
 
 }  // namespace
 
-const Functions& gl() {
-    static const Functions functions = load();
-    return functions;
+const Functions& gl() { return *in_use; }
+void use(const Functions& functions) { in_use = &functions; }
+
+void refuse(const char* needed, const char* feature) {
+    throw Error(fmt::format("{}: needs {}; this OpenGL has version {}.{} and no such extension",
+                            feature, needed, gl().version / 10, gl().version % 10));
 }
 
 GLenum token(CompareFunc func) {

@@ -1,44 +1,61 @@
-// The functions of OpenGL and OSMesa that we call, and OpenGL's words for ours: one table per
-// concept. Mesa, and the compiler that it brings, are loaded by the first call.
+// The functions of OpenGL that we call, of whichever implementation is in use, and OpenGL's words for
+// ours: one table per concept. library.h loads implementations.
 #pragma once
 
 #include "gw/command_list.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
-#include <GL/osmesa.h>
 
 // clang-format off
+/// OpenGL 1.1
 #define GW_OPENGL_FUNCTIONS(X) \
-    X(Accum) X(AlphaFunc) X(Begin) X(BindTexture) X(Bitmap) X(BlendColor) X(BlendEquation) X(BlendFunc) X(Clear) X(ClearAccum) X(ClearColor) \
+    X(Accum) X(AlphaFunc) X(Begin) X(BindTexture) X(Bitmap) X(BlendFunc) X(Clear) X(ClearAccum) X(ClearColor) \
     X(ClearDepth) X(ClearStencil) X(ClipPlane) X(Color4ub) X(Color4ubv) X(ColorMask) X(CopyPixels) \
     X(CopyTexImage2D) X(CullFace) X(DepthFunc) X(DepthMask) X(DepthRange) X(Disable) X(DrawBuffer) X(DrawPixels) \
-    X(EdgeFlag) X(Enable) X(End) X(FogCoordd) X(Fogf) X(Fogfv) X(Fogi) X(FrontFace) X(GenTextures) \
+    X(EdgeFlag) X(Enable) X(End) X(Fogf) X(Fogfv) X(Fogi) X(FrontFace) X(GenTextures) X(GetBooleanv) \
     X(GetError) X(GetIntegerv) X(GetString) X(LineStipple) X(LineWidth) X(LogicOp) X(LoadIdentity) X(LoadMatrixd) X(MatrixMode) \
-    X(PixelStorei) X(PixelZoom) X(PointSize) X(PolygonMode) X(PolygonOffset) X(PolygonStipple) X(PopAttrib) X(PushAttrib) X(ReadPixels) \
-    X(Scissor) X(ShadeModel) X(StencilFuncSeparate) X(StencilMaskSeparate) X(StencilOpSeparate) \
-    X(TexCoord4d) X(TexEnvfv) X(TexEnvi) X(TexImage2D) X(TexParameterfv) X(TexParameteri) X(Vertex4f) X(Viewport) \
-    X(WindowPos2i) X(WindowPos3d)
+    X(PixelStorei) X(PixelZoom) X(PointSize) X(PolygonMode) X(PolygonOffset) X(PolygonStipple) X(PopAttrib) X(PushAttrib) X(ReadBuffer) \
+    X(ReadPixels) X(Scissor) X(ShadeModel) X(StencilFunc) X(StencilMask) X(StencilOp) \
+    X(TexCoord4d) X(TexEnvfv) X(TexEnvi) X(TexImage1D) X(TexImage2D) X(TexParameterfv) X(TexParameteri) X(Vertex4f) X(Viewport)
+/// Of later versions: name, version, the extension that has it too, and the name's end there.
+#define GW_LATER_FUNCTIONS(X) \
+    X(BlendColor, 14, "GL_EXT_blend_color", "EXT") X(BlendEquation, 14, "GL_EXT_blend_minmax", "EXT") \
+    X(FogCoordd, 14, "GL_EXT_fog_coord", "EXT") X(WindowPos2i, 14, "GL_ARB_window_pos", "ARB") X(WindowPos3d, 14, "GL_ARB_window_pos", "ARB") \
+    X(StencilFuncSeparate, 20, "", "") X(StencilMaskSeparate, 20, "", "") X(StencilOpSeparate, 20, "", "")
 // clang-format on
-#define GW_OSMESA_FUNCTIONS(X) \
-    X(OSMesaCreateContextAttribs) X(OSMesaDestroyContext) X(OSMesaMakeCurrent)
 
 namespace gw::peer {
 
-/// glName is `Name`; OSMesa's keep their names.
+/// glName is `Name`.
 struct Functions {
 // NOLINTBEGIN(bugprone-macro-parentheses): a declaration's name takes no parentheses
-#define GW_DECLARE(name) decltype(&::gl##name) name;
+#define GW_DECLARE(name) decltype(&::gl##name) name = nullptr;
     GW_OPENGL_FUNCTIONS(GW_DECLARE)
 #undef GW_DECLARE
-#define GW_DECLARE(name) decltype(&::name) name;
-    GW_OSMESA_FUNCTIONS(GW_DECLARE)
+/// Null if the implementation has neither the version nor the extension.
+#define GW_DECLARE(name, version, extension, end) decltype(&::gl##name) name = nullptr;
+    GW_LATER_FUNCTIONS(GW_DECLARE)
 #undef GW_DECLARE
     // NOLINTEND(bugprone-macro-parentheses)
+
+    int version = 11;                ///< of OpenGL, times 10
+    GLenum color_buffer = GL_FRONT;  ///< the one that is drawn to
 };
 
-/// Loads OSMesa the first time. Throws Error if it is not installed, or lacks a function.
+/// Of the implementation whose context was made current last (library.h).
 const Functions& gl();
+void use(const Functions& functions);
+
+/// Throws Error: the implementation lacks what a feature of the list needs.
+[[noreturn]] void refuse(const char* needed, const char* feature);
+
+/// The function, for a feature of the list. Refuses the feature if there is none.
+template <typename Function>
+Function required(Function function, const char* name, const char* feature) {
+    if (!function) refuse(name, feature);
+    return function;
+}
 
 GLenum token(CompareFunc func);
 GLenum token(StencilOp op);

@@ -37,6 +37,11 @@ std::vector<GLubyte> bytes(const Rgba* first, std::size_t count) {
     return result;
 }
 
+/// The raster position at window coordinates.
+void set_window_pos(double x, double y, double z) {
+    required(gl().WindowPos3d, "glWindowPos", "pixels")(x, y, z);
+}
+
 /// A depth of 24 bits as OpenGL's window z.
 double window_z(std::uint32_t depth) { return depth / 16777215.0; }
 
@@ -46,20 +51,20 @@ std::uint32_t fraction32(std::uint32_t depth) { return depth << 8 | depth >> 16;
 void draw_colors(int x, int y, int width, int height, std::uint32_t depth,
                  const std::vector<GLubyte>& rgba) {
     gl().DepthRange(0, 1);
-    gl().WindowPos3d(x, y, window_z(depth));
+    set_window_pos(x, y, window_z(depth));
     gl().DrawPixels(width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
 }
 
 void draw_depths(const WritePixels& c) {
     std::vector<std::uint32_t> wide(c.values.size());
     std::transform(c.values.begin(), c.values.end(), wide.begin(), fraction32);
-    gl().WindowPos2i(c.rect.x, c.rect.y);
+    set_window_pos(c.rect.x, c.rect.y, 0);
     gl().DrawPixels(c.rect.width, c.rect.height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, wide.data());
 }
 
 void draw_stencil(const WritePixels& c) {
     const std::vector<GLubyte> values(c.values.begin(), c.values.end());
-    gl().WindowPos2i(c.rect.x, c.rect.y);
+    set_window_pos(c.rect.x, c.rect.y, 0);
     gl().DrawPixels(c.rect.width, c.rect.height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, values.data());
 }
 
@@ -75,11 +80,9 @@ GLbitfield buffers(PlaneMask planes) {
            bit(Plane::Stencil, GL_STENCIL_BUFFER_BIT) | bit(Plane::Accum, GL_ACCUM_BUFFER_BIT);
 }
 
-constexpr float accum_scale = 128;
-
 }  // namespace
 
-void clear(const Clear& c) {
+void clear(const Clear& c, float accum_scale) {
     gl().ClearColor(c.color.r, c.color.g, c.color.b, c.color.a);
     gl().ClearDepth(c.depth);
     gl().ClearStencil(c.stencil);
@@ -127,9 +130,9 @@ void set_raster_position(const RasterPosition& r) {
     const std::vector<GLubyte> color = bytes(&r.color, 1);
     gl().Color4ubv(color.data());
     gl().TexCoord4d(r.texcoord.x, r.texcoord.y, r.texcoord.z, r.texcoord.w);
-    gl().FogCoordd(r.distance);
+    if (gl().FogCoordd) gl().FogCoordd(r.distance);
     gl().DepthRange(0, 1);
-    gl().WindowPos3d(r.x, r.y, window_z(r.depth));
+    set_window_pos(r.x, r.y, window_z(r.depth));
 }
 
 void draw_values(const DrawPixels& c) {
@@ -156,11 +159,12 @@ void draw_values(const DrawPixels& c) {
 
 }  // namespace
 
-void draw(const DrawPixels& c, const State& state, bool textured) {
+void draw(const DrawPixels& c, const State& state, GLenum texture_target) {
     check_rectangle(c);
+    if (state.fog.enable && !gl().FogCoordd) refuse("glFogCoord", "fog of drawn pixels");
     const SavedState saved;
     apply(state.fog, true, state.fog.enable);
-    enable(GL_TEXTURE_2D, textured);
+    if (texture_target) gl().Enable(texture_target);
     set_raster_position(c.raster);
     gl().PixelZoom(float(c.zoom_x), float(c.zoom_y));
     draw_values(c);
@@ -169,11 +173,11 @@ void draw(const DrawPixels& c, const State& state, bool textured) {
 void copy(const Copy& c, const DepthState& depth) {
     const SavedState saved;
     write_only(c.plane, depth);
-    gl().WindowPos2i(c.x, c.y);
+    set_window_pos(c.x, c.y, 0);
     gl().CopyPixels(c.source.x, c.source.y, c.source.width, c.source.height, copied(c.plane));
 }
 
-void accumulate(const Accumulate& command) {
+void accumulate(const Accumulate& command, float accum_scale) {
     switch (command.op) {
         case AccumOp::Accum:
         case AccumOp::Load:
@@ -183,10 +187,24 @@ void accumulate(const Accumulate& command) {
     }
 }
 
+std::vector<std::uint8_t> read_colors(int width, int height) {
+    std::vector<std::uint8_t> rgba(4 * std::size_t(width) * std::size_t(height));
+    gl().ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    return rgba;
+}
+
+void replace_colors(int width, int height, const std::vector<std::uint8_t>& rgba) {
+    const SavedState saved;
+    write_only(Plane::Color, {.mask = false});
+    for (const GLenum off : {GL_SCISSOR_TEST, GL_COLOR_LOGIC_OP}) gl().Disable(off);
+    gl().ColorMask(true, true, true, true);
+    gl().DrawBuffer(gl().color_buffer);
+    draw_colors(0, 0, width, height, 0, rgba);
+}
+
 Planes read_planes(int width, int height) {
     Planes planes(width, height);
-    std::vector<GLubyte> rgba(4 * planes.color.size());
-    gl().ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    const std::vector<std::uint8_t> rgba = read_colors(width, height);
     for (std::size_t i = 0; i < rgba.size(); ++i) planes.color[i / 4][i % 4] = rgba[i];
     gl().ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, planes.depth.data());
     for (std::uint32_t& depth : planes.depth) depth >>= 8;

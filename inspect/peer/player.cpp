@@ -3,11 +3,12 @@
 
 #include "gw/error.h"
 #include "gw/names.h"
+#include "inspect/peer/color_planes.h"
 #include "inspect/peer/commands.h"
 #include "inspect/peer/gl.h"
+#include "inspect/peer/library.h"
 #include "inspect/peer/textures.h"
 
-#include <GL/osmesa.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,27 +24,17 @@ void check_profile(const Profile& p) {
         p.name, p.color_bits, p.depth_bits, p.stencil_bits));
 }
 
-OSMesaContext new_context() {
-    const int attributes[] = {OSMESA_FORMAT,
-                              OSMESA_RGBA,
-                              OSMESA_DEPTH_BITS,
-                              24,
-                              OSMESA_STENCIL_BITS,
-                              8,
-                              OSMESA_ACCUM_BITS,
-                              16,
-                              OSMESA_PROFILE,
-                              OSMESA_COMPAT_PROFILE,
-                              0};
-    return gl().OSMesaCreateContextAttribs(attributes, nullptr);
-}
-
 /// State that differs from OpenGL's initial state for good.
 void set_up() {
     gl().PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl().PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl().Disable(GL_DITHER);
+    gl().ReadBuffer(gl().color_buffer);
 }
+
+/// The papers' programs add up to 128 pictures on machines without OpenGL's range; programs of
+/// OpenGL keep to the range.
+float accum_divisor(const Profile& profile) { return profile.extensions.draw_pixels ? 1 : 128; }
 
 void check_errors() {
     const GLenum error = gl().GetError();
@@ -55,69 +46,96 @@ void check_errors() {
 struct Player::Context {
     Profile profile;
     int width, height;
-    std::vector<GLubyte> buffer;  ///< OSMesa's colour plane
-    OSMesaContext mesa = nullptr;
+    std::unique_ptr<Surface> surface;
+    ColorPlanes colors;
     Textures textures;
     ListContext before;
 
-    Context(const Profile& p, int w, int h)
+    Context(const Profile& p, int w, int h, const std::string& implementation)
         : profile(p),
           width(w),
           height(h),
-          buffer(std::size_t{4} * std::size_t(w) * std::size_t(h)),
-          mesa(new_context()) {
-        if (!mesa)
-            throw Error("OSMesa cannot make a context of 8 colour, 24 depth and 8 stencil bits");
-        make_current();
+          surface(make_surface(implementation, w, h)),
+          colors(w, h) {
+        surface->make_current();
         set_up();
         apply(before.state, width, height);
+        // A machine's planes begin with 0.
+        clear({.planes = all_planes, .depth = 0}, 1);
     }
-    ~Context() { gl().OSMesaDestroyContext(mesa); }
 
-    void make_current() {
-        if (!gl().OSMesaMakeCurrent(mesa, buffer.data(), GL_UNSIGNED_BYTE, width, height))
-            throw Error(fmt::format("OSMesa refuses a window of {}x{}", width, height));
+    Plane drawn() const {
+        if (before.state.draw_buffer == DrawBuffer::FrontAndBack)
+            throw Error("draw_buffer = FrontAndBack: the window here has one of the two at a time");
+        return before.state.draw_buffer == DrawBuffer::Back ? Plane::Back : Plane::Color;
+    }
+    Plane read() const {
+        return before.state.read_buffer == ReadBuffer::Back ? Plane::Back : Plane::Color;
+    }
+    /// The window has the plane that colours are drawn to.
+    void show_drawn() {
+        if (profile.color_planes == 2) colors.show(drawn());
+    }
+    void show_copied(Plane plane) {
+        show_drawn();
+        if (plane == Plane::Color && profile.color_planes == 2 && read() != drawn())
+            throw Error("a copy from one colour plane to the other: the window here has one");
     }
 
     void run(const BeginPass&) {}
     void run(const Read&) {}
-    void run(const SwapBuffers&) {
-        throw Error("no back plane to swap: OpenGL's window here has one colour plane");
+    void run(const SwapBuffers&) { colors.exchange(); }
+    void run(const Clear& c) {
+        show_drawn();
+        clear(c, accum_divisor(profile));
     }
-    void run(const Clear& c) { clear(c); }
     void run(const SetState& c) {
         before.state = c.state;
         apply(c.state, width, height);
     }
     void run(const Draw& c) {
-        const bool textured = textures.bind(c.map, before.state.texture);
-        draw(c, before.state, profile, width, height, textured);
+        show_drawn();
+        draw(c, before.state, profile, width, height, textures.bind(c.map, before.state.texture));
     }
-    void run(const WriteSpans& c) { write(c); }
-    void run(const WritePixels& c) { write(c, before.state.depth); }
+    void run(const WriteSpans& c) {
+        show_drawn();
+        write(c);
+    }
+    void run(const WritePixels& c) {
+        show_drawn();
+        write(c, before.state.depth);
+    }
     void run(const DrawPixels& c) {
-        const bool textured = textures.bind(c.map, before.state.texture);
-        draw(c, before.state, textured);
+        show_copied(c.source ? c.source->plane : Plane::Depth);
+        draw(c, before.state, textures.bind(c.map, before.state.texture));
     }
-    void run(const Accumulate& c) { accumulate(c); }
-    void run(const Copy& c) { copy(c, before.state.depth); }
+    void run(const Accumulate& c) {
+        const bool reads = c.op == AccumOp::Accum || c.op == AccumOp::Load;
+        if (profile.color_planes == 2) colors.show(reads ? read() : drawn());
+        accumulate(c, accum_divisor(profile));
+    }
+    void run(const Copy& c) {
+        show_copied(c.plane);
+        copy(c, before.state.depth);
+    }
     void run(const CopyTexture& c) {
+        if (profile.color_planes == 2) colors.show(read());
         textures.copy(c);
         before.slots[c.slot] = c.plane;
     }
 };
 
-Player::Player(const Profile& profile, int width, int height) {
+Player::Player(const Profile& profile, int width, int height, const std::string& implementation) {
     check_window(width, height);
     check_profile(profile);
-    context_ = std::make_unique<Context>(profile, width, height);
+    context_ = std::make_unique<Context>(profile, width, height, implementation);
 }
 
 Player::~Player() = default;
 
 void Player::play(const CommandList& list, std::size_t count) {
     validate(list, context_->profile, context_->width, context_->height, context_->before);
-    context_->make_current();
+    context_->surface->make_current();
     for (std::size_t i = 0; i < std::min(count, list.commands.size()); ++i) {
         const Command& command = list.commands[i];
         try {
@@ -130,12 +148,14 @@ void Player::play(const CommandList& list, std::size_t count) {
 }
 
 Planes Player::planes() const {
-    context_->make_current();
-    return read_planes(context_->width, context_->height);
+    context_->surface->make_current();
+    Planes planes = read_planes(context_->width, context_->height);
+    context_->colors.complete(planes, context_->profile.color_planes == 2);
+    return planes;
 }
 
 std::string Player::renderer() const {
-    context_->make_current();
+    context_->surface->make_current();
     const auto text = [](GLenum name) {
         return reinterpret_cast<const char*>(gl().GetString(name));
     };

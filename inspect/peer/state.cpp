@@ -60,10 +60,14 @@ void apply(const PolygonStippleState& stipple) {
 }
 
 void apply_primitives(const State& s) {
-    require_size(s.point_smooth ? GL_SMOOTH_POINT_SIZE_RANGE : GL_ALIASED_POINT_SIZE_RANGE,
-                 s.point_size, "point_size");
-    require_size(s.line_smooth ? GL_SMOOTH_LINE_WIDTH_RANGE : GL_ALIASED_LINE_WIDTH_RANGE,
-                 s.line_width, "line_width");
+    // OpenGL 1.1 tells the ranges of smooth ones only.
+    const bool has_aliased = gl().version >= 12;
+    require_size(
+        s.point_smooth || !has_aliased ? GL_SMOOTH_POINT_SIZE_RANGE : GL_ALIASED_POINT_SIZE_RANGE,
+        s.point_size, "point_size");
+    require_size(
+        s.line_smooth || !has_aliased ? GL_SMOOTH_LINE_WIDTH_RANGE : GL_ALIASED_LINE_WIDTH_RANGE,
+        s.line_width, "line_width");
     gl().PointSize(s.point_size);
     gl().LineWidth(s.line_width);
     enable(GL_POINT_SMOOTH, s.point_smooth);
@@ -81,24 +85,38 @@ void apply_primitives(const State& s) {
     gl().ShadeModel(flat ? GL_FLAT : GL_SMOOTH);
 }
 
-void apply_face(GLenum side, const auto& face) {
-    gl().StencilFuncSeparate(side, token(face.func), face.ref, face.mask);
-    gl().StencilOpSeparate(side, token(face.fail), token(face.zfail), token(face.zpass));
-    gl().StencilMaskSeparate(side, face.write_mask);
+void apply(const StencilState& s) {
+    enable(GL_STENCIL_TEST, s.test);
+    gl().StencilFunc(token(s.func), s.ref, s.mask);
+    gl().StencilOp(token(s.fail), token(s.zfail), token(s.zpass));
+    gl().StencilMask(s.write_mask);
+    if (!s.two_side) return;
+    constexpr const char* feature = "stencil.two_side";
+    required(gl().StencilFuncSeparate, "glStencilFuncSeparate", feature)(
+        GL_BACK, token(s.back.func), s.back.ref, s.back.mask);
+    required(gl().StencilOpSeparate, "glStencilOpSeparate", feature)(
+        GL_BACK, token(s.back.fail), token(s.back.zfail), token(s.back.zpass));
+    required(gl().StencilMaskSeparate, "glStencilMaskSeparate", feature)(GL_BACK,
+                                                                         s.back.write_mask);
 }
 
-void apply(const StencilState& stencil) {
-    enable(GL_STENCIL_TEST, stencil.test);
-    apply_face(GL_FRONT_AND_BACK, stencil);
-    if (stencil.two_side) apply_face(GL_BACK, stencil.back);
-}
-
-/// OSMesa has one colour plane.
+/// The player chooses which colour plane the buffer stands for.
 void apply(DrawBuffer buffer) {
-    if (buffer == DrawBuffer::Back || buffer == DrawBuffer::FrontAndBack)
-        throw Error(
-            "draw_buffer = Back; expected None or Front: OpenGL's window here has one plane");
-    gl().DrawBuffer(buffer == DrawBuffer::None ? GL_NONE : GL_FRONT);
+    gl().DrawBuffer(buffer == DrawBuffer::None ? GL_NONE : gl().color_buffer);
+}
+
+bool is_constant(BlendFactor f) { return f >= BlendFactor::ConstantColor; }
+
+void apply(const BlendState& s) {
+    enable(GL_BLEND, s.enable);
+    if (is_constant(s.src) || is_constant(s.dst))
+        required(gl().BlendColor, "GL_EXT_blend_color", "blend.color")(s.color.x, s.color.y,
+                                                                       s.color.z, s.color.w);
+    gl().BlendFunc(token(s.src), token(s.dst));
+    if (gl().BlendEquation)
+        gl().BlendEquation(token(s.equation));
+    else if (s.equation != BlendEquation::Add)
+        refuse("GL_EXT_blend_minmax", "blend.equation");
 }
 
 void apply_fragments(const State& s) {
@@ -110,10 +128,7 @@ void apply_fragments(const State& s) {
     enable(GL_DEPTH_TEST, s.depth.test);
     gl().DepthFunc(token(s.depth.func));
     gl().DepthMask(s.depth.mask);
-    enable(GL_BLEND, s.blend.enable);
-    gl().BlendFunc(token(s.blend.src), token(s.blend.dst));
-    gl().BlendEquation(token(s.blend.equation));
-    gl().BlendColor(s.blend.color.x, s.blend.color.y, s.blend.color.z, s.blend.color.w);
+    apply(s.blend);
     enable(GL_COLOR_LOGIC_OP, s.logic_op.enable);
     gl().LogicOp(token(s.logic_op.op));
     gl().ColorMask(s.color_mask.r, s.color_mask.g, s.color_mask.b, s.color_mask.a);

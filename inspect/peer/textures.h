@@ -3,6 +3,8 @@
 
 #include "gw/command_list.h"
 
+#include <GL/gl.h>
+
 #include <cstdint>
 #include <map>
 
@@ -11,13 +13,13 @@ namespace gw::peer {
 class Textures {
 public:
     /// Binds the draw's texture, made on its first use, with the state's filters, wrap and
-    /// environment; returns whether there is any.
-    bool bind(const TextureBinding& binding, const TextureState& state);
+    /// environment; returns its target, or 0 if there is none.
+    GLenum bind(const TextureBinding& binding, const TextureState& state);
     /// glCopyTexImage2D from the current planes.
     void copy(const CopyTexture& command);
 
 private:
-    unsigned object(const TextureBinding& binding);
+    unsigned object(const TextureBinding& binding, GLenum target);
     /// by identity; keeps them alive, so that no address comes twice
     std::map<TextureRef, unsigned> made_;
     std::map<std::uint32_t, unsigned> slots_;

@@ -37,6 +37,7 @@ void for_planes(auto& p, const auto& each) {
     each(p.color.data(), p.color.size() * sizeof p.color[0]);
     each(p.depth.data(), p.depth.size() * sizeof p.depth[0]);
     each(p.stencil.data(), p.stencil.size() * sizeof p.stencil[0]);
+    each(p.back.data(), p.back.size() * sizeof(Rgba));
 }
 
 /// Initial state, planes of 0: what a machine starts with.
@@ -78,12 +79,13 @@ void play_all(std::FILE* out, const std::vector<CommandList>& lists, int width, 
     _exit(0);
 }
 
-Answers receive(std::FILE* in, std::size_t count, int width, int height) {
+Answers receive(std::FILE* in, std::size_t count, int width, int height, const Profile& profile) {
     Answers answers{get_text(in), {}};
     for (std::size_t i = 0; i < count; ++i) {
         const std::string error = get_text(in);
         if (!error.empty()) throw Error(error);
         Planes planes(width, height);
+        if (profile.color_planes == 2) planes.back.resize(planes.color.size());
         for_planes(planes, [&](void* data, std::size_t size) { get(in, data, size); });
         answers.planes.push_back(std::move(planes));
     }
@@ -104,7 +106,7 @@ Answers play(const std::string& driver, const std::vector<CommandList>& lists, i
     }
     close(ends[1]);
     std::FILE* in = fdopen(ends[0], "rb");
-    Answers answers = receive(in, lists.size(), width, height);
+    Answers answers = receive(in, lists.size(), width, height, profile);
     std::fclose(in);
     waitpid(process, nullptr, 0);
     return answers;

@@ -1,5 +1,6 @@
 // What the player cannot express, or is not given rightly, it names.
 #include "gw/error.h"
+#include "inspect/peer/player.h"
 #include "tests/peer/compare.h"
 
 namespace gw {
@@ -23,12 +24,33 @@ Draw any_draw() {
     return Draw{.mesh = make_mesh(mesh_of(random_triangle(random), {0, 0, 0}, {}))};
 }
 
-TEST(PlayerRefuses, TwoSidedLighting) {
+TEST(PlayerRefuses, BothColorPlanesAtOnce) {
     State state;
-    state.color_source = ColorSource::Lighting;
-    state.lighting.two_side = true;
-    EXPECT_NE(refusal(state, any_draw()).find("command 1 (Draw): lighting.two_side"),
-              std::string::npos);
+    state.draw_buffer = DrawBuffer::FrontAndBack;
+    CommandList list;
+    add(list, state, any_draw());
+    try {
+        play("llvmpipe", {list}, size, size, opengl());
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).substr(0, 42),
+                  "command 1 (Draw): draw_buffer = FrontAndBa");
+    }
+}
+
+std::string refused_library(const std::string& path) {
+    try {
+        const peer::Player player(vgx(), 8, 8, path);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(PlayerRefuses, WhatIsNoOpenGL) {
+    EXPECT_TRUE(refused_library("/no/such/libOSMesa.so").starts_with("cannot load an OpenGL: "));
+    EXPECT_EQ(refused_library("libm.so.6"),
+              "libm.so.6 is no OpenGL: it has neither OSMesaMakeCurrent nor glXMakeContextCurrent");
 }
 
 TEST(PlayerRefuses, ExtensionsThatTheProfileLacks) {
