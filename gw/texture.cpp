@@ -124,6 +124,7 @@ void check_levels(const Texture& t) {
 
 /// Gives all texels the channels that the format lacks.
 void complete(TextureFormat format, std::vector<std::uint16_t>& rgba) {
+    if (format == TextureFormat::RGBA) return;
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
         const Rgba texel =
             completed(format, {rgba[i], rgba[i + 1], rgba[i + 2], rgba[i + 3]}, 65535);

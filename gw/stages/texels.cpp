@@ -13,9 +13,16 @@ namespace {
 /// One level's array of 16-bit values as texels.
 std::vector<Rgba> rounded(const std::vector<std::uint16_t>& rgba, int bits, int texel_bits) {
     std::vector<Rgba> out(rgba.size() / 4);
-    for (std::size_t i = 0; i < rgba.size(); ++i)
-        out[i / 4][i % 4] =
-            static_cast<std::uint16_t>(rescale(rescale(rgba[i], 16, texel_bits), texel_bits, bits));
+    const auto round_all = [&](auto round) {
+        for (std::size_t i = 0; i < out.size(); ++i)
+            for (std::size_t c = 0; c < 4; ++c)
+                out[i][c] = static_cast<std::uint16_t>(round(rgba[4 * i + c]));
+    };
+    if (bits == 8 && texel_bits == 8)  // divisions by constants
+        round_all([](std::uint32_t v) { return rescale(v, 16, 8); });
+    else
+        round_all(
+            [&](std::uint32_t v) { return rescale(rescale(v, 16, texel_bits), texel_bits, bits); });
     return out;
 }
 

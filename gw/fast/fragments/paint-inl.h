@@ -45,35 +45,59 @@ struct BatchPaint {
 #define GW_SMOOTH_WRITE HWY_NOINLINE
 #endif
 
-/// A smooth colour in narrow planes, as in a first lit pass.
+/// A smooth colour, as in a first lit pass: in narrow planes, or in perspective.
 struct SmoothPaint {
     SimpleStore store;
     BatchPlanes& planes;
     std::size_t triangle;
 
     HWY_INLINE static bool applies_to(const DrawOp& op) {
-        return is_narrow(op) && SimpleStore::applies_to(op);
+        return (is_narrow(op) || (op.perspective_color && !op.fog_table)) &&
+               SimpleStore::applies_to(op);
     }
     HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
         if (!alive.none()) write(bx, by, alive);
     }
     GW_SMOOTH_WRITE void write(int bx, int by, const LaneSet& alive) const {
         planes.make();
-        const Half16 d;
+        if (planes.narrow)
+            write_narrow(bx, by, alive);
+        else
+            write_perspective(bx, by, alive);
+    }
+    HWY_INLINE void write_narrow(int bx, int by, const LaneSet& alive) const {
         const NarrowBatch& p = planes.narrow_color;
-        ColorBlock& stored = store.tile.color[store.tile.block(bx, by)];
         for (std::size_t i = 0; i < parts; ++i) {
             const Pixels at = pixels_of(bx, by, i * lanes32);
-            const auto lanes = lanes_of(d, alive.bits(), i * lanes32);
-            for (std::size_t c = 0; c < 4; ++c) {
+            put(bx, by, alive, i, [&](std::size_t c) {
                 const auto coefficient = [&](const auto& of) {
                     return hn::Set(D32(), of[c][triangle]);
                 };
-                const auto v =
-                    narrow_value(coefficient(p.c), coefficient(p.gx), coefficient(p.gy), at);
-                std::uint16_t* to = stored.channel[c] + i * lanes32;
-                store_lanes(store.result(d, narrow(v), to), lanes, d, to);
-            }
+                return narrow_value(coefficient(p.c), coefficient(p.gx), coefficient(p.gy), at);
+            });
+        }
+    }
+    HWY_NOINLINE void write_perspective(int bx, int by, const LaneSet& alive) const {
+        const ColorPlanes& p = planes.scratch.color[triangle];
+        PerspectiveColors& colors = planes.perspective;
+        colors.aim(p, triangle);
+        for (std::size_t i = 0; i < parts; ++i) {
+            const auto w = colors.reciprocal(bx, by, i);
+            put(bx, by, alive, i, [&](std::size_t c) {
+                return colors.value(p, c, planes.draw.op->state.bits, bx, by, i, w);
+            });
+        }
+    }
+    /// Stores a part of a block's lanes: value(channel).
+    template <class Value>
+    HWY_INLINE void put(int bx, int by, const LaneSet& alive, std::size_t part,
+                        const Value& value) const {
+        const Half16 d;
+        const auto lanes = lanes_of(d, alive.bits(), part * lanes32);
+        ColorBlock& stored = store.tile.color[store.tile.block(bx, by)];
+        for (std::size_t c = 0; c < 4; ++c) {
+            std::uint16_t* to = stored.channel[c] + part * lanes32;
+            store_lanes(store.result(d, narrow(value(c)), to), lanes, d, to);
         }
     }
     HWY_INLINE void operator()(int bx, int by, AllLanes) const {

@@ -36,12 +36,12 @@ struct DrawOp {
     const TexelPairs* pairs = nullptr;           ///< of `texels`, if the filter is bilinear
     bool texels_counted = false;                 ///< textured, even if nothing reads the colour
     const std::vector<std::uint32_t>* fog_table = nullptr;
-    bool needs_color = true;     ///< a plane or the alpha test reads it
-    bool uniform_color = false;  ///< each primitive has one colour at all its vertices
-    bool perspective_color = false;
-    bool projective = false;       ///< texture coordinates are divided by q
-    int visible_record = -1;       ///< the record that it makes or uses; -1: none
-    bool counts_by_pixel = false;  ///< its record counts each pixel's fragments
+    bool needs_color = true;         ///< a plane or the alpha test reads it
+    bool uniform_color = false;      ///< each primitive has one colour at all its vertices
+    bool perspective_color = false;  ///< smooth, not uniform, and the profile divides colours
+    bool projective = false;         ///< texture coordinates are divided by q
+    int visible_record = -1;         ///< the record that it makes or uses; -1: none
+    bool counts_by_pixel = false;    ///< its record counts each pixel's fragments
     FragmentBytes bytes;
 };
 

@@ -142,7 +142,9 @@ struct Planner {
         DrawOp op{.draws = draws, .state = scanned.resolved, .group = &group, .set = &set};
         op.bytes = scanned.bytes;
         op.needs_color = op.state.writes_color || op.state.state.alpha.func != AlphaFunc::Always;
-        op.perspective_color = profile.perspective_color && state.shade_model == ShadeModel::Smooth;
+        op.perspective_color = profile.perspective_color &&
+                               state.shade_model == ShadeModel::Smooth &&
+                               state.color_source != ColorSource::PolygonId;
         const bool exact_id = state.color_source == ColorSource::PolygonId;
         op.texels_counted = first.map.enabled() && !exact_id;
         const GroupDraws inputs{group, &state, draws};
@@ -248,6 +250,7 @@ struct Planner {
     }
     void finish(DrawOp& op, std::size_t pass) {
         op.uniform_color = op.colors && op.colors->is_uniform(*op.group);
+        op.perspective_color &= !op.uniform_color;
         machine.passes[pass].counters += op.group->counters();
     }
 };

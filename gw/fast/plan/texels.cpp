@@ -1,6 +1,7 @@
 #include "gw/fast/plan/texels.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace gw::fast {
@@ -8,19 +9,33 @@ namespace {
 
 int first_index(Wrap wrap) { return wrap == Wrap::BorderClamp ? -1 : 0; }
 
-std::vector<std::uint32_t> packed_row(const TexelLevel& level, const Addressing& how, int j) {
-    std::vector<std::uint32_t> row;
-    for (int i = first_index(how.wrap_s); i <= level.width; ++i)
-        row.push_back(packed(filter_texel(level, how, i, j)));
-    return row;
+/// The level's row that row j of a filter is; -1: a border.
+int wrapped_row(const TexelLevel& level, const Addressing& how, int j) {
+    if (how.wrap_t != Wrap::BorderClamp) return wrap_index(how.wrap_t, j, level.height);
+    return j < level.height ? j : -1;
+}
+
+/// Row j and what lies beside it, from the first index on. `row` is the memory that it uses.
+void pack_row(const TexelLevel& level, const Addressing& how, int j,
+              std::vector<std::uint32_t>& row) {
+    const auto at = [&](int i) { return packed(filter_texel(level, how, i, j)); };
+    const int first = first_index(how.wrap_s);
+    row.clear();
+    if (first < 0) row.push_back(at(first));
+    if (const int k = wrapped_row(level, how, j); k >= 0)
+        for (int i = 0; i < level.width; ++i) row.push_back(packed(level.at(i, k)));
+    else
+        for (int i = 0; i < level.width; ++i) row.push_back(at(i));
+    row.push_back(at(level.width));
 }
 
 void add_pairs(const TexelLevel& level, const Addressing& how, std::vector<TexelPair>& out) {
-    std::vector<std::uint32_t> row = packed_row(level, how, first_index(how.wrap_t));
+    std::vector<std::uint32_t> row, next;
+    pack_row(level, how, first_index(how.wrap_t), row);
     for (int j = first_index(how.wrap_t); j < level.height; ++j) {
-        std::vector<std::uint32_t> next = packed_row(level, how, j + 1);
+        pack_row(level, how, j + 1, next);
         for (std::size_t i = 0; i < row.size(); ++i) out.push_back({row[i], next[i]});
-        row = std::move(next);
+        std::swap(row, next);
     }
 }
 
@@ -30,12 +45,11 @@ FastTexels make_fast_texels(Texels texels) {
     FastTexels f;
     for (std::size_t i = 0; i < texels.levels.size(); ++i) {
         f.first[i] = std::int32_t(std::max(f.packed.size(), f.wide.size()));
-        for (const Rgba& t : texels.levels[i].texels) {
-            if (texels.bits == 8)
-                f.packed.push_back(packed(t));
-            else
-                f.wide.push_back(t);
-        }
+        const std::vector<Rgba>& level = texels.levels[i].texels;
+        if (texels.bits == 8)
+            std::transform(level.begin(), level.end(), std::back_inserter(f.packed), packed);
+        else
+            f.wide.insert(f.wide.end(), level.begin(), level.end());
     }
     f.texels = std::move(texels);
     return f;
@@ -51,6 +65,7 @@ const TexelPairs* texel_pairs(FastTexels& texels, Addressing how) {
     if (texels.pairs.size() == most) return nullptr;
     TexelPairs& out = texels.pairs.emplace_back();
     out.how = how;
+    out.pairs.reserve(texels.packed.size() * 5 / 4);
     for (std::size_t i = 0; i < texels.texels.levels.size(); ++i) {
         out.first[i] = std::int32_t(out.pairs.size());
         add_pairs(texels.texels.levels[i], how, out.pairs);

@@ -23,6 +23,7 @@ struct BatchPlanes {
     ShadeInputs in;
     std::size_t flat_in = batch_capacity;  ///< the triangle whose one colour is in `in`
     ModulatedTexels modulated;
+    PerspectiveColors perspective;
 
     HWY_INLINE BatchPlanes(const TileDraw& d, const Corners& c)
         : draw(d),
@@ -45,9 +46,24 @@ struct BatchPlanes {
         if (draw.op->texels) set_up_textures(draw, corners, scratch.texture);
     }
     HWY_INLINE void evaluate(std::size_t i, int bx, int by, std::uint32_t mask) {
-        if (!narrow) return wide_colors(scratch.color[i], *draw.op, bx, by, mask, in);
-        narrow_colors(narrow_color, i, channels, bx, by, in);
-        flat_in = i;
+        if (!narrow && !scratch.color[i].perspective)
+            return wide_colors(scratch.color[i], *draw.op, bx, by, mask, in);
+        if (narrow) {
+            narrow_colors(narrow_color, i, channels, bx, by, in);
+            flat_in = i;
+        } else
+            perspective_colors(i, bx, by);
+    }
+    HWY_INLINE void perspective_colors(std::size_t i, int bx, int by) {
+        const ColorPlanes& planes = scratch.color[i];
+        perspective.aim(planes, i);
+        for (std::size_t part = 0; part < parts; ++part) {
+            const auto w = perspective.reciprocal(bx, by, part);
+            for (std::size_t c = 0; c < 4; ++c)
+                store16(perspective.value(planes, c, draw.op->state.bits, bx, by, part, w),
+                        in.color.channel[c] + part * lanes32);
+        }
+        if (channels == 5) wide_fog(planes, *draw.op, bx, by, all_lanes, in);
     }
     /// The colours of triangle i in a block, of the lanes of `mask`.
     HWY_NOINLINE const ColorBlock& color_of(std::size_t i, int bx, int by, std::uint32_t mask) {

@@ -200,11 +200,6 @@ inline void set_up_narrow(const TileDraw& draw, const Corners& t, NarrowBatch& o
         if (!(sure >> i & 1)) narrow_one(draw, t, i, out);
 }
 
-/// Colour planes of a batch if narrow ones do not suffice, out[0 .. count - 1].
-inline void set_up_colors(const TileDraw& draw, const Corners& t, ColorPlanes* out) {
-    for (std::size_t i = 0; i < t.count; ++i) color_one(draw, t, i, out[i]);
-}
-
 }  // namespace gw::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

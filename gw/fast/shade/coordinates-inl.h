@@ -49,17 +49,16 @@ struct RatioBatch {
     std::uint32_t finite = 0;
 };
 
-/// Numerators of lanes i ..: stores values in `out`, exponent and k in the batch.
-HWY_INLINE void numerator_lanes(const Vertices3& s, const Vertices3& ratio, Wrap wrap,
-                                std::size_t i, CoordinateBatch& batch,
-                                double (&out)[3][batch_capacity]) {
+/// Numerators of lanes i .. above the integers k, with exponents 0 .. largest: stores values in
+/// `out`, exponents in the batch.
+HWY_INLINE void numerators_above(V64 k, int largest, const Vertices3& s, const Vertices3& ratio,
+                                 std::size_t i, CoordinateBatch& batch,
+                                 double (&out)[3][batch_capacity]) {
     const D64 d;
     const auto zero = hn::Zero(d), one = all(1), unit = all(coordinate_unit);
-    auto k = hn::Floor(least(s));
-    if (wrap != Wrap::Repeat) k = hn::Max(all(-1024), hn::Min(k, all(1023)));
     const auto range = hn::Sub(most(s), k);
     auto power = one, inverse = one, exponent = zero;
-    for (int e = 0; e < 10; ++e) {
+    for (int e = 0; e < largest; ++e) {
         const auto grows = hn::Lt(power, range);
         if (hn::AllFalse(d, grows)) break;
         power = hn::IfThenElse(grows, hn::Add(power, power), power);
@@ -72,7 +71,17 @@ HWY_INLINE void numerator_lanes(const Vertices3& s, const Vertices3& ratio, Wrap
         hn::Store(hn::Max(zero, hn::Min(u, unit)), d, out[v] + i);
     }
     hn::Store(exponent, d, batch.exponent + i);
-    hn::Store(wrap != Wrap::Repeat ? k : zero, d, batch.k + i);
+}
+
+/// The same above the integer part that a texture coordinate has under `wrap`; stores it too.
+HWY_INLINE void numerator_lanes(const Vertices3& s, const Vertices3& ratio, Wrap wrap,
+                                std::size_t i, CoordinateBatch& batch,
+                                double (&out)[3][batch_capacity]) {
+    const D64 d;
+    auto k = hn::Floor(least(s));
+    if (wrap != Wrap::Repeat) k = hn::Max(all(-1024), hn::Min(k, all(1023)));
+    numerators_above(k, 10, s, ratio, i, batch, out);
+    hn::Store(wrap != Wrap::Repeat ? k : hn::Zero(d), d, batch.k + i);
 }
 
 HWY_INLINE std::uint32_t finite_lanes(const Vertices3& v) {

@@ -11,6 +11,7 @@
 #include "gw/fast/shade/colors-inl.h"
 #include "gw/fast/shade/coordinates-inl.h"
 #include "gw/fast/shade/texture-inl.h"
+#include "gw/fast/shade/wide_colors-inl.h"
 #include "gw/fast/simd/walk-inl.h"
 #include "gw/stages/fog.h"
 #include "gw/stages/tables.h"
@@ -96,22 +97,16 @@ HWY_INLINE void blend16(V32 v, std::uint32_t mask, std::size_t first, std::uint1
 
 HWY_NOINLINE inline void interpolated_color(const ColorPlanes& p, int bits, int bx, int by,
                                             std::uint32_t mask, ColorBlock& out) {
-    const D32 d;
-    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-        const Pixels at = pixels_of(bx, by, i);
-        if (!p.perspective) {
-            for (std::size_t c = 0; c < 4; ++c)
-                blend16(narrow_plane(p.color[c], at), mask, i, out.channel[c]);
-            continue;
-        }
-        const auto w = reciprocal_lanes(p.q, at);
-        const auto scale = hn::Set(F32(), float(max_of_bits(bits)));
-        for (std::size_t c = 0; c < 4; ++c) {
-            const auto f = hn::Mul(hn::Mul(to_floats(wide_plane(p.color[c], at)), w), scale);
-            const auto v = hn::BitCast(d, hn::NearestInt(f));
-            const auto low = hn::Set(d, p.low[c]), high = hn::Set(d, p.high[c]);
-            blend16(hn::Min(hn::Max(v, low), high), mask, i, out.channel[c]);
-        }
+    PerspectiveColors colors;
+    if (p.perspective) colors.aim(p, 0);
+    for (std::size_t i = 0; i < parts; ++i) {
+        const std::size_t first = i * lanes32;
+        const Pixels at = pixels_of(bx, by, first);
+        const auto w = p.perspective ? colors.reciprocal(bx, by, i) : hn::Zero(F32());
+        for (std::size_t c = 0; c < 4; ++c)
+            blend16(p.perspective ? colors.value(p, c, bits, bx, by, i, w)
+                                  : narrow_plane(p.color[c], at),
+                    mask, first, out.channel[c]);
     }
 }
 
@@ -195,15 +190,19 @@ HWY_NOINLINE inline void apply_fog_block(const DrawOp& op, const std::uint32_t* 
     }
 }
 
-/// Puts colour and fog of the lanes of `mask`, which one primitive covers, into the inputs.
-HWY_NOINLINE inline void wide_colors(const ColorPlanes& p, const DrawOp& op, int bx, int by,
-                                     std::uint32_t mask, ShadeInputs& in) {
-    interpolated_color(p, op.state.bits, bx, by, mask, in.color);
-    if (!has_fog(op.state.state)) return;
+/// Puts the fog factors of the lanes of `mask`, which one primitive covers, into the inputs.
+HWY_INLINE void wide_fog(const ColorPlanes& p, const DrawOp& op, int bx, int by, std::uint32_t mask,
+                         ShadeInputs& in) {
     const D32 d;
     for (std::size_t i = 0; i < block_pixels; i += lanes32)
         store_lanes(fog_factor_lanes(p, op, pixels_of(bx, by, i)), lanes_of(d, mask, i), d,
                     in.fog + i);
+}
+/// The same of colour and fog.
+HWY_NOINLINE inline void wide_colors(const ColorPlanes& p, const DrawOp& op, int bx, int by,
+                                     std::uint32_t mask, ShadeInputs& in) {
+    interpolated_color(p, op.state.bits, bx, by, mask, in.color);
+    if (has_fog(op.state.state)) wide_fog(p, op, bx, by, mask, in);
 }
 
 HWY_INLINE Sampler sampler_of(const DrawOp& op) {

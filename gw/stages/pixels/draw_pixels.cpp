@@ -83,22 +83,8 @@ PlacedPixels::PlacedPixels(const DrawPixels& pixels, const Resolved& state, cons
     if (state.state.fog.enable)
         fog_factor_ =
             fog_factor(state.state.fog, bounded(raster.distance, largest_coordinate), state.bits);
+    is_plain_ = !texel_ && !state.state.fog.enable;
     raster_color_ = shaded(raster.color);
-}
-
-std::optional<std::size_t> PlacedPixels::source_of(int x, int y) const {
-    const int column = columns_[std::size_t(x - box_.x)], row = rows_[std::size_t(y - box_.y)];
-    const std::size_t byte = std::size_t(row) * pixels_->bit_row() + std::size_t(column) / 8;
-    if (!pixels_->bits.empty() && (pixels_->bits[byte] >> (7 - column % 8) & 1) == 0) return {};
-    return pixel_index(column, row, pixels_->width);
-}
-
-Rgba PlacedPixels::color(std::size_t pixel) const {
-    return pixels_->colors.empty() ? raster_color_ : shaded(pixels_->colors[pixel]);
-}
-
-std::uint32_t PlacedPixels::depth(std::size_t pixel) const {
-    return pixels_->depths.empty() ? pixels_->raster.depth : pixels_->depths[pixel];
 }
 
 Rgba PlacedPixels::shaded(const Rgba& color) const {

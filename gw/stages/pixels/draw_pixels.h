@@ -23,16 +23,29 @@ public:
     /// The window's pixels that it covers, inside the pixel box.
     const Rect& box() const { return box_; }
     /// The place in the rectangle of the pixel that x, y of the box shows; none if it is not drawn.
-    std::optional<std::size_t> source_of(int x, int y) const;
+    std::optional<std::size_t> source_of(int x, int y) const {
+        const int column = columns_[std::size_t(x - box_.x)], row = rows_[std::size_t(y - box_.y)];
+        if (!pixels_->bits.empty() && !has_bit(column, row)) return {};
+        return pixel_index(column, row, pixels_->width);
+    }
     /// Of the fragment of a pixel, after texture and fog.
-    Rgba color(std::size_t pixel) const;
-    std::uint32_t depth(std::size_t pixel) const;
+    Rgba color(std::size_t pixel) const {
+        if (pixels_->colors.empty()) return raster_color_;
+        return is_plain_ ? pixels_->colors[pixel] : shaded(pixels_->colors[pixel]);
+    }
+    std::uint32_t depth(std::size_t pixel) const {
+        return pixels_->depths.empty() ? pixels_->raster.depth : pixels_->depths[pixel];
+    }
     /// Whether it writes stencil values in place of fragments.
     bool is_stencil() const { return !pixels_->stencils.empty(); }
     std::uint32_t stencil(std::size_t pixel) const { return pixels_->stencils[pixel]; }
     bool is_textured() const { return texel_.has_value(); }
 
 private:
+    bool has_bit(int column, int row) const {
+        const std::size_t byte = std::size_t(row) * pixels_->bit_row() + std::size_t(column) / 8;
+        return (pixels_->bits[byte] >> (7 - column % 8) & 1) != 0;
+    }
     Rgba shaded(const Rgba& color) const;
 
     const DrawPixels* pixels_;
@@ -42,7 +55,8 @@ private:
     std::optional<Rgba> texel_;
     TextureFormat format_ = TextureFormat::RGBA;
     std::uint32_t fog_factor_ = 0;
-    Rgba raster_color_{};  ///< after texture and fog
+    bool is_plain_ = false;  ///< neither texture nor fog
+    Rgba raster_color_{};    ///< after texture and fog
 };
 
 /// The part of the window that a command with a source reads.

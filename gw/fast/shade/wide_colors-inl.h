@@ -1,0 +1,174 @@
+// Colours in perspective, and fog whose factor is of the fragment: planes of numerators and of a
+// denominator of up to 16 triangles at once, and their values. docs/manual.md, "Perspective"; scalar
+// twin, also used for rare cases: gw/fast/raster/primitive.cpp. Does not paint. Included once per
+// Highway target.
+#if defined(GW_FAST_WIDE_COLORS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_WIDE_COLORS_INL_H_
+#undef GW_FAST_WIDE_COLORS_INL_H_
+#else
+#define GW_FAST_WIDE_COLORS_INL_H_
+#endif
+
+#include "gw/fast/shade/colors-inl.h"
+#include "gw/fast/shade/coordinates-inl.h"
+#include "gw/fast/simd/walk-inl.h"
+#include "gw/stages/fog.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+#if HWY_HAVE_FLOAT64
+
+/// Numerators of one channel: numerators() of gw/stages/perspective.h for fractions 0 .. 1.
+HWY_NOINLINE inline void channel_numerators(const Corners& t, const ColorWords& colors,
+                                            std::size_t c, const RatioBatch& ratio, int bits,
+                                            PlaneBatch& out) {
+    const U64ForD64 u;
+    const auto max = all(max_of_bits(bits)), unit = all(coordinate_unit);
+    set_up_planes(
+        t,
+        [&](std::size_t k, std::size_t i) {
+            const auto word = hn::ShiftRightSame(hn::Load(u, colors.at[k] + i), int(16 * c));
+            const auto fraction = hn::Div(to_double(hn::And(word, hn::Set(u, 0xFFFFu))), max);
+            return nearest(hn::Mul(hn::Mul(unit, fraction), hn::Load(D64(), ratio.at[k] + i)));
+        },
+        out);
+}
+
+/// The planes of one channel; triangles with one value need no numerators. Returns the lanes that
+/// are sure.
+HWY_INLINE std::uint32_t perspective_channel(const Corners& t, const ColorWords& colors,
+                                             std::size_t c, const RatioBatch& ratio, int bits,
+                                             ColorPlanes* out) {
+    bool varies = false;
+    for (std::size_t i = 0; i < t.count; ++i) {
+        const auto corner = [&](std::size_t k) {
+            return std::uint32_t(colors.at[k][i] >> (16 * c) & 0xFFFF);
+        };
+        out[i].low[c] = std::min({corner(0), corner(1), corner(2)});
+        out[i].high[c] = std::max({corner(0), corner(1), corner(2)});
+        varies |= out[i].low[c] != out[i].high[c];
+    }
+    if (!varies) return ~0u;
+    PlaneBatch plane;
+    channel_numerators(t, colors, c, ratio, bits, plane);
+    for (std::size_t i = 0; i < t.count; ++i) put_plane(plane, i, out[i].color[c]);
+    return plane.sure;
+}
+
+/// Fog coordinates of a batch; the lanes that are sure.
+HWY_NOINLINE inline std::uint32_t fog_coordinates(const TileDraw& draw, const Corners& t,
+                                                  const RatioBatch& ratio, ColorPlanes* out) {
+    CoordinateBatch fog;
+    alignas(64) double f[3][batch_capacity], numerator[3][batch_capacity];
+    gather(t, f, [&](std::uint32_t v) { return draw.op->fog->value[v]; });
+    for (std::size_t i = 0; i < t.filled; i += hn::Lanes(D64())) {
+        const Vertices3 at = load3(f, i);
+        fog.finite |= finite_lanes(at) << i;
+        numerators_above(hn::Zero(D64()), largest_fog_exponent, at, load3(ratio.at, i), i, fog,
+                         numerator);
+    }
+    planes_through(t, numerator, fog.plane);
+    const int log2_scale = fog_table_log2(draw.op->state.bits) + 8;
+    for (std::size_t i = 0; i < t.count; ++i) {
+        put_plane(fog.plane, i, out[i].fog);
+        out[i].fog_scale = float(std::ldexp(1.0, int(fog.exponent[i]) + log2_scale));
+    }
+    return fog.plane.sure & fog.finite;
+}
+
+/// Fog factors of a batch; the lanes that are sure.
+HWY_INLINE std::uint32_t wide_fog_factors(const TileDraw& draw, const Corners& t,
+                                          ColorPlanes* out) {
+    PlaneBatch plane;
+    fog_planes(draw, t, plane);
+    for (std::size_t i = 0; i < t.count; ++i) put_plane(plane, i, out[i].fog);
+    return plane.sure;
+}
+
+/// Whether set_up_wide() makes all planes of a draw.
+HWY_INLINE bool is_wide(const DrawOp& op) {
+    return op.perspective_color || (is_flat(op) && op.fog_table);
+}
+HWY_NOINLINE inline std::uint32_t set_up_wide(const TileDraw& draw, const Corners& t,
+                                              ColorPlanes* out) {
+    const DrawOp& op = *draw.op;
+    RatioBatch ratio;
+    PlaneBatch q;
+    make_ratios(draw, t, ratio);
+    denominator_planes(t, ratio, q);
+    std::uint32_t sure = q.sure & ratio.finite;
+    for (std::size_t i = 0; i < t.count; ++i) {
+        out[i].perspective = op.perspective_color;
+        put_plane(q, i, out[i].q);
+    }
+    if (op.perspective_color) {
+        ColorWords colors;
+        gather_colors(draw, t, colors);
+        for (std::size_t c = 0; c < 4; ++c)
+            sure &= perspective_channel(t, colors, c, ratio, op.state.bits, out);
+    } else
+        for (std::size_t i = 0; i < t.count; ++i) {
+            const Rgba color = flat_color(draw, *t.primitive[i]);
+            for (std::size_t c = 0; c < 4; ++c)
+                out[i].color[c] = PrimitiveFrame::constant(color[c]);
+        }
+    if (!has_fog(op.state.state)) return sure;
+    return sure &
+           (op.fog_table ? fog_coordinates(draw, t, ratio, out) : wide_fog_factors(draw, t, out));
+}
+
+#endif  // HWY_HAVE_FLOAT64
+
+/// Colour planes of a batch if narrow ones do not suffice, out[0 .. count - 1].
+inline void set_up_colors(const TileDraw& draw, const Corners& t, ColorPlanes* out) {
+    std::uint32_t sure = 0;
+#if HWY_HAVE_FLOAT64
+    if (is_wide(*draw.op)) sure = set_up_wide(draw, t, out);
+#endif
+    for (std::size_t i = 0; i < t.count; ++i)
+        if (!(sure >> i & 1)) color_one(draw, t, i, out[i]);
+}
+
+/// A triangle's colours in perspective at any block. Set up once for each triangle.
+struct PerspectiveColors {
+    WidePlaneLanes q, numerator[4];
+    bool varies[4] = {}, affine = true;
+    float w = 1;
+    std::size_t aimed = batch_capacity;  ///< the triangle of the batch that it is set up for
+
+    HWY_INLINE void aim(const ColorPlanes& p, std::size_t triangle) {
+        if (aimed == triangle) return;
+        aimed = triangle;
+        affine = (p.q.gx | p.q.gy) == 0;
+        if (affine)
+            w = hn::GetLane(reciprocal_lanes(p.q, pixels_of(0, 0, 0)));
+        else
+            q.aim(p.q);
+        for (std::size_t c = 0; c < 4; ++c) {
+            varies[c] = p.low[c] != p.high[c];
+            if (varies[c]) numerator[c].aim(p.color[c]);
+        }
+    }
+    HWY_INLINE hn::Vec<F32> reciprocal(int bx, int by, std::size_t part) const {
+        const F32 f;
+        if (affine) return hn::Set(f, w);
+        return hn::Div(hn::Set(f, 1.0f), to_floats(q.at(bx, by, part)));
+    }
+    /// Channel c where the denominator's reciprocal is `over`.
+    HWY_INLINE V32 value(const ColorPlanes& p, std::size_t c, int bits, int bx, int by,
+                         std::size_t part, hn::Vec<F32> over) const {
+        const D32 d;
+        const auto low = hn::Set(d, p.low[c]);
+        if (!varies[c]) return low;
+        const auto scale = hn::Set(F32(), float(max_of_bits(bits)));
+        const auto v =
+            hn::NearestInt(hn::Mul(hn::Mul(to_floats(numerator[c].at(bx, by, part)), over), scale));
+        return hn::Min(hn::Max(hn::BitCast(d, v), low), hn::Set(d, p.high[c]));
+    }
+};
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target
