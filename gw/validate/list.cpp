@@ -57,6 +57,15 @@ void follow(const CopyTexture& copy, ListContext& context) {
 }
 void follow(const BeginPass& begin, ListContext& context) { context.pass = begin.name; }
 
+/// Prefetches a later draw, and the materials of the mesh of a draw between.
+void prefetch_checked(std::span<const Command> commands, std::size_t i) {
+    constexpr std::size_t steps = 4;
+    prefetch_ahead(commands, i, 2 * steps, sizeof(Draw));
+    if (i + steps >= commands.size()) return;
+    const Draw* const draw = std::get_if<Draw>(&commands[i + steps]);
+    if (draw && draw->mesh) prefetch(&draw->mesh->data().materials, 1);
+}
+
 }  // namespace
 
 void check_window(int width, int height) {
@@ -69,7 +78,7 @@ void validate(const CommandList& list, const Profile& profile, int width, int he
               ListContext context) {
     Checker checker{profile, width, height};
     for (const Command& command : list.commands) {
-        prefetch_ahead(list.commands, checker.command, 4, sizeof(Draw));
+        prefetch_checked(list.commands, checker.command);
         std::visit(
             [&](const auto& c) {
                 follow(c, context);

@@ -1,6 +1,8 @@
 // A hash table of pointers to elements that equal() compares. Does not own them.
 #pragma once
 
+#include "gw/base/prefetch.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -57,6 +59,10 @@ public:
             if (++tried == most_tried) break;
         }
         return nullptr;
+    }
+    /// Prefetches the place where find() begins.
+    void prefetch_slot(std::uint64_t hash) const {
+        if (!slots_.empty()) prefetch(&slots_[hash & mask()], sizeof(Slot));
     }
     void add(std::uint64_t hash, T* element) {
         if (2 * (count_ + 1) > slots_.size()) grow();

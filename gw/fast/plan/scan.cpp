@@ -11,7 +11,7 @@ namespace {
 
 /// The limits of one set, so that sets can be made in parallel and a moving part does not force
 /// many others to be made again.
-constexpr std::size_t most_parts = 256, most_vertices = 4096;
+constexpr std::size_t most_parts = 1024, most_vertices = 4096;
 constexpr std::size_t most_triangles_of_small = 256;
 /// A segment that has many parts ends at so many vertices, so that its memory is bounded.
 constexpr std::size_t many_parts = 1024, most_segment_vertices = std::size_t{1} << 22;
@@ -61,27 +61,18 @@ std::uint64_t hash_of(const State& s) {
     return hash.add_all(values.data(), values.size()).value();
 }
 
-std::uint64_t hash_of(const Draw& draw, const ScannedState& state) {
-    return Hash()
-        .add(draw.mesh.get())
-        .add(state.geometry_hash)
-        .add_all(&draw.eye_from_object[0][0], 16)
-        .value();
+std::uint64_t hash_of(const Draw& draw) {
+    return Hash().add(draw.mesh.get()).add_all(&draw.eye_from_object[0][0], 16).value();
+}
+/// Of the part of a draw with this hash.
+std::uint64_t part_hash(std::uint64_t draw_hash, const ScannedState& state) {
+    return Hash().add(draw_hash).add(state.geometry_hash).value();
 }
 
 /// Whether two draws look up one texture in one way.
 bool same_map(const Draw& a, const Draw& b, const TextureState& state) {
     if (a.map.texture != b.map.texture || a.map.slot != b.map.slot) return false;
     return !a.map.enabled() || divides_by_q(state, a) == divides_by_q(state, b);
-}
-
-/// Prefetches the draw of a later command, and the mesh of a command between.
-void prefetch_draws(std::span<const Command> commands, std::size_t i) {
-    constexpr std::size_t steps = 4;
-    prefetch_ahead(commands, i, 2 * steps, sizeof(Draw));
-    if (i + steps >= commands.size()) return;
-    if (const Draw* const draw = std::get_if<Draw>(&commands[i + steps]))
-        prefetch(draw->mesh.get(), 3 * cache_line);
 }
 
 std::optional<Plane> plane_of(DrawBuffer buffer) {
@@ -178,8 +169,19 @@ const GeometryState* Scan::share(const GeometryState& geometry, std::uint64_t ha
     return made;
 }
 
-ScannedPart& Scan::part_of(const Draw& draw) {
-    const std::uint64_t hash = hash_of(draw, *state_);
+/// Hashes the draw of a command and prefetches all that add_draw() reads of it.
+void Scan::look_ahead(std::span<const Command> commands, std::size_t i) {
+    prefetch_ahead(commands, i, steps_ahead, sizeof(Draw));
+    if (i >= commands.size()) return;
+    const Draw* const draw = std::get_if<Draw>(&commands[i]);
+    if (!draw) return;
+    prefetch(draw->mesh.get(), 3 * cache_line);
+    hashes_[i % steps_ahead] = hash_of(*draw);
+    if (state_) part_table_.prefetch_slot(part_hash(hashes_[i % steps_ahead], *state_));
+}
+
+ScannedPart& Scan::part_of(const Draw& draw, std::uint64_t draw_hash) {
+    const std::uint64_t hash = part_hash(draw_hash, *state_);
     ScannedPart* const found = part_table_.find(hash, [&](const ScannedPart& p) {
         return p.draw->mesh == draw.mesh && p.draw->eye_from_object == draw.eye_from_object &&
                p.state->geometry == state_->geometry;
@@ -209,8 +211,8 @@ void Scan::add_step(const Command& command, ScannedPart* part) {
     steps_.push_back({&command, state_, passes_->size() - 1, part});
 }
 
-void Scan::add_draw(const Command& command, const Draw& draw) {
-    ScannedPart& part = part_of(draw);
+void Scan::add_draw(const Command& command, const Draw& draw, std::uint64_t draw_hash) {
+    ScannedPart& part = part_of(draw, draw_hash);
     const Step* const last = steps_.empty() || !steps_.back().part ? nullptr : &steps_.back();
     const bool continues = last && last->state == state_ && last->pass + 1 == passes_->size() &&
                            part.index == last->part->index + 1 && part.is_small &&
@@ -234,9 +236,9 @@ std::size_t Scan::run(std::span<const Command> commands, State& state,
     initial_ = state;
     const State* current = &initial_;
     std::size_t consumed = 0;
-    for (; consumed < commands.size(); ++consumed) {
+    for (std::size_t i = 0; i < steps_ahead; ++i) look_ahead(commands, i);
+    for (; consumed < commands.size(); look_ahead(commands, steps_ahead + consumed++)) {
         const Command& command = commands[consumed];
-        prefetch_draws(commands, consumed);
         if (is_barrier(command, passes)) break;
         if (const Read* read = std::get_if<Read>(&command);
             read && !read_keys_.insert(read->key).second)
@@ -250,7 +252,7 @@ std::size_t Scan::run(std::span<const Command> commands, State& state,
             use_state(*current);
             if (const Draw* draw = std::get_if<Draw>(&command)) {
                 if (is_full()) break;
-                add_draw(command, *draw);
+                add_draw(command, *draw, hashes_[consumed % steps_ahead]);
             } else {
                 end_run();
                 add_step(command, nullptr);

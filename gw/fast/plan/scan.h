@@ -9,6 +9,7 @@
 #include "gw/fast/plan/pointer_table.h"
 #include "gw/stages/resolve.h"
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -69,8 +70,9 @@ public:
 private:
     void clear();
     void use_state(const State& state);
-    ScannedPart& part_of(const Draw& draw);
-    void add_draw(const Command& command, const Draw& draw);
+    void look_ahead(std::span<const Command> commands, std::size_t i);
+    ScannedPart& part_of(const Draw& draw, std::uint64_t draw_hash);
+    void add_draw(const Command& command, const Draw& draw, std::uint64_t draw_hash);
     void add_step(const Command& command, ScannedPart* part);
     void end_run();
     const GeometryState* share(const GeometryState& geometry, std::uint64_t hash);
@@ -78,12 +80,15 @@ private:
     bool is_full() const;
     bool fits_color_plane(const Command& command, const State& state);
 
+    static constexpr std::size_t steps_ahead = 4;
+
     const Profile* profile_ = nullptr;
     int width_ = 0, height_ = 0;
     std::vector<PassReport>* passes_ = nullptr;
     State initial_;
     const State* given_ = nullptr;  ///< of the commands: `state_` is this
     ScannedState* state_ = nullptr;
+    std::array<std::uint64_t, steps_ahead> hashes_{};  ///< of the next commands, if they are draws
     std::deque<GeometryState> geometries_;
     PointerTable<const GeometryState> geometry_table_;
     std::deque<ScannedState> states_;

@@ -45,6 +45,7 @@ void PartGroup::finish() {
     first_primitive = set->parts[first_part].primitive;
     end_primitive =
         std::uint32_t(set->end_of(end - 1, &GeometryPart::primitive, set->primitives.size()));
+    if (parts == set->parts.size()) return void(tiles = set->tiles);
     tiles = {};
     for (std::uint32_t i = first_part; i < end; ++i) tiles.include(set->parts[i].tiles);
 }

@@ -72,33 +72,10 @@ inline bool is_zero(const Vec3& v) {
                        hn::And(hn::Eq(v.x, zero), hn::And(hn::Eq(v.y, zero), hn::Eq(v.z, zero))));
 }
 
-/// A light, and the terms that do not depend on the vertex.
-struct LightTerms {
-    const Light* light;
-    dvec3 position, spot_direction;
-    bool directional = true, spot = false;
-    // of the materials in use
-    bool glossy = false;
-    bool turns = false;  ///< its contribution depends on the normal
-
-    void use(const MaterialLanes& m) {
-        glossy = !is_zero(product(light->Is, m.Ks));
-        turns = glossy || !is_zero(product(light->Id, m.Kd));
-    }
-};
-
-inline LightTerms light_terms(const Light& light) {
-    LightTerms t{&light, dvec3(light.position), dvec3(light.spot_direction)};
-    t.directional = light.position.w == 0;
-    if (t.directional)
-        t.position = normalized(t.position);
-    else
-        t.position = {t.position.x / double(light.position.w),
-                      t.position.y / double(light.position.w),
-                      t.position.z / double(light.position.w)};
-    t.spot = !t.directional && light.spot_cos_cutoff > -1;
-    if (t.spot) t.spot_direction = normalized(t.spot_direction);
-    return t;
+/// Finds the parts of a light's contribution that these materials need.
+inline void set_needs(PreparedLight& t, const MaterialLanes& m) {
+    t.glossy = !is_zero(product(t.light->Is, m.Ks));
+    t.turns = t.glossy || !is_zero(product(t.light->Id, m.Kd));
 }
 
 struct IncidentLanes {
@@ -106,14 +83,14 @@ struct IncidentLanes {
     V64 strength;
 };
 
-inline V64 spot_factor(const LightTerms& t, const Vec3& to_light) {
+inline V64 spot_factor(const PreparedLight& t, const Vec3& to_light) {
     const auto c = dot(minus(to_light), all3(t.spot_direction));
     const auto outside =
         hn::Or(hn::Lt(c, all(t.light->spot_cos_cutoff)), hn::Le(c, hn::Zero(D64())));
     return power(at_most_one(c), t.light->spot_exponent, hn::Not(outside));
 }
 
-inline IncidentLanes incident(const LightTerms& t, const Vec3& p_eye) {
+inline IncidentLanes incident(const PreparedLight& t, const Vec3& p_eye) {
     if (t.directional) return {all3(t.position), all(1)};
     const Vec3 v{hn::Sub(all(t.position.x), p_eye.x), hn::Sub(all(t.position.y), p_eye.y),
                  hn::Sub(all(t.position.z), p_eye.z)};
@@ -135,7 +112,7 @@ inline Vec3 product(V64 a, const Vec3& b) {
 }
 
 /// The colour that a light adds.
-inline Vec3 contribution(const LightTerms& t, const MaterialLanes& m, double exponent,
+inline Vec3 contribution(const PreparedLight& t, const MaterialLanes& m, double exponent,
                          const Vec3& p_eye, const Vec3& n_eye, const Vec3& to_eye) {
     const IncidentLanes in = incident(t, p_eye);
     Vec3 out = product(t.light->Ia, m.Ka);
@@ -154,16 +131,19 @@ struct SideLighting {
     const VertexProgram& p;
     Face side;
     double exponent;
-    std::vector<LightTerms>& lights;
-    MaterialLanes material;
+    std::span<PreparedLight> lights;
+    MaterialLanes material;              ///< set by use()
     bool turns = false, glossy = false;  ///< some light's
     bool places = false;                 ///< the colours depend on the position
+
+    SideLighting(const VertexProgram& program, Face face, double Ns, std::span<PreparedLight> terms)
+        : p(program), side(face), exponent(Ns), lights(terms) {}
 
     void use(const MaterialLanes& m) {
         material = m;
         turns = glossy = places = false;
-        for (LightTerms& light : lights) {
-            light.use(m);
+        for (PreparedLight& light : lights) {
+            set_needs(light, m);
             turns = turns || light.turns;
             glossy = glossy || light.glossy;
             places = places || !light.directional;
@@ -179,14 +159,14 @@ struct SideLighting {
         if (side == Face::Back) n_eye = minus(n_eye);
         const Vec3 to_eye = state.local_viewer && glossy ? unit(minus(p_eye)) : all3({0, 0, 1});
         Vec3 out = sum(material.Ke, product(vec3(state.model_ambient), material.Ka));
-        for (const LightTerms& light : lights)
+        for (const PreparedLight& light : lights)
             out = sum(out, contribution(light, material, exponent, p_eye, n_eye, to_eye));
         return out;
     }
 };
 
-void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, bool back,
-               std::span<Rgba> colors) {
+void light_all(const VertexProgram& p, PreparedLights& lights,
+               std::span<const std::uint32_t> indices, bool back, std::span<Rgba> colors) {
     if (indices.empty()) return;
     if (!p.is_affine || !p.draw->mesh->data().material_indices.empty())
         return light_one_by_one(p, indices, back, colors);
@@ -198,15 +178,10 @@ void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, b
         const auto lit = std::uint32_t(v);
         return std::uint16_t(same_bits ? lit : rescale(lit, profile.lit_bits, profile.color_bits));
     };
-    thread_local std::vector<LightTerms> lights;  // a small mesh would spend its time allocating
-    lights.clear();
-    if (p.draw->lights)
-        for (const Light& light : *p.draw->lights) lights.push_back(light_terms(light));
-
     const Face side = back ? Face::Back : Face::Front;
     const Material first_material = material_of(p, indices[0], side);
-    SideLighting lighting{p, side, first_material.Ns, lights, one_material(first_material)};
-    lighting.use(lighting.material);
+    SideLighting lighting(p, side, first_material.Ns, lights.of(p.draw->lights));
+    lighting.use(one_material(first_material));
     for (std::size_t first = 0; first < indices.size(); first += lanes) {
         const auto some = indices.subspan(first, std::min(lanes, indices.size() - first));
         if (!p.has_one_material) lighting.use(materials_of(p, some, side));
@@ -242,8 +217,8 @@ void quantize_all(const GivenColors& given, std::span<Rgba> colors) {
         colors[i] = quantize_color(given.all[i], given.bits);
 }
 
-void light_all(const VertexProgram& p, std::span<const std::uint32_t> indices, bool back,
-               std::span<Rgba> colors) {
+void light_all(const VertexProgram& p, PreparedLights&, std::span<const std::uint32_t> indices,
+               bool back, std::span<Rgba> colors) {
     light_one_by_one(p, indices, back, colors);
 }
 
@@ -258,9 +233,36 @@ namespace gw::fast {
 HWY_EXPORT(light_all);
 HWY_EXPORT(quantize_all);
 
-void light_vertices(const VertexProgram& program, std::span<const std::uint32_t> indices, bool back,
-                    std::span<Rgba> colors) {
-    HWY_DYNAMIC_DISPATCH(light_all)(program, indices, back, colors);
+namespace {
+
+PreparedLight prepared(const Light& light) {
+    PreparedLight t{&light, dvec3(light.position), dvec3(light.spot_direction)};
+    t.directional = light.position.w == 0;
+    if (t.directional)
+        t.position = normalized(t.position);
+    else
+        t.position = {t.position.x / double(light.position.w),
+                      t.position.y / double(light.position.w),
+                      t.position.z / double(light.position.w)};
+    t.spot = !t.directional && light.spot_cos_cutoff > -1;
+    if (t.spot) t.spot_direction = normalized(t.spot_direction);
+    return t;
+}
+
+}  // namespace
+
+std::span<PreparedLight> PreparedLights::of(const LightsRef& lights) {
+    if (lights.get() == lights_) return terms_;
+    terms_.clear();
+    if (lights)
+        for (const Light& light : *lights) terms_.push_back(prepared(light));
+    lights_ = lights.get();
+    return terms_;
+}
+
+void light_vertices(const VertexProgram& program, PreparedLights& lights,
+                    std::span<const std::uint32_t> indices, bool back, std::span<Rgba> colors) {
+    HWY_DYNAMIC_DISPATCH(light_all)(program, lights, indices, back, colors);
 }
 
 void quantize_colors(const GivenColors& given, std::span<Rgba> colors) {

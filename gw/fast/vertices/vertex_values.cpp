@@ -190,19 +190,26 @@ private:
     const Draw* draw_;
 };
 
-/// Prefetches the mesh of a later part, and the colours of a part between.
-void prefetch_colors(std::span<const Draw* const> draws, std::size_t i) {
+/// Prefetches the mesh of a later part, and the colours or normals of a part between.
+void prefetch_values(const VertexInputs& inputs, std::size_t i, bool lit) {
     constexpr std::size_t steps = 3;
-    if (i + 2 * steps < draws.size() && draws[i + 2 * steps])
-        prefetch(draws[i + 2 * steps]->mesh.get(), 4 * cache_line);
-    if (i + steps < draws.size() && draws[i + steps])
-        prefetch_elements(draws[i + steps]->mesh->data().colors);
+    const auto part = [&](std::size_t k) { return k < inputs.draws.size() && inputs.draws[k]; };
+    if (part(i + 2 * steps)) {
+        prefetch(inputs.set->parts[i + 2 * steps].mesh, 4 * cache_line);
+        if (lit) prefetch(inputs.draws[i + 2 * steps], sizeof(Draw));
+    }
+    if (!part(i + steps)) return;
+    const MeshData& mesh = inputs.set->parts[i + steps].mesh->data();
+    if (lit)
+        prefetch_elements(mesh.normals);
+    else
+        prefetch_elements(mesh.colors);
 }
 
 /// Colours from the mesh. Only vertices that clipping made need the vertex stages.
 void color_part(const PartVertices& vertices, const VertexProgram* program, const Draw& draw,
                 const Profile& profile, std::span<Rgba> front) {
-    const std::vector<vec4>& given = draw.mesh->data().colors;
+    const std::vector<vec4>& given = vertices.part.mesh->data().colors;
     if (given.empty())
         std::fill(front.begin(), front.end(),
                   quantize_color(given_color(draw, 0), profile.color_bits));
@@ -214,8 +221,8 @@ void color_part(const PartVertices& vertices, const VertexProgram* program, cons
 }
 
 /// Lights the part's vertices. Returns whether the part has one colour.
-bool light_part(const PartVertices& vertices, const VertexProgram& program, std::span<Rgba> front,
-                std::span<Rgba> back) {
+bool light_part(const PartVertices& vertices, const VertexProgram& program, PreparedLights& lights,
+                std::span<Rgba> front, std::span<Rgba> back) {
     if (vertices.used.empty()) return true;
     const auto is_uniform_on = [&](Face side) {
         return is_uniform(*program.draw, material_of(program, vertices.used[0], side));
@@ -227,8 +234,9 @@ bool light_part(const PartVertices& vertices, const VertexProgram& program, std:
         std::fill(back.begin(), back.end(), to_rgba(vertex.back_color));
         return true;
     }
-    light_vertices(program, back.empty() ? vertices.used : vertices.used_front, false, front);
-    if (!back.empty()) light_vertices(program, vertices.used_back, true, back);
+    light_vertices(program, lights, back.empty() ? vertices.used : vertices.used_front, false,
+                   front);
+    if (!back.empty()) light_vertices(program, lights, vertices.used_back, true, back);
     vertices.for_each_new(program, [&](std::size_t i, const Vertex& v) {
         front[i] = to_rgba(v.color);
         if (!back.empty()) back[i] = to_rgba(v.back_color);
@@ -264,7 +272,7 @@ bool has_one_color_each(const GeometrySet& set, std::size_t part, const VertexCo
                      std::ptrdiff_t(
                          set.end_of(part, &GeometryPart::primitive, set.primitives.size()));
     return std::all_of(first, end, [&](const SetupPrimitive& p) {
-        const Rgba* const of = (p.front || colors.back.empty() ? colors.front : colors.back).data();
+        const Rgba* const of = colors.of(p).data();
         const Rgba& color = of[p.provoking];
         return of[p.vertex[0]] == color && of[p.vertex[1]] == color && of[p.vertex[2]] == color;
     });
@@ -277,13 +285,14 @@ void shade_vertices(VertexColors& out, const Profile& profile) {
     State unfogged = *state;
     unfogged.fog.enable = false;
     Programs programs(unfogged, profile);
+    PreparedLights lights;
     const bool lit = state->color_source == ColorSource::Lighting;
     out.front.resize(set->vertex_count());
     if (lit && state->lighting.two_side) out.back.resize(set->vertex_count());
     out.uniform.assign(set->parts.size(), 0);
     for (std::size_t i = 0; i < set->parts.size(); ++i) {
         if (!draws[i]) continue;
-        prefetch_colors(draws, i);
+        prefetch_values(out.inputs, i, lit);
         const PartVertices vertices(*set, i);
         const std::span<Rgba> front = vertices.of(out.front);
         const std::span<Rgba> back = out.back.empty() ? std::span<Rgba>() : vertices.of(out.back);
@@ -292,7 +301,7 @@ void shade_vertices(VertexColors& out, const Profile& profile) {
             const Untextured draw(*draws[i]);
             const VertexProgram& program = programs.of(*draw);
             if (lit)
-                uniform = light_part(vertices, program, front, back);
+                uniform = light_part(vertices, program, lights, front, back);
             else
                 color_part(vertices, &program, *draws[i], profile, front);
         } else {

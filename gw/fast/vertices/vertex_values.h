@@ -45,6 +45,10 @@ struct VertexColors {
         uniform.clear();
     }
     std::size_t bytes() const { return (front.capacity() + back.capacity()) * sizeof(Rgba); }
+    /// Those of a primitive's side.
+    const std::vector<Rgba>& of(const SetupPrimitive& p) const {
+        return p.front || back.empty() ? front : back;
+    }
     bool is_uniform(const PartGroup& group) const;
 };
 struct VertexFog {
