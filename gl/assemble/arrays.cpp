@@ -5,6 +5,7 @@
 #include "gl/api/convert.h"
 #include "gl/context/context.h"
 #include "gl/pixels/formats.h"
+#include "gl/pixels/packed.h"
 
 #include <cstring>
 
@@ -13,7 +14,10 @@ namespace gw::gl {
 namespace {
 
 /// The bytes of a component; 0: no type of an array.
-std::size_t bytes_of(GLenum type) { return type == GL_DOUBLE ? 8 : component_bytes(type); }
+std::size_t bytes_of(GLenum type) {
+    if (packed_type(type) != nullptr) return 0;
+    return type == GL_DOUBLE ? 8 : component_bytes(type);
+}
 
 /// Element i of an array; components that it does not have are (0, 0, 1).
 vec4 element(const ClientArray& a, GLint i, bool is_unit) {
@@ -61,6 +65,15 @@ void send_element(const ClientState& client, GLint i) {
     }
 }
 
+/// After a draw of arrays, [GL11] 2.8 leaves the current values open. As elsewhere, they stay what they
+/// were: programs draw on without setting them again.
+template <class Draw>
+void keeping_current_values(Context& c, Draw draw) {
+    const CurrentState kept = c.state.current;
+    draw();
+    c.state.current = kept;
+}
+
 /// A whole primitive of elements. Without vertices it draws nothing. An open list keeps it as one
 /// call, which is wrong between Begin and End as a whole.
 template <class IndexOf>
@@ -71,7 +84,7 @@ void send_elements(Context& c, Function function, GLenum mode, GLsizei count, In
             for (GLsizei i = 0; i < count; ++i) send_element(c.client, index_of(i));
         perform<execute::end>(Function::End);
     };
-    if (!c.lists.open) return send();
+    if (!c.lists.open) return keeping_current_values(c, send);
     const auto elements = std::make_shared<DisplayList>();
     const auto outer = std::exchange(c.lists.open, elements);
     const GLenum outer_mode = std::exchange(c.lists.mode, GLenum(GL_COMPILE));
@@ -216,7 +229,9 @@ void array_element(Context& c, GLint i) {
     send_element(c.client, i);
 }
 
-void play_elements(Context& c, const Elements& elements) { elements->play(c); }
+void play_elements(Context& c, const Elements& elements) {
+    keeping_current_values(c, [&] { elements->play(c); });
+}
 
 void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count) {
     if (c.assembler.inside && !c.lists.open) return set_error(c, GL_INVALID_OPERATION);

@@ -1,6 +1,7 @@
 #include "gl/pixels/formats.h"
 
 #include "gl/api/convert.h"
+#include "gl/pixels/packed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,18 +72,23 @@ std::size_t component_bytes(GLenum type) {
         case GL_UNSIGNED_INT:
         case GL_FLOAT: return 4;
     }
-    return 0;
+    const PackedType* const packed = packed_type(type);
+    return packed != nullptr ? packed->bytes : 0;
 }
 
 GLenum format_error(GLenum format, GLenum type) {
     if (component_count(format) == 0) return GL_INVALID_ENUM;
     if (type == GL_BITMAP) return is_index_format(format) ? GL_NO_ERROR : GL_INVALID_ENUM;
+    if (const PackedType* const packed = packed_type(type))
+        return is_packed_format(*packed, format) ? GL_NO_ERROR : GL_INVALID_OPERATION;
     return component_bytes(type) == 0 ? GL_INVALID_ENUM : GL_NO_ERROR;
 }
 
 std::size_t row_bytes(GLsizei width, GLenum format, GLenum type) {
     if (type == GL_BITMAP) return (std::size_t(width) + 7) / 8;
-    return std::size_t(width) * std::size_t(component_count(format)) * component_bytes(type);
+    const std::size_t values =
+        packed_type(type) != nullptr ? 1 : std::size_t(component_count(format));
+    return std::size_t(width) * values * component_bytes(type);
 }
 
 double load_component(GLenum type, const std::byte* at, bool is_index) {

@@ -9,7 +9,7 @@ namespace gw::gl {
 
 /// The values of a pixel; 0: no such format.
 int component_count(GLenum format);
-/// The bytes of a value; 0: no such type, or GL_BITMAP.
+/// The bytes of a value, or of a pixel whose type packs it; 0: no such type, or GL_BITMAP.
 std::size_t component_bytes(GLenum type);
 /// Whether a pixel is an index or a depth, not a colour.
 inline bool is_index_format(GLenum format) {

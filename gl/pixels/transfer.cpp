@@ -3,6 +3,7 @@
 #include "gl/api/finite.h"
 #include "gl/context/context.h"
 #include "gl/pixels/formats.h"
+#include "gl/pixels/packed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,12 +80,15 @@ void for_each_pixel(GLsizei width, GLsizei height, GLenum format, GLenum type,
     const std::byte* row = image.bytes->data();
     const auto count = std::size_t(component_count(format));
     const std::size_t bytes = component_bytes(type);
+    const PackedType* const packed = packed_type(type);
     for (GLsizei y = 0; y < height; ++y, row += row_bytes(width, format, type)) {
         const std::byte* at = row;
         for (std::size_t x = 0; x < std::size_t(width); ++x) {
             std::array<double, 4> v{};
             if (type == GL_BITMAP)
                 v[0] = std::to_integer<int>(row[x / 8]) >> (7 - x % 8) & 1;
+            else if (packed != nullptr)
+                v = load_packed(*packed, at), at += bytes;
             else
                 for (std::size_t i = 0; i < count; ++i, at += bytes)
                     v[i] = load_component(type, at, is_index_format(format));
@@ -143,13 +147,18 @@ std::vector<GLuint> host_stencils(const Context& c, GLsizei width, GLsizei heigh
 }
 
 std::vector<std::byte> packed_colors(const std::vector<vec4>& colors, GLenum format, GLenum type) {
-    const auto count = std::size_t(component_count(format));
+    const PackedType* const packed = packed_type(type);
+    const auto count = std::size_t(packed != nullptr ? 1 : component_count(format));
     const std::size_t bytes = component_bytes(type);
     std::vector<std::byte> out(colors.size() * count * bytes);
     std::byte* at = out.data();
     for (const vec4& color : colors) {
         const std::array<double, 4> v = components_of(format, color);
-        for (std::size_t i = 0; i < count; ++i, at += bytes) store_component(type, at, v[i], false);
+        if (packed != nullptr)
+            store_packed(*packed, at, v), at += bytes;
+        else
+            for (std::size_t i = 0; i < count; ++i, at += bytes)
+                store_component(type, at, v[i], false);
     }
     return out;
 }

@@ -246,6 +246,42 @@ TEST(GlArrays, InterleavedFormatsSetWhatTheTableSays) {
     EXPECT_EQ(glGetError(), GLenum(GL_INVALID_VALUE));
 }
 
+/// [GL11] 2.8 leaves them open. Programs count on what other implementations do.
+TEST(GlArrays, ADrawLeavesTheCurrentValuesAlone) {
+    const Window window;
+    const std::array<GLfloat, 12> memory{0, 1, 0, 0, 1, 0, 1, 0, 0, 0.5f, 0.5f, 0};
+    const std::array<GLubyte, 2> indices{0, 1};
+    glVertexPointer(2, GL_FLOAT, 0, memory.data());
+    glNormalPointer(GL_FLOAT, 0, memory.data());
+    glColorPointer(4, GL_FLOAT, 0, memory.data());
+    glTexCoordPointer(2, GL_FLOAT, 0, memory.data());
+    for (const GLenum array :
+         {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY})
+        glEnableClientState(array);
+    const auto values = [] {
+        std::array<GLfloat, 12> out{};
+        glGetFloatv(GL_CURRENT_NORMAL, out.data());
+        glGetFloatv(GL_CURRENT_COLOR, out.data() + 3);
+        glGetFloatv(GL_CURRENT_TEXTURE_COORDS, out.data() + 7);
+        return out;
+    };
+    const auto initial = values();
+    glDrawArrays(GL_LINES, 0, 2);
+    EXPECT_EQ(values(), initial);
+    glDrawElements(GL_LINES, 2, GL_UNSIGNED_BYTE, indices.data());
+    EXPECT_EQ(values(), initial);
+    glNewList(1, GL_COMPILE_AND_EXECUTE);
+    glDrawArrays(GL_LINES, 0, 2);
+    glEndList();
+    EXPECT_EQ(values(), initial);
+    glCallList(1);
+    EXPECT_EQ(values(), initial);
+    glBegin(GL_LINES);
+    glArrayElement(1);
+    glEnd();
+    EXPECT_NE(values(), initial);
+}
+
 TEST(GlArrays, WrongArgumentsAreErrors) {
     const Window window;
     const auto expect = [](GLenum error) { EXPECT_EQ(glGetError(), error); };

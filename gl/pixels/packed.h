@@ -1,0 +1,28 @@
+// Types that pack the components of a pixel into one number: EXT_packed_pixels, and [GL12] 3.6.4's reversed ones.
+#pragma once
+
+#include <GL/gl.h>
+
+#include <array>
+#include <cstddef>
+
+namespace gw::gl {
+
+struct PackedType {
+    GLenum type;
+    std::size_t bytes;
+    std::array<unsigned, 4> bits;  ///< of the components, the first one first; 0: no such component
+    bool reversed;                 ///< whether the first one is in the lowest bits
+};
+/// Null: not a packed type.
+const PackedType* packed_type(GLenum type);
+
+/// Whether pixels of the format can be packed so: three components or four.
+bool is_packed_format(const PackedType& packed, GLenum format);
+
+/// The components of a pixel, 0 .. 1.
+std::array<double, 4> load_packed(const PackedType& packed, const std::byte* at);
+/// The reverse; clamped.
+void store_packed(const PackedType& packed, std::byte* at, const std::array<double, 4>& values);
+
+}  // namespace gw::gl
