@@ -9,10 +9,26 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace gw::gl {
 
 namespace {
+
+/// A mesh of more points is an error.
+constexpr std::int64_t most_mesh_points = std::int64_t{1} << 24;
+
+bool is_too_large(GLint i1, GLint i2, GLint j1, GLint j2) {
+    const std::int64_t i = std::max(std::int64_t{i2} - i1 + 1, std::int64_t{0});
+    const std::int64_t j = std::max(std::int64_t{j2} - j1 + 1, std::int64_t{0});
+    return i > most_mesh_points || j > most_mesh_points || i * j > most_mesh_points;
+}
+
+/// Calls `take(i)` for the integers of a range; its end may be the largest.
+template <class Take>
+void for_each_from_to(GLint first, GLint last, Take take) {
+    for (std::int64_t i = first; i <= last; ++i) take(GLint(i));
+}
 
 /// The maps by their place in GL's order.
 enum Target { ColorMap, IndexMap, NormalMap, Tex1, Tex2, Tex3, Tex4, Vertex3, Vertex4 };
@@ -258,41 +274,44 @@ void eval_point2(Context& c, GLint i, GLint j) { eval_grid_point(c, i, j); }
 
 void eval_mesh1(Context& c, GLenum mode, GLint i1, GLint i2) {
     if (mode != GL_POINT && mode != GL_LINE) return set_error(c, GL_INVALID_ENUM);
+    if (is_too_large(i1, i2, 0, 0)) return set_error(c, GL_OUT_OF_MEMORY);
     begin(c, mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
-    for (GLint i = i1; i <= i2; ++i) eval_point1(c, i);
+    for_each_from_to(i1, i2, [&](GLint i) { eval_point1(c, i); });
     end(c);
 }
 
 void eval_mesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_POINT && mode != GL_LINE && mode != GL_FILL)
         return set_error(c, GL_INVALID_ENUM);
+    if (is_too_large(i1, i2, j1, j2)) return set_error(c, GL_OUT_OF_MEMORY);
     if (mode == GL_POINT) {
         begin(c, GL_POINTS);
-        for (GLint j = j1; j <= j2; ++j)
-            for (GLint i = i1; i <= i2; ++i) eval_grid_point(c, i, j);
+        for_each_from_to(j1, j2, [&](GLint j) {
+            for_each_from_to(i1, i2, [&](GLint i) { eval_grid_point(c, i, j); });
+        });
         return end(c);
     }
     if (mode == GL_FILL) {
-        for (GLint j = j1; j < j2; ++j) {
+        if (j1 >= j2) return;
+        return for_each_from_to(j1, j2 - 1, [&](GLint j) {
             begin(c, GL_QUAD_STRIP);
-            for (GLint i = i1; i <= i2; ++i) {
+            for_each_from_to(i1, i2, [&](GLint i) {
                 eval_grid_point(c, i, j);
                 eval_grid_point(c, i, j + 1);
-            }
+            });
             end(c);
-        }
-        return;
+        });
     }
-    for (GLint j = j1; j <= j2; ++j) {
+    for_each_from_to(j1, j2, [&](GLint j) {
         begin(c, GL_LINE_STRIP);
-        for (GLint i = i1; i <= i2; ++i) eval_grid_point(c, i, j);
+        for_each_from_to(i1, i2, [&](GLint i) { eval_grid_point(c, i, j); });
         end(c);
-    }
-    for (GLint i = i1; i <= i2; ++i) {
+    });
+    for_each_from_to(i1, i2, [&](GLint i) {
         begin(c, GL_LINE_STRIP);
-        for (GLint j = j1; j <= j2; ++j) eval_grid_point(c, i, j);
+        for_each_from_to(j1, j2, [&](GLint j) { eval_grid_point(c, i, j); });
         end(c);
-    }
+    });
 }
 
 }  // namespace execute

@@ -45,7 +45,7 @@ bool is_size(GLsizei size) { return size >= 0 && size <= max_window_size; }
 bool is_drawn(Context& c, GLenum token) {
     if (!c.state.current.raster.valid) return false;
     flush_mesh(c);
-    if (c.selection.mode == GL_RENDER) return submit_state(c);
+    if (c.selection.mode == GL_RENDER) return c.drawable != nullptr;
     report_raster_position(c, token);
     return false;
 }
@@ -119,9 +119,9 @@ Command plain(const gw::DrawPixels& pixels) {
 }
 
 void add_rectangle(Context& c, gw::DrawPixels pixels) {
-    if (c.profile.extensions.draw_pixels) return c.drawable->add(std::move(pixels));
+    if (c.profile.extensions.draw_pixels) return submit_command(c, std::move(pixels));
     if (pixels.zoom_x != 1 || pixels.zoom_y != 1) return set_error(c, GL_INVALID_OPERATION);
-    c.drawable->add(plain(pixels));
+    submit_command(c, plain(pixels));
 }
 
 }  // namespace

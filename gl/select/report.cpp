@@ -190,6 +190,14 @@ void Reporter::report_given(const Given& given) {
     }
 }
 
+/// A quad of a strip has its third corner, which gives a flat colour, last (Assembly). It is reported
+/// from its first corner. [GL11] 2.6.1
+void begin_at_first_corner(Given& quad) {
+    if (quad.vertices[1] > quad.vertices[0]) return;
+    std::rotate(quad.vertices.begin(), quad.vertices.begin() + 1, quad.vertices.end());
+    quad.provoking = 2;
+}
+
 }  // namespace
 
 void report(Context& c, const Draw& submitted) {
@@ -201,6 +209,7 @@ void report(Context& c, const Draw& submitted) {
         for (std::size_t i = 0; i < count; ++i)
             given.vertices.push_back(vertex_index(data, first + i));
         given.provoking = data.primitive == Primitive::Polygons ? 0 : count - 1;
+        if (data.primitive == Primitive::Quads) begin_at_first_corner(given);
         given.begins_stipple = data.primitive != Primitive::LineStrip || first == 0;
         reporter.report_given(given);
     });

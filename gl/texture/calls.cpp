@@ -87,7 +87,10 @@ void bind_texture(Context& c, GLenum target, GLuint texture) {
     if (!index) return set_error(c, GL_INVALID_ENUM);
     std::shared_ptr<TextureObject> object = object_of(c, *index, target, texture);
     if (!object) return set_error(c, GL_INVALID_OPERATION);
-    if (object == c.textures.bound[*index] && texture == c.state.texture.bound[*index]) return;
+    const bool is_bound =
+        object == c.textures.bound[*index] && texture == c.state.texture.bound[*index];
+    // Another context may have changed the object; binding it makes that visible.
+    if (is_bound && c.shared.use_count() == 1) return;
     begin_change(c);
     c.state.texture.bound[*index] = texture;
     c.textures.bound[*index] = std::move(object);

@@ -2,6 +2,7 @@
 #include "tests/gl/support/picture.h"
 
 #include <cmath>
+#include <limits>
 
 namespace gw::gl {
 namespace {
@@ -134,6 +135,21 @@ TEST(GlEvaluators, AMapWithoutPointsStaysAsItWas) {
     GLint order = 0;
     glGetMapiv(GL_MAP1_VERTEX_3, GL_ORDER, &order);
     EXPECT_EQ(order, 1);
+}
+
+TEST(GlEvaluators, MeshesOfTooManyPointsAreErrors) {
+    const Window window;
+    constexpr GLint low = std::numeric_limits<GLint>::min(),
+                    high = std::numeric_limits<GLint>::max();
+    glEvalMesh1(GL_LINE, low, high);
+    EXPECT_EQ(glGetError(), GLenum(GL_OUT_OF_MEMORY));
+    glEvalMesh2(GL_FILL, 0, 1 << 13, 0, 1 << 13);
+    EXPECT_EQ(glGetError(), GLenum(GL_OUT_OF_MEMORY));
+    // Ranges may end at the largest number.
+    glEvalMesh1(GL_POINT, high - 1, high);
+    glEvalMesh2(GL_LINE, high - 1, high, high - 1, high);
+    glEvalMesh2(GL_FILL, high, low, high, low);
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
 }  // namespace gw::gl

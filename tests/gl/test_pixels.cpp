@@ -4,6 +4,8 @@
 #include "tests/gl/support/window.h"
 
 #include <cmath>
+#include <latch>
+#include <thread>
 
 namespace gw::gl {
 namespace {
@@ -204,6 +206,34 @@ TEST(GlPixels, CopiesAndZoomReadFromTheScreen) {
     for (int y = 0; y < 6; ++y)
         for (int x = 0; x < 4; ++x)
             EXPECT_EQ(window.pixel(10 + x, 10 + y), pixels[std::size_t(y / 3 * 2 + x / 2)]);
+}
+
+/// Each thread adds its colour inside its own scissor box. No rectangle is drawn with the other
+/// thread's state.
+TEST(GlPixels, RectanglesOfTwoThreadsKeepTheirState) {
+    Window window;
+    make_current(nullptr, nullptr);
+    std::latch both_ready(2);
+    const auto draw = [&](Context& context, int left, const Color& color) {
+        make_current(&context, &window.drawable);
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(left, 0, 16, 32);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+        glRasterPos2f(-0.25f, 0);  // pixels 12 .. 27 of row 16 and above
+        const std::vector<Color> dots(256, color);
+        both_ready.arrive_and_wait();
+        for (int i = 0; i < 2000; ++i) glDrawPixels(16, 16, GL_RGBA, GL_UNSIGNED_BYTE, dots.data());
+        make_current(nullptr, nullptr);
+    };
+    Context left(opengl()), right(opengl());
+    std::thread first([&] { draw(left, 0, {1, 0, 0, 0}); });
+    std::thread second([&] { draw(right, 16, {0, 1, 0, 0}); });
+    first.join();
+    second.join();
+    make_current(&window.context, &window.drawable);
+    for (int x = 12; x < 28; ++x)
+        EXPECT_EQ(window.pixel(x, 16), (x < 16 ? Color{255, 0, 0, 0} : Color{0, 255, 0, 0})) << x;
 }
 
 }  // namespace gw::gl

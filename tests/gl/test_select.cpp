@@ -69,6 +69,30 @@ TEST(GlFeedback, TokensOfPointsLinesAndPolygons) {
               (Floats{GL_POLYGON_TOKEN, 4, 1, 1, 4, 1, 4, 4, 1, 4}));
 }
 
+/// [GL11] 2.6.1: quad i of a strip has the vertices 2i - 1, 2i, 2i + 2, 2i + 1. Its colour is that of
+/// vertex 2i + 2. Table 2.12
+TEST(GlFeedback, QuadsOfStripsBeginWithTheirFirstCorner) {
+    const Window window;
+    use_pixel_coordinates(window);
+    EXPECT_EQ(feedback(GL_2D,
+                       [] {
+                           run(GL_QUAD_STRIP, {{1, 1}, {1, 4}, {4, 1}, {4, 4}, {7, 1}, {7, 4}});
+                       }),
+              (Floats{GL_POLYGON_TOKEN, 4, 1, 1, 1, 4, 4, 4, 4, 1,  //
+                      GL_POLYGON_TOKEN, 4, 4, 1, 4, 4, 7, 4, 7, 1}));
+    glShadeModel(GL_FLAT);
+    const Floats flat = feedback(GL_3D_COLOR, [] {
+        glBegin(GL_QUAD_STRIP);
+        for (int i = 0; i < 4; ++i) {
+            glColor3f(i == 3, 0, 0);
+            glVertex2i(1 + 3 * (i / 2), 1 + 3 * (i % 2));
+        }
+        glEnd();
+    });
+    ASSERT_EQ(flat.size(), 2u + 4 * 7);
+    for (std::size_t corner = 0; corner < 4; ++corner) EXPECT_EQ(flat[2 + 7 * corner + 3], 1);
+}
+
 TEST(GlFeedback, LineStripsOfListsBeginOnce) {
     const Window window;
     use_pixel_coordinates(window);

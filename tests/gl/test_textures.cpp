@@ -1,6 +1,8 @@
 // Texture objects, images and completeness. [GL11] 3.8
 #include "tests/gl/support/window.h"
 
+#include <thread>
+
 namespace gw::gl {
 namespace {
 
@@ -216,6 +218,43 @@ TEST(GlTextures, SubImagesCountFromInsideTheBorder) {
     EXPECT_EQ(glGetError(), GLenum(GL_INVALID_VALUE));
     glTexSubImage2D(GL_TEXTURE_2D, 1, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, part.data());
     EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
+}
+
+/// A thread sees what another one's context changed when it binds the object again.
+TEST(GlTextures, BindTextureTakesTheChangesOfOtherContexts) {
+    const Window window;
+    Context other(opengl(), window.context.shared);
+    use_pixel_coordinates(window);
+    const std::array<Color, 2> texels{Color{255, 0, 0, 255}, Color{0, 255, 0, 255}};
+    glBindTexture(GL_TEXTURE_2D, 7);
+    image_1x1(GL_RGBA, texels[0]);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    glEnable(GL_TEXTURE_2D);
+    glTexCoord2f(1.25f, 0);
+    const auto drawn = [&] {
+        glRecti(0, 0, 32, 32);
+        return window.pixel(5, 5);
+    };
+    EXPECT_EQ(drawn(), texels[0]);
+    std::thread([&] {
+        make_current(&other, nullptr);
+        glBindTexture(GL_TEXTURE_2D, 7);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        make_current(nullptr, nullptr);
+    }).join();
+    glBindTexture(GL_TEXTURE_2D, 7);
+    EXPECT_EQ(drawn(), texels[1]);
+    std::thread([&] {
+        make_current(&other, nullptr);
+        const GLuint name = 7;
+        glDeleteTextures(1, &name);
+        make_current(nullptr, nullptr);
+    }).join();
+    glBindTexture(GL_TEXTURE_2D, 7);
+    GLint wrap = 0;
+    glGetTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, &wrap);
+    EXPECT_EQ(wrap, GL_REPEAT);
 }
 
 }  // namespace gw::gl
