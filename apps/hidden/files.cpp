@@ -21,12 +21,6 @@ namespace {
 
 constexpr float frames_per_second = 4;
 
-std::string lines_of(const std::vector<hs::Step>& steps) {
-    std::string text;
-    for (const hs::Step& step : steps) text += hs::to_json(step) + "\n";
-    return text;
-}
-
 void put_frames(image::OutputSet& output, const std::filesystem::path& folder,
                 const hs::Input& input, const std::string& algorithm,
                 const std::vector<hs::Step>& steps, const Colors& colors, int pictures) {
@@ -35,7 +29,7 @@ void put_frames(image::OutputSet& output, const std::filesystem::path& folder,
     for (const std::size_t place : places(steps.size(), pictures)) {
         replay.go_to(place);
         frames.push_back(captioned(enlarged(picture_of_step(input, replay, colors)),
-                                   caption_of_step(algorithm, replay)));
+                                   caption_of_step(algorithm, input, replay)));
         image::put_picture(output.add(folder / fmt::format("step_{:04}.png", frames.size())),
                            frames.back());
     }
@@ -131,6 +125,17 @@ std::vector<std::size_t> places(std::size_t steps, int pictures) {
     return at;
 }
 
+std::string log_text(const hs::Input& input, const hs::LogSubject& subject,
+                     const std::vector<hs::Step>& steps, const std::string& end) {
+    std::map<std::uint32_t, std::string> colors;
+    for (const auto& [id, color] : flat_colors(input)) colors[id] = hex_of(color);
+    const hs::PictureGrid grid = hs::grid_of(input);
+    std::string text = hs::log_header(input, subject, colors) + "\n";
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        text += hs::to_json(steps[i], i + 1, grid) + "\n";
+    return text + end + "\n";
+}
+
 std::string counts_text(const std::vector<Compared>& all) {
     std::vector<std::vector<std::string>> rows{{""}};
     if (all.size() == 1) {
@@ -175,10 +180,15 @@ std::string counts_json(const std::vector<Compared>& all) {
 }
 
 void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
-               const hs::Input& input, const Compared& run, const std::vector<hs::Step>& steps,
-               int pictures) {
+               const hs::Input& input, const Compared& run, const hs::StepLog& log, int pictures) {
     const Colors colors = flat_colors(input);
-    output.add(folder / "steps.jsonl").write_text(lines_of(steps));
+    const std::vector<hs::Step>& steps = log.steps();
+    const hs::LogSubject subject{.algorithm = run.algorithm->name,
+                                 .title = run.algorithm->title,
+                                 .in_world = run.algorithm->in_world,
+                                 .level = log.finest()};
+    output.add(folder / "steps.jsonl")
+        .write_text(log_text(input, subject, steps, hs::log_end(steps.size(), run.result.counts)));
     put_frames(output, folder, input, run.algorithm->name, steps, colors, pictures);
     if (run.result.counts.splits > 0) put_pieces(output, folder, input, run.result.pieces, colors);
     const auto last = pictures_of(input, run.result, colors);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "hiddensurface/run/compare.h"
+#include "hiddensurface/run/step_json.h"
 #include "image/output/output_set.h"
 
 #include <filesystem>
@@ -27,11 +28,15 @@ std::string counts_json(const std::vector<Compared>& all);
 /// the last.
 std::vector<std::size_t> places(std::size_t steps, int pictures);
 
+/// The log as lines of JSON: header, steps, end.
+std::string log_text(const hiddensurface::Input& input, const hiddensurface::LogSubject& subject,
+                     const std::vector<hiddensurface::Step>& steps, const std::string& end);
+
 /// Writes steps.jsonl, step_0001.png ... (at most `pictures`, evenly over the log), steps.gif,
 /// writes.png, picture.png, difference.png, and pieces.svg if a polygon was split.
 void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
                const hiddensurface::Input& input, const Compared& run,
-               const std::vector<hiddensurface::Step>& steps, int pictures);
+               const hiddensurface::StepLog& log, int pictures);
 
 /// Writes sheet.png, the same pictures one by one, complexity.png, counts.csv, counts.json and
 /// index.html. The sheet has each algorithm's picture, difference and writes side by side, with

@@ -216,7 +216,7 @@ int surfaces(const HiddenOptions& options, Session& session) {
     }
     progress.at("writing");
     if (!options.steps.empty())
-        put_steps(output, options.steps, input, all.front(), log.steps(), options.pictures);
+        put_steps(output, options.steps, input, all.front(), log, options.pictures);
     if (!options.compare.empty()) put_comparison(output, options.compare, input, all);
     for (const auto& folder : {options.steps, options.compare})
         if (!folder.empty()) put_index(output, folder, session);

@@ -97,12 +97,15 @@ image::Picture picture_of(const hs::Input& input, const hs::LineResult& result, 
 }
 
 void put_line_steps(image::OutputSet& output, const HiddenOptions& options, const hs::Input& input,
-                    const hs::LineResult& result, const std::vector<hs::Step>& steps,
-                    Pictures pictures) {
+                    const hs::LineAlgorithm& algorithm, const hs::LineResult& result,
+                    const std::vector<hs::Step>& steps, Pictures pictures) {
     const auto& folder = options.steps;
-    std::string log;
-    for (const hs::Step& step : steps) log += hs::to_json(step) + "\n";
-    output.add(folder / "steps.jsonl").write_text(log);
+    const hs::LogSubject subject{.algorithm = algorithm.name,
+                                 .title = algorithm.title,
+                                 .lines = true,
+                                 .level = options.level};
+    output.add(folder / "steps.jsonl")
+        .write_text(log_text(input, subject, steps, hs::log_end(steps.size(), result.counts)));
     std::vector<image::Picture> frames;
     for (const std::size_t place : places(result.lines.size(), options.pictures)) {
         frames.push_back(pictures.of_step(place));
@@ -136,7 +139,7 @@ int hidden_lines(const HiddenOptions& options, Session& session) {
     const hs::LineResult result = hs::run_on(*machine, algorithm, input, log);
     progress.at("writing");
     if (!options.steps.empty())
-        put_line_steps(output, options, input, result, log.steps(),
+        put_line_steps(output, options, input, algorithm, result, log.steps(),
                        Pictures(*machine, input, algorithm, result.lines));
     if (!options.steps.empty()) put_index(output, options.steps, session);
     output.commit();

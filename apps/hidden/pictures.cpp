@@ -2,12 +2,14 @@
 
 #include "gw/base/arithmetic.h"
 #include "hiddensurface/model/normal.h"
+#include "hiddensurface/run/step_words.h"
 #include "hiddensurface/structures/scan_conversion.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace gw::apps {
 
@@ -25,6 +27,16 @@ dvec3 color_of(const scene::Material& material) {
     for (const vec3& color : {material.Kd, material.Ke, material.Ka, material.Ks})
         if (color != vec3(0)) return dvec3(color);
     return dvec3(0.3);
+}
+
+/// One of many hues: neighbouring numbers are far apart on the circle.
+dvec3 own_color(std::uint32_t id) {
+    const double hue = 6 * std::fmod(0.618033988749895 * id, 1.0);
+    const auto channel = [hue](double middle) {
+        const double away = std::abs(std::remainder(hue - middle, 6.0));
+        return 0.25 + 0.7 * std::clamp(2 - away, 0.0, 1.0);
+    };
+    return {channel(0), channel(2), channel(4)};
 }
 
 /// |cos| of the angle between the normal and the line of sight.
@@ -55,21 +67,6 @@ void draw_border(image::Picture& picture, const hs::Input& input, std::uint32_t 
                 put(picture, std::size_t(y * width + x), color);
 }
 
-void lighten_row(image::Picture& picture, int row) {
-    const auto first = std::size_t(row) * std::size_t(picture.width) * 3;
-    for (std::size_t i = 0; i < std::size_t(picture.width) * 3; ++i) {
-        std::uint16_t& v = picture.values[first + i];
-        v = static_cast<std::uint16_t>((v + 255) / 2);
-    }
-}
-
-void draw_span(image::Picture& picture, const hs::Step& step) {
-    if (step.row < 0 || step.before.empty()) return;
-    const hs::Loop& ends = step.before.front();
-    for (int x = int(ends.front().x); x < int(ends.back().x); ++x)
-        put(picture, std::size_t(step.row * picture.width + x), white);
-}
-
 /// Colours the window's outermost pixels.
 void draw_window(image::Picture& picture, const Rect& w) {
     for (int y = w.y; y < w.y + w.height; ++y)
@@ -82,20 +79,33 @@ constexpr std::size_t most_polygons = 8;
 
 TextLine subject_of(const hs::Step& step) {
     TextLine line{{hs::name_of(step.action)}};
-    for (std::size_t i = 0; i < step.polygons.size() && i < most_polygons; ++i) {
+    for (std::size_t i = 0; i < step.pieces.size() && i < most_polygons; ++i) {
         const bool in_order = step.action == hs::Action::Sort;
-        line.push_back({std::to_string(step.polygons[i]), in_order || i == 0 ? white
-                                                          : i == 1           ? yellow
-                                                                             : grey});
+        line.push_back({step.pieces[i], in_order || i == 0 ? white : i == 1 ? yellow : grey});
     }
-    if (step.polygons.size() > most_polygons) line.push_back({"...", grey});
-    if (step.row >= 0) line.push_back({fmt::format("line {}", step.row), grey});
+    if (step.pieces.size() > most_polygons) line.push_back({"...", grey});
     return line;
 }
 
-TextLine question_of(const hs::Step& step) {
-    if (step.result.empty()) return {{step.test, grey}};
-    return {{step.test + ":", grey}, {step.result}};
+/// The text in lines of about 50 letters; what does not fit ends in dots.
+std::vector<TextLine> wrapped(const std::string& text) {
+    constexpr std::size_t width = 52;
+    std::vector<TextLine> lines(1);
+    std::size_t used = 0;
+    std::istringstream words(text);
+    for (std::string word; words >> word; used += word.size() + 1) {
+        if (used > 0 && used + word.size() > width) {
+            if (lines.size() == lines_of_sentence) {
+                lines.back().push_back({"...", grey});
+                break;
+            }
+            lines.emplace_back();
+            used = 0;
+        }
+        lines.back().push_back({word});
+    }
+    lines.resize(lines_of_sentence);
+    return lines;
 }
 
 }  // namespace
@@ -115,8 +125,8 @@ std::map<std::uint32_t, Color> flat_colors(const hs::Input& input) {
     for (const hs::Polygon& polygon : input.polygons) {
         const scene::Material& material =
             input.scene.materials.at(input.scene.objects[polygon.object].material);
-        colors[polygon.id] =
-            to_color(color_of(material) * (0.4 + 0.6 * turned(polygon, input.view.camera.eye)));
+        const dvec3 color = material.name.empty() ? own_color(polygon.id) : color_of(material);
+        colors[polygon.id] = to_color(color * (0.4 + 0.6 * turned(polygon, input.view.camera.eye)));
     }
     return colors;
 }
@@ -147,11 +157,12 @@ image::Picture picture_of_step(const hs::Input& input, const hs::Replay& replay,
     image::Picture picture = picture_of_ids(input, replay.ids(), colors);
     if (replay.position() == 0) return picture;
     const hs::Step& step = replay.step(replay.position() - 1);
-    if (step.row >= 0) lighten_row(picture, step.row);
-    draw_span(picture, step);
     if (step.action == hs::Action::Sort) return picture;
-    for (std::size_t i = std::min<std::size_t>(step.polygons.size(), 8); i-- > 0;)
-        draw_border(picture, input, step.polygons[i], i == 0 ? white : i == 1 ? yellow : grey);
+    for (std::size_t i = std::min(step.pieces.size(), most_polygons); i-- > 0;)
+        draw_border(picture, input, hs::polygon_of(step.pieces[i]),
+                    i == 0   ? white
+                    : i == 1 ? yellow
+                             : grey);
     draw_window(picture, step.window);
     return picture;
 }
@@ -218,12 +229,18 @@ std::string hex_of(const Color& color) {
     return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
 }
 
-std::vector<TextLine> caption_of_step(const std::string& algorithm, const hs::Replay& replay) {
+std::vector<TextLine> caption_of_step(const std::string& algorithm, const hs::Input& input,
+                                      const hs::Replay& replay) {
     const TextLine head{{algorithm},
                         {fmt::format("{} of {}", replay.position(), replay.size()), grey}};
-    if (replay.position() == 0) return {head, {}, {}};
+    std::vector<TextLine> lines{head};
+    lines.resize(2 + lines_of_sentence);
+    if (replay.position() == 0) return lines;
     const hs::Step& step = replay.step(replay.position() - 1);
-    return {head, subject_of(step), question_of(step)};
+    lines[1] = subject_of(step);
+    const auto sentence = wrapped(hs::sentence_of(step, hs::grid_of(input), "en"));
+    std::copy(sentence.begin(), sentence.end(), lines.begin() + 2);
+    return lines;
 }
 
 std::array<std::vector<TextLine>, 3> captions_of(const std::string& algorithm,

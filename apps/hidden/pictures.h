@@ -25,7 +25,8 @@ image::Picture blank(int width, int height);
 void put(image::Picture& picture, std::size_t pixel, const Color& color);
 
 /// A colour for each identifier: its material's Kd, darker the more the polygon is turned from the
-/// eye. If Kd is black, Ke, Ka or Ks takes its place. 0 is the background.
+/// eye. If Kd is black, Ke, Ka or Ks takes its place. A polygon without a material has a colour of
+/// its own. 0 is the background.
 std::map<std::uint32_t, Color> flat_colors(const hiddensurface::Input& input);
 
 image::Picture picture_of_ids(const hiddensurface::Input& input,
@@ -39,7 +40,7 @@ image::Picture picture_of_shares(const hiddensurface::Input& input,
                                  const std::map<std::uint32_t, Color>& colors);
 
 /// The replay's picture with the last step marked: the border of its first polygon white, of the
-/// second yellow, of others grey; its scan line lighter; its span white.
+/// second yellow, of others grey; its pixels white, or their border.
 image::Picture picture_of_step(const hiddensurface::Input& input,
                                const hiddensurface::Replay& replay,
                                const std::map<std::uint32_t, Color>& colors);
@@ -59,9 +60,11 @@ image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows);
 
 std::string hex_of(const Color& color);
 
-/// A step's caption: the algorithm and the step's number; its action, with the polygons in the
-/// colours of their borders; its test and the result.
+/// A step's caption: the algorithm and the step's number; its action, with the pieces in the colours
+/// of their borders; its sentence in lines_of_sentence lines.
+inline constexpr std::size_t lines_of_sentence = 4;
 std::vector<TextLine> caption_of_step(const std::string& algorithm,
+                                      const hiddensurface::Input& input,
                                       const hiddensurface::Replay& replay);
 
 /// Captions for a comparison's picture, difference and writes.

@@ -16,8 +16,6 @@
 #include "hiddensurface/model/face.h"
 #include "hiddensurface/structures/scan_conversion.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -53,7 +51,9 @@ public:
           output_{.list = begin_picture(input, "A-buffer")},
           faces_(faces_of(input)),
           pixels_(std::size_t(input.view.width) * std::size_t(input.view.height)),
-          row_(std::size_t(input.view.width)) {}
+          row_(std::size_t(input.view.width)) {
+        log.watch(watched(output_.counts));
+    }
 
     Output run() {
         for (const Face& face : faces_) add(face);
@@ -82,11 +82,11 @@ private:
         }
         flush(face, y);
         if (log_.on())
-            log_.add({Level::Polygon,
-                      Action::Decide,
-                      {input_.polygons[face.polygon].id},
-                      "fragments made",
-                      std::to_string(output_.counts.nodes - before)});
+            log_.add({.action = Action::Decide,
+                      .test = "fragments",
+                      .result = "made",
+                      .pieces = {face.name},
+                      .values = {{"fragments", std::int64_t(output_.counts.nodes - before)}}});
     }
 
     void flush(const Face& face, int y) {
@@ -135,7 +135,7 @@ private:
             if (shown) add_run(painted, {y, x, x + 1}, input_.polygons[shown->face->polygon].id);
         }
         output_.counts.spans += painted.size();
-        draw_line(y, std::move(painted), output_, log_);
+        draw_line(input_, y, std::move(painted), output_, log_);
     }
 
     /// The paper's resolution, front to back.
@@ -166,12 +166,21 @@ private:
 
     void log_pixel(int x, int y, const std::vector<Fragment>& list,
                    const std::vector<double>& points) {
-        Step step{Level::Pixel, Action::Compare, {}, "points of 32", "", y};
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            step.polygons.push_back(input_.polygons[list[i].face->polygon].id);
-            step.result += fmt::format("{}{:.4g}", i == 0 ? "" : " + ", points[i]);
+        Step step{.level = Level::Pixel,
+                  .test = "points",
+                  .result = list.size() == 1 ? "one" : "shared",
+                  .decisive = list.size() > 1,
+                  .window = pixels_of({y, x, x + 1})};
+        std::vector<std::int64_t> masks;
+        std::vector<double> nearest, farthest;
+        for (const Fragment& f : list) {
+            step.pieces.push_back(f.face->name);
+            masks.push_back(f.mask);
+            nearest.push_back(f.nearest);
+            farthest.push_back(f.farthest);
         }
-        step.before = {{dvec3(x, y, 0), dvec3(x + 1, y, 0)}};
+        step.values = {
+            {"points", points}, {"masks", masks}, {"z_nearest", nearest}, {"z_farthest", farthest}};
         log_.add(std::move(step));
     }
 

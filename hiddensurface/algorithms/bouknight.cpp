@@ -30,7 +30,9 @@ public:
           log_(log),
           output_{.list = begin_picture(input, "Bouknight")},
           faces_(faces_of(input)),
-          active_(faces_, input) {}
+          active_(faces_, input) {
+        log.watch(watched(output_.counts));
+    }
 
     Output run() {
         for (int y = input_.view.height - 1; y >= 0; --y) {
@@ -39,7 +41,7 @@ public:
             line(y);
             output_.counts.peak_bytes = std::max<std::uint64_t>(
                 output_.counts.peak_bytes, active_.bytes() + crossings_.size() * sizeof(Crossing));
-            draw_line(y, std::move(painted_), output_, log_);
+            draw_line(input_, y, std::move(painted_), output_, log_);
             painted_ = {};
         }
         return std::move(output_);
@@ -56,6 +58,7 @@ private:
 
     void line(int y) {
         on_.clear();
+        if (log_.wants(Level::Line) && !crossings_.empty()) log_edges(y);
         for (std::size_t i = 0; i < crossings_.size(); ++i) {
             const Crossing& c = crossings_[i];
             if (!c.begins)
@@ -70,10 +73,18 @@ private:
     void span(const Run& run) {
         output_.counts.spans += 1;
         const Face *left = nearest(run.x0, run.y), *right = nearest(run.x1 - 1, run.y);
-        if (log_.wants(Level::Span))
-            log_span(run, left == right ? "one at both ends" : "two: they pierce");
+        if (log_.wants(Level::Span)) log_span(run, *left, *right);
         if (left == right) return add_run(painted_, run, input_.polygons[left->polygon].id);
         const int x = implied_edge(run, *left, *right);
+        if (log_.wants(Level::Span))
+            log_.add({.level = Level::Span,
+                      .action = Action::Decide,
+                      .test = "implied-edge",
+                      .result = "found",
+                      .pieces = {left->name, right->name},
+                      .values = {{"x", std::int64_t(x)}},
+                      .decisive = true,
+                      .window = pixels_of(run)});
         span({run.y, run.x0, x});
         span({run.y, x, run.x1});
     }
@@ -94,10 +105,36 @@ private:
         return first_nearer(right, left, run, output_.counts.depths);
     }
 
-    void log_span(const Run& run, const char* result) {
-        Step step{Level::Span, Action::Compare, {}, "faces switched on", result, run.y};
-        for (const Face* face : on_) step.polygons.push_back(input_.polygons[face->polygon].id);
-        step.before = {{dvec3(run.x0, run.y, 0), dvec3(run.x1, run.y, 0)}};
+    void log_edges(int y) {
+        Step step{.level = Level::Line,
+                  .test = "active-edges",
+                  .result = "sorted",
+                  .window = line_of(input_, y)};
+        std::vector<std::int64_t> x;
+        for (const Crossing& c : crossings_) {
+            step.pieces.push_back(c.of->face->name);
+            x.push_back(c.x());
+        }
+        step.values = {{"x", x}};
+        log_.add(std::move(step));
+    }
+
+    void log_span(const Run& run, const Face& left, const Face& right) {
+        Step step{.level = Level::Span,
+                  .test = "span",
+                  .result = &left != &right   ? "pierce"
+                            : on_.size() == 1 ? "one"
+                                              : "one-nearest",
+                  .decisive = on_.size() > 1,
+                  .window = pixels_of(run)};
+        std::vector<double> z_left, z_right;
+        for (const Face* face : on_) {
+            step.pieces.push_back(face->name);
+            z_left.push_back(depth_at(*face, run.x0, run.y));
+            z_right.push_back(depth_at(*face, run.x1 - 1, run.y));
+        }
+        step.values = {{"nearest", left.name}, {"z_left", z_left}, {"z_right", z_right}};
+        if (&left != &right) step.values.emplace_back("nearest_right", right.name);
         log_.add(std::move(step));
     }
 

@@ -10,20 +10,19 @@ Output run(const Input& input, StepLog& log) {
     Output output{.list = begin_picture(input, "BSP tree")};
     std::vector<std::size_t> order(input.polygons.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto on_split = [&](const TreePiece& piece, FacetIndex by, const std::vector<Loop>& back,
-                              const std::vector<Loop>& front) {
-        log_split(input, piece, by, back, front, log);
-    };
-    const Tree tree = build_tree(input.polygons, order, splitters_tried, on_split);
+    log.watch(watched(output.counts));
+    const Tree tree =
+        build_tree(input.polygons, order, splitters_tried, tree_log(input, output.counts, log));
     output.counts.planes = tree.plane_tests;
     output.counts.nodes = tree.nodes.size();
     output.counts.splits = tree.splits;
     output.counts.peak_bytes =
         output.counts.nodes * sizeof(TreeNode) + tree.pieces * sizeof(TreePiece);
-    output.counts.facings = far_to_near(tree, eye_of(input.view), [&](const TreePiece& piece) {
+    const auto draw = [&](const TreePiece& piece) {
         const Piece drawn = window_piece(input, piece);
         if (drawn.count > 0) draw_piece(input, drawn, output, log);
-    });
+    };
+    output.counts.facings = far_to_near(tree, eye_of(input.view), draw, eye_log(log));
     return output;
 }
 

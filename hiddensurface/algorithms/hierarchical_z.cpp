@@ -43,7 +43,9 @@ public:
           output_{.list = begin_picture(input, "hierarchical Z")},
           pyramid_(input.view.width, input.view.height,
                    (std::int64_t{1} << input.profile.depth_bits) - 1),
-          first_(std::size_t(input.view.width) * std::size_t(input.view.height)) {}
+          first_(std::size_t(input.view.width) * std::size_t(input.view.height)) {
+        log.watch(watched(output_.counts));
+    }
 
     Output run() {
         const std::unique_ptr<Cube> root = build_octree(input_.polygons);
@@ -56,29 +58,46 @@ public:
 private:
     void draw(const Cube& cube) {
         output_.counts.nodes += 1;
-        if (hidden(window_box(cube.low, cube.high, input_.view, input_.profile), {}, "cube"))
+        if (hidden(window_box(cube.low, cube.high, input_.view, input_.profile), {},
+                   "pyramid-cube"))
             return;
         for (const std::size_t i : cube.polygons) draw(i);
         for (const std::size_t part : near_to_far(cube, eye_of(input_.view)))
             if (cube.parts[part]) draw(*cube.parts[part]);
     }
 
-    bool hidden(const WindowBox& box, const std::vector<std::uint32_t>& ids, const char* what) {
+    bool hidden(const WindowBox& box, const std::vector<std::string>& names, const char* what) {
         const bool yes = box.rect.width <= 0 || box.rect.height <= 0 ||
                          pyramid_.hides(box.rect, box.nearest, output_.counts.depths);
         output_.counts.rejected += yes ? 1 : 0;
-        if (log_.on()) {
-            Step step{Level::Polygon, Action::Compare, ids, what, yes ? "hidden" : "may be seen"};
-            step.window = box.rect.width > 0 && box.rect.height > 0 ? box.rect : Rect{};
-            log_.add(std::move(step));
-        }
+        if (log_.on()) log_hidden(box, names, what, yes);
         return yes;
+    }
+
+    void log_hidden(const WindowBox& box, const std::vector<std::string>& names, const char* what,
+                    bool yes) {
+        const bool inside = box.rect.width > 0 && box.rect.height > 0;
+        Step step{.test = what,
+                  .result = !inside ? "outside"
+                            : yes   ? "hidden"
+                                    : "may-be-seen",
+                  .pieces = names,
+                  .values = {{"nearest", box.nearest}},
+                  .decisive = yes,
+                  .window = inside ? box.rect : Rect{}};
+        if (inside) {
+            const auto [level, farthest] = pyramid_.around(box.rect);
+            step.values.emplace_back("pyramid", farthest);
+            step.values.emplace_back("level", std::int64_t(level));
+        }
+        log_.add(std::move(step));
     }
 
     void draw(std::size_t index) {
         const Polygon& polygon = input_.polygons[index];
         const int s = input_.subpixel_bits();
-        if (hidden(box_of(polygon, s, input_.window()), {polygon.id}, "polygon")) return;
+        if (hidden(box_of(polygon, s, input_.window()), {name_of(polygon)}, "pyramid-polygon"))
+            return;
         std::vector<Painted> painted;
         for (const WindowTriangle& t : polygon.triangles)
             for (const Run& run : scan_convert(t.corners, s, input_.window()))
@@ -87,8 +106,12 @@ private:
         output_.counts.spans += painted.size();
         add_painted(output_.list, painted);
         if (log_.on())
-            log_.add(
-                {Level::Polygon, Action::Draw, {polygon.id}, "z < Z", "", -1, std::move(painted)});
+            log_.add({.action = Action::Draw,
+                      .test = "draw",
+                      .result = "nearer",
+                      .pieces = {name_of(polygon)},
+                      .values = {{"pixels", size_of(painted)}},
+                      .painted = std::move(painted)});
     }
 
     /// Of equal depths the scene's first is seen, as if polygons came in the scene's order.

@@ -1,10 +1,11 @@
 // Newell, Newell and Sancha's algorithm [L5]. Polygons are sorted by their farthest corners. Five
 // tests ask whether the farthest may be drawn before those it overlaps in depth. If not, the two are
-// exchanged; if neither may come first, one is split by the other's plane. Decides in the window,
-// after perspective, on facets: a quadrilateral that the snap has bent counts as the two triangles
-// that the machine draws.
-#include "hiddensurface/model/piece.h"
-#include "hiddensurface/run/algorithm.h"
+// exchanged; if neither may come first, one is split by the other's plane. Sorts whole plane
+// polygons: a polygon whose corners are not in one plane counts as the triangles that the machine
+// draws. Extents and projections are compared in the window, after perspective; the sides of planes,
+// and cuts, in the world. All of it is decided before the snap, which bends polygons.
+#include "hiddensurface/lines/world_lines.h"
+#include "hiddensurface/model/world_piece.h"
 
 #include <algorithm>
 
@@ -12,17 +13,12 @@ namespace gw::hiddensurface {
 namespace {
 
 struct Item {
-    Piece piece;
-    const Facet* facet = nullptr;
+    TreePiece world;
+    Piece piece;                                       ///< as drawn
+    Piece outline;                                     ///< in the window, without the snap
     std::array<std::pair<double, double>, 3> extents;  ///< x, y, z
     bool moved = false;
 };
-
-Item make_item(Piece piece, const Facet& facet) {
-    Item item{std::move(piece), &facet, {}, false};
-    for (int axis = 0; axis < 3; ++axis) item.extents[std::size_t(axis)] = extent(item.piece, axis);
-    return item;
-}
 
 bool nearer(const Item& a, const Item& b) { return a.extents[2].second < b.extents[2].second; }
 
@@ -31,10 +27,12 @@ public:
     Newell(const Input& input, StepLog& log)
         : input_(input),
           log_(log),
-          output_{.list = begin_picture(input, "Newell, Newell, Sancha")} {
+          output_{.list = begin_picture(input, "Newell, Newell, Sancha")},
+          window_(input),
+          tolerance_(world_tolerance(input.polygons)) {
+        log.watch(watched(output_.counts));
         for (std::size_t i = 0; i < input.polygons.size(); ++i)
-            for (const Facet& facet : input.polygons[i].facets)
-                list_.push_back(make_item(whole(i, facet), facet));
+            for (TreePiece& piece : pieces_of(input.polygons, {i})) add(std::move(piece));
         sort();
     }
 
@@ -53,6 +51,25 @@ public:
     }
 
 private:
+    /// Unless it is outside the window.
+    void add(TreePiece world) {
+        Item item{std::move(world), {}, {}, {}, false};
+        item.piece = window_piece(input_, item.world);
+        item.outline.parts = outline_of(item.world);
+        if (item.piece.parts.empty() || item.outline.parts.empty()) return;
+        for (int axis = 0; axis < 3; ++axis)
+            item.extents[std::size_t(axis)] = extent(item.outline, axis);
+        list_.push_back(std::move(item));
+    }
+
+    /// The parts beyond the near plane.
+    std::vector<Loop> outline_of(const TreePiece& piece) const {
+        std::vector<Loop> parts = divide(piece.parts, near_plane_of(input_.view)).second;
+        for (Loop& part : parts)
+            for (dvec3& p : part) p = window_.on_grid(p);
+        return parts;
+    }
+
     /// After a draw or a cut, no polygon counts as moved any more: all go back to their places.
     void restore_order() {
         for (Item& item : list_) item.moved = false;
@@ -65,142 +82,175 @@ private:
             output_.counts.keys += 1;
             return nearer(a, b);
         });
-        log_order();
-    }
-
-    void log_order() {
-        if (!log_.on()) return;
-        Step step{Level::Polygon, Action::Sort, {}, "farthest corner", "far to near"};
-        for (std::size_t i = list_.size(); i-- > 0;) step.polygons.push_back(polygon(list_[i]).id);
-        log_.add(std::move(step));
+        log_order("sorted");
     }
 
     /// False: the list has changed; begin again with its new farthest polygon.
     bool farthest_may_be_drawn() {
         const std::size_t p = list_.size() - 1;
         for (std::size_t q = p; q-- > 0;) {
-            output_.counts.extents += 1;
-            if (list_[q].extents[2].second <= list_[p].extents[2].first) {
+            if (apart_in_depth(list_[p], list_[q])) {
                 if (list_[q].moved) continue;
                 break;  // nor do those after it reach this far
             }
             if (may_precede(list_[p], list_[q])) continue;
             if (!list_[q].moved && other_first(list_[p], list_[q])) return move_to_end(q);
+            if (list_[q].moved) log_cycle(p);
             if (cut(p, q) || cut(q, p) || cut_in_cycle(p)) return false;
             output_.counts.undecided += 1;
-            log({list_[p], list_[q]}, "split", "none possible");
+            if (log_.on())
+                log_.add({.action = Action::Decide,
+                          .test = "split",
+                          .result = "none",
+                          .pieces = {list_[p].piece.name, list_[q].piece.name},
+                          .decisive = true});
         }
         return true;
     }
 
+    /// All of q is nearer than all of p.
+    bool apart_in_depth(const Item& p, const Item& q) {
+        output_.counts.extents += 1;
+        const bool yes = q.extents[2].second <= p.extents[2].first;
+        log_extents(p, q, 2, "z-extents", yes);
+        return yes;
+    }
+
     /// The five tests: whether p may be drawn before q.
     bool may_precede(const Item& p, const Item& q) {
-        return apart(p, q, 0, "1: x extents") || apart(p, q, 1, "2: y extents") ||
-               behind(p, q, "3: ") || before(q, p, "4: ") || disjoint(p, q);
+        return apart(p, q, 0, "1-x-extents") || apart(p, q, 1, "2-y-extents") ||
+               behind(p, q, "3-behind") || before(q, p, "4-before") || disjoint(p, q);
     }
 
     /// Tests 3 and 4 the other way round: whether q may be drawn before p.
     bool other_first(const Item& p, const Item& q) {
-        return behind(q, p, "3': ") || before(p, q, "4': ");
+        return behind(q, p, "3'-behind") || before(p, q, "4'-before");
     }
 
     bool apart(const Item& p, const Item& q, std::size_t axis, const char* test) {
         output_.counts.extents += 1;
         const bool yes = !overlap(p.extents[axis], q.extents[axis]);
-        log({p, q}, test, yes ? "disjoint" : "overlap");
+        log_extents(p, q, axis, test, yes);
         return yes;
     }
 
-    /// All of a lies behind b's plane.
-    bool behind(const Item& a, const Item& b, const char* number) {
-        output_.counts.planes += 1;
-        const bool yes = sides(a.piece, b.facet->plane).first >= -b.facet->tolerance;
-        if (log_.on()) log({a, b}, std::string(number) + "behind the plane", yes ? "yes" : "no");
-        return yes;
-    }
+    const WorldFacet& facet(const Item& item) const { return facet_of(input_, item.world.of); }
 
-    /// All of a lies before b's plane.
-    bool before(const Item& a, const Item& b, const char* number) {
+    /// All of a lies in b's plane or behind it, seen from the eye.
+    bool behind(const Item& a, const Item& b, const char* test) { return side(a, b, true, test); }
+    /// All of a lies in b's plane or before it.
+    bool before(const Item& a, const Item& b, const char* test) { return side(a, b, false, test); }
+
+    bool side(const Item& a, const Item& b, bool is_behind, const char* test) {
         output_.counts.planes += 1;
-        const bool yes = sides(a.piece, b.facet->plane).second <= b.facet->tolerance;
-        if (log_.on()) log({a, b}, std::string(number) + "before the plane", yes ? "yes" : "no");
+        const dvec4 plane = unit_plane(facet(b));
+        const bool eye_in_front = is_before(plane, input_.view);
+        const Place place = place_of(a.world, plane, tolerance_);
+        const Place wanted = eye_in_front == is_behind ? Place::Back : Place::Front;
+        const bool yes = place == wanted || place == Place::On;
+        if (log_.on())
+            log_.add({.test = test,
+                      .result = yes ? "yes" : "no",
+                      .pieces = {a.piece.name, b.piece.name},
+                      .values = {{"behind", distances_of(a.world, eye_in_front ? -plane : plane)},
+                                 {"tolerance", tolerance_}}});
         return yes;
     }
 
     bool disjoint(const Item& p, const Item& q) {
         output_.counts.overlaps += 1;
-        const bool yes = !projections_overlap(p.piece, q.piece);
-        log({p, q}, "5: projections", yes ? "disjoint" : "overlap");
+        const bool yes = !projections_overlap(p.outline, q.outline);
+        if (log_.on())
+            log_.add({.test = "5-projections",
+                      .result = yes ? "yes" : "no",
+                      .pieces = {p.piece.name, q.piece.name}});
         return yes;
     }
 
     bool move_to_end(std::size_t q) {
         output_.counts.swaps += 1;
-        if (log_.on()) decide({list_[q]}, "order", "to the far end");
         list_[q].moved = true;
         std::rotate(list_.begin() + std::ptrdiff_t(q), list_.begin() + std::ptrdiff_t(q) + 1,
                     list_.end());
-        log_order();
+        log_order("moved");
         return false;
     }
 
-    /// p and the facets moved before it form a cycle, though each pair may have an order. A facet of
-    /// the cycle crosses the plane of another. Otherwise a BSP tree of the cycle would cut nothing,
+    /// p and the polygons moved before it form a cycle, though each pair may have an order. A polygon
+    /// of the cycle crosses the plane of another. Otherwise a BSP tree of the cycle would cut nothing,
     /// and its order would satisfy every pair: no cycle. So a cut is always found, but for rounding,
-    /// whose limits are Facet::tolerance and `border`.
+    /// whose limits are `tolerance_` and `border`.
     bool cut_in_cycle(std::size_t p) {
-        std::vector<std::size_t> cycle{p};
-        for (std::size_t i = p; i-- > 0;)
-            if (list_[i].moved) cycle.push_back(i);
+        const std::vector<std::size_t> cycle = cycle_of(p);
         for (const std::size_t i : cycle)
             for (const std::size_t j : cycle)
                 if (i != j && cut(i, j)) return true;
         return false;
     }
 
+    std::vector<std::size_t> cycle_of(std::size_t p) const {
+        std::vector<std::size_t> cycle{p};
+        for (std::size_t i = p; i-- > 0;)
+            if (list_[i].moved) cycle.push_back(i);
+        return cycle;
+    }
+
     /// Cuts item i by item j's plane; the pieces take their places in the list.
     bool cut(std::size_t i, std::size_t j) {
-        const auto pieces = split(list_[i].piece, *list_[i].facet, *list_[j].facet);
-        if (!pieces) return false;
+        const TreePiece& by = list_[j].world;
+        const dvec4 plane = unit_plane(facet(list_[j]));
+        if (place_of(list_[i].world, plane, tolerance_) != Place::Both) return false;
+        auto [back, front] = cut_piece(list_[i].world, by.of, plane);
+        if (back.parts.empty() || front.parts.empty()) return false;
         output_.counts.splits += 1;
-        if (log_.on())
-            log_.add({Level::Polygon,
-                      Action::Split,
-                      {polygon(list_[i]).id, polygon(list_[j]).id},
-                      "by the second's plane",
-                      "",
-                      -1,
-                      {},
-                      pieces->first.parts,
-                      pieces->second.parts});
-        const Facet& facet = *list_[i].facet;
+        log_split(input_, list_[i].world, by, back, front, log_);
         list_.erase(list_.begin() + std::ptrdiff_t(i));
-        list_.push_back(make_item(pieces->first, facet));
-        list_.push_back(make_item(pieces->second, facet));
+        add(std::move(front));
+        add(std::move(back));
         restore_order();
         return true;
     }
 
-    const Polygon& polygon(const Item& item) const { return input_.polygons[item.piece.polygon]; }
+    void log_order(const char* result) {
+        if (!log_.on()) return;
+        Step step{
+            .action = Action::Sort, .test = "farthest-corner", .result = result, .decisive = true};
+        std::vector<double> z;
+        std::vector<std::string> moved;
+        for (std::size_t i = list_.size(); i-- > 0;) {
+            step.pieces.push_back(list_[i].piece.name);
+            z.push_back(list_[i].extents[2].second);
+            if (list_[i].moved) moved.push_back(list_[i].piece.name);
+        }
+        step.values = {{"z", z}, {"marked", moved}};
+        log_.add(std::move(step));
+    }
 
-    void log(std::initializer_list<std::reference_wrapper<const Item>> items,
-             const std::string& test, const char* result) {
-        if (log_.on()) log_.add({Level::Polygon, Action::Compare, ids(items), test, result});
+    void log_extents(const Item& p, const Item& q, std::size_t axis, const char* test, bool yes) {
+        if (!log_.on()) return;
+        const auto reach = [&](const Item& item) {
+            const auto [low, high] = item.extents[axis];
+            return axis == 1 ? std::vector{from_top(input_, high), from_top(input_, low)}
+                             : std::vector{low, high};
+        };
+        log_.add({.test = test,
+                  .result = yes ? "yes" : "no",
+                  .pieces = {p.piece.name, q.piece.name},
+                  .values = {{"first_reach", reach(p)}, {"second_reach", reach(q)}}});
     }
-    void decide(std::initializer_list<std::reference_wrapper<const Item>> items, const char* test,
-                const char* result) {
-        log_.add({Level::Polygon, Action::Decide, ids(items), test, result});
-    }
-    std::vector<std::uint32_t> ids(
-        std::initializer_list<std::reference_wrapper<const Item>> items) const {
-        std::vector<std::uint32_t> found;
-        for (const Item& item : items) found.push_back(polygon(item).id);
-        return found;
+
+    void log_cycle(std::size_t p) {
+        if (!log_.on()) return;
+        Step step{.action = Action::Decide, .test = "marks", .result = "cycle", .decisive = true};
+        for (const std::size_t i : cycle_of(p)) step.pieces.push_back(list_[i].piece.name);
+        log_.add(std::move(step));
     }
 
     const Input& input_;
     StepLog& log_;
     Output output_;
+    WorldLines window_;
+    double tolerance_ = 0;
     std::vector<Item> list_;  ///< nearest first: the farthest is at the end
 };
 
@@ -210,6 +260,7 @@ Algorithm newell() {
     return {.name = "newell",
             .title = "Newell, Newell and Sancha: five tests and splitting [L5]",
             .claim = Claim::Always,
+            .in_world = true,
             .growth = {GrowthLaw::Superlinear, 25},
             .run = [](const Input& input, StepLog& log) { return Newell(input, log).run(); }};
 }

@@ -23,11 +23,17 @@ std::uint64_t moved(const std::vector<std::size_t>& before, const std::vector<st
     return count;
 }
 
-void log_order(const Input& input, const std::vector<std::size_t>& order, StepLog& log) {
+void log_order(const Input& input, const std::vector<std::size_t>& order, double Polygon::*key,
+               StepLog& log) {
     if (!log.on()) return;
-    std::vector<std::uint32_t> ids;
-    for (const std::size_t i : order) ids.push_back(input.polygons[i].id);
-    log.add({Level::Polygon, Action::Sort, std::move(ids), "distance", "far to near"});
+    Step step{.action = Action::Sort, .test = "distance", .result = "sorted", .decisive = true};
+    std::vector<double> keys;
+    for (const std::size_t i : order) {
+        step.pieces.push_back(name_of(input.polygons[i]));
+        keys.push_back(input.polygons[i].*key);
+    }
+    step.values = {{"keys", keys}};
+    log.add(std::move(step));
 }
 
 /// `key`: Polygon::farthest, nearest or centroid. Equal distances keep the scene's order.
@@ -35,16 +41,21 @@ Output paint(const Input& input, StepLog& log, const std::string& pass, double P
     Output output{.list = begin_picture(input, pass)};
     const std::vector<std::size_t> given = visible_polygons(input);
     std::vector<std::size_t> order = given;
+    log.watch(watched(output.counts));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         const Polygon &p = input.polygons[a], &q = input.polygons[b];
         output.counts.keys += 1;
-        log.compare({p.id, q.id}, "distance", p.*key > q.*key ? "farther" : "not farther");
+        if (log.on())
+            log.add({.test = "distance",
+                     .result = p.*key > q.*key ? "farther" : "not-farther",
+                     .pieces = {name_of(p), name_of(q)},
+                     .values = {{"first_key", p.*key}, {"second_key", q.*key}}});
         return p.*key > q.*key;
     });
     output.counts.sorts = 1;
     output.counts.swaps = moved(given, order);
     output.counts.peak_bytes = order.size() * (sizeof(std::size_t) + sizeof(double));
-    log_order(input, order, log);
+    log_order(input, order, key, log);
     for (const std::size_t i : order) draw_piece(input, whole(i, input.polygons[i]), output, log);
     return output;
 }

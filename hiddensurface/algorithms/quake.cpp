@@ -24,6 +24,7 @@ namespace {
 /// A surface's pixels x0 .. x1 - 1 on consecutive lines down from the first.
 struct Surface {
     std::size_t key = 0;  ///< smaller is nearer
+    std::string name;
     std::uint32_t id = 0;
     int top = 0;
     std::vector<std::pair<int, int>> lines;
@@ -31,6 +32,9 @@ struct Surface {
     std::pair<int, int> on(int y) const { return lines[std::size_t(top - y)]; }
     bool ends_above(int y) const { return top - y >= int(lines.size()); }
 };
+
+/// A surface without its name, which only a log needs.
+constexpr std::size_t surface_bytes = sizeof(Surface) - sizeof(std::string);
 
 struct Edge {
     const Surface* of = nullptr;
@@ -40,7 +44,8 @@ struct Edge {
 
 /// The surfaces of one facet. A facet has one, whose runs touch each other on every line; one that
 /// the snap has bent inwards has more.
-std::vector<Surface> surfaces_of(std::vector<Run> runs, std::size_t key, std::uint32_t id) {
+std::vector<Surface> surfaces_of(std::vector<Run> runs, std::size_t key, const std::string& name,
+                                 std::uint32_t id) {
     std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
         return a.y != b.y ? a.y > b.y : a.x0 < b.x0;
     });
@@ -50,7 +55,7 @@ std::vector<Surface> surfaces_of(std::vector<Run> runs, std::size_t key, std::ui
             return s.ends_above(run.y) || s.on(run.y).second == run.x0;
         });
         Surface& s =
-            at != surfaces.end() ? *at : surfaces.emplace_back(Surface{key, id, run.y, {}});
+            at != surfaces.end() ? *at : surfaces.emplace_back(Surface{key, name, id, run.y, {}});
         if (!s.ends_above(run.y)) {
             s.lines.back().second = run.x1;
             continue;
@@ -67,7 +72,9 @@ public:
         : input_(input),
           log_(log),
           output_{.list = begin_picture(input, "sorted spans")},
-          table_(std::size_t(input.view.height)) {}
+          table_(std::size_t(input.view.height)) {
+        log.watch(watched(output_.counts));
+    }
 
     Output run() {
         add_surfaces();
@@ -75,7 +82,7 @@ public:
             update_edges(y);
             line(y);
             output_.counts.spans += painted_.size();
-            draw_line(y, std::move(painted_), output_, log_);
+            draw_line(input_, y, std::move(painted_), output_, log_);
             painted_ = {};
         }
         return std::move(output_);
@@ -85,29 +92,34 @@ private:
     void add_surfaces() {
         std::vector<std::size_t> order(input_.polygons.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
-        const Tree tree =
-            build_tree(input_.polygons, order, splitters_tried,
-                       [&](const TreePiece& piece, FacetIndex by, const auto& back,
-                           const auto& front) { log_split(input_, piece, by, back, front, log_); });
+        const Tree tree = build_tree(input_.polygons, order, splitters_tried,
+                                     tree_log(input_, output_.counts, log_));
         output_.counts.planes = tree.plane_tests;
         output_.counts.nodes = tree.nodes.size();
         output_.counts.splits = tree.splits;
         std::size_t key = tree.pieces;
-        output_.counts.facings =
-            far_to_near(tree, eye_of(input_.view), [&](const TreePiece& piece) {
-                key -= 1;
-                Piece drawn = window_piece(input_, piece);
-                const Polygon& polygon = input_.polygons[drawn.polygon];
-                for (Surface& s :
-                     surfaces_of(runs_of(drawn, polygon, input_.subpixel_bits(), input_.window()),
-                                 key, polygon.id)) {
-                    output_.counts.peak_bytes +=
-                        sizeof(Surface) + s.lines.size() * sizeof(s.lines[0]);
-                    const int top = s.top;
-                    table_[std::size_t(top)].push_back(std::move(s));
-                }
-                if (drawn.count > 0) output_.pieces.push_back(std::move(drawn));
-            });
+        const auto add = [&](const TreePiece& piece) { add_surface(piece, --key); };
+        output_.counts.facings = far_to_near(tree, eye_of(input_.view), add, eye_log(log_));
+    }
+
+    void add_surface(const TreePiece& piece, std::size_t key) {
+        Piece drawn = window_piece(input_, piece);
+        const Polygon& polygon = input_.polygons[drawn.polygon];
+        for (Surface& s :
+             surfaces_of(runs_of(drawn, polygon, input_.subpixel_bits(), input_.window()), key,
+                         drawn.name, polygon.id)) {
+            output_.counts.peak_bytes += surface_bytes + s.lines.size() * sizeof(s.lines[0]);
+            const int top = s.top;
+            table_[std::size_t(top)].push_back(std::move(s));
+        }
+        if (drawn.count == 0) return;
+        if (log_.on())
+            log_.add({.action = Action::Decide,
+                      .test = "key",
+                      .result = "given",
+                      .pieces = {drawn.name},
+                      .values = {{"key", std::int64_t(key)}}});
+        output_.pieces.push_back(std::move(drawn));
     }
 
     void update_edges(int y) {
@@ -120,6 +132,7 @@ private:
 
     void line(int y) {
         stack_.clear();
+        if (log_.wants(Level::Line) && !edges_.empty()) log_edges(y);
         int from = 0;  // the first pixel of the stack's top
         for (const Edge& edge : edges_) {
             const auto [x0, x1] = edge.of->on(y);
@@ -146,15 +159,33 @@ private:
         stack_.insert(place, surface);
     }
 
+    void log_edges(int y) {
+        Step step{.level = Level::Line,
+                  .test = "active-edges",
+                  .result = "sorted",
+                  .window = line_of(input_, y)};
+        std::vector<std::int64_t> x;
+        for (const Edge& edge : edges_) {
+            step.pieces.push_back(edge.of->name);
+            x.push_back(edge.x(y));
+        }
+        step.values = {{"x", x}};
+        log_.add(std::move(step));
+    }
+
     void log_stack(int x, int y) {
-        Step step{Level::Span,
-                  Action::Decide,
-                  {},
-                  "surface stack",
-                  stack_.empty() ? "empty" : "another on top",
-                  y};
-        for (const Surface* surface : stack_) step.polygons.push_back(surface->id);
-        step.before = {{dvec3(x, y, 0), dvec3(std::min(x + 1, input_.view.width), y, 0)}};
+        Step step{.level = Level::Span,
+                  .action = Action::Decide,
+                  .test = "surface-stack",
+                  .result = stack_.empty() ? "empty" : "top",
+                  .decisive = true,
+                  .window = {x, y, x < input_.view.width ? 1 : 0, 1}};
+        std::vector<std::int64_t> keys;
+        for (const Surface* surface : stack_) {
+            step.pieces.push_back(surface->name);
+            keys.push_back(std::int64_t(surface->key));
+        }
+        step.values = {{"x", std::int64_t(x)}, {"keys", keys}};
         log_.add(std::move(step));
     }
 

@@ -7,11 +7,12 @@ namespace {
 
 Output run(const Input& input, StepLog& log) {
     Output output{.list = begin_picture(input, "scan-line")};
+    log.watch(watched(output.counts));
     for_visible_spans(input, output.counts, log, [&](const std::vector<VisibleSpan>& line) {
         std::vector<Painted> painted;
         for (const VisibleSpan& span : line)
             painted.push_back({span.run, input.polygons[span.polygon].id});
-        if (!line.empty()) draw_line(line.front().run.y, std::move(painted), output, log);
+        if (!line.empty()) draw_line(input, line.front().run.y, std::move(painted), output, log);
     });
     return output;
 }

@@ -15,36 +15,65 @@
 #include "hiddensurface/model/world_piece.h"
 #include "hiddensurface/structures/clusters.h"
 
-#include <fmt/format.h>
-
 namespace gw::hiddensurface {
 namespace {
+
+/// The tree's nodes: separating planes and clusters with the priorities of their sides.
+void log_clusters(const Input& input, const ClusterTree& tree, StepLog& log) {
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        const ClusterNode& node = tree.nodes[i];
+        const bool plane = node.front != no_node;
+        Step step{.action = Action::Decide,
+                  .test = "cluster",
+                  .result = plane ? "separated" : "ranked",
+                  .values = {{"node", std::int64_t(i)}},
+                  .decisive = plane};
+        const dvec4& p = node.plane;
+        if (plane) {
+            step.values.emplace_back("plane", std::vector{p.x, p.y, p.z, p.w});
+            step.values.emplace_back("front", std::int64_t(node.front));
+            step.values.emplace_back("back", std::int64_t(node.back));
+        } else {
+            std::vector<std::int64_t> front(node.pieces.size()), back(node.pieces.size());
+            for (const RankedSide& side : node.sides)
+                (side.front ? front : back)[side.piece] = std::int64_t(side.priority);
+            step.values.emplace_back("front", front);
+            step.values.emplace_back("back", back);
+        }
+        for (const TreePiece& piece : node.pieces)
+            step.pieces.push_back(name_of(input.polygons, piece));
+        log.add(std::move(step));
+    }
+}
 
 Output run(const Input& input, StepLog& log) {
     Output output{.list = begin_picture(input, "Schumacker's clusters")};
     if (input.polygons.empty()) return output;
+    log.watch(watched(output.counts));
     const ClusterTree tree = build_clusters(
-        input.polygons, [&](const TreePiece& piece, FacetIndex by, const auto& back,
-                            const auto& front) { log_split(input, piece, by, back, front, log); });
+        input.polygons,
+        [&](const TreePiece& piece, const TreePiece& by, const TreePiece& back,
+            const TreePiece& front) { log_split(input, piece, by, back, front, log); });
     output.counts.planes = tree.plane_tests;
     output.counts.nodes = tree.clusters + tree.separations;
     output.counts.splits = tree.splits;
     output.counts.undecided = tree.cyclic;
     output.counts.peak_bytes = tree.comparison_bytes + output.counts.nodes * sizeof(ClusterNode) +
                                tree.pieces * (sizeof(TreePiece) + 2 * sizeof(RankedSide));
+    if (log.on()) log_clusters(input, tree, log);
+    const auto draw = [&](const TreePiece& piece, const RankedSide& side) {
+        const Piece drawn = window_piece(input, piece);
+        if (drawn.count == 0) return;
+        if (log.on())
+            log.add({.action = Action::Decide,
+                     .test = "priority",
+                     .result = side.front ? "front" : "back",
+                     .pieces = {drawn.name},
+                     .values = {{"priority", std::int64_t(side.priority)}}});
+        draw_piece(input, drawn, output, log);
+    };
     output.counts.facings =
-        far_to_near(tree, input.polygons, eye_of(input.view),
-                    [&](const TreePiece& piece, const RankedSide& side) {
-                        const Piece drawn = window_piece(input, piece);
-                        if (drawn.count == 0) return;
-                        if (log.on())
-                            log.add({Level::Polygon,
-                                     Action::Decide,
-                                     {input.polygons[drawn.polygon].id},
-                                     side.front ? "front side" : "back side",
-                                     fmt::format("priority {}", side.priority)});
-                        draw_piece(input, drawn, output, log);
-                    });
+        far_to_near(tree, input.polygons, eye_of(input.view), draw, eye_log(log));
     return output;
 }
 

@@ -11,6 +11,7 @@
 #include "hiddensurface/model/face.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace gw::hiddensurface {
 namespace {
@@ -23,7 +24,9 @@ public:
         : input_(input),
           log_(log),
           output_{.list = begin_picture(input, "Warnock")},
-          faces_(faces_of(input)) {}
+          faces_(faces_of(input)) {
+        log.watch(watched(output_.counts));
+    }
 
     Output run() {
         FaceList all;
@@ -57,11 +60,10 @@ private:
     /// The thinker: draws, or asks for four looks. A window of one pixel is simple: a face covers its
     /// centre or not, and only the nearest is left.
     void think(const Rect& w, const FaceList& around, const FaceList& inside) {
-        if (around.empty() && inside.empty()) return log(w, {}, "empty");
-        if (around.size() == 1 && inside.empty())
-            return fill(w, *around[0], "surrounded, before all others");
-        if (around.empty() && inside.size() == 1) return fill(w, *inside[0], "one face");
-        log(w, inside.empty() ? around : inside, "not simple");
+        if (around.empty() && inside.empty()) return log(w, {}, {}, "empty");
+        if (around.size() == 1 && inside.empty()) return fill(w, *around[0], "surrounded");
+        if (around.empty() && inside.size() == 1) return fill(w, *inside[0], "one-face");
+        log(w, around, inside, "divided");
         const int width = (w.width + 1) / 2, height = (w.height + 1) / 2;
         for (const int y : {height, 0})
             for (const int x : {0, width}) {
@@ -74,6 +76,7 @@ private:
     /// Drops all faces behind a face that surrounds the window.
     void drop_hidden(const Rect& window, FaceList& around, FaceList& inside) {
         if (around.empty()) return;
+        FaceList dropped;  // for the log
         const Face* first = around[0];
         for (const Face* face : around) {
             output_.counts.depths += 1;
@@ -82,8 +85,13 @@ private:
         const auto hidden = [&](const Face* face) {
             return face != first && is_nearer(*first, *face, window, output_.counts.depths);
         };
-        std::erase_if(around, hidden);
-        std::erase_if(inside, hidden);
+        for (FaceList* list : {&around, &inside}) {
+            const auto seen =
+                std::stable_partition(list->begin(), list->end(), std::not_fn(hidden));
+            dropped.insert(dropped.end(), seen, list->end());
+            list->erase(seen, list->end());
+        }
+        if (log_.on() && !dropped.empty()) log_hidden(window, *first, dropped);
     }
 
     void fill(const Rect& w, const Face& face, const char* why) {
@@ -95,16 +103,57 @@ private:
         if (painted.empty()) return;
         painted_.insert(painted_.end(), painted.begin(), painted.end());
         if (!log_.on()) return;
-        Step step{Level::Polygon, Action::Draw, {id}, "window", why, -1, std::move(painted)};
-        step.window = w;
+        log_.add({.action = Action::Draw,
+                  .test = "window",
+                  .result = why,
+                  .pieces = {face.name},
+                  .values = {{"pixels", size_of(painted)}},
+                  .window = w,
+                  .painted = std::move(painted)});
+    }
+
+    static std::vector<std::string> names(const FaceList& faces) {
+        std::vector<std::string> found;
+        for (const Face* face : faces) found.push_back(face->name);
+        return found;
+    }
+
+    void log(const Rect& w, const FaceList& around, const FaceList& inside, const char* result) {
+        if (!log_.on()) return;
+        Step step{.action = Action::Decide,
+                  .test = "window",
+                  .result = result,
+                  .pieces = names(around),
+                  .values = {{"surrounding", std::int64_t(around.size())},
+                             {"inside", std::int64_t(inside.size())}},
+                  .decisive = !around.empty() || !inside.empty(),
+                  .window = w};
+        for (const Face* face : inside) step.pieces.push_back(face->name);
         log_.add(std::move(step));
     }
 
-    void log(const Rect& w, const FaceList& faces, const char* result) {
-        if (!log_.on()) return;
-        Step step{Level::Polygon, Action::Decide, {}, "window", result};
-        for (const Face* face : faces) step.polygons.push_back(input_.polygons[face->polygon].id);
-        step.window = w;
+    /// The depths of a face at the window's corner pixels: lower left, lower right, upper left,
+    /// upper right.
+    static std::vector<double> depths_at_corners(const Face& face, const Rect& w) {
+        std::vector<double> z;
+        for (const int y : {w.y, w.y + w.height - 1})
+            for (const int x : {w.x, w.x + w.width - 1}) z.push_back(depth_at(face, x, y));
+        return z;
+    }
+
+    void log_hidden(const Rect& w, const Face& nearest, const FaceList& hidden) {
+        std::vector<double> z;
+        for (const Face* face : hidden)
+            for (const double depth : depths_at_corners(*face, w)) z.push_back(depth);
+        Step step{.action = Action::Decide,
+                  .test = "window",
+                  .result = "hidden",
+                  .pieces = {nearest.name},
+                  .values = {{"hidden", names(hidden)},
+                             {"z", depths_at_corners(nearest, w)},
+                             {"z_hidden", z}},
+                  .decisive = true,
+                  .window = w};
         log_.add(std::move(step));
     }
 

@@ -26,7 +26,9 @@ public:
           log_(log),
           output_{.list = begin_picture(input, "Watkins")},
           faces_(faces_of(input)),
-          active_(faces_, input) {}
+          active_(faces_, input) {
+        log.watch(watched(output_.counts));
+    }
 
     Output run() {
         for (int y = input_.view.height - 1; y >= 0; --y) {
@@ -38,7 +40,7 @@ public:
                                         active_.bytes() + segments_.size() * sizeof(ActiveFace*) +
                                             ends_.size() * sizeof(int));
             keep_ends();
-            draw_line(y, std::move(painted_), output_, log_);
+            draw_line(input_, y, std::move(painted_), output_, log_);
             painted_ = {};
         }
         return std::move(output_);
@@ -55,6 +57,7 @@ private:
 
     void line(int y) {
         over_.clear();
+        if (log_.wants(Level::Line) && !segments_.empty()) log_segments(y);
         std::size_t next = 0, guess = 0;
         for (int x = 0; x < input_.view.width;) {
             while (guess < ends_.size() && ends_[guess] <= x) ++guess;
@@ -71,6 +74,7 @@ private:
     /// Returns the first pixel beyond.
     int sample(Run run) {
         output_.counts.spans += 1;
+        const int guessed = run.x1;
         const ActiveFace* candidate = nearest_at_left(run);
         for (const ActiveFace* other : over_) {
             if (other->x0 >= run.x1 || other == candidate) continue;
@@ -79,7 +83,7 @@ private:
             else
                 run.x1 = comes_into_view(run, *candidate, *other);
         }
-        if (log_.wants(Level::Span)) log_span(run, candidate);
+        if (log_.wants(Level::Span)) log_span(run, guessed, candidate);
         if (candidate) add_run(painted_, run, input_.polygons[candidate->face->polygon].id);
         return run.x1;
     }
@@ -120,18 +124,43 @@ private:
         }
     }
 
-    void log_span(const Run& run, const ActiveFace* candidate) {
-        Step step{Level::Span,
-                  Action::Compare,
-                  {},
-                  "nearest at the left end",
-                  candidate ? "seen so far" : "none",
-                  run.y};
-        if (candidate) step.polygons.push_back(input_.polygons[candidate->face->polygon].id);
+    void log_segments(int y) {
+        Step step{.level = Level::Line,
+                  .test = "active-edges",
+                  .result = "segments",
+                  .window = line_of(input_, y)};
+        std::vector<std::int64_t> x0, x1;
+        for (const ActiveFace* segment : segments_) {
+            step.pieces.push_back(segment->face->name);
+            x0.push_back(segment->x0);
+            x1.push_back(segment->x1);
+        }
+        step.values = {{"x0", x0}, {"x1", x1}};
+        log_.add(std::move(step));
+    }
+
+    /// `guessed`: the end of the span by the line above.
+    void log_span(const Run& run, int guessed, const ActiveFace* candidate) {
+        Step step{.level = Level::Span,
+                  .test = "sample-span",
+                  .result = !candidate          ? "background"
+                            : run.x1 == guessed ? "as-guessed"
+                                                : "shorter",
+                  .decisive = candidate && run.x1 != guessed,
+                  .window = pixels_of(run)};
+        std::vector<double> z_left, z_right;
+        const auto add = [&](const ActiveFace* segment) {
+            step.pieces.push_back(segment->face->name);
+            z_left.push_back(depth_at(*segment->face, run.x0, run.y));
+            z_right.push_back(depth_at(*segment->face, run.x1 - 1, run.y));
+        };
+        if (candidate) add(candidate);
         for (const ActiveFace* other : over_)
-            if (other != candidate)
-                step.polygons.push_back(input_.polygons[other->face->polygon].id);
-        step.before = {{dvec3(run.x0, run.y, 0), dvec3(run.x1, run.y, 0)}};
+            if (other != candidate) add(other);
+        step.values = {{"guessed", std::int64_t(guessed)},
+                       {"end", std::int64_t(run.x1)},
+                       {"z_left", z_left},
+                       {"z_right", z_right}};
         log_.add(std::move(step));
     }
 

@@ -25,10 +25,13 @@ namespace {
 
 struct Fragment {
     std::size_t face = 0;
+    std::string name;
     Region region;
     dvec2 low{0}, high{0};  ///< of its corners
 };
 using FragmentList = std::vector<Fragment*>;
+/// A fragment without its name, which only a log needs.
+constexpr std::size_t fragment_bytes = sizeof(Fragment) - sizeof(std::string);
 
 class WeilerAtherton {
 public:
@@ -37,29 +40,33 @@ public:
           log_(log),
           output_{.list = begin_picture(input, "Weiler, Atherton")},
           faces_(faces_of(input)),
-          on_the_way_(faces_.size()) {}
+          on_the_way_(faces_.size()) {
+        log.watch(watched(output_.counts));
+    }
 
     Output run() {
         FragmentList all;
         for (std::size_t i = 0; i < faces_.size(); ++i) {
             outlines_.push_back(lines_.add_contour(faces_[i].corners));
-            all.push_back(make(i, {outlines_[i]}));
+            all.push_back(make(i, faces_[i].name, {outlines_[i]}));
         }
         output_.counts.sorts = 1;
         std::stable_sort(all.begin(), all.end(), [this](const Fragment* a, const Fragment* b) {
             output_.counts.keys += 1;
             return faces_[a->face].nearest < faces_[b->face].nearest;
         });
+        log_order(all);
         sort_out(std::move(all));
         output_.counts.peak_bytes =
-            fragments_.size() * sizeof(Fragment) + sides_ * sizeof(std::size_t);
+            fragments_.size() * fragment_bytes + sides_ * sizeof(std::size_t);
         return std::move(output_);
     }
 
 private:
-    Fragment* make(std::size_t face, Region region) {
+    Fragment* make(std::size_t face, std::string name, Region region) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
-        Fragment fragment{face, std::move(region), dvec2(infinity), dvec2(-infinity)};
+        Fragment fragment{face, std::move(name), std::move(region), dvec2(infinity),
+                          dvec2(-infinity)};
         for (const Contour& contour : fragment.region) {
             sides_ += contour.size();
             for (const dvec2& p : lines_.corners(contour))
@@ -120,12 +127,14 @@ private:
         output_.counts.overlaps += 1;
         auto [in, out] = lines_.clip(fragment.region, outlines_[clip]);
         if (in.empty()) return outside.push_back(&fragment);
+        std::string name = fragment.name;
         if (!out.empty()) {
             log_cut(fragment, clip, in, out);
-            outside.push_back(make(fragment.face, std::move(out)));
+            outside.push_back(make(fragment.face, fragment.name + "b", std::move(out)));
+            name += "a";
         }
-        if (Region seen = before(fragment.face, std::move(in), clip); !seen.empty())
-            inside.push_back(make(fragment.face, std::move(seen)));
+        if (Region seen = before(fragment.face, name, std::move(in), clip); !seen.empty())
+            inside.push_back(make(fragment.face, name, std::move(seen)));
     }
 
     /// True if their boxes, or a side between them, keep the two apart.
@@ -139,9 +148,9 @@ private:
         return lines_.separates(outlines_[clip], f.region);
     }
 
-    /// The part of a face's region that lies before the clip polygon's plane. If the two planes are
-    /// one, the scene's first face is before.
-    Region before(std::size_t face, Region region, std::size_t clip) {
+    /// The part of a face's region that lies before the clip polygon's plane, and its name. If the
+    /// two planes are one, the scene's first face is before.
+    Region before(std::size_t face, std::string& name, Region region, std::size_t clip) {
         output_.counts.planes += 1;
         const dvec3 apart = farther(face) - farther(clip);
         double low = 0, high = 0;
@@ -156,13 +165,25 @@ private:
         const bool is_before = low < 0 ? high == 0 : high == 0 && face < clip;
         const bool pierces = low < 0 && high > 0;
         if (log_.on())
-            log_.compare({id(face), id(clip)}, "depth inside",
-                         pierces     ? "pierces"
-                         : is_before ? "before: clip by it first"
-                                     : "behind: hidden");
+            log_.add({.test = "inside",
+                      .result = pierces     ? "pierces"
+                                : is_before ? "before"
+                                            : "hidden",
+                      .pieces = {name, faces_[clip].name},
+                      .values = {{"nearest", low}, {"farthest", high}},
+                      .decisive = true});
         if (!pierces) return is_before ? std::move(region) : Region();
         output_.counts.splits += 1;
-        return lines_.clip(region, lines_.add_half_plane(where_nearer(apart))).first;
+        Region seen = lines_.clip(region, lines_.add_half_plane(where_nearer(apart))).first;
+        name += "a";
+        if (log_.on())
+            log_.add({.action = Action::Split,
+                      .test = "split",
+                      .result = "pierced",
+                      .pieces = {name.substr(0, name.size() - 1), faces_[clip].name},
+                      .decisive = true,
+                      .made = {{name, loops_of(seen)}}});
+        return seen;
     }
 
     /// z = x X + y Y + z on the grid.
@@ -190,19 +211,17 @@ private:
         output_.counts.spans += painted.size();
         output_.counts.nodes += 1;
         add_painted(output_.list, painted);
-        output_.pieces.push_back(
-            {.polygon = faces_[fragment.face].polygon, .parts = loops_of(fragment.region)});
+        output_.pieces.push_back({.polygon = faces_[fragment.face].polygon,
+                                  .name = fragment.name,
+                                  .parts = loops_of(fragment.region)});
         if (log_.on())
-            log_.add({Level::Polygon,
-                      Action::Draw,
-                      {polygon.id},
-                      "nothing is before it",
-                      "",
-                      -1,
-                      std::move(painted)});
+            log_.add({.action = Action::Draw,
+                      .test = "draw",
+                      .result = "unhidden",
+                      .pieces = {fragment.name},
+                      .values = {{"pixels", size_of(painted)}},
+                      .painted = std::move(painted)});
     }
-
-    std::uint32_t id(std::size_t face) const { return input_.polygons[faces_[face].polygon].id; }
 
     std::vector<Loop> loops_of(const Region& region) const {
         std::vector<Loop> loops;
@@ -216,15 +235,26 @@ private:
     void log_cut(const Fragment& fragment, std::size_t clip, const Region& in, const Region& out) {
         output_.counts.splits += 1;
         if (!log_.on()) return;
-        log_.add({Level::Polygon,
-                  Action::Split,
-                  {id(fragment.face), id(clip)},
-                  "by the second's outline",
-                  "",
-                  -1,
-                  {},
-                  loops_of(in),
-                  loops_of(out)});
+        log_.add(
+            {.action = Action::Split,
+             .test = "split",
+             .result = "outline",
+             .pieces = {fragment.name, faces_[clip].name},
+             .decisive = true,
+             .made = {{fragment.name + "a", loops_of(in)}, {fragment.name + "b", loops_of(out)}}});
+    }
+
+    /// The list is near to far; the step is far to near, as all orders.
+    void log_order(const FragmentList& all) {
+        if (!log_.on()) return;
+        Step step{.action = Action::Sort, .test = "nearest-corner", .result = "sorted"};
+        std::vector<std::int64_t> z;
+        for (std::size_t i = all.size(); i-- > 0;) {
+            step.pieces.push_back(all[i]->name);
+            z.push_back(faces_[all[i]->face].nearest);
+        }
+        step.values = {{"z", z}};
+        log_.add(std::move(step));
     }
 
     const Input& input_;

@@ -15,37 +15,52 @@ public:
         z_.resize(pixels, (std::int64_t{1} << input.profile.depth_bits) - 1);
     }
 
-    std::uint64_t compared() const { return compared_; }
+    const std::uint64_t& compared() const { return compared_; }
 
     void draw(const Polygon& polygon) {
         std::vector<Painted> painted;
+        const std::uint64_t before = compared_;
         for (const WindowTriangle& t : polygon.triangles)
             for (const Run& run : scan_convert(t.corners, input_.subpixel_bits(), input_.window()))
-                draw(run, t.depth, polygon.id, painted);
-        if (log_.on() && !log_.wants(Level::Pixel) && !painted.empty())
-            log_.add(
-                {Level::Polygon, Action::Draw, {polygon.id}, "z < Z", "", -1, std::move(painted)});
+                draw(run, t.depth, polygon, painted);
+        if (!log_.on() || log_.wants(Level::Pixel) || compared_ == before) return;
+        const std::int64_t passed = size_of(painted), tested = std::int64_t(compared_ - before);
+        log_.add({.action = Action::Draw,
+                  .test = "z-buffer",
+                  .result = passed == tested ? "all"
+                            : passed == 0    ? "none"
+                                             : "some",
+                  .pieces = {name_of(polygon)},
+                  .values = {{"passed", passed}, {"tested", tested}},
+                  .decisive = passed < tested,
+                  .painted = std::move(painted)});
     }
 
 private:
-    void draw(const Run& run, const DepthPlane& depth, std::uint32_t id,
+    void draw(const Run& run, const DepthPlane& depth, const Polygon& polygon,
               std::vector<Painted>& painted) {
         DepthWalk walk(depth, run.x0, run.y);
         for (int x = run.x0; x < run.x1; ++x, walk.right()) {
             std::int64_t& stored = z_[input_.view.index(x, run.y)];
             const bool passes = walk.z() < stored;
             compared_ += 1;
+            if (log_.wants(Level::Pixel)) log_pixel({run.y, x, x + 1}, polygon, walk.z(), stored);
             if (passes) stored = walk.z();
-            if (log_.wants(Level::Pixel)) log_pixel({run.y, x, x + 1}, id, passes);
-            if (passes) add_run(painted, {run.y, x, x + 1}, id);
+            if (passes) add_run(painted, {run.y, x, x + 1}, polygon.id);
         }
     }
 
-    void log_pixel(const Run& run, std::uint32_t id, bool passes) {
-        Step step{Level::Pixel, passes ? Action::Draw : Action::Compare, {id},
-                  "z < Z",      passes ? "nearer" : "not nearer",        run.y};
-        if (passes) step.painted = {{run, id}};
-        step.before = {{dvec3(run.x0, run.y, 0), dvec3(run.x1, run.y, 0)}};
+    void log_pixel(const Run& run, const Polygon& polygon, std::int64_t z, std::int64_t stored) {
+        const bool passes = z < stored;
+        Step step{.level = Level::Pixel,
+                  .action = passes ? Action::Draw : Action::Compare,
+                  .test = "z",
+                  .result = passes ? "nearer" : "not-nearer",
+                  .pieces = {name_of(polygon)},
+                  .values = {{"z", z}, {"Z", stored}},
+                  .decisive = !passes,
+                  .window = pixels_of(run)};
+        if (passes) step.painted = {{run, polygon.id}};
         log_.add(std::move(step));
     }
 
@@ -58,7 +73,9 @@ private:
 Output run(const Input& input, StepLog& log) {
     Output output{.list = scene::id_pass(input.scene, input.view)};
     Buffers buffers(input, log);
+    log.watch({{"depths", &buffers.compared()}});
     for (const Polygon& polygon : input.polygons) buffers.draw(polygon);
+    log.watch({});
     output.counts.depths = buffers.compared();
     output.counts.peak_bytes = std::uint64_t(input.view.width) * std::uint64_t(input.view.height) *
                                std::uint64_t((input.profile.depth_bits + 7) / 8);

@@ -16,8 +16,6 @@
 // Does not draw the lines in which faces pierce each other: no polygon has them as a side.
 #include "hiddensurface/lines/window_lines.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <deque>
 
@@ -47,6 +45,7 @@ public:
         output_.counts.peak_bytes = scene_.corners.size() * sizeof(GridPoint) +
                                     scene_.faces.size() * (sizeof(WindowFace) + sizeof(Box)) +
                                     scene_.sides.size() * (sizeof(WindowSide) + sizeof(Box));
+        log.watch(watched(output_.counts));
     }
 
     /// Draws every connected figure, beginning with its first side.
@@ -71,10 +70,12 @@ private:
         const GridPoint &a = at(side.a), &b = at(side.b);
         if (a.x == b.x && a.y == b.y) return;  // seen end on
         Line line{side.id, to_dvec3(a), to_dvec3(b), {}};
-        if (!carried(s, line)) compared(s, line);
+        Values values;
+        const bool is_carried = carried(s, line, values);
+        if (!is_carried) compared(s, line, values);
         output_.counts.lines += 1;
         output_.counts.parts += line.visible.size();
-        log_line(line, log_);
+        log_line(line, is_carried ? "carried" : "compared", std::move(values), log_);
         output_.lines.push_back(std::move(line));
         for (const std::size_t corner : {side.a, side.b})
             for (const std::size_t next : scene_.sides_at[corner])
@@ -82,7 +83,7 @@ private:
     }
 
     /// Finds the visible parts from the number at one of the line's corners. False: no such number.
-    bool carried(std::size_t s, Line& line) {
+    bool carried(std::size_t s, Line& line, Values& values) {
         const WindowSide& side = scene_.sides[s];
         const bool forward = known_[side.a].has_value();
         if (!forward && !known_[side.b]) return false;
@@ -95,6 +96,7 @@ private:
         std::sort(changes.begin(), changes.end(),
                   [](const Change& x, const Change& y) { return x.t < y.t; });
         int number = *known_[from] + *begins;
+        if (log_.on()) values = values_of(number, changes, !forward);
         std::vector<Part> hidden;
         double since = 0;
         const auto until = [&](double t) {
@@ -112,13 +114,41 @@ private:
         return true;
     }
 
+    /// The invisibility from the line's beginning to its end, and the places at which it changes.
+    /// `backward`: both were found from the end.
+    static Values values_of(int number, const std::vector<Change>& changes, bool backward = false) {
+        std::vector<std::int64_t> numbers{number};
+        std::vector<double> at;
+        for (const Change& change : changes) {
+            numbers.push_back(number += change.delta);
+            at.push_back(backward ? 1 - change.t : change.t);
+        }
+        if (backward) {
+            std::reverse(numbers.begin(), numbers.end());
+            std::reverse(at.begin(), at.end());
+        }
+        return {{"invisibility", numbers}, {"changes", at}};
+    }
+
+    /// The ends of hidden parts, ascending.
+    static std::vector<Change> changes_at(const std::vector<Part>& hidden) {
+        std::vector<Change> changes;
+        for (const Part& part : hidden) {
+            if (part.first > 0) changes.push_back({part.first, 1});
+            if (part.second < 1) changes.push_back({part.second, -1});
+        }
+        std::stable_sort(changes.begin(), changes.end(),
+                         [](const Change& x, const Change& y) { return x.t < y.t; });
+        return changes;
+    }
+
     static void turn_round(Line& line) {
         std::reverse(line.visible.begin(), line.visible.end());
         for (Part& part : line.visible) part = {1 - part.second, 1 - part.first};
     }
 
     /// Finds the visible parts by comparing the line with every face.
-    void compared(std::size_t s, Line& line) {
+    void compared(std::size_t s, Line& line, Values& values) {
         const WindowSide& side = scene_.sides[s];
         output_.counts.starts += 1;
         output_.counts.planes += scene_.faces.size();
@@ -134,6 +164,7 @@ private:
             ends += part->second == 1 ? 1 : 0;
             hidden.push_back(*part);
         }
+        if (log_.on()) values = values_of(begins, changes_at(hidden));
         line.visible = rest_of(std::move(hidden));
         const auto at_a = hiding_at(side.a, side.b), at_b = hiding_at(side.b, side.a);
         if (carries_a && at_a) known_[side.a] = begins - *at_a;
@@ -200,19 +231,19 @@ private:
             } else if (!cross(contour, a, b, changes)) {
                 return false;
             }
-            if (changes.size() > before)
-                log_change(s, contour.id, "passes behind a contour", changes.back());
+            if (changes.size() > before) log_change(s, contour.id, "contour", changes.back());
         }
         return true;
     }
 
     void log_change(std::size_t s, std::uint32_t by, const char* test, const Change& change) {
         if (!log_.wants(Level::Span)) return;
-        log_.add({Level::Span,
-                  Action::Compare,
-                  {scene_.sides[s].id, by},
-                  test,
-                  fmt::format("{:+} at {:.6g}", change.delta, change.t)});
+        log_.add({.level = Level::Span,
+                  .test = test,
+                  .result = change.delta > 0 ? "more" : "fewer",
+                  .pieces = {std::to_string(scene_.sides[s].id), std::to_string(by)},
+                  .values = {{"change", std::int64_t(change.delta)}, {"at", change.t}},
+                  .decisive = true});
     }
 
     /// True if both leave one corner in the same direction in the window.
@@ -258,7 +289,7 @@ private:
             if (inside == 0 || (inside > 0 && (ga == 0 || gb == 0))) return false;
             if (inside < 0) continue;
             changes.push_back({double(ga) / double(ga - gb), gb > 0 ? 1 : -1});
-            log_change(s, face.id, "goes through", changes.back());
+            log_change(s, face.id, "pierced", changes.back());
         }
         return true;
     }

@@ -52,6 +52,7 @@ CommandList draw_lines(const Input& input, const std::string& name,
 LineResult run_on(Machine& machine, const LineAlgorithm& algorithm, const Input& input,
                   StepLog& log) {
     LineOutput output = algorithm.run(input, log);
+    log.watch({});
     LineResult result{
         .counts = output.counts, .lines = std::move(output.lines), .lit = {}, .z_buffer = {}};
     result.lit = lit_pixels(machine, draw_lines(input, algorithm.name, result.lines));

@@ -38,7 +38,9 @@ struct Upright {
 class FloatingHorizon {
 public:
     FloatingHorizon(const Input& input, StepLog& log)
-        : field_(height_field(input)), window_(input), eye_(eye_of(input.view)), log_(log) {}
+        : field_(height_field(input)), window_(input), eye_(eye_of(input.view)), log_(log) {
+        log.watch(watched(output_.counts));
+    }
 
     LineOutput run() {
         const std::size_t strips = field_.strips.size() - 1;
@@ -133,6 +135,7 @@ private:
             std::swap(a, b);
         }
         const bool end_on = b.at.x - a.at.x < 1e-12;
+        Values horizons = log_.on() ? horizons_at(a.at, b.at) : Values();
         std::vector<Part> seen = end_on ? beyond_at(a.at, b.at) : beyond_both(a.at, b.at);
         if (!end_on) {
             upper_.raise(a.at, b.at);
@@ -145,8 +148,20 @@ private:
         if (!line) return;
         output_.counts.lines += 1;
         output_.counts.parts += line->visible.size();
-        log_line(*line, log_);
+        log_line(*line, "horizon", std::move(horizons), log_);
         output_.lines.push_back(*line);
+    }
+
+    /// The heights of the line's ends on the upright plane, and of the horizons there, if any.
+    Values horizons_at(const dvec2& a, const dvec2& b) const {
+        Values values{{"heights", std::vector{a.y, b.y}}};
+        const auto add = [&](const char* name, const Horizon& horizon) {
+            const auto at_a = horizon.at(a.x), at_b = horizon.at(b.x);
+            if (at_a && at_b) values.emplace_back(name, std::vector{*at_a, *at_b});
+        };
+        add("upper", upper_);
+        add("lower", lower_);
+        return values;
     }
 
     static double in_world(double s, const Upright& a, const Upright& b) {

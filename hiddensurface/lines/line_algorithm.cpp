@@ -1,7 +1,5 @@
 #include "hiddensurface/lines/line_algorithm.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace gw::hiddensurface {
@@ -32,6 +30,12 @@ std::span<const LineCountName> line_count_names() {
     return names;
 }
 
+std::vector<WatchedCount> watched(const LineCounts& counts) {
+    std::vector<WatchedCount> all;
+    for (const auto& [name, count] : line_count_names()) all.push_back({name, &(counts.*count)});
+    return all;
+}
+
 const std::vector<LineAlgorithm>& line_algorithms() {
     static const std::vector<LineAlgorithm> all{roberts(), appel(), floating_horizon()};
     return all;
@@ -58,15 +62,20 @@ std::vector<Part> rest_of(std::vector<Part> hidden) {
     return rest;
 }
 
-void log_line(const Line& line, StepLog& log) {
+void log_line(const Line& line, const char* test, Values values, StepLog& log) {
     if (!log.on()) return;
-    std::string seen;
-    for (const auto& [from, to] : line.visible)
-        seen += fmt::format("{}{:.6g}..{:.6g}", seen.empty() ? "" : ", ", from, to);
-    Step step{
-        Level::Polygon, Action::Draw, {line.id}, "visible parts", seen.empty() ? "none" : seen};
-    step.before = {{line.a, line.b}};
-    log.add(std::move(step));
+    const bool all = line.visible == std::vector<Part>{{0, 1}};
+    std::vector<double> visible;
+    for (const auto& [from, to] : line.visible) visible.insert(visible.end(), {from, to});
+    values.emplace_back("visible", visible);
+    log.add({.action = Action::Draw,
+             .test = test,
+             .result = line.visible.empty() ? "hidden"
+                       : all                ? "visible"
+                                            : "parts",
+             .pieces = {std::to_string(line.id)},
+             .values = std::move(values),
+             .line = DrawnLine{line.a, line.b, line.visible}});
 }
 
 }  // namespace gw::hiddensurface

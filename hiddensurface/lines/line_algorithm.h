@@ -43,6 +43,9 @@ struct LineCountName {
 /// All counts in this order, for tables, CSV and JSON.
 std::span<const LineCountName> line_count_names();
 
+/// All of them, to be watched by a log.
+std::vector<WatchedCount> watched(const LineCounts& counts);
+
 struct LineOutput {
     std::vector<Line> lines;
     LineCounts counts;
@@ -65,7 +68,7 @@ const LineAlgorithm* line_algorithm_named(const std::string& name);
 /// parts shorter than the rounding of their ends.
 std::vector<Part> rest_of(std::vector<Part> hidden);
 
-/// Logs a line's visible parts as a step.
-void log_line(const Line& line, StepLog& log);
+/// Logs a line's visible parts as a step, with the values that decided them.
+void log_line(const Line& line, const char* test, Values values, StepLog& log);
 
 }  // namespace gw::hiddensurface

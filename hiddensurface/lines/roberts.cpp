@@ -262,21 +262,39 @@ std::optional<Part> hidden_by(const Body& body, const WorldSide& line, double to
     return part;
 }
 
-std::vector<Part> visible_parts(const Bodies& scene, const WorldSide& line, LineCounts& counts) {
+void log_hidden(const WorldSide& line, std::size_t body, const Body& by, const Part& part,
+                StepLog& log) {
+    if (!log.wants(Level::Span)) return;
+    log.add({.level = Level::Span,
+             .test = "body",
+             .result = "hides",
+             .pieces = {std::to_string(line.id)},
+             .values = {{"body", std::int64_t(body)},
+                        {"planes", std::int64_t(by.planes.size())},
+                        {"hidden", std::vector{part.first, part.second}}},
+             .decisive = true});
+}
+
+std::vector<Part> visible_parts(const Bodies& scene, const WorldSide& line, LineCounts& counts,
+                                StepLog& log) {
     if (line.back) return {};
     counts.starts += 1;
     std::vector<Part> hidden;
-    for (const Body& body : scene.bodies) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const Body& body = scene.bodies[i];
         // a solid's front lines are before it
         if (body.solid != 0 && body.solid == line.solid) continue;
-        if (const auto part = hidden_by(body, line, scene.tolerance, counts))
-            hidden.push_back(*part);
+        const auto part = hidden_by(body, line, scene.tolerance, counts);
+        if (!part) continue;
+        hidden.push_back(*part);
+        log_hidden(line, i, body, *part, log);
     }
     return rest_of(std::move(hidden));
 }
 
 LineOutput run(const Input& input, StepLog& log) {
     LineOutput output;
+    log.watch(watched(output.counts));
     const Bodies scene = bodies_of(input, output.counts);
     const WorldLines window(input);
     output.counts.faces = scene.bodies.size();
@@ -284,12 +302,12 @@ LineOutput run(const Input& input, StepLog& log) {
         output.counts.peak_bytes += sizeof(Body) + body.planes.size() * sizeof(dvec4);
     output.counts.peak_bytes += scene.sides.size() * sizeof(WorldSide);
     for (const WorldSide& side : scene.sides) {
-        const auto line =
-            window.to_window(side.id, side.p, side.q, visible_parts(scene, side, output.counts));
+        const auto line = window.to_window(side.id, side.p, side.q,
+                                           visible_parts(scene, side, output.counts, log));
         if (!line) continue;
         output.counts.lines += 1;
         output.counts.parts += line->visible.size();
-        log_line(*line, log);
+        log_line(*line, "bodies", {{"back", side.back}}, log);
         output.lines.push_back(*line);
     }
     return output;

@@ -38,6 +38,10 @@ dvec3 WorldLines::on_grid(const dvec4& c) const {
     return {(c.x / c.w + 1) * scale_.x, (c.y / c.w + 1) * scale_.y, (c.z / c.w + 1) * scale_.z};
 }
 
+dvec3 WorldLines::on_grid(const dvec3& p) const {
+    return on_grid(transform(clip_from_world_, dvec4(p, 1)));
+}
+
 std::optional<Line> WorldLines::to_window(std::uint32_t id, const dvec3& p, const dvec3& q,
                                           const std::vector<Part>& visible) const {
     const dvec4 a = transform(clip_from_world_, dvec4(p, 1)),

@@ -19,6 +19,9 @@ public:
     std::optional<Line> to_window(std::uint32_t id, const dvec3& p, const dvec3& q,
                                   const std::vector<Part>& visible) const;
 
+    /// A point beyond the near plane.
+    dvec3 on_grid(const dvec3& p) const;
+
 private:
     dvec3 on_grid(const dvec4& clip) const;
 

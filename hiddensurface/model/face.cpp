@@ -122,6 +122,7 @@ std::vector<Face> faces_of(const Input& input) {
     std::vector<Face> faces;
     for (std::size_t p = 0; p < input.polygons.size(); ++p) {
         const Polygon& polygon = input.polygons[p];
+        const std::size_t before = faces.size();
         for (const Facet& facet : polygon.facets) {
             const auto triangles = std::span(polygon.triangles).subspan(facet.first, facet.count);
             if (auto outline = convex_outline(triangles); !outline.empty()) {
@@ -133,6 +134,8 @@ std::vector<Face> faces_of(const Input& input) {
                 faces.push_back(make_face(input, p, {corners.begin(), corners.end()}, t));
             }
         }
+        for (std::size_t i = before; i < faces.size(); ++i)
+            faces[i].name = name_of(polygon, i - before, faces.size() - before);
     }
     for (std::size_t i = 0; i < faces.size(); ++i) faces[i].place = i;
     return faces;

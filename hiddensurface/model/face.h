@@ -22,6 +22,7 @@ struct ExactPlane {
 /// A facet of a polygon if it is convex on the grid, else one of its triangles.
 struct Face {
     std::size_t polygon = 0;         ///< index
+    std::string name;                ///< in step logs
     std::size_t place = 0;           ///< in the drawing order: of equal depths the first is seen
     std::vector<GridPoint> corners;  ///< counter-clockwise
     std::vector<Side> sides;         ///< from corner i to corner i + 1
@@ -38,6 +39,11 @@ bool covers(const Face& face, int x, int y);
 enum class Cover { Disjoint, Intersects, Surrounds };
 /// The answer may be Intersects for a window that only two sides together keep outside.
 Cover cover_of(const Face& face, const Rect& window);
+
+/// z at pixel x, y, for logs: rounded to double.
+inline double depth_at(const Face& face, int x, int y) {
+    return double(face.plane.scaled(x, y)) / double(face.plane.n);
+}
 
 /// Sign of z_a - z_b at pixel x, y.
 int depth_order(const Face& a, const Face& b, int x, int y);

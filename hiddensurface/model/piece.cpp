@@ -76,30 +76,16 @@ bool side_separates(const Loop& a, const Loop& b) {
 }  // namespace
 
 Piece whole(std::size_t index, const Polygon& polygon) {
-    Piece piece{.polygon = index, .count = polygon.triangles.size()};
+    Piece piece{.polygon = index, .count = polygon.triangles.size(), .name = name_of(polygon)};
     for (const Facet& facet : polygon.facets)
         piece.parts.insert(piece.parts.end(), facet.parts.begin(), facet.parts.end());
     return piece;
-}
-
-Piece whole(std::size_t index, const Facet& facet) {
-    return {index, facet.first, facet.count, facet.parts, {}};
 }
 
 dvec3 cut_line(const dvec4& p, const dvec4& by) {
     if (p.z == 0) return {by.x, by.y, by.w};  // never drawn: edge-on
     const double f = by.z / p.z;
     return {by.x - f * p.x, by.y - f * p.y, by.w - f * p.w};
-}
-
-std::pair<double, double> sides(const Piece& piece, const dvec4& plane) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Loop& part : piece.parts)
-        for (const dvec3& p : part) {
-            low = std::min(low, side(plane, p));
-            high = std::max(high, side(plane, p));
-        }
-    return {low, high};
 }
 
 std::pair<std::vector<Loop>, std::vector<Loop>> divide(const std::vector<Loop>& parts,
@@ -111,20 +97,6 @@ std::pair<std::vector<Loop>, std::vector<Loop>> divide(const std::vector<Loop>& 
         if (behind.size() > 2) halves.second.push_back(std::move(behind));
     }
     return halves;
-}
-
-std::optional<std::pair<Piece, Piece>> split(const Piece& piece, const Facet& of, const Facet& by) {
-    const auto [low, high] = sides(piece, by.plane);
-    if (low >= -by.tolerance || high <= by.tolerance) return std::nullopt;
-    auto [before, behind] = divide(piece.parts, by.plane);
-    if (before.empty() || behind.empty()) return std::nullopt;
-    const dvec3 line = cut_line(of.plane, by.plane);
-    std::pair<Piece, Piece> pieces{piece, piece};
-    pieces.first.parts = std::move(before);
-    pieces.second.parts = std::move(behind);
-    pieces.first.cuts.push_back({line, true});
-    pieces.second.cuts.push_back({line, false});
-    return pieces;
 }
 
 std::vector<CutEdge> edges_made(const Piece& piece) {

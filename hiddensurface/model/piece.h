@@ -5,7 +5,6 @@
 
 #include "hiddensurface/model/polygon.h"
 
-#include <optional>
 #include <utility>
 
 namespace gw::hiddensurface {
@@ -21,6 +20,7 @@ struct PixelCut {
 struct Piece {
     std::size_t polygon = 0;           ///< index
     std::size_t first = 0, count = 0;  ///< of the polygon's triangles
+    std::string name;                  ///< in step logs
     /// convex, on the window grid: for deciding, not for drawing
     std::vector<Loop> parts;
     std::vector<PixelCut> cuts;
@@ -28,22 +28,13 @@ struct Piece {
 
 /// All of polygon number `index`.
 Piece whole(std::size_t index, const Polygon& polygon);
-/// One facet of polygon number `index`.
-Piece whole(std::size_t index, const Facet& facet);
 
 /// The line in the window in which the plane `by` crosses the piece's plane; negative before `by`.
 dvec3 cut_line(const dvec4& piece, const dvec4& by);
 
-/// The least and greatest `side` of the piece's corners: its reach before and behind a plane.
-std::pair<double, double> sides(const Piece& piece, const dvec4& plane);
-
 /// Parts of convex loops with side(plane) <= 0, and those with >= 0.
 std::pair<std::vector<Loop>, std::vector<Loop>> divide(const std::vector<Loop>& parts,
                                                        const dvec4& plane);
-
-/// The two pieces, of facet `of`, before and behind the plane of `by`. None if the piece does not
-/// reach farther than the tolerance on both sides.
-std::optional<std::pair<Piece, Piece>> split(const Piece& piece, const Facet& of, const Facet& by);
 
 /// A side in the window.
 using CutEdge = std::pair<dvec2, dvec2>;

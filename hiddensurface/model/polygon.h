@@ -9,6 +9,8 @@
 #include "scene/draw/view.h"
 #include "scene/scene.h"
 
+#include <string>
+
 namespace gw::hiddensurface {
 
 /// A triangle as the machine fills it: decomposed, clipped, snapped. A scene's triangles in order are
@@ -26,8 +28,6 @@ struct Facet {
     /// (-dz/dx, -dz/dy, 1, d): `side` is a point's distance behind it in units of the depth plane;
     /// before it (nearer to the eye) is negative.
     dvec4 plane{0, 0, 1, 0};
-    /// points nearer than this to the plane are on it: the effect of rounding to double
-    double tolerance = 0;
     std::size_t first = 0, count = 0;  ///< of the polygon's triangles
 };
 
@@ -51,6 +51,12 @@ struct Polygon {
 
     bool visible() const { return !triangles.empty(); }
 };
+
+/// The name of a polygon in step logs: its identifier; of part k of several plane parts: "3.1", ...
+inline std::string name_of(const Polygon& polygon, std::size_t part = 0, std::size_t parts = 1) {
+    const std::string name = std::to_string(polygon.id);
+    return parts < 2 ? name : name + "." + std::to_string(part + 1);
+}
 
 /// All polygons of a scene, also those outside the window, in the order in which the machine draws
 /// them. The jitter moves the snapped corners, as on the machine.

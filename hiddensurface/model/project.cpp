@@ -139,12 +139,6 @@ void set_plane(Facet& facet, const WindowTriangle& t) {
     const Loop p = to_loop(t.corners);
     const dvec3 n = face_normal(p[0], p[1], p[2]);
     facet.plane = plane_of(dvec3(n.x / n.z, n.y / n.z, 1), p[0]);
-    double reach = std::abs(facet.plane.w);
-    for (const Loop& part : facet.parts)
-        for (const dvec3& q : part)
-            reach = std::max(
-                {reach, std::abs(facet.plane.x * q.x), std::abs(facet.plane.y * q.y), q.z});
-    facet.tolerance = reach * 0x1p-46;
 }
 
 /// `outline`: the polygon's own corners on the grid if it is convex, else none.

@@ -29,7 +29,10 @@ dvec4 window_plane(const Input& input, FacetIndex i) {
 Piece window_piece(const Input& input, const TreePiece& piece) {
     const Polygon& polygon = input.polygons[piece.of.polygon];
     const auto [first, count] = triangles_of(polygon, facet_of(input, piece.of));
-    Piece out{.polygon = piece.of.polygon, .first = first, .count = count};
+    Piece out{.polygon = piece.of.polygon,
+              .first = first,
+              .count = count,
+              .name = name_of(input.polygons, piece)};
     for (const Facet& f : polygon.facets)
         if (f.first >= first && f.first < first + count)
             out.parts.insert(out.parts.end(), f.parts.begin(), f.parts.end());
@@ -44,18 +47,63 @@ Piece window_piece(const Input& input, const TreePiece& piece) {
     return out;
 }
 
-void log_split(const Input& input, const TreePiece& piece, FacetIndex by,
-               const std::vector<Loop>& back, const std::vector<Loop>& front, StepLog& log) {
+std::string name_of(const std::vector<Polygon>& polygons, const TreePiece& piece) {
+    const Polygon& polygon = polygons[piece.of.polygon];
+    std::string name = name_of(polygon, piece.of.facet, polygon.world_facets.size());
+    for (const auto& [by, front] : piece.cuts) name += front ? 'a' : 'b';
+    return name;
+}
+
+void log_split(const Input& input, const TreePiece& piece, const TreePiece& by,
+               const TreePiece& back, const TreePiece& front, StepLog& log) {
     if (!log.on()) return;
-    log.add({Level::Polygon,
-             Action::Split,
-             {input.polygons[piece.of.polygon].id, input.polygons[by.polygon].id},
-             "by the second's plane",
-             "",
-             -1,
-             {},
-             front,
-             back});
+    const auto name = [&](const TreePiece& p) { return name_of(input.polygons, p); };
+    const auto distances = distances_of(piece, unit_plane(facet_of(input, by.of)));
+    log.add({.action = Action::Split,
+             .test = "split",
+             .result = "plane",
+             .pieces = {name(piece), name(by)},
+             .values = {{"distances", distances}},
+             .decisive = true,
+             .made = {{name(front), window_piece(input, front).parts},
+                      {name(back), window_piece(input, back).parts}}});
+}
+
+TreeSinks tree_log(const Input& input, Counts& counts, StepLog& log) {
+    if (!log.on()) return {};
+    const auto on_split = [&](const TreePiece& piece, const TreePiece& by, const TreePiece& back,
+                              const TreePiece& front) {
+        log_split(input, piece, by, back, front, log);
+    };
+    const auto on_node = [&](const NewNode& n) {
+        counts.planes = n.tree.plane_tests;
+        counts.nodes = n.tree.nodes.size();
+        counts.splits = n.tree.splits;
+        Step step{.action = Action::Decide,
+                  .test = "tree-node",
+                  .result = n.parent == no_node ? "root"
+                            : n.in_front        ? "front"
+                                                : "back",
+                  .values = {{"node", std::int64_t(n.number)},
+                             {"plane", std::vector{n.node.plane.x, n.node.plane.y, n.node.plane.z,
+                                                   n.node.plane.w}},
+                             {"in_front", std::int64_t(n.front)},
+                             {"behind", std::int64_t(n.back)}}};
+        if (n.parent != no_node) step.values.emplace_back("parent", std::int64_t(n.parent));
+        for (const TreePiece& piece : n.node.pieces)
+            step.pieces.push_back(name_of(input.polygons, piece));
+        log.add(std::move(step));
+    };
+    return {on_split, on_node};
+}
+
+EyeSink eye_log(StepLog& log) {
+    if (!log.on()) return {};
+    return [&](std::size_t node, double distance) {
+        log.add({.test = "eye-side",
+                 .result = distance >= 0 ? "front" : "back",
+                 .values = {{"node", std::int64_t(node)}, {"D", distance}}});
+    };
 }
 
 }  // namespace gw::hiddensurface

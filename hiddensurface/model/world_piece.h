@@ -14,9 +14,17 @@ inline const WorldFacet& facet_of(const Input& input, FacetIndex i) {
 /// The piece on the grid; it has no triangles if the facet is outside the window.
 Piece window_piece(const Input& input, const TreePiece& piece);
 
-/// Logs a Split step: the piece, the facet whose plane cuts it, its parts behind and before that
-/// plane.
-void log_split(const Input& input, const TreePiece& piece, FacetIndex by,
-               const std::vector<Loop>& back, const std::vector<Loop>& front, StepLog& log);
+/// The piece's name in step logs: its facet's, with a letter for each cut: "a" for the part on the
+/// side of the plane's normal, "b" for the other.
+std::string name_of(const std::vector<Polygon>& polygons, const TreePiece& piece);
+
+/// Logs a Split step: the piece, the piece whose plane cuts it, its parts behind and in front.
+void log_split(const Input& input, const TreePiece& piece, const TreePiece& by,
+               const TreePiece& back, const TreePiece& front, StepLog& log);
+
+/// Logs of a tree's parts as they are made, with its counts so far, and of the eye's side at each
+/// node of the walk.
+TreeSinks tree_log(const Input& input, Counts& counts, StepLog& log);
+EyeSink eye_log(StepLog& log);
 
 }  // namespace gw::hiddensurface

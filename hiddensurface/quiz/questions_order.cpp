@@ -80,14 +80,15 @@ std::optional<Question> ask_test(QuizRandom& random) {
         Question q{.scene = tilted_polygons(random, 2, 3, 0.6)};
         const QuestionContext context(q.scene);
         char decides = 0;
-        std::vector<std::uint32_t> pair;
+        std::vector<std::string> pair;
         for (const Step& step : context.steps("newell", Level::Polygon)) {
-            if (step.action != Action::Compare || step.test.size() < 2 || step.test[1] != ':')
+            if (step.action != Action::Compare || step.test.size() < 2 || step.test[1] != '-')
                 continue;
-            if (pair.empty()) pair = step.polygons;
+            if (step.test[0] < '1' || step.test[0] > '5') continue;
+            if (pair.empty()) pair = step.pieces;
             if (step.test[0] <= decides) break;  // the next pair
             decides = step.test[0];
-            if (step.result == "disjoint" || step.result == "yes") break;
+            if (step.result == "yes") break;
             if (decides == '5') decides = '6';
         }
         if (decides != wanted || pair.size() != 2) continue;

@@ -76,11 +76,9 @@ std::optional<Question> ask_spans(QuizRandom& random) {
     const int row = random.whole(60, quiz_height - 60);
     int spans = 0, shortest = quiz_width;
     for (const Step& step : context.steps("scan-line", Level::Span)) {
-        if (step.action != Action::Compare || step.level != Level::Span || step.row != row ||
-            step.before.empty())
-            continue;
+        if (step.test != "span" || step.window.y != row) continue;
         spans += 1;
-        shortest = std::min(shortest, int(step.before[0].back().x - step.before[0].front().x));
+        shortest = std::min(shortest, step.window.width);
     }
     if (spans < 3 || shortest < 6) return std::nullopt;
     q.kind = "spans";

@@ -65,10 +65,24 @@ void add_run(std::vector<Painted>& painted, const Run& run, std::uint32_t id) {
         painted.push_back({run, id});
 }
 
-void draw_line(int y, std::vector<Painted> painted, Output& output, StepLog& log) {
+std::int64_t size_of(const std::vector<Painted>& painted) {
+    std::int64_t pixels = 0;
+    for (const auto& [run, id] : painted) pixels += run.x1 - run.x0;
+    return pixels;
+}
+
+void draw_line(const Input& input, int y, std::vector<Painted> painted, Output& output,
+               StepLog& log) {
     if (painted.empty()) return;
     add_painted(output.list, painted);
-    if (log.on()) log.add({Level::Line, Action::Draw, {}, "", "", y, std::move(painted)});
+    if (log.on())
+        log.add({.level = Level::Line,
+                 .action = Action::Draw,
+                 .test = "draw",
+                 .result = "line",
+                 .values = {{"spans", std::int64_t(painted.size())}},
+                 .window = line_of(input, y),
+                 .painted = std::move(painted)});
 }
 
 void draw_piece(const Input& input, const Piece& piece, Output& output, StepLog& log) {
@@ -80,7 +94,18 @@ void draw_piece(const Input& input, const Piece& piece, Output& output, StepLog&
     add_painted(output.list, painted);
     output.pieces.push_back(piece);
     if (log.on())
-        log.add({Level::Polygon, Action::Draw, {polygon.id}, "", "", -1, std::move(painted)});
+        log.add({.action = Action::Draw,
+                 .test = "draw",
+                 .result = "piece",
+                 .pieces = {piece.name},
+                 .values = {{"pixels", size_of(painted)}},
+                 .painted = std::move(painted)});
+}
+
+std::vector<WatchedCount> watched(const Counts& counts) {
+    std::vector<WatchedCount> all;
+    for (const auto& [name, count] : count_names()) all.push_back({name, &(counts.*count)});
+    return all;
 }
 
 std::span<const CountName> count_names() {

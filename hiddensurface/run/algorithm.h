@@ -58,6 +58,9 @@ struct CountName {
 /// All counts in this order, for tables, CSV and JSON.
 std::span<const CountName> count_names();
 
+/// All of them, to be watched by a log.
+std::vector<WatchedCount> watched(const Counts& counts);
+
 struct Input {
     const scene::Scene& scene;
     const scene::View& view;
@@ -126,8 +129,19 @@ void add_painted(CommandList& list, const std::vector<Painted>& painted);
 /// Appends a run, or joins it to the last one that it continues.
 void add_run(std::vector<Painted>& painted, const Run& run, std::uint32_t id);
 
+/// For a step's window: the whole scan line; the run's pixels.
+inline Rect line_of(const Input& input, int y) { return {0, y, input.view.width, 1}; }
+inline Rect pixels_of(const Run& run) { return {run.x0, run.y, run.x1 - run.x0, 1}; }
+/// For a step's values: y on the grid counted downwards.
+inline double from_top(const Input& input, double y) {
+    return double(input.view.height) * (1 << input.subpixel_bits()) - y;
+}
+/// The number of pixels.
+std::int64_t size_of(const std::vector<Painted>& painted);
+
 /// Draws a scan line: spans in the list, a step in the log.
-void draw_line(int y, std::vector<Painted> painted, Output& output, StepLog& log);
+void draw_line(const Input& input, int y, std::vector<Painted> painted, Output& output,
+               StepLog& log);
 
 /// Draws a piece: spans in the list, a step in the log, counted.
 void draw_piece(const Input& input, const Piece& piece, Output& output, StepLog& log);

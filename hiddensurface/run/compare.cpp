@@ -45,6 +45,7 @@ double distance(const CutEdge& edge, const dvec2& p) {
 
 Result run_on(Machine& machine, const Algorithm& algorithm, const Input& input, StepLog& log) {
     Output output = algorithm.run(input, log);
+    log.watch({});
     Result result{.counts = output.counts,
                   .pieces = std::move(output.pieces),
                   .shares = std::move(output.shares)};

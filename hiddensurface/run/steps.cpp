@@ -1,65 +1,13 @@
-// Steps as lines of JSON.
 #include "hiddensurface/run/steps.h"
 
 #include "gw/error.h"
 
-#include <nlohmann/json.hpp>
-
 #include <array>
+#include <charconv>
 #include <utility>
 
 namespace gw::hiddensurface {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr std::array level_names{"polygon", "line", "span", "pixel"};
-constexpr std::array action_names{"compare", "decide", "sort", "split", "draw"};
-
-template <class Enum, std::size_t N>
-Enum enum_from(const std::array<const char*, N>& names, const std::string& word) {
-    for (std::size_t i = 0; i < N; ++i)
-        if (word == names[i]) return static_cast<Enum>(i);
-    throw Error("unknown word '" + word + "' in a step; expected a line that gw hidden wrote");
-}
-
-Json json_of(const std::vector<Loop>& loops) {
-    Json out = Json::array();
-    for (const Loop& loop : loops) {
-        Json points = Json::array();
-        for (const dvec3& p : loop) points.push_back({p.x, p.y, p.z});
-        out.push_back(points);
-    }
-    return out;
-}
-
-std::vector<Loop> loops_from(const Json& json) {
-    std::vector<Loop> loops;
-    for (const Json& points : json) {
-        Loop loop;
-        for (const Json& p : points) loop.emplace_back(p.at(0), p.at(1), p.at(2));
-        loops.push_back(loop);
-    }
-    return loops;
-}
-
-Step parse(const std::string& line) {
-    const Json json = Json::parse(line);
-    Step step;
-    step.level = enum_from<Level>(level_names, json.at("level"));
-    step.action = enum_from<Action>(action_names, json.at("action"));
-    step.polygons = json.value("polygons", step.polygons);
-    step.test = json.value("test", "");
-    step.result = json.value("result", "");
-    step.row = json.value("row", -1);
-    for (const Json& p : json.value("painted", Json::array()))
-        step.painted.push_back({{p.at(0), p.at(1), p.at(2)}, p.at(3)});
-    step.before = loops_from(json.value("before", Json::array()));
-    step.behind = loops_from(json.value("behind", Json::array()));
-    if (const Json w = json.value("window", Json::array()); !w.empty())
-        step.window = {w.at(0), w.at(1), w.at(2), w.at(3)};
-    return step;
-}
 
 void check(const Step& step, int width, int height) {
     for (const auto& [run, id] : step.painted)
@@ -73,29 +21,33 @@ void check(const Step& step, int width, int height) {
 
 }  // namespace
 
-const char* name_of(Level level) { return level_names[std::size_t(level)]; }
-const char* name_of(Action action) { return action_names[std::size_t(action)]; }
-
-std::string to_json(const Step& step) {
-    Json json{{"level", name_of(step.level)}, {"action", name_of(step.action)}};
-    if (!step.polygons.empty()) json["polygons"] = step.polygons;
-    if (!step.test.empty()) json["test"] = step.test;
-    if (!step.result.empty()) json["result"] = step.result;
-    if (step.row >= 0) json["row"] = step.row;
-    for (const auto& [run, id] : step.painted)
-        json["painted"].push_back({run.y, run.x0, run.x1, id});
-    if (!step.before.empty()) json["before"] = json_of(step.before);
-    if (!step.behind.empty()) json["behind"] = json_of(step.behind);
-    if (const Rect& w = step.window; w.width > 0) json["window"] = {w.x, w.y, w.width, w.height};
-    return json.dump();
+const char* name_of(Level level) {
+    constexpr std::array names{"polygon", "line", "span", "pixel"};
+    return names[std::size_t(level)];
+}
+const char* name_of(Action action) {
+    constexpr std::array names{"compare", "decide", "sort", "split", "draw"};
+    return names[std::size_t(action)];
 }
 
-Step step_from_json(const std::string& line) {
-    try {
-        return parse(line);
-    } catch (const nlohmann::json::exception& error) {
-        throw Error(std::string(error.what()) + "; expected a line that gw hidden wrote");
-    }
+std::uint32_t polygon_of(const std::string& piece) {
+    std::uint32_t polygon = 0;
+    std::from_chars(piece.data(), piece.data() + piece.size(), polygon);
+    return polygon;
+}
+
+void StepLog::add(Step step) {
+    if (!wants(step.level) && !(on_ && step.action == Action::Draw)) return;
+    if (steps_.size() == most_steps)
+        throw Error(
+            "the log has more than 2,000,000 steps; expected a smaller --size or a coarser "
+            "--level");
+    for (WatchedCount& watched : watched_)
+        if (const std::uint64_t now = *watched.count; now != watched.last) {
+            step.counts.emplace_back(watched.name, now);
+            watched.last = now;
+        }
+    steps_.push_back(std::move(step));
 }
 
 Replay::Replay(std::vector<Step> steps, int width, int height)
@@ -116,7 +68,7 @@ void Replay::forward() {
     for_painted(step, [&](std::uint32_t& pixel, std::uint32_t id) {
         undo.ids.push_back(std::exchange(pixel, id));
     });
-    if (step.action == Action::Sort) undo.order = std::exchange(order_, step.polygons);
+    if (step.action == Action::Sort) undo.order = std::exchange(order_, step.pieces);
     undo_.push_back(std::move(undo));
 }
 

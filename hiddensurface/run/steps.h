@@ -1,11 +1,14 @@
-// The step log: an algorithm's comparisons, decisions, splits and draws, in order. Replay rebuilds
-// the picture and the list's order after every step from the log alone. Does not draw.
+// The step log: an algorithm's comparisons, decisions, splits and draws, in order, with the values
+// that decided them. Replay rebuilds the picture and the list's order after every step from the log
+// alone. Does not draw.
 #pragma once
 
 #include "hiddensurface/model/grid.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace gw::hiddensurface {
@@ -13,6 +16,8 @@ namespace gw::hiddensurface {
 /// The detail of a log; each level includes the ones before it.
 enum class Level { Polygon, Line, Span, Pixel };
 enum class Action { Compare, Decide, Sort, Split, Draw };
+const char* name_of(Level level);
+const char* name_of(Action action);
 
 /// Pixels that get a polygon's identifier.
 struct Painted {
@@ -21,18 +26,54 @@ struct Painted {
     bool operator==(const Painted&) const = default;
 };
 
+/// What decided a step. y counts downwards here, as in pictures; rows and Loops of a Step count
+/// upwards, as in the machine.
+using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<std::int64_t>,
+                           std::vector<double>, std::vector<std::string>>;
+using Values = std::vector<std::pair<std::string, Value>>;
+
+/// A piece, named by the polygon and the cuts that made it: "3", "3a", "3ab".
+struct NamedOutline {
+    std::string name;
+    std::vector<Loop> outline;  ///< in grid units
+    bool operator==(const NamedOutline&) const = default;
+};
+
+/// A line and its visible parts, 0 .. 1, in grid units.
+struct DrawnLine {
+    dvec3 a{0}, b{0};
+    std::vector<std::pair<double, double>> visible;
+    bool operator==(const DrawnLine&) const = default;
+};
+
 struct Step {
     Level level = Level::Polygon;
     Action action = Action::Compare;
-    std::vector<std::uint32_t> polygons;  ///< their identifiers; of a Sort, the whole order
-    std::string test;                     ///< "x extents", "behind the plane", "D_f", ...
-    std::string result;                   ///< "disjoint", "behind", "swapped", ...
-    int row = -1;                         ///< the scan line; -1: none
-    std::vector<Painted> painted;         ///< Draw only: all changes of the picture
-    std::vector<Loop> before, behind;     ///< Split only: the pieces, in grid units
-    Rect window{};                        ///< the pixels in question; width 0: none
+    std::string test, result;         ///< both select the sentence: step_words.json
+    std::vector<std::string> pieces;  ///< their names; of a Sort, the whole order, far to near
+    Values values;
+    bool decisive = false;           ///< changes an order, cuts, rejects, or finds a failure
+    Rect window{};                   ///< the pixels in question; width 0: none
+    std::vector<Painted> painted;    ///< Draw only: all changes of the picture
+    std::vector<NamedOutline> made;  ///< new pieces
+    std::optional<DrawnLine> line;   ///< Draw only, of a hidden-line algorithm
+    std::vector<std::pair<std::string, std::uint64_t>>
+        counts;  ///< those changed since the last step
     bool operator==(const Step&) const = default;
 };
+
+/// The polygon of a piece, by its name.
+std::uint32_t polygon_of(const std::string& piece);
+
+/// A counter whose changes the steps hold.
+struct WatchedCount {
+    const char* name;
+    const std::uint64_t* count;
+    std::uint64_t last = 0;
+};
+
+/// More steps than this need too much memory.
+inline constexpr std::size_t most_steps = 2'000'000;
 
 class StepLog {
 public:
@@ -41,30 +82,20 @@ public:
     explicit StepLog(Level finest) : on_(true), finest_(finest) {}
 
     bool on() const { return on_; }
+    Level finest() const { return finest_; }
     bool wants(Level level) const { return on_ && level <= finest_; }
-    /// Records Draw steps at any level, others if they are wanted.
-    void add(Step step) {
-        if (wants(step.level) || (on_ && step.action == Action::Draw))
-            steps_.push_back(std::move(step));
-    }
-    void compare(std::vector<std::uint32_t> polygons, const char* test, const char* result) {
-        if (on_) add({Level::Polygon, Action::Compare, std::move(polygons), test, result});
-    }
+    /// Steps added from now on hold the changes of these counters, which must outlive them.
+    void watch(std::vector<WatchedCount> counts) { watched_ = std::move(counts); }
+    /// Records Draw steps at any level, others if they are wanted. Throws Error beyond most_steps.
+    void add(Step step);
     const std::vector<Step>& steps() const { return steps_; }
 
 private:
     bool on_ = false;
     Level finest_ = Level::Polygon;
+    std::vector<WatchedCount> watched_;
     std::vector<Step> steps_;
 };
-
-/// One line of JSON, without its end.
-std::string to_json(const Step& step);
-/// The step of a line that to_json wrote. Throws Error "what; expected what".
-Step step_from_json(const std::string& line);
-
-const char* name_of(Level level);
-const char* name_of(Action action);
 
 /// A step log played forwards and backwards.
 class Replay {
@@ -77,8 +108,8 @@ public:
     const Step& step(std::size_t i) const { return steps_[i]; }
     /// Identifiers after the steps done, bottom row first.
     const std::vector<std::uint32_t>& ids() const { return ids_; }
-    /// Identifiers in the order of the last Sort; empty before the first.
-    const std::vector<std::uint32_t>& order() const { return order_; }
+    /// The pieces in the order of the last Sort; empty before the first.
+    const std::vector<std::string>& order() const { return order_; }
 
     void forward();
     void backward();
@@ -86,14 +117,15 @@ public:
 
 private:
     struct Undo {
-        std::vector<std::uint32_t> ids;    ///< of the pixels painted, in the order painted
-        std::vector<std::uint32_t> order;  ///< of a Sort
+        std::vector<std::uint32_t> ids;  ///< of the pixels painted, in the order painted
+        std::vector<std::string> order;  ///< of a Sort
     };
     template <class Change>
     void for_painted(const Step& step, const Change& change);
 
     std::vector<Step> steps_;
-    std::vector<std::uint32_t> ids_, order_;
+    std::vector<std::uint32_t> ids_;
+    std::vector<std::string> order_;
     std::vector<Undo> undo_;
     int width_ = 0;
 };

@@ -11,9 +11,8 @@ namespace {
 
 class BspBuilder {
 public:
-    BspBuilder(const std::vector<Polygon>& polygons, std::size_t candidates,
-               const SplitSink& on_split)
-        : polygons_(polygons), candidates_(candidates), on_split_(on_split) {
+    BspBuilder(const std::vector<Polygon>& polygons, std::size_t candidates, const TreeSinks& sinks)
+        : polygons_(polygons), candidates_(candidates), sinks_(sinks) {
         tolerance_ = world_tolerance(polygons);
     }
 
@@ -64,15 +63,16 @@ private:
     void add_node(Pending from) {
         std::vector<TreePiece>& pieces = from.pieces;
         const std::size_t first = best(pieces), number = tree_.nodes.size();
-        const FacetIndex by = pieces[first].of;
-        TreeNode node{.plane = plane(by)};
+        TreeNode node{.plane = plane(pieces[first].of)};
         node.pieces.push_back(std::move(pieces[first]));
         pieces.erase(pieces.begin() + std::ptrdiff_t(first));
         Pending front{{}, number, true}, back{{}, number, false};
-        for (TreePiece& piece : pieces)
-            sort_in(std::move(piece), by, node, front.pieces, back.pieces);
+        for (TreePiece& piece : pieces) sort_in(std::move(piece), node, front.pieces, back.pieces);
         tree_.pieces += node.pieces.size();
         tree_.nodes.push_back(std::move(node));
+        if (sinks_.on_node)
+            sinks_.on_node({tree_, tree_.nodes.back(), number, from.parent, from.in_front,
+                            front.pieces.size(), back.pieces.size()});
         if (from.parent != no_node) {
             TreeNode& parent = tree_.nodes[from.parent];
             (from.in_front ? parent.front : parent.back) = number;
@@ -81,7 +81,7 @@ private:
         pending_.push_back(std::move(front));
     }
 
-    void sort_in(TreePiece piece, FacetIndex by, TreeNode& at, std::vector<TreePiece>& front,
+    void sort_in(TreePiece piece, TreeNode& at, std::vector<TreePiece>& front,
                  std::vector<TreePiece>& back) {
         switch (place(piece, at.plane)) {
             case Place::On: at.pieces.push_back(std::move(piece)); return;
@@ -89,16 +89,17 @@ private:
             case Place::Back: back.push_back(std::move(piece)); return;
             case Place::Both: break;
         }
-        auto [behind, before] = cut_piece(piece, by, at.plane);
+        const TreePiece& by = at.pieces.front();
+        auto [behind, before] = cut_piece(piece, by.of, at.plane);
         tree_.splits += 1;
-        if (on_split_) on_split_(piece, by, behind.parts, before.parts);
+        if (sinks_.on_split) sinks_.on_split(piece, by, behind, before);
         front.push_back(std::move(before));
         back.push_back(std::move(behind));
     }
 
     const std::vector<Polygon>& polygons_;
     std::size_t candidates_;
-    const SplitSink& on_split_;
+    const TreeSinks& sinks_;
     double tolerance_ = 0;
     Tree tree_;
     std::vector<Pending> pending_;
@@ -114,6 +115,13 @@ Place place_of(const TreePiece& piece, const dvec4& plane, double tolerance) {
             back = back || side(plane, p) < -tolerance;
         }
     return front && back ? Place::Both : front ? Place::Front : back ? Place::Back : Place::On;
+}
+
+std::vector<double> distances_of(const TreePiece& piece, const dvec4& plane) {
+    std::vector<double> distances;
+    for (const Loop& part : piece.parts)
+        for (const dvec3& p : part) distances.push_back(side(plane, p));
+    return distances;
 }
 
 std::pair<TreePiece, TreePiece> cut_piece(const TreePiece& piece, FacetIndex by,
@@ -153,12 +161,13 @@ double world_tolerance(const std::vector<Polygon>& polygons) {
 }
 
 Tree build_tree(const std::vector<Polygon>& polygons, const std::vector<std::size_t>& order,
-                std::size_t candidates, const SplitSink& on_split) {
-    return BspBuilder(polygons, candidates, on_split).build(order);
+                std::size_t candidates, const TreeSinks& sinks) {
+    return BspBuilder(polygons, candidates, sinks).build(order);
 }
 
 std::uint64_t far_to_near(const Tree& tree, const dvec4& eye,
-                          const std::function<void(const TreePiece&)>& visit) {
+                          const std::function<void(const TreePiece&)>& visit,
+                          const EyeSink& on_eye) {
     struct Open {
         const TreeNode* node;
         bool eye_in_front;
@@ -170,6 +179,7 @@ std::uint64_t far_to_near(const Tree& tree, const dvec4& eye,
             const TreeNode& n = tree.nodes[node];
             compared += 1;
             open.push_back({&n, dot4(n.plane, eye) >= 0});
+            if (on_eye) on_eye(node, dot4(n.plane, eye));
             node = open.back().eye_in_front ? n.back : n.front;
         }
     };

@@ -54,10 +54,29 @@ struct Tree {
     std::uint64_t plane_tests = 0;  ///< polygons compared with planes
 };
 
-/// Called for each split: the piece, the facet whose plane cuts it, its parts on the back and front
+/// The signed distance of each of the piece's corners to a plane of length 1.
+std::vector<double> distances_of(const TreePiece& piece, const dvec4& plane);
+
+/// Called for each split: the piece, the piece whose plane cuts it, its parts on the back and front
 /// side.
-using SplitSink = std::function<void(const TreePiece&, FacetIndex by, const std::vector<Loop>&,
-                                     const std::vector<Loop>&)>;
+using SplitSink = std::function<void(const TreePiece&, const TreePiece& by, const TreePiece& back,
+                                     const TreePiece& front)>;
+
+/// A node as it is made: its place, and the number of pieces left for each side.
+struct NewNode {
+    const Tree& tree;  ///< so far
+    const TreeNode& node;
+    std::size_t number = 0, parent = no_node;
+    bool in_front = false;  ///< of the parent
+    std::size_t front = 0, back = 0;
+};
+using NodeSink = std::function<void(const NewNode&)>;
+struct TreeSinks {
+    SplitSink on_split;
+    NodeSink on_node;
+};
+/// Called for each node of the walk: the eye's distance to the plane, above 0 in front.
+using EyeSink = std::function<void(std::size_t node, double distance)>;
 
 /// The number of splitters that the algorithms try at a node.
 inline constexpr std::size_t splitters_tried = 8;
@@ -65,11 +84,12 @@ inline constexpr std::size_t splitters_tried = 8;
 /// `order`: indices of polygons. Every node's plane is that of the piece that cuts fewest others, of
 /// `candidates` pieces spread evenly over the remaining ones (1: always the first).
 Tree build_tree(const std::vector<Polygon>& polygons, const std::vector<std::size_t>& order,
-                std::size_t candidates = 1, const SplitSink& on_split = {});
+                std::size_t candidates = 1, const TreeSinks& sinks = {});
 
 /// Visits every piece once, always after the pieces that it may hide. `eye`: (P_E, 1), or (direction
 /// towards it, 0). Returns the number of planes compared with the eye.
 std::uint64_t far_to_near(const Tree& tree, const dvec4& eye,
-                          const std::function<void(const TreePiece&)>& visit);
+                          const std::function<void(const TreePiece&)>& visit,
+                          const EyeSink& on_eye = {});
 
 }  // namespace gw::hiddensurface

@@ -94,7 +94,7 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 struct Separation {
     dvec4 plane{0};
-    std::optional<FacetIndex> by;  ///< the facet of the plane; none: it lies between faces
+    std::optional<TreePiece> by;  ///< the face of the plane; none: it lies between faces
     std::size_t cost = none;
 };
 
@@ -230,8 +230,7 @@ private:
             back += place == Place::Back || place == Place::On ? 1 : 0;
         }
         const std::size_t cost = 8 * cut + std::max(front, back);
-        if (front + cut > 0 && back + cut > 0 && cost < best.cost)
-            best = {by, pieces[face].of, cost};
+        if (front + cut > 0 && back + cut > 0 && cost < best.cost) best = {by, pieces[face], cost};
     }
 
     /// A piece in the plane goes behind it.
@@ -243,9 +242,9 @@ private:
             (place == Place::Front ? front : back).push_back(std::move(piece));
             return;
         }
-        auto [behind, before] = cut_piece(piece, at.by.value(), at.plane);
+        auto [behind, before] = cut_piece(piece, at.by.value().of, at.plane);
         tree_.splits += 1;
-        if (on_split_) on_split_(piece, at.by.value(), behind.parts, before.parts);
+        if (on_split_) on_split_(piece, at.by.value(), behind, before);
         front.push_back(std::move(before));
         back.push_back(std::move(behind));
     }
@@ -278,18 +277,22 @@ ClusterTree build_clusters(const std::vector<Polygon>& polygons, const SplitSink
 
 std::uint64_t far_to_near(const ClusterTree& tree, const std::vector<Polygon>& polygons,
                           const dvec4& eye,
-                          const std::function<void(const TreePiece&, const RankedSide&)>& visit) {
+                          const std::function<void(const TreePiece&, const RankedSide&)>& visit,
+                          const EyeSink& on_eye) {
     std::uint64_t asked = 0;
     std::vector<std::size_t> open{0};  // the farthest last
     while (!open.empty()) {
-        const ClusterNode& node = tree.nodes[open.back()];
+        const std::size_t number = open.back();
+        const ClusterNode& node = tree.nodes[number];
         open.pop_back();
         if (node.front == no_node) {
             asked += visit_cluster(node, polygons, eye, visit);
             continue;
         }
         asked += 1;
-        const bool in_front = dot4(node.plane, eye) >= 0;
+        const double distance = dot4(node.plane, eye);
+        const bool in_front = distance >= 0;
+        if (on_eye) on_eye(number, distance);
         open.push_back(in_front ? node.front : node.back);
         open.push_back(in_front ? node.back : node.front);
     }

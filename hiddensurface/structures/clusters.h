@@ -37,6 +37,7 @@ ClusterTree build_clusters(const std::vector<Polygon>& polygons, const SplitSink
 /// signs of D_f.
 std::uint64_t far_to_near(const ClusterTree& tree, const std::vector<Polygon>& polygons,
                           const dvec4& eye,
-                          const std::function<void(const TreePiece&, const RankedSide&)>& visit);
+                          const std::function<void(const TreePiece&, const RankedSide&)>& visit,
+                          const EyeSink& on_eye = {});
 
 }  // namespace gw::hiddensurface

@@ -32,10 +32,15 @@ void DepthPyramid::set(int x, int y, std::int64_t z) {
     }
 }
 
-bool DepthPyramid::hides(const Rect& rect, std::int64_t nearest, std::uint64_t& compared) const {
+std::pair<std::size_t, std::int64_t> DepthPyramid::around(const Rect& rect) const {
     const int x1 = rect.x + rect.width - 1, y1 = rect.y + rect.height - 1;
     std::size_t level = 0;
     while (rect.x >> level != x1 >> level || rect.y >> level != y1 >> level) ++level;
+    return {level, levels_[level].at(rect.x >> level, rect.y >> level)};
+}
+
+bool DepthPyramid::hides(const Rect& rect, std::int64_t nearest, std::uint64_t& compared) const {
+    const std::size_t level = around(rect).first;
     return hides(level, rect.x >> level, rect.y >> level, rect, nearest, compared);
 }
 

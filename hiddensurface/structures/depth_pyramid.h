@@ -5,6 +5,7 @@
 #include "gw/base/types.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace gw::hiddensurface {
@@ -20,6 +21,8 @@ public:
     /// Reads the lowest cell around it first, then the cells below those that are not nearer. Counts
     /// the cells read.
     bool hides(const Rect& rect, std::int64_t nearest, std::uint64_t& compared) const;
+    /// The lowest cell around `rect`: its level, pixels 0, and its depth.
+    std::pair<std::size_t, std::int64_t> around(const Rect& rect) const;
     std::uint64_t bytes() const;
 
 private:

@@ -31,6 +31,7 @@ public:
         for (std::size_t p = 0; p < input.polygons.size(); ++p)
             for (std::size_t t = 0; t < input.polygons[p].triangles.size(); ++t)
                 begin(p, t, order++);
+        if (log_.wants(Level::Line)) log_edge_table();
     }
 
     void run(const SpanSink& sink) {
@@ -38,6 +39,7 @@ public:
             for (Active& a : rows_[std::size_t(y)]) active_.push_back(std::move(a));
             rows_[std::size_t(y)] = {};
             const std::vector<Segment> segments = cut(y);
+            if (log_.wants(Level::Line) && !segments.empty()) log_segments(y, segments);
             if (!segments.empty()) sink(spans(y, segments));
         }
     }
@@ -122,7 +124,7 @@ private:
         const bool whole = std::all_of(over.begin(), over.end(), [&](const Segment* other) {
             return other == first || stays_before(run, *first, *other);
         });
-        if (log_.wants(Level::Span)) log_span(run, over, whole ? "one nearest" : "they cross");
+        if (log_.wants(Level::Span)) log_span(run, over, *first, whole);
         if (whole) return add(run, *first, line);
         for (int x = run.x0; x < run.x1; ++x) {
             add({run.y, x, x + 1}, *nearest(over, walks), line);
@@ -167,10 +169,56 @@ private:
         }
     }
 
-    void log_span(const Run& run, const std::vector<const Segment*>& over, const char* result) {
-        Step step{Level::Span, Action::Compare, {}, "at both ends", result, run.y};
-        for (const Segment* s : over) step.polygons.push_back(input_.polygons[s->of->polygon].id);
-        step.before = {{dvec3(run.x0, run.y, 0), dvec3(run.x1, run.y, 0)}};
+    std::string name(const Active& a) const { return name_of(input_.polygons[a.polygon]); }
+
+    /// The polygons by their top rows, the highest first.
+    void log_edge_table() {
+        Step step{.level = Level::Line,
+                  .action = Action::Decide,
+                  .test = "edge-table",
+                  .result = "filled"};
+        std::vector<std::int64_t> rows;
+        for (std::size_t y = rows_.size(); y-- > 0;)
+            for (const Active& a : rows_[y]) {
+                step.pieces.push_back(name(a));
+                rows.push_back(std::int64_t(rows_.size() - 1 - y));
+            }
+        step.values = {{"rows", rows}};
+        log_.add(std::move(step));
+    }
+
+    void log_segments(int y, const std::vector<Segment>& segments) {
+        Step step{.level = Level::Line,
+                  .test = "active-edges",
+                  .result = "segments",
+                  .window = line_of(input_, y)};
+        std::vector<std::int64_t> x0, x1;
+        for (const Segment& s : segments) {
+            step.pieces.push_back(name(*s.of));
+            x0.push_back(s.x0);
+            x1.push_back(s.x1);
+        }
+        step.values = {{"x0", x0}, {"x1", x1}};
+        log_.add(std::move(step));
+    }
+
+    /// `whole`: `nearest` is so in the whole span.
+    void log_span(const Run& run, const std::vector<const Segment*>& over, const Segment& nearest,
+                  bool whole) {
+        Step step{.level = Level::Span,
+                  .test = "span",
+                  .result = !whole             ? "they-cross"
+                            : over.size() == 1 ? "one"
+                                               : "one-nearest",
+                  .decisive = over.size() > 1,
+                  .window = pixels_of(run)};
+        std::vector<std::int64_t> left, right;
+        for (const Segment* s : over) {
+            step.pieces.push_back(name(*s->of));
+            left.push_back(s->of->depth->at(run.x0, run.y));
+            right.push_back(s->of->depth->at(run.x1 - 1, run.y));
+        }
+        step.values = {{"nearest", name(*nearest.of)}, {"z_left", left}, {"z_right", right}};
         log_.add(std::move(step));
     }
 

@@ -21,8 +21,12 @@ void add(Counts& sum, const Counts& counts) {
 void expect_few_differences(const Algorithm& algorithm, const Family& family, const Counts& sum) {
     EXPECT_GT(sum.pixels, 2000u);
     if (algorithm.in_world) {
-        EXPECT_LE((sum.ties + sum.edges) * 500, sum.pixels) << algorithm.name;
-        EXPECT_LE(sum.snapped * family.snapped_one_in, sum.pixels) << algorithm.name;
+        // As in test_families.cpp: on one plane, Newell's cuts are among what the snap turns over.
+        const bool one_plane = family.snapped_one_in < 10 && algorithm.name == "newell";
+        const std::uint64_t edges = sum.ties + sum.edges;
+        EXPECT_LE(one_plane ? 0 : edges * 500, sum.pixels) << algorithm.name;
+        EXPECT_LE((sum.snapped + (one_plane ? edges : 0)) * family.snapped_one_in, sum.pixels)
+            << algorithm.name;
     } else {
         EXPECT_EQ(sum.edges, 0u) << algorithm.name;
         EXPECT_EQ(sum.snapped, 0u) << algorithm.name;

@@ -46,7 +46,7 @@ TEST(Snap, IsWhatTurnsTwoSurfacesOver) {
     const Counts tree = trial.run("bsp").counts;
     EXPECT_GT(tree.snapped, 500u);
     EXPECT_EQ(tree.wrong, 0u);
-    EXPECT_EQ(trial.run("newell").ids, trial.z_buffer.ids);
+    EXPECT_EQ(trial.run("scan-line").ids, trial.z_buffer.ids);
 }
 
 TEST(Snap, ExcusesNothingThatIsBehindInTheScene) {
@@ -87,7 +87,7 @@ TEST(Snap, MovesFacetsSeenFromTheEdgeByTheSlopesOfTheScene) {
     EXPECT_EQ(tree.difference[320 * 93 + 20], Difference::Snap);
     EXPECT_EQ(tree.ids[320 * 93 + 20], 1u);
     EXPECT_EQ(trial.z_buffer.ids[320 * 93 + 20], 2u);
-    EXPECT_EQ(trial.run("newell").ids, trial.z_buffer.ids);
+    EXPECT_EQ(trial.run("scan-line").ids, trial.z_buffer.ids);
 }
 
 }  // namespace gw::hiddensurface

@@ -8,6 +8,7 @@
 #include "hiddensurface/lines/draw_lines.h"
 #include "hiddensurface/lines/horizon.h"
 #include "hiddensurface/model/normal.h"
+#include "hiddensurface/run/step_json.h"
 #include "hiddensurface/structures/scan_conversion.h"
 #include "test_paths.h"
 #include "tests/hiddensurface/families.h"
@@ -255,8 +256,10 @@ TEST(Lines, LogEveryChangeOfTheNumber) {
         for (const Step& step : log.steps()) {
             drawn += step.action == Action::Draw ? 1 : 0;
             changes += step.level == Level::Span ? 1 : 0;
-            pierced += step.test == "goes through" ? 1 : 0;
-            EXPECT_EQ(to_json(step_from_json(to_json(step))), to_json(step));
+            pierced += step.test == "pierced" ? 1 : 0;
+            const std::string line = to_json(step, 1, grid_of(trial.input));
+            EXPECT_EQ(to_json(step_from_json(line, grid_of(trial.input)), 1, grid_of(trial.input)),
+                      line);
         }
         EXPECT_EQ(drawn, output.lines.size());
     }

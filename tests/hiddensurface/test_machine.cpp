@@ -1,7 +1,7 @@
 // Claims: without a Z plane means without one; the picture comes from the machine; counts and logs
 // are true.
 #include "gw/error.h"
-#include "hiddensurface/run/steps.h"
+#include "hiddensurface/run/step_json.h"
 #include "tests/hiddensurface/cases.h"
 
 #include <gtest/gtest.h>
@@ -72,14 +72,16 @@ TEST(Counts, AddUp) {
 
 TEST(StepLog, RebuildsThePictureForwardsAndEveryStateBackwards) {
     Trial trial(random_triangles(8, 8), vgx(), 160, 120);
+    const PictureGrid grid = grid_of(trial.input);
     for (const Level level : {Level::Polygon, Level::Pixel})
         for (const Algorithm& algorithm : algorithms()) {
             StepLog log(level);
             const Result result = trial.run(algorithm.name, log);
             std::vector<Step> steps;
             for (const Step& step : log.steps()) {
-                steps.push_back(step_from_json(to_json(step)));
-                EXPECT_EQ(steps.back(), step);
+                const std::string line = to_json(step, steps.size() + 1, grid);
+                steps.push_back(step_from_json(line, grid));
+                EXPECT_EQ(to_json(steps.back(), steps.size(), grid), line);
             }
             Replay replay(std::move(steps), 160, 120);
             const std::size_t middle = replay.size() / 2;
@@ -97,9 +99,10 @@ TEST(StepLog, RebuildsThePictureForwardsAndEveryStateBackwards) {
 }
 
 TEST(StepLog, RefusesLinesThatItDidNotWrite) {
-    EXPECT_THROW(step_from_json("{"), Error);
-    EXPECT_THROW(step_from_json("{}"), Error);
-    EXPECT_THROW(step_from_json(R"({"level":"polygon","action":"juggle"})"), Error);
+    const PictureGrid grid{8, 8};
+    EXPECT_THROW(step_from_json("{", grid), Error);
+    EXPECT_THROW(step_from_json("{}", grid), Error);
+    EXPECT_THROW(step_from_json(R"({"level":"polygon","kind":"juggle"})", grid), Error);
     EXPECT_THROW(Replay({Step{.action = Action::Draw, .painted = {{{0, 5, 9}, 1}}}}, 8, 8), Error);
     EXPECT_THROW(Replay({Step{.window = {4, 0, 5, 1}}}, 8, 8), Error);
 }

@@ -130,18 +130,22 @@ TEST_F(Hidden, PrintsATableThatATerminalHolds) {
 
 TEST_F(Hidden, WritesOverEachPictureWhatItShows) {
     hiddensurface::Replay replay({{.action = hiddensurface::Action::Compare,
-                                   .polygons = {7, 8},
-                                   .test = "x",
-                                   .result = "yes"}},
+                                   .test = "5-projections",
+                                   .result = "yes",
+                                   .pieces = {"7", "8a"}}},
                                  4, 4);
     replay.go_to(1);
-    const auto lines = caption_of_step("newell", replay);
-    ASSERT_EQ(lines.size(), 3u);
+    const scene::Scene scene;
+    scene::View view;
+    view.width = view.height = 4;
+    const auto lines = caption_of_step("newell", {scene, view, vgx(), {}}, replay);
+    ASSERT_EQ(lines.size(), 2 + lines_of_sentence);
     EXPECT_EQ(lines[0][0].text, "newell");
     EXPECT_EQ(lines[0][1].text, "1 of 1");
     EXPECT_EQ(lines[1][1].text, "7");
-    EXPECT_EQ(lines[1][2].text, "8");
-    EXPECT_EQ(lines[2][1].text, "yes");
+    EXPECT_EQ(lines[1][2].text, "8a");
+    EXPECT_EQ(lines[2][0].text, "Test");
+    EXPECT_EQ(lines[2][1].text, "5:");
     const auto cells = captions_of("bsp", {.snapped = 5, .wrong = 3});
     EXPECT_EQ(cells[0][0][0].text, "bsp");
     EXPECT_EQ(cells[1][0][0].text, "3 wrong");
@@ -195,7 +199,7 @@ TEST_F(Hidden, DrawsHiddenLinesWithStepsAndCounts) {
         int lines = 0;
         for (std::string line; std::getline(log, line); ++lines)
             EXPECT_TRUE(nlohmann::json::accept(line));
-        EXPECT_EQ(lines, 9);  // three triangles
+        EXPECT_EQ(lines, 11);  // header, the sides of three triangles, end
     }
     const Outcome json = hidden({"--algorithm", "appel", "--json"});
     EXPECT_EQ(nlohmann::json::parse(json.out)[0]["counts"]["lines"], 9);
