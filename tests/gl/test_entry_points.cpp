@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <string_view>
 
 namespace gw::gl {
 namespace {
@@ -42,6 +43,17 @@ TEST(EntryPoints, OfLaterVersionsSetInvalidOperation) {
         reinterpret_cast<std::intptr_t (*)()>(point.address)();
         EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION)) << point.name;
     }
+}
+
+/// Linux' OpenGL ABI lets programs link with the 34 functions of ARB_multitexture.
+TEST(EntryPoints, HaveTheNamesOfMultitexture) {
+    const auto count = std::ranges::count_if(later_entry_points(), [](const EntryPoint& point) {
+        return std::string_view(point.name).ends_with("ARB");
+    });
+    EXPECT_EQ(count, 34);
+    for (const char* name : {"glActiveTextureARB", "glClientActiveTextureARB",
+                             "glMultiTexCoord1dARB", "glMultiTexCoord4svARB"})
+        EXPECT_NE(find_entry_point(name), nullptr) << name;
 }
 
 TEST(EntryPoints, DoNothingWithoutAContext) {
