@@ -48,7 +48,7 @@ private:
         Context& c = *context;
         if constexpr (is_listed(kind)) {
             if (c.lists.open && !is_for_proxy<execute>(values...)) [[unlikely]] {
-                c.lists.open->template add<kind, execute>(function, values...);
+                guarded(c, [&] { c.lists.open->template add<kind, execute>(function, values...); });
                 if (c.lists.mode == GL_COMPILE) return Result();
             }
         }

@@ -1,5 +1,6 @@
 // Clears, the accumulation buffer, draw and read buffers. [GL11] 4.2
 #include "gl/api/calls.h"
+#include "gl/api/finite.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
 
@@ -48,7 +49,7 @@ void accum(Context& c, GLenum op, GLfloat value) {
     if (c.selection.mode != GL_RENDER) return;
     constexpr std::array operations{AccumOp::Accum, AccumOp::Load, AccumOp::Return, AccumOp::Mult,
                                     AccumOp::Add};
-    submit_command(c, Accumulate{operations[op - GL_ACCUM], value});
+    submit_command(c, Accumulate{operations[op - GL_ACCUM], float(finite(double(value)))});
 }
 
 void draw_buffer(Context& c, GLenum mode) {

@@ -39,6 +39,8 @@ gw::DrawPixels rectangle(Context& c, GLsizei width, GLsizei height) {
     return out;
 }
 
+/// Beyond what a copy of the machine names.
+bool is_far(GLint at) { return at < -max_window_size || at > max_window_size; }
 bool is_size(GLsizei size) { return size >= 0 && size <= max_window_size; }
 
 /// Whether a rectangle draws: not in feedback, which gets `token`, nor in selection.
@@ -170,8 +172,7 @@ void copy_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
                         : type == GL_DEPTH ? Plane::Depth
                                            : Plane::Stencil;
     gw::DrawPixels out = rectangle(c, width, height);
-    const bool is_far = std::abs(x) > max_window_size || std::abs(y) > max_window_size;
-    if (is_far) return;
+    if (is_far(x) || is_far(y)) return;
     if (is_identity(c.state.pixel, plane))
         out.source = PixelSource{plane, x, y};
     else

@@ -33,12 +33,10 @@ void end_hit(Context& c) {
     for (const GLuint name : s.names) put(name);
 }
 
-/// Before a change of the name stack: false if names are ignored, outside of selection.
-bool begin_name_change(Context& c) {
-    if (c.selection.mode != GL_SELECT) return false;
+/// Ends the hits of the names so far, before they change.
+void begin_name_change(Context& c) {
     flush_mesh(c);
     end_hit(c);
-    return true;
 }
 
 /// The result of a mode that ends.
@@ -58,25 +56,32 @@ bool is_feedback_type(GLenum type) { return type >= GL_2D && type <= GL_4D_COLOR
 
 namespace execute {
 
+// Outside of selection, names are ignored. A call that is an error writes no hit record.
+
 void init_names(Context& c) {
-    if (begin_name_change(c)) c.selection.names.clear();
+    if (c.selection.mode != GL_SELECT) return;
+    begin_name_change(c);
+    c.selection.names.clear();
 }
 
 void load_name(Context& c, GLuint name) {
-    if (!begin_name_change(c)) return;
+    if (c.selection.mode != GL_SELECT) return;
     if (c.selection.names.empty()) return set_error(c, GL_INVALID_OPERATION);
+    begin_name_change(c);
     c.selection.names.back() = name;
 }
 
 void push_name(Context& c, GLuint name) {
-    if (!begin_name_change(c)) return;
+    if (c.selection.mode != GL_SELECT) return;
     if (c.selection.names.size() >= name_stack_depth) return set_error(c, GL_STACK_OVERFLOW);
+    begin_name_change(c);
     c.selection.names.push_back(name);
 }
 
 void pop_name(Context& c) {
-    if (!begin_name_change(c)) return;
+    if (c.selection.mode != GL_SELECT) return;
     if (c.selection.names.empty()) return set_error(c, GL_STACK_UNDERFLOW);
+    begin_name_change(c);
     c.selection.names.pop_back();
 }
 

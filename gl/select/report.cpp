@@ -18,6 +18,7 @@ struct Given {
     std::vector<std::uint32_t> vertices;
     std::size_t provoking = 0;
     bool begins_stipple = true;  ///< of a line
+    std::vector<bool> edges;     ///< of a polygon: whether the side from each vertex is an edge
 };
 
 std::uint32_t vertex_index(const MeshData& data, std::size_t i) {
@@ -109,6 +110,7 @@ private:
     void report_point(const Reported& v);
     void report_line(const Reported& a, const Reported& b, bool first);
     void report_polygon(const std::vector<Reported>& vertices);
+    void report_outline(const std::vector<Vertex>& vertices, const Given& given, bool front);
 };
 
 Reported Reporter::reported(const Vertex& v, bool front) const {
@@ -161,6 +163,26 @@ void Reporter::report_polygon(const std::vector<Reported>& vertices) {
     for (const Reported& v : vertices) put(c.selection, v);
 }
 
+/// PolygonMode Point and Line: the polygon's edges, each clipped on its own, as the machine draws them.
+void Reporter::report_outline(const std::vector<Vertex>& vertices, const Given& given, bool front) {
+    const bool is_lines = mode_of(state, front) == gw::PolygonMode::Line;
+    bool is_first = true;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        if (!given.edges[i]) continue;
+        std::vector<Vertex> side{vertices[i]};
+        if (is_lines) side.push_back(vertices[(i + 1) % vertices.size()]);
+        const std::vector<Vertex> left = clip(std::move(side), sides_of_view_volume()).vertices;
+        if (left.empty()) continue;
+        const Reported first = reported(left.front(), front);
+        if (!is_lines) {
+            report_point(first);
+            continue;
+        }
+        report_line(first, reported(left.back(), front), is_first);
+        is_first = false;
+    }
+}
+
 void Reporter::report_given(const Given& given) {
     std::vector<Vertex> vertices;
     for (const std::uint32_t index : given.vertices) vertices.push_back(run_vertex(program, index));
@@ -171,23 +193,20 @@ void Reporter::report_given(const Given& given) {
             v.back_color = provoking.back_color;
         }
     }
-    const Clipped clipped = clip(std::move(vertices), sides_of_view_volume());
+    const Clipped clipped = clip(vertices, sides_of_view_volume());
     if (clipped.vertices.empty()) return;
     const bool is_polygon = given.vertices.size() > 2;
     const bool front = !is_polygon || is_front(clipped.vertices);
     if (is_polygon && state.cull.enable &&
         (state.cull.face == Face::FrontAndBack || (state.cull.face == Face::Front) == front))
         return;
+    if (is_polygon && mode_of(state, front) != gw::PolygonMode::Fill)
+        return report_outline(vertices, given, front);
     std::vector<Reported> out;
     for (const Vertex& v : clipped.vertices) out.push_back(reported(v, front));
     if (out.size() == 1) return report_point(out[0]);
     if (out.size() == 2) return report_line(out[0], out[1], given.begins_stipple);
-    const gw::PolygonMode mode = mode_of(state, front);
-    if (mode == gw::PolygonMode::Fill) return report_polygon(out);
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        if (mode == gw::PolygonMode::Point) report_point(out[i]);
-        if (mode == gw::PolygonMode::Line) report_line(out[i], out[(i + 1) % out.size()], i == 0);
-    }
+    report_polygon(out);
 }
 
 /// A quad of a strip has its third corner, which gives a flat colour, last (Assembly). It is reported
@@ -206,8 +225,11 @@ void report(Context& c, const Draw& submitted) {
     const MeshData& data = draw.mesh->data();
     for_each_run(data, [&](std::size_t first, std::size_t count) {
         Given given;
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < count; ++i) {
             given.vertices.push_back(vertex_index(data, first + i));
+            given.edges.push_back(data.edge_flags.empty() ||
+                                  data.edge_flags[given.vertices.back()] != 0);
+        }
         given.provoking = data.primitive == Primitive::Polygons ? 0 : count - 1;
         if (data.primitive == Primitive::Quads) begin_at_first_corner(given);
         given.begins_stipple = data.primitive != Primitive::LineStrip || first == 0;

@@ -18,7 +18,7 @@ std::vector<GLfloat> feedback(GLenum type, Draw draw) {
 }
 template <class Draw>
 std::vector<GLuint> hits(GLint expected, Draw draw) {
-    std::vector<GLuint> buffer(64, 0xABCDu);
+    std::vector<GLuint> buffer(80, 0xABCDu);
     glSelectBuffer(GLsizei(buffer.size()), buffer.data());
     glRenderMode(GL_SELECT);
     draw();
@@ -203,6 +203,38 @@ TEST(GlFeedback, PolygonModeGivesPointsAndLines) {
                                                  1, 1, 4, GL_LINE_TOKEN, 1, 4, 1, 1}));
 }
 
+/// [GL11] 2.6.2: sides that are no edges leave their lines and points out.
+TEST(GlFeedback, PolygonModeLeavesOutWhatIsNoEdge) {
+    const Window window;
+    use_pixel_coordinates(window);
+    const auto triangle = [] {
+        glBegin(GL_TRIANGLES);
+        glEdgeFlag(GL_FALSE);
+        glVertex2f(1, 1);
+        glEdgeFlag(GL_TRUE);
+        glVertex2f(4, 1);
+        glVertex2f(1, 4);
+        glEnd();
+    };
+    glPolygonMode(GL_FRONT_AND_BACK, GL_POINT);
+    EXPECT_EQ(feedback(GL_2D, triangle), (Floats{GL_POINT_TOKEN, 4, 1, GL_POINT_TOKEN, 1, 4}));
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    EXPECT_EQ(feedback(GL_2D, triangle),
+              (Floats{GL_LINE_RESET_TOKEN, 4, 1, 1, 4, GL_LINE_TOKEN, 1, 4, 1, 1}));
+}
+
+/// Each side is clipped on its own, as the machine draws it: the volume's sides are no lines.
+TEST(GlFeedback, PolygonModeClipsEachSide) {
+    const Window window;
+    use_pixel_coordinates(window);
+    const auto triangle = [] { run(GL_TRIANGLES, {{-8, 8}, {8, 0}, {8, 16}}); };
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    EXPECT_EQ(feedback(GL_2D, triangle), (Floats{GL_LINE_RESET_TOKEN, 0, 4, 8, 0, GL_LINE_TOKEN, 8,
+                                                 0, 8, 16, GL_LINE_TOKEN, 8, 16, 0, 12}));
+    glPolygonMode(GL_FRONT_AND_BACK, GL_POINT);
+    EXPECT_EQ(feedback(GL_2D, triangle), (Floats{GL_POINT_TOKEN, 8, 0, GL_POINT_TOKEN, 8, 16}));
+}
+
 TEST(GlFeedback, PixelsAndPassThroughHaveTokens) {
     const Window window;
     use_pixel_coordinates(window);
@@ -254,6 +286,30 @@ TEST(GlSelection, RecordsHoldNamesAndDepths) {
     EXPECT_EQ(records[6], 0x80000000u);  // a half of 2^32 - 1, to nearest
     EXPECT_EQ(records[7], 0x80000000u);
     EXPECT_EQ(records[8], 7u);
+}
+
+/// [GL11] 2.5: they have no effect, so the hits before and after belong to one record.
+TEST(GlSelection, NamesThatAreErrorsWriteNoRecord) {
+    const Window window;
+    use_pixel_coordinates(window);
+    const auto point = [] { run(GL_POINTS, {{5, 5}}); };
+    EXPECT_EQ(hits(1,
+                   [&] {
+                       point();
+                       glLoadName(4);
+                       point();
+                       glPopName();
+                       point();
+                   }),
+              (Words{0, 0x80000000u, 0x80000000u}));
+    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
+    hits(1, [&] {
+        for (GLuint name = 0; name < 64; ++name) glPushName(name);
+        point();
+        glPushName(64);
+        point();
+    });
+    EXPECT_EQ(glGetError(), GLenum(GL_STACK_OVERFLOW));
 }
 
 TEST(GlSelection, DrawsNothingAndIgnoresNamesOutside) {

@@ -257,4 +257,88 @@ TEST(GlTextures, BindTextureTakesTheChangesOfOtherContexts) {
     EXPECT_EQ(wrap, GL_REPEAT);
 }
 
+/// Scale, bias and maps apply to uploads and to copies from the drawable.
+TEST(GlTextures, CopiesFromTheDrawableAreTransferred) {
+    const Window window;
+    glClearColor(0.2f, 0.4f, 0.6f, 0.8f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    const std::array<GLfloat, 2> swapped{1, 0};
+    for (const GLenum map : {GL_PIXEL_MAP_R_TO_R, GL_PIXEL_MAP_G_TO_G, GL_PIXEL_MAP_B_TO_B})
+        glPixelMapfv(map, 2, swapped.data());
+    glPixelMapfv(GL_PIXEL_MAP_A_TO_A, 2, swapped.data());
+    glPixelTransferi(GL_MAP_COLOR, 1);
+    glPixelTransferf(GL_GREEN_BIAS, 0.5f);
+    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 2, 2, 0);
+    std::array<std::array<GLubyte, 4>, 4> read{};
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
+    for (const auto& texel : read) EXPECT_EQ(texel, (std::array<GLubyte, 4>{255, 0, 0, 0}));
+}
+
+TEST(GlTextures, CopiesGoIntoAPart) {
+    const Window window;
+    use_pixel_coordinates(window);
+    const std::vector<GLubyte> black(4 * 8 * 4);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, black.data());
+    glColor3ub(10, 20, 30);
+    glRecti(5, 6, 6, 7);
+    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 3, 1, 4, 5, 3, 2);  // the rectangle is its pixel 1, 1
+    std::vector<std::array<GLubyte, 4>> read(8 * 4);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        const bool is_copied = i / 8 == 2 && i % 8 == 4;
+        EXPECT_EQ(read[i][2], is_copied ? 30 : 0) << i;
+    }
+    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 6, 1, 0, 0, 3, 1);
+    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_VALUE));
+}
+
+/// [GL11] tables 3.18 and 3.19, of texel (0.2, 0.4, 0.6, 0.8), fragment (1, 0.6, 0.4, 0.4) and
+/// environment colour (0, 1, 1, 0.2); the formats keep R, R A, A, R, RGB, RGBA.
+TEST(GlTextures, EnvironmentsOfEveryBaseFormat) {
+    struct Row {
+        GLint format;
+        GLint mode;
+        std::array<double, 4> color;
+    };
+    constexpr Row rows[] = {
+        {GL_ALPHA, GL_REPLACE, {1, 0.6, 0.4, 0.8}},
+        {GL_ALPHA, GL_MODULATE, {1, 0.6, 0.4, 0.32}},
+        {GL_ALPHA, GL_BLEND, {1, 0.6, 0.4, 0.32}},
+        {GL_LUMINANCE, GL_REPLACE, {0.2, 0.2, 0.2, 0.4}},
+        {GL_LUMINANCE, GL_MODULATE, {0.2, 0.12, 0.08, 0.4}},
+        {GL_LUMINANCE, GL_BLEND, {0.8, 0.68, 0.52, 0.4}},
+        {GL_LUMINANCE_ALPHA, GL_REPLACE, {0.2, 0.2, 0.2, 0.8}},
+        {GL_LUMINANCE_ALPHA, GL_MODULATE, {0.2, 0.12, 0.08, 0.32}},
+        {GL_LUMINANCE_ALPHA, GL_BLEND, {0.8, 0.68, 0.52, 0.32}},
+        {GL_INTENSITY, GL_REPLACE, {0.2, 0.2, 0.2, 0.2}},
+        {GL_INTENSITY, GL_MODULATE, {0.2, 0.12, 0.08, 0.08}},
+        {GL_INTENSITY, GL_BLEND, {0.8, 0.68, 0.52, 0.36}},
+        {GL_RGB, GL_REPLACE, {0.2, 0.4, 0.6, 0.4}},
+        {GL_RGB, GL_MODULATE, {0.2, 0.24, 0.24, 0.4}},
+        {GL_RGB, GL_DECAL, {0.2, 0.4, 0.6, 0.4}},
+        {GL_RGB, GL_BLEND, {0.8, 0.76, 0.76, 0.4}},
+        {GL_RGBA, GL_REPLACE, {0.2, 0.4, 0.6, 0.8}},
+        {GL_RGBA, GL_MODULATE, {0.2, 0.24, 0.24, 0.32}},
+        {GL_RGBA, GL_DECAL, {0.36, 113 / 255.0, 142 / 255.0, 0.4}},  // two rounded products
+        {GL_RGBA, GL_BLEND, {0.8, 0.76, 0.76, 0.32}},
+    };
+    const Window window;
+    const std::array<GLubyte, 4> texel{51, 102, 153, 204};
+    const std::array<GLfloat, 4> environment{0, 1, 1, 0.2f};
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, environment.data());
+    glEnable(GL_TEXTURE_2D);
+    glColor4f(1, 0.6f, 0.4f, 0.4f);
+    for (const Row& row : rows) {
+        glTexImage2D(GL_TEXTURE_2D, 0, row.format, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     texel.data());
+        glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, row.mode);
+        glRecti(-1, -1, 1, 1);
+        const auto pixel = window.pixel(9, 9);
+        for (std::size_t i = 0; i < 4; ++i)
+            EXPECT_EQ(int(pixel[i]), int(row.color[i] * 255 + 0.5))
+                << std::hex << row.format << " " << row.mode << " channel " << i;
+    }
+}
+
 }  // namespace gw::gl
