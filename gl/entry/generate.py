@@ -2,7 +2,7 @@
 """Makes C++ from the table of OpenGL's entry points: generate.py functions.txt FOLDER
 
 FOLDER/functions.h numbers them, FOLDER/entry_points.cpp and FOLDER/later.cpp define them and the tables behind
-gl/entry/entry_points.h.
+gl/entry/entry_points.h. FOLDER/names.inc has a line GW_GL_FUNCTION(Begin) for each that <GL/gl.h> declares, for tests.
 """
 import re
 import sys
@@ -104,6 +104,7 @@ def main():
     later = [row for row in rows if row[0] == "later"]
     known = [row for row in rows if row[0] != "later"]
     for name, lines in (("functions.h", functions_header([row[2] for row in known])),
+                        ("names.inc", [f"GW_GL_FUNCTION({row[2]})" for row in known if not row[2].endswith(("EXT", "ARB"))]),
                         ("entry_points.cpp", definitions(known)),
                         ("later.cpp", later_definitions(later))):
         with open(f"{folder}/{name}", "w", encoding="utf-8") as file:
