@@ -214,6 +214,7 @@ void Reporter::report_given(const Given& given) {
 void begin_at_first_corner(Given& quad) {
     if (quad.vertices[1] > quad.vertices[0]) return;
     std::rotate(quad.vertices.begin(), quad.vertices.begin() + 1, quad.vertices.end());
+    std::rotate(quad.edges.begin(), quad.edges.begin() + 1, quad.edges.end());
     quad.provoking = 2;
 }
 
