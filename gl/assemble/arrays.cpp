@@ -7,7 +7,9 @@
 #include "gl/pixels/formats.h"
 #include "gl/pixels/packed.h"
 
+#include <algorithm>
 #include <cstring>
+#include <vector>
 
 namespace gw::gl {
 
@@ -25,6 +27,10 @@ vec4 element(const ClientArray& a, GLint i, bool is_unit) {
     const std::size_t bytes = bytes_of(a.type);
     const std::size_t stride = a.stride != 0 ? std::size_t(a.stride) : bytes * std::size_t(a.size);
     const unsigned char* at = a.pointer + std::ptrdiff_t(i) * std::ptrdiff_t(stride);
+    if (a.type == GL_FLOAT) {
+        std::memcpy(&out[0], at, sizeof(float) * std::size_t(a.size));
+        return out;
+    }
     for (int k = 0; k < a.size; ++k, at += bytes)
         out[k] = float(load_component(a.type, reinterpret_cast<const std::byte*>(at), !is_unit));
 
@@ -37,32 +43,61 @@ void perform(Function function, Values... values) {
     call<Kind::Vertex, execute>(function, values...);
 }
 
+bool is_given(const ClientState& client, Array a) {
+    return client.array(a).enable && client.array(a).pointer != nullptr;
+}
+
 /// [GL11] 2.8: the order of the arrays, the vertex last.
-void send_element(const ClientState& client, GLint i) {
-    const auto enabled = [&](Array a) {
-        return client.array(a).enable && client.array(a).pointer != nullptr;
-    };
-    if (enabled(Array::EdgeFlag))
+void send_values(const ClientState& client, GLint i) {
+    if (is_given(client, Array::EdgeFlag))
         perform<execute::edge_flag>(
             Function::EdgeFlag, GLboolean(element(client.array(Array::EdgeFlag), i, false).x != 0));
-    if (enabled(Array::TexCoord)) {
+    if (is_given(client, Array::TexCoord)) {
         const vec4 v = element(client.array(Array::TexCoord), i, false);
         perform<execute::tex_coord>(Function::TexCoord4f, v.x, v.y, v.z, v.w);
     }
-    if (enabled(Array::Color)) {
+    if (is_given(client, Array::Color)) {
         const vec4 v = element(client.array(Array::Color), i, true);
         perform<execute::color>(Function::Color4f, v.x, v.y, v.z, v.w);
     }
-    if (enabled(Array::Index))
+    if (is_given(client, Array::Index))
         perform<execute::index>(Function::Indexf, element(client.array(Array::Index), i, false).x);
-    if (enabled(Array::Normal)) {
+    if (is_given(client, Array::Normal)) {
         const vec4 v = element(client.array(Array::Normal), i, true);
         perform<execute::normal>(Function::Normal3f, v.x, v.y, v.z);
     }
-    if (enabled(Array::Vertex)) {
-        const vec4 v = element(client.array(Array::Vertex), i, false);
-        perform<execute::vertex>(Function::Vertex4f, v.x, v.y, v.z, v.w);
+}
+void send_element(const ClientState& client, GLint i) {
+    send_values(client, i);
+    if (!is_given(client, Array::Vertex)) return;
+    const vec4 v = element(client.array(Array::Vertex), i, false);
+    perform<execute::vertex>(Function::Vertex4f, v.x, v.y, v.z, v.w);
+}
+
+/// Draws separate primitives whose vertices stand in the mesh once each. False, and nothing is done:
+/// the vertices are not shared, or not all of them can be drawn.
+template <class IndexOf>
+bool draw_shared(Context& c, GLenum mode, GLsizei count, IndexOf index_of) {
+    const int corners = Assembly::separate_corners(mode);
+    if (corners == 0 || !is_given(c.client, Array::Vertex)) return false;
+    std::vector<std::uint32_t> indices(std::size_t(count - count % corners));
+    if (indices.empty()) return false;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const GLint index = index_of(GLsizei(i));
+        if (index < 0) return false;
+        indices[i] = std::uint32_t(index);
     }
+    const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
+    const std::uint32_t first = *low, vertices = *high - first + 1;
+    if (vertices >= indices.size()) return false;
+
+    execute::begin(c, mode);
+    for (std::uint32_t i = 0; i < vertices; ++i) send_element(c.client, GLint(first + i));
+    for (std::uint32_t& index : indices) index -= first;
+    const bool whole = c.assembler.mesh.end_shared(vertices, indices);
+    c.assembler.inside = false;
+    if (whole) send_values(c.client, index_of(count - 1));
+    return whole;
 }
 
 /// After a draw of arrays, [GL11] 2.8 leaves the current values open. As elsewhere, they stay what they
@@ -247,6 +282,9 @@ void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const GL
     if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT)
         return set_error(c, GL_INVALID_ENUM);
     if (indices == nullptr) return;
+    if (!c.lists.open &&
+        draw_shared(c, mode, count, [&](GLsizei i) { return index_at(type, indices, i); }))
+        return;
     send_elements(c, Function::DrawElements, mode, count,
                   [&](GLsizei i) { return index_at(type, indices, i); });
 }

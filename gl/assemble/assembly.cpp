@@ -109,6 +109,27 @@ void Assembly::end_polygon(std::size_t n) {
     keep_order(n);
 }
 
+int Assembly::separate_corners(GLenum mode) {
+    switch (mode) {
+        case GL_POINTS: return 1;
+        case GL_LINES: return 2;
+        case GL_TRIANGLES: return 3;
+        case GL_QUADS: return 4;
+    }
+    return 0;
+}
+
+bool Assembly::end_shared(std::size_t vertex_count, std::span<const std::uint32_t> run_indices) {
+    if (vertices.size() - run_begin_ != vertex_count) {
+        vertices.resize(run_begin_);
+        return false;
+    }
+    use_indices();
+    for (const std::uint32_t i : run_indices)
+        indices.push_back(static_cast<std::uint32_t>(run_begin_) + i);
+    return true;
+}
+
 void Assembly::end() {
     const std::size_t n = vertices.size() - run_begin_;
     switch (mode_) {

@@ -7,6 +7,7 @@
 #include <GL/gl.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace gw::gl {
@@ -41,6 +42,11 @@ struct Assembly {
     }
     /// Ends the run; vertices of an incomplete primitive are dropped.
     void end();
+    /// The vertices of each primitive of a mode whose primitives share none; 0: another mode.
+    static int separate_corners(GLenum mode);
+    /// Ends a run of separate primitives, given by indices from its first vertex on. False: it has
+    /// not this many vertices, and is dropped.
+    bool end_shared(std::size_t vertex_count, std::span<const std::uint32_t> run_indices);
     /// Forgets the mesh, keeps the memory.
     void clear();
     bool empty() const { return vertices.empty(); }

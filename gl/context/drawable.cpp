@@ -96,22 +96,42 @@ void Drawable::swap() {
     begin_frame();
 }
 
-Readback Drawable::read_colors(gw::ReadBuffer buffer, const Rect& rect, bool packed) {
-    const auto lock = exclusive();
-    if ((last_state_ ? last_state_->read_buffer : gw::ReadBuffer::Front) != buffer) {
-        gw::State state = last_state_ ? *last_state_ : gw::State();
-        state.read_buffer = buffer;
-        set_state(state);
-    }
-    return read(Plane::Color, rect, packed);
+void Drawable::select(gw::ReadBuffer buffer) {
+    if ((last_state_ ? last_state_->read_buffer : gw::ReadBuffer::Front) == buffer) return;
+    gw::State state = last_state_ ? *last_state_ : gw::State();
+    state.read_buffer = buffer;
+    set_state(state);
 }
 
-Readback Drawable::read(Plane plane, const Rect& rect, bool packed) {
-    const auto lock = exclusive();
+void Drawable::execute_read(Plane plane, const Rect& rect, bool packed) {
     if (!frame_.commands.empty()) ++barriers_;
     frame_.add(Read{.key = 0, .plane = plane, .rect = rect, .packed = packed});
     flush();
+}
+
+Readback Drawable::read(Plane plane, const Rect& rect) {
+    const auto lock = exclusive();
+    execute_read(plane, rect, false);
     return machine_->readbacks().at(0);
+}
+
+Readback Drawable::read_colors(gw::ReadBuffer buffer, const Rect& rect) {
+    const auto lock = exclusive();
+    select(buffer);
+    return read(Plane::Color, rect);
+}
+
+void Drawable::read_packed(const Rect& rect, std::span<std::uint32_t> pixels) {
+    const auto lock = exclusive();
+    machine_->read_into(0, pixels);
+    execute_read(Plane::Color, rect, true);
+}
+
+void Drawable::read_packed(gw::ReadBuffer buffer, const Rect& rect,
+                           std::span<std::uint32_t> pixels) {
+    const auto lock = exclusive();
+    select(buffer);
+    read_packed(rect, pixels);
 }
 
 }  // namespace gw::gl

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -54,12 +55,13 @@ public:
     /// Shows the frame: to the window, or in the caller's memory.
     virtual void present() {}
     /// Executes the frame and reads a rectangle inside the drawable.
-    Readback read(Plane plane, const Rect& rect, bool packed = false);
+    Readback read(Plane plane, const Rect& rect);
     /// The colours of a buffer, whatever the read buffer is.
-    Readback read_colors(gw::ReadBuffer buffer, const Rect& rect, bool packed = false);
-    Readback read_front(const Rect& rect, bool packed = false) {
-        return read_colors(gw::ReadBuffer::Front, rect, packed);
-    }
+    Readback read_colors(gw::ReadBuffer buffer, const Rect& rect);
+    /// The same of at most 8 bits a channel, into the caller's memory: R in the lowest byte, then G,
+    /// B and A.
+    void read_packed(gw::ReadBuffer buffer, const Rect& rect, std::span<std::uint32_t> pixels);
+    void read_packed(const Rect& rect, std::span<std::uint32_t> pixels);
 
     /// New planes of another size, cleared to 0. What was not executed yet is left out.
     void resize(int width, int height);
@@ -73,6 +75,10 @@ protected:
     bool take_front_changed() { return std::exchange(front_changed_, false); }
 
 private:
+    void execute_read(Plane plane, const Rect& rect, bool packed);
+    /// Reads are of this buffer from here on.
+    void select(gw::ReadBuffer buffer);
+
     std::recursive_mutex mutex_;
     std::string name_;  ///< in recordings
     int width_, height_;

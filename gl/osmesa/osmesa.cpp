@@ -81,6 +81,7 @@ private:
     int row_length_ = 0;
     bool y_up_ = true;
     std::vector<std::uint32_t> depths_;
+    std::vector<std::uint32_t> packed_;  ///< the picture, as it is copied to memory
 };
 
 void Memory::store(unsigned char* at, const Rgba& color) const {
@@ -109,13 +110,19 @@ void Memory::present() {
     if (buffer_ == nullptr) return;
     const bool is_packed = layout_.format == OSMESA_RGBA && type_ == GL_UNSIGNED_BYTE &&
                            profile().color_bits == 8 && std::endian::native == std::endian::little;
-    const Readback read = read_front({0, 0, width(), height()}, is_packed);
+    const Rect all{0, 0, width(), height()};
+    Readback read;
+    packed_.resize(is_packed ? all.area() : 0);
+    if (is_packed)
+        read_packed(gw::ReadBuffer::Front, all, packed_);
+    else
+        read = read_colors(gw::ReadBuffer::Front, all);
     const std::size_t pixel = std::size_t(layout_.size) * component_size(type_);
     for (int y = 0; y < height(); ++y) {
         const int row = y_up_ ? y : height() - 1 - y;
         unsigned char* at = buffer_ + std::size_t(row) * std::size_t(row_length()) * pixel;
         if (is_packed) {
-            std::memcpy(at, &read.values[pixel_index(0, y, width())], 4 * std::size_t(width()));
+            std::memcpy(at, &packed_[pixel_index(0, y, width())], 4 * std::size_t(width()));
             continue;
         }
         for (int x = 0; x < width(); ++x, at += pixel)

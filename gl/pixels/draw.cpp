@@ -52,10 +52,6 @@ bool is_drawn(Context& c, GLenum token) {
     return false;
 }
 
-void set_colors(gw::DrawPixels& out, const Context& c, const std::vector<vec4>& colors) {
-    for (const vec4& color : colors)
-        out.colors.push_back(quantize_color(color, c.profile.color_bits));
-}
 void set_depths(gw::DrawPixels& out, const Context& c, const std::vector<double>& depths) {
     for (const double depth : depths) out.depths.push_back(quantize(depth, c.profile.depth_bits));
 }
@@ -74,9 +70,8 @@ bool is_identity(const PixelState& s, Plane plane) {
 /// The pixels of a copy, read and transferred by the front end.
 void set_transferred(gw::DrawPixels& out, Context& c, Plane plane, const Rect& rect) {
     if (plane == Plane::Color) {
-        std::vector<vec4> colors = read_colors(c, rect);
-        for (vec4& color : colors) color = transferred_color(c, color);
-        return set_colors(out, c, colors);
+        out.colors = read_rgba(c, rect, c.profile.color_bits);
+        return;
     }
     std::vector<double> values = read_values(c, plane, rect);
     if (plane == Plane::Depth) {
@@ -141,7 +136,7 @@ void draw_pixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenu
     else if (format == GL_STENCIL_INDEX)
         set_stencils(out, c, host_stencils(c, width, height, type, image));
     else
-        set_colors(out, c, host_colors(c, width, height, format, type, image));
+        out.colors = host_rgba(c, width, height, format, type, image, c.profile.color_bits);
     add_rectangle(c, std::move(out));
 }
 

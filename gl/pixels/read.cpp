@@ -6,6 +6,7 @@
 #include "gl/pixels/formats.h"
 #include "gl/pixels/memory.h"
 #include "gl/pixels/transfer.h"
+#include "gw/stages/resolve.h"
 
 #include <algorithm>
 
@@ -46,7 +47,34 @@ void submit_read_buffer(Context& c) {
     c.read_drawable->set_state(state);
 }
 
+/// The colours of a rectangle, 8 bits a channel; 0 outside the drawable.
+std::vector<std::uint32_t> read_words(Context& c, const Rect& rect) {
+    std::vector<std::uint32_t> out(rect.area(), 0);
+    const Rect inside = intersection(*c.read_drawable, rect);
+    if (inside.area() == 0) return out;
+    submit_read_buffer(c);
+    if (inside == rect) {
+        c.read_drawable->read_packed(rect, out);
+        return out;
+    }
+    std::vector<std::uint32_t> read(inside.area());
+    c.read_drawable->read_packed(inside, read);
+    place(out, rect, inside, [&](std::size_t i) { return read[i]; });
+    return out;
+}
+
+bool has_bytes(const Context& c) { return c.read_drawable->profile().color_bits == 8; }
+
 double largest(int bits) { return double((std::uint64_t{1} << bits) - 1); }
+
+/// The rows of a rectangle of colours for memory.
+std::vector<std::byte> packed_rows(Context& c, const Rect& rect, GLenum format, GLenum type) {
+    if (type == GL_UNSIGNED_BYTE && has_bytes(c))
+        if (auto rows = packed_bytes(c, read_words(c, rect), format)) return std::move(*rows);
+    std::vector<vec4> colors = read_colors(c, rect);
+    for (vec4& color : colors) color = transferred_color(c, color);
+    return packed_colors(colors, format, type);
+}
 
 }  // namespace
 
@@ -61,6 +89,14 @@ std::vector<vec4> read_colors(Context& c, const Rect& rect) {
         const Rgba& p = read.color[i];
         return vec4(p[0], p[1], p[2], p[3]) / scale;
     });
+    return out;
+}
+
+std::vector<Rgba> read_rgba(Context& c, const Rect& rect, int bits) {
+    if (has_bytes(c)) return transferred_rgba(c, read_words(c, rect), bits);
+    std::vector<Rgba> out;
+    for (const vec4& color : read_colors(c, rect))
+        out.push_back(quantize_color(transferred_color(c, color), bits));
     return out;
 }
 
@@ -93,9 +129,7 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
             v = is_depth ? transferred_depth(c, v) : double(transferred_stencil(c, v));
         rows = packed_values(values, width, format, type);
     } else {
-        std::vector<vec4> colors = read_colors(c, rect);
-        for (vec4& color : colors) color = transferred_color(c, color);
-        rows = packed_colors(colors, format, type);
+        rows = packed_rows(c, rect, format, type);
     }
     copy_to_memory(pixels, c.client.pack, width, height, format, type, rows);
 }

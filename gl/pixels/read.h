@@ -12,6 +12,8 @@ struct Context;
 
 /// Colours 0 .. 1, bottom row first; 0 outside the drawable. The context has a drawable.
 std::vector<vec4> read_colors(Context& c, const Rect& rect);
+/// The same after transfer, quantized to `bits` bits.
+std::vector<Rgba> read_rgba(Context& c, const Rect& rect, int bits);
 /// Depths 0 .. 1, or stencil values.
 std::vector<double> read_values(Context& c, Plane plane, const Rect& rect);
 

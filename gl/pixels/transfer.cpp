@@ -1,9 +1,13 @@
 #include "gl/pixels/transfer.h"
 
+#include "gl/api/convert.h"
 #include "gl/api/finite.h"
 #include "gl/context/context.h"
 #include "gl/pixels/formats.h"
 #include "gl/pixels/packed.h"
+
+#include "gw/base/arithmetic.h"
+#include "gw/stages/resolve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,6 +101,37 @@ void for_each_pixel(GLsizei width, GLsizei height, GLenum format, GLenum type,
     }
 }
 
+/// What becomes of each byte of each channel: transfer treats channels one by one.
+template <class T>
+using ByteTables = std::array<std::array<T, 256>, 4>;
+template <class T, class Value>
+ByteTables<T> byte_tables(const Context& c, Value value) {
+    ByteTables<T> tables;
+    for (std::size_t byte = 0; byte < 256; ++byte) {
+        const vec4 color = transferred_color(c, vec4(float(unit(GLubyte(byte)))));
+        for (std::size_t i = 0; i < 4; ++i) tables[i][byte] = value(color[int(i)]);
+    }
+    return tables;
+}
+template <class T>
+ByteTables<T> quantized_bytes(const Context& c, int bits) {
+    return byte_tables<T>(c, [&](float v) { return T(quantize(double(v), bits)); });
+}
+
+/// Smaller images are transferred without tables.
+constexpr std::size_t fewest_pixels = 512;
+
+/// The component that each channel comes from; 4: it is 0, 5: it is 1.
+std::array<std::size_t, 4> component_of_channel(GLenum format) {
+    const vec4 found = color_of(format, {2, 3, 4, 5});
+    std::array<std::size_t, 4> out{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const float v = found[int(i)];
+        out[i] = v >= 2 ? std::size_t(v) - 2 : v == 0 ? 4 : 5;
+    }
+    return out;
+}
+
 }  // namespace
 
 vec4 transferred_color(const Context& c, vec4 color) {
@@ -130,6 +165,43 @@ std::vector<vec4> host_colors(const Context& c, GLsizei width, GLsizei height, G
     return out;
 }
 
+std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format,
+                            GLenum type, const HostImage& image, int bits) {
+    const std::size_t pixels = std::size_t(width) * std::size_t(height);
+    std::vector<Rgba> out;
+    out.reserve(pixels);
+    if (type != GL_UNSIGNED_BYTE || format == GL_COLOR_INDEX || pixels < fewest_pixels) {
+        for (const vec4& color : host_colors(c, width, height, format, type, image))
+            out.push_back(quantize_color(color, bits));
+        return out;
+    }
+    const auto tables = quantized_bytes<std::uint16_t>(c, bits);
+    const auto from = component_of_channel(format);
+    const auto count = std::size_t(component_count(format));
+    const std::byte* at = image.bytes->data();
+    std::array<std::byte, 6> v{};
+    v[5] = std::byte{255};
+    for (std::size_t i = 0; i < pixels; ++i, at += count) {
+        std::copy_n(at, count, v.data());
+        const auto channel = [&](std::size_t k) {
+            return tables[k][std::to_integer<std::size_t>(v[from[k]])];
+        };
+        out.push_back({channel(0), channel(1), channel(2), channel(3)});
+    }
+    return out;
+}
+
+std::vector<Rgba> transferred_rgba(const Context& c, std::span<const std::uint32_t> pixels,
+                                   int bits) {
+    const auto tables = quantized_bytes<std::uint16_t>(c, bits);
+    std::vector<Rgba> out;
+    out.reserve(pixels.size());
+    for (const std::uint32_t p : pixels)
+        out.push_back({tables[0][p & 255], tables[1][p >> 8 & 255], tables[2][p >> 16 & 255],
+                       tables[3][p >> 24]});
+    return out;
+}
+
 std::vector<double> host_depths(const Context& c, GLsizei width, GLsizei height, GLenum type,
                                 const HostImage& image) {
     std::vector<double> out;
@@ -160,6 +232,27 @@ std::vector<std::byte> packed_colors(const std::vector<vec4>& colors, GLenum for
             for (std::size_t i = 0; i < count; ++i, at += bytes)
                 store_component(type, at, v[i], false);
     }
+    return out;
+}
+
+std::optional<std::vector<std::byte>> packed_bytes(const Context& c,
+                                                   std::span<const std::uint32_t> pixels,
+                                                   GLenum format) {
+    if (format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA) return std::nullopt;
+    const auto tables = byte_tables<std::byte>(c, [](float v) {
+        std::byte out;
+        store_component(GL_UNSIGNED_BYTE, &out, double(v), false);
+        return out;
+    });
+    const auto count = std::size_t(component_count(format));
+    const std::array<double, 4> channels = components_of(format, {0, 1, 2, 3});
+    std::vector<std::byte> out(pixels.size() * count);
+    std::byte* at = out.data();
+    for (const std::uint32_t p : pixels)
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto channel = std::size_t(channels[i]);
+            *at++ = tables[channel][p >> 8 * channel & 255];
+        }
     return out;
 }
 

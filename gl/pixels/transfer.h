@@ -3,7 +3,11 @@
 #pragma once
 
 #include "gl/api/values.h"
+#include "gw/base/types.h"
 
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace gw::gl {
@@ -19,10 +23,21 @@ GLuint transferred_stencil(const Context& c, double index);
 /// The pixels of an image after transfer. Colour indices become colours.
 std::vector<vec4> host_colors(const Context& c, GLsizei width, GLsizei height, GLenum format,
                               GLenum type, const HostImage& image);
+/// The same, quantized to `bits` bits.
+std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format,
+                            GLenum type, const HostImage& image, int bits);
 std::vector<double> host_depths(const Context& c, GLsizei width, GLsizei height, GLenum type,
                                 const HostImage& image);
 std::vector<GLuint> host_stencils(const Context& c, GLsizei width, GLsizei height, GLenum type,
                                   const HostImage& image);
+
+/// Pixels of 8 bits a channel, R in the lowest byte, after transfer and quantized to `bits` bits.
+std::vector<Rgba> transferred_rgba(const Context& c, std::span<const std::uint32_t> pixels,
+                                   int bits);
+/// The same as rows of bytes in a format; nothing if the format adds channels.
+std::optional<std::vector<std::byte>> packed_bytes(const Context& c,
+                                                   std::span<const std::uint32_t> pixels,
+                                                   GLenum format);
 
 /// Rows of pixels in a format and type, from colours after transfer.
 std::vector<std::byte> packed_colors(const std::vector<vec4>& colors, GLenum format, GLenum type);

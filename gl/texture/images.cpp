@@ -11,9 +11,9 @@
 #include "gw/texture.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <optional>
 
 namespace gw::gl {
@@ -59,53 +59,15 @@ GLenum request_error(const Request& r, std::size_t target) {
     return fits ? GL_NO_ERROR : GL_INVALID_VALUE;
 }
 
-/// Texels as an image has them. Base formats take luminance and intensity from R.
-void store_texels(TextureImage& image, const Rect& rect, const std::vector<vec4>& colors) {
-    std::size_t from = 0;
-    for (int y = rect.y; y < rect.y + rect.height; ++y) {
-        std::uint16_t* to = &image.rgba[4 * pixel_index(rect.x, y, image.width)];
-        for (int x = 0; x < rect.width; ++x, ++from, to += 4)
-            for (int i = 0; i < 4; ++i)
-                to[i] = std::uint16_t(quantize(double(colors[from][i]), 16));
-    }
-}
+/// Texels keep 16 bits a channel.
+constexpr int texel_bits = 16;
 
-/// The places of R, G, B, A in a pixel of bytes.
-struct BytePlaces {
-    static constexpr int zero = -1, one = -2;
-    GLenum format;
-    std::array<int, 4> place;
-};
-constexpr BytePlaces byte_formats[] = {
-    {GL_RGBA, {0, 1, 2, 3}},
-    {GL_BGRA, {2, 1, 0, 3}},
-    {GL_RGB, {0, 1, 2, BytePlaces::one}},
-    {GL_BGR, {2, 1, 0, BytePlaces::one}},
-    {GL_LUMINANCE, {0, 0, 0, BytePlaces::one}},
-    {GL_LUMINANCE_ALPHA, {0, 0, 0, 1}},
-    {GL_ALPHA, {BytePlaces::zero, BytePlaces::zero, BytePlaces::zero, 0}},
-};
-
-/// Of a format whose bytes pass the transfer as they are; null: others.
-const BytePlaces* plain_bytes(const PixelState& transfer, GLenum format, GLenum type) {
-    const bool changes = transfer.map_color || transfer.scale != vec4{1, 1, 1, 1} ||
-                         transfer.bias != vec4{0, 0, 0, 0};
-    if (changes || type != GL_UNSIGNED_BYTE) return nullptr;
-    const auto* const found = std::ranges::find(byte_formats, format, &BytePlaces::format);
-    return found != std::end(byte_formats) ? found : nullptr;
-}
-
-/// The same as store_texels of the bytes' colours: b / 255 of 65535 is 257 b.
-void store_bytes(TextureImage& image, const BytePlaces& places, const std::byte* from) {
-    const auto size = std::size_t(component_count(places.format));
-    const std::size_t count = image.rgba.size() / 4;
-    std::uint16_t* to = image.rgba.data();
-    for (std::size_t i = 0; i < count; ++i, from += size, to += 4)
-        for (std::size_t k = 0; k < 4; ++k) {
-            const int place = places.place[k];
-            to[k] = place < 0 ? (place == BytePlaces::one ? 0xFFFF : 0)
-                              : std::uint16_t(257 * std::to_integer<unsigned>(from[place]));
-        }
+/// Puts colours in their place; all four channels, whatever the format keeps of them.
+void store_texels(TextureImage& image, const Rect& rect, const std::vector<Rgba>& colors) {
+    const Rgba* from = colors.data();
+    for (int y = rect.y; y < rect.y + rect.height; ++y, from += rect.width)
+        std::memcpy(&image.rgba[4 * pixel_index(rect.x, y, image.width)], from,
+                    std::size_t(rect.width) * sizeof(Rgba));
 }
 
 TextureImage empty_image(const Request& r) {
@@ -113,13 +75,13 @@ TextureImage empty_image(const Request& r) {
             std::vector<std::uint16_t>(4 * std::size_t(r.width) * std::size_t(r.height))};
 }
 
-/// Replaces an image. `store(image)` gives it its texels, which are 0.
-template <class Store>
-void set_image(Context& c, const Place& place, const Request& r, Store store) {
+/// Replaces an image. Null colours: its texels are 0.
+void set_image(Context& c, const Place& place, const Request& r, const std::vector<Rgba>* colors) {
     begin_change(c);
     TextureImage image = r.width == 0 || r.height == 0 ? TextureImage{} : empty_image(r);
     image.internal_format = r.internal_format;
-    if (image.width > 0) store(image);
+    if (colors != nullptr && image.width > 0)
+        store_texels(image, {0, 0, r.width, r.height}, *colors);
     const auto lock = c.shared->exclusive();
     TextureObject& object = *c.textures.bound[place.index];
     object.levels[std::size_t(r.level)] = std::move(image);
@@ -148,13 +110,9 @@ void tex_image(Context& c, GLenum target, const Request& r, GLenum format, GLenu
     const GLenum error = request_error(r, place->index);
     if (place->is_proxy) return set_proxy(c, *place, r, error);
     if (error != GL_NO_ERROR) return set_error(c, error);
-    const BytePlaces* const bytes = plain_bytes(c.state.pixel, format, type);
-    set_image(c, *place, r, [&](TextureImage& image) {
-        if (!host.bytes) return;
-        if (bytes != nullptr) return store_bytes(image, *bytes, host.bytes->data());
-        store_texels(image, {0, 0, r.width, r.height},
-                     host_colors(c, r.width, r.height, format, type, host));
-    });
+    if (!host.bytes) return set_image(c, *place, r, nullptr);
+    const auto colors = host_rgba(c, r.width, r.height, format, type, host, texel_bits);
+    set_image(c, *place, r, &colors);
 }
 
 /// The image whose part a call replaces; null, and the error is set: there is none, or the part is
@@ -176,7 +134,7 @@ TextureImage* replaced_image(Context& c, GLenum target, GLint level, const Rect&
 }
 
 void replace_part(Context& c, GLenum target, TextureImage& image, Rect part,
-                  const std::vector<vec4>& colors) {
+                  const std::vector<Rgba>& colors) {
     begin_change(c);
     part.x += image.border;
     part.y += target == GL_TEXTURE_1D ? 0 : image.border;
@@ -192,15 +150,13 @@ void tex_sub_image(Context& c, GLenum target, GLint level, const Rect& part, GLe
     TextureImage* const image = replaced_image(c, target, level, part);
     if (image == nullptr || !host.bytes) return;
     replace_part(c, target, *image, part,
-                 host_colors(c, part.width, part.height, format, type, host));
+                 host_rgba(c, part.width, part.height, format, type, host, texel_bits));
 }
 
 /// The drawable's pixels after transfer.
-std::vector<vec4> copied_colors(Context& c, const Rect& rect) {
+std::vector<Rgba> copied_colors(Context& c, const Rect& rect) {
     flush_mesh(c);
-    std::vector<vec4> colors = read_colors(c, rect);
-    for (vec4& color : colors) color = transferred_color(c, color);
-    return colors;
+    return read_rgba(c, rect, texel_bits);
 }
 
 void copy_image(Context& c, GLenum target, const Request& r, GLint x, GLint y) {

@@ -29,13 +29,17 @@ void store_pixel(char* at, std::uint32_t pixel, int bytes, bool lowest_first) {
         at[i] = char(pixel >> 8 * (lowest_first ? i : bytes - 1 - i) & 0xFF);
 }
 
+bool has_whole_words(const XImage& image) {
+    const bool lowest_first = image.byte_order == LSBFirst;
+    return image.bits_per_pixel == 32 &&
+           lowest_first == (std::endian::native == std::endian::little);
+}
+
 /// Stores rows, the bottom row last. `pixel_at` gives the pixel of an index into the drawable.
 template <class PixelAt>
 void store_rows(XImage& image, PixelAt pixel_at) {
     const int bytes = image.bits_per_pixel / 8;
-    const bool lowest_first = image.byte_order == LSBFirst;
-    const bool whole_words =
-        bytes == 4 && lowest_first == (std::endian::native == std::endian::little);
+    const bool lowest_first = image.byte_order == LSBFirst, whole_words = has_whole_words(image);
     for (int y = 0; y < image.height; ++y) {
         std::size_t from = pixel_index(0, image.height - 1 - y, image.width);
         char* at = image.data + std::ptrdiff_t(y) * image.bytes_per_line;
@@ -49,6 +53,20 @@ void store_rows(XImage& image, PixelAt pixel_at) {
     }
 }
 
+/// The same for pixels B, G, R from the lowest byte, of the drawable's R, G, B, A.
+void store_rows_bgr(XImage& image, const std::uint32_t* pixels) {
+    for (int y = 0; y < image.height; ++y) {
+        const std::uint32_t* const from =
+            pixels + pixel_index(0, image.height - 1 - y, image.width);
+        char* const to = image.data + std::ptrdiff_t(y) * image.bytes_per_line;
+        for (int x = 0; x < image.width; ++x) {
+            const std::uint32_t c = from[x];
+            const std::uint32_t pixel = (c & 0xFF) << 16 | (c & 0xFF00) | (c >> 16 & 0xFF);
+            std::memcpy(to + std::ptrdiff_t(x) * 4, &pixel, sizeof pixel);
+        }
+    }
+}
+
 }  // namespace
 
 PixelFormat::PixelFormat(const XVisualInfo& visual, int color_bits) {
@@ -58,6 +76,7 @@ PixelFormat::PixelFormat(const XVisualInfo& visual, int color_bits) {
                            std::uint32_t(visual.blue_mask), rest};
     for (std::size_t i = 0; i < masks.size(); ++i)
         channels_[i] = channel_table(masks[i], color_bits);
+    is_bgr_ = color_bits == 8 && masks == std::array{0xFF0000u, 0xFF00u, 0xFFu, 0u};
 }
 
 /// The image's memory: shared with the server, or the program's own.
@@ -148,19 +167,22 @@ void ShownImage::fill(gl::Drawable& drawable, gw::ReadBuffer buffer) {
     const int color_bits = drawable.profile().color_bits;
     if (!format_) format_ = std::make_unique<PixelFormat>(visual_, color_bits);
     const PixelFormat& format = *format_;
-    const bool packed = color_bits <= 8;
-    const Readback read =
-        drawable.read_colors(buffer, {0, 0, drawable.width(), drawable.height()}, packed);
-    if (packed)
-        store_rows(*memory_->image, [&](std::size_t i) {
-            const std::uint32_t c = read.values[i];
-            return format.pixel(c & 0xFF, c >> 8 & 0xFF, c >> 16 & 0xFF, c >> 24);
-        });
-    else
-        store_rows(*memory_->image, [&](std::size_t i) {
+    XImage& image = *memory_->image;
+    const Rect all{0, 0, drawable.width(), drawable.height()};
+    if (color_bits > 8) {
+        const Readback read = drawable.read_colors(buffer, all);
+        return store_rows(image, [&](std::size_t i) {
             const Rgba& c = read.color[i];
             return format.pixel(c[0], c[1], c[2], c[3]);
         });
+    }
+    packed_.resize(all.area());
+    drawable.read_packed(buffer, all, packed_);
+    if (format.is_bgr() && has_whole_words(image)) return store_rows_bgr(image, packed_.data());
+    store_rows(image, [&](std::size_t i) {
+        const std::uint32_t c = packed_[i];
+        return format.pixel(c & 0xFF, c >> 8 & 0xFF, c >> 16 & 0xFF, c >> 24);
+    });
 }
 
 void ShownImage::show(gl::Drawable& drawable, gw::ReadBuffer buffer) {

@@ -18,9 +18,12 @@ public:
     std::uint32_t pixel(unsigned r, unsigned g, unsigned b, unsigned a) const {
         return channels_[0][r] | channels_[1][g] | channels_[2][b] | channels_[3][a];
     }
+    /// Whether the bytes of a pixel are B, G, R and 0, from the lowest.
+    bool is_bgr() const { return is_bgr_; }
 
 private:
     std::array<std::vector<std::uint32_t>, 4> channels_;
+    bool is_bgr_ = false;
 };
 
 class ShownImage {
@@ -53,6 +56,7 @@ private:
     GC gc_ = nullptr;
     std::unique_ptr<PixelFormat> format_;
     std::unique_ptr<Memory> memory_;
+    std::vector<std::uint32_t> packed_;  ///< what was read of the drawable
 };
 
 }  // namespace gw::gl::x11
