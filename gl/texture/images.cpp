@@ -168,9 +168,8 @@ void copy_image(Context& c, GLenum target, const Request& r, GLint x, GLint y) {
     if (error != GL_NO_ERROR) return set_error(c, error);
     if (c.read_drawable == nullptr) return;
     const Rect rect{x, y, r.width, r.height};
-    set_image(c, {*index, false}, r, [&, colors = copied_colors(c, rect)](TextureImage& image) {
-        store_texels(image, {0, 0, r.width, r.height}, colors);
-    });
+    const auto colors = copied_colors(c, {x, y, r.width, r.height});
+    set_image(c, {*index, false}, r, &colors);
 }
 
 void copy_part(Context& c, GLenum target, GLint level, const Rect& part, GLint x, GLint y) {
