@@ -3,6 +3,7 @@
 #include "gw/names.h"
 #include "inspect/manifest/json_of.h"
 #include "inspect/replay/player.h"
+#include "inspect/text/call_text.h"
 #include "inspect/text/state_fields.h"
 #include "inspect/text/value_text.h"
 
@@ -253,6 +254,14 @@ Finding finding_at(const Recording& a, std::size_t command, const char* name,
     return f;
 }
 
+/// Names the program's calls.
+Finding with_calls(Finding f, const Recording& a, const Recording& b, std::size_t command) {
+    for (const auto& [name, recording] : {std::pair("A", &a), std::pair("B", &b)})
+        if (const std::string call = CallNames(*recording).text(command); !call.empty())
+            f.notes.push_back(fmt::format("{}: {}", name, call));
+    return f;
+}
+
 }  // namespace
 
 std::optional<Finding> first_command_difference(const Recording& a, const Recording& b) {
@@ -261,7 +270,7 @@ std::optional<Finding> first_command_difference(const Recording& a, const Record
     const auto p = commands_of(a), q = commands_of(b);
     for (std::size_t i = 0; i < std::min(p.size(), q.size()); ++i)
         if (const auto part = difference(*p[i], *q[i]))
-            return finding_at(a, i, name_of(*p[i]), *part);
+            return with_calls(finding_at(a, i, name_of(*p[i]), *part), a, b, i);
     if (p.size() == q.size()) return {};
     return Finding{.what = "number of commands",
                    .expected = std::to_string(p.size()),

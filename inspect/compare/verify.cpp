@@ -3,7 +3,9 @@
 #include "inspect/manifest/json_of.h"
 #include "inspect/recording/check_lists.h"
 #include "inspect/replay/forwarding_machine.h"
+#include "inspect/replay/pixel_history.h"
 #include "inspect/replay/player.h"
+#include "inspect/text/call_text.h"
 #include "inspect/text/plural.h"
 
 #include <fmt/format.h>
@@ -116,6 +118,15 @@ void find_pixel(Finding& finding, const std::optional<Planes>& expected, const P
     }
 }
 
+/// Names the call that last wrote the finding's pixel in its pass.
+void find_call(Finding& finding, const Recording& recording) {
+    if (!finding.pixel || CallNames(recording).empty()) return;
+    std::string last;
+    for (const PixelEvent& e : pixel_history(recording, finding.pixel->x, finding.pixel->y))
+        if (e.pass == *finding.pass && e.before != e.after && !e.call.empty()) last = e.call;
+    if (!last.empty()) finding.notes.push_back("last written by " + last);
+}
+
 }  // namespace
 
 Manifest replayed_manifest(const Recording& recording, const MachineMaker& make,
@@ -160,6 +171,7 @@ Verification verify(const Recording& recording, const Manifest& manifest,
                                                     recording.profile.color_planes);
     if (is_as_said(expected, manifest.passes[pass])) v.expected_planes = std::move(expected);
     find_pixel(*v.finding, v.expected_planes, *v.actual_planes);
+    find_call(*v.finding, recording);
     return v;
 }
 

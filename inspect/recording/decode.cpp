@@ -152,6 +152,11 @@ private:
     static Rect rect(const gwt::Rect* stored) { return stored ? from_file(*stored) : Rect{}; }
     Command command(gwt::CommandType type, const gwt::AnyCommand* stored);
     CommandList list(const gwt::CommandList& stored);
+    CallTable calls(const gwt::CommandList& stored) {
+        if (!stored.calls()) return {};
+        charge(decoded_bytes(*stored.calls()));
+        return from_file(*stored.calls(), stored.commands() ? stored.commands()->size() : 0);
+    }
 
     const gwt::Recording& file_;
     const Limits& limits_;
@@ -339,6 +344,7 @@ Part Decoder::decode() {
     });
     states_ = all(file_.states(), "state", [](const gwt::State& s) { return from_file(s); });
     r.lists = all(file_.lists(), "list", [this](const gwt::CommandList& l) { return list(l); });
+    r.calls = all(file_.lists(), "list", [this](const gwt::CommandList& l) { return calls(l); });
     part.recording = std::move(r);
     return part;
 }

@@ -123,7 +123,7 @@ private:
     }
     Offset<void> command(const DrawPixels& c);
     Offset<void> command(const SwapBuffers&) { return gwt::CreateSwapBuffers(out_).Union(); }
-    Offset<gwt::CommandList> list(const CommandList& list);
+    Offset<gwt::CommandList> list(const CommandList& list, const CallTable* calls);
     Offset<gwt::Profile> profile(const Profile& p);
     std::uint32_t version(const Profile& profile) const;
 
@@ -240,7 +240,7 @@ Offset<void> Encoder::command(const DrawPixels& c) {
         .Union();
 }
 
-Offset<gwt::CommandList> Encoder::list(const CommandList& list) {
+Offset<gwt::CommandList> Encoder::list(const CommandList& list, const CallTable* calls) {
     std::vector<gwt::CommandType> types;
     std::vector<Offset<gwt::AnyCommand>> commands;
     for (const Command& c : list.commands) {
@@ -249,7 +249,14 @@ Offset<gwt::CommandList> Encoder::list(const CommandList& list) {
         commands.emplace_back(
             std::visit([this](const auto& value) { return command(value); }, c).o);
     }
-    return gwt::CreateCommandListDirect(out_, &types, &commands);
+    const auto stored_types = out_.CreateVector(types);
+    const auto stored_commands = out_.CreateVector(commands);
+    Offset<gwt::CallTable> stored_calls;
+    if (calls) {
+        need(calls->runs.size() * sizeof(gwt::CallRun));
+        stored_calls = to_file(out_, *calls);
+    }
+    return gwt::CreateCommandList(out_, stored_types, stored_commands, stored_calls);
 }
 
 Offset<gwt::Profile> Encoder::profile(const Profile& p) {
@@ -285,7 +292,8 @@ std::vector<std::uint8_t> Encoder::encode(const Recording& r, const std::string&
     uses_version_2_ = !window.empty();
     static_assert(std::variant_size_v<Command> == std::size_t(gwt::CommandType::MAX));
     std::vector<Offset<gwt::CommandList>> lists;
-    for (const CommandList& l : r.lists) lists.push_back(list(l));
+    for (std::size_t i = 0; i < r.lists.size(); ++i)
+        lists.push_back(list(r.lists[i], i < r.calls.size() ? &r.calls[i] : nullptr));
     std::vector<Offset<gwt::State>> states;
     for (const State& s : states_) states.push_back(to_file(out_, s));
     std::vector<Offset<gwt::Lights>> light_sets;

@@ -5,6 +5,7 @@
 #include "gw/command_list.h"
 #include "gw/error.h"
 #include "gw/state.h"
+#include "inspect/recording/calls.h"
 #include "recording_generated.h"
 
 #include <fmt/format.h>
@@ -55,5 +56,13 @@ flatbuffers::Offset<gwt::State> to_file(flatbuffers::FlatBufferBuilder& out, con
 bool needs_version_2(const State& state);
 /// Throws Error for an enumeration's value that there is not.
 State from_file(const gwt::State& state);
+
+/// Of a list of commands. A table without runs is not stored.
+flatbuffers::Offset<gwt::CallTable> to_file(flatbuffers::FlatBufferBuilder& out,
+                                            const CallTable& table);
+/// The memory that from_file needs.
+std::uint64_t decoded_bytes(const gwt::CallTable& table);
+/// Throws Error if it names what there is not.
+CallTable from_file(const gwt::CallTable& table, std::size_t commands);
 
 }  // namespace gw::inspect

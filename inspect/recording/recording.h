@@ -4,6 +4,7 @@
 
 #include "gw/command_list.h"
 #include "gw/profile.h"
+#include "inspect/recording/calls.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -27,6 +28,7 @@ struct Recording {
     int width = 0, height = 0;
     std::vector<ParameterSet> sets;
     std::vector<CommandList> lists;  ///< as they were executed, one after the other
+    std::vector<CallTable> calls;    ///< of lists[i]; fewer, or empty: unknown
 };
 
 /// The parameter set of a pass; "" if unknown.

@@ -19,7 +19,7 @@ public:
     /// A new window. An open window of this name gets the new size, and with it a new machine.
     void open(const std::string& window, int width, int height);
     /// A list that the window's machine executed. It is on the disk when this returns.
-    void add(const std::string& window, CommandList list);
+    void add(const std::string& window, CommandList list, CallTable calls = {});
     void close(const std::string& window);
     /// Without this the recording counts as cut short.
     void finish();

@@ -93,9 +93,9 @@ private:
         if (part.event == WindowEvent::Open) open(part);
         const auto found = open_.find(part.window);
         if (found == open_.end()) throw Error(fmt::format("window '{}' is not open", part.window));
-        auto& lists = stream_.windows[found->second].recording.lists;
-        std::move(part.recording.lists.begin(), part.recording.lists.end(),
-                  std::back_inserter(lists));
+        Recording& recording = stream_.windows[found->second].recording;
+        std::ranges::move(part.recording.lists, std::back_inserter(recording.lists));
+        std::ranges::move(part.recording.calls, std::back_inserter(recording.calls));
         if (part.event == WindowEvent::Close) open_.erase(found);
     }
     void open(Part& part) {
@@ -106,6 +106,7 @@ private:
         open_[part.window] = stream_.windows.size();
         stream_.windows.push_back({name, std::move(part.recording)});
         part.recording.lists = std::exchange(stream_.windows.back().recording.lists, {});
+        part.recording.calls = std::exchange(stream_.windows.back().recording.calls, {});
     }
     void check(const WindowRecording& window) const {
         try {

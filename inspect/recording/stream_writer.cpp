@@ -45,10 +45,11 @@ void StreamWriter::open(const std::string& window, int width, int height) {
     windows_.insert(window);
 }
 
-void StreamWriter::add(const std::string& window, CommandList list) {
+void StreamWriter::add(const std::string& window, CommandList list, CallTable calls) {
     check_is_open(window);
     Part part{.window = window};
     part.recording.lists.push_back(std::move(list));
+    part.recording.calls.push_back(std::move(calls));
     write(part);
 }
 

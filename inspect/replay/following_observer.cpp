@@ -22,13 +22,18 @@ std::optional<std::size_t> FollowingObserver::draw() const {
     return draws_ - 1;
 }
 
-std::optional<std::uint32_t> FollowingObserver::polygon(const Fragment& fragment) const {
+std::optional<std::uint32_t> FollowingObserver::place_in_mesh(const Fragment& fragment) const {
     const auto* drawn = std::get_if<Draw>(&command());
     if (!drawn) return {};
     const Mesh& mesh = *drawn->mesh;
-    return mesh.polygon_id(mesh.kind() == MeshKind::Triangles
-                               ? mesh.triangles()[fragment.primitive].polygon
-                               : fragment.primitive);
+    return mesh.kind() == MeshKind::Triangles ? mesh.triangles()[fragment.primitive].polygon
+                                              : fragment.primitive;
+}
+
+std::optional<std::uint32_t> FollowingObserver::polygon(const Fragment& fragment) const {
+    const auto place = place_in_mesh(fragment);
+    if (!place) return {};
+    return std::get<Draw>(command()).mesh->polygon_id(*place);
 }
 
 }  // namespace gw::inspect

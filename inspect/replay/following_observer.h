@@ -24,6 +24,8 @@ protected:
     const std::string& pass_name() const { return passes_[pass_].name; }
     /// Of a draw: its place among the draws of the pass.
     std::optional<std::size_t> draw() const;
+    /// Of a draw: the place of the fragment's polygon, line or point in its mesh.
+    std::optional<std::uint32_t> place_in_mesh(const Fragment& fragment) const;
     /// Of a draw: the identifier of the fragment's polygon in its mesh.
     std::optional<std::uint32_t> polygon(const Fragment& fragment) const;
 

@@ -3,6 +3,7 @@
 #include "gw/names.h"
 #include "gw/reference/make.h"
 #include "inspect/replay/following_observer.h"
+#include "inspect/text/call_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,20 +17,22 @@ namespace {
 class PixelObserver : public FollowingObserver {
 public:
     PixelObserver(const Recording& recording, int x, int y)
-        : FollowingObserver(recording), x_(x), y_(y) {}
+        : FollowingObserver(recording), calls_(recording), x_(x), y_(y) {}
 
     void fragment(const Fragment& f, Fate fate, const PixelValues& before,
                   const PixelValues& after) override {
         if (f.x != x_ || f.y != y_) return;
         PixelEvent e = event(before, after);
         e.polygon = polygon(f);
+        e.call = calls_.text(e.command, place_in_mesh(f));
         e.fragment = f;
         e.fate = fate;
         events.push_back(std::move(e));
     }
     void pixel(int x, int y, const PixelValues& before, const PixelValues& after) override {
         if (x != x_ || y != y_) return;
-        const PixelEvent e = event(before, after);
+        PixelEvent e = event(before, after);
+        e.call = calls_.text(e.command);
         if (!events.empty() && events.back().command == e.command && !events.back().fragment)
             events.back().after = after;
         else
@@ -48,6 +51,7 @@ private:
         return e;
     }
 
+    CallNames calls_;
     int x_, y_;
 };
 
@@ -112,6 +116,7 @@ nlohmann::ordered_json event_json(const PixelEvent& e, const Profile& profile) {
                                 {"pass_name", e.pass_name},
                                 {"command", e.command},
                                 {"command_name", e.command_name}};
+    if (!e.call.empty()) json["call"] = e.call;
     if (e.draw) json["draw"] = *e.draw;
     if (e.fragment) {
         json["primitive"] = e.fragment->primitive;
@@ -171,6 +176,9 @@ std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>
     if (back) rows[0].push_back("back colour");
     if (accum) rows[0].push_back("accumulation");
     if (smooth) rows[0].push_back("coverage");
+    const bool called =
+        std::ranges::any_of(events, [](const PixelEvent& e) { return !e.call.empty(); });
+    if (called) rows[0].push_back("call");
     for (const PixelEvent& e : events) {
         const auto& f = e.fragment;
         rows.push_back({e.pass_name, std::to_string(e.command), optional_text(e.draw),
@@ -182,6 +190,7 @@ std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>
         if (back) rows.back().push_back(change(e.before.back, e.after.back));
         if (accum) rows.back().push_back(change(e.before.accum, e.after.accum));
         if (smooth) rows.back().push_back(f && f->coverage != 0 ? text(f->coverage) : "-");
+        if (called) rows.back().push_back(e.call.empty() ? "-" : e.call);
     }
     return rows;
 }

@@ -20,6 +20,7 @@ struct PixelEvent {
     std::string pass_name;
     std::size_t command = 0;          ///< through all lists, from 0
     const char* command_name = "";    ///< "Draw"
+    std::string call;                 ///< the program's (inspect/text/call_text.h); "" if unknown
     std::optional<std::size_t> draw;  ///< its place among the draws of the pass
     /// of a draw: identifier of the fragment's polygon in its mesh
     std::optional<std::uint32_t> polygon;

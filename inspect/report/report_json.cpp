@@ -4,6 +4,7 @@
 #include "inspect/manifest/json_of.h"
 #include "inspect/replay/player.h"
 #include "inspect/report/tile_history.h"
+#include "inspect/text/call_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -58,6 +59,22 @@ Json commands_json(const ReportFacts& facts, const std::vector<inspect::PassRang
     return names;
 }
 
+/// Of each of these commands its calls: [first, before, number, step, after, primitive, ordinal].
+/// Empty if no command has any.
+Json calls_json(const ReportFacts& facts, const std::vector<inspect::PassRange>& ranges) {
+    Json calls = Json::array();
+    const inspect::CallNames names(facts.recording);
+    if (!facts.history || names.empty()) return calls;
+    for (std::size_t i = ranges[facts.history->first].first; i < ranges[facts.history->last].end;
+         ++i) {
+        Json runs = Json::array();
+        for (const inspect::CallWords& w : names.words(i))
+            runs.push_back({w.first, w.before, w.number, w.step, w.after, w.primitive, w.ordinal});
+        calls.push_back(runs);
+    }
+    return calls;
+}
+
 }  // namespace
 
 std::string report_json(const ReportFacts& facts) {
@@ -81,6 +98,7 @@ std::string report_json(const ReportFacts& facts) {
                       {"history", span_json(facts.history)},
                       {"tile", TileHistory::side},
                       {"commands", commands_json(facts, ranges)},
+                      {"calls", calls_json(facts, ranges)},
                       {"passes", passes}};
     return report.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -209,6 +209,16 @@ function change_cell(plane, event) {
 const pass_of_command = (command) =>
   report.passes.find((pass) => command >= pass.first && command < pass.end);
 
+// The call of the program that made the event: report_json.cpp has the rows. "" if it is unknown.
+function call_of(event, first) {
+  const place = Math.max(event.fragment?.polygon ?? 0, 0);
+  const run = (report.calls[event.command - first] ?? []).filter((r) => r[0] <= place).pop();
+  if (!run) return "";
+  const [begin, before, number, step, after, primitive, ordinal] = run;
+  const named = `${before}${number + step * (place - begin)}${after}`;
+  return event.fragment && primitive ? `${named}, ${primitive} ${ordinal + place - begin}` : named;
+}
+
 function event_row(event, columns) {
   const f = event.fragment, pass = pass_of_command(event.command);
   const first = report.passes.find((p) => p.pass === report.history.first).first;
@@ -222,7 +232,8 @@ function event_row(event, columns) {
   element("td", {}, ...(f ? value_cell("color", f.color) : ["–"])),
   element("td", {}, or_dash(f?.depth)),
   ...columns.map((plane) => change_cell(plane, event)),
-  ...[event.command, f?.draw, f?.primitive, f?.polygon].map((value) => element("td", {class: "count"}, or_dash(value))));
+  ...[event.command, f?.draw, f?.primitive, f?.polygon].map((value) => element("td", {class: "count"}, or_dash(value))),
+  ...(report.calls.length > 0 ? [element("td", {}, call_of(event, first))] : []));
 }
 
 function build_events(events) {
@@ -232,7 +243,7 @@ function build_events(events) {
   const columns = ["color", "depth", "stencil", ...["back", "accum"].filter(used)];
   const named = (...names) => names.map((name) => word(`column_${name}`));
   table("events", [...named("pass", "outcome", "fragment", "fragment_depth"), ...columns.map((plane) => word(plane)),
-    ...named("command", "draw", "primitive", "polygon")],
+    ...named("command", "draw", "primitive", "polygon", ...(report.calls.length > 0 ? ["call"] : []))],
   in_sight.map((event) => event_row(event, columns)));
   note(word("history_count", ...view.pixel, number(in_sight.length), report.history.first, report.history.last));
 }
