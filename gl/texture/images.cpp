@@ -167,7 +167,6 @@ void copy_image(Context& c, GLenum target, const Request& r, GLint x, GLint y) {
     const GLenum error = request_error(r, *index);
     if (error != GL_NO_ERROR) return set_error(c, error);
     if (c.read_drawable == nullptr) return;
-    const Rect rect{x, y, r.width, r.height};
     const auto colors = copied_colors(c, {x, y, r.width, r.height});
     set_image(c, {*index, false}, r, &colors);
 }
