@@ -1,0 +1,73 @@
+// A step as a picture file: SVG, PNG, or a range of steps as GIF.
+import { applyPalette, GIFEncoder, quantize } from 'gifenc';
+
+/** The drawing over the pixels, as one SVG without references. */
+export function svgOf(canvas: HTMLCanvasElement, overlay: SVGSVGElement): string {
+  const svg = overlay.cloneNode(true) as SVGSVGElement;
+  const box = overlay.getBoundingClientRect();
+  const [, , width = '0', height = '0'] = (svg.getAttribute('viewBox') ?? '').split(' ');
+  svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+  svg.setAttribute('width', String(box.width));
+  svg.setAttribute('height', String(box.height));
+  const image = document.createElementNS('http://www.w3.org/2000/svg', 'image');
+  image.setAttribute('href', canvas.toDataURL());
+  image.setAttribute('width', width);
+  image.setAttribute('height', height);
+  image.setAttribute('style', 'image-rendering: pixelated');
+  svg.prepend(image);
+  return new XMLSerializer().serializeToString(svg);
+}
+
+async function rastered(
+  canvas: HTMLCanvasElement,
+  overlay: SVGSVGElement,
+): Promise<HTMLCanvasElement> {
+  const image = new Image();
+  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svgOf(canvas, overlay))}`;
+  await image.decode();
+  const out = document.createElement('canvas');
+  out.width = image.width;
+  out.height = image.height;
+  const context = out.getContext('2d')!;
+  context.imageSmoothingEnabled = false;
+  context.drawImage(canvas, 0, 0, out.width, out.height);
+  context.drawImage(image, 0, 0);
+  return out;
+}
+
+export async function pngOf(canvas: HTMLCanvasElement, overlay: SVGSVGElement): Promise<Blob> {
+  const out = await rastered(canvas, overlay);
+  return new Promise((resolve, reject) =>
+    out.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('no picture'))), 'image/png'),
+  );
+}
+
+/** `show` brings a step to the page and resolves when it is drawn. */
+export async function gifOf(
+  from: number,
+  to: number,
+  milliseconds: number,
+  show: (step: number) => Promise<{ canvas: HTMLCanvasElement; overlay: SVGSVGElement }>,
+): Promise<Blob> {
+  const gif = GIFEncoder();
+  for (let step = from; step <= to; ++step) {
+    const { canvas, overlay } = await show(step);
+    const picture = await rastered(canvas, overlay);
+    const { data, width, height } = picture
+      .getContext('2d')!
+      .getImageData(0, 0, picture.width, picture.height);
+    const palette = quantize(data, 256);
+    gif.writeFrame(applyPalette(data, palette), width, height, { palette, delay: milliseconds });
+  }
+  gif.finish();
+  return new Blob([gif.bytes()], { type: 'image/gif' });
+}
+
+export function save(content: Blob | string, name: string, type = 'image/svg+xml'): void {
+  const blob = typeof content === 'string' ? new Blob([content], { type }) : content;
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}

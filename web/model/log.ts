@@ -1,0 +1,152 @@
+// A step log as `gw hidden --steps` writes it: lines of JSON, described in docs/hiddensurfaces.md
+// and checked by steps.schema.json. y counts downwards from the picture's upper edge.
+
+export type Level = 'polygon' | 'line' | 'span' | 'pixel';
+export type Kind = 'compare' | 'decide' | 'sort' | 'split' | 'draw';
+export type Language = 'en' | 'ja';
+
+/** x and y in units of the window grid, z in units of the depth plane; in the world: world units. */
+export type Point = readonly [number, number, number];
+export type Loop = readonly Point[];
+export type Value = boolean | number | string | readonly number[] | readonly string[];
+
+export interface NamedOutline {
+  readonly name: string;
+  readonly outline: readonly Loop[];
+}
+
+/** a x + b y + z + d is the distance behind the plane; null: it is seen from its edge. */
+export type Plane = readonly [number, number, number, number];
+
+export interface HeaderPiece extends NamedOutline {
+  readonly plane: Plane | null;
+}
+
+export interface Polygon {
+  readonly id: number;
+  readonly part: string;
+  readonly color: string;
+  readonly world: Loop;
+  readonly nearest: number;
+  readonly farthest: number;
+  readonly centroid: number;
+  readonly outline: readonly Loop[];
+  readonly pieces: readonly HeaderPiece[];
+}
+
+export interface View {
+  readonly eye: Point;
+  readonly at: Point;
+  readonly up: Point;
+  /** Vertical, degrees. */
+  readonly fov: number;
+  /** Above 0: orthographic, this many world units high. */
+  readonly ortho_height: number;
+  readonly near: number;
+  readonly far: number;
+}
+
+/** By test, by result: a sentence with the names of values in braces. */
+export type SentenceWords = Readonly<
+  Record<string, Readonly<Record<string, Readonly<Record<Language, string>>>>>
+>;
+
+export interface Header {
+  readonly log: 'gw hidden steps';
+  readonly version: number;
+  readonly algorithm: string;
+  readonly title: string;
+  readonly draws: 'surfaces' | 'lines';
+  readonly decides: 'window' | 'world';
+  readonly level: Level;
+  readonly scene: string;
+  readonly size: readonly [number, number];
+  /** Units of the window grid in a pixel. */
+  readonly unit: number;
+  /** The farthest value of the depth plane. */
+  readonly depth: number;
+  readonly view: View;
+  readonly background: string;
+  readonly words: SentenceWords;
+  readonly polygons: readonly Polygon[];
+}
+
+/** Pixels x0 .. x1 - 1 of row y get an identifier. */
+export type Painted = readonly [y: number, x0: number, x1: number, id: number];
+/** x, y, width, height in pixels. */
+export type Window = readonly [number, number, number, number];
+
+export interface DrawnLine {
+  readonly from: Point;
+  readonly to: Point;
+  readonly visible: readonly (readonly [number, number])[];
+}
+
+export interface Step {
+  readonly step: number;
+  readonly level: Level;
+  readonly kind: Kind;
+  readonly test: string;
+  readonly result: string;
+  readonly pieces?: readonly string[];
+  readonly decisive?: boolean;
+  readonly window?: Window;
+  readonly values?: Readonly<Record<string, Value>>;
+  readonly painted?: readonly Painted[];
+  readonly made?: readonly NamedOutline[];
+  readonly line?: DrawnLine;
+  /** Counters that changed since the last step. */
+  readonly counts?: Readonly<Record<string, number>>;
+}
+
+export interface Log {
+  readonly header: Header;
+  readonly steps: readonly Step[];
+  /** All counts of the run; empty if the log ends early. */
+  readonly totals: Readonly<Record<string, number>>;
+  /** The log has its last line. */
+  readonly whole: boolean;
+}
+
+export class LogError extends Error {}
+
+function isHeader(value: unknown): value is Header {
+  return (
+    typeof value === 'object' && value !== null && 'log' in value && value.log === 'gw hidden steps'
+  );
+}
+
+function parseLine(line: string, number: number): unknown {
+  try {
+    return JSON.parse(line);
+  } catch (error) {
+    throw new LogError(`line ${number}: ${(error as Error).message}; expected a line of JSON`);
+  }
+}
+
+/** Reads a log. Throws LogError "line N: what; expected what". */
+export function parseLog(text: string): Log {
+  const lines = text.split('\n');
+  if (lines.at(-1) === '') lines.pop();
+  const header = parseLine(lines[0] ?? '', 1);
+  if (!isHeader(header))
+    throw new LogError('line 1: not a header; expected a file that gw hidden --steps wrote');
+  if (header.version !== 1)
+    throw new LogError(`line 1: version ${header.version}; this page reads version 1`);
+  const steps: Step[] = [];
+  for (let i = 1; i < lines.length; ++i) {
+    const value = parseLine(lines[i]!, i + 1) as Step | { end: number; counts: object };
+    if ('end' in value) {
+      return { header, steps, totals: value.counts as Record<string, number>, whole: true };
+    }
+    if (typeof value.step !== 'number' || typeof value.kind !== 'string')
+      throw new LogError(`line ${i + 1}: not a step; expected "step" and "kind"`);
+    steps.push(value);
+  }
+  return { header, steps, totals: {}, whole: false };
+}
+
+/** The identifier of a piece's polygon: "12ab" and "12.1" belong to 12. */
+export function polygonOf(piece: string): number {
+  return Number.parseInt(piece, 10);
+}

@@ -1,0 +1,38 @@
+import { expect, it } from 'vitest';
+import { general, sentence, textOf } from '../model/sentence';
+import { header, steps } from './sample';
+
+it('writes numbers as %.6g does', () => {
+  const cases: [number, string][] = [
+    [0, '0'],
+    [1, '1'],
+    [-2.5, '-2.5'],
+    [123456, '123456'],
+    [1234567, '1.23457e+06'],
+    [0.0001, '0.0001'],
+    [0.00001234, '1.234e-05'],
+    [999999.5, '1e+06'],
+    [0.1 + 0.2, '0.3'],
+    [1e-300, '1e-300'],
+    [100000, '100000'],
+    [3.14159265, '3.14159'],
+  ];
+  for (const [value, text] of cases) expect(general(value)).toBe(text);
+});
+
+it('makes the sentence of a step in both languages', () => {
+  expect(sentence(header, steps[1]!, 'en')).toBe('1 600.5, 600.5 is behind 2.');
+  expect(sentence(header, steps[1]!, 'ja')).toBe('1 は 2 の奥です。');
+  expect(sentence(header, steps[0]!, 'en')).toBe('1, 2.');
+});
+
+it('shows what a step lacks, and steps without words', () => {
+  expect(sentence(header, { ...steps[3]!, values: {} }, 'en')).toBe('1a: {pixels} pixels.');
+  expect(sentence(header, { ...steps[3]!, test: 'new' }, 'en')).toBe('new: piece');
+});
+
+it('writes lists with commas and truth as the command does', () => {
+  expect(textOf([1, 2.25])).toBe('1, 2.25');
+  expect(textOf(true)).toBe('1');
+  expect(textOf(['1a', '2'])).toBe('1a, 2');
+});

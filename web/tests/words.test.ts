@@ -1,0 +1,18 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { expect, it } from 'vitest';
+import { en } from '../words/en';
+import { ja } from '../words/ja';
+
+const sources = ['components', 'player', 'model']
+  .flatMap((folder) => readdirSync(folder).map((name) => `${folder}/${name}`))
+  .map((path) => readFileSync(path, 'utf8'))
+  .join('\n');
+
+it('has every word in both languages', () => {
+  expect(Object.keys(ja).sort()).toEqual(Object.keys(en).sort());
+  for (const [name, word] of Object.entries({ ...en, ...ja })) expect(word, name).not.toBe('');
+});
+
+it('uses every word', () => {
+  for (const name of Object.keys(en)) expect(sources.includes(`words.${name}`), name).toBe(true);
+});
