@@ -1,10 +1,11 @@
 // A step's sentence, made from the words of the log and the step's values.
 import type { Header, Language, Step, Value } from './log';
 
-/** As C's %.6g. */
+/** Six digits as C's %.6g; all whole digits of large numbers. */
 export function general(value: number): string {
   if (!Number.isFinite(value)) return Number.isNaN(value) ? 'nan' : value > 0 ? 'inf' : '-inf';
   if (value === 0) return Object.is(value, -0) ? '-0' : '0';
+  if (Math.abs(value) >= 1e5 && Math.abs(value) < 1e15) return value.toFixed(0);
   const [digits, power] = value.toExponential(5).split('e') as [string, string];
   const exponent = Number(power);
   const trimmed = (text: string) => (text.includes('.') ? text.replace(/\.?0+$/, '') : text);
