@@ -2,6 +2,7 @@
 
 #include "apps/command/table.h"
 #include "apps/hidden/pictures.h"
+#include "apps/hidden/player_page.h"
 #include "hiddensurface/run/svg.h"
 #include "image/write.h"
 #include "study/plot/markup.h"
@@ -179,6 +180,13 @@ std::string counts_json(const std::vector<Compared>& all) {
     return list.dump(2) + "\n";
 }
 
+void put_log(image::OutputSet& output, const std::filesystem::path& folder,
+             const std::string& log) {
+    output.add(folder / "steps.jsonl").write_text(log);
+    if (const std::string page = player_page({log}); !page.empty())
+        output.add(folder / "player.html").write_text(page);
+}
+
 void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
                const hs::Input& input, const Compared& run, const hs::StepLog& log, int pictures) {
     const Colors colors = flat_colors(input);
@@ -187,8 +195,8 @@ void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
                                  .title = run.algorithm->title,
                                  .in_world = run.algorithm->in_world,
                                  .level = log.finest()};
-    output.add(folder / "steps.jsonl")
-        .write_text(log_text(input, subject, steps, hs::log_end(steps.size(), run.result.counts)));
+    put_log(output, folder,
+            log_text(input, subject, steps, hs::log_end(steps.size(), run.result.counts)));
     put_frames(output, folder, input, run.algorithm->name, steps, colors, pictures);
     if (run.result.counts.splits > 0) put_pieces(output, folder, input, run.result.pieces, colors);
     const auto last = pictures_of(input, run.result, colors);

@@ -32,7 +32,10 @@ std::vector<std::size_t> places(std::size_t steps, int pictures);
 std::string log_text(const hiddensurface::Input& input, const hiddensurface::LogSubject& subject,
                      const std::vector<hiddensurface::Step>& steps, const std::string& end);
 
-/// Writes steps.jsonl, step_0001.png ... (at most `pictures`, evenly over the log), steps.gif,
+/// Writes steps.jsonl, and player.html if the build has the page.
+void put_log(image::OutputSet& output, const std::filesystem::path& folder, const std::string& log);
+
+/// Writes the log, step_0001.png ... (at most `pictures`, evenly over the log), steps.gif,
 /// writes.png, picture.png, difference.png, and pieces.svg if a polygon was split.
 void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
                const hiddensurface::Input& input, const Compared& run,

@@ -104,8 +104,8 @@ void put_line_steps(image::OutputSet& output, const HiddenOptions& options, cons
                                  .title = algorithm.title,
                                  .lines = true,
                                  .level = options.level};
-    output.add(folder / "steps.jsonl")
-        .write_text(log_text(input, subject, steps, hs::log_end(steps.size(), result.counts)));
+    put_log(output, folder,
+            log_text(input, subject, steps, hs::log_end(steps.size(), result.counts)));
     std::vector<image::Picture> frames;
     for (const std::size_t place : places(result.lines.size(), options.pictures)) {
         frames.push_back(pictures.of_step(place));

@@ -5,13 +5,19 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace gw::hiddensurface {
 
 namespace {
 
 std::string text_of(bool value) { return value ? "1" : "0"; }
 std::string text_of(std::int64_t value) { return std::to_string(value); }
-std::string text_of(double value) { return fmt::format("{:.6g}", value); }
+/// Six digits, of large numbers all whole ones: as web/model/sentence.ts.
+std::string text_of(double value) {
+    const bool large = std::abs(value) >= 1e5 && std::abs(value) < 1e15;
+    return large ? fmt::format("{:.0f}", std::round(value)) : fmt::format("{:.6g}", value);
+}
 std::string text_of(const std::string& value) { return value; }
 template <class T>
 std::string text_of(const std::vector<T>& values) {

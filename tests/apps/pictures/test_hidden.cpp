@@ -1,5 +1,6 @@
 // gw hidden and gw styles: what they write, print and refuse.
 #include "apps/hidden/pictures.h"
+#include "apps/hidden/player_page.h"
 #include "test_paths.h"
 #include "tests/apps/pictures.h"
 #include "tests/apps/support/command_test.h"
@@ -82,13 +83,34 @@ TEST_F(Hidden, PrintsTheSameCountsAsCsv) {
     EXPECT_FALSE(std::getline(lines, rest));
 }
 
+/// Without the player, which the folder has if the build has it.
+std::vector<std::string> without_player(std::vector<std::string> names) {
+    const auto found = std::erase(names, "player.html");
+    EXPECT_EQ(found, player_page({}).empty() ? 0u : 1u);
+    return names;
+}
+
+TEST_F(Hidden, ThePlayerHoldsTheLogs) {
+    const std::string bare = player_page({});
+    if (bare.empty()) GTEST_SKIP() << "this build has no pages: no npm";
+    const std::string page = player_page({"first\n", "second\n"});
+    EXPECT_NE(bare.find("<html"), std::string::npos);
+    const std::string mark = "<script class=\"log\" type=\"text/plain\">";
+    EXPECT_EQ(bare.find(mark), std::string::npos);
+    const std::size_t first = page.find(mark), second = page.find(mark, first + 1);
+    ASSERT_NE(second, std::string::npos);
+    EXPECT_EQ(page.find(mark, second + 1), std::string::npos);
+    EXPECT_EQ(page.substr(first + mark.size(), 4), "H4sI");  // gzip, deflated
+}
+
 TEST_F(Hidden, WritesStepsThatEndWithThePicture) {
     const Outcome outcome = hidden({"--algorithm", "newell", "--steps", "s", "--pictures", "3"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(names("s"), (std::vector<std::string>{"difference.png", "index.html", "index.json",
-                                                    "picture.png", "pieces.svg", "step_0001.png",
-                                                    "step_0002.png", "step_0003.png", "steps.gif",
-                                                    "steps.jsonl", "writes.png"}));
+    EXPECT_EQ(
+        without_player(names("s")),
+        (std::vector<std::string>{"difference.png", "index.html", "index.json", "picture.png",
+                                  "pieces.svg", "step_0001.png", "step_0002.png", "step_0003.png",
+                                  "steps.gif", "steps.jsonl", "writes.png"}));
     EXPECT_EQ(bytes_of(in("s/steps.gif")).substr(0, 6), "GIF89a");
     EXPECT_NE(bytes_of(in("s/pieces.svg")).find("<path"), std::string::npos);
     std::istringstream log(bytes_of(in("s/steps.jsonl")));
@@ -191,10 +213,11 @@ TEST_F(Hidden, DrawsHiddenLinesWithStepsAndCounts) {
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_NE(outcome.out.find(name), std::string::npos);
         EXPECT_NE(outcome.out.find("\nlines "), std::string::npos);
-        EXPECT_EQ(names(name), (std::vector<std::string>{
-                                   "difference.png", "index.html", "index.json", "lines.svg",
-                                   "picture.png", "step_0001.png", "step_0002.png", "step_0003.png",
-                                   "steps.gif", "steps.jsonl"}));
+        EXPECT_EQ(
+            without_player(names(name)),
+            (std::vector<std::string>{"difference.png", "index.html", "index.json", "lines.svg",
+                                      "picture.png", "step_0001.png", "step_0002.png",
+                                      "step_0003.png", "steps.gif", "steps.jsonl"}));
         std::istringstream log(bytes_of(in(name + "/steps.jsonl")));
         int lines = 0;
         for (std::string line; std::getline(log, line); ++lines)

@@ -1,0 +1,106 @@
+// The player on runs of the command: each algorithm's page ends with the machine's picture.
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import puppeteer, { type Browser } from 'puppeteer-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+
+const gw = process.env['GW'] ?? '';
+const scenes = process.env['GW_SCENES'] ?? '';
+const folder = mkdtempSync(join(tmpdir(), 'gw-runs-'));
+let browser: Browser;
+
+beforeAll(async () => {
+  browser = await puppeteer.launch({
+    executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
+    args: ['--no-sandbox', '--disable-gpu', '--allow-file-access-from-files'],
+  });
+});
+afterAll(async () => {
+  await browser.close();
+  rmSync(folder, { recursive: true });
+});
+
+const surfaces = [
+  'a-buffer',
+  'back-face',
+  'bouknight',
+  'bsp',
+  'hierarchical-z',
+  'newell',
+  'painter-centroid',
+  'painter-farthest',
+  'painter-nearest',
+  'quake',
+  'ray-casting',
+  'scan-line',
+  'schumacker',
+  'warnock',
+  'watkins',
+  'weiler-atherton',
+  'z-buffer',
+];
+
+function run(algorithm: string, scene: string, level: string): string {
+  const out = join(folder, algorithm);
+  const size = ['--size', '64x48', '--pictures', '1', '--quiet'];
+  const file = join(scenes, 'hidden', `${scene}.toml`);
+  execFileSync(gw, [
+    'hidden',
+    file,
+    '--algorithm',
+    algorithm,
+    '--level',
+    level,
+    ...size,
+    '--steps',
+    out,
+  ]);
+  expect(existsSync(join(out, 'player.html'))).toBe(true);
+  return out;
+}
+
+/** Opens a run's last step. Tells what is on the page and what the browser complains about. */
+async function lastStep(out: string) {
+  const page = await browser.newPage();
+  const complaints: string[] = [];
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  page.on('console', (message) => {
+    if (message.type() === 'error') complaints.push(message.text());
+  });
+  await page.goto(`file://${out}/player.html#step=100000000&lang=en`);
+  await page.waitForSelector('section');
+  const sentence = await page.$eval('.sentence', (e) => e.textContent ?? '');
+  /** Pixels of the page's picture that differ from picture.png. */
+  const wrong = await page.evaluate(async (file) => {
+    const image = new Image();
+    image.src = file;
+    await image.decode();
+    const canvas = document.querySelector('canvas')!;
+    const wanted = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d')!;
+    wanted.drawImage(image, 0, 0);
+    const size = [0, 0, canvas.width, canvas.height] as const;
+    const a = wanted.getImageData(...size).data;
+    const b = canvas.getContext('2d')!.getImageData(...size).data;
+    return a.reduce((count, value, i) => count + Number(value !== b[i]), 0);
+  }, `file://${out}/picture.png`);
+  await page.close();
+  return { sentence, wrong, complaints };
+}
+
+describe.skipIf(gw === '')('a run of gw hidden', () => {
+  it.each(surfaces)('by %s ends with the picture of the machine', async (algorithm) => {
+    const { sentence, wrong, complaints } = await lastStep(run(algorithm, 'cycle', 'span'));
+    expect(complaints).toEqual([]);
+    expect(wrong).toBe(0);
+    expect(sentence).not.toContain('{');
+    expect(sentence.length).toBeGreaterThan(10);
+  });
+
+  it.each(['appel', 'roberts'])('by %s draws lines', async (algorithm) => {
+    const { sentence, complaints } = await lastStep(run(algorithm, 'solids', 'polygon'));
+    expect(complaints).toEqual([]);
+    expect(sentence).not.toContain('{');
+  });
+});
