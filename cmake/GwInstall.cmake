@@ -28,6 +28,16 @@ if(TARGET gw_formats)
 endif()
 
 if(TARGET gw)
+    foreach(library gw_glx gw_osmesa)  # which `gw gl` gives to programs
+        if(TARGET ${library})
+            install(TARGETS ${library} LIBRARY DESTINATION ${GW_INSTALLED_OPENGL} NAMELINK_SKIP COMPONENT command)
+        endif()
+    endforeach()
+    if(TARGET gw_glx)
+        foreach(name libEGL.so.1 libGLX.so.0 libOpenGL.so.0)  # links to libGL.so.1
+            install(FILES ${PROJECT_BINARY_DIR}/lib/opengl/${name} DESTINATION ${GW_INSTALLED_OPENGL} COMPONENT command)
+        endforeach()
+    endif()
     file(RELATIVE_PATH to_modules ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_PREFIX}/${modules})
     set_target_properties(gw PROPERTIES INSTALL_RPATH "\$ORIGIN/${to_modules}")
     install(TARGETS gw RUNTIME COMPONENT command)

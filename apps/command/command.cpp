@@ -36,7 +36,8 @@ std::vector<std::string> command_names(const CLI::App& app) {
 std::optional<std::string> mistyped(const CLI::App& app) {
     const auto chosen = app.get_subcommands();
     const CLI::App& at = chosen.empty() ? app : *chosen.front();
-    const std::vector<std::string> words = at.remaining();
+    std::vector<std::string> words = at.remaining();
+    std::erase(words, "--");  // CLI11 keeps the mark, though not the words behind it
     if (words.empty()) return {};
     const auto option =
         std::find_if(words.begin(), words.end(), [](const std::string& w) { return w[0] == '-'; });
@@ -58,10 +59,10 @@ int report(ExitCode code, std::string_view what) {
 }
 
 void add_commands(CLI::App& app, std::vector<Command>& commands) {
-    for (auto add : {add_render, add_passes, add_record,  add_replay,    add_verify,
-                     add_diff,   add_pixel,  add_maps,    add_inspect,   add_hidden,
-                     add_styles, add_cast,   add_compare, add_radiosity, add_figures,
-                     add_study,  add_golden, add_info,    add_describe,  add_conformance}) {
+    for (auto add : {add_render,   add_passes,      add_record,  add_replay, add_verify, add_diff,
+                     add_pixel,    add_maps,        add_inspect, add_hidden, add_styles, add_cast,
+                     add_compare,  add_radiosity,   add_figures, add_study,  add_golden, add_info,
+                     add_describe, add_conformance, add_gl}) {
         commands.push_back(add(app));
         commands.back().app->allow_extras();  // so that `mistyped` sees the word
     }

@@ -6,6 +6,7 @@
 #include "gl/api/calls.h"
 #include "gl/api/convert.h"
 #include "gl/api/kind.h"
+#include "gl/context/call_trace.h"
 #include "gl/context/context.h"
 #include "gl/context/current.h"
 

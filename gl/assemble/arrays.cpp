@@ -265,7 +265,9 @@ void array_element(Context& c, GLint i) {
 }
 
 void play_elements(Context& c, const Elements& elements) {
+    c.calls.is_one_call = true;
     keeping_current_values(c, [&] { elements->play(c); });
+    c.calls.is_one_call = false;
 }
 
 void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count) {

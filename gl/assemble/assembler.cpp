@@ -48,6 +48,8 @@ void add_vertex(Context& c, const AssembledVertex& v) {
         a.material_changed = false;
     }
     a.mesh.add(v);
+    if (calls_are_kept) [[unlikely]]
+        a.run_calls.add(c.calls.now);
     const auto material = static_cast<std::uint32_t>(a.materials.size() - 1);
     a.mesh.vertices.back().edge_and_material = material << 1 | (v.edge_and_material & 1u);
 }
@@ -61,12 +63,14 @@ void begin(Context& c, GLenum mode) {
     const bool whole_strips = c.state.line.stipple || c.selection.mode == GL_FEEDBACK;
     if (!a.mesh.takes(mode, whole_strips)) flush_mesh(c);
     a.mesh.begin(mode, whole_strips);
+    if (calls_are_kept) a.run_calls.begin(mode, a.mesh);
     a.inside = true;
 }
 
 void end(Context& c) {
     if (!c.assembler.inside) return set_error(c, GL_INVALID_OPERATION);
     c.assembler.mesh.end();
+    if (calls_are_kept) c.assembler.run_calls.end(c.assembler.mesh, c.calls.runs);
     c.assembler.inside = false;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gl/assemble/assembly.h"
+#include "gl/assemble/run_calls.h"
 #include "gw/material.h"
 
 #include <vector>
@@ -16,6 +17,7 @@ struct Assembler {
     Assembly mesh;
     std::vector<FaceMaterials> materials;  ///< of the mesh's vertices
     bool material_changed = false;         ///< since the last vertex
+    RunCalls run_calls;                    ///< of the open run, while calls are kept
 
     /// Forgets the mesh, keeps the memory.
     void clear();

@@ -44,6 +44,18 @@ void Assembly::clear() {
     has_hidden_edges = false;
 }
 
+std::size_t Assembly::primitive_count() const {
+    const std::size_t corners = indices.empty() ? vertices.size() : indices.size();
+    switch (primitive) {
+        case Primitive::Points: return corners;
+        case Primitive::Lines: return corners / 2;
+        case Primitive::LineStrip: return corners == 0 ? 0 : corners - 1;
+        case Primitive::Quads: return corners / 4;
+        case Primitive::Polygons: return polygon_sizes.size();
+        default: return corners / 3;
+    }
+}
+
 /// From here on, the mesh names its vertices by indices.
 void Assembly::use_indices() {
     if (!indices.empty()) return;

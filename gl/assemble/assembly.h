@@ -50,6 +50,8 @@ struct Assembly {
     /// Forgets the mesh, keeps the memory.
     void clear();
     bool empty() const { return vertices.empty(); }
+    /// Points, lines, triangles, quads or polygons of complete runs.
+    std::size_t primitive_count() const;
     bool operator==(const Assembly& other) const {
         return primitive == other.primitive && vertices == other.vertices &&
                indices == other.indices && polygon_sizes == other.polygon_sizes;

@@ -31,17 +31,21 @@ void report_exception(Context& c) {
     }
 }
 
-void finish_drawing(Context& c) {
+void finish_drawing(Context& c, Cause cause) {
     flush_mesh(c);
     if (c.drawable == nullptr) return;
-    c.drawable->flush();
-    c.drawable->present();
-    c.drawable->begin_frame();
+    if (c.drawable->finish(cause)) c.calls.next = 0;
     c.meshes.begin_frame();
 }
 
+void finish_frame(Context& c) {
+    flush_mesh(c);
+    c.meshes.begin_frame();
+    c.calls.next = 0;
+}
+
 void make_current(Context* context, Drawable* draw, Drawable* read) {
-    if (current != nullptr) guarded(*current, [] { finish_drawing(*current); });
+    if (current != nullptr) guarded(*current, [] { finish_drawing(*current, Cause::Switch); });
     current = context;
     if (context == nullptr) return;
     context->drawable = draw;

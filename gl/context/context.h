@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gl/assemble/assembler.h"
+#include "gl/context/call_trace.h"
 #include "gl/context/drawable.h"
 #include "gl/draw/mesh.h"
 #include "gl/draw/submit.h"
@@ -53,6 +54,7 @@ struct Context {
     Assembler assembler;
     MeshCache meshes;
     MachineState machine_state;
+    CallTrace calls;
     Drawable* drawable = nullptr;
     Drawable* read_drawable = nullptr;  ///< of ReadPixels and of copies; both null or none
     bool has_been_current = false;
@@ -62,8 +64,10 @@ struct Context {
 /// Keeps the first error until GetError. [GL11] 2.5
 void set_error(Context& c, GLenum error);
 
-/// Draws what was assembled and executes the drawable's frame.
-void finish_drawing(Context& c);
+/// Draws what was assembled and executes the drawable's commands.
+void finish_drawing(Context& c, Cause cause = Cause::Flush);
+/// Draws what was assembled. The drawable's frame is to be swapped next.
+void finish_frame(Context& c);
 
 /// Binds a context and drawables to draw to and read from to the calling thread; all null: none.
 /// Draws what the thread's former context has left. The first time, viewport and scissor box get the

@@ -1,6 +1,5 @@
 #include "gl/context/drawable.h"
 
-#include "gl/context/frame_log.h"
 #include "gl/context/settings.h"
 
 #include <utility>
@@ -25,75 +24,96 @@ Drawable::Drawable(const Profile& profile, int width, int height, std::string na
       width_(width),
       height_(height),
       buffers_(buffers),
-      machine_(make_fast(profile, width, height, {.threads = settings().threads})) {
-    if (log) log->open(name_, width, height);
+      machine_(make_machine(profile, width, height)) {
+    if (log) log->open(*this);
 }
 
 Drawable::~Drawable() {
-    if (log) log->close(name_);
+    if (log) log->close(*this);
 }
 
 void Drawable::resize(int width, int height) {
     const auto lock = exclusive();
-    machine_ = make_fast(Profile(profile()), width, height, {.threads = settings().threads});
+    if (log) log->close(*this);
+    machine_ = make_machine(Profile(profile()), width, height);
     width_ = width;
     height_ = height;
     frame_ = {};
+    frame_calls_.clear();
     frame_vertices_ = 0;
     last_state_ = nullptr;
     frame_begins_ = true;
-    if (!log) return;
-    log->close(name_);
-    log->open(name_, width, height);
+    if (log) log->open(*this);
 }
 
-void Drawable::add(Command command) {
+void Drawable::add(Command command, std::span<const CallRun> calls) {
     const auto lock = exclusive();
-    if (std::exchange(frame_begins_, false))
+    if (std::exchange(frame_begins_, false)) {
+        if (log) log->begin_frame(*this);
         frame_.add(BeginPass{"frame " + std::to_string(frames_)});
+    }
     if (const auto* draw = std::get_if<Draw>(&command))
         frame_vertices_ += draw->mesh->vertex_count();
+    for (const CallRun& run : calls) {
+        frame_calls_.push_back(run);
+        frame_calls_.back().command = static_cast<std::uint32_t>(frame_.commands.size());
+    }
     frame_.add(std::move(command));
-    if (frame_vertices_ < largest_frame && frame_.commands.size() < most_commands) return;
-    ++barriers_;
-    flush();
+    if (frame_vertices_ >= largest_frame || frame_.commands.size() >= most_commands)
+        flush(Cause::Full);
 }
 
-void Drawable::begin_frame() {
+void Drawable::end_frame() {
     const auto lock = exclusive();
+    front_drawn_ = false;
     if (frame_begins_) return;
+    if (log) log->end_frame(*this);
     ++frames_;
     frame_begins_ = true;
 }
 
-void Drawable::set_state(const gw::State& state) {
+void Drawable::set_state(const gw::State& state, std::span<const CallRun> calls) {
     const auto lock = exclusive();
-    if (has_back_plane())
-        front_changed_ |=
-            state.draw_buffer == DrawBuffer::Front || state.draw_buffer == DrawBuffer::FrontAndBack;
-    else
-        front_changed_ |= !is_double_buffered();
+    const bool to_front = has_back_plane() ? state.draw_buffer == DrawBuffer::Front ||
+                                                 state.draw_buffer == DrawBuffer::FrontAndBack
+                                           : !is_double_buffered();
+    front_changed_ |= to_front;
+    front_drawn_ |= to_front;
     if (last_state_ && *last_state_ == state) return;
+    add(SetState{state}, calls);
     last_state_ = std::make_unique<gw::State>(state);
-    add(SetState{state});
 }
 
-void Drawable::flush() {
+void Drawable::flush(Cause cause) {
     const auto lock = exclusive();
     if (frame_.commands.empty()) return;
-    const CommandList frame = std::exchange(frame_, {});
+    const CommandList list = std::exchange(frame_, {});
+    const std::vector<CallRun> calls = std::exchange(frame_calls_, {});
     frame_vertices_ = 0;
-    machine_->execute(frame);
+    machine_->execute(list);
+    if (log) {
+        Counters sum;
+        for (const PassReport& pass : machine_->passes()) sum += pass.counters;
+        log->executed(*this, {list, calls, cause, sum});
+    }
     machine_->reset_passes();
-    if (log) log->add(name_, frame);
+}
+
+// Not locked as a whole: windows lock their display before the drawable.
+bool Drawable::finish(Cause cause) {
+    const bool ends = front_drawn_ || is_off_screen();
+    flush(ends ? Cause::Shown : cause);
+    present();
+    if (ends) end_frame();
+    return ends;
 }
 
 void Drawable::swap() {
     if (has_back_plane()) add(SwapBuffers{});
-    flush();
+    flush(Cause::Shown);
     front_changed_ = true;
     present();
-    begin_frame();
+    end_frame();
 }
 
 void Drawable::select(gw::ReadBuffer buffer) {
@@ -103,35 +123,34 @@ void Drawable::select(gw::ReadBuffer buffer) {
     set_state(state);
 }
 
-void Drawable::execute_read(Plane plane, const Rect& rect, bool packed) {
-    if (!frame_.commands.empty()) ++barriers_;
+void Drawable::execute_read(Plane plane, const Rect& rect, Cause cause, bool packed) {
     frame_.add(Read{.key = 0, .plane = plane, .rect = rect, .packed = packed});
-    flush();
+    flush(cause);
 }
 
-Readback Drawable::read(Plane plane, const Rect& rect) {
+Readback Drawable::read(Plane plane, const Rect& rect, Cause cause) {
     const auto lock = exclusive();
-    execute_read(plane, rect, false);
+    execute_read(plane, rect, cause, false);
     return machine_->readbacks().at(0);
 }
 
-Readback Drawable::read_colors(gw::ReadBuffer buffer, const Rect& rect) {
+Readback Drawable::read_colors(gw::ReadBuffer buffer, const Rect& rect, Cause cause) {
     const auto lock = exclusive();
     select(buffer);
-    return read(Plane::Color, rect);
+    return read(Plane::Color, rect, cause);
 }
 
-void Drawable::read_packed(const Rect& rect, std::span<std::uint32_t> pixels) {
+void Drawable::read_packed(const Rect& rect, Cause cause, std::span<std::uint32_t> pixels) {
     const auto lock = exclusive();
     machine_->read_into(0, pixels);
-    execute_read(Plane::Color, rect, true);
+    execute_read(Plane::Color, rect, cause, true);
 }
 
-void Drawable::read_packed(gw::ReadBuffer buffer, const Rect& rect,
+void Drawable::read_packed(gw::ReadBuffer buffer, const Rect& rect, Cause cause,
                            std::span<std::uint32_t> pixels) {
     const auto lock = exclusive();
     select(buffer);
-    read_packed(rect, pixels);
+    read_packed(rect, cause, pixels);
 }
 
 }  // namespace gw::gl

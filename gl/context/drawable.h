@@ -2,6 +2,7 @@
 // command list; flush() executes it. Window systems derive from it to show what was drawn.
 #pragma once
 
+#include "gl/context/frame_log.h"
 #include "gw/command_list.h"
 #include "gw/machine.h"
 
@@ -11,6 +12,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace gw::gl {
 
@@ -35,6 +37,12 @@ public:
         return buffers_ == Buffers::Double && profile().color_planes == 2;
     }
     const Profile& profile() const { return machine_->profile(); }
+    const std::string& name() const { return name_; }
+    /// The number of the frame that is being drawn, from 0.
+    std::uint64_t frame() const { return frames_; }
+    const Planes& planes() { return machine_->planes(); }
+    /// Of the commands so far; null: none has set a state.
+    const gw::State* state() const { return last_state_.get(); }
 
     /// Contexts of several threads may draw to one drawable. Every function locks it; a caller that
     /// needs several calls in a row, as a state and its draw, holds this lock meanwhile.
@@ -42,42 +50,46 @@ public:
         return std::unique_lock(mutex_);
     }
 
-    /// Adds a command to the frame; a state only if it differs from the frame's last one.
-    void add(Command command);
-    void set_state(const gw::State& state);
+    /// Adds a command to the frame, and the calls that made it; a state only if it differs from the
+    /// frame's last one.
+    void add(Command command, std::span<const CallRun> calls = {});
+    void set_state(const gw::State& state, std::span<const CallRun> calls = {});
 
-    /// Executes the frame. What follows belongs to it too, until begin_frame().
-    void flush();
+    /// Executes the commands so far. What follows belongs to the same frame.
+    void flush(Cause cause);
+    /// Flush and Finish: executes the commands, and shows what was drawn to the front buffer. That
+    /// ends the frame, off screen too.
+    /// Returns whether it ended.
+    bool finish(Cause cause = Cause::Flush);
     /// Exchanges front and back buffer; the frame is then whole, and shown.
     void swap();
-    /// The commands that follow are those of a new frame, a pass "frame 12".
-    void begin_frame();
     /// Shows the frame: to the window, or in the caller's memory.
     virtual void present() {}
     /// Executes the frame and reads a rectangle inside the drawable.
-    Readback read(Plane plane, const Rect& rect);
+    Readback read(Plane plane, const Rect& rect, Cause cause);
     /// The colours of a buffer, whatever the read buffer is.
-    Readback read_colors(gw::ReadBuffer buffer, const Rect& rect);
+    Readback read_colors(gw::ReadBuffer buffer, const Rect& rect, Cause cause);
     /// The same of at most 8 bits a channel, into the caller's memory: R in the lowest byte, then G,
     /// B and A.
-    void read_packed(gw::ReadBuffer buffer, const Rect& rect, std::span<std::uint32_t> pixels);
-    void read_packed(const Rect& rect, std::span<std::uint32_t> pixels);
+    void read_packed(gw::ReadBuffer buffer, const Rect& rect, Cause cause,
+                     std::span<std::uint32_t> pixels);
+    void read_packed(const Rect& rect, Cause cause, std::span<std::uint32_t> pixels);
+    /// Whether nobody sees it: its program may never swap.
+    virtual bool is_off_screen() const { return false; }
 
     /// New planes of another size, cleared to 0. What was not executed yet is left out.
     void resize(int width, int height);
-
-    /// How often the frame was executed because pixels were read or memory ran out, not because
-    /// the program had finished it.
-    std::uint64_t barriers() const { return barriers_; }
 
 protected:
     /// Whether the shown buffer may differ from the last time: it was drawn to, or exchanged.
     bool take_front_changed() { return std::exchange(front_changed_, false); }
 
 private:
-    void execute_read(Plane plane, const Rect& rect, bool packed);
+    void execute_read(Plane plane, const Rect& rect, Cause cause, bool packed);
     /// Reads are of this buffer from here on.
     void select(gw::ReadBuffer buffer);
+    /// The commands that follow are those of a new frame, a pass "frame 12".
+    void end_frame();
 
     std::recursive_mutex mutex_;
     std::string name_;  ///< in recordings
@@ -85,12 +97,13 @@ private:
     Buffers buffers_;
     std::unique_ptr<Machine> machine_;
     CommandList frame_;
+    std::vector<CallRun> frame_calls_;
     std::uint64_t frame_vertices_ = 0;
     std::uint64_t frames_ = 0;
     bool frame_begins_ = true;
     bool front_changed_ = false;
+    bool front_drawn_ = false;  ///< in this frame
     std::unique_ptr<gw::State> last_state_;
-    std::uint64_t barriers_ = 0;
 };
 
 }  // namespace gw::gl

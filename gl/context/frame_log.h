@@ -1,23 +1,48 @@
-// Listens to what drawables execute: for recordings.
+// Listens to what drawables execute and show: for recordings, statistics and pictures.
 #pragma once
 
+#include "gl/context/call_trace.h"
 #include "gw/command_list.h"
-#include "gw/profile.h"
+#include "gw/counters.h"
 
+#include <cstdint>
 #include <memory>
-#include <string>
 
 namespace gw::gl {
 
-/// Called by drawables of any thread.
+class Drawable;
+
+/// Why a drawable's commands are executed. All but the first are barriers: the frame is not whole.
+enum class Cause : std::uint8_t {
+    Shown,   ///< the frame is shown
+    Flush,   ///< Flush or Finish, and nothing is shown
+    Read,    ///< pixels are read
+    Copy,    ///< pixels are copied
+    Switch,  ///< the thread gets another context
+    Full,    ///< the frame has too many vertices or commands
+};
+inline constexpr int cause_count = 6;
+
+struct Execution {
+    const CommandList& list;
+    const std::vector<CallRun>& calls;  ///< of its commands; empty if calls_are_kept is false
+    Cause cause;
+    Counters counters;  ///< of this list
+};
+
+/// Called by drawables of any thread, each of which is locked meanwhile. Must not throw.
 class FrameLog {
 public:
     virtual ~FrameLog() = default;
-    /// A drawable begins; its planes are 0.
-    virtual void open(const std::string& window, int width, int height) = 0;
-    /// The drawable's machine has executed a list.
-    virtual void add(const std::string& window, const CommandList& list) = 0;
-    virtual void close(const std::string& window) = 0;
+    /// A machine begins; its planes are 0.
+    virtual void open(Drawable& drawable) = 0;
+    /// The first command of Drawable::frame() is about to be added.
+    virtual void begin_frame(Drawable& drawable) = 0;
+    virtual void executed(Drawable& drawable, const Execution& execution) = 0;
+    /// Drawable::frame() was executed and shown.
+    virtual void end_frame(Drawable& drawable) = 0;
+    /// The machine ends.
+    virtual void close(Drawable& drawable) = 0;
 };
 
 /// Null: nobody listens.

@@ -1,11 +1,13 @@
 #include "gl/context/settings.h"
 
 #include "gw/error.h"
+#include "gw/profile_text.h"
+#include "gw/shown.h"
 
 #include <charconv>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <string_view>
 
 namespace gw::gl {
 
@@ -13,21 +15,34 @@ namespace {
 
 constexpr int most_threads = 256;
 
-int thread_count(std::string_view text) {
+void read_profile(Settings& out, const char* value) {
+    try {
+        out.profile = profile_from_text(value);
+    } catch (const Error& error) {
+        report_ignored("GW_PROFILE", value, error.what());
+    }
+}
+
+void read_threads(Settings& out, std::string_view value) {
     int count = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-    if (error != std::errc() || end != text.data() + text.size() || count < 0 ||
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), count);
+    if (error != std::errc() || end != value.data() + value.size() || count < 0 ||
         count > most_threads)
-        throw Error("GW_THREADS is '" + std::string(text) + "'; expected 0 to 256 (0: all)");
-    return count;
+        return report_ignored("GW_THREADS", value, "expected 0 to 256 (0: all)");
+    out.threads = count;
+}
+
+void read_machine(Settings& out, std::string_view value) {
+    if (value != "fast" && value != "reference")
+        return report_ignored("GW_MACHINE", value, "expected fast or reference");
+    out.reference = value == "reference";
 }
 
 Settings read_settings() {
     Settings out;
-    const char* const profile = std::getenv("GW_PROFILE");
-    const char* const threads = std::getenv("GW_THREADS");
-    out.profile = profile != nullptr ? profile_named(profile) : opengl();
-    if (threads != nullptr) out.threads = thread_count(threads);
+    if (const char* const value = std::getenv("GW_PROFILE")) read_profile(out, value);
+    if (const char* const value = std::getenv("GW_THREADS")) read_threads(out, value);
+    if (const char* const value = std::getenv("GW_MACHINE")) read_machine(out, value);
     return out;
 }
 
@@ -36,6 +51,17 @@ Settings read_settings() {
 const Settings& settings() {
     static const Settings read = read_settings();
     return read;
+}
+
+void report_ignored(std::string_view variable, std::string_view value, std::string_view expected) {
+    const std::string line = "gw: " + std::string(variable) + " is '" + shown(value) + "'; " +
+                             std::string(expected) + "; it is ignored\n";
+    std::fputs(line.c_str(), stderr);
+}
+
+std::unique_ptr<Machine> make_machine(const Profile& profile, int width, int height) {
+    if (settings().reference) return make_reference(profile, width, height);
+    return make_fast(profile, width, height, {.threads = settings().threads});
 }
 
 }  // namespace gw::gl

@@ -98,6 +98,7 @@ MeshRef MeshCache::mesh_of(Assembly& assembly, const std::vector<FaceMaterials>&
 }
 
 void MeshCache::begin_frame() {
+    if (next_ == 0) return;  // Flush, then a swap
     entries_.resize(next_);
     next_ = 0;
 }

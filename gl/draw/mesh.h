@@ -32,7 +32,8 @@ public:
     /// The mesh of an assembly. Its vertices move into the cache.
     MeshRef mesh_of(Assembly& assembly, const std::vector<FaceMaterials>& materials,
                     const VertexValues& used);
-    /// Begins with the first mesh; forgets the meshes that the frame did not have.
+    /// Begins with the first mesh; forgets the meshes that the frame did not have. A frame without
+    /// meshes does not count.
     void begin_frame();
 
 private:

@@ -4,6 +4,7 @@
 #include "gl/draw/machine_state.h"
 #include "gl/draw/mesh.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace gw::gl {
@@ -68,23 +69,29 @@ Draw with_texture_coordinates(Draw draw) {
     return draw;
 }
 
-bool submit_state(Context& c) {
+std::vector<CallRun> present_call(const Context& c) {
+    if (!calls_are_kept) return {};
+    return {{.call = c.calls.now}};
+}
+
+bool submit_state(Context& c, std::span<const CallRun> calls) {
     if (c.drawable == nullptr) return false;
     update_machine_state(c);
-    c.drawable->set_state(c.machine_state.state);
+    c.drawable->set_state(c.machine_state.state, calls);
     return true;
 }
 
-void submit_command(Context& c, Command command) {
+void submit_command(Context& c, Command command, std::vector<CallRun> calls) {
     if (c.drawable == nullptr) return;
+    if (calls.empty()) calls = present_call(c);
     const auto lock = c.drawable->exclusive();
-    submit_state(c);
-    c.drawable->add(std::move(command));
+    submit_state(c, std::span(calls).first(std::min<std::size_t>(calls.size(), 1)));
+    c.drawable->add(std::move(command), calls);
 }
 
-void submit(Context& c, Draw draw) {
+void submit(Context& c, Draw draw, std::vector<CallRun> calls) {
     if (c.selection.mode != GL_RENDER) return report(c, draw);
-    if (is_drawable(c)) submit_command(c, std::move(draw));
+    if (is_drawable(c)) submit_command(c, std::move(draw), std::move(calls));
 }
 
 void submit_assembled(Context& c) {
@@ -93,7 +100,8 @@ void submit_assembled(Context& c) {
     const AssembledVertex first = a.mesh.vertices.front();
     MeshRef mesh = c.meshes.mesh_of(a.mesh, a.materials,
                                     used_values(c.state, c.selection.mode == GL_FEEDBACK));
-    submit(c, make_draw(c, std::move(mesh), first, a.materials.front()));
+    submit(c, make_draw(c, std::move(mesh), first, a.materials.front()),
+           std::exchange(c.calls.runs, {}));
 }
 
 }  // namespace gw::gl

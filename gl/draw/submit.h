@@ -2,7 +2,11 @@
 #pragma once
 
 #include "gl/assemble/assembly.h"
+#include "gl/context/call_trace.h"
 #include "gw/command_list.h"
+
+#include <span>
+#include <vector>
 
 namespace gw::gl {
 
@@ -39,20 +43,24 @@ Draw make_draw(Context& c, MeshRef mesh, const AssembledVertex& values,
 /// The same draw with a texture of two dimensions, so that the vertex stages make all texture
 /// coordinates.
 Draw with_texture_coordinates(Draw draw);
-/// Adds a draw to the frame; in feedback and selection mode, reports its primitives.
-void submit(Context& c, Draw draw);
+/// Adds a draw to the frame; in feedback and selection mode, reports its primitives. `calls` are
+/// those of its primitives; none: the present call made them all.
+void submit(Context& c, Draw draw, std::vector<CallRun> calls = {});
 /// Draws what was assembled.
 void submit_assembled(Context& c);
+
+/// The call that is being carried out; none if calls are not kept.
+std::vector<CallRun> present_call(const Context& c);
 
 /// Brings machine_state up to GL's state.
 void update_machine_state(Context& c);
 
 /// Sends GL's state to the drawable, for commands that do not draw meshes (clears, pixels). False if
 /// there is no drawable.
-bool submit_state(Context& c);
+bool submit_state(Context& c, std::span<const CallRun> calls = {});
 
 /// Sends GL's state and a command to the drawable if there is one. No other thread's command comes
 /// between the two.
-void submit_command(Context& c, Command command);
+void submit_command(Context& c, Command command, std::vector<CallRun> calls = {});
 
 }  // namespace gw::gl

@@ -250,7 +250,8 @@ EGLBoolean eglSwapBuffers(EGLDisplay display, EGLSurface surface) {
     return carried_out([&]() -> EGLBoolean {
         const auto found = surface_of(initialized_display(display), surface);
         if (!binding().context || found != binding().draw) throw Failure{EGL_BAD_SURFACE};
-        guarded(*current, [] { finish_drawing(*current); });
+        const bool swaps = found->kind() == SurfaceKind::Window && found->is_double_buffered();
+        guarded(*current, [&] { swaps ? finish_frame(*current) : finish_drawing(*current); });
         if (found->kind() != SurfaceKind::Window) return EGL_TRUE;
         found->swap_buffers();
         if (!found->follow_window()) throw Failure{EGL_BAD_NATIVE_WINDOW};

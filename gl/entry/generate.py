@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes C++ from the table of OpenGL's entry points: generate.py functions.txt FOLDER
 
-FOLDER/functions.h numbers them, FOLDER/entry_points.cpp and FOLDER/later.cpp define them and the tables behind
+FOLDER/functions.h numbers them, FOLDER/function_names.h names them, FOLDER/entry_points.cpp and FOLDER/later.cpp define them and the tables behind
 gl/entry/entry_points.h. FOLDER/names.inc has a line GW_GL_FUNCTION(Begin) for each that <GL/gl.h> declares, for tests.
 """
 import re
@@ -59,6 +59,7 @@ def function(kind, result, name, parameters, call, arguments):
     separator = ", " if arguments else ""
     returned = "" if result == "void" else "return "
     return (f"{result} GLAPIENTRY gl{name}({parameters}) {{\n"
+            f"    number_call(Function::{name}, __builtin_return_address(0));\n"
             f"    {returned}call<Kind::{KINDS[kind]}, execute::{call}>"
             f"(Function::{name}{separator}{arguments});\n}}")
 
@@ -67,6 +68,12 @@ def functions_header(names):
     return ["#pragma once", "#include <cstdint>", "namespace gw::gl {",
             "/// The entry points, in the table's order.", "enum class Function : std::uint16_t {",
             *(f"    {name}," for name in names), "};", "}  // namespace gw::gl"]
+
+
+def names_header(names):
+    return ["#pragma once", "namespace gw::gl {", "/// In the order of Function.",
+            "inline constexpr const char* function_names[] = {",
+            *(f'    "gl{name}",' for name in names), "};", "}  // namespace gw::gl"]
 
 
 def table(function_name, rows):
@@ -105,6 +112,7 @@ def main():
     known = [row for row in rows if row[0] != "later"]
     for name, lines in (("functions.h", functions_header([row[2] for row in known])),
                         ("names.inc", [f"GW_GL_FUNCTION({row[2]})" for row in known if not row[2].endswith(("EXT", "ARB"))]),
+                        ("function_names.h", names_header([row[2] for row in known])),
                         ("entry_points.cpp", definitions(known)),
                         ("later.cpp", later_definitions(later))):
         with open(f"{folder}/{name}", "w", encoding="utf-8") as file:

@@ -182,7 +182,9 @@ void glXSwapBuffers(Display* display, GLXDrawable drawable) {
     caught([&] {
         const auto surface = surface_named(display, drawable, X_GLXSwapBuffers);
         if (!surface) return;
-        finish_current(surface);
+        if (!surface->is_double_buffered()) return finish_current(surface);
+        if (current != nullptr && current_binding().draw == surface)
+            guarded(*current, [] { finish_frame(*current); });
         surface->swap_buffers();
     });
 }

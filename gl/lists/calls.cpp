@@ -82,6 +82,7 @@ void play(Context& c, GLuint name) {
     const std::shared_ptr<const DisplayList> list = list_named(c, name);  // it may delete itself
     if (!list) return;
     ++c.lists.nesting;
+    const PlayedListScope scope(c.calls, name);
     list->play(c);
     --c.lists.nesting;
 }

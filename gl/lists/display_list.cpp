@@ -49,13 +49,18 @@ DisplayList::Position DisplayList::next(Position p) const {
     return p.at < blocks_[p.block].used ? p : Position{p.block + 1, 0};
 }
 
-void DisplayList::play_calls(Context& c, Position from, const Position& to) const {
-    for (; from != to; from = next(from)) header(from).operations->play(c, values(from));
+void DisplayList::play_calls(Context& c, const Step& step) const {
+    std::uint32_t number = step.first;
+    for (Position p = step.begin; p != step.end; p = next(p), ++number) {
+        if (calls_are_kept && !c.calls.is_one_call) [[unlikely]]
+            c.calls.now = {number, header(p).function, nullptr, c.calls.list};
+        header(p).operations->play(c, values(p));
+    }
 }
 
 void DisplayList::play(Context& c) const {
     for (const Step& step : steps_)
-        if (!step.runs || !draw_runs(c, *step.runs)) play_calls(c, step.begin, step.end);
+        if (!step.runs || !draw_runs(c, *step.runs)) play_calls(c, step);
 }
 
 }  // namespace gw::gl

@@ -73,6 +73,7 @@ private:
     /// A range of calls, and what they became.
     struct Step {
         Position begin, end;
+        std::uint32_t first = 0;           ///< the number of the first call
         std::shared_ptr<SealedRuns> runs;  ///< null: the calls are played
     };
     friend class Sealer;
@@ -83,7 +84,7 @@ private:
     const std::byte* values(const Position& p) const;
     Position next(Position p) const;
     Position end() const { return {blocks_.size(), 0}; }
-    void play_calls(Context& c, Position from, const Position& to) const;
+    void play_calls(Context& c, const Step& step) const;
 
     std::vector<Block> blocks_;
     std::vector<Step> steps_;

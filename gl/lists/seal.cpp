@@ -31,15 +31,18 @@ private:
     /// Takes a call into the group; false if it cannot stand there.
     bool take(const Position& p);
     bool take_begin(GLenum mode);
-    bool take_vertex(const vec4& position);
+    bool take_vertex(const vec4& position, Function function);
     bool take_end();
-    void begin_group(const Position& p);
+    void begin_group(const Position& p, std::uint32_t first);
     /// Ends the group before `p`: a step of its own if it is complete and large.
     void end_group(const Position& p);
-    void add_step(const Position& begin, const Position& end, std::shared_ptr<SealedRuns> runs);
+    void add_step(const Position& begin, const Position& end, std::uint32_t first,
+                  std::shared_ptr<SealedRuns> runs);
 
     DisplayList& list_;
     Position group_begin_;
+    std::uint32_t group_first_ = 0, number_ = 0;  ///< of the group's first call, of the present one
+    RunCalls run_calls_;
     std::shared_ptr<SealedRuns> runs_;
     AssembledVertex now_;
     GivenValues given_;
@@ -48,8 +51,9 @@ private:
     bool inside_ = false;
 };
 
-void Sealer::begin_group(const Position& p) {
+void Sealer::begin_group(const Position& p, std::uint32_t first) {
     group_begin_ = p;
+    group_first_ = first;
     runs_ = std::make_shared<SealedRuns>();
     now_ = {};
     given_ = {};
@@ -64,10 +68,11 @@ bool Sealer::take_begin(GLenum mode) {
     auto& parts = runs_->parts;
     if (parts.empty() || !parts.back().assembly.takes(mode, false)) parts.emplace_back();
     parts.back().assembly.begin(mode, false);
+    if (calls_are_kept) run_calls_.begin(mode, parts.back().assembly);
     return inside_ = true;
 }
 
-bool Sealer::take_vertex(const vec4& position) {
+bool Sealer::take_vertex(const vec4& position, Function function) {
     if (!inside_) return false;
     if (!given_to_all_) given_to_all_ = given_;
     if (*given_to_all_ != given_) return false;
@@ -75,13 +80,16 @@ bool Sealer::take_vertex(const vec4& position) {
         if (!std::isfinite(position[i])) return false;
     now_.position = position;
     runs_->parts.back().assembly.add(now_);
+    if (calls_are_kept) run_calls_.add({.number = number_, .function = function});
     ++vertices_;
     return true;
 }
 
 bool Sealer::take_end() {
     if (!inside_) return false;
-    runs_->parts.back().assembly.end();
+    SealedRuns::Part& part = runs_->parts.back();
+    part.assembly.end();
+    if (calls_are_kept) run_calls_.end(part.assembly, part.calls);
     inside_ = false;
     return true;
 }
@@ -89,7 +97,7 @@ bool Sealer::take_end() {
 bool Sealer::take(const Position& p) {
     if (const auto* v = call_of<execute::vertex>(p)) {
         const auto& [x, y, z, w] = *v;
-        return take_vertex({x, y, z, w});
+        return take_vertex({x, y, z, w}, list_.header(p).function);
     }
     if (const auto* v = call_of<execute::begin>(p)) return take_begin(std::get<0>(*v));
     if (call_of<execute::end>(p) != nullptr) return take_end();
@@ -115,34 +123,35 @@ bool Sealer::take(const Position& p) {
     return false;
 }
 
-void Sealer::add_step(const Position& begin, const Position& end,
+void Sealer::add_step(const Position& begin, const Position& end, std::uint32_t first,
                       std::shared_ptr<SealedRuns> runs) {
     auto& steps = list_.steps_;
     if (begin == end) return;
     if (!runs && !steps.empty() && !steps.back().runs)
         steps.back().end = end;
     else
-        steps.push_back({begin, end, std::move(runs)});
+        steps.push_back({begin, end, first, std::move(runs)});
 }
 
 void Sealer::end_group(const Position& p) {
-    if (inside_ || vertices_ < fewest_vertices) return add_step(group_begin_, p, nullptr);
+    if (inside_ || vertices_ < fewest_vertices)
+        return add_step(group_begin_, p, group_first_, nullptr);
     std::erase_if(runs_->parts, [](const auto& part) { return part.assembly.empty(); });
     runs_->given = *given_to_all_;
     runs_->given_after = given_;
     runs_->last = now_;
-    add_step(group_begin_, p, std::move(runs_));
+    add_step(group_begin_, p, group_first_, std::move(runs_));
 }
 
 void Sealer::seal() {
-    begin_group({});
-    for (Position p; p != list_.end(); p = list_.next(p)) {
+    begin_group({}, 0);
+    for (Position p; p != list_.end(); p = list_.next(p), ++number_) {
         if (take(p)) continue;
 
         end_group(p);
         const Position after = list_.next(p);
-        add_step(p, after, nullptr);
-        begin_group(after);
+        add_step(p, after, number_, nullptr);
+        begin_group(after, number_ + 1);
     }
     end_group(list_.end());
 }

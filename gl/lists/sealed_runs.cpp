@@ -33,6 +33,14 @@ void set_current(CurrentState& now, const SealedRuns& runs) {
     if (runs.given_after.edge_flag) now.edge_flag = runs.last.edge();
 }
 
+/// The calls of a part in the list that is being played.
+std::vector<CallRun> played_calls(const Context& c, const SealedRuns::Part& part) {
+    if (!calls_are_kept || c.calls.is_one_call) return {};
+    std::vector<CallRun> calls = part.calls;
+    for (CallRun& run : calls) run.call.list = c.calls.list;
+    return calls;
+}
+
 }  // namespace
 
 bool draw_runs(Context& c, SealedRuns& runs) {
@@ -49,8 +57,10 @@ bool draw_runs(Context& c, SealedRuns& runs) {
     used.texcoords &= runs.given.texcoord;
     const FaceMaterials materials = face_materials(c);
     for (SealedRuns::Part& part : runs.parts)
-        submit(c, make_draw(c, mesh_for(part, used),
-                            common_values(c, runs, part.assembly.vertices.front()), materials));
+        submit(c,
+               make_draw(c, mesh_for(part, used),
+                         common_values(c, runs, part.assembly.vertices.front()), materials),
+               played_calls(c, part));
     set_current(c.state.current, runs);
     return true;
 }

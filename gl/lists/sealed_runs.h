@@ -21,6 +21,7 @@ struct SealedRuns {
     struct Part {
         Assembly assembly;
         std::array<MeshRef, 8> meshes;  ///< by the values that they have
+        std::vector<CallRun> calls;     ///< numbers in the list; empty: they are not kept
     };
     std::vector<Part> parts;
     GivenValues given;        ///< all vertices have these; the others are the current ones

@@ -114,9 +114,9 @@ void Memory::present() {
     Readback read;
     packed_.resize(is_packed ? all.area() : 0);
     if (is_packed)
-        read_packed(gw::ReadBuffer::Front, all, packed_);
+        read_packed(gw::ReadBuffer::Front, all, Cause::Shown, packed_);
     else
-        read = read_colors(gw::ReadBuffer::Front, all);
+        read = read_colors(gw::ReadBuffer::Front, all, Cause::Shown);
     const std::size_t pixel = std::size_t(layout_.size) * component_size(type_);
     for (int y = 0; y < height(); ++y) {
         const int row = y_up_ ? y : height() - 1 - y;
@@ -131,7 +131,7 @@ void Memory::present() {
 }
 
 std::vector<std::uint32_t>& Memory::depths() {
-    const Readback read = Drawable::read(Plane::Depth, {0, 0, width(), height()});
+    const Readback read = Drawable::read(Plane::Depth, {0, 0, width(), height()}, Cause::Read);
     depths_.assign(read.values.begin(), read.values.end());
     return depths_;
 }

@@ -70,10 +70,10 @@ bool is_identity(const PixelState& s, Plane plane) {
 /// The pixels of a copy, read and transferred by the front end.
 void set_transferred(gw::DrawPixels& out, Context& c, Plane plane, const Rect& rect) {
     if (plane == Plane::Color) {
-        out.colors = read_rgba(c, rect, c.profile.color_bits);
+        out.colors = read_rgba(c, rect, Cause::Copy, c.profile.color_bits);
         return;
     }
-    std::vector<double> values = read_values(c, plane, rect);
+    std::vector<double> values = read_values(c, plane, rect, Cause::Copy);
     if (plane == Plane::Depth) {
         for (double& depth : values) depth = transferred_depth(c, depth);
         return set_depths(out, c, values);

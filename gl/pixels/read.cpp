@@ -48,17 +48,17 @@ void submit_read_buffer(Context& c) {
 }
 
 /// The colours of a rectangle, 8 bits a channel; 0 outside the drawable.
-std::vector<std::uint32_t> read_words(Context& c, const Rect& rect) {
+std::vector<std::uint32_t> read_words(Context& c, const Rect& rect, Cause cause) {
     std::vector<std::uint32_t> out(rect.area(), 0);
     const Rect inside = intersection(*c.read_drawable, rect);
     if (inside.area() == 0) return out;
     submit_read_buffer(c);
     if (inside == rect) {
-        c.read_drawable->read_packed(rect, out);
+        c.read_drawable->read_packed(rect, cause, out);
         return out;
     }
     std::vector<std::uint32_t> read(inside.area());
-    c.read_drawable->read_packed(inside, read);
+    c.read_drawable->read_packed(inside, cause, read);
     place(out, rect, inside, [&](std::size_t i) { return read[i]; });
     return out;
 }
@@ -70,20 +70,21 @@ double largest(int bits) { return double((std::uint64_t{1} << bits) - 1); }
 /// The rows of a rectangle of colours for memory.
 std::vector<std::byte> packed_rows(Context& c, const Rect& rect, GLenum format, GLenum type) {
     if (type == GL_UNSIGNED_BYTE && has_bytes(c))
-        if (auto rows = packed_bytes(c, read_words(c, rect), format)) return std::move(*rows);
-    std::vector<vec4> colors = read_colors(c, rect);
+        if (auto rows = packed_bytes(c, read_words(c, rect, Cause::Read), format))
+            return std::move(*rows);
+    std::vector<vec4> colors = read_colors(c, rect, Cause::Read);
     for (vec4& color : colors) color = transferred_color(c, color);
     return packed_colors(colors, format, type);
 }
 
 }  // namespace
 
-std::vector<vec4> read_colors(Context& c, const Rect& rect) {
+std::vector<vec4> read_colors(Context& c, const Rect& rect, Cause cause) {
     std::vector<vec4> out(rect.area(), vec4(0));
     const Rect inside = intersection(*c.read_drawable, rect);
     if (inside.area() == 0) return out;
     submit_read_buffer(c);
-    const Readback read = c.read_drawable->read(Plane::Color, inside);
+    const Readback read = c.read_drawable->read(Plane::Color, inside, cause);
     const auto scale = float(largest(c.read_drawable->profile().color_bits));
     place(out, rect, inside, [&](std::size_t i) {
         const Rgba& p = read.color[i];
@@ -92,19 +93,19 @@ std::vector<vec4> read_colors(Context& c, const Rect& rect) {
     return out;
 }
 
-std::vector<Rgba> read_rgba(Context& c, const Rect& rect, int bits) {
-    if (has_bytes(c)) return transferred_rgba(c, read_words(c, rect), bits);
+std::vector<Rgba> read_rgba(Context& c, const Rect& rect, Cause cause, int bits) {
+    if (has_bytes(c)) return transferred_rgba(c, read_words(c, rect, cause), bits);
     std::vector<Rgba> out;
-    for (const vec4& color : read_colors(c, rect))
+    for (const vec4& color : read_colors(c, rect, cause))
         out.push_back(quantize_color(transferred_color(c, color), bits));
     return out;
 }
 
-std::vector<double> read_values(Context& c, Plane plane, const Rect& rect) {
+std::vector<double> read_values(Context& c, Plane plane, const Rect& rect, Cause cause) {
     std::vector<double> out(rect.area(), 0.0);
     const Rect inside = intersection(*c.read_drawable, rect);
     if (inside.area() == 0) return out;
-    const Readback read = c.read_drawable->read(plane, inside);
+    const Readback read = c.read_drawable->read(plane, inside, cause);
     const double scale =
         plane == Plane::Depth ? largest(c.read_drawable->profile().depth_bits) : 1.0;
     place(out, rect, inside, [&](std::size_t i) { return double(read.values[i]) / scale; });
@@ -124,7 +125,8 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
     std::vector<std::byte> rows;
     if (format == GL_STENCIL_INDEX || format == GL_DEPTH_COMPONENT) {
         const bool is_depth = format == GL_DEPTH_COMPONENT;
-        std::vector<double> values = read_values(c, is_depth ? Plane::Depth : Plane::Stencil, rect);
+        std::vector<double> values =
+            read_values(c, is_depth ? Plane::Depth : Plane::Stencil, rect, Cause::Read);
         for (double& v : values)
             v = is_depth ? transferred_depth(c, v) : double(transferred_stencil(c, v));
         rows = packed_values(values, width, format, type);

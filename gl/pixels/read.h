@@ -1,6 +1,7 @@
 // Pixels of the drawable, for ReadPixels and for copies into textures.
 #pragma once
 
+#include "gl/context/frame_log.h"
 #include "gw/base/types.h"
 #include "gw/planes.h"
 
@@ -11,10 +12,10 @@ namespace gw::gl {
 struct Context;
 
 /// Colours 0 .. 1, bottom row first; 0 outside the drawable. The context has a drawable.
-std::vector<vec4> read_colors(Context& c, const Rect& rect);
+std::vector<vec4> read_colors(Context& c, const Rect& rect, Cause cause);
 /// The same after transfer, quantized to `bits` bits.
-std::vector<Rgba> read_rgba(Context& c, const Rect& rect, int bits);
+std::vector<Rgba> read_rgba(Context& c, const Rect& rect, Cause cause, int bits);
 /// Depths 0 .. 1, or stencil values.
-std::vector<double> read_values(Context& c, Plane plane, const Rect& rect);
+std::vector<double> read_values(Context& c, Plane plane, const Rect& rect, Cause cause);
 
 }  // namespace gw::gl

@@ -1,87 +1,99 @@
 #include "gl/record/recorder.h"
 
-#include "gl/context/frame_log.h"
+#include "gl/context/drawable.h"
 #include "gl/context/settings.h"
+#include "gl/record/recording.h"
+#include "gl/record/screenshot.h"
+#include "gl/record/statistics.h"
 #include "gw/error.h"
-#include "inspect/recording/stream.h"
 
-#include <cerrno>
+#include <unistd.h>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
+#include <memory>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 namespace gw::gl {
 
 namespace {
 
-inspect::Recording heading(const Profile& profile) {
-    inspect::Recording out;
-    out.producer = "gw gl";
-    out.profile = profile;
-    return out;
-}
-
-/// Writes each list before the program goes on. If the disk is full, it says so once and stops;
-/// the program does not.
-class Recorder : public FrameLog {
+/// Tells all listeners, one call at a time. After the last frame of GW_FRAMES it ends the program.
+class Listeners : public FrameLog {
 public:
-    Recorder(std::string file, const Profile& profile)
-        : file_(std::move(file)),
-          out_(file_, std::ios::binary),
-          writer_((check_is_open(), out_), heading(profile)) {}
-    ~Recorder() override {
-        attempt([&] { writer_.finish(); });
-    }
-    Recorder(const Recorder&) = delete;
-    Recorder& operator=(const Recorder&) = delete;
+    Listeners(std::vector<std::unique_ptr<FrameLog>> listeners, std::uint64_t last)
+        : listeners_(std::move(listeners)), last_(last) {}
 
-    void open(const std::string& window, int width, int height) override {
-        attempt([&] { writer_.open(window, width, height); });
+    void open(Drawable& drawable) override {
+        const std::lock_guard lock(mutex_);
+        for (const auto& l : listeners_) l->open(drawable);
     }
-    void add(const std::string& window, const CommandList& list) override {
-        attempt([&] { writer_.add(window, list); });
+    void begin_frame(Drawable& drawable) override {
+        const std::lock_guard lock(mutex_);
+        for (const auto& l : listeners_) l->begin_frame(drawable);
     }
-    void close(const std::string& window) override {
-        attempt([&] { writer_.close(window); });
+    void executed(Drawable& drawable, const Execution& execution) override {
+        const std::lock_guard lock(mutex_);
+        for (const auto& l : listeners_) l->executed(drawable, execution);
+    }
+    void end_frame(Drawable& drawable) override {
+        const std::lock_guard lock(mutex_);
+        for (const auto& l : listeners_) l->end_frame(drawable);
+        if (drawable.frame() == last_) end_program();
+    }
+    void close(Drawable& drawable) override {
+        const std::lock_guard lock(mutex_);
+        for (const auto& l : listeners_) l->close(drawable);
     }
 
 private:
-    void check_is_open() const {
-        if (!out_)
-            throw Error("GW_RECORD is '" + file_ + "'; expected a file that can be written (" +
-                        std::strerror(errno) + ")");
-    }
-    template <class Write>
-    void attempt(Write write) {
-        const std::lock_guard lock(mutex_);
-        if (failed_) return;
-        try {
-            write();
-            if (!out_) throw Error("cannot write " + file_ + ": " + std::strerror(errno));
-        } catch (const std::exception& error) {
-            failed_ = true;
-            std::fprintf(stderr, "gw: recording stopped: %s\n", error.what());
-        }
+    /// Without the program's exit handlers: they may draw, or wait for threads that draw. The lock
+    /// stops those meanwhile.
+    [[noreturn]] void end_program() {
+        listeners_.clear();
+        std::fflush(stdout);
+        std::fflush(stderr);
+        ::_exit(0);
     }
 
-    std::string file_;
-    std::ofstream out_;
-    inspect::StreamWriter writer_;
     std::mutex mutex_;
-    bool failed_ = false;
+    std::vector<std::unique_ptr<FrameLog>> listeners_;
+    std::uint64_t last_;
 };
+
+/// Adds what `make` makes of the variable's value, if it is set.
+template <class Make>
+void add_listener(std::vector<std::unique_ptr<FrameLog>>& to, const char* variable, Make make) {
+    const char* const value = std::getenv(variable);
+    if (value == nullptr) return;
+    try {
+        to.push_back(make(value));
+    } catch (const Error& error) {
+        report_ignored(variable, value, error.what());
+    }
+}
+
+void start() {
+    const FrameRange frames = read_frame_range();
+    std::vector<std::unique_ptr<FrameLog>> all;
+    add_listener(all, "GW_RECORD", [&](const char* file) {
+        auto recording = std::make_unique<Recording>(file, settings().profile, frames);
+        calls_are_kept = true;
+        return recording;
+    });
+    add_listener(all, "GW_STATS",
+                 [&](const char* file) { return std::make_unique<Statistics>(file, frames); });
+    add_listener(all, "GW_SCREENSHOT",
+                 [&](const char* file) { return std::make_unique<Screenshot>(file, frames); });
+    if (all.empty() && frames.last == FrameRange{}.last) return;
+    set_frame_log(std::make_unique<Listeners>(std::move(all), frames.last));
+}
 
 }  // namespace
 
 void start_recording() {
-    static const bool started = [] {
-        const char* const file = std::getenv("GW_RECORD");
-        if (file != nullptr) set_frame_log(std::make_unique<Recorder>(file, settings().profile));
-        return true;
-    }();
+    static const bool started = (start(), true);
     static_cast<void>(started);
 }
 

@@ -1,10 +1,9 @@
-// Records what a program draws: GW_RECORD names the file. docs/recordings.md, "Streams".
+// Begins what the user asked for by variables: GW_RECORD, GW_STATS, GW_SCREENSHOT, GW_FRAMES.
 #pragma once
 
 namespace gw::gl {
 
-/// Begins the recording if GW_RECORD is set; later calls do nothing. Throws Error if the file cannot
-/// be written.
+/// Later calls do nothing. A file that cannot be written is reported and left out.
 void start_recording();
 
 }  // namespace gw::gl

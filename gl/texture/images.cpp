@@ -156,7 +156,7 @@ void tex_sub_image(Context& c, GLenum target, GLint level, const Rect& part, GLe
 /// The drawable's pixels after transfer.
 std::vector<Rgba> copied_colors(Context& c, const Rect& rect) {
     flush_mesh(c);
-    return read_rgba(c, rect, texel_bits);
+    return read_rgba(c, rect, Cause::Copy, texel_bits);
 }
 
 void copy_image(Context& c, GLenum target, const Request& r, GLint x, GLint y) {

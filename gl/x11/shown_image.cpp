@@ -170,14 +170,14 @@ void ShownImage::fill(gl::Drawable& drawable, gw::ReadBuffer buffer) {
     XImage& image = *memory_->image;
     const Rect all{0, 0, drawable.width(), drawable.height()};
     if (color_bits > 8) {
-        const Readback read = drawable.read_colors(buffer, all);
+        const Readback read = drawable.read_colors(buffer, all, Cause::Shown);
         return store_rows(image, [&](std::size_t i) {
             const Rgba& c = read.color[i];
             return format.pixel(c[0], c[1], c[2], c[3]);
         });
     }
     packed_.resize(all.area());
-    drawable.read_packed(buffer, all, packed_);
+    drawable.read_packed(buffer, all, Cause::Shown, packed_);
     if (format.is_bgr() && has_whole_words(image)) return store_rows_bgr(image, packed_.data());
     store_rows(image, [&](std::size_t i) {
         const std::uint32_t c = packed_[i];

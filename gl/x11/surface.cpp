@@ -58,7 +58,7 @@ bool Surface::follow_window() {
 
 void Surface::show() {
     if (!image_ || image_->has_lost_display()) return;
-    flush();
+    flush(Cause::Shown);
     const LockedDisplay locked(display_);
     const auto lock = exclusive();
     image_->show(*this);

@@ -21,6 +21,7 @@ public:
 
     /// Shows the front buffer if it has changed.
     void present() override;
+    bool is_off_screen() const override { return kind_ == Kind::Pbuffer; }
     /// SwapBuffers: of double-buffered windows and pbuffers.
     void swap_buffers();
     /// Takes the window's present size. A new size makes new buffers. False if the window is gone.

@@ -1,1 +1,1 @@
-set(link gw::gl_entry)
+set(link gw::gl_entry gw::gl_record)

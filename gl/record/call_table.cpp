@@ -1,0 +1,91 @@
+#include "gl/record/call_table.h"
+
+#include "generated/gl/function_names.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace gw::gl {
+
+namespace {
+
+constexpr std::size_t most_sources = 1 << 14;
+
+std::string resolved(const void* address) {
+    Dl_info found{};
+    if (::dladdr(address, &found) == 0 || found.dli_fname == nullptr)
+        return fmt::format("{}", address);
+    const std::string module = std::filesystem::path(found.dli_fname).filename();
+    const auto from = [&](const void* base) {
+        return static_cast<const char*>(address) - static_cast<const char*>(base);
+    };
+    if (found.dli_sname != nullptr)
+        return fmt::format("{}+{:#x} in {}", found.dli_sname, from(found.dli_saddr), module);
+    return fmt::format("{}+{:#x}", module, from(found.dli_fbase));
+}
+
+/// Makes a table in which each name and each list stands once.
+class TableMaker {
+public:
+    using SourceName = std::function<const std::string&(const void*)>;
+    explicit TableMaker(SourceName source_name) : source_name_(std::move(source_name)) {}
+
+    void add(const CallRun& run) {
+        table.runs.push_back({run.command, run.first, call_of(run.call), run.step, run.ordinal});
+    }
+
+    inspect::CallTable table;
+
+private:
+    template <class Key, class Value, class Make>
+    static std::uint32_t place_in(std::vector<Value>& values, std::map<Key, std::uint32_t>& places,
+                                  const Key& key, Make make) {
+        if (const auto known = places.find(key); known != places.end()) return known->second;
+        values.push_back(make());
+        return places[key] = static_cast<std::uint32_t>(values.size() - 1);
+    }
+
+    /// Display lists nest no deeper than max_list_nesting.
+    inspect::Call call_of(const CallPlace& call) {
+        inspect::Call out{.number = call.number};
+        out.function = place_in(table.functions, functions_, call.function, [&] {
+            return std::string(function_names[std::size_t(call.function)]);
+        });
+        if (call.source != nullptr)
+            out.source = place_in(table.sources, sources_, call.source,
+                                  [&] { return source_name_(call.source); });
+        if (call.list)
+            out.list = place_in(table.lists, lists_, call.list.get(), [&] {
+                return inspect::PlayedList{call.list->name, call_of(call.list->caller)};
+            });
+        return out;
+    }
+
+    SourceName source_name_;
+    std::map<Function, std::uint32_t> functions_;
+    std::map<const void*, std::uint32_t> sources_;
+    std::map<const PlayedList*, std::uint32_t> lists_;
+};
+
+}  // namespace
+
+const std::string& CallNamer::source_name(const void* address) {
+    if (sources_.size() > most_sources) sources_.clear();
+    const auto [found, is_new] = sources_.try_emplace(address);
+    if (is_new) found->second = resolved(address);
+    return found->second;
+}
+
+inspect::CallTable CallNamer::table_of(std::span<const CallRun> runs) {
+    TableMaker maker(
+        [this](const void* address) -> const std::string& { return source_name(address); });
+    for (const CallRun& run : runs) maker.add(run);
+    return std::move(maker.table);
+}
+
+}  // namespace gw::gl

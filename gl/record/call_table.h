@@ -1,0 +1,25 @@
+// The calls of a list of commands in the form of a recording: with the names of functions, and of
+// places in the program.
+#pragma once
+
+#include "gl/context/call_trace.h"
+#include "inspect/recording/calls.h"
+
+#include <map>
+#include <span>
+#include <string>
+
+namespace gw::gl {
+
+class CallNamer {
+public:
+    inspect::CallTable table_of(std::span<const CallRun> runs);
+
+private:
+    /// "main+0x1f in gears", if the program exports the name; else "gears+0x1a2f".
+    const std::string& source_name(const void* address);
+
+    std::map<const void*, std::string> sources_;  ///< has a bound
+};
+
+}  // namespace gw::gl

@@ -1,0 +1,89 @@
+#include "gl/record/recording.h"
+
+#include "gl/context/drawable.h"
+#include "gl/record/restored_planes.h"
+#include "gw/error.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+namespace gw::gl {
+
+namespace {
+
+inspect::Recording heading(const Profile& profile) {
+    inspect::Recording out;
+    out.producer = "gw gl";
+    out.profile = profile;
+    return out;
+}
+
+}  // namespace
+
+Recording::Recording(std::string file, const Profile& profile, const FrameRange& frames)
+    : file_(std::move(file)),
+      frames_(frames),
+      out_(file_, std::ios::binary),
+      writer_((check("expected a file that can be written"), out_), heading(profile)) {}
+
+Recording::~Recording() {
+    attempt([&] { writer_.finish(); });
+}
+
+void Recording::check(const char* what) {
+    if (!out_) throw Error(std::string(what) + " (" + std::strerror(errno) + ")");
+}
+
+template <class Write>
+void Recording::attempt(Write write) {
+    if (failed_) return;
+    try {
+        write();
+        check("the file cannot be written");
+    } catch (const std::exception& error) {
+        failed_ = true;
+        std::fprintf(stderr, "gw: recording stopped: %s: %s\n", file_.c_str(), error.what());
+    }
+}
+
+void Recording::begin_window(Drawable& drawable) {
+    writer_.open(drawable.name(), drawable.width(), drawable.height());
+    windows_.insert(drawable.name());
+    if (drawable.state() == nullptr) return;  // nothing was drawn before
+    writer_.add(drawable.name(), restoring_list(drawable.planes(), drawable.profile(),
+                                                "before frame " + std::to_string(drawable.frame()),
+                                                *drawable.state()));
+}
+
+void Recording::open(Drawable& drawable) {
+    if (frames_.first == 0) attempt([&] { begin_window(drawable); });
+}
+
+void Recording::begin_frame(Drawable& drawable) {
+    if (!frames_.holds(drawable.frame())) return;
+    attempt([&] {
+        if (!windows_.contains(drawable.name())) begin_window(drawable);
+    });
+}
+
+void Recording::executed(Drawable& drawable, const Execution& execution) {
+    if (!frames_.holds(drawable.frame())) return;
+    attempt([&] {
+        if (windows_.contains(drawable.name()))
+            writer_.add(drawable.name(), execution.list, namer_.table_of(execution.calls));
+    });
+}
+
+void Recording::end_frame(Drawable& drawable) {
+    if (drawable.frame() == frames_.last) close(drawable);
+}
+
+void Recording::close(Drawable& drawable) {
+    attempt([&] {
+        if (windows_.erase(drawable.name()) != 0) writer_.close(drawable.name());
+    });
+}
+
+}  // namespace gw::gl

@@ -1,0 +1,45 @@
+#include "gl/record/screenshot.h"
+
+#include "gl/context/drawable.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <utility>
+
+namespace gw::gl {
+
+std::string ppm_of(const Planes& planes, int color_bits) {
+    const int largest = (1 << color_bits) - 1;
+    std::string out = "P6\n" + std::to_string(planes.width) + " " + std::to_string(planes.height) +
+                      "\n" + std::to_string(largest) + "\n";
+    out.reserve(out.size() + planes.color.size() * 6);
+    for (int y = planes.height - 1; y >= 0; --y)
+        for (int x = 0; x < planes.width; ++x) {
+            const Rgba& pixel = planes.color[planes.index(x, y)];
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (largest > 255) out += char(pixel[i] >> 8);
+                out += char(pixel[i] & 0xFF);
+            }
+        }
+    return out;
+}
+
+Screenshot::Screenshot(std::string file, const FrameRange& frames)
+    : file_(std::move(file)), range_(frames) {}
+
+void Screenshot::end_frame(Drawable& drawable) {
+    if (!range_.holds(drawable.frame())) return;
+    const std::string picture = ppm_of(drawable.planes(), drawable.profile().color_bits);
+    if (failed_) return;
+    const std::string part = file_ + ".part";
+    std::ofstream out(part, std::ios::binary);
+    out.write(picture.data(), std::streamsize(picture.size()));
+    out.close();
+    if (out && std::rename(part.c_str(), file_.c_str()) == 0) return;
+    failed_ = true;
+    std::fprintf(stderr, "gw: %s: cannot be written: %s\n", file_.c_str(), std::strerror(errno));
+}
+
+}  // namespace gw::gl
