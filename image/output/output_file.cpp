@@ -97,14 +97,12 @@ void OutputFile::open_temporary() {
     struct stat old {};
     const mode_t mode = ::stat(target_.c_str(), &old) == 0 ? 0600 : 0666;
     do {
-        const fs::path name = temporary_name(folder);
-        register_temporary(name);
-        descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        temporary_ = temporary_name(folder);  // after open, nothing may need memory
+        register_temporary(temporary_);
+        descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         const int error = errno;
-        if (descriptor_ >= 0) {
-            temporary_ = name;
-        } else {
-            forget_temporary(name);
+        if (descriptor_ < 0) {
+            forget_temporary(temporary_);
             if (error != EEXIST) fail(error);
         }
     } while (descriptor_ < 0);
