@@ -4,6 +4,9 @@
 
 #include "gw/command_list.h"
 
+#ifndef GL_GLEXT_PROTOTYPES
+#define GL_GLEXT_PROTOTYPES  // declares the functions of later versions
+#endif
 #include <GL/gl.h>
 #include <GL/glext.h>
 
