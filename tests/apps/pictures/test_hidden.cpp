@@ -92,7 +92,10 @@ std::vector<std::string> without_player(std::vector<std::string> names) {
 
 TEST_F(Hidden, ThePlayerHoldsTheLogs) {
     const std::string bare = player_page({});
-    if (bare.empty()) GTEST_SKIP() << "this build has no pages: no npm";
+    if (bare.empty()) {  // a build without npm has no pages
+        EXPECT_EQ(player_page({"first\n"}), "");
+        return;
+    }
     const std::string page = player_page({"first\n", "second\n"});
     EXPECT_NE(bare.find("<html"), std::string::npos);
     const std::string mark = "<script class=\"log\" type=\"text/plain\">";
