@@ -21,19 +21,51 @@ struct NoPaint {
     HWY_INLINE void operator()(int, int, AllLanes) const {}
 };
 
+/// Stores a part of a block's lanes: value(channel).
+template <class Value>
+HWY_INLINE void store_part(const SimpleStore& store, int bx, int by, std::uint32_t alive,
+                           std::size_t part, const Value& value) {
+    const Half16 d;
+    const auto lanes = lanes_of(d, alive, part * lanes32);
+    ColorBlock& stored = store.tile.color[store.tile.block(bx, by)];
+    for (std::size_t c = 0; c < 4; ++c) {
+        std::uint16_t* to = stored.channel[c] + part * lanes32;
+        store_lanes(store.result(d, narrow(value(c)), to), lanes, d, to);
+    }
+}
+
 /// One triangle's colour from the shading stages.
 struct BatchPaint {
     BatchPlanes& planes;
     std::size_t i;
+    const bool is_perspective;  ///< a colour in perspective is stored or added as it is
 
+    HWY_INLINE BatchPaint(BatchPlanes& p, std::size_t triangle)
+        : planes(p),
+          i(triangle),
+          is_perspective(p.draw.op->perspective_color && SimpleStore::applies_to(*p.draw.op)) {}
     HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
         if (!alive.none()) write(bx, by, alive.bits());
     }
     HWY_INLINE void operator()(int bx, int by, AllLanes) const { write(bx, by, all_lanes); }
     HWY_NOINLINE void write(int bx, int by, std::uint32_t alive) const {
+        if (is_perspective) return write_perspective(bx, by, alive);
         const TileDraw& draw = planes.draw;
         write_color(draw.op->state, planes.color_of(i, bx, by, alive),
                     draw.tile.color[draw.tile.block(bx, by)], alive);
+    }
+    HWY_NOINLINE void write_perspective(int bx, int by, std::uint32_t alive) const {
+        planes.make();
+        const SimpleStore store(planes.draw);
+        const ColorPlanes& p = planes.scratch.color[i];
+        PerspectiveColors& colors = planes.perspective;
+        colors.aim(p, i);
+        for (std::size_t part = 0; part < parts; ++part) {
+            const auto w = colors.reciprocal(bx, by, part);
+            store_part(store, bx, by, alive, part, [&](std::size_t c) {
+                return colors.value(p, c, planes.draw.op->state.bits, bx, by, part, w);
+            });
+        }
     }
 };
 
@@ -45,59 +77,29 @@ struct BatchPaint {
 #define GW_SMOOTH_WRITE HWY_NOINLINE
 #endif
 
-/// A smooth colour, as in a first lit pass: in narrow planes, or in perspective.
+/// A smooth colour in narrow planes, as in a first lit pass.
 struct SmoothPaint {
     SimpleStore store;
     BatchPlanes& planes;
     std::size_t triangle;
 
     HWY_INLINE static bool applies_to(const DrawOp& op) {
-        return (is_narrow(op) || (op.perspective_color && !op.fog_table)) &&
-               SimpleStore::applies_to(op);
+        return is_narrow(op) && SimpleStore::applies_to(op);
     }
     HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
         if (!alive.none()) write(bx, by, alive);
     }
     GW_SMOOTH_WRITE void write(int bx, int by, const LaneSet& alive) const {
         planes.make();
-        if (planes.narrow)
-            write_narrow(bx, by, alive);
-        else
-            write_perspective(bx, by, alive);
-    }
-    HWY_INLINE void write_narrow(int bx, int by, const LaneSet& alive) const {
         const NarrowBatch& p = planes.narrow_color;
         for (std::size_t i = 0; i < parts; ++i) {
             const Pixels at = pixels_of(bx, by, i * lanes32);
-            put(bx, by, alive, i, [&](std::size_t c) {
+            store_part(store, bx, by, alive.bits(), i, [&](std::size_t c) {
                 const auto coefficient = [&](const auto& of) {
                     return hn::Set(D32(), of[c][triangle]);
                 };
                 return narrow_value(coefficient(p.c), coefficient(p.gx), coefficient(p.gy), at);
             });
-        }
-    }
-    HWY_NOINLINE void write_perspective(int bx, int by, const LaneSet& alive) const {
-        const ColorPlanes& p = planes.scratch.color[triangle];
-        PerspectiveColors& colors = planes.perspective;
-        colors.aim(p, triangle);
-        for (std::size_t i = 0; i < parts; ++i) {
-            const auto w = colors.reciprocal(bx, by, i);
-            put(bx, by, alive, i, [&](std::size_t c) {
-                return colors.value(p, c, planes.draw.op->state.bits, bx, by, i, w);
-            });
-        }
-    }
-    /// Stores a part of a block's lanes: value(channel).
-    template <class Value>
-    HWY_INLINE void put(int bx, int by, const LaneSet& alive, std::size_t part,
-                        const Value& value) const {
-        const Half16 d;
-        const auto lanes = lanes_of(d, alive.bits(), part * lanes32);
-        ColorBlock& stored = store.tile.color[store.tile.block(bx, by)];
-        for (std::size_t c = 0; c < 4; ++c) {
-            std::uint16_t* to = stored.channel[c] + part * lanes32;
-            store_lanes(store.result(d, narrow(value(c)), to), lanes, d, to);
         }
     }
     HWY_INLINE void operator()(int bx, int by, AllLanes) const {
@@ -121,7 +123,7 @@ HWY_INLINE void with_paint(Paints paints, BatchPlanes& planes, std::size_t i, co
             return draw(
                 FlatPaint(planes.draw, flat_color(planes.draw, *planes.corners.primitive[i])));
         case Paints::Smooth: return draw(SmoothPaint{SimpleStore(planes.draw), planes, i});
-        case Paints::Any: return draw(BatchPaint{planes, i});
+        case Paints::Any: return draw(BatchPaint(planes, i));
     }
 }
 
