@@ -118,6 +118,23 @@ ByteTables<T> quantized_bytes(const Context& c, int bits) {
     return byte_tables<T>(c, [&](float v) { return T(quantize(double(v), bits)); });
 }
 
+/// Whether each byte becomes the same multiple of itself: 8 or 16 bits without transfer.
+bool scales_evenly(const ByteTables<std::uint16_t>& tables) {
+    for (const auto& table : tables)
+        for (std::size_t byte = 0; byte < 256; ++byte)
+            if (table[byte] != byte * tables[0][1]) return false;
+    return true;
+}
+/// Rows of R, G, B, A, each multiplied.
+std::vector<Rgba> scaled(std::span<const std::byte> rgba, std::uint16_t factor) {
+    std::vector<Rgba> out(rgba.size() / 4);
+    const std::byte* const from = rgba.data();
+    std::uint16_t* const to = out.empty() ? nullptr : out.data()->data();
+    for (std::size_t i = 0; i < 4 * out.size(); ++i)
+        to[i] = std::uint16_t(std::to_integer<unsigned>(from[i]) * factor);
+    return out;
+}
+
 /// Smaller images are transferred without tables.
 constexpr std::size_t fewest_pixels = 512;
 
@@ -176,6 +193,7 @@ std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLe
         return out;
     }
     const auto tables = quantized_bytes<std::uint16_t>(c, bits);
+    if (format == GL_RGBA && scales_evenly(tables)) return scaled(*image.bytes, tables[0][1]);
     const auto from = component_of_channel(format);
     const auto count = std::size_t(component_count(format));
     const std::byte* at = image.bytes->data();

@@ -13,13 +13,15 @@ namespace {
 /// One level's array of 16-bit values as texels.
 std::vector<Rgba> rounded(const std::vector<std::uint16_t>& rgba, int bits, int texel_bits) {
     std::vector<Rgba> out(rgba.size() / 4);
+    if (out.empty()) return out;
+    const std::uint16_t* const from = rgba.data();
+    std::uint16_t* const to = out.front().data();
     const auto round_all = [&](auto round) {
-        for (std::size_t i = 0; i < out.size(); ++i)
-            for (std::size_t c = 0; c < 4; ++c)
-                out[i][c] = static_cast<std::uint16_t>(round(rgba[4 * i + c]));
+        for (std::size_t i = 0; i < 4 * out.size(); ++i)
+            to[i] = static_cast<std::uint16_t>(round(from[i]));
     };
-    if (bits == 8 && texel_bits == 8)  // divisions by constants
-        round_all([](std::uint32_t v) { return rescale(v, 16, 8); });
+    if (bits == 8 && texel_bits == 8)  // rescale(v, 16, 8): 65535 / 255 = 257
+        round_all([](std::uint32_t v) { return (v + 128) / 257; });
     else
         round_all(
             [&](std::uint32_t v) { return rescale(rescale(v, 16, texel_bits), texel_bits, bits); });

@@ -8,6 +8,10 @@ namespace {
 
 void check_colors(const Checker& c, const std::vector<Rgba>& colors) {
     const std::uint32_t max = max_of_bits(c.profile.color_bits);
+    std::uint16_t bits = 0;  // of all values
+    for (const Rgba& color : colors)
+        for (const std::uint16_t v : color) bits |= v;
+    if (bits <= max) return;
     for (const Rgba& color : colors)
         for (const std::uint16_t v : color)
             if (v > max)

@@ -13,17 +13,45 @@
 #include "gw/stages/stipple.h"
 
 #include <algorithm>
+#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
 /// Pixels of a line or point, collected by block, then sent on in block order.
-struct PixelSet {
-    std::uint16_t mask[256] = {};
-    int blocks_per_row = 16;
+class PixelSet {
+public:
+    explicit PixelSet(int blocks_per_row) : blocks_per_row_(blocks_per_row) {}
+
     void add(int x, int y) {
-        auto& m = mask[std::size_t(y / block_side * blocks_per_row + x / block_side)];
-        m = std::uint16_t(m | (1u << (y % block_side * block_side + x % block_side)));
+        const auto block = std::size_t(y / block_side * blocks_per_row_ + x / block_side);
+        std::uint64_t& word = used_[block / 64];
+        const std::uint64_t bit = std::uint64_t{1} << block % 64;
+        const unsigned before = word & bit ? mask_[block] : 0u;
+        word |= bit;
+        mask_[block] = std::uint16_t(before | 1u << (y % block_side * block_side + x % block_side));
+    }
+    /// Calls visit(bx, by, lanes) for each block that has pixels.
+    template <class Visit>
+    void visit(const Visit& visit) const {
+        for (int i = 0; i < 4; ++i)
+            for (std::uint64_t rest = used_[i]; rest != 0; rest &= rest - 1) {
+                const int block = 64 * i + std::countr_zero(rest);
+                visit(block % blocks_per_row_, block / blocks_per_row_, lane_set(mask_[block]));
+            }
+    }
+
+private:
+    int blocks_per_row_;
+    std::uint64_t used_[4] = {};           ///< a bit for each block
+    std::uint16_t mask_[max_tile_blocks];  ///< of the blocks that are used
+};
+
+/// floor(n / d) and the rest, which is not negative.
+struct Floor {
+    std::int64_t whole, rest;
+    Floor(std::int64_t n, std::int64_t d) : whole(n / d), rest(n % d) {
+        if (rest < 0) --whole, rest += d;
     }
 };
 
@@ -35,20 +63,31 @@ inline void line_pixels(const TileDraw& draw, const PrimitiveFrame& f, int width
     const int u_tile = f.x_major ? draw.tile.x : draw.tile.y,
               v_tile = f.x_major ? draw.tile.y : draw.tile.x;
     const BlockBox& b = draw.box;
-    const int u0 = f.x_major ? b.x0 : b.y0, u1 = f.x_major ? b.x1 : b.y1,
-              v0 = f.x_major ? b.y0 : b.x0, v1 = f.x_major ? b.y1 : b.x1;
+    const int v0 = f.x_major ? b.y0 : b.x0, v1 = f.x_major ? b.y1 : b.x1;
     const std::int64_t du = u[1] - u[0], dv = v[1] - v[0], row = f.length << s;
+    const std::int64_t half = std::int64_t{1} << (s - 1);
+    // The start is inside, the end outside: columns whose centre is u[0] <= p < u[1], or
+    // u[1] < p <= u[0].
+    const auto column_from = [&](std::int64_t p) { return ((p - half - 1) >> s) + 1 - u_tile; };
+    const auto first_column = du > 0 ? column_from(u[0]) : column_from(u[1] + 1),
+               end_column = du > 0 ? column_from(u[1]) : column_from(u[0] + 1);
+    const auto begin = std::max<std::int64_t>(first_column, f.x_major ? b.x0 : b.y0),
+               end = std::min<std::int64_t>(end_column, f.x_major ? b.x1 : b.y1);
+    if (begin >= end) return;
     const LineStippleState& stipple = draw.op->state.state.line_stipple;
     const LineSteps steps = line_steps(u[0], u[1], s);
-    for (int i = u0; i < u1; ++i) {
-        const std::int64_t p = (std::int64_t{u_tile + i} << s) + (std::int64_t{1} << (s - 1));
-        if (du > 0 ? p < u[0] || p >= u[1] : p > u[0] || p <= u[1]) continue;
+    const std::int64_t slope = du > 0 ? dv : -dv;
+    const std::int64_t p = ((u_tile + begin) << s) + half;
+    Floor top(v[0] * f.length + slope * (p - u[0]) - (width - 1) * row / 2, row);
+    const Floor step(slope << s, row);
+    for (int i = int(begin); i < int(end); ++i) {
+        const std::int64_t first = top.whole - v_tile;
+        top.whole += step.whole;
+        top.rest += step.rest;
+        if (top.rest >= row) ++top.whole, top.rest -= row;
         if (stipple.enable &&
             !stipple_bit(stipple, f.stippled + std::uint64_t(steps.step_of(u_tile + i))))
             continue;
-        const std::int64_t top =
-            v[0] * f.length + (du > 0 ? dv : -dv) * (p - u[0]) - (width - 1) * row / 2;
-        const std::int64_t first = (top >= 0 ? top / row : -((-top + row - 1) / row)) - v_tile;
         for (std::int64_t j = std::max<std::int64_t>(first, v0);
              j < std::min<std::int64_t>(first + width, v1); ++j)
             f.x_major ? out.add(i, int(j)) : out.add(int(j), i);
@@ -70,17 +109,13 @@ inline void point_pixels(const TileDraw& draw, const PrimitiveFrame& f, int size
 template <class Visit>
 inline void visit_line_or_point(const TileDraw& draw, const PrimitiveFrame& frame,
                                 const Visit& visit) {
-    PixelSet pixels;
-    pixels.blocks_per_row = draw.tile.side / block_side;
+    PixelSet pixels(draw.tile.side / block_side);
     const State& s = draw.op->state.state;
     if (frame.kind == MeshKind::Lines)
         line_pixels(draw, frame, whole_size(s.line_width), pixels);
     else
         point_pixels(draw, frame, whole_size(s.point_size), pixels);
-    for (int block = 0; block < pixels.blocks_per_row * pixels.blocks_per_row; ++block)
-        if (pixels.mask[block] != 0)
-            visit(block % pixels.blocks_per_row, block / pixels.blocks_per_row,
-                  lane_set(pixels.mask[block]));
+    pixels.visit(visit);
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

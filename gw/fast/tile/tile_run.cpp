@@ -5,6 +5,7 @@
 #include "gw/fast/tile/accumulate.h"
 #include "gw/fast/tile/clear.h"
 #include "gw/fast/tile/draw.h"
+#include "gw/fast/tile/draw_pixels.h"
 #include "gw/fast/tile/read.h"
 #include "gw/fast/vertices/geometry.h"
 #include "gw/fast/visible/visible_record.h"
@@ -245,16 +246,16 @@ struct TileRun {
     }
 
     void run(const DrawPixelsOp& op) {
-        write_back_blocks(tile);
-        for_each_block(tile, box(op.placed->box()),
-                       [&](std::size_t b, int bx, int by, std::uint32_t mask) {
-                           if (op.placed->is_stencil())
-                               write_stencils(op, b, bx, by, mask);
-                           else
-                               draw_pixels(op, b, bx, by, mask);
-                       });
+        const BlockBox& inside = box(op.placed->box());
+        if (inside.empty()) return;
+        if (!op.placed->is_stencil())
+            return draw_pixels({op.placed, &op.state, tile, inside, counts});
+        for_each_block(tile, inside, [&](std::size_t b, int bx, int by, std::uint32_t mask) {
+            write_stencils(op, b, bx, by, mask);
+        });
     }
-    void write_stencils(const DrawPixelsOp& op, std::size_t b, int bx, int by, std::uint32_t mask) {
+    void write_stencils(const DrawPixelsOp& op, std::size_t b, int bx, int by,
+                        std::uint32_t mask) const {
         for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
             const std::optional<std::size_t> pixel = op.placed->source_of(x, y);
             if (!pixel) return;
@@ -262,20 +263,6 @@ struct TileRun {
             write_stencil(op.state, tile.stencil[b], 1u << lane,
                           [&](std::size_t) { return op.placed->stencil(*pixel); });
         });
-    }
-    void draw_pixels(const DrawPixelsOp& op, std::size_t b, int bx, int by, std::uint32_t mask) {
-        DepthBlock depth{};
-        ColorBlock color{};
-        std::uint32_t drawn = 0;
-        for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
-            const std::optional<std::size_t> pixel = op.placed->source_of(x, y);
-            if (!pixel) return;
-            drawn |= 1u << lane;
-            set_lane(color, lane, op.placed->color(*pixel));
-            depth.value[lane] = op.placed->depth(*pixel);
-        });
-        if (drawn == 0) return;
-        process_fragments({&op.state, b, drawn, true}, color, depth, tile, *counts);
     }
 
     void run(const AccumulateOp& op) {

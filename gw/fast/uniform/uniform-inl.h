@@ -1,7 +1,7 @@
 // Uniform blocks: all pixels have one colour, one depth or the depths of one plane, and only this
-// value is stored. clear_blocks() and the draws of draws_uniform() make such blocks. Only these and
-// read_colors() use them; all other code first writes them back to the planes. Included once per
-// Highway target.
+// value is stored. clear_blocks() and the draws of draws_uniform() make such blocks. Only these,
+// draw_pixels() and read_colors() use them; all other code first writes them back to the planes.
+// Included once per Highway target.
 #if defined(GW_FAST_UNIFORM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_UNIFORM_INL_H_
 #undef GW_FAST_UNIFORM_INL_H_

@@ -33,6 +33,16 @@ public:
         if (pixels_->colors.empty()) return raster_color_;
         return is_plain_ ? pixels_->colors[pixel] : shaded(pixels_->colors[pixel]);
     }
+    /// Whether all pixels are drawn, in the colours that colors_of_row() has and at one depth.
+    bool has_plain_colors() const {
+        return is_plain_ && pixels_->bits.empty() && pixels_->depths.empty() &&
+               !pixels_->colors.empty();
+    }
+    /// The row of the rectangle that row y of the box shows, and the columns from column x on.
+    const Rgba* colors_of_row(int y) const {
+        return &pixels_->colors[pixel_index(0, rows_[std::size_t(y - box_.y)], pixels_->width)];
+    }
+    const int* columns_from(int x) const { return &columns_[std::size_t(x - box_.x)]; }
     std::uint32_t depth(std::size_t pixel) const {
         return pixels_->depths.empty() ? pixels_->raster.depth : pixels_->depths[pixel];
     }
