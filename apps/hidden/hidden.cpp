@@ -67,6 +67,15 @@ void add_output_options(CLI::App& command, HiddenOptions& options) {
                     "A sheet of all algorithms with difference pictures, and the counts as CSV, "
                     "JSON and HTML")
         ->type_name("DIR");
+    command
+        .add_option("--polygons", options.polygons,
+                    "Writes the polygons on the window grid, for an algorithm in any language")
+        ->type_name("FILE.json");
+    command
+        .add_option("--play", options.play,
+                    "Draws the steps that such an algorithm answers and grades them; with --steps, "
+                    "shows them")
+        ->type_name("FILE.jsonl");
     CLI::Option* json = command.add_flag_callback(
         "--json", [&] { options.form = Form::Json; }, "The counts as JSON");
     command
@@ -148,6 +157,14 @@ void check(const HiddenOptions& options) {
         throw UsageError(
             "--quiz, --grade, --fragments and --truth choose the algorithm themselves; expected no "
             "--algorithm, --steps or --compare");
+    const bool programs = !options.polygons.empty() || !options.play.empty();
+    if (programs &&
+        (exercises || fragments || !options.algorithm.empty() || !options.compare.empty()))
+        throw UsageError(
+            "--polygons and --play are for an algorithm of one's own; expected no --algorithm, "
+            "--compare or exercise");
+    if (!options.polygons.empty() && !options.play.empty())
+        throw UsageError("--polygons and --play exclude each other; expected one of them");
     if (!options.quiz.empty() && !options.grade.empty())
         throw UsageError("--quiz and --grade exclude each other; expected one of them");
     if (exercises && !options.picture.scene.empty())
@@ -159,8 +176,8 @@ void check(const HiddenOptions& options) {
             "--grade KEY ANSWERS");
     if (!options.marked.empty() && options.fragments.empty())
         throw UsageError("--marked shows mistakes; expected --fragments FILE.csv");
-    if (!options.steps.empty() && options.algorithm.empty())
-        throw UsageError("--steps needs one algorithm; expected --algorithm NAME");
+    if (!options.steps.empty() && options.algorithm.empty() && options.play.empty())
+        throw UsageError("--steps needs one algorithm; expected --algorithm NAME or --play FILE");
     if (!options.compare.empty() && !options.algorithm.empty())
         throw UsageError("--compare compares all algorithms; expected no --algorithm");
 }
@@ -233,6 +250,8 @@ int hidden(const HiddenOptions& options, Session& session) {
     if (!options.grade.empty()) return hidden_grade(options);
     if (!options.fragments.empty() || !options.truth.empty())
         return hidden_fragments(options, session);
+    if (!options.polygons.empty()) return hidden_polygons(options, session);
+    if (!options.play.empty()) return hidden_play(options, session);
     return hs::line_algorithm_named(options.algorithm) ? hidden_lines(options, session)
                                                        : surfaces(options, session);
 }

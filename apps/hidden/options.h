@@ -17,6 +17,8 @@ struct HiddenOptions {
     int pictures = 48;
     Form form = Form::Text;
 
+    std::filesystem::path polygons, play;  ///< for a program: a file to write, its answer
+
     std::filesystem::path quiz;  ///< the folder for exercises
     int seed = 1, questions = 7;
     std::string kind;                          ///< of the questions; empty: all kinds in turn
@@ -27,6 +29,11 @@ struct HiddenOptions {
 
 /// Draws with a hidden-line algorithm, with counts and steps (lines.cpp).
 int hidden_lines(const HiddenOptions& options, Session& session);
+
+/// Writes the polygons for a program (play.cpp).
+int hidden_polygons(const HiddenOptions& options, Session& session);
+/// Draws a program's answer and grades it. Returns ExitCode Differs if a pixel is wrong (play.cpp).
+int hidden_play(const HiddenOptions& options, Session& session);
 
 /// Makes exercises (quiz.cpp). Needs no scene.
 int hidden_quiz(const HiddenOptions& options, const Session& session);

@@ -1,6 +1,5 @@
 #include "hiddensurface/run/step_json.h"
 
-#include "gw/error.h"
 #include "hiddensurface/model/face.h"
 #include "hiddensurface/model/world_piece.h"
 #include "hiddensurface/run/step_words.h"
@@ -15,15 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The value below `count` that has this name.
-template <class Enum>
-Enum enum_from(int count, const std::string& word) {
-    for (int i = 0; i < count; ++i)
-        if (word == name_of(static_cast<Enum>(i))) return static_cast<Enum>(i);
-    throw Error("unknown word '" + word + "' in a step; expected a line that gw hidden wrote");
-}
-
-/// Turns y over, for the way there and back.
+/// Turns y over.
 dvec3 turned(const dvec3& p, const PictureGrid& grid) {
     return {p.x, double(grid.height) * grid.unit - p.y, p.z};
 }
@@ -51,65 +42,12 @@ Json json_of(const Value& value) {
     return std::visit([](const auto& v) { return Json(v); }, value);
 }
 
-dvec3 point_from(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
-
-std::vector<Loop> loops_from(const Json& json, const PictureGrid& grid) {
-    std::vector<Loop> loops;
-    for (const Json& points : json) {
-        loops.emplace_back();
-        for (const Json& p : points) loops.back().push_back(turned(point_from(p), grid));
-    }
-    return loops;
-}
-
-Value value_from(const Json& json) {
-    if (json.is_boolean()) return json.get<bool>();
-    if (json.is_number_integer()) return json.get<std::int64_t>();
-    if (json.is_number()) return json.get<double>();
-    if (json.is_string()) return json.get<std::string>();
-    if (json.empty() || json[0].is_string()) return json.get<std::vector<std::string>>();
-    if (json[0].is_number_integer()) return json.get<std::vector<std::int64_t>>();
-    return json.get<std::vector<double>>();
-}
-
 Json json_of(const DrawnLine& line, const PictureGrid& grid) {
     Json visible = Json::array();
     for (const auto& [from, to] : line.visible) visible.push_back({from, to});
     return {{"from", json_of(turned(line.a, grid))},
             {"to", json_of(turned(line.b, grid))},
             {"visible", visible}};
-}
-
-DrawnLine line_from(const Json& json, const PictureGrid& grid) {
-    DrawnLine line{
-        turned(point_from(json.at("from")), grid), turned(point_from(json.at("to")), grid), {}};
-    for (const Json& part : json.at("visible")) line.visible.emplace_back(part.at(0), part.at(1));
-    return line;
-}
-
-Step parse(const std::string& text, const PictureGrid& grid) {
-    const Json json = Json::parse(text);
-    Step step;
-    step.level = enum_from<Level>(4, json.at("level"));
-    step.action = enum_from<Action>(5, json.at("kind"));
-    step.test = json.at("test");
-    step.result = json.at("result");
-    step.pieces = json.value("pieces", step.pieces);
-    step.decisive = json.value("decisive", false);
-    if (const auto w = json.find("window"); w != json.end())
-        step.window = turned(Rect{w->at(0), w->at(1), w->at(2), w->at(3)}, grid);
-    const Json values = json.value("values", Json::object()),
-               counts = json.value("counts", Json::object());
-    for (const auto& [name, value] : values.items())
-        step.values.emplace_back(name, value_from(value));
-    for (const Json& p : json.value("painted", Json::array()))
-        step.painted.push_back({{turned_row(p.at(0), grid), p.at(1), p.at(2)}, p.at(3)});
-    for (const Json& piece : json.value("made", Json::array()))
-        step.made.push_back({piece.at("name"), loops_from(piece.at("outline"), grid)});
-    if (const auto line = json.find("line"); line != json.end()) step.line = line_from(*line, grid);
-    for (const auto& [name, count] : counts.items())
-        step.counts.emplace_back(name, count.get<std::uint64_t>());
-    return step;
 }
 
 /// The plane on the grid as (x, y, z, d), z = 1, y downwards: a x + b y + z + d is the distance
@@ -134,15 +72,23 @@ dvec4 plane_of(const Face& face, const PictureGrid& grid) {
     return {-x, -y, 1, 0.5 * unit * (x + y) - double(p.c) / n};
 }
 
+/// Through the snapped corners if they are in one plane; else the scene's plane.
+dvec4 plane_on_grid(const Input& input, const TreePiece& piece) {
+    const std::vector<Facet>& facets = input.polygons[piece.of.polygon].facets;
+    return facets.size() == 1
+               ? facets.front().plane
+               : to_window(unit_plane(facet_of(input, piece.of)), input.view, input.profile);
+}
+
 /// What the algorithm sorts: the polygon, or its plane parts. `faces`: the polygon's.
 Json pieces_json(const Input& input, std::size_t i, bool in_world, std::span<const Face> faces) {
     const PictureGrid grid = grid_of(input);
     Json pieces = Json::array();
     if (in_world)
         for (const TreePiece& piece : pieces_of(input.polygons, {i}))
-            pieces.push_back(piece_json(
-                name_of(input.polygons, piece), window_piece(input, piece).parts,
-                to_window(unit_plane(facet_of(input, piece.of)), input.view, input.profile), grid));
+            pieces.push_back(piece_json(name_of(input.polygons, piece),
+                                        window_piece(input, piece).parts,
+                                        plane_on_grid(input, piece), grid));
     else
         for (const Face& face : faces) {
             Loop outline;
@@ -208,14 +154,6 @@ std::string to_json(const Step& step, std::size_t number, const PictureGrid& gri
     if (step.line) json["line"] = json_of(*step.line, grid);
     for (const auto& [name, count] : step.counts) json["counts"][name] = count;
     return json.dump();
-}
-
-Step step_from_json(const std::string& line, const PictureGrid& grid) {
-    try {
-        return parse(line, grid);
-    } catch (const nlohmann::json::exception& error) {
-        throw Error(std::string(error.what()) + "; expected a line that gw hidden wrote");
-    }
 }
 
 std::string log_header(const Input& input, const LogSubject& subject,

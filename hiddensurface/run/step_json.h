@@ -1,7 +1,7 @@
 // A step log as lines of JSON: a header with everything that the steps refer to, a line for each
 // step, an end. docs/hiddensurfaces.md describes it and steps.schema.json checks it. In these lines
 // y counts downwards from the picture's upper edge, in rows and in units of the window grid. Does
-// not write files.
+// not read steps (read_step.h) or write files.
 #pragma once
 
 #include "hiddensurface/lines/line_algorithm.h"
@@ -20,8 +20,6 @@ inline PictureGrid grid_of(const Input& input) {
 
 /// One line without its end. `number`: 1, 2, ...
 std::string to_json(const Step& step, std::size_t number, const PictureGrid& grid);
-/// The step of a line that to_json wrote. Throws Error "what; expected what".
-Step step_from_json(const std::string& line, const PictureGrid& grid);
 
 /// What the header says about the run.
 struct LogSubject {

@@ -8,7 +8,7 @@
 #include "hiddensurface/lines/draw_lines.h"
 #include "hiddensurface/lines/horizon.h"
 #include "hiddensurface/model/normal.h"
-#include "hiddensurface/run/step_json.h"
+#include "hiddensurface/run/read_step.h"
 #include "hiddensurface/structures/scan_conversion.h"
 #include "test_paths.h"
 #include "tests/hiddensurface/families.h"
@@ -258,7 +258,7 @@ TEST(Lines, LogEveryChangeOfTheNumber) {
             changes += step.level == Level::Span ? 1 : 0;
             pierced += step.test == "pierced" ? 1 : 0;
             const std::string line = to_json(step, 1, grid_of(trial.input));
-            EXPECT_EQ(to_json(step_from_json(line, grid_of(trial.input)), 1, grid_of(trial.input)),
+            EXPECT_EQ(to_json(step_of_line(line, grid_of(trial.input)), 1, grid_of(trial.input)),
                       line);
         }
         EXPECT_EQ(drawn, output.lines.size());

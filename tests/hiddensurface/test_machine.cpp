@@ -1,7 +1,7 @@
 // Claims: without a Z plane means without one; the picture comes from the machine; counts and logs
 // are true.
 #include "gw/error.h"
-#include "hiddensurface/run/step_json.h"
+#include "hiddensurface/run/read_step.h"
 #include "tests/hiddensurface/cases.h"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,7 @@ TEST(StepLog, RebuildsThePictureForwardsAndEveryStateBackwards) {
             std::vector<Step> steps;
             for (const Step& step : log.steps()) {
                 const std::string line = to_json(step, steps.size() + 1, grid);
-                steps.push_back(step_from_json(line, grid));
+                steps.push_back(step_of_line(line, grid));
                 EXPECT_EQ(to_json(steps.back(), steps.size(), grid), line);
             }
             Replay replay(std::move(steps), 160, 120);
@@ -100,9 +100,9 @@ TEST(StepLog, RebuildsThePictureForwardsAndEveryStateBackwards) {
 
 TEST(StepLog, RefusesLinesThatItDidNotWrite) {
     const PictureGrid grid{8, 8};
-    EXPECT_THROW(step_from_json("{", grid), Error);
-    EXPECT_THROW(step_from_json("{}", grid), Error);
-    EXPECT_THROW(step_from_json(R"({"level":"polygon","kind":"juggle"})", grid), Error);
+    EXPECT_THROW(step_of_line("{", grid), Error);
+    EXPECT_THROW(step_of_line("{}", grid), Error);
+    EXPECT_THROW(step_of_line(R"({"level":"polygon","kind":"juggle"})", grid), Error);
     EXPECT_THROW(Replay({Step{.action = Action::Draw, .painted = {{{0, 5, 9}, 1}}}}, 8, 8), Error);
     EXPECT_THROW(Replay({Step{.window = {4, 0, 5, 1}}}, 8, 8), Error);
 }

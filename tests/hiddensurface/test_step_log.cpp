@@ -4,40 +4,17 @@
 #include "hiddensurface/lines/draw_lines.h"
 #include "hiddensurface/run/step_words.h"
 #include "tests/hiddensurface/cases.h"
+#include "tests/hiddensurface/step_schema.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
 
 #include <cmath>
-#include <fstream>
 #include <set>
 
 namespace gw::hiddensurface {
 namespace {
 
 using Json = nlohmann::json;
-using Adapter = valijson::adapters::NlohmannJsonAdapter;
-
-class LineSchema {
-public:
-    LineSchema() {
-        const Json json =
-            Json::parse(std::ifstream(GW_SOURCE_DIR "/hiddensurface/run/steps.schema.json"));
-        valijson::SchemaParser(valijson::SchemaParser::kDraft7)
-            .populateSchema(Adapter(json), schema_);
-    }
-    bool holds_for(const std::string& line) const {
-        const Json json = Json::parse(line);
-        return valijson::Validator().validate(schema_, Adapter(json), nullptr);
-    }
-
-private:
-    valijson::Schema schema_;
-};
 
 /// A whole log as lines, and the steps that it was made from.
 struct Log {
@@ -146,7 +123,7 @@ void for_each_log(const Visit& visit) {
 }  // namespace
 
 TEST(StepLogOfEveryAlgorithm, ObeysTheSchemaOnEveryLine) {
-    const LineSchema schema;
+    const StepSchema schema;
     EXPECT_FALSE(schema.holds_for(R"({"step":1})"));
     EXPECT_FALSE(schema.holds_for(
         R"({"step":1,"level":"line","kind":"draw","test":"a","result":"b","pieces":["x"]})"));

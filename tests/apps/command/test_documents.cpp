@@ -25,11 +25,14 @@ TEST_F(Documents, ReportsCommandsWork) {
     expect_to_work(commands);
 }
 
-/// With the answers that the page shows, which are right, and the study stopped where a run would
+/// With the answers and steps that the page shows, which are right, and the study stopped where a run would
 /// take longer than a thousandth of a second.
 TEST_F(Documents, HiddenSurfacesCommandsWork) {
     const std::string page = bytes_of(GW_SOURCE_DIR "/docs/hiddensurfaces.md");
     write("answers.json", examples(page, "{\"seed\"").at(0));
+    std::string steps;
+    for (const std::string& step : examples(page, "{\"kind\"")) steps += step + "\n";
+    write("steps.jsonl", steps);
     auto commands = examples(page);
     EXPECT_GE(commands.size(), 6u);
     for (std::string& command : commands)
