@@ -38,43 +38,50 @@ struct SimpleStore {
 /// A triangle of one colour, as in item buffers and fills. Each loop over blocks copies it, so that
 /// it stays in registers.
 struct FlatPaint {
+    /// Masked stores cost the same for any lanes.
+    static constexpr bool takes_no_lanes = parts == 1;
+    using D = hn::CappedTag<std::uint16_t, 32>;
+    static constexpr std::size_t vectors = HWY_MAX_BYTES >= 64 ? 2 : 4 * block_pixels / lanes16;
     SimpleStore store;
-    ColorBlock color;
+    hn::Vec<D> color[vectors];  ///< the channels one after the other, as in a ColorBlock
 
     HWY_INLINE FlatPaint(const TileDraw& draw, const Rgba& c) : store(draw) {
-        const D16 d16;
-        for (std::size_t k = 0; k < 4; ++k)
-            for (std::size_t i = 0; i < block_pixels; i += lanes16)
-                hn::Store(hn::Set(d16, c[k]), d16, color.channel[k] + i);
+        const D d;
+        for (std::size_t k = 0; k < vectors; ++k) {
+            const std::size_t channel = k * hn::Lanes(d) / block_pixels;
+            color[k] = hn::Set(d, c[channel]);
+            if constexpr (vectors == 2)
+                color[k] = hn::IfThenElse(hn::FirstN(d, block_pixels), color[k],
+                                          hn::Set(d, c[channel + 1]));
+        }
     }
     HWY_INLINE static bool applies_to(const DrawOp& op) {
         return is_flat(op) && SimpleStore::applies_to(op);
     }
     HWY_INLINE void operator()(int bx, int by, const LaneSet& alive) const {
         const std::uint32_t mask = alive.bits();
+        if constexpr (takes_no_lanes) return write_lanes(bx, by, mask);
         if (mask == all_lanes) return operator()(bx, by, AllLanes{});
         if (mask != 0) write_lanes(bx, by, mask);
     }
     /// Four channels one after the other, with the same lanes.
     HWY_INLINE void write_lanes(int bx, int by, std::uint32_t mask) const {
-        const hn::CappedTag<std::uint16_t, 32> d;
         for_each_vector(bx, by, [&](std::size_t i, auto result, std::uint16_t* to) {
-            store_lanes(result, lanes_of(d, mask | mask << block_pixels, i % block_pixels), d, to);
+            store_lanes(result, lanes_of(D(), mask | mask << block_pixels, i % block_pixels), D(),
+                        to);
         });
     }
     HWY_INLINE void operator()(int bx, int by, AllLanes) const {
-        const hn::CappedTag<std::uint16_t, 32> d;
-        for_each_vector(
-            bx, by, [&](std::size_t, auto result, std::uint16_t* to) { hn::Store(result, d, to); });
+        for_each_vector(bx, by, [&](std::size_t, auto result, std::uint16_t* to) {
+            hn::Store(result, D(), to);
+        });
     }
 
 private:
     HWY_INLINE void for_each_vector(int bx, int by, const auto& put) const {
-        const hn::CappedTag<std::uint16_t, 32> d;
-        const std::uint16_t* from = color.channel[0];
         std::uint16_t* to = store.tile.color[store.tile.block(bx, by)].channel[0];
-        for (std::size_t i = 0; i < 4 * block_pixels; i += hn::Lanes(d))
-            put(i, store.result(d, hn::Load(d, from + i), to + i), to + i);
+        for (std::size_t k = 0; k < vectors; ++k, to += hn::Lanes(D()))
+            put(k * hn::Lanes(D()), store.result(D(), color[k], to), to);
     }
 };
 

@@ -17,6 +17,7 @@ namespace gw::fast::HWY_NAMESPACE {
 
 /// Writes no colour.
 struct NoPaint {
+    static constexpr bool takes_no_lanes = parts == 1;
     HWY_INLINE void operator()(int, int, const LaneSet&) const {}
     HWY_INLINE void operator()(int, int, AllLanes) const {}
 };
@@ -36,6 +37,7 @@ HWY_INLINE void store_part(const SimpleStore& store, int bx, int by, std::uint32
 
 /// One triangle's colour from the shading stages.
 struct BatchPaint {
+    static constexpr bool takes_no_lanes = false;
     BatchPlanes& planes;
     std::size_t i;
     const bool is_perspective;  ///< a colour in perspective is stored or added as it is
@@ -79,6 +81,7 @@ struct BatchPaint {
 
 /// A smooth colour in narrow planes, as in a first lit pass.
 struct SmoothPaint {
+    static constexpr bool takes_no_lanes = false;
     SimpleStore store;
     BatchPlanes& planes;
     std::size_t triangle;
@@ -121,7 +124,7 @@ HWY_INLINE void with_paint(Paints paints, BatchPlanes& planes, std::size_t i, co
         case Paints::Nothing: return draw(NoPaint{});
         case Paints::OneColor:
             return draw(
-                FlatPaint(planes.draw, flat_color(planes.draw, *planes.corners.primitive[i])));
+                FlatPaint(planes.draw, one_color(planes.draw, *planes.corners.primitive[i])));
         case Paints::Smooth: return draw(SmoothPaint{SimpleStore(planes.draw), planes, i});
         case Paints::Any: return draw(BatchPaint(planes, i));
     }

@@ -47,6 +47,7 @@ HWY_INLINE LaneSet run_stencil(const StencilFace& face, std::uint32_t max, const
 /// registers.
 template <class Compare, class Paint>
 struct Unstenciled {
+    static constexpr bool takes_no_lanes = Paint::takes_no_lanes;
     Tile tile;
     const Compare passes;
     const Paint paint;

@@ -67,6 +67,18 @@ HWY_INLINE void gather_positions(const TileDraw& draw, std::span<const std::uint
         put(i, [i](auto value, auto* lanes) { lanes[i] = value; });
 }
 
+/// Whether each triangle has one depth.
+HWY_INLINE bool all_level(const Corners& t) {
+    const hn::CappedTag<std::uint32_t, batch_capacity / 2> d;
+    auto any = hn::Zero(d);
+    for (std::size_t i = 0; i < t.filled; i += hn::Lanes(d)) {
+        const auto z = hn::Load(d, t.z[0] + i);
+        any = hn::Or(
+            any, hn::Or(hn::Xor(z, hn::Load(d, t.z[1] + i)), hn::Xor(z, hn::Load(d, t.z[2] + i))));
+    }
+    return hn::AllTrue(d, hn::Eq(any, hn::Zero(d)));
+}
+
 #if HWY_HAVE_FLOAT64
 
 using U32ForD64 = hn::Rebind<std::uint32_t, D64>;

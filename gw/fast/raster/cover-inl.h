@@ -8,8 +8,10 @@
 #define GW_FAST_COVER_INL_H_
 #endif
 
+#include "gw/base/prefetch.h"
 #include "gw/fast/raster/triangles-inl.h"
 #include "gw/fast/simd/walk-inl.h"
+#include "gw/fast/vertices/vertex_values.h"
 
 #include <algorithm>
 #include <bit>
@@ -68,18 +70,21 @@ private:
 struct BlockRange {
     int x0, y0, x1, y1;
 
+    /// The range of the blocks that triangle i may touch.
+    HWY_INLINE static BlockRange of(const Triangles& t, std::size_t i) {
+        return {t.x0[i] / block_side, t.y0[i] / block_side, (t.x1[i] - 1) / block_side,
+                (t.y1[i] - 1) / block_side};
+    }
+    /// Whether it is no larger than a group.
+    HWY_INLINE bool is_small() const { return x1 - x0 < group_blocks && y1 - y0 < group_blocks; }
     /// The squares that touch the range, of 4x4 squares of `step` blocks from block (x, y) on.
+    /// Precondition: one touches it, and x and y are multiples of `step`.
     HWY_INLINE std::uint32_t squares(int x, int y, int step) const {
-        const auto lines = [&](int first, int low, int high) {
-            std::uint32_t mask = 0;
-            for (int i = 0; i < 4; ++i)
-                mask |= first + step * i <= high && first + step * (i + 1) > low ? 1u << i : 0;
-            return mask;
-        };
-        const std::uint32_t columns = lines(x, x0, x1) * 0x1111u, rows = lines(y, y0, y1);
-        const std::uint32_t spread =
-            (rows & 1) | (rows & 2) << 3 | (rows & 4) << 6 | (rows & 8) << 9;
-        return columns & spread * 0xFu;
+        const auto least = [&](int low, int from) { return std::max((low - from) / step, 0); };
+        const auto most = [&](int high, int from) { return std::min((high - from) / step, 3); };
+        const std::uint32_t columns = 0xFu << least(x0, x) & 0xFu >> (3 - most(x1, x)),
+                            rows = 0xFFFFu << 4 * least(y0, y) & 0xFFFFu >> 4 * (3 - most(y1, y));
+        return columns * 0x1111u & rows;
     }
 };
 
@@ -180,6 +185,10 @@ HWY_INLINE void visit_full_group(const BoxLanes& box, int x, int y, Walk& walk,
     visit_full_blocks(box, {x, y, x + group_blocks - 1, y + group_blocks - 1}, walk, visit);
 }
 
+/// A visitor that a block without lanes costs less than a branch, which is hard to predict.
+template <class Visit>
+concept TakesNoLanes = Visit::takes_no_lanes;
+
 /// Visits every block of a small range.
 template <class Walk, class Visit>
 HWY_INLINE void visit_covered_blocks(const BoxLanes& box, EdgeWalk& edge, const BlockRange& r,
@@ -190,7 +199,7 @@ HWY_INLINE void visit_covered_blocks(const BoxLanes& box, EdgeWalk& edge, const 
         for (int bx = r.x0; bx <= r.x1; ++bx, edge.next_block(), walk.next_block()) {
             LaneSet lanes = edge.covered();
             box.cut(bx, by, lanes);
-            if (!lanes.none()) visit(bx, by, lanes);
+            if (TakesNoLanes<Visit> || !lanes.none()) visit(bx, by, lanes);
         }
 }
 
@@ -271,12 +280,11 @@ struct LargeTriangle {
     HWY_INLINE static void visit(const BoxLanes& box, const Triangles& t, std::size_t i, Walk& walk,
                                  const Visit& visit) {
         const TileEdges edges = t.edges(i);
-        const BlockRange all{t.x0[i] / block_side, t.y0[i] / block_side, (t.x1[i] - 1) / block_side,
-                             (t.y1[i] - 1) / block_side};
+        const BlockRange all = BlockRange::of(t, i);
         EdgeWalk edge;
         edge.aim(edges);
         walk.aim();
-        if (all.x1 - all.x0 < group_blocks && all.y1 - all.y0 < group_blocks)
+        if (all.is_small())
             visit_covered_blocks(box, edge, all, walk, visit);
         else
             visit_groups(box, edges, edge, all, walk, visit);
@@ -292,6 +300,22 @@ HWY_INLINE void by_size(const Triangles& t, std::size_t i, const Draw& draw) {
         draw(LargeTriangle{});
 }
 
+/// Prefetches the primitives of the batch after the next, and the vertices of the next batch. Those
+/// of one mesh are close together anyhow.
+HWY_INLINE void prefetch_batches(const DrawOp& op, std::span<const std::uint32_t> bin) {
+    const GeometrySet& set = *op.set;
+    if (set.parts.size() == 1) return;
+    const auto end_of = [&](std::size_t batches) {
+        return std::min(bin.size(), batches * batch_capacity);
+    };
+    for (std::size_t i = end_of(2); i < end_of(3); ++i) prefetch(&set.primitives[bin[i]], 1);
+    for (std::size_t i = end_of(1); i < end_of(2); ++i) {
+        const SetupPrimitive& p = set.primitives[bin[i]];
+        for (const std::uint32_t vertex : p.vertex) prefetch(&set.at[vertex], 1);
+        if (op.colors) prefetch(&op.colors->of(p)[p.provoking], 1);
+    }
+}
+
 /// Visits a bin in order: triangles in batches, lines and points one by one.
 template <class Batch, class Single>
 HWY_INLINE void walk_bin(const TileDraw& draw, std::span<const std::uint32_t> bin,
@@ -301,6 +325,7 @@ HWY_INLINE void walk_bin(const TileDraw& draw, std::span<const std::uint32_t> bi
         return i < set.triangle_count || set.primitives[i].kind == MeshKind::Triangles;
     };
     while (!bin.empty()) {
+        prefetch_batches(*draw.op, bin);
         std::size_t n = 0;
         while (n < std::min(bin.size(), batch_capacity) && is_triangle(bin[n])) ++n;
         if (n == 0)

@@ -60,29 +60,13 @@ struct Maker {
     void constant(ColorPlanes& out, const Rgba& color) const {
         for (std::size_t c = 0; c < 4; ++c) out.color[c] = PrimitiveFrame::constant(color[c]);
     }
-    Rgba id_color() const {
-        const Draw& d = *op().draws[primitive.part - op().group->first_part];
-        const std::uint32_t id = (d.id_base + d.mesh->polygon_id(primitive.polygon)) >> d.id_shift;
-        return {std::uint16_t(id & 255), std::uint16_t(id >> 8 & 255),
-                std::uint16_t(id >> 16 & 255), std::uint16_t(max_of_bits(op().state.bits))};
-    }
-
-    const std::vector<Rgba>& vertex_colors() const {
-        const VertexColors& colors = *op().colors;
-        return primitive.front || colors.back.empty() ? colors.front : colors.back;
-    }
-    Rgba flat() const {
-        return state().color_source == ColorSource::PolygonId
-                   ? id_color()
-                   : vertex_colors()[primitive.provoking];
-    }
-
     void color(ColorPlanes& out) const {
         out.perspective = false;
-        if (state().color_source == ColorSource::PolygonId ||
-            state().shade_model == ShadeModel::Flat)
-            return constant(out, flat());
-        const std::vector<Rgba>& from = vertex_colors();
+        if (state().color_source == ColorSource::PolygonId)
+            return constant(out, id_color(draw, primitive));
+        const std::vector<Rgba>& from = op().colors->of(primitive);
+        if (state().shade_model == ShadeModel::Flat)
+            return constant(out, from[primitive.provoking]);
         out.perspective = op().perspective_color;
         for (std::size_t c = 0; c < 4; ++c) {
             const Values a =
@@ -204,9 +188,12 @@ void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive,
     if (make.state().fog.enable) make.fog(out);
 }
 
-Rgba flat_color(const TileDraw& draw, const SetupPrimitive& primitive) {
-    static const PrimitiveFrame none{};
-    return Maker{draw, primitive, none}.flat();
+Rgba id_color(const TileDraw& draw, const SetupPrimitive& primitive) {
+    const DrawOp& op = *draw.op;
+    const Draw& d = *op.draws[primitive.part - op.group->first_part];
+    const std::uint32_t id = (d.id_base + d.mesh->polygon_id(primitive.polygon)) >> d.id_shift;
+    return {std::uint16_t(id & 255), std::uint16_t(id >> 8 & 255), std::uint16_t(id >> 16 & 255),
+            std::uint16_t(max_of_bits(op.state.bits))};
 }
 
 void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive,

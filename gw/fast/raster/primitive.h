@@ -80,8 +80,8 @@ DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive,
                        const PrimitiveFrame& frame);
 void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive,
                        const PrimitiveFrame& frame, ColorPlanes& out);
-/// The one colour of a primitive: its identifier's, or its provoking vertex's.
-Rgba flat_color(const TileDraw& draw, const SetupPrimitive& primitive);
+/// The colour of a primitive's identifier.
+Rgba id_color(const TileDraw& draw, const SetupPrimitive& primitive);
 void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive,
                          const PrimitiveFrame& frame, TexturePlanes& out);
 

@@ -98,7 +98,21 @@ HWY_INLINE void set_up_edges(const TileDraw& draw, Triangles& t) {
     for (std::size_t i = 0; i < t.count(); i += hn::Lanes(D64())) set_up_edges(draw, t, i);
 }
 
+/// Depth planes of triangles that have one depth each, as of walls parallel to the window.
+HWY_INLINE void set_up_level_depths(Triangles& t) {
+    const I64ForD64 d;
+    for (std::size_t i = 0; i < t.corners.filled; i += hn::Lanes(d)) {
+        const auto z = hn::PromoteTo(U64ForD64(), hn::Load(U32ForD64(), t.corners.z[0] + i));
+        hn::Store(hn::Add(hn::ShiftLeft<16>(hn::BitCast(d, z)), hn::Set(d, 1 << 15)), d,
+                  t.depth.c + i);
+        hn::Store(hn::Zero(d), d, t.depth.gx + i);
+        hn::Store(hn::Zero(d), d, t.depth.gy + i);
+    }
+    t.depth.sure = all_lanes;
+}
+
 HWY_INLINE void set_up_depths(Triangles& t) {
+    if (all_level(t.corners)) return set_up_level_depths(t);
     set_up_planes(
         t.corners, [&](std::size_t k, std::size_t i) { return load_unsigned(t.corners.z[k] + i); },
         t.depth);

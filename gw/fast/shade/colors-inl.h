@@ -26,6 +26,11 @@ HWY_INLINE bool is_flat(const DrawOp& op) {
     return s.color_source == ColorSource::PolygonId || s.shade_model == ShadeModel::Flat ||
            op.uniform_color;
 }
+/// The one colour of a primitive: its provoking vertex's, or its identifier's.
+HWY_INLINE Rgba one_color(const TileDraw& draw, const SetupPrimitive& p) {
+    const VertexColors* const colors = draw.op->colors;
+    return colors ? colors->of(p)[p.provoking] : id_color(draw, p);
+}
 HWY_INLINE bool has_fog(const State& s) {
     return s.fog.enable && s.color_source != ColorSource::PolygonId;
 }
@@ -56,8 +61,7 @@ struct ColorWords {
 HWY_INLINE void gather_colors(const TileDraw& draw, const Corners& t, ColorWords& out) {
     const VertexColors& colors = *draw.op->colors;
     for (std::size_t i = 0; i < t.filled; ++i) {
-        const bool front = t.primitive[i]->front || colors.back.empty();
-        const Rgba* from = (front ? colors.front : colors.back).data();
+        const Rgba* const from = colors.of(*t.primitive[i]).data();
         for (std::size_t k = 0; k < 3; ++k)
             std::memcpy(&out.at[k][i], from + t.primitive[i]->vertex[k], sizeof(Rgba));
     }
@@ -174,7 +178,7 @@ HWY_INLINE std::uint32_t fog_factors(const TileDraw& draw, const Corners& t, Nar
 /// Flat colours of a batch, without its fog.
 HWY_INLINE void flat_colors(const TileDraw& draw, const Corners& t, NarrowBatch& out) {
     for (std::size_t i = 0; i < t.count; ++i) {
-        const Rgba color = flat_color(draw, *t.primitive[i]);
+        const Rgba color = one_color(draw, *t.primitive[i]);
         for (std::size_t k = 0; k < 4; ++k) {
             out.c[k][i] = (std::uint32_t{color[k]} << 16) + (1u << 15);
             out.gx[k][i] = out.gy[k][i] = 0;

@@ -109,7 +109,7 @@ HWY_NOINLINE inline std::uint32_t set_up_wide(const TileDraw& draw, const Corner
             sure &= perspective_channel(t, colors, c, ratio, op.state.bits, out);
     } else
         for (std::size_t i = 0; i < t.count; ++i) {
-            const Rgba color = flat_color(draw, *t.primitive[i]);
+            const Rgba color = one_color(draw, *t.primitive[i]);
             for (std::size_t c = 0; c < 4; ++c)
                 out[i].color[c] = PrimitiveFrame::constant(color[c]);
         }

@@ -1,5 +1,5 @@
 // Triangles over uniform blocks, without stencil operations. They store or add one colour, or write
-// no colour. A block that a triangle covers wholly stays uniform. Other triangles:
+// no colour. A block that a large triangle covers wholly stays uniform. Other triangles:
 // gw/fast/fragments/simple_triangles-inl.h. Included once per Highway target.
 #if defined(GW_FAST_UNIFORM_DRAW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_UNIFORM_DRAW_INL_H_
@@ -8,8 +8,7 @@
 #define GW_FAST_UNIFORM_DRAW_INL_H_
 #endif
 
-#include "gw/fast/fragments/flat_paint-inl.h"
-#include "gw/fast/fragments/lane_counts-inl.h"
+#include "gw/fast/fragments/simple_triangles-inl.h"
 #include "gw/fast/uniform/level_depth-inl.h"
 #include "gw/fast/uniform/sloping_depth-inl.h"
 
@@ -52,8 +51,39 @@ HWY_INLINE bool draws_uniform(const DrawOp& op, std::span<const std::uint32_t> b
     return all_level(*op.set, bin) || all_large(*op.set, bin, subpixel_bits);
 }
 
+/// Writes back a group's blocks that `blocks` has, a bit each; (x, y) is its lowest block.
+HWY_NOINLINE inline void write_back_group(const Tile& tile, int x, int y, std::uint32_t colors,
+                                          std::uint32_t depths) {
+    for (; colors != 0; colors &= colors - 1) {
+        const int i = std::countr_zero(colors);
+        write_back_color(tile, x + i % group_blocks, y + i / group_blocks);
+    }
+    for (; depths != 0; depths &= depths - 1) {
+        const int i = std::countr_zero(depths);
+        write_back_depth(tile, x + i % group_blocks, y + i / group_blocks);
+    }
+}
+
+/// Writes back the blocks of a range. has_uniform stays: other blocks may be uniform.
+HWY_INLINE void write_back_range(const Tile& tile, UniformPlanes which, const BlockRange& r) {
+    const UniformPlanes& has = *tile.has_uniform;
+    which = {which.color && has.color, which.depth && has.depth};
+    if (!which.color && !which.depth) return;
+    const int first = group_blocks - 1;
+    for (int y = r.y0 & ~first; y <= r.y1; y += group_blocks)
+        for (int x = r.x0 & ~first; x <= r.x1; x += group_blocks) {
+            const UniformGroup& group = tile.group(x, y);
+            const std::uint32_t blocks = r.squares(x, y, 1),
+                                colors = which.color ? group.one_color & blocks : 0,
+                                depths =
+                                    which.depth ? (group.one_depth | group.one_plane) & blocks : 0;
+            if ((colors | depths) != 0) write_back_group(tile, x, y, colors, depths);
+        }
+}
+
 struct NoColor {
-    HWY_INLINE NoColor(const TileDraw&, const SetupPrimitive&) {}
+    HWY_INLINE static NoPaint pixels(const TileDraw&, const Rgba&) { return {}; }
+    HWY_INLINE NoColor(const TileDraw&, const Rgba&) {}
     HWY_INLINE void operator()(int, int, const LaneSet&) const {}
     HWY_INLINE void whole_blocks(UniformGroup&, int, int, std::uint32_t) const {}
 };
@@ -63,8 +93,7 @@ struct OneColor {
     const std::uint64_t color;
     const FlatPaint paint;
 
-    HWY_INLINE OneColor(const TileDraw& draw, const SetupPrimitive& p)
-        : OneColor(draw, flat_color(draw, p)) {}
+    HWY_INLINE static FlatPaint pixels(const TileDraw& draw, const Rgba& c) { return {draw, c}; }
     HWY_INLINE OneColor(const TileDraw& draw, const Rgba& c)
         : color(std::bit_cast<std::uint64_t>(c)), paint(draw, c) {}
 
@@ -156,67 +185,90 @@ struct UniformDraw {
     }
 };
 
-/// Draws a triangle's blocks. Inlined into its callers: the walk stays in registers.
-template <class Size, class Paint, class Walk, class Depth>
-HWY_INLINE void draw_blocks(const TileDraw& draw, const Triangles& t, std::size_t i,
-                            const BoxLanes& box, Walk& walk, const Depth& depth, LaneCounts& sum) {
-    LaneCounter made, written;
-    made.clear();
-    written.clear();
-    Size::visit(box, t, i, walk,
-                UniformDraw<Depth, Paint>{draw.tile, depth, Paint(draw, *t.corners.primitive[i]),
-                                          made, written});
-    LaneCounts{made, made, written}.add_to(sum);
-}
+/// The one colour of each triangle of a batch that has pixels.
+struct OneColors {
+    Rgba of[batch_capacity];
 
+    /// Many loads miss the first-level cache; in one loop they overlap.
+    HWY_INLINE void gather(const TileDraw& draw, const Triangles& t) {
+        for (std::size_t i = 0; i < t.count(); ++i)
+            if (!t.empty(i)) of[i] = one_color(draw, *t.corners.primitive[i]);
+    }
+};
+
+/// Triangle i of a batch over blocks that may be uniform.
 template <class Size, class Paint>
-HWY_NOINLINE void draw_untested(const TileDraw& draw, const Triangles& t, std::size_t i,
-                                const BoxLanes& box, LaneCounts& sum) {
-    NullWalk walk;
-    draw_blocks<Size, Paint>(draw, t, i, box, walk, WithoutDepth{}, sum);
-}
-template <class Size, class Paint, class Compare>
-HWY_NOINLINE void draw_level(const TileDraw& draw, const Triangles& t, std::size_t i,
-                             const BoxLanes& box, std::uint32_t z, const Compare& passes,
-                             LaneCounts& sum) {
-    NullWalk walk;
-    draw_blocks<Size, Paint>(
-        draw, t, i, box, walk,
-        LevelDepth<Compare>{draw.tile, z, passes, draw.op->state.state.depth.mask}, sum);
-}
-template <class Size, class Paint, class Compare>
-HWY_NOINLINE void draw_sloping(const TileDraw& draw, const Triangles& t, std::size_t i,
-                               const BoxLanes& box, const Compare& passes, LaneCounts& sum) {
-    const DepthPlane plane = depth_of(draw, t, i);
-    SlopingWalk walk(plane);
-    if constexpr (std::is_same_v<Size, LargeTriangle>) walk.find_bounds(t.corners, i);
-    draw_blocks<Size, Paint>(
-        draw, t, i, box, walk,
-        SlopingDepth<Compare>{draw.tile, walk, passes, draw.op->state.state.depth.mask}, sum);
-}
+struct UniformTriangle {
+    const TileDraw& draw;
+    const Triangles& t;
+    std::size_t i;
+    const BoxLanes& box;
+    const Paint paint;
+    LaneCounts& sum;
 
-/// Chooses the depth test of triangle i.
-template <class Size, class Paint, class Compare>
-HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, std::size_t i,
-                             const BoxLanes& box, const Compare& passes, LaneCounts& sum) {
-    const auto z = [&](std::size_t k) { return t.corners.z[k][i]; };
-    if constexpr (!Compare::tests)
-        draw_untested<Size, Paint>(draw, t, i, box, sum);
-    else if (z(0) == z(1) && z(0) == z(2))
-        draw_level<Size, Paint>(draw, t, i, box, z(0), passes, sum);
-    else
-        draw_sloping<Size, Paint>(draw, t, i, box, passes, sum);
-}
+    template <class Compare>
+    HWY_INLINE void operator()(const Compare& passes) const {
+        const auto z = [&](std::size_t k) { return t.corners.z[k][i]; };
+        if constexpr (!Compare::tests)
+            draw_untested();
+        else if (z(0) == z(1) && z(0) == z(2))
+            draw_level(z(0), passes);
+        else
+            draw_sloping(passes);
+    }
+
+private:
+    HWY_NOINLINE void draw_untested() const {
+        NullWalk walk;
+        draw_blocks(walk, WithoutDepth{});
+    }
+    template <class Compare>
+    HWY_NOINLINE void draw_level(std::uint32_t z, const Compare& passes) const {
+        NullWalk walk;
+        draw_blocks(walk,
+                    LevelDepth<Compare>{draw.tile, z, passes, draw.op->state.state.depth.mask});
+    }
+    template <class Compare>
+    HWY_NOINLINE void draw_sloping(const Compare& passes) const {
+        const DepthPlane plane = depth_of(draw, t, i);
+        SlopingWalk walk(plane);
+        if constexpr (std::is_same_v<Size, LargeTriangle>) walk.find_bounds(t.corners, i);
+        draw_blocks(
+            walk, SlopingDepth<Compare>{draw.tile, walk, passes, draw.op->state.state.depth.mask});
+    }
+    /// Inlined into its callers: the walk stays in registers.
+    template <class Walk, class Depth>
+    HWY_INLINE void draw_blocks(Walk& walk, const Depth& depth) const {
+        LaneCounter made, written;
+        made.clear();
+        written.clear();
+        Size::visit(box, t, i, walk,
+                    UniformDraw<Depth, Paint>{draw.tile, depth, paint, made, written});
+        LaneCounts{made, made, written}.add_to(sum);
+    }
+};
 
 template <class Paint>
 HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, LaneCounts& sum) {
     const BoxLanes box(draw);
+    OneColors colors;
+    if (draw.op->state.writes_color) colors.gather(draw, t);
     with_depth_test(*draw.op, [&](const auto& passes) {
-        for (std::size_t i = 0; i < t.count(); ++i)
-            if (!t.empty(i))
-                by_size(t, i, [&]<class Size>(Size) {
-                    draw_uniform<Size, Paint>(draw, t, i, box, passes, sum);
-                });
+        for (std::size_t i = 0; i < t.count(); ++i) {
+            if (t.empty(i)) continue;
+            const Rgba& color = colors.of[i];
+            const BlockRange blocks = BlockRange::of(t, i);
+            if (t.is_small(i)) {
+                UniformTriangle<SmallTriangle, Paint>{draw, t, i, box, {draw, color}, sum}(passes);
+            } else if (blocks.is_small()) {
+                // It leaves hardly any block uniform.
+                write_back_range(draw.tile, touched_planes(*draw.op), blocks);
+                draw_unstenciled<LargeTriangle>(draw, t, i, box, passes, Paint::pixels(draw, color),
+                                                sum);
+            } else {
+                UniformTriangle<LargeTriangle, Paint>{draw, t, i, box, {draw, color}, sum}(passes);
+            }
+        }
     });
 }
 
@@ -226,7 +278,7 @@ inline void draw_uniform(const TileDraw& draw, std::span<const std::uint32_t> bi
     Triangles t;
     LaneCounts lanes;
     lanes.clear();
-    set_up_triangles(draw, bin, needs_depth(*draw.op) && !all_level(*draw.op->set, bin), t);
+    set_up_triangles(draw, bin, needs_depth(*draw.op), t);
     if (draw.tile.depth_planes->size() + batch_capacity > max_depth_planes)
         write_back_tile(draw.tile, {false, true});
     draw.tile.has_uniform->color |= draw.op->state.writes_color;
