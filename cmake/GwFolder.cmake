@@ -146,6 +146,25 @@ function(gw_library folder)
     set_target_properties(gw_${name} PROPERTIES EXPORT_NAME ${name})
 endfunction()
 
+# gw_embed(TARGET FUNCTION HEADER FILE...): the bytes of the files, built in. The header declares the function: a file's bytes by its name;
+# empty for any other name.
+function(gw_embed target function header)
+    string(MAKE_C_IDENTIFIER ${function} name)
+    set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+    set(files "")
+    foreach(file IN LISTS ARGN)
+        cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+        list(APPEND files ${file})
+    endforeach()
+    list(JOIN files "," joined)
+    add_custom_command(OUTPUT ${output}
+        COMMAND ${CMAKE_COMMAND} -DFILES=${joined} -DHEADER=${header} -DFUNCTION=${function} -DOUTPUT=${output} -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+        DEPENDS ${files} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+        VERBATIM)
+    target_sources(${target} PRIVATE ${output})
+    set_source_files_properties(${output} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # gw_command(NAME SOURCE [LINK library...]): an executable in bin/.
 function(gw_command name source)
     cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "LINK")

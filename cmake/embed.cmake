@@ -1,5 +1,4 @@
-# cmake -DFILES=a,b -DHEADER=h.h -DFUNCTION=gw::report::embedded -DOUTPUT=c.cpp -P embed.cmake: the files' bytes as C++. The header declares
-# the function: a file's bytes by its name.
+# The work of gw_embed: cmake -DFILES=a,b -DHEADER=h.h -DFUNCTION=gw::report::embedded -DOUTPUT=c.cpp -P embed.cmake
 string(REPLACE "," ";" files "${FILES}")
 set(arrays "")
 set(rows "")
@@ -12,10 +11,9 @@ foreach(file IN LISTS files)
     string(APPEND rows "    if (name == \"${name}\") return {reinterpret_cast<const char*>(bytes_${identifier}), sizeof bytes_${identifier}};\n")
 endforeach()
 file(WRITE ${OUTPUT} "#include \"${HEADER}\"
-#include \"gw/error.h\"
 namespace {
 ${arrays}}
-std::string_view ${FUNCTION}(std::string_view name) {
-${rows}    throw gw::Error(std::string(name) + \": is not built in\");
+std::string_view ${FUNCTION}([[maybe_unused]] std::string_view name) {
+${rows}    return {};
 }
 ")

@@ -1,14 +1,10 @@
-// Builds the player as one file without references: it opens from disk. GW_WEB_OUT names the folder.
+// How each page is built: as one file without references. build.js names the pages.
 import { svelte } from '@sveltejs/vite-plugin-svelte';
+import { resolve } from 'node:path';
 import { defineConfig } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
 
 export default defineConfig({
-  root: 'player',
-  plugins: [svelte(), viteSingleFile()],
-  build: {
-    outDir: process.env.GW_WEB_OUT ?? '../dist',
-    emptyOutDir: true,
-    target: 'es2022',
-  },
+  plugins: [svelte({ configFile: resolve('svelte.config.js') }), viteSingleFile()],
+  build: { target: 'es2022' },
 });

@@ -1,11 +1,11 @@
 #include "apps/hidden/files.h"
 
 #include "apps/command/table.h"
+#include "apps/hidden/comparison.h"
+#include "apps/hidden/page.h"
 #include "apps/hidden/pictures.h"
-#include "apps/hidden/player_page.h"
 #include "hiddensurface/run/svg.h"
 #include "image/write.h"
-#include "study/plot/markup.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -84,38 +84,6 @@ std::vector<std::vector<image::Picture>> in_rows(std::vector<std::vector<image::
 
 constexpr const char* kinds[] = {"", "_difference", "_writes"};
 
-std::string html_row(const Compared& run) {
-    const hs::Counts& c = run.result.counts;
-    std::string row =
-        fmt::format("<tr><th>{}<br>{}</th>", run.algorithm->name, run.algorithm->title);
-    for (const char* kind : kinds)
-        row += fmt::format("<td><img src=\"{}{}.png\" alt=\"{}{}\"></td>", run.algorithm->name,
-                           kind, run.algorithm->name, kind);
-    return row + fmt::format(
-                     "<td>{} ties<br>{} edges<br>{} snapped<br>{} wrong<br>{} splits<br>{} "
-                     "overdraw</td></tr>\n",
-                     c.ties, c.edges, c.snapped, c.wrong, c.splits, c.overdraw);
-}
-
-std::string html(const hs::Input& input, const std::vector<Compared>& all) {
-    std::string text = fmt::format(
-        "<!DOCTYPE html>\n"
-        "<html lang=\"en\"><meta charset=\"utf-8\"><title>Hidden surfaces: {0}</title>\n"
-        "<style>body{{font-family:sans-serif}}th{{text-align:left;max-width:16em}}td{{vertical-align:top}}</style>\n"
-        "<h1>Hidden surfaces: {0}</h1>\n"
-        "<p>Differences from the Z-buffer: ties yellow, edges cyan, snapped blue, wrong red. "
-        "Writes: black 0, blue 1, green 2, yellow 3, orange 4, red 5 and more.</p>\n"
-        "<table>\n"
-        "<tr><th></th><th>picture</th><th>difference</th><th>writes</th><th>counts</th></tr>\n",
-        plot::escaped(input.scene.name));
-    for (const Compared& run : all) text += html_row(run);
-    return text +
-           "</table>\n<p>Polygons over each pixel:</p>\n<img src=\"complexity.png\" alt=\"depth "
-           "complexity\">\n"
-           "<p><a href=\"counts.csv\">counts.csv</a> <a href=\"counts.json\">counts.json</a> <a "
-           "href=\"sheet.png\">sheet.png</a></p>\n</html>\n";
-}
-
 }  // namespace
 
 std::vector<std::size_t> places(std::size_t steps, int pictures) {
@@ -183,7 +151,7 @@ std::string counts_json(const std::vector<Compared>& all) {
 void put_log(image::OutputSet& output, const std::filesystem::path& folder,
              const std::string& log) {
     output.add(folder / "steps.jsonl").write_text(log);
-    if (const std::string page = player_page({log}); !page.empty())
+    if (const std::string page = page_with("player.html", {log}); !page.empty())
         output.add(folder / "player.html").write_text(page);
 }
 
@@ -225,7 +193,8 @@ void put_comparison(image::OutputSet& output, const std::filesystem::path& folde
         picture_of_counts(hs::depth_complexity(input), input.view.width, input.view.height));
     output.add(folder / "counts.csv").write_text(counts_csv(all));
     output.add(folder / "counts.json").write_text(counts_json(all));
-    output.add(folder / "index.html").write_text(html(input, all));
+    const std::string page = page_with("compare.html", {comparison_json(input, all, colors)});
+    if (!page.empty()) output.add(folder / "index.html").write_text(page);
 }
 
 }  // namespace gw::apps

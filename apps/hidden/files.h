@@ -41,8 +41,8 @@ void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
                const hiddensurface::Input& input, const Compared& run,
                const hiddensurface::StepLog& log, int pictures);
 
-/// Writes sheet.png, the same pictures one by one, complexity.png, counts.csv, counts.json and
-/// index.html. The sheet has each algorithm's picture, difference and writes side by side, with
+/// Writes sheet.png, the same pictures one by one, complexity.png, counts.csv, counts.json and, if
+/// the build has the page, index.html. The sheet has each algorithm's picture, difference and writes side by side, with
 /// captions; a row holds several algorithms if there are many.
 void put_comparison(image::OutputSet& output, const std::filesystem::path& folder,
                     const hiddensurface::Input& input, const std::vector<Compared>& all);

@@ -5,7 +5,7 @@
 
 namespace gw::report {
 
-/// A file's bytes by its name: "report.css". Throws Error if there is none.
+/// A file's bytes by its name: "report.css". Empty if it is not built in.
 std::string_view embedded(std::string_view name);
 
 }  // namespace gw::report

@@ -124,26 +124,65 @@ function parseLine(line: string, number: number): unknown {
   }
 }
 
-/** Reads a log. Throws LogError "line N: what; expected what". */
-export function parseLog(text: string): Log {
-  const lines = text.split('\n');
-  if (lines.at(-1) === '') lines.pop();
-  const header = parseLine(lines[0] ?? '', 1);
-  if (!isHeader(header))
-    throw new LogError('line 1: not a header; expected a file that gw hidden --steps wrote');
-  if (header.version !== 1)
-    throw new LogError(`line 1: version ${header.version}; this page reads version 1`);
-  const steps: Step[] = [];
-  for (let i = 1; i < lines.length; ++i) {
-    const value = parseLine(lines[i]!, i + 1) as Step | { end: number; counts: object };
-    if ('end' in value) {
-      return { header, steps, totals: value.counts as Record<string, number>, whole: true };
-    }
-    if (typeof value.step !== 'number' || typeof value.kind !== 'string')
-      throw new LogError(`line ${i + 1}: not a step; expected "step" and "kind"`);
-    steps.push(value);
+/** Reads a log piece by piece. Throws LogError "line N: what; expected what". */
+export class LogReader {
+  private rest = '';
+  private lines = 0;
+  private header: Header | undefined;
+  private readonly steps: Step[] = [];
+  private totals: Readonly<Record<string, number>> | undefined;
+
+  add(piece: string): void {
+    const lines = (this.rest + piece).split('\n');
+    this.rest = lines.pop()!;
+    for (const line of lines) this.addLine(line);
   }
-  return { header, steps, totals: {}, whole: false };
+
+  /** After the last piece. */
+  log(): Log {
+    if (this.rest !== '' || this.lines === 0) this.addLine(this.rest);
+    this.rest = '';
+    return {
+      header: this.header!,
+      steps: this.steps,
+      totals: this.totals ?? {},
+      whole: this.totals !== undefined,
+    };
+  }
+
+  private addLine(line: string): void {
+    if (this.totals) return;
+    const value = parseLine(line, ++this.lines);
+    if (this.lines === 1) this.begin(value);
+    else this.addStep(value as Step | { end: number; counts: Record<string, number> });
+  }
+
+  private begin(value: unknown): void {
+    if (!isHeader(value))
+      throw new LogError('line 1: not a header; expected a file that gw hidden --steps wrote');
+    if (value.version !== 1)
+      throw new LogError(`line 1: version ${value.version}; this page reads version 1`);
+    this.header = value;
+  }
+
+  private addStep(value: Step | { end: number; counts: Record<string, number> }): void {
+    if ('end' in value) this.totals = value.counts;
+    else if (typeof value.step !== 'number' || typeof value.kind !== 'string')
+      throw new LogError(`line ${this.lines}: not a step; expected "step" and "kind"`);
+    else this.steps.push(value);
+  }
+}
+
+export async function readLog(pieces: AsyncIterable<string> | Iterable<string>): Promise<Log> {
+  const reader = new LogReader();
+  for await (const piece of pieces) reader.add(piece);
+  return reader.log();
+}
+
+export function parseLog(text: string): Log {
+  const reader = new LogReader();
+  reader.add(text);
+  return reader.log();
 }
 
 /** The identifier of a piece's polygon: "12ab" and "12.1" belong to 12. */

@@ -1,12 +1,15 @@
 // Colours of polygons: those of the scene, or ones that colour-blind people can tell apart.
-import type { Header } from './log';
-
 export type Palette = 'scene' | 'distinct';
 
 // M. Okabe, K. Ito, "Color Universal Design", 2002: eight colours without black.
 const distinct = ['#e69f00', '#56b4e9', '#009e73', '#f0e442', '#0072b2', '#d55e00', '#cc79a7'];
 
-export function colorsOf(header: Header, palette: Palette): Map<number, string> {
+interface Colored {
+  readonly background: string;
+  readonly polygons: readonly { readonly id: number; readonly color: string }[];
+}
+
+export function colorsOf(header: Colored, palette: Palette): Map<number, string> {
   const colors = new Map<number, string>([[0, header.background]]);
   header.polygons.forEach((p, i) =>
     colors.set(p.id, palette === 'scene' ? p.color : distinct[i % distinct.length]!),

@@ -1,21 +1,12 @@
-// Starts the page with the logs that stand in it: <script class="log"> with base64 of gzip of the
-// lines of JSON. Without any, the page asks for a file.
+// Starts the page with the logs that stand in it. Without any, the page asks for a file.
 import { mount } from 'svelte';
-import { parseLog, type Log } from '../model/log';
+import { readLog, type Log } from '../model/log';
+import { takeData, unpackedPieces } from '../model/packed';
 import App from './App.svelte';
 
-async function unpack(base64: string): Promise<string> {
-  const bytes = Uint8Array.from(atob(base64.trim()), (c) => c.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Response(stream).text();
-}
-
 async function start(): Promise<void> {
-  const elements = [...document.querySelectorAll('script.log')];
   const logs: Log[] = [];
-  for (const element of elements) logs.push(parseLog(await unpack(element.textContent ?? '')));
-  document.title =
-    logs.map((log) => `${log.header.title}, ${log.header.scene}`).join(' – ') || 'gw hidden';
+  for (const data of takeData()) logs.push(await readLog(unpackedPieces(data)));
   mount(App, { target: document.getElementById('app')!, props: { logs } });
 }
 

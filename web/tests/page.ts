@@ -1,13 +1,14 @@
-// A page as the command writes it: the built player with the logs in it.
+// A page as the command writes it: a built page with data in it.
 import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 
-export function pageOf(logs: readonly string[]): string {
-  const page = readFileSync('dist/index.html', 'utf8');
-  const scripts = logs.map(
-    (log) => `<script class="log" type="text/plain">${gzipSync(log).toString('base64')}</script>`,
+export function pageOf(name: string, data: readonly string[]): string {
+  const page = readFileSync(`dist/${name}.html`, 'utf8');
+  const scripts = data.map(
+    (text) =>
+      `<script class="data" type="text/plain">${gzipSync(text).toString('base64')}</script>`,
   );
-  const mark = '<!-- logs -->';
-  if (!page.includes(mark)) throw new Error(`dist/index.html lacks ${mark}; run npm run build`);
+  const mark = '<!-- data -->';
+  if (!page.includes(mark)) throw new Error(`dist/${name}.html lacks ${mark}; run npm run build`);
   return page.replace(mark, scripts.join(''));
 }

@@ -4,6 +4,7 @@ import { Camera, depthAt, planeThrough } from '../model/camera';
 import { spread, type Label } from '../model/labels';
 import { pathsOf } from '../model/lines';
 import { parseLog, type Step } from '../model/log';
+import { defaultSettings } from '../model/settings';
 import { inkOn } from '../model/palette';
 import { crossings, depthOfPixel, segmentsOfRow } from '../model/scan_line';
 import { placed, treeOf } from '../model/tree';
@@ -133,14 +134,15 @@ it('offers the views that the log has data for', () => {
 });
 
 it('keeps the page in the address', () => {
+  const defaults = defaultSettings('en-GB', false);
   const state = fromAddress(
     '#step=12,3&view=tree,top&pixel=4,5&lang=ja&theme=dark&projector=1',
-    'en',
+    defaults,
   );
   expect(state.steps).toEqual([12, 3]);
   expect(state.pixel).toEqual([4, 5]);
-  expect(fromAddress(toAddress(state), 'en')).toEqual(state);
-  expect(fromAddress('#step=x&pixel=1&lang=fr', 'en')).toMatchObject({
+  expect(fromAddress(toAddress(state, defaults), defaults)).toEqual(state);
+  expect(fromAddress('#step=x&pixel=1&lang=fr', defaults)).toMatchObject({
     steps: [],
     pixel: undefined,
     language: 'en',

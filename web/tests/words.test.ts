@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { en } from '../words/en';
 import { ja } from '../words/ja';
 
-const sources = ['components', 'player', 'model']
+const sources = ['components', 'compare', 'model', 'player']
   .flatMap((folder) => readdirSync(folder).map((name) => `${folder}/${name}`))
   .map((path) => readFileSync(path, 'utf8'))
   .join('\n');

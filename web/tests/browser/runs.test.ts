@@ -3,8 +3,9 @@ import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import puppeteer, { type Browser } from 'puppeteer-core';
+import type { Browser, Page } from 'puppeteer-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { complaintsOf, launched } from './browser';
 
 const gw = process.env['GW'] ?? '';
 const scenes = process.env['GW_SCENES'] ?? '';
@@ -12,10 +13,7 @@ const folder = mkdtempSync(join(tmpdir(), 'gw-runs-'));
 let browser: Browser;
 
 beforeAll(async () => {
-  browser = await puppeteer.launch({
-    executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
-    args: ['--no-sandbox', '--disable-gpu', '--allow-file-access-from-files'],
-  });
+  browser = await launched();
 });
 afterAll(async () => {
   await browser.close();
@@ -61,30 +59,34 @@ function run(algorithm: string, scene: string, level: string): string {
   return out;
 }
 
+/** How many values of a canvas and of a picture file differ. */
+async function wrongValues(page: Page, file: string, canvas: number): Promise<number> {
+  return page.evaluate(
+    async (file, place) => {
+      const image = new Image();
+      image.src = file;
+      await image.decode();
+      const canvas = document.querySelectorAll('canvas')[place]!;
+      const wanted = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d')!;
+      wanted.drawImage(image, 0, 0);
+      const size = [0, 0, canvas.width, canvas.height] as const;
+      const a = wanted.getImageData(...size).data;
+      const b = canvas.getContext('2d')!.getImageData(...size).data;
+      return a.reduce((count, value, i) => count + Number(value !== b[i]), 0);
+    },
+    `file://${file}`,
+    canvas,
+  );
+}
+
 /** Opens a run's last step. Tells what is on the page and what the browser complains about. */
 async function lastStep(out: string) {
   const page = await browser.newPage();
-  const complaints: string[] = [];
-  page.on('pageerror', (error) => complaints.push(String(error)));
-  page.on('console', (message) => {
-    if (message.type() === 'error') complaints.push(message.text());
-  });
+  const complaints = complaintsOf(page);
   await page.goto(`file://${out}/player.html#step=100000000&lang=en`);
   await page.waitForSelector('section');
   const sentence = await page.$eval('.sentence', (e) => e.textContent ?? '');
-  /** Pixels of the page's picture that differ from picture.png. */
-  const wrong = await page.evaluate(async (file) => {
-    const image = new Image();
-    image.src = file;
-    await image.decode();
-    const canvas = document.querySelector('canvas')!;
-    const wanted = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d')!;
-    wanted.drawImage(image, 0, 0);
-    const size = [0, 0, canvas.width, canvas.height] as const;
-    const a = wanted.getImageData(...size).data;
-    const b = canvas.getContext('2d')!.getImageData(...size).data;
-    return a.reduce((count, value, i) => count + Number(value !== b[i]), 0);
-  }, `file://${out}/picture.png`);
+  const wrong = await wrongValues(page, `${out}/picture.png`, 0);
   await page.close();
   return { sentence, wrong, complaints };
 }
@@ -102,5 +104,23 @@ describe.skipIf(gw === '')('a run of gw hidden', () => {
     const { sentence, complaints } = await lastStep(run(algorithm, 'solids', 'polygon'));
     expect(complaints).toEqual([]);
     expect(sentence).not.toContain('{');
+  });
+
+  it('compares: pictures and writes are those of the files, and all are in the table', async () => {
+    const out = join(folder, 'compared');
+    const file = join(scenes, 'hidden', 'cycle.toml');
+    execFileSync(gw, ['hidden', file, '--size', '64x48', '--quiet', '--compare', out]);
+    const page = await browser.newPage();
+    const complaints = complaintsOf(page);
+    await page.goto(`file://${out}/index.html#lang=en&plane=all&show=${surfaces.join(',')}`);
+    await page.waitForSelector('figure');
+    const names = await page.$$eval('figcaption b', (all) => all.map((b) => b.textContent!));
+    expect([...names].sort()).toEqual(surfaces);
+    for (const [i, name] of names.entries()) {
+      expect(await wrongValues(page, `${out}/${name}.png`, 3 * i), name).toBe(0);
+      expect(await wrongValues(page, `${out}/${name}_writes.png`, 3 * i + 2), name).toBe(0);
+    }
+    expect(complaints).toEqual([]);
+    await page.close();
   });
 });

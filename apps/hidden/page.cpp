@@ -1,4 +1,4 @@
-#include "apps/hidden/player_page.h"
+#include "apps/hidden/page.h"
 
 #include "gw/error.h"
 
@@ -14,7 +14,7 @@ std::string packed(const std::string& text) {
     z_stream stream{};
     if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, window_bits_of_gzip, 9,
                      Z_DEFAULT_STRATEGY) != Z_OK)
-        throw Error("not enough memory to pack a step log");
+        throw Error("not enough memory to pack the data of a page");
     std::string out(deflateBound(&stream, uLong(text.size())), '\0');
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
     stream.avail_in = uInt(text.size());
@@ -23,7 +23,7 @@ std::string packed(const std::string& text) {
     const int result = deflate(&stream, Z_FINISH);
     out.resize(stream.total_out);
     deflateEnd(&stream);
-    if (result != Z_STREAM_END) throw Error("a step log cannot be packed");
+    if (result != Z_STREAM_END) throw Error("the data of a page cannot be packed");
     return out;
 }
 
@@ -43,21 +43,18 @@ std::string base64(const std::string& bytes) {
 
 }  // namespace
 
-std::string player_page(const std::vector<std::string>& logs) {
-#ifdef GW_WITH_PAGES
-    constexpr std::string_view mark = "<!-- logs -->";
-    std::string page(embedded_page("player.html"));
+std::string page_with(std::string_view name, const std::vector<std::string>& texts) {
+    constexpr std::string_view mark = "<!-- data -->";
+    std::string page(embedded_page(name));
+    if (page.empty()) return page;
     std::string scripts;
-    for (const std::string& log : logs)
+    for (const std::string& text : texts)
         scripts +=
-            "<script class=\"log\" type=\"text/plain\">" + base64(packed(log)) + "</script>\n";
+            "<script class=\"data\" type=\"text/plain\">" + base64(packed(text)) + "</script>\n";
     const std::size_t at = page.find(mark);
-    if (at == page.npos) throw Error("the built-in player lacks '" + std::string(mark) + "'");
+    if (at == page.npos)
+        throw Error("the built-in " + std::string(name) + " lacks '" + std::string(mark) + "'");
     return page.replace(at, mark.size(), scripts);
-#else
-    (void)logs;
-    return "";
-#endif
 }
 
 }  // namespace gw::apps
