@@ -1,12 +1,9 @@
 // The lines that a hidden-line algorithm has drawn, as paths of SVG. Does not decide what is hidden.
-import type { DrawnLine } from './log';
-import type { Replay } from './replay';
+import type { DrawnLine, Step } from './log';
 
 export interface DrawnPaths {
   readonly visible: string;
   readonly hidden: string;
-  /** The whole line of the last step. */
-  readonly last: string;
 }
 
 function part(line: DrawnLine, from: number, to: number): string {
@@ -15,8 +12,10 @@ function part(line: DrawnLine, from: number, to: number): string {
   return `M${at(from)}L${at(to)}`;
 }
 
+export const wholeLine = (line: DrawnLine): string => part(line, 0, 1);
+
 /** The visible parts, and what lies between them. */
-export function pathsOf(line: DrawnLine): { visible: string; hidden: string } {
+export function pathsOf(line: DrawnLine): DrawnPaths {
   let visible = '';
   let hidden = '';
   let end = 0;
@@ -29,17 +28,10 @@ export function pathsOf(line: DrawnLine): { visible: string; hidden: string } {
   return { visible, hidden };
 }
 
-export function linesUntil(replay: Replay, position: number): DrawnPaths {
-  if (replay.log.header.draws !== 'lines') return { visible: '', hidden: '', last: '' };
-  let visible = '';
-  let hidden = '';
-  for (let i = 0; i < position; ++i) {
-    const line = replay.log.steps[i]!.line;
-    if (!line) continue;
-    const paths = pathsOf(line);
-    visible += paths.visible;
-    hidden += paths.hidden;
-  }
-  const line = replay.log.steps[position - 1]?.line;
-  return { visible, hidden, last: line ? part(line, 0, 1) : '' };
+export function linesOf(steps: readonly Step[]): DrawnPaths {
+  const all = steps.flatMap((step) => (step.line ? [pathsOf(step.line)] : []));
+  return {
+    visible: all.map((paths) => paths.visible).join(''),
+    hidden: all.map((paths) => paths.hidden).join(''),
+  };
 }

@@ -26,6 +26,8 @@ export class Replay {
   /** By the number of steps done: the last Sort among them, else -1. */
   private readonly sorts: Int32Array;
   private readonly outlines = new Map<string, Made[]>();
+  /** Steps done when a piece was first drawn. */
+  private readonly draws = new Map<string, number>();
 
   constructor(readonly log: Log) {
     [this.width, this.height] = log.header.size;
@@ -40,6 +42,9 @@ export class Replay {
     for (let i = 0; i < log.steps.length; ++i) {
       const step = log.steps[i]!;
       this.sorts[i + 1] = step.kind === 'sort' ? i : this.sorts[i]!;
+      if (step.kind === 'draw')
+        for (const piece of step.pieces ?? [])
+          if (!this.draws.has(piece)) this.draws.set(piece, i + 1);
       for (const made of step.made ?? []) this.addOutline(made.name, i + 1, made.outline);
       this.apply(step);
       this.done = i + 1;
@@ -86,6 +91,11 @@ export class Replay {
   outline(name: string): readonly Loop[] {
     const found = this.outlines.get(name) ?? this.outlines.get(String(polygonOf(name))) ?? [];
     return (found.findLast((made) => made.step <= this.done) ?? found[0])?.outline ?? [];
+  }
+
+  /** Whether a step done has drawn the piece. */
+  isDrawn(piece: string): boolean {
+    return (this.draws.get(piece) ?? Infinity) <= this.done;
   }
 
   idAt(x: number, y: number): number {

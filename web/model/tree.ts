@@ -49,6 +49,26 @@ export function treeOf(steps: readonly Step[]): Tree {
   return { root, nodes };
 }
 
+/** By node: steps done and the eye's side, in their order. */
+export type Sides = ReadonlyMap<number, readonly (readonly [number, string])[]>;
+
+export function sidesOf(steps: readonly Step[]): Sides {
+  const sides = new Map<number, [number, string][]>();
+  steps.forEach((step, i) => {
+    const node = numberOf(step, 'node');
+    if (step.test !== 'eye-side' || node === undefined) return;
+    const known = sides.get(node);
+    if (known) known.push([i + 1, step.result]);
+    else sides.set(node, [[i + 1, step.result]]);
+  });
+  return sides;
+}
+
+/** The eye's side of a node after `position` steps, if the walk has been there. */
+export function sideAt(sides: Sides, node: number, position: number): string | undefined {
+  return sides.get(node)?.findLast(([done]) => done <= position)?.[1];
+}
+
 export interface Placed {
   readonly node: TreeNode;
   readonly x: number;
