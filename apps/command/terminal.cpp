@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <unistd.h>
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -18,6 +19,10 @@ int muted = 0;
 
 [[noreturn]] void fail() {
     throw Error("standard output: cannot be written: " + std::string(std::strerror(errno)));
+}
+
+void put(std::string_view text) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail();
 }
 
 bool continues_character(char c) { return (static_cast<unsigned char>(c) >> 6) == 2; }
@@ -43,8 +48,9 @@ SilenceStdout::~SilenceStdout() { --muted; }
 
 void print(std::string_view text) {
     if (muted > 0) return;
-    const std::string harmless = without_controls(text);
-    if (std::fwrite(harmless.data(), 1, harmless.size(), stdout) != harmless.size()) fail();
+    const auto is_plain = [](char c) { return (c >= ' ' && c <= '~') || c == '\n' || c == '\t'; };
+    if (std::all_of(text.begin(), text.end(), is_plain)) return put(text);  // needs no memory
+    put(without_controls(text));
 }
 
 void flush_output() {

@@ -71,7 +71,7 @@ void add_to(std::span<std::atomic<char*>> slots, const std::filesystem::path& na
 void take_from(std::span<std::atomic<char*>> slots, const std::filesystem::path& name) {
     for (std::atomic<char*>& slot : slots) {
         char* file = slot.load();
-        if (file == nullptr || name != file) continue;
+        if (file == nullptr || name.native() != file) continue;  // needs no memory
         slot.store(nullptr);
         std::free(file);
         return;
