@@ -29,8 +29,19 @@ struct Readback {
     bool operator==(const Readback&) const = default;
 };
 
+/// How read_into() orders packed colours. The bits are those of the planes.
+struct ReadLayout {
+    bool top_first = false;   ///< the top row first
+    bool blue_first = false;  ///< bytes B, G, R and 0 from the lowest, not R, G, B, A
+    bool operator==(const ReadLayout&) const = default;
+};
+
 /// The caller's memory for the values of Reads, by the Read's key.
-using ReadTargets = std::map<std::uint32_t, std::span<std::uint32_t>>;
+struct ReadTarget {
+    std::span<std::uint32_t> values;
+    ReadLayout layout;
+};
+using ReadTargets = std::map<std::uint32_t, ReadTarget>;
 
 class Machine {
 public:
@@ -47,7 +58,9 @@ public:
     virtual const std::map<std::uint32_t, Readback>& readbacks() = 0;
     /// The next list's Read of this key writes depth, stencil or packed colours to `values` instead
     /// of readbacks(). `values` has rect.area() elements and stays valid until execute() returns.
-    virtual void read_into(std::uint32_t key, std::span<std::uint32_t> values) = 0;
+    /// `layout` is for packed colours.
+    virtual void read_into(std::uint32_t key, std::span<std::uint32_t> values,
+                           ReadLayout layout = {}) = 0;
     virtual const Profile& profile() const = 0;
 };
 

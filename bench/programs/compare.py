@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Frames a second of programs on two implementations of OpenGL: compare.py [--only NAMES] [--sizes WxH ..] [--threads N ..]
+"""Frames a second of programs on two implementations of OpenGL: compare.py [--only NAMES] [--sizes WxH ..] [--threads N ..] [--real]
 
 Each program runs on the machine's libGL.so.1 and on Mesa's llvmpipe in turn, in windows of one X server. Prints frames a second of both,
 medians of the repeats, the ratio, and the share of pixels of a last frame that differ by more than 8 of 255.
+
+--real: programs of Debian, unmodified, in place of those of bench_programs. Their frames depend on the clock, so pixels are not compared.
 """
 import argparse
 import json
@@ -13,6 +15,13 @@ import sys
 import tempfile
 
 
+HACKS = "/usr/libexec/xscreensaver"
+REAL = {"glxgears": ["glxgears"]} | {
+    name: [f"{HACKS}/{name}", "--window", "--delay", "0"]
+    for name in ["gears", "atlantis", "bouncingcow", "cage", "circuit", "flurry", "glmatrix", "glplanet", "lament", "molecule", "morph3d",
+                 "pipes", "rubik", "sballs", "sproingies", "starwars", "superquadrics"]}
+
+
 def arguments():
     parser = argparse.ArgumentParser()
     parser.add_argument("--bin", default="build/release/bin/bench_programs")
@@ -21,6 +30,8 @@ def arguments():
     parser.add_argument("--sizes", nargs="*", default=["640x480", "1280x960"])
     parser.add_argument("--threads", nargs="*", type=int, default=[1, 2])
     parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--real", action="store_true")
+    parser.add_argument("--meter", default="build/release/lib/bench_frame_meter.so", help="ends a real program after 100 frames")
     parser.add_argument("--json", help="a file for the figures")
     return parser.parse_args()
 
@@ -37,12 +48,21 @@ def environment(side, threads, lib):
 def run(args, side, name, size, threads, picture):
     """Seconds of wall time and of the processor, a frame."""
     width, height = size.split("x")
-    processors = ",".join(str(i) for i in range(threads))
-    command = ["taskset", "-c", processors, args.bin, name, "--width", width, "--height", height, "--picture", picture]
-    done = subprocess.run(command, env=environment(side, threads, args.lib), capture_output=True, text=True, check=False)
+    pinned = ["taskset", "-c", ",".join(str(i) for i in range(threads))]
+    env = environment(side, threads, args.lib)
+    if args.real:
+        command = pinned + REAL[name] + ["-geometry", size]
+        env |= {"LD_PRELOAD": os.path.abspath(args.meter), "FRAME_METER": picture + ".txt"}
+    else:
+        command = pinned + [args.bin, name, "--width", width, "--height", height, "--picture", picture]
+    done = subprocess.run(command, env=env, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"compare.py: {' '.join(command)} on {side}: {done.stderr}")
-    wall, processor, frames, renderer = done.stdout.split(None, 3)
+    printed = done.stdout
+    if args.real:
+        with open(picture + ".txt", encoding="utf-8") as file:
+            printed = file.read()
+    wall, processor, frames, renderer = printed.split(None, 3)
     if (side == "ours") == ("llvmpipe" in renderer):
         sys.exit(f"compare.py: {side} was drawn by {renderer}")
     return float(wall) / int(frames), float(processor) / int(frames)
@@ -70,26 +90,30 @@ def compare(args, name, size, threads, folder):
             "ours": 1 / wall["ours"], "llvmpipe": 1 / wall["llvmpipe"],
             "ratio": wall["llvmpipe"] / wall["ours"],
             "processor ratio": processor["llvmpipe"] / processor["ours"],
-            "pixels off": pixels_off(*pictures.values())}
+            "pixels off": None if args.real else pixels_off(*pictures.values())}
 
 
 def main():
     args = arguments()
     listed = subprocess.run([args.bin], capture_output=True, text=True, check=True).stdout.splitlines()
-    names = [line.split()[0] for line in listed if not args.only or line.split()[0] in args.only]
+    if args.real and not os.path.exists(args.meter):
+        sys.exit(f"compare.py: {args.meter} is not there; expected a build of bench_frame_meter")
+    every = REAL if args.real else [line.split()[0] for line in listed]
+    names = [name for name in every if not args.only or name in args.only]
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         for size in args.sizes:
             for threads in args.threads:
                 print(f"\n{size}, {threads} thread(s); frames a second, medians of {args.repeats}")
-                print(f"{'program':12}{'ours':>9}{'llvmpipe':>10}{'ratio':>8}{'processor':>11}{'pixels off':>12}", flush=True)
+                print(f"{'program':14}{'ours':>9}{'llvmpipe':>10}{'ratio':>8}{'processor':>11}{'pixels off':>12}", flush=True)
                 part = []
                 for name in names:
                     row = compare(args, name, size, threads, folder)
                     part.append(row)
-                    print(f"{name:12}{row['ours']:9.1f}{row['llvmpipe']:10.1f}{row['ratio']:8.2f}"
-                          f"{row['processor ratio']:11.2f}{row['pixels off']:11.2%}", flush=True)
-                print(f"{'median':12}{'':19}{statistics.median(r['ratio'] for r in part):8.2f}"
+                    off = "" if args.real else f"{row['pixels off']:11.2%}"
+                    print(f"{name:14}{row['ours']:9.1f}{row['llvmpipe']:10.1f}{row['ratio']:8.2f}"
+                          f"{row['processor ratio']:11.2f}{off}", flush=True)
+                print(f"{'median':14}{'':19}{statistics.median(r['ratio'] for r in part):8.2f}"
                       f"{statistics.median(r['processor ratio'] for r in part):11.2f}")
                 rows += part
     if args.json:

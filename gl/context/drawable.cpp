@@ -140,17 +140,18 @@ Readback Drawable::read_colors(gw::ReadBuffer buffer, const Rect& rect, Cause ca
     return read(Plane::Color, rect, cause);
 }
 
-void Drawable::read_packed(const Rect& rect, Cause cause, std::span<std::uint32_t> pixels) {
+void Drawable::read_packed(const Rect& rect, Cause cause, std::span<std::uint32_t> pixels,
+                           ReadLayout layout) {
     const auto lock = exclusive();
-    machine_->read_into(0, pixels);
+    machine_->read_into(0, pixels, layout);
     execute_read(Plane::Color, rect, cause, true);
 }
 
 void Drawable::read_packed(gw::ReadBuffer buffer, const Rect& rect, Cause cause,
-                           std::span<std::uint32_t> pixels) {
+                           std::span<std::uint32_t> pixels, ReadLayout layout) {
     const auto lock = exclusive();
     select(buffer);
-    read_packed(rect, cause, pixels);
+    read_packed(rect, cause, pixels, layout);
 }
 
 }  // namespace gw::gl

@@ -70,10 +70,11 @@ public:
     /// The colours of a buffer, whatever the read buffer is.
     Readback read_colors(gw::ReadBuffer buffer, const Rect& rect, Cause cause);
     /// The same of at most 8 bits a channel, into the caller's memory: R in the lowest byte, then G,
-    /// B and A.
+    /// B and A, if `layout` does not differ.
     void read_packed(gw::ReadBuffer buffer, const Rect& rect, Cause cause,
-                     std::span<std::uint32_t> pixels);
-    void read_packed(const Rect& rect, Cause cause, std::span<std::uint32_t> pixels);
+                     std::span<std::uint32_t> pixels, ReadLayout layout = {});
+    void read_packed(const Rect& rect, Cause cause, std::span<std::uint32_t> pixels,
+                     ReadLayout layout = {});
     /// Whether nobody sees it: its program may never swap.
     virtual bool is_off_screen() const { return false; }
 

@@ -7,6 +7,7 @@
 #include <sys/shm.h>
 #include <bit>
 #include <cstring>
+#include <optional>
 
 namespace gw::gl::x11 {
 
@@ -53,18 +54,11 @@ void store_rows(XImage& image, PixelAt pixel_at) {
     }
 }
 
-/// The same for pixels B, G, R from the lowest byte, of the drawable's R, G, B, A.
-void store_rows_bgr(XImage& image, const std::uint32_t* pixels) {
-    for (int y = 0; y < image.height; ++y) {
-        const std::uint32_t* const from =
-            pixels + pixel_index(0, image.height - 1 - y, image.width);
-        char* const to = image.data + std::ptrdiff_t(y) * image.bytes_per_line;
-        for (int x = 0; x < image.width; ++x) {
-            const std::uint32_t c = from[x];
-            const std::uint32_t pixel = (c & 0xFF) << 16 | (c & 0xFF00) | (c >> 16 & 0xFF);
-            std::memcpy(to + std::ptrdiff_t(x) * 4, &pixel, sizeof pixel);
-        }
-    }
+/// Whether the image is rows of whole words, one after the other: its words.
+std::optional<std::span<std::uint32_t>> words_of(XImage& image) {
+    if (!has_whole_words(image) || image.bytes_per_line != 4 * image.width) return std::nullopt;
+    return std::span(reinterpret_cast<std::uint32_t*>(image.data),
+                     std::size_t(image.width) * std::size_t(image.height));
 }
 
 }  // namespace
@@ -176,9 +170,11 @@ void ShownImage::fill(gl::Drawable& drawable, gw::ReadBuffer buffer) {
             return format.pixel(c[0], c[1], c[2], c[3]);
         });
     }
+    if (const auto words = words_of(image); words && format.is_bgr())
+        return drawable.read_packed(buffer, all, Cause::Shown, *words,
+                                    {.top_first = true, .blue_first = true});
     packed_.resize(all.area());
     drawable.read_packed(buffer, all, Cause::Shown, packed_);
-    if (format.is_bgr() && has_whole_words(image)) return store_rows_bgr(image, packed_.data());
     store_rows(image, [&](std::size_t i) {
         const std::uint32_t c = packed_[i];
         return format.pixel(c & 0xFF, c >> 8 & 0xFF, c >> 16 & 0xFF, c >> 24);

@@ -53,8 +53,8 @@ public:
     const std::vector<PassReport>& passes() override { return machine_.passes; }
     void reset_passes() override { machine_.passes.clear(); }
     const std::map<std::uint32_t, Readback>& readbacks() override { return machine_.readbacks; }
-    void read_into(std::uint32_t key, std::span<std::uint32_t> values) override {
-        next_targets_[key] = values;
+    void read_into(std::uint32_t key, std::span<std::uint32_t> values, ReadLayout layout) override {
+        next_targets_[key] = {values, layout};
     }
     const Profile& profile() const override { return profile_; }
 

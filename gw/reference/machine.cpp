@@ -18,6 +18,19 @@ namespace gw {
 namespace reference {
 namespace {
 
+/// Words into the caller's memory, in its layout.
+void store(const Readback& read, const ReadTarget& to) {
+    const int width = read.rect.width, height = read.rect.height;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const std::uint32_t word = read.values[pixel_index(x, y, width)];
+            const int row = to.layout.top_first ? height - 1 - y : y;
+            to.values[pixel_index(x, row, width)] =
+                to.layout.blue_first ? (word & 0xFF) << 16 | (word & 0xFF00) | (word >> 16 & 0xFF)
+                                     : word;
+        }
+}
+
 class ReferenceMachine final : public Machine {
 public:
     ReferenceMachine(const Profile& profile, int width, int height, Observer* observer)
@@ -39,8 +52,8 @@ public:
     const std::vector<PassReport>& passes() override { return passes_; }
     void reset_passes() override { passes_.clear(); }
     const std::map<std::uint32_t, Readback>& readbacks() override { return readbacks_; }
-    void read_into(std::uint32_t key, std::span<std::uint32_t> values) override {
-        next_targets_[key] = values;
+    void read_into(std::uint32_t key, std::span<std::uint32_t> values, ReadLayout layout) override {
+        next_targets_[key] = {values, layout};
     }
     const Profile& profile() const override { return profile_; }
 
@@ -119,7 +132,7 @@ private:
         const Resolved r = resolved();
         Readback result = run(command, r, target(r), profile_);
         if (const auto to = targets_.find(command.key); to != targets_.end())
-            std::copy(result.values.begin(), result.values.end(), to->second.begin());
+            store(result, to->second);
         else
             readbacks_[command.key] = std::move(result);
     }

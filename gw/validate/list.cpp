@@ -32,8 +32,10 @@ void check_target(const Checker& c, const Read& read, const ListContext& context
     if (target == context.targets.end()) return;
     const bool words = read.plane == Plane::Depth || read.plane == Plane::Stencil || read.packed;
     c.require(words, "plane of read_into", name_of(read.plane), "depth, stencil or packed color");
-    c.require(target->second.size() == read.rect.area(), "values of read_into",
-              target->second.size(), "width times height");
+    const std::size_t given = target->second.values.size();
+    c.require(given == read.rect.area(), "values of read_into", given, "width times height");
+    c.require(read.packed || target->second.layout == ReadLayout{}, "layout of read_into",
+              name_of(read.plane), "packed color");
 }
 
 void check_in_context(const Checker&, const auto&, const ListContext&) {}

@@ -17,8 +17,8 @@ public:
     const std::vector<PassReport>& passes() override { return machine_.passes(); }
     void reset_passes() override { machine_.reset_passes(); }
     const std::map<std::uint32_t, Readback>& readbacks() override { return machine_.readbacks(); }
-    void read_into(std::uint32_t key, std::span<std::uint32_t> values) override {
-        machine_.read_into(key, values);
+    void read_into(std::uint32_t key, std::span<std::uint32_t> values, ReadLayout layout) override {
+        machine_.read_into(key, values, layout);
     }
     const Profile& profile() const override { return machine_.profile(); }
 

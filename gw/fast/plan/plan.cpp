@@ -193,7 +193,9 @@ struct Planner {
     }
     ReadOp target_of(const Read& read) {
         if (const auto target = machine.targets.find(read.key); target != machine.targets.end())
-            return {.read = &read, .values = target->second.data()};
+            return {.read = &read,
+                    .values = target->second.values.data(),
+                    .layout = target->second.layout};
         Readback& out = machine.readbacks[read.key];
         out.plane = read.plane;
         out.rect = read.rect;

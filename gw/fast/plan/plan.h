@@ -50,6 +50,7 @@ struct ReadOp {
     Rgba* color = nullptr;
     std::uint32_t* values = nullptr;
     std::array<std::int32_t, 4>* accum = nullptr;
+    ReadLayout layout{};
 };
 
 /// An operation, the pass that it is counted in, and the slot that sums its counts.

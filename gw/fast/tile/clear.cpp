@@ -52,27 +52,32 @@ HWY_INLINE void clear_depth(const ClearBlocks& clear, int bx, int by, std::uint3
     fill(D32(), clear.tile.depth[clear.tile.block(bx, by)].value, clear.depth, mask);
 }
 
-/// Sets colours and depths of whole groups, if the box has no others.
+/// Sets the colours and depths of whole groups, if the box has no others.
 HWY_INLINE void clear_groups(const ClearBlocks& clear) {
     constexpr int side = group_blocks * block_side;
-    UniformGroup group;
-    std::fill(std::begin(group.color), std::end(group.color),
-              std::bit_cast<std::uint64_t>(clear.color));
-    std::fill(std::begin(group.depth), std::end(group.depth), clear.depth);
-    group.one_color = group.one_depth = all_lanes;
     for (int y = clear.box.y0; y < clear.box.y1; y += side)
-        for (int x = clear.box.x0; x < clear.box.x1; x += side)
-            clear.tile.group(x / block_side, y / block_side) = group;
+        for (int x = clear.box.x0; x < clear.box.x1; x += side) {
+            UniformGroup& group = clear.tile.group(x / block_side, y / block_side);
+            if (clear.clears_color()) {
+                std::fill(std::begin(group.color), std::end(group.color),
+                          std::bit_cast<std::uint64_t>(clear.color));
+                group.one_color = all_lanes;
+            }
+            if (!clear.clears_depth) continue;
+            std::fill(std::begin(group.depth), std::end(group.depth), clear.depth);
+            group.one_depth = all_lanes;
+            group.one_plane = 0;
+        }
 }
 
 void clear_all(const ClearBlocks& clear) {
     const BlockBox& box = clear.box;
-    const bool color = clear.channel != std::array<bool, 4>{};
+    const bool color = clear.touches_color();
     clear.tile.has_uniform->color |= clear.clears_color();
     clear.tile.has_uniform->depth |= clear.clears_depth;
     if (box.whole(clear.tile) && clear.clears_depth) clear.tile.depth_planes->clear();
     const bool groups = (box.x0 | box.y0 | box.x1 | box.y1) % (group_blocks * block_side) == 0;
-    if (groups && clear.clears_color() && clear.clears_depth) return clear_groups(clear);
+    if (groups && color == clear.clears_color()) return clear_groups(clear);
     for (int by = box.y0 / block_side; by * block_side < box.y1; ++by)
         for (int bx = box.x0 / block_side; bx * block_side < box.x1; ++bx) {
             const std::uint32_t mask = box.mask(bx, by);

@@ -18,7 +18,8 @@ struct ClearBlocks {
     Rgba color{};
     std::uint32_t depth = 0;
 
-    bool clears_color() const { return channel == std::array{true, true, true, true}; }
+    bool clears_color() const { return channel[0] && channel[1] && channel[2] && channel[3]; }
+    bool touches_color() const { return channel[0] || channel[1] || channel[2] || channel[3]; }
 };
 void clear_blocks(const ClearBlocks& clear);
 

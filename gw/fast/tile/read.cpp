@@ -11,6 +11,8 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cstring>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -57,22 +59,41 @@ HWY_INLINE void put_block(const ColorBlock& block, Rgba* lowest, std::ptrdiff_t 
 
 #endif  // HWY_MAX_BYTES >= 32
 
+/// Words of R, G, B, A from the lowest byte, and of B, G, R, 0.
+struct RgbaWord {
+    std::uint32_t word;
+};
+struct BgrWord {
+    std::uint32_t word;
+};
+
+template <class Word>
+HWY_INLINE V32 words_of(V32 r, V32 g, V32 b, V32 a) {
+    if constexpr (std::is_same_v<Word, BgrWord>)
+        return hn::Or(hn::Or(b, hn::ShiftLeft<8>(g)), hn::ShiftLeft<16>(r));
+    else
+        return hn::Or(hn::Or(r, hn::ShiftLeft<8>(g)),
+                      hn::ShiftLeft<16>(hn::Or(b, hn::ShiftLeft<8>(a))));
+}
+
 /// A block's colours as words.
-HWY_INLINE void put_block(const ColorBlock& block, std::uint32_t* lowest, std::ptrdiff_t width) {
+template <class Word>
+HWY_INLINE void put_block(const ColorBlock& block, Word* lowest, std::ptrdiff_t width) {
     const D32 d;
     alignas(64) std::uint32_t words[block_pixels];
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
         const auto channel = [&](std::size_t c) { return load_channel(block.channel[c] + i); };
-        const auto rg = hn::Or(channel(0), hn::ShiftLeft<8>(channel(1))),
-                   ba = hn::Or(channel(2), hn::ShiftLeft<8>(channel(3)));
-        hn::Store(hn::Or(rg, hn::ShiftLeft<16>(ba)), d, words + i);
+        hn::Store(words_of<Word>(channel(0), channel(1), channel(2), channel(3)), d, words + i);
     }
     for (int row = 0; row < block_side; ++row)
-        std::copy_n(words + row * block_side, block_side, lowest + row * width);
+        std::memcpy(lowest + row * width, words + row * block_side, sizeof(Word) * block_side);
 }
 
 HWY_INLINE Rgba pixel_of(const Rgba& color, const Rgba*) { return color; }
-HWY_INLINE std::uint32_t pixel_of(const Rgba& color, const std::uint32_t*) { return packed(color); }
+HWY_INLINE RgbaWord pixel_of(const Rgba& color, const RgbaWord*) { return {packed(color)}; }
+HWY_INLINE BgrWord pixel_of(const Rgba& color, const BgrWord*) {
+    return {packed({color[2], color[1], color[0], 0})};
+}
 
 /// A block of one colour.
 template <class Pixel>
@@ -91,8 +112,7 @@ HWY_INLINE void put_colors(const std::uint64_t* color, Pixel* lowest, std::ptrdi
 alignas(64) inline constexpr std::int32_t fourths[16] = {0, 0, 0, 0, 1, 1, 1, 1,
                                                          2, 2, 2, 2, 3, 3, 3, 3};
 
-HWY_INLINE void put_colors(const std::uint64_t* color, std::uint32_t* lowest,
-                           std::ptrdiff_t width) {
+HWY_INLINE void put_colors(const std::uint64_t* color, RgbaWord* lowest, std::ptrdiff_t width) {
     const D32 d;
     const hn::FixedTag<std::uint64_t, group_blocks> d64;
     const hn::Repartition<std::uint16_t, decltype(d64)> d16;
@@ -103,7 +123,7 @@ HWY_INLINE void put_colors(const std::uint64_t* color, std::uint32_t* lowest,
               hn::FixedTag<std::uint32_t, group_blocks>(), four);
     const auto each = hn::SetTableIndices(d, fourths);
     const auto line = hn::TableLookupLanes(hn::LoadDup128(d, four), each);
-    for (int row = 0; row < block_side; ++row) hn::StoreU(line, d, lowest + row * width);
+    for (int row = 0; row < block_side; ++row) hn::StoreU(line, d, &lowest[row * width].word);
 }
 
 #endif  // HWY_MAX_BYTES >= 64
@@ -128,11 +148,17 @@ HWY_INLINE void put_blocks(const Tile& tile, int x, int by, Pixel* lowest, std::
 template <class Pixel>
 struct Target {
     const ReadColors& read;
-    Pixel* out;
+    Pixel* bottom;         ///< the bottom row of the command
+    std::ptrdiff_t pitch;  ///< from a row to the next higher one
 
+    HWY_INLINE Target(const ReadColors& r, Pixel* out) : read(r), bottom(out), pitch(r.rect.width) {
+        if (!r.layout.top_first) return;
+        bottom = out + (r.rect.height - 1) * pitch;
+        pitch = -pitch;
+    }
     HWY_INLINE Pixel* row(int y) const {
         const Rect& rect = read.rect;
-        return out + std::ptrdiff_t(read.tile.y + y - rect.y) * rect.width +
+        return bottom + std::ptrdiff_t(read.tile.y + y - rect.y) * pitch +
                (read.tile.x + read.box.x0 - rect.x);
     }
     HWY_INLINE std::size_t width() const { return std::size_t(read.box.x1 - read.box.x0); }
@@ -161,7 +187,7 @@ template <class Pixel>
 HWY_INLINE void read_rows(const ReadColors& read, Pixel* out) {
     constexpr int width = group_blocks * block_side;
     const BlockBox& box = read.box;
-    const Target<Pixel> target{read, out};
+    const Target<Pixel> target(read, out);
     for (int by = box.y0 / block_side; by * block_side < box.y1; ++by) {
         const int bottom = by * block_side, end = bottom + block_side;
         target.prefetch(end, end + block_side);
@@ -172,16 +198,18 @@ HWY_INLINE void read_rows(const ReadColors& read, Pixel* out) {
                 read_cut_blocks(target, left / block_side, by);
             else
                 put_blocks(read.tile, left / block_side, by, target.row(bottom) + (left - box.x0),
-                           read.rect.width);
+                           target.pitch);
         }
     }
 }
 
 void read_all(const ReadColors& read) {
-    if (read.packed)
-        read_rows(read, read.packed);
-    else
+    if (!read.packed)
         read_rows(read, read.out);
+    else if (read.layout.blue_first)
+        read_rows(read, reinterpret_cast<BgrWord*>(read.packed));
+    else
+        read_rows(read, reinterpret_cast<RgbaWord*>(read.packed));
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gw/fast/frame/box.h"
+#include "gw/machine.h"
 
 #include <cstdint>
 
@@ -14,6 +15,7 @@ struct ReadColors {
     Rect rect;                        ///< of the command
     Rgba* out = nullptr;              ///< its pixels, rows from the bottom
     std::uint32_t* packed = nullptr;  ///< if not null, packed words are written here instead
+    ReadLayout layout{};              ///< of the packed words
 };
 void read_colors(const ReadColors& read);
 

@@ -282,8 +282,8 @@ struct TileRun {
         if (inside.empty()) return;
         counts->pixels += pixels_in(inside);
         if (op.read->plane == Plane::Color)
-            return read_colors(
-                {tile, inside, op.read->rect, op.color, op.read->packed ? op.values : nullptr});
+            return read_colors({tile, inside, op.read->rect, op.color,
+                                op.read->packed ? op.values : nullptr, op.layout});
         write_back_blocks(tile);
         for_each_block(tile, inside, [&](std::size_t b, int bx, int by, std::uint32_t mask) {
             switch (op.read->plane) {

@@ -36,7 +36,7 @@ public:
     const std::vector<PassReport>& passes() override { return passes_; }
     void reset_passes() override {}
     const std::map<std::uint32_t, Readback>& readbacks() override { return readbacks_; }
-    void read_into(std::uint32_t, std::span<std::uint32_t>) override {}
+    void read_into(std::uint32_t, std::span<std::uint32_t>, ReadLayout) override {}
     const Profile& profile() const override { return profile_; }
 
 private:

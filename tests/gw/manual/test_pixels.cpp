@@ -145,6 +145,44 @@ TEST(ManualPixels, AReadIntoGivenMemoryFillsItOnce) {
     }
 }
 
+/// Across whole blocks, cut ones and blocks of one colour.
+TEST(ManualPixels, GivenMemoryMayHaveTheTopRowFirstAndBlueLowest) {
+    for (const bool fast : {false, true}) {
+        const auto machine = fast ? make_fast(vgx(), 80, 80) : make_reference(vgx(), 80, 80);
+        const Rect part{3, 2, 70, 71}, read{2, 1, 75, 74};
+        CommandList list;
+        list.add(Clear{.planes = all_planes, .color = vec4(1, 0, 0, 0)});
+        WritePixels write{.rect = part, .colors = {}};
+        for (std::size_t i = 0; i < part.area(); ++i)
+            write.colors.push_back({std::uint16_t(i % 251), 0x22, 0x33, 0x44});
+        list.add(write);
+        list.add(Read{.key = 1, .rect = read, .packed = true});
+        list.add(Read{.key = 2, .rect = read, .packed = true});
+        std::vector<std::uint32_t> plain(read.area()), turned(read.area());
+        machine->read_into(1, plain);
+        machine->read_into(2, turned, {.top_first = true, .blue_first = true});
+        machine->execute(list);
+        EXPECT_EQ(plain[pixel_index(72, 73, 75)], 0x000000FFu);
+        for (int y = 0; y < read.height; ++y)
+            for (int x = 0; x < read.width; ++x) {
+                const std::uint32_t word = plain[pixel_index(x, y, read.width)];
+                const std::uint32_t r = word & 0xFF, g = word & 0xFF00, b = word >> 16 & 0xFF;
+                const std::size_t at = pixel_index(x, read.height - 1 - y, read.width);
+                ASSERT_EQ(turned[at], b | g | r << 16) << x << ", " << y;
+            }
+    }
+}
+
+TEST(ManualPixels, OnlyPackedColorsHaveAnotherLayout) {
+    const auto machine = make_reference(vgx(), 8, 8);
+    std::vector<std::uint32_t> given(64);
+    CommandList list;
+    list.add(Read{.key = 3, .plane = Plane::Depth, .rect = {0, 0, 8, 8}});
+    machine->read_into(3, given, {.top_first = true});
+    EXPECT_EQ(test::error_of([&] { machine->execute(list); }),
+              "command 0 (Read): layout of read_into = depth; expected packed color");
+}
+
 TEST(ManualPixels, EveryPlaneOfWordsIsReadIntoGivenMemory) {
     for (const bool fast : {false, true}) {
         const auto machine = fast ? make_fast(vgx(), 8, 8) : make_reference(vgx(), 8, 8);
