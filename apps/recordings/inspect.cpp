@@ -109,7 +109,8 @@ void check(const report::ReportOptions& options) {
 }
 
 void print_summary(const InspectOptions& options, const report::ReportSummary& summary) {
-    std::string text = shown((options.folder / "index.html").string()) + "\n";
+    const char* opened = summary.page ? "index.html" : "data.js";
+    std::string text = shown((options.folder / opened).string()) + "\n";
     text +=
         fmt::format("{} of {}, {:.1f} MB", summary.passes,
                     inspect::plural(std::uint64_t(summary.passes_of_recording), "pass", "passes"),

@@ -1,11 +1,11 @@
-// The files of report/page and report/prices, built in: a report needs nothing but the program.
+// The page (web/report) and the price list, built in: a report needs nothing but the program.
 #pragma once
 
 #include <string_view>
 
 namespace gw::report {
 
-/// A file's bytes by its name: "report.css". Empty if it is not built in.
+/// A file's bytes by its name: "report.html". Empty if it is not built in.
 std::string_view embedded(std::string_view name);
 
 }  // namespace gw::report

@@ -18,9 +18,6 @@
 namespace gw::report {
 namespace {
 
-constexpr const char* page_files[] = {"index.html", "report.css", "report.js", "history.js",
-                                      "words.js"};
-
 /// Counts on the fast machine, before the slower one is observed: both count the same.
 inspect::Manifest replayed_counters(const inspect::Recording& recording) {
     const auto machine = make_fast(recording.profile, recording.width, recording.height);
@@ -139,11 +136,7 @@ void check_spans(const inspect::Recording& recording, const ReportOptions& optio
 
 }  // namespace
 
-std::vector<std::string> report_files() {
-    std::vector<std::string> names{"data.js", "pictures", "history"};
-    names.insert(names.end(), std::begin(page_files), std::end(page_files));
-    return names;
-}
+std::vector<std::string> report_files() { return {"index.html", "data.js", "pictures", "history"}; }
 
 ReportSummary write_report(const inspect::Recording& recording, const std::filesystem::path& folder,
                            const ReportOptions& options) {
@@ -165,8 +158,10 @@ ReportSummary write_report(const inspect::Recording& recording, const std::files
     const ReportFacts facts{recording,           manifest, shown, kept, pictures, identifiers,
                             replay.with_small(), options};
     files.write("data.js", "gw_report(" + report_json(facts) + ");\n");
-    for (const char* name : page_files) files.write(name, embedded(name));
-    return {shown.last - shown.first + 1, manifest.passes.size(), kept, files.bytes()};
+    const std::string_view page = embedded("report.html");
+    if (!page.empty()) files.write("index.html", page);
+    return {shown.last - shown.first + 1, manifest.passes.size(), kept, files.bytes(),
+            !page.empty()};
 }
 
 }  // namespace gw::report

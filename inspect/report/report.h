@@ -46,6 +46,7 @@ struct ReportSummary {
     std::size_t passes = 0, passes_of_recording = 0;
     std::optional<PassSpan> history;
     std::uint64_t bytes = 0;
+    bool page = false;  ///< index.html; a build without Node has none
 };
 
 /// The names that a report's folder holds.

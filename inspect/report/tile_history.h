@@ -1,5 +1,5 @@
 // The histories of all pixels, passes one after the other, as scripts of 64 x 64 pixels. A page
-// loads one when a pixel is asked for (inspect/report/page/history.js). Tiles and pixels are
+// loads one when a pixel is asked for (web/model/pixel_history.ts). Tiles and pixels are
 // counted from the lower left corner. Does not observe a machine: PassObserver does.
 #pragma once
 
