@@ -96,8 +96,7 @@ std::vector<std::size_t> places(std::size_t steps, int pictures) {
 
 std::string log_text(const hs::Input& input, const hs::LogSubject& subject,
                      const std::vector<hs::Step>& steps, const std::string& end) {
-    std::map<std::uint32_t, std::string> colors;
-    for (const auto& [id, color] : flat_colors(input)) colors[id] = hex_of(color);
+    const std::map<std::uint32_t, std::string> colors = hs::hex_colors(input);
     const hs::PictureGrid grid = hs::grid_of(input);
     std::string text = hs::log_header(input, subject, colors) + "\n";
     for (std::size_t i = 0; i < steps.size(); ++i)

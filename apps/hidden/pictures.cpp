@@ -1,7 +1,6 @@
 #include "apps/hidden/pictures.h"
 
 #include "gw/base/arithmetic.h"
-#include "hiddensurface/model/normal.h"
 #include "hiddensurface/run/step_words.h"
 #include "hiddensurface/structures/scan_conversion.h"
 
@@ -20,30 +19,6 @@ namespace {
 Color to_color(const dvec3& v) {
     const auto byte = [](double x) { return static_cast<std::uint16_t>(quantize(x, 8)); };
     return {byte(v.x), byte(v.y), byte(v.z)};
-}
-
-/// The first of Kd, Ke, Ka and Ks that is not black; grey if all are.
-dvec3 color_of(const scene::Material& material) {
-    for (const vec3& color : {material.Kd, material.Ke, material.Ka, material.Ks})
-        if (color != vec3(0)) return dvec3(color);
-    return dvec3(0.3);
-}
-
-/// One of many hues: neighbouring numbers are far apart on the circle.
-dvec3 own_color(std::uint32_t id) {
-    const double hue = 6 * std::fmod(0.618033988749895 * id, 1.0);
-    const auto channel = [hue](double middle) {
-        const double away = std::abs(std::remainder(hue - middle, 6.0));
-        return 0.25 + 0.7 * std::clamp(2 - away, 0.0, 1.0);
-    };
-    return {channel(0), channel(2), channel(4)};
-}
-
-/// |cos| of the angle between the normal and the line of sight.
-double turned(const hs::Polygon& polygon, const dvec3& eye) {
-    const dvec3 n = hs::polygon_normal(polygon.world), to_eye = eye - polygon.world[0];
-    const double size = std::sqrt(dot3(n, n) * dot3(to_eye, to_eye));
-    return size > 0 ? std::abs(dot3(n, to_eye)) / size : 0;
 }
 
 /// Colours the polygon's pixels that have a neighbour outside it.
@@ -117,18 +92,6 @@ image::Picture blank(int width, int height) {
 
 void put(image::Picture& picture, std::size_t pixel, const Color& color) {
     for (std::size_t c = 0; c < 3; ++c) picture.values[pixel * 3 + c] = color[c];
-}
-
-std::map<std::uint32_t, Color> flat_colors(const hs::Input& input) {
-    std::map<std::uint32_t, Color> colors;
-    colors[0] = to_color(dvec3(input.scene.background));
-    for (const hs::Polygon& polygon : input.polygons) {
-        const scene::Material& material =
-            input.scene.materials.at(input.scene.objects[polygon.object].material);
-        const dvec3 color = material.name.empty() ? own_color(polygon.id) : color_of(material);
-        colors[polygon.id] = to_color(color * (0.4 + 0.6 * turned(polygon, input.view.camera.eye)));
-    }
-    return colors;
 }
 
 image::Picture picture_of_ids(const hs::Input& input, const std::vector<std::uint32_t>& ids,
@@ -223,10 +186,6 @@ image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows) {
                 std::copy(from, from + row, sheet.values.begin() + std::ptrdiff_t(to * 3));
             }
     return sheet;
-}
-
-std::string hex_of(const Color& color) {
-    return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
 }
 
 std::vector<TextLine> caption_of_step(const std::string& algorithm, const hs::Input& input,

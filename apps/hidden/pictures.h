@@ -4,6 +4,7 @@
 #pragma once
 
 #include "apps/hidden/lettering.h"
+#include "hiddensurface/model/flat_colors.h"
 #include "hiddensurface/run/algorithm.h"
 #include "hiddensurface/run/compare.h"
 #include "hiddensurface/run/steps.h"
@@ -11,6 +12,8 @@
 #include <map>
 
 namespace gw::apps {
+
+using hiddensurface::hex_of;
 
 inline constexpr Color white{255, 255, 255}, yellow{255, 230, 0}, grey{150, 150, 150},
     red{230, 20, 20}, cyan{0, 210, 230}, blue{70, 90, 255};
@@ -23,11 +26,6 @@ inline constexpr std::array<Color, 6> colors_of_counts{
 image::Picture blank(int width, int height);
 /// `pixel`: row by row from the bottom left one, 0.
 void put(image::Picture& picture, std::size_t pixel, const Color& color);
-
-/// A colour for each identifier: its material's Kd, darker the more the polygon is turned from the
-/// eye. If Kd is black, Ke, Ka or Ks takes its place. A polygon without a material has a colour of
-/// its own. 0 is the background.
-std::map<std::uint32_t, Color> flat_colors(const hiddensurface::Input& input);
 
 image::Picture picture_of_ids(const hiddensurface::Input& input,
                               const std::vector<std::uint32_t>& ids,
@@ -57,8 +55,6 @@ image::Picture enlarged(const image::Picture& picture);
 
 /// Rows of pictures of one size, 4 pixels apart. The first row is on top and the longest.
 image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows);
-
-std::string hex_of(const Color& color);
 
 /// A step's caption: the algorithm and the step's number; its action, with the pieces in the colours
 /// of their borders; its sentence in lines_of_sentence lines.

@@ -72,9 +72,7 @@ int hidden_polygons(const HiddenOptions& options, Session& session) {
     const scene::View view =
         scene::make_view(scene, options.picture.size.width, options.picture.size.height);
     const hs::Input input = hs::make_input(scene, view, profile);
-    std::map<std::uint32_t, std::string> colors;
-    for (const auto& [id, color] : flat_colors(input)) colors[id] = hex_of(color);
-    image::write_file(options.polygons, hs::polygons_json(input, colors));
+    image::write_file(options.polygons, hs::polygons_json(input, hs::hex_colors(input)));
     return Done;
 }
 

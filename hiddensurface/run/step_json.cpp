@@ -175,12 +175,14 @@ std::string log_header(const Input& input, const LogSubject& subject,
               {"words", Json::parse(step_words())},
               {"polygons", Json::array()}};
     const std::vector<Face> faces = faces_of(input);
-    auto first = faces.begin();
+    std::span<const Face> rest = faces;
     for (std::size_t i = 0; i < input.polygons.size(); ++i) {
-        const auto last =
-            std::find_if(first, faces.end(), [i](const Face& face) { return face.polygon != i; });
-        json["polygons"].push_back(polygon_json(input, i, subject.in_world, {first, last}, colors));
-        first = last;
+        const auto last = std::find_if(rest.begin(), rest.end(),
+                                       [i](const Face& face) { return face.polygon != i; });
+        const auto count = std::size_t(last - rest.begin());
+        json["polygons"].push_back(
+            polygon_json(input, i, subject.in_world, rest.first(count), colors));
+        rest = rest.subspan(count);
     }
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -19,7 +19,7 @@ inline constexpr PlaneMask picture =
     mask_of(Plane::Color) | mask_of(Plane::Depth) | mask_of(Plane::Stencil);
 
 /// Z of all shapes, before all else [K3.3].
-inline constexpr Pass depth_pass{
+inline const Pass depth_pass{
     .name = "depth",
     .clear = picture,
     .material = {.Ka = 0, .Kd = 0, .Ks = 0, .Ke = 0},
@@ -28,14 +28,14 @@ inline constexpr Pass depth_pass{
 };
 
 /// The pixels in the shadow of the light [K3.2]. A light without shadow skips it.
-inline constexpr Pass shadow_pass{
+inline const Pass shadow_pass{
     .name = "shadow",
     .action = PassAction::Shadow,
     .lights = PassLights::Each,
 };
 
 /// Ia_i Ka Mapa(s, t): in the shadow too.
-inline constexpr Pass ambient_pass{
+inline const Pass ambient_pass{
     .name = "ambient",
     .material = {.Ka = object, .Kd = 0, .Ks = 0, .Ke = 0, .Map = ambient_map},
     .depth = seen,
@@ -44,7 +44,7 @@ inline constexpr Pass ambient_pass{
 };
 
 /// shadow_i Id_i Kd cos(theta) Mapd(s, t).
-inline constexpr Pass diffuse_pass{
+inline const Pass diffuse_pass{
     .name = "diffuse",
     .material = {.Ka = 0, .Kd = object, .Ks = 0, .Ke = 0, .Map = diffuse_map},
     .depth = seen,
@@ -54,7 +54,7 @@ inline constexpr Pass diffuse_pass{
 };
 
 /// shadow_i Is_i Ks cos(alpha)^n Maps(s, t).
-inline constexpr Pass specular_pass{
+inline const Pass specular_pass{
     .name = "specular",
     .material = {.Ka = 0, .Kd = 0, .Ks = object, .Ke = 0, .Map = specular_map},
     .depth = seen,
@@ -64,7 +64,7 @@ inline constexpr Pass specular_pass{
 };
 
 /// Ks Mape(s, t), once. The paper's tuple has Ke = 1, its eq. 2 Ks: docs/papers.md, readings.
-inline constexpr Pass reflection_pass{
+inline const Pass reflection_pass{
     .name = "reflection",
     .material = {.Ka = 0, .Kd = 0, .Ks = 0, .Ke = object_Ks, .Map = reflection_map},
     .depth = seen,
@@ -72,7 +72,7 @@ inline constexpr Pass reflection_pass{
 };
 
 /// Tf Map(s, t) by the refracted ray [K1], once.
-inline constexpr Pass refraction_pass{
+inline const Pass refraction_pass{
     .name = "refraction",
     .material = {.Ka = 0, .Kd = 0, .Ks = 0, .Ke = object_Tf, .Map = refraction_map},
     .depth = seen,
@@ -80,7 +80,7 @@ inline constexpr Pass refraction_pass{
 };
 
 /// The object's own light, once. No tuple of the paper draws it: docs/papers.md, readings.
-inline constexpr Pass emission_pass{
+inline const Pass emission_pass{
     .name = "emission",
     .material = {.Ka = 0, .Kd = 0, .Ks = 0, .Ke = object, .Map = emission_map},
     .depth = seen,
@@ -88,7 +88,7 @@ inline constexpr Pass emission_pass{
 };
 
 /// I_raytracing(x, y) of eq. 5 [K4], once: the light along rays, through the first hit's black fog.
-inline constexpr Pass trace_pass{
+inline const Pass trace_pass{
     .name = "raytracing",
     .action = PassAction::Trace,
     .blend = add,
@@ -96,7 +96,7 @@ inline constexpr Pass trace_pass{
 
 /// Fog, step 2 [K3.5]: black objects in fog of its colour, shadow or not. All passes before went
 /// through black fog.
-inline constexpr Pass fog_pass{
+inline const Pass fog_pass{
     .name = "fog",
     .material = {.Ka = 0, .Kd = 0, .Ks = 0, .Ke = 0},
     .depth = seen,
@@ -105,11 +105,11 @@ inline constexpr Pass fog_pass{
 };
 
 /// Adds the image drawn so far to the accumulation buffer; the next image begins black.
-inline constexpr Pass add_pass{.name = "add", .action = PassAction::Add};
+inline const Pass add_pass{.name = "add", .action = PassAction::Add};
 
 /// Light around emitters [K3.3]: each once more, moved, once a pixel; the mean of the superposed
 /// pictures glows.
-inline constexpr Pass glare_pass{
+inline const Pass glare_pass{
     .name = "glare",
     .clear = mask_of(Plane::Stencil),
     .material = {.Ka = 0, .Kd = 0, .Ks = 0, .Ke = object, .Map = emission_map},
@@ -120,7 +120,7 @@ inline constexpr Pass glare_pass{
 };
 
 /// Eq. 1 [K2]: everything in one pass, all lights, one map that modulates all of it.
-inline constexpr Pass hardware_pass{
+inline const Pass hardware_pass{
     .name = "hardware",
     .clear = picture,
     .material = {.Ka = object, .Kd = object, .Ks = object, .Ke = object, .Map = object_map},
@@ -138,7 +138,7 @@ inline constexpr BlendState over{
 inline constexpr StencilState in_layer{.test = true, .func = StencilFunc::Equal, .ref = 1};
 
 /// Translucent objects dim the surfaces behind them [K3.4]: the opaque picture first ...
-inline constexpr Pass veil_pass{
+inline const Pass veil_pass{
     .name = "veil",
     .material = {.Ka = 0, .Kd = 0, .Ks = 0, .Ke = 0},
     .depth = in_front,
@@ -148,7 +148,7 @@ inline constexpr Pass veil_pass{
 
 /// ... then each component is an image of its own: the component of all translucent objects, far to
 /// near, on black.
-inline constexpr Pass translucent_ambient_pass{
+inline const Pass translucent_ambient_pass{
     .name = "translucent ambient",
     .material = {.Ka = object, .Kd = 0, .Ks = 0, .Ke = 0, .Map = ambient_map},
     .depth = in_front,
@@ -156,7 +156,7 @@ inline constexpr Pass translucent_ambient_pass{
     .lights = PassLights::Each,
     .objects = PassObjects::Translucent,
 };
-inline constexpr Pass translucent_diffuse_pass{
+inline const Pass translucent_diffuse_pass{
     .name = "translucent diffuse",
     .material = {.Ka = 0, .Kd = object, .Ks = 0, .Ke = 0, .Map = diffuse_map},
     .depth = in_front,
@@ -164,7 +164,7 @@ inline constexpr Pass translucent_diffuse_pass{
     .lights = PassLights::Each,
     .objects = PassObjects::Translucent,
 };
-inline constexpr Pass translucent_specular_pass{
+inline const Pass translucent_specular_pass{
     .name = "translucent specular",
     .material = {.Ka = 0, .Kd = 0, .Ks = object, .Ke = 0, .Map = specular_map},
     .depth = in_front,
@@ -172,21 +172,21 @@ inline constexpr Pass translucent_specular_pass{
     .lights = PassLights::Each,
     .objects = PassObjects::Translucent,
 };
-inline constexpr Pass translucent_reflection_pass{
+inline const Pass translucent_reflection_pass{
     .name = "translucent reflection",
     .material = {.Ka = 0, .Kd = 0, .Ks = 0, .Ke = object_Ks, .Map = reflection_map},
     .depth = in_front,
     .blend = over,
     .objects = PassObjects::Translucent,
 };
-inline constexpr Pass translucent_refraction_pass{
+inline const Pass translucent_refraction_pass{
     .name = "translucent refraction",
     .material = {.Ka = 0, .Kd = 0, .Ks = 0, .Ke = object_Tf, .Map = refraction_map},
     .depth = in_front,
     .blend = over,
     .objects = PassObjects::Translucent,
 };
-inline constexpr Pass translucent_emission_pass{
+inline const Pass translucent_emission_pass{
     .name = "translucent emission",
     .material = {.Ka = 0, .Kd = 0, .Ks = 0, .Ke = object, .Map = emission_map},
     .depth = in_front,
@@ -194,7 +194,7 @@ inline constexpr Pass translucent_emission_pass{
     .objects = PassObjects::Translucent,
 };
 /// Black material with the object's own alpha: docs/papers.md, readings.
-inline constexpr Pass translucent_fog_pass{
+inline const Pass translucent_fog_pass{
     .name = "translucent fog",
     .material = {.Ka = 0, .Kd = 0, .Ks = 0, .Ke = 0},
     .depth = in_front,
@@ -203,7 +203,7 @@ inline constexpr Pass translucent_fog_pass{
     .objects = PassObjects::Translucent,
 };
 /// Eq. 1 over the surfaces behind.
-inline constexpr Pass translucent_hardware_pass{
+inline const Pass translucent_hardware_pass{
     .name = "translucent hardware",
     .material = {.Ka = object, .Kd = object, .Ks = object, .Ke = object, .Map = object_map},
     .depth = in_front,

@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { en } from '../words/en';
 import { ja } from '../words/ja';
 
-const sources = ['components', 'compare', 'model', 'player', 'report']
+const sources = ['components', 'compare', 'lab', 'model', 'player', 'report']
   .flatMap((folder) => readdirSync(folder).map((name) => `${folder}/${name}`))
   .map((path) => readFileSync(path, 'utf8'))
   .join('\n');

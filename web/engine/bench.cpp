@@ -1,0 +1,214 @@
+#include "web/engine/bench.h"
+
+#include "gw/base/arithmetic.h"
+#include "gw/error.h"
+#include "inspect/manifest/manifest.h"
+#include "inspect/replay/forwarding_machine.h"
+#include "multipass/effects/scene_maps.h"
+#include "multipass/passes/pass_toml.h"
+#include "scene/draw/fit.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace gw::lab {
+namespace {
+
+dvec3 point(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
+Json json_of(const dvec3& p) { return Json::array({p.x, p.y, p.z}); }
+
+int side(const Json& options, const char* name) {
+    const int pixels = options.at(name);
+    if (pixels < 1 || pixels > max_window_size)
+        throw Error(std::string(name) + " " + std::to_string(pixels) + "; expected 1.." +
+                    std::to_string(max_window_size) + " pixels");
+    return pixels;
+}
+
+apps::DrawOptions draw_options(const Json& options) {
+    apps::DrawOptions draw;
+    draw.passes.samples = options.value("samples", 1);
+    draw.traced = options.value("reflections", "rays") == "rays";
+    draw.rays.depth = options.value("depth", draw.rays.depth);
+    draw.rays.threads = 1;
+    const std::string translucency = options.value("translucency", "sorted");
+    draw.passes.translucency = translucency == "layers"     ? multipass::Translucency::Layers
+                               : translucency == "unsorted" ? multipass::Translucency::Unsorted
+                                                            : multipass::Translucency::Sorted;
+    return draw;
+}
+
+Json counters_of(const Counters& c) {
+    return {{"draws", c.draws},
+            {"vertices", c.vertices},
+            {"primitives", c.primitives},
+            {"fragments", c.fragments},
+            {"alpha_killed", c.alpha_killed},
+            {"stencil_killed", c.stencil_killed},
+            {"depth_killed", c.depth_killed},
+            {"written", c.written},
+            {"texels", c.texels},
+            {"pixels", c.pixels},
+            {"bytes", c.bytes}};
+}
+
+template <class Visit>
+void for_each_map(scene::Scene& scene, const Visit& visit) {
+    for (scene::Material& m : scene.materials)
+        for (auto* maps : {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.refl, &m.refraction})
+            for (scene::Map& map : *maps)
+                if (map.from_scene == 0) visit(map);
+}
+
+std::string key_of(const std::filesystem::path& file) {
+    return std::filesystem::absolute(file).lexically_normal().string();
+}
+
+}  // namespace
+
+void Bench::add_picture(const std::string& path, int width, int height, int bits,
+                        const std::string& texels) {
+    const std::size_t row = std::size_t(width) * 4 * std::size_t(bits / 8);
+    if (texels.size() != row * std::size_t(height))
+        throw Error(path + ": " + std::to_string(texels.size()) + " bytes; expected " +
+                    std::to_string(row * std::size_t(height)));
+    std::string turned;  // the machine's textures have the bottom row first
+    for (std::size_t y = std::size_t(height); y-- > 0;) turned.append(texels, y * row, row);
+    const std::string name = std::filesystem::path(path).filename().string();
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(turned.data());
+    if (bits == 8) {
+        pictures_[key_of(path)] = make_texture8(name, width, height, {bytes, turned.size()});
+        return;
+    }
+    std::vector<std::uint16_t> rgba(turned.size() / 2);
+    std::copy_n(bytes, turned.size(), reinterpret_cast<std::uint8_t*>(rgba.data()));
+    pictures_[key_of(path)] = make_texture(name, width, height, rgba);
+}
+
+Json Bench::open(const std::string& path) {
+    file_ = scene::read_scene(path);
+    Json objects = Json::array(), lights = Json::array(), pictures = Json::array();
+    for (const scene::Object& object : file_.scene.objects)
+        objects.push_back(
+            {{"name", object.name},
+             {"material", file_.scene.materials.at(object.material).name},
+             {"triangles", object.mesh ? object.mesh->data().indices.size() / 3 : 0}});
+    for (const scene::Light& light : file_.scene.lights) lights.push_back(light.name);
+    for_each_map(file_.scene, [&](const scene::Map& map) { pictures.push_back(key_of(map.file)); });
+    const scene::Scene seen = scene_for({{"width", 320}, {"height", 240}});
+    return {{"name", file_.scene.name},
+            {"warnings", file_.warnings},
+            {"objects", objects},
+            {"lights", lights},
+            {"pictures", pictures},
+            {"eye", json_of(seen.camera->eye)},
+            {"at", json_of(seen.camera->at)},
+            {"up", json_of(seen.camera->up)},
+            {"fov", seen.camera->fov}};
+}
+
+scene::Scene Bench::scene_for(const Json& options) const {
+    scene::Scene scene = file_.scene;
+    scene::add_defaults(scene, side(options, "width"), side(options, "height"));
+    scene::CameraOverrides camera;
+    if (options.contains("eye")) camera.eye = point(options["eye"]);
+    if (options.contains("at")) camera.at = point(options["at"]);
+    if (options.contains("fov")) camera.fov = options["fov"];
+    scene.camera = scene::override_camera(*scene.camera, camera);
+    if (options.contains("up")) scene.camera->up = point(options["up"]);
+    if (const std::string shadow = options.value("shadow", ""); !shadow.empty())
+        for (scene::Light& light : scene.lights)
+            if (light.shadow != scene::Shadow::None)
+                light.shadow = shadow == "map"      ? scene::Shadow::Map
+                               : shadow == "volume" ? scene::Shadow::Volume
+                                                    : scene::Shadow::None;
+    return scene;
+}
+
+scene::View Bench::view_of(const scene::Scene& scene, const Json& options) const {
+    return scene::make_view(scene, side(options, "width"), side(options, "height"));
+}
+
+Machine& Bench::machine_for(const Json& options) {
+    const std::string profile = options.value("profile", "vgx");
+    const int width = side(options, "width"), height = side(options, "height");
+    const std::string key = profile + " " + std::to_string(width) + " " + std::to_string(height);
+    if (key != machine_key_) {
+        machine_key_.clear();
+        machine_.reset();
+        machine_ = make_fast(profile_named(profile), width, height, {.threads = 1});
+        machine_key_ = key;
+    }
+    machine_->reset_passes();
+    return *machine_;
+}
+
+void Bench::load_textures(scene::Scene& scene) const {
+    for_each_map(scene, [&](scene::Map& map) {
+        const auto found = pictures_.find(key_of(map.file));
+        if (found == pictures_.end())
+            throw Error(map.origin.file, map.origin.line,
+                        map.file.string() + " is not here; expected it beside the scene");
+        map.texture = found->second;
+    });
+}
+
+void Bench::draw_scene(Machine& machine, const Json& options) {
+    const std::string name = options.value("renderer", "multipass");
+    const std::vector<std::string> known = apps::renderer_names();
+    if (std::find(known.begin(), known.end(), name) == known.end())
+        throw Error("renderer '" + name +
+                    "'; expected hardware, multipass, scanline, raytrace or adaptive");
+    const apps::Renderer& renderer = apps::renderer_named(name);
+    scene::Scene scene = scene_for(options);
+    load_textures(scene);
+    const scene::View view = view_of(scene, options);
+    apps::DrawOptions draw = draw_options(options);
+    if (renderer.passes == multipass::Renderer::Multipass && !file_.passes.empty())
+        draw.passes.passes = multipass::read_passes(file_.passes);
+    multipass::Options maps = draw.passes;
+    if (renderer.passes) maps.passes = apps::pass_list(renderer, scene, draw);
+    if (multipass::has_scene_maps(scene, maps))
+        scene = multipass::with_scene_maps(machine, scene, view, maps);
+    renderer.draw(machine, scene, view, draw);
+}
+
+void Bench::keep_picture(const Planes& planes, int bits) {
+    const auto width = std::size_t(planes.width), height = std::size_t(planes.height);
+    picture_.resize(width * height * 4);
+    for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t x = 0; x < width; ++x) {
+            const Rgba& from = planes.color[(height - 1 - y) * width + x];
+            std::uint8_t* const to = &picture_[(y * width + x) * 4];
+            for (std::size_t c = 0; c < 3; ++c) to[c] = std::uint8_t(rescale(from[c], bits, 8));
+            to[3] = 255;
+        }
+}
+
+Json Bench::draw(const Json& options) {
+    Machine& machine = machine_for(options);
+    draw_scene(machine, options);
+    keep_picture(machine.planes(), machine.profile().color_bits);
+    Json passes = Json::array();
+    for (const PassReport& pass : machine.passes())
+        passes.push_back({{"name", pass.name}, {"counters", counters_of(pass.counters)}});
+    return {{"passes", passes}};
+}
+
+std::string Bench::manifest(const Json& options) {
+    machine_key_.clear();
+    Machine& machine = machine_for(options);
+    inspect::DigestingMachine digesting(machine);
+    std::vector<CommandList> lists;
+    inspect::Recorder recorder(digesting, lists);
+    draw_scene(recorder, options);
+    keep_picture(machine.planes(), machine.profile().color_bits);
+    inspect::Recording recording;
+    recording.profile = machine.profile();
+    recording.width = side(options, "width");
+    recording.height = side(options, "height");
+    recording.lists = std::move(lists);
+    return to_json(inspect::manifest_of(recording, machine.passes()));
+}
+
+}  // namespace gw::lab

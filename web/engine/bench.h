@@ -1,0 +1,70 @@
+// The lab's bench: one scene with a view of it, a machine, and the last picture. Values in, values
+// out: options and answers are JSON, planes are arrays. No logic of its own: every method calls the
+// layers as the command gw does. Throws gw::Error.
+#pragma once
+
+#include "apps/render/renderers.h"
+#include "gw/machine.h"
+#include "hiddensurface/run/compare.h"
+#include "multipass/frame/driver.h"
+#include "scene/draw/view.h"
+#include "scene/read_scene.h"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gw::lab {
+
+using Json = nlohmann::ordered_json;
+
+class Bench {
+public:
+    /// A texture file's texels, as the file has them: 4 channels of 8 or 16 bits, top row first.
+    void add_picture(const std::string& path, int width, int height, int bits,
+                     const std::string& texels);
+    /// Reads a TOML scene or an OBJ file. Answers what is in it, and the texture files that it needs.
+    Json open(const std::string& path);
+    /// Draws the scene: options `renderer`, `samples`, `reflections`, `translucency`, `shadow`,
+    /// `depth`, and those of a view. Answers passes, counters, digests of the planes.
+    Json draw(const Json& options);
+    /// The same with the manifest that `gw render --manifest` writes.
+    std::string manifest(const Json& options);
+    /// Runs a hidden-surface or hidden-line algorithm: options `algorithm`, `level`, `limit`, and
+    /// those of a view. The answer is the text of steps.jsonl that `gw hidden --steps` writes.
+    std::string hidden(const Json& options);
+    /// What an algorithm in any language works on, as `gw hidden --polygons` writes it.
+    std::string polygons(const Json& options);
+    /// Draws and grades the steps of such an algorithm, lines of JSON, as `gw hidden --play` does.
+    std::string play(const Json& options, const std::string& steps);
+
+    /// The last picture, RGBA of 8 bits, top row first.
+    const std::vector<std::uint8_t>& picture() const { return picture_; }
+    /// Of the last hidden-surface algorithm beside the Z-buffer: hiddensurface::Difference, top row
+    /// first. Empty for lines.
+    const std::vector<std::uint8_t>& difference() const { return difference_; }
+
+private:
+    /// The options of every view: `width`, `height`, `profile`, `eye`, `at`, `up`, `fov`. Fits what
+    /// the scene lacks.
+    scene::Scene scene_for(const Json& options) const;
+    scene::View view_of(const scene::Scene& scene, const Json& options) const;
+    Machine& machine_for(const Json& options);
+    void draw_scene(Machine& machine, const Json& options);
+    void load_textures(scene::Scene& scene) const;
+    void keep_picture(const Planes& planes, int bits);
+    std::string graded_log(Machine& machine, const hiddensurface::Algorithm& algorithm,
+                           const hiddensurface::Input& input, hiddensurface::Level level);
+    void keep_difference(const hiddensurface::Result& result, int width);
+
+    scene::SceneFile file_;
+    std::map<std::string, TextureRef> pictures_;
+    std::unique_ptr<Machine> machine_;
+    std::string machine_key_;
+    std::vector<std::uint8_t> picture_, difference_;
+};
+
+}  // namespace gw::lab

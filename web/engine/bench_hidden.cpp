@@ -1,0 +1,100 @@
+// Hidden-surface and hidden-line algorithms at the bench.
+#include "gw/error.h"
+#include "hiddensurface/lines/draw_lines.h"
+#include "hiddensurface/model/flat_colors.h"
+#include "hiddensurface/run/estimate.h"
+#include "hiddensurface/run/play.h"
+#include "hiddensurface/run/step_json.h"
+#include "web/engine/bench.h"
+
+#include <algorithm>
+
+namespace gw::lab {
+
+namespace hs = hiddensurface;
+
+namespace {
+
+hs::Level level_from(const std::string& word) {
+    for (const hs::Level level :
+         {hs::Level::Polygon, hs::Level::Line, hs::Level::Span, hs::Level::Pixel})
+        if (word == hs::name_of(level)) return level;
+    throw Error("level '" + word + "'; expected polygon, line, span or pixel");
+}
+
+void check(const hs::Estimate& estimate, const Json& options) {
+    if (hs::is_beyond(estimate, options.value("limit", 20.0)))
+        throw Error(hs::text_of(estimate) + "; expected fewer polygons, or another algorithm");
+}
+
+std::string log_text(const hs::Input& input, const hs::LogSubject& subject, const hs::StepLog& log,
+                     const std::string& end) {
+    const hs::PictureGrid grid = hs::grid_of(input);
+    std::string text = hs::log_header(input, subject, hs::hex_colors(input)) + "\n";
+    for (std::size_t i = 0; i < log.steps().size(); ++i)
+        text += hs::to_json(log.steps()[i], i + 1, grid) + "\n";
+    return text + end + "\n";
+}
+
+}  // namespace
+
+std::string Bench::hidden(const Json& options) {
+    const scene::Scene scene = scene_for(options);
+    const scene::View view = view_of(scene, options);
+    Machine& machine = machine_for(options);
+    const hs::Input input = hs::make_input(scene, view, machine.profile());
+    const std::string name = options.value("algorithm", "z-buffer");
+    const hs::Level level = level_from(options.value("level", "polygon"));
+    if (const hs::LineAlgorithm* lines = hs::line_algorithm_named(name)) {
+        check(hs::estimate(*lines, input), options);
+        difference_.clear();
+        hs::StepLog log(level);
+        const hs::LineResult result = hs::run_on(machine, *lines, input, log);
+        const hs::LogSubject subject{
+            .algorithm = name, .title = lines->title, .lines = true, .level = level};
+        return log_text(input, subject, log, hs::log_end(log.steps().size(), result.counts));
+    }
+    const hs::Algorithm& algorithm = hs::algorithm_named(name);
+    check(hs::estimate(algorithm, input), options);
+    return graded_log(machine, algorithm, input, level);
+}
+
+std::string Bench::polygons(const Json& options) {
+    const scene::Scene scene = scene_for(options);
+    const scene::View view = view_of(scene, options);
+    const Profile profile = profile_named(options.value("profile", "vgx"));
+    const hs::Input input = hs::make_input(scene, view, profile);
+    return hs::polygons_json(input, hs::hex_colors(input));
+}
+
+std::string Bench::play(const Json& options, const std::string& steps) {
+    const scene::Scene scene = scene_for(options);
+    const scene::View view = view_of(scene, options);
+    Machine& machine = machine_for(options);
+    const hs::Input input = hs::make_input(scene, view, machine.profile());
+    hs::Play play = hs::read_play(input, "step", steps);
+    const hs::Level level = play.level;
+    return graded_log(machine, hs::played(std::move(play)), input, level);
+}
+
+std::string Bench::graded_log(Machine& machine, const hs::Algorithm& algorithm,
+                              const hs::Input& input, hs::Level level) {
+    hs::StepLog none, log(level);
+    const hs::Result expected = hs::run_on(machine, hs::algorithm_named("z-buffer"), input, none);
+    hs::Result result = hs::run_on(machine, algorithm, input, log);
+    hs::compare(result, expected.ids, input);
+    keep_difference(result, input.view.width);
+    const hs::LogSubject subject{.algorithm = algorithm.name,
+                                 .title = algorithm.title,
+                                 .in_world = algorithm.in_world,
+                                 .level = level};
+    return log_text(input, subject, log, hs::log_end(log.steps().size(), result.counts));
+}
+
+void Bench::keep_difference(const hs::Result& result, int width) {
+    difference_.clear();
+    for (auto end = result.difference.end(); end != result.difference.begin(); end -= width)
+        for (auto at = end - width; at != end; ++at) difference_.push_back(std::uint8_t(*at));
+}
+
+}  // namespace gw::lab

@@ -1,0 +1,65 @@
+// The lab's state in the address: the page's own, and what the machine is asked for.
+import { fromAddress, toAddress, type PageState } from '../model/address';
+import type { Point } from '../model/log';
+import type { Settings } from '../model/settings';
+
+export interface LabState {
+  exhibit: string;
+  scene: string;
+  /** One or two. */
+  algorithms: string[];
+  level: string;
+  size: string;
+  profile: string;
+  /** None: the scene's. */
+  eye: Point | undefined;
+  /** The visitor's program, packed; '': the example. */
+  code: string;
+  page: PageState;
+}
+
+export const sizes = ['64x48', '160x120', '320x240', '640x480'];
+export const profiles = ['vgx', 'reality', 'ideal'];
+export const levels = ['polygon', 'line', 'span', 'pixel'];
+
+export function sizeOf(state: LabState): { width: number; height: number } {
+  const [width, height] = state.size.split('x').map(Number);
+  return { width: width ?? 320, height: height ?? 240 };
+}
+
+export function toLabAddress(state: LabState, defaults: Settings): string {
+  const parts = new URLSearchParams();
+  parts.set('exhibit', state.exhibit);
+  parts.set('scene', state.scene);
+  parts.set('algorithm', state.algorithms.join(','));
+  parts.set('size', state.size);
+  parts.set('profile', state.profile);
+  parts.set('level', state.level);
+  if (state.eye) parts.set('eye', state.eye.join(','));
+  if (state.exhibit === 'own' && state.code) parts.set('code', state.code);
+  const lab = parts.toString().replaceAll('%2C', ',').replaceAll('%2F', '/');
+  return `#${lab}&${toAddress(state.page, defaults).slice(1)}`;
+}
+
+const oneOf = (word: string | null, known: readonly string[], otherwise: string): string =>
+  word !== null && known.includes(word) ? word : otherwise;
+
+export function fromLabAddress(
+  hash: string,
+  defaults: Settings,
+  exhibits: readonly string[],
+): LabState {
+  const parts = new URLSearchParams(hash.replace(/^#/, ''));
+  const eye = parts.get('eye')?.split(',').map(Number) ?? [];
+  return {
+    exhibit: oneOf(parts.get('exhibit'), exhibits, exhibits[0]!),
+    scene: parts.get('scene') ?? 'hidden/cycle.toml',
+    algorithms: (parts.get('algorithm') ?? 'newell').split(',').slice(0, 2),
+    level: oneOf(parts.get('level'), levels, 'polygon'),
+    size: oneOf(parts.get('size'), sizes, '320x240'),
+    profile: oneOf(parts.get('profile'), profiles, 'vgx'),
+    eye: eye.length === 3 && eye.every(Number.isFinite) ? (eye as unknown as Point) : undefined,
+    code: parts.get('code') ?? '',
+    page: fromAddress(hash, defaults),
+  };
+}

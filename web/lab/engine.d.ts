@@ -1,0 +1,30 @@
+// What Emscripten makes of web/engine.
+declare module 'gw-engine' {
+  export interface Engine {
+    add_picture(
+      path: string,
+      width: number,
+      height: number,
+      bits: number,
+      texels: Uint8Array,
+    ): string;
+    open(path: string): string;
+    draw(options: string): string;
+    manifest(options: string): string;
+    hidden(options: string): string;
+    polygons(options: string): string;
+    play(options: string, steps: string): string;
+    picture(): Uint8Array;
+    difference(): Uint8Array;
+  }
+  export interface EngineModule {
+    Engine: new () => Engine;
+    algorithms(): string;
+    simd_target(): string;
+    FS: {
+      mkdirTree(path: string): void;
+      writeFile(path: string, data: Uint8Array | string): void;
+    };
+  }
+  export default function make_engine(settings: { wasmBinary: ArrayBuffer }): Promise<EngineModule>;
+}

@@ -1,0 +1,90 @@
+// The machine in a worker: requests in, answers out, one after the other.
+import make_engine, { type Engine, type EngineModule } from 'gw-engine';
+import { decode } from 'fast-png';
+import type { Answer, Files, Methods, Request, SceneFacts } from './protocol';
+
+let lab: EngineModule;
+let engine: Engine;
+/** Files that are textures, decoded when a scene asks for them. */
+const pictures = new Map<string, Uint8Array>();
+
+/** The engine's answer, or its refusal as an error. */
+function answered(text: string): string {
+  if (text.startsWith('{"error":')) throw new Error((JSON.parse(text) as { error: string }).error);
+  return text;
+}
+
+function write(files: Files): void {
+  for (const [path, bytes] of Object.entries(files)) {
+    lab.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
+    lab.FS.writeFile(path, bytes);
+    if (path.endsWith('.png')) pictures.set(path, bytes);
+  }
+}
+
+/** Four channels, as the file has their values. */
+function addPicture(path: string): void {
+  const bytes = pictures.get(path);
+  if (!bytes) return;
+  const png = decode(bytes);
+  const { width, height, channels, depth } = png;
+  const count = width * height;
+  const most = depth === 16 ? 65535 : 255;
+  const rgba = depth === 16 ? new Uint16Array(count * 4) : new Uint8Array(count * 4);
+  const grey = channels < 3;
+  for (let i = 0; i < count; ++i) {
+    let from = i * channels;
+    const color = png.palette ? png.palette[png.data[i]!]! : undefined;
+    for (let c = 0; c < 3; ++c)
+      rgba[i * 4 + c] = color ? color[c]! : png.data[grey ? from : from + c]!;
+    from += channels - 1;
+    const alpha = color ? (color[3] ?? 255) : channels % 2 === 0 ? png.data[from]! : most;
+    rgba[i * 4 + 3] = alpha;
+  }
+  answered(
+    engine.add_picture(path, width, height, depth === 16 ? 16 : 8, new Uint8Array(rgba.buffer)),
+  );
+  pictures.delete(path);
+}
+
+const methods: { [M in keyof Methods]: (...values: Parameters<Methods[M]>) => unknown } = {
+  async start(wasm, files) {
+    lab = await make_engine({ wasmBinary: wasm });
+    engine = new lab.Engine();
+    write(files);
+    return { algorithms: JSON.parse(lab.algorithms()) as unknown, simd: lab.simd_target() };
+  },
+  write,
+  open(path) {
+    const facts = JSON.parse(answered(engine.open(path))) as SceneFacts & { pictures: string[] };
+    facts.pictures.forEach(addPicture);
+    return facts;
+  },
+  draw(options) {
+    const before = performance.now();
+    const answer = JSON.parse(answered(engine.draw(JSON.stringify(options)))) as unknown;
+    const milliseconds = performance.now() - before;
+    return { answer, picture: engine.picture().slice(), milliseconds };
+  },
+  manifest: (options) => answered(engine.manifest(JSON.stringify(options))),
+  polygons: (options) => answered(engine.polygons(JSON.stringify(options))),
+  play(options, steps) {
+    const log = answered(engine.play(JSON.stringify(options), steps));
+    return { log, difference: engine.difference().slice() };
+  },
+  hidden(options) {
+    const log = answered(engine.hidden(JSON.stringify(options)));
+    return { log, difference: engine.difference().slice() };
+  },
+};
+
+self.onmessage = async (event: MessageEvent<Request>) => {
+  const { number, method, values } = event.data;
+  const answer = (rest: Omit<Answer, 'number'>) => self.postMessage({ number, ...rest });
+  try {
+    const call = methods[method] as (...values: readonly unknown[]) => unknown;
+    answer({ value: await call(...values) });
+  } catch (error) {
+    answer({ error: error instanceof Error ? error.message : String(error) });
+  }
+};

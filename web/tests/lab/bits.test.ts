@@ -1,0 +1,145 @@
+// The same bits: what the machine leaves in Chromium and what this computer's gw leaves, compared
+// pass by pass and step by step. Needs GW, the command.
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { inChromium, open, thePage, type LabWindow } from './page';
+
+const gw = process.env['GW'] ?? '../build/release/bin/gw';
+const scenes = process.env['GW_SCENES'] ?? '../scenes';
+const folder = mkdtempSync(join(tmpdir(), 'gw-lab-'));
+afterAll(() => rmSync(folder, { recursive: true }));
+inChromium(true);
+beforeAll(async () => {
+  await open('#lang=en&size=64x48');
+  await thePage().waitForSelector('canvas');
+});
+
+interface Manifest {
+  commands_hash: string;
+  passes: Record<string, unknown>[];
+}
+/** Without what only the command knows: the paper's parameter sets. */
+const compared = (text: string) => {
+  const { commands_hash, passes } = JSON.parse(text) as Manifest;
+  return { commands_hash, passes: passes.map((pass) => ({ ...pass, set: '' })) };
+};
+
+type Picture = [scene: string, renderer: string, profile: string, width: number, height: number];
+const pictures: Picture[] = [
+  ...['hardware', 'multipass', 'scanline', 'raytrace', 'adaptive'].flatMap((renderer): Picture[] =>
+    ['vgx', 'reality', 'ideal'].map((profile) => ['rings', renderer, profile, 96, 72]),
+  ),
+  ...['hardware', 'multipass', 'raytrace'].map((renderer): Picture => [
+    'fig9',
+    renderer,
+    'vgx',
+    80,
+    60,
+  ]),
+  ...[
+    'teapot',
+    'lamps',
+    'marble',
+    'fog',
+    'panes',
+    'selective',
+    'crystal',
+    'water',
+    'needles',
+    'columns',
+    'edges',
+  ].map((scene): Picture => [scene, 'multipass', 'vgx', 80, 60]),
+];
+const surfaces = [
+  'back-face',
+  'painter-farthest',
+  'painter-nearest',
+  'painter-centroid',
+  'newell',
+  'bsp',
+  'scan-line',
+  'z-buffer',
+  'ray-casting',
+  'schumacker',
+  'warnock',
+  'bouknight',
+  'watkins',
+  'weiler-atherton',
+  'a-buffer',
+  'hierarchical-z',
+  'quake',
+];
+const runs = [
+  ...surfaces.map((algorithm) => ['hidden/cycle', algorithm, 'vgx'] as const),
+  ...['newell', 'bsp', 'warnock', 'watkins'].map(
+    (algorithm) => ['hidden/pierce', algorithm, 'ideal'] as const,
+  ),
+  ...['roberts', 'appel', 'floating-horizon'].map(
+    (algorithm) => ['hidden/hills', algorithm, 'vgx'] as const,
+  ),
+];
+
+describe('the lab leaves the bits of gw render', () => {
+  it.each(pictures)('%s %s %s', async (scene, renderer, profile, width, height) => {
+    const file = join(folder, 'manifest.json');
+    const size = `${width}x${height}`;
+    execFileSync(gw, [
+      ...['render', `${scenes}/${scene}.toml`, '-o', join(folder, 'picture.png'), '--quiet'],
+      ...['--renderer', renderer, '--profile', profile, '--size', size, '--manifest', file],
+    ]);
+    const ours = await thePage().evaluate(
+      async (path, options) => {
+        const { machine } = window as unknown as LabWindow;
+        await machine.ask('open', path);
+        return machine.ask('manifest', options);
+      },
+      `/scenes/${scene}.toml`,
+      { renderer, profile, width, height },
+    );
+    const theirs = compared(readFileSync(file, 'utf8'));
+    expect(theirs.passes.length).toBeGreaterThan(0);
+    expect(compared(ours)).toEqual(theirs);
+  });
+});
+
+/**
+ * A line without the counts that depend on the computer: memory on the size of pointers, keys and
+ * crossings on the sort of its C++ library.
+ */
+const portable = (line: string) => line.replace(/"(peak_bytes|keys|crossings)":\d+,?/g, '');
+
+/** The painters log each question of the library's sort, so only their orders and pictures agree. */
+const linesOf = (log: string, algorithm: string): string[] => {
+  const lines = log.split('\n').map(portable);
+  if (!algorithm.startsWith('painter')) return lines;
+  return lines
+    .filter((line) => !line.includes('"kind":"compare"'))
+    .map((line) => line.replace(/^\{"(step|end)":\d+/, ''));
+};
+
+describe('the lab makes the step log of gw hidden', () => {
+  it.each(runs)('%s %s %s', async (scene, algorithm, profile) => {
+    execFileSync(gw, [
+      ...['hidden', `${scenes}/${scene}.toml`, '--algorithm', algorithm, '--profile', profile],
+      ...['--size', '64x48', '--pictures', '1', '--steps', join(folder, 'steps'), '--quiet'],
+    ]);
+    const { log } = await thePage().evaluate(
+      async (path, options) => {
+        const { machine } = window as unknown as LabWindow;
+        await machine.ask('open', path);
+        return machine.ask('hidden', options);
+      },
+      `/scenes/${scene}.toml`,
+      { algorithm, profile, level: 'polygon', width: 64, height: 48 },
+    );
+    const theirs = readFileSync(join(folder, 'steps', 'steps.jsonl'), 'utf8');
+    const expected = linesOf(theirs, algorithm);
+    expect(expected.length).toBeGreaterThan(3);
+    const ours = linesOf(log, algorithm);
+    expect(ours.length).toBe(expected.length);
+    for (const [i, line] of ours.entries()) expect(line).toBe(expected[i]);
+  });
+});

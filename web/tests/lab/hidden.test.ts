@@ -1,0 +1,78 @@
+// The exhibit of hidden surfaces as a hand uses it.
+import { expect, it } from 'vitest';
+import { inChromium, open, thePage } from './page';
+
+inChromium();
+const output = () => thePage().$eval('output', (e) => e.textContent?.trim());
+const address = () => thePage().evaluate(() => location.hash);
+
+it('runs an algorithm and follows the keys', async () => {
+  await open('#lang=en&scene=hidden/cycle.toml&algorithm=newell&size=160x120');
+  await thePage().waitForSelector('output');
+  const [at, all] = (await output())!.split(' of ');
+  expect(at).toBe(all);
+  await thePage().keyboard.press('Home');
+  expect(await output()).toBe(`0 of ${all}`);
+  await thePage().keyboard.press('ArrowRight');
+  expect(await output()).toBe(`1 of ${all}`);
+});
+
+it('turns the eye by a drag, and keeps it in the link', async () => {
+  await open('#lang=en&scene=hidden/cycle.toml&algorithm=bsp,newell&size=160x120');
+  await thePage().waitForSelector('.stack');
+  expect(await thePage().$$('section')).toHaveLength(2);
+  expect(await address()).not.toContain('eye=');
+  const box = (await (await thePage().$('.stack'))!.boundingBox())!;
+  await thePage().mouse.move(box.x + 40, box.y + 40);
+  await thePage().mouse.down();
+  await thePage().mouse.move(box.x + 90, box.y + 60, { steps: 5 });
+  await thePage().mouse.up();
+  await thePage().waitForFunction(() => location.hash.includes('eye='));
+  const eyeOf = (hash: string) => new URLSearchParams(hash.slice(1)).get('eye');
+  const before = eyeOf(await address());
+  await thePage().reload();
+  await thePage().waitForSelector('.stack');
+  expect(eyeOf(await address())).toBe(before);
+});
+
+it('opens a dropped model and says what is wrong with another one', async () => {
+  await open('#lang=en&size=64x48&algorithm=z-buffer');
+  await thePage().waitForSelector('.stack');
+  const give = (name: string, text: string) =>
+    thePage().evaluate(
+      (name, text) => {
+        const data = new DataTransfer();
+        data.items.add(new File([text], name));
+        window.dispatchEvent(new DragEvent('drop', { dataTransfer: data }));
+      },
+      name,
+      text,
+    );
+  await give('two.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n');
+  await thePage().waitForFunction(
+    () => document.querySelector<HTMLSelectElement>('select.scene')?.value === 'own/two.obj',
+  );
+  await give('bad.obj', 'v 0 0 zero\n');
+  await thePage().waitForSelector('[role=alert]');
+  const why = await thePage().$eval('[role=alert]', (e) => e.textContent);
+  expect(why).toContain('own/bad.obj:1');
+});
+
+it('refuses a run that would take too long, and goes on', async () => {
+  await open('#lang=en&scene=hidden/solids.toml&algorithm=ray-casting&size=640x480');
+  await thePage().waitForSelector('[role=alert]');
+  expect(await thePage().$eval('[role=alert]', (e) => e.textContent)).toContain('would take');
+  await thePage().select('select.algorithm', 'z-buffer');
+  await thePage().waitForSelector('.stack');
+});
+
+it('fits a phone, in Japanese', async () => {
+  await open('#lang=ja&size=160x120', 390, 800);
+  await thePage().waitForSelector('.stack');
+  const [content, screen] = await thePage().evaluate(() => [
+    document.documentElement.scrollWidth,
+    window.innerWidth,
+  ]);
+  expect(content).toBeLessThanOrEqual(screen!);
+  expect(await thePage().$eval('.exhibit', (e) => e.textContent)).toBe('隠面消去');
+});

@@ -1,0 +1,53 @@
+// The built lab in Debian's Chromium, from disk.
+import puppeteer, { type Browser, type Page } from 'puppeteer-core';
+import { afterAll, afterEach, beforeAll, beforeEach, expect } from 'vitest';
+import type { Machine } from '../../lab/machine';
+
+export const lab = process.env['GW_LAB'] ?? '../build/lab/index.html';
+
+let browser: Browser;
+let page: Page;
+let complaints: string[];
+
+export const thePage = (): Page => page;
+
+/** Before each test a new page, or one for all; after it no complaint and no request of the network. */
+export function inChromium(once = false): void {
+  const before = once ? beforeAll : beforeEach;
+  const after = once ? afterAll : afterEach;
+  beforeAll(async () => {
+    browser = await puppeteer.launch({
+      executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
+      args: ['--no-sandbox', '--disable-gpu'],
+      protocolTimeout: 600_000,
+    });
+  });
+  afterAll(() => browser.close());
+  before(async () => {
+    complaints = [];
+    page = await browser.newPage();
+    page.on('console', (message) => {
+      const isAboutTest = message.text().includes('willReadFrequently');
+      if (['error', 'warn'].includes(message.type()) && !isAboutTest)
+        complaints.push(message.text());
+    });
+    page.on('pageerror', (error) => complaints.push(String(error)));
+    page.on('request', (request) => {
+      if (!/^(file|data|blob):/.test(request.url())) complaints.push(`asks for ${request.url()}`);
+    });
+  });
+  after(async () => {
+    expect(complaints).toEqual([]);
+    await page.close();
+  });
+}
+
+export async function open(hash: string, width = 1280, height = 720): Promise<void> {
+  await page.setViewport({ width, height });
+  await page.goto(`file://${lab}${hash}`);
+  await page.waitForSelector('header');
+}
+
+export interface LabWindow {
+  machine: Machine;
+}
