@@ -29,13 +29,20 @@ public:
         std::uint16_t coverage = 0;
     };
 
-    explicit SmoothTile(const TileDraw& d)
-        : draw(d), pixels_(std::size_t(d.tile.side) * std::size_t(d.tile.side)) {}
+    explicit SmoothTile(const TileDraw& d) : draw(d) {}
 
-    /// Begins the next primitive.
-    void clear() {
-        for_each(touched_, [](Pixel& p, int, int) { p = {}; });
-        touched_ = {draw.tile.side, draw.tile.side, 0, 0};
+    /// Begins a primitive of these shapes.
+    void begin(const auto& shapes) {
+        range_ = {draw.tile.side, draw.tile.side, 0, 0};
+        for (const Shape shape : shapes) {
+            const PixelRange r = range_of(shape);
+            if (r.x0 >= r.x1 || r.y0 >= r.y1) continue;
+            range_ = {std::min(range_.x0, r.x0), std::min(range_.y0, r.y0),
+                      std::max(range_.x1, r.x1), std::max(range_.y1, r.y1)};
+        }
+        const int width = std::max(0, range_.x1 - range_.x0),
+                  height = std::max(0, range_.y1 - range_.y0);
+        pixels_.assign(std::size_t(width) * std::size_t(height), {});
     }
     void add(Shape shape, std::uint32_t ordinal) {
         add_around(shape, ordinal, [&](int x, int y) { return area_inside(shape, x, y); });
@@ -53,19 +60,20 @@ public:
     }
     void finish() {
         const int bits = draw.profile->coverage_bits;
-        for_each(touched_, [&](Pixel& p, int, int) {
+        for_each(range_, [&](Pixel& p, int, int) {
             p.coverage = std::uint16_t(coverage_of(p.area, bits));
         });
     }
-    /// Calls visit(bx, by) for the blocks that are touched.
+    /// Calls visit(bx, by) for the blocks that the primitive's shapes reach.
     void for_each_block(const auto& visit) const {
-        for (int by = touched_.y0 / block_side; by * block_side < touched_.y1; ++by)
-            for (int bx = touched_.x0 / block_side; bx * block_side < touched_.x1; ++bx)
-                visit(bx, by);
+        for (int by = range_.y0 / block_side; by * block_side < range_.y1; ++by)
+            for (int bx = range_.x0 / block_side; bx * block_side < range_.x1; ++bx) visit(bx, by);
     }
     const Pixel& at(int bx, int by, int lane) const {
-        return pixels_[std::size_t((by * block_side + lane / block_side) * draw.tile.side +
-                                   bx * block_side + lane % block_side)];
+        static constexpr Pixel none;
+        const int x = bx * block_side + lane % block_side, y = by * block_side + lane / block_side;
+        const bool inside = x >= range_.x0 && x < range_.x1 && y >= range_.y0 && y < range_.y1;
+        return inside ? pixels_[index(x, y)] : none;
     }
 
     const TileDraw& draw;
@@ -79,14 +87,14 @@ private:
     }
     void for_each(const PixelRange& r, const auto& visit) {
         for (int j = r.y0; j < r.y1; ++j)
-            for (int i = r.x0; i < r.x1; ++i)
-                visit(pixels_[std::size_t(j * draw.tile.side + i)], i, j);
+            for (int i = r.x0; i < r.x1; ++i) visit(pixels_[index(i, j)], i, j);
+    }
+    std::size_t index(int x, int y) const {
+        return std::size_t(y - range_.y0) * std::size_t(range_.x1 - range_.x0) +
+               std::size_t(x - range_.x0);
     }
     void add_around(Shape corners, std::uint32_t ordinal, const auto& area_at) {
         const PixelRange range = range_of(corners);
-        if (range.x0 >= range.x1 || range.y0 >= range.y1) return;
-        touched_ = {std::min(touched_.x0, range.x0), std::min(touched_.y0, range.y0),
-                    std::max(touched_.x1, range.x1), std::max(touched_.y1, range.y1)};
         for_each(range, [&](Pixel& p, int i, int j) {
             const std::int64_t area = area_at(draw.tile.x + i, draw.tile.y + j);
             p.area = std::min(p.area + area, std::int64_t{2} << area_bits);
@@ -96,8 +104,8 @@ private:
         });
     }
 
-    std::vector<Pixel> pixels_;
-    PixelRange touched_{0, 0, 0, 0};
+    std::vector<Pixel> pixels_;     ///< of range_
+    PixelRange range_{0, 0, 0, 0};  ///< of the shapes
 };
 
 /// One primitive's fragments in the pixels that have its values.
@@ -195,10 +203,12 @@ HWY_INLINE std::array<ShapePoint, 3> shape_of(const PrimitiveFrame& f) {
 inline void draw_smooth_polygon(SmoothTile& pixels, std::span<const std::uint32_t> pieces,
                                 OpCounts& counts) {
     const TileDraw& draw = pixels.draw;
-    pixels.clear();
+    std::vector<std::array<ShapePoint, 3>> shapes;
+    for (const std::uint32_t piece : pieces) shapes.push_back(shape_of(frame_of(draw, piece)));
+    pixels.begin(shapes);
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
         const PrimitiveFrame frame = frame_of(draw, pieces[i]);
-        const auto corners = shape_of(frame);
+        const auto& corners = shapes[i];
         const TileEdges e = tile_edges(frame, draw.tile);
         pixels.add(corners, i);
         pixels.claim(corners, i, [&](int x, int y) {
@@ -223,8 +233,9 @@ inline void draw_smooth_line(SmoothTile& pixels, std::uint32_t ordinal, OpCounts
         const std::int64_t p = (pixel << f.s) + (std::int64_t{1} << (f.s - 1));
         return low <= p && p <= high;
     };
-    pixels.clear();
-    for (const auto& rectangle : line_shapes(line, state.line_stipple, f.stippled)) {
+    const auto shapes = line_shapes(line, state.line_stipple, f.stippled);
+    pixels.begin(shapes);
+    for (const auto& rectangle : shapes) {
         pixels.add(rectangle, 0);
         pixels.claim(rectangle, 0, is_between_ends);
     }
@@ -237,7 +248,7 @@ inline void draw_smooth_point(SmoothTile& pixels, std::uint32_t ordinal, OpCount
     const PrimitiveFrame f = frame_of(draw, ordinal);
     const Disc point = disc({shape_coordinate(f.x[0], f.s), shape_coordinate(f.y[0], f.s)},
                             half_size(draw.op->state.state.point_size));
-    pixels.clear();
+    pixels.begin(std::array{Shape(point.corners)});
     pixels.add(point);
     pixels.claim(point.corners, 0, [](int, int) { return true; });
     pixels.finish();

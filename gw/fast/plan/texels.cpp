@@ -15,26 +15,31 @@ int wrapped_row(const TexelLevel& level, const Addressing& how, int j) {
     return j < level.height ? j : -1;
 }
 
-/// Row j and what lies beside it, from the first index on. `row` is the memory that it uses.
-void pack_row(const TexelLevel& level, const Addressing& how, int j,
+/// Row j and what lies beside it, from the first index on. `texels` are those of the level; `row` is
+/// the memory that it uses.
+void pack_row(const TexelLevel& level, const std::uint32_t* texels, const Addressing& how, int j,
               std::vector<std::uint32_t>& row) {
     const auto at = [&](int i) { return packed(filter_texel(level, how, i, j)); };
     const int first = first_index(how.wrap_s);
     row.clear();
     if (first < 0) row.push_back(at(first));
     if (const int k = wrapped_row(level, how, j); k >= 0)
-        for (int i = 0; i < level.width; ++i) row.push_back(packed(level.at(i, k)));
+        row.insert(row.end(), texels + pixel_index(0, k, level.width),
+                   texels + pixel_index(0, k + 1, level.width));
     else
         for (int i = 0; i < level.width; ++i) row.push_back(at(i));
     row.push_back(at(level.width));
 }
 
-void add_pairs(const TexelLevel& level, const Addressing& how, std::vector<TexelPair>& out) {
+void add_pairs(const TexelLevel& level, const std::uint32_t* texels, const Addressing& how,
+               std::vector<TexelPair>& out) {
     std::vector<std::uint32_t> row, next;
-    pack_row(level, how, first_index(how.wrap_t), row);
+    pack_row(level, texels, how, first_index(how.wrap_t), row);
     for (int j = first_index(how.wrap_t); j < level.height; ++j) {
-        pack_row(level, how, j + 1, next);
-        for (std::size_t i = 0; i < row.size(); ++i) out.push_back({row[i], next[i]});
+        pack_row(level, texels, how, j + 1, next);
+        const std::size_t from = out.size();
+        out.resize(from + row.size());
+        for (std::size_t i = 0; i < row.size(); ++i) out[from + i] = {row[i], next[i]};
         std::swap(row, next);
     }
 }
@@ -68,7 +73,8 @@ const TexelPairs* texel_pairs(FastTexels& texels, Addressing how) {
     out.pairs.reserve(texels.packed.size() * 5 / 4);
     for (std::size_t i = 0; i < texels.texels.levels.size(); ++i) {
         out.first[i] = std::int32_t(out.pairs.size());
-        add_pairs(texels.texels.levels[i], how, out.pairs);
+        add_pairs(texels.texels.levels[i], &texels.packed[std::size_t(texels.first[i])], how,
+                  out.pairs);
     }
     return &out;
 }

@@ -21,10 +21,11 @@ namespace gw::fast::HWY_NAMESPACE {
 /// Pixels of a line or point, collected by block, then sent on in block order.
 class PixelSet {
 public:
-    explicit PixelSet(int blocks_per_row) : blocks_per_row_(blocks_per_row) {}
+    explicit PixelSet(int blocks_per_row)
+        : row_shift_(std::countr_zero(unsigned(blocks_per_row))) {}
 
     void add(int x, int y) {
-        const auto block = std::size_t(y / block_side * blocks_per_row_ + x / block_side);
+        const auto block = std::size_t(((y / block_side) << row_shift_) + x / block_side);
         std::uint64_t& word = used_[block / 64];
         const std::uint64_t bit = std::uint64_t{1} << block % 64;
         const unsigned before = word & bit ? mask_[block] : 0u;
@@ -37,12 +38,12 @@ public:
         for (int i = 0; i < 4; ++i)
             for (std::uint64_t rest = used_[i]; rest != 0; rest &= rest - 1) {
                 const int block = 64 * i + std::countr_zero(rest);
-                visit(block % blocks_per_row_, block / blocks_per_row_, lane_set(mask_[block]));
+                visit(block & ((1 << row_shift_) - 1), block >> row_shift_, lane_set(mask_[block]));
             }
     }
 
 private:
-    int blocks_per_row_;
+    int row_shift_;                        ///< blocks of a row are a power of two
     std::uint64_t used_[4] = {};           ///< a bit for each block
     std::uint16_t mask_[max_tile_blocks];  ///< of the blocks that are used
 };

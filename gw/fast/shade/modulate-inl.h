@@ -1,5 +1,5 @@
 // The most common textured triangle in 8 bits: one level, a bilinear filter, modulated by the
-// colour, no fog. Coordinates, texels and products stay in vectors from block to block. Gives the
+// colour or in place of it, no fog. Coordinates, texels and products stay in vectors from block to block. Gives the
 // same bits as the stages of shade-inl.h. Does not blend. Included once per Highway target.
 #if defined(GW_FAST_MODULATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_MODULATE_INL_H_
@@ -12,6 +12,7 @@
 #include "gw/fast/shade/repeated_texels.h"
 #include "gw/fast/shade/sampler-inl.h"
 #include "gw/fast/simd/walk-inl.h"
+#include "gw/stages/tables.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -84,18 +85,25 @@ struct ModulatedTexels {
     HWY_INLINE static bool applies_to(const DrawOp& op) {
         const State& s = op.state.state;
         return op.pairs && !needs_rho(s.texture) && !textures_by_pixel(op) &&
-               s.texture.env == TexEnv::Modulate && is_narrow(op) && !has_fog(s);
+               (s.texture.env == TexEnv::Modulate || replaces(op)) && is_narrow(op) && !has_fog(s);
+    }
+    /// Whether the texels are the colours: replaced, by a format with all channels.
+    HWY_INLINE static bool replaces(const DrawOp& op) {
+        const TextureFormat format = op.texels->texels.format;
+        return op.state.state.texture.env == TexEnv::Replace &&
+               environment_op(TexEnv::Replace, format, false) == EnvironmentOp::Replace &&
+               environment_op(TexEnv::Replace, format, true) == EnvironmentOp::Replace;
     }
     HWY_NOINLINE void write(const TileDraw& draw, const NarrowBatch& colors,
                             const TexturePlanes& planes, std::size_t triangle, int bx, int by,
                             ColorBlock& out) {
         const DrawOp& op = *draw.op;
         const TexelLevel& level = op.texels->texels.levels[0];
-        const bool flat = is_flat(op);
+        const bool replacing = replaces(op), flat = is_flat(op) || replacing;
         if (aimed != triangle) {
             kept = draw.repeated->find(texel_key(*op.pairs, planes));
             aim(planes, level);
-            if (flat) set_colors(colors, triangle, bx, by);
+            if (flat && !replacing) set_colors(colors, triangle, bx, by);
             aimed = triangle;
         }
         if (!flat) set_colors(colors, triangle, bx, by);
@@ -106,7 +114,10 @@ struct ModulatedTexels {
         for (std::size_t i = 0; i < parts; ++i) {
             const TexelWords texel =
                 kept ? kept_texels(op, level, bx, by, i) : texels(op, level, bx, by, i);
-            store_words({times(texel.rb, color[i].rb), times(texel.ga, color[i].ga)}, i, out);
+            if (replacing)
+                store_words(texel, i, out);
+            else
+                store_words({times(texel.rb, color[i].rb), times(texel.ga, color[i].ga)}, i, out);
         }
     }
 
