@@ -6,7 +6,7 @@
 #include "apps/recordings/machine_options.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
-#include "image/planes.h"
+#include "image/plane_pictures.h"
 #include "image/write.h"
 #include "inspect/compare/difference.h"
 #include "inspect/recording/read_bytes.h"

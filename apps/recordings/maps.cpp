@@ -5,7 +5,7 @@
 #include "apps/figures/folder_index.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
-#include "image/planes.h"
+#include "image/plane_pictures.h"
 #include "image/write.h"
 #include "inspect/replay/pixel_history.h"
 #include "inspect/replay/player.h"

@@ -8,6 +8,7 @@
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
 #include "gw/shown.h"
+#include "image/plane_pictures.h"
 #include "image/planes.h"
 #include "image/write.h"
 #include "inspect/compare/compare_machines.h"

@@ -1,8 +1,7 @@
 #include "inspect/report/pass_pictures.h"
 
-#include "gw/base/arithmetic.h"
 #include "image/picture.h"
-#include "image/planes.h"
+#include "image/plane_pictures.h"
 #include "inspect/compare/plane_values.h"
 #include "scene/draw/draw_commands.h"
 
@@ -10,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <optional>
 
 namespace gw::report {
@@ -54,20 +52,6 @@ std::vector<std::uint64_t> distances(const PassPictures::Shown& shown, const Sna
     return apart;
 }
 
-/// Every channel's distance, times as much as goes without clamping; at least once.
-image::Picture color_change(const image::Picture& before, const image::Picture& after, int& times) {
-    image::Picture change = after;
-    int greatest = 1;
-    for (std::size_t i = 0; i < change.values.size(); ++i) {
-        const int apart = std::abs(int(after.values[i]) - int(before.values[i]));
-        change.values[i] = static_cast<std::uint16_t>(apart);
-        greatest = std::max(greatest, apart);
-    }
-    times = static_cast<int>(max_of_bits(change.bits)) / greatest;
-    for (std::uint16_t& value : change.values) value = static_cast<std::uint16_t>(value * times);
-    return change;
-}
-
 }  // namespace
 
 PassPictures::PassPictures(ReportFolder& folder, const Profile& profile, Snapshot start)
@@ -93,15 +77,14 @@ nlohmann::ordered_json PassPictures::plane_json(const Shown& shown, std::size_t 
     const auto changed = std::ranges::count_if(apart, [](std::uint64_t d) { return d != 0; });
     if (changed > 0) {
         const image::Picture picture = picture_of(shown, after, profile_);
-        image::Picture change =
-            image::distance_picture(apart, after.planes.width, after.planes.height);
+        image::Change change{
+            image::distance_picture(apart, after.planes.width, after.planes.height)};
         if (shown.plane == Plane::Color) {
-            int times = 1;
-            change = color_change(picture_of(shown, last_, profile_), picture, times);
-            json["times"] = times;
+            change = image::change_picture(picture_of(shown, last_, profile_), picture);
+            json["times"] = change.times;
         }
         file = put(name, picture);
-        json["change"] = put(name + "_change", change);
+        json["change"] = put(name + "_change", change.picture);
         json["pixels"] = changed;
     }
     json["after"] = file;

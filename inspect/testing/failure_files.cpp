@@ -2,7 +2,7 @@
 
 #include "gw/error.h"
 #include "image/output/output_set.h"
-#include "image/planes.h"
+#include "image/plane_pictures.h"
 #include "image/write.h"
 #include "inspect/compare/plane_values.h"
 #include "inspect/manifest/manifest_file.h"

@@ -1,5 +1,5 @@
 // Claims: false colours tell the values of depth, stencil, identifiers and accumulation apart.
-#include "image/planes.h"
+#include "image/plane_pictures.h"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +48,15 @@ TEST(IdColors, DifferForSixtyFourThousandIdsAndAreBlackForNone) {
 TEST(AccumColors, ShowFractionsOfTheLargestMagnitude) {
     const Picture picture = accum_colors({{510, 0, -255, 7}, {255, 1, 0, 7}}, 2, 1);
     EXPECT_EQ(picture.values, (Values{255, 0, 0, 128, 1, 0}));
+}
+
+TEST(ChangePicture, AmplifiesEveryChannelByWhatTheGreatestAllows) {
+    const Picture before{2, 1, 3, 8, {10, 20, 30, 0, 0, 0}};
+    const Picture after{2, 1, 3, 8, {10, 0, 70, 0, 1, 0}};
+    EXPECT_EQ(change_picture(before, before).times, 255);
+    const Change change = change_picture(before, after);
+    EXPECT_EQ(change.times, 6);  // 255 / 40
+    EXPECT_EQ(change.picture.values, (Values{0, 120, 240, 0, 6, 0}));
 }
 
 }  // namespace gw::image

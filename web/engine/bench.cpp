@@ -1,12 +1,13 @@
 #include "web/engine/bench.h"
 
-#include "gw/base/arithmetic.h"
 #include "gw/error.h"
+#include "inspect/manifest/json_of.h"
 #include "inspect/manifest/manifest.h"
 #include "inspect/replay/forwarding_machine.h"
 #include "multipass/effects/scene_maps.h"
 #include "multipass/passes/pass_toml.h"
 #include "scene/draw/fit.h"
+#include "web/engine/rgba.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -38,20 +39,6 @@ apps::DrawOptions draw_options(const Json& options) {
     return draw;
 }
 
-Json counters_of(const Counters& c) {
-    return {{"draws", c.draws},
-            {"vertices", c.vertices},
-            {"primitives", c.primitives},
-            {"fragments", c.fragments},
-            {"alpha_killed", c.alpha_killed},
-            {"stencil_killed", c.stencil_killed},
-            {"depth_killed", c.depth_killed},
-            {"written", c.written},
-            {"texels", c.texels},
-            {"pixels", c.pixels},
-            {"bytes", c.bytes}};
-}
-
 template <class Visit>
 void for_each_map(scene::Scene& scene, const Visit& visit) {
     for (scene::Material& m : scene.materials)
@@ -62,6 +49,15 @@ void for_each_map(scene::Scene& scene, const Visit& visit) {
 
 std::string key_of(const std::filesystem::path& file) {
     return std::filesystem::absolute(file).lexically_normal().string();
+}
+
+/// Where a mistake is said to be: "list:3".
+multipass::PassList pass_list_from(const std::string& text) {
+    const scene::TomlValue toml = scene::read_toml_text(text, "list");
+    const scene::TomlValue* tables = toml.find("pass");
+    if (!tables || tables->kind != scene::TomlKind::Array)
+        throw Error("the list has no pass; expected [[pass]]");
+    return multipass::read_passes(tables->elements);
 }
 
 }  // namespace
@@ -153,45 +149,47 @@ void Bench::load_textures(scene::Scene& scene) const {
     });
 }
 
-void Bench::draw_scene(Machine& machine, const Json& options) {
+Bench::Subject Bench::subject_of(Machine& machine, const Json& options) const {
     const std::string name = options.value("renderer", "multipass");
     const std::vector<std::string> known = apps::renderer_names();
     if (std::find(known.begin(), known.end(), name) == known.end())
         throw Error("renderer '" + name +
                     "'; expected hardware, multipass, scanline, raytrace or adaptive");
-    const apps::Renderer& renderer = apps::renderer_named(name);
-    scene::Scene scene = scene_for(options);
-    load_textures(scene);
-    const scene::View view = view_of(scene, options);
-    apps::DrawOptions draw = draw_options(options);
-    if (renderer.passes == multipass::Renderer::Multipass && !file_.passes.empty())
-        draw.passes.passes = multipass::read_passes(file_.passes);
-    multipass::Options maps = draw.passes;
-    if (renderer.passes) maps.passes = apps::pass_list(renderer, scene, draw);
-    if (multipass::has_scene_maps(scene, maps))
-        scene = multipass::with_scene_maps(machine, scene, view, maps);
-    renderer.draw(machine, scene, view, draw);
+    Subject subject{apps::renderer_named(name), scene_for(options), {}, draw_options(options)};
+    load_textures(subject.scene);
+    subject.view = view_of(subject.scene, options);
+    multipass::Options& passes = subject.draw.passes;
+    const bool lists = subject.renderer.passes == multipass::Renderer::Multipass;
+    if (const std::string list = options.value("list", ""); lists && !list.empty())
+        passes.passes = pass_list_from(list);
+    else if (lists && !file_.passes.empty())
+        passes.passes = multipass::read_passes(file_.passes);
+    multipass::Options maps = passes;
+    if (subject.renderer.passes)
+        maps.passes = apps::pass_list(subject.renderer, subject.scene, subject.draw);
+    if (multipass::has_scene_maps(subject.scene, maps))
+        subject.scene = multipass::with_scene_maps(machine, subject.scene, subject.view, maps);
+    return subject;
 }
 
-void Bench::keep_picture(const Planes& planes, int bits) {
-    const auto width = std::size_t(planes.width), height = std::size_t(planes.height);
-    picture_.resize(width * height * 4);
-    for (std::size_t y = 0; y < height; ++y)
-        for (std::size_t x = 0; x < width; ++x) {
-            const Rgba& from = planes.color[(height - 1 - y) * width + x];
-            std::uint8_t* const to = &picture_[(y * width + x) * 4];
-            for (std::size_t c = 0; c < 3; ++c) to[c] = std::uint8_t(rescale(from[c], bits, 8));
-            to[3] = 255;
-        }
+void Bench::draw_scene(Machine& machine, const Json& options) const {
+    const Subject subject = subject_of(machine, options);
+    subject.renderer.draw(machine, subject.scene, subject.view, subject.draw);
+}
+
+void Bench::keep_picture(Machine& machine) {
+    const Planes& planes = machine.planes();
+    picture_ = rgba_of(
+        image::picture_of(planes.color, planes.width, planes.height, machine.profile().color_bits));
 }
 
 Json Bench::draw(const Json& options) {
     Machine& machine = machine_for(options);
     draw_scene(machine, options);
-    keep_picture(machine.planes(), machine.profile().color_bits);
+    keep_picture(machine);
     Json passes = Json::array();
     for (const PassReport& pass : machine.passes())
-        passes.push_back({{"name", pass.name}, {"counters", counters_of(pass.counters)}});
+        passes.push_back({{"name", pass.name}, {"counters", inspect::json_of(pass.counters)}});
     return {{"passes", passes}};
 }
 
@@ -202,7 +200,7 @@ std::string Bench::manifest(const Json& options) {
     std::vector<CommandList> lists;
     inspect::Recorder recorder(digesting, lists);
     draw_scene(recorder, options);
-    keep_picture(machine.planes(), machine.profile().color_bits);
+    keep_picture(machine);
     inspect::Recording recording;
     recording.profile = machine.profile();
     recording.width = side(options, "width");

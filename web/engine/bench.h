@@ -9,6 +9,7 @@
 #include "multipass/frame/driver.h"
 #include "scene/draw/view.h"
 #include "scene/read_scene.h"
+#include "web/engine/replayed.h"
 
 #include <nlohmann/json.hpp>
 
@@ -33,6 +34,18 @@ public:
     Json draw(const Json& options);
     /// The same with the manifest that `gw render --manifest` writes.
     std::string manifest(const Json& options);
+    /// Draws the scene and keeps it pass by pass: the options of draw(), and `list`, the pass list as
+    /// [[pass]] tables of TOML; empty: the scene's or the renderer's. Answers that list as `toml`, and
+    /// every pass that ran: name, parameter set, row of the list, counters, estimated seconds.
+    Json passes(const Json& options);
+    /// The plane `plane` after the pass `pass` of passes(), as picture(); what the pass changed, as
+    /// change(). Answers how many pixels changed, and how much the change is amplified.
+    Json plane(const Json& options);
+    /// The history of the pixel `x`, `y` of passes(), as `gw pixel` prints it.
+    Json history(const Json& options);
+    /// The scene from the eye `from` with its shadow volumes as translucent objects, its lights and
+    /// the view's eye; no `from`: from outside. Answers that eye and the number of volumes.
+    Json volumes(const Json& options);
     /// Runs a hidden-surface or hidden-line algorithm: options `algorithm`, `level`, `limit`, and
     /// those of a view. The answer is the text of steps.jsonl that `gw hidden --steps` writes.
     std::string hidden(const Json& options);
@@ -43,6 +56,7 @@ public:
 
     /// The last picture, RGBA of 8 bits, top row first.
     const std::vector<std::uint8_t>& picture() const { return picture_; }
+    const std::vector<std::uint8_t>& change() const { return change_; }
     /// Of the last hidden-surface algorithm beside the Z-buffer: hiddensurface::Difference, top row
     /// first. Empty for lines.
     const std::vector<std::uint8_t>& difference() const { return difference_; }
@@ -53,9 +67,17 @@ private:
     scene::Scene scene_for(const Json& options) const;
     scene::View view_of(const scene::Scene& scene, const Json& options) const;
     Machine& machine_for(const Json& options);
-    void draw_scene(Machine& machine, const Json& options);
+    /// What a renderer draws.
+    struct Subject {
+        const apps::Renderer& renderer;
+        scene::Scene scene;
+        scene::View view;
+        apps::DrawOptions draw;
+    };
+    Subject subject_of(Machine& machine, const Json& options) const;
+    void draw_scene(Machine& machine, const Json& options) const;
     void load_textures(scene::Scene& scene) const;
-    void keep_picture(const Planes& planes, int bits);
+    void keep_picture(Machine& machine);
     std::string graded_log(Machine& machine, const hiddensurface::Algorithm& algorithm,
                            const hiddensurface::Input& input, hiddensurface::Level level);
     void keep_difference(const hiddensurface::Result& result, int width);
@@ -64,7 +86,8 @@ private:
     std::map<std::string, TextureRef> pictures_;
     std::unique_ptr<Machine> machine_;
     std::string machine_key_;
-    std::vector<std::uint8_t> picture_, difference_;
+    std::unique_ptr<Replayed> replayed_;
+    std::vector<std::uint8_t> picture_, change_, difference_;
 };
 
 }  // namespace gw::lab

@@ -43,6 +43,18 @@ public:
     std::string hidden(const std::string& options) {
         return answered([&] { return bench_.hidden(Json::parse(options)); });
     }
+    std::string passes(const std::string& options) {
+        return answered([&] { return bench_.passes(Json::parse(options)); });
+    }
+    std::string plane(const std::string& options) {
+        return answered([&] { return bench_.plane(Json::parse(options)); });
+    }
+    std::string history(const std::string& options) {
+        return answered([&] { return bench_.history(Json::parse(options)); });
+    }
+    std::string volumes(const std::string& options) {
+        return answered([&] { return bench_.volumes(Json::parse(options)); });
+    }
     std::string polygons(const std::string& options) {
         return answered([&] { return bench_.polygons(Json::parse(options)); });
     }
@@ -51,6 +63,7 @@ public:
     }
     /// A view of the engine's memory, until the next call.
     emscripten::val picture() const { return view_of(bench_.picture()); }
+    emscripten::val change() const { return view_of(bench_.change()); }
     emscripten::val difference() const { return view_of(bench_.difference()); }
 
 private:
@@ -82,9 +95,14 @@ EMSCRIPTEN_BINDINGS(gw) {
         .function("draw", &Engine::draw)
         .function("manifest", &Engine::manifest)
         .function("hidden", &Engine::hidden)
+        .function("passes", &Engine::passes)
+        .function("plane", &Engine::plane)
+        .function("history", &Engine::history)
+        .function("volumes", &Engine::volumes)
         .function("polygons", &Engine::polygons)
         .function("play", &Engine::play)
         .function("picture", &Engine::picture)
+        .function("change", &Engine::change)
         .function("difference", &Engine::difference);
     emscripten::function("algorithms", &gw::lab::algorithms);
     emscripten::function("simd_target", &gw::simd_target);

@@ -2,6 +2,7 @@
 import { fromAddress, toAddress, type PageState } from '../model/address';
 import type { Point } from '../model/log';
 import type { Settings } from '../model/settings';
+import { passesFrom, putPasses, type PassesState } from './passes_state';
 
 export interface LabState {
   exhibit: string;
@@ -15,8 +16,13 @@ export interface LabState {
   eye: Point | undefined;
   /** The visitor's program, packed; '': the example. */
   code: string;
+  passes: PassesState;
   page: PageState;
 }
+
+/** The scene that an exhibit begins with. */
+export const firstScene = (exhibit: string): string =>
+  exhibit === 'passes' ? 'rings.toml' : 'hidden/cycle.toml';
 
 export const sizes = ['64x48', '160x120', '320x240', '640x480'];
 export const profiles = ['vgx', 'reality', 'ideal'];
@@ -37,6 +43,7 @@ export function toLabAddress(state: LabState, defaults: Settings): string {
   parts.set('level', state.level);
   if (state.eye) parts.set('eye', state.eye.join(','));
   if (state.exhibit === 'own' && state.code) parts.set('code', state.code);
+  if (state.exhibit === 'passes') putPasses(parts, state.passes);
   const lab = parts.toString().replaceAll('%2C', ',').replaceAll('%2F', '/');
   return `#${lab}&${toAddress(state.page, defaults).slice(1)}`;
 }
@@ -51,15 +58,17 @@ export function fromLabAddress(
 ): LabState {
   const parts = new URLSearchParams(hash.replace(/^#/, ''));
   const eye = parts.get('eye')?.split(',').map(Number) ?? [];
+  const exhibit = oneOf(parts.get('exhibit'), exhibits, exhibits[0]!);
   return {
-    exhibit: oneOf(parts.get('exhibit'), exhibits, exhibits[0]!),
-    scene: parts.get('scene') ?? 'hidden/cycle.toml',
+    exhibit,
+    scene: parts.get('scene') ?? firstScene(exhibit),
     algorithms: (parts.get('algorithm') ?? 'newell').split(',').slice(0, 2),
     level: oneOf(parts.get('level'), levels, 'polygon'),
     size: oneOf(parts.get('size'), sizes, '320x240'),
     profile: oneOf(parts.get('profile'), profiles, 'vgx'),
     eye: eye.length === 3 && eye.every(Number.isFinite) ? (eye as unknown as Point) : undefined,
     code: parts.get('code') ?? '',
+    passes: passesFrom(parts),
     page: fromAddress(hash, defaults),
   };
 }

@@ -12,9 +12,14 @@ declare module 'gw-engine' {
     draw(options: string): string;
     manifest(options: string): string;
     hidden(options: string): string;
+    passes(options: string): string;
+    plane(options: string): string;
+    history(options: string): string;
+    volumes(options: string): string;
     polygons(options: string): string;
     play(options: string, steps: string): string;
     picture(): Uint8Array;
+    change(): Uint8Array;
     difference(): Uint8Array;
   }
   export interface EngineModule {

@@ -14,6 +14,8 @@ function answered(text: string): string {
   return text;
 }
 
+const json = (text: string): object => JSON.parse(answered(text)) as object;
+
 function write(files: Files): void {
   for (const [path, bytes] of Object.entries(files)) {
     lab.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
@@ -67,6 +69,19 @@ const methods: { [M in keyof Methods]: (...values: Parameters<Methods[M]>) => un
     return { answer, picture: engine.picture().slice(), milliseconds };
   },
   manifest: (options) => answered(engine.manifest(JSON.stringify(options))),
+  passes(options) {
+    const run = json(engine.passes(JSON.stringify(options)));
+    return { ...run, picture: engine.picture().slice() };
+  },
+  plane(pass, plane) {
+    const facts = json(engine.plane(JSON.stringify({ pass, plane })));
+    return { ...facts, picture: engine.picture().slice(), change: engine.change().slice() };
+  },
+  history: (x, y) => json(engine.history(JSON.stringify({ x, y }))),
+  volumes(options) {
+    const facts = json(engine.volumes(JSON.stringify(options)));
+    return { ...facts, picture: engine.picture().slice() };
+  },
   polygons: (options) => answered(engine.polygons(JSON.stringify(options))),
   play(options, steps) {
     const log = answered(engine.play(JSON.stringify(options), steps));

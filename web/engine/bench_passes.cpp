@@ -1,0 +1,113 @@
+// Passes at the bench: the list, each pass's planes, counters and estimated time; pixel histories.
+#include "gw/error.h"
+#include "image/plane_pictures.h"
+#include "inspect/compare/plane_values.h"
+#include "inspect/manifest/json_of.h"
+#include "inspect/replay/forwarding_machine.h"
+#include "inspect/replay/pixel_history.h"
+#include "inspect/report/prices.h"
+#include "multipass/passes/pass_toml.h"
+#include "multipass/passes/schedule.h"
+#include "web/engine/bench.h"
+#include "web/engine/rgba.h"
+
+#include <algorithm>
+
+namespace gw::lab {
+namespace {
+
+/// Where a pass that runs comes from.
+struct Source {
+    std::string set;
+    std::size_t row = 0;
+};
+
+/// By the names of the passes that run.
+std::map<std::string, Source> sources_of(const multipass::PassList& list,
+                                         const scene::Scene& scene) {
+    std::map<std::string, Source> sources;
+    const multipass::PassModel model = multipass::make_pass_model(scene);
+    for (const multipass::Step& step : multipass::schedule(list, model)) {
+        const auto row = std::find_if(list.begin(), list.end(), [&](const multipass::Pass& pass) {
+            return pass.name == step.pass.name;
+        });
+        sources[multipass::name_of(step, model)] = {multipass::to_string(step.pass.material),
+                                                    std::size_t(row - list.begin())};
+    }
+    return sources;
+}
+
+Plane plane_from(const std::string& word) {
+    for (const Plane plane : every_plane)
+        if (word == name_of(plane)) return plane;
+    throw Error("plane '" + word + "'; expected color, depth, stencil or accum");
+}
+
+Replayed& kept(const std::unique_ptr<Replayed>& replayed) {
+    if (!replayed) throw Error("nothing was drawn pass by pass; expected passes() before");
+    return *replayed;
+}
+
+}  // namespace
+
+Json Bench::passes(const Json& options) {
+    machine_key_.clear();
+    Machine& machine = machine_for(options);
+    inspect::Recording recording{
+        .profile = machine.profile(), .width = options.at("width"), .height = options.at("height")};
+    inspect::Recorder recorder(machine, recording.lists);
+    const Subject subject = subject_of(recorder, options);
+    subject.renderer.draw(recorder, subject.scene, subject.view, subject.draw);
+    keep_picture(machine);
+
+    multipass::PassList list;
+    if (subject.renderer.passes)
+        list = apps::pass_list(subject.renderer, subject.scene, subject.draw);
+    const auto sources = sources_of(list, subject.scene);
+    const report::PriceList prices = report::vgx_prices();
+    Json passes = Json::array();
+    for (const PassReport& pass : machine.passes()) {
+        const auto source = sources.find(pass.name);
+        const bool own = source != sources.end();
+        passes.push_back({{"name", pass.name},
+                          {"set", own ? source->second.set : ""},
+                          {"row", own ? Json(source->second.row) : Json()},
+                          {"counters", inspect::json_of(pass.counters)},
+                          {"seconds", report::estimated_seconds(pass.counters, prices)}});
+    }
+    replayed_ = std::make_unique<Replayed>(std::move(recording));
+    return {{"toml", multipass::to_toml(list)}, {"passes", passes}, {"machine", prices.machine}};
+}
+
+Json Bench::plane(const Json& options) {
+    Replayed& replayed = kept(replayed_);
+    const std::size_t pass = options.at("pass");
+    if (pass >= replayed.passes())
+        throw Error("pass " + std::to_string(pass) + "; expected less than " +
+                    std::to_string(replayed.passes()));
+    const Plane plane = plane_from(options.at("plane"));
+    const Profile& profile = replayed.recording().profile;
+    const Planes before = replayed.planes_after(pass);
+    const Planes& after = replayed.planes_after(pass + 1);
+    const image::Picture picture = image::plane_picture(after, plane, profile);
+    const auto apart = inspect::distances(before, after, plane);
+    image::Change change{image::distance_picture(apart, after.width, after.height)};
+    if (plane == Plane::Color)
+        change = image::change_picture(image::plane_picture(before, plane, profile), picture);
+    picture_ = rgba_of(picture);
+    change_ = rgba_of(change.picture);
+    return {{"changed", std::count_if(apart.begin(), apart.end(),
+                                      [](std::uint64_t distance) { return distance != 0; })},
+            {"times", change.times}};
+}
+
+Json Bench::history(const Json& options) {
+    const inspect::Recording& recording = kept(replayed_).recording();
+    const int x = options.at("x"), y = options.at("y");
+    if (x < 0 || y < 0 || x >= recording.width || y >= recording.height)
+        throw Error("pixel " + std::to_string(x) + " " + std::to_string(y) +
+                    " is outside the picture");
+    return inspect::history_rows(inspect::pixel_history(recording, x, recording.height - 1 - y));
+}
+
+}  // namespace gw::lab

@@ -1,0 +1,107 @@
+// Shadow volumes in space at the bench: objects of a scene that the machine draws from another eye.
+#include "gw/error.h"
+#include "multipass/shadow/shadows.h"
+#include "scene/draw/fit.h"
+#include "web/engine/bench.h"
+
+namespace gw::lab {
+namespace {
+
+std::size_t add_material(scene::Scene& scene, const char* name, const vec3& glow, float opacity) {
+    scene.materials.push_back(
+        {.name = name, .Ka = vec3(0), .Kd = vec3(0), .Ks = vec3(0), .Ke = glow, .d = opacity});
+    return scene.materials.size() - 1;
+}
+
+/// A small octahedron that shows where a light or an eye is.
+void add_mark(scene::Scene& scene, const dvec3& at, double radius, std::size_t material) {
+    MeshData data;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-radius, radius}) {
+            dvec3 corner = at;
+            corner[axis] += side;
+            data.positions.push_back(vec3(corner));
+        }
+    for (const std::uint32_t x : {0u, 1u})
+        for (const std::uint32_t y : {2u, 3u})
+            for (const std::uint32_t z : {4u, 5u})
+                for (const std::uint32_t corner : {x, y, z}) data.indices.push_back(corner);
+    scene.objects.push_back(
+        {.name = "mark", .mesh = make_mesh(std::move(data)), .material = material});
+}
+
+/// Adds the surfaces of the volumes that the objects of `scene` have. Returns their number.
+int add_volumes(scene::Scene& shown, const scene::Scene& scene, std::size_t material) {
+    const multipass::PassModel model = multipass::make_pass_model(scene);
+    const multipass::Shadows shadows = find_volumes(model, multipass::topologies(model));
+    int count = 0;
+    for (const auto& of_light : shadows.volumes)
+        for (std::size_t part = 0; part < of_light.size(); ++part) {
+            if (!of_light[part].caps) continue;
+            ++count;
+            for (const MeshRef& mesh : {of_light[part].caps, of_light[part].sides})
+                if (mesh)
+                    shown.objects.push_back(
+                        {.name = "volume",
+                         .mesh = mesh,
+                         .material = material,
+                         .world_from_object = model.parts[part].object->world_from_object});
+        }
+    return count;
+}
+
+/// Sees the scene from the side of its camera, from farther and higher.
+scene::Camera outside(const scene::Camera& camera, const scene::Bounds& bounds) {
+    scene::Camera far = camera;
+    far.at = (bounds.low + bounds.high) * 0.5;
+    const dvec3 away = camera.eye - far.at;
+    const double distance = glm::length(away) + glm::length(bounds.high - bounds.low);
+    const dvec3 side = glm::normalize(away) + glm::normalize(glm::cross(camera.up, away)) * 0.9 +
+                       glm::normalize(camera.up) * 0.5;
+    far.eye = far.at + glm::normalize(side) * distance;
+    far.aperture = far.near_plane = far.far_plane = 0;
+    return far;
+}
+
+Json json_of(const dvec3& p) { return Json::array({p.x, p.y, p.z}); }
+
+}  // namespace
+
+Json Bench::volumes(const Json& options) {
+    scene::Scene scene = scene_for(options);
+    load_textures(scene);
+    scene::Scene shown = scene;
+    const scene::Bounds bounds = scene::bounds(scene);
+    for (scene::Light& light : shown.lights) {
+        light.shadow = scene::Shadow::None;
+        light.area.shape = scene::AreaLight::Shape::None;
+    }
+    for (scene::Object& object : shown.objects) object.glare.reset();
+    shown.camera = outside(*scene.camera, bounds);
+    if (options.contains("from"))
+        for (int i = 0; i < 3; ++i) shown.camera->eye[i] = options["from"].at(std::size_t(i));
+
+    const double size = glm::length(bounds.high - bounds.low) * 0.015;
+    const std::size_t yellow = add_material(shown, "light", {1, 0.9f, 0.2f}, 1);
+    const std::size_t white = add_material(shown, "eye", {1, 1, 1}, 1);
+    for (const scene::Light& light : scene.lights)
+        if (light.kind != scene::LightKind::Directional)
+            add_mark(shown, dvec3(light.position), size, yellow);
+    add_mark(shown, scene.camera->eye, size, white);
+    const int count =
+        add_volumes(shown, scene, add_material(shown, "volume", {0.2f, 0.35f, 0.9f}, 0.3f));
+    if (count == 0) throw Error("no light of this scene casts a shadow volume");
+
+    Machine& machine = machine_for(options);
+    apps::DrawOptions draw;
+    draw.traced = false;
+    draw.passes.translucency = multipass::Translucency::Unsorted;  // all volumes have one colour
+    apps::renderer_named("multipass").draw(machine, shown, view_of(shown, options), draw);
+    keep_picture(machine);
+    return {{"volumes", count},
+            {"eye", json_of(shown.camera->eye)},
+            {"at", json_of(shown.camera->at)},
+            {"up", json_of(shown.camera->up)}};
+}
+
+}  // namespace gw::lab

@@ -1,0 +1,128 @@
+// The exhibit of passes as a hand uses it.
+import { expect, it } from 'vitest';
+import { inChromium, open, thePage, type LabWindow } from './page';
+
+inChromium();
+const text = (selector: string) => thePage().$eval(selector, (e) => e.textContent?.trim() ?? '');
+const begin = async (rest = '') => {
+  await open(`#lang=en&exhibit=passes&size=64x48${rest}`);
+  await thePage().waitForSelector('figure.many canvas');
+};
+/** Bytes of a figure's canvas. */
+const pixels = (figure: string) =>
+  thePage().$eval(`figure.${figure} canvas`, (e) => {
+    const canvas = e as HTMLCanvasElement;
+    const { width, height } = canvas;
+    return [...canvas.getContext('2d')!.getImageData(0, 0, width, height).data];
+  });
+
+it('shows the sum after a pass, and the whole picture at the end', async () => {
+  await begin('&scene=rings.toml');
+  const whole = await pixels('many');
+  const drawn = await thePage().evaluate(async () => {
+    const { machine } = window as unknown as LabWindow;
+    const options = { renderer: 'multipass', profile: 'vgx', width: 64, height: 48 };
+    return [...(await machine.ask('draw', options)).picture];
+  });
+  expect(whole).toEqual(drawn);
+  expect(await pixels('one')).not.toEqual(whole);
+  await thePage().keyboard.press('Home');
+  await thePage().waitForFunction(
+    () => document.querySelector('.pass-name')?.textContent === '1 depth',
+  );
+  await thePage().waitForFunction(() =>
+    document.querySelector('figure.many figcaption')?.textContent?.includes('pass 1 of'),
+  );
+  // The background, and shapes that are black.
+  const rgb = (await pixels('many')).filter((_, i) => i % 4 !== 3);
+  expect(Math.max(...rgb)).toBeLessThan(30);
+  expect(rgb.filter((v) => v === 0).length).toBeGreaterThan(100);
+});
+
+it('draws again when a cell is typed into, and marks a wrong one', async () => {
+  await begin('&scene=rings.toml');
+  const before = await pixels('many');
+  const row = await thePage().$$eval('table.passes tbody tr', (all) =>
+    all.findIndex((r) => r.querySelector<HTMLInputElement>('input')!.value === 'specular'),
+  );
+  const type = async (key: string, word: string) => {
+    const cell = `input[data-cell="${row} ${key}"]`;
+    await thePage().click(cell, { count: 3 });
+    await thePage().type(cell, word);
+    await thePage().keyboard.press('Enter');
+  };
+  await type('Ks', '0');
+  await thePage().waitForFunction(() => location.hash.includes('list='));
+  await thePage().waitForSelector('.scene-list');
+  await thePage().waitForFunction(
+    (before) => {
+      const canvas = document.querySelector<HTMLCanvasElement>('figure.many canvas')!;
+      const { width, height } = canvas;
+      const now = canvas.getContext('2d')!.getImageData(0, 0, width, height).data;
+      return before.some((v, i) => v !== now[i]);
+    },
+    {},
+    before,
+  );
+  await type('Ks', 'nonsense');
+  await thePage().waitForSelector('input.wrong');
+  expect(await thePage().$eval('input.wrong', (e) => (e as HTMLElement).dataset['cell'])).toBe(
+    `${row} Ks`,
+  );
+  expect(await text('[role=alert]')).toContain("'nonsense'");
+  await thePage().click('.scene-list');
+  await thePage().waitForFunction(() => !document.querySelector('[role=alert]'));
+});
+
+it('takes samples from the slider and keeps all in the link', async () => {
+  await begin('&scene=rings.toml');
+  const count = () => thePage().$$eval('.runs li', (all) => all.length);
+  const one = await count();
+  await thePage().focus('input.samples');
+  await thePage().keyboard.press('ArrowRight');
+  await thePage().waitForFunction(
+    (one) => document.querySelectorAll('.runs li').length > one,
+    {},
+    one,
+  );
+  await thePage().click('.plane-accum');
+  const address = await thePage().evaluate(() => location.hash);
+  expect(address).toContain('samples=2');
+  expect(address).toContain('view=accum');
+  await thePage().reload();
+  await thePage().waitForSelector('.plane-accum[aria-pressed=true]');
+  expect(await count()).toBeGreaterThan(one);
+});
+
+it('shows the history of a pixel that is clicked', async () => {
+  await begin('&scene=rings.toml');
+  await thePage().click('figure.many .stack');
+  await thePage().waitForSelector('.history table');
+  expect(await text('.history thead')).toContain('outcome');
+  expect((await text('.history tbody')).length).toBeGreaterThan(10);
+  expect(await thePage().evaluate(() => location.hash)).toMatch(/pixel=\d+,\d+/);
+});
+
+it('walks around shadow volumes', async () => {
+  await begin('&scene=columns.toml&shadow=volume');
+  await thePage().click('details.volumes summary');
+  await thePage().waitForSelector('details.volumes canvas');
+  expect(await text('details.volumes p')).toMatch(/^\d+ volumes/);
+  await thePage().$eval('details.volumes', (e) => e.scrollIntoView());
+  const box = (await (await thePage().$('details.volumes .stack'))!.boundingBox())!;
+  await thePage().mouse.move(box.x + 40, box.y + 40);
+  await thePage().mouse.down();
+  await thePage().mouse.move(box.x + 90, box.y + 50, { steps: 4 });
+  await thePage().mouse.up();
+  await thePage().waitForFunction(() => location.hash.includes('from='));
+});
+
+it('fits a phone, in Japanese', async () => {
+  await open('#lang=ja&exhibit=passes&size=160x120', 390, 800);
+  await thePage().waitForSelector('figure.many canvas');
+  const [content, screen] = await thePage().evaluate(() => [
+    document.documentElement.scrollWidth,
+    window.innerWidth,
+  ]);
+  expect(content).toBeLessThanOrEqual(screen!);
+});
