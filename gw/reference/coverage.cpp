@@ -53,14 +53,6 @@ std::int64_t center(std::int64_t pixel, int s) {
     return (pixel << s) + (std::int64_t{1} << (s - 1));
 }
 
-/// e(P) = A (PX - a.X) + B (PY - a.Y). Points on an edge belong to it if it is a left or top edge.
-bool inside_edge(const SnappedTriangle& t, std::size_t i, std::int64_t px, std::int64_t py) {
-    const std::size_t j = (i + 1) % 3;
-    const std::int64_t dx = t.x[j] - t.x[i], dy = t.y[j] - t.y[i];
-    const bool top_left = dy < 0 || (dy == 0 && dx < 0);
-    return -dy * (px - t.x[i]) + dx * (py - t.y[i]) - (top_left ? 0 : 1) >= 0;
-}
-
 /// The first pixel and one past the last whose centre may lie in [low, high], clamped to
 /// [from, from + size).
 std::pair<int, int> pixel_range(std::int64_t low, std::int64_t high, int s, int from, int size) {
@@ -71,9 +63,17 @@ std::pair<int, int> pixel_range(std::int64_t low, std::int64_t high, int s, int 
 
 }  // namespace
 
-bool covers(const SnappedTriangle& t, int x, int y) {
+// e(P) = A (PX - a.X) + B (PY - a.Y). Points on an edge belong to it if it is a left or top edge.
+Side side_at(const SnappedTriangle& t, std::size_t i, int x, int y) {
     const std::int64_t px = center(x, t.subpixel_bits), py = center(y, t.subpixel_bits);
-    return inside_edge(t, 0, px, py) && inside_edge(t, 1, px, py) && inside_edge(t, 2, px, py);
+    const std::size_t j = (i + 1) % 3;
+    const std::int64_t dx = t.x[j] - t.x[i], dy = t.y[j] - t.y[i];
+    const bool top_left = dy < 0 || (dy == 0 && dx < 0);
+    return {dx, dy, top_left, -dy * (px - t.x[i]) + dx * (py - t.y[i]) - (top_left ? 0 : 1)};
+}
+
+bool covers(const SnappedTriangle& t, int x, int y) {
+    return side_at(t, 0, x, y).e >= 0 && side_at(t, 1, x, y).e >= 0 && side_at(t, 2, x, y).e >= 0;
 }
 
 void cover_triangle(const SnappedTriangle& t, const Rect& box, const PixelSink& pixel) {

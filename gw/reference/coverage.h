@@ -37,6 +37,13 @@ SnappedLine snapped_line(const WindowVertex& a, const WindowVertex& b, const Jit
 
 using PixelSink = std::function<void(int x, int y)>;
 
+/// The side of a triangle from corner i to the next, at the centre of a pixel.
+struct Side {
+    std::int64_t dx = 0, dy = 0;
+    bool top_left = false;
+    std::int64_t e = 0;  ///< inside: >= 0
+};
+Side side_at(const SnappedTriangle& triangle, std::size_t i, int x, int y);
 /// Whether the centre of a pixel is inside by the top-left rule.
 bool covers(const SnappedTriangle& triangle, int x, int y);
 

@@ -4,18 +4,16 @@
 #include <cmath>
 
 namespace gw::reference {
-namespace {
-
-constexpr float largest_coordinate = 1073741824.0f;  // 2^30 units of 1/256 texel
-
-/// U W 2^e in units of 1/256 texel of a level whose side is 2^log2_size. Scaling by powers of two
-/// is exact.
+// Scaling by powers of two is exact.
 int level_coordinate(const PerspectiveValue& value, float uw, int log2_size, Wrap wrap) {
+    constexpr float largest_coordinate = 1073741824.0f;  // 2^30 units of 1/256 texel
     const float scaled = std::ldexp(uw, value.exponent + log2_size + 8);
     const float u = std::floor(std::clamp(scaled, -largest_coordinate, largest_coordinate));
     const int k = wrap == Wrap::Repeat ? 0 : static_cast<int>(value.offset) << (log2_size + 8);
     return static_cast<int>(u) + k;
 }
+
+namespace {
 
 /// GL's rho = max(m_u, m_v) in texels of level 0 per pixel.
 float rho_at(const Interpolants& v, const TexelLevel& base, float w, int x, int y) {

@@ -43,6 +43,9 @@ public:
     Json plane(const Json& options);
     /// The history of the pixel `x`, `y` of passes(), as `gw pixel` prints it.
     Json history(const Json& options);
+    /// A triangle of three `corners` in a window of `width` x `height` pixels, and all numbers of its
+    /// pixel `x`, `y` (row 0 at the bottom) by the manual; the machine's own fragment as `machine`.
+    Json pixel(const Json& options);
     /// The scene from the eye `from` with its shadow volumes as translucent objects, its lights and
     /// the view's eye; no `from`: from outside. Answers that eye and the number of volumes.
     Json volumes(const Json& options);

@@ -52,6 +52,9 @@ public:
     std::string history(const std::string& options) {
         return answered([&] { return bench_.history(Json::parse(options)); });
     }
+    std::string pixel(const std::string& options) {
+        return answered([&] { return bench_.pixel(Json::parse(options)); });
+    }
     std::string volumes(const std::string& options) {
         return answered([&] { return bench_.volumes(Json::parse(options)); });
     }
@@ -98,6 +101,7 @@ EMSCRIPTEN_BINDINGS(gw) {
         .function("passes", &Engine::passes)
         .function("plane", &Engine::plane)
         .function("history", &Engine::history)
+        .function("pixel", &Engine::pixel)
         .function("volumes", &Engine::volumes)
         .function("polygons", &Engine::polygons)
         .function("play", &Engine::play)

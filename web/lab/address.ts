@@ -1,7 +1,8 @@
 // The lab's state in the address: the page's own, and what the machine is asked for.
 import { fromAddress, toAddress, type PageState } from '../model/address';
 import type { Point } from '../model/log';
-import type { Settings } from '../model/settings';
+import { numbersFrom, type Settings } from '../model/settings';
+import { grid, pixelChoicesFrom, putPixel, type PixelChoices } from './pixel_state';
 import { passesFrom, putPasses, type PassesState } from './passes_state';
 
 export interface LabState {
@@ -17,12 +18,15 @@ export interface LabState {
   /** The visitor's program, packed; '': the example. */
   code: string;
   passes: PassesState;
+  pixel: PixelChoices;
+  /** The pixel of the grid that is explained; row 0 is at the bottom. */
+  pixelAt: [number, number];
   page: PageState;
 }
 
 /** The scene that an exhibit begins with. */
 export const firstScene = (exhibit: string): string =>
-  exhibit === 'passes' ? 'rings.toml' : 'hidden/cycle.toml';
+  exhibit === 'passes' || exhibit === 'pixel' ? 'rings.toml' : 'hidden/cycle.toml';
 
 export const sizes = ['64x48', '160x120', '320x240', '640x480'];
 export const profiles = ['vgx', 'reality', 'ideal'];
@@ -44,7 +48,11 @@ export function toLabAddress(state: LabState, defaults: Settings): string {
   if (state.eye) parts.set('eye', state.eye.join(','));
   if (state.exhibit === 'own' && state.code) parts.set('code', state.code);
   if (state.exhibit === 'passes') putPasses(parts, state.passes);
-  const lab = parts.toString().replaceAll('%2C', ',').replaceAll('%2F', '/');
+  if (state.exhibit === 'pixel') {
+    parts.set('at', state.pixelAt.join(','));
+    putPixel(parts, state.pixel);
+  }
+  const lab = parts.toString().replaceAll('%2C', ',').replaceAll('%2F', '/').replaceAll('%3B', ';');
   return `#${lab}&${toAddress(state.page, defaults).slice(1)}`;
 }
 
@@ -59,16 +67,22 @@ export function fromLabAddress(
   const parts = new URLSearchParams(hash.replace(/^#/, ''));
   const eye = parts.get('eye')?.split(',').map(Number) ?? [];
   const exhibit = oneOf(parts.get('exhibit'), exhibits, exhibits[0]!);
+  const profile = oneOf(parts.get('profile'), profiles, 'vgx');
+  const [x, y] = numbersFrom(parts.get('at'));
+  const isInside =
+    x !== undefined && y !== undefined && x >= 0 && y >= 0 && x < grid.width && y < grid.height;
   return {
     exhibit,
     scene: parts.get('scene') ?? firstScene(exhibit),
     algorithms: (parts.get('algorithm') ?? 'newell').split(',').slice(0, 2),
     level: oneOf(parts.get('level'), levels, 'polygon'),
     size: oneOf(parts.get('size'), sizes, '320x240'),
-    profile: oneOf(parts.get('profile'), profiles, 'vgx'),
+    profile,
     eye: eye.length === 3 && eye.every(Number.isFinite) ? (eye as unknown as Point) : undefined,
     code: parts.get('code') ?? '',
     passes: passesFrom(parts),
+    pixel: pixelChoicesFrom(parts, profile),
+    pixelAt: isInside ? [Math.floor(x), Math.floor(y)] : [6, 4],
     page: fromAddress(hash, defaults),
   };
 }

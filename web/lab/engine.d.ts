@@ -15,6 +15,7 @@ declare module 'gw-engine' {
     passes(options: string): string;
     plane(options: string): string;
     history(options: string): string;
+    pixel(options: string): string;
     volumes(options: string): string;
     polygons(options: string): string;
     play(options: string, steps: string): string;

@@ -78,6 +78,10 @@ const methods: { [M in keyof Methods]: (...values: Parameters<Methods[M]>) => un
     return { ...facts, picture: engine.picture().slice(), change: engine.change().slice() };
   },
   history: (x, y) => json(engine.history(JSON.stringify({ x, y }))),
+  pixel(options) {
+    const facts = json(engine.pixel(JSON.stringify(options)));
+    return { order: [], sides: [], steps: [], ...facts, picture: engine.picture().slice() };
+  },
   volumes(options) {
     const facts = json(engine.volumes(JSON.stringify(options)));
     return { ...facts, picture: engine.picture().slice() };
