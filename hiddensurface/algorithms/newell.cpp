@@ -6,6 +6,7 @@
 // and cuts, in the world. All of it is decided before the snap, which bends polygons.
 #include "hiddensurface/lines/world_lines.h"
 #include "hiddensurface/model/world_piece.h"
+#include "hiddensurface/structures/merge_sort.h"
 
 #include <algorithm>
 
@@ -78,7 +79,7 @@ private:
 
     void sort() {
         output_.counts.sorts += 1;
-        std::stable_sort(list_.begin(), list_.end(), [&](const Item& a, const Item& b) {
+        merge_sort(list_.begin(), list_.end(), [&](const Item& a, const Item& b) {
             output_.counts.keys += 1;
             return nearer(a, b);
         });

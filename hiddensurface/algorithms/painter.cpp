@@ -4,6 +4,7 @@
 // Does not claim to be right: the distance of one point does not always say which polygon hides
 // which. Never splits.
 #include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/structures/merge_sort.h"
 
 #include <algorithm>
 
@@ -42,7 +43,7 @@ Output paint(const Input& input, StepLog& log, const std::string& pass, double P
     const std::vector<std::size_t> given = visible_polygons(input);
     std::vector<std::size_t> order = given;
     log.watch(watched(output.counts));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    merge_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         const Polygon &p = input.polygons[a], &q = input.polygons[b];
         output.counts.keys += 1;
         if (log.on())

@@ -13,6 +13,7 @@
 // quadratic in the visible ones. (For 76,460 polygons of scenes/fig9.toml in 320 x 240: 983 million
 // boxes, 435 thousand polygons clipped.) The paper sorts the scene into a coarse raster first; that
 // is left out. Clip polygons are convex here: faces.
+#include "hiddensurface/structures/merge_sort.h"
 #include "hiddensurface/structures/region.h"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ public:
             all.push_back(make(i, faces_[i].name, {outlines_[i]}));
         }
         output_.counts.sorts = 1;
-        std::stable_sort(all.begin(), all.end(), [this](const Fragment* a, const Fragment* b) {
+        merge_sort(all.begin(), all.end(), [this](const Fragment* a, const Fragment* b) {
             output_.counts.keys += 1;
             return faces_[a->face].nearest < faces_[b->face].nearest;
         });

@@ -93,8 +93,8 @@ private:
         if (!begins || !ends || !contours_crossed(s, from, to, changes) ||
             !faces_pierced(s, from, to, changes))
             return false;
-        std::sort(changes.begin(), changes.end(),
-                  [](const Change& x, const Change& y) { return x.t < y.t; });
+        std::stable_sort(changes.begin(), changes.end(),
+                         [](const Change& x, const Change& y) { return x.t < y.t; });
         int number = *known_[from] + *begins;
         if (log_.on()) values = values_of(number, changes, !forward);
         std::vector<Part> hidden;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hiddensurface/model/face.h"
+#include "hiddensurface/structures/merge_sort.h"
 #include "hiddensurface/structures/scan_conversion.h"
 
 #include <memory>
@@ -55,8 +56,8 @@ void sort_again(std::vector<T>& list, std::size_t more, Counts& counts, const Be
             counts.swaps += 1;
         }
     const auto middle = list.begin() + std::ptrdiff_t(old);
-    std::stable_sort(middle, list.end(), counted);
-    std::inplace_merge(list.begin(), middle, list.end(), counted);
+    merge_sort(middle, list.end(), counted);
+    merge_sorted(list.begin(), middle, list.end(), counted);
 }
 
 }  // namespace gw::hiddensurface

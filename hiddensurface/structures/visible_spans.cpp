@@ -1,5 +1,6 @@
 #include "hiddensurface/structures/visible_spans.h"
 
+#include "hiddensurface/structures/merge_sort.h"
 #include "hiddensurface/structures/scan_conversion.h"
 
 #include <algorithm>
@@ -91,7 +92,7 @@ private:
         std::vector<int> ends;
         for (const Segment& s : segments) ends.insert(ends.end(), {s.x0, s.x1});
         counts_.sorts += 1;
-        std::sort(ends.begin(), ends.end(), [this](int a, int b) {
+        merge_sort(ends.begin(), ends.end(), [this](int a, int b) {
             counts_.crossings += 1;
             return a < b;
         });

@@ -2,6 +2,7 @@
 // L8]
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/model/piece.h"
+#include "hiddensurface/structures/merge_sort.h"
 #include "hiddensurface/structures/scan_conversion.h"
 #include "tests/hiddensurface/cases.h"
 
@@ -160,6 +161,47 @@ TEST(Project, HasTheMachinesPixelsAndDepths) {
                     }
         trial.machine->execute(scene::id_pass(trial.scene, trial.view));
         EXPECT_EQ(mine.depth, trial.machine->planes().depth) << profile.name;
+    }
+}
+
+// The sort whose questions the counters and step logs show.
+TEST(MergeSort, IsStableAndAsksTheSameEverywhere) {
+    using Question = std::pair<int, int>;
+    std::vector<Question> asked;
+    std::vector<int> list{31, 10, 20, 11, 30};  // by tens: 31 before 30, 10 before 11
+    merge_sort(list.begin(), list.end(), [&](int a, int b) {
+        asked.emplace_back(a, b);
+        return a / 10 < b / 10;
+    });
+    EXPECT_EQ(list, (std::vector<int>{10, 11, 20, 31, 30}));
+    // 31 | 10; then 11 | 30 and 20 | 11 30; then 10 31 | 11 20 30.
+    EXPECT_EQ(asked, (std::vector<Question>{{10, 31},
+                                            {10, 31},
+                                            {30, 11},
+                                            {11, 20},
+                                            {11, 20},
+                                            {30, 20},
+                                            {11, 31},
+                                            {11, 10},
+                                            {11, 31},
+                                            {20, 31},
+                                            {30, 31}}));
+
+    for (std::uint32_t seed = 1; seed <= 50; ++seed) {
+        Random random(seed);
+        std::vector<std::pair<int, int>> pairs;
+        for (int i = 0; i < int(seed); ++i) pairs.emplace_back(int(random(0, 9)), i);
+        auto expected = pairs;
+        const auto lower = [](const auto& a, const auto& b) { return a.first < b.first; };
+        std::stable_sort(expected.begin(), expected.end(), lower);
+        merge_sort(pairs.begin(), pairs.end(), lower);
+        EXPECT_EQ(pairs, expected) << seed;
+        std::size_t questions = 0;
+        merge_sort(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
+            ++questions;
+            return lower(a, b);
+        });
+        EXPECT_EQ(questions, pairs.size() - 1);  // in order already
     }
 }
 
