@@ -82,6 +82,7 @@ void Bench::add_picture(const std::string& path, int width, int height, int bits
 }
 
 Json Bench::open(const std::string& path) {
+    driver_.reset();
     file_ = scene::read_scene(path);
     Json objects = Json::array(), lights = Json::array(), pictures = Json::array();
     for (const scene::Object& object : file_.scene.objects)
@@ -131,6 +132,7 @@ Machine& Bench::machine_for(const Json& options) {
     const std::string key = profile + " " + std::to_string(width) + " " + std::to_string(height);
     if (key != machine_key_) {
         machine_key_.clear();
+        driver_.reset();
         machine_.reset();
         machine_ = make_fast(profile_named(profile), width, height, {.threads = 1});
         machine_key_ = key;
@@ -183,9 +185,34 @@ void Bench::keep_picture(Machine& machine) {
         image::picture_of(planes.color, planes.width, planes.height, machine.profile().color_bits));
 }
 
+void Bench::draw_again(Machine& machine, const Subject& subject, const Json& options) {
+    Json key = options;
+    for (const char* of_eye : {"eye", "at", "up", "fov"}) key.erase(of_eye);
+    if (!driver_ || key.dump() != driver_key_) {
+        multipass::Options passes = subject.draw.passes;
+        passes.renderer = *subject.renderer.passes;
+        const bool traced =
+            subject.draw.traced && passes.renderer == multipass::Renderer::Multipass;
+        driver_ = traced
+                      ? itembuffer::make_driver(machine, subject.scene, passes, subject.draw.rays)
+                      : std::make_unique<multipass::Driver>(machine, subject.scene, passes);
+        driver_key_ = key.dump();
+    }
+    driver_->draw(subject.view);
+}
+
 Json Bench::draw(const Json& options) {
     Machine& machine = machine_for(options);
-    draw_scene(machine, options);
+    const Subject subject = subject_of(machine, options);
+    const bool has_generated_maps = std::any_of(
+        file_.scene.materials.begin(), file_.scene.materials.end(), [](const scene::Material& m) {
+            return std::any_of(m.refl.begin(), m.refl.end(),
+                               [](const scene::Map& map) { return map.from_scene > 0; });
+        });
+    if (subject.renderer.passes && !has_generated_maps)
+        draw_again(machine, subject, options);
+    else
+        subject.renderer.draw(machine, subject.scene, subject.view, subject.draw);
     keep_picture(machine);
     Json passes = Json::array();
     for (const PassReport& pass : machine.passes())

@@ -78,6 +78,8 @@ private:
         apps::DrawOptions draw;
     };
     Subject subject_of(Machine& machine, const Json& options) const;
+    /// Draws with what the last picture left that no eye changes; the same bits.
+    void draw_again(Machine& machine, const Subject& subject, const Json& options);
     void draw_scene(Machine& machine, const Json& options) const;
     void load_textures(scene::Scene& scene) const;
     void keep_picture(Machine& machine);
@@ -89,6 +91,8 @@ private:
     std::map<std::string, TextureRef> pictures_;
     std::unique_ptr<Machine> machine_;
     std::string machine_key_;
+    std::unique_ptr<multipass::Driver> driver_;  ///< of machine_
+    std::string driver_key_;
     std::unique_ptr<Replayed> replayed_;
     std::vector<std::uint8_t> picture_, change_, difference_;
 };

@@ -28,7 +28,7 @@ export interface LabState {
 export const firstScene = (exhibit: string): string =>
   exhibit === 'passes' || exhibit === 'pixel' ? 'rings.toml' : 'hidden/cycle.toml';
 
-export const sizes = ['64x48', '160x120', '320x240', '640x480'];
+export const sizes = ['64x48', '128x96', '160x120', '320x240', '640x480'];
 export const profiles = ['vgx', 'reality', 'ideal'];
 export const levels = ['polygon', 'line', 'span', 'pixel'];
 

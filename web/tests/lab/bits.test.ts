@@ -51,7 +51,19 @@ const pictures: Picture[] = [
     'needles',
     'columns',
     'edges',
+    'coarse_rings',
+    'rings_plain',
+    'soft',
+    'motion',
+    'focus',
+    'glare',
+    'facing_mirrors',
+    'styles',
+    'cornell',
   ].map((scene): Picture => [scene, 'multipass', 'vgx', 80, 60]),
+  ...(['reality', 'ideal'] as const).flatMap((profile): Picture[] =>
+    ['teapot', 'fog', 'columns'].map((scene) => [scene, 'multipass', profile, 80, 60]),
+  ),
 ];
 const surfaces = [
   'back-face',
@@ -103,6 +115,25 @@ describe('the lab leaves the bits of gw render', () => {
     expect(theirs.passes.length).toBeGreaterThan(0);
     expect(compared(ours)).toEqual(theirs);
   });
+});
+
+it.each(['fig9', 'rings', 'fog'])('%s has the same bits from eye to eye', async (scene) => {
+  // draw() keeps what no eye changes; passes() begins anew.
+  const same = await thePage().evaluate(async (path) => {
+    const { machine } = window as unknown as LabWindow;
+    const { eye, at, up } = await machine.ask('open', path);
+    const all: boolean[] = [];
+    for (const by of [0, 0.3, 0.6]) {
+      const view = { eye: [eye[0] + by, eye[1] + by, eye[2]], at: [...at], up: [...up] };
+      const options = { renderer: 'multipass', profile: 'vgx', width: 80, height: 60, ...view };
+      const { picture } = await machine.ask('draw', options);
+      const anew = await machine.ask('passes', options);
+      await machine.ask('draw', options); // passes() made another machine
+      all.push(picture.length > 0 && picture.every((v, i) => v === anew.picture[i]));
+    }
+    return all;
+  }, `/scenes/${scene}.toml`);
+  expect(same).toEqual([true, true, true]);
 });
 
 /** A line without the count that depends on the size of a pointer. */
