@@ -1,5 +1,5 @@
 // Builds the lab as one file: page, worker, WebAssembly and scenes. GW_ENGINE is the folder of
-// engine.js and engine.wasm, GW_SCENES the folder of the scenes, GW_WEB_OUT that of the page.
+// engine.js and engine.wasm, GW_SCALAR that of the engine without vectors, GW_SCENES the folder of the scenes, GW_WEB_OUT that of the page.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -8,6 +8,7 @@ import { defineConfig, type Plugin } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
 
 const engine = process.env.GW_ENGINE ?? '../build/lab/engine';
+const scalar = process.env.GW_SCALAR ?? '../build/lab/scalar';
 const scenes = process.env.GW_SCENES ?? '../scenes';
 const packed = (bytes: Uint8Array | string): string =>
   gzipSync(bytes, { level: 9 }).toString('base64');
@@ -32,6 +33,7 @@ function data(): Plugin {
       page.replace(
         '<!-- engine -->',
         block('engine', packed(readFileSync(join(engine, 'engine.wasm')))) +
+          block('scalar', packed(readFileSync(join(scalar, 'engine.wasm')))) +
           block('scenes', packed(JSON.stringify(sceneFiles()))),
       ),
   };
@@ -49,7 +51,10 @@ function withoutFile(): Plugin {
   };
 }
 
-const alias = { 'gw-engine': resolve(engine, 'engine.js') };
+const alias = {
+  'gw-engine': resolve(engine, 'engine.js'),
+  'gw-scalar': resolve(scalar, 'engine.js'),
+};
 
 export default defineConfig({
   root: 'lab',

@@ -1,6 +1,10 @@
 // The bytes that stand in the page: WebAssembly and scenes.
-const bytesOf = (base64: string): Uint8Array =>
-  Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+function bytesOf(base64: string): Uint8Array {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  return bytes;
+}
 
 async function unpacked(id: string): Promise<Response> {
   const text = document.getElementById(id)?.textContent ?? '';
@@ -8,8 +12,16 @@ async function unpacked(id: string): Promise<Response> {
   return new Response(stream.pipeThrough(new DecompressionStream('gzip')));
 }
 
-export const engineBytes = async (): Promise<ArrayBuffer> =>
-  (await unpacked('engine')).arrayBuffer();
+/** A module with a value of 128 bits. */
+const vectorModule = [
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15,
+  253, 98, 11,
+];
+/** Whether this browser has WebAssembly's vectors. */
+export const hasVectors = (): boolean => WebAssembly.validate(new Uint8Array(vectorModule));
+
+export const engineBytes = async (vectors: boolean): Promise<ArrayBuffer> =>
+  (await unpacked(vectors ? 'engine' : 'scalar')).arrayBuffer();
 
 export const folder = '/scenes/';
 

@@ -34,3 +34,7 @@ declare module 'gw-engine' {
   }
   export default function make_engine(settings: { wasmBinary: ArrayBuffer }): Promise<EngineModule>;
 }
+// The same without vectors.
+declare module 'gw-scalar' {
+  export { default } from 'gw-engine';
+}

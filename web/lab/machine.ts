@@ -16,14 +16,16 @@ export class Machine {
 
   private constructor(
     private readonly wasm: ArrayBuffer,
+    private readonly vectors: boolean,
     private files: Files,
   ) {}
 
   static async start(
     wasm: ArrayBuffer,
+    vectors: boolean,
     files: Files,
   ): Promise<[Machine, ReturnType<Methods['start']>]> {
-    const machine = new Machine(wasm, files);
+    const machine = new Machine(wasm, vectors, files);
     return [machine, await machine.begin()];
   }
 
@@ -36,7 +38,7 @@ export class Machine {
       if (error === undefined) asked?.done(value);
       else asked?.failed(new Error(error));
     };
-    return this.ask('start', this.wasm, this.files);
+    return this.ask('start', this.wasm, this.vectors, this.files);
   }
 
   ask<M extends keyof Methods>(method: M, ...values: Parameters<Methods[M]>): Result<M> {

@@ -1,14 +1,15 @@
 // Starts the lab: the machine in its worker, with the scenes that stand in the page.
 import { mount } from 'svelte';
 import App from './App.svelte';
-import { engineBytes, sceneFiles } from './data';
+import { engineBytes, hasVectors, sceneFiles } from './data';
 import { Machine } from './machine';
 
 async function start(): Promise<void> {
-  const [wasm, files] = await Promise.all([engineBytes(), sceneFiles()]);
-  const [machine, facts] = await Machine.start(wasm, files);
+  const vectors = hasVectors();
+  const [wasm, files] = await Promise.all([engineBytes(vectors), sceneFiles()]);
+  const [machine, facts] = await Machine.start(wasm, vectors, files);
   // The tests of the same bits ask the machine itself.
-  Object.assign(window, { machine });
+  Object.assign(window, { machine, facts });
   mount(App, {
     target: document.getElementById('app')!,
     props: { machine, facts, scenes: Object.keys(files) },

@@ -203,7 +203,12 @@ export interface Graded {
 
 /** The methods of the worker: arguments to answers. */
 export interface Methods {
-  start(wasm: ArrayBuffer, files: Files): { algorithms: readonly AlgorithmName[]; simd: string };
+  /** `vectors`: which of the two engines `wasm` is. */
+  start(
+    wasm: ArrayBuffer,
+    vectors: boolean,
+    files: Files,
+  ): { algorithms: readonly AlgorithmName[]; simd: string };
   write(files: Files): void;
   open(path: string): SceneFacts;
   draw(options: DrawOptions): Drawn;

@@ -1,5 +1,6 @@
 // The machine in a worker: requests in, answers out, one after the other.
 import make_engine, { type Engine, type EngineModule } from 'gw-engine';
+import make_scalar from 'gw-scalar';
 import { decode } from 'fast-png';
 import type { Answer, Files, Methods, Request, SceneFacts } from './protocol';
 
@@ -50,8 +51,8 @@ function addPicture(path: string): void {
 }
 
 const methods: { [M in keyof Methods]: (...values: Parameters<Methods[M]>) => unknown } = {
-  async start(wasm, files) {
-    lab = await make_engine({ wasmBinary: wasm });
+  async start(wasm, vectors, files) {
+    lab = await (vectors ? make_engine : make_scalar)({ wasmBinary: wasm });
     engine = new lab.Engine();
     write(files);
     return { algorithms: JSON.parse(lab.algorithms()) as unknown, simd: lab.simd_target() };

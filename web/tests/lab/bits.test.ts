@@ -117,6 +117,28 @@ describe('the lab leaves the bits of gw render', () => {
   });
 });
 
+it.each(['fast', 'reference'])('%s reproduces every row of the table of digests', async (name) => {
+  const program = process.env['GW_EXACTNESS'] ?? '../build/lab/engine/exactness.js';
+  const table = process.env['GW_TABLE'] ?? '../tests/exactness/digests.txt';
+  const expected = readFileSync(table, 'utf8').trim().split('\n');
+  await thePage().addScriptTag({ path: program });
+  const lines = await thePage().evaluate(async (machine) => {
+    type Make = (settings: {
+      arguments: string[];
+      print: (line: string) => void;
+    }) => Promise<unknown>;
+    const { make_exactness } = window as unknown as { make_exactness: Make };
+    const lines: string[] = [];
+    await make_exactness({
+      arguments: ['--machine', machine],
+      print: (line) => lines.push(line),
+    });
+    return lines;
+  }, name);
+  expect(expected.length).toBeGreaterThan(190);
+  expect(lines).toEqual(expected);
+});
+
 it.each(['fig9', 'rings', 'fog'])('%s has the same bits from eye to eye', async (scene) => {
   // draw() keeps what no eye changes; passes() begins anew.
   const same = await thePage().evaluate(async (path) => {

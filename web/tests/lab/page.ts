@@ -2,6 +2,7 @@
 import puppeteer, { type Browser, type Page } from 'puppeteer-core';
 import { afterAll, afterEach, beforeAll, beforeEach, expect } from 'vitest';
 import type { Machine } from '../../lab/machine';
+import type { Methods } from '../../lab/protocol';
 
 export const lab = process.env['GW_LAB'] ?? '../build/lab/index.html';
 
@@ -50,4 +51,5 @@ export async function open(hash: string, width = 1280, height = 720): Promise<vo
 
 export interface LabWindow {
   machine: Machine;
+  facts: ReturnType<Methods['start']>;
 }
