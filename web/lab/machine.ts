@@ -1,5 +1,5 @@
-// The machine as the page sees it: every method of the worker as a promise. A worker that does not
-// answer in time is ended, and another one begins with the same files.
+// The machine as the page sees it: every method of the worker as a promise. A worker that is stopped,
+// or whose memory is full, is ended, and another one begins with the same files.
 import type { Answer, Files, Methods } from './protocol';
 import MachineWorker from './worker?worker&inline';
 
@@ -10,7 +10,11 @@ export class Machine {
   private number = 0;
   private readonly waiting = new Map<
     number,
-    { done: (value: unknown) => void; failed: (error: Error) => void }
+    {
+      method: keyof Methods;
+      done: (value: unknown) => void;
+      failed: (error: Error) => void;
+    }
   >();
   private scene = '';
 
@@ -37,6 +41,10 @@ export class Machine {
       this.waiting.delete(number);
       if (error === undefined) asked?.done(value);
       else asked?.failed(new Error(error));
+      if (error?.startsWith('not enough memory')) {
+        if (asked?.method === 'open') this.scene = ''; // it would fail again
+        this.stop(error).catch(() => undefined); // the page has the error
+      }
     };
     return this.ask('start', this.wasm, this.vectors, this.files);
   }
@@ -45,7 +53,7 @@ export class Machine {
     const number = ++this.number;
     if (method === 'open') this.scene = values[0] as string;
     return new Promise((done, failed) => {
-      this.waiting.set(number, { done: done as (value: unknown) => void, failed });
+      this.waiting.set(number, { method, done: done as (value: unknown) => void, failed });
       this.worker!.postMessage({ number, method, values });
     });
   }
@@ -60,7 +68,9 @@ export class Machine {
     this.worker?.terminate();
     for (const { failed } of this.waiting.values()) failed(new Error(why));
     this.waiting.clear();
-    await this.begin();
-    if (this.scene) await this.ask('open', this.scene);
+    // Both before anything else that is asked meanwhile.
+    const begun = this.begin();
+    const opened = this.scene ? this.ask('open', this.scene) : undefined;
+    await Promise.all([begun, opened]);
   }
 }

@@ -98,8 +98,7 @@ const methods: { [M in keyof Methods]: (...values: Parameters<Methods[M]>) => un
   },
 };
 
-self.onmessage = async (event: MessageEvent<Request>) => {
-  const { number, method, values } = event.data;
+async function take({ number, method, values }: Request): Promise<void> {
   const answer = (rest: Omit<Answer, 'number'>) => self.postMessage({ number, ...rest });
   try {
     const call = methods[method] as (...values: readonly unknown[]) => unknown;
@@ -107,4 +106,9 @@ self.onmessage = async (event: MessageEvent<Request>) => {
   } catch (error) {
     answer({ error: error instanceof Error ? error.message : String(error) });
   }
+}
+
+let last = Promise.resolve();
+self.onmessage = (event: MessageEvent<Request>) => {
+  last = last.then(() => take(event.data));
 };

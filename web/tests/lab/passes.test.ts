@@ -117,6 +117,18 @@ it('walks around shadow volumes', async () => {
   await thePage().waitForFunction(() => location.hash.includes('from='));
 });
 
+it('can be stopped, and goes on', async () => {
+  // Its generated maps are drawn in pieces as large as the window: most of a minute.
+  await open('#lang=en&exhibit=passes&size=64x48&scene=mirrors.toml');
+  const stop = await thePage().waitForSelector('.choices button');
+  await stop!.click();
+  await thePage().waitForSelector('[role=alert]');
+  expect(await text('[role=alert]')).toBe('Stopped.');
+  await thePage().select('select.scene', 'rings.toml');
+  await thePage().waitForSelector('figure.many canvas');
+  expect(await thePage().$('[role=alert]')).toBeNull();
+});
+
 it('fits a phone, in Japanese', async () => {
   await open('#lang=ja&exhibit=passes&size=160x120', 390, 800);
   await thePage().waitForSelector('figure.many canvas');
