@@ -174,9 +174,12 @@ private:
         const radiosity::Update update =
             solver_.update(radiosity::make_model(changed, options_.model));
         const int more = update.hemicubes + solve(solver_);
-        print(fmt::format(
-            "changed: the light of {} patches sent anew, {} hemicubes, {:.2f} s to {:.4f} unshot\n",
-            update.patches, more, seconds_since(begin), unshot(solver_)));
+        const std::string sent =
+            update.anew ? "the solution begun again"
+                        : fmt::format("the light of {} sent anew",
+                                      inspect::plural(update.patches, "patch", "patches"));
+        print(fmt::format("changed: {}, {} hemicubes, {:.2f} s to {:.4f} unshot\n", sent, more,
+                          seconds_since(begin), unshot(solver_)));
         image::OutputSet files(session_.inputs);
         const std::string text =
             RadiosityPictures(options_, changed, session_).put(solver_, "changed", files);

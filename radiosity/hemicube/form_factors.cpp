@@ -15,7 +15,16 @@ constexpr std::size_t slots = 8;  ///< hemicubes at a time; does not depend on t
 /// The near plane's distance, in parts of the size of the point's part; Gauss' points are a fifth
 /// of that from its border.
 constexpr double near_part = 1.0 / 64;
+/// A surface at distance d is at least d / sqrt(3) deep in the face that sees it.
+constexpr double near_of_nearest = 0.5;
 constexpr double least_near = 1e-6;  ///< in parts of the scene's extent
+
+static_assert(near_of_nearest * nearest_known >= near_part);
+
+double near_plane_of(const ShootPoint& point, double extent) {
+    return std::max(std::min(point.size * near_part, point.nearest * near_of_nearest),
+                    extent * least_near);
+}
 
 /// SplitMix64: a well-mixed number from (seed, number).
 std::uint64_t mixed(std::uint64_t v) {
@@ -82,7 +91,7 @@ void FormFactors::draw(const std::vector<ShootPoint>& points, std::size_t first,
         if (options_.cancel && *options_.cancel) return;
         const ShootPoint& point = points[first + i];
         Slot& slot = slots_[i];
-        const double near_plane = std::max(point.size * near_part, model_.extent * least_near);
+        const double near_plane = near_plane_of(point, model_.extent);
         slot.hemicube =
             hemicube_at(point.position, point.normal, turn_of(options_.seed, turns, first + i),
                         near_plane, model_.extent * 1.01 + near_plane, options_.hemicube);

@@ -102,7 +102,37 @@ private:
     }
 
     void add_point(const Covered& found, const dvec2& uv, double area, double size) {
-        points.push_back({found.facet->at(uv), found.facet->normal, area / patch_.area, size});
+        const dvec3 p = found.facet->at(uv);
+        points.push_back({p, found.facet->normal, area / patch_.area, size,
+                          nearest(p, *found.facet, nearest_known * size)});
+    }
+
+    /// The distance of the nearest surface above own's plane; infinite if it is more than `most`.
+    double nearest(const dvec3& p, const Facet& own, double most) const {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Facet& facet : model_.facets) {
+            if (&facet == &own || length(facet.center - p) - facet.radius > most) continue;
+            if (rise(facet, p, own) <= touching * model_.extent) continue;
+            const double d = distance(p, facet);
+            if (d <= most) least = std::min(least, d);
+        }
+        return least;
+    }
+
+    /// How far a facet's corners rise above own's plane.
+    static double rise(const Facet& facet, const dvec3& p, const Facet& own) {
+        double high = 0;
+        for (int k = 0; k < facet.corner_count; ++k)
+            high = std::max(high, dot3(own.normal, facet.corners[std::size_t(k)] - p));
+        return high;
+    }
+
+    static double distance(const dvec3& p, const Facet& facet) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Triangle2& t : facet.triangles)
+            least = std::min(least, length(p - nearest_point(p, facet.at(t[0]), facet.at(t[1]),
+                                                             facet.at(t[2]))));
+        return least;
     }
 
     bool divided(const Part& part, const Covered& found, double extent) const {
@@ -118,16 +148,11 @@ private:
                 length(facet.center - p) - facet.radius > extent / options_.nearness)
                 continue;
             if (dot3(facet.normal, p) - facet.offset <= 0) continue;  // shows its back
-            double high = 0;
-            for (int k = 0; k < facet.corner_count; ++k)
-                high = std::max(high, dot3(own.normal, facet.corners[std::size_t(k)] - p));
-            if (high <= 1e-6 * model_.extent) continue;
-            for (const Triangle2& t : facet.triangles) {
-                const double d =
-                    length(p - nearest_point(p, facet.at(t[0]), facet.at(t[1]), facet.at(t[2])));
-                const double seen = extent > d ? 1 : std::min(1.0, high / d);
-                if (extent * seen > options_.nearness * d) return true;
-            }
+            const double high = rise(facet, p, own);
+            if (high <= touching * model_.extent) continue;
+            const double d = distance(p, facet);
+            const double seen = extent > d ? 1 : std::min(1.0, high / d);
+            if (extent * seen > options_.nearness * d) return true;
         }
         return false;
     }

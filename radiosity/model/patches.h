@@ -3,6 +3,8 @@
 
 #include "radiosity/model/pixmap_model.h"
 
+#include <limits>
+
 namespace gw::radiosity {
 
 /// Blocks of side x side texels, those with an area.
@@ -12,9 +14,17 @@ std::vector<Patch> patches_of(const PixmapModel& model, int side);
 struct ShootPoint {
     dvec3 position{0}, normal{0};
     double share = 0;  ///< of the patch's area; the shares of a patch add up to 1
-    /// how far the part reaches: nothing that it sees is nearer than a fraction of this
-    double size = 0;
+    double size = 0;   ///< how far the part reaches
+    /// From a surface, front or back, that rises above the point's plane. Only known if it is less
+    /// than a part of `size` (nearest_known).
+    double nearest = std::numeric_limits<double>::infinity();
 };
+
+/// A surface farther from a point than this part of ShootPoint::size is not looked for.
+inline constexpr double nearest_known = 1.0 / 16;
+
+/// In parts of the scene's extent: a surface that rises less above a point's plane touches it.
+inline constexpr double touching = 1e-6;
 
 struct PointOptions {
     /// A part is divided while it is longer than `nearness` times its distance from the surfaces

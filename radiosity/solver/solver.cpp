@@ -13,10 +13,6 @@ void add(dvec3& stored, const dvec3& more) {
     for (int c = 0; c < 3; ++c) stored[c] = storable(stored[c] + more[c]);
 }
 
-std::size_t bytes_of(const Row& row) {
-    return sizeof row + row.texels.size() * (sizeof(double) + sizeof(std::uint32_t));
-}
-
 template <class Visit>
 void for_each_texel(const PixmapModel& model, const Patch& patch, Visit visit) {
     const Pixmap& pixmap = model.pixmaps[patch.pixmap];
@@ -81,22 +77,11 @@ std::optional<Shot> Solver::shoot() {
 // A row depends on the patch alone, so that a shot has the same bits whether the row was kept or
 // not.
 Row Solver::row_of(std::size_t patch, int* drawn) {
-    const auto found = rows_.find(patch);
-    if (found != rows_.end()) return found->second;
+    if (const Row* kept = rows_.find(patch)) return *kept;
     Row row = form_factors_->from_patch(patch);
     *drawn += row.hemicubes;
-    if (row_bytes_ + bytes_of(row) <= options_.row_memory) {
-        row_bytes_ += bytes_of(row);
-        rows_.emplace(patch, row);
-    }
+    rows_.keep(patch, row, options_.row_memory);
     return row;
-}
-
-void Solver::forget_row(std::size_t patch) {
-    const auto found = rows_.find(patch);
-    if (found == rows_.end()) return;
-    row_bytes_ -= bytes_of(found->second);
-    rows_.erase(found);
 }
 
 void Solver::receive(const Row& row, const dvec3& flux) {

@@ -9,11 +9,11 @@
 
 #include "radiosity/hemicube/form_factors.h"
 #include "radiosity/model/figures.h"
+#include "radiosity/solver/rows.h"
 #include "radiosity/solver/solution.h"
 
 #include <cmath>
 #include <optional>
-#include <unordered_map>
 
 namespace gw::radiosity {
 
@@ -39,6 +39,8 @@ struct Shot {
 struct Update {
     int hemicubes = 0;
     std::size_t patches = 0;  ///< whose light was taken back and sent anew
+    /// the solution began again, because sending the difference would take more hemicubes
+    bool anew = false;
 };
 
 class Solver {
@@ -64,13 +66,13 @@ public:
     /// figures moved: only the difference is shot [F4]. The pixmaps must be the same in number and
     /// size. After a move the light of a patch is sent anew if it met the moved figure. Patches
     /// whose part in this is, all together, below `tolerance` of the emitted energy are left as
-    /// they are. Throws Error for another scene or one in which nothing emits. Throws Canceled as
-    /// shoot does; then the model is the new one, and some light is still where it fell before.
+    /// they are. If that takes about as many hemicubes as all lit patches do, the solution begins again.
+    /// Throws Error for another scene or one in which nothing emits. Throws Canceled as shoot does;
+    /// then the model is the new one, and some light is still where it fell before.
     Update update(PixmapModel model, double tolerance = 0.002);
 
 private:
     Row row_of(std::size_t patch, int* drawn);
-    void forget_row(std::size_t patch);
     void receive(const Row& row, const dvec3& flux);
     dvec3 unshot_flux(const Patch& patch) const;
     dvec3 shot_flux(const Patch& patch) const;
@@ -80,14 +82,18 @@ private:
     Update move(PixmapModel to, double tolerance);
     std::vector<Affected> affected_by(const PixmapModel& to) const;
     static void keep_largest(std::vector<Affected>& affected, double least);
-    void send_anew(const std::vector<Affected>& affected, FormFactors& next, Update& done);
+    std::size_t hemicubes_of(const PixmapModel& model, std::size_t patch) const;
+    std::size_t hemicubes_to_send(const std::vector<Affected>& affected,
+                                  const PixmapModel& to) const;
+    Update begin_again(PixmapModel to);
+    void send_anew(const std::vector<Affected>& affected, FormFactors& next, Rows& kept,
+                   Update& done);
 
     std::unique_ptr<PixmapModel> model_;  ///< does not move in memory: form_factors_ refers to it
     SolverOptions options_;
     std::unique_ptr<FormFactors> form_factors_;
     Solution solution_;
-    std::unordered_map<std::size_t, Row> rows_;
-    std::size_t row_bytes_ = 0;
+    Rows rows_;
 };
 
 }  // namespace gw::radiosity

@@ -44,6 +44,12 @@ std::vector<const Facet*> moved_facets(const PixmapModel& a, const PixmapModel& 
     return moved;
 }
 
+/// A difference that takes more hemicubes than this part of all is not sent: other patches shoot
+/// after it, and then it would take more than a solution from the beginning.
+constexpr double most_of_anew = 0.9;
+/// Sums of float32 pairs: a patch that never shot seems to have sent less than this part of all.
+constexpr double rounding = 1e-9;
+
 dvec3 middle(const PixmapModel& model, const Patch& patch) {
     const Facet& facet = model.facets[model.pixmaps[patch.pixmap].facets.front()];
     return facet.at({patch.x + patch.width / 2.0, patch.y + patch.height / 2.0});
@@ -61,7 +67,7 @@ Update Solver::update(PixmapModel to, double tolerance) {
     if (moved_facets(*model_, to).empty()) {
         // Form factors stay; only values that depend on materials are new.
         for (std::size_t p = 0; p < to.patches.size(); ++p) {
-            if (model_->patches[p].emits != to.patches[p].emits) forget_row(p);
+            if (model_->patches[p].emits != to.patches[p].emits) rows_.drop(p);
             model_->patches[p].emits = to.patches[p].emits;
         }
         return {};
@@ -117,32 +123,68 @@ void Solver::keep_largest(std::vector<Affected>& affected, double least) {
     affected.resize(count);
 }
 
+std::size_t Solver::hemicubes_of(const PixmapModel& model, std::size_t patch) const {
+    return points_of(model, model.patches[patch], options_.form_factors.points).size();
+}
+
+std::size_t Solver::hemicubes_to_send(const std::vector<Affected>& affected,
+                                      const PixmapModel& to) const {
+    std::size_t sum = 0;
+    for (const Affected& a : affected)
+        sum +=
+            (rows_.find(a.patch) ? 0 : hemicubes_of(*model_, a.patch)) + hemicubes_of(to, a.patch);
+    return sum;
+}
+
+Update Solver::begin_again(PixmapModel to) {
+    auto next = std::make_unique<PixmapModel>(std::move(to));
+    auto next_factors = std::make_unique<FormFactors>(*next, options_.form_factors);
+    Solution next_solution = initial_solution(*next);
+    next_solution.shots = solution_.shots;
+    model_ = std::move(next);
+    form_factors_ = std::move(next_factors);
+    solution_ = std::move(next_solution);
+    rows_ = Rows();
+    return {.anew = true};
+}
+
 // Takes a patch's light back with its old form factors and sends it with the new ones in one step:
 // the books balance even if this is canceled.
-void Solver::send_anew(const std::vector<Affected>& affected, FormFactors& next, Update& done) {
+void Solver::send_anew(const std::vector<Affected>& affected, FormFactors& next, Rows& kept,
+                       Update& done) {
     for (const Affected& a : affected) {
-        const Row before = row_of(a.patch, &done.hemicubes), now = next.from_patch(a.patch);
+        const Row before = row_of(a.patch, &done.hemicubes);
+        Row now = next.from_patch(a.patch);
         receive(before, -a.flux);
         receive(now, a.flux);
         done.hemicubes += now.hemicubes;
         ++done.patches;
+        rows_.drop(a.patch);
+        kept.keep(a.patch, std::move(now),
+                  options_.row_memory - std::min(options_.row_memory, rows_.bytes()));
     }
 }
 
 Update Solver::move(PixmapModel to, double tolerance) {
+    const double emitted = magnitude(books(*model_, solution_).emitted);
     std::vector<Affected> affected = affected_by(to);
-    keep_largest(affected, tolerance * magnitude(books(*model_, solution_).emitted));
+    std::size_t anew = 0;
+    for (const Affected& a : affected)
+        if (magnitude(a.flux) > rounding * emitted) anew += hemicubes_of(to, a.patch);
+    keep_largest(affected, tolerance * emitted);
+    if (double(hemicubes_to_send(affected, to)) > most_of_anew * double(anew))
+        return begin_again(std::move(to));
     auto next = std::make_unique<PixmapModel>(std::move(to));
     auto next_factors = std::make_unique<FormFactors>(*next, options_.form_factors);
+    Rows kept;
     const auto change_over = [&] {
         model_ = std::move(next);
         form_factors_ = std::move(next_factors);
-        rows_.clear();
-        row_bytes_ = 0;
+        rows_ = std::move(kept);
     };
     Update done;
     try {
-        send_anew(affected, *next_factors, done);
+        send_anew(affected, *next_factors, kept, done);
     } catch (...) {
         change_over();
         throw;

@@ -149,5 +149,19 @@ TEST(ClosedForms, APointBeforeASphere) {
         0.005);
 }
 
+/// Squares of 16 x 16 texels, nearer to each other than a part of a texel: nothing passes the second.
+TEST(ClosedForms, NothingLeaksThroughANearSurface) {
+    for (double distance : {1e-2, 2e-3, 5e-4, 1e-4, 1e-5}) {
+        scene::Scene scene;
+        add(scene, "floor", up(0, 0, 0, 1, 1), 1);
+        add(scene, "lid", down(0, distance, 0, 1, 1));
+        add(scene, "behind", down(-1, 0.5, -1, 3, 3));
+        const PixmapModel model = make_model(scene, {.texels_per_unit = 16});
+        const double exact = parallel_rectangles(1, 1, distance);
+        EXPECT_NEAR(between(model, "floor", "lid", 64), exact, 0.005 * exact) << distance;
+        EXPECT_LT(between(model, "floor", "behind", 64), 1.005 - exact) << distance;
+    }
+}
+
 }  // namespace
 }  // namespace gw::radiosity

@@ -104,7 +104,44 @@ TEST_F(UpdateTest, ADarkSceneIsRefused) {
     EXPECT_THROW(Solver(model_of(room(1.75f, 0)), coarse), Error);
 }
 
-TEST_F(UpdateTest, AMovedLampIsSentAnew) { compare(room(1.5f), 5 * enough); }
+TEST_F(UpdateTest, AMovedLampReachesAllAndTheSolutionBeginsAgain) {
+    const auto [more, anew] = compare(room(1.5f), 5 * enough);
+    EXPECT_EQ(more, anew);
+    EXPECT_TRUE(solver.update(model_of(room(1.25f))).anew);
+}
+
+/// A small plate on the floor, at this x.
+scene::Scene room_with_plate(float x) {
+    scene::Scene scene = room(1.75f);
+    add_quad(scene, "plate", {x, 0.1f, 0.2f}, {0, 0, 0.1f}, {0.1f, 0, 0}, 0.5f);
+    return scene;
+}
+
+constexpr double tolerance = 0.005;
+
+TEST(Update, OfASmallMoveTheDifferenceIsSent) {
+    Solver solver(model_of(room_with_plate(0.2f)), coarse),
+        anew(model_of(room_with_plate(0.3f)), coarse);
+    solve(solver);
+    const Update update = solver.update(model_of(room_with_plate(0.3f)), tolerance);
+    EXPECT_FALSE(update.anew);
+    EXPECT_GT(update.patches, 0u);
+    EXPECT_LT(books(solver.model(), solver.solution()).imbalance(), 1e-5);
+    EXPECT_LT(update.hemicubes + solve(solver), solve(anew));
+    EXPECT_LT(difference(solver, anew), tolerance);
+}
+
+/// Old form factors are not known then, and would have to be drawn too.
+TEST(Update, OfAResumedSolutionTakesNoMoreHemicubesThanSolvingAnew) {
+    Solver solved(model_of(room_with_plate(0.2f)), coarse),
+        anew(model_of(room_with_plate(0.6f)), coarse);
+    solve(solved);
+    Solver resumed(model_of(room_with_plate(0.2f)), coarse);
+    resumed.resume(solved.solution());
+    const Update update = resumed.update(model_of(room_with_plate(0.6f)), 0);
+    EXPECT_LE(update.hemicubes + solve(resumed), solve(anew));
+    EXPECT_LT(difference(resumed, anew), 5 * enough);
+}
 
 TEST_F(UpdateTest, AnotherSceneIsRefused) {
     scene::Scene more = room(1.75f);
