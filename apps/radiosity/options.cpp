@@ -4,8 +4,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <set>
-
 namespace gw::apps {
 namespace {
 
@@ -138,22 +136,6 @@ void check_range(const std::string& word, const dvec3& v, double high) {
                              (high == 1 ? "to 1" : "and more"));
 }
 
-void change_object(const Change& change, scene::Scene& scene, scene::Object& object) {
-    scene::Material& material = scene.materials[object.material];
-    if (change.what == "move") {
-        object.world_from_object[3] += dvec4(change.value, 0);
-    } else if (change.what == "Kd") {
-        scene::Material own = material;  // others may share the material
-        own.Kd = vec3(change.value);
-        object.material = scene.materials.size();
-        scene.materials.push_back(std::move(own));
-    } else if (change.what == "dim") {
-        object.pixmap.emission = object.pixmap.emission.value_or(material.Ke) * vec3(change.value);
-    } else {
-        object.pixmap.emission = vec3(change.value);
-    }
-}
-
 }  // namespace
 
 void add_radiosity_options(CLI::App& command, RadiosityOptions& options) {
@@ -211,21 +193,6 @@ Change change_from(const std::string& word) {
         throw UsageError("--change '" + word + "': " + expected);
     if (change.what != "move") check_range(word, change.value, change.what == "Kd" ? 1 : 1e30);
     return change;
-}
-
-void apply(const Change& change, scene::Scene& scene) {
-    bool found = false;
-    std::set<std::string> names;
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        names.insert(scene.objects[i].name);
-        if (scene.objects[i].name != change.object) continue;
-        found = true;
-        change_object(change, scene, scene.objects[i]);
-    }
-    if (found) return;
-    std::string known;
-    for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
-    throw UsageError("--change: no object '" + change.object + "'; expected one of " + known);
 }
 
 }  // namespace gw::apps

@@ -1,9 +1,9 @@
-// The options of gw radiosity, and changes of a scene by name [F4]. Does not solve.
+// The options of gw radiosity. Does not solve.
 #pragma once
 
+#include "apps/radiosity/changes.h"
 #include "apps/render/picture_options.h"
 #include "radiosity/solver/solver.h"
-#include "scene/scene.h"
 
 #include <filesystem>
 #include <optional>
@@ -15,18 +15,8 @@ namespace gw::apps {
 
 class Progress;
 
-/// "lamp:emission=1,2,3" and its like.
-struct Change {
-    std::string object;  ///< all objects of this name
-    std::string what;    ///< emission, dim, Kd or move
-    dvec3 value{0};      ///< dim: three times its factor
-};
-
 /// Throws UsageError with the expected form.
 Change change_from(const std::string& word);
-
-/// Throws UsageError if no object has the name.
-void apply(const Change& change, scene::Scene& scene);
 
 struct RadiosityOptions {
     PictureOptions picture{.size = {512, 512}, .profile = "ideal"};

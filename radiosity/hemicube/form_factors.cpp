@@ -84,17 +84,21 @@ Row FormFactors::from_points(const std::vector<ShootPoint>& points, std::uint64_
     return row;
 }
 
+Hemicube FormFactors::hemicube_on(const std::vector<ShootPoint>& points, std::size_t number,
+                                  std::uint64_t turns) const {
+    const ShootPoint& point = points.at(number);
+    const double near_plane = near_plane_of(point, model_.extent);
+    return hemicube_at(point.position, point.normal, turn_of(options_.seed, turns, number),
+                       near_plane, model_.extent * 1.01 + near_plane, options_.hemicube);
+}
+
 // [F4] (1): the ID buffers are drawn in parallel.
 void FormFactors::draw(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count,
                        std::uint64_t turns) {
     parallel_for(count, options_.threads, [&](std::size_t i, int worker) {
         if (options_.cancel && *options_.cancel) return;
-        const ShootPoint& point = points[first + i];
         Slot& slot = slots_[i];
-        const double near_plane = near_plane_of(point, model_.extent);
-        slot.hemicube =
-            hemicube_at(point.position, point.normal, turn_of(options_.seed, turns, first + i),
-                        near_plane, model_.extent * 1.01 + near_plane, options_.hemicube);
+        slot.hemicube = hemicube_on(points, first + i, turns);
         auto& painter = painters_[std::size_t(worker)];
         if (!painter)
             painter =

@@ -48,6 +48,10 @@ public:
     /// them.
     Row from_points(const std::vector<ShootPoint>& points, std::uint64_t turns);
 
+    /// The hemicube that stands on the point `number` of `points`, with which from_points draws.
+    Hemicube hemicube_on(const std::vector<ShootPoint>& points, std::size_t number,
+                         std::uint64_t turns) const;
+
     struct Canceled {};
 
 private:

@@ -38,6 +38,26 @@ double between(const PixmapModel& model, FormFactors& factors, const std::string
     return f / area;
 }
 
+// An observer draws a patch's hemicubes by itself, and finds the light that escaped.
+TEST(FormFactors, ShowTheHemicubesOfAPatch) {
+    scene::Scene scene;
+    add_quad(scene, "a", {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1);
+    add_quad(scene, "b", {0, 1, 0}, {1, 0, 0}, {0, 0, 1});
+    const PixmapModel model = make_model(scene, {.texels_per_unit = 4});
+    FormFactors factors(model, {.hemicube = 64});
+    const auto points = points_of(model, model.patches[0]);
+    ASSERT_GT(points.size(), 1);
+    HemicubePainter painter(64);
+    IdBuffers buffers;
+    double escaped = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        painter.draw(model, factors.hemicube_on(points, i, 0), buffers);
+        escaped += points[i].share * escaping(buffers, delta_form_factors(64));
+    }
+    EXPECT_GT(escaped, 0.1);
+    EXPECT_EQ(escaped, factors.from_patch(0).escaped);
+}
+
 TEST(FormFactors, ParallelSquares) {
     scene::Scene scene;
     add_quad(scene, "a", {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1);

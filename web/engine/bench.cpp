@@ -83,6 +83,7 @@ void Bench::add_picture(const std::string& path, int width, int height, int bits
 
 Json Bench::open(const std::string& path) {
     driver_.reset();
+    lightings_ = {};
     file_ = scene::read_scene(path);
     Json objects = Json::array(), lights = Json::array(), pictures = Json::array();
     for (const scene::Object& object : file_.scene.objects)

@@ -9,10 +9,12 @@
 #include "multipass/frame/driver.h"
 #include "scene/draw/view.h"
 #include "scene/read_scene.h"
+#include "web/engine/lighting.h"
 #include "web/engine/replayed.h"
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -49,6 +51,15 @@ public:
     /// The scene from the eye `from` with its shadow volumes as translucent objects, its lights and
     /// the view's eye; no `from`: from outside. Answers that eye and the number of volumes.
     Json volumes(const Json& options);
+    /// One step towards the state of light that the options name (lighting.h), or its beginning.
+    /// Answers what is known of the light, and whether there is more to do.
+    Json light(const Json& options);
+    /// That light from a view: `exposure`, `gamma`, `ambient` as `gw radiosity` has them.
+    Json lit(const Json& options);
+    /// The texels of its pixmap `pixmap`, in the same tone.
+    Json pixmap(const Json& options);
+    /// The five ID buffers of the hemicube on the point `point` of the patch `patch`, as a cross.
+    Json hemicube(const Json& options);
     /// Runs a hidden-surface or hidden-line algorithm: options `algorithm`, `level`, `limit`, and
     /// those of a view. The answer is the text of steps.jsonl that `gw hidden --steps` writes.
     std::string hidden(const Json& options);
@@ -83,6 +94,7 @@ private:
     void draw_scene(Machine& machine, const Json& options) const;
     void load_textures(scene::Scene& scene) const;
     void keep_picture(Machine& machine);
+    const Lighting& lighting_of(const Json& options) const;
     std::string graded_log(Machine& machine, const hiddensurface::Algorithm& algorithm,
                            const hiddensurface::Input& input, hiddensurface::Level level);
     void keep_difference(const hiddensurface::Result& result, int width);
@@ -94,6 +106,7 @@ private:
     std::unique_ptr<multipass::Driver> driver_;  ///< of machine_
     std::string driver_key_;
     std::unique_ptr<Replayed> replayed_;
+    std::array<std::unique_ptr<Lighting>, 2> lightings_;  ///< gone on with, and solved anew
     std::vector<std::uint8_t> picture_, change_, difference_;
 };
 

@@ -61,6 +61,18 @@ public:
     std::string polygons(const std::string& options) {
         return answered([&] { return bench_.polygons(Json::parse(options)); });
     }
+    std::string light(const std::string& options) {
+        return answered([&] { return bench_.light(Json::parse(options)); });
+    }
+    std::string lit(const std::string& options) {
+        return answered([&] { return bench_.lit(Json::parse(options)); });
+    }
+    std::string pixmap(const std::string& options) {
+        return answered([&] { return bench_.pixmap(Json::parse(options)); });
+    }
+    std::string hemicube(const std::string& options) {
+        return answered([&] { return bench_.hemicube(Json::parse(options)); });
+    }
     std::string play(const std::string& options, const std::string& steps) {
         return answered([&] { return bench_.play(Json::parse(options), steps); });
     }
@@ -104,6 +116,10 @@ EMSCRIPTEN_BINDINGS(gw) {
         .function("pixel", &Engine::pixel)
         .function("volumes", &Engine::volumes)
         .function("polygons", &Engine::polygons)
+        .function("light", &Engine::light)
+        .function("lit", &Engine::lit)
+        .function("pixmap", &Engine::pixmap)
+        .function("hemicube", &Engine::hemicube)
         .function("play", &Engine::play)
         .function("picture", &Engine::picture)
         .function("change", &Engine::change)

@@ -3,6 +3,7 @@ import { fromAddress, toAddress, type PageState } from '../model/address';
 import type { Point } from '../model/log';
 import { numbersFrom, type Settings } from '../model/settings';
 import { grid, pixelChoicesFrom, putPixel, type PixelChoices } from './pixel_state';
+import { putRadiosity, radiosityFrom, type RadiosityState } from './radiosity_state';
 import { passesFrom, putPasses, type PassesState } from './passes_state';
 
 export interface LabState {
@@ -21,12 +22,17 @@ export interface LabState {
   pixel: PixelChoices;
   /** The pixel of the grid that is explained; row 0 is at the bottom. */
   pixelAt: [number, number];
+  radiosity: RadiosityState;
   page: PageState;
 }
 
 /** The scene that an exhibit begins with. */
 export const firstScene = (exhibit: string): string =>
-  exhibit === 'passes' || exhibit === 'pixel' ? 'rings.toml' : 'hidden/cycle.toml';
+  exhibit === 'radiosity'
+    ? 'radiosity/cornell.toml'
+    : exhibit === 'passes' || exhibit === 'pixel'
+      ? 'rings.toml'
+      : 'hidden/cycle.toml';
 
 export const sizes = ['64x48', '128x96', '160x120', '320x240', '640x480'];
 export const profiles = ['vgx', 'reality', 'ideal'];
@@ -52,6 +58,7 @@ export function toLabAddress(state: LabState, defaults: Settings): string {
     parts.set('at', state.pixelAt.join(','));
     putPixel(parts, state.pixel);
   }
+  if (state.exhibit === 'radiosity') putRadiosity(parts, state.radiosity);
   const lab = parts.toString().replaceAll('%2C', ',').replaceAll('%2F', '/').replaceAll('%3B', ';');
   return `#${lab}&${toAddress(state.page, defaults).slice(1)}`;
 }
@@ -83,6 +90,7 @@ export function fromLabAddress(
     passes: passesFrom(parts),
     pixel: pixelChoicesFrom(parts, profile),
     pixelAt: isInside ? [Math.floor(x), Math.floor(y)] : [6, 4],
+    radiosity: radiosityFrom(parts),
     page: fromAddress(hash, defaults),
   };
 }

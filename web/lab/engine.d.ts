@@ -18,6 +18,10 @@ declare module 'gw-engine' {
     pixel(options: string): string;
     volumes(options: string): string;
     polygons(options: string): string;
+    light(options: string): string;
+    lit(options: string): string;
+    pixmap(options: string): string;
+    hemicube(options: string): string;
     play(options: string, steps: string): string;
     picture(): Uint8Array;
     change(): Uint8Array;

@@ -1,4 +1,6 @@
 // What the page asks the worker, and what it answers.
+import type { LightChange } from './radiosity_state';
+
 export interface View {
   readonly width: number;
   readonly height: number;
@@ -176,6 +178,66 @@ export interface PixelFacts {
   };
 }
 
+/** A state of the light of a scene. */
+export interface LightOptions {
+  readonly width: number;
+  readonly height: number;
+  /** Pixels across. */
+  readonly hemicube: number;
+  readonly shots: number;
+  readonly changes: readonly LightChange[];
+  /** The changes are there before the first shot. */
+  readonly anew?: boolean;
+}
+export interface LitTone {
+  /** Stops. */
+  readonly exposure: number;
+  readonly gamma: number;
+  /** The estimate of the light yet to come is shown. */
+  readonly ambient: boolean;
+  readonly anew?: boolean;
+}
+export interface LightFacts {
+  readonly shots: number;
+  readonly hemicubes: number;
+  /** The state that was asked for is not reached. */
+  readonly more: boolean;
+  /** Nothing is unshot. */
+  readonly dark: boolean;
+  /** Shares: before the first shot, and after every step. */
+  readonly unshot: readonly number[];
+  /** The steps that were changes. */
+  readonly changed: readonly number[];
+  readonly emitted: Channels;
+  readonly absorbed: Channels;
+  readonly escaped: Channels;
+  readonly left: Channels;
+  readonly figures: readonly {
+    readonly name: string;
+    readonly Kd: Channels;
+    readonly emission: Channels;
+  }[];
+  readonly pixmaps: readonly {
+    readonly name: string;
+    readonly width: number;
+    readonly height: number;
+  }[];
+  readonly texels: number;
+  readonly patches: number;
+  /** The last shot; before the first one, the next. */
+  readonly shot: {
+    readonly patch: number;
+    readonly pixmap: number;
+    readonly x: number;
+    readonly y: number;
+    readonly width: number;
+    readonly height: number;
+    readonly flux: Channels;
+    /** Hemicubes that the patch shoots from. */
+    readonly points: number;
+  };
+}
+
 export interface HiddenOptions extends View {
   readonly algorithm: string;
   readonly level: string;
@@ -221,6 +283,12 @@ export interface Methods {
   history(x: number, y: number): string[][];
   pixel(options: PixelOptions): PixelFacts;
   volumes(options: PassesOptions & { readonly from?: readonly number[] }): VolumesSeen;
+  /** One step towards the state, or its beginning. */
+  light(options: LightOptions): LightFacts;
+  /** Pictures of the light of the last light(). */
+  lit(options: View & LitTone): Uint8Array;
+  pixmap(options: LitTone & { readonly pixmap: number }): Uint8Array;
+  hemicube(options: { readonly patch: number; readonly point: number }): Uint8Array;
   polygons(options: View): string;
   play(options: View, steps: string): Graded;
 }

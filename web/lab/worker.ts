@@ -87,6 +87,19 @@ const methods: { [M in keyof Methods]: (...values: Parameters<Methods[M]>) => un
     const facts = json(engine.volumes(JSON.stringify(options)));
     return { ...facts, picture: engine.picture().slice() };
   },
+  light: (options) => json(engine.light(JSON.stringify(options))),
+  lit(options) {
+    answered(engine.lit(JSON.stringify(options)));
+    return engine.picture().slice();
+  },
+  pixmap(options) {
+    answered(engine.pixmap(JSON.stringify(options)));
+    return engine.picture().slice();
+  },
+  hemicube(options) {
+    answered(engine.hemicube(JSON.stringify(options)));
+    return engine.picture().slice();
+  },
   polygons: (options) => answered(engine.polygons(JSON.stringify(options))),
   play(options, steps) {
     const log = answered(engine.play(JSON.stringify(options), steps));

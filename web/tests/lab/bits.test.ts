@@ -4,6 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { decode } from 'fast-png';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { inChromium, open, thePage, type LabWindow } from './page';
 
@@ -183,5 +184,40 @@ describe('the lab makes the step log of gw hidden', () => {
     const ours = linesOf(log);
     expect(ours.length).toBe(expected.length);
     for (const [i, line] of ours.entries()) expect(line).toBe(expected[i]);
+  });
+});
+
+describe('the lab leaves the light of gw radiosity', () => {
+  it.each([
+    ['cornell', 32, 3, []],
+    ['cornell', 64, 2, [{ after: 2, object: 'left_wall', what: 'Kd', value: [0.1, 0.2, 0.9] }]],
+    ['sphere', 32, 4, []],
+  ] as const)('%s, hemicube %i, %i shots, changes %j', async (scene, hemicube, shots, changes) => {
+    const words = changes.flatMap((c) => [
+      '--change',
+      `${c.object}:${c.what}=${c.value.join(',')}`,
+    ]);
+    execFileSync(gw, [
+      ...['radiosity', `${scenes}/radiosity/${scene}.toml`, '-o', join(folder, 'light')],
+      ...['--hemicube', String(hemicube), '--shots', String(shots), '--size', '64x48'],
+      // No more shots after the change.
+      ...['--until', '1', '--gamma', '2.2', '--quiet', ...words],
+    ]);
+    const ours = await thePage().evaluate(
+      async (path, light) => {
+        const { machine } = window as unknown as LabWindow;
+        await machine.ask('open', path);
+        while ((await machine.ask('light', light)).more);
+        const tone = { exposure: 0, gamma: 2.2, ambient: true };
+        const view = { width: 64, height: 48, profile: 'ideal' };
+        return [...(await machine.ask('lit', { ...view, ...tone }))];
+      },
+      `/scenes/radiosity/${scene}.toml`,
+      { width: 64, height: 48, hemicube, shots, changes: [...changes] },
+    );
+    const name = changes.length > 0 ? 'changed.png' : 'picture.png';
+    const theirs = [...decode(readFileSync(join(folder, 'light', name))).data];
+    expect(new Set(theirs).size).toBeGreaterThan(20);
+    expect(ours.filter((_, i) => i % 4 !== 3)).toEqual(theirs);
   });
 });
