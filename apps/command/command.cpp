@@ -2,6 +2,7 @@
 #include "apps/command/command.h"
 #include "apps/command/terminal.h"
 #include "apps/hidden/new_algorithm.h"
+#include "apps/render/saved_options.h"
 #include "gw/error.h"
 #include "scene/text/suggest.h"
 
@@ -66,8 +67,12 @@ void add_commands(CLI::App& app, std::vector<Command>& commands) {
           add_cast,   add_compare,  add_radiosity,   add_figures, add_study,         add_golden,
           add_info,   add_describe, add_conformance, add_gl}) {
         commands.push_back(add(app));
-        commands.back().app->allow_extras();  // so that `mistyped` sees the word
     }
+#ifdef GW_WITH_WINDOW
+    commands.push_back(add_view(app));
+#endif
+    // so that `mistyped` sees the word
+    for (const Command& command : commands) command.app->allow_extras();
 }
 
 int parse_and_run(CLI::App& app, const std::vector<Command>& commands, Session& session) {
@@ -84,7 +89,9 @@ int parse_and_run(CLI::App& app, const std::vector<Command>& commands, Session& 
     }
     if (const auto word = mistyped(app)) throw UsageError(*word);
     for (const Command& command : commands) {
-        if (*command.app) return command.run(session);
+        if (!*command.app) continue;
+        take_saved_options(*command.app);
+        return command.run(session);
     }
     throw UsageError("no command; expected one of those that gw --help lists");
 }

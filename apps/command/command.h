@@ -66,6 +66,9 @@ Command add_gl(CLI::App& app);
 Command add_radiosity(CLI::App& app);
 Command add_info(CLI::App& app);
 Command add_describe(CLI::App& app);
+#ifdef GW_WITH_WINDOW
+Command add_view(CLI::App& app);
+#endif
 
 /// Parses and runs the session's words. Returns an ExitCode; throws UsageError, Error or another
 /// std::exception.

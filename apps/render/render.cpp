@@ -1,20 +1,18 @@
 // gw render: draws a picture of a scene, and on request its components, planes, manifest, counters.
-#include "itembuffer/render.h"
 #include "apps/command/command.h"
 #include "apps/command/peak_memory.h"
 #include "apps/command/terminal.h"
 #include "apps/render/frame_files.h"
 #include "apps/render/picture_options.h"
 #include "apps/render/renderers.h"
+#include "apps/render/view_drawer.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
 #include "image/write.h"
-#include "multipass/effects/scene_maps.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <functional>
 #include <utility>
 
 namespace gw::apps {
@@ -26,20 +24,6 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number) {
     name += fmt::format("_{:03}", number);
     name += file.extension();
     return file.parent_path() / name;
-}
-
-// Draws views of the scene. A driver keeps the results that do not depend on the view. Maps that
-// are generated from the scene do, so then each view is drawn alone.
-std::function<void(const scene::View&)> view_drawer(const Drawing& drawing, Machine& machine) {
-    DrawOptions options = draw_options(drawing.options);
-    if (drawing.renderer.passes) options.passes.passes = passes_of(drawing);
-    const bool by_passes = drawing.renderer.passes == multipass::Renderer::Multipass &&
-                           options.traced &&
-                           !multipass::has_scene_maps(drawing.scene, options.passes);
-    if (!by_passes) return [&](const scene::View& view) { draw(drawing, view, machine); };
-    const std::shared_ptr<multipass::Driver> driver =
-        itembuffer::make_driver(machine, drawing.scene, options.passes, options.rays);
-    return [driver](const scene::View& view) { driver->draw(view); };
 }
 
 /// Number first .. last of `pictures`, as IMAGE_001 ...; each is finished before the next is begun.

@@ -2,6 +2,7 @@
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
 #include "scene/toml/toml_objects.h"
+#include "scene/toml/toml_view.h"
 
 #include <algorithm>
 
@@ -63,6 +64,7 @@ void check_passes(const std::vector<TomlValue>& passes, const std::set<std::stri
 SceneFile read_toml(const std::filesystem::path& path) {
     const TomlTables tables(path, "object");
     const TomlValue& file = tables.rest();
+    if (file.find("base")) return read_view(path, file);
     SceneBuilder builder;
     Scene& scene = builder.scene;
     scene.name = path.stem().string();

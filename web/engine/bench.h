@@ -6,11 +6,11 @@
 #include "apps/render/renderers.h"
 #include "gw/machine.h"
 #include "hiddensurface/run/compare.h"
+#include "inspect/replay/replayed.h"
 #include "multipass/frame/driver.h"
 #include "scene/draw/view.h"
 #include "scene/read_scene.h"
 #include "web/engine/lighting.h"
-#include "web/engine/replayed.h"
 
 #include <nlohmann/json.hpp>
 
@@ -105,7 +105,7 @@ private:
     std::string machine_key_;
     std::unique_ptr<multipass::Driver> driver_;  ///< of machine_
     std::string driver_key_;
-    std::unique_ptr<Replayed> replayed_;
+    std::unique_ptr<inspect::Replayed> replayed_;
     std::array<std::unique_ptr<Lighting>, 2> lightings_;  ///< gone on with, and solved anew
     std::vector<std::uint8_t> picture_, change_, difference_;
 };

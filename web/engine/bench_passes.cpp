@@ -43,7 +43,7 @@ Plane plane_from(const std::string& word) {
     throw Error("plane '" + word + "'; expected color, depth, stencil or accum");
 }
 
-Replayed& kept(const std::unique_ptr<Replayed>& replayed) {
+inspect::Replayed& kept(const std::unique_ptr<inspect::Replayed>& replayed) {
     if (!replayed) throw Error("nothing was drawn pass by pass; expected passes() before");
     return *replayed;
 }
@@ -75,12 +75,12 @@ Json Bench::passes(const Json& options) {
                           {"counters", inspect::json_of(pass.counters)},
                           {"seconds", report::estimated_seconds(pass.counters, prices)}});
     }
-    replayed_ = std::make_unique<Replayed>(std::move(recording));
+    replayed_ = std::make_unique<inspect::Replayed>(std::move(recording));
     return {{"toml", multipass::to_toml(list)}, {"passes", passes}, {"machine", prices.machine}};
 }
 
 Json Bench::plane(const Json& options) {
-    Replayed& replayed = kept(replayed_);
+    inspect::Replayed& replayed = kept(replayed_);
     const std::size_t pass = options.at("pass");
     if (pass >= replayed.passes())
         throw Error("pass " + std::to_string(pass) + "; expected less than " +

@@ -166,4 +166,17 @@ TEST_F(BadOption, MissingOrTooManyWords) {
         {"--turntable"});
 }
 
+TEST_F(BadInput, SavedViewWithFileAndLine) {
+    const auto refuse = [&](const std::string& text, const std::vector<std::string>& parts) {
+        write("view.toml", "base = 'lamps.toml'\n[picture]\n" + text);
+        expect_refused(1, {"render", "view.toml", "-o", "a.png"}, parts);
+    };
+    refuse("renderer = 'radar'\n", {"view.toml:3: ", "radar", "multipass"});
+    refuse("samples = 0\n", {"view.toml:3: ", "--samples", "1..32768"});
+    refuse("size = [3, 4]\n", {"view.toml:3: ", "expected a word or a number"});
+    refuse("output = 'b.png'\n", {"view.toml:3: ", "unknown key 'output'"});
+    write("view.toml", "base = 'lamps.toml'\npicture = 3\n");
+    expect_refused(1, {"render", "view.toml", "-o", "a.png"}, {"view.toml:2: ", "[picture]"});
+}
+
 }  // namespace gw::apps

@@ -36,6 +36,7 @@ TEST_F(Help, OfEveryCommandHasAnExampleThatWorks) {
         const Outcome help = gw({command, "--help"});
         EXPECT_EQ(help.code, 0);
         EXPECT_EQ(examples(help.out).size(), 1u) << command;
+        if (command == "view") continue;  // waits for a user: tests/view
         expect_to_work(examples(help.out));
     }
 }

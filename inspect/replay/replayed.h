@@ -8,23 +8,25 @@
 #include <memory>
 #include <vector>
 
-namespace gw::lab {
+namespace gw::inspect {
 
 class Replayed {
 public:
-    explicit Replayed(inspect::Recording recording);
+    /// `threads` of the machine; 0: all.
+    explicit Replayed(Recording recording, int threads = 1);
 
-    const inspect::Recording& recording() const { return recording_; }
+    const Recording& recording() const { return recording_; }
     std::size_t passes() const { return ranges_.size(); }
     /// The planes after so many passes, until the next call.
     const Planes& planes_after(std::size_t passes);
 
 private:
-    inspect::Recording recording_;
-    std::vector<inspect::PassRange> ranges_;
+    Recording recording_;
+    std::vector<PassRange> ranges_;
     std::unique_ptr<Machine> machine_;
-    std::unique_ptr<inspect::Player> player_;
+    std::unique_ptr<Player> player_;
     std::size_t done_ = 0;
+    int threads_ = 1;
 };
 
-}  // namespace gw::lab
+}  // namespace gw::inspect

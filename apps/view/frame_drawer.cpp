@@ -1,0 +1,185 @@
+#include "apps/view/frame_drawer.h"
+
+#include "apps/hidden/pictures.h"
+#include "apps/render/view_drawer.h"
+#include "gw/error.h"
+#include "hiddensurface/lines/draw_lines.h"
+#include "hiddensurface/run/estimate.h"
+#include "inspect/replay/forwarding_machine.h"
+#include "inspect/report/prices.h"
+#include "scene/draw/view.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace gw::apps {
+namespace {
+
+namespace hs = hiddensurface;
+
+/// Seconds that an algorithm may take; more would look like a program that hangs.
+constexpr double longest_algorithm = 5;
+
+std::unique_ptr<Machine> new_machine(const PictureOptions& options, const Profile& profile) {
+    const auto [width, height] = options.size;
+    return options.machine == "reference"
+               ? make_reference(profile, width, height)
+               : make_fast(profile, width, height, {.threads = options.threads});
+}
+
+scene::View view_of(const Drawing& drawing) {
+    const auto [width, height] = drawing.options.size;
+    return scene::make_view(drawing.scene, width, height);
+}
+
+image::Picture picture_of(Machine& machine) {
+    const Planes& planes = machine.planes();
+    return image::picture_of(planes.color, planes.width, planes.height,
+                             machine.profile().color_bits);
+}
+
+void check(const hs::Estimate& estimate) {
+    if (hs::is_beyond(estimate, longest_algorithm))
+        throw Error(hs::text_of(estimate) + "; expected fewer polygons, or another algorithm");
+}
+
+template <class Counts, class Names>
+void add_counts(Frame& frame, const Counts& counts, const Names& names) {
+    for (const auto& [name, count] : names)
+        if (counts.*count != 0)
+            frame.notes.push_back(fmt::format("{:<11}{:>12}", name, counts.*count));
+}
+
+}  // namespace
+
+/// What stays from frame to frame.
+struct FrameDrawer::Kept {
+    std::string machine_key;
+    std::unique_ptr<Machine> machine;
+    /// of the last picture, which the drawing and its drawer refer to
+    std::string key;
+    std::unique_ptr<PictureOptions> options;
+    std::unique_ptr<Drawing> drawing;
+    std::function<void(const scene::View&)> draw;
+};
+
+FrameDrawer::FrameDrawer(scene::Scene scene, std::optional<multipass::PassList> own_passes,
+                         std::map<std::string, Profile> profiles)
+    : scene_(std::move(scene)),
+      own_passes_(std::move(own_passes)),
+      profiles_(std::move(profiles)),
+      kept_(std::make_unique<Kept>()) {}
+
+FrameDrawer::~FrameDrawer() = default;
+
+Frame FrameDrawer::timed(const Settings& settings, const std::function<void(Frame&)>& work) {
+    Frame frame{.settings = settings};
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+        work(frame);
+    } catch (const Error& error) {
+        frame.fault = error.what();
+        kept_ = std::make_unique<Kept>();
+    }
+    frame.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return frame;
+}
+
+Drawing FrameDrawer::drawing_of(const PictureOptions& options, const Settings& settings) const {
+    return {options, renderer_named(options.renderer), profiles_.at(options.profile),
+            scene_of(scene_, settings), own_passes_};
+}
+
+Machine& FrameDrawer::machine_for(const Settings& settings) {
+    const PictureOptions& options = settings.picture;
+    const std::string key =
+        fmt::format("{} {} {}", options.profile, options.size.width, options.size.height);
+    if (key != kept_->machine_key) {
+        kept_ = std::make_unique<Kept>();
+        kept_->machine = new_machine(options, profiles_.at(options.profile));
+        kept_->machine_key = key;
+    }
+    kept_->machine->reset_passes();
+    return *kept_->machine;
+}
+
+void FrameDrawer::add_passes(Frame& frame, const Drawing& drawing, Machine& machine) const {
+    static const report::PriceList prices = report::vgx_prices();
+    const auto sets = parameter_sets(drawing);
+    for (const PassReport& pass : machine.passes()) {
+        const auto set = sets.find(pass.name);
+        frame.passes.push_back({pass.name, set == sets.end() ? "" : set->second, pass.counters,
+                                report::estimated_seconds(pass.counters, prices)});
+    }
+}
+
+Frame FrameDrawer::draw(const Settings& settings) {
+    return timed(settings, [&](Frame& frame) {
+        Machine& machine = machine_for(settings);
+        const std::string key = key_of(settings);
+        if (key != kept_->key) {
+            kept_->draw = nullptr;
+            kept_->key = key;
+            kept_->options = std::make_unique<PictureOptions>(settings.picture);
+            kept_->drawing = std::make_unique<Drawing>(drawing_of(*kept_->options, settings));
+            kept_->draw = view_drawer(*kept_->drawing, machine);
+            machine.reset_passes();
+        }
+        kept_->drawing->scene.camera = settings.camera;
+        kept_->draw(view_of(*kept_->drawing));
+        frame.picture = picture_of(machine);
+        add_passes(frame, *kept_->drawing, machine);
+    });
+}
+
+Frame FrameDrawer::draw_by_pass(const Settings& settings) {
+    return timed(settings, [&](Frame& frame) {
+        const Drawing drawing = drawing_of(settings.picture, settings);
+        const auto machine = new_machine(settings.picture, drawing.profile);
+        inspect::Recording recording{.profile = drawing.profile,
+                                     .width = settings.picture.size.width,
+                                     .height = settings.picture.size.height};
+        inspect::Recorder recorder(*machine, recording.lists);
+        apps::draw(drawing, view_of(drawing), recorder);
+        frame.picture = picture_of(*machine);
+        add_passes(frame, drawing, *machine);
+        frame.by_pass =
+            std::make_shared<inspect::Replayed>(std::move(recording), settings.picture.threads);
+    });
+}
+
+std::string FrameDrawer::hidden_picture(Machine& machine, const std::string& algorithm,
+                                        const scene::Scene& scene, Frame& frame) const {
+    const auto [width, height] = frame.settings.picture.size;
+    const scene::View view = scene::make_view(scene, width, height);
+    const hs::Input input = hs::make_input(scene, view, machine.profile());
+    hs::StepLog none;
+    if (const hs::LineAlgorithm* lines = hs::line_algorithm_named(algorithm)) {
+        check(hs::estimate(*lines, input));
+        const hs::LineResult result = hs::run_on(machine, *lines, input, none);
+        frame.picture = picture_of(machine);
+        add_counts(frame, result.counts, hs::line_count_names());
+        return lines->title;
+    }
+    const hs::Algorithm& surfaces = hs::algorithm_named(algorithm);
+    check(hs::estimate(surfaces, input));
+    const hs::Result result = hs::run_on(machine, surfaces, input, none);
+    frame.picture = result.shares.empty()
+                        ? picture_of_ids(input, result.ids, hs::flat_colors(input))
+                        : picture_of_shares(input, result.shares, hs::flat_colors(input));
+    add_counts(frame, result.counts, hs::count_names());
+    return surfaces.title;
+}
+
+Frame FrameDrawer::draw_hidden(const Settings& settings, const std::string& algorithm) {
+    return timed(settings, [&](Frame& frame) {
+        Machine& machine = machine_for(settings);
+        kept_->key.clear();
+        const std::string title =
+            hidden_picture(machine, algorithm, scene_of(scene_, settings), frame);
+        frame.notes.insert(frame.notes.begin(), title);
+    });
+}
+
+}  // namespace gw::apps

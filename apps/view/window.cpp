@@ -1,0 +1,167 @@
+#include "apps/view/window.h"
+
+#include "gw/error.h"
+
+#include <SDL2/SDL.h>
+
+#include <cstdlib>
+#include <memory>
+#include <optional>
+
+namespace gw::apps {
+namespace {
+
+/// How often finished work is looked for.
+constexpr int busy_wait_ms = 5, idle_wait_ms = 50;
+
+struct Closer {
+    void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
+    void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
+    void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
+};
+template <class T>
+using Owned = std::unique_ptr<T, Closer>;
+
+[[noreturn]] void fail(const std::string& what) {
+    throw Error("gw view: " + what + ": " + SDL_GetError() +
+                "; expected a display (DISPLAY or WAYLAND_DISPLAY); gw render needs none");
+}
+
+class Library {
+public:
+    Library() {
+        SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+        choose_display();
+        if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no window");
+    }
+    ~Library() { SDL_Quit(); }
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+
+private:
+    /// Else SDL takes a driver without a screen when there is no display.
+    static void choose_display() {
+        const auto is_set = [](const char* name) {
+            const char* value = std::getenv(name);
+            return value != nullptr && *value != 0;
+        };
+        if (is_set("SDL_VIDEODRIVER")) return;
+        if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) {
+            SDL_SetError("no display is set");
+            fail("no window");
+        }
+        SDL_SetHint(SDL_HINT_VIDEODRIVER, is_set("WAYLAND_DISPLAY") ? "wayland,x11" : "x11");
+    }
+};
+
+class Window {
+public:
+    Window(const std::string& title, int width, int height)
+        : width_(width),
+          height_(height),
+          window_(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
+                                   width, height, SDL_WINDOW_RESIZABLE)) {
+        if (!window_) fail("no window");
+        renderer_.reset(SDL_CreateRenderer(window_.get(), -1, SDL_RENDERER_SOFTWARE));
+        if (!renderer_) fail("no picture in the window");
+        SDL_RenderSetLogicalSize(renderer_.get(), width, height);
+        texture_.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGB24,
+                                         SDL_TEXTUREACCESS_STREAMING, width, height));
+        if (!texture_) fail("no picture in the window");
+    }
+
+    /// Of the window's first size.
+    void show(const image::Picture& screen) {
+        bytes_.resize(screen.values.size());
+        const std::size_t row = 3 * std::size_t(width_);
+        for (std::size_t y = 0; y < std::size_t(height_); ++y)
+            for (std::size_t i = 0; i < row; ++i)
+                bytes_[y * row + i] =
+                    std::uint8_t(screen.values[(std::size_t(height_) - 1 - y) * row + i]);
+        SDL_UpdateTexture(texture_.get(), nullptr, bytes_.data(), int(row));
+        present();
+    }
+    void present() {
+        SDL_RenderClear(renderer_.get());
+        SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, nullptr);
+        SDL_RenderPresent(renderer_.get());
+    }
+
+private:
+    int width_, height_;
+    Owned<SDL_Window> window_;
+    Owned<SDL_Renderer> renderer_;
+    Owned<SDL_Texture> texture_;
+    std::vector<std::uint8_t> bytes_;
+};
+
+/// Keys that are no characters.
+std::string name_of(SDL_Keycode key) {
+    switch (key) {
+        case SDLK_LEFT: return "Left";
+        case SDLK_RIGHT: return "Right";
+        case SDLK_UP: return "Up";
+        case SDLK_DOWN: return "Down";
+        case SDLK_TAB: return "Tab";
+        case SDLK_HOME: return "Home";
+        case SDLK_ESCAPE: return "Escape";
+        case SDLK_SPACE: return "Space";
+        default: return "";
+    }
+}
+
+Input mouse_input(Input::Kind kind, int x, int y, int button) {
+    const SDL_Keymod keys = SDL_GetModState();
+    return {.kind = kind,
+            .x = x,
+            .y = y,
+            .button = button,
+            .shift = (keys & KMOD_SHIFT) != 0,
+            .ctrl = (keys & KMOD_CTRL) != 0};
+}
+
+std::optional<Input> input_of(const SDL_Event& event) {
+    using Kind = Input::Kind;
+    switch (event.type) {
+        case SDL_QUIT: return Input{.kind = Kind::Close};
+        case SDL_KEYDOWN: {
+            const std::string name = name_of(event.key.keysym.sym);
+            if (name.empty()) return {};
+            return Input{.kind = Kind::Key, .key = name};
+        }
+        case SDL_TEXTINPUT:
+            if (event.text.text[0] == ' ') return {};
+            return Input{.kind = Kind::Key, .key = event.text.text};
+        case SDL_MOUSEBUTTONDOWN:
+            SDL_CaptureMouse(SDL_TRUE);
+            return mouse_input(Kind::Press, event.button.x, event.button.y, event.button.button);
+        case SDL_MOUSEBUTTONUP:
+            SDL_CaptureMouse(SDL_FALSE);
+            return mouse_input(Kind::Release, event.button.x, event.button.y, event.button.button);
+        case SDL_MOUSEMOTION: return mouse_input(Kind::Move, event.motion.x, event.motion.y, 0);
+        case SDL_MOUSEWHEEL: return Input{.kind = Kind::Wheel, .wheel = double(event.wheel.y)};
+        default: return {};
+    }
+}
+
+}  // namespace
+
+void show_window(Viewer& viewer, const std::string& title) {
+    const Library library;
+    const image::Picture first = viewer.screen();
+    Window window(title, first.width, first.height);
+    window.show(first);
+    SDL_StartTextInput();
+    while (!viewer.is_finished()) {
+        SDL_Event event;
+        bool has_event =
+            SDL_WaitEventTimeout(&event, viewer.is_busy() ? busy_wait_ms : idle_wait_ms);
+        for (; has_event; has_event = SDL_PollEvent(&event) != 0) {
+            if (event.type == SDL_WINDOWEVENT) window.present();
+            if (const auto input = input_of(event)) viewer.handle(*input);
+        }
+        if (viewer.advance()) window.show(viewer.screen());
+    }
+}
+
+}  // namespace gw::apps
