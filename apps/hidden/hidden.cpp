@@ -106,6 +106,12 @@ void add_exercise_options(CLI::App& command, HiddenOptions& options) {
     number("--questions", options.questions, 1, 99,
            "With --quiz: the number of questions (default 7)");
     command
+        .add_option("--students", options.students,
+                    "With --quiz: a quiz for each student, in folders of their own. A number, or a "
+                    "file with lines name or name,seed")
+        ->type_name("N|FILE.csv")
+        ->needs(quiz);
+    command
         .add_option_function<std::string>(
             "--kind",
             [&](const std::string& word) {
@@ -114,7 +120,11 @@ void add_exercise_options(CLI::App& command, HiddenOptions& options) {
             "With --quiz: questions of one kind (default: all kinds in turn)")
         ->type_name("NAME")
         ->needs(quiz);
-    command.add_option("--grade", options.grade, "Compares answers to a quiz with its key")
+    command
+        .add_option(
+            "--grade", options.grade,
+            "Compares answers to a quiz with its key; of a class: the folder of the keys and "
+            "that of the answers, one line for each student")
         ->expected(2)
         ->type_name("KEY.json ANSWERS.json");
     command

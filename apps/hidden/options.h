@@ -22,7 +22,8 @@ struct HiddenOptions {
     std::filesystem::path quiz;  ///< the folder for exercises
     int seed = 1, questions = 7;
     std::string kind;                          ///< of the questions; empty: all kinds in turn
-    std::vector<std::filesystem::path> grade;  ///< key, answers
+    std::string students;                      ///< students_from; empty: one quiz
+    std::vector<std::filesystem::path> grade;  ///< key, answers: files, or folders of a class
     std::filesystem::path fragments;           ///< a student's list
     std::filesystem::path truth, marked;       ///< files to write: the correct list, the mistakes
 };
@@ -35,12 +36,12 @@ int hidden_polygons(const HiddenOptions& options, Session& session);
 /// Draws a program's answer and grades it. Returns ExitCode Differs if a pixel is wrong (play.cpp).
 int hidden_play(const HiddenOptions& options, Session& session);
 
-/// Makes exercises (quiz.cpp). Needs no scene.
+/// Makes exercises (quiz/quiz.cpp). Needs no scene.
 int hidden_quiz(const HiddenOptions& options, const Session& session);
-/// Compares answers with a key. Returns ExitCode Differs unless all are right (grade.cpp).
+/// Compares answers with a key. Returns ExitCode Differs unless all are right (quiz/grade.cpp).
 int hidden_grade(const HiddenOptions& options);
 /// Compares a fragment list with the Z-buffer's picture; writes `truth` and `marked`. Returns
-/// ExitCode Differs unless all are right (grade.cpp).
+/// ExitCode Differs unless all are right (quiz/grade.cpp).
 int hidden_fragments(const HiddenOptions& options, Session& session);
 
 }  // namespace gw::apps

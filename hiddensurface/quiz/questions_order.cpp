@@ -38,7 +38,8 @@ std::string words_of(const std::vector<std::uint32_t>& ids) {
 /// differs in many.
 std::optional<Question> ask_order(QuizRandom& random) {
     constexpr std::size_t rounding = 2, plain = 150;
-    Question q{.scene = tilted_polygons(random, 4, 4)};
+    Question q;
+    q.scene = tilted_polygons(random, 4, 4);
     const QuestionContext context(q.scene);
     const auto over = polygons_over(context.input);
     const auto expected = context.run("z-buffer").ids;
@@ -59,17 +60,24 @@ std::optional<Question> ask_order(QuizRandom& random) {
         return taken;
     };
     const std::string chosen = take(right);
-    q.choices = {take(wrong), take(wrong), take(wrong)};
+    std::vector<std::string> orders{take(wrong), take(wrong), take(wrong)};
     const int place = random.whole(0, 3);
-    q.choices.insert(q.choices.begin() + place, chosen);
+    orders.insert(orders.begin() + place, chosen);
+    for (const std::string& one : orders) q.choices.push_back({one, one});
     q.kind = "order";
-    q.text =
+    q.text = {
         "The polygons are painted one over the other, the first of the order first. Which of these orders "
-        "gives the picture?";
+        "gives the picture?",
+        "多角形を、並べた順に重ねて塗ります。図のとおりになるのはどの順ですか。"};
     q.answer = std::string(1, char('a' + place));
-    q.why = "Painted in the order " + chosen +
+    q.why = {
+        "Painted in the order " + chosen +
             " no polygon covers one that lies before it; the other orders differ from the "
-            "Z-buffer's picture in 150 pixels or more.";
+            "Z-buffer's picture in 150 pixels or more.",
+        chosen +
+            " の順に塗れば、手前の多角形が後から塗りつぶされることはありません。ほかの順では、Z "
+            "バッファの画像と 150 画素以上が異なります。"};
+    q.decided = {.algorithm = "newell", .step = context.steps("newell", Level::Polygon).size()};
     return q;
 }
 
@@ -77,44 +85,62 @@ std::optional<Question> ask_order(QuizRandom& random) {
 std::optional<Question> ask_test(QuizRandom& random) {
     const char wanted = char('0' + random.whole(1, 6));
     for (int i = 0; i < 60; ++i) {
-        Question q{.scene = tilted_polygons(random, 2, 3, 0.6)};
+        Question q;
+        q.scene = tilted_polygons(random, 2, 3, 0.6);
         const QuestionContext context(q.scene);
         char decides = 0;
         std::vector<std::string> pair;
+        std::size_t number = 0, deciding = 1;
         for (const Step& step : context.steps("newell", Level::Polygon)) {
+            ++number;
             if (step.action != Action::Compare || step.test.size() < 2 || step.test[1] != '-')
                 continue;
             if (step.test[0] < '1' || step.test[0] > '5') continue;
             if (pair.empty()) pair = step.pieces;
             if (step.test[0] <= decides) break;  // the next pair
             decides = step.test[0];
+            deciding = number;
             if (step.result == "yes") break;
             if (decides == '5') decides = '6';
         }
         if (decides != wanted || pair.size() != 2) continue;
         q.kind = "test";
-        q.text = fmt::format(
-            "Polygon {} reaches farthest. By which of Newell's tests may it be drawn before polygon {}? The "
-            "tests are asked in this order; name the first that says yes.",
-            pair[0], pair[1]);
-        q.choices = {"1: their x extents are disjoint",
-                     "2: their y extents are disjoint",
-                     fmt::format("3: all of {} lies behind the plane of {}", pair[0], pair[1]),
-                     fmt::format("4: all of {} lies before the plane of {}", pair[1], pair[0]),
-                     "5: their projections are disjoint",
-                     "none of the five"};
+        const std::string &first = pair[0], &second = pair[1];
+        q.text = {
+            fmt::format(
+                "Polygon {} reaches farthest. By which of Newell's tests may it be drawn before polygon {}? "
+                "The tests are asked in this order; name the first that says yes.",
+                first, second),
+            fmt::format(
+                "多角形 {} が最も遠くまで届きます。これを多角形 {} "
+                "より先に描いてよいことは、ニューウェルのどの判定で分かりますか。判定はこの順に行い"
+                "ます。最初に「はい」となるものを選びなさい。",
+                first, second)};
+        q.choices = {{"1: their x extents are disjoint", "1: x の範囲が重ならない"},
+                     {"2: their y extents are disjoint", "2: y の範囲が重ならない"},
+                     {fmt::format("3: all of {} lies behind the plane of {}", first, second),
+                      fmt::format("3: {} の全体が {} の平面の後ろにある", first, second)},
+                     {fmt::format("4: all of {} lies before the plane of {}", second, first),
+                      fmt::format("4: {} の全体が {} の平面の手前にある", second, first)},
+                     {"5: their projections are disjoint", "5: 投影が重ならない"},
+                     {"none of the five", "五つのどれでもない"}};
         q.answer = std::string(1, char('a' + (wanted - '1')));
-        q.why =
-            wanted == '6'
-                ? "All five say no: the other must be drawn first, or one is cut by the plane of the other."
-                : fmt::format("Test {} is the first that says yes.", wanted);
+        q.why = wanted == '6'
+                    ? Bilingual{"All five say no: the other must be drawn first, or one is cut by the plane "
+                                "of the other.",
+                                "五つとも「いいえ」です。もう一方を先に描くか、一方を他方の平面で切ります。"}
+                    : Bilingual{fmt::format("Test {} is the first that says yes.", wanted),
+                                fmt::format("最初に「はい」となるのは判定 {} です。", wanted)};
+        q.decided = {.algorithm = "newell", .step = deciding};
+        q.needs_corners = true;
         return q;
     }
     return std::nullopt;
 }
 
 std::optional<Question> ask_pieces(QuizRandom& random) {
-    Question q{.scene = tilted_polygons(random, 3, 3)};
+    Question q;
+    q.scene = tilted_polygons(random, 3, 3);
     const QuestionContext context(q.scene);
     const Result newell = context.run("newell");
     if (newell.counts.splits == 0 || newell.counts.splits > 3 || newell.counts.undecided > 0)
@@ -122,12 +148,21 @@ std::optional<Question> ask_pieces(QuizRandom& random) {
     for (const std::uint32_t id : {1u, 2u, 3u})
         if (std::count(newell.ids.begin(), newell.ids.end(), id) < 200) return std::nullopt;
     q.kind = "pieces";
-    q.text =
+    q.text = {
         "Newell, Newell and Sancha's algorithm draws these three triangles, cutting one by the plane of "
-        "another only if neither "
-        "may be drawn first. How many pieces does it draw? Answer with a number.";
+        "another only if neither may be drawn first. How many pieces does it draw? Answer with a number.",
+        "ニューウェル、ニューウェル、サンチャのアルゴリズムで、この三つの三角形を描きます。どちらも先に描けない"
+        "ときだけ、一方を他方の平面で切ります。全部でいくつの部分を描きますか。数で答えなさい。"};
     q.answer = std::to_string(newell.pieces.size());
-    q.why = fmt::format("Cuts of the 3 triangles: {}.", newell.counts.splits);
+    q.why = {fmt::format("Cuts of the 3 triangles: {}.", newell.counts.splits),
+             fmt::format("三つの三角形は {} 回切られます。", newell.counts.splits)};
+    q.decided = {.algorithm = "newell", .step = 1};
+    std::size_t number = 0;
+    for (const Step& step : context.steps("newell", Level::Polygon)) {
+        ++number;
+        if (step.action == Action::Split) q.decided.step = number;
+    }
+    q.needs_corners = true;
     return q;
 }
 

@@ -30,7 +30,10 @@ constexpr Kind kinds[] = {{"order", ask_order},
 Question make_question(const Kind& kind, std::uint32_t seed, std::uint32_t number) {
     QuizRandom random(seed, number);
     for (int i = 0; i < most_tries; ++i)
-        if (auto question = kind.make(random)) return std::move(*question);
+        if (auto question = kind.make(random)) {
+            question->scene.name = kind.name;
+            return std::move(*question);
+        }
     throw Error(
         fmt::format("quiz: no scene for question {} ({}) of seed {}; expected one in {} tries",
                     number, kind.name, seed, most_tries));

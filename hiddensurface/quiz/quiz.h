@@ -1,6 +1,6 @@
 // Exercises: small random scenes, a question about each, and the answer, computed by the algorithms
 // themselves. The same seed gives the same quiz everywhere. Does not write files or grade:
-// apps/hidden/grade.cpp does.
+// apps/hidden/quiz/grade.cpp does.
 #pragma once
 
 #include "hiddensurface/run/algorithm.h"
@@ -9,12 +9,26 @@
 
 namespace gw::hiddensurface {
 
+/// A text in the languages of the pages.
+struct Bilingual {
+    std::string en{}, ja{};
+};
+
+/// The step that decides an answer, in the log of an algorithm on the question's scene.
+struct DecidingStep {
+    std::string algorithm{};
+    Level level = Level::Polygon;
+    std::size_t step = 1;  ///< the first is 1
+};
+
 struct Question {
-    std::string kind;                  ///< quiz_kinds()
-    std::string text;                  ///< the question, and the form of the answer
-    std::vector<std::string> choices;  ///< a, b, c, ...; empty: the answer is a number or numbers
-    std::string answer;                ///< canonical: "b", "3", "1 4 6"
-    std::string why;
+    std::string kind;                ///< quiz_kinds()
+    Bilingual text{};                ///< the question, and the form of the answer
+    std::vector<Bilingual> choices;  ///< a, b, c, ...; empty: the answer is a number or numbers
+    std::string answer;              ///< canonical: "b", "3", "1 4 6"
+    Bilingual why{};
+    DecidingStep decided{};
+    bool needs_corners = false;  ///< no answer without the corners' coordinates in the window
     scene::Scene scene;          ///< polygons are numbered by their identifiers
     std::optional<dvec2> point;  ///< marked in the picture: pixels, y up
     std::optional<int> row;      ///< a scan line marked, bottom row 0

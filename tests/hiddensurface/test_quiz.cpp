@@ -2,6 +2,7 @@
 // is right by a second way of finding it; a fragment list is graded as its mistakes were made;
 // malformed lists name line and expectation.
 #include "gw/error.h"
+#include "hiddensurface/lines/line_algorithm.h"
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/quiz/fragments.h"
 #include "hiddensurface/quiz/quiz.h"
@@ -18,8 +19,8 @@ namespace gw::hiddensurface {
 namespace {
 
 std::string text_of(const Question& q) {
-    std::string text = q.kind + q.text + q.answer + q.why;
-    for (const std::string& choice : q.choices) text += choice;
+    std::string text = q.kind + q.text.en + q.text.ja + q.answer + q.why.en + q.why.ja;
+    for (const Bilingual& choice : q.choices) text += choice.en + choice.ja;
     for (const scene::Object& object : q.scene.objects)
         for (const vec3& p : object.mesh->data().positions)
             text +=
@@ -56,7 +57,7 @@ TEST(Quiz, HasOneOrderThatPaintsThePicture) {
         for (std::size_t c = 0; c < 4; ++c) {
             Output output{.list = begin_picture(trial.input, "choice")};
             StepLog none;
-            std::istringstream words(q.choices[c]);
+            std::istringstream words(q.choices[c].en);
             for (std::uint32_t id; words >> id;)
                 draw_piece(trial.input, whole(id - 1, trial.input.polygons[id - 1]), output, none);
             trial.machine->execute(output.list);
@@ -65,9 +66,9 @@ TEST(Quiz, HasOneOrderThatPaintsThePicture) {
                 different +=
                     scene::id_of(trial.machine->planes().color[i]) != trial.z_buffer.ids[i] ? 1 : 0;
             if (q.answer == std::string(1, char('a' + c)))
-                EXPECT_LE(different, 2) << q.choices[c];
+                EXPECT_LE(different, 2) << q.choices[c].en;
             else
-                EXPECT_GE(different, 150) << q.choices[c];
+                EXPECT_GE(different, 150) << q.choices[c].en;
         }
     }
 }
@@ -78,7 +79,7 @@ TEST(Quiz, NamesTheFirstOfNewellsTestsThatSaysYes) {
     std::set<std::string> answers;
     for (const Question& q : make_quiz(5, 12, "test")) {
         QuizTrial trial(q);
-        const int p = q.text[8] - '1';  // "Polygon 2 reaches farthest"
+        const int p = q.text.en[8] - '1';  // "Polygon 2 reaches farthest"
         const Facet &a = trial.input.polygons[std::size_t(p)].facets[0],
                     &b = trial.input.polygons[std::size_t(1 - p)].facets[0];
         const auto extent_of = [](const Facet& f, int axis) {
@@ -104,9 +105,9 @@ TEST(Quiz, NamesTheFirstOfNewellsTestsThatSaysYes) {
                            : all(b, a, -1) ? 'd'
                                            : 'e';
         if (first < 'e')
-            EXPECT_EQ(q.answer, std::string(1, first)) << q.text;
+            EXPECT_EQ(q.answer, std::string(1, first)) << q.text.en;
         else
-            EXPECT_GE(q.answer, "e") << q.text;
+            EXPECT_GE(q.answer, "e") << q.text.en;
         answers.insert(q.answer);
     }
     EXPECT_GE(answers.size(), 4u);
@@ -131,11 +132,11 @@ TEST(Quiz, FindsTheFacesThatLookAway) {
         std::string back;
         for (const Polygon& polygon : trial.input.polygons) {
             const dvec4 plane = plane_of(polygon_normal(polygon.world), polygon.world[0]);
-            EXPECT_LT(side(plane, middle), 0) << "turned inwards: " << q.text;
+            EXPECT_LT(side(plane, middle), 0) << "turned inwards: " << q.text.en;
             if (side(plane, trial.view.camera.eye) < 0)
                 back += (back.empty() ? "" : " ") + std::to_string(polygon.id);
         }
-        EXPECT_EQ(q.answer, back) << q.text;
+        EXPECT_EQ(q.answer, back) << q.text.en;
     }
 }
 
@@ -151,7 +152,7 @@ TEST(Quiz, CountsWritesAsTheDistancesSay) {
             if (distance < nearest) writes += 1;
             nearest = std::min(nearest, distance);
         }
-        EXPECT_EQ(q.answer, std::to_string(writes)) << q.text;
+        EXPECT_EQ(q.answer, std::to_string(writes)) << q.text.en;
     }
 }
 
@@ -167,7 +168,7 @@ TEST(Quiz, CountsSpansOfALine) {
         };
         for (int x = 0; x < quiz_width; ++x)
             spans += !at(x).empty() && (x == 0 || at(x) != at(x - 1)) ? 1 : 0;
-        EXPECT_EQ(q.answer, std::to_string(spans)) << q.text;
+        EXPECT_EQ(q.answer, std::to_string(spans)) << q.text.en;
     }
 }
 
@@ -180,6 +181,47 @@ TEST(Quiz, CountsTrianglesBeforeAPoint) {
         EXPECT_GE(answer, 1);
         EXPECT_LE(answer, int(over.size()) + 1);
         EXPECT_LE(answer, 4);
+    }
+}
+
+// The step that a question names is there, and about it.
+TEST(Quiz, NamesTheStepThatDecides) {
+    for (const Question& q : make_quiz(5, 14)) {
+        QuizTrial trial(q);
+        StepLog log(q.decided.level);
+        if (const LineAlgorithm* lines = line_algorithm_named(q.decided.algorithm))
+            lines->run(trial.input, log);
+        else
+            algorithm_named(q.decided.algorithm).run(trial.input, log);
+        ASSERT_GE(q.decided.step, 1u) << q.kind;
+        if (q.kind == "writes") {  // the machine's own: a step for each polygon
+            EXPECT_LE(q.decided.step, trial.input.polygons.size());
+            continue;
+        }
+        ASSERT_LE(q.decided.step, log.steps().size()) << q.kind;
+        const Step& step = log.steps()[q.decided.step - 1];
+        if (q.kind == "order") {
+            EXPECT_EQ(q.decided.step, log.steps().size());
+        }
+        if (q.kind == "test" && q.answer < "e") {
+            EXPECT_EQ(step.test[0], char(q.answer[0] - 'a' + '1'));
+            EXPECT_EQ(step.result, "yes");
+        }
+        if (q.kind == "pieces") {
+            EXPECT_EQ(step.action, Action::Split);
+        }
+        if (q.kind == "facing") {
+            EXPECT_EQ(step.result, "back");
+        }
+        if (q.kind == "spans") {
+            EXPECT_EQ(step.window.y, *q.row);
+        }
+        if (q.kind == "invisibility") {
+            ASSERT_TRUE(step.line);
+            const dvec3 middle = (step.line->a + step.line->b) / 16.0;
+            EXPECT_NEAR(middle.x, q.point->x, 0.1);
+            EXPECT_NEAR(middle.y, q.point->y, 0.1);
+        }
     }
 }
 

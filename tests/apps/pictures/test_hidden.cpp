@@ -234,66 +234,6 @@ TEST_F(Hidden, DrawsHiddenLinesWithStepsAndCounts) {
                    {"expected a height field"});
 }
 
-TEST_F(Hidden, MakesAQuizThatGradesItself) {
-    const Outcome outcome = gw({"hidden", "--quiz", "q", "--seed", "3", "--questions", "7"});
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(names("q"),
-              (std::vector<std::string>{"handout", "index.html", "index.json", "key.json"}));
-    const auto handout = names("q/handout");
-    EXPECT_EQ(handout.size(), 3u + 4u * 7u);
-    // Nothing in the handout tells the answers: the form is empty, the questions have none.
-    const auto form = nlohmann::json::parse(bytes_of(in("q/handout/answers.json")));
-    for (const auto& answer : form["answers"]) EXPECT_EQ(answer, "");
-    const auto asked = nlohmann::json::parse(bytes_of(in("q/handout/questions.json")));
-    EXPECT_EQ(asked["questions"].size(), 7u);
-    for (const auto& question : asked["questions"]) EXPECT_FALSE(question.contains("answer"));
-    // The key's own answers are all right; the empty form is all missing; one wrong answer is told.
-    const auto key = nlohmann::json::parse(bytes_of(in("q/key.json")));
-    nlohmann::json mine{{"seed", 3}};
-    for (const auto& a : key["answers"])
-        mine["answers"][std::to_string(a["number"].get<int>())] = a["answer"];
-    write("mine.json", mine.dump());
-    EXPECT_EQ(gw({"hidden", "--grade", "q/key.json", "mine.json"}).code, 0);
-    const Outcome empty = gw({"hidden", "--grade", "q/key.json", "q/handout/answers.json"});
-    EXPECT_EQ(empty.code, 3);
-    EXPECT_NE(empty.out.find("0 of 7 right"), std::string::npos);
-    mine["answers"]["3"] = 99;
-    write("mine.json", mine.dump());
-    const Outcome wrong = gw({"hidden", "--grade", "q/key.json", "mine.json", "--json"});
-    EXPECT_EQ(wrong.code, 3);
-    EXPECT_EQ(nlohmann::json::parse(wrong.out)["right"], 6);
-    EXPECT_EQ(nlohmann::json::parse(wrong.out)["answers"][2]["grade"], "wrong");
-    // The scene of a question is one of gw's, with the same picture.
-    const Outcome scene =
-        gw({"hidden", "q/handout/scene_01.toml", "--algorithm", "newell", "--json"});
-    EXPECT_EQ(scene.code, 0) << scene.err;
-    EXPECT_EQ(nlohmann::json::parse(scene.out)[0]["counts"]["polygons"], 4);
-    // Again, the same bytes.
-    EXPECT_EQ(gw({"hidden", "--quiz", "again", "--seed", "3", "--questions", "7"}).code, 0);
-    for (const std::string& name : handout)
-        EXPECT_EQ(bytes_of(in("again/handout/" + name)), bytes_of(in("q/handout/" + name))) << name;
-    EXPECT_EQ(bytes_of(in("again/key.json")), bytes_of(in("q/key.json")));
-}
-
-TEST_F(Hidden, RefusesAnswersThatFitNoKey) {
-    ASSERT_EQ(gw({"hidden", "--quiz", "q", "--seed", "3", "--questions", "2"}).code, 0);
-    const auto refused = [&](const std::string& text, const std::string& part) {
-        write("mine.json", text);
-        expect_refused(1, {"hidden", "--grade", "q/key.json", "mine.json"},
-                       {"mine.json", part, "expected"});
-    };
-    refused("{", "expected JSON");
-    refused("[]", "no answers");
-    refused(R"({"seed": 4, "answers": {}})", "seed 4");
-    refused(R"({"answers": {}})", "seed missing");
-    refused(R"({"seed": 3, "answers": {"9": "a"}})", "'9'");
-    refused(R"({"seed": 3, "answers": {"1": {"a": 1}}})", "answer 1");
-    refused(R"({"seed": 3, "answers": {"1": 1.5}})", "answer 1");
-    expect_refused(1, {"hidden", "--grade", "q/handout/answers.json", "mine.json"},
-                   {"answers.json", "expected a key"});
-    expect_refused(1, {"hidden", "--grade", "none.json", "mine.json"}, {"none.json"});
-}
-
 TEST_F(Hidden, GradesAFragmentList) {
     EXPECT_EQ(hidden({"--truth", "truth.csv"}).code, 0);
     const Outcome right = hidden({"--fragments", "truth.csv"});

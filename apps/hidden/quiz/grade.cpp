@@ -16,6 +16,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <set>
+
 namespace gw::apps {
 
 namespace hs = hiddensurface;
@@ -145,32 +147,132 @@ image::Picture marked(image::Picture picture, const hs::FragmentGrade& grade) {
 
 }  // namespace
 
-int hidden_grade(const HiddenOptions& options) {
+namespace {
+
+struct GradedAnswer {
+    Key key;
+    std::string given, grade;  ///< "right", "wrong", "missing"
+};
+
+struct GradedQuiz {
     Json seed;
-    const std::vector<Key> key = read_key(options.grade[0], seed);
-    const auto answers = read_answers(options.grade[1], key, seed);
+    std::vector<GradedAnswer> answers;
     std::size_t right = 0;
-    std::vector<std::vector<std::string>> rows{{"question", "kind", "given", "", "expected"}};
-    Json list = Json::array();
-    for (const Key& k : key) {
-        const auto found = answers.find(k.number);
+    bool is_all_right() const { return right == answers.size(); }
+};
+
+/// Without answers, all are missing.
+GradedQuiz graded(const std::filesystem::path& key_file,
+                  const std::optional<std::filesystem::path>& answers_file) {
+    GradedQuiz quiz;
+    const std::vector<Key> keys = read_key(key_file, quiz.seed);
+    std::map<std::string, std::string> answers;
+    if (answers_file) answers = read_answers(*answers_file, keys, quiz.seed);
+    for (const Key& key : keys) {
+        const auto found = answers.find(key.number);
         const std::string given = found == answers.end() ? "" : found->second;
-        const char* grade = given.empty() ? "missing" : given == k.answer ? "right" : "wrong";
-        right += given == k.answer ? 1 : 0;
-        rows.push_back({k.number, k.kind, given.empty() ? "-" : given, grade,
-                        given == k.answer ? "" : k.answer});
-        list.push_back({{"number", k.number},
-                        {"kind", k.kind},
+        const char* grade = given.empty() ? "missing" : given == key.answer ? "right" : "wrong";
+        quiz.right += given == key.answer ? 1 : 0;
+        quiz.answers.push_back({key, given, grade});
+    }
+    return quiz;
+}
+
+std::string text_of(const GradedQuiz& quiz) {
+    std::vector<std::vector<std::string>> rows{{"question", "kind", "given", "", "expected"}};
+    for (const auto& [key, given, grade] : quiz.answers)
+        rows.push_back({key.number, key.kind, given.empty() ? "-" : given, grade,
+                        given == key.answer ? "" : key.answer});
+    return table(rows) + fmt::format("{} of {} right\n", quiz.right, quiz.answers.size());
+}
+
+std::string json_of(const GradedQuiz& quiz) {
+    Json list = Json::array();
+    for (const auto& [key, given, grade] : quiz.answers)
+        list.push_back({{"number", key.number},
+                        {"kind", key.kind},
                         {"given", given},
                         {"grade", grade},
-                        {"expected", k.answer},
-                        {"why", k.why}});
+                        {"expected", key.answer},
+                        {"why", key.why}});
+    return Json{{"right", quiz.right}, {"of", quiz.answers.size()}, {"answers", list}}.dump(2) +
+           "\n";
+}
+
+/// A student's answers: FOLDER/answers.json as in the handout, or FOLDER.json.
+std::optional<std::filesystem::path> answers_in(const std::filesystem::path& all,
+                                                const std::string& folder) {
+    for (const std::filesystem::path& file :
+         {all / folder / "answers.json", all / (folder + ".json")})
+        if (scene::file_exists(file)) return file;
+    return {};
+}
+
+std::vector<std::pair<std::string, GradedQuiz>> graded_class(const std::filesystem::path& keys,
+                                                             const std::filesystem::path& answers) {
+    if (!std::filesystem::is_directory(answers))
+        fail(answers, "is no folder; expected one with a student's answers in each of its folders");
+    std::set<std::string> folders;
+    for (const auto& entry : std::filesystem::directory_iterator(keys))
+        if (scene::file_exists(entry.path() / "key.json"))
+            folders.insert(entry.path().filename().string());
+    if (folders.empty())
+        fail(keys, "has no folder with key.json; expected the answers of gw hidden --students");
+    std::vector<std::pair<std::string, GradedQuiz>> all;
+    for (const std::string& folder : folders)
+        all.emplace_back(folder, graded(keys / folder / "key.json", answers_in(answers, folder)));
+    return all;
+}
+
+/// A line for each student: the answers given, the wrong ones with what was expected.
+std::vector<std::vector<std::string>> rows_of(
+    const std::vector<std::pair<std::string, GradedQuiz>>& all) {
+    std::size_t most = 0;
+    for (const auto& [folder, quiz] : all) most = std::max(most, quiz.answers.size());
+    std::vector<std::vector<std::string>> rows{{"student", "seed", "right", "of"}};
+    for (std::size_t i = 1; i <= most; ++i) rows[0].push_back(std::to_string(i));
+    for (const auto& [folder, quiz] : all) {
+        rows.push_back({folder, quiz.seed.dump(), std::to_string(quiz.right),
+                        std::to_string(quiz.answers.size())});
+        for (const auto& [key, given, grade] : quiz.answers)
+            rows.back().push_back(
+                given == key.answer
+                    ? given
+                    : fmt::format("{} (not {})", key.answer, given.empty() ? "answered" : given));
+        rows.back().resize(rows[0].size());
     }
-    if (options.form == Form::Json)
-        print(Json{{"right", right}, {"of", key.size()}, {"answers", list}}.dump(2) + "\n");
-    else
-        print(table(rows) + fmt::format("{} of {} right\n", right, key.size()));
-    return right == key.size() ? Done : Differs;
+    return rows;
+}
+
+std::string csv_of(const std::vector<std::vector<std::string>>& rows) {
+    std::string text;
+    for (const auto& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i)
+            text += fmt::format("\"{}\"{}", row[i], i + 1 == row.size() ? "\n" : ",");
+    return text;
+}
+
+int grade_class(const HiddenOptions& options) {
+    const auto all = graded_class(options.grade[0], options.grade[1]);
+    bool is_all_right = true;
+    Json list = Json::object();
+    for (const auto& [folder, quiz] : all) {
+        is_all_right = is_all_right && quiz.is_all_right();
+        list[folder] = Json::parse(json_of(quiz));
+    }
+    print(options.form == Form::Json  ? list.dump(2) + "\n"
+          : options.form == Form::Csv ? csv_of(rows_of(all))
+                                      : table(rows_of(all)));
+    return is_all_right ? Done : Differs;
+}
+
+}  // namespace
+
+int hidden_grade(const HiddenOptions& options) {
+    if (std::filesystem::is_directory(options.grade[0])) return grade_class(options);
+    const GradedQuiz quiz = graded(options.grade[0], options.grade[1]);
+    print(options.form == Form::Json ? json_of(quiz) : text_of(quiz));
+    return quiz.is_all_right() ? Done : Differs;
 }
 
 int hidden_fragments(const HiddenOptions& options, Session& session) {

@@ -1,0 +1,145 @@
+// Claims: a quiz's handout tells no answer and its key grades itself; the page to print has every
+// question in both languages; each student of a class has a quiz, and the class a report.
+#include "apps/hidden/page.h"
+#include "tests/apps/support/command_test.h"
+
+#include <nlohmann/json.hpp>
+
+namespace gw::apps {
+
+using QuizFiles = CommandTest;
+
+TEST_F(QuizFiles, MakesAQuizThatGradesItself) {
+    const Outcome outcome = gw({"hidden", "--quiz", "q", "--seed", "3", "--questions", "7"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::vector<std::string> expected{"answers.html", "handout", "index.html", "index.json",
+                                      "key.json"};
+    const bool has_pages = !embedded_page("player.html").empty();
+    for (int i = 1; has_pages && i <= 7; ++i)
+        expected.push_back("steps_0" + std::to_string(i) + ".html");
+    EXPECT_EQ(names("q"), expected);
+    const auto handout = names("q/handout");
+    EXPECT_EQ(handout.size(), 4u + 4u * 7u);
+    // Nothing in the handout tells the answers: the form is empty, the questions have none.
+    const auto form = nlohmann::json::parse(bytes_of(in("q/handout/answers.json")));
+    for (const auto& answer : form["answers"]) EXPECT_EQ(answer, "");
+    const auto asked = nlohmann::json::parse(bytes_of(in("q/handout/questions.json")));
+    EXPECT_EQ(asked["questions"].size(), 7u);
+    for (const auto& question : asked["questions"]) EXPECT_FALSE(question.contains("answer"));
+    // The key's own answers are all right; the empty form is all missing; one wrong answer is told.
+    const auto key = nlohmann::json::parse(bytes_of(in("q/key.json")));
+    nlohmann::json mine{{"seed", 3}};
+    for (const auto& a : key["answers"])
+        mine["answers"][std::to_string(a["number"].get<int>())] = a["answer"];
+    write("mine.json", mine.dump());
+    EXPECT_EQ(gw({"hidden", "--grade", "q/key.json", "mine.json"}).code, 0);
+    const Outcome empty = gw({"hidden", "--grade", "q/key.json", "q/handout/answers.json"});
+    EXPECT_EQ(empty.code, 3);
+    EXPECT_NE(empty.out.find("0 of 7 right"), std::string::npos);
+    mine["answers"]["3"] = 99;
+    write("mine.json", mine.dump());
+    const Outcome wrong = gw({"hidden", "--grade", "q/key.json", "mine.json", "--json"});
+    EXPECT_EQ(wrong.code, 3);
+    EXPECT_EQ(nlohmann::json::parse(wrong.out)["right"], 6);
+    EXPECT_EQ(nlohmann::json::parse(wrong.out)["answers"][2]["grade"], "wrong");
+    // The scene of a question is one of gw's, with the same picture.
+    const Outcome scene =
+        gw({"hidden", "q/handout/scene_01.toml", "--algorithm", "newell", "--json"});
+    EXPECT_EQ(scene.code, 0) << scene.err;
+    EXPECT_EQ(nlohmann::json::parse(scene.out)[0]["counts"]["polygons"], 4);
+    // Again, the same bytes.
+    EXPECT_EQ(gw({"hidden", "--quiz", "again", "--seed", "3", "--questions", "7"}).code, 0);
+    for (const std::string& name : handout)
+        EXPECT_EQ(bytes_of(in("again/handout/" + name)), bytes_of(in("q/handout/" + name))) << name;
+    EXPECT_EQ(bytes_of(in("again/key.json")), bytes_of(in("q/key.json")));
+}
+
+// The page has every question in both languages with a drawing, and no answer; the answers lead to
+// the step that decides.
+TEST_F(QuizFiles, QuizIsAPageToPrint) {
+    ASSERT_EQ(gw({"hidden", "--quiz", "q", "--seed", "3", "--questions", "14"}).code, 0);
+    const std::string handout = bytes_of(in("q/handout/quiz.html")),
+                      answers = bytes_of(in("q/answers.html"));
+    const auto count = [](const std::string& text, const std::string& part) {
+        int times = 0;
+        for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++times;
+        return times;
+    };
+    EXPECT_EQ(count(handout, "<article>"), 14);
+    EXPECT_EQ(count(handout, "<svg "), 14);
+    EXPECT_EQ(count(handout, "<p lang=\"en\">"), 14);
+    EXPECT_EQ(count(handout, "<p lang=\"ja\">"), 14);
+    EXPECT_EQ(count(handout, "class=\"given\""), 0);
+    EXPECT_EQ(handout.find("#step="), handout.npos);
+    EXPECT_EQ(handout.find("<script"), handout.npos);
+    EXPECT_EQ(count(answers, "class=\"given\""), 14);
+    if (!embedded_page("player.html").empty()) {
+        EXPECT_EQ(count(answers, "#step="), 14);
+    }
+    const auto key = nlohmann::json::parse(bytes_of(in("q/key.json")));
+    for (const auto& a : key["answers"])
+        EXPECT_EQ(handout.find(a["why"].get<std::string>()), handout.npos);
+    // Hidden sides are broken lines where surfaces are shown.
+    EXPECT_GE(count(handout, "class=\"hidden\""), 14);
+}
+
+TEST_F(QuizFiles, EveryStudentHasAQuizAndTheClassAReport) {
+    write("class.csv", "name,seed\n\"Ann\",5\n../Bo b,\xE6\xA3\xAE\n");
+    expect_refused(1, {"hidden", "--quiz", "q", "--students", "class.csv"},
+                   {"class.csv:3: ", "expected a whole number"});
+    write("class.csv", "name,seed\nAnn,5\n../Bo b\n\xE6\xA3\xAE\n");
+    const Outcome made =
+        gw({"hidden", "--quiz", "q", "--students", "class.csv", "--seed", "8", "--questions", "2"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(bytes_of(in("q/class.csv")),
+              "student,seed,folder\n\"Ann\",5,01_Ann\n\"../Bo b\",9,02____Bo_b\n"
+              "\"\xE6\xA3\xAE\",10,03_\xE6\xA3\xAE\n");
+    ASSERT_EQ(gw({"hidden", "--quiz", "five", "--seed", "5", "--questions", "2"}).code, 0);
+    EXPECT_EQ(bytes_of(in("q/handout/01_Ann/questions.json")),
+              bytes_of(in("five/handout/questions.json")));
+    // Ann is right, Bo has one wrong, the third gave none.
+    const auto give = [&](const std::string& folder, bool spoil) {
+        const auto key = nlohmann::json::parse(bytes_of(in("q/answers/" + folder + "/key.json")));
+        nlohmann::json mine{{"seed", key["seed"]}};
+        for (const auto& a : key["answers"])
+            mine["answers"][std::to_string(a["number"].get<int>())] = a["answer"];
+        if (spoil) mine["answers"]["2"] = "z";
+        write("given/" + folder + ".json", mine.dump());
+    };
+    std::filesystem::create_directory(in("given"));
+    give("01_Ann", false);
+    give("02____Bo_b", true);
+    const Outcome report = gw({"hidden", "--grade", "q/answers", "given", "--csv"});
+    EXPECT_EQ(report.code, 3);
+    EXPECT_EQ(report.out.substr(0, report.out.find('\n')),
+              "\"student\",\"seed\",\"right\",\"of\",\"1\",\"2\"");
+    EXPECT_NE(report.out.find("\"01_Ann\",\"5\",\"2\",\"2\","), report.out.npos) << report.out;
+    EXPECT_NE(report.out.find("\"02____Bo_b\",\"9\",\"1\",\"2\","), report.out.npos) << report.out;
+    EXPECT_NE(report.out.find("(not z)"), report.out.npos) << report.out;
+    EXPECT_NE(report.out.find("\",\"10\",\"0\",\"2\","), report.out.npos) << report.out;
+    expect_refused(1, {"hidden", "--grade", "q/handout", "given"}, {"q/handout", "key.json"});
+    expect_refused(1, {"hidden", "--grade", "q/answers", "class.csv"}, {"class.csv", "folder"});
+    expect_refused(2, {"hidden", "--quiz", "p", "--students", "0"}, {"--students '0'"});
+    expect_refused(1, {"hidden", "--quiz", "p", "--students", "none.csv"}, {"none.csv"});
+}
+
+TEST_F(QuizFiles, RefusesAnswersThatFitNoKey) {
+    ASSERT_EQ(gw({"hidden", "--quiz", "q", "--seed", "3", "--questions", "2"}).code, 0);
+    const auto refused = [&](const std::string& text, const std::string& part) {
+        write("mine.json", text);
+        expect_refused(1, {"hidden", "--grade", "q/key.json", "mine.json"},
+                       {"mine.json", part, "expected"});
+    };
+    refused("{", "expected JSON");
+    refused("[]", "no answers");
+    refused(R"({"seed": 4, "answers": {}})", "seed 4");
+    refused(R"({"answers": {}})", "seed missing");
+    refused(R"({"seed": 3, "answers": {"9": "a"}})", "'9'");
+    refused(R"({"seed": 3, "answers": {"1": {"a": 1}}})", "answer 1");
+    refused(R"({"seed": 3, "answers": {"1": 1.5}})", "answer 1");
+    expect_refused(1, {"hidden", "--grade", "q/handout/answers.json", "mine.json"},
+                   {"answers.json", "expected a key"});
+    expect_refused(1, {"hidden", "--grade", "none.json", "mine.json"}, {"none.json"});
+}
+
+}  // namespace gw::apps
