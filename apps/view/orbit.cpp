@@ -1,15 +1,14 @@
 #include "apps/view/orbit.h"
 
+#include "gw/base/elementary.h"
 #include "scene/draw/view.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace gw::apps {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double degree = pi / 180;
 
 /// Right, up and back of the picture, in the world.
 struct Axes {
@@ -23,7 +22,7 @@ Axes axes_of(const scene::Camera& camera) {
 
 /// Rodrigues' formula; `axis` has length 1.
 dvec3 turned(const dvec3& v, const dvec3& axis, double degrees) {
-    const double c = std::cos(degrees * degree), s = std::sin(degrees * degree);
+    const double c = cos_degrees(degrees), s = sin_degrees(degrees);
     return v * c + cross(axis, v) * s + axis * (dot(axis, v) * (1 - c));
 }
 
@@ -33,7 +32,7 @@ scene::Camera orbited(scene::Camera camera, double right, double above) {
     const dvec3 pole = normalize(camera.up);
     dvec3 arm = turned(camera.eye - camera.at, pole, right);
     const double sine = std::clamp(dot(normalize(arm), pole), -1.0, 1.0);
-    const double height = std::asin(sine) / degree;
+    const double height = gw::asin(sine) / degree;
     const double wanted = std::clamp(height + above, -89.0, 89.0);
     const dvec3 side = cross(arm, pole);
     // An eye on the pole has no side: the picture's own takes its place.
@@ -45,9 +44,8 @@ scene::Camera orbited(scene::Camera camera, double right, double above) {
 
 scene::Camera panned(scene::Camera camera, double right, double up) {
     const double distance = length(camera.at - camera.eye);
-    const double height = camera.ortho_height > 0
-                              ? camera.ortho_height
-                              : 2 * distance * std::tan(camera.fov * degree / 2);
+    const double height =
+        camera.ortho_height > 0 ? camera.ortho_height : 2 * distance * tan_degrees(camera.fov / 2);
     const Axes axes = axes_of(camera);
     const dvec3 move = (axes.right * right + axes.up * up) * height;
     camera.eye -= move;

@@ -1,6 +1,7 @@
 // The keys of gw view: one row each, and their effects.
 #include "apps/view/orbit.h"
 #include "apps/view/viewer.h"
+#include "gw/base/elementary.h"
 #include "gw/error.h"
 #include "hiddensurface/lines/line_algorithm.h"
 #include "hiddensurface/run/algorithm.h"
@@ -86,7 +87,7 @@ void Viewer::handle(const Input& input) {
         case Input::Kind::Move: return drag(input);
         case Input::Kind::Release: return release(input);
         case Input::Kind::Wheel:
-            settings_.camera = zoomed(settings_.camera, std::pow(0.9, input.wheel));
+            settings_.camera = zoomed(settings_.camera, gw::pow(0.9, input.wheel));
             return moved();
         case Input::Kind::Key: break;
     }

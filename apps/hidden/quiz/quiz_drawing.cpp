@@ -1,10 +1,12 @@
 #include "apps/hidden/quiz/quiz_drawing.h"
 
 #include "apps/hidden/pictures.h"
+#include "gw/base/elementary.h"
 #include "gw/machine.h"
 #include "hiddensurface/lines/window_lines.h"
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +108,8 @@ std::vector<int> clearance_of(const std::vector<std::uint32_t>& ids, const hs::Q
     const auto is_marked = [&](int x, int y) {
         return (question.row && std::abs(y - *question.row) < beside_a_mark) ||
                (question.point &&
-                std::hypot(x - question.point->x, y - question.point->y) < 1.5 * beside_a_mark);
+                glm::length(glm::dvec2(x - question.point->x, y - question.point->y)) <
+                    1.5 * beside_a_mark);
     };
     for (const auto& [dx, dy] :
          {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
@@ -143,12 +146,12 @@ std::string numbers(const DrawnQuestion& drawn, const hs::Question& question) {
 /// Beside a corner, outwards, or turned from there until no other label is near.
 dvec2 free_place(const dvec2& corner, const dvec2& outwards, const std::vector<dvec2>& taken) {
     constexpr double reach = 9, step = 0.4;
-    const double first = std::atan2(outwards.y, outwards.x);
+    const double first = gw::atan2(outwards.y, outwards.x);
     dvec2 place(0);
     for (int i = 0; i < 16; ++i) {
         const double angle = first + step * (i % 2 == 0 ? i / 2 : -(i + 1) / 2);
-        place = {std::clamp(corner.x + reach * std::cos(angle), 8.0, hs::quiz_width - 8.0),
-                 std::clamp(corner.y + reach * std::sin(angle) + 3, 9.0, hs::quiz_height - 3.0)};
+        place = {std::clamp(corner.x + reach * gw::cos(angle), 8.0, hs::quiz_width - 8.0),
+                 std::clamp(corner.y + reach * gw::sin(angle) + 3, 9.0, hs::quiz_height - 3.0)};
         const bool is_free = std::ranges::none_of(taken, [&](const dvec2& other) {
             return std::abs(other.x - place.x) < 12 && std::abs(other.y - place.y) < 9;
         });
