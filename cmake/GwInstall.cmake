@@ -1,5 +1,5 @@
 # cmake --install build/release --prefix DIR: the command with its man page and completions, the scenes, and every folder as a library
-# for find_package(gw). cpack --config build/release/CPackConfig.cmake: the same as Debian packages gw and libgw-dev (docs/library.md).
+# for find_package(gw). cpack --config build/release/CPackConfig.cmake: the same as Debian packages gw, libgw-dev and python3-gw (docs/library.md).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -65,6 +65,9 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL command development)
+if(TARGET gw_python)
+    list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME gw)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
@@ -74,4 +77,12 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libgw-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "gw (= ${PROJECT_VERSION}), libglm-dev, libfmt-dev, libhwy-dev, libtbb-dev, nlohmann-json3-dev, libpng-dev, libgtest-dev, libgmock-dev, libosmesa6-dev")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-gw)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+if(Python_VERSION_MAJOR)  # the module is of one version of Python
+    math(EXPR next "${Python_VERSION_MINOR} + 1")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+        "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next}), python3-numpy")
+endif()
 include(CPack)

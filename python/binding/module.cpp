@@ -1,0 +1,26 @@
+// The module gw._gw: the libraries in Python. python/gw/ is the package around it.
+#include "python/binding/module.h"
+
+#include "gw/error.h"
+#include "gw/machine.h"
+#include "python/binding/casters.h"
+
+namespace py = pybind11;
+
+PYBIND11_MODULE(_gw, module) {
+    module.doc() =
+        "The machine and the papers' renderers. Rows count from the bottom, as in OpenGL.";
+    const auto error = py::register_exception<gw::Error>(module, "Error", PyExc_ValueError);
+    error.attr("__doc__") = "Wrong input; one line that says what is wrong and what was expected.";
+    gw::python::add_state(module);
+    gw::python::add_values(module);
+    gw::python::add_commands(module);
+    gw::python::add_machine(module);
+    gw::python::add_recordings(module);
+    gw::python::add_scenes(module);
+    gw::python::add_rendering(module);
+    gw::python::add_radiosity(module);
+    gw::python::add_hidden_surfaces(module);
+    module.def("simd_target", &gw::simd_target,
+               "The vector instruction set that the fast machine uses here.");
+}

@@ -1,0 +1,178 @@
+// Pixmap radiosity, shot by shot.
+#include "radiosity/display/display.h"
+#include "radiosity/model/figures.h"
+#include "radiosity/solver/solver.h"
+
+#include "python/binding/arrays.h"
+#include "python/binding/fields.h"
+#include "python/binding/machines.h"
+#include "python/binding/module.h"
+#include "python/binding/running.h"
+#include "python/binding/views.h"
+
+namespace gw::python {
+namespace {
+
+namespace rd = radiosity;
+
+/// A solver with the scene that it solves.
+class HeldSolver {
+public:
+    HeldSolver(const scene::Scene& scene, int hemicube, double texels_per_unit, int patch,
+               int threads)
+        : scene_(scene), options_{.texels_per_unit = texels_per_unit, .patch = patch} {
+        rd::SolverOptions options;
+        options.form_factors.hemicube = hemicube;
+        options.form_factors.threads = threads;
+        options.form_factors.cancel = &cancel_;
+        form_factors_ = options.form_factors;
+        solver_ = without_lock([&] {
+            return std::make_unique<rd::Solver>(rd::make_model(scene_, options_), options);
+        });
+    }
+
+    py::object shoot() {
+        const auto shot = cancelable(cancel_, [&] { return solver_->shoot(); });
+        if (!shot) return py::none();
+        py::dict out;
+        out["shot"] = solver_->solution().shots;
+        out["patch"] = shot->patch;
+        out["flux"] = shot->flux;
+        out["hemicubes"] = shot->hemicubes;
+        out["unshot"] = books(solver_->model(), solver_->solution()).unshot_share();
+        return out;
+    }
+
+    py::dict books_now() const {
+        const rd::Books b = books(solver_->model(), solver_->solution());
+        py::dict out;
+        out["emitted"] = b.emitted;
+        out["absorbed"] = b.absorbed;
+        out["unshot"] = b.unshot;
+        out["escaped"] = b.escaped;
+        out["unshot_share"] = b.unshot_share();
+        out["imbalance"] = b.imbalance();
+        return out;
+    }
+
+    /// "radiosity", "irradiance", "unshot", "area": of all texels, as arrays by pixmap.
+    py::dict pixmaps(const std::string& what) const {
+        const rd::PixmapModel& model = solver_->model();
+        const rd::Solution& solution = solver_->solution();
+        const auto value = [&](std::size_t t) -> dvec3 {
+            if (what == "radiosity") return rd::radiosity_at(model, solution, t);
+            if (what == "irradiance") return solution.H[t];
+            if (what == "unshot") return solution.unshot[t];
+            if (what == "area") return dvec3(model.area[t]);
+            throw Error("what: '" + what + "'; expected radiosity, irradiance, unshot or area");
+        };
+        py::dict out;
+        for (const rd::Pixmap& pixmap : model.pixmaps) {
+            std::vector<double> values;
+            values.reserve(3 * pixmap.count());
+            for (std::size_t i = 0; i < pixmap.count(); ++i) {
+                const dvec3 v = value(pixmap.first + i);
+                values.insert(values.end(), {v.x, v.y, v.z});
+            }
+            std::string name = pixmap.name;
+            for (int k = 2; out.contains(name); ++k) name = pixmap.name + " " + std::to_string(k);
+            out[py::str(name)] =
+                array_of<double>(std::move(values), rows(pixmap.height, pixmap.width, 3));
+        }
+        return out;
+    }
+
+    py::dict form_factors(std::size_t patch) {
+        const rd::PixmapModel& model = solver_->model();
+        if (patch >= model.patches.size())
+            throw Error("patch " + std::to_string(patch) + "; expected 0 .. " +
+                        std::to_string(model.patches.size() - 1));
+        rd::Row row = cancelable(
+            cancel_, [&] { return rd::FormFactors(model, form_factors_).from_patch(patch); });
+        py::dict out;
+        const auto count = py::ssize_t(row.texels.size());
+        out["texels"] = array_of<std::uint32_t>(std::move(row.texels), {count});
+        out["factors"] = array_of<double>(std::move(row.factors), {count});
+        out["backs"] = row.backs;
+        out["escaped"] = row.escaped;
+        out["hemicubes"] = row.hemicubes;
+        return out;
+    }
+
+    py::dict update(const scene::Scene& scene) {
+        const rd::Update done =
+            cancelable(cancel_, [&] { return solver_->update(rd::make_model(scene, options_)); });
+        scene_ = scene;
+        py::dict out;
+        out["hemicubes"] = done.hemicubes;
+        out["patches"] = done.patches;
+        out["anew"] = done.anew;
+        return out;
+    }
+
+    std::shared_ptr<MachineHolder> draw(const std::optional<scene::Camera>& camera, int width,
+                                        int height, double brightness, bool ambient, bool strips,
+                                        const Profile& profile) {
+        const SceneInView now(scene_, camera, width, height);
+        const auto machine =
+            std::make_shared<MachineHolder>(profile, width, height, false, 0, false);
+        const rd::Brightness scale{.scale = brightness, .background = scene_.background};
+        const rd::PixmapModel& model = solver_->model();
+        const auto colors = displayed_pixmaps(model, solver_->solution(), ambient);
+        machine->execute(strips ? rd::strip_list(model, colors, now.view, scale)
+                                : rd::texture_list(model, colors, now.view, scale));
+        return machine;
+    }
+
+    std::uint64_t shots() const { return solver_->solution().shots; }
+    std::size_t patches() const { return solver_->model().patches.size(); }
+    std::size_t texels() const { return solver_->model().texel_count(); }
+
+private:
+    scene::Scene scene_;
+    rd::ModelOptions options_;
+    rd::FormFactorOptions form_factors_;
+    std::atomic<bool> cancel_ = false;
+    std::unique_ptr<rd::Solver> solver_;
+};
+
+}  // namespace
+
+void add_radiosity(py::module_& m) {
+    py::class_<HeldSolver>(m, "Radiosity",
+                           "Progressive refinement [F1c]: the patch with the most unshot energy "
+                           "shoots. An iterator of shots.")
+        .def(py::init<const scene::Scene&, int, double, int, int>(), py::arg("scene"),
+             py::kw_only(), py::arg("hemicube") = 128, py::arg("texels_per_unit") = 0.0,
+             py::arg("patch") = 4, py::arg("threads") = 0,
+             "hemicube: pixels across. texels_per_unit 0: the scene's. patch: texels along a side.")
+        .def("shoot", &HeldSolver::shoot,
+             "One shot: its number, patch, flux, hemicubes drawn and the share of light still "
+             "unshot; None if nothing is unshot. Ctrl-C leaves the solution as it was.")
+        .def("__iter__", [](py::object self) { return self; })
+        .def("__next__",
+             [](HeldSolver& s) {
+                 const py::object shot = s.shoot();
+                 if (shot.is_none()) throw py::stop_iteration();
+                 return shot;
+             })
+        .def("books", &HeldSolver::books_now,
+             "Energy by channel: emitted = absorbed + unshot + "
+             "escaped.")
+        .def("pixmaps", &HeldSolver::pixmaps, py::arg("what") = "radiosity",
+             "Arrays (height, width, 3) by name, row 0 at t = 0: radiosity, irradiance, unshot or "
+             "area.")
+        .def("form_factors", &HeldSolver::form_factors, py::arg("patch"),
+             "From a patch: texels, the factor to each, and the parts that meet backs or escape.")
+        .def("update", &HeldSolver::update, py::arg("scene"),
+             "Goes on with a scene in which emitters, reflectances or places were changed [F4].")
+        .def("draw", &HeldSolver::draw, py::arg("camera") = py::none(), py::kw_only(),
+             py::arg("width") = 640, py::arg("height") = 480, py::arg("brightness") = 1.0,
+             py::arg("ambient") = true, py::arg("strips") = false, py::arg("profile") = vgx(),
+             "A machine with the pixmaps drawn as textures or as triangle strips [F2.3].")
+        .def_property_readonly("shots", &HeldSolver::shots, "Shots so far.")
+        .def_property_readonly("patches", &HeldSolver::patches, "Patches.")
+        .def_property_readonly("texels", &HeldSolver::texels, "Texels.");
+}
+
+}  // namespace gw::python

@@ -1,0 +1,207 @@
+// Scenes from files or built in code, and shapes.
+#include "scene/scene.h"
+
+#include "image/textures.h"
+#include "python/binding/arrays.h"
+#include "python/binding/fields.h"
+#include "python/binding/module.h"
+#include "python/binding/running.h"
+#include "scene/draw/fit.h"
+#include "scene/read_scene.h"
+#include "scene/scene_builder.h"
+#include "scene/shapes/shapes.h"
+
+namespace gw::python {
+namespace {
+
+using scene::Scene;
+
+Scene open_scene(const std::filesystem::path& file) {
+    scene::SceneFile read = without_lock([&] {
+        scene::SceneFile loaded = scene::read_scene(file);
+        image::load_textures(loaded.scene);
+        return loaded;
+    });
+    for (const std::string& warning : read.warnings)
+        if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
+    return std::move(read.scene);
+}
+
+/// The next free identifier.
+std::uint32_t next_polygon(const Scene& scene) {
+    std::uint32_t next = 0;
+    for (const scene::Object& object : scene.objects) next += object.mesh->polygon_count();
+    return next;
+}
+
+void add_object(Scene& scene, const std::string& name, const Mesh& mesh,
+                const scene::Material& material, const std::optional<dmat4>& world_from_object,
+                bool casts_shadow) {
+    std::uint32_t next = next_polygon(scene);
+    scene::Object object;
+    object.name = name;
+    object.mesh = scene::make_numbered_mesh(mesh.data(), next);
+    if (world_from_object) object.world_from_object = *world_from_object;
+    object.casts_shadow = casts_shadow;
+    object.material = scene.materials.size();
+    scene.materials.push_back(material);
+    scene.objects.push_back(std::move(object));
+}
+
+using Maps = std::vector<scene::Map> scene::Material::*;
+
+/// A component's maps as textures.
+void add_maps(Fields<scene::Material>& type, const char* name, Maps member, const char* doc) {
+    type.property(
+        name,
+        [member](const scene::Material& m) {
+            std::vector<std::shared_ptr<Texture>> textures;
+            for (const scene::Map& map : m.*member)
+                textures.push_back(std::const_pointer_cast<Texture>(map.texture));
+            return textures;
+        },
+        [member](scene::Material& m, const std::vector<std::shared_ptr<Texture>>& textures) {
+            (m.*member).clear();
+            for (const auto& texture : textures) {
+                scene::Map map;
+                map.texture = texture;
+                (m.*member).push_back(map);
+            }
+        },
+        doc);
+}
+
+void add_material(py::module_& m) {
+    using M = scene::Material;
+    Fields<M> type(m, "SceneMaterial", "MTL's material in MTL's words [K2, K3].");
+    type.field("name", &M::name, "In the scene.")
+        .field("Ka", &M::Ka, "Ambient.")
+        .field("Kd", &M::Kd, "Diffuse.")
+        .field("Ks", &M::Ks, "Specular.")
+        .field("Ke", &M::Ke, "Emission.")
+        .field("Ns", &M::Ns, "Exponent of the highlight.")
+        .field("Ni", &M::Ni, "Index of refraction.")
+        .field("d", &M::d, "Opacity.")
+        .field("Tf", &M::Tf, "Transmission filter.")
+        .field("illum", &M::illum, "3 and up: ray-traced reflection.");
+    add_maps(type, "map_Ka", &M::map_Ka, "Textures of the ambient component.");
+    add_maps(type, "map_Kd", &M::map_Kd, "Textures of the diffuse component.");
+    add_maps(type, "map_Ks", &M::map_Ks, "Textures of the specular component.");
+    add_maps(type, "map_Ke", &M::map_Ke, "Textures of the emission.");
+    add_maps(type, "refl", &M::refl, "Sphere maps of the reflection [K3.1].");
+}
+
+void add_lights(py::module_& m) {
+    add_enum<scene::LightKind>(m, "LightKind", "The kind of a light.",
+                               {{"Directional", scene::LightKind::Directional},
+                                {"Point", scene::LightKind::Point},
+                                {"Spot", scene::LightKind::Spot}});
+    add_enum<scene::Shadow>(m, "Shadow", "How a light's shadows are drawn.",
+                            {{"NoShadow", scene::Shadow::None},
+                             {"Volume", scene::Shadow::Volume},
+                             {"Map", scene::Shadow::Map}});
+    using L = scene::Light;
+    Fields<L>(m, "SceneLight", "A light in world space.")
+        .field("name", &L::name, "In pass names.")
+        .field("kind", &L::kind, "Directional, point or spot.")
+        .field("position", &L::position, "Of point and spot lights.")
+        .field("direction", &L::direction, "In which the light travels.")
+        .field("Ia", &L::Ia, "Ambient.")
+        .field("Id", &L::Id, "Diffuse.")
+        .field("Is", &L::Is, "Specular; None: Id.")
+        .field("cone_angle", &L::cone_angle, "Half angle in degrees.")
+        .field("spot_exponent", &L::spot_exponent, "Of the cone.")
+        .field("shadow", &L::shadow, "Its shadows.")
+        .field("only", &L::only, "Names of the objects that it lights; empty: all.");
+    using C = scene::Camera;
+    Fields<C>(m, "Camera", "A camera; lengths in world units.")
+        .field("eye", &C::eye, "Its place.")
+        .field("at", &C::at, "The point in the middle of the picture.")
+        .field("up", &C::up, "Up in the picture.")
+        .field("fov", &C::fov, "Vertical angle in degrees.")
+        .field("near_plane", &C::near_plane, "Distance; 0: fitted.")
+        .field("far_plane", &C::far_plane, "Distance; 0: fitted.")
+        .field("ortho_height", &C::ortho_height, "Above 0: orthographic.")
+        .field("aperture", &C::aperture, "Radius of the lens [K1].")
+        .field("focus", &C::focus, "Distance that is sharp; 0: that of at.");
+    using F = scene::Fog;
+    Fields<F>(m, "Fog", "Fog of a scene [K3.5].")
+        .field("mode", &F::mode, "Its law.")
+        .field("color", &F::color, "R, G, B.")
+        .field("density", &F::density, "Of Exp and Exp2.")
+        .field("start", &F::start, "Of Linear.")
+        .field("end", &F::end, "Of Linear.");
+    using O = scene::Object;
+    Fields<O> object(m, "Object", "A mesh with one material, placed in the world.");
+    object.field("name", &O::name, "In the scene.")
+        .field("material", &O::material, "Index into the scene's materials.")
+        .field("world_from_object", &O::world_from_object, "M[row, column].")
+        .field("move", &O::move, "While the shutter is open [K1].")
+        .field("casts_shadow", &O::casts_shadow, "Whether it casts shadows.");
+    object.type().def_property_readonly(
+        "mesh", [](const O& o) { return std::const_pointer_cast<Mesh>(o.mesh); }, "Its mesh.");
+}
+
+void add_scene(py::module_& m) {
+    Fields<Scene> type(m, "Scene",
+                       "Objects, materials, lights, camera and fog. Members are values: change a "
+                       "copy and assign it.");
+    type.field("name", &Scene::name, "For messages.")
+        .field("objects", &Scene::objects, "Meshes in the world.")
+        .field("materials", &Scene::materials, "Of the objects.")
+        .field("lights", &Scene::lights, "In world space.")
+        .field("camera", &Scene::camera, "None: fitted to the scene.")
+        .field("fog", &Scene::fog, "None: no fog.")
+        .field("background", &Scene::background, "R, G, B.")
+        .field("texels_per_unit", &Scene::texels_per_unit, "Of pixmaps; 0: fitted [F2.1].");
+    type.type()
+        .def_static("open", &open_scene, py::arg("file"),
+                    "Reads a TOML scene or an OBJ file with its textures; warns of statements that "
+                    "it does not honour.")
+        .def("add", &add_object, py::arg("name"), py::arg("mesh"),
+             py::arg("material") = scene::Material{}, py::kw_only(),
+             py::arg("world_from_object") = py::none(), py::arg("casts_shadow") = true,
+             "Adds an object; its polygons get the scene's next identifiers.")
+        .def(
+            "bounds",
+            [](const Scene& s) {
+                const scene::Bounds b = scene::bounds(s);
+                return std::pair(b.low, b.high);
+            },
+            "The lower and the upper corner of its box in world space.");
+}
+
+template <class... Arguments>
+auto shape(MeshData (*make)(Arguments...)) {
+    return [make](Arguments... arguments) {
+        return std::const_pointer_cast<Mesh>(make_mesh(make(arguments...)));
+    };
+}
+
+void add_shapes(py::module_& m) {
+    m.def("make_box", shape(scene::make_box), py::arg("size") = dvec3(1), py::arg("segments") = 1,
+          "A box about the origin; size in x, y, z.");
+    m.def("make_room", shape(scene::make_room), py::arg("size") = dvec3(1), py::arg("segments") = 1,
+          "A box whose faces look inwards.");
+    m.def("make_rectangle", shape(scene::make_rectangle), py::arg("width") = 1.0,
+          py::arg("depth") = 1.0, py::arg("columns") = 1, py::arg("rows") = 1,
+          "A rectangle in the plane y = 0, facing up.");
+    m.def("make_sphere", shape(scene::make_sphere), py::arg("radius") = 1.0, py::arg("slices") = 32,
+          py::arg("stacks") = 16, "A sphere about the origin.");
+    m.def("make_icosphere", shape(scene::make_icosphere), py::arg("radius") = 1.0,
+          py::arg("divisions") = 2, "A sphere of 20 4^divisions nearly equal triangles.");
+    m.def("make_torus", shape(scene::make_torus), py::arg("radius") = 1.0, py::arg("tube") = 0.3,
+          py::arg("segments") = 32, py::arg("sides") = 16, "A ring about the y axis.");
+    m.def("make_teapot", shape(scene::make_teapot), py::arg("segments") = 8, "The Utah teapot.");
+}
+
+}  // namespace
+
+void add_scenes(py::module_& m) {
+    add_material(m);
+    add_lights(m);
+    add_scene(m);
+    add_shapes(m);
+}
+
+}  // namespace gw::python
