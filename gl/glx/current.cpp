@@ -1,6 +1,7 @@
 #include "gl/glx/current.h"
 
 #include "gl/context/of_thread.h"
+#include "gl/x11/new_name.h"
 
 #include <map>
 #include <mutex>
@@ -10,7 +11,7 @@ __GLXcontextRec::__GLXcontextRec(Display* of, const gw::gl::glx::Config& with,
                                  std::shared_ptr<gw::gl::Shared> shared)
     : display(of),
       config(with),
-      name(XAllocID(of)),
+      name(gw::gl::x11::new_name(of)),
       context(gw::gl::settings().profile, std::move(shared)) {
     if (!config.double_buffered) return;
     // [GL11] tables 6.15 and 6.17: the back buffer, if there is one.

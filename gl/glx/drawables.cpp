@@ -3,6 +3,7 @@
 
 #include "gl/context/caught.h"
 #include "gl/glx/current.h"
+#include "gl/x11/new_name.h"
 
 #include <X11/Xmd.h>
 // The numbers of the requests.
@@ -37,7 +38,7 @@ XID make_surface(Display* display, const Config& config, Surface::Kind kind, XID
     if (!surface || surface->config().double_buffered != config.double_buffered)
         surface =
             std::make_shared<Surface>(display, config, kind, target, size->width, size->height);
-    const XID name = XAllocID(display);
+    const XID name = x11::new_name(display);
     surface->has_glx_name = true;
     add_surface(display, name, surface);
     // A window's own name means the same drawable.
@@ -139,7 +140,7 @@ GLXPbuffer glXCreatePbuffer(Display* display, GLXFBConfig config, const int* lis
         if (width < 0 || height < 0) return send_error(display, BadValue, 0, X_GLXCreatePbuffer), 0;
         if (!largest && (width > max_window_size || height > max_window_size))
             return send_error(display, BadAlloc, 0, X_GLXCreatePbuffer), 0;
-        const XID name = XAllocID(display);
+        const XID name = x11::new_name(display);
         auto surface =
             std::make_shared<Surface>(display, *config, Surface::Kind::Pbuffer, 0, width, height);
         surface->preserved = value_of(list, GLX_PRESERVED_CONTENTS, True) != False;

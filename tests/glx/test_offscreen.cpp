@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <set>
 #include <thread>
 
 namespace {
@@ -99,6 +100,29 @@ TEST_F(GlxOffscreen, AContextBelongsToOneThread) {
     // The thread has ended, so the context is free.
     EXPECT_TRUE(glXMakeCurrent(display, window, context));
     glXDestroyContext(display, context);
+}
+
+/// Names come from Xlib, which has one ready at a time for all threads.
+TEST_F(GlxOffscreen, ThreadsGetNamesOfTheirOwn) {
+    constexpr int threads = 8, names = 500;
+    const GLXFBConfig with = config(true);
+    std::array<std::vector<XID>, threads> of_thread;
+    {
+        std::vector<std::jthread> running;
+        for (std::vector<XID>& got : of_thread)
+            running.emplace_back([&] {
+                for (int n = 0; n < names; ++n) {
+                    const GLXContext context =
+                        glXCreateNewContext(display, with, GLX_RGBA_TYPE, nullptr, True);
+                    got.push_back(make_pbuffer(display, with, 1, 1));
+                    glXDestroyContext(display, context);
+                }
+            });
+    }
+    std::set<XID> all;
+    for (const std::vector<XID>& got : of_thread) all.insert(got.begin(), got.end());
+    EXPECT_EQ(all.size(), std::size_t(threads * names));
+    for (const XID name : all) glXDestroyPbuffer(display, name);
 }
 
 /// Each thread draws with its own context, all at the same time, on one display.
