@@ -41,6 +41,7 @@ def plain(signature):
     signature = signature.replace("os.PathLike", "Union[str, os.PathLike[str]]")
     signature = re.sub(r"(\w+)\[\d+\]", r"\1", signature)  # List[ClipPlane[6]]
     signature = re.sub(r": (\w+) = None", r": Optional[\1] = None", signature)
+    signature = signature.replace("**kwargs", "**kwargs: Any")
     return re.sub(r"\bobject\b", "Any", signature)
 
 

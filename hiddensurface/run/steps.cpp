@@ -1,5 +1,6 @@
 #include "hiddensurface/run/steps.h"
 
+#include "gw/base/cancel.h"
 #include "gw/error.h"
 
 #include <array>
@@ -37,6 +38,7 @@ std::uint32_t polygon_of(const std::string& piece) {
 }
 
 void StepLog::add(Step step) {
+    end_if_canceled();
     if (!wants(step.level) && !(on_ && step.action == Action::Draw)) return;
     if (steps_.size() == most_steps)
         throw Error(

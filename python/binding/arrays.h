@@ -69,10 +69,11 @@ std::vector<Element> elements_of(const py::object& object, int channels, const c
     return out;
 }
 
-/// The same from whole numbers, which must fit: a negative number or a fraction is an error, not
-/// another number.
+/// The same from whole numbers, which must fit: a fraction or a number below `least` is an error,
+/// not another number.
 template <class Number>
-std::vector<Number> whole_numbers_of(const py::object& object, const char* name) {
+std::vector<Number> whole_numbers_of(const py::object& object, const char* name,
+                                     std::int64_t least = 0) {
     if (object.is_none()) return {};
     const py::array array = py::array::ensure(object);
     if (!array) {
@@ -89,9 +90,10 @@ std::vector<Number> whole_numbers_of(const py::object& object, const char* name)
     std::vector<Number> out(std::size_t(wide.size()));
     for (std::size_t i = 0; i < out.size(); ++i) {
         const std::int64_t value = wide.data()[i];
-        if (value < 0 || value > most)
+        if (value < least || value > most)
             throw Error(std::string(name) + ": element " + std::to_string(i) + " is " +
-                        std::to_string(value) + "; expected 0 .. " + std::to_string(most));
+                        std::to_string(value) + "; expected " + std::to_string(least) + " .. " +
+                        std::to_string(most));
         out[i] = Number(value);
     }
     return out;

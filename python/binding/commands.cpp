@@ -14,8 +14,10 @@ constexpr PlaneMask digested = all_planes;
 
 std::vector<Rgba> colors_of(const py::object& object, int channels_at, const char* name) {
     const py::array array = py::array::ensure(object);
-    if (!array || array.ndim() < 1 || array.shape(array.ndim() - 1) != channels_at)
+    if (!array || array.ndim() < 1 || array.shape(array.ndim() - 1) != channels_at) {
+        PyErr_Clear();
         throw Error(std::string(name) + ": expected an array of colours, (..., 4)");
+    }
     const auto flat = whole_numbers_of<std::uint16_t>(array, name);
     std::vector<Rgba> out(flat.size() / 4);
     if (!out.empty()) std::memcpy(out.data(), flat.data(), flat.size() * sizeof flat[0]);
@@ -76,11 +78,19 @@ void write_pixels(ListHolder& list, int x, int y, const py::array& values, Plane
 
 void write_spans(ListHolder& list, const py::object& spans, const py::object& colors,
                  std::uint32_t depth, bool flat) {
-    const auto rows = elements_of<std::array<std::int32_t, 4>, std::int32_t>(spans, 4, "spans");
+    const py::array rows = py::array::ensure(spans);
+    if (!rows || rows.ndim() != 2 || rows.shape(1) != 4) {
+        PyErr_Clear();
+        throw Error("spans: expected an array of whole numbers, (n, 4)");
+    }
+    constexpr std::int64_t least = std::numeric_limits<std::int32_t>::min();
+    const auto numbers = whole_numbers_of<std::int32_t>(rows, "spans", least);
     WriteSpans command;
-    for (const auto& [x, y, length, first] : rows) {
+    for (std::size_t i = 0; i < numbers.size(); i += 4) {
+        const std::int32_t first = numbers[i + 3];
         if (first < 0) throw Error("spans: a first colour below 0; expected 0 or more");
-        command.spans.push_back({x, y, length, std::uint32_t(first), flat});
+        command.spans.push_back(
+            {numbers[i], numbers[i + 1], numbers[i + 2], std::uint32_t(first), flat});
     }
     command.colors = colors_of(colors, 4, "colors");
     command.depth = depth;
@@ -143,12 +153,13 @@ void add_commands(py::module_& m) {
         .def(
             "set_state", [](ListHolder& l, const State& state) { l.add(SetState{state}); },
             py::arg("state"), "Replaces the whole state for the following commands.")
-        .def("draw", &draw, py::arg("mesh"), py::kw_only(), py::arg("eye_from_object") = py::none(),
-             py::arg("material") = Material{}, py::arg("back_material") = py::none(),
-             py::arg("lights") = std::vector<Light>{}, py::arg("texture") = py::none(),
-             py::arg("slot") = py::none(), py::arg("color") = vec4(1),
-             py::arg("normal") = vec3(0, 0, 1), py::arg("texcoord") = vec4(0, 0, 0, 1),
-             py::arg("id_base") = 0, py::arg("id_shift") = 0,
+        .def("draw", &draw, py::arg("mesh").none(false), py::kw_only(),
+             py::arg("eye_from_object") = py::none(), py::arg("material") = Material{},
+             py::arg("back_material") = py::none(), py::arg("lights") = std::vector<Light>{},
+             py::arg("texture") = py::none(), py::arg("slot") = py::none(),
+             py::arg("color") = vec4(1), py::arg("normal") = vec3(0, 0, 1),
+             py::arg("texcoord") = vec4(0, 0, 0, 1), py::arg("id_base") = 0,
+             py::arg("id_shift") = 0,
              "Draws a mesh with the current state. color, normal and texcoord are those of meshes "
              "without their own; a texture, or the slot that copy_texture filled.")
         .def(

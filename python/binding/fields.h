@@ -18,6 +18,13 @@ void set_fields(const py::object& object, const py::kwargs& values);
 /// "DepthState(test=True, func=CompareFunc.Less)": the members that differ from a new object's.
 std::string shown_fields(const py::object& object);
 
+template <class Member>
+inline constexpr bool is_list = false;
+template <class Element>
+inline constexpr bool is_list<std::vector<Element>> = true;
+template <class Element, std::size_t size>
+inline constexpr bool is_list<std::array<Element, size>> = true;
+
 /// A struct of plain data. Its members are given to `field` one by one.
 template <class T>
 class Fields {
@@ -43,7 +50,12 @@ public:
 
     template <class Member>
     Fields& field(const char* name, Member T::*member, const char* doc) {
-        class_.def_readwrite(name, member, doc);
+        if constexpr (is_list<Member>)  // else its elements would point into this object
+            class_.def_property(
+                name, [member](const T& value) { return Member(value.*member); },
+                [member](T& value, const Member& elements) { value.*member = elements; }, doc);
+        else
+            class_.def_readwrite(name, member, doc);
         names_.append(name);
         return *this;
     }

@@ -8,11 +8,11 @@
 #include "hiddensurface/run/step_words.h"
 
 #include "python/binding/arrays.h"
+#include "python/binding/checked.h"
 #include "python/binding/fields.h"
 #include "python/binding/machines.h"
 #include "python/binding/module.h"
 #include "python/binding/running.h"
-#include "python/binding/views.h"
 
 namespace gw::python {
 namespace {
@@ -39,28 +39,36 @@ struct HiddenRun {
 };
 using RunRef = std::shared_ptr<HiddenRun>;
 
+/// Projects the scene without the interpreter's lock; from a copy, since a thread may change it.
+RunRef projected(const scene::Scene& scene, const std::optional<scene::Camera>& camera, int width,
+                 int height, const Profile& profile) {
+    const scene::Scene copy = scene;
+    return without_lock(
+        [&] { return std::make_shared<HiddenRun>(copy, camera, width, height, profile); });
+}
+
 void run(HiddenRun& run, const hs::Algorithm& algorithm, int threads) {
     run.name = algorithm.name;
     run.title = algorithm.title;
     run.in_world = algorithm.in_world;
     MachineHolder held(run.input.profile, run.in_view.view.width, run.in_view.view.height, false,
                        threads, false);
-    RendererMachine machine(held);
-    without_lock([&] {
+    cancelable([&] {
+        RendererMachine machine(held);
         hs::StepLog none, log(run.level);
         run.expected = hs::run_on(machine, hs::algorithm_named("z-buffer"), run.input, none).ids;
         run.result = hs::run_on(machine, algorithm, run.input, log);
         hs::compare(run.result, run.expected, run.input);
         run.steps = log.steps();
     });
-    check_signals();
 }
 
 RunRef run_algorithm(const scene::Scene& scene, const std::string& name, hs::Level level, int width,
                      int height, const Profile& profile, const std::optional<scene::Camera>& camera,
                      double limit, int threads) {
     const hs::Algorithm& algorithm = hs::algorithm_named(name);
-    auto out = std::make_shared<HiddenRun>(scene, camera, width, height, profile);
+    check_range("limit", limit, 0, 1e9);
+    const RunRef out = projected(scene, camera, width, height, profile);
     out->level = level;
     const hs::Estimate estimate = hs::estimate(algorithm, out->input);
     if (limit > 0 && hs::is_beyond(estimate, limit))
@@ -71,7 +79,7 @@ RunRef run_algorithm(const scene::Scene& scene, const std::string& name, hs::Lev
 
 RunRef play(const scene::Scene& scene, const std::string& lines, const std::string& name, int width,
             int height, const Profile& profile, const std::optional<scene::Camera>& camera) {
-    auto out = std::make_shared<HiddenRun>(scene, camera, width, height, profile);
+    const RunRef out = projected(scene, camera, width, height, profile);
     hs::Play steps = hs::read_play(out->input, name, lines);
     out->level = steps.level;
     run(*out, hs::played(std::move(steps)), 0);
@@ -142,6 +150,8 @@ void add_run(py::module_& m) {
             "sentence",
             [](const HiddenRun& r, std::size_t i, const std::string& language) {
                 if (i >= r.steps.size()) throw py::index_error("step " + std::to_string(i));
+                if (language != "en" && language != "ja")
+                    throw Error("language: '" + language + "'; expected en or ja");
                 return hs::sentence_of(r.steps[i], r.grid(), language);
             },
             py::arg("step"), py::arg("language") = "en",
@@ -175,8 +185,8 @@ void add_hidden_surfaces(py::module_& m) {
         "hidden_polygons_json",
         [](const scene::Scene& scene, int width, int height, const Profile& profile,
            const std::optional<scene::Camera>& camera) {
-            const HiddenRun run(scene, camera, width, height, profile);
-            return hs::polygons_json(run.input, hs::hex_colors(run.input));
+            const RunRef run = projected(scene, camera, width, height, profile);
+            return hs::polygons_json(run->input, hs::hex_colors(run->input));
         },
         py::arg("scene"), py::kw_only(), py::arg("width") = 320, py::arg("height") = 240,
         py::arg("profile") = vgx(), py::arg("camera") = py::none(),

@@ -3,63 +3,60 @@
 
 #include "gw/names.h"
 #include "gw/profile_text.h"
-#include "inspect/recording/check_lists.h"
 #include "python/binding/arrays.h"
+#include "python/binding/checked.h"
 #include "python/binding/fields.h"
 #include "python/binding/lists.h"
 #include "python/binding/machines.h"
 #include "python/binding/module.h"
-#include "python/binding/running.h"
 
 namespace gw::python {
 
+namespace {
+
+std::unique_ptr<Machine> made(const Profile& profile, int width, int height, bool reference,
+                              int threads) {
+    check_threads(threads);
+    return reference ? make_reference(profile, width, height)
+                     : make_fast(profile, width, height, {.threads = threads});
+}
+
+}  // namespace
+
 MachineHolder::MachineHolder(const Profile& profile, int width, int height, bool reference,
                              int threads, bool record)
-    : width_(width), height_(height), reference_(reference), record_(record) {
-    if (threads < 0)
-        throw Error("threads: " + std::to_string(threads) + "; expected 0 (all) or more");
-    machine_ = reference ? make_reference(profile, width, height)
-                         : make_fast(profile, width, height, {.threads = threads});
+    : machine_(made(profile, width, height, reference, threads), reference, width, height),
+      width_(width),
+      height_(height),
+      reference_(reference),
+      record_(record) {
+    if (record) machine_.kept = &lists_;
+}
+
+void MachineHolder::execute(const CommandList& list, Stop stop) {
+    machine_.stop = std::move(stop);
+    machine_.execute(list);
 }
 
 void MachineHolder::execute(const CommandList& list) {
-    without_lock([&] {
-        const std::lock_guard lock(mutex_);
-        if (reference_)
-            execute_one_by_one(list);
-        else
-            machine_->execute(list);
-        if (record_) lists_.push_back(list);
-    });
+    python::in_turn(mutex_, [&] { execute(list, &check_signals); });
     check_signals();
 }
 
-void MachineHolder::execute_whole(const CommandList& list) {
-    check_signals();
+void MachineHolder::execute_beside(const CommandList& list) {
     const std::lock_guard lock(mutex_);
-    machine_->execute(list);
-    if (reference_) inspect::follow(list, context_);
-    if (record_) lists_.push_back(list);
+    execute(list, [] { end_if_canceled(); });
 }
 
-void MachineHolder::execute_one_by_one(const CommandList& list) {
-    validate(list, machine_->profile(), width_, height_, context_);
-    for (const Command& command : list.commands) {
-        check_signals();
-        machine_->execute({{command}});
-    }
-    inspect::follow(list, context_);
-}
-
-inspect::Recording MachineHolder::recording() const {
+inspect::Recording MachineHolder::recording() {
     if (!record_) throw Error("the machine does not record; expected Machine(..., record=True)");
     inspect::Recording recording;
     recording.producer = "python3-gw";
     recording.renderer = "python";
-    recording.profile = machine_->profile();
+    recording.profile = machine_.profile();
     recording.width = width_;
     recording.height = height_;
-    recording.lists = lists_;
+    recording.lists = in_turn([&](Machine&) { return lists_; });
     return recording;
 }
 
@@ -94,10 +91,7 @@ py::list pass_rows(const std::vector<PassReport>& passes) {
 namespace {
 
 const Planes& current_planes(MachineHolder& machine) {
-    return without_lock([&]() -> const Planes& {
-        const std::lock_guard lock(machine.mutex());
-        return machine.machine().planes();
-    });
+    return machine.in_turn([](Machine& m) -> const Planes& { return m.planes(); });
 }
 
 py::object plane_of(const py::object& self, Plane plane) {
@@ -112,7 +106,8 @@ py::array_t<Number> typed_plane(const py::object& self) {
 
 py::dict readbacks(MachineHolder& machine) {
     py::dict out;
-    for (const auto& [key, read] : machine.machine().readbacks()) {
+    const auto results = machine.in_turn([](Machine& m) { return m.readbacks(); });
+    for (const auto& [key, read] : results) {
         const int w = read.rect.width, h = read.rect.height;
         const py::int_ place(key);
         if (!read.color.empty())
@@ -127,11 +122,15 @@ py::dict readbacks(MachineHolder& machine) {
 }
 
 py::dict digests(MachineHolder& machine) {
-    const Planes& planes = current_planes(machine);
+    const auto found = machine.in_turn([](Machine& m) {
+        std::vector<std::pair<const char*, std::string>> all;
+        for (const Plane plane : every_plane)
+            if (planes_of(m.profile()) & mask_of(plane))
+                all.emplace_back(name_of(plane), to_string(digest(m.planes(), plane)));
+        return all;
+    });
     py::dict out;
-    for (const Plane plane : every_plane)
-        if (planes_of(machine.machine().profile()) & mask_of(plane))
-            out[name_of(plane)] = to_string(digest(planes, plane));
+    for (const auto& [name, text] : found) out[name] = text;
     return out;
 }
 
@@ -178,10 +177,14 @@ void add_machine(py::module_& m) {
                                "Whether it is the reference machine.")
         .def("recording", &MachineHolder::recording, "All lists so far, if it was made to record.")
         .def(
-            "passes", [](MachineHolder& s) { return pass_rows(s.machine().passes()); },
+            "passes",
+            [](MachineHolder& s) {
+                return pass_rows(s.in_turn([](Machine& machine) { return machine.passes(); }));
+            },
             "A dict for each pass: its name, all counters, and digests if it asked for them.")
         .def(
-            "reset_passes", [](MachineHolder& s) { s.machine().reset_passes(); },
+            "reset_passes",
+            [](MachineHolder& s) { s.in_turn([](Machine& machine) { machine.reset_passes(); }); },
             "Forgets the passes so far.")
         .def("readbacks", &readbacks, "The results of read, by key.")
         .def("digests", &digests, "XXH3-128 of each plane, 32 hexadecimal digits.");

@@ -1,10 +1,11 @@
 // A machine as Python holds it: it can keep what it executed, as a recording.
 #pragma once
 
-#include "gw/machine.h"
 #include "inspect/recording/recording.h"
 #include "inspect/replay/forwarding_machine.h"
 #include "python/binding/casters.h"
+#include "python/binding/running.h"
+#include "python/binding/slices.h"
 
 #include <mutex>
 #include <string>
@@ -19,37 +20,40 @@ public:
     MachineHolder(const Profile& profile, int width, int height, bool reference, int threads,
                   bool record);
 
-    /// Without the interpreter's lock. Ctrl-C ends it between two commands on the reference machine,
-    /// after the list on the fast one.
+    /// Without the interpreter's lock. Ctrl-C ends it between two slices of the list.
     void execute(const CommandList& list);
-    /// The same for a renderer, which runs without the lock and looks for Ctrl-C between lists.
-    void execute_whole(const CommandList& list);
+    /// The same for a renderer, which runs beside the thread that looks for Ctrl-C.
+    void execute_beside(const CommandList& list);
 
-    Machine& machine() { return *machine_; }
+    /// use(machine) without the interpreter's lock, while no other thread uses it.
+    template <class Use>
+    decltype(auto) in_turn(const Use& use) {
+        return python::in_turn(mutex_, [&]() -> decltype(auto) { return use(machine_); });
+    }
+    /// For a thread that has it to itself, or asks for what never changes.
+    Machine& machine() { return machine_; }
     int width() const { return width_; }
     int height() const { return height_; }
     bool is_reference() const { return reference_; }
     /// Throws Error if it was not asked to record.
-    inspect::Recording recording() const;
-    std::mutex& mutex() { return mutex_; }
+    inspect::Recording recording();
 
 private:
-    void execute_one_by_one(const CommandList& list);
+    void execute(const CommandList& list, Stop stop);
 
-    std::unique_ptr<Machine> machine_;
+    SlicedMachine machine_;
     std::vector<CommandList> lists_;
-    ListContext context_;  ///< of the reference machine's next list
     int width_, height_;
     bool reference_, record_;
     std::mutex mutex_;
 };
 
-/// A held machine for renderers: Ctrl-C ends them before the next list.
+/// A held machine for renderers, which end when they are cancelled.
 class RendererMachine : public inspect::ForwardingMachine {
 public:
     explicit RendererMachine(MachineHolder& held)
         : ForwardingMachine(held.machine()), held_(held) {}
-    void execute(const CommandList& list) override { held_.execute_whole(list); }
+    void execute(const CommandList& list) override { held_.execute_beside(list); }
 
 private:
     MachineHolder& held_;

@@ -12,12 +12,23 @@ PYBIND11_MODULE(_gw, module) {
         "The machine and the papers' renderers. Rows count from the bottom, as in OpenGL.";
     const auto error = py::register_exception<gw::Error>(module, "Error", PyExc_ValueError);
     error.attr("__doc__") = "Wrong input; one line that says what is wrong and what was expected.";
+    // A method's `self` that is read in its body.
+    py::register_exception_translator([](std::exception_ptr thrown) {
+        try {
+            std::rethrow_exception(thrown);
+        } catch (const py::cast_error&) {
+            PyErr_SetString(PyExc_TypeError,
+                            "an object of another type; expected the method's own");
+        }
+    });
     gw::python::add_state(module);
     gw::python::add_values(module);
     gw::python::add_commands(module);
     gw::python::add_machine(module);
     gw::python::add_recordings(module);
     gw::python::add_scenes(module);
+    gw::python::add_shapes(module);
+    gw::python::add_passes(module);
     gw::python::add_rendering(module);
     gw::python::add_radiosity(module);
     gw::python::add_hidden_surfaces(module);

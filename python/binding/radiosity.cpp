@@ -4,11 +4,11 @@
 #include "radiosity/solver/solver.h"
 
 #include "python/binding/arrays.h"
+#include "python/binding/checked.h"
 #include "python/binding/fields.h"
 #include "python/binding/machines.h"
 #include "python/binding/module.h"
 #include "python/binding/running.h"
-#include "python/binding/views.h"
 
 namespace gw::python {
 namespace {
@@ -21,6 +21,10 @@ public:
     HeldSolver(const scene::Scene& scene, int hemicube, double texels_per_unit, int patch,
                int threads)
         : scene_(scene), options_{.texels_per_unit = texels_per_unit, .patch = patch} {
+        check_scene(scene);
+        check_threads(threads);
+        check_range("patch", patch, 1, 4096);
+        check_range("texels_per_unit", texels_per_unit, 0, 1e9);
         rd::SolverOptions options;
         options.form_factors.hemicube = hemicube;
         options.form_factors.threads = threads;
@@ -32,19 +36,27 @@ public:
     }
 
     py::object shoot() {
-        const auto shot = cancelable(cancel_, [&] { return solver_->shoot(); });
+        std::uint64_t shots = 0;
+        double unshot = 0;
+        const auto shot = cancelable(turn_, cancel_, [&] {
+            const auto done = solver_->shoot();
+            shots = solver_->solution().shots;
+            unshot = books(solver_->model(), solver_->solution()).unshot_share();
+            return done;
+        });
         if (!shot) return py::none();
         py::dict out;
-        out["shot"] = solver_->solution().shots;
+        out["shot"] = shots;
         out["patch"] = shot->patch;
         out["flux"] = shot->flux;
         out["hemicubes"] = shot->hemicubes;
-        out["unshot"] = books(solver_->model(), solver_->solution()).unshot_share();
+        out["unshot"] = unshot;
         return out;
     }
 
     py::dict books_now() const {
-        const rd::Books b = books(solver_->model(), solver_->solution());
+        const rd::Books b =
+            in_turn(turn_, [&] { return books(solver_->model(), solver_->solution()); });
         py::dict out;
         out["emitted"] = b.emitted;
         out["absorbed"] = b.absorbed;
@@ -57,38 +69,39 @@ public:
 
     /// "radiosity", "irradiance", "unshot", "area": of all texels, as arrays by pixmap.
     py::dict pixmaps(const std::string& what) const {
-        const rd::PixmapModel& model = solver_->model();
-        const rd::Solution& solution = solver_->solution();
-        const auto value = [&](std::size_t t) -> dvec3 {
-            if (what == "radiosity") return rd::radiosity_at(model, solution, t);
-            if (what == "irradiance") return solution.H[t];
-            if (what == "unshot") return solution.unshot[t];
-            if (what == "area") return dvec3(model.area[t]);
-            throw Error("what: '" + what + "'; expected radiosity, irradiance, unshot or area");
-        };
-        py::dict out;
-        for (const rd::Pixmap& pixmap : model.pixmaps) {
+        struct Values {
+            std::string name;
+            int width = 0, height = 0;
             std::vector<double> values;
-            values.reserve(3 * pixmap.count());
-            for (std::size_t i = 0; i < pixmap.count(); ++i) {
-                const dvec3 v = value(pixmap.first + i);
-                values.insert(values.end(), {v.x, v.y, v.z});
+        };
+        auto all = in_turn(turn_, [&] {
+            const rd::PixmapModel& model = solver_->model();
+            std::vector<Values> found;
+            for (const rd::Pixmap& pixmap : model.pixmaps) {
+                found.push_back({pixmap.name, pixmap.width, pixmap.height, {}});
+                for (std::size_t i = 0; i < pixmap.count(); ++i) {
+                    const dvec3 v = value_of(what, pixmap.first + i);
+                    found.back().values.insert(found.back().values.end(), {v.x, v.y, v.z});
+                }
             }
+            return found;
+        });
+        py::dict out;
+        for (Values& pixmap : all) {
             std::string name = pixmap.name;
             for (int k = 2; out.contains(name); ++k) name = pixmap.name + " " + std::to_string(k);
             out[py::str(name)] =
-                array_of<double>(std::move(values), rows(pixmap.height, pixmap.width, 3));
+                array_of<double>(std::move(pixmap.values), rows(pixmap.height, pixmap.width, 3));
         }
         return out;
     }
 
-    py::dict form_factors(std::size_t patch) {
-        const rd::PixmapModel& model = solver_->model();
-        if (patch >= model.patches.size())
-            throw Error("patch " + std::to_string(patch) + "; expected 0 .. " +
-                        std::to_string(model.patches.size() - 1));
-        rd::Row row = cancelable(
-            cancel_, [&] { return rd::FormFactors(model, form_factors_).from_patch(patch); });
+    py::dict form_factors(std::int64_t patch) {
+        rd::Row row = cancelable(turn_, cancel_, [&] {
+            const rd::PixmapModel& model = solver_->model();
+            check_range("patch", double(patch), 0, double(model.patches.size()) - 1);
+            return rd::FormFactors(model, form_factors_).from_patch(std::size_t(patch));
+        });
         py::dict out;
         const auto count = py::ssize_t(row.texels.size());
         out["texels"] = array_of<std::uint32_t>(std::move(row.texels), {count});
@@ -99,10 +112,14 @@ public:
         return out;
     }
 
-    py::dict update(const scene::Scene& scene) {
-        const rd::Update done =
-            cancelable(cancel_, [&] { return solver_->update(rd::make_model(scene, options_)); });
-        scene_ = scene;
+    py::dict update(const scene::Scene& given) {
+        check_scene(given);
+        scene::Scene scene = given;  // which another thread may change
+        const rd::Update done = cancelable(turn_, cancel_, [&] {
+            const rd::Update update = solver_->update(rd::make_model(scene, options_));
+            scene_ = std::move(scene);
+            return update;
+        });
         py::dict out;
         out["hemicubes"] = done.hemicubes;
         out["patches"] = done.patches;
@@ -113,27 +130,48 @@ public:
     std::shared_ptr<MachineHolder> draw(const std::optional<scene::Camera>& camera, int width,
                                         int height, double brightness, bool ambient, bool strips,
                                         const Profile& profile) {
-        const SceneInView now(scene_, camera, width, height);
+        check_range("brightness", brightness, 0, 1e9);
         const auto machine =
             std::make_shared<MachineHolder>(profile, width, height, false, 0, false);
-        const rd::Brightness scale{.scale = brightness, .background = scene_.background};
-        const rd::PixmapModel& model = solver_->model();
-        const auto colors = displayed_pixmaps(model, solver_->solution(), ambient);
-        machine->execute(strips ? rd::strip_list(model, colors, now.view, scale)
-                                : rd::texture_list(model, colors, now.view, scale));
+        const CommandList list = in_turn(turn_, [&] {
+            const SceneInView now(scene_, camera, width, height);
+            const rd::Brightness scale{.scale = brightness, .background = scene_.background};
+            const rd::PixmapModel& model = solver_->model();
+            const auto colors = displayed_pixmaps(model, solver_->solution(), ambient);
+            return strips ? rd::strip_list(model, colors, now.view, scale)
+                          : rd::texture_list(model, colors, now.view, scale);
+        });
+        machine->execute(list);
         return machine;
     }
 
-    std::uint64_t shots() const { return solver_->solution().shots; }
-    std::size_t patches() const { return solver_->model().patches.size(); }
-    std::size_t texels() const { return solver_->model().texel_count(); }
+    std::uint64_t shots() const {
+        return in_turn(turn_, [&] { return solver_->solution().shots; });
+    }
+    std::size_t patches() const {
+        return in_turn(turn_, [&] { return solver_->model().patches.size(); });
+    }
+    std::size_t texels() const {
+        return in_turn(turn_, [&] { return solver_->model().texel_count(); });
+    }
 
 private:
+    dvec3 value_of(const std::string& what, std::size_t texel) const {
+        const rd::PixmapModel& model = solver_->model();
+        const rd::Solution& solution = solver_->solution();
+        if (what == "radiosity") return rd::radiosity_at(model, solution, texel);
+        if (what == "irradiance") return solution.H[texel];
+        if (what == "unshot") return solution.unshot[texel];
+        if (what == "area") return dvec3(model.area[texel]);
+        throw Error("what: '" + what + "'; expected radiosity, irradiance, unshot or area");
+    }
+
     scene::Scene scene_;
     rd::ModelOptions options_;
     rd::FormFactorOptions form_factors_;
     std::atomic<bool> cancel_ = false;
     std::unique_ptr<rd::Solver> solver_;
+    mutable std::mutex turn_;
 };
 
 }  // namespace

@@ -37,6 +37,16 @@ py::object from_json(const std::string& text) {
 
 std::string machine_name(bool reference) { return reference ? "reference" : "fast"; }
 
+/// Machines that end when they are cancelled.
+inspect::MachineMaker maker_of(const std::string& name) {
+    return [name](const Recording& r) {
+        auto machine = std::make_unique<SlicedMachine>(
+            inspect::maker_of(name)(r), name == machine_name(true), r.width, r.height);
+        machine->stop = [] { end_if_canceled(); };
+        return machine;
+    };
+}
+
 /// What differs, with its text, and the pictures of the plane.
 struct FoundDifference {
     std::string text, stage, what, pass_name;
@@ -71,7 +81,7 @@ FoundDifference difference_of(const inspect::Finding& f, const Recording& record
 std::optional<FoundDifference> verified(const Recording& recording, const fs::path& manifest) {
     const auto expected = inspect::load_manifest(manifest);
     const auto v = inspect::verify(recording, expected.manifest, expected.values,
-                                   inspect::maker_of("reference"), inspect::maker_of("fast"));
+                                   maker_of("reference"), maker_of("fast"));
     if (!v.finding) return {};
     FoundDifference d = difference_of(*v.finding, recording);
     if (!v.same_commands) d.text += "the manifest is of another recording\n";
@@ -83,14 +93,14 @@ std::optional<FoundDifference> verified(const Recording& recording, const fs::pa
 }
 
 std::optional<FoundDifference> machines_differ(const Recording& recording) {
-    const auto found = inspect::compare_machines(recording, inspect::maker_of("reference"),
-                                                 inspect::maker_of("fast"));
+    const auto found =
+        inspect::compare_machines(recording, maker_of("reference"), maker_of("fast"));
     if (!found) return {};
     return difference_of(*found, recording);
 }
 
 std::optional<FoundDifference> result_difference(const Recording& a, const Recording& b) {
-    const auto found = inspect::first_result_difference(a, b, inspect::maker_of("fast"));
+    const auto found = inspect::first_result_difference(a, b, maker_of("fast"));
     if (!found) return {};
     FoundDifference d = difference_of(found->finding, b);
     d.plane = found->plane;
@@ -118,9 +128,8 @@ std::vector<std::string> save_pictures(const FoundDifference& d, const std::stri
 }
 
 void save_manifest(const Recording& recording, const fs::path& file, bool values) {
-    const auto made = without_lock([&] {
-        return inspect::replayed_manifest_file(recording, inspect::maker_of("reference"), file,
-                                               values);
+    const auto made = cancelable([&] {
+        return inspect::replayed_manifest_file(recording, maker_of("reference"), file, values);
     });
     image::OutputSet files;
     if (values) files.add(inspect::values_file(file)).write(made.values);
@@ -223,18 +232,17 @@ void add_recording(py::module_& m) {
         .def(
             "passes",
             [](const Recording& r, bool reference) {
-                return pass_rows(without_lock([&] {
-                    return inspect::reports_of(r, inspect::maker_of(machine_name(reference)));
-                }));
+                return pass_rows(cancelable(
+                    [&] { return inspect::reports_of(r, maker_of(machine_name(reference))); }));
             },
             py::kw_only(), py::arg("reference") = false,
             "A dict for each pass: its name, all counters, digests of all planes.")
         .def(
             "manifest",
             [](const Recording& r) {
-                return from_json(without_lock([&] {
-                    return to_json(inspect::manifest_of(
-                        r, inspect::reports_of(r, inspect::maker_of("reference"))));
+                return from_json(cancelable([&] {
+                    return to_json(
+                        inspect::manifest_of(r, inspect::reports_of(r, maker_of("reference"))));
                 }));
             },
             "The expected results, as gw verify reads them.")
@@ -245,17 +253,17 @@ void add_recording(py::module_& m) {
         .def(
             "verify",
             [](const Recording& r, const fs::path& manifest) {
-                return without_lock([&] { return verified(r, manifest); });
+                return cancelable([&] { return verified(r, manifest); });
             },
             py::arg("manifest"), "None, or the first difference from the manifest's results.")
         .def(
             "compare_machines",
-            [](const Recording& r) { return without_lock([&] { return machines_differ(r); }); },
+            [](const Recording& r) { return cancelable([&] { return machines_differ(r); }); },
             "None, or the first difference of the two machines.")
         .def(
             "compare",
             [](const Recording& r, const Recording& other) {
-                return without_lock([&] { return result_difference(r, other); });
+                return cancelable([&] { return result_difference(r, other); });
             },
             py::arg("other"),
             "None, or the first difference of the planes after a pass; this one is expected.")

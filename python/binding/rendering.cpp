@@ -1,149 +1,41 @@
 // The papers' renderers: passes, item buffer and rays.
 #include "hiddensurface/run/scan_line_renderer.h"
+#include "inspect/report/prices.h"
 #include "itembuffer/adaptive.h"
 #include "itembuffer/differences.h"
 #include "itembuffer/render.h"
 #include "itembuffer/superposed_ray_tracer.h"
 #include "multipass/frame/driver.h"
 #include "multipass/frame/superpose.h"
+#include "multipass/passes/schedule.h"
 #include "multipass/passes/validate_passes.h"
 #include "python/binding/arrays.h"
+#include "python/binding/checked.h"
 #include "python/binding/fields.h"
 #include "python/binding/machines.h"
 #include "python/binding/module.h"
 #include "python/binding/running.h"
-#include "python/binding/views.h"
 #include "raytrace/casting/cast_picture.h"
 #include "scene/draw/item_buffer.h"
-
-namespace pybind11::detail {
-
-/// A pass's parameter: a number, three, or "object", "object Ks", "object Tf".
-template <>
-struct type_caster<gw::multipass::Parameter> {
-    using Parameter = gw::multipass::Parameter;
-    PYBIND11_TYPE_CASTER(Parameter, const_name("Union[str, Tuple[float, float, float]]"));
-
-    bool load(handle source, bool convert) {
-        if (isinstance<str>(source)) {
-            const auto word = source.cast<std::string>();
-            if (word == "object")
-                value = gw::multipass::object;
-            else if (word == "object Ks")
-                value = gw::multipass::object_Ks;
-            else if (word == "object Tf")
-                value = gw::multipass::object_Tf;
-            else
-                return false;
-            return true;
-        }
-        if (PyFloat_Check(source.ptr()) || PyLong_Check(source.ptr())) {
-            value = Parameter(source.cast<double>());
-            return true;
-        }
-        make_caster<gw::vec3> three;
-        if (!three.load(source, convert)) return false;
-        const auto& c = cast_op<gw::vec3&>(three);
-        value = Parameter(c.x, c.y, c.z);
-        return true;
-    }
-    static handle cast(const Parameter& p, return_value_policy, handle) {
-        using Kind = Parameter::Kind;
-        if (p.kind == Kind::Object) return str("object").release();
-        if (p.kind == Kind::ObjectKs) return str("object Ks").release();
-        if (p.kind == Kind::ObjectTf) return str("object Tf").release();
-        return pybind11::make_tuple(p.value[0], p.value[1], p.value[2]).release();
-    }
-};
-
-}  // namespace pybind11::detail
 
 namespace gw::python {
 namespace {
 
 namespace mp = multipass;
 
-void add_passes(py::module_& m) {
-    add_enum<mp::PassMap>(m, "PassMap", "Which of the object's maps modulates a pass.",
-                          {{"NoMap", mp::PassMap::None},
-                           {"Ambient", mp::PassMap::Ambient},
-                           {"Diffuse", mp::PassMap::Diffuse},
-                           {"Specular", mp::PassMap::Specular},
-                           {"Emission", mp::PassMap::Emission},
-                           {"Reflection", mp::PassMap::Reflection},
-                           {"Refraction", mp::PassMap::Refraction},
-                           {"Object", mp::PassMap::Object}});
-    add_enum<mp::PassLights>(m, "PassLights", "How often a pass runs, and by which light.",
-                             {{"NoLight", mp::PassLights::None},
-                              {"Each", mp::PassLights::Each},
-                              {"First", mp::PassLights::First},
-                              {"All", mp::PassLights::All}});
-    add_enum<mp::PassObjects>(m, "PassObjects", "The objects that take part.",
-                              {{"All", mp::PassObjects::All},
-                               {"Opaque", mp::PassObjects::Opaque},
-                               {"Translucent", mp::PassObjects::Translucent},
-                               {"Glaring", mp::PassObjects::Glaring},
-                               {"Casting", mp::PassObjects::Casting},
-                               {"Named", mp::PassObjects::Named}});
-    add_enum<mp::PassFog>(m, "PassFog", "The fog that a pass goes through [K3.5].",
-                          {{"NoFog", mp::PassFog::None},
-                           {"Black", mp::PassFog::Black},
-                           {"Scene", mp::PassFog::Scene}});
-    add_enum<mp::PassAction>(m, "PassAction", "The work of a pass.",
-                             {{"Draw", mp::PassAction::Draw},
-                              {"Shadow", mp::PassAction::Shadow},
-                              {"Add", mp::PassAction::Add},
-                              {"Trace", mp::PassAction::Trace}});
-    Fields<mp::PassMaterial>(m, "PassMaterial",
-                             "The parameter set [K3p]: a number, three, or the object's own value "
-                             "(\"object\", \"object Ks\", \"object Tf\").")
-        .field("Ka", &mp::PassMaterial::Ka, "Ambient.")
-        .field("Kd", &mp::PassMaterial::Kd, "Diffuse.")
-        .field("Ks", &mp::PassMaterial::Ks, "Specular.")
-        .field("Ke", &mp::PassMaterial::Ke, "Emission.")
-        .field("Map", &mp::PassMaterial::Map, "The map.");
-    using P = mp::Pass;
-    Fields<P> pass(m, "Pass", "A pass as the paper writes one [K3p].");
-    pass.property(
-            "name", [](const P& p) { return p.name.str(); },
-            [](P& p, const std::string& name) {
-                if (name.size() > mp::Name::most)
-                    throw Error("name: " + std::to_string(name.size()) +
-                                " bytes; expected at most " + std::to_string(mp::Name::most));
-                p.name = mp::Name(std::string_view(name));
-            },
-            "At most 31 bytes.")
-        .field("action", &P::action, "Its work.")
-        .property(
-            "clear",
-            [](const P& p) {
-                std::vector<Plane> planes;
-                for (const Plane plane : every_plane)
-                    if (p.clear & mask_of(plane)) planes.push_back(plane);
-                return planes;
-            },
-            [](P& p, const std::vector<Plane>& planes) {
-                p.clear = 0;
-                for (const Plane plane : planes) p.clear = PlaneMask(p.clear | mask_of(plane));
-            },
-            "Planes that are cleared before.")
-        .field("material", &P::material, "(Ka, Kd, Ks, Ke, Map).")
-        .field("depth", &P::depth, "The depth test.")
-        .field("stencil", &P::stencil, "The stencil test.")
-        .field("blend", &P::blend, "Blending.")
-        .field("color", &P::color, "False: colours are kept.")
-        .field("fog", &P::fog, "Its fog.")
-        .field("lights", &P::lights, "Its lights.")
-        .field("objects", &P::objects, "Its objects.")
-        .field("names", &P::names, "Of PassObjects.Named.");
-    pass.type().def("__str__", [](const P& p) { return mp::to_string(p); });
-    add_enum<mp::Translucency>(m, "Translucency", "How translucent objects are ordered [K3.4].",
-                               {{"Sorted", mp::Translucency::Sorted},
-                                {"Unsorted", mp::Translucency::Unsorted},
-                                {"Layers", mp::Translucency::Layers}});
-}
-
 enum class RendererName { Hardware, Multipass, ScanLine, RayTrace, Adaptive };
+
+mp::PassList passes_of(const scene::Scene& scene, RendererName renderer, bool traced,
+                       mp::Translucency translucency) {
+    if (renderer == RendererName::Multipass && traced)
+        return itembuffer::passes_with_tracing(scene, translucency);
+    if (renderer != RendererName::Multipass && renderer != RendererName::Hardware)
+        throw Error("the renderer has no passes; expected hardware or multipass");
+    return mp::passes_for(
+        scene,
+        renderer == RendererName::Hardware ? mp::Renderer::Hardware : mp::Renderer::Multipass,
+        translucency);
+}
 
 /// A scene that is drawn from one view after the other.
 class SceneRenderer {
@@ -165,17 +57,42 @@ public:
         if (choice_.renderer == RendererName::Hardware)
             choice_.passes.renderer = mp::Renderer::Hardware;
         if (choice_.passes.passes) check(*choice_.passes.passes);
+        check_range("samples", choice_.passes.samples, 1, 32768);
+        check_range("depth", choice_.rays.depth, 1, 64);
         choice_.rays.threads = threads;
         choice_.rays.counts = &counts_;
     }
     void draw(const std::optional<scene::Camera>& camera) {
         const SceneInView now(given_, camera, held_->width(), held_->height());
-        counts_ = {};
-        without_lock([&] { draw(now); });
-        check_signals();
+        try {
+            cancelable(turn_, cancel_, [&] {
+                counts_ = {};
+                draw(now);
+            });
+        } catch (...) {
+            in_turn(turn_, [&] { driver_.reset(); });  // what it keeps may be half made
+            throw;
+        }
     }
     std::shared_ptr<MachineHolder> machine() const { return held_; }
-    const raytrace::RayCounts& counts() const { return counts_; }
+    raytrace::RayCounts counts() {
+        return in_turn(turn_, [&] { return counts_; });
+    }
+    /// Passes that the driver adds have none.
+    std::map<std::string, std::string> parameter_sets() const {
+        std::map<std::string, std::string> sets;
+        const RendererName renderer = choice_.renderer;
+        if (renderer != RendererName::Hardware && renderer != RendererName::Multipass) return sets;
+        const scene::Scene& scene = in_view_.scene;
+        const mp::PassModel model = mp::make_pass_model(scene);
+        const mp::PassList passes =
+            choice_.passes.passes
+                ? *choice_.passes.passes
+                : passes_of(scene, renderer, choice_.traced, choice_.passes.translucency);
+        for (const mp::Step& step : mp::schedule(passes, model))
+            sets[mp::name_of(step, model)] = mp::to_string(step.pass.material);
+        return sets;
+    }
 
 private:
     static void check(const mp::PassList& passes) {
@@ -224,10 +141,27 @@ private:
     scene::Scene given_;
     Choice choice_;
     std::shared_ptr<MachineHolder> held_;
+    std::atomic<bool> cancel_ = false;
     RendererMachine machine_;
     std::unique_ptr<mp::Driver> driver_;
     raytrace::RayCounts counts_;
+    std::mutex turn_;  ///< of draw
 };
+
+/// The machine's rows, each with the paper's parameter set and its estimated time on a VGX.
+py::list table_of(SceneRenderer& renderer) {
+    static const report::PriceList prices = report::vgx_prices();
+    const auto passes =
+        renderer.machine()->in_turn([](Machine& machine) { return machine.passes(); });
+    const auto sets = renderer.parameter_sets();
+    py::list rows = pass_rows(passes);
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        const auto set = sets.find(passes[i].name);
+        rows[i]["set"] = set == sets.end() ? "" : set->second;
+        rows[i]["vgx_seconds"] = report::estimated_seconds(passes[i].counters, prices);
+    }
+    return rows;
+}
 
 py::dict counts_dict(const raytrace::RayCounts& c) {
     py::dict out;
@@ -278,27 +212,18 @@ void add_renderer(py::module_& m) {
         .def_property_readonly("machine", &SceneRenderer::machine,
                                "The machine, with the picture in its colour plane.")
         .def(
-            "rays", [](const SceneRenderer& r) { return counts_dict(r.counts()); },
-            "The rays of the last picture, by kind [K4f].");
-}
-
-mp::PassList passes_of(const scene::Scene& scene, RendererName renderer, bool traced,
-                       mp::Translucency translucency) {
-    if (renderer == RendererName::Multipass && traced)
-        return itembuffer::passes_with_tracing(scene, translucency);
-    if (renderer != RendererName::Multipass && renderer != RendererName::Hardware)
-        throw Error("the renderer has no passes; expected hardware or multipass");
-    return mp::passes_for(
-        scene,
-        renderer == RendererName::Hardware ? mp::Renderer::Hardware : mp::Renderer::Multipass,
-        translucency);
+            "rays", [](SceneRenderer& r) { return counts_dict(r.counts()); },
+            "The rays of the last picture, by kind [K4f].")
+        .def("passes", &table_of,
+             "Machine.passes() with the paper's parameter set of each pass (\"set\") and its "
+             "estimated seconds on a VGX (\"vgx_seconds\"), as gw passes prints them.");
 }
 
 py::dict components(const scene::Scene& given, int width, int height, const Profile& profile) {
     const SceneInView now(given, {}, width, height);
     MachineHolder held(profile, width, height, false, 0, false);
-    RendererMachine machine(held);
-    auto images = without_lock([&] {
+    auto images = cancelable([&] {
+        RendererMachine machine(held);
         mp::Options options;
         options.trace = itembuffer::tracing(now.scene, {});
         options.passes = itembuffer::passes_with_tracing(now.scene, options.translucency);
@@ -330,8 +255,9 @@ py::dict cast_rays(const scene::Scene& given, const std::string& method, int wid
     if (found == methods.end())
         throw Error("method '" + method +
                     "'; expected brute_force, bounding_volumes, hierarchy or grid");
+    check_threads(threads);
     const SceneInView now(given, {}, width, height);
-    auto picture = without_lock([&] {
+    auto picture = cancelable([&] {
         const auto shapes = raytrace::cast_shapes(now.scene);
         const auto caster = raytrace::make_caster(found->second, shapes);
         return raytrace::cast_picture(*caster, shapes, now.scene, now.view, threads);
@@ -351,8 +277,7 @@ py::dict renderer_differences(const scene::Scene& given, int width, int height,
                               const Profile& profile) {
     const SceneInView now(given, {}, width, height);
     const auto machine = make_fast(profile, width, height);
-    auto d =
-        without_lock([&] { return itembuffer::differences(*machine, now.scene, now.view, {}); });
+    auto d = cancelable([&] { return itembuffer::differences(*machine, now.scene, now.view, {}); });
     py::dict out;
     py::list reasons;
     for (const itembuffer::Reason reason : itembuffer::reasons) {
@@ -374,7 +299,6 @@ py::dict renderer_differences(const scene::Scene& given, int width, int height,
 }  // namespace
 
 void add_rendering(py::module_& m) {
-    add_passes(m);
     add_renderer(m);
     m.def("passes_for", &passes_of, py::arg("scene"), py::arg("renderer") = RendererName::Multipass,
           py::kw_only(), py::arg("traced") = true,

@@ -1,13 +1,14 @@
-// Long work without the interpreter's lock, which Ctrl-C ends. Does not start threads for work that
-// cannot be cancelled.
+// Long work without the interpreter's lock, which Ctrl-C ends. Python's threads that share an object
+// take turns. Does not start threads for short work.
 #pragma once
 
+#include "gw/base/cancel.h"
 #include "python/binding/casters.h"
 
-#include <atomic>
 #include <chrono>
-#include <functional>
 #include <future>
+#include <memory>
+#include <mutex>
 
 namespace gw::python {
 
@@ -26,14 +27,27 @@ decltype(auto) without_lock(const Work& work) {
     return work();
 }
 
-/// Runs `work` without the lock, in another thread; `work` looks at `cancel`. After Ctrl-C it is
-/// cancelled, and KeyboardInterrupt thrown.
+/// Runs `work` without the lock while no other thread uses `in_turn`.
 template <class Work>
-auto cancelable(std::atomic<bool>& cancel, const Work& work) {
+decltype(auto) in_turn(std::mutex& turn, const Work& work) {
     const py::gil_scoped_release release;
+    const std::lock_guard lock(turn);
+    return work();
+}
+
+/// How soon Ctrl-C is seen.
+inline constexpr std::chrono::milliseconds between_looks{50};
+
+/// Runs `work` in another thread, while this one looks for Ctrl-C; without the interpreter's lock.
+/// After Ctrl-C `work` is cancelled, and KeyboardInterrupt thrown.
+template <class Work>
+auto watched_for_signals(std::atomic<bool>& cancel, const Work& work) {
     cancel = false;
-    auto result = std::async(std::launch::async, work);
-    while (result.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
+    auto result = std::async(std::launch::async, [&] {
+        const CancelScope scope(&cancel);
+        return work();
+    });
+    while (result.wait_for(between_looks) != std::future_status::ready) {
         try {
             check_signals();
         } catch (...) {
@@ -43,6 +57,22 @@ auto cancelable(std::atomic<bool>& cancel, const Work& work) {
         }
     }
     return result.get();
+}
+
+/// The same with a flag of its own.
+template <class Work>
+auto cancelable(const Work& work) {
+    const py::gil_scoped_release release;
+    std::atomic<bool> cancel = false;
+    return watched_for_signals(cancel, work);
+}
+
+/// The same while no other thread uses `turn`; `cancel` belongs to it.
+template <class Work>
+auto cancelable(std::mutex& turn, std::atomic<bool>& cancel, const Work& work) {
+    const py::gil_scoped_release release;
+    const std::lock_guard lock(turn);
+    return watched_for_signals(cancel, work);
 }
 
 }  // namespace gw::python

@@ -9,7 +9,6 @@
 #include "scene/draw/fit.h"
 #include "scene/read_scene.h"
 #include "scene/scene_builder.h"
-#include "scene/shapes/shapes.h"
 
 namespace gw::python {
 namespace {
@@ -30,7 +29,8 @@ Scene open_scene(const std::filesystem::path& file) {
 /// The next free identifier.
 std::uint32_t next_polygon(const Scene& scene) {
     std::uint32_t next = 0;
-    for (const scene::Object& object : scene.objects) next += object.mesh->polygon_count();
+    for (const scene::Object& object : scene.objects)
+        if (object.mesh) next += object.mesh->polygon_count();
     return next;
 }
 
@@ -63,6 +63,7 @@ void add_maps(Fields<scene::Material>& type, const char* name, Maps member, cons
         [member](scene::Material& m, const std::vector<std::shared_ptr<Texture>>& textures) {
             (m.*member).clear();
             for (const auto& texture : textures) {
+                if (!texture) throw py::type_error("a map is None; expected a Texture");
                 scene::Map map;
                 map.texture = texture;
                 (m.*member).push_back(map);
@@ -89,6 +90,7 @@ void add_material(py::module_& m) {
     add_maps(type, "map_Ks", &M::map_Ks, "Textures of the specular component.");
     add_maps(type, "map_Ke", &M::map_Ke, "Textures of the emission.");
     add_maps(type, "refl", &M::refl, "Sphere maps of the reflection [K3.1].");
+    add_maps(type, "refraction", &M::refraction, "Sphere maps of the refraction [K1].");
 }
 
 void add_lights(py::module_& m) {
@@ -100,6 +102,17 @@ void add_lights(py::module_& m) {
                             {{"NoShadow", scene::Shadow::None},
                              {"Volume", scene::Shadow::Volume},
                              {"Map", scene::Shadow::Map}});
+    using A = scene::AreaLight;
+    add_enum<A::Shape>(m, "AreaShape", "The shape of a light that is no point.",
+                       {{"NoArea", A::Shape::None},
+                        {"Disc", A::Shape::Disc},
+                        {"Rectangle", A::Shape::Rectangle},
+                        {"Line", A::Shape::Line}});
+    Fields<A>(m, "AreaLight", "The range of a light's positions: soft shadows [K3.3].")
+        .field("shape", &A::shape, "Its shape.")
+        .field("u", &A::u, "A half axis in world units.")
+        .field("v", &A::v, "The other one; not of a line.")
+        .field("samples", &A::samples, "Superposed pictures, at least, 1 .. 4096.");
     using L = scene::Light;
     Fields<L>(m, "SceneLight", "A light in world space.")
         .field("name", &L::name, "In pass names.")
@@ -111,8 +124,15 @@ void add_lights(py::module_& m) {
         .field("Is", &L::Is, "Specular; None: Id.")
         .field("cone_angle", &L::cone_angle, "Half angle in degrees.")
         .field("spot_exponent", &L::spot_exponent, "Of the cone.")
+        .field("constant_attenuation", &L::constant_attenuation, "Of distance 0.")
+        .field("linear_attenuation", &L::linear_attenuation, "Per unit.")
+        .field("quadratic_attenuation", &L::quadratic_attenuation, "Per unit squared.")
+        .field("area", &L::area, "The range of its positions.")
         .field("shadow", &L::shadow, "Its shadows.")
         .field("only", &L::only, "Names of the objects that it lights; empty: all.");
+}
+
+void add_views(py::module_& m) {
     using C = scene::Camera;
     Fields<C>(m, "Camera", "A camera; lengths in world units.")
         .field("eye", &C::eye, "Its place.")
@@ -131,12 +151,31 @@ void add_lights(py::module_& m) {
         .field("density", &F::density, "Of Exp and Exp2.")
         .field("start", &F::start, "Of Linear.")
         .field("end", &F::end, "Of Linear.");
+}
+
+void add_objects(py::module_& m) {
+    using G = scene::Glare;
+    Fields<G>(m, "Glare", "Light around an object that emits [K3.3].")
+        .field("radius", &G::radius, "Of the range, world units.")
+        .field("strength", &G::strength, "Relative to the object's emission.")
+        .field("rays", &G::rays, "0: a disc; else a star of so many rays.")
+        .field("samples", &G::samples, "Superposed pictures, at least.");
+    using P = scene::PixmapChoice;
+    Fields<P>(m, "PixmapChoice", "The pixmap that holds an object's radiosity [F2.1].")
+        .field("name", &P::name, "Objects of one name share a pixmap; empty: its own.")
+        .field("width", &P::width, "Texels; 0: by texels_per_unit.")
+        .field("height", &P::height, "Texels; 0: by texels_per_unit.")
+        .field("texels_per_unit", &P::texels_per_unit, "0: the scene's.")
+        .field("given_st", &P::given_st, "Texture coordinates are the mesh's; else generated.")
+        .field("emission", &P::emission, "Instead of the material's Ke; None: that.");
     using O = scene::Object;
     Fields<O> object(m, "Object", "A mesh with one material, placed in the world.");
     object.field("name", &O::name, "In the scene.")
         .field("material", &O::material, "Index into the scene's materials.")
         .field("world_from_object", &O::world_from_object, "M[row, column].")
         .field("move", &O::move, "While the shutter is open [K1].")
+        .field("glare", &O::glare, "None: no glare.")
+        .field("pixmap", &O::pixmap, "Of its radiosity.")
         .field("casts_shadow", &O::casts_shadow, "Whether it casts shadows.");
     object.type().def_property_readonly(
         "mesh", [](const O& o) { return std::const_pointer_cast<Mesh>(o.mesh); }, "Its mesh.");
@@ -153,7 +192,9 @@ void add_scene(py::module_& m) {
         .field("camera", &Scene::camera, "None: fitted to the scene.")
         .field("fog", &Scene::fog, "None: no fog.")
         .field("background", &Scene::background, "R, G, B.")
-        .field("texels_per_unit", &Scene::texels_per_unit, "Of pixmaps; 0: fitted [F2.1].");
+        .field("texels_per_unit", &Scene::texels_per_unit, "Of pixmaps; 0: fitted [F2.1].")
+        .field("reflection_in_shadow", &Scene::reflection_in_shadow,
+               "Reflection maps are drawn in shadow too [K3.2].");
     type.type()
         .def_static("open", &open_scene, py::arg("file"),
                     "Reads a TOML scene or an OBJ file with its textures; warns of statements that "
@@ -171,37 +212,14 @@ void add_scene(py::module_& m) {
             "The lower and the upper corner of its box in world space.");
 }
 
-template <class... Arguments>
-auto shape(MeshData (*make)(Arguments...)) {
-    return [make](Arguments... arguments) {
-        return std::const_pointer_cast<Mesh>(make_mesh(make(arguments...)));
-    };
-}
-
-void add_shapes(py::module_& m) {
-    m.def("make_box", shape(scene::make_box), py::arg("size") = dvec3(1), py::arg("segments") = 1,
-          "A box about the origin; size in x, y, z.");
-    m.def("make_room", shape(scene::make_room), py::arg("size") = dvec3(1), py::arg("segments") = 1,
-          "A box whose faces look inwards.");
-    m.def("make_rectangle", shape(scene::make_rectangle), py::arg("width") = 1.0,
-          py::arg("depth") = 1.0, py::arg("columns") = 1, py::arg("rows") = 1,
-          "A rectangle in the plane y = 0, facing up.");
-    m.def("make_sphere", shape(scene::make_sphere), py::arg("radius") = 1.0, py::arg("slices") = 32,
-          py::arg("stacks") = 16, "A sphere about the origin.");
-    m.def("make_icosphere", shape(scene::make_icosphere), py::arg("radius") = 1.0,
-          py::arg("divisions") = 2, "A sphere of 20 4^divisions nearly equal triangles.");
-    m.def("make_torus", shape(scene::make_torus), py::arg("radius") = 1.0, py::arg("tube") = 0.3,
-          py::arg("segments") = 32, py::arg("sides") = 16, "A ring about the y axis.");
-    m.def("make_teapot", shape(scene::make_teapot), py::arg("segments") = 8, "The Utah teapot.");
-}
-
 }  // namespace
 
 void add_scenes(py::module_& m) {
     add_material(m);
     add_lights(m);
+    add_views(m);
+    add_objects(m);
     add_scene(m);
-    add_shapes(m);
 }
 
 }  // namespace gw::python

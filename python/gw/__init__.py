@@ -9,26 +9,10 @@
 
 Rows count from the bottom, as in OpenGL; a picture turns them. docs/python.md is the guide.
 """
-from typing import Any
-
 from ._gw import *
-from ._gw import Error
-from . import hidden
-from .pictures import Picture, picture
-
-
-def render(
-    scene: Scene,
-    width: int = 640,
-    height: int = 480,
-    renderer: RendererName | str = "multipass",
-    camera: Camera | None = None,
-    **options: Any,
-) -> Machine:
-    """Draws a scene; the machine has the picture in its colour plane, and the passes' counters.
-    Options are those of Renderer."""
-    drawer = Renderer(scene, width, height, renderer, **options)
-    drawer.draw(camera)
-    return drawer.machine
+from ._gw import Error as Error
+from . import hidden as hidden
+from .pictures import Picture as Picture, picture as picture
+from .rendering import render as render
 
 __version__ = "0.1.0"

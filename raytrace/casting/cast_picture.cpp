@@ -1,5 +1,6 @@
 #include "raytrace/casting/cast_picture.h"
 
+#include "gw/base/cancel.h"
 #include "gw/base/parallel.h"
 #include "gw/stages/vertex.h"
 #include "raytrace/tracer/render.h"
@@ -59,7 +60,9 @@ CastPicture cast_picture(const RayCaster& caster, const std::vector<CastShape>& 
     CastPicture picture{
         std::vector<Rgba>(width * height), std::vector<std::uint32_t>(width * height), {}};
     std::vector<CastCounts> rows(height);
+    const CancelFlag cancel = cancel_flag();
     parallel_for(height, threads, [&](std::size_t y, int) {
+        end_if_canceled(cancel);
         for (std::size_t x = 0; x < width; ++x) {
             const scene::PixelRay pixel = rays.through(double(x) + 0.5, double(y) + 0.5);
             const Ray ray{pixel.o, pixel.d};

@@ -1,6 +1,7 @@
 #include "raytrace/tracer/render.h"
 
 #include "gw/base/arithmetic.h"
+#include "gw/base/cancel.h"
 #include "gw/base/parallel.h"
 #include "gw/stages/fog.h"
 #include "gw/stages/vertex.h"
@@ -116,7 +117,9 @@ RayCounts for_pixels(int width, int height, int threads,
     constexpr int side = 16;
     const int columns = (width + side - 1) / side, rows = (height + side - 1) / side;
     std::vector<RayCounts> squares(std::size_t(columns) * std::size_t(rows));
+    const CancelFlag cancel = cancel_flag();
     parallel_for(squares.size(), threads, [&](std::size_t i, int) {
+        end_if_canceled(cancel);
         const int x0 = int(i) % columns * side, y0 = int(i) / columns * side;
         for (int y = y0; y < std::min(y0 + side, height); ++y)
             for (int x = x0; x < std::min(x0 + side, width); ++x) body(x, y, squares[i]);

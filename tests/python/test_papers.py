@@ -56,6 +56,38 @@ def test_a_picture_has_the_bits_of_the_command(renderer, tmp_path):
     assert np.array_equal(gw.picture(machine.color).pixels, png_rows(tmp_path / "a.png"))
 
 
+def test_a_file_with_passes_of_its_own_is_drawn_with_them(tmp_path):
+    text = """
+[[object]]
+shape = "teapot"
+
+[[pass]]
+name = "red"
+clear = ["color", "depth", "stencil"]
+Ke = [1, 0, 0]
+depth = {func = "Less", mask = true}
+"""
+    scene_file = tmp_path / "own.toml"
+    scene_file.write_text(text)
+    passes = gw.read_passes(scene_file)
+    assert passes is not None and [p.name for p in passes] == ["red"]
+    assert gw.read_passes(SCENES / "rings.toml") is None
+    machine = gw.render(scene_file, 80, 60)
+    assert machine.color[..., 0].max() == 255 and machine.color[..., 1].max() == 0
+    if COMMAND and os.path.exists(COMMAND):
+        subprocess.run([COMMAND, "render", scene_file, "-o", tmp_path / "a.png", "--size", "80x60", "--quiet"], check=True)
+        assert np.array_equal(gw.picture(machine.color).pixels, png_rows(tmp_path / "a.png"))
+
+
+def test_passes_as_a_table_have_sets_and_estimates():
+    renderer = gw.Renderer(gw.Scene.open(SCENES / "rings.toml"), 64, 48)
+    renderer.draw()
+    rows = {row["pass"]: row for row in renderer.passes()}
+    assert rows["depth"]["set"] == "(Ka=0, Kd=0, Ks=0, Ke=0, Map=none)"
+    assert all(row["vgx_seconds"] > 0 for row in rows.values() if row["fragments"])
+    assert rows["count pixels"]["set"] == ""
+
+
 def test_both_machines_draw_a_scene_with_the_same_bits():
     scene = gw.Scene.open(SCENES / "rings.toml")
     fast = gw.render(scene, 64, 48, record=True)

@@ -1,0 +1,33 @@
+// Numbers and scenes from Python, checked before work begins: they have not been through a reader of
+// files. The limits are those of scene files and of the command's options.
+#pragma once
+
+#include "gw/machine.h"
+#include "scene/draw/fit.h"
+#include "scene/draw/view.h"
+#include "scene/scene.h"
+
+#include <optional>
+#include <string>
+
+namespace gw::python {
+
+/// Throws Error "samples: 0; expected 1 .. 32768". Not a number is outside every range.
+void check_range(const std::string& name, double value, double low, double high);
+/// 0: all.
+inline void check_threads(int threads) { check_range("threads", threads, 0, 1024); }
+
+/// Throws Error "light 'sun', direction: (0, 0, 0); expected ..." for values that no file can have.
+void check_scene(const scene::Scene& scene);
+
+/// A scene in view, as every renderer needs it: defaults added, the camera chosen.
+struct SceneInView {
+    /// Throws Error if the window is outside 1 .. max_window_size, the scene or the camera has
+    /// values that no file can have, or the camera sees nothing.
+    SceneInView(const scene::Scene& given, const std::optional<scene::Camera>& camera, int width,
+                int height);
+    scene::Scene scene;
+    scene::View view;
+};
+
+}  // namespace gw::python
