@@ -2,6 +2,7 @@
 // pixel. Does not draw.
 import { depthAt } from './camera';
 import type { Header, HeaderPiece, Loop, Polygon } from './log';
+import { whole } from './outline';
 
 export interface Segment {
   readonly id: number;
@@ -28,7 +29,7 @@ export function crossings(outline: readonly Loop[], y: number): number[] {
 function segmentsOf(polygon: Polygon, piece: HeaderPiece, y: number): Segment[] {
   const plane = piece.plane;
   if (!plane) return [];
-  const x = crossings(piece.outline, y);
+  const x = crossings(whole(piece.outline), y);
   const segments: Segment[] = [];
   for (let i = 0; i + 1 < x.length; i += 2)
     segments.push({
