@@ -1,0 +1,36 @@
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { putAddress } from '../model/put_address';
+
+let changes: string[] = [];
+beforeEach(() => {
+  vi.useFakeTimers();
+  vi.stubGlobal('location', { hash: '' });
+  changes = [];
+  vi.stubGlobal('history', {
+    replaceState: (_state: unknown, _title: string, address: string) => {
+      location.hash = address;
+      changes.push(address);
+    },
+  });
+});
+afterEach(() => {
+  vi.unstubAllGlobals();
+  vi.useRealTimers();
+});
+
+it('of 600 steps in ten seconds the browser sees fewer than 200, and the last', () => {
+  for (let step = 0; step < 600; ++step) {
+    putAddress(`#step=${step}`);
+    vi.advanceTimersByTime(1000 / 60);
+  }
+  vi.advanceTimersByTime(1000);
+  expect(changes.length).toBeLessThan(200);
+  expect(changes.length).toBeGreaterThan(100);
+  expect(changes.at(-1)).toBe('#step=599');
+});
+
+it('a single step is seen at once', () => {
+  vi.advanceTimersByTime(1000);
+  putAddress('#step=7');
+  expect(changes).toEqual(['#step=7']);
+});
