@@ -116,6 +116,6 @@ class PixelStage:
         if not self.fog_table:
             return frame.plane([rne(v) for v in values]).at(x, y)
         perspective = Perspective(frame, [c.w for c in ready.corners])
-        plane, e = perspective.value(values, 0, 40)
+        plane, e = perspective.value([abs(v) for v in values], 0, 40)
         u = quotient(plane, reciprocal(perspective.q, x, y), x, y)
         return self.fog_table.factors(u, e)

@@ -28,10 +28,10 @@ def per_fragment(state, profile):
 
 def vertex_value(state, profile, p_eye):
     """[R11.3], [R11.5], [R11.6] The value that clipping interpolates."""
-    z = bounded(-p_eye[2] if p_eye[2] < 0 else 0.0, 2.0**200)
+    z = bounded(-p_eye[2], 2.0**200)
     if per_fragment(state, profile):
         return divide(z, table_depth(state.fog, profile.color_bits))
-    return float(factor(state.fog, z, profile.color_bits))
+    return float(factor(state.fog, z if z > 0 else 0.0, profile.color_bits))
 
 
 def table_depth(fog, bits):

@@ -97,7 +97,7 @@ Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& pla
     set_color(v, corners, plane,
               profile.perspective_color && r.state.shade_model == ShadeModel::Smooth, r.bits);
     if (r.state.fog.enable && r.fragment_fog) {
-        const auto f = gather_doubles(corners, [](const Corner& c) { return c.fog; });
+        const auto f = gather_doubles(corners, [](const Corner& c) { return std::abs(c.fog); });
         v.fog_coordinate = perspective_value(numerators(f, w, 0, largest_fog_exponent), plane);
     } else if (r.state.fog.enable) {
         v.fog =

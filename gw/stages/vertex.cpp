@@ -135,9 +135,9 @@ VertexProgram vertex_program(const State& state, const Draw& draw, const Profile
 }
 
 double fog_of(const VertexProgram& p, double z_eye) {
-    const double distance = bounded(z_eye < 0 ? -z_eye : 0, largest_coordinate);
-    if (p.fragment_fog) return distance / p.fog_depth;
-    return double(fog_factor(p.state->fog, distance, p.profile->color_bits));
+    const double z = bounded(-z_eye, largest_coordinate);
+    if (p.fragment_fog) return z / p.fog_depth;
+    return double(fog_factor(p.state->fog, z > 0 ? z : 0, p.profile->color_bits));
 }
 
 Vertex run_vertex(const VertexProgram& p, std::uint32_t index) {

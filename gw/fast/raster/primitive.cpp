@@ -89,12 +89,13 @@ struct Maker {
     }
 
     void fog(ColorPlanes& out) const {
-        const auto f = gather<double>([&](std::uint32_t v) { return op().fog->value[v]; });
+        auto f = gather<double>([&](std::uint32_t v) { return op().fog->value[v]; });
         if (!op().fog_table) {
             out.fog = frame.plane({std::int64_t(round_even(f[0])), std::int64_t(round_even(f[1])),
                                    std::int64_t(round_even(f[2]))});
             return;
         }
+        for (double& coordinate : f) coordinate = std::abs(coordinate);
         const Numerators n = numerators(used(f), used(w()), 0, largest_fog_exponent);
         out.fog = numerator(n.at);
         out.fog_scale = float(std::ldexp(1.0, n.exponent + fog_table_log2(op().state.bits) + 8));

@@ -14,6 +14,8 @@
 #include "gw/fast/simd/walk-inl.h"
 #include "gw/stages/fog.h"
 
+#include <cmath>
+
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
@@ -61,7 +63,7 @@ HWY_NOINLINE inline std::uint32_t fog_coordinates(const TileDraw& draw, const Co
                                                   const RatioBatch& ratio, ColorPlanes* out) {
     CoordinateBatch fog;
     alignas(64) double f[3][batch_capacity], numerator[3][batch_capacity];
-    gather(t, f, [&](std::uint32_t v) { return draw.op->fog->value[v]; });
+    gather(t, f, [&](std::uint32_t v) { return std::abs(draw.op->fog->value[v]); });
     for (std::size_t i = 0; i < t.filled; i += hn::Lanes(D64())) {
         const Vertices3 at = load3(f, i);
         fog.finite |= finite_lanes(at) << i;

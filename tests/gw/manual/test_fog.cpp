@@ -47,7 +47,27 @@ TEST(ManualFog, VertexAndFragmentFogThroughTheMachine) {
     fog.coordinate = FogCoordinate::Fragment;
     EXPECT_EQ(fogged(fog, 2), 94);
     EXPECT_EQ(fogged(fog, 1e30f), 0);
-    EXPECT_EQ(fogged(fog, -3), 255);  // behind the eye the distance is 0
+    // Behind the eye the fragment's distance is that before it; the vertex's is 0.
+    EXPECT_EQ(fogged(fog, -2), 94);
+    fog.coordinate = FogCoordinate::Vertex;
+    EXPECT_EQ(fogged(fog, -2), 255);
+}
+
+// [R11.3] [R11.6]
+TEST(ManualFog, APolygonFromBehindTheEyeHasTheFogOfItsPartBefore) {
+    // The ground, one unit below the eye, from 40 behind it to 40 before; 90 degrees of view, the near plane at 1/2.
+    Workbench bench(ideal(), 16, 16);
+    bench.state.fog = {.enable = true,
+                       .mode = FogMode::Linear,
+                       .start = 0,
+                       .end = 20,
+                       .coordinate = FogCoordinate::Fragment};
+    bench.state.projection = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -1, -1}, {0, 0, -1, 0}};
+    bench.draw(Primitive::Quads, {{-90, -1, 40}, {90, -1, 40}, {90, -1, -40}, {-90, -1, -40}});
+    for (int y = 0; y < 8; ++y) {
+        const double distance = 8 / (8 - (y + 0.5));
+        EXPECT_NEAR(bench.color(8, y)[0] / 65535.0, std::max(0.0, 1 - distance / 20), 2e-3) << y;
+    }
 }
 
 TEST(ManualFog, TheTableIsNearTheFormulaEverywhere) {
