@@ -115,10 +115,53 @@ Command plain(const gw::DrawPixels& pixels) {
     return WritePixels{.rect = rect, .plane = Plane::Stencil, .values = pixels.stencils};
 }
 
+/// While it exists, depths are written without tests, and no colours: pixels of GL_DEPTH_STENCIL are
+/// no fragments. EXT_packed_depth_stencil, 3.6.4
+class Untested {
+public:
+    explicit Untested(Context& c) : context_(c), before_(c.state) {
+        begin_change(c);
+        c.state.stencil.test = c.state.color_buffer.alpha_test = false;
+        c.state.color_buffer.mask.fill(false);
+        c.state.depth.test = true;
+        c.state.depth.func = GL_ALWAYS;
+    }
+    ~Untested() {
+        context_.state = before_;
+        context_.machine_state.changed = true;
+    }
+    Untested(const Untested&) = delete;
+    Untested& operator=(const Untested&) = delete;
+
+private:
+    Context& context_;
+    const State before_;
+};
+
 void add_rectangle(Context& c, gw::DrawPixels pixels) {
     if (c.profile.extensions.draw_pixels) return submit_command(c, std::move(pixels));
     if (pixels.zoom_x != 1 || pixels.zoom_y != 1) return set_error(c, GL_INVALID_OPERATION);
     submit_command(c, plain(pixels));
+}
+
+void draw_depths_and_stencils(Context& c, GLsizei width, GLsizei height, const HostImage& image) {
+    const DepthsAndStencils host = host_depths_and_stencils(c, width, height, image);
+    gw::DrawPixels stencils = rectangle(c, width, height);
+    set_stencils(stencils, c, host.stencils);
+    add_rectangle(c, std::move(stencils));
+    const Untested untested(c);
+    gw::DrawPixels depths = rectangle(c, width, height);
+    set_depths(depths, c, host.depths);
+    add_rectangle(c, std::move(depths));
+}
+
+void copy_plane(Context& c, Plane plane, const Rect& rect) {
+    gw::DrawPixels out = rectangle(c, rect.width, rect.height);
+    if (is_identity(c.state.pixel, plane))
+        out.source = PixelSource{plane, rect.x, rect.y};
+    else
+        set_transferred(out, c, plane, rect);
+    add_rectangle(c, std::move(out));
 }
 
 }  // namespace
@@ -130,6 +173,7 @@ void draw_pixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenu
     if (!is_size(width) || !is_size(height)) return set_error(c, GL_INVALID_VALUE);
     if (const GLenum error = format_error(format, type)) return set_error(c, error);
     if (!is_drawn(c, GL_DRAW_PIXEL_TOKEN) || !image.bytes) return;
+    if (format == GL_DEPTH_STENCIL) return draw_depths_and_stencils(c, width, height, image);
     gw::DrawPixels out = rectangle(c, width, height);
     if (format == GL_DEPTH_COMPONENT)
         set_depths(out, c, host_depths(c, width, height, type, image));
@@ -159,20 +203,18 @@ void bitmap(Context& c, GLsizei width, GLsizei height, float xorig, float yorig,
 }
 
 void copy_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
-    if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL)
+    if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL && type != GL_DEPTH_STENCIL)
         return set_error(c, GL_INVALID_ENUM);
     if (!is_size(width) || !is_size(height)) return set_error(c, GL_INVALID_VALUE);
     if (!is_drawn(c, GL_COPY_PIXEL_TOKEN) || width == 0 || height == 0) return;
-    const Plane plane = type == GL_COLOR   ? Plane::Color
-                        : type == GL_DEPTH ? Plane::Depth
-                                           : Plane::Stencil;
-    gw::DrawPixels out = rectangle(c, width, height);
     if (is_far(x) || is_far(y)) return;
-    if (is_identity(c.state.pixel, plane))
-        out.source = PixelSource{plane, x, y};
-    else
-        set_transferred(out, c, plane, {x, y, width, height});
-    add_rectangle(c, std::move(out));
+    const Rect rect{x, y, width, height};
+    if (type == GL_COLOR) return copy_plane(c, Plane::Color, rect);
+    if (type != GL_DEPTH) copy_plane(c, Plane::Stencil, rect);
+    if (type == GL_DEPTH) copy_plane(c, Plane::Depth, rect);
+    if (type != GL_DEPTH_STENCIL) return;
+    const Untested untested(c);
+    copy_plane(c, Plane::Depth, rect);
 }
 
 }  // namespace execute

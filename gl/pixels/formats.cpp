@@ -53,7 +53,8 @@ int component_count(GLenum format) {
         case GL_BLUE:
         case GL_ALPHA:
         case GL_LUMINANCE: return 1;
-        case GL_LUMINANCE_ALPHA: return 2;
+        case GL_LUMINANCE_ALPHA:
+        case GL_DEPTH_STENCIL: return 2;
         case GL_RGB:
         case GL_BGR: return 3;
         case GL_RGBA:
@@ -78,6 +79,7 @@ std::size_t component_bytes(GLenum type) {
 
 GLenum format_error(GLenum format, GLenum type) {
     if (component_count(format) == 0) return GL_INVALID_ENUM;
+    if (format == GL_DEPTH_STENCIL && type != GL_UNSIGNED_INT_24_8) return GL_INVALID_ENUM;
     if (type == GL_BITMAP) return is_index_format(format) ? GL_NO_ERROR : GL_INVALID_ENUM;
     if (const PackedType* const packed = packed_type(type))
         return is_packed_format(*packed, format) ? GL_NO_ERROR : GL_INVALID_OPERATION;

@@ -11,9 +11,14 @@ namespace gw::gl {
 int component_count(GLenum format);
 /// The bytes of a value, or of a pixel whose type packs it; 0: no such type, or GL_BITMAP.
 std::size_t component_bytes(GLenum type);
-/// Whether a pixel is an index or a depth, not a colour.
+/// Whether a pixel is an index, not a colour or a depth.
 inline bool is_index_format(GLenum format) {
     return format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX;
+}
+/// Whether a pixel is a colour or an index of one: textures are made of such.
+inline bool is_texel_format(GLenum format) {
+    return component_count(format) > 0 && format != GL_STENCIL_INDEX &&
+           format != GL_DEPTH_COMPONENT && format != GL_DEPTH_STENCIL;
 }
 
 /// The error of a format and type that do not go together; GL_NO_ERROR. [GL11] 3.6.4

@@ -22,6 +22,7 @@ constexpr PackedType packed_types[] = {
     {GL_UNSIGNED_INT_8_8_8_8_REV, 4, {8, 8, 8, 8}, true},
     {GL_UNSIGNED_INT_10_10_10_2, 4, {10, 10, 10, 2}, false},
     {GL_UNSIGNED_INT_2_10_10_10_REV, 4, {10, 10, 10, 2}, true},
+    {GL_UNSIGNED_INT_24_8, 4, {24, 8, 0, 0}, false},
 };
 
 std::uint32_t load_number(std::size_t bytes, const std::byte* at) {
@@ -64,6 +65,7 @@ const PackedType* packed_type(GLenum type) {
 }
 
 bool is_packed_format(const PackedType& packed, GLenum format) {
+    if (packed.bits[2] == 0) return format == GL_DEPTH_STENCIL;
     if (packed.bits[3] == 0) return format == GL_RGB;
     return format == GL_RGBA || format == GL_BGRA;
 }

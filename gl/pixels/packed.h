@@ -1,4 +1,5 @@
-// Types that pack the components of a pixel into one number: EXT_packed_pixels, and [GL12] 3.6.4's reversed ones.
+// Types that pack the components of a pixel into one number: EXT_packed_pixels, [GL12] 3.6.4's reversed ones, and
+// EXT_packed_depth_stencil's.
 #pragma once
 
 #include <GL/gl.h>
@@ -17,7 +18,7 @@ struct PackedType {
 /// Null: not a packed type.
 const PackedType* packed_type(GLenum type);
 
-/// Whether pixels of the format can be packed so: three components or four.
+/// Whether pixels of the format can be packed so: three components or four, or a depth and a stencil value.
 bool is_packed_format(const PackedType& packed, GLenum format);
 
 /// The components of a pixel, 0 .. 1.

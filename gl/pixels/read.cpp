@@ -77,6 +77,16 @@ std::vector<std::byte> packed_rows(Context& c, const Rect& rect, GLenum format, 
     return packed_colors(colors, format, type);
 }
 
+/// Rows of depths and stencil values for memory.
+std::vector<std::byte> packed_pairs(Context& c, const Rect& rect) {
+    DepthsAndStencils out;
+    for (const double depth : read_values(c, Plane::Depth, rect, Cause::Read))
+        out.depths.push_back(transferred_depth(c, depth));
+    for (const double stencil : read_values(c, Plane::Stencil, rect, Cause::Read))
+        out.stencils.push_back(transferred_stencil(c, stencil));
+    return packed_depths_and_stencils(out);
+}
+
 }  // namespace
 
 std::vector<vec4> read_colors(Context& c, const Rect& rect, Cause cause) {
@@ -123,7 +133,9 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
     flush_mesh(c);
     const Rect rect{x, y, width, height};
     std::vector<std::byte> rows;
-    if (format == GL_STENCIL_INDEX || format == GL_DEPTH_COMPONENT) {
+    if (format == GL_DEPTH_STENCIL) {
+        rows = packed_pairs(c, rect);
+    } else if (format == GL_STENCIL_INDEX || format == GL_DEPTH_COMPONENT) {
         const bool is_depth = format == GL_DEPTH_COMPONENT;
         std::vector<double> values =
             read_values(c, is_depth ? Plane::Depth : Plane::Stencil, rect, Cause::Read);

@@ -236,6 +236,26 @@ std::vector<GLuint> host_stencils(const Context& c, GLsizei width, GLsizei heigh
     return out;
 }
 
+DepthsAndStencils host_depths_and_stencils(const Context& c, GLsizei width, GLsizei height,
+                                           const HostImage& image) {
+    DepthsAndStencils out;
+    for_each_pixel(width, height, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, image,
+                   [&](const auto& v) {
+                       out.depths.push_back(transferred_depth(c, v[0]));
+                       out.stencils.push_back(transferred_stencil(c, std::round(v[1] * 255)));
+                   });
+    return out;
+}
+
+std::vector<std::byte> packed_depths_and_stencils(const DepthsAndStencils& values) {
+    const PackedType& packed = *packed_type(GL_UNSIGNED_INT_24_8);
+    std::vector<std::byte> out(values.depths.size() * packed.bytes);
+    for (std::size_t i = 0; i < values.depths.size(); ++i)
+        store_packed(packed, &out[i * packed.bytes],
+                     {values.depths[i], double(values.stencils[i] & 255) / 255});
+    return out;
+}
+
 std::vector<std::byte> packed_colors(const std::vector<vec4>& colors, GLenum format, GLenum type) {
     const PackedType* const packed = packed_type(type);
     const auto count = std::size_t(packed != nullptr ? 1 : component_count(format));

@@ -31,6 +31,14 @@ std::vector<double> host_depths(const Context& c, GLsizei width, GLsizei height,
 std::vector<GLuint> host_stencils(const Context& c, GLsizei width, GLsizei height, GLenum type,
                                   const HostImage& image);
 
+struct DepthsAndStencils {
+    std::vector<double> depths;
+    std::vector<GLuint> stencils;
+};
+/// The pixels of an image of GL_DEPTH_STENCIL.
+DepthsAndStencils host_depths_and_stencils(const Context& c, GLsizei width, GLsizei height,
+                                           const HostImage& image);
+
 /// Pixels of 8 bits a channel, R in the lowest byte, after transfer and quantized to `bits` bits.
 std::vector<Rgba> transferred_rgba(const Context& c, std::span<const std::uint32_t> pixels,
                                    int bits);
@@ -41,6 +49,8 @@ std::optional<std::vector<std::byte>> packed_bytes(const Context& c,
 
 /// Rows of pixels in a format and type, from colours after transfer.
 std::vector<std::byte> packed_colors(const std::vector<vec4>& colors, GLenum format, GLenum type);
+/// Pixels of GL_DEPTH_STENCIL, from depths and stencil values after transfer.
+std::vector<std::byte> packed_depths_and_stencils(const DepthsAndStencils& values);
 /// The same from depths or indices. `width`: pixels of a row.
 std::vector<std::byte> packed_values(const std::vector<double>& values, GLsizei width,
                                      GLenum format, GLenum type);

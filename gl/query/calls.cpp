@@ -257,7 +257,7 @@ void get_tex_level_parameteriv(Context& c, GLenum target, GLint level, GLenum pn
 void get_tex_image(Context& c, GLenum target, GLint level, GLenum format, GLenum type,
                    GLvoid* pixels) {
     const auto index = target_index(target);
-    if (!index || is_index_format(format) || format == GL_DEPTH_COMPONENT)
+    if (!index || !is_texel_format(format) || format == GL_COLOR_INDEX)
         return set_error(c, GL_INVALID_ENUM);
     if (level < 0 || level >= level_count) return set_error(c, GL_INVALID_VALUE);
     if (const GLenum error = format_error(format, type)) return set_error(c, error);

@@ -96,16 +96,11 @@ void set_proxy(Context& c, const Place& place, const Request& r, GLenum error) {
                                  : TextureImage{r.width, r.height, r.border, r.internal_format, {}};
 }
 
-bool is_texture_format(GLenum format) {
-    return component_count(format) > 0 && format != GL_STENCIL_INDEX &&
-           format != GL_DEPTH_COMPONENT;
-}
-
 void tex_image(Context& c, GLenum target, const Request& r, GLenum format, GLenum type,
                const HostImage& host) {
     const auto place = place_of(target);
     if (!place) return set_error(c, GL_INVALID_ENUM);
-    if (!is_texture_format(format)) return set_error(c, GL_INVALID_ENUM);
+    if (!is_texel_format(format)) return set_error(c, GL_INVALID_ENUM);
     if (const GLenum error = format_error(format, type)) return set_error(c, error);
     const GLenum error = request_error(r, place->index);
     if (place->is_proxy) return set_proxy(c, *place, r, error);
@@ -145,7 +140,7 @@ void replace_part(Context& c, GLenum target, TextureImage& image, Rect part,
 
 void tex_sub_image(Context& c, GLenum target, GLint level, const Rect& part, GLenum format,
                    GLenum type, const HostImage& host) {
-    if (!is_texture_format(format)) return set_error(c, GL_INVALID_ENUM);
+    if (!is_texel_format(format)) return set_error(c, GL_INVALID_ENUM);
     if (const GLenum error = format_error(format, type)) return set_error(c, error);
     TextureImage* const image = replaced_image(c, target, level, part);
     if (image == nullptr || !host.bytes) return;

@@ -1,4 +1,4 @@
-// Pixels packed into one number: EXT_packed_pixels, and OpenGL 1.2's reversed types.
+// Pixels packed into one number: EXT_packed_pixels, OpenGL 1.2's reversed types, EXT_packed_depth_stencil.
 #include "tests/gl/support/window.h"
 
 namespace gw::gl {
@@ -97,6 +97,69 @@ TEST(GlPackedPixels, FormatsMustHaveTheComponents) {
     }
     glColorPointer(4, GL_UNSIGNED_INT_8_8_8_8, 0, &number);
     EXPECT_EQ(glGetError(), GLenum(GL_INVALID_ENUM));
+}
+
+/// EXT_packed_depth_stencil: pairs are written through the masks, without tests, and copied so.
+TEST(GlPackedPixels, DepthsAndStencilsAreWrittenTogether) {
+    const Window window;
+    use_pixel_coordinates(window);
+    using Pairs = std::array<GLuint, 4>;
+    const Pairs pairs{0x00000001, 0x40000080, 0x7FFFFF7F, 0xFFFFFFFF};
+    const auto read = [](int x, int y) {
+        Pairs out{};
+        glReadPixels(x, y, 2, 2, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, out.data());
+        return out;
+    };
+    // Every test would fail.
+    for (const GLenum test : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_ALPHA_TEST}) glEnable(test);
+    glDepthFunc(GL_NEVER);
+    glStencilFunc(GL_NEVER, 0, 255);
+    glStencilOp(GL_INCR, GL_INCR, GL_INCR);
+    glAlphaFunc(GL_NEVER, 0);
+    const auto before = window.pixels();
+    glRasterPos2i(3, 4);
+    glDrawPixels(2, 2, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, pairs.data());
+    EXPECT_EQ(read(3, 4), pairs);
+    EXPECT_EQ(window.pixels(), before);
+    glRasterPos2i(10, 11);
+    glCopyPixels(3, 4, 2, 2, GL_DEPTH_STENCIL);
+    EXPECT_EQ(read(10, 11), pairs);
+    GLint func = 0;
+    glGetIntegerv(GL_DEPTH_FUNC, &func);
+    EXPECT_EQ(func, GL_NEVER);
+
+    // Masks, transfer and zoom apply.
+    glStencilMask(0x0F);
+    glDepthMask(GL_FALSE);
+    const Pairs ones{~0u, ~0u, ~0u, ~0u};
+    glDrawPixels(2, 2, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, ones.data());
+    EXPECT_EQ(read(10, 11), (Pairs{0x0000000F, 0x4000008F, 0x7FFFFF7F, 0xFFFFFFFF}));
+    glStencilMask(~0u);
+    glDepthMask(GL_TRUE);
+    glPixelTransferf(GL_DEPTH_BIAS, 1);
+    glPixelTransferi(GL_INDEX_OFFSET, 2);
+    glPixelZoom(2, 2);
+    glRasterPos2i(20, 20);
+    glDrawPixels(1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, pairs.data());
+    glPixelTransferf(GL_DEPTH_BIAS, 0);
+    glPixelTransferi(GL_INDEX_OFFSET, 0);
+    EXPECT_EQ(read(20, 20), (Pairs{0xFFFFFF03, 0xFFFFFF03, 0xFFFFFF03, 0xFFFFFF03}));
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+TEST(GlPackedPixels, DepthsAndStencilsAreNoTexels) {
+    const Window window;
+    GLuint memory[16]{};
+    const auto error = [] { return glGetError(); };
+    glDrawPixels(1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT, memory);
+    EXPECT_EQ(error(), GLenum(GL_INVALID_ENUM));
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_INT_24_8, memory);
+    EXPECT_EQ(error(), GLenum(GL_INVALID_OPERATION));
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
+                 memory);
+    EXPECT_EQ(error(), GLenum(GL_INVALID_ENUM));
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, memory);
+    EXPECT_EQ(error(), GLenum(GL_INVALID_ENUM));
 }
 
 }  // namespace gw::gl
