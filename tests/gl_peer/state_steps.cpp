@@ -98,11 +98,15 @@ void set_light(const Gl& gl, Random& random, Results&) {
     gl.Lightf(light, GL_SPOT_CUTOFF, random.chance(60) ? 180.0f : GLfloat(random.between(20, 90)));
 }
 
+/// Mesa keeps given materials aside, and puts them over the colours of COLOR_MATERIAL later. A query
+/// puts them in place.
 void set_material(const Gl& gl, Random& random, Results&) {
     const GLenum face = random.pick<GLenum>({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK});
     for (const GLenum name : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION})
         if (random.chance(50)) gl.Materialfv(face, name, some_color(random).data());
     gl.Materialf(face, GL_SHININESS, GLfloat(random.between(0, 128)));
+    std::array<GLfloat, 4> placed;
+    gl.GetMaterialfv(GL_FRONT, GL_DIFFUSE, placed.data());
 }
 
 void set_light_model(const Gl& gl, Random& random, Results&) {
