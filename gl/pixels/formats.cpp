@@ -77,12 +77,12 @@ std::size_t component_bytes(GLenum type) {
     return packed != nullptr ? packed->bytes : 0;
 }
 
+// A packed type and another format: GL_INVALID_OPERATION, whatever the format is, as on Mesa.
 GLenum format_error(GLenum format, GLenum type) {
-    if (component_count(format) == 0) return GL_INVALID_ENUM;
-    if (format == GL_DEPTH_STENCIL && type != GL_UNSIGNED_INT_24_8) return GL_INVALID_ENUM;
-    if (type == GL_BITMAP) return is_index_format(format) ? GL_NO_ERROR : GL_INVALID_ENUM;
     if (const PackedType* const packed = packed_type(type))
         return is_packed_format(*packed, format) ? GL_NO_ERROR : GL_INVALID_OPERATION;
+    if (component_count(format) == 0 || format == GL_DEPTH_STENCIL) return GL_INVALID_ENUM;
+    if (type == GL_BITMAP) return is_index_format(format) ? GL_NO_ERROR : GL_INVALID_ENUM;
     return component_bytes(type) == 0 ? GL_INVALID_ENUM : GL_NO_ERROR;
 }
 

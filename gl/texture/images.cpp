@@ -100,8 +100,8 @@ void tex_image(Context& c, GLenum target, const Request& r, GLenum format, GLenu
                const HostImage& host) {
     const auto place = place_of(target);
     if (!place) return set_error(c, GL_INVALID_ENUM);
-    if (!is_texel_format(format)) return set_error(c, GL_INVALID_ENUM);
     if (const GLenum error = format_error(format, type)) return set_error(c, error);
+    if (!is_texel_format(format)) return set_error(c, GL_INVALID_ENUM);
     const GLenum error = request_error(r, place->index);
     if (place->is_proxy) return set_proxy(c, *place, r, error);
     if (error != GL_NO_ERROR) return set_error(c, error);
@@ -140,8 +140,8 @@ void replace_part(Context& c, GLenum target, TextureImage& image, Rect part,
 
 void tex_sub_image(Context& c, GLenum target, GLint level, const Rect& part, GLenum format,
                    GLenum type, const HostImage& host) {
-    if (!is_texel_format(format)) return set_error(c, GL_INVALID_ENUM);
     if (const GLenum error = format_error(format, type)) return set_error(c, error);
+    if (!is_texel_format(format)) return set_error(c, GL_INVALID_ENUM);
     TextureImage* const image = replaced_image(c, target, level, part);
     if (image == nullptr || !host.bytes) return;
     replace_part(c, target, *image, part,

@@ -158,6 +158,9 @@ TEST(GlPackedPixels, DepthsAndStencilsAreNoTexels) {
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
                  memory);
     EXPECT_EQ(error(), GLenum(GL_INVALID_ENUM));
+    glTexImage2D(GL_PROXY_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_DEPTH_COMPONENT,
+                 GL_UNSIGNED_INT_8_8_8_8, memory);
+    EXPECT_EQ(error(), GLenum(GL_INVALID_OPERATION));
     glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, memory);
     EXPECT_EQ(error(), GLenum(GL_INVALID_ENUM));
 }
