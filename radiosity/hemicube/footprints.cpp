@@ -135,6 +135,7 @@ HWY_EXPORT(find_footprints);
 HWY_EXPORT(find_parts);
 
 void FacetPixels::reserve(std::size_t row) {
+    if (row + longest_vector <= x.size()) return;
     for (auto* values : {&x, &nx, &ny}) values->resize(row + longest_vector);
 }
 

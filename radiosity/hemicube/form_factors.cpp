@@ -40,6 +40,22 @@ double turn_of(std::uint64_t seed, std::uint64_t which, std::uint64_t point) {
            (360.0 / (1 << 24));
 }
 
+/// A pixel as such, undivided, belongs to one texel (Fig. 3a).
+bool by_texels(const ScanOptions& options) { return options.texels && options.most_parts > 1; }
+
+std::vector<std::uint32_t> joined_texels(const PixmapModel& model, const Pixmap& pixmap) {
+    std::vector<std::uint32_t> joined;
+    for (std::size_t t = pixmap.first; t < pixmap.first + pixmap.count(); ++t)
+        if (model.nearest[t] != t && model.nearest[t] != no_texel)
+            joined.push_back(static_cast<std::uint32_t>(t));
+    return joined;
+}
+
+bool is_present(const IdBuffers& buffers, std::uint32_t facet) {
+    return std::any_of(buffers.begin(), buffers.end(),
+                       [&](const IdBuffer& buffer) { return buffer.present[facet + 1] != 0; });
+}
+
 }  // namespace
 
 void check(const FormFactorOptions& options) {
@@ -57,7 +73,10 @@ FormFactors::FormFactors(const PixmapModel& model, const FormFactorOptions& opti
     : model_(model), options_(options) {
     check(options);
     delta_ = delta_form_factors(options.hemicube);
-    painters_.resize(std::size_t(options.threads > 0 ? options.threads : hardware_threads()));
+    scratch_.resize(std::size_t(options.threads > 0 ? options.threads : hardware_threads()));
+    if (by_texels(options.scan)) figures_ = plane_figures(model);
+    figures_.resize(model.facets.size());
+    for (const Pixmap& pixmap : model.pixmaps) joined_.push_back(joined_texels(model, pixmap));
     slots_.resize(slots);
     factors_.resize(model.texel_count());
 }
@@ -99,7 +118,7 @@ void FormFactors::draw(const std::vector<ShootPoint>& points, std::size_t first,
         if (options_.cancel && *options_.cancel) return;
         Slot& slot = slots_[i];
         slot.hemicube = hemicube_on(points, first + i, turns);
-        auto& painter = painters_[std::size_t(worker)];
+        auto& painter = scratch_[std::size_t(worker)].painter;
         if (!painter)
             painter =
                 options_.make_machine
@@ -107,8 +126,10 @@ void FormFactors::draw(const std::vector<ShootPoint>& points, std::size_t first,
                     : std::make_unique<HemicubePainter>(options_.hemicube);
         painter->draw(model_, slot.hemicube, slot.buffers);
         slot.escaped = escaping(slot.buffers, delta_);
-        slot.factors.assign(model_.texel_count(), 0.0);
-        slot.backs.assign(model_.pixmaps.size(), 0.0);
+        if (by_texels(options_.scan)) find_seen(slot.buffers, slot.seen);
+        slot.factors.resize(model_.texel_count());
+        slot.sums.resize(model_.pixmaps.size());
+        slot.backs.resize(model_.pixmaps.size());
     });
     if (options_.cancel && *options_.cancel) throw Canceled{};
 }
@@ -116,21 +137,65 @@ void FormFactors::draw(const std::vector<ShootPoint>& points, std::size_t first,
 // [F4] (2): the pixmaps are computed in parallel.
 void FormFactors::scan(std::size_t count) {
     const std::size_t pixmaps = model_.pixmaps.size();
-    parallel_for(count * pixmaps, options_.threads, [&](std::size_t i, int) {
-        Slot& slot = slots_[i / pixmaps];
-        const auto pixmap = static_cast<std::uint32_t>(i % pixmaps);
-        slot.backs[pixmap] = scan_pixmap(model_, pixmap, slot.hemicube, slot.buffers, delta_,
-                                         options_.scan, slot.factors);
+    parallel_for(count * pixmaps, options_.threads, [&](std::size_t i, int worker) {
+        scan_pixmap(slots_[i / pixmaps], static_cast<std::uint32_t>(i % pixmaps),
+                    scratch_[std::size_t(worker)]);
     });
+}
+
+void FormFactors::scan_pixmap(Slot& slot, std::uint32_t number, Scratch& scratch) const {
+    const Pixmap& pixmap = model_.pixmaps[number];
+    slot.backs[number] = slot.sums[number] = 0;
+    bool is_set = false;
+    const auto texels = std::span(slot.factors).subspan(pixmap.first, pixmap.count());
+    for (const std::uint32_t facet : pixmap.facets) {
+        if (!is_present(slot.buffers, facet)) continue;
+        if (!is_set) std::fill(texels.begin(), texels.end(), 0.0);
+        is_set = true;
+        slot.backs[number] += scan_facet(slot, facet, scratch);
+    }
+    if (!is_set) return;
+    for (const std::uint32_t t : joined_[number]) {
+        slot.factors[model_.nearest[t]] += slot.factors[t];
+        slot.factors[t] = 0;
+    }
+    slot.sums[number] = sum_of(texels);
+}
+
+double FormFactors::scan_facet(Slot& slot, std::uint32_t facet, Scratch& scratch) const {
+    const auto& figure = figures_[facet];
+    if (figure && can_scan_texels(model_, *figure, slot.hemicube) &&
+        scan_texels(model_, *figure, slot.hemicube, slot.seen, slot.factors, scratch.texels))
+        return 0;
+    return scan_pixels(model_, facet, slot.hemicube, slot.buffers, delta_, options_.scan,
+                       slot.factors, scratch.pixels);
+}
+
+/// All light goes somewhere: so much that neither escapes nor falls on backs goes to the texels.
+/// Their form factors are exact, but the buffers show borders by whole pixels.
+double FormFactors::scale_of(const Slot& slot) const {
+    if (!by_texels(options_.scan)) return 1;
+    double left = 1 - slot.escaped, texels = 0;
+    for (std::size_t i = 0; i < slot.sums.size(); ++i) {
+        left -= slot.backs[i];
+        texels += slot.sums[i];
+    }
+    return texels > 0 ? std::max(left, 0.0) / texels : 0;
 }
 
 void FormFactors::sum(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count,
                       Row& row) {
+    std::array<double, slots> shares{};
+    for (std::size_t k = 0; k < count; ++k)
+        shares[k] = points[first + k].share * scale_of(slots_[k]);
     parallel_for(model_.pixmaps.size(), options_.threads, [&](std::size_t i, int) {
         const Pixmap& pixmap = model_.pixmaps[i];
-        for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t k = 0; k < count; ++k) {
+            if (slots_[k].sums[i] == 0) continue;
+            const double* const from = slots_[k].factors.data();
             for (std::size_t t = pixmap.first; t < pixmap.first + pixmap.count(); ++t)
-                factors_[t] += points[first + k].share * slots_[k].factors[t];
+                factors_[t] += shares[k] * from[t];
+        }
     });
     for (std::size_t k = 0; k < count; ++k) {
         row.escaped += points[first + k].share * slots_[k].escaped;

@@ -3,7 +3,9 @@
 // light is summed in the order of the points [F2.2p, F4].
 #pragma once
 
+#include "radiosity/hemicube/plane_figure.h"
 #include "radiosity/hemicube/scan.h"
+#include "radiosity/hemicube/texel_scan.h"
 
 #include <atomic>
 #include <cstdint>
@@ -55,24 +57,38 @@ public:
     struct Canceled {};
 
 private:
-    void draw(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count,
-              std::uint64_t turns);
-    void scan(std::size_t count);
-    void sum(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count, Row& row);
-
-    const PixmapModel& model_;
-    FormFactorOptions options_;
-    DeltaFormFactors delta_;
-    std::vector<std::unique_ptr<HemicubePainter>> painters_;  ///< one for each thread
-
+    /// Memory of a thread.
+    struct Scratch {
+        std::unique_ptr<HemicubePainter> painter;
+        TexelScratch texels;
+        PixelScratch pixels;
+    };
     /// A hemicube and the results of its scan.
     struct Slot {
         Hemicube hemicube;
         IdBuffers buffers;
-        std::vector<double> factors;  ///< for all texels
-        std::vector<double> backs;    ///< for each pixmap
+        SeenIds seen;
+        std::vector<double>
+            factors;                ///< for all texels; those of pixmaps whose sum is 0 are not set
+        std::vector<double> sums;   ///< of each pixmap
+        std::vector<double> backs;  ///< for each pixmap
         double escaped = 0;
     };
+
+    void draw(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count,
+              std::uint64_t turns);
+    void scan(std::size_t count);
+    void scan_pixmap(Slot& slot, std::uint32_t pixmap, Scratch& scratch) const;
+    double scan_facet(Slot& slot, std::uint32_t facet, Scratch& scratch) const;
+    void sum(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count, Row& row);
+    double scale_of(const Slot& slot) const;
+
+    const PixmapModel& model_;
+    FormFactorOptions options_;
+    DeltaFormFactors delta_;
+    std::vector<std::optional<PlaneFigure>> figures_;  ///< by facet
+    std::vector<std::vector<std::uint32_t>> joined_;   ///< texels that are no elements, by pixmap
+    std::vector<Scratch> scratch_;                     ///< one for each thread
     std::vector<Slot> slots_;
     std::vector<double> factors_;
 };

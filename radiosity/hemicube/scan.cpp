@@ -30,8 +30,8 @@ Range reach(int count, bool ends_before, bool ends_after) {
 /// their light [F2.2].
 class FacetScan {
 public:
-    /// For buffers of this size; `factors` as of scan_pixmap.
-    FacetScan(int size, std::span<double> factors);
+    /// For buffers of this size; `factors` as of scan_pixels.
+    FacetScan(int size, std::span<double> factors, PixelScratch& scratch);
 
     /// A facet's front. `deltas`: delta form factors of the buffer's pixels. `region`: the pixels
     /// that can see it.
@@ -44,24 +44,27 @@ public:
               const std::vector<double>& deltas, double& sum);
 
 private:
-    /// A pixel that is divided: which of pixels_, and its parts in parts_.
-    struct Divided {
-        std::size_t pixel, first, end;
-    };
+    using Divided = PixelScratch::Divided;
     void row(const FacetMap& map, const IdBuffer& buffer, std::uint32_t facet_pixel, int y,
              const double* deltas);
     void divide(const IdBuffer& buffer, std::uint32_t facet_pixel, int y);
     void add_parts(const Divided& divided);
 
     std::span<double> factors_;
-    FacetPixels pixels_;  ///< of one row ...
-    Boxes row_;           ///< ... and their footprints
-    Parts parts_;
-    std::vector<Divided> divided_;
-    Boxes boxes_;
+    FacetPixels& pixels_;
+    Boxes& row_;
+    Parts& parts_;
+    std::vector<Divided>& divided_;
+    Boxes& boxes_;
 };
 
-FacetScan::FacetScan(int size, std::span<double> factors) : factors_(factors) {
+FacetScan::FacetScan(int size, std::span<double> factors, PixelScratch& scratch)
+    : factors_(factors),
+      pixels_(scratch.pixels),
+      row_(scratch.row),
+      parts_(scratch.parts),
+      divided_(scratch.divided),
+      boxes_(scratch.boxes) {
     pixels_.reserve(std::size_t(size));
     row_.reserve(std::size_t(size));
 }
@@ -170,29 +173,26 @@ void FacetScan::back(std::uint32_t facet, const IdBuffer& buffer, const Region& 
 
 }  // namespace
 
-double scan_pixmap(const PixmapModel& model, std::uint32_t pixmap, const Hemicube& hemicube,
+double scan_pixels(const PixmapModel& model, std::uint32_t number, const Hemicube& hemicube,
                    const IdBuffers& buffers, const DeltaFormFactors& delta,
-                   const ScanOptions& options, std::span<double> factors) {
+                   const ScanOptions& options, std::span<double> factors, PixelScratch& scratch) {
+    const Facet& facet = model.facets[number];
+    if (dot3(hemicube.normal, facet.center - hemicube.position) < -facet.radius) return 0;
     double backs = 0;
-    Region region;
-    FacetScan scan(buffers[0].size, factors);
-    for (std::uint32_t number : model.pixmaps[pixmap].facets) {
-        const Facet& facet = model.facets[number];
-        if (dot3(hemicube.normal, facet.center - hemicube.position) < -facet.radius) continue;
-        const bool back = dot3(facet.normal, hemicube.position) - facet.offset <= 0;
-        for (std::size_t face = 0; face < hemicube_faces; ++face) {
-            const IdBuffer& buffer = buffers[face];
-            const scene::View& view = hemicube.views[face];
-            if (!buffer.present[number + 1]) continue;
-            find_region(facet, view, face == 0, region);
-            const std::vector<double>& deltas = face == 0 ? delta.top : delta.side;
-            if (back) {
-                scan.back(number, buffer, region, deltas, backs);
-                continue;
-            }
-            const Homography map = homography(facet, hemicube, view, buffer.size - buffer.rows);
-            scan.front(model, number, map, buffer, region, deltas, options);
+    FacetScan scan(buffers[0].size, factors, scratch);
+    const bool back = dot3(facet.normal, hemicube.position) - facet.offset <= 0;
+    for (std::size_t face = 0; face < hemicube_faces; ++face) {
+        const IdBuffer& buffer = buffers[face];
+        const scene::View& view = hemicube.views[face];
+        if (!buffer.present[number + 1]) continue;
+        find_region(facet, view, face == 0, scratch.region);
+        const std::vector<double>& deltas = face == 0 ? delta.top : delta.side;
+        if (back) {
+            scan.back(number, buffer, scratch.region, deltas, backs);
+            continue;
         }
+        const Homography map = homography(facet, hemicube, view, buffer.size - buffer.rows);
+        scan.front(model, number, map, buffer, scratch.region, deltas, options);
     }
     return backs;
 }

@@ -138,8 +138,9 @@ std::string fingerprint(const PixmapModel& model) {
 }
 
 std::string fingerprint(const FormFactorOptions& options) {
-    return fmt::format("hemicube {} parts {} nearness {} smallest {} {} emitter {} seed {}",
-                       options.hemicube, options.scan.most_parts, options.points.nearness,
+    return fmt::format("hemicube {} {} parts {} nearness {} smallest {} {} emitter {} seed {}",
+                       options.hemicube, options.scan.texels ? "by texels" : "by pixels",
+                       options.scan.most_parts, options.points.nearness,
                        options.points.smallest_part, options.points.smallest_of_pixmap,
                        options.points.emitter_part, options.seed);
 }

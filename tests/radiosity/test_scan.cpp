@@ -141,8 +141,9 @@ TEST(Scan, IsThePlainOneToTheBitOnEveryVectorTarget) {
             for (const std::string& target : fast::simd_targets()) {
                 ASSERT_TRUE(fast::use_simd_target(target));
                 std::vector<double> factors(model.texel_count());
-                for (std::uint32_t pixmap = 0; pixmap < model.pixmaps.size(); ++pixmap)
-                    scan_pixmap(model, pixmap, cube, buffers, delta, {parts}, factors);
+                PixelScratch scratch;
+                for (std::uint32_t facet = 0; facet < model.facets.size(); ++facet)
+                    scan_pixels(model, facet, cube, buffers, delta, {parts}, factors, scratch);
                 EXPECT_EQ(factors, plain)
                     << target << ", " << texels << " texels, " << parts << " parts";
             }

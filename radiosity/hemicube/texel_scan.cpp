@@ -1,0 +1,148 @@
+#include "radiosity/hemicube/texel_scan.h"
+
+#include "radiosity/hemicube/near_texels.h"
+
+#include <algorithm>
+
+namespace gw::radiosity {
+namespace {
+
+/// In pixels: the area and the width that a figure has at least.
+constexpr double least_area = 64, least_width = 2;
+
+constexpr std::size_t longest_vector = 64;
+
+class TexelScan {
+public:
+    TexelScan(const PixmapModel& model, const PlaneFigure& figure, const Hemicube& hemicube,
+              const SeenIds& seen, TexelScratch& scratch)
+        : figure_(figure),
+          view_(view_of(model, figure, hemicube)),
+          sight_{view_, seen, figure.facet + 1},
+          scratch_(scratch) {}
+
+    /// Finds scratch.factors.
+    void scan() {
+        begin();
+        for (int v = figure_.first.y; v < figure_.end.y; ++v) row(v);
+        for (TexelKind kind = 1; kind < near_point; ++kind) find_parts_seen(kind);
+        for (const ivec2& t : scratch_.near)
+            scratch_.factors[number(t.x, t.y)] =
+                static_cast<float>(near_factor(view_, figure_, sight_.seen, t.x, t.y));
+    }
+
+private:
+    std::size_t number(int u, int v) const {
+        return pixel_index(u - figure_.first.x, v - figure_.first.y, figure_.width());
+    }
+
+    void begin() {
+        const auto space = std::size_t(figure_.width()) + longest_vector,
+                   all = number(figure_.first.x, figure_.end.y) + longest_vector;
+        if (scratch_.kinds.size() < space)
+            for (scratch_.kinds.resize(space); auto* values : {&scratch_.low, &scratch_.high})
+                values->resize(space);
+        if (scratch_.factors.size() < all) scratch_.factors.resize(all);
+        for (TexelList& list : scratch_.lists) list.count = 0;
+        scratch_.near.clear();
+        find_corners(view_, row_at(figure_.first.y), scratch_.high.data());
+    }
+
+    TexelRow row_at(int v) const { return {figure_.first.x, v, figure_.width()}; }
+
+    void row(int v) {
+        std::swap(scratch_.low, scratch_.high);
+        find_corners(view_, row_at(v + 1), scratch_.high.data());
+        float* const factors = &scratch_.factors[number(figure_.first.x, v)];
+        find_row(sight_, row_at(v), scratch_.low.data(), scratch_.high.data(), factors,
+                 scratch_.kinds.data());
+        for (int i = 0; i < figure_.width(); ++i) {
+            const bool is_cut = next_cut_ < figure_.cuts.size() && figure_.cuts[next_cut_].v == v &&
+                                figure_.cuts[next_cut_].u == figure_.first.x + i;
+            const PlaneFigure::Cut* const cut = is_cut ? &figure_.cuts[next_cut_++] : nullptr;
+            TexelKind kind = scratch_.kinds[std::size_t(i)];
+            if (cut) kind = cut_texel(*cut, factors[i], kind);
+            if (kind != decided) add_to_list(kind, figure_.first.x + i, v, cut);
+        }
+    }
+
+    /// The part of a texel that is inside receives less light, or none.
+    TexelKind cut_texel(const PlaneFigure::Cut& cut, float& factor, TexelKind kind) const {
+        if (factor == 0) return kind;
+        const dvec3 p = view_.at(cut.middle.x, cut.middle.y);
+        const double r2 = dot3(p, p);
+        factor = static_cast<float>(cut.share * view_.flux * std::max(p.z, 0.0) / (r2 * r2));
+        return cut.share == 0 ? decided : kind;
+    }
+
+    void add_to_list(TexelKind kind, int u, int v, const PlaneFigure::Cut* cut) {
+        const dvec2 middle(u + 0.5, v + 0.5);
+        if (kind == near_point)
+            scratch_.near.push_back({u, v});
+        else
+            scratch_.lists[std::size_t(kind)].add(middle, cut ? cut->middle : middle, number(u, v));
+    }
+
+    void find_parts_seen(TexelKind kind) {
+        TexelList& list = scratch_.lists[std::size_t(kind)];
+        if (list.count == 0) return;
+        find_shares(sight_, kind, list);
+        for (std::size_t i = 0; i < list.count; ++i)
+            scratch_.factors[list.texel[i]] *= list.shares[i];
+    }
+
+    const PlaneFigure& figure_;
+    const FigureView view_;
+    const TexelSight sight_;
+    TexelScratch& scratch_;
+    std::size_t next_cut_ = 0;
+};
+
+}  // namespace
+
+bool can_scan_texels(const PixmapModel& model, const PlaneFigure& figure,
+                     const Hemicube& hemicube) {
+    const Facet& facet = model.facets[figure.facet];
+    if (dot3(facet.normal, hemicube.position) - facet.offset <= 0) return false;
+    const dvec2 foot = facet.texel_of(hemicube.position),
+                nearest(std::clamp(foot.x, facet.low.x, facet.high.x),
+                        std::clamp(foot.y, facet.low.y, facet.high.y));
+    const FigureView view = view_of(model, figure, hemicube);
+    const double along = distance_in_face(view.at(nearest.x, nearest.y)),
+                 half = hemicube.views[0].width * 0.5;
+    // of the part that is about as near: its sides
+    const double long_u = length(view.du), long_v = length(view.dv),
+                 u = std::min((facet.high.x - facet.low.x) * long_u, along),
+                 v = std::min((facet.high.y - facet.low.y) * long_v, along);
+    const double texels = u / long_u * (v / long_v),
+                 area = texels * view.depth * half * half / (along * along * along);
+    return area >= least_area && area >= least_width * std::max(u, v) * half / along;
+}
+
+bool scan_texels(const PixmapModel& model, const PlaneFigure& figure, const Hemicube& hemicube,
+                 const SeenIds& seen, std::span<double> factors, TexelScratch& scratch) {
+    TexelScan(model, figure, hemicube, seen, scratch).scan();
+    const Pixmap& pixmap = model.pixmaps[model.facets[figure.facet].pixmap];
+    const auto width = std::size_t(figure.width());
+    float any = 0;
+    const float* from = scratch.factors.data();
+    for (int v = figure.first.y; v < figure.end.y; ++v, from += width) {
+        double* const to = &factors[pixmap.texel(figure.first.x, v)];
+        for (std::size_t i = 0; i < width; ++i) to[i] += double(from[i]);
+        for (std::size_t i = 0; i < width; ++i) any = std::max(any, from[i]);
+    }
+    return any > 0;
+}
+
+double sum_of(std::span<const double> values) {
+    constexpr std::size_t lanes = 8;
+    double sums[lanes] = {};
+    std::size_t i = 0;
+    for (; i + lanes <= values.size(); i += lanes)
+        for (std::size_t k = 0; k < lanes; ++k) sums[k] += values[i + k];
+    for (; i < values.size(); ++i) sums[0] += values[i];
+    return ((sums[0] + sums[4]) + (sums[1] + sums[5])) +
+           ((sums[2] + sums[6]) + (sums[3] + sums[7]));
+}
+
+}  // namespace gw::radiosity
