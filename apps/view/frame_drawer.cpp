@@ -61,6 +61,7 @@ struct FrameDrawer::Kept {
     std::string key;
     std::unique_ptr<PictureOptions> options;
     std::unique_ptr<Drawing> drawing;
+    std::map<std::string, std::string> sets;  ///< parameter sets by pass
     std::function<void(const scene::View&)> draw;
 };
 
@@ -104,9 +105,9 @@ Machine& FrameDrawer::machine_for(const Settings& settings) {
     return *kept_->machine;
 }
 
-void FrameDrawer::add_passes(Frame& frame, const Drawing& drawing, Machine& machine) const {
+void FrameDrawer::add_passes(Frame& frame, const std::map<std::string, std::string>& sets,
+                             Machine& machine) const {
     static const report::PriceList prices = report::vgx_prices();
-    const auto sets = parameter_sets(drawing);
     for (const PassReport& pass : machine.passes()) {
         const auto set = sets.find(pass.name);
         frame.passes.push_back({pass.name, set == sets.end() ? "" : set->second, pass.counters,
@@ -123,13 +124,14 @@ Frame FrameDrawer::draw(const Settings& settings) {
             kept_->key = key;
             kept_->options = std::make_unique<PictureOptions>(settings.picture);
             kept_->drawing = std::make_unique<Drawing>(drawing_of(*kept_->options, settings));
+            kept_->sets = parameter_sets(*kept_->drawing);
             kept_->draw = view_drawer(*kept_->drawing, machine);
             machine.reset_passes();
         }
         kept_->drawing->scene.camera = settings.camera;
         kept_->draw(view_of(*kept_->drawing));
         frame.picture = picture_of(machine);
-        add_passes(frame, *kept_->drawing, machine);
+        add_passes(frame, kept_->sets, machine);
     });
 }
 
@@ -143,7 +145,7 @@ Frame FrameDrawer::draw_by_pass(const Settings& settings) {
         inspect::Recorder recorder(*machine, recording.lists);
         apps::draw(drawing, view_of(drawing), recorder);
         frame.picture = picture_of(*machine);
-        add_passes(frame, drawing, *machine);
+        add_passes(frame, parameter_sets(drawing), *machine);
         frame.by_pass =
             std::make_shared<inspect::Replayed>(std::move(recording), settings.picture.threads);
     });

@@ -57,7 +57,8 @@ private:
     Frame timed(const Settings& settings, const std::function<void(Frame&)>& work);
     Drawing drawing_of(const PictureOptions& options, const Settings& settings) const;
     Machine& machine_for(const Settings& settings);
-    void add_passes(Frame& frame, const Drawing& drawing, Machine& machine) const;
+    void add_passes(Frame& frame, const std::map<std::string, std::string>& sets,
+                    Machine& machine) const;
     std::string hidden_picture(Machine& machine, const std::string& algorithm,
                                const scene::Scene& scene, Frame& frame) const;
 

@@ -17,19 +17,38 @@ void put_pixel(image::Picture& to, int x, int y, const Color& color) {
               to.values.begin() + std::ptrdiff_t(3 * (y * to.width + x)));
 }
 
-/// `left`, `bottom`: where the picture's lower left corner comes.
+/// A row of `count` pixels as R, G, B of 8 bits.
+void put_row(std::uint16_t* to, const std::uint16_t* from, int count,
+             const image::Picture& picture) {
+    const auto channels = std::size_t(picture.channels);
+    if (picture.bits == 8 && channels == 3) {
+        std::copy(from, from + 3 * count, to);
+        return;
+    }
+    for (std::size_t x = 0; x < std::size_t(count); ++x)
+        for (std::size_t c = 0; c < 3; ++c)
+            to[3 * x + c] =
+                std::uint16_t(rescale(from[x * channels + c % channels], picture.bits, 8));
+}
+
+/// `left`, `bottom`: where the picture's lower left corner comes. What does not fit is cut.
 void put_picture_at(image::Picture& to, const image::Picture& picture, int left, int bottom) {
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x) {
-            Color color{};
-            for (std::size_t c = 0; c < 3; ++c) {
-                const std::size_t pixel = pixel_index(x, y, picture.width);
-                const auto channels = std::size_t(picture.channels);
-                color[c] = std::uint16_t(
-                    rescale(picture.values[pixel * channels + c % channels], picture.bits, 8));
-            }
-            put_pixel(to, left + x, bottom + y, color);
-        }
+    const int width = std::min(picture.width, to.width - left);
+    const int height = std::min(picture.height, to.height - bottom);
+    for (int y = 0; y < height; ++y)
+        put_row(&to.values[3 * pixel_index(left, bottom + y, to.width)],
+                &picture.values[std::size_t(picture.channels) * pixel_index(0, y, picture.width)],
+                width, picture);
+}
+
+/// A picture of one colour.
+image::Picture painted(const Color& color, int width, int height) {
+    image::Picture picture{.width = width, .height = height};
+    std::vector<std::uint16_t> row;
+    for (int x = 0; x < width; ++x) row.insert(row.end(), color.begin(), color.end());
+    for (int y = 0; y < height; ++y)
+        picture.values.insert(picture.values.end(), row.begin(), row.end());
+    return picture;
 }
 
 void darken_rows(image::Picture& to, int width, int rows, int bottom) {
@@ -52,9 +71,7 @@ std::string cut(const std::string& text, int letters) {
 }  // namespace
 
 image::Picture screen_of(const ScreenContent& content, int width, int height) {
-    image::Picture screen{.width = width + panel_width, .height = std::max(height, 480)};
-    screen.values.resize(std::size_t(3 * screen.width * screen.height));
-    for (std::size_t i = 0; i < screen.values.size(); ++i) screen.values[i] = ground_color[i % 3];
+    image::Picture screen = painted(ground_color, width + panel_width, std::max(height, 480));
     const int bottom = screen.height - height;
     put_picture_at(screen, content.picture, 0, bottom);
     for (const auto& stroke : content.strokes) put_stroke(screen, stroke, bottom);

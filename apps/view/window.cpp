@@ -12,7 +12,7 @@ namespace gw::apps {
 namespace {
 
 /// How often finished work is looked for.
-constexpr int busy_wait_ms = 5, idle_wait_ms = 50;
+constexpr int busy_wait_ms = 1, idle_wait_ms = 50;
 
 struct Closer {
     void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
@@ -31,6 +31,8 @@ class Library {
 public:
     Library() {
         SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+        // The picture is in memory; OpenGL would only make the window anew.
+        SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
         choose_display();
         if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no window");
     }
@@ -65,20 +67,21 @@ public:
         renderer_.reset(SDL_CreateRenderer(window_.get(), -1, SDL_RENDERER_SOFTWARE));
         if (!renderer_) fail("no picture in the window");
         SDL_RenderSetLogicalSize(renderer_.get(), width, height);
-        texture_.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGB24,
+        texture_.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGB888,
                                          SDL_TEXTUREACCESS_STREAMING, width, height));
         if (!texture_) fail("no picture in the window");
     }
 
     /// Of the window's first size.
     void show(const image::Picture& screen) {
-        bytes_.resize(screen.values.size());
-        const std::size_t row = 3 * std::size_t(width_);
-        for (std::size_t y = 0; y < std::size_t(height_); ++y)
-            for (std::size_t i = 0; i < row; ++i)
-                bytes_[y * row + i] =
-                    std::uint8_t(screen.values[(std::size_t(height_) - 1 - y) * row + i]);
-        SDL_UpdateTexture(texture_.get(), nullptr, bytes_.data(), int(row));
+        words_.resize(std::size_t(width_) * std::size_t(height_));
+        for (int y = 0; y < height_; ++y) {
+            const std::uint16_t* from = &screen.values[3 * pixel_index(0, height_ - 1 - y, width_)];
+            std::uint32_t* to = &words_[pixel_index(0, y, width_)];
+            for (int x = 0; x < width_; ++x, from += 3)
+                to[x] = std::uint32_t(from[0]) << 16 | std::uint32_t(from[1]) << 8 | from[2];
+        }
+        SDL_UpdateTexture(texture_.get(), nullptr, words_.data(), 4 * width_);
         present();
     }
     void present() {
@@ -92,7 +95,7 @@ private:
     Owned<SDL_Window> window_;
     Owned<SDL_Renderer> renderer_;
     Owned<SDL_Texture> texture_;
-    std::vector<std::uint8_t> bytes_;
+    std::vector<std::uint32_t> words_;  ///< 0, R, G, B, the top row first
 };
 
 /// Keys that are no characters.

@@ -84,8 +84,8 @@ private:
         if (XFetchName(display_, at, &name) != 0 && name != nullptr) {
             const bool is_it = std::string(name).find("gw view") != std::string::npos;
             XFree(name);
-            XGetWindowAttributes(display_, at, &attributes);
-            if (is_it && attributes.map_state == IsViewable) {
+            const bool is_there = XGetWindowAttributes(display_, at, &attributes) != 0;
+            if (is_it && is_there && attributes.map_state == IsViewable) {
                 window_ = at;
                 return true;
             }
@@ -100,8 +100,11 @@ private:
     }
 
     std::vector<unsigned long> pixels(int x, int y, unsigned width, unsigned height) const {
-        XImage* image = XGetImage(display_, window_, x, y, width, height, AllPlanes, ZPixmap);
-        if (image == nullptr) give_up("the window cannot be read");
+        XImage* image = nullptr;
+        wait_until("a window that can be read", [&] {
+            image = XGetImage(display_, window_, x, y, width, height, AllPlanes, ZPixmap);
+            return image != nullptr;
+        });
         std::vector<unsigned long> values;
         for (unsigned row = 0; row < height; ++row)
             for (unsigned column = 0; column < width; ++column)
@@ -162,6 +165,8 @@ int main(int count, char** arguments) {
     if (count != 2) give_up("usage: gw_view_user FOLDER");
     Display* const display = XOpenDisplay(nullptr);
     if (display == nullptr) give_up("no display");
+    // A window that was listed may be gone when it is asked for its name.
+    XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
     const User user(display);
     look_around(user, arguments[1]);
     XSync(display, False);
