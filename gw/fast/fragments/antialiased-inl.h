@@ -8,12 +8,13 @@
 #define GW_FAST_ANTIALIASED_INL_H_
 #endif
 
-#include "gw/fast/fragments/fragments-inl.h"
+#include "gw/fast/fragments/smooth_painter-inl.h"
 #include "gw/fast/raster/cover-inl.h"
-#include "gw/fast/shade/batch-inl.h"
 #include "gw/stages/area.h"
 
-#include <bit>
+#include <algorithm>
+#include <array>
+#include <span>
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
@@ -31,8 +32,9 @@ public:
 
     explicit SmoothTile(const TileDraw& d) : draw(d) {}
 
-    /// Begins a primitive of these shapes.
-    void begin(const auto& shapes) {
+    /// Begins a polygon or a line of these shapes.
+    void begin(const auto& shapes, bool polygon) {
+        is_polygon_ = polygon;
         range_ = {draw.tile.side, draw.tile.side, 0, 0};
         for (const Shape shape : shapes) {
             const PixelRange r = range_of(shape);
@@ -45,10 +47,13 @@ public:
         pixels_.assign(std::size_t(width) * std::size_t(height), {});
     }
     void add(Shape shape, std::uint32_t ordinal) {
-        add_around(shape, ordinal, [&](int x, int y) { return area_inside(shape, x, y); });
-    }
-    void add(const Disc& disc) {
-        add_around(disc.corners, 0, [&](int x, int y) { return disc.area(x, y); });
+        for_each(range_of(shape), [&](Pixel& p, int i, int j) {
+            const std::int64_t area = area_inside(shape, draw.tile.x + i, draw.tile.y + j);
+            p.area = std::min(p.area + area, std::int64_t{2} << area_bits);
+            if (area <= p.largest) return;
+            p.largest = area;
+            if (!p.inside) p.shape = ordinal;
+        });
     }
     /// Pixels whose centre is inside a shape, by is_inside(tile column, row); the first shape wins.
     void claim(Shape shape, std::uint32_t ordinal, const auto& is_inside) {
@@ -64,21 +69,39 @@ public:
             p.coverage = std::uint16_t(coverage_of(p.area, bits));
         });
     }
-    /// Calls visit(bx, by) for the blocks that the primitive's shapes reach.
-    void for_each_block(const auto& visit) const {
+    /// Calls visit(bx, by, coverage, inside, outside) for each block: the lanes with the values of
+    /// one shape, whose centres are inside it or outside all shapes.
+    void for_each_block(std::uint32_t shape, const auto& visit) const {
         for (int by = range_.y0 / block_side; by * block_side < range_.y1; ++by)
-            for (int bx = range_.x0 / block_side; bx * block_side < range_.x1; ++bx) visit(bx, by);
+            for (int bx = range_.x0 / block_side; bx * block_side < range_.x1; ++bx) {
+                CoverageBlock coverage;
+                std::uint32_t inside = 0, outside = 0;
+                for (int lane = 0; lane < int(block_pixels); ++lane) {
+                    const Pixel& p = at(bx, by, lane);
+                    coverage.lane[lane] = p.coverage;
+                    if (p.coverage != 0 && p.shape == shape && !is_left_out(bx, by, lane))
+                        (p.inside ? inside : outside) |= 1u << lane;
+                }
+                visit(bx, by, coverage, inside, outside);
+            }
     }
+
+    const TileDraw& draw;
+
+private:
     const Pixel& at(int bx, int by, int lane) const {
         static constexpr Pixel none;
         const int x = bx * block_side + lane % block_side, y = by * block_side + lane / block_side;
         const bool inside = x >= range_.x0 && x < range_.x1 && y >= range_.y0 && y < range_.y1;
         return inside ? pixels_[index(x, y)] : none;
     }
-
-    const TileDraw& draw;
-
-private:
+    /// Only polygons have a pattern.
+    bool is_left_out(int bx, int by, int lane) const {
+        const auto& pattern = draw.op->state.state.polygon_stipple.pattern;
+        return is_polygon_ && pattern &&
+               !stipple_bit(*pattern, draw.tile.x + bx * block_side + lane % block_side,
+                            draw.tile.y + by * block_side + lane / block_side);
+    }
     PixelRange range_of(Shape shape) const {
         const PixelRange r = pixels_around(shape);
         const BlockBox& box = draw.box;
@@ -93,102 +116,9 @@ private:
         return std::size_t(y - range_.y0) * std::size_t(range_.x1 - range_.x0) +
                std::size_t(x - range_.x0);
     }
-    void add_around(Shape corners, std::uint32_t ordinal, const auto& area_at) {
-        const PixelRange range = range_of(corners);
-        for_each(range, [&](Pixel& p, int i, int j) {
-            const std::int64_t area = area_at(draw.tile.x + i, draw.tile.y + j);
-            p.area = std::min(p.area + area, std::int64_t{2} << area_bits);
-            if (area <= p.largest) return;
-            p.largest = area;
-            if (!p.inside) p.shape = ordinal;
-        });
-    }
-
     std::vector<Pixel> pixels_;     ///< of range_
     PixelRange range_{0, 0, 0, 0};  ///< of the shapes
-};
-
-/// One primitive's fragments in the pixels that have its values.
-struct SmoothPainter {
-    const SmoothTile& pixels;
-    const TileDraw& draw;
-    std::uint32_t ordinal, shape;
-    OpCounts& counts;
-    Corners corners;
-    PrimitiveFrame frame;
-    ColorBlock covered;
-
-    SmoothPainter(const SmoothTile& p, std::uint32_t ordinal_, std::uint32_t shape_, OpCounts& c)
-        : pixels(p), draw(p.draw), ordinal(ordinal_), shape(shape_), counts(c) {
-        gather_corners(draw, {&ordinal, 1}, corners);
-        frame = frame_of(draw, ordinal);
-    }
-
-    void paint() {
-        BatchPlanes planes(draw, corners);
-        const DepthPlane depth = depth_plane(draw, *corners.primitive[0], frame);
-        pixels.for_each_block([&](int bx, int by) {
-            std::uint32_t inside = 0, outside = 0;
-            for (int lane = 0; lane < int(block_pixels); ++lane) {
-                const SmoothTile::Pixel& p = pixels.at(bx, by, lane);
-                if (p.coverage != 0 && p.shape == shape && !is_left_out(bx, by, lane))
-                    (p.inside ? inside : outside) |= 1u << lane;
-            }
-            if (inside != 0)
-                run(depth, bx, by, inside,
-                    [&]() -> const ColorBlock& { return planes.color_of(0, bx, by, inside); });
-            for (; outside != 0; outside &= outside - 1)
-                paint_outside(bx, by, std::countr_zero(outside));
-        });
-    }
-
-private:
-    bool is_left_out(int bx, int by, int lane) const {
-        const auto& pattern = draw.op->state.state.polygon_stipple.pattern;
-        return pattern && frame.kind == MeshKind::Triangles &&
-               !stipple_bit(*pattern, draw.tile.x + bx * block_side + lane % block_side,
-                            draw.tile.y + by * block_side + lane / block_side);
-    }
-
-    void run(const DepthPlane& plane, int bx, int by, std::uint32_t mask, const auto& color) {
-        DepthBlock depth;
-        shade_depth(plane, max_of_bits(draw.profile->depth_bits), bx, by, depth);
-        run_fragments(draw.op->state, corners.primitive[0]->front != 0, depth, draw.tile,
-                      draw.tile.block(bx, by), mask, counts, [&]() -> const ColorBlock& {
-                          covered = color();
-                          for (int lane = 0; lane < int(block_pixels); ++lane) {
-                              std::uint16_t& alpha = covered.channel[3][lane];
-                              alpha = covered_alpha(alpha, pixels.at(bx, by, lane).coverage,
-                                                    draw.profile->coverage_bits);
-                          }
-                          return covered;
-                      });
-    }
-
-    /// One pixel whose centre is outside: planes are constant there.
-    void paint_outside(int bx, int by, int lane) {
-        const SetupPrimitive& primitive = *corners.primitive[0];
-        const auto center = [&](int pixel) {
-            return (std::int64_t{pixel} << frame.s) + (std::int64_t{1} << (frame.s - 1));
-        };
-        PrimitiveFrame at = frame;
-        at.limited = true;
-        at.pixel_x = center(draw.tile.x + bx * block_side + lane % block_side);
-        at.pixel_y = center(draw.tile.y + by * block_side + lane / block_side);
-        const std::uint32_t mask = 1u << lane;
-        ShadeInputs in;
-        run(depth_plane(draw, primitive, at), bx, by, mask, [&]() -> const ColorBlock& {
-            ColorPlanes color;
-            make_color_planes(draw, primitive, at, color);
-            wide_colors(color, *draw.op, bx, by, mask, in);
-            if (draw.op->texels) {
-                TexturePlanes texture;
-                make_texture_planes(draw, primitive, at, texture);
-                look_up(texture, draw, bx, by, mask, in);
-            }
-            return shaded(draw, in.texel, in);
-        });
-    }
+    bool is_polygon_ = true;
 };
 
 /// A triangle's corners on the grid of shapes.
@@ -199,13 +129,26 @@ HWY_INLINE std::array<ShapePoint, 3> shape_of(const PrimitiveFrame& f) {
     return corners;
 }
 
+/// Paints the pixels that have the values of one shape.
+inline void paint_shape(const SmoothTile& pixels, std::uint32_t ordinal, std::uint32_t shape,
+                        OpCounts& counts) {
+    Corners corners;
+    gather_corners(pixels.draw, {&ordinal, 1}, corners);
+    BatchPlanes planes(pixels.draw, corners);
+    const PrimitiveFrame frame = frame_of(pixels.draw, ordinal);
+    SmoothPainter painter(planes, 0, frame, counts);
+    pixels.for_each_block(
+        shape, [&](int bx, int by, const CoverageBlock& coverage, std::uint32_t inside,
+                   std::uint32_t outside) { painter.paint(bx, by, coverage, inside, outside); });
+}
+
 /// The pieces of one polygon.
 inline void draw_smooth_polygon(SmoothTile& pixels, std::span<const std::uint32_t> pieces,
                                 OpCounts& counts) {
     const TileDraw& draw = pixels.draw;
     std::vector<std::array<ShapePoint, 3>> shapes;
     for (const std::uint32_t piece : pieces) shapes.push_back(shape_of(frame_of(draw, piece)));
-    pixels.begin(shapes);
+    pixels.begin(shapes, true);
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
         const PrimitiveFrame frame = frame_of(draw, pieces[i]);
         const auto& corners = shapes[i];
@@ -217,43 +160,105 @@ inline void draw_smooth_polygon(SmoothTile& pixels, std::span<const std::uint32_
         });
     }
     pixels.finish();
-    for (std::uint32_t i = 0; i < pieces.size(); ++i)
-        SmoothPainter(pixels, pieces[i], i, counts).paint();
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) paint_shape(pixels, pieces[i], i, counts);
 }
 
-inline void draw_smooth_line(SmoothTile& pixels, std::uint32_t ordinal, OpCounts& counts) {
+/// The pixels of the tile whose centres lie between the ends of a line, along its major axis.
+inline BlockBox between_ends(const TileDraw& draw, const PrimitiveFrame& f) {
+    const auto& u = f.x_major ? f.x : f.y;
+    const std::int64_t half = std::int64_t{1} << (f.s - 1);
+    const std::int64_t first = (std::min(u[0], u[1]) - half + 2 * half - 1) >> f.s,
+                       last = (std::max(u[0], u[1]) - half) >> f.s;
+    const int length = int(last - first) + 1;
+    return block_box(f.x_major ? Rect{int(first), draw.tile.y, length, draw.tile.side}
+                               : Rect{draw.tile.x, int(first), draw.tile.side, length},
+                     draw.tile);
+}
+
+/// A line whose stipple leaves out steps of it.
+inline void draw_stippled_smooth_line(SmoothTile& pixels, std::uint32_t ordinal, OpCounts& counts) {
     const TileDraw& draw = pixels.draw;
     const State& state = draw.op->state.state;
     const PrimitiveFrame f = frame_of(draw, ordinal);
     const SmoothLine line = smooth_line({f.x[0], f.y[0]}, {f.x[1], f.y[1]}, state.line_width, f.s);
-    const auto& u = f.x_major ? f.x : f.y;
-    const std::int64_t low = std::min(u[0], u[1]), high = std::max(u[0], u[1]);
-    const auto is_between_ends = [&](int x, int y) {
-        const std::int64_t pixel = f.x_major ? draw.tile.x + x : draw.tile.y + y;
-        const std::int64_t p = (pixel << f.s) + (std::int64_t{1} << (f.s - 1));
-        return low <= p && p <= high;
-    };
+    const BlockBox inner = between_ends(draw, f);
     const auto shapes = line_shapes(line, state.line_stipple, f.stippled);
-    pixels.begin(shapes);
+    pixels.begin(shapes, false);
     for (const auto& rectangle : shapes) {
         pixels.add(rectangle, 0);
-        pixels.claim(rectangle, 0, is_between_ends);
+        pixels.claim(rectangle, 0, [&](int x, int y) {
+            return inner.x0 <= x && x < inner.x1 && inner.y0 <= y && y < inner.y1;
+        });
     }
     pixels.finish();
-    SmoothPainter(pixels, ordinal, 0, counts).paint();
+    paint_shape(pixels, ordinal, 0, counts);
 }
 
-inline void draw_smooth_point(SmoothTile& pixels, std::uint32_t ordinal, OpCounts& counts) {
-    const TileDraw& draw = pixels.draw;
-    const PrimitiveFrame f = frame_of(draw, ordinal);
-    const Disc point = disc({shape_coordinate(f.x[0], f.s), shape_coordinate(f.y[0], f.s)},
-                            half_size(draw.op->state.state.point_size));
-    pixels.begin(std::array{Shape(point.corners)});
-    pixels.add(point);
-    pixels.claim(point.corners, 0, [](int, int) { return true; });
-    pixels.finish();
-    SmoothPainter(pixels, ordinal, 0, counts).paint();
-}
+/// Points, and lines without stipple: one shape each. Draws them in batches.
+class SmoothShapes {
+public:
+    SmoothShapes(const TileDraw& draw, OpCounts& counts) : draw_(draw), counts_(counts) {}
+
+    void add(std::uint32_t ordinal) {
+        waiting_[count_++] = ordinal;
+        if (count_ == batch_capacity) draw();
+    }
+    /// Draws those that were added.
+    void draw() {
+        if (count_ == 0) return;
+        Corners corners;
+        gather_corners(draw_, std::span(waiting_).first(count_), corners);
+        BatchPlanes planes(draw_, corners);
+        for (std::size_t i = 0; i < count_; ++i) {
+            const PrimitiveFrame frame = frame_of(draw_, waiting_[i]);
+            frame.kind == MeshKind::Points ? draw_point(planes, i, frame)
+                                           : draw_line(planes, i, frame);
+        }
+        count_ = 0;
+    }
+
+private:
+    void draw_point(BatchPlanes& planes, std::size_t i, const PrimitiveFrame& frame) {
+        if (disc_.corners().empty())
+            disc_.set(disc({0, 0}, half_size(draw_.op->state.state.point_size)).corners);
+        find(disc_, {shape_coordinate(frame.x[0], frame.s), shape_coordinate(frame.y[0], frame.s)});
+        SmoothPainter painter(planes, i, frame, counts_);
+        coverage_.for_each_block(
+            [&](int bx, int by, const CoverageBlock& coverage, std::uint32_t lanes) {
+                painter.paint(bx, by, coverage, lanes, 0);
+            });
+    }
+    void draw_line(BatchPlanes& planes, std::size_t i, const PrimitiveFrame& frame) {
+        const SmoothLine line = smooth_line({frame.x[0], frame.y[0]}, {frame.x[1], frame.y[1]},
+                                            draw_.op->state.state.line_width, frame.s);
+        rectangle_.set(line.rectangle(0, line.steps));
+        find(rectangle_, {0, 0});
+        const BlockBox inner = between_ends(draw_, frame);
+        SmoothPainter painter(planes, i, frame, counts_);
+        coverage_.for_each_block(
+            [&](int bx, int by, const CoverageBlock& coverage, std::uint32_t lanes) {
+                const std::uint32_t inside = lanes & inner.mask(bx, by);
+                painter.paint(bx, by, coverage, inside, lanes & ~inside);
+            });
+    }
+    void find(const ShapeSides& shape, ShapePoint to) {
+        const PixelRange r = shape.pixels(to);
+        const BlockBox& box = draw_.box;
+        const Tile& tile = draw_.tile;
+        coverage_.find(shape, to,
+                       {std::max(r.x0 - tile.x, box.x0), std::max(r.y0 - tile.y, box.y0),
+                        std::min(r.x1 - tile.x, box.x1), std::min(r.y1 - tile.y, box.y1)},
+                       tile.x, tile.y, draw_.profile->coverage_bits);
+    }
+
+    const TileDraw& draw_;
+    OpCounts& counts_;
+    std::array<std::uint32_t, batch_capacity> waiting_;
+    std::size_t count_ = 0;
+    ShapeSides disc_;  ///< of the draw's points, around (0, 0)
+    ShapeSides rectangle_;
+    ShapeCoverage coverage_;
+};
 
 /// Draws a bin under a state that may antialias. Smooth pieces of one polygon come together, after
 /// the lines and points of its outline. Others are drawn by `triangle` and `other`.
@@ -263,26 +268,39 @@ inline void draw_antialiased(const TileDraw& draw, std::span<const std::uint32_t
     const State& s = draw.op->state.state;
     const auto& primitives = draw.op->set->primitives;
     SmoothTile pixels(draw);
+    SmoothShapes shapes(draw, counts);
     std::vector<std::uint32_t> pieces;
+    const auto draw_now = [&](std::uint32_t ordinal, const auto& way) {
+        shapes.draw();
+        way(ordinal);
+    };
+    const auto stippled = [&](std::uint32_t ordinal) {
+        draw_stippled_smooth_line(pixels, ordinal, counts);
+    };
     for (std::size_t i = 0; i < bin.size(); ++i) {
         const SetupPrimitive& p = primitives[bin[i]];
         switch (p.kind) {
             case MeshKind::Triangles:
-                s.polygon_smooth ? pieces.push_back(bin[i]) : triangle(bin[i]);
+                s.polygon_smooth ? pieces.push_back(bin[i]) : draw_now(bin[i], triangle);
                 break;
             case MeshKind::Lines:
-                s.line_smooth ? draw_smooth_line(pixels, bin[i], counts) : other(bin[i]);
+                if (!s.line_smooth)
+                    draw_now(bin[i], other);
+                else
+                    s.line_stipple.enable ? draw_now(bin[i], stippled) : shapes.add(bin[i]);
                 break;
             case MeshKind::Points:
-                s.point_smooth ? draw_smooth_point(pixels, bin[i], counts) : other(bin[i]);
+                s.point_smooth ? shapes.add(bin[i]) : draw_now(bin[i], other);
                 break;
         }
         const bool polygon_ends = i + 1 == bin.size() || primitives[bin[i + 1]].part != p.part ||
                                   primitives[bin[i + 1]].polygon != p.polygon;
         if (!polygon_ends || pieces.empty()) continue;
+        shapes.draw();
         draw_smooth_polygon(pixels, pieces, counts);
         pieces.clear();
     }
+    shapes.draw();
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE
