@@ -10,14 +10,25 @@
 #include "gw/fast/plan/draw_op.h"
 #include "gw/fast/plan/tile_draw.h"
 #include "gw/fast/simd/walk-inl.h"
+#include "gw/fast/vertices/geometry.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
+/// Whether a draw consists of filled triangles.
+HWY_INLINE bool is_filled(const DrawOp& op) {
+    return op.set->triangle_count == op.set->primitives.size();
+}
+/// Whether any of a draw's primitives is antialiased.
+HWY_INLINE bool antialiases(const DrawOp& op) {
+    const State& s = op.state.state;
+    return is_filled(op) ? s.polygon_smooth : gw::antialiases(s);
+}
 /// Whether a draw's triangles take the simple path.
-HWY_INLINE bool takes_simple_path(const Resolved& r) {
+HWY_INLINE bool takes_simple_path(const DrawOp& op) {
+    const Resolved& r = op.state;
     return r.state.alpha.func == AlphaFunc::Always && !r.state.polygon_offset.enable &&
-           !r.state.polygon_stipple.pattern && !antialiases(r.state) && !draws_to_both(r.state);
+           !r.state.polygon_stipple.pattern && !antialiases(op) && !draws_to_both(r.state);
 }
 
 /// A triangle's fragments by fate, lane by lane.

@@ -86,10 +86,10 @@ HWY_NOINLINE void draw_smooth(const TileDraw& draw, std::span<const std::uint32_
 
 /// Draws the primitives of a bin in order.
 void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
-    if (antialiases(draw.op->state.state)) return draw_smooth(draw, bin);
+    if (antialiases(*draw.op)) return draw_smooth(draw, bin);
     OpCounts counts;
     const bool uniform = draws_uniform(*draw.op, bin, draw.profile->subpixel_bits),
-               simple = takes_simple_path(draw.op->state);
+               simple = takes_simple_path(*draw.op);
     if (!uniform) write_back_tile(draw.tile, touched_planes(*draw.op));
     walk_bin(
         draw, bin,

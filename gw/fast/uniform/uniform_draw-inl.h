@@ -44,9 +44,9 @@ HWY_INLINE bool all_large(const GeometrySet& set, std::span<const std::uint32_t>
 HWY_INLINE bool draws_uniform(const DrawOp& op, std::span<const std::uint32_t> bin,
                               int subpixel_bits) {
     const Resolved& r = op.state;
-    if (!takes_simple_path(r) || !ignores_stencil(r.front) || !ignores_stencil(r.back))
+    if (!takes_simple_path(op) || !ignores_stencil(r.front) || !ignores_stencil(r.back))
         return false;
-    if (op.set->triangle_count != op.set->primitives.size()) return false;
+    if (!is_filled(op)) return false;
     if (r.writes_color) return FlatPaint::applies_to(op);
     return all_level(*op.set, bin) || all_large(*op.set, bin, subpixel_bits);
 }
