@@ -10,6 +10,7 @@
 
 #include "gw/fast/fragments/blend-inl.h"
 #include "gw/fast/fragments/flat_paint-inl.h"
+#include "gw/fast/fragments/texel_queue-inl.h"
 #include "gw/fast/shade/batch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -52,6 +53,7 @@ struct BatchPaint {
     HWY_INLINE void operator()(int bx, int by, AllLanes) const { write(bx, by, all_lanes); }
     HWY_NOINLINE void write(int bx, int by, std::uint32_t alive) const {
         if (is_perspective) return write_perspective(bx, by, alive);
+        if (waits(planes.queue, bx, by, alive)) return let_wait(planes, i, bx, by, alive);
         const TileDraw& draw = planes.draw;
         write_color(draw.op->state, planes.color_of(i, bx, by, alive),
                     draw.tile.color[draw.tile.block(bx, by)], alive);

@@ -157,10 +157,12 @@ inline void draw_simple(const TileDraw& draw, std::span<const std::uint32_t> bin
     set_up_triangles(draw, bin, needs_depth(*draw.op), t);
     BatchPlanes planes(draw, t.corners);
     const Paints paints = paints_of(*draw.op);
+    if (paints == Paints::Any && planes.may_queue()) planes.queue = &draw.scratch->queue;
     for (std::size_t i = 0; i < t.count(); ++i)
         if (!t.empty(i))
             with_paint(paints, planes, i,
                        [&](const auto& paint) { draw_simple(draw, t, i, box, paint, lanes); });
+    if (planes.queue) draw_waiting(planes);
     lanes.add_to(counts);
 }
 

@@ -6,6 +6,8 @@
 #include "gw/fast/frame/tile_plane.h"
 #include "gw/stages/perspective.h"
 
+#include <bitset>
+
 namespace gw::fast {
 
 struct PrimitiveFrame;
@@ -70,10 +72,28 @@ struct TexturePlanes {
     int slope_x = 0, slope_y = 0;  ///< window pixel that the slopes are given at
 };
 
+/// Fragments of several blocks, whose texels are looked up together: lanes that lie side by side,
+/// and the blocks that they belong to, in order.
+struct TexelQueue {
+    static constexpr std::size_t capacity = 128;
+    struct Block {
+        std::uint8_t triangle, x, y;
+        std::uint16_t lanes;
+    };
+    std::size_t lanes = 0, count = 0;
+    Block blocks[capacity];
+    std::bitset<max_tile_blocks> waiting;  ///< those in `blocks`, 16 in a row
+    // as in TextureLanes, with room for a vector
+    alignas(64) float u[capacity + block_pixels], v[capacity + block_pixels],
+        rho[capacity + block_pixels];
+    alignas(64) std::int32_t u_k[capacity + block_pixels], v_k[capacity + block_pixels];
+};
+
 /// A batch's planes while it is drawn; each worker thread has one scratch.
 struct BatchScratch {
     ColorPlanes color[batch_capacity];
     TexturePlanes texture[batch_capacity];
+    TexelQueue queue;
 };
 
 DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive,

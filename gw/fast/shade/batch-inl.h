@@ -24,6 +24,7 @@ struct BatchPlanes {
     std::size_t flat_in = batch_capacity;  ///< the triangle whose one colour is in `in`
     ModulatedTexels modulated;
     PerspectiveColors perspective;
+    TexelQueue* queue = nullptr;  ///< of texels that are looked up later; null: at once
 
     HWY_INLINE BatchPlanes(const TileDraw& d, const Corners& c)
         : draw(d),
@@ -72,9 +73,17 @@ struct BatchPlanes {
             modulated.write(draw, narrow_color, scratch.texture[i], i, bx, by, in.out);
             return in.out;
         }
-        if (!flat || flat_in != i) evaluate(i, bx, by, mask);
         if (draw.op->texels) look_up(scratch.texture[i], draw, bx, by, mask, in);
+        return textured_color(i, bx, by, mask);
+    }
+    /// The same if `in` has the texels.
+    HWY_INLINE const ColorBlock& textured_color(std::size_t i, int bx, int by, std::uint32_t mask) {
+        if (!flat || flat_in != i) evaluate(i, bx, by, mask);
         return shaded(draw, in.texel, in);
+    }
+    /// Whether texels can be looked up for several blocks at once.
+    HWY_INLINE bool may_queue() const {
+        return draw.op->texels && !modulates && !textures_by_pixel(*draw.op);
     }
 };
 

@@ -117,8 +117,9 @@ HWY_INLINE TexelLanes sample_level(const Sampler& s, const Coordinates& at, VI i
                                    hn::Mask<I32> magnify) {
     const bool small = is_linear(s.state, false), large = is_linear(s.state, true);
     const Sampler::Level level = s.level(index);
+    if (hn::AllTrue(I32(), magnify)) return s.lookup(at, level, large);
     TexelLanes out = s.lookup(at, level, small);
-    if (small == large) return out;
+    if (small == large || hn::AllFalse(I32(), magnify)) return out;
     const TexelLanes other = s.lookup(at, level, large);
     const auto chosen = hn::RebindMask(D32(), magnify);
     for (std::size_t k = 0; k < 4; ++k)
@@ -185,8 +186,14 @@ HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p, 
     }
 }
 
+/// Coordinates of 16 lanes, as in TextureLanes.
+struct LaneCoordinates {
+    const float *u, *v, *rho;
+    const std::int32_t *u_k, *v_k;
+};
 /// The texels of all lanes. Lanes with arbitrary coordinates get arbitrary texels.
-HWY_NOINLINE inline void sample_block(const Sampler& s, const TextureLanes& in, ColorBlock& out) {
+HWY_NOINLINE inline void sample_lanes(const Sampler& s, const LaneCoordinates& in,
+                                      ColorBlock& out) {
     const I32 d;
     const F32 f;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
@@ -204,6 +211,9 @@ HWY_NOINLINE inline void sample_block(const Sampler& s, const TextureLanes& in, 
         }
         for (std::size_t k = 0; k < 4; ++k) store16(texel.channel[k], out.channel[k] + i);
     }
+}
+HWY_INLINE void sample_block(const Sampler& s, const TextureLanes& in, ColorBlock& out) {
+    sample_lanes(s, {in.u, in.v, in.rho, in.u_k, in.v_k}, out);
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -1,0 +1,87 @@
+// Texels of several blocks, looked up together: small triangles have few fragments in a block.
+// Colours, texture environment and writing follow block by block, in order. docs/manual.md,
+// "Textures"; scalar twin: gw/reference/texture_unit.cpp. Does not test. Included once per Highway
+// target.
+#if defined(GW_FAST_TEXEL_QUEUE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_TEXEL_QUEUE_INL_H_
+#undef GW_FAST_TEXEL_QUEUE_INL_H_
+#else
+#define GW_FAST_TEXEL_QUEUE_INL_H_
+#endif
+
+#include "gw/fast/fragments/blend-inl.h"
+#include "gw/fast/shade/batch-inl.h"
+
+#include <bit>
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+HWY_INLINE std::size_t queue_place(int bx, int by) {
+    return std::size_t(by) * 16 + std::size_t(bx);
+}
+
+/// Whether a block's fragments wait: they fill few lanes, or others of the block wait already.
+HWY_INLINE bool waits(const TexelQueue* queue, int bx, int by, std::uint32_t alive) {
+    constexpr int most_lanes = 11;
+    return queue &&
+           (std::popcount(alive) <= most_lanes || queue->waiting.test(queue_place(bx, by)));
+}
+
+/// Draws the fragments that wait.
+HWY_NOINLINE inline void draw_waiting(BatchPlanes& planes) {
+    TexelQueue& q = *planes.queue;
+    const TileDraw& draw = planes.draw;
+    const Sampler sampler = sampler_of(*draw.op);
+    ColorBlock texels[TexelQueue::capacity / block_pixels];
+    for (std::size_t n = q.lanes; n % block_pixels != 0; ++n) {
+        q.u[n] = q.v[n] = q.rho[n] = 0;
+        q.u_k[n] = q.v_k[n] = 0;
+    }
+    for (std::size_t n = 0; n < q.lanes; n += block_pixels)
+        sample_lanes(sampler, {q.u + n, q.v + n, q.rho + n, q.u_k + n, q.v_k + n},
+                     texels[n / block_pixels]);
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < q.count; ++k) {
+        const TexelQueue::Block& b = q.blocks[k];
+        for (std::uint32_t rest = b.lanes; rest != 0; rest &= rest - 1, ++n)
+            for (std::size_t c = 0; c < 4; ++c)
+                planes.in.texel.channel[c][std::countr_zero(rest)] =
+                    texels[n / block_pixels].channel[c][n % block_pixels];
+        write_color(draw.op->state, planes.textured_color(b.triangle, b.x, b.y, b.lanes),
+                    draw.tile.color[draw.tile.block(b.x, b.y)], b.lanes);
+    }
+    q.lanes = q.count = 0;
+    q.waiting.reset();
+}
+
+/// Lets a block's fragments of triangle i of the batch wait for their texels.
+HWY_NOINLINE inline void let_wait(BatchPlanes& planes, std::size_t i, int bx, int by,
+                                  std::uint32_t alive) {
+    TexelQueue& q = *planes.queue;
+    if (q.lanes + block_pixels > TexelQueue::capacity) draw_waiting(planes);
+    planes.make();
+    TextureLanes& at = planes.in.divided;
+    divide_block(sampler_of(*planes.draw.op), planes.scratch.texture[i], planes.draw.tile, bx, by,
+                 alive, at);
+    for (std::size_t first = 0; first < block_pixels; first += lanes32) {
+        const M32 lanes = lanes_of(D32(), alive, first);
+        const auto put = [&](auto d, const auto* from, auto* to) {
+            return hn::CompressStore(hn::Load(d, from + first), hn::RebindMask(d, lanes), d,
+                                     to + q.lanes);
+        };
+        put(F32(), at.u, q.u);
+        put(F32(), at.v, q.v);
+        put(F32(), at.rho, q.rho);
+        put(I32(), at.u_k, q.u_k);
+        q.lanes += put(I32(), at.v_k, q.v_k);
+    }
+    q.blocks[q.count++] = {std::uint8_t(i), std::uint8_t(bx), std::uint8_t(by),
+                           std::uint16_t(alive)};
+    q.waiting.set(queue_place(bx, by));
+}
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target
