@@ -46,6 +46,20 @@ std::vector<Triangle> fan(Corners c) {
     return triangles;
 }
 
+/// A quad that becomes a fan.
+bool add_fan(std::vector<Triangle>& triangles, const MeshData& data, Corners c,
+             std::uint32_t provoking, std::uint32_t polygon) {
+    const std::array<vec3, 4> positions{data.positions[c[0]], data.positions[c[1]],
+                                        data.positions[c[2]], data.positions[c[3]]};
+    if (!becomes_fan(positions)) return false;
+    for (std::size_t i = 1; i < 3; ++i) {
+        const std::array<std::uint32_t, 3> vertex{c[0], c[i], c[i + 1]};
+        triangles.push_back(
+            {vertex, provoking, polygon, flagged_edges(data, vertex, fan_edges(i, 4))});
+    }
+    return true;
+}
+
 void add_polygon(std::vector<Triangle>& triangles, const MeshData& data, Corners c,
                  std::uint32_t provoking, std::uint32_t polygon) {
     if (c.size() == 3) {
@@ -53,6 +67,7 @@ void add_polygon(std::vector<Triangle>& triangles, const MeshData& data, Corners
         triangles.push_back({vertex, provoking, polygon, flagged_edges(data, vertex, 7)});
         return;
     }
+    if (c.size() == 4 && add_fan(triangles, data, c, provoking, polygon)) return;
     std::vector<vec3> positions;
     positions.reserve(c.size());
     for (const std::uint32_t vertex : c) positions.push_back(data.positions[vertex]);

@@ -5,6 +5,8 @@
 
 #include <glm/common.hpp>
 
+#include <array>
+
 namespace gw {
 namespace {
 
@@ -67,24 +69,38 @@ void flag_sides(std::vector<PolygonTriangle>& triangles, std::uint32_t n) {
                 t.edges |= static_cast<std::uint8_t>(1u << k);
 }
 
-}  // namespace
-
-std::vector<vec2> project_polygon(std::span<const vec3> corners) {
+/// As project_polygon(), into as many points.
+void project_into(std::span<const vec3> corners, vec2* points) {
     const auto [normal, magnitude] = newell(corners);
     const int axis = main_axis(normal == dvec3(0) ? magnitude : glm::abs(normal));
     const bool flip = normal[axis] < 0;
     const int first = flip ? (axis + 2) % 3 : (axis + 1) % 3;
     const int second = flip ? (axis + 1) % 3 : (axis + 2) % 3;
-    std::vector<vec2> points;
-    points.reserve(corners.size());
-    for (const vec3& p : corners) points.emplace_back(p[first], p[second]);
+    for (const vec3& p : corners) *points++ = vec2(p[first], p[second]);
+}
+
+bool is_simple(std::span<const vec2> corners) {
+    return corners.size() == 3 || (convex(corners) && fan_has_area(corners));
+}
+
+}  // namespace
+
+std::vector<vec2> project_polygon(std::span<const vec3> corners) {
+    std::vector<vec2> points(corners.size());
+    project_into(corners, points.data());
     return points;
+}
+
+bool becomes_fan(std::span<const vec3> corners) {
+    std::array<vec2, 8> points;
+    if (corners.size() > points.size()) return is_simple(project_polygon(corners));
+    project_into(corners, points.data());
+    return is_simple(std::span(points).first(corners.size()));
 }
 
 std::vector<PolygonTriangle> triangulate(std::span<const vec2> corners) {
     const auto n = static_cast<std::uint32_t>(corners.size());
-    const bool simple = n == 3 || (convex(corners) && fan_has_area(corners));
-    std::vector<PolygonTriangle> triangles = simple ? fan(n) : clip_ears(corners);
+    std::vector<PolygonTriangle> triangles = is_simple(corners) ? fan(n) : clip_ears(corners);
     flag_sides(triangles, n);
     return triangles;
 }

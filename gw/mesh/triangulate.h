@@ -34,4 +34,13 @@ std::vector<PolygonTriangle> triangulate(std::span<const vec2> corners);
 /// The same for a polygon in space.
 std::vector<PolygonTriangle> triangulate(std::span<const vec3> corners);
 
+/// Whether triangulate() gives the fan from corner 0. Most polygons have few corners and are convex:
+/// this takes no memory.
+bool becomes_fan(std::span<const vec3> corners);
+
+/// The sides of triangle (0, i, i + 1) of a fan that are sides of its polygon, a bit each.
+constexpr std::uint8_t fan_edges(std::size_t i, std::size_t corners) {
+    return std::uint8_t((i == 1 ? 1 : 0) | 2 | (i + 2 == corners ? 4 : 0));
+}
+
 }  // namespace gw
