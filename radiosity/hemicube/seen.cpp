@@ -71,7 +71,7 @@ HWY_EXPORT(write_row);
 class Bits {
 public:
     Bits(std::uint64_t* words, std::size_t width, std::size_t rows)
-        : words_(words), width_(width), rows_(rows), per_row_((width + 63) / 64) {}
+        : words_(words), rows_(rows), per_row_((width + 63) / 64) {}
 
     std::uint64_t* row(std::size_t y) { return words_ + y * per_row_; }
     const std::uint64_t* row(std::size_t y) const { return words_ + y * per_row_; }
@@ -89,7 +89,7 @@ public:
 
 private:
     std::uint64_t* words_;
-    std::size_t width_, rows_, per_row_;
+    std::size_t rows_, per_row_;
 };
 
 /// Whether the pixels `by` away in rows and columns have the bit too: of squares of bits, larger
