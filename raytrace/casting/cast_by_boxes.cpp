@@ -18,20 +18,23 @@ public:
             volumes_.back().last = i + 1;
         }
     }
-    std::optional<CastHit> nearest(const Ray& ray, CastCounts& counts) const override {
+
+private:
+    std::optional<CastHit> search(const Ray& ray, CastCounts& counts,
+                                  std::vector<CastVisit>* visits) const override {
         ++counts.rays;
         std::optional<CastHit> hit;
         for (const Volume& volume : volumes_) {
             ++counts.boxes;
             const auto in = through(volume.box, ray);
-            if (!in || (hit && in->from > hit->t)) continue;
-            for (std::size_t i = volume.first; i < volume.last; ++i)
+            const bool enters = in && !(hit && in->from > hit->t);
+            if (visits) visits->push_back({volume.box, enters ? volume.last - volume.first : 0});
+            for (std::size_t i = volume.first; enters && i < volume.last; ++i)
                 tester_.test(ray, i, hit, counts);
         }
         return hit;
     }
 
-private:
     struct Volume {
         Box box;
         std::size_t first = 0, last = 0;
@@ -49,14 +52,16 @@ public:
         for (const CastShape& s : tester.shapes()) boxes_.push_back(box_of(s));
         if (!order_.empty()) build(0, order_.size());
     }
-    std::optional<CastHit> nearest(const Ray& ray, CastCounts& counts) const override {
+
+private:
+    std::optional<CastHit> search(const Ray& ray, CastCounts& counts,
+                                  std::vector<CastVisit>* visits) const override {
         ++counts.rays;
         std::optional<CastHit> hit;
-        if (!nodes_.empty()) search(0, ray, hit, counts);
+        if (!nodes_.empty()) descend(0, ray, hit, counts, visits);
         return hit;
     }
 
-private:
     static constexpr std::size_t most_in_leaf = 4;
     struct Node {
         Box box;
@@ -87,19 +92,21 @@ private:
         return index;
     }
 
-    void search(std::size_t index, const Ray& ray, std::optional<CastHit>& hit,
-                CastCounts& counts) const {
+    void descend(std::size_t index, const Ray& ray, std::optional<CastHit>& hit, CastCounts& counts,
+                 std::vector<CastVisit>* visits) const {
         const Node& node = nodes_[index];
         ++counts.boxes;
         const auto in = through(node.box, ray);
-        if (!in || (hit && in->from > hit->t)) return;
-        if (node.left == 0) {
+        const bool enters = in && !(hit && in->from > hit->t), is_leaf = node.left == 0;
+        if (visits) visits->push_back({node.box, enters && is_leaf ? node.last - node.first : 0});
+        if (!enters) return;
+        if (is_leaf) {
             for (std::size_t i = node.first; i < node.last; ++i)
                 tester_.test(ray, order_[i], hit, counts);
             return;
         }
-        search(node.left, ray, hit, counts);
-        search(node.right, ray, hit, counts);
+        descend(node.left, ray, hit, counts, visits);
+        descend(node.right, ray, hit, counts, visits);
     }
 
     ShapeTester tester_;

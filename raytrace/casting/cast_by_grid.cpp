@@ -19,7 +19,9 @@ public:
         for (std::size_t i = 0; i < shapes.size(); ++i) enter(box_of(shapes[i]), i);
     }
 
-    std::optional<CastHit> nearest(const Ray& ray, CastCounts& counts) const override {
+private:
+    std::optional<CastHit> search(const Ray& ray, CastCounts& counts,
+                                  std::vector<CastVisit>* visits) const override {
         ++counts.rays;
         std::optional<CastHit> hit;
         const auto in = voxels_.empty() ? std::nullopt : through(box_, ray);
@@ -27,7 +29,9 @@ public:
         Walk walk = begin(ray, in->from);
         for (;;) {
             ++counts.voxels;
-            for (const std::size_t i : voxels_[index(walk.at)]) tester_.test(ray, i, hit, counts);
+            const std::vector<std::size_t>& here = voxels_[index(walk.at)];
+            if (visits) visits->push_back({box_of_voxel(walk.at), here.size()});
+            for (const std::size_t i : here) tester_.test(ray, i, hit, counts);
             // A shape reaches into other voxels: a hit beyond this voxel may not be the nearest.
             const int axis = walk.next[0] < walk.next[1] ? (walk.next[0] < walk.next[2] ? 0 : 2)
                                                          : (walk.next[1] < walk.next[2] ? 1 : 2);
@@ -40,7 +44,6 @@ public:
         }
     }
 
-private:
     /// The voxel; along each axis, the step to the next one, the t where that begins, and the t
     /// between two.
     struct Walk {
@@ -77,6 +80,11 @@ private:
         return (std::size_t(at[2]) * std::size_t(counts_[1]) + std::size_t(at[1])) *
                    std::size_t(counts_[0]) +
                std::size_t(at[0]);
+    }
+
+    Box box_of_voxel(const std::array<int, 3>& at) const {
+        const dvec3 low = box_.low + dvec3(at[0], at[1], at[2]) * voxel_;
+        return {low, low + voxel_};
     }
 
     /// Into every voxel that its box touches, or nearly.

@@ -11,14 +11,16 @@ namespace {
 class BruteForce : public RayCaster {
 public:
     explicit BruteForce(const ShapeTester& tester) : tester_(tester) {}
-    std::optional<CastHit> nearest(const Ray& ray, CastCounts& counts) const override {
+
+private:
+    std::optional<CastHit> search(const Ray& ray, CastCounts& counts,
+                                  std::vector<CastVisit>*) const override {
         ++counts.rays;
         std::optional<CastHit> hit;
         for (std::size_t i = 0; i < tester_.shapes().size(); ++i) tester_.test(ray, i, hit, counts);
         return hit;
     }
 
-private:
     ShapeTester tester_;
 };
 

@@ -54,11 +54,31 @@ struct CastHit {
     bool operator==(const CastHit&) const = default;
 };
 
+/// A box or voxel that a search looked into, and how many shapes it tested there.
+struct CastVisit {
+    Box box;
+    std::size_t shapes = 0;
+};
+
 class RayCaster {
 public:
     virtual ~RayCaster() = default;
     /// Of shapes equally near the first. Any number of threads may call it.
-    virtual std::optional<CastHit> nearest(const Ray& ray, CastCounts& counts) const = 0;
+    std::optional<CastHit> nearest(const Ray& ray, CastCounts& counts) const {
+        return search(ray, counts, nullptr);
+    }
+    /// What `nearest` looks into for this ray, in its order: none by brute force.
+    std::vector<CastVisit> visits(const Ray& ray) const {
+        CastCounts counts;
+        std::vector<CastVisit> visits;
+        (void)search(ray, counts, &visits);
+        return visits;
+    }
+
+private:
+    /// Adds to `visits` unless it is null.
+    virtual std::optional<CastHit> search(const Ray& ray, CastCounts& counts,
+                                          std::vector<CastVisit>* visits) const = 0;
 };
 
 /// Refers to the shapes, which must outlive it.

@@ -21,24 +21,34 @@ dvec2 without(const dvec3& p, int axis) {
 
 }  // namespace
 
+bool crosses(const dvec2& p, const dvec2& a, const dvec2& b) {
+    if ((a.y >= p.y) == (b.y >= p.y)) return false;
+    const dvec2 &low = a.y < b.y ? a : b, &high = a.y < b.y ? b : a;
+    // Right of p: x(p.y) > p.x, multiplied by the side's height.
+    const double height = high.y - low.y;
+    return (high.x - low.x) * (p.y - low.y) > (p.x - low.x) * height;
+}
+
+double side_product(const dvec2& p, const dvec2& a, const dvec2& b) { return cross2(b - a, p - a); }
+
+std::optional<double> seen_angle(const dvec2& p, const dvec2& from, const dvec2& to) {
+    const dvec2 a = from - p, b = to - p;
+    const double sine = cross2(a, b), cosine = a.x * b.x + a.y * b.y;
+    if (sine == 0 && cosine <= 0) return std::nullopt;
+    return gw::atan2(sine, cosine);
+}
+
 bool inside_by_crossings(const dvec2& p, std::span<const dvec2> corners) {
     bool inside = false;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const dvec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
-        if ((a.y >= p.y) == (b.y >= p.y)) continue;
-        const dvec2 &low = a.y < b.y ? a : b, &high = a.y < b.y ? b : a;
-        // Right of p: x(p.y) > p.x, multiplied by the side's height.
-        const double height = high.y - low.y;
-        if ((high.x - low.x) * (p.y - low.y) > (p.x - low.x) * height) inside = !inside;
-    }
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        if (crosses(p, corners[i], corners[(i + 1) % corners.size()])) inside = !inside;
     return inside;
 }
 
 bool inside_by_cross_products(const dvec2& p, std::span<const dvec2> corners) {
     bool left = false, right = false;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const dvec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
-        const double c = cross2(b - a, p - a);
+        const double c = side_product(p, corners[i], corners[(i + 1) % corners.size()]);
         left = left || c > 0;
         right = right || c < 0;
     }
@@ -48,10 +58,9 @@ bool inside_by_cross_products(const dvec2& p, std::span<const dvec2> corners) {
 bool inside_by_angles(const dvec2& p, std::span<const dvec2> corners) {
     double sum = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const dvec2 a = corners[i] - p, b = corners[(i + 1) % corners.size()] - p;
-        const double sine = cross2(a, b), cosine = a.x * b.x + a.y * b.y;
-        if (sine == 0 && cosine <= 0) return true;  // on the side
-        sum += gw::atan2(sine, cosine);
+        const auto angle = seen_angle(p, corners[i], corners[(i + 1) % corners.size()]);
+        if (!angle) return true;  // on the side
+        sum += *angle;
     }
     return std::abs(sum) > pi;
 }

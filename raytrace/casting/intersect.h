@@ -25,6 +25,14 @@ namespace gw::raytrace {
 ///   angles          as filled by its border     inside where w is not 0
 enum class InsideTest { Crossings, CrossProducts, Angles };
 
+/// What one side from a to b adds to each of the tests of a point p: whether the half-line from p to
+/// growing x crosses it,
+bool crosses(const dvec2& p, const dvec2& a, const dvec2& b);
+/// the cross product of the side and the way to p, positive if p is on its left,
+double side_product(const dvec2& p, const dvec2& a, const dvec2& b);
+/// and the angle under which p sees it, with its sign; none: p is on the side.
+std::optional<double> seen_angle(const dvec2& p, const dvec2& a, const dvec2& b);
+
 /// Whether the half-line from `p` to growing x crosses the sides an odd number of times. A side
 /// owns its lower end and not its upper one's row, so that a corner on the half-line counts once or
 /// twice, as it must. Points on left and top sides are inside, on right and bottom sides outside:

@@ -133,6 +133,13 @@ dvec3 Tracer::arriving(const Surface& from, const dvec3& direction, FarMaps far,
                        RayCounts& counts) const {
     const auto at = world_.nearest({from.start, direction}, std::numeric_limits<double>::infinity(),
                                    from.at.triangle);
+    if (options_.followed)
+        options_.followed({.from = from.start,
+                           .direction = direction,
+                           .hit = at,
+                           .above = dot3(direction, from.plane_normal) > 0,
+                           .number = options_.depth - path.rays_left,
+                           .part = path.weight});
     if (!at) return far_away(direction, far);
     const Surface hit = surface(world_.triangles(), *at, direction, view_);
     const dvec3 color = shaded(hit, !options_.in_shadow, counts) + followed(hit, path, counts);
@@ -193,9 +200,13 @@ bool Tracer::arrives(const LightSource& source, const Surface& s, bool by_rays,
     if (!(dot3(toward, s.plane_normal) > 0)) return false;
     if (!by_rays) return !options_.in_shadow(source.number, s.at);
     ++counts.shadow;
-    return !world_.occluded({s.start, toward},
-                            directional ? std::numeric_limits<double>::infinity() : 1,
-                            s.at.triangle);
+    const bool arrives =
+        !world_.occluded({s.start, toward},
+                         directional ? std::numeric_limits<double>::infinity() : 1, s.at.triangle);
+    if (options_.followed)
+        options_.followed(
+            {.from = s.start, .direction = toward, .light = source.number, .arrives = arrives});
+    return arrives;
 }
 
 }  // namespace gw::raytrace

@@ -33,6 +33,19 @@ struct RayCounts {
     bool operator==(const RayCounts&) const = default;
 };
 
+/// A ray after the first, as a tracer follows it; for pictures of paths.
+struct FollowedRay {
+    dvec3 from{0};
+    dvec3 direction{
+        0};  ///< of length 1; of a shadow ray: to the light, or opposite to its direction
+    std::optional<scene::TrianglePoint> hit;  ///< none: the background, or a shadow ray
+    std::optional<std::size_t> light;         ///< of a shadow ray
+    bool arrives = false;                     ///< the light does
+    bool above = true;  ///< on the side of the surface that is seen: reflected
+    int number = 0;     ///< in its path, where the ray from the eye is 1; 0: a shadow ray
+    double part = 1;    ///< of the path's light
+};
+
 struct TraceOptions {
     /// Rays in a path. With 2, as in Fig. 9 [K4f], the surface that the ray from the eye meets
     /// sends second rays, and paths end there. With 1 there are reflection maps only.
@@ -41,6 +54,8 @@ struct TraceOptions {
     /// Whether a hit of a reflected ray is in the shadow of a light (by its number). Empty: shadow
     /// rays.
     std::function<bool(std::size_t light, const scene::TrianglePoint&)> in_shadow;
+    /// Is told every ray after the first, as it is followed. Empty: nobody is.
+    std::function<void(const FollowedRay&)> followed;
 };
 
 /// A path that carries less than this part of its light ends.

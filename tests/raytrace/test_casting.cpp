@@ -123,6 +123,31 @@ TEST(InsideTests, SayOfAnyPolygonWhatItsWindingNumberSays) {
     EXPECT_GT(*std::min_element(seen.begin(), seen.begin() + 3), 200);
 }
 
+TEST(InsideTests, AreMadeOfWhatEachSideAdds) {
+    std::mt19937 bits(10);
+    for (int trial = 0; trial < 4000; ++trial) {
+        std::vector<dvec2> corners;
+        for (unsigned i = 0, n = 3 + bits() % 5; i < n; ++i)
+            corners.emplace_back(bits() % 8, bits() % 8);
+        const dvec2 p(bits() % 8, bits() % 8);
+        int crossed = 0, left = 0, right = 0;
+        double angle = 0;
+        bool on_side = false;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const dvec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+            crossed += crosses(p, a, b);
+            left += side_product(p, a, b) > 0;
+            right += side_product(p, a, b) < 0;
+            const auto seen = seen_angle(p, a, b);
+            on_side = on_side || !seen;
+            angle += seen.value_or(0);
+        }
+        ASSERT_EQ(inside_by_crossings(p, corners), crossed % 2 == 1) << trial;
+        ASSERT_EQ(inside_by_cross_products(p, corners), (left > 0) != (right > 0)) << trial;
+        ASSERT_EQ(inside_by_angles(p, corners), on_side || std::abs(angle) > 3) << trial;
+    }
+}
+
 constexpr CastMethod methods[] = {CastMethod::BruteForce, CastMethod::BoundingVolumes,
                                   CastMethod::Hierarchy, CastMethod::Grid};
 
@@ -160,6 +185,31 @@ TEST(Casting, FindsTheSameByEveryMethod) {
     EXPECT_EQ(counts[0].boxes, 0u);
     EXPECT_GT(counts[2].boxes, 0u);
     EXPECT_GT(counts[3].voxels, 4000u / 4);
+}
+
+TEST(Casting, TellsWhatARayLooksInto) {
+    const std::vector<CastShape> shapes = cast_shapes(solids());
+    const Ray ray{{3, 3, 7}, {-3, -2.9, -7}};
+    for (const CastMethod method : methods) {
+        const auto caster = make_caster(method, shapes);
+        CastCounts counts;
+        ASSERT_TRUE(caster->nearest(ray, counts));
+        const std::vector<CastVisit> visits = caster->visits(ray);
+        if (method == CastMethod::BruteForce) {
+            EXPECT_TRUE(visits.empty());
+            continue;
+        }
+        std::size_t tested = 0;
+        for (const CastVisit& visit : visits) {
+            tested += visit.shapes;
+            // A voxel lies on the ray; so does every box in which shapes are tested.
+            const bool is_met = method == CastMethod::Grid || visit.shapes > 0;
+            EXPECT_TRUE(!is_met || through(visit.box, ray));
+        }
+        EXPECT_EQ(visits.size(), counts.boxes + counts.voxels);
+        EXPECT_EQ(tested, counts.shapes);
+        EXPECT_GT(tested, 0u);
+    }
 }
 
 TEST(Casting, TakesSphereMeshesForSpheres) {

@@ -92,6 +92,34 @@ TEST(Tracer, FollowsPathsAsDeepAsAsked) {
     }
 }
 
+TEST(Tracer, TellsTheRaysThatItFollows) {
+    Walls walls = mirror_and_lamp();
+    walls.add({0, 0, 7}, {0.3f, 0, 0}, {0, 0.3f, 0});  // before the wall: it has a shadow there
+    walls.scene.materials[0].Kd = vec3(0.5f);
+    walls.scene.lights.push_back(
+        {.kind = scene::LightKind::Point, .position = {0, 0, 6.5f}, .shadow = scene::Shadow::Map});
+    std::vector<FollowedRay> rays;
+    const TraceOptions options{.followed = [&](const FollowedRay& ray) { rays.push_back(ray); }};
+    for (const double x : {0.125, 0.3}) {
+        rays.clear();
+        const dvec3 eye(0, 0, 2);
+        const Seen seen = look(walls.scene, {x, 0, -1}, options, eye);
+        EXPECT_EQ(seen.traced, look(walls.scene, {x, 0, -1}, {}, eye).traced);
+        ASSERT_EQ(rays.size(), seen.counts.reflected + seen.counts.shadow);
+        // The mirror's shadow ray, the reflected ray to the wall, the wall's shadow ray.
+        ASSERT_EQ(rays.size(), 3u);
+        EXPECT_TRUE(rays[0].light && rays[0].arrives);
+        EXPECT_FALSE(rays[1].light);
+        EXPECT_TRUE(rays[1].above);
+        EXPECT_EQ(rays[1].number, 2);
+        EXPECT_EQ(rays[1].part, 1);  // the largest of Ks
+        ASSERT_TRUE(rays[1].hit);
+        EXPECT_EQ(rays[1].hit->p.z, 10);
+        EXPECT_EQ(rays[2].from.z, 10);
+        EXPECT_EQ(rays[2].arrives, x > 0.2);
+    }
+}
+
 TEST(Tracer, LetsThroughWhatIsNotOpaque) {
     Walls walls;
     walls.add_shining({0, 0, -5}, {9, 0, 0}, {0, 9, 0}, {0.5f, 0.5f, 0.5f});
