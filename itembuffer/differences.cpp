@@ -30,17 +30,6 @@ Pair draw_both(Machine& machine, const scene::Scene& scene, const scene::View& v
     return pair;
 }
 
-/// The scene without superposed effects: one picture of each is compared.
-scene::Scene still(scene::Scene scene) {
-    if (scene.camera) scene.camera->aperture = 0;
-    for (scene::Light& light : scene.lights) light.area = {};
-    for (scene::Object& object : scene.objects) {
-        object.move = dvec3(0);
-        object.glare.reset();
-    }
-    return scene;
-}
-
 int largest_difference(const Rgba& a, const Rgba& b) {
     int most = 0;
     for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int(a[c]) - int(b[c])));
@@ -113,6 +102,16 @@ bool is_even(const std::vector<Value>& values, const scene::View& view, std::siz
 
 }  // namespace
 
+scene::Scene compared_scene(scene::Scene scene) {
+    if (scene.camera) scene.camera->aperture = 0;
+    for (scene::Light& light : scene.lights) light.area = {};
+    for (scene::Object& object : scene.objects) {
+        object.move = dvec3(0);
+        object.glare.reset();
+    }
+    return scene;
+}
+
 std::string_view name_of(Reason reason) {
     switch (reason) {
         case Reason::Same: return "the same";
@@ -127,7 +126,7 @@ std::string_view name_of(Reason reason) {
 
 Differences differences(Machine& machine, const scene::Scene& moving, const scene::View& view,
                         const Options& options) {
-    const scene::Scene scene = still(moving);
+    const scene::Scene scene = compared_scene(moving);
     const raytrace::World world(scene, options.threads);
     Pair pair = draw_both(machine, scene, view, options, world);
     Differences d{.units = units_of(pair), .passes = adding_passes(scene)};

@@ -37,7 +37,10 @@ struct Differences {
     std::size_t away_from_edges = 0, another_polygon_there = 0;
 };
 
-/// One picture of each, without lens, motion, soft lights and glare. Reads the options `depth`,
+/// The scene without lens, motion, soft lights and glare, as it is compared.
+scene::Scene compared_scene(scene::Scene scene);
+
+/// One picture of each, of compared_scene(). Reads the options `depth`,
 /// `shadow_maps` and `threads`.
 Differences differences(Machine& machine, const scene::Scene& scene, const scene::View& view,
                         const Options& options);

@@ -2,6 +2,7 @@
 #include "apps/command/command.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
+#include "apps/render/casts.h"
 #include "apps/render/picture_options.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
@@ -18,15 +19,6 @@ namespace {
 
 using raytrace::CastMethod;
 using raytrace::InsideTest;
-
-constexpr std::pair<const char*, CastMethod> methods[] = {{"brute-force", CastMethod::BruteForce},
-                                                          {"volumes", CastMethod::BoundingVolumes},
-                                                          {"hierarchy", CastMethod::Hierarchy},
-                                                          {"grid", CastMethod::Grid}};
-constexpr std::pair<const char*, InsideTest> inside_tests[] = {
-    {"crossings", InsideTest::Crossings},
-    {"products", InsideTest::CrossProducts},
-    {"angles", InsideTest::Angles}};
 
 struct CastOptions {
     PictureOptions picture{.size = {320, 240}};
@@ -56,18 +48,6 @@ void add_choice(CLI::App& command, const std::string& name, const Table& table, 
 void check_picture(const std::string& option, const std::filesystem::path& file) {
     if (file.empty()) throw UsageError(option + " is empty; expected the name of a picture");
     check_picture_target(file);
-}
-
-/// The number of tests at each pixel in grey: the dearest pixel is white.
-image::Picture picture_of_tests(const std::vector<std::uint32_t>& tests, const Size& size) {
-    const std::uint64_t most =
-        std::max<std::uint32_t>(1, *std::max_element(tests.begin(), tests.end()));
-    std::vector<Rgba> color;
-    for (const std::uint32_t n : tests) {
-        const auto v = static_cast<std::uint16_t>((n * std::uint64_t{255} + most / 2) / most);
-        color.push_back({v, v, v, 255});
-    }
-    return image::picture_of(color, size.width, size.height, 8);
 }
 
 std::string counts_table(const raytrace::CastPicture& picture, std::size_t shapes) {
@@ -103,7 +83,8 @@ int cast(const CastOptions& options, Session& session) {
     image::put_picture(output.add(options.output),
                        image::picture_of(picture.color, size.width, size.height, 8));
     if (!options.tests.empty())
-        image::put_picture(output.add(options.tests), picture_of_tests(picture.tests, size));
+        image::put_picture(output.add(options.tests),
+                           picture_of_tests(picture.tests, size.width, size.height));
     output.commit();
     print(counts_table(picture, shapes.size()));
     return Done;
@@ -122,7 +103,7 @@ Command add_cast(CLI::App& app) {
     command->get_option("--size")->description("Pixels, both sides 1..4096 (default 320x240)");
     command->get_option("--threads")->description("Threads that share the rows (default: all)");
     add_choice(
-        *command, "--method", methods, options->method,
+        *command, "--method", cast_methods, options->method,
         "The search for the nearest shape: brute-force, volumes, hierarchy (default) or grid");
     add_choice(*command, "--inside", inside_tests, options->inside,
                "Ray and polygon: crossings (default), products or angles; "

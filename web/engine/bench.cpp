@@ -84,6 +84,9 @@ void Bench::add_picture(const std::string& path, int width, int height, int bits
 Json Bench::open(const std::string& path) {
     driver_.reset();
     lightings_ = {};
+    rays_.reset();
+    caster_.reset();
+    shapes_.clear();
     file_ = scene::read_scene(path);
     Json objects = Json::array(), lights = Json::array(), pictures = Json::array();
     for (const scene::Object& object : file_.scene.objects)
@@ -134,6 +137,7 @@ Machine& Bench::machine_for(const Json& options) {
     if (key != machine_key_) {
         machine_key_.clear();
         driver_.reset();
+        rays_.reset();
         machine_.reset();
         machine_ = make_fast(profile_named(profile), width, height, {.threads = 1});
         machine_key_ = key;
@@ -202,15 +206,18 @@ void Bench::draw_again(Machine& machine, const Subject& subject, const Json& opt
     driver_->draw(subject.view);
 }
 
-Json Bench::draw(const Json& options) {
-    Machine& machine = machine_for(options);
-    const Subject subject = subject_of(machine, options);
-    const bool has_generated_maps = std::any_of(
+bool Bench::has_generated_maps() const {
+    return std::any_of(
         file_.scene.materials.begin(), file_.scene.materials.end(), [](const scene::Material& m) {
             return std::any_of(m.refl.begin(), m.refl.end(),
                                [](const scene::Map& map) { return map.from_scene > 0; });
         });
-    if (subject.renderer.passes && !has_generated_maps)
+}
+
+Json Bench::draw(const Json& options) {
+    Machine& machine = machine_for(options);
+    const Subject subject = subject_of(machine, options);
+    if (subject.renderer.passes && !has_generated_maps())
         draw_again(machine, subject, options);
     else
         subject.renderer.draw(machine, subject.scene, subject.view, subject.draw);

@@ -8,9 +8,11 @@
 #include "hiddensurface/run/compare.h"
 #include "inspect/replay/replayed.h"
 #include "multipass/frame/driver.h"
+#include "raytrace/casting/casting.h"
 #include "scene/draw/view.h"
 #include "scene/read_scene.h"
 #include "web/engine/lighting.h"
+#include "web/engine/ray_scene.h"
 
 #include <nlohmann/json.hpp>
 
@@ -60,6 +62,27 @@ public:
     Json pixmap(const Json& options);
     /// The five ID buffers of the hemicube on the point `point` of the patch `patch`, as a cross.
     Json hemicube(const Json& options);
+    /// Eq. 5 with rays from the item buffer, and the ordinary ray tracer, of the scene as `gw compare`
+    /// draws it: the options of draw(). Answer counts of rays and times (ray_scene.h).
+    Json rays(const Json& options);
+    Json raytraced(const Json& options);
+    /// The item buffer in false colours; difference(): which pixels are traced. Answers their number.
+    Json identifiers(const Json& options);
+    /// Why the two pictures differ: difference() is itembuffer::Reason.
+    Json reasons(const Json& options);
+    /// The rays of the pixel `x`, `y` of identifiers(); `ordinary`: of the ordinary ray tracer.
+    Json path(const Json& options);
+    /// The scene from the eye `from`, else from outside, without faces that look away. Answers that
+    /// eye and the matrix from world to clip space.
+    Json outside(const Json& options);
+    /// Ray casting as `gw cast` does it: options `method`, `inside`, `limit` (of tests), and those of
+    /// a view. change() is the picture of tests. Answers counts and time.
+    Json cast(const Json& options);
+    /// The boxes or voxels that the ray through the pixel `x`, `y` looks into.
+    Json visits(const Json& options);
+    /// The three inside tests of the polygon `corners` at the centres of `columns` x `rows` pixels,
+    /// a bit each, and what each side adds to them at `point`.
+    Json inside(const Json& options);
     /// Runs a hidden-surface or hidden-line algorithm: options `algorithm`, `level`, `limit`, and
     /// those of a view. The answer is the text of steps.jsonl that `gw hidden --steps` writes.
     std::string hidden(const Json& options);
@@ -89,6 +112,14 @@ private:
         apps::DrawOptions draw;
     };
     Subject subject_of(Machine& machine, const Json& options) const;
+    struct Rays {
+        Machine& machine;
+        RayScene& scene;
+        scene::View view;
+    };
+    Rays rays_for(const Json& options);
+    const raytrace::RayCaster& caster_for(const Json& options);
+    bool has_generated_maps() const;
     /// Draws with what the last picture left that no eye changes; the same bits.
     void draw_again(Machine& machine, const Subject& subject, const Json& options);
     void draw_scene(Machine& machine, const Json& options) const;
@@ -107,6 +138,11 @@ private:
     std::string driver_key_;
     std::unique_ptr<inspect::Replayed> replayed_;
     std::array<std::unique_ptr<Lighting>, 2> lightings_;  ///< gone on with, and solved anew
+    std::unique_ptr<RayScene> rays_;                      ///< of machine_
+    std::string rays_key_;
+    std::vector<raytrace::CastShape> shapes_;
+    std::unique_ptr<raytrace::RayCaster> caster_;  ///< of shapes_
+    std::string caster_key_;
     std::vector<std::uint8_t> picture_, change_, difference_;
 };
 

@@ -1,8 +1,8 @@
 // Shadow volumes in space at the bench: objects of a scene that the machine draws from another eye.
 #include "gw/error.h"
 #include "multipass/shadow/shadows.h"
-#include "scene/draw/fit.h"
 #include "web/engine/bench.h"
+#include "web/engine/outside.h"
 
 namespace gw::lab {
 namespace {
@@ -50,19 +50,6 @@ int add_volumes(scene::Scene& shown, const scene::Scene& scene, std::size_t mate
     return count;
 }
 
-/// Sees the scene from the side of its camera, from farther and higher.
-scene::Camera outside(const scene::Camera& camera, const scene::Bounds& bounds) {
-    scene::Camera far = camera;
-    far.at = (bounds.low + bounds.high) * 0.5;
-    const dvec3 away = camera.eye - far.at;
-    const double distance = glm::length(away) + glm::length(bounds.high - bounds.low);
-    const dvec3 side = glm::normalize(away) + glm::normalize(glm::cross(camera.up, away)) * 0.9 +
-                       glm::normalize(camera.up) * 0.5;
-    far.eye = far.at + glm::normalize(side) * distance;
-    far.aperture = far.near_plane = far.far_plane = 0;
-    return far;
-}
-
 Json json_of(const dvec3& p) { return Json::array({p.x, p.y, p.z}); }
 
 }  // namespace
@@ -77,7 +64,7 @@ Json Bench::volumes(const Json& options) {
         light.area.shape = scene::AreaLight::Shape::None;
     }
     for (scene::Object& object : shown.objects) object.glare.reset();
-    shown.camera = outside(*scene.camera, bounds);
+    shown.camera = outside_camera(scene);
     if (options.contains("from"))
         for (int i = 0; i < 3; ++i) shown.camera->eye[i] = options["from"].at(std::size_t(i));
 

@@ -34,44 +34,10 @@ public:
     std::string open(const std::string& path) {
         return answered([&] { return bench_.open(path); });
     }
-    std::string draw(const std::string& options) {
-        return answered([&] { return bench_.draw(Json::parse(options)); });
-    }
-    std::string manifest(const std::string& options) {
-        return answered([&] { return bench_.manifest(Json::parse(options)); });
-    }
-    std::string hidden(const std::string& options) {
-        return answered([&] { return bench_.hidden(Json::parse(options)); });
-    }
-    std::string passes(const std::string& options) {
-        return answered([&] { return bench_.passes(Json::parse(options)); });
-    }
-    std::string plane(const std::string& options) {
-        return answered([&] { return bench_.plane(Json::parse(options)); });
-    }
-    std::string history(const std::string& options) {
-        return answered([&] { return bench_.history(Json::parse(options)); });
-    }
-    std::string pixel(const std::string& options) {
-        return answered([&] { return bench_.pixel(Json::parse(options)); });
-    }
-    std::string volumes(const std::string& options) {
-        return answered([&] { return bench_.volumes(Json::parse(options)); });
-    }
-    std::string polygons(const std::string& options) {
-        return answered([&] { return bench_.polygons(Json::parse(options)); });
-    }
-    std::string light(const std::string& options) {
-        return answered([&] { return bench_.light(Json::parse(options)); });
-    }
-    std::string lit(const std::string& options) {
-        return answered([&] { return bench_.lit(Json::parse(options)); });
-    }
-    std::string pixmap(const std::string& options) {
-        return answered([&] { return bench_.pixmap(Json::parse(options)); });
-    }
-    std::string hemicube(const std::string& options) {
-        return answered([&] { return bench_.hemicube(Json::parse(options)); });
+    /// A method of the bench from options to an answer.
+    template <auto method>
+    std::string call(const std::string& options) {
+        return answered([&] { return (bench_.*method)(Json::parse(options)); });
     }
     std::string play(const std::string& options, const std::string& steps) {
         return answered([&] { return bench_.play(Json::parse(options), steps); });
@@ -102,24 +68,34 @@ std::string algorithms() {
 }  // namespace gw::lab
 
 EMSCRIPTEN_BINDINGS(gw) {
+    using gw::lab::Bench;
     using gw::lab::Engine;
     emscripten::class_<Engine>("Engine")
         .constructor<>()
         .function("add_picture", &Engine::add_picture)
         .function("open", &Engine::open)
-        .function("draw", &Engine::draw)
-        .function("manifest", &Engine::manifest)
-        .function("hidden", &Engine::hidden)
-        .function("passes", &Engine::passes)
-        .function("plane", &Engine::plane)
-        .function("history", &Engine::history)
-        .function("pixel", &Engine::pixel)
-        .function("volumes", &Engine::volumes)
-        .function("polygons", &Engine::polygons)
-        .function("light", &Engine::light)
-        .function("lit", &Engine::lit)
-        .function("pixmap", &Engine::pixmap)
-        .function("hemicube", &Engine::hemicube)
+        .function("draw", &Engine::call<&Bench::draw>)
+        .function("manifest", &Engine::call<&Bench::manifest>)
+        .function("hidden", &Engine::call<&Bench::hidden>)
+        .function("passes", &Engine::call<&Bench::passes>)
+        .function("plane", &Engine::call<&Bench::plane>)
+        .function("history", &Engine::call<&Bench::history>)
+        .function("pixel", &Engine::call<&Bench::pixel>)
+        .function("volumes", &Engine::call<&Bench::volumes>)
+        .function("polygons", &Engine::call<&Bench::polygons>)
+        .function("light", &Engine::call<&Bench::light>)
+        .function("lit", &Engine::call<&Bench::lit>)
+        .function("pixmap", &Engine::call<&Bench::pixmap>)
+        .function("hemicube", &Engine::call<&Bench::hemicube>)
+        .function("rays", &Engine::call<&Bench::rays>)
+        .function("raytraced", &Engine::call<&Bench::raytraced>)
+        .function("identifiers", &Engine::call<&Bench::identifiers>)
+        .function("reasons", &Engine::call<&Bench::reasons>)
+        .function("path", &Engine::call<&Bench::path>)
+        .function("outside", &Engine::call<&Bench::outside>)
+        .function("cast", &Engine::call<&Bench::cast>)
+        .function("visits", &Engine::call<&Bench::visits>)
+        .function("inside", &Engine::call<&Bench::inside>)
         .function("play", &Engine::play)
         .function("picture", &Engine::picture)
         .function("change", &Engine::change)

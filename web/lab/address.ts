@@ -5,6 +5,7 @@ import { numbersFrom, type Settings } from '../model/settings';
 import { grid, pixelChoicesFrom, putPixel, type PixelChoices } from './pixel_state';
 import { putRadiosity, radiosityFrom, type RadiosityState } from './radiosity_state';
 import { passesFrom, putPasses, type PassesState } from './passes_state';
+import { putRays, raysFrom, type RaysState } from './rays_state';
 
 export interface LabState {
   exhibit: string;
@@ -23,6 +24,7 @@ export interface LabState {
   /** The pixel of the grid that is explained; row 0 is at the bottom. */
   pixelAt: [number, number];
   radiosity: RadiosityState;
+  rays: RaysState;
   page: PageState;
 }
 
@@ -30,9 +32,11 @@ export interface LabState {
 export const firstScene = (exhibit: string): string =>
   exhibit === 'radiosity'
     ? 'radiosity/cornell.toml'
-    : exhibit === 'passes' || exhibit === 'pixel'
-      ? 'rings.toml'
-      : 'hidden/cycle.toml';
+    : exhibit === 'rays'
+      ? 'fig9.toml'
+      : exhibit === 'passes' || exhibit === 'pixel'
+        ? 'rings.toml'
+        : 'hidden/cycle.toml';
 
 export const sizes = ['64x48', '128x96', '160x120', '320x240', '640x480'];
 export const profiles = ['vgx', 'reality', 'ideal'];
@@ -58,6 +62,7 @@ export function toLabAddress(state: LabState, defaults: Settings): string {
     parts.set('at', state.pixelAt.join(','));
     putPixel(parts, state.pixel);
   }
+  if (state.exhibit === 'rays') putRays(parts, state.rays);
   if (state.exhibit === 'radiosity') putRadiosity(parts, state.radiosity);
   const lab = parts.toString().replaceAll('%2C', ',').replaceAll('%2F', '/').replaceAll('%3B', ';');
   return `#${lab}&${toAddress(state.page, defaults).slice(1)}`;
@@ -91,6 +96,7 @@ export function fromLabAddress(
     pixel: pixelChoicesFrom(parts, profile),
     pixelAt: isInside ? [Math.floor(x), Math.floor(y)] : [6, 4],
     radiosity: radiosityFrom(parts),
+    rays: raysFrom(parts),
     page: fromAddress(hash, defaults),
   };
 }

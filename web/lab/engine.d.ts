@@ -22,6 +22,15 @@ declare module 'gw-engine' {
     lit(options: string): string;
     pixmap(options: string): string;
     hemicube(options: string): string;
+    rays(options: string): string;
+    raytraced(options: string): string;
+    identifiers(options: string): string;
+    reasons(options: string): string;
+    path(options: string): string;
+    outside(options: string): string;
+    cast(options: string): string;
+    visits(options: string): string;
+    inside(options: string): string;
     play(options: string, steps: string): string;
     picture(): Uint8Array;
     change(): Uint8Array;

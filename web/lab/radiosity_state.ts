@@ -1,9 +1,12 @@
 // The state of the exhibit of radiosity in the address.
+/** A reflectance, an emitter, or a place, as `gw radiosity --change` has them. */
+export const changesOf = ['Kd', 'dim', 'move'] as const;
+
 export interface LightChange {
   /** So many shots were done. */
   readonly after: number;
   readonly object: string;
-  readonly what: 'Kd' | 'dim';
+  readonly what: (typeof changesOf)[number];
   readonly value: readonly number[];
 }
 export interface RadiosityState {
@@ -44,10 +47,10 @@ export function putRadiosity(parts: URLSearchParams, state: RadiosityState): voi
 }
 
 function changeFrom(text: string): LightChange[] {
-  const found = /^(\d+):(.+):(Kd|dim):([^:]+)$/.exec(text);
+  const found = /^(\d+):(.+):(Kd|dim|move):([^:]+)$/.exec(text);
   const value = found?.[4]!.split(',').map(Number) ?? [];
   if (!found || value.length !== 3 || !value.every(Number.isFinite)) return [];
-  const what = found[3] === 'Kd' ? 'Kd' : 'dim';
+  const what = changesOf.find((word) => word === found[3])!;
   return [{ after: Number(found[1]), object: found[2]!, what, value }];
 }
 

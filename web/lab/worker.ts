@@ -100,6 +100,33 @@ const methods: { [M in keyof Methods]: (...values: Parameters<Methods[M]>) => un
     answered(engine.hemicube(JSON.stringify(options)));
     return engine.picture().slice();
   },
+  rays(options) {
+    const run = json(engine.rays(JSON.stringify(options)));
+    return { ...run, picture: engine.picture().slice() };
+  },
+  raytraced(options) {
+    const run = json(engine.raytraced(JSON.stringify(options)));
+    return { ...run, picture: engine.picture().slice() };
+  },
+  identifiers(options) {
+    const facts = json(engine.identifiers(JSON.stringify(options)));
+    return { ...facts, ids: engine.picture().slice(), mask: engine.difference().slice() };
+  },
+  reasons(options) {
+    const facts = json(engine.reasons(JSON.stringify(options)));
+    return { ...facts, reason: engine.difference().slice() };
+  },
+  path: (options) => json(engine.path(JSON.stringify(options))),
+  outside(options) {
+    const facts = json(engine.outside(JSON.stringify(options)));
+    return { ...facts, picture: engine.picture().slice() };
+  },
+  cast(options) {
+    const run = json(engine.cast(JSON.stringify(options)));
+    return { ...run, picture: engine.picture().slice(), tests: engine.change().slice() };
+  },
+  visits: (options) => json(engine.visits(JSON.stringify(options))),
+  inside: (options) => json(engine.inside(JSON.stringify(options))),
   polygons: (options) => answered(engine.polygons(JSON.stringify(options))),
   play(options, steps) {
     const log = answered(engine.play(JSON.stringify(options), steps));

@@ -191,6 +191,7 @@ describe('the lab leaves the light of gw radiosity', () => {
   it.each([
     ['cornell', 32, 3, []],
     ['cornell', 64, 2, [{ after: 2, object: 'left_wall', what: 'Kd', value: [0.1, 0.2, 0.9] }]],
+    ['cornell', 32, 2, [{ after: 2, object: 'short_block', what: 'move', value: [-0.2, 0, 0] }]],
     ['sphere', 32, 4, []],
   ] as const)('%s, hemicube %i, %i shots, changes %j', async (scene, hemicube, shots, changes) => {
     const words = changes.flatMap((c) => [

@@ -27,6 +27,7 @@ export function inChromium(once = false): void {
   before(async () => {
     complaints = [];
     page = await browser.newPage();
+    page.setDefaultTimeout(100_000); // computers may be busy
     page.on('console', (message) => {
       const isAboutTest = message.text().includes('willReadFrequently');
       if (['error', 'warn'].includes(message.type()) && !isAboutTest)

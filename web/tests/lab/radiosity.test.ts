@@ -110,6 +110,48 @@ it('changes a reflectance, goes on, and solves anew beside it', async () => {
   expect(await pixels('lit')).toEqual(picture);
 });
 
+it('moves an object, and goes on', async () => {
+  await begin('&shots=1');
+  const before = await pixels('lit');
+  await thePage().select('select.what', 'move');
+  await thePage().select('select.object', 'short_block');
+  const field = (await thePage().$$('input.value'))[0]!;
+  await field.click({ count: 3 });
+  await field.type('-0.2');
+  await thePage().click('button.go-on');
+  await thePage().waitForSelector('circle.change');
+  expect(await text('.change li')).toContain('place, moved by');
+  await thePage().waitForFunction(
+    (before) => {
+      const canvas = document.querySelector<HTMLCanvasElement>('figure.lit canvas')!;
+      const now = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height).data;
+      return before.some((v, i) => v !== now[i]);
+    },
+    {},
+    before,
+  );
+  expect(await thePage().evaluate(() => location.hash)).toContain('move%3A-0.2,0,0');
+});
+
+it('is brighter with more exposure', async () => {
+  await begin('&shots=1');
+  const before = await pixels('lit');
+  await thePage().focus('input.exposure');
+  await thePage().keyboard.press('ArrowRight');
+  await thePage().waitForFunction(() => location.hash.includes('exposure=0.5'));
+  await thePage().waitForFunction(
+    (before) => {
+      const canvas = document.querySelector<HTMLCanvasElement>('figure.lit canvas')!;
+      const now = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height).data;
+      return before.some((v, i) => v !== now[i]);
+    },
+    {},
+    before,
+  );
+  const after = await pixels('lit');
+  expect(after.every((v, i) => v >= before[i]!)).toBe(true);
+});
+
 it('walks around the light', async () => {
   await begin('&shots=1');
   const box = (await (await thePage().$('figure.lit .stack'))!.boundingBox())!;
