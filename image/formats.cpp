@@ -32,10 +32,6 @@ void put_values(OutputFile& file, const Values& values) {
     formats().put_values(destination(file), values);
 }
 
-void put_animation(OutputFile& file, const std::vector<Picture>& frames, float frames_per_second) {
-    formats().put_animation(destination(file), frames, frames_per_second);
-}
-
 void put_layers(OutputFile& file, const Layers& layers) {
     formats().put_layers(destination(file), layers);
 }

@@ -27,8 +27,6 @@ struct Formats {
     std::string (*format_of)(const std::filesystem::path& file);
     void (*put_picture)(const Destination& file, const Picture& picture);
     void (*put_values)(const Destination& file, const Values& values);
-    void (*put_animation)(const Destination& file, const std::vector<Picture>& frames,
-                          float frames_per_second);
     void (*put_layers)(const Destination& file, const Layers& layers);
     Layers (*read_layers)(const std::filesystem::path& file, bool with_values);
 };

@@ -1,4 +1,4 @@
-// Writes pictures, planes and animations to files, in any format that OpenImageIO writes; the
+// Writes pictures and planes to files, in any format that OpenImageIO writes; the
 // extension chooses. Changes only the number of bits of a value. Files have their top row first, as
 // formats demand.
 #pragma once
@@ -36,10 +36,6 @@ struct Values {
 
 /// To OpenEXR (UINT or FLOAT channels), lossless.
 void put_values(OutputFile& file, const Values& values);
-
-/// Writes an animated GIF with a palette for each frame. `frames`: at least one, all of one size, 3
-/// channels of 8 bits. Throws an Error that names the target.
-void put_animation(OutputFile& file, const std::vector<Picture>& frames, float frames_per_second);
 
 /// "2.4.7.1"
 std::string library_version();

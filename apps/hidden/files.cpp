@@ -20,23 +20,6 @@ using Colors = std::map<std::uint32_t, Color>;
 
 namespace {
 
-constexpr float frames_per_second = 4;
-
-void put_frames(image::OutputSet& output, const std::filesystem::path& folder,
-                const hs::Input& input, const std::string& algorithm,
-                const std::vector<hs::Step>& steps, const Colors& colors, int pictures) {
-    hs::Replay replay(steps, input.view.width, input.view.height);
-    std::vector<image::Picture> frames;
-    for (const std::size_t place : places(steps.size(), pictures)) {
-        replay.go_to(place);
-        frames.push_back(captioned(enlarged(picture_of_step(input, replay, colors)),
-                                   caption_of_step(algorithm, input, replay)));
-        image::put_picture(output.add(folder / fmt::format("step_{:04}.png", frames.size())),
-                           frames.back());
-    }
-    image::put_animation(output.add(folder / "steps.gif"), frames, frames_per_second);
-}
-
 void put_pieces(image::OutputSet& output, const std::filesystem::path& folder,
                 const hs::Input& input, const std::vector<hs::Piece>& pieces,
                 const Colors& colors) {
@@ -85,14 +68,6 @@ std::vector<std::vector<image::Picture>> in_rows(std::vector<std::vector<image::
 constexpr const char* kinds[] = {"", "_difference", "_writes"};
 
 }  // namespace
-
-std::vector<std::size_t> places(std::size_t steps, int pictures) {
-    const auto count = std::min(steps + 1, std::size_t(pictures));
-    std::vector<std::size_t> at;
-    for (std::size_t i = 1; i <= count; ++i)
-        at.push_back(count == 1 ? steps : (i - 1) * steps / (count - 1));
-    return at;
-}
 
 std::string log_text(const hs::Input& input, const hs::LogSubject& subject,
                      const std::vector<hs::Step>& steps, const std::string& end) {
@@ -155,7 +130,7 @@ void put_log(image::OutputSet& output, const std::filesystem::path& folder,
 }
 
 void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
-               const hs::Input& input, const Compared& run, const hs::StepLog& log, int pictures) {
+               const hs::Input& input, const Compared& run, const hs::StepLog& log) {
     const Colors colors = flat_colors(input);
     const std::vector<hs::Step>& steps = log.steps();
     const hs::LogSubject subject{.algorithm = run.algorithm->name,
@@ -164,7 +139,6 @@ void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
                                  .level = log.finest()};
     put_log(output, folder,
             log_text(input, subject, steps, hs::log_end(steps.size(), run.result.counts)));
-    put_frames(output, folder, input, run.algorithm->name, steps, colors, pictures);
     if (run.result.counts.splits > 0) put_pieces(output, folder, input, run.result.pieces, colors);
     const auto last = pictures_of(input, run.result, colors);
     image::put_picture(output.add(folder / "picture.png"), last[0]);

@@ -24,10 +24,6 @@ std::string counts_text(const std::vector<Compared>& all);
 std::string counts_csv(const std::vector<Compared>& all);
 std::string counts_json(const std::vector<Compared>& all);
 
-/// The steps of a log that get a picture: at most `pictures`, evenly over 0 .. steps, always with
-/// the last.
-std::vector<std::size_t> places(std::size_t steps, int pictures);
-
 /// The log as lines of JSON: header, steps, end.
 std::string log_text(const hiddensurface::Input& input, const hiddensurface::LogSubject& subject,
                      const std::vector<hiddensurface::Step>& steps, const std::string& end);
@@ -35,11 +31,10 @@ std::string log_text(const hiddensurface::Input& input, const hiddensurface::Log
 /// Writes steps.jsonl, and player.html if the build has the page.
 void put_log(image::OutputSet& output, const std::filesystem::path& folder, const std::string& log);
 
-/// Writes the log, step_0001.png ... (at most `pictures`, evenly over the log), steps.gif,
-/// writes.png, picture.png, difference.png, and pieces.svg if a polygon was split.
+/// Writes the log, writes.png, picture.png, difference.png, and pieces.svg if a polygon was split.
 void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
                const hiddensurface::Input& input, const Compared& run,
-               const hiddensurface::StepLog& log, int pictures);
+               const hiddensurface::StepLog& log);
 
 /// Writes sheet.png, the same pictures one by one, complexity.png, counts.csv, counts.json and, if
 /// the build has the page, index.html. The sheet has each algorithm's picture, difference and writes side by side, with

@@ -44,24 +44,14 @@ hs::Level level_from(const std::string& word) {
 
 void add_output_options(CLI::App& command, HiddenOptions& options) {
     command
-        .add_option(
-            "--steps", options.steps,
-            "For one algorithm: step log, numbered pictures, animated GIF, SVG of the pieces")
+        .add_option("--steps", options.steps,
+                    "For one algorithm: step log, its player, the last picture, SVG of the pieces")
         ->type_name("DIR");
     command
         .add_option_function<std::string>(
             "--level", [&](const std::string& word) { options.level = level_from(word); },
             "One step is a polygon (default), line, span or pixel")
         ->type_name("NAME");
-    command
-        .add_option_function<std::string>(
-            "--pictures",
-            [&](const std::string& word) {
-                // All are files of one set, which a process holds open.
-                options.pictures = whole_number_from("--pictures", word, 1, 500);
-            },
-            "At most N pictures of steps (default 48, at most 500), evenly over all")
-        ->type_name("N");
     command
         .add_option("--compare", options.compare,
                     "A sheet of all algorithms with difference pictures, and the counts as CSV, "
@@ -242,8 +232,7 @@ int surfaces(const HiddenOptions& options, Session& session) {
         hs::compare(all.back().result, expected.ids, input);
     }
     progress.at("writing");
-    if (!options.steps.empty())
-        put_steps(output, options.steps, input, all.front(), log, options.pictures);
+    if (!options.steps.empty()) put_steps(output, options.steps, input, all.front(), log);
     if (!options.compare.empty()) put_comparison(output, options.compare, input, all);
     for (const auto& folder : {options.steps, options.compare})
         if (!folder.empty()) put_index(output, folder, session);

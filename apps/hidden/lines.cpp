@@ -40,51 +40,6 @@ std::string text_of(const hs::LineAlgorithm& algorithm, const hs::LineCounts& co
            "\n";
 }
 
-class Pictures {
-public:
-    Pictures(Machine& machine, const hs::Input& input, const hs::LineAlgorithm& algorithm,
-             const std::vector<hs::Line>& lines)
-        : machine_(machine), input_(input), algorithm_(algorithm), lines_(lines) {}
-
-    /// The visible parts of the first `count` lines in white, the hidden parts of the last in yellow.
-    image::Picture of_step(std::size_t count) {
-        const std::vector<hs::Line> first(lines_.begin(), lines_.begin() + std::ptrdiff_t(count));
-        std::vector<hs::Line> last;
-        if (count > 0)
-            last.push_back({.a = first.back().a, .b = first.back().b, .visible = {{0, 1}}});
-        const std::vector<bool> seen = lit(first), at = lit(last);
-        image::Picture picture = blank(input_.view.width, input_.view.height);
-        for (std::size_t i = 0; i < seen.size(); ++i)
-            if (seen[i] || at[i]) put(picture, i, seen[i] ? white : yellow);
-        return captioned(enlarged(picture), caption(count));
-    }
-
-private:
-    std::vector<bool> lit(const std::vector<hs::Line>& lines) {
-        machine_.execute(hs::draw_lines(input_, algorithm_.name, lines));
-        std::vector<bool> found;
-        for (const Rgba& color : machine_.planes().color) found.push_back(color[0] > 0);
-        return found;
-    }
-    std::vector<TextLine> caption(std::size_t count) const {
-        const TextLine head{{algorithm_.name},
-                            {fmt::format("{} of {}", count, lines_.size()), grey}};
-        if (count == 0) return {head, {}};
-        const hs::Line& line = lines_[count - 1];
-        std::string seen;
-        for (const auto& [from, to] : line.visible)
-            seen += fmt::format(" {:.3g}..{:.3g}", from, to);
-        return {head,
-                {{fmt::format("polygon {}:", line.id), grey},
-                 {seen.empty() ? "hidden" : "visible" + seen}}};
-    }
-
-    Machine& machine_;
-    const hs::Input& input_;
-    const hs::LineAlgorithm& algorithm_;
-    const std::vector<hs::Line>& lines_;
-};
-
 image::Picture picture_of(const hs::Input& input, const hs::LineResult& result, bool difference) {
     image::Picture picture = blank(input.view.width, input.view.height);
     for (std::size_t i = 0; i < result.lit.size(); ++i) {
@@ -98,7 +53,7 @@ image::Picture picture_of(const hs::Input& input, const hs::LineResult& result, 
 
 void put_line_steps(image::OutputSet& output, const HiddenOptions& options, const hs::Input& input,
                     const hs::LineAlgorithm& algorithm, const hs::LineResult& result,
-                    const std::vector<hs::Step>& steps, Pictures pictures) {
+                    const std::vector<hs::Step>& steps) {
     const auto& folder = options.steps;
     const hs::LogSubject subject{.algorithm = algorithm.name,
                                  .title = algorithm.title,
@@ -106,13 +61,6 @@ void put_line_steps(image::OutputSet& output, const HiddenOptions& options, cons
                                  .level = options.level};
     put_log(output, folder,
             log_text(input, subject, steps, hs::log_end(steps.size(), result.counts)));
-    std::vector<image::Picture> frames;
-    for (const std::size_t place : places(result.lines.size(), options.pictures)) {
-        frames.push_back(pictures.of_step(place));
-        image::put_picture(output.add(folder / fmt::format("step_{:04}.png", frames.size())),
-                           frames.back());
-    }
-    image::put_animation(output.add(folder / "steps.gif"), frames, 4);
     image::put_picture(output.add(folder / "picture.png"), picture_of(input, result, false));
     image::put_picture(output.add(folder / "difference.png"), picture_of(input, result, true));
     output.add(folder / "lines.svg").write_text(hs::lines_svg(input, result.lines));
@@ -139,8 +87,7 @@ int hidden_lines(const HiddenOptions& options, Session& session) {
     const hs::LineResult result = hs::run_on(*machine, algorithm, input, log);
     progress.at("writing");
     if (!options.steps.empty())
-        put_line_steps(output, options, input, algorithm, result, log.steps(),
-                       Pictures(*machine, input, algorithm, result.lines));
+        put_line_steps(output, options, input, algorithm, result, log.steps());
     if (!options.steps.empty()) put_index(output, options.steps, session);
     output.commit();
     print(text_of(algorithm, result.counts, options.form));

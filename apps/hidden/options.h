@@ -14,7 +14,6 @@ struct HiddenOptions {
     double limit = 300;     ///< the longest estimated time of a run in seconds; 0: none
     std::filesystem::path steps, compare;
     hiddensurface::Level level = hiddensurface::Level::Polygon;
-    int pictures = 48;
     Form form = Form::Text;
 
     std::filesystem::path polygons, play;  ///< for a program: a file to write, its answer

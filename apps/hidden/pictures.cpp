@@ -1,14 +1,10 @@
 #include "apps/hidden/pictures.h"
 
 #include "gw/base/arithmetic.h"
-#include "hiddensurface/run/step_words.h"
-#include "hiddensurface/structures/scan_conversion.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 
 namespace gw::apps {
 
@@ -19,68 +15,6 @@ namespace {
 Color to_color(const dvec3& v) {
     const auto byte = [](double x) { return static_cast<std::uint16_t>(quantize(x, 8)); };
     return {byte(v.x), byte(v.y), byte(v.z)};
-}
-
-/// Colours the polygon's pixels that have a neighbour outside it.
-void draw_border(image::Picture& picture, const hs::Input& input, std::uint32_t id,
-                 const Color& color) {
-    const int width = picture.width, height = picture.height;
-    std::vector<bool> inside(std::size_t(width) * std::size_t(height));
-    for (const hs::Polygon& polygon : input.polygons) {
-        if (polygon.id != id) continue;
-        for (const hs::WindowTriangle& t : polygon.triangles)
-            for (const hs::Run& run :
-                 hs::scan_convert(t.corners, input.subpixel_bits(), input.window()))
-                for (int x = run.x0; x < run.x1; ++x) inside[std::size_t(run.y * width + x)] = true;
-    }
-    const auto at = [&](int x, int y) {
-        return x >= 0 && x < width && y >= 0 && y < height && inside[std::size_t(y * width + x)];
-    };
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            if (at(x, y) && !(at(x - 1, y) && at(x + 1, y) && at(x, y - 1) && at(x, y + 1)))
-                put(picture, std::size_t(y * width + x), color);
-}
-
-/// Colours the window's outermost pixels.
-void draw_window(image::Picture& picture, const Rect& w) {
-    for (int y = w.y; y < w.y + w.height; ++y)
-        for (int x = w.x; x < w.x + w.width; ++x)
-            if (x == w.x || y == w.y || x == w.x + w.width - 1 || y == w.y + w.height - 1)
-                put(picture, std::size_t(y * picture.width + x), white);
-}
-
-constexpr std::size_t most_polygons = 8;
-
-TextLine subject_of(const hs::Step& step) {
-    TextLine line{{hs::name_of(step.action)}};
-    for (std::size_t i = 0; i < step.pieces.size() && i < most_polygons; ++i) {
-        const bool in_order = step.action == hs::Action::Sort;
-        line.push_back({step.pieces[i], in_order || i == 0 ? white : i == 1 ? yellow : grey});
-    }
-    if (step.pieces.size() > most_polygons) line.push_back({"...", grey});
-    return line;
-}
-
-/// The text in lines of about 50 letters; what does not fit ends in dots.
-std::vector<TextLine> wrapped(const std::string& text) {
-    constexpr std::size_t width = 52;
-    std::vector<TextLine> lines(1);
-    std::size_t used = 0;
-    std::istringstream words(text);
-    for (std::string word; words >> word; used += word.size() + 1) {
-        if (used > 0 && used + word.size() > width) {
-            if (lines.size() == lines_of_sentence) {
-                lines.back().push_back({"...", grey});
-                break;
-            }
-            lines.emplace_back();
-            used = 0;
-        }
-        lines.back().push_back({word});
-    }
-    lines.resize(lines_of_sentence);
-    return lines;
 }
 
 }  // namespace
@@ -112,21 +46,6 @@ image::Picture picture_of_shares(const hs::Input& input, const std::vector<hs::S
             sums[std::size_t(share.y * picture.width + share.x)][int(c)] +=
                 share.part * (double(colors.at(share.id)[c]) - double(background[c]));
     for (std::size_t i = 0; i < count; ++i) put(picture, i, to_color(sums[i] / 255.0));
-    return picture;
-}
-
-image::Picture picture_of_step(const hs::Input& input, const hs::Replay& replay,
-                               const std::map<std::uint32_t, Color>& colors) {
-    image::Picture picture = picture_of_ids(input, replay.ids(), colors);
-    if (replay.position() == 0) return picture;
-    const hs::Step& step = replay.step(replay.position() - 1);
-    if (step.action == hs::Action::Sort) return picture;
-    for (std::size_t i = std::min(step.pieces.size(), most_polygons); i-- > 0;)
-        draw_border(picture, input, hs::polygon_of(step.pieces[i]),
-                    i == 0   ? white
-                    : i == 1 ? yellow
-                             : grey);
-    draw_window(picture, step.window);
     return picture;
 }
 
@@ -186,20 +105,6 @@ image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows) {
                 std::copy(from, from + row, sheet.values.begin() + std::ptrdiff_t(to * 3));
             }
     return sheet;
-}
-
-std::vector<TextLine> caption_of_step(const std::string& algorithm, const hs::Input& input,
-                                      const hs::Replay& replay) {
-    const TextLine head{{algorithm},
-                        {fmt::format("{} of {}", replay.position(), replay.size()), grey}};
-    std::vector<TextLine> lines{head};
-    lines.resize(2 + lines_of_sentence);
-    if (replay.position() == 0) return lines;
-    const hs::Step& step = replay.step(replay.position() - 1);
-    lines[1] = subject_of(step);
-    const auto sentence = wrapped(hs::sentence_of(step, hs::grid_of(input), "en"));
-    std::copy(sentence.begin(), sentence.end(), lines.begin() + 2);
-    return lines;
 }
 
 std::array<std::vector<TextLine>, 3> captions_of(const std::string& algorithm,

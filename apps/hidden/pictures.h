@@ -1,5 +1,5 @@
-// Pictures of a hidden-surface algorithm's work: polygons in flat colours, steps with highlights,
-// differences, counts, and their captions. 3 channels of 8 bits. Does not run algorithms or write
+// Pictures of a hidden-surface algorithm's work: polygons in flat colours, differences, counts, and
+// their captions. 3 channels of 8 bits. Does not run algorithms or write
 // files.
 #pragma once
 
@@ -37,12 +37,6 @@ image::Picture picture_of_shares(const hiddensurface::Input& input,
                                  const std::vector<hiddensurface::Share>& shares,
                                  const std::map<std::uint32_t, Color>& colors);
 
-/// The replay's picture with the last step marked: the border of its first polygon white, of the
-/// second yellow, of others grey; its pixels white, or their border.
-image::Picture picture_of_step(const hiddensurface::Input& input,
-                               const hiddensurface::Replay& replay,
-                               const std::map<std::uint32_t, Color>& colors);
-
 /// Equal pixels are dark, ties yellow, edges cyan, snapped blue, wrong pixels red.
 image::Picture picture_of_difference(image::Picture picture,
                                      const std::vector<hiddensurface::Difference>& difference);
@@ -55,13 +49,6 @@ image::Picture enlarged(const image::Picture& picture);
 
 /// Rows of pictures of one size, 4 pixels apart. The first row is on top and the longest.
 image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows);
-
-/// A step's caption: the algorithm and the step's number; its action, with the pieces in the colours
-/// of their borders; its sentence in lines_of_sentence lines.
-inline constexpr std::size_t lines_of_sentence = 4;
-std::vector<TextLine> caption_of_step(const std::string& algorithm,
-                                      const hiddensurface::Input& input,
-                                      const hiddensurface::Replay& replay);
 
 /// Captions for a comparison's picture, difference and writes.
 std::array<std::vector<TextLine>, 3> captions_of(const std::string& algorithm,

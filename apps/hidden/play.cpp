@@ -96,7 +96,7 @@ int hidden_play(const HiddenOptions& options, Session& session) {
     hs::compare(run.result, expected, input);
     progress.at("writing");
     if (!options.steps.empty()) {
-        put_steps(output, options.steps, input, run, log, options.pictures);
+        put_steps(output, options.steps, input, run, log);
         put_index(output, options.steps, session);
     }
     output.commit();

@@ -1,6 +1,5 @@
 // The step log: an algorithm's comparisons, decisions, splits and draws, in order, with the values
-// that decided them. Replay rebuilds the picture and the list's order after every step from the log
-// alone. Does not draw.
+// that decided them. Does not draw.
 #pragma once
 
 #include "hiddensurface/model/grid.h"
@@ -95,39 +94,6 @@ private:
     Level finest_ = Level::Polygon;
     std::vector<WatchedCount> watched_;
     std::vector<Step> steps_;
-};
-
-/// A step log played forwards and backwards.
-class Replay {
-public:
-    Replay(std::vector<Step> steps, int width, int height);
-
-    std::size_t size() const { return steps_.size(); }
-    /// The number of steps done: 0 .. size().
-    std::size_t position() const { return undo_.size(); }
-    const Step& step(std::size_t i) const { return steps_[i]; }
-    /// Identifiers after the steps done, bottom row first.
-    const std::vector<std::uint32_t>& ids() const { return ids_; }
-    /// The pieces in the order of the last Sort; empty before the first.
-    const std::vector<std::string>& order() const { return order_; }
-
-    void forward();
-    void backward();
-    void go_to(std::size_t position);
-
-private:
-    struct Undo {
-        std::vector<std::uint32_t> ids;  ///< of the pixels painted, in the order painted
-        std::vector<std::string> order;  ///< of a Sort
-    };
-    template <class Change>
-    void for_painted(const Step& step, const Change& change);
-
-    std::vector<Step> steps_;
-    std::vector<std::uint32_t> ids_;
-    std::vector<std::string> order_;
-    std::vector<Undo> undo_;
-    int width_ = 0;
 };
 
 }  // namespace gw::hiddensurface

@@ -70,7 +70,16 @@ TEST(Counts, AddUp) {
     EXPECT_EQ(trial.z_buffer.counts.depths, complexity);
 }
 
-TEST(StepLog, RebuildsThePictureForwardsAndEveryStateBackwards) {
+/// Identifiers, bottom row first.
+std::vector<std::uint32_t> painted_by(const std::vector<Step>& steps, int width, int height) {
+    std::vector<std::uint32_t> ids(std::size_t(width) * std::size_t(height));
+    for (const Step& step : steps)
+        for (const auto& [run, id] : step.painted)
+            for (int x = run.x0; x < run.x1; ++x) ids.at(pixel_index(x, run.y, width)) = id;
+    return ids;
+}
+
+TEST(StepLog, HasAllChangesOfThePicture) {
     Trial trial(random_triangles(8, 8), vgx(), 160, 120);
     const PictureGrid grid = grid_of(trial.input);
     for (const Level level : {Level::Polygon, Level::Pixel})
@@ -83,18 +92,7 @@ TEST(StepLog, RebuildsThePictureForwardsAndEveryStateBackwards) {
                 steps.push_back(step_of_line(line, grid));
                 EXPECT_EQ(to_json(steps.back(), steps.size(), grid), line);
             }
-            Replay replay(std::move(steps), 160, 120);
-            const std::size_t middle = replay.size() / 2;
-            replay.go_to(middle);
-            const auto ids = replay.ids();
-            const auto order = replay.order();
-            replay.go_to(replay.size());
-            EXPECT_EQ(replay.ids(), result.ids) << algorithm.name;
-            replay.go_to(middle);
-            EXPECT_EQ(replay.ids(), ids) << algorithm.name;
-            EXPECT_EQ(replay.order(), order) << algorithm.name;
-            replay.go_to(0);
-            EXPECT_EQ(replay.ids(), std::vector<std::uint32_t>(160 * 120)) << algorithm.name;
+            EXPECT_EQ(painted_by(steps, 160, 120), result.ids) << algorithm.name;
         }
 }
 
@@ -103,8 +101,6 @@ TEST(StepLog, RefusesLinesThatItDidNotWrite) {
     EXPECT_THROW(step_of_line("{", grid), Error);
     EXPECT_THROW(step_of_line("{}", grid), Error);
     EXPECT_THROW(step_of_line(R"({"level":"polygon","kind":"juggle"})", grid), Error);
-    EXPECT_THROW(Replay({Step{.action = Action::Draw, .painted = {{{0, 5, 9}, 1}}}}, 8, 8), Error);
-    EXPECT_THROW(Replay({Step{.window = {4, 0, 5, 1}}}, 8, 8), Error);
 }
 
 TEST(Algorithms, AreFoundByName) {

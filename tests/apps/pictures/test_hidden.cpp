@@ -109,14 +109,11 @@ TEST_F(Hidden, PagesHoldTheirData) {
 }
 
 TEST_F(Hidden, WritesStepsThatEndWithThePicture) {
-    const Outcome outcome = hidden({"--algorithm", "newell", "--steps", "s", "--pictures", "3"});
+    const Outcome outcome = hidden({"--algorithm", "newell", "--steps", "s"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(
-        without_player(names("s")),
-        (std::vector<std::string>{"difference.png", "index.html", "index.json", "picture.png",
-                                  "pieces.svg", "step_0001.png", "step_0002.png", "step_0003.png",
-                                  "steps.gif", "steps.jsonl", "writes.png"}));
-    EXPECT_EQ(bytes_of(in("s/steps.gif")).substr(0, 6), "GIF89a");
+    EXPECT_EQ(without_player(names("s")),
+              (std::vector<std::string>{"difference.png", "index.html", "index.json", "picture.png",
+                                        "pieces.svg", "steps.jsonl", "writes.png"}));
     EXPECT_NE(bytes_of(in("s/pieces.svg")).find("<path"), std::string::npos);
     std::istringstream log(bytes_of(in("s/steps.jsonl")));
     int lines = 0;
@@ -156,23 +153,6 @@ TEST_F(Hidden, PrintsATableThatATerminalHolds) {
 }
 
 TEST_F(Hidden, WritesOverEachPictureWhatItShows) {
-    hiddensurface::Replay replay({{.action = hiddensurface::Action::Compare,
-                                   .test = "5-projections",
-                                   .result = "yes",
-                                   .pieces = {"7", "8a"}}},
-                                 4, 4);
-    replay.go_to(1);
-    const scene::Scene scene;
-    scene::View view;
-    view.width = view.height = 4;
-    const auto lines = caption_of_step("newell", {scene, view, vgx(), {}}, replay);
-    ASSERT_EQ(lines.size(), 2 + lines_of_sentence);
-    EXPECT_EQ(lines[0][0].text, "newell");
-    EXPECT_EQ(lines[0][1].text, "1 of 1");
-    EXPECT_EQ(lines[1][1].text, "7");
-    EXPECT_EQ(lines[1][2].text, "8a");
-    EXPECT_EQ(lines[2][0].text, "Test");
-    EXPECT_EQ(lines[2][1].text, "5:");
     const auto cells = captions_of("bsp", {.snapped = 5, .wrong = 3});
     EXPECT_EQ(cells[0][0][0].text, "bsp");
     EXPECT_EQ(cells[1][0][0].text, "3 wrong");
@@ -205,23 +185,19 @@ TEST_F(Hidden, RefusesWhatMakesNoSense) {
     expect_refused(2, {"hidden", cycle, "--steps", "s"}, {"--steps", "--algorithm NAME"});
     expect_refused(2, {"hidden", cycle, "--algorithm", "bsp", "--compare", "c"}, {"--compare"});
     expect_refused(2, {"hidden", cycle, "--level", "atom"}, {"--level 'atom'", "polygon"});
-    expect_refused(2, {"hidden", cycle, "--pictures", "0"}, {"--pictures '0'"});
-    expect_refused(2, {"hidden", cycle, "--pictures", "501"}, {"--pictures '501'", "1..500"});
     expect_refused(1, {"hidden", "none.toml"}, {"none.toml"});
     expect_refused(1, {"hidden", cycle, "--size", "16x12", "--compare", "no/such"}, {"no/such"});
 }
 
 TEST_F(Hidden, DrawsHiddenLinesWithStepsAndCounts) {
     for (const std::string name : {"roberts", "appel"}) {
-        const Outcome outcome = hidden({"--algorithm", name, "--steps", name, "--pictures", "3"});
+        const Outcome outcome = hidden({"--algorithm", name, "--steps", name});
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_NE(outcome.out.find(name), std::string::npos);
         EXPECT_NE(outcome.out.find("\nlines "), std::string::npos);
-        EXPECT_EQ(
-            without_player(names(name)),
-            (std::vector<std::string>{"difference.png", "index.html", "index.json", "lines.svg",
-                                      "picture.png", "step_0001.png", "step_0002.png",
-                                      "step_0003.png", "steps.gif", "steps.jsonl"}));
+        EXPECT_EQ(without_player(names(name)),
+                  (std::vector<std::string>{"difference.png", "index.html", "index.json",
+                                            "lines.svg", "picture.png", "steps.jsonl"}));
         std::istringstream log(bytes_of(in(name + "/steps.jsonl")));
         int lines = 0;
         for (std::string line; std::getline(log, line); ++lines)

@@ -42,7 +42,7 @@ const surfaces = [
 
 function run(algorithm: string, scene: string, level: string): string {
   const out = join(folder, algorithm);
-  const size = ['--size', '64x48', '--pictures', '1', '--quiet'];
+  const size = ['--size', '64x48', '--quiet'];
   const file = join(scenes, 'hidden', `${scene}.toml`);
   execFileSync(gw, [
     'hidden',

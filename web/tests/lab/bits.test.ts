@@ -167,7 +167,7 @@ describe('the lab makes the step log of gw hidden', () => {
   it.each(runs)('%s %s %s', async (scene, algorithm, profile) => {
     execFileSync(gw, [
       ...['hidden', `${scenes}/${scene}.toml`, '--algorithm', algorithm, '--profile', profile],
-      ...['--size', '64x48', '--pictures', '1', '--steps', join(folder, 'steps'), '--quiet'],
+      ...['--size', '64x48', '--steps', join(folder, 'steps'), '--quiet'],
     ]);
     const { log } = await thePage().evaluate(
       async (path, options) => {
